@@ -1,0 +1,1 @@
+//! The machines in rust-hdl, and the one place that emits Verilog.

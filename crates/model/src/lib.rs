@@ -1,0 +1,1 @@
+//! The golden model: plain integers, step-exact, and the direct gather.

@@ -1,0 +1,1 @@
+//! Scene, photon tracing, photon map, quantisation, the f64 reference, images.

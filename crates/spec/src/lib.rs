@@ -1,0 +1,1 @@
+//! What the machines are: formats, ops, microprograms, topology; data only.

@@ -1,0 +1,1 @@
+//! Stimulus, runners and comparison: HDL against golden model.
