@@ -1,1 +1,33 @@
-//! What the machines are: formats, ops, microprograms, topology; data only.
+//! What the machines are, as data: formats, ops, control words, microprograms, topology,
+//! streams and the named machines.
+//!
+//! The golden model and the HDL both read this crate and never each other. It holds meaning as
+//! prose and formula, never as arithmetic on photon values: `a - b` of a coordinate is written
+//! once in `photoncube-model` and once in `photoncube-hdl`, so that their agreement proves
+//! something.
+
+mod control;
+mod format;
+mod hypercube;
+mod listing;
+mod machine;
+mod microprogram;
+mod op;
+mod pins;
+mod register;
+mod schedule;
+mod stream;
+
+pub use control::{ControlWord, FIELDS, Field, FieldRow, WorkSource, control_word_bits, encode};
+pub use format::{Squarer, Widths};
+pub use hypercube::{Axis, Channel, Hypercube, Role};
+pub use listing::{ListingError, parse_listing};
+pub use machine::{MACHINES, Machine, UnknownMachine, find_machine};
+pub use microprogram::{Microprogram, ScheduledStep, Step};
+pub use op::{OPS, Op, OpRow, Unit};
+pub use pins::{CONTROL_REGISTERS, Pin, Pins, SignalPlace};
+pub use register::{REGISTERS, Register, RegisterRow};
+pub use schedule::{
+    Content, ScheduleError, ScheduleReport, UnitUse, check_schedule, schedule_report,
+};
+pub use stream::{Group, Inputs, Outputs, Photon, Query, Sums};

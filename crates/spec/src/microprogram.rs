@@ -1,0 +1,173 @@
+//! Microprograms: which op runs in which clock.
+
+use std::fmt;
+
+use crate::control::{ControlWord, encode};
+use crate::hypercube::{Axis, Hypercube};
+use crate::op::Op;
+
+/// An op with the network axis that it uses, if it uses one.
+#[derive(Copy, Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Step {
+    /// The op.
+    pub op: Op,
+    /// The axis of the link; present just where [`crate::OpRow::uses_link`] says so.
+    pub axis: Option<Axis>,
+}
+
+impl Step {
+    /// A step that uses no link.
+    pub fn new(op: Op) -> Self {
+        Self { op, axis: None }
+    }
+
+    /// The exchange-add on an axis.
+    pub fn exchange_add(axis: Axis) -> Self {
+        Self {
+            op: Op::ExchangeAdd,
+            axis: Some(axis),
+        }
+    }
+}
+
+impl fmt::Display for Step {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.op.row().mnemonic)?;
+        match self.axis {
+            Some(axis) => write!(f, " {axis}"),
+            None => Ok(()),
+        }
+    }
+}
+
+/// A step and the clock, counted from 0, in which every cell does it.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub struct ScheduledStep {
+    /// The clock in its phase.
+    pub clock: u32,
+    /// What is done.
+    pub step: Step,
+}
+
+/// The program of a machine: a phase that runs once a query, and one that runs once a group of
+/// photons, over and over.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Microprogram {
+    /// Once for each query, before its first group.
+    pub query: Vec<ScheduledStep>,
+    /// Once for each group; its length is the initiation interval.
+    pub iteration: Vec<ScheduledStep>,
+}
+
+impl Microprogram {
+    /// The paper's program (Ryu, Kim, Lee, figures 3 to 5) in our all-reduce reading: square,
+    /// add across the role axes, gate, add across the photon axes, accumulate.
+    ///
+    /// 9 clocks on the 4-D cube, one more for each further axis.
+    pub fn all_reduce(cube: Hypercube) -> Self {
+        let mut steps = vec![
+            Step::new(Op::LoadPhoton),
+            Step::new(Op::LoadPower),
+            Step::new(Op::SquareDifference),
+        ];
+        steps.extend(cube.role_axes().map(Step::exchange_add));
+        steps.push(Step::new(Op::Gate));
+        steps.extend(cube.photon_axes().map(Step::exchange_add));
+        steps.push(Step::new(Op::Accumulate));
+        Self {
+            query: one_a_clock(vec![Step::new(Op::LoadQuery)]),
+            iteration: one_a_clock(steps),
+        }
+    }
+
+    /// Clocks from one group to the next.
+    pub fn initiation_interval(&self) -> u32 {
+        phase_clocks(&self.iteration)
+    }
+
+    /// Clocks that the query phase takes.
+    pub fn query_clocks(&self) -> u32 {
+        phase_clocks(&self.query)
+    }
+
+    /// Clocks from a query's first step to the first clock in which its result can be taken,
+    /// with `groups` groups and no waiting.
+    pub fn latency_clocks(&self, groups: u64) -> u64 {
+        u64::from(self.query_clocks()) + groups * u64::from(self.initiation_interval())
+    }
+
+    /// Clocks that a query occupies the machine with no waiting: its latency and the one clock
+    /// in which the result is taken.
+    pub fn occupied_clocks(&self, groups: u64) -> u64 {
+        self.latency_clocks(groups) + 1
+    }
+
+    /// The steps in the order of their clocks, query phase first, one for each clock: what a
+    /// control block with a program counter runs. A clock without a step gets a nop.
+    pub fn steps(&self) -> Vec<Step> {
+        let fill = |phase: &[ScheduledStep]| {
+            (0..phase_clocks(phase))
+                .map(|clock| step_at(phase, clock).unwrap_or(Step::new(Op::Nop)))
+                .collect::<Vec<_>>()
+        };
+        let mut steps = fill(&self.query);
+        steps.extend(fill(&self.iteration));
+        steps
+    }
+
+    /// The encoded program, one control word for each of [`Self::steps`].
+    pub fn control_words(&self) -> Vec<ControlWord> {
+        let steps = self.steps();
+        let taker = steps.iter().rposition(|step| step.op.row().reads_group);
+        steps
+            .iter()
+            .enumerate()
+            .map(|(address, &step)| encode(step, Some(address) == taker))
+            .collect()
+    }
+}
+
+fn one_a_clock(steps: Vec<Step>) -> Vec<ScheduledStep> {
+    (0..)
+        .zip(steps)
+        .map(|(clock, step)| ScheduledStep { clock, step })
+        .collect()
+}
+
+fn phase_clocks(phase: &[ScheduledStep]) -> u32 {
+    phase.iter().map(|s| s.clock + 1).max().unwrap_or(0)
+}
+
+fn step_at(phase: &[ScheduledStep], clock: u32) -> Option<Step> {
+    phase.iter().find(|s| s.clock == clock).map(|s| s.step)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::control::Field;
+
+    #[test]
+    fn the_papers_program_takes_nine_clocks_for_four_photons() {
+        let cube = Hypercube::new(4);
+        assert_eq!(Microprogram::all_reduce(cube).initiation_interval(), 9);
+        assert_eq!(cube.photons(), 4);
+    }
+
+    #[test]
+    fn another_axis_costs_one_clock_and_doubles_the_photons() {
+        let cube = Hypercube::new(5);
+        assert_eq!(Microprogram::all_reduce(cube).initiation_interval(), 10);
+        assert_eq!(cube.photons(), 8);
+    }
+
+    #[test]
+    fn each_group_is_taken_once() {
+        let words = Microprogram::all_reduce(Hypercube::new(4)).control_words();
+        let takes: Vec<_> = words
+            .iter()
+            .map(|&word| Field::TakesGroup.of(word, 4))
+            .collect();
+        assert_eq!(takes, [0, 0, 1, 0, 0, 0, 0, 0, 0, 0]);
+    }
+}

@@ -1,0 +1,612 @@
+//! The schedule checker and the utilisation of a schedule.
+//!
+//! The checker follows, for every node, *what kind of value* each register holds, clock by clock:
+//! a distance that still lacks the w axis is not a distance that may be compared. It knows no
+//! photon values, only what must have happened before each op, and it is the oracle for the
+//! microprogram that model and HDL both read.
+
+use std::fmt;
+
+use thiserror::Error;
+
+use crate::hypercube::{Axis, Hypercube};
+use crate::microprogram::{Microprogram, ScheduledStep};
+use crate::op::{Op, Unit};
+use crate::register::{REGISTERS, Register};
+
+/// What a register holds.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub enum Content {
+    /// Nothing yet: never written, or left over from the iteration before.
+    Stale,
+    /// A word loaded from a stream.
+    Loaded,
+    /// Squares summed across these axes (bit set), by index bit.
+    Distance(u32),
+    /// Powers gated and summed across these axes (bit set), by index bit.
+    Gated(u32),
+    /// The sum of a query over this many groups.
+    SumOf(u32),
+}
+
+impl fmt::Display for Content {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Stale => f.write_str("nothing of this iteration"),
+            Self::Loaded => f.write_str("a loaded word"),
+            Self::Distance(axes) => write!(f, "squares summed across {}", AxisSet(axes)),
+            Self::Gated(axes) => write!(f, "gated powers summed across {}", AxisSet(axes)),
+            Self::SumOf(groups) => write!(f, "the sum of {groups} groups"),
+        }
+    }
+}
+
+struct AxisSet(u32);
+
+impl fmt::Display for AxisSet {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.0 == 0 {
+            return f.write_str("no axis");
+        }
+        let names: Vec<_> = (0..32)
+            .filter(|bit| self.0 >> bit & 1 == 1)
+            .filter_map(Axis::new)
+            .map(Axis::name)
+            .collect();
+        f.write_str(&names.join(", "))
+    }
+}
+
+/// Why a microprogram is rejected. Clocks count from 0 in their phase.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[allow(missing_docs)] // the messages say what the fields are
+pub enum ScheduleError {
+    #[error("{phase} phase: it has no step; expected at least one")]
+    Empty { phase: &'static str },
+    #[error(
+        "{phase} clock {clock}, node {node}: `{first}` and `{second}` both {what}; \
+         move one to another clock"
+    )]
+    Conflict {
+        phase: &'static str,
+        clock: u32,
+        node: usize,
+        first: String,
+        second: String,
+        what: String,
+    },
+    #[error("{phase} clock {clock}, node {node}: the {dimension}-D cube has no axis {axis}")]
+    NoSuchLink {
+        phase: &'static str,
+        clock: u32,
+        node: usize,
+        axis: Axis,
+        dimension: u32,
+    },
+    #[error("{phase} clock {clock}, node {node}: `{step}` does not belong to this phase")]
+    WrongPhase {
+        phase: &'static str,
+        clock: u32,
+        node: usize,
+        step: String,
+    },
+    #[error(
+        "{phase} clock {clock}, node {node}: `{step}` reads {register} of node {holder}, \
+         which holds {found}; expected {expected}"
+    )]
+    Precedence {
+        phase: &'static str,
+        clock: u32,
+        node: usize,
+        step: String,
+        register: &'static str,
+        holder: usize,
+        found: Content,
+        expected: String,
+    },
+    #[error(
+        "after {phase} clock {clock}, node {node}: {register} holds {found}; expected {expected}"
+    )]
+    Incomplete {
+        phase: &'static str,
+        clock: u32,
+        node: usize,
+        register: &'static str,
+        found: Content,
+        expected: String,
+    },
+}
+
+const QUERY: &str = "query";
+const ITERATION: &str = "iteration";
+
+/// Checks a microprogram for a cube: one op in each clock (the cells share one instruction), one
+/// writer for each register and one word for each link and clock, every operand complete before
+/// it is read, and at the end of every iteration in every node the sum of all groups so far.
+///
+/// # Errors
+/// The first violation, with its clock and node.
+pub fn check_schedule(program: &Microprogram, cube: Hypercube) -> Result<(), ScheduleError> {
+    for (phase, steps) in [(QUERY, &program.query), (ITERATION, &program.iteration)] {
+        if steps.is_empty() {
+            return Err(ScheduleError::Empty { phase });
+        }
+        check_resources(phase, steps, cube)?;
+    }
+    let mut cells = vec![[Content::Stale; REGISTERS.len()]; cube.nodes()];
+    run_phase(QUERY, &program.query, cube, &mut cells)?;
+    expect_all(QUERY, program.query_clocks(), &cells, Content::SumOf(0))?;
+    // Twice: the second iteration must not lean on what the first left behind.
+    for groups in 1..=2 {
+        run_phase(ITERATION, &program.iteration, cube, &mut cells)?;
+        let clocks = program.initiation_interval();
+        expect_all(ITERATION, clocks, &cells, Content::SumOf(groups))?;
+        for cell in &mut cells {
+            for register in [Register::Photon, Register::Power, Register::Work] {
+                cell[register as usize] = Content::Stale;
+            }
+        }
+    }
+    Ok(())
+}
+
+/// One instruction a clock for all cells; one op for each unit, writer for each register.
+fn check_resources(
+    phase: &'static str,
+    steps: &[ScheduledStep],
+    cube: Hypercube,
+) -> Result<(), ScheduleError> {
+    for (index, later) in steps.iter().enumerate() {
+        if let Some(axis) = later.step.axis.filter(|&axis| !cube.has_axis(axis)) {
+            return Err(ScheduleError::NoSuchLink {
+                phase,
+                clock: later.clock,
+                node: 0,
+                axis,
+                dimension: cube.dimension(),
+            });
+        }
+        let same_clock = |earlier: &&ScheduledStep| earlier.clock == later.clock;
+        if let Some(earlier) = steps[..index].iter().find(same_clock) {
+            return Err(ScheduleError::Conflict {
+                phase,
+                clock: later.clock,
+                node: 0,
+                first: earlier.step.to_string(),
+                second: later.step.to_string(),
+                what: shared_resource(earlier, later),
+            });
+        }
+    }
+    Ok(())
+}
+
+/// What two steps of one clock compete for; if nothing else, for the one instruction.
+fn shared_resource(first: &ScheduledStep, second: &ScheduledStep) -> String {
+    let (a, b) = (first.step.op.row(), second.step.op.row());
+    if let (Some(unit), true) = (a.unit, a.unit == b.unit) {
+        return format!("need the {unit} unit");
+    }
+    match a.writes.iter().find(|register| b.writes.contains(register)) {
+        Some(register) => format!("write register {}", register.row().mnemonic),
+        None => "need the one instruction that all cells share".to_owned(),
+    }
+}
+
+type Cell = [Content; REGISTERS.len()];
+
+fn run_phase(
+    phase: &'static str,
+    steps: &[ScheduledStep],
+    cube: Hypercube,
+    cells: &mut Vec<Cell>,
+) -> Result<(), ScheduleError> {
+    let mut steps = steps.to_vec();
+    steps.sort_by_key(|step| step.clock);
+    for scheduled in steps {
+        let before = cells.clone();
+        for (node, cell) in cells.iter_mut().enumerate() {
+            let at = Place {
+                phase,
+                scheduled,
+                cube,
+                cells: &before,
+                node,
+            };
+            at.execute(cell)?;
+        }
+    }
+    Ok(())
+}
+
+/// One node at one clock, with the contents of all cells before it.
+struct Place<'a> {
+    phase: &'static str,
+    scheduled: ScheduledStep,
+    cube: Hypercube,
+    cells: &'a [Cell],
+    node: usize,
+}
+
+impl Place<'_> {
+    fn execute(&self, cell: &mut Cell) -> Result<(), ScheduleError> {
+        let (register, content) = match self.scheduled.step.op {
+            Op::Nop => return Ok(()),
+            Op::LoadQuery => return self.load_query(cell),
+            op if self.phase == QUERY => return Err(self.wrong_phase(op)),
+            Op::LoadPhoton => (Register::Photon, Content::Loaded),
+            Op::LoadPower => (Register::Power, Content::Loaded),
+            Op::SquareDifference => {
+                self.expect(Register::Query, Content::Loaded)?;
+                self.expect(Register::Photon, Content::Loaded)?;
+                (Register::Work, Content::Distance(0))
+            }
+            Op::ExchangeAdd => (Register::Work, self.exchange_add()?),
+            Op::Gate => {
+                let complete = axis_set(self.cube.role_axes());
+                self.expect(Register::Work, Content::Distance(complete))?;
+                self.expect(Register::RadiusSq, Content::Loaded)?;
+                self.expect(Register::Power, Content::Loaded)?;
+                (Register::Work, Content::Gated(0))
+            }
+            Op::Accumulate => {
+                let complete = axis_set(self.cube.photon_axes());
+                self.expect(Register::Work, Content::Gated(complete))?;
+                (Register::Sum, self.one_group_more()?)
+            }
+        };
+        cell[register as usize] = content;
+        Ok(())
+    }
+
+    fn load_query(&self, cell: &mut Cell) -> Result<(), ScheduleError> {
+        if self.phase != QUERY {
+            return Err(self.wrong_phase(Op::LoadQuery));
+        }
+        cell[Register::Query as usize] = Content::Loaded;
+        cell[Register::RadiusSq as usize] = Content::Loaded;
+        cell[Register::Sum as usize] = Content::SumOf(0);
+        Ok(())
+    }
+
+    /// The neighbour must hold the same kind of value, and the axis must not be in it already.
+    fn exchange_add(&self) -> Result<Content, ScheduleError> {
+        let Some(axis) = self.scheduled.step.axis else {
+            return Err(self.wrong_phase(Op::ExchangeAdd));
+        };
+        let own = self.cells[self.node][Register::Work as usize];
+        let bit = 1 << axis.bit();
+        let role_axes = axis_set(self.cube.role_axes());
+        let sum = match own {
+            Content::Distance(axes) if axes & bit == 0 && bit & role_axes != 0 => {
+                Content::Distance(axes | bit)
+            }
+            Content::Gated(axes) if axes & bit == 0 && bit & role_axes == 0 => {
+                Content::Gated(axes | bit)
+            }
+            _ => {
+                let expected = format!(
+                    "{} not yet summed across {axis}",
+                    if bit & role_axes == 0 {
+                        "gated powers"
+                    } else {
+                        "squares"
+                    }
+                );
+                return Err(self.precedence(Register::Work, self.node, expected));
+            }
+        };
+        let neighbour = self.cube.neighbour(self.node, axis);
+        if self.cells[neighbour][Register::Work as usize] != own {
+            return Err(self.precedence(Register::Work, neighbour, own.to_string()));
+        }
+        Ok(sum)
+    }
+
+    fn one_group_more(&self) -> Result<Content, ScheduleError> {
+        match self.cells[self.node][Register::Sum as usize] {
+            Content::SumOf(groups) => Ok(Content::SumOf(groups + 1)),
+            _ => Err(self.precedence(Register::Sum, self.node, "a cleared sum".to_owned())),
+        }
+    }
+
+    fn expect(&self, register: Register, expected: Content) -> Result<(), ScheduleError> {
+        if self.cells[self.node][register as usize] == expected {
+            return Ok(());
+        }
+        Err(self.precedence(register, self.node, expected.to_string()))
+    }
+
+    fn precedence(&self, register: Register, holder: usize, expected: String) -> ScheduleError {
+        ScheduleError::Precedence {
+            phase: self.phase,
+            clock: self.scheduled.clock,
+            node: self.node,
+            step: self.scheduled.step.to_string(),
+            register: register.row().mnemonic,
+            holder,
+            found: self.cells[holder][register as usize],
+            expected,
+        }
+    }
+
+    fn wrong_phase(&self, op: Op) -> ScheduleError {
+        ScheduleError::WrongPhase {
+            phase: self.phase,
+            clock: self.scheduled.clock,
+            node: self.node,
+            step: op.row().mnemonic.to_owned(),
+        }
+    }
+}
+
+fn axis_set(axes: impl Iterator<Item = Axis>) -> u32 {
+    axes.map(|axis| 1 << axis.bit()).sum()
+}
+
+fn expect_all(
+    phase: &'static str,
+    clocks: u32,
+    cells: &[Cell],
+    expected: Content,
+) -> Result<(), ScheduleError> {
+    for (node, cell) in cells.iter().enumerate() {
+        let found = cell[Register::Sum as usize];
+        if found != expected {
+            return Err(ScheduleError::Incomplete {
+                phase,
+                clock: clocks - 1,
+                node,
+                register: Register::Sum.row().mnemonic,
+                found,
+                expected: expected.to_string(),
+            });
+        }
+    }
+    Ok(())
+}
+
+/// How many of the clocks of an iteration a unit works.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub struct UnitUse {
+    /// The unit.
+    pub unit: Unit,
+    /// Clocks of one iteration in which it works (in every cell: they share one instruction).
+    pub busy_clocks: u32,
+}
+
+/// The utilisation of a schedule.
+///
+/// `units` counts the paper's three computing units; `registers` counts a register as used in a
+/// clock in which it is read or written. Then
+/// `utilisation = (sum of busy unit clocks + sum of used register clocks) / (clocks x (units + registers))`.
+/// The paper reports 62 % "over ALUs and registers" for its machine without giving its formula.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ScheduleReport {
+    /// Clocks of an iteration.
+    pub initiation_interval: u32,
+    /// Photons tested in an iteration.
+    pub photons: usize,
+    /// Each computing unit.
+    pub units: Vec<UnitUse>,
+    /// Each register, with the clocks in which it is read or written.
+    pub registers: Vec<(Register, u32)>,
+}
+
+impl ScheduleReport {
+    /// Busy unit clocks over all unit clocks.
+    pub fn unit_utilisation(&self) -> f64 {
+        self.ratio(self.busy_units(), self.units.len())
+    }
+
+    /// Used register clocks over all register clocks.
+    pub fn register_utilisation(&self) -> f64 {
+        self.ratio(self.used_registers(), self.registers.len())
+    }
+
+    /// Both together, the formula of the type's documentation.
+    pub fn utilisation(&self) -> f64 {
+        self.ratio(
+            self.busy_units() + self.used_registers(),
+            self.units.len() + self.registers.len(),
+        )
+    }
+
+    fn busy_units(&self) -> u32 {
+        self.units.iter().map(|unit| unit.busy_clocks).sum()
+    }
+
+    fn used_registers(&self) -> u32 {
+        self.registers.iter().map(|&(_, clocks)| clocks).sum()
+    }
+
+    fn ratio(&self, used: u32, resources: usize) -> f64 {
+        f64::from(used) / (f64::from(self.initiation_interval) * resources as f64)
+    }
+}
+
+/// Counts the use of units and registers over one iteration.
+pub fn schedule_report(program: &Microprogram, cube: Hypercube) -> ScheduleReport {
+    let rows: Vec<_> = program
+        .iteration
+        .iter()
+        .map(|scheduled| scheduled.step.op.row())
+        .collect();
+    let count = |used: &dyn Fn(&crate::op::OpRow) -> bool| {
+        rows.iter().filter(|row| used(row)).count() as u32
+    };
+    ScheduleReport {
+        initiation_interval: program.initiation_interval(),
+        photons: cube.photons(),
+        units: Unit::COMPUTING
+            .into_iter()
+            .map(|unit| UnitUse {
+                unit,
+                busy_clocks: count(&|row| row.unit == Some(unit)),
+            })
+            .collect(),
+        registers: REGISTERS
+            .iter()
+            .map(|register| {
+                let r = register.register;
+                let used = count(&|row| row.reads.contains(&r) || row.writes.contains(&r));
+                (r, used)
+            })
+            .collect(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::listing::parse_listing;
+
+    const PAPER: &str = "query:\n0 ldq\niteration:\n0 ldp\n1 ldw\n2 sqd\n3 add z\n4 add w\n\
+                         5 gate\n6 add x\n7 add y\n8 acc\n";
+
+    fn verdict(listing: &str, dimension: u32) -> Result<(), ScheduleError> {
+        check_schedule(&parse_listing(listing).unwrap(), Hypercube::new(dimension))
+    }
+
+    #[test]
+    fn the_papers_program_is_accepted() {
+        assert_eq!(verdict(PAPER, 4), Ok(()));
+        for dimension in 4..=10 {
+            let cube = Hypercube::new(dimension);
+            assert_eq!(
+                check_schedule(&Microprogram::all_reduce(cube), cube),
+                Ok(())
+            );
+        }
+    }
+
+    #[test]
+    fn any_order_that_keeps_precedence_is_accepted() {
+        let reordered = PAPER
+            .replace("0 ldp\n1 ldw\n2 sqd", "0 ldp\n1 sqd\n2 ldw")
+            .replace("3 add z\n4 add w", "3 add w\n4 add z");
+        assert_eq!(verdict(&reordered, 4), Ok(()));
+    }
+
+    #[test]
+    fn wrong_programs_are_rejected_with_the_clock_and_the_node() {
+        let cases = [
+            (
+                "5 gate",
+                "5 nop",
+                4,
+                "iteration clock 6, node 0: `add x` reads v",
+            ),
+            (
+                "4 add w",
+                "4 nop",
+                4,
+                "iteration clock 5, node 0: `gate` reads v of node 0, which holds squares summed across z; expected squares summed across z, w",
+            ),
+            (
+                "4 add w",
+                "4 add z",
+                4,
+                "iteration clock 4, node 0: `add z`",
+            ),
+            (
+                "0 ldp",
+                "0 nop",
+                4,
+                "iteration clock 2, node 0: `sqd` reads p",
+            ),
+            (
+                "1 ldw",
+                "1 nop",
+                4,
+                "iteration clock 5, node 0: `gate` reads w",
+            ),
+            (
+                "7 add y",
+                "7 nop",
+                4,
+                "iteration clock 8, node 0: `acc` reads v",
+            ),
+            (
+                "8 acc",
+                "8 nop",
+                4,
+                "after iteration clock 8, node 0: s holds the sum of 0 groups",
+            ),
+            (
+                "8 acc",
+                "8 acc\n9 acc",
+                4,
+                "after iteration clock 9, node 0: s holds the sum of 2 groups",
+            ),
+            (
+                "0 ldq",
+                "0 nop",
+                4,
+                "after query clock 0, node 0: s holds nothing",
+            ),
+            (
+                "1 ldw",
+                "0 ldw",
+                4,
+                "iteration clock 0, node 0: `ldp` and `ldw` both need the port unit",
+            ),
+            (
+                "3 add z",
+                "2 add z",
+                4,
+                "iteration clock 2, node 0: `sqd` and `add z` both write register v",
+            ),
+            (
+                "1 ldw",
+                "2 ldw",
+                4,
+                "iteration clock 2, node 0: `ldw` and `sqd` both need the one instruction",
+            ),
+            (
+                "7 add y",
+                "7 add v",
+                4,
+                "iteration clock 7, node 0: the 4-D cube has no axis v",
+            ),
+            (
+                "5 gate",
+                "5 ldq",
+                4,
+                "iteration clock 5, node 0: `ldq` does not belong",
+            ),
+            (
+                "0 ldq",
+                "0 ldp",
+                4,
+                "query clock 0, node 0: `ldp` does not belong",
+            ),
+            (
+                "8 acc",
+                "8 acc",
+                5,
+                "iteration clock 8, node 0: `acc` reads v of node 0, which holds gated powers summed across x, y; expected gated powers summed across x, y, v",
+            ),
+        ];
+        for (from, to, dimension, expected) in cases {
+            let message = match verdict(&PAPER.replace(from, to), dimension) {
+                Err(error) => error.to_string(),
+                Ok(()) => panic!("{from} -> {to} was accepted"),
+            };
+            assert!(message.starts_with(expected), "{from} -> {to}: {message}");
+        }
+        assert!(verdict("query:\n0 ldq\n", 4).is_err());
+    }
+
+    #[test]
+    fn utilisation_counts_units_and_registers() {
+        let cube = Hypercube::new(4);
+        let report = schedule_report(&Microprogram::all_reduce(cube), cube);
+        let busy: Vec<_> = report.units.iter().map(|unit| unit.busy_clocks).collect();
+        assert_eq!(busy, [1, 1, 5], "square, gate, add");
+        // q: sqd. r: gate. p: ldp, sqd. w: ldw, gate. v: sqd, four adds, gate, acc. s: acc.
+        let used: Vec<_> = report.registers.iter().map(|&(_, clocks)| clocks).collect();
+        assert_eq!(used, [1, 1, 2, 2, 7, 1]);
+        assert_eq!(report.utilisation(), 21.0 / 81.0);
+    }
+}
