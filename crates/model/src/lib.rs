@@ -1,1 +1,13 @@
-//! The golden model: plain integers, step-exact, and the direct gather.
+//! The golden model: what a machine computes, in plain integers.
+//!
+//! Two independent readings of the spec: [`StepMachine`] does what the hardware does, clock by
+//! clock, register by register; [`gather`] is the sum over photons that all of it is for. A
+//! property test holds them equal. No I/O, no HDL, and no arithmetic shared with the HDL.
+
+mod gather;
+mod machine;
+mod range;
+
+pub use gather::{GatherError, gather};
+pub use machine::{CellState, ControlState, StepMachine};
+pub use range::{RangeError, check_photon, check_query};

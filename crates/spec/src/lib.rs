@@ -30,4 +30,4 @@ pub use register::{REGISTERS, Register, RegisterRow};
 pub use schedule::{
     Content, ScheduleError, ScheduleReport, UnitUse, check_schedule, schedule_report,
 };
-pub use stream::{Group, Inputs, Outputs, Photon, Query, Sums};
+pub use stream::{Group, Inputs, Lane, Outputs, Photon, Query, Sums};

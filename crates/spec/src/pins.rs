@@ -8,7 +8,7 @@ use crate::format::{Widths, bits_for};
 use crate::hypercube::{Channel, Role};
 use crate::machine::Machine;
 use crate::register::{REGISTERS, Register};
-use crate::stream::{Group, Inputs, Outputs, Photon, Query, Sums};
+use crate::stream::{Group, Inputs, Lane, Outputs, Photon, Query, Sums};
 
 /// A signal: its Verilog name at the top level (or in the trace module) and its width.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -83,10 +83,9 @@ impl Pins {
             u64::from(inputs.group.last),
         ];
         for lane in &inputs.group.lanes {
-            let photon = lane.unwrap_or_default();
-            row.push(u64::from(lane.is_some()));
-            row.extend(photon.position.map(u64::from));
-            row.extend(photon.power.map(u64::from));
+            row.push(u64::from(lane.present));
+            row.extend(lane.photon.position.map(u64::from));
+            row.extend(lane.photon.power.map(u64::from));
         }
         row.push(u64::from(inputs.result_ready));
         row
@@ -108,13 +107,12 @@ impl Pins {
         let group_valid = next() != 0;
         let last = next() != 0;
         let lanes = (0..lanes)
-            .map(|_| {
-                let present = next() != 0;
-                let photon = Photon {
+            .map(|_| Lane {
+                present: next() != 0,
+                photon: Photon {
                     position: [next() as u32, next() as u32, next() as u32],
                     power: [next() as u32, next() as u32, next() as u32],
-                };
-                present.then_some(photon)
+                },
             })
             .collect();
         Inputs {
@@ -253,11 +251,12 @@ mod tests {
                 group_valid: true,
                 group: Group {
                     lanes: (0..lanes)
-                        .map(|lane| {
-                            (lane != 1).then(|| Photon {
+                        .map(|lane| Lane {
+                            present: lane != 1,
+                            photon: Photon {
                                 position: [next(), next(), next()],
                                 power: [next(), next(), next()],
-                            })
+                            },
                         })
                         .collect(),
                     last: true,

@@ -19,11 +19,20 @@ pub struct Photon {
     pub power: [u32; 3],
 }
 
-/// The photons of one iteration: a lane for each quad, `None` where there is no photon.
+/// One quad's part of a group.
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Lane {
+    /// Whether there is a photon; without one, the word counts for nothing, whatever it is.
+    pub present: bool,
+    /// The word on the lane's pins.
+    pub photon: Photon,
+}
+
+/// The photons of one iteration: a lane for each quad.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Group {
     /// One lane for each quad of the machine.
-    pub lanes: Vec<Option<Photon>>,
+    pub lanes: Vec<Lane>,
     /// Whether it is the last group of its query.
     pub last: bool,
 }
@@ -66,4 +75,12 @@ pub struct Outputs {
     pub result_valid: bool,
     /// The result; meaningful while `result_valid`.
     pub result: Sums,
+}
+
+impl Group {
+    /// The photons that are present.
+    pub fn photons(&self) -> impl Iterator<Item = Photon> {
+        let present = self.lanes.iter().filter(|lane| lane.present);
+        present.map(|lane| lane.photon)
+    }
 }

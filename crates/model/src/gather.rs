@@ -1,0 +1,116 @@
+//! The direct gather: the sum that the machine's clocks add up to.
+
+use photoncube_spec::{Machine, Photon, Query, Sums};
+use thiserror::Error;
+
+use crate::range::{RangeError, check_photon, check_query};
+
+/// Why a gather is refused.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum GatherError {
+    /// A value does not fit the machine's formats.
+    #[error(transparent)]
+    Range(#[from] RangeError),
+    /// More photons than the sums are sized for.
+    #[error(
+        "a query of more than {max_photons} photons does not fit machine `{machine}`: \
+         its sums could overflow; use a smaller radius or a machine with a larger `max_photons`"
+    )]
+    TooManyPhotons {
+        /// The most photons that the machine declares for one query.
+        max_photons: u64,
+        /// The machine.
+        machine: &'static str,
+    },
+}
+
+/// Sums the power and the number of the photons with `d^2 <= radius_sq`; exact.
+///
+/// Eq. 2 of Ryu, Kim, Lee, without its constant factor `1 / (pi r^2)`.
+///
+/// # Errors
+/// A value that the machine's formats cannot hold, or more photons than its sums are sized for.
+pub fn gather(
+    machine: &Machine,
+    query: &Query,
+    photons: impl IntoIterator<Item = Photon>,
+) -> Result<Sums, GatherError> {
+    check_query(machine, query)?;
+    let mut sums = Sums::default();
+    let mut given = 0;
+    for photon in photons {
+        check_photon(machine, &photon)?;
+        given += 1;
+        if given > machine.max_photons {
+            return Err(GatherError::TooManyPhotons {
+                max_photons: machine.max_photons,
+                machine: machine.name,
+            });
+        }
+        if distance_sq(query.position, photon.position) <= u64::from(query.radius_sq) {
+            for (sum, power) in sums.power.iter_mut().zip(photon.power) {
+                *sum += u64::from(power);
+            }
+            sums.count += 1;
+        }
+    }
+    Ok(sums)
+}
+
+fn distance_sq(a: [u32; 3], b: [u32; 3]) -> u64 {
+    a.into_iter()
+        .zip(b)
+        .map(|(a, b)| u64::from(a.abs_diff(b)).pow(2))
+        .sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use photoncube_spec::MACHINES;
+
+    const PAPER: &Machine = &MACHINES[0];
+
+    fn photon_at(x: u32, y: u32, z: u32) -> Photon {
+        Photon {
+            position: [x, y, z],
+            power: [1, 2, 3],
+        }
+    }
+
+    #[test]
+    fn the_boundary_is_in_range() {
+        let query = Query {
+            position: [100; 3],
+            radius_sq: 25,
+        };
+        let photons = [photon_at(103, 96, 100), photon_at(103, 96, 101)];
+        let sums = gather(PAPER, &query, photons).unwrap();
+        assert_eq!((sums.count, sums.power), (1, [1, 2, 3]));
+    }
+
+    #[test]
+    fn the_largest_declared_count_at_full_scale_is_exact() {
+        let full = Photon {
+            position: [0; 3],
+            power: [65_535; 3],
+        };
+        let many = |count| std::iter::repeat_n(full, count);
+        let query = Query::default();
+        let largest = PAPER.max_photons as usize;
+        let sums = gather(PAPER, &query, many(largest)).unwrap();
+        assert_eq!(sums.power, [u64::from(u32::MAX); 3]);
+        let refused = gather(PAPER, &query, many(largest + 1));
+        assert!(matches!(refused, Err(GatherError::TooManyPhotons { .. })));
+    }
+
+    #[test]
+    fn what_does_not_fit_is_refused_with_the_limit() {
+        let query = Query::default();
+        let message = gather(PAPER, &query, [photon_at(0, 256, 0)])
+            .unwrap_err()
+            .to_string();
+        assert!(message.contains("position y is 256"), "{message}");
+        assert!(message.contains("largest is 255"), "{message}");
+    }
+}

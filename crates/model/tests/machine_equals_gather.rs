@@ -1,0 +1,100 @@
+//! The step-exact machine and the direct gather are two readings of one spec: they must agree.
+
+use photoncube_model::{StepMachine, gather};
+use photoncube_spec::{Group, Inputs, Lane, MACHINES, Machine, Photon, Query, Sums, Widths};
+use proptest::prelude::*;
+
+/// Runs one query through the machine, group by group, as a patient user of its streams would.
+fn run(machine: &Machine, query: Query, groups: &[Group]) -> (Sums, u64) {
+    let mut dut = StepMachine::new(machine);
+    let mut next_group = 0;
+    let mut inputs = Inputs {
+        query_valid: true,
+        query,
+        group_valid: true,
+        group: groups[0].clone(),
+        result_ready: true,
+        ..Inputs::default()
+    };
+    for clock in 0.. {
+        let outputs = dut.outputs();
+        if outputs.result_valid {
+            return (outputs.result, clock);
+        }
+        dut.clock(&inputs);
+        if outputs.group_ready {
+            next_group += 1;
+            inputs.group_valid = next_group < groups.len();
+            inputs.group = groups.get(next_group).cloned().unwrap_or_default();
+        }
+        assert!(clock < 100 * groups.len() as u64, "the machine hangs");
+    }
+    unreachable!()
+}
+
+fn photon(widths: Widths) -> impl Strategy<Value = Photon> {
+    let coordinate = 0..1_u32 << widths.coordinate;
+    let power = 0..1_u32 << widths.power;
+    (
+        prop::array::uniform3(coordinate),
+        prop::array::uniform3(power),
+    )
+        .prop_map(|(position, power)| Photon { position, power })
+}
+
+fn query(widths: Widths) -> impl Strategy<Value = Query> {
+    let coordinate = 0..1_u32 << widths.coordinate;
+    (
+        prop::array::uniform3(coordinate),
+        0..1_u32 << widths.distance,
+    )
+        .prop_map(|(position, radius_sq)| Query {
+            position,
+            radius_sq,
+        })
+}
+
+fn groups(machine: &Machine) -> impl Strategy<Value = Vec<Group>> {
+    let lanes = machine.photons_per_iteration();
+    let lane = (prop::bool::weighted(0.8), photon(Widths::of(machine)))
+        .prop_map(|(present, photon)| Lane { present, photon });
+    prop::collection::vec(prop::collection::vec(lane, lanes), 1..6).prop_map(|groups| {
+        let count = groups.len();
+        let with_last = |(index, lanes)| Group {
+            lanes,
+            last: index + 1 == count,
+        };
+        groups.into_iter().enumerate().map(with_last).collect()
+    })
+}
+
+fn case() -> impl Strategy<Value = (&'static Machine, Query, Vec<Group>)> {
+    prop::sample::select(MACHINES).prop_flat_map(|machine| {
+        let machine: &'static Machine = MACHINES.iter().find(|m| **m == machine).unwrap();
+        (Just(machine), query(Widths::of(machine)), groups(machine))
+    })
+}
+
+proptest! {
+    #[test]
+    fn step_machine_and_direct_gather_agree((machine, query, groups) in case()) {
+        let photons = groups.iter().flat_map(Group::photons);
+        let expected = gather(machine, &query, photons).unwrap();
+        let (sums, clocks) = run(machine, query, &groups);
+        prop_assert_eq!(sums, expected);
+        prop_assert_eq!(clocks, machine.microprogram().latency_clocks(groups.len() as u64));
+    }
+
+    #[test]
+    fn the_order_of_the_photons_does_not_matter(
+        (machine, query, groups) in case(),
+        rotation in 0_usize..20,
+    ) {
+        let mut photons: Vec<_> = groups.iter().flat_map(Group::photons).collect();
+        let before = gather(machine, &query, photons.iter().copied()).unwrap();
+        photons.reverse();
+        let length = photons.len().max(1);
+        photons.rotate_left(rotation % length);
+        prop_assert_eq!(gather(machine, &query, photons).unwrap(), before);
+    }
+}
