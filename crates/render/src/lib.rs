@@ -1,1 +1,50 @@
-//! Scene, photon tracing, photon map, quantisation, the f64 reference, images.
+//! Everything that works in floats: the scene, photon tracing, the photon map, quantisation
+//! for the machine, the f64 reference of the radiance estimate, and the image.
+//!
+//! The modules follow the six stages of a photon-mapping renderer, in their order:
+//! 1. [`Scene`]: surfaces, one area light or more, a camera;
+//! 2. [`trace`]: photons leave the lights and are stored at every diffuse hit;
+//! 3. [`PhotonMap`]: photons in blocks of a grid whose edge is the search radius;
+//! 4. [`ViewOptions`]: view rays, supersampled, end at [`QueryPoint`]s;
+//! 5. [`render`] with an [`Engine`]: the radiance estimate, by the f64 reference or by the
+//!    golden model on photons that [`QuantisedMap`] turned into the machine's integers;
+//! 6. [`Image`]: linear RGB, tone mapping, PNG.
+//!
+//! The fifth stage is what the processor does; [`workload`] hands its testbench real queries.
+//!
+//! All results are a function of the scene, the options and the seed; the number of threads
+//! never matters.
+//!
+//! # What is modelled
+//! Flat quads and boxes, diffuse (Lambertian) reflection on their front, a black back, diffuse
+//! area lights, global illumination of any depth, a pinhole camera with a box filter. Photons
+//! on the far side of a thin sheet, or across a corner, are kept out of an estimate by the
+//! rule stated at [`PhotonMap`].
+//! Not modelled: specular and glossy surfaces, textures, media, lens effects, meshes (rays are
+//! tested against every quad, which suits tens of them).
+
+mod camera;
+mod compare;
+mod estimate;
+mod geometry;
+mod image;
+mod photon_map;
+mod quantise;
+mod render;
+mod sample;
+mod scene;
+mod trace;
+mod view;
+mod workload;
+
+pub use camera::{Camera, Ray};
+pub use compare::{CompareError, light_mask, rel_mse, rms_relative_difference};
+pub use geometry::{Hit, Quad};
+pub use image::{Image, ImageError};
+pub use photon_map::{Candidates, MapError, PhotonMap};
+pub use quantise::{QuantiseError, QuantisedMap};
+pub use render::{Engine, RenderError, RenderStats, Rendering, render};
+pub use scene::{Scene, SceneError, Surface};
+pub use trace::{Photon, PhotonTrace, TraceError, TraceOptions, trace};
+pub use view::{QueryPoint, ViewError, ViewOptions};
+pub use workload::{WorkloadError, workload};

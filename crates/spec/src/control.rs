@@ -3,7 +3,6 @@
 //! It is horizontal: a field for each thing that a cell selects or writes, so that a cell needs
 //! no decoder. [`encode`] is the only way to make one.
 
-use crate::format::bits_for;
 use crate::microprogram::Step;
 use crate::op::Op;
 
@@ -60,7 +59,7 @@ pub enum Field {
     WriteSum,
     /// Which unit the work register stores: a [`WorkSource`].
     WorkSource,
-    /// The second operand of `A+B`: 0 the link, 1 the sum.
+    /// The second operand of `A+B` is the sum; otherwise it is the link.
     AddSum,
     /// The step waits for, and takes, the query stream.
     TakesQuery,
@@ -68,7 +67,8 @@ pub enum Field {
     ReadsGroup,
     /// The step is the last to read the group, and takes it.
     TakesGroup,
-    /// The network axis of the link.
+    /// The network axis of the link, one bit for each axis; none is 0, and the link is then 0
+    /// too, so that the second operand of `A+B` is an OR and needs no multiplexer.
     Axis,
 }
 
@@ -138,7 +138,7 @@ pub const FIELDS: &[FieldRow] = &[
     FieldRow {
         field: Field::Axis,
         name: "axis",
-        width: |dimension| bits_for(u128::from(dimension - 1)),
+        width: |dimension| dimension,
     },
 ];
 
@@ -185,7 +185,7 @@ pub fn encode(step: Step, takes_group: bool) -> ControlWord {
         | flag(Field::TakesQuery, step.op == Op::LoadQuery)
         | flag(Field::ReadsGroup, row.reads_group)
         | flag(Field::TakesGroup, takes_group)
-        | place(Field::Axis, step.axis.map_or(0, |axis| axis.bit()))
+        | place(Field::Axis, step.axis.map_or(0, |axis| 1 << axis.bit()))
 }
 
 #[cfg(test)]
@@ -221,7 +221,7 @@ mod tests {
                 let word = encode(Step { op: row.op, axis }, false);
                 assert_eq!(
                     Field::Axis.of(word, 5),
-                    axis.map_or(0, |axis| axis.bit()),
+                    axis.map_or(0, |axis| 1 << axis.bit()),
                     "{}",
                     row.mnemonic
                 );

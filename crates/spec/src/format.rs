@@ -43,8 +43,6 @@ pub struct Widths {
     pub work: u32,
     /// The sums of a query: `max_photons` photons of full-scale power.
     pub sum: u32,
-    /// A network axis: enough bits to number the axes.
-    pub axis: u32,
 }
 
 impl Widths {
@@ -61,7 +59,6 @@ impl Widths {
             power: machine.power_bits,
             work: distance.max(iteration_power),
             sum: bits_for(full_scale * u128::from(machine.max_photons)),
-            axis: bits_for(u128::from(machine.dimension - 1)),
         }
     }
 }

@@ -1,0 +1,140 @@
+//! From a machine's numbers to a rust-hdl block: the table of the widths that are built in.
+//!
+//! rust-hdl's widths are const generics, so every set of widths is compiled; each costs about a
+//! second of build time.
+
+use photoncube_spec::{Machine, Widths, control_word_bits};
+use thiserror::Error;
+
+use crate::cell::Cell;
+use crate::level::Level;
+use crate::network::Network;
+use crate::pinned::Pinned;
+use crate::processor::Processor;
+use crate::units::{AddUnit, GateUnit, SquareUnit};
+
+/// No block of these widths is compiled in.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[error(
+    "machine `{machine}` needs {needed}, which is not built in; built in are {built_in}. \
+     Add a row to the table in crates/hdl/src/build.rs"
+)]
+pub struct NotBuiltIn {
+    /// The machine.
+    pub machine: String,
+    /// The widths that it needs.
+    pub needed: String,
+    /// The widths that there are.
+    pub built_in: String,
+}
+
+/// All that chooses a compiled block.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+struct Shape {
+    coordinate: u32,
+    square: u32,
+    distance: u32,
+    power: u32,
+    work: u32,
+    sum: u32,
+    address: u32,
+    word: u32,
+    axis: u32,
+    nodes: usize,
+    lanes: usize,
+}
+
+impl Shape {
+    fn of(machine: &Machine) -> Self {
+        let widths = Widths::of(machine);
+        let steps = machine.microprogram().steps().len();
+        Self {
+            coordinate: widths.coordinate,
+            square: widths.square,
+            distance: widths.distance,
+            power: widths.power,
+            work: widths.work,
+            sum: widths.sum,
+            address: usize::BITS - (steps - 1).leading_zeros(),
+            word: control_word_bits(machine.dimension),
+            axis: machine.dimension,
+            nodes: machine.hypercube().nodes(),
+            lanes: machine.photons_per_iteration(),
+        }
+    }
+}
+
+macro_rules! built_in {
+    ($($c:literal $q:literal $r:literal $p:literal $v:literal $s:literal
+       $a:literal $w:literal $x:literal $n:literal $g:literal;)+) => {
+        const BUILT_IN: &[Shape] = &[$(Shape {
+            coordinate: $c, square: $q, distance: $r, power: $p, work: $v, sum: $s,
+            address: $a, word: $w, axis: $x, nodes: $n, lanes: $g,
+        },)+];
+
+        fn find(machine: &Machine, level: Level) -> Option<Box<dyn Pinned>> {
+            let shape = Shape::of(machine);
+            let mut row = BUILT_IN.iter();
+            $(
+                if row.next() == Some(&shape) {
+                    return Some(match level {
+                        Level::Machine => Box::new(
+                            Processor::<$c, $q, $r, $p, $v, $s, $a, $w, $x, $n, $g>::new(machine)),
+                        Level::Cell => Box::new(Cell::<$c, $q, $r, $p, $v, $s>::new(machine.squarer)),
+                        Level::Network => Box::new(Network::<$n, $v, $x>::new(machine.hypercube())),
+                        Level::Add => Box::new(AddUnit::<$s>::default()),
+                        Level::Square => Box::new(SquareUnit::<$c, $q>::new(machine.squarer)),
+                        Level::Gate => Box::new(GateUnit::<$v, $r, $p>::default()),
+                    });
+                }
+            )+
+            None
+        }
+    };
+}
+
+// coordinate, square, radius_sq, power, work, sum; address, control word, axes; cells, lanes
+built_in! {
+    8 16 18 16 18 32  4 15 4  16 4;
+    12 24 26 16 26 32  4 15 4  16 4;
+    8 16 18 16 19 32  4 16 5  32 8;
+}
+
+/// The block of a machine at a level, with all its signals claimed.
+pub(crate) fn build(machine: &Machine, level: Level) -> Result<Box<dyn Pinned>, NotBuiltIn> {
+    let mut block = find(machine, level).ok_or_else(|| NotBuiltIn {
+        machine: machine.name.to_owned(),
+        needed: format!("{:?}", Shape::of(machine)),
+        built_in: format!("{BUILT_IN:?}"),
+    })?;
+    block.connect_all();
+    Ok(block)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use photoncube_spec::MACHINES;
+
+    #[test]
+    fn every_named_machine_is_built_in() {
+        for machine in MACHINES {
+            for level in Level::ALL {
+                assert!(build(machine, level).is_ok(), "{} {level:?}", machine.name);
+            }
+        }
+    }
+
+    #[test]
+    fn a_width_that_is_not_built_in_is_refused_with_those_that_are() {
+        let machine = Machine {
+            coordinate_bits: 9,
+            ..MACHINES[0]
+        };
+        let error = build(&machine, Level::Machine).err().unwrap().to_string();
+        assert!(
+            error.contains("coordinate: 9") && error.contains("coordinate: 8"),
+            "{error}"
+        );
+    }
+}

@@ -1,0 +1,153 @@
+//! The reconfigurable cell: register file, operand multiplexers, three units.
+//!
+//! Figure 2 of Ryu, Kim, Lee. The control word says, every clock, which registers are written
+//! and what the units work on; see `photoncube_spec::OPS` for what the words mean.
+
+use photoncube_spec::Squarer;
+use rust_hdl::prelude::*;
+
+use crate::units::{AddUnit, GateUnit, SquareUnit};
+
+/// One cell. Widths: `C` coordinate, `Q = 2 C` square, `R` radius_sq, `P` power, `V` work and
+/// link, `S` sum.
+#[derive(LogicBlock)]
+pub(crate) struct Cell<
+    const C: usize,
+    const Q: usize,
+    const R: usize,
+    const P: usize,
+    const V: usize,
+    const S: usize,
+> {
+    pub clock: Signal<In, Clock>,
+    pub write_query: Signal<In, Bit>,
+    pub write_photon: Signal<In, Bit>,
+    pub write_power: Signal<In, Bit>,
+    pub write_work: Signal<In, Bit>,
+    pub write_sum: Signal<In, Bit>,
+    pub work_source: Signal<In, Bits<2>>,
+    pub add_sum: Signal<In, Bit>,
+    pub query_in: Signal<In, Bits<C>>,
+    pub radius_sq_in: Signal<In, Bits<R>>,
+    pub photon_in: Signal<In, Bits<C>>,
+    pub present_in: Signal<In, Bit>,
+    pub power_in: Signal<In, Bits<P>>,
+    pub link_in: Signal<In, Bits<V>>,
+    pub work_out: Signal<Out, Bits<V>>,
+    pub sum_out: Signal<Out, Bits<S>>,
+    pub query: DFF<Bits<C>>,
+    pub radius_sq: DFF<Bits<R>>,
+    pub photon: DFF<Bits<C>>,
+    pub power: DFF<Bits<P>>,
+    pub work: DFF<Bits<V>>,
+    pub sum: DFF<Bits<S>>,
+    square_unit: SquareUnit<C, Q>,
+    gate_unit: GateUnit<V, R, P>,
+    add_unit: AddUnit<S>,
+    addend: Signal<Local, Bits<V>>,
+    sum_low: Signal<Local, Bits<V>>,
+    sum_high: Signal<Local, Bits<S>>,
+    wide_addend: Signal<Local, Bits<S>>,
+    high_bits: Constant<Bits<S>>,
+}
+
+impl<const C: usize, const Q: usize, const R: usize, const P: usize, const V: usize, const S: usize>
+    Cell<C, Q, R, P, V, S>
+{
+    pub fn new(squarer: Squarer) -> Self {
+        assert!(Q == 2 * C && Q <= V && R <= V && P <= V && V <= S && S <= 64);
+        let high_bits = (u64::MAX >> (64 - S)) & !(u64::MAX >> (64 - V));
+        Self {
+            clock: Default::default(),
+            write_query: Default::default(),
+            write_photon: Default::default(),
+            write_power: Default::default(),
+            write_work: Default::default(),
+            write_sum: Default::default(),
+            work_source: Default::default(),
+            add_sum: Default::default(),
+            query_in: Default::default(),
+            radius_sq_in: Default::default(),
+            photon_in: Default::default(),
+            present_in: Default::default(),
+            power_in: Default::default(),
+            link_in: Default::default(),
+            work_out: Default::default(),
+            sum_out: Default::default(),
+            query: Default::default(),
+            radius_sq: Default::default(),
+            photon: Default::default(),
+            power: Default::default(),
+            work: Default::default(),
+            sum: Default::default(),
+            square_unit: SquareUnit::new(squarer),
+            gate_unit: Default::default(),
+            add_unit: Default::default(),
+            addend: Default::default(),
+            sum_low: Default::default(),
+            sum_high: Default::default(),
+            wide_addend: Default::default(),
+            high_bits: Constant::new(high_bits.to_bits()),
+        }
+    }
+}
+
+impl<const C: usize, const Q: usize, const R: usize, const P: usize, const V: usize, const S: usize>
+    Logic for Cell<C, Q, R, P, V, S>
+{
+    #[hdl_gen]
+    fn update(&mut self) {
+        dff_setup!(self, clock, query, radius_sq, photon, power, work, sum);
+        self.square_unit.a.next = self.query.q.val();
+        self.square_unit.b.next = self.photon.q.val();
+        self.gate_unit.a.next = self.work.q.val();
+        self.gate_unit.b.next = self.radius_sq.q.val();
+        self.gate_unit.power.next = self.power.q.val();
+
+        // A is the work register. B is the link or the sum: the link is 0 where the control word
+        // names no axis, so that an OR chooses. Above the link's width B is always the sum,
+        // because a result of that width goes to the sum alone.
+        self.sum_low.next = 0.into();
+        if self.add_sum.val() {
+            self.sum_low.next = bit_cast::<V, S>(self.sum.q.val());
+        }
+        self.addend.next = self.link_in.val() | self.sum_low.val();
+        self.sum_high.next = self.sum.q.val() & self.high_bits.val();
+        self.wide_addend.next = bit_cast::<S, V>(self.addend.val());
+        self.add_unit.a.next = bit_cast::<S, V>(self.work.q.val());
+        self.add_unit.b.next = self.sum_high.val() | self.wide_addend.val();
+
+        if self.write_query.val() {
+            self.query.d.next = self.query_in.val();
+            self.radius_sq.d.next = self.radius_sq_in.val();
+            self.sum.d.next = 0.into();
+        }
+        if self.write_photon.val() {
+            self.photon.d.next = self.photon_in.val();
+        }
+        if self.write_power.val() {
+            self.power.d.next = self.power_in.val();
+            if !self.present_in.val() {
+                self.power.d.next = 0.into();
+            }
+        }
+        if self.write_work.val() {
+            match self.work_source.val().index() {
+                0 => {
+                    self.work.d.next = bit_cast::<V, Q>(self.square_unit.square.val());
+                }
+                1 => {
+                    self.work.d.next = bit_cast::<V, S>(self.add_unit.sum.val());
+                }
+                _ => {
+                    self.work.d.next = self.gate_unit.gated.val();
+                }
+            }
+        }
+        if self.write_sum.val() {
+            self.sum.d.next = self.add_unit.sum.val();
+        }
+        self.work_out.next = self.work.q.val();
+        self.sum_out.next = self.sum.q.val();
+    }
+}

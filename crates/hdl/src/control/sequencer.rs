@@ -1,0 +1,143 @@
+//! The sequencer: which control word the cells get in this clock.
+//!
+//! The program counter is the only state machine: address 0 waits for a query, the iteration's
+//! first steps wait for a group, and after the query's last iteration the machine holds still
+//! until its result is taken.
+
+use photoncube_spec::Microprogram;
+use rust_hdl::prelude::*;
+
+use super::decoder::Decoder;
+use super::store::ControlStore;
+
+/// The control block. `A` address bits, `W` control-word bits, `X` axis bits.
+#[derive(LogicBlock)]
+pub(crate) struct Control<const A: usize, const W: usize, const X: usize> {
+    pub clock: Signal<In, Clock>,
+    pub reset: Signal<In, Bit>,
+    pub query_valid: Signal<In, Bit>,
+    pub query_ready: Signal<Out, Bit>,
+    pub group_valid: Signal<In, Bit>,
+    pub group_last: Signal<In, Bit>,
+    pub group_ready: Signal<Out, Bit>,
+    pub result_valid: Signal<Out, Bit>,
+    pub result_ready: Signal<In, Bit>,
+    pub write_query: Signal<Out, Bit>,
+    pub write_photon: Signal<Out, Bit>,
+    pub write_power: Signal<Out, Bit>,
+    pub write_work: Signal<Out, Bit>,
+    pub write_sum: Signal<Out, Bit>,
+    pub work_source: Signal<Out, Bits<2>>,
+    pub add_sum: Signal<Out, Bit>,
+    pub axis: Signal<Out, Bits<X>>,
+    /// The next step.
+    pub address: DFF<Bits<A>>,
+    /// The group at work is the query's last.
+    pub last: DFF<Bit>,
+    /// The result waits to be taken.
+    pub done: DFF<Bit>,
+    store: ControlStore<A, W>,
+    decoder: Decoder<W, X>,
+    runs: Signal<Local, Bit>,
+    at_end: Signal<Local, Bit>,
+    iteration_address: Constant<Bits<A>>,
+    final_address: Constant<Bits<A>>,
+}
+
+impl<const A: usize, const W: usize, const X: usize> Control<A, W, X> {
+    pub fn new(program: &Microprogram, dimension: u32) -> Self {
+        let words = program.control_words();
+        let address = |address: u64| Constant::new(address.to_bits());
+        Self {
+            clock: Default::default(),
+            reset: Default::default(),
+            query_valid: Default::default(),
+            query_ready: Default::default(),
+            group_valid: Default::default(),
+            group_last: Default::default(),
+            group_ready: Default::default(),
+            result_valid: Default::default(),
+            result_ready: Default::default(),
+            write_query: Default::default(),
+            write_photon: Default::default(),
+            write_power: Default::default(),
+            write_work: Default::default(),
+            write_sum: Default::default(),
+            work_source: Default::default(),
+            add_sum: Default::default(),
+            axis: Default::default(),
+            address: Default::default(),
+            last: Default::default(),
+            done: Default::default(),
+            iteration_address: address(u64::from(program.query_clocks())),
+            final_address: address(words.len() as u64 - 1),
+            store: ControlStore::new(words),
+            decoder: Decoder::new(dimension),
+            runs: Default::default(),
+            at_end: Default::default(),
+        }
+    }
+}
+
+impl<const A: usize, const W: usize, const X: usize> Logic for Control<A, W, X> {
+    #[hdl_gen]
+    fn update(&mut self) {
+        dff_setup!(self, clock, address, last, done);
+        self.store.address.next = self.address.q.val();
+        self.decoder.word.next = self.store.word.val();
+
+        // A step waits for the streams that it reads; all wait while the result does.
+        self.runs.next = true;
+        if self.decoder.takes_query.val() {
+            self.runs.next = self.query_valid.val();
+        }
+        if self.decoder.reads_group.val() {
+            self.runs.next = self.group_valid.val();
+        }
+        if self.done.q.val() {
+            self.runs.next = false;
+        }
+
+        self.query_ready.next = self.decoder.takes_query.val();
+        self.group_ready.next = self.decoder.takes_group.val();
+        if self.done.q.val() {
+            self.query_ready.next = false;
+            self.group_ready.next = false;
+        }
+        self.result_valid.next = self.done.q.val();
+
+        self.write_query.next = self.decoder.write_query.val() & self.runs.val();
+        self.write_photon.next = self.decoder.write_photon.val() & self.runs.val();
+        self.write_power.next = self.decoder.write_power.val() & self.runs.val();
+        self.write_work.next = self.decoder.write_work.val() & self.runs.val();
+        self.write_sum.next = self.decoder.write_sum.val() & self.runs.val();
+        self.work_source.next = self.decoder.work_source.val();
+        self.add_sum.next = self.decoder.add_sum.val();
+        self.axis.next = self.decoder.axis.val();
+
+        self.at_end.next = self.address.q.val() == self.final_address.val();
+        if self.runs.val() {
+            self.address.d.next = self.address.q.val() + 1;
+            if self.at_end.val() {
+                self.address.d.next = self.iteration_address.val();
+                if self.last.q.val() {
+                    self.address.d.next = 0.into();
+                    self.done.d.next = true;
+                }
+            }
+            if self.decoder.takes_group.val() {
+                self.last.d.next = self.group_last.val();
+            }
+        }
+        if self.done.q.val() {
+            if self.result_ready.val() {
+                self.done.d.next = false;
+            }
+        }
+        if self.reset.val() {
+            self.address.d.next = 0.into();
+            self.last.d.next = false;
+            self.done.d.next = false;
+        }
+    }
+}

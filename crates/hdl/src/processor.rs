@@ -1,0 +1,171 @@
+//! The whole machine: control block, ports, cells and network between valid/ready streams.
+
+use photoncube_spec::Machine;
+use rust_hdl::prelude::*;
+
+use crate::cell::Cell;
+use crate::control::Control;
+use crate::network::Network;
+use crate::ports::Ports;
+
+/// The processor. Widths: `C` coordinate, `Q` square, `R` radius_sq, `P` power, `V` work, `S`
+/// sum; `A` address, `W` control word, `X` axis; `N` cells, `G` lanes.
+#[derive(LogicBlock)]
+pub(crate) struct Processor<
+    const C: usize,
+    const Q: usize,
+    const R: usize,
+    const P: usize,
+    const V: usize,
+    const S: usize,
+    const A: usize,
+    const W: usize,
+    const X: usize,
+    const N: usize,
+    const G: usize,
+> {
+    pub clock: Signal<In, Clock>,
+    pub reset: Signal<In, Bit>,
+    pub query_valid: Signal<In, Bit>,
+    pub query_x: Signal<In, Bits<C>>,
+    pub query_y: Signal<In, Bits<C>>,
+    pub query_z: Signal<In, Bits<C>>,
+    pub query_radius_sq: Signal<In, Bits<R>>,
+    pub group_valid: Signal<In, Bit>,
+    pub group_last: Signal<In, Bit>,
+    pub photon_present: [Signal<In, Bit>; G],
+    pub photon_x: [Signal<In, Bits<C>>; G],
+    pub photon_y: [Signal<In, Bits<C>>; G],
+    pub photon_z: [Signal<In, Bits<C>>; G],
+    pub photon_red: [Signal<In, Bits<P>>; G],
+    pub photon_green: [Signal<In, Bits<P>>; G],
+    pub photon_blue: [Signal<In, Bits<P>>; G],
+    pub result_ready: Signal<In, Bit>,
+    pub query_ready: Signal<Out, Bit>,
+    pub group_ready: Signal<Out, Bit>,
+    pub result_valid: Signal<Out, Bit>,
+    pub result_red: Signal<Out, Bits<S>>,
+    pub result_green: Signal<Out, Bits<S>>,
+    pub result_blue: Signal<Out, Bits<S>>,
+    pub result_count: Signal<Out, Bits<S>>,
+    pub control: Control<A, W, X>,
+    ports: Ports<N, G, C, P, S>,
+    network: Network<N, V, X>,
+    pub cell: [Cell<C, Q, R, P, V, S>; N],
+}
+
+impl<
+    const C: usize,
+    const Q: usize,
+    const R: usize,
+    const P: usize,
+    const V: usize,
+    const S: usize,
+    const A: usize,
+    const W: usize,
+    const X: usize,
+    const N: usize,
+    const G: usize,
+> Processor<C, Q, R, P, V, S, A, W, X, N, G>
+{
+    /// The processor of a machine whose widths are this type's.
+    pub fn new(machine: &Machine) -> Self {
+        let cube = machine.hypercube();
+        Self {
+            clock: Default::default(),
+            reset: Default::default(),
+            query_valid: Default::default(),
+            query_x: Default::default(),
+            query_y: Default::default(),
+            query_z: Default::default(),
+            query_radius_sq: Default::default(),
+            group_valid: Default::default(),
+            group_last: Default::default(),
+            photon_present: std::array::from_fn(|_| Default::default()),
+            photon_x: std::array::from_fn(|_| Default::default()),
+            photon_y: std::array::from_fn(|_| Default::default()),
+            photon_z: std::array::from_fn(|_| Default::default()),
+            photon_red: std::array::from_fn(|_| Default::default()),
+            photon_green: std::array::from_fn(|_| Default::default()),
+            photon_blue: std::array::from_fn(|_| Default::default()),
+            result_ready: Default::default(),
+            query_ready: Default::default(),
+            group_ready: Default::default(),
+            result_valid: Default::default(),
+            result_red: Default::default(),
+            result_green: Default::default(),
+            result_blue: Default::default(),
+            result_count: Default::default(),
+            control: Control::new(&machine.microprogram(), machine.dimension),
+            ports: Ports::new(cube),
+            network: Network::new(cube),
+            cell: std::array::from_fn(|_| Cell::new(machine.squarer)),
+        }
+    }
+}
+
+impl<
+    const C: usize,
+    const Q: usize,
+    const R: usize,
+    const P: usize,
+    const V: usize,
+    const S: usize,
+    const A: usize,
+    const W: usize,
+    const X: usize,
+    const N: usize,
+    const G: usize,
+> Logic for Processor<C, Q, R, P, V, S, A, W, X, N, G>
+{
+    #[hdl_gen]
+    fn update(&mut self) {
+        self.control.clock.next = self.clock.val();
+        self.control.reset.next = self.reset.val();
+        self.control.query_valid.next = self.query_valid.val();
+        self.control.group_valid.next = self.group_valid.val();
+        self.control.group_last.next = self.group_last.val();
+        self.control.result_ready.next = self.result_ready.val();
+        self.query_ready.next = self.control.query_ready.val();
+        self.group_ready.next = self.control.group_ready.val();
+        self.result_valid.next = self.control.result_valid.val();
+
+        self.ports.query_x.next = self.query_x.val();
+        self.ports.query_y.next = self.query_y.val();
+        self.ports.query_z.next = self.query_z.val();
+        for g in 0..G {
+            self.ports.present[g].next = self.photon_present[g].val();
+            self.ports.x[g].next = self.photon_x[g].val();
+            self.ports.y[g].next = self.photon_y[g].val();
+            self.ports.z[g].next = self.photon_z[g].val();
+            self.ports.red[g].next = self.photon_red[g].val();
+            self.ports.green[g].next = self.photon_green[g].val();
+            self.ports.blue[g].next = self.photon_blue[g].val();
+        }
+
+        self.network.axis.next = self.control.axis.val();
+        for i in 0..N {
+            self.cell[i].clock.next = self.clock.val();
+            self.cell[i].write_query.next = self.control.write_query.val();
+            self.cell[i].write_photon.next = self.control.write_photon.val();
+            self.cell[i].write_power.next = self.control.write_power.val();
+            self.cell[i].write_work.next = self.control.write_work.val();
+            self.cell[i].write_sum.next = self.control.write_sum.val();
+            self.cell[i].work_source.next = self.control.work_source.val();
+            self.cell[i].add_sum.next = self.control.add_sum.val();
+            self.cell[i].query_in.next = self.ports.cell_query[i].val();
+            self.cell[i].radius_sq_in.next = self.query_radius_sq.val();
+            self.cell[i].photon_in.next = self.ports.cell_photon[i].val();
+            self.cell[i].present_in.next = self.ports.cell_present[i].val();
+            self.cell[i].power_in.next = self.ports.cell_power[i].val();
+            self.network.work[i].next = self.cell[i].work_out.val();
+            self.cell[i].link_in.next = self.network.link[i].val();
+            self.ports.sum[i].next = self.cell[i].sum_out.val();
+        }
+
+        self.result_red.next = self.ports.result_red.val();
+        self.result_green.next = self.ports.result_green.val();
+        self.result_blue.next = self.ports.result_blue.val();
+        self.result_count.next = self.ports.result_count.val();
+    }
+}

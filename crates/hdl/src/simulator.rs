@@ -1,0 +1,64 @@
+//! rust-hdl's own simulation, driven directly: one settling loop for each clock level.
+
+use photoncube_spec::{Machine, Pins};
+use thiserror::Error;
+
+use crate::build::{NotBuiltIn, build};
+use crate::level::Level;
+use crate::pinned::{Pinned, pins};
+
+/// Passes of the settling loop before a design counts as unstable; legal ones need about 12.
+const MAX_PASSES: usize = 100;
+
+/// The simulation did not settle: the design has a combinational loop.
+#[derive(Copy, Clone, Debug, PartialEq, Eq, Error)]
+#[error("the design did not settle in {MAX_PASSES} passes: look for a combinational loop")]
+pub struct NotSettled;
+
+/// A block in rust-hdl's simulation, in its power-up state.
+pub struct Simulator {
+    block: Box<dyn Pinned>,
+}
+
+impl Simulator {
+    /// Builds the block of a machine at a level.
+    ///
+    /// # Errors
+    /// The machine's widths are not built in.
+    pub fn new(machine: &Machine, level: Level) -> Result<Self, NotBuiltIn> {
+        Ok(Self {
+            block: build(machine, level)?,
+        })
+    }
+
+    /// One clock: drives the inputs with the falling edge, appends what is then observed, in the
+    /// order of [`level_pins`], and makes the rising edge. A block without a clock just settles.
+    ///
+    /// # Errors
+    /// The design does not settle.
+    pub fn clock(&mut self, inputs: &[u64], observed: &mut Vec<u64>) -> Result<(), NotSettled> {
+        self.block.drive(inputs);
+        self.block.set_clock(false);
+        self.settle()?;
+        self.block.sample(observed);
+        self.block.set_clock(true);
+        self.settle()
+    }
+
+    fn settle(&mut self) -> Result<(), NotSettled> {
+        let settled = (0..MAX_PASSES).any(|_| self.block.settle());
+        settled.then_some(()).ok_or(NotSettled)
+    }
+}
+
+/// The pins and registers of a block, in the order of its rows.
+///
+/// # Errors
+/// The machine's widths are not built in.
+pub fn level_pins(machine: &Machine, level: Level) -> Result<Pins, NotBuiltIn> {
+    if level == Level::Machine {
+        return Ok(Pins::of(machine));
+    }
+    let block = build(machine, level)?;
+    Ok(pins(block.as_ref(), machine, level == Level::Cell))
+}

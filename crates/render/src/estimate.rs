@@ -1,0 +1,130 @@
+//! Stage 5 at one query point: what arrives there, by either engine.
+//!
+//! Both sum the power of the photons in range, d^2 <= r^2, and divide by the disc: the paper's
+//! eq. 2 with the rectangle kernel, E = sum(power) / (pi r^2). The reflected radiance is that
+//! times the query's rho / pi, which [`crate::QueryPoint`] carries as `beta`.
+
+use glam::DVec3;
+use photoncube_model::{GatherError, gather};
+
+use crate::photon_map::PhotonMap;
+use crate::quantise::QuantisedMap;
+use crate::view::QueryPoint;
+
+/// What a query gathered.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(crate) struct Estimate {
+    /// E, flux per area.
+    pub irradiance: DVec3,
+    /// Photons tested.
+    pub tests: u64,
+    /// Those of them in range.
+    pub in_range: u64,
+}
+
+/// The estimate in f64, the reference of all formats.
+pub(crate) fn estimate_f64(map: &PhotonMap, query: &QueryPoint) -> Estimate {
+    let radius_sq = map.radius() * map.radius();
+    let mut estimate = Estimate::default();
+    let mut power = DVec3::ZERO;
+    for run in map.candidates(query.position, query.normal) {
+        estimate.tests += run.photons.len() as u64;
+        for photon in &map.photons()[run.photons] {
+            if photon.position.distance_squared(query.position) <= radius_sq {
+                power += photon.power;
+                estimate.in_range += 1;
+            }
+        }
+    }
+    estimate.irradiance = power / disc_area(map);
+    estimate
+}
+
+/// The estimate by the golden model, from integer photons to integer sums; floats enter again
+/// with the sums' scale.
+pub(crate) fn estimate_model(
+    map: &PhotonMap,
+    quantised: &QuantisedMap<'_>,
+    query: &QueryPoint,
+) -> Result<Estimate, GatherError> {
+    let mut tests = 0;
+    let photons = quantised.photons(query.position, query.normal);
+    let counted = photons.inspect(|_| tests += 1);
+    let sums = gather(
+        quantised.machine(),
+        &quantised.query(query.position),
+        counted,
+    )?;
+    let power = DVec3::from(sums.power.map(|p| p as f64)) * quantised.power_step();
+    Ok(Estimate {
+        irradiance: power / disc_area(map),
+        tests,
+        in_range: sums.count,
+    })
+}
+
+/// pi r^2.
+fn disc_area(map: &PhotonMap) -> f64 {
+    std::f64::consts::PI * map.radius() * map.radius()
+}
+
+#[cfg(test)]
+mod tests {
+    use photoncube_spec::find_machine;
+
+    use super::*;
+    use crate::{Photon, Scene};
+
+    /// One photon on the floor's middle, surface found by name.
+    fn one_photon() -> PhotonMap {
+        let scene = Scene::built_in("cornell").unwrap();
+        let floor = scene
+            .surfaces()
+            .iter()
+            .position(|s| s.shape == "floor")
+            .unwrap();
+        let photon = Photon {
+            position: DVec3::new(0.0, -1.0, 0.0),
+            power: DVec3::new(4.0, 2.0, 1.0),
+            surface: floor as u32,
+        };
+        PhotonMap::new(&scene, vec![photon], 0.5).unwrap()
+    }
+
+    fn query(x: f64, normal: DVec3) -> QueryPoint {
+        QueryPoint {
+            position: DVec3::new(x, -1.0, 0.0),
+            normal,
+            beta: DVec3::ONE,
+        }
+    }
+
+    #[test]
+    fn one_photon_gives_its_power_over_the_disc() {
+        let map = one_photon();
+        let quantised = QuantisedMap::new(&map, find_machine("paper").unwrap()).unwrap();
+        let expected = DVec3::new(4.0, 2.0, 1.0) / (std::f64::consts::PI * 0.25);
+        let reference = estimate_f64(&map, &query(0.1, DVec3::Y));
+        let model = estimate_model(&map, &quantised, &query(0.1, DVec3::Y)).unwrap();
+        assert_eq!((reference.tests, reference.in_range), (1, 1));
+        assert_eq!((model.tests, model.in_range), (1, 1));
+        assert!(reference.irradiance.distance(expected) < 1e-12);
+        // Half a power step of 4 / 65535 in each channel, over the disc.
+        assert!(model.irradiance.distance(expected) < 1e-4);
+    }
+
+    #[test]
+    fn out_of_range_is_tested_and_facing_away_is_not() {
+        let map = one_photon();
+        let far = estimate_f64(&map, &query(0.500001, DVec3::Y));
+        assert_eq!((far.tests, far.in_range), (1, 0));
+        let below = estimate_f64(&map, &query(0.0, DVec3::NEG_Y));
+        assert_eq!(below, Estimate::default());
+    }
+
+    #[test]
+    fn a_photon_at_exactly_the_radius_is_in_range() {
+        let map = one_photon();
+        assert_eq!(estimate_f64(&map, &query(0.5, DVec3::Y)).in_range, 1);
+    }
+}

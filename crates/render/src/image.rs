@@ -1,0 +1,191 @@
+//! Stage 6: the image, in linear light until it is written.
+
+use std::io::{BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+use glam::DVec3;
+use image::codecs::png::PngEncoder;
+use image::{ExtendedColorType, ImageEncoder};
+use tempfile::NamedTempFile;
+use thiserror::Error;
+
+/// Why an image could not be made or written.
+#[derive(Debug, Error)]
+pub enum ImageError {
+    /// The pixels do not fill the image.
+    #[error("image of {width}x{height}: found {found} pixels, expected {}", u64::from(*width) * u64::from(*height))]
+    Pixels {
+        /// Pixels in a row.
+        width: u32,
+        /// Rows.
+        height: u32,
+        /// Pixels given.
+        found: usize,
+    },
+    /// The file could not be written; nothing half-written is left.
+    #[error("{}: {source}", path.display())]
+    Write {
+        /// The file.
+        path: PathBuf,
+        /// What the system or the encoder said.
+        source: std::io::Error,
+    },
+}
+
+/// Radiance in linear RGB, row 0 at the top.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Image {
+    width: u32,
+    pixels: Vec<DVec3>,
+}
+
+impl Image {
+    /// An image of `width * height` pixels, row by row from the top.
+    ///
+    /// # Errors
+    /// [`ImageError::Pixels`] where there are more or fewer, or none.
+    pub fn new(width: u32, height: u32, pixels: Vec<DVec3>) -> Result<Self, ImageError> {
+        let expected = u64::from(width) * u64::from(height);
+        if expected == 0 || pixels.len() as u64 != expected {
+            return Err(ImageError::Pixels {
+                width,
+                height,
+                found: pixels.len(),
+            });
+        }
+        Ok(Self::from_rows(width, pixels))
+    }
+
+    /// `pixels` must be whole rows.
+    pub(crate) fn from_rows(width: u32, pixels: Vec<DVec3>) -> Self {
+        debug_assert_eq!(pixels.len() % width as usize, 0);
+        Self { width, pixels }
+    }
+
+    /// Pixels in a row.
+    #[must_use]
+    pub fn width(&self) -> u32 {
+        self.width
+    }
+
+    /// Rows of pixels.
+    #[must_use]
+    pub fn height(&self) -> u32 {
+        (self.pixels.len() / self.width as usize) as u32
+    }
+
+    /// The pixels, row by row from the top.
+    #[must_use]
+    pub fn pixels(&self) -> &[DVec3] {
+        &self.pixels
+    }
+
+    /// The image as 8-bit sRGB, three bytes a pixel: radiance times `exposure`, cut at 1, by
+    /// the transfer curve of IEC 61966-2-1, rounded to nearest. NaN becomes black.
+    #[must_use]
+    pub fn to_srgb8(&self, exposure: f64) -> Vec<u8> {
+        let channels = self
+            .pixels
+            .iter()
+            .flat_map(|pixel| (*pixel * exposure).to_array());
+        // `as` saturates and takes a NaN for 0.
+        channels
+            .map(|c| (255.0 * srgb(c.clamp(0.0, 1.0))).round() as u8)
+            .collect()
+    }
+
+    /// Writes the image as an 8-bit sRGB PNG, with the tone mapping of [`Self::to_srgb8`]. The
+    /// file is written beside its place and renamed, so that it is whole or not there.
+    ///
+    /// # Errors
+    /// [`ImageError::Write`] with the path.
+    pub fn write_png(&self, path: &Path, exposure: f64) -> Result<(), ImageError> {
+        self.try_write_png(path, exposure)
+            .map_err(|source| ImageError::Write {
+                path: path.to_owned(),
+                source,
+            })
+    }
+
+    fn try_write_png(&self, path: &Path, exposure: f64) -> std::io::Result<()> {
+        let folder = path.parent().filter(|p| !p.as_os_str().is_empty());
+        let file = NamedTempFile::new_in(folder.unwrap_or(Path::new(".")))?;
+        let mut writer = BufWriter::new(file);
+        let bytes = self.to_srgb8(exposure);
+        PngEncoder::new(&mut writer)
+            .write_image(&bytes, self.width, self.height(), ExtendedColorType::Rgb8)
+            .map_err(std::io::Error::other)?;
+        writer.flush()?;
+        let file = writer.into_inner().map_err(|error| error.into_error())?;
+        make_readable(file.path())?;
+        file.persist(path).map_err(|error| error.error)?;
+        Ok(())
+    }
+}
+
+/// Temporary files are the owner's alone; a picture is not a secret.
+#[cfg(unix)]
+fn make_readable(path: &Path) -> std::io::Result<()> {
+    use std::os::unix::fs::PermissionsExt;
+    std::fs::set_permissions(path, std::fs::Permissions::from_mode(0o644))
+}
+
+#[cfg(not(unix))]
+fn make_readable(_path: &Path) -> std::io::Result<()> {
+    Ok(())
+}
+
+/// The sRGB transfer curve for 0 to 1.
+fn srgb(linear: f64) -> f64 {
+    if linear <= 0.003_130_8 {
+        12.92 * linear
+    } else {
+        1.055 * linear.powf(1.0 / 2.4) - 0.055
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn two_pixels() -> Image {
+        let pixels = vec![DVec3::new(0.0, 0.5, 1.0), DVec3::new(-1.0, 18.0, f64::NAN)];
+        Image::new(2, 1, pixels).unwrap()
+    }
+
+    #[test]
+    fn tone_mapping_is_srgb() {
+        // 0.5 is 188 in sRGB; 0.25 is 137.
+        assert_eq!(two_pixels().to_srgb8(1.0), [0, 188, 255, 0, 255, 0]);
+        assert_eq!(two_pixels().to_srgb8(0.5), [0, 137, 188, 0, 255, 0]);
+    }
+
+    #[test]
+    fn pixels_must_fill_the_image() {
+        let error = Image::new(3, 2, vec![DVec3::ZERO; 5]).unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            "image of 3x2: found 5 pixels, expected 6"
+        );
+        assert!(Image::new(0, 2, vec![]).is_err());
+    }
+
+    #[test]
+    fn a_written_png_reads_back_and_nothing_else_is_left() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("two.png");
+        two_pixels().write_png(&path, 1.0).unwrap();
+        let read = image::open(&path).unwrap().into_rgb8();
+        assert_eq!(read.dimensions(), (2, 1));
+        assert_eq!(read.into_raw(), two_pixels().to_srgb8(1.0));
+        assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+
+    #[test]
+    fn a_missing_folder_is_an_error_with_the_path() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("none").join("two.png");
+        let error = two_pixels().write_png(&path, 1.0).unwrap_err();
+        assert!(error.to_string().contains("two.png"), "{error}");
+    }
+}

@@ -1,0 +1,260 @@
+//! Photons and queries in the machine's integers.
+//!
+//! A position is an unsigned fraction of its block, `floor(fraction * 2^f)` with
+//! f = [`Machine::position_bits`]; queries follow the same rule, so that the mean error of a
+//! difference is zero. The machine's coordinates span a frame of four block edges that starts
+//! one block before the query's own: a block's offset of 0, 1 or 2 is added to the fraction,
+//! and no coordinate can overflow (they end at 3 * 2^f - 1). Block edge and search radius
+//! are the same length, so the squared radius is 2^(2f), exactly.
+//!
+//! Power is linear: one step for the whole map, the largest channel of any photon over
+//! `2^power_bits - 1`, rounded to nearest (truncation would bias every estimate, and more photons
+//! would not remove it).
+
+use photoncube_spec::{self as spec, Machine};
+use rayon::prelude::*;
+use thiserror::Error;
+
+use glam::DVec3;
+
+use crate::photon_map::{Candidates, PhotonMap};
+
+/// A machine whose formats the photon map cannot be turned into.
+#[derive(Debug, Error, PartialEq, Eq)]
+#[error("machine `{machine}`: {field} is {found}, expected {min} to {max}")]
+pub struct QuantiseError {
+    /// The machine.
+    pub machine: &'static str,
+    /// Which of its fields.
+    pub field: &'static str,
+    /// The field's value.
+    pub found: u32,
+    /// The smallest that works.
+    pub min: u32,
+    /// The largest that works.
+    pub max: u32,
+}
+
+/// A photon map's content in one machine's integers, in the map's order.
+#[derive(Debug, Clone)]
+pub struct QuantisedMap<'a> {
+    map: &'a PhotonMap,
+    machine: &'a Machine,
+    photons: Vec<StoredPhoton>,
+    power_step: f64,
+}
+
+/// A photon as it is stored: its position relative to its block.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct StoredPhoton {
+    fraction: [u16; 3],
+    power: [u16; 3],
+}
+
+impl<'a> QuantisedMap<'a> {
+    /// Rounds every photon of `map` to the formats of `machine`.
+    ///
+    /// # Errors
+    /// Coordinates outside 3 to 17 bits (a fraction of 1 to 15, whose radius squared fits 32
+    /// bits), or powers outside 1 to 16 bits.
+    pub fn new(map: &'a PhotonMap, machine: &'a Machine) -> Result<Self, QuantiseError> {
+        check(machine, "coordinate_bits", machine.coordinate_bits, 3, 17)?;
+        check(machine, "power_bits", machine.power_bits, 1, 16)?;
+        let power_step = power_step(map, machine.power_bits);
+        let stored = |photon: &crate::Photon| StoredPhoton {
+            fraction: fraction(map, photon.position, machine).map(|f| f as u16),
+            // Float to integer rounds half away from zero and cannot exceed the largest power.
+            power: (photon.power / power_step)
+                .round()
+                .to_array()
+                .map(|p| p as u16),
+        };
+        Ok(Self {
+            map,
+            machine,
+            photons: map.photons().par_iter().map(stored).collect(),
+            power_step,
+        })
+    }
+
+    /// The machine whose integers these are.
+    #[must_use]
+    pub fn machine(&self) -> &'a Machine {
+        self.machine
+    }
+
+    /// The flux that one step of the integer power stands for.
+    #[must_use]
+    pub fn power_step(&self) -> f64 {
+        self.power_step
+    }
+
+    /// The machine's query at `position`: the fraction in its block, behind one block's edge.
+    #[must_use]
+    pub fn query(&self, position: DVec3) -> spec::Query {
+        let edge = 1 << self.machine.position_bits();
+        spec::Query {
+            position: fraction(self.map, position, self.machine).map(|f| edge + f),
+            radius_sq: edge * edge,
+        }
+    }
+
+    /// The photons that a query at `position` on a surface of unit normal `normal` gathers, in
+    /// its frame, as they stream to the machine.
+    pub fn photons(&self, position: DVec3, normal: DVec3) -> impl Iterator<Item = spec::Photon> {
+        let runs = self.map.candidates(position, normal);
+        runs.flat_map(|Candidates { offset, photons }| {
+            let base = offset.map(|blocks| blocks << self.machine.position_bits());
+            self.photons[photons].iter().map(move |p| spec::Photon {
+                position: std::array::from_fn(|axis| base[axis] + u32::from(p.fraction[axis])),
+                power: p.power.map(u32::from),
+            })
+        })
+    }
+}
+
+fn check(
+    machine: &Machine,
+    field: &'static str,
+    found: u32,
+    min: u32,
+    max: u32,
+) -> Result<(), QuantiseError> {
+    if (min..=max).contains(&found) {
+        return Ok(());
+    }
+    Err(QuantiseError {
+        machine: machine.name,
+        field,
+        found,
+        min,
+        max,
+    })
+}
+
+/// The power of one integer step; 1 where no photon has any power.
+fn power_step(map: &PhotonMap, bits: u32) -> f64 {
+    let powers = map.photons().iter().map(|p| p.power.max_element());
+    let largest = powers.fold(0.0, f64::max);
+    let step = largest / f64::from((1u32 << bits) - 1);
+    // A subnormal step would round unlike the others; such powers are no light at all.
+    if step.is_normal() { step } else { 1.0 }
+}
+
+/// floor(fraction * 2^f) of a position in its block, below 2^f also where rounding makes the
+/// fraction exactly 1.
+fn fraction(map: &PhotonMap, position: DVec3, machine: &Machine) -> [u32; 3] {
+    let steps = 1u32 << machine.position_bits();
+    let place = map.in_blocks(position);
+    let fraction = (place - place.floor()) * f64::from(steps);
+    // `as` saturates, and takes a NaN for 0.
+    fraction.to_array().map(|f| (f as u32).min(steps - 1))
+}
+
+#[cfg(test)]
+mod tests {
+    use photoncube_spec::find_machine;
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::{Photon, Scene, TraceOptions, trace};
+
+    const RADIUS: f64 = 0.2;
+
+    fn map() -> PhotonMap {
+        let scene = Scene::built_in("cornell").unwrap();
+        let options = TraceOptions {
+            photons: 5_000,
+            seed: 4,
+        };
+        let photons = trace(&scene, &options, &|_| ()).unwrap().photons;
+        PhotonMap::new(&scene, photons, RADIUS).unwrap()
+    }
+
+    #[test]
+    fn positions_are_off_by_less_than_a_step() {
+        let map = map();
+        for name in ["paper", "paper-12"] {
+            let machine = find_machine(name).unwrap();
+            let quantised = QuantisedMap::new(&map, machine).unwrap();
+            let step = RADIUS / f64::from(1 << machine.position_bits());
+            for query in map.photons().iter().step_by(211) {
+                let normal = DVec3::Y;
+                let integers: Vec<_> = quantised.photons(query.position, normal).collect();
+                let floats: Vec<usize> = map
+                    .candidates(query.position, normal)
+                    .flat_map(|c| c.photons)
+                    .collect();
+                assert_eq!(integers.len(), floats.len());
+                let centre = quantised.query(query.position).position;
+                for (integer, &index) in integers.iter().zip(&floats) {
+                    let difference = map.photons()[index].position - query.position;
+                    for axis in 0..3 {
+                        let steps = f64::from(integer.position[axis]) - f64::from(centre[axis]);
+                        // Two floors: the difference is off by less than one step, and rounding.
+                        assert!((steps * step - difference[axis]).abs() < step * 1.000001);
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn powers_use_the_whole_range_and_round_to_nearest() {
+        let map = map();
+        let quantised = QuantisedMap::new(&map, find_machine("paper").unwrap()).unwrap();
+        let powers = || quantised.photons.iter().map(|p| p.power);
+        assert_eq!(powers().flatten().max(), Some(u16::MAX));
+        for (stored, photon) in powers().zip(map.photons()) {
+            let error = DVec3::from(stored.map(f64::from)) - photon.power / quantised.power_step();
+            // Half a step, and the rounding of the quotient.
+            assert!(error.abs().max_element() < 0.500001);
+        }
+    }
+
+    #[test]
+    fn a_map_without_light_is_all_zero() {
+        let scene = Scene::built_in("cornell").unwrap();
+        let dark = Photon {
+            position: DVec3::ZERO,
+            power: DVec3::ZERO,
+            surface: 0,
+        };
+        let map = PhotonMap::new(&scene, vec![dark], RADIUS).unwrap();
+        let quantised = QuantisedMap::new(&map, find_machine("paper").unwrap()).unwrap();
+        assert_eq!(quantised.photons[0].power, [0; 3]);
+    }
+
+    #[test]
+    fn formats_that_do_not_fit_are_errors() {
+        let map = map();
+        let paper = find_machine("paper").unwrap();
+        for (coordinate_bits, power_bits) in [(2, 16), (18, 16), (8, 0), (8, 17)] {
+            let machine = Machine {
+                coordinate_bits,
+                power_bits,
+                ..*paper
+            };
+            assert!(QuantisedMap::new(&map, &machine).is_err());
+        }
+        let machine = Machine {
+            power_bits: 17,
+            ..*paper
+        };
+        let error = QuantisedMap::new(&map, &machine).unwrap_err().to_string();
+        assert_eq!(error, "machine `paper`: power_bits is 17, expected 1 to 16");
+    }
+
+    proptest! {
+        /// Whatever the position, the query stands in the frame's second block.
+        #[test]
+        fn queries_stay_in_their_block(x in prop::num::f64::ANY, y in -1.0..1.0f64, z in -1e-9..1e-9f64) {
+            let map = PhotonMap::new(&Scene::built_in("cornell").unwrap(), vec![], RADIUS).unwrap();
+            let machine = find_machine("paper").unwrap();
+            let quantised = QuantisedMap::new(&map, machine).unwrap();
+            let query = quantised.query(DVec3::new(x, y, z));
+            prop_assert!(query.position.iter().all(|c| (64..128).contains(c)));
+            prop_assert_eq!(query.radius_sq, 64 * 64);
+        }
+    }
+}

@@ -1,0 +1,277 @@
+//! Stage 5 for a whole picture: every query point, by the engine asked for.
+
+use std::ops::AddAssign;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use glam::DVec3;
+use photoncube_model::GatherError;
+use photoncube_spec::Machine;
+use rayon::prelude::*;
+use thiserror::Error;
+
+use crate::estimate::{Estimate, estimate_f64, estimate_model};
+use crate::image::Image;
+use crate::photon_map::PhotonMap;
+use crate::quantise::{QuantiseError, QuantisedMap};
+use crate::scene::Scene;
+use crate::view::{QueryPoint, ViewError, ViewOptions};
+
+/// What makes the radiance estimates.
+#[derive(Debug, Clone, Copy)]
+pub enum Engine<'a> {
+    /// The reference, in f64.
+    F64,
+    /// The golden model of this machine, on photons rounded to its formats.
+    Model(&'a Machine),
+}
+
+/// Why a picture could not be rendered.
+#[derive(Debug, Error)]
+pub enum RenderError {
+    /// The options give no picture.
+    #[error(transparent)]
+    View(#[from] ViewError),
+    /// The machine's formats do not fit.
+    #[error(transparent)]
+    Quantise(#[from] QuantiseError),
+    /// The golden model refused a query.
+    #[error("pixel ({x}, {y}): {source}")]
+    Gather {
+        /// Column, from the left.
+        x: u32,
+        /// Row, from the top.
+        y: u32,
+        /// What the model found.
+        source: GatherError,
+    },
+}
+
+/// What rendering did.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct RenderStats {
+    /// View rays that ended on a front, each one query.
+    pub query_points: u64,
+    /// Photons tested against a query: distance, compare, accumulate.
+    pub photon_tests: u64,
+    /// Those of them in range.
+    pub photons_in_range: u64,
+    /// Iterations of the machine: a query's photons in groups of
+    /// [`Machine::photons_per_iteration`], the last perhaps not full. 0 for the reference, which has none.
+    pub photon_groups: u64,
+    /// The most photons that one query tested.
+    pub largest_query: u64,
+}
+
+impl AddAssign for RenderStats {
+    fn add_assign(&mut self, other: Self) {
+        self.query_points += other.query_points;
+        self.photon_tests += other.photon_tests;
+        self.photons_in_range += other.photons_in_range;
+        self.photon_groups += other.photon_groups;
+        self.largest_query = self.largest_query.max(other.largest_query);
+    }
+}
+
+/// A picture and what it took.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rendering {
+    /// Radiance, linear RGB.
+    pub image: Image,
+    /// The work's figures.
+    pub stats: RenderStats,
+}
+
+/// Renders the scene's view from the photon map. Both engines see the same query points.
+///
+/// `progress` gets the number of pixels done so far, from any thread, not always in order.
+///
+/// # Errors
+/// Options without pixels, formats that do not fit the map, or a query that the golden model
+/// refuses (more photons than [`Machine::max_photons`]).
+pub fn render(
+    scene: &Scene,
+    map: &PhotonMap,
+    engine: Engine<'_>,
+    options: &ViewOptions,
+    progress: &(dyn Fn(u64) + Sync),
+) -> Result<Rendering, RenderError> {
+    options.check()?;
+    let renderer = Renderer {
+        scene,
+        map,
+        engine: Prepared::new(map, engine)?,
+        options,
+    };
+    let done = AtomicU64::new(0);
+    let row = |y| {
+        let row = renderer.row(y)?;
+        let width = u64::from(options.width);
+        progress(done.fetch_add(width, Ordering::Relaxed) + width);
+        Ok(row)
+    };
+    let rows: Result<Vec<_>, RenderError> = (0..options.height).into_par_iter().map(row).collect();
+    let mut pixels = Vec::new();
+    let mut stats = RenderStats::default();
+    for (row, row_stats) in rows? {
+        pixels.extend(row);
+        stats += row_stats;
+    }
+    let image = Image::from_rows(options.width, pixels);
+    Ok(Rendering { image, stats })
+}
+
+enum Prepared<'a> {
+    F64,
+    Model(QuantisedMap<'a>),
+}
+
+impl<'a> Prepared<'a> {
+    fn new(map: &'a PhotonMap, engine: Engine<'a>) -> Result<Self, QuantiseError> {
+        Ok(match engine {
+            Engine::F64 => Self::F64,
+            Engine::Model(machine) => Self::Model(QuantisedMap::new(map, machine)?),
+        })
+    }
+
+    fn estimate(&self, map: &PhotonMap, query: &QueryPoint) -> Result<Estimate, GatherError> {
+        match self {
+            Self::F64 => Ok(estimate_f64(map, query)),
+            Self::Model(quantised) => estimate_model(map, quantised, query),
+        }
+    }
+
+    fn groups(&self, photons: u64) -> u64 {
+        match self {
+            Self::F64 => 0,
+            Self::Model(quantised) => {
+                photons.div_ceil(quantised.machine().photons_per_iteration() as u64)
+            }
+        }
+    }
+}
+
+struct Renderer<'a> {
+    scene: &'a Scene,
+    map: &'a PhotonMap,
+    engine: Prepared<'a>,
+    options: &'a ViewOptions,
+}
+
+impl Renderer<'_> {
+    fn row(&self, y: u32) -> Result<(Vec<DVec3>, RenderStats), RenderError> {
+        let mut stats = RenderStats::default();
+        let pixel = |x| {
+            let pixel = self.pixel(x, y, &mut stats);
+            pixel.map_err(|source| RenderError::Gather { x, y, source })
+        };
+        let pixels: Result<Vec<_>, _> = (0..self.options.width).map(pixel).collect();
+        Ok((pixels?, stats))
+    }
+
+    /// The mean radiance of a pixel's view rays.
+    fn pixel(&self, x: u32, y: u32, stats: &mut RenderStats) -> Result<DVec3, GatherError> {
+        let mut radiance = DVec3::ZERO;
+        for sample in self.options.samples(self.scene, x, y) {
+            radiance += sample.emitted;
+            if let Some(query) = sample.query {
+                let estimate = self.engine.estimate(self.map, &query)?;
+                radiance += query.beta * estimate.irradiance;
+                *stats += self.stats_of(&estimate);
+            }
+        }
+        Ok(radiance / f64::from(self.options.samples_per_pixel()))
+    }
+
+    fn stats_of(&self, estimate: &Estimate) -> RenderStats {
+        RenderStats {
+            query_points: 1,
+            photon_tests: estimate.tests,
+            photons_in_range: estimate.in_range,
+            photon_groups: self.engine.groups(estimate.tests),
+            largest_query: estimate.tests,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use photoncube_spec::find_machine;
+
+    use super::*;
+    use crate::{TraceOptions, trace};
+
+    const OPTIONS: ViewOptions = ViewOptions {
+        width: 24,
+        height: 16,
+        samples_per_axis: 1,
+        seed: 9,
+    };
+
+    fn scene_and_map() -> (Scene, PhotonMap) {
+        let scene = Scene::built_in("cornell").unwrap();
+        let options = TraceOptions {
+            photons: 20_000,
+            seed: 9,
+        };
+        let photons = trace(&scene, &options, &|_| ()).unwrap().photons;
+        let map = PhotonMap::new(&scene, photons, 0.15).unwrap();
+        (scene, map)
+    }
+
+    #[test]
+    fn threads_do_not_matter() {
+        let (scene, map) = scene_and_map();
+        for engine in [Engine::F64, Engine::Model(find_machine("paper").unwrap())] {
+            let on = |threads| {
+                let pool = rayon::ThreadPoolBuilder::new()
+                    .num_threads(threads)
+                    .build()
+                    .unwrap();
+                pool.install(|| render(&scene, &map, engine, &OPTIONS, &|_| ()).unwrap())
+            };
+            assert_eq!(on(1), on(3));
+        }
+    }
+
+    #[test]
+    fn both_engines_test_the_same_photons() {
+        let (scene, map) = scene_and_map();
+        let machine = find_machine("paper").unwrap();
+        let f64 = render(&scene, &map, Engine::F64, &OPTIONS, &|_| ())
+            .unwrap()
+            .stats;
+        let model = render(&scene, &map, Engine::Model(machine), &OPTIONS, &|_| ())
+            .unwrap()
+            .stats;
+        assert_eq!(f64.photon_tests, model.photon_tests);
+        assert_eq!(f64.query_points, model.query_points);
+        assert!(f64.query_points <= 24 * 16 && f64.query_points > 24 * 16 / 2);
+        assert_eq!(f64.photon_groups, 0);
+        let groups = model.photon_groups;
+        assert!(groups >= model.photon_tests / 4);
+        assert!(groups < model.photon_tests / 4 + model.query_points);
+    }
+
+    #[test]
+    fn progress_counts_all_pixels() {
+        let (scene, map) = scene_and_map();
+        let last = AtomicU64::new(0);
+        let progress = |pixels| {
+            last.fetch_max(pixels, Ordering::Relaxed);
+        };
+        render(&scene, &map, Engine::F64, &OPTIONS, &progress).unwrap();
+        assert_eq!(last.into_inner(), 24 * 16);
+    }
+
+    #[test]
+    fn a_machine_too_small_for_a_query_says_which_pixel() {
+        let (scene, map) = scene_and_map();
+        let machine = Machine {
+            max_photons: 3,
+            ..*find_machine("paper").unwrap()
+        };
+        let error = render(&scene, &map, Engine::Model(&machine), &OPTIONS, &|_| ()).unwrap_err();
+        assert!(error.to_string().starts_with("pixel ("), "{error}");
+        assert!(matches!(error, RenderError::Gather { .. }));
+    }
+}

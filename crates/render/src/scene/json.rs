@@ -1,0 +1,332 @@
+//! The scene file: the reference renderer's JSON, of which camera and shapes are read.
+
+use std::collections::BTreeMap;
+
+use glam::DVec3;
+use serde::Deserialize;
+
+use super::{Scene, SceneError, Surface};
+use crate::camera::Camera;
+use crate::geometry::Quad;
+
+/// How far a stated normal may lie from the corners' own, as the cosine: a stated normal only
+/// serves to catch a wrong winding, so one degree is plenty.
+const NORMAL_COSINE: f64 = 0.9998;
+
+/// Far above any light, and no sum of squares of such numbers overflows.
+const MAX_RADIANCE: f64 = 1e30;
+
+#[derive(Deserialize)]
+struct SceneFile {
+    name: String,
+    camera: CameraFile,
+    // Sorted, so that the order of the surfaces does not depend on the parser.
+    shapes: BTreeMap<String, ShapeFile>,
+}
+
+#[derive(Deserialize)]
+struct CameraFile {
+    fov_deg: f64,
+    // Read only to refuse any other axis.
+    #[serde(rename = "fov_axis")]
+    _fov_axis: FovAxis,
+    to_world: [[f64; 4]; 4],
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "lowercase")]
+enum FovAxis {
+    Smaller,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ShapeFile {
+    kind: Kind,
+    vertices: Vec<[f64; 3]>,
+    normal: Option<[f64; 3]>,
+    quads_ccw_outward: Option<Vec<[usize; 4]>>,
+    bsdf: BsdfFile,
+    emitter: Option<EmitterFile>,
+}
+
+#[derive(Deserialize, Clone, Copy, PartialEq)]
+#[serde(rename_all = "lowercase")]
+enum Kind {
+    Quad,
+    Box,
+}
+
+#[derive(Deserialize)]
+#[serde(tag = "type", rename_all = "lowercase", deny_unknown_fields)]
+enum BsdfFile {
+    Diffuse { reflectance: Spectrum },
+}
+
+#[derive(Deserialize)]
+#[serde(tag = "type", rename_all = "lowercase", deny_unknown_fields)]
+enum EmitterFile {
+    Area { radiance: Spectrum },
+}
+
+#[derive(Deserialize)]
+#[serde(tag = "type", rename_all = "lowercase", deny_unknown_fields)]
+enum Spectrum {
+    Rgb { value: [f64; 3] },
+}
+
+pub(super) fn parse(file: &str, text: &str) -> Result<Scene, SceneError> {
+    let parsed: SceneFile = serde_json::from_str(text).map_err(|error| json_error(file, &error))?;
+    let reader = Reader { file };
+    let camera = reader.camera(&parsed.camera)?;
+    let mut surfaces = Vec::new();
+    for (name, shape) in &parsed.shapes {
+        surfaces.extend(reader.shape(name, shape)?);
+    }
+    if !surfaces.iter().any(|s| s.radiance != DVec3::ZERO) {
+        return Err(reader.error(
+            "shapes",
+            "no emitter",
+            "at least one with a radiance over 0",
+        ));
+    }
+    Ok(Scene::new(parsed.name, camera, surfaces))
+}
+
+fn json_error(file: &str, error: &serde_json::Error) -> SceneError {
+    let message = error.to_string();
+    // serde_json ends its message with the place, which stands in the error's own fields.
+    let end = message.rfind(" at line ").unwrap_or(message.len());
+    SceneError::Json {
+        file: file.to_owned(),
+        line: error.line(),
+        column: error.column(),
+        message: message[..end].to_owned(),
+    }
+}
+
+/// Checks values, knowing the file's name for its errors.
+struct Reader<'a> {
+    file: &'a str,
+}
+
+impl Reader<'_> {
+    fn error(&self, place: &str, found: impl ToString, expected: &str) -> SceneError {
+        SceneError::Value {
+            file: self.file.to_owned(),
+            place: place.to_owned(),
+            found: found.to_string(),
+            expected: expected.to_owned(),
+        }
+    }
+
+    fn camera(&self, camera: &CameraFile) -> Result<Camera, SceneError> {
+        Camera::new(camera.fov_deg, camera.to_world).ok_or_else(|| {
+            let found = format!(
+                "fov_deg {} and to_world {:?}",
+                camera.fov_deg, camera.to_world
+            );
+            let expected = "an angle between 0 and 180 and an invertible affine matrix";
+            self.error("camera", found, expected)
+        })
+    }
+
+    fn shape(&self, name: &str, shape: &ShapeFile) -> Result<Vec<Surface>, SceneError> {
+        let place = format!("shapes.{name}");
+        let BsdfFile::Diffuse {
+            reflectance: Spectrum::Rgb { value: reflectance },
+        } = shape.bsdf;
+        let at = format!("{place}.bsdf.reflectance.value");
+        self.spectrum(&at, reflectance, 1.0, "numbers from 0 to 1")?;
+        let radiance = match shape.emitter {
+            Some(EmitterFile::Area {
+                radiance: Spectrum::Rgb { value },
+            }) => value,
+            None => [0.0; 3],
+        };
+        let at = format!("{place}.emitter.radiance.value");
+        self.spectrum(&at, radiance, MAX_RADIANCE, "numbers from 0 to 1e30")?;
+        let surface = |quad| Surface {
+            shape: name.to_owned(),
+            quad,
+            reflectance: reflectance.into(),
+            radiance: radiance.into(),
+        };
+        Ok(self
+            .quads(&place, shape)?
+            .into_iter()
+            .map(surface)
+            .collect())
+    }
+
+    fn spectrum(
+        &self,
+        place: &str,
+        rgb: [f64; 3],
+        max: f64,
+        expected: &str,
+    ) -> Result<(), SceneError> {
+        match rgb.iter().position(|v| !(0.0..=max).contains(v)) {
+            Some(channel) => {
+                Err(self.error(&format!("{place}[{channel}]"), rgb[channel], expected))
+            }
+            None => Ok(()),
+        }
+    }
+
+    fn quads(&self, place: &str, shape: &ShapeFile) -> Result<Vec<Quad>, SceneError> {
+        let faces: &[[usize; 4]] = match (shape.kind, &shape.quads_ccw_outward) {
+            (Kind::Quad, None) => &[[0, 1, 2, 3]],
+            (Kind::Box, Some(faces)) if faces.len() == 6 => faces,
+            (Kind::Quad, Some(_)) => {
+                return Err(self.error(
+                    place,
+                    "a quad with quads_ccw_outward",
+                    "a quad without it",
+                ));
+            }
+            (Kind::Box, _) => {
+                let at = format!("{place}.quads_ccw_outward");
+                let found = shape.quads_ccw_outward.as_ref().map_or(0, Vec::len);
+                return Err(self.error(&at, format!("{found} faces"), "the 6 faces of a box"));
+            }
+        };
+        let quads = faces.iter().enumerate().map(|(index, face)| {
+            let at = match shape.kind {
+                Kind::Quad => format!("{place}.vertices"),
+                Kind::Box => format!("{place}.quads_ccw_outward[{index}]"),
+            };
+            self.quad(&at, face, shape)
+        });
+        quads.collect()
+    }
+
+    fn quad(&self, place: &str, face: &[usize; 4], shape: &ShapeFile) -> Result<Quad, SceneError> {
+        let mut corners = [DVec3::ZERO; 4];
+        for (corner, &index) in corners.iter_mut().zip(face) {
+            let vertex = shape.vertices.get(index).ok_or_else(|| {
+                let found = format!("corner {index} of {} vertices", shape.vertices.len());
+                self.error(place, found, "corners that are among the vertices")
+            })?;
+            *corner = DVec3::from(*vertex);
+        }
+        let quad = Quad::from_corners(corners).ok_or_else(|| {
+            let found = corners.map(|c| c.to_string()).join(" ");
+            self.error(place, found, "the corners of a parallelogram, in order")
+        })?;
+        if let Some(normal) = shape.normal.map(DVec3::from) {
+            let cosine = normal.normalize_or_zero().dot(quad.normal());
+            if cosine < NORMAL_COSINE {
+                let found = format!("normal {normal}");
+                let expected = format!("the normal of the corners, {}", quad.normal());
+                return Err(self.error(place, found, &expected));
+            }
+        }
+        Ok(quad)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::{Value, json};
+
+    use super::*;
+
+    fn changed(pointer: &str, value: Value) -> String {
+        let mut scene: Value =
+            serde_json::from_str(include_str!("../../scenes/cornell.json")).unwrap();
+        *scene.pointer_mut(pointer).expect("a field of the scene") = value;
+        scene.to_string()
+    }
+
+    fn message(text: &str) -> String {
+        Scene::from_json("my.json", text).unwrap_err().to_string()
+    }
+
+    #[test]
+    fn errors_name_file_place_found_and_expected() {
+        let cases = [
+            (
+                "/shapes/floor/bsdf/reflectance/value",
+                json!([0.5, 1.5, 0.5]),
+                "my.json, shapes.floor.bsdf.reflectance.value[1]: found 1.5, expected numbers from 0 to 1",
+            ),
+            (
+                "/shapes/light/emitter/radiance/value",
+                json!([-1, 0, 0]),
+                "shapes.light.emitter.radiance.value[0]: found -1",
+            ),
+            (
+                "/shapes/light/emitter",
+                json!(null),
+                "my.json, shapes: found no emitter",
+            ),
+            (
+                "/shapes/back/normal",
+                json!([0, 0, -1]),
+                "shapes.back.vertices: found normal [0, 0, -1], expected the normal of the corners",
+            ),
+            (
+                "/shapes/back/normal",
+                json!([0, 0, 0]),
+                "shapes.back.vertices: found normal",
+            ),
+            (
+                "/shapes/back/vertices",
+                json!([]),
+                "shapes.back.vertices: found corner 0 of 0 vertices",
+            ),
+            (
+                "/shapes/back/vertices/2",
+                json!([1, 1, 7]),
+                "expected the corners of a parallelogram",
+            ),
+            (
+                "/shapes/small-box/quads_ccw_outward",
+                json!([[0, 1, 3, 2]]),
+                "shapes.small-box.quads_ccw_outward: found 1 faces",
+            ),
+            (
+                "/shapes/back/kind",
+                json!("box"),
+                "shapes.back.quads_ccw_outward: found 0 faces",
+            ),
+            (
+                "/shapes/small-box/kind",
+                json!("quad"),
+                "a quad with quads_ccw_outward",
+            ),
+            (
+                "/camera/fov_deg",
+                json!(0),
+                "my.json, camera: found fov_deg 0",
+            ),
+        ];
+        for (pointer, value, expected) in cases {
+            let message = message(&changed(pointer, value));
+            assert!(message.contains(expected), "{pointer}: {message}");
+        }
+    }
+
+    #[test]
+    fn malformed_files_name_line_and_column() {
+        let message = message("{\n \"name\": 3\n}");
+        assert!(message.starts_with("my.json, line 2, column "), "{message}");
+        assert!(
+            !message.contains("at line"),
+            "the place stands once: {message}"
+        );
+        for (pointer, value) in [
+            ("/camera/fov_axis", json!("x")),
+            ("/shapes/floor/bsdf/type", json!("glass")),
+            ("/shapes/floor/kind", json!("sphere")),
+            ("/shapes/floor", json!({"kind": "quad", "colour": 1})),
+        ] {
+            let error = Scene::from_json("my.json", &changed(pointer, value)).unwrap_err();
+            assert!(
+                matches!(error, SceneError::Json { .. }),
+                "{pointer}: {error}"
+            );
+        }
+    }
+}

@@ -1,0 +1,225 @@
+//! Stage 1, the scene: named quads with their reflectance and emission, and a camera.
+
+mod json;
+
+use glam::DVec3;
+use thiserror::Error;
+
+use crate::camera::{Camera, Ray};
+use crate::geometry::{Hit, Quad};
+
+/// The scenes that come with the program: name and text.
+const BUILT_IN: [(&str, &str); 1] = [("cornell", include_str!("../../scenes/cornell.json"))];
+
+/// A ray that leaves a surface ignores hits nearer than this part of the scene's diagonal:
+/// 25 times the tilt of the reference scene's single-precision geometry (4e-8), and far below
+/// its smallest gap (0.01 between light and ceiling).
+const LEAVE_DISTANCE: f64 = 1e-6;
+
+/// Why a scene could not be had.
+#[derive(Debug, Error)]
+pub enum SceneError {
+    /// No built-in scene has the name.
+    #[error("no built-in scene is named `{found}`; there are: {}", Scene::names().collect::<Vec<_>>().join(", "))]
+    Unknown {
+        /// The name asked for.
+        found: String,
+    },
+    /// The text is no JSON, or not of the scene's shape.
+    #[error("{file}, line {line}, column {column}: {message}")]
+    Json {
+        /// The file's name, as given.
+        file: String,
+        /// Counted from 1.
+        line: usize,
+        /// Counted from 1.
+        column: usize,
+        /// What was found and expected there.
+        message: String,
+    },
+    /// A value that no scene can have.
+    #[error("{file}, {place}: found {found}, expected {expected}")]
+    Value {
+        /// The file's name, as given.
+        file: String,
+        /// The field's path, such as `shapes.light.vertices`.
+        place: String,
+        /// What stands there.
+        found: String,
+        /// What could stand there.
+        expected: String,
+    },
+}
+
+/// One quad and what it does with light. Only its front reflects and emits; its back is black.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Surface {
+    /// The shape that it belongs to; a box gives six surfaces of one name.
+    pub shape: String,
+    /// Where it is.
+    pub quad: Quad,
+    /// Diffuse reflectance of red, green, blue, each from 0 to 1.
+    pub reflectance: DVec3,
+    /// Emitted radiance of red, green, blue; zero for what is no light.
+    pub radiance: DVec3,
+}
+
+/// What is to be rendered: surfaces and a camera.
+#[derive(Debug, Clone)]
+pub struct Scene {
+    name: String,
+    camera: Camera,
+    surfaces: Vec<Surface>,
+    leave_distance: f64,
+}
+
+impl Scene {
+    /// The names of the built-in scenes.
+    pub fn names() -> impl Iterator<Item = &'static str> {
+        BUILT_IN.iter().map(|(name, _)| *name)
+    }
+
+    /// The built-in scene of that name.
+    ///
+    /// # Errors
+    /// [`SceneError::Unknown`], which lists the names that exist.
+    pub fn built_in(name: &str) -> Result<Self, SceneError> {
+        let found = BUILT_IN.iter().find(|(known, _)| *known == name);
+        let (name, text) = found.ok_or_else(|| SceneError::Unknown { found: name.into() })?;
+        Self::from_json(name, text)
+    }
+
+    /// The scene that `text` describes, in the form of `scenes/cornell.json`; `file` is only
+    /// for the errors' wording.
+    ///
+    /// # Errors
+    /// [`SceneError::Json`] or [`SceneError::Value`], with the place.
+    pub fn from_json(file: &str, text: &str) -> Result<Self, SceneError> {
+        json::parse(file, text)
+    }
+
+    /// `surfaces` must not be empty.
+    fn new(name: String, camera: Camera, surfaces: Vec<Surface>) -> Self {
+        let mut scene = Self {
+            name,
+            camera,
+            surfaces,
+            leave_distance: 0.0,
+        };
+        let [low, high] = scene.bounds();
+        scene.leave_distance = LEAVE_DISTANCE * low.distance(high);
+        scene
+    }
+
+    /// The scene's name, as its text gives it.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The camera.
+    #[must_use]
+    pub fn camera(&self) -> &Camera {
+        &self.camera
+    }
+
+    /// All quads; photons and hits name one by its index here.
+    #[must_use]
+    pub fn surfaces(&self) -> &[Surface] {
+        &self.surfaces
+    }
+
+    /// The smallest and the largest corner of the box around all surfaces (scene units).
+    #[must_use]
+    pub fn bounds(&self) -> [DVec3; 2] {
+        let corners = self.surfaces.iter().flat_map(|s| s.quad.corners());
+        corners.fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[low, high], c| {
+            [low.min(c), high.max(c)]
+        })
+    }
+
+    /// The nearest hit of a ray and its surface's index. Hits that touch the ray's start are
+    /// passed over, so that a ray can leave a surface.
+    #[must_use]
+    pub fn intersect(&self, ray: &Ray) -> Option<(usize, Hit)> {
+        let mut nearest: Option<(usize, Hit)> = None;
+        for (index, surface) in self.surfaces.iter().enumerate() {
+            let t_max = nearest.map_or(f64::INFINITY, |(_, hit)| hit.t);
+            if let Some(hit) = surface.quad.intersect(ray, self.leave_distance, t_max) {
+                nearest = Some((index, hit));
+            }
+        }
+        nearest
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cornell_is_the_reference_scene() {
+        let scene = Scene::built_in("cornell").unwrap();
+        // Six single quads (the front is open) and two boxes.
+        assert_eq!(scene.surfaces().len(), 6 + 2 * 6);
+        let lights: Vec<_> = scene
+            .surfaces()
+            .iter()
+            .filter(|s| s.radiance != DVec3::ZERO)
+            .collect();
+        assert_eq!(lights.len(), 1);
+        assert!(
+            (lights[0].quad.area() - 0.46 * 0.38).abs() < 1e-6,
+            "single-precision corners"
+        );
+        assert!(lights[0].quad.normal().y < -0.999);
+        let [low, high] = scene.bounds();
+        // The bounds that the reference's own file states.
+        assert!(low.distance(DVec3::new(-1.0, -1.01, -1.0)) < 1e-6);
+        assert!(high.distance(DVec3::ONE) < 1e-6);
+    }
+
+    #[test]
+    fn boxes_face_outwards_and_walls_inwards() {
+        let scene = Scene::built_in("cornell").unwrap();
+        for surface in scene.surfaces() {
+            let same: Vec<_> = scene
+                .surfaces()
+                .iter()
+                .filter(|s| s.shape == surface.shape)
+                .collect();
+            let centre =
+                same.iter().map(|s| s.quad.point(0.5, 0.5)).sum::<DVec3>() / same.len() as f64;
+            let is_box = same.len() == 6;
+            let inside = if is_box { centre } else { DVec3::ZERO };
+            let outward = (surface.quad.point(0.5, 0.5) - inside).dot(surface.quad.normal());
+            assert_eq!(outward > 0.0, is_box, "{}", surface.shape);
+        }
+    }
+
+    #[test]
+    fn the_nearest_surface_is_hit() {
+        let scene = Scene::built_in("cornell").unwrap();
+        let ray = Ray {
+            origin: DVec3::ZERO,
+            direction: DVec3::Y,
+        };
+        let (index, hit) = scene.intersect(&ray).unwrap();
+        assert_eq!(scene.surfaces()[index].shape, "light");
+        assert!(hit.front);
+        let ray = Ray {
+            origin: DVec3::ZERO,
+            direction: DVec3::Z,
+        };
+        assert!(scene.intersect(&ray).is_none(), "the front is open");
+    }
+
+    #[test]
+    fn an_unknown_name_lists_the_known() {
+        let message = Scene::built_in("sponza").unwrap_err().to_string();
+        assert!(
+            message.contains("sponza") && message.contains("cornell"),
+            "{message}"
+        );
+    }
+}

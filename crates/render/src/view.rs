@@ -1,0 +1,216 @@
+//! Stage 4: view rays, supersampled, end at the points where the image needs light.
+
+use glam::DVec3;
+use rand::RngExt;
+use rand_pcg::Pcg64Mcg;
+use thiserror::Error;
+
+use crate::sample::{Purpose, stream};
+use crate::scene::Scene;
+
+/// The picture to take.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct ViewOptions {
+    /// Pixels in a row.
+    pub width: u32,
+    /// Rows of pixels.
+    pub height: u32,
+    /// A pixel is sampled on a grid of this many times this many cells, at a random point of
+    /// each cell.
+    pub samples_per_axis: u32,
+    /// Chooses the points in the cells.
+    pub seed: u64,
+}
+
+/// 256 x 256 pixels of 3 x 3 samples.
+impl Default for ViewOptions {
+    fn default() -> Self {
+        Self {
+            width: 256,
+            height: 256,
+            samples_per_axis: 3,
+            seed: 1,
+        }
+    }
+}
+
+/// Options that give no picture.
+#[derive(Debug, Error, PartialEq, Eq)]
+#[error("{field}: found {found}, expected 1 to {max}")]
+pub struct ViewError {
+    /// Which option.
+    pub field: &'static str,
+    /// Its value.
+    pub found: u32,
+    /// The largest that works.
+    pub max: u32,
+}
+
+/// The longest side of an image: its pixels' number fits 32 bits.
+const MAX_SIDE: u32 = 1 << 16;
+/// More samples than any picture needs, few enough for their square to fit.
+const MAX_SAMPLES_PER_AXIS: u32 = 64;
+
+/// A point where the estimate is made.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct QueryPoint {
+    /// Where it is (scene units).
+    pub position: DVec3,
+    /// The unit normal of its surface's front.
+    pub normal: DVec3,
+    /// What turns irradiance into reflected radiance: rho / pi, the diffuse BRDF.
+    pub beta: DVec3,
+}
+
+/// What one view ray sees.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(crate) struct ViewSample {
+    /// Radiance that the surface emits.
+    pub emitted: DVec3,
+    /// Where to estimate what it reflects; none where the ray leaves the scene or meets a back.
+    pub query: Option<QueryPoint>,
+}
+
+impl ViewOptions {
+    /// # Errors
+    /// An image without pixels or samples, or too large to index.
+    pub(crate) fn check(&self) -> Result<(), ViewError> {
+        for (field, found, max) in [
+            ("width", self.width, MAX_SIDE),
+            ("height", self.height, MAX_SIDE),
+            (
+                "samples_per_axis",
+                self.samples_per_axis,
+                MAX_SAMPLES_PER_AXIS,
+            ),
+        ] {
+            if !(1..=max).contains(&found) {
+                return Err(ViewError { field, found, max });
+            }
+        }
+        Ok(())
+    }
+
+    /// View rays of one pixel.
+    pub(crate) fn samples_per_pixel(&self) -> u32 {
+        self.samples_per_axis * self.samples_per_axis
+    }
+
+    /// What the view rays of pixel `(x, y)` see, cell by cell; row 0 is at the top.
+    pub(crate) fn samples(
+        &self,
+        scene: &Scene,
+        x: u32,
+        y: u32,
+    ) -> impl Iterator<Item = ViewSample> {
+        let index = u64::from(y) * u64::from(self.width) + u64::from(x);
+        let mut rng = stream(self.seed, Purpose::View, index);
+        let cells = self.samples_per_axis;
+        (0..self.samples_per_pixel()).map(move |cell| {
+            let mut jittered = |pixel: u32, cell: u32| {
+                f64::from(pixel) + (f64::from(cell) + random(&mut rng)) / f64::from(cells)
+            };
+            let px = jittered(x, cell % cells);
+            let py = jittered(y, cell / cells);
+            see(scene, &scene.camera().ray(px, py, self.width, self.height))
+        })
+    }
+}
+
+fn random(rng: &mut Pcg64Mcg) -> f64 {
+    rng.random()
+}
+
+fn see(scene: &Scene, ray: &crate::Ray) -> ViewSample {
+    let Some((index, hit)) = scene.intersect(ray).filter(|(_, hit)| hit.front) else {
+        return ViewSample::default();
+    };
+    let surface = &scene.surfaces()[index];
+    ViewSample {
+        emitted: surface.radiance,
+        query: Some(QueryPoint {
+            position: hit.position,
+            normal: surface.quad.normal(),
+            beta: surface.reflectance / std::f64::consts::PI,
+        }),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const OPTIONS: ViewOptions = ViewOptions {
+        width: 128,
+        height: 128,
+        samples_per_axis: 3,
+        seed: 1,
+    };
+
+    #[test]
+    fn the_light_is_seen_where_the_reference_sees_it() {
+        let scene = Scene::built_in("cornell").unwrap();
+        let mut samples = OPTIONS.samples(&scene, 64, 18);
+        assert!(samples.all(|s| s.emitted == DVec3::new(18.387, 13.9873, 6.75357)));
+        assert!(
+            OPTIONS
+                .samples(&scene, 64, 64)
+                .all(|s| s.emitted == DVec3::ZERO)
+        );
+    }
+
+    #[test]
+    fn samples_repeat_and_differ_by_seed() {
+        let scene = Scene::built_in("cornell").unwrap();
+        let samples = |seed| -> Vec<_> {
+            ViewOptions { seed, ..OPTIONS }
+                .samples(&scene, 40, 90)
+                .collect()
+        };
+        assert_eq!(samples(1).len(), 9);
+        assert_eq!(samples(1), samples(1));
+        assert_ne!(samples(1), samples(2));
+    }
+
+    #[test]
+    fn samples_keep_to_their_pixel() {
+        // The back wall at z = -1 is 4.9 away; pixel (60, 50) of 128 there spans this square.
+        let scene = Scene::built_in("cornell").unwrap();
+        let pixel = 4.9 * 2.0 * (39.3077f64 / 2.0).to_radians().tan() / 128.0;
+        for sample in OPTIONS.samples(&scene, 60, 50) {
+            let p = sample.query.unwrap().position;
+            // 1e-6: the camera's single-precision position.
+            assert!((p.z + 1.0).abs() < 1e-6);
+            assert!((p.x + 3.5 * pixel).abs() < 0.5 * pixel + 1e-6, "{p}");
+            assert!((p.y - 13.5 * pixel).abs() < 0.5 * pixel + 1e-6, "{p}");
+        }
+    }
+
+    #[test]
+    fn options_without_pixels_are_errors() {
+        assert_eq!(OPTIONS.check(), Ok(()));
+        let error = ViewOptions {
+            height: 0,
+            ..OPTIONS
+        }
+        .check()
+        .unwrap_err();
+        assert_eq!(error.to_string(), "height: found 0, expected 1 to 65536");
+        assert!(
+            ViewOptions {
+                width: 1 << 17,
+                ..OPTIONS
+            }
+            .check()
+            .is_err()
+        );
+        assert!(
+            ViewOptions {
+                samples_per_axis: 65,
+                ..OPTIONS
+            }
+            .check()
+            .is_err()
+        );
+    }
+}

@@ -1,0 +1,81 @@
+//! The whole chain against an independent renderer: the built-in scene, photon-mapped through
+//! the golden model, beside Mitsuba's path-traced image of it.
+
+mod npy;
+
+use photoncube_render::{
+    Engine, Image, PhotonMap, Rendering, Scene, TraceOptions, ViewOptions, light_mask, rel_mse,
+    render, rms_relative_difference, trace,
+};
+use photoncube_spec::find_machine;
+
+/// Pixels over this see the light, by the reference's own rule.
+const LIGHT: f64 = 5.0;
+
+/// Photons in range that the search radius is chosen for.
+const IN_RANGE: f64 = 200.0;
+
+fn map(scene: &Scene, options: &TraceOptions) -> PhotonMap {
+    let trace = trace(scene, options, &|_| ()).unwrap();
+    let radius = PhotonMap::radius_for(scene, trace.photons.len() as u64, IN_RANGE);
+    PhotonMap::new(scene, trace.photons, radius).unwrap()
+}
+
+fn rendered(scene: &Scene, map: &PhotonMap, engine: Engine<'_>, side: u32) -> Rendering {
+    let options = ViewOptions {
+        width: side,
+        height: side,
+        ..ViewOptions::default()
+    };
+    render(scene, map, engine, &options, &|_| ()).unwrap()
+}
+
+fn reference() -> Image {
+    let (shape, values) = npy::read_f32(include_bytes!("data/cornell.npy"));
+    assert_eq!(shape, [128, 128, 3]);
+    let pixels = values
+        .chunks_exact(3)
+        .map(|rgb| [rgb[0], rgb[1], rgb[2]].map(f64::from).into());
+    Image::new(128, 128, pixels.collect()).unwrap()
+}
+
+/// The issue asks for 0.02. The default options measure 0.008, of which the reference's own noise
+/// is 0.0001; the seeds tried differ by a few percent, so 0.01 catches any real loss.
+#[test]
+fn the_golden_models_image_agrees_with_the_path_tracer() {
+    let scene = Scene::built_in("cornell").unwrap();
+    let map = map(&scene, &TraceOptions::default());
+    let paper = find_machine("paper").unwrap();
+    let image = rendered(&scene, &map, Engine::Model(paper), 128).image;
+    let reference = reference();
+    let mask = light_mask(&reference, LIGHT);
+    let error = rel_mse(&image, &reference, &mask).unwrap();
+    println!("relMSE {error:.5}");
+    assert!(error <= 0.01, "relMSE {error}");
+}
+
+/// What the number format alone costs: both engines on the same photons and query points.
+/// Position error scales with the root of the step, so 12 bits for 8, a step 16 times finer, must
+/// be about 4 times better; 3 leaves room for the powers' rounding.
+#[test]
+fn the_format_error_is_small_and_falls_with_the_step() {
+    let scene = Scene::built_in("cornell").unwrap();
+    let options = TraceOptions {
+        photons: 300_000,
+        ..TraceOptions::default()
+    };
+    let map = map(&scene, &options);
+    let exact = rendered(&scene, &map, Engine::F64, 64).image;
+    let mask = light_mask(&exact, LIGHT);
+    let error = |machine| {
+        let engine = Engine::Model(find_machine(machine).unwrap());
+        let image = rendered(&scene, &map, engine, 64).image;
+        rms_relative_difference(&image, &exact, &mask).unwrap()
+    };
+    let (paper, finer) = (error("paper"), error("paper-12"));
+    println!("rms relative difference {paper:.5}, {finer:.5}");
+    // The noise of 200 photons is 7 %; 6 bits per radius cost 0.11 of it at one query, less in
+    // the mean of a pixel's nine.
+    assert!(paper < 0.11 * 0.07, "{paper}");
+    assert!(finer < paper / 3.0, "{finer} {paper}");
+}
