@@ -3,7 +3,7 @@
 use photoncube_spec::{Machine, Photon, Query, Sums};
 use thiserror::Error;
 
-use crate::range::{RangeError, check_photon, check_query};
+use crate::range::{Limits, RangeError};
 
 /// Why a gather is refused.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
@@ -35,11 +35,12 @@ pub fn gather(
     query: &Query,
     photons: impl IntoIterator<Item = Photon>,
 ) -> Result<Sums, GatherError> {
-    check_query(machine, query)?;
+    let limits = Limits::of(machine);
+    limits.check_query(query)?;
     let mut sums = Sums::default();
     let mut given = 0;
     for photon in photons {
-        check_photon(machine, &photon)?;
+        limits.check_photon(&photon)?;
         given += 1;
         if given > machine.max_photons {
             return Err(GatherError::TooManyPhotons {

@@ -4,10 +4,12 @@
 //! clock, register by register; [`gather`] is the sum over photons that all of it is for. A
 //! property test holds them equal. No I/O, no HDL, and no arithmetic shared with the HDL.
 
+mod cell;
 mod gather;
 mod machine;
 mod range;
 
+pub use cell::{CellInputs, CellState};
 pub use gather::{GatherError, gather};
-pub use machine::{CellState, ControlState, StepMachine};
-pub use range::{RangeError, check_photon, check_query};
+pub use machine::{ControlState, StepMachine};
+pub use range::{Limits, RangeError};

@@ -3,24 +3,9 @@
 //! It executes decoded [`Step`]s and knows nothing of control words, so that encoding (spec) and
 //! its use (HDL) are tested by the comparison too.
 
-use photoncube_spec::{Hypercube, Inputs, Lane, Machine, Op, Outputs, Role, Step, Sums, Widths};
+use photoncube_spec::{Hypercube, Inputs, Machine, Op, Outputs, Photon, Role, Step, Sums, Widths};
 
-/// The registers of one cell.
-#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
-pub struct CellState {
-    /// `q`: the query point's coordinate.
-    pub query: u32,
-    /// `r`: the squared search radius.
-    pub radius_sq: u32,
-    /// `p`: the photon's coordinate.
-    pub photon: u32,
-    /// `w`: the photon's power in the cell's channel.
-    pub power: u32,
-    /// `v`: square, distance, gated power.
-    pub work: u32,
-    /// `s`: the sum of the query.
-    pub sum: u64,
-}
+use crate::cell::{CellInputs, CellState};
 
 /// The registers of the control block.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
@@ -106,14 +91,7 @@ impl StepMachine {
         row.push(u64::from(self.control.last));
         row.push(u64::from(self.control.done));
         for cell in &self.cells {
-            row.extend([
-                u64::from(cell.query),
-                u64::from(cell.radius_sq),
-                u64::from(cell.photon),
-                u64::from(cell.power),
-                u64::from(cell.work),
-                cell.sum,
-            ]);
+            row.extend(cell.registers());
         }
     }
 
@@ -161,36 +139,19 @@ impl StepMachine {
 
     fn execute(&mut self, step: Step, inputs: &Inputs) {
         self.before.copy_from_slice(&self.cells);
-        let work_mask = u32::MAX >> (u32::BITS - self.widths.work);
-        let sum_mask = u64::MAX >> (u64::BITS - self.widths.sum);
         for (node, cell) in self.cells.iter_mut().enumerate() {
             let role = self.cube.role(node);
-            let lane = || inputs.group.lanes[self.cube.photon(node)];
-            match step.op {
-                Op::Nop => {}
-                Op::LoadQuery => {
-                    cell.query = coordinate(role, inputs.query.position);
-                    cell.radius_sq = inputs.query.radius_sq;
-                    cell.sum = 0;
-                }
-                Op::LoadPhoton => {
-                    cell.photon = coordinate(role, lane().photon.position);
-                }
-                Op::LoadPower => cell.power = power(role, &lane()),
-                Op::SquareDifference => cell.work = cell.query.abs_diff(cell.photon).pow(2),
-                Op::ExchangeAdd => {
-                    let axis = step.axis.expect("a checked program names the axis");
-                    let sent = self.before[self.cube.neighbour(node, axis)].work;
-                    cell.work = cell.work.wrapping_add(sent) & work_mask;
-                }
-                Op::Gate => {
-                    let out_of_range = cell.work > cell.radius_sq;
-                    cell.work = if out_of_range { 0 } else { cell.power };
-                }
-                Op::Accumulate => {
-                    cell.sum = cell.sum.wrapping_add(u64::from(cell.work)) & sum_mask;
-                }
-            }
+            let lane = inputs.group.lanes[self.cube.photon(node)];
+            let sent = |axis| self.before[self.cube.neighbour(node, axis)].work;
+            let ports = CellInputs {
+                query: coordinate(role, inputs.query.position),
+                radius_sq: inputs.query.radius_sq,
+                photon: coordinate(role, lane.photon.position),
+                present: lane.present,
+                power: power(role, &lane.photon),
+                link: step.axis.map_or(0, sent),
+            };
+            cell.execute(step.op, &ports, &self.widths);
         }
     }
 }
@@ -199,11 +160,7 @@ fn coordinate(role: Role, position: [u32; 3]) -> u32 {
     role.coordinate().map_or(0, |index| position[index])
 }
 
-/// The power in the role's channel; a distance cell counts the photon. An absent one has none.
-fn power(role: Role, lane: &Lane) -> u32 {
-    if !lane.present {
-        return 0;
-    }
-    role.coordinate()
-        .map_or(1, |index| lane.photon.power[index])
+/// The power in the role's channel; a distance cell counts the photon.
+fn power(role: Role, photon: &Photon) -> u32 {
+    role.coordinate().map_or(1, |index| photon.power[index])
 }

@@ -24,43 +24,71 @@ pub struct RangeError {
 const POSITION: [&str; 3] = ["position x", "position y", "position z"];
 const POWER: [&str; 3] = ["red power", "green power", "blue power"];
 
-fn check(machine: &Machine, what: &'static str, value: u32, bits: u32) -> Result<(), RangeError> {
-    let largest = u32::MAX >> (u32::BITS - bits);
-    if value <= largest {
-        return Ok(());
-    }
-    Err(RangeError {
-        what,
-        value,
-        largest,
-        bits,
-        machine: machine.name,
-    })
+/// The largest values of a machine's formats; each is all ones.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub struct Limits {
+    coordinate: u32,
+    radius_sq: u32,
+    power: u32,
+    machine: &'static str,
 }
 
-/// Checks that a query fits the machine's formats.
-///
-/// # Errors
-/// The first value that does not, with the limit.
-pub fn check_query(machine: &Machine, query: &Query) -> Result<(), RangeError> {
-    let widths = Widths::of(machine);
-    for (what, value) in POSITION.into_iter().zip(query.position) {
-        check(machine, what, value, widths.coordinate)?;
+impl Limits {
+    /// The limits of a machine.
+    pub fn of(machine: &Machine) -> Self {
+        let widths = Widths::of(machine);
+        let ones = |bits| u32::MAX >> (u32::BITS - bits);
+        Self {
+            coordinate: ones(widths.coordinate),
+            radius_sq: ones(widths.distance),
+            power: ones(widths.power),
+            machine: machine.name,
+        }
     }
-    check(machine, "radius_sq", query.radius_sq, widths.distance)
-}
 
-/// Checks that a photon fits the machine's formats.
-///
-/// # Errors
-/// The first value that does not, with the limit.
-pub fn check_photon(machine: &Machine, photon: &Photon) -> Result<(), RangeError> {
-    let widths = Widths::of(machine);
-    for (what, value) in POSITION.into_iter().zip(photon.position) {
-        check(machine, what, value, widths.coordinate)?;
+    /// Checks that a query fits.
+    ///
+    /// # Errors
+    /// The first value that does not, with the limit.
+    pub fn check_query(&self, query: &Query) -> Result<(), RangeError> {
+        self.check_each(POSITION, query.position, self.coordinate)?;
+        self.check(("radius_sq", query.radius_sq), self.radius_sq)
     }
-    for (what, value) in POWER.into_iter().zip(photon.power) {
-        check(machine, what, value, widths.power)?;
+
+    /// Checks that a photon fits.
+    ///
+    /// # Errors
+    /// The first value that does not, with the limit.
+    pub fn check_photon(&self, photon: &Photon) -> Result<(), RangeError> {
+        self.check_each(POSITION, photon.position, self.coordinate)?;
+        self.check_each(POWER, photon.power, self.power)
     }
-    Ok(())
+
+    /// All three at once: a limit is all ones, so one value is past it where their OR is.
+    fn check_each(
+        &self,
+        names: [&'static str; 3],
+        values: [u32; 3],
+        largest: u32,
+    ) -> Result<(), RangeError> {
+        let [a, b, c] = values;
+        if a | b | c <= largest {
+            return Ok(());
+        }
+        let mut named = names.into_iter().zip(values);
+        named.try_for_each(|value| self.check(value, largest))
+    }
+
+    fn check(&self, (what, value): (&'static str, u32), largest: u32) -> Result<(), RangeError> {
+        if value <= largest {
+            return Ok(());
+        }
+        Err(RangeError {
+            what,
+            value,
+            largest,
+            bits: largest.count_ones(),
+            machine: self.machine,
+        })
+    }
 }

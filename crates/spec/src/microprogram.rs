@@ -99,7 +99,13 @@ impl Microprogram {
     /// Clocks that a query occupies the machine with no waiting: its latency and the one clock
     /// in which the result is taken.
     pub fn occupied_clocks(&self, groups: u64) -> u64 {
-        self.latency_clocks(groups) + 1
+        self.workload_clocks(1, groups)
+    }
+
+    /// Clocks for a whole workload with no waiting, `groups` counted over all queries.
+    pub fn workload_clocks(&self, queries: u64, groups: u64) -> u64 {
+        let each_query = u64::from(self.query_clocks()) + 1;
+        queries * each_query + groups * u64::from(self.initiation_interval())
     }
 
     /// The steps in the order of their clocks, query phase first, one for each clock: what a
