@@ -1,1 +1,24 @@
 //! Stimulus, runners and comparison: HDL against golden model.
+//!
+//! Everything is the replay of a trace, in *rows* of [`photoncube_spec::Pins`]: the golden model
+//! runs on random queries or on those of a scene and decides every handshake; its input rows are
+//! replayed into a [`Device`]; and every signal that the device shows must be the model's, in
+//! every clock. [`verify`] does it all; it fails on the first difference, with what is needed to
+//! look into it, and it never passes on nothing.
+
+mod compare;
+mod design;
+mod device;
+mod stimulus;
+mod tools;
+mod verify;
+
+pub use compare::{Activity, Actual, Divergence};
+pub use design::Design;
+pub use device::{
+    Device, DeviceError, DeviceKind, Icarus, Mutant, Observed, RustHdl, Unknown, UnknownDevice,
+    Verilator, emit, netlist,
+};
+pub use stimulus::{Block, Source, StimulusError, chunk_seed, generate};
+pub use tools::{MissingTool, Tool, ToolError};
+pub use verify::{Verdict, VerifyError, VerifyOptions, verify, verify_device};

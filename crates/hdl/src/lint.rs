@@ -17,6 +17,7 @@
 //! opaque text only names and memories without initial values are checked.
 
 mod agree;
+mod compare;
 mod custom;
 mod design;
 mod finding;

@@ -95,7 +95,8 @@ impl StepMachine {
         }
     }
 
-    /// One rising clock edge with these inputs. Inputs must fit the machine's widths.
+    /// One rising clock edge with these inputs. Inputs must fit the machine's widths; a lane that
+    /// is not there is 0.
     pub fn clock(&mut self, inputs: &Inputs) {
         let step = self.step();
         let waits = match step.op {
@@ -139,9 +140,13 @@ impl StepMachine {
 
     fn execute(&mut self, step: Step, inputs: &Inputs) {
         self.before.copy_from_slice(&self.cells);
+        let lanes = &inputs.group.lanes;
         for (node, cell) in self.cells.iter_mut().enumerate() {
             let role = self.cube.role(node);
-            let lane = inputs.group.lanes[self.cube.photon(node)];
+            let lane = lanes
+                .get(self.cube.photon(node))
+                .copied()
+                .unwrap_or_default();
             let sent = |axis| self.before[self.cube.neighbour(node, axis)].work;
             let ports = CellInputs {
                 query: coordinate(role, inputs.query.position),

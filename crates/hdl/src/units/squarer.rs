@@ -94,17 +94,17 @@ fn square_function() -> String {
     text + "  endcase\nendfunction\n"
 }
 
-/// Two bits of `a` at a time: each row is one carry chain of 6 bits. Yosys maps the bare `a * b`
+/// Two bits of `first` at a time: each row is one carry chain of 6 bits. Yosys maps the bare `a * b`
 /// to twice the LUTs.
 const PRODUCT_FUNCTION: &str = "\
 function [7:0] digit_product;
-  input [3:0] a;
-  input [3:0] b;
+  input [3:0] first;
+  input [3:0] second;
   reg [5:0] low;
   reg [5:0] high;
   begin
-    low = (a[0] ? {2'd0, b} : 6'd0) + (a[1] ? {1'd0, b, 1'd0} : 6'd0);
-    high = (a[2] ? {2'd0, b} : 6'd0) + (a[3] ? {1'd0, b, 1'd0} : 6'd0);
+    low = (first[0] ? {2'd0, second} : 6'd0) + (first[1] ? {1'd0, second, 1'd0} : 6'd0);
+    high = (first[2] ? {2'd0, second} : 6'd0) + (first[3] ? {1'd0, second, 1'd0} : 6'd0);
     digit_product = {2'd0, low} + {high, 2'd0};
   end
 endfunction
