@@ -1,1 +1,28 @@
-fn main() {}
+//! `photoncube`: from a scene to a proven photon-mapping processor.
+
+mod args;
+mod commands;
+mod failure;
+mod files;
+mod machines;
+mod measured;
+mod output;
+mod progress;
+mod project;
+mod scenes;
+mod table;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+fn main() -> ExitCode {
+    let args = args::Args::parse();
+    match commands::execute(args) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error:#}");
+            failure::exit_code(&error)
+        }
+    }
+}

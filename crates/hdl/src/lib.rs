@@ -9,18 +9,7 @@ mod cell;
 mod control;
 mod emit;
 mod level;
-mod lint {
-    pub struct R {
-        pub opaque: Vec<String>,
-        pub findings: Vec<String>,
-    }
-    pub fn lint(_: &dyn crate::pinned::Pinned) -> R {
-        R {
-            opaque: vec![],
-            findings: vec![],
-        }
-    }
-}
+mod lint;
 mod network;
 mod pinned;
 mod ports;
@@ -31,4 +20,5 @@ mod units;
 pub use build::NotBuiltIn;
 pub use emit::{EmitError, Emitted, emit};
 pub use level::Level;
+pub use lint::{Finding, Opaque, OpaqueKind, Rule, lint, opaque_blocks};
 pub use simulator::{NotSettled, Simulator, level_pins};

@@ -40,6 +40,7 @@ pub(crate) struct Control<const A: usize, const W: usize, const X: usize> {
     decoder: Decoder<W, X>,
     runs: Signal<Local, Bit>,
     at_end: Signal<Local, Bit>,
+    taken: Signal<Local, Bit>,
     iteration_address: Constant<Bits<A>>,
     final_address: Constant<Bits<A>>,
 }
@@ -75,6 +76,7 @@ impl<const A: usize, const W: usize, const X: usize> Control<A, W, X> {
             decoder: Decoder::new(dimension),
             runs: Default::default(),
             at_end: Default::default(),
+            taken: Default::default(),
         }
     }
 }
@@ -129,10 +131,9 @@ impl<const A: usize, const W: usize, const X: usize> Logic for Control<A, W, X> 
                 self.last.d.next = self.group_last.val();
             }
         }
-        if self.done.q.val() {
-            if self.result_ready.val() {
-                self.done.d.next = false;
-            }
+        self.taken.next = self.done.q.val() & self.result_ready.val();
+        if self.taken.val() {
+            self.done.d.next = false;
         }
         if self.reset.val() {
             self.address.d.next = 0.into();

@@ -1,0 +1,212 @@
+//! The command line.
+
+use std::path::PathBuf;
+
+use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
+use clap_complete::Shell;
+
+use crate::machines::MachineArgs;
+
+/// From a scene to a proven photon-mapping processor.
+///
+/// Traces a scene, builds its photon map, emits the processor that gathers it as Verilog, proves
+/// that Verilog against a golden model bit for bit, and renders the picture with that model.
+#[derive(Parser, Debug)]
+#[command(version, arg_required_else_help = true, after_help = EXAMPLES)]
+pub struct Args {
+    /// Print one JSON object on standard output, and nothing else there
+    #[arg(long, global = true)]
+    pub json: bool,
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  photoncube run                                  the whole path on the built-in Cornell box
+  photoncube verify --against verilator --iterations 1000000
+  photoncube generate --machine paper --out /tmp/verilog
+  photoncube render cornell -o box.png --engine f64
+  photoncube microprogram --machine paper-5d
+
+Exit codes: 0 all holds; 1 a check failed; 2 bad usage or bad input.";
+
+/// What to do.
+#[derive(Subcommand, Debug)]
+pub enum Command {
+    /// Trace, build the photon map, emit the machine, prove its Verilog on this scene, render
+    Run(RunArgs),
+    /// List the scenes and the machines, each with its figures
+    List,
+    /// Write the Verilog of the machines, with project files for Yosys and Quartus
+    Generate(GenerateArgs),
+    /// Compare a machine with the golden model, bit for bit, every register, every clock
+    Verify(VerifyArgs),
+    /// Render a scene to a picture
+    Render(RenderArgs),
+    /// Print a microprogram: listing by clock, utilisation, and the schedule checker's verdict
+    Microprogram(MicroprogramArgs),
+    /// Print the completions for a shell
+    Completions {
+        /// The shell
+        shell: Shell,
+    },
+}
+
+/// `run`
+#[derive(ClapArgs, Debug)]
+#[command(after_help = "\
+Examples:
+  photoncube run
+  photoncube run cornell --machine paper-12 --out out --photons 2000000 --json
+
+The Verilog is proven in every simulator that is found (Icarus, Verilator); those that are not
+are named, with the command that installs them.")]
+pub struct RunArgs {
+    /// A built-in scene (see `photoncube list`) or a scene file
+    #[arg(default_value = "cornell")]
+    pub scene: String,
+    #[command(flatten)]
+    pub machine: MachineArgs,
+    /// The folder for the picture, the Verilog and the summary
+    #[arg(long, default_value = "out", value_name = "DIR")]
+    pub out: PathBuf,
+    #[command(flatten)]
+    pub picture: PictureArgs,
+    /// Iterations (groups of photons of this scene) to compare in each simulator [default: by its speed]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    pub iterations: Option<u64>,
+}
+
+/// The picture's size and quality.
+#[derive(ClapArgs, Clone, Debug)]
+pub struct PictureArgs {
+    /// At least this many photons are stored
+    #[arg(long, default_value_t = 2_000_000, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    pub photons: u64,
+    /// Picture size in pixels
+    #[arg(long, default_value = "256x256", value_name = "WxH", value_parser = parse_size)]
+    pub size: (u32, u32),
+    /// Query points for each pixel: N x N
+    #[arg(long, default_value_t = 3, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=64))]
+    pub samples: u32,
+    /// Photons in range that the search radius aims at, on average
+    #[arg(long, default_value_t = 200.0, value_name = "N", value_parser = parse_positive)]
+    pub in_range: f64,
+    /// Seed of all random numbers; the same seed gives the same picture
+    #[arg(long, default_value_t = 1, value_name = "S")]
+    pub seed: u64,
+}
+
+/// `generate`
+#[derive(ClapArgs, Debug)]
+#[command(after_help = "\
+Examples:
+  photoncube generate                      all named machines into hdl-out/
+  photoncube generate --check              fails where hdl-out/ is not what would be written
+  photoncube generate --machine paper --coordinate-bits 12 --out /tmp/verilog")]
+pub struct GenerateArgs {
+    /// Only this machine [default: all]
+    #[arg(long, value_name = "M")]
+    pub machine: Option<String>,
+    /// The variant of it with coordinates of N bits
+    #[arg(long, value_name = "N", requires = "machine")]
+    pub coordinate_bits: Option<u32>,
+    /// The variant of it on a hypercube of N dimensions
+    #[arg(long, value_name = "N", requires = "machine")]
+    pub dimension: Option<u32>,
+    /// The folder to write, one folder in it for each machine
+    #[arg(long, default_value = "hdl-out", value_name = "DIR")]
+    pub out: PathBuf,
+    /// Write nothing; fail if the folder holds anything else than would be written
+    #[arg(long)]
+    pub check: bool,
+}
+
+/// `verify`
+#[derive(ClapArgs, Debug)]
+#[command(after_help = "\
+Examples:
+  photoncube verify                                        20,000 iterations in rust-hdl's simulation
+  photoncube verify --against icarus,verilator --iterations 2000
+  photoncube verify --against verilator --iterations 1000000 --json
+  photoncube verify --machine paper-5d --against all --seed 7")]
+pub struct VerifyArgs {
+    #[command(flatten)]
+    pub machine: MachineArgs,
+    /// What to compare the golden model with: rust-hdl, icarus, verilator, netlist; comma-separated, or all
+    #[arg(long, default_value = "rust-hdl", value_name = "LIST", value_delimiter = ',')]
+    pub against: Vec<String>,
+    /// Iterations (groups of photons) to compare in each
+    #[arg(long, default_value_t = 20_000, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    pub iterations: u64,
+    /// Seed of the stimulus
+    #[arg(long, default_value_t = 1, value_name = "S")]
+    pub seed: u64,
+}
+
+/// `render`
+#[derive(ClapArgs, Debug)]
+#[command(after_help = "\
+Examples:
+  photoncube render cornell -o box.png
+  photoncube render cornell -o reference.png --engine f64 --photons 4000000
+  photoncube render cornell -o small.png --size 128x128 --machine paper-12")]
+pub struct RenderArgs {
+    /// A built-in scene (see `photoncube list`) or a scene file
+    pub scene: String,
+    /// The picture, a PNG file
+    #[arg(short, long, value_name = "FILE")]
+    pub output: PathBuf,
+    /// What makes the radiance estimates
+    #[arg(long, value_enum, default_value_t = EngineName::Model)]
+    pub engine: EngineName,
+    #[command(flatten)]
+    pub machine: MachineArgs,
+    #[command(flatten)]
+    pub picture: PictureArgs,
+}
+
+/// What makes the radiance estimates.
+#[derive(Copy, Clone, Debug, PartialEq, Eq, ValueEnum)]
+pub enum EngineName {
+    /// The reference, in f64
+    F64,
+    /// The golden model of the machine
+    Model,
+}
+
+/// `microprogram`
+#[derive(ClapArgs, Debug)]
+#[command(after_help = "\
+Examples:
+  photoncube microprogram
+  photoncube microprogram --machine paper-5d --json
+  photoncube microprogram --file mine.txt      check a listing of your own (exit 1 if rejected)")]
+pub struct MicroprogramArgs {
+    #[command(flatten)]
+    pub machine: MachineArgs,
+    /// A listing to check for that machine's network, instead of the machine's own
+    #[arg(long, value_name = "FILE")]
+    pub file: Option<PathBuf>,
+}
+
+/// Pixels a picture may have in one direction; it bounds memory.
+const MAX_SIDE: u32 = 16_384;
+
+fn parse_size(text: &str) -> Result<(u32, u32), String> {
+    let side = |text: &str| {
+        let side = text.parse().ok();
+        side.filter(|side| (1..=MAX_SIDE).contains(side))
+    };
+    text.split_once('x')
+        .and_then(|(width, height)| Some((side(width)?, side(height)?)))
+        .ok_or_else(|| format!("expected WxH, each from 1 to {MAX_SIDE}, such as 256x256"))
+}
+
+fn parse_positive(text: &str) -> Result<f64, String> {
+    let number = text.parse::<f64>().ok();
+    number
+        .filter(|number| number.is_finite() && *number > 0.0)
+        .ok_or_else(|| "expected a number above 0".to_owned())
+}

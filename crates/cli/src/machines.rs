@@ -1,0 +1,84 @@
+//! A machine by name, and variations of it that are built in.
+
+use anyhow::{Result, bail};
+use clap::Args;
+use photoncube_spec::{MACHINES, Machine, find_machine};
+
+/// Which machine.
+#[derive(Args, Clone, Debug)]
+pub struct MachineArgs {
+    /// The machine, by name (see `photoncube list`)
+    #[arg(long, default_value = MACHINES[0].name, value_name = "M")]
+    pub machine: String,
+    /// The variant of it with coordinates of N bits
+    #[arg(long, value_name = "N")]
+    pub coordinate_bits: Option<u32>,
+    /// The variant of it on a hypercube of N dimensions
+    #[arg(long, value_name = "N")]
+    pub dimension: Option<u32>,
+}
+
+impl MachineArgs {
+    /// The machine asked for.
+    pub fn find(&self) -> Result<&'static Machine> {
+        let named = find_machine(&self.machine)?;
+        let wanted = Machine {
+            coordinate_bits: self.coordinate_bits.unwrap_or(named.coordinate_bits),
+            dimension: self.dimension.unwrap_or(named.dimension),
+            ..*named
+        };
+        let is_wanted = |machine: &&Machine| {
+            let renamed = Machine {
+                name: wanted.name,
+                summary: wanted.summary,
+                ..**machine
+            };
+            renamed == wanted
+        };
+        match MACHINES.iter().find(is_wanted) {
+            Some(machine) => Ok(machine),
+            None => bail!(
+                "machine `{}` with {}-bit coordinates on a {}-D hypercube is not built in; \
+                 built in are {}",
+                named.name,
+                wanted.coordinate_bits,
+                wanted.dimension,
+                built_in()
+            ),
+        }
+    }
+}
+
+fn built_in() -> String {
+    let describe = |m: &Machine| format!("{} ({} bits, {}-D)", m.name, m.coordinate_bits, m.dimension);
+    MACHINES.iter().map(describe).collect::<Vec<_>>().join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn find(machine: &str, bits: Option<u32>, dimension: Option<u32>) -> Result<&'static str> {
+        let args = MachineArgs {
+            machine: machine.to_owned(),
+            coordinate_bits: bits,
+            dimension,
+        };
+        args.find().map(|machine| machine.name)
+    }
+
+    #[test]
+    fn variants_are_found_by_their_numbers() {
+        assert_eq!(find("paper", None, None).unwrap(), "paper");
+        assert_eq!(find("paper", Some(12), None).unwrap(), "paper-12");
+        assert_eq!(find("paper", None, Some(5)).unwrap(), "paper-5d");
+    }
+
+    #[test]
+    fn what_is_not_built_in_is_refused_with_what_is() {
+        let error = find("paper", Some(9), None).unwrap_err().to_string();
+        assert!(error.contains("9-bit") && error.contains("paper-12 (12 bits, 4-D)"), "{error}");
+        assert!(find("paper-dsp", Some(12), None).is_err());
+        assert!(find("pentium", None, None).is_err());
+    }
+}

@@ -1,0 +1,191 @@
+//! Merging of equal modules, bottom-up, and names that people can read.
+
+use std::collections::{BTreeMap, HashMap, HashSet};
+
+use super::EmitError;
+use super::modules::{Module, rename_identifiers};
+
+/// Merges equal modules and names them `prefix_instance`; the module `top` becomes `prefix` and
+/// stands first, then the others with every user before what it uses.
+pub(super) fn merge(
+    mut modules: Vec<Module>,
+    top: &str,
+    prefix: &str,
+) -> Result<String, EmitError> {
+    let names: HashSet<String> = modules.iter().map(|module| module.name.clone()).collect();
+    // A child's name extends its parent's: the longest first is bottom-up. The order of equal
+    // lengths is the text's, so the result does not change from run to run.
+    modules.sort_by_key(|module| std::cmp::Reverse(module.name.len()));
+    let mut merged = Merged::default();
+    for module in &modules {
+        let name = if module.name == top {
+            prefix.to_owned()
+        } else {
+            format!("{prefix}_{}", base_name(module, &names))
+        };
+        merged.add(module, name)?;
+    }
+    Ok(merged.text())
+}
+
+#[derive(Default)]
+struct Merged {
+    /// From rust-hdl's name to ours.
+    names: HashMap<String, String>,
+    /// From a module's text to its name.
+    by_body: HashMap<String, String>,
+    /// How many different modules want a name.
+    wanted: BTreeMap<String, usize>,
+    /// Name and body, children first.
+    modules: Vec<(String, String)>,
+}
+
+impl Merged {
+    fn add(&mut self, module: &Module, wanted: String) -> Result<(), EmitError> {
+        let body = self.readable(module)?;
+        if let Some(name) = self.by_body.get(&body) {
+            self.names.insert(module.name.clone(), name.clone());
+            return Ok(());
+        }
+        let count = self.wanted.entry(wanted.clone()).or_default();
+        *count += 1;
+        let name = match *count {
+            1 => wanted,
+            more => format!("{wanted}_{more}"),
+        };
+        self.names.insert(module.name.clone(), name.clone());
+        self.by_body.insert(body.clone(), name.clone());
+        self.modules.push((name, body));
+        Ok(())
+    }
+
+    /// The body with our module names, and `_` for the `$` of rust-hdl's paths.
+    fn readable(&self, module: &Module) -> Result<String, EmitError> {
+        let mut origin: HashMap<String, String> = HashMap::new();
+        let mut clash = None;
+        let body = rename_identifiers(&module.body, |word| {
+            if let Some(name) = self.names.get(word) {
+                return name.clone();
+            }
+            let name = word.replace('$', "_");
+            let first = origin
+                .entry(name.clone())
+                .or_insert_with(|| word.to_owned());
+            if first != word {
+                clash = Some((first.clone(), word.to_owned(), name.clone()));
+            }
+            name
+        });
+        match clash {
+            None => Ok(tidy(&body)),
+            Some((first, second, name)) => Err(EmitError::Name {
+                module: module.name.clone(),
+                first,
+                second,
+                name,
+            }),
+        }
+    }
+
+    fn text(&self) -> String {
+        let modules = self.modules.iter().rev();
+        modules
+            .map(|(name, body)| format!("\nmodule {name}{body}endmodule\n"))
+            .collect()
+    }
+}
+
+/// The instance's name without array index: what stands after the parent's path. A register is
+/// named by its width, because equal ones in many places are one module.
+fn base_name(module: &Module, names: &HashSet<String>) -> String {
+    if let Some(width) = register_width(&module.body) {
+        return format!("register_{width}");
+    }
+    let parent = module
+        .name
+        .rmatch_indices('$')
+        .map(|(at, _)| at)
+        .find(|&at| names.contains(&module.name[..at]));
+    let instance = &module.name[parent.map_or(0, |at| at + 1)..];
+    let (stem, index) = instance.split_once('$').unwrap_or((instance, ""));
+    if index.bytes().all(|byte| byte.is_ascii_digit()) {
+        return stem.to_owned();
+    }
+    instance.replace('$', "_")
+}
+
+/// The width of rust-hdl's D flip-flop, or `None` for any other module.
+fn register_width(body: &str) -> Option<u32> {
+    if !(body.starts_with("(d,q,clock)") && body.contains("q <= d;")) {
+        return None;
+    }
+    let declaration = body.lines().find(|line| line.trim_end().ends_with(" d;"))?;
+    match declaration.split_once('[') {
+        None => Some(1),
+        Some((_, range)) => Some(range.split(':').next()?.parse::<u32>().ok()? + 1),
+    }
+}
+
+/// Without trailing blanks, empty lines, and the double blanks of unsigned declarations.
+fn tidy(body: &str) -> String {
+    let lines = body.lines().map(str::trim_end).filter(|l| !l.is_empty());
+    lines.map(|line| tidy_line(line) + "\n").collect()
+}
+
+fn tidy_line(line: &str) -> String {
+    let text = line.trim_start();
+    let indent = &line[..line.len() - text.len()];
+    format!("{indent}{}", text.replace("  ", " "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::modules::split;
+    use super::*;
+
+    const REGISTER: &str = "(d,q,clock);\n input wire [7:0] d;\n q <= d;\n";
+
+    fn text(modules: &[(&str, &str)]) -> Vec<Module> {
+        let text: String = modules
+            .iter()
+            .map(|(name, body)| format!("module {name}{body}endmodule\n"))
+            .collect();
+        split(&text)
+    }
+
+    #[test]
+    fn equal_children_make_equal_parents() {
+        let modules = text(&[
+            ("top", "();\n top$a$0 a$0();\n top$a$1 a$1();\n"),
+            ("top$a$0", "();\n top$a$0$r r();\n"),
+            ("top$a$0$r", REGISTER),
+            ("top$a$1", "();\n top$a$1$r r();\n"),
+            ("top$a$1$r", REGISTER),
+        ]);
+        let merged = merge(modules, "top", "p").unwrap();
+        assert_eq!(
+            merged,
+            "\nmodule p();\n p_a a_0();\n p_a a_1();\nendmodule\n\
+             \nmodule p_a();\n p_register_8 r();\nendmodule\n\
+             \nmodule p_register_8(d,q,clock);\n input wire [7:0] d;\n q <= d;\nendmodule\n"
+        );
+    }
+
+    #[test]
+    fn different_modules_of_one_name_are_numbered() {
+        let modules = text(&[
+            ("top", "();\n top$a$0 a$0();\n top$a$1 a$1();\n"),
+            ("top$a$0", "();\n x\n"),
+            ("top$a$1", "();\n y\n"),
+        ]);
+        let merged = merge(modules, "top", "p").unwrap();
+        assert!(merged.contains("module p_a()") && merged.contains("module p_a_2()"));
+    }
+
+    #[test]
+    fn names_that_would_fall_together_are_refused() {
+        let modules = text(&[("top", "(a$0, a_0);\n")]);
+        let error = merge(modules, "top", "p").unwrap_err().to_string();
+        assert!(error.contains("`a$0` and `a_0`"), "{error}");
+    }
+}

@@ -1,0 +1,187 @@
+//! The one place that makes Verilog.
+//!
+//! rust-hdl prints one module for each *instance*. Here the design is checked (rust-hdl's checks
+//! and our lint), printed, cut into modules, and equal modules are merged, bottom-up, under names
+//! that people can read. The result is plain Verilog-2001 and the same at every run.
+
+mod merge;
+mod modules;
+
+use photoncube_spec::{CONTROL_REGISTERS, Machine, Pins, Register, SignalPlace};
+use rust_hdl::prelude::{ModuleDefines, check_all};
+use thiserror::Error;
+
+use crate::build::{NotBuiltIn, build};
+use crate::level::Level;
+use crate::lint::{OpaqueKind, lint, opaque_blocks};
+use crate::pinned::Pinned;
+use crate::simulator::level_pins;
+
+/// Emitted Verilog, and what one must know to simulate it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Emitted {
+    /// The Verilog text, all modules.
+    pub text: String,
+    /// The name of the top module.
+    pub top: String,
+    /// Whether the top has a `clock` pin.
+    pub clocked: bool,
+    /// The pins, with the names that they have in the text.
+    pub pins: Pins,
+    /// The path of each observed register in the top instance, in the order of
+    /// `pins.observed[pins.outputs..]`.
+    pub register_paths: Vec<String>,
+}
+
+/// Why a design is not emitted.
+#[derive(Debug, Error)]
+pub enum EmitError {
+    /// The widths are not built in.
+    #[error(transparent)]
+    NotBuiltIn(#[from] NotBuiltIn),
+    /// rust-hdl's own checks found an open signal, a loop or a written input.
+    #[error("the design of machine `{machine}` does not pass rust-hdl's checks: {reason}")]
+    Check {
+        /// The machine.
+        machine: String,
+        /// What rust-hdl says.
+        reason: String,
+    },
+    /// The lint found a statement whose Verilog may differ from its Rust.
+    #[error("the design of machine `{machine}` does not pass the lint:\n{findings}")]
+    Lint {
+        /// The machine.
+        machine: String,
+        /// The findings, one a line.
+        findings: String,
+    },
+    /// Two names of one module would become one.
+    #[error("module `{module}`: `{first}` and `{second}` would both be named `{name}`; rename one")]
+    Name {
+        /// The module.
+        module: String,
+        /// One name.
+        first: String,
+        /// The other.
+        second: String,
+        /// What both become.
+        name: String,
+    },
+}
+
+/// Blocks whose Verilog is written by hand and so is not seen by the lint. Each is simulated from
+/// its emitted text, exhaustively where it has no state.
+const HAND_WRITTEN: &[&str] = &["squarer"];
+
+/// Emits the Verilog of a machine at a level.
+///
+/// # Errors
+/// The widths are not built in, or the design does not pass the checks or the lint.
+pub fn emit(machine: &Machine, level: Level) -> Result<Emitted, EmitError> {
+    let block = build(machine, level)?;
+    check(machine, block.as_ref())?;
+    let mut printed = ModuleDefines::default();
+    block.accept(TOP, &mut printed);
+    let prefix = match level {
+        Level::Machine => machine.module_prefix(),
+        part => format!("{}_{}", machine.module_prefix(), part.name()),
+    };
+    let modules = modules::split(&printed.defines());
+    let merged = merge::merge(modules, TOP, &prefix)?;
+    let pins = level_pins(machine, level)?;
+    Ok(Emitted {
+        text: header(machine, level) + &merged,
+        top: prefix,
+        clocked: matches!(level, Level::Machine | Level::Cell),
+        register_paths: pins.observed[pins.outputs..]
+            .iter()
+            .map(|pin| register_path(level, pin.place))
+            .collect(),
+        pins,
+    })
+}
+
+/// The name under which rust-hdl prints the outermost block.
+const TOP: &str = "top";
+
+fn check(machine: &Machine, block: &dyn Pinned) -> Result<(), EmitError> {
+    check_all(block).map_err(|error| EmitError::Check {
+        machine: machine.name.to_owned(),
+        reason: format!("{error:?}"),
+    })?;
+    let unknown = opaque_blocks(block).into_iter().filter(|opaque| {
+        let instance = opaque.path.rsplit('$').next().unwrap_or_default();
+        opaque.kind != OpaqueKind::Register && !HAND_WRITTEN.contains(&instance)
+    });
+    let findings: Vec<_> = lint(block)
+        .iter()
+        .map(ToString::to_string)
+        .chain(unknown.map(|opaque| format!("{}: Verilog that the lint cannot read", opaque.path)))
+        .collect();
+    if findings.is_empty() {
+        return Ok(());
+    }
+    Err(EmitError::Lint {
+        machine: machine.name.to_owned(),
+        findings: findings.join("\n"),
+    })
+}
+
+fn header(machine: &Machine, level: Level) -> String {
+    let scope = match level {
+        Level::Machine => String::new(),
+        part => format!(", its {}", part.name()),
+    };
+    format!(
+        "// {}{scope}: {}.\n// {} cells, {}-bit coordinates, {}-bit powers, squarer: {}.\n\
+         // Written by `photoncube generate --machine {}`; do not edit.\n",
+        machine.name,
+        machine.summary,
+        machine.hypercube().nodes(),
+        machine.coordinate_bits,
+        machine.power_bits,
+        machine.squarer.name(),
+        machine.name,
+    )
+}
+
+/// Registers are instances of a register module; its output is `q`.
+fn register_path(level: Level, place: SignalPlace) -> String {
+    let cell = |register: Register| format!("{}.q", register.row().name);
+    match (place, level) {
+        (SignalPlace::Cell { register, .. }, Level::Cell) => cell(register),
+        (SignalPlace::Cell { node, register }, _) => format!("cell_{node}.{}", cell(register)),
+        (SignalPlace::Control(index), _) => format!("control.{}.q", CONTROL_REGISTERS[index]),
+        (SignalPlace::Top, _) => unreachable!("pins are not registers"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use photoncube_spec::MACHINES;
+
+    #[test]
+    fn every_level_of_every_machine_is_emitted_alike_twice() {
+        for machine in MACHINES {
+            for level in Level::ALL {
+                let emitted = emit(machine, level).unwrap();
+                assert_eq!(emitted, emit(machine, level).unwrap());
+                assert!(emitted.text.contains(&format!("module {}(", emitted.top)));
+                assert!(!emitted.text.contains('$'), "{}", emitted.text);
+            }
+        }
+    }
+
+    #[test]
+    fn equal_modules_are_merged() {
+        let text = emit(&MACHINES[0], Level::Machine).unwrap().text;
+        let modules = text
+            .lines()
+            .filter(|line| line.starts_with("module "))
+            .count();
+        // processor, control, store, decoder, ports, network, cell, square unit, squarer, gate
+        // unit, add unit, and registers of 1, 4, 8, 16, 18 and 32 bits.
+        assert_eq!(modules, 17);
+    }
+}
