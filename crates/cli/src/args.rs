@@ -135,7 +135,12 @@ pub struct VerifyArgs {
     #[command(flatten)]
     pub machine: MachineArgs,
     /// What to compare the golden model with: rust-hdl, icarus, verilator, netlist; comma-separated, or all
-    #[arg(long, default_value = "rust-hdl", value_name = "LIST", value_delimiter = ',')]
+    #[arg(
+        long,
+        default_value = "rust-hdl",
+        value_name = "LIST",
+        value_delimiter = ','
+    )]
     pub against: Vec<String>,
     /// Iterations (groups of photons) to compare in each
     #[arg(long, default_value_t = 20_000, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]

@@ -58,6 +58,9 @@ mod tests {
         let file = folder.path().join("file");
         write(&file, b"").unwrap();
         let error = write(&file.join("x"), b"").unwrap_err();
-        assert!(format!("{error:#}").contains("cannot make the folder"), "{error:#}");
+        assert!(
+            format!("{error:#}").contains("cannot make the folder"),
+            "{error:#}"
+        );
     }
 }

@@ -50,7 +50,8 @@ impl MachineArgs {
 }
 
 fn built_in() -> String {
-    let describe = |m: &Machine| format!("{} ({} bits, {}-D)", m.name, m.coordinate_bits, m.dimension);
+    let describe =
+        |m: &Machine| format!("{} ({} bits, {}-D)", m.name, m.coordinate_bits, m.dimension);
     MACHINES.iter().map(describe).collect::<Vec<_>>().join(", ")
 }
 
@@ -77,7 +78,10 @@ mod tests {
     #[test]
     fn what_is_not_built_in_is_refused_with_what_is() {
         let error = find("paper", Some(9), None).unwrap_err().to_string();
-        assert!(error.contains("9-bit") && error.contains("paper-12 (12 bits, 4-D)"), "{error}");
+        assert!(
+            error.contains("9-bit") && error.contains("paper-12 (12 bits, 4-D)"),
+            "{error}"
+        );
         assert!(find("paper-dsp", Some(12), None).is_err());
         assert!(find("pentium", None, None).is_err());
     }

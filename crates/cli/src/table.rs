@@ -4,11 +4,17 @@
 pub fn markdown(header: &[&str], rows: &[Vec<String>]) -> String {
     let width = |column: usize| {
         let cells = rows.iter().map(|row| row[column].chars().count());
-        cells.chain([header[column].chars().count()]).max().unwrap_or(0)
+        cells
+            .chain([header[column].chars().count()])
+            .max()
+            .unwrap_or(0)
     };
     let widths: Vec<usize> = (0..header.len()).map(width).collect();
     let line = |cells: Vec<String>| {
-        let padded = cells.iter().zip(&widths).map(|(c, &w)| format!(" {c:w$} |"));
+        let padded = cells
+            .iter()
+            .zip(&widths)
+            .map(|(c, &w)| format!(" {c:w$} |"));
         format!("|{}\n", padded.collect::<String>())
     };
     let mut text = line(header.iter().map(ToString::to_string).collect());

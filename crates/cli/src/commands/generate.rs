@@ -1,0 +1,113 @@
+//! `generate`: the Verilog of the machines, and the check that what is committed is that.
+
+use std::fs;
+use std::path::Path;
+
+use anyhow::{Result, bail};
+use photoncube_spec::{MACHINES, Machine};
+use serde::Serialize;
+
+use crate::args::GenerateArgs;
+use crate::failure::CheckFailed;
+use crate::machines::MachineArgs;
+use crate::project::{self, ProjectFile};
+use crate::{files, output};
+
+#[derive(Serialize)]
+struct Report {
+    machines: Vec<&'static str>,
+    out: String,
+    checked: bool,
+    files: Vec<String>,
+    stale: Vec<String>,
+}
+
+/// Writes, or checks, the files of the machines.
+pub fn execute(args: &GenerateArgs, json: bool) -> Result<()> {
+    let machines = machines(args)?;
+    let mut project_files = Vec::new();
+    for machine in &machines {
+        project_files.extend(project::files(machine)?);
+    }
+    let stale = if args.check {
+        if !args.out.is_dir() {
+            bail!("{} is no folder: nothing to check", args.out.display());
+        }
+        stale(&args.out, &machines, &project_files)
+    } else {
+        for file in &project_files {
+            files::write(&args.out.join(&file.path), file.text.as_bytes())?;
+        }
+        Vec::new()
+    };
+    let report = Report {
+        machines: machines.iter().map(|machine| machine.name).collect(),
+        out: args.out.display().to_string(),
+        checked: args.check,
+        files: paths(&project_files),
+        stale,
+    };
+    output::print(json, &report, || text(&report))?;
+    if report.stale.is_empty() {
+        return Ok(());
+    }
+    Err(CheckFailed(format!(
+        "{} of {} files are not what `photoncube generate` writes: {}; run it and review the change",
+        report.stale.len(),
+        report.files.len(),
+        report.stale.join(", ")
+    ))
+    .into())
+}
+
+fn machines(args: &GenerateArgs) -> Result<Vec<&'static Machine>> {
+    let Some(name) = &args.machine else {
+        return Ok(MACHINES.iter().collect());
+    };
+    let selection = MachineArgs {
+        machine: name.clone(),
+        coordinate_bits: args.coordinate_bits,
+        dimension: args.dimension,
+    };
+    Ok(vec![selection.find()?])
+}
+
+/// What differs, is missing, or stands in a machine's folder without being ours.
+fn stale(out: &Path, machines: &[&Machine], expected: &[ProjectFile]) -> Vec<String> {
+    let differs = |file: &&ProjectFile| {
+        let found = fs::read(out.join(&file.path)).ok();
+        found.as_deref() != Some(file.text.as_bytes())
+    };
+    let mut stale: Vec<_> = expected.iter().filter(differs).map(path_text).collect();
+    for machine in machines {
+        let Ok(entries) = fs::read_dir(out.join(machine.name)) else {
+            continue;
+        };
+        for entry in entries.flatten() {
+            let path = Path::new(machine.name).join(entry.file_name());
+            if !expected.iter().any(|file| file.path == path) {
+                stale.push(format!("{} (not ours)", path.display()));
+            }
+        }
+    }
+    stale
+}
+
+fn paths(files: &[ProjectFile]) -> Vec<String> {
+    files.iter().map(path_text).collect()
+}
+
+fn path_text(file: &ProjectFile) -> String {
+    file.path.display().to_string()
+}
+
+fn text(report: &Report) -> String {
+    let done = if report.checked { "checked" } else { "wrote" };
+    format!(
+        "{done} {} files of {} machines in {}: {}\n",
+        report.files.len(),
+        report.machines.len(),
+        report.out,
+        report.machines.join(", ")
+    )
+}

@@ -1,0 +1,149 @@
+//! `list`: scenes and machines, each with its figures.
+
+use anyhow::Result;
+use photoncube_render::Scene;
+use photoncube_spec::{MACHINES, Machine};
+use serde::Serialize;
+
+use crate::measured::{Area, Measured};
+use crate::{output, table};
+
+#[derive(Serialize)]
+struct Report {
+    scenes: Vec<SceneRow>,
+    machines: Vec<MachineRow>,
+}
+
+#[derive(Serialize)]
+struct SceneRow {
+    scene: &'static str,
+    surfaces: usize,
+}
+
+#[derive(Serialize)]
+struct MachineRow {
+    machine: &'static str,
+    summary: &'static str,
+    cells: usize,
+    coordinate_bits: u32,
+    position_bits: u32,
+    power_bits: u32,
+    bits_per_photon: u32,
+    max_photons: u64,
+    squarer: &'static str,
+    photons_per_iteration: usize,
+    initiation_interval: u32,
+    photon_tests_per_clock: f64,
+    #[serde(flatten)]
+    measured: Measured,
+}
+
+/// Lists what there is.
+pub fn execute(json: bool) -> Result<()> {
+    let report = report()?;
+    output::print(json, &report, || text(&report))
+}
+
+fn report() -> Result<Report> {
+    let scenes = Scene::names().map(|scene| {
+        let surfaces = Scene::built_in(scene)?.surfaces().len();
+        Ok(SceneRow { scene, surfaces })
+    });
+    Ok(Report {
+        scenes: scenes.collect::<Result<_>>()?,
+        machines: MACHINES.iter().map(machine_row).collect::<Result<_>>()?,
+    })
+}
+
+fn machine_row(machine: &Machine) -> Result<MachineRow> {
+    Ok(MachineRow {
+        machine: machine.name,
+        summary: machine.summary,
+        cells: machine.hypercube().nodes(),
+        coordinate_bits: machine.coordinate_bits,
+        position_bits: machine.position_bits(),
+        power_bits: machine.power_bits,
+        bits_per_photon: machine.bits_per_photon(),
+        max_photons: machine.max_photons,
+        squarer: machine.squarer.name(),
+        photons_per_iteration: machine.photons_per_iteration(),
+        initiation_interval: machine.microprogram().initiation_interval(),
+        photon_tests_per_clock: machine.photon_tests_per_clock(),
+        measured: Measured::of(machine)?,
+    })
+}
+
+fn text(report: &Report) -> String {
+    let mut text = "Scenes:\n".to_owned();
+    for scene in &report.scenes {
+        text += &format!("  {:<10} {} surfaces\n", scene.scene, scene.surfaces);
+    }
+    text += "\nMachines:\n";
+    for machine in &report.machines {
+        text += &format!("  {:<10} {}\n", machine.machine, machine.summary);
+    }
+    text + "\n" + &machine_table(&report.machines)
+}
+
+/// The table of the README's first screen.
+fn machine_table(machines: &[MachineRow]) -> String {
+    let header = [
+        "machine",
+        "clocks",
+        "LUT4, no DSP",
+        "with DSP",
+        "FF",
+        "bits per photon",
+        "error",
+        "verified against",
+    ];
+    let rows: Vec<_> = machines.iter().map(table_row).collect();
+    table::markdown(&header, &rows)
+}
+
+fn table_row(row: &MachineRow) -> Vec<String> {
+    let luts = |area: &Option<Area>| match area {
+        None => "not measured".to_owned(),
+        Some(area) => format!("{} + {} CCU2C", area.lut4, area.ccu2c),
+    };
+    let dsp = |area: &Option<Area>| match area {
+        None => "not measured".to_owned(),
+        Some(area) if area.dsp == 0 => "no use of DSP".to_owned(),
+        Some(area) => format!("{} + {} CCU2C, {} DSP", area.lut4, area.ccu2c, area.dsp),
+    };
+    let without = &row.measured.area_without_dsp;
+    vec![
+        row.machine.to_owned(),
+        format!(
+            "{} for {} photons",
+            row.initiation_interval, row.photons_per_iteration
+        ),
+        luts(without),
+        dsp(&row.measured.area_with_dsp),
+        without
+            .as_ref()
+            .map_or("not measured".to_owned(), |area| area.ff.to_string()),
+        row.bits_per_photon.to_string(),
+        row.measured
+            .rms_relative_error
+            .map_or("not measured".to_owned(), |error| {
+                format!("{:.2} %", 100.0 * error)
+            }),
+        row.measured.verified_against.clone(),
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_readme_shows_the_table_that_list_prints() {
+        let readme = include_str!("../../../../README.md");
+        let table = machine_table(&report().unwrap().machines);
+        assert!(
+            readme.contains(&table),
+            "the README's table is not what `photoncube list` prints; paste this:\n{table}"
+        );
+    }
+}

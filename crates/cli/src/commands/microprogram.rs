@@ -1,0 +1,120 @@
+//! `microprogram`: the schedule, its utilisation, and the checker's verdict.
+
+use std::fs;
+use std::path::Path;
+
+use anyhow::{Context, Result, anyhow};
+use photoncube_spec::{
+    Machine, Microprogram, ScheduleReport, check_schedule, parse_listing, schedule_report,
+};
+use serde::Serialize;
+
+use crate::args::MicroprogramArgs;
+use crate::failure::CheckFailed;
+use crate::output;
+
+#[derive(Serialize)]
+struct Report {
+    machine: &'static str,
+    source: String,
+    photons_per_iteration: usize,
+    initiation_interval: u32,
+    query_clocks: u32,
+    latency_clocks_one_group: u64,
+    photon_tests_per_clock: f64,
+    utilisation: f64,
+    unit_utilisation: f64,
+    register_utilisation: f64,
+    listing: String,
+    accepted: bool,
+    verdict: String,
+}
+
+/// Prints a machine's program, or checks a listing.
+pub fn execute(args: &MicroprogramArgs, json: bool) -> Result<()> {
+    let machine = args.machine.find()?;
+    let (source, program) = match &args.file {
+        None => (format!("machine {}", machine.name), machine.microprogram()),
+        Some(path) => (path.display().to_string(), read(path)?),
+    };
+    let (report, schedule) = report(machine, source, &program);
+    output::print(json, &report, || text(&report, &schedule))?;
+    if report.accepted {
+        return Ok(());
+    }
+    Err(CheckFailed(format!("{} is rejected: {}", report.source, report.verdict)).into())
+}
+
+fn read(path: &Path) -> Result<Microprogram> {
+    let text = fs::read_to_string(path)
+        .with_context(|| format!("cannot read the listing {}", path.display()))?;
+    parse_listing(&text).map_err(|error| anyhow!("{}: {error}", path.display()))
+}
+
+fn report(
+    machine: &'static Machine,
+    source: String,
+    program: &Microprogram,
+) -> (Report, ScheduleReport) {
+    let schedule = schedule_report(program, machine.hypercube());
+    let verdict = check_schedule(program, machine.hypercube());
+    let interval = schedule.initiation_interval;
+    // An empty program has no rate; JSON has no NaN either.
+    let rate = |value: f64| if interval == 0 { 0.0 } else { value };
+    let report = Report {
+        machine: machine.name,
+        source,
+        photons_per_iteration: schedule.photons,
+        initiation_interval: interval,
+        query_clocks: program.query_clocks(),
+        latency_clocks_one_group: program.latency_clocks(1),
+        photon_tests_per_clock: rate(schedule.photons as f64 / f64::from(interval)),
+        utilisation: rate(schedule.utilisation()),
+        unit_utilisation: rate(schedule.unit_utilisation()),
+        register_utilisation: rate(schedule.register_utilisation()),
+        listing: program.to_string(),
+        accepted: verdict.is_ok(),
+        verdict: match verdict {
+            Ok(()) => "accepted".to_owned(),
+            Err(error) => error.to_string(),
+        },
+    };
+    (report, schedule)
+}
+
+fn text(report: &Report, schedule: &ScheduleReport) -> String {
+    let percent = |value: f64| format!("{:.1} %", 100.0 * value);
+    let mut text = format!("{}\n\n{}\n", report.source, report.listing);
+    text += &format!(
+        "{} clocks for {} photons; the query phase takes {}.\n",
+        report.initiation_interval, report.photons_per_iteration, report.query_clocks
+    );
+    for unit in &schedule.units {
+        text += &format!(
+            "  {:<10} busy in {} of {} clocks\n",
+            unit.unit.name(),
+            unit.busy_clocks,
+            report.initiation_interval
+        );
+    }
+    text += &format!(
+        "Utilisation: units {}, registers {}, both {} (the paper's own, 62 %, has no formula).\n",
+        percent(report.unit_utilisation),
+        percent(report.register_utilisation),
+        percent(report.utilisation)
+    );
+    text + &format!("Schedule checker: {}\n", report.verdict)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use photoncube_spec::find_machine;
+
+    #[test]
+    fn the_papers_schedule_report() {
+        let machine = find_machine("paper").unwrap();
+        let (report, schedule) = report(machine, "paper".to_owned(), &machine.microprogram());
+        insta::assert_snapshot!(text(&report, &schedule));
+    }
+}

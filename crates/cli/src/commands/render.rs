@@ -1,0 +1,124 @@
+//! `render`: a picture of a scene.
+
+use std::path::Path;
+use std::time::Instant;
+
+use anyhow::Result;
+use photoncube_render::{
+    Engine, PhotonMap, Rendering, Scene, TraceOptions, ViewOptions, render, trace,
+};
+use photoncube_spec::Machine;
+use serde::Serialize;
+
+use crate::args::{EngineName, PictureArgs, RenderArgs};
+use crate::{files, output, progress, scenes};
+
+/// The exposure of written pictures: radiance 1 is white.
+pub const EXPOSURE: f64 = 1.0;
+
+#[derive(Serialize)]
+struct Report {
+    scene: String,
+    engine: &'static str,
+    machine: Option<&'static str>,
+    output: String,
+    photons: usize,
+    query_points: u64,
+    photon_tests: u64,
+    search_radius: f64,
+    seed: u64,
+    seconds: f64,
+}
+
+/// A scene with its photons in blocks.
+pub struct Traced {
+    /// The scene.
+    pub scene: Scene,
+    /// The photon map.
+    pub map: PhotonMap,
+    /// Paths that were emitted for it.
+    pub paths: u64,
+}
+
+/// Stages 1 to 3: the scene, its photons, the photon map.
+pub fn trace_scene(name: &str, picture: &PictureArgs) -> Result<Traced> {
+    let scene = scenes::load(name)?;
+    let options = TraceOptions {
+        photons: picture.photons,
+        seed: picture.seed,
+    };
+    let bar = progress::bar("tracing photons", picture.photons);
+    let traced = trace(&scene, &options, &|stored| bar.set_position(stored))?;
+    bar.finish_and_clear();
+    let stored = traced.photons.len() as u64;
+    let radius = PhotonMap::radius_for(&scene, stored, picture.in_range);
+    let map = PhotonMap::new(&scene, traced.photons, radius)?;
+    Ok(Traced {
+        scene,
+        map,
+        paths: traced.paths,
+    })
+}
+
+/// The view that the picture's options ask for.
+pub fn view(picture: &PictureArgs) -> ViewOptions {
+    ViewOptions {
+        width: picture.size.0,
+        height: picture.size.1,
+        samples_per_axis: picture.samples,
+        seed: picture.seed,
+    }
+}
+
+/// Stages 4 to 6, without writing: view rays, estimates, the image.
+pub fn picture(
+    traced: &Traced,
+    engine: Engine<'_>,
+    view: &ViewOptions,
+    what: &'static str,
+) -> Result<Rendering> {
+    let pixels = u64::from(view.width) * u64::from(view.height);
+    let bar = progress::bar(what, pixels);
+    let rendering = render(&traced.scene, &traced.map, engine, view, &|done| {
+        bar.set_position(done);
+    })?;
+    bar.finish_and_clear();
+    Ok(rendering)
+}
+
+/// Renders a scene to a PNG file.
+pub fn execute(args: &RenderArgs, json: bool) -> Result<()> {
+    let machine: &'static Machine = args.machine.find()?;
+    let engine = match args.engine {
+        EngineName::F64 => Engine::F64,
+        EngineName::Model => Engine::Model(machine),
+    };
+    // Before the work, so that a folder that cannot be written is told at once.
+    files::make_folder(args.output.parent().unwrap_or(Path::new(".")))?;
+    let start = Instant::now();
+    let traced = trace_scene(&args.scene, &args.picture)?;
+    let view = view(&args.picture);
+    let rendering = picture(&traced, engine, &view, "rendering")?;
+    rendering.image.write_png(&args.output, EXPOSURE)?;
+    let is_model = args.engine == EngineName::Model;
+    let report = Report {
+        scene: args.scene.clone(),
+        engine: if is_model { "model" } else { "f64" },
+        machine: is_model.then_some(machine.name),
+        output: args.output.display().to_string(),
+        photons: traced.map.photons().len(),
+        query_points: rendering.stats.query_points,
+        photon_tests: rendering.stats.photon_tests,
+        search_radius: traced.map.radius(),
+        seed: args.picture.seed,
+        seconds: start.elapsed().as_secs_f64(),
+    };
+    output::print(json, &report, || text(&report))
+}
+
+fn text(report: &Report) -> String {
+    format!(
+        "{}: {} photons, {} query points, {} photon tests in {:.1} s\n",
+        report.output, report.photons, report.query_points, report.photon_tests, report.seconds
+    )
+}

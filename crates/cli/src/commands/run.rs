@@ -1,0 +1,276 @@
+//! `run`: the whole path, from a scene to proven Verilog and a picture.
+
+use std::path::Path;
+use std::time::Instant;
+
+use anyhow::{Result, anyhow};
+use photoncube_render::{
+    Engine, Image, Rendering, light_mask, rel_mse, rms_relative_difference, workload,
+};
+use photoncube_spec::Machine;
+use photoncube_testbench::{DeviceKind, Source, Verdict, VerifyError, VerifyOptions};
+use serde::Serialize;
+
+use super::render::{EXPOSURE, Traced, picture, trace_scene, view};
+use super::verify::{verdict_table, verify_with_bar};
+use crate::args::RunArgs;
+use crate::failure::CheckFailed;
+use crate::{files, output, project};
+
+/// Radiance above which a pixel shows the light itself; those pixels and the ones that touch them
+/// are left out of errors, as for the reference image. The walls stay below 2.
+const LIGHT_RADIANCE: f64 = 5.0;
+
+#[derive(Serialize)]
+struct Report {
+    scene: String,
+    machine: &'static str,
+    seed: u64,
+    photons: usize,
+    photon_paths: u64,
+    search_radius: f64,
+    photons_in_range_mean: f64,
+    query_points: u64,
+    photon_tests: u64,
+    photon_groups: u64,
+    bits_per_photon: u32,
+    initiation_interval: u32,
+    photon_tests_per_clock: f64,
+    clocks: u64,
+    /// On emitted Verilog alone: rust-hdl's own simulation is not counted.
+    vectors_compared: u64,
+    mismatches: u64,
+    devices: Vec<Verdict>,
+    devices_not_found: Vec<NotFound>,
+    /// The golden model's picture against the f64 reference's, rms over pixels and channels.
+    rms_relative_error: f64,
+    rel_mse: f64,
+    picture: String,
+    reference_picture: String,
+    verilog: String,
+    seconds: Seconds,
+}
+
+#[derive(Serialize)]
+struct NotFound {
+    device: &'static str,
+    missing: &'static str,
+    install: String,
+}
+
+#[derive(Serialize, Default)]
+struct Seconds {
+    trace: f64,
+    emit: f64,
+    verify: f64,
+    render_f64: f64,
+    render_model: f64,
+}
+
+/// Runs every stage and reports.
+pub fn execute(args: &RunArgs, json: bool) -> Result<()> {
+    let machine = args.machine.find()?;
+    files::make_folder(&args.out)?;
+    let mut seconds = Seconds::default();
+
+    let traced = timed(&mut seconds.trace, || {
+        trace_scene(&args.scene, &args.picture)
+    })?;
+    let verilog = timed(&mut seconds.emit, || emit(machine, &args.out))?;
+    let proof = timed(&mut seconds.verify, || prove(args, machine, &traced))?;
+    let view = view(&args.picture);
+    let reference = timed(&mut seconds.render_f64, || {
+        picture(&traced, Engine::F64, &view, "rendering, f64")
+    })?;
+    let rendering = timed(&mut seconds.render_model, || {
+        picture(&traced, Engine::Model(machine), &view, "rendering, model")
+    })?;
+    let name = Path::new(&args.scene).file_stem().unwrap_or_default();
+    let name = name.to_string_lossy();
+    let picture_path = args.out.join(format!("{name}.png"));
+    let reference_path = args.out.join(format!("{name}-f64.png"));
+    rendering.image.write_png(&picture_path, EXPOSURE)?;
+    reference.image.write_png(&reference_path, EXPOSURE)?;
+
+    let (rms_relative_error, rel_mse) = errors(&rendering.image, &reference.image)?;
+    let program = machine.microprogram();
+    let stats = rendering.stats;
+    let report = Report {
+        scene: args.scene.clone(),
+        machine: machine.name,
+        seed: args.picture.seed,
+        photons: traced.map.photons().len(),
+        photon_paths: traced.paths,
+        search_radius: traced.map.radius(),
+        photons_in_range_mean: mean_in_range(&rendering),
+        query_points: stats.query_points,
+        photon_tests: stats.photon_tests,
+        photon_groups: stats.photon_groups,
+        bits_per_photon: machine.bits_per_photon(),
+        initiation_interval: program.initiation_interval(),
+        photon_tests_per_clock: machine.photon_tests_per_clock(),
+        clocks: program.workload_clocks(stats.query_points, stats.photon_groups),
+        vectors_compared: proof.on_verilog().map(|v| v.vectors_compared).sum(),
+        mismatches: proof.verdicts.iter().map(|v| v.mismatches).sum(),
+        devices: proof.verdicts,
+        devices_not_found: proof.not_found,
+        rms_relative_error,
+        rel_mse,
+        picture: picture_path.display().to_string(),
+        reference_picture: reference_path.display().to_string(),
+        verilog,
+        seconds,
+    };
+    let summary = serde_json::to_string_pretty(&report)? + "\n";
+    files::write(&args.out.join("run.json"), summary.as_bytes())?;
+    output::print(json, &report, || text(&report))
+}
+
+fn timed<T>(seconds: &mut f64, work: impl FnOnce() -> Result<T>) -> Result<T> {
+    let start = Instant::now();
+    let result = work();
+    *seconds = start.elapsed().as_secs_f64();
+    result
+}
+
+/// Writes the machine's Verilog and project files; the path of the Verilog.
+fn emit(machine: &Machine, out: &Path) -> Result<String> {
+    let files = project::files(machine)?;
+    for file in &files {
+        files::write(&out.join(&file.path), file.text.as_bytes())?;
+    }
+    Ok(out.join(&files[0].path).display().to_string())
+}
+
+struct Proof {
+    verdicts: Vec<Verdict>,
+    not_found: Vec<NotFound>,
+}
+
+impl Proof {
+    fn on_verilog(&self) -> impl Iterator<Item = &Verdict> {
+        let own = DeviceKind::RustHdl.name();
+        self.verdicts.iter().filter(move |v| v.device != own)
+    }
+}
+
+/// How many iterations each simulator does in a few seconds.
+const SIMULATORS: [(DeviceKind, u64); 3] = [
+    (DeviceKind::RustHdl, 5_000),
+    (DeviceKind::Icarus, 500),
+    (DeviceKind::Verilator, 200_000),
+];
+
+/// Stage 5, proven: photons of this scene through every simulator that is found.
+fn prove(args: &RunArgs, machine: &Machine, traced: &Traced) -> Result<Proof> {
+    let view = view(&args.picture);
+    let mut proof = Proof {
+        verdicts: Vec::new(),
+        not_found: Vec::new(),
+    };
+    let repeat = format!(
+        "photoncube run {} --machine {} --seed {}",
+        args.scene, machine.name, args.picture.seed
+    );
+    for (device, iterations) in SIMULATORS {
+        if let Some(tool) = device.missing_tool() {
+            proof.not_found.push(NotFound {
+                device: device.name(),
+                missing: tool.program,
+                install: tool.install(),
+            });
+            continue;
+        }
+        let iterations = args.iterations.unwrap_or(iterations);
+        let (scene, map) = (&traced.scene, &traced.map);
+        let queries = workload(scene, map, machine, &view, iterations, args.picture.seed)?;
+        let options = VerifyOptions {
+            iterations,
+            seed: args.picture.seed,
+            source: Source::Workload {
+                queries: &queries,
+                repeat: &repeat,
+            },
+        };
+        match verify_with_bar(machine, device, &options) {
+            Ok(verdict) => proof.verdicts.push(verdict),
+            Err(VerifyError::Diverged(divergence)) => {
+                return Err(CheckFailed(divergence.to_string()).into());
+            }
+            Err(error) => return Err(error.into()),
+        }
+    }
+    Ok(proof)
+}
+
+/// The rms relative difference and the relMSE of two pictures, the light masked.
+fn errors(image: &Image, reference: &Image) -> Result<(f64, f64)> {
+    let mask = light_mask(reference, LIGHT_RADIANCE);
+    let explain = |error| anyhow!("the two pictures cannot be compared: {error}");
+    let rms = rms_relative_difference(image, reference, &mask).map_err(explain)?;
+    let rel_mse = rel_mse(image, reference, &mask).map_err(explain)?;
+    Ok((rms, rel_mse))
+}
+
+fn mean_in_range(rendering: &Rendering) -> f64 {
+    let stats = rendering.stats;
+    stats.photons_in_range as f64 / stats.query_points.max(1) as f64
+}
+
+fn text(report: &Report) -> String {
+    let r = report;
+    let mut text = format!(
+        "{} on machine {}\n\
+         \x20 photons           {} stored from {} paths\n\
+         \x20 query points      {}, on average {:.0} photons in range of radius {:.4}\n\
+         \x20 photon tests      {} in {} groups\n\
+         \x20 clocks            {} ({} for {} photons, {:.3} photon tests a clock)\n\
+         \x20 model against f64 {:.3} % rms relative error of the picture, relMSE {:.2e}\n\
+         \x20 pictures          {}, {}\n\
+         \x20 Verilog           {}\n\n",
+        r.scene,
+        r.machine,
+        r.photons,
+        r.photon_paths,
+        r.query_points,
+        r.photons_in_range_mean,
+        r.search_radius,
+        r.photon_tests,
+        r.photon_groups,
+        r.clocks,
+        r.initiation_interval,
+        r.photons_per_iteration(),
+        r.photon_tests_per_clock,
+        100.0 * r.rms_relative_error,
+        r.rel_mse,
+        r.picture,
+        r.reference_picture,
+        r.verilog,
+    );
+    text += &verdict_table(&r.devices);
+    for missing in &r.devices_not_found {
+        text += &format!(
+            "\nNOT RUN: {}: `{}` was not found; install it with: {}\n",
+            missing.device, missing.missing, missing.install
+        );
+    }
+    text += &match r.vectors_compared {
+        0 => "\nThe emitted Verilog itself was NOT simulated: no Verilog simulator was found.\n"
+            .to_owned(),
+        vectors => format!(
+            "\n{vectors} vectors compared on the emitted Verilog, {} mismatches\n",
+            r.mismatches
+        ),
+    };
+    let s = &r.seconds;
+    text + &format!(
+        "seconds: trace {:.1}, emit {:.1}, verify {:.1}, render f64 {:.1}, render model {:.1}\n",
+        s.trace, s.emit, s.verify, s.render_f64, s.render_model
+    )
+}
+
+impl Report {
+    fn photons_per_iteration(&self) -> f64 {
+        self.photon_tests_per_clock * f64::from(self.initiation_interval)
+    }
+}

@@ -1,0 +1,65 @@
+//! A machine's files: its Verilog and the project files for Yosys and Quartus.
+
+use std::path::PathBuf;
+
+use anyhow::Result;
+use photoncube_hdl::{Level, emit};
+use photoncube_spec::Machine;
+
+/// A file of a machine's folder.
+pub struct ProjectFile {
+    /// Its path in the output folder.
+    pub path: PathBuf,
+    /// What it holds.
+    pub text: String,
+}
+
+/// The clock that the project files ask for. A target for the tools, not a measured figure.
+const TARGET_CLOCK_NS: u32 = 10;
+
+/// All files of a machine.
+pub fn files(machine: &Machine) -> Result<Vec<ProjectFile>> {
+    let emitted = emit(machine, Level::Machine)?;
+    let top = emitted.top;
+    let file = |extension: &str, text: String| ProjectFile {
+        path: PathBuf::from(machine.name).join(format!("{top}.{extension}")),
+        text,
+    };
+    Ok(vec![
+        file("v", emitted.text),
+        file("ys", yosys(&top)),
+        file("qpf", format!("PROJECT_REVISION = \"{top}\"\n")),
+        file("qsf", quartus(&top)),
+        file("sdc", constraints()),
+    ])
+}
+
+fn yosys(top: &str) -> String {
+    format!(
+        "# yosys {top}.ys: checks the design, then maps it to ECP5.\n\
+         read_verilog {top}.v\n\
+         hierarchy -check -top {top}\n\
+         synth_ecp5 -top {top} -json {top}.json\n\
+         stat\n"
+    )
+}
+
+/// The streams are virtual pins: the machine is a block of a larger design, and no package has
+/// that many pins.
+fn quartus(top: &str) -> String {
+    format!(
+        "# quartus_sh --flow compile {top}\n\
+         set_global_assignment -name FAMILY \"Cyclone V\"\n\
+         set_global_assignment -name DEVICE 5CSEMA5F31C6\n\
+         set_global_assignment -name TOP_LEVEL_ENTITY {top}\n\
+         set_global_assignment -name VERILOG_INPUT_VERSION VERILOG_2001\n\
+         set_global_assignment -name VERILOG_FILE {top}.v\n\
+         set_global_assignment -name SDC_FILE {top}.sdc\n\
+         set_instance_assignment -name VIRTUAL_PIN ON -to *\n\
+         set_instance_assignment -name VIRTUAL_PIN OFF -to clock\n"
+    )
+}
+
+fn constraints() -> String {
+    format!("create_clock -name clock -period {TARGET_CLOCK_NS} [get_ports clock]\n")
+}

@@ -1,0 +1,3613 @@
+// paper-5d: 32 cells on a 5-D hypercube: 8 photons an iteration.
+// 32 cells, 8-bit coordinates, 16-bit powers, squarer: digits.
+// Written by `photoncube generate --machine paper-5d`; do not edit.
+
+module photoncube_paper_5d(clock,reset,query_valid,query_x,query_y,query_z,query_radius_sq,group_valid,group_last,photon_present_0,photon_present_1,photon_present_2,photon_present_3,photon_present_4,photon_present_5,photon_present_6,photon_present_7,photon_x_0,photon_x_1,photon_x_2,photon_x_3,photon_x_4,photon_x_5,photon_x_6,photon_x_7,photon_y_0,photon_y_1,photon_y_2,photon_y_3,photon_y_4,photon_y_5,photon_y_6,photon_y_7,photon_z_0,photon_z_1,photon_z_2,photon_z_3,photon_z_4,photon_z_5,photon_z_6,photon_z_7,photon_red_0,photon_red_1,photon_red_2,photon_red_3,photon_red_4,photon_red_5,photon_red_6,photon_red_7,photon_green_0,photon_green_1,photon_green_2,photon_green_3,photon_green_4,photon_green_5,photon_green_6,photon_green_7,photon_blue_0,photon_blue_1,photon_blue_2,photon_blue_3,photon_blue_4,photon_blue_5,photon_blue_6,photon_blue_7,result_ready,query_ready,group_ready,result_valid,result_red,result_green,result_blue,result_count);
+    // Module arguments
+    input wire clock;
+    input wire reset;
+    input wire query_valid;
+    input wire [7:0] query_x;
+    input wire [7:0] query_y;
+    input wire [7:0] query_z;
+    input wire [17:0] query_radius_sq;
+    input wire group_valid;
+    input wire group_last;
+    input wire photon_present_0;
+    input wire photon_present_1;
+    input wire photon_present_2;
+    input wire photon_present_3;
+    input wire photon_present_4;
+    input wire photon_present_5;
+    input wire photon_present_6;
+    input wire photon_present_7;
+    input wire [7:0] photon_x_0;
+    input wire [7:0] photon_x_1;
+    input wire [7:0] photon_x_2;
+    input wire [7:0] photon_x_3;
+    input wire [7:0] photon_x_4;
+    input wire [7:0] photon_x_5;
+    input wire [7:0] photon_x_6;
+    input wire [7:0] photon_x_7;
+    input wire [7:0] photon_y_0;
+    input wire [7:0] photon_y_1;
+    input wire [7:0] photon_y_2;
+    input wire [7:0] photon_y_3;
+    input wire [7:0] photon_y_4;
+    input wire [7:0] photon_y_5;
+    input wire [7:0] photon_y_6;
+    input wire [7:0] photon_y_7;
+    input wire [7:0] photon_z_0;
+    input wire [7:0] photon_z_1;
+    input wire [7:0] photon_z_2;
+    input wire [7:0] photon_z_3;
+    input wire [7:0] photon_z_4;
+    input wire [7:0] photon_z_5;
+    input wire [7:0] photon_z_6;
+    input wire [7:0] photon_z_7;
+    input wire [15:0] photon_red_0;
+    input wire [15:0] photon_red_1;
+    input wire [15:0] photon_red_2;
+    input wire [15:0] photon_red_3;
+    input wire [15:0] photon_red_4;
+    input wire [15:0] photon_red_5;
+    input wire [15:0] photon_red_6;
+    input wire [15:0] photon_red_7;
+    input wire [15:0] photon_green_0;
+    input wire [15:0] photon_green_1;
+    input wire [15:0] photon_green_2;
+    input wire [15:0] photon_green_3;
+    input wire [15:0] photon_green_4;
+    input wire [15:0] photon_green_5;
+    input wire [15:0] photon_green_6;
+    input wire [15:0] photon_green_7;
+    input wire [15:0] photon_blue_0;
+    input wire [15:0] photon_blue_1;
+    input wire [15:0] photon_blue_2;
+    input wire [15:0] photon_blue_3;
+    input wire [15:0] photon_blue_4;
+    input wire [15:0] photon_blue_5;
+    input wire [15:0] photon_blue_6;
+    input wire [15:0] photon_blue_7;
+    input wire result_ready;
+    output reg query_ready;
+    output reg group_ready;
+    output reg result_valid;
+    output reg [31:0] result_red;
+    output reg [31:0] result_green;
+    output reg [31:0] result_blue;
+    output reg [31:0] result_count;
+    // Stub signals
+    reg control_clock;
+    reg control_reset;
+    reg control_query_valid;
+    wire control_query_ready;
+    reg control_group_valid;
+    reg control_group_last;
+    wire control_group_ready;
+    wire control_result_valid;
+    reg control_result_ready;
+    wire control_write_query;
+    wire control_write_photon;
+    wire control_write_power;
+    wire control_write_work;
+    wire control_write_sum;
+    wire [1:0] control_work_source;
+    wire control_add_sum;
+    wire [4:0] control_axis;
+    reg [7:0] ports_query_x;
+    reg [7:0] ports_query_y;
+    reg [7:0] ports_query_z;
+    reg ports_present_0;
+    reg ports_present_1;
+    reg ports_present_2;
+    reg ports_present_3;
+    reg ports_present_4;
+    reg ports_present_5;
+    reg ports_present_6;
+    reg ports_present_7;
+    reg [7:0] ports_x_0;
+    reg [7:0] ports_x_1;
+    reg [7:0] ports_x_2;
+    reg [7:0] ports_x_3;
+    reg [7:0] ports_x_4;
+    reg [7:0] ports_x_5;
+    reg [7:0] ports_x_6;
+    reg [7:0] ports_x_7;
+    reg [7:0] ports_y_0;
+    reg [7:0] ports_y_1;
+    reg [7:0] ports_y_2;
+    reg [7:0] ports_y_3;
+    reg [7:0] ports_y_4;
+    reg [7:0] ports_y_5;
+    reg [7:0] ports_y_6;
+    reg [7:0] ports_y_7;
+    reg [7:0] ports_z_0;
+    reg [7:0] ports_z_1;
+    reg [7:0] ports_z_2;
+    reg [7:0] ports_z_3;
+    reg [7:0] ports_z_4;
+    reg [7:0] ports_z_5;
+    reg [7:0] ports_z_6;
+    reg [7:0] ports_z_7;
+    reg [15:0] ports_red_0;
+    reg [15:0] ports_red_1;
+    reg [15:0] ports_red_2;
+    reg [15:0] ports_red_3;
+    reg [15:0] ports_red_4;
+    reg [15:0] ports_red_5;
+    reg [15:0] ports_red_6;
+    reg [15:0] ports_red_7;
+    reg [15:0] ports_green_0;
+    reg [15:0] ports_green_1;
+    reg [15:0] ports_green_2;
+    reg [15:0] ports_green_3;
+    reg [15:0] ports_green_4;
+    reg [15:0] ports_green_5;
+    reg [15:0] ports_green_6;
+    reg [15:0] ports_green_7;
+    reg [15:0] ports_blue_0;
+    reg [15:0] ports_blue_1;
+    reg [15:0] ports_blue_2;
+    reg [15:0] ports_blue_3;
+    reg [15:0] ports_blue_4;
+    reg [15:0] ports_blue_5;
+    reg [15:0] ports_blue_6;
+    reg [15:0] ports_blue_7;
+    reg [31:0] ports_sum_0;
+    reg [31:0] ports_sum_1;
+    reg [31:0] ports_sum_2;
+    reg [31:0] ports_sum_3;
+    reg [31:0] ports_sum_4;
+    reg [31:0] ports_sum_5;
+    reg [31:0] ports_sum_6;
+    reg [31:0] ports_sum_7;
+    reg [31:0] ports_sum_8;
+    reg [31:0] ports_sum_9;
+    reg [31:0] ports_sum_10;
+    reg [31:0] ports_sum_11;
+    reg [31:0] ports_sum_12;
+    reg [31:0] ports_sum_13;
+    reg [31:0] ports_sum_14;
+    reg [31:0] ports_sum_15;
+    reg [31:0] ports_sum_16;
+    reg [31:0] ports_sum_17;
+    reg [31:0] ports_sum_18;
+    reg [31:0] ports_sum_19;
+    reg [31:0] ports_sum_20;
+    reg [31:0] ports_sum_21;
+    reg [31:0] ports_sum_22;
+    reg [31:0] ports_sum_23;
+    reg [31:0] ports_sum_24;
+    reg [31:0] ports_sum_25;
+    reg [31:0] ports_sum_26;
+    reg [31:0] ports_sum_27;
+    reg [31:0] ports_sum_28;
+    reg [31:0] ports_sum_29;
+    reg [31:0] ports_sum_30;
+    reg [31:0] ports_sum_31;
+    wire [7:0] ports_cell_query_0;
+    wire [7:0] ports_cell_query_1;
+    wire [7:0] ports_cell_query_2;
+    wire [7:0] ports_cell_query_3;
+    wire [7:0] ports_cell_query_4;
+    wire [7:0] ports_cell_query_5;
+    wire [7:0] ports_cell_query_6;
+    wire [7:0] ports_cell_query_7;
+    wire [7:0] ports_cell_query_8;
+    wire [7:0] ports_cell_query_9;
+    wire [7:0] ports_cell_query_10;
+    wire [7:0] ports_cell_query_11;
+    wire [7:0] ports_cell_query_12;
+    wire [7:0] ports_cell_query_13;
+    wire [7:0] ports_cell_query_14;
+    wire [7:0] ports_cell_query_15;
+    wire [7:0] ports_cell_query_16;
+    wire [7:0] ports_cell_query_17;
+    wire [7:0] ports_cell_query_18;
+    wire [7:0] ports_cell_query_19;
+    wire [7:0] ports_cell_query_20;
+    wire [7:0] ports_cell_query_21;
+    wire [7:0] ports_cell_query_22;
+    wire [7:0] ports_cell_query_23;
+    wire [7:0] ports_cell_query_24;
+    wire [7:0] ports_cell_query_25;
+    wire [7:0] ports_cell_query_26;
+    wire [7:0] ports_cell_query_27;
+    wire [7:0] ports_cell_query_28;
+    wire [7:0] ports_cell_query_29;
+    wire [7:0] ports_cell_query_30;
+    wire [7:0] ports_cell_query_31;
+    wire [7:0] ports_cell_photon_0;
+    wire [7:0] ports_cell_photon_1;
+    wire [7:0] ports_cell_photon_2;
+    wire [7:0] ports_cell_photon_3;
+    wire [7:0] ports_cell_photon_4;
+    wire [7:0] ports_cell_photon_5;
+    wire [7:0] ports_cell_photon_6;
+    wire [7:0] ports_cell_photon_7;
+    wire [7:0] ports_cell_photon_8;
+    wire [7:0] ports_cell_photon_9;
+    wire [7:0] ports_cell_photon_10;
+    wire [7:0] ports_cell_photon_11;
+    wire [7:0] ports_cell_photon_12;
+    wire [7:0] ports_cell_photon_13;
+    wire [7:0] ports_cell_photon_14;
+    wire [7:0] ports_cell_photon_15;
+    wire [7:0] ports_cell_photon_16;
+    wire [7:0] ports_cell_photon_17;
+    wire [7:0] ports_cell_photon_18;
+    wire [7:0] ports_cell_photon_19;
+    wire [7:0] ports_cell_photon_20;
+    wire [7:0] ports_cell_photon_21;
+    wire [7:0] ports_cell_photon_22;
+    wire [7:0] ports_cell_photon_23;
+    wire [7:0] ports_cell_photon_24;
+    wire [7:0] ports_cell_photon_25;
+    wire [7:0] ports_cell_photon_26;
+    wire [7:0] ports_cell_photon_27;
+    wire [7:0] ports_cell_photon_28;
+    wire [7:0] ports_cell_photon_29;
+    wire [7:0] ports_cell_photon_30;
+    wire [7:0] ports_cell_photon_31;
+    wire ports_cell_present_0;
+    wire ports_cell_present_1;
+    wire ports_cell_present_2;
+    wire ports_cell_present_3;
+    wire ports_cell_present_4;
+    wire ports_cell_present_5;
+    wire ports_cell_present_6;
+    wire ports_cell_present_7;
+    wire ports_cell_present_8;
+    wire ports_cell_present_9;
+    wire ports_cell_present_10;
+    wire ports_cell_present_11;
+    wire ports_cell_present_12;
+    wire ports_cell_present_13;
+    wire ports_cell_present_14;
+    wire ports_cell_present_15;
+    wire ports_cell_present_16;
+    wire ports_cell_present_17;
+    wire ports_cell_present_18;
+    wire ports_cell_present_19;
+    wire ports_cell_present_20;
+    wire ports_cell_present_21;
+    wire ports_cell_present_22;
+    wire ports_cell_present_23;
+    wire ports_cell_present_24;
+    wire ports_cell_present_25;
+    wire ports_cell_present_26;
+    wire ports_cell_present_27;
+    wire ports_cell_present_28;
+    wire ports_cell_present_29;
+    wire ports_cell_present_30;
+    wire ports_cell_present_31;
+    wire [15:0] ports_cell_power_0;
+    wire [15:0] ports_cell_power_1;
+    wire [15:0] ports_cell_power_2;
+    wire [15:0] ports_cell_power_3;
+    wire [15:0] ports_cell_power_4;
+    wire [15:0] ports_cell_power_5;
+    wire [15:0] ports_cell_power_6;
+    wire [15:0] ports_cell_power_7;
+    wire [15:0] ports_cell_power_8;
+    wire [15:0] ports_cell_power_9;
+    wire [15:0] ports_cell_power_10;
+    wire [15:0] ports_cell_power_11;
+    wire [15:0] ports_cell_power_12;
+    wire [15:0] ports_cell_power_13;
+    wire [15:0] ports_cell_power_14;
+    wire [15:0] ports_cell_power_15;
+    wire [15:0] ports_cell_power_16;
+    wire [15:0] ports_cell_power_17;
+    wire [15:0] ports_cell_power_18;
+    wire [15:0] ports_cell_power_19;
+    wire [15:0] ports_cell_power_20;
+    wire [15:0] ports_cell_power_21;
+    wire [15:0] ports_cell_power_22;
+    wire [15:0] ports_cell_power_23;
+    wire [15:0] ports_cell_power_24;
+    wire [15:0] ports_cell_power_25;
+    wire [15:0] ports_cell_power_26;
+    wire [15:0] ports_cell_power_27;
+    wire [15:0] ports_cell_power_28;
+    wire [15:0] ports_cell_power_29;
+    wire [15:0] ports_cell_power_30;
+    wire [15:0] ports_cell_power_31;
+    wire [31:0] ports_result_red;
+    wire [31:0] ports_result_green;
+    wire [31:0] ports_result_blue;
+    wire [31:0] ports_result_count;
+    reg [4:0] network_axis;
+    reg [18:0] network_work_0;
+    reg [18:0] network_work_1;
+    reg [18:0] network_work_2;
+    reg [18:0] network_work_3;
+    reg [18:0] network_work_4;
+    reg [18:0] network_work_5;
+    reg [18:0] network_work_6;
+    reg [18:0] network_work_7;
+    reg [18:0] network_work_8;
+    reg [18:0] network_work_9;
+    reg [18:0] network_work_10;
+    reg [18:0] network_work_11;
+    reg [18:0] network_work_12;
+    reg [18:0] network_work_13;
+    reg [18:0] network_work_14;
+    reg [18:0] network_work_15;
+    reg [18:0] network_work_16;
+    reg [18:0] network_work_17;
+    reg [18:0] network_work_18;
+    reg [18:0] network_work_19;
+    reg [18:0] network_work_20;
+    reg [18:0] network_work_21;
+    reg [18:0] network_work_22;
+    reg [18:0] network_work_23;
+    reg [18:0] network_work_24;
+    reg [18:0] network_work_25;
+    reg [18:0] network_work_26;
+    reg [18:0] network_work_27;
+    reg [18:0] network_work_28;
+    reg [18:0] network_work_29;
+    reg [18:0] network_work_30;
+    reg [18:0] network_work_31;
+    wire [18:0] network_link_0;
+    wire [18:0] network_link_1;
+    wire [18:0] network_link_2;
+    wire [18:0] network_link_3;
+    wire [18:0] network_link_4;
+    wire [18:0] network_link_5;
+    wire [18:0] network_link_6;
+    wire [18:0] network_link_7;
+    wire [18:0] network_link_8;
+    wire [18:0] network_link_9;
+    wire [18:0] network_link_10;
+    wire [18:0] network_link_11;
+    wire [18:0] network_link_12;
+    wire [18:0] network_link_13;
+    wire [18:0] network_link_14;
+    wire [18:0] network_link_15;
+    wire [18:0] network_link_16;
+    wire [18:0] network_link_17;
+    wire [18:0] network_link_18;
+    wire [18:0] network_link_19;
+    wire [18:0] network_link_20;
+    wire [18:0] network_link_21;
+    wire [18:0] network_link_22;
+    wire [18:0] network_link_23;
+    wire [18:0] network_link_24;
+    wire [18:0] network_link_25;
+    wire [18:0] network_link_26;
+    wire [18:0] network_link_27;
+    wire [18:0] network_link_28;
+    wire [18:0] network_link_29;
+    wire [18:0] network_link_30;
+    wire [18:0] network_link_31;
+    reg cell_0_clock;
+    reg cell_0_write_query;
+    reg cell_0_write_photon;
+    reg cell_0_write_power;
+    reg cell_0_write_work;
+    reg cell_0_write_sum;
+    reg [1:0] cell_0_work_source;
+    reg cell_0_add_sum;
+    reg [7:0] cell_0_query_in;
+    reg [17:0] cell_0_radius_sq_in;
+    reg [7:0] cell_0_photon_in;
+    reg cell_0_present_in;
+    reg [15:0] cell_0_power_in;
+    reg [18:0] cell_0_link_in;
+    wire [18:0] cell_0_work_out;
+    wire [31:0] cell_0_sum_out;
+    reg cell_1_clock;
+    reg cell_1_write_query;
+    reg cell_1_write_photon;
+    reg cell_1_write_power;
+    reg cell_1_write_work;
+    reg cell_1_write_sum;
+    reg [1:0] cell_1_work_source;
+    reg cell_1_add_sum;
+    reg [7:0] cell_1_query_in;
+    reg [17:0] cell_1_radius_sq_in;
+    reg [7:0] cell_1_photon_in;
+    reg cell_1_present_in;
+    reg [15:0] cell_1_power_in;
+    reg [18:0] cell_1_link_in;
+    wire [18:0] cell_1_work_out;
+    wire [31:0] cell_1_sum_out;
+    reg cell_2_clock;
+    reg cell_2_write_query;
+    reg cell_2_write_photon;
+    reg cell_2_write_power;
+    reg cell_2_write_work;
+    reg cell_2_write_sum;
+    reg [1:0] cell_2_work_source;
+    reg cell_2_add_sum;
+    reg [7:0] cell_2_query_in;
+    reg [17:0] cell_2_radius_sq_in;
+    reg [7:0] cell_2_photon_in;
+    reg cell_2_present_in;
+    reg [15:0] cell_2_power_in;
+    reg [18:0] cell_2_link_in;
+    wire [18:0] cell_2_work_out;
+    wire [31:0] cell_2_sum_out;
+    reg cell_3_clock;
+    reg cell_3_write_query;
+    reg cell_3_write_photon;
+    reg cell_3_write_power;
+    reg cell_3_write_work;
+    reg cell_3_write_sum;
+    reg [1:0] cell_3_work_source;
+    reg cell_3_add_sum;
+    reg [7:0] cell_3_query_in;
+    reg [17:0] cell_3_radius_sq_in;
+    reg [7:0] cell_3_photon_in;
+    reg cell_3_present_in;
+    reg [15:0] cell_3_power_in;
+    reg [18:0] cell_3_link_in;
+    wire [18:0] cell_3_work_out;
+    wire [31:0] cell_3_sum_out;
+    reg cell_4_clock;
+    reg cell_4_write_query;
+    reg cell_4_write_photon;
+    reg cell_4_write_power;
+    reg cell_4_write_work;
+    reg cell_4_write_sum;
+    reg [1:0] cell_4_work_source;
+    reg cell_4_add_sum;
+    reg [7:0] cell_4_query_in;
+    reg [17:0] cell_4_radius_sq_in;
+    reg [7:0] cell_4_photon_in;
+    reg cell_4_present_in;
+    reg [15:0] cell_4_power_in;
+    reg [18:0] cell_4_link_in;
+    wire [18:0] cell_4_work_out;
+    wire [31:0] cell_4_sum_out;
+    reg cell_5_clock;
+    reg cell_5_write_query;
+    reg cell_5_write_photon;
+    reg cell_5_write_power;
+    reg cell_5_write_work;
+    reg cell_5_write_sum;
+    reg [1:0] cell_5_work_source;
+    reg cell_5_add_sum;
+    reg [7:0] cell_5_query_in;
+    reg [17:0] cell_5_radius_sq_in;
+    reg [7:0] cell_5_photon_in;
+    reg cell_5_present_in;
+    reg [15:0] cell_5_power_in;
+    reg [18:0] cell_5_link_in;
+    wire [18:0] cell_5_work_out;
+    wire [31:0] cell_5_sum_out;
+    reg cell_6_clock;
+    reg cell_6_write_query;
+    reg cell_6_write_photon;
+    reg cell_6_write_power;
+    reg cell_6_write_work;
+    reg cell_6_write_sum;
+    reg [1:0] cell_6_work_source;
+    reg cell_6_add_sum;
+    reg [7:0] cell_6_query_in;
+    reg [17:0] cell_6_radius_sq_in;
+    reg [7:0] cell_6_photon_in;
+    reg cell_6_present_in;
+    reg [15:0] cell_6_power_in;
+    reg [18:0] cell_6_link_in;
+    wire [18:0] cell_6_work_out;
+    wire [31:0] cell_6_sum_out;
+    reg cell_7_clock;
+    reg cell_7_write_query;
+    reg cell_7_write_photon;
+    reg cell_7_write_power;
+    reg cell_7_write_work;
+    reg cell_7_write_sum;
+    reg [1:0] cell_7_work_source;
+    reg cell_7_add_sum;
+    reg [7:0] cell_7_query_in;
+    reg [17:0] cell_7_radius_sq_in;
+    reg [7:0] cell_7_photon_in;
+    reg cell_7_present_in;
+    reg [15:0] cell_7_power_in;
+    reg [18:0] cell_7_link_in;
+    wire [18:0] cell_7_work_out;
+    wire [31:0] cell_7_sum_out;
+    reg cell_8_clock;
+    reg cell_8_write_query;
+    reg cell_8_write_photon;
+    reg cell_8_write_power;
+    reg cell_8_write_work;
+    reg cell_8_write_sum;
+    reg [1:0] cell_8_work_source;
+    reg cell_8_add_sum;
+    reg [7:0] cell_8_query_in;
+    reg [17:0] cell_8_radius_sq_in;
+    reg [7:0] cell_8_photon_in;
+    reg cell_8_present_in;
+    reg [15:0] cell_8_power_in;
+    reg [18:0] cell_8_link_in;
+    wire [18:0] cell_8_work_out;
+    wire [31:0] cell_8_sum_out;
+    reg cell_9_clock;
+    reg cell_9_write_query;
+    reg cell_9_write_photon;
+    reg cell_9_write_power;
+    reg cell_9_write_work;
+    reg cell_9_write_sum;
+    reg [1:0] cell_9_work_source;
+    reg cell_9_add_sum;
+    reg [7:0] cell_9_query_in;
+    reg [17:0] cell_9_radius_sq_in;
+    reg [7:0] cell_9_photon_in;
+    reg cell_9_present_in;
+    reg [15:0] cell_9_power_in;
+    reg [18:0] cell_9_link_in;
+    wire [18:0] cell_9_work_out;
+    wire [31:0] cell_9_sum_out;
+    reg cell_10_clock;
+    reg cell_10_write_query;
+    reg cell_10_write_photon;
+    reg cell_10_write_power;
+    reg cell_10_write_work;
+    reg cell_10_write_sum;
+    reg [1:0] cell_10_work_source;
+    reg cell_10_add_sum;
+    reg [7:0] cell_10_query_in;
+    reg [17:0] cell_10_radius_sq_in;
+    reg [7:0] cell_10_photon_in;
+    reg cell_10_present_in;
+    reg [15:0] cell_10_power_in;
+    reg [18:0] cell_10_link_in;
+    wire [18:0] cell_10_work_out;
+    wire [31:0] cell_10_sum_out;
+    reg cell_11_clock;
+    reg cell_11_write_query;
+    reg cell_11_write_photon;
+    reg cell_11_write_power;
+    reg cell_11_write_work;
+    reg cell_11_write_sum;
+    reg [1:0] cell_11_work_source;
+    reg cell_11_add_sum;
+    reg [7:0] cell_11_query_in;
+    reg [17:0] cell_11_radius_sq_in;
+    reg [7:0] cell_11_photon_in;
+    reg cell_11_present_in;
+    reg [15:0] cell_11_power_in;
+    reg [18:0] cell_11_link_in;
+    wire [18:0] cell_11_work_out;
+    wire [31:0] cell_11_sum_out;
+    reg cell_12_clock;
+    reg cell_12_write_query;
+    reg cell_12_write_photon;
+    reg cell_12_write_power;
+    reg cell_12_write_work;
+    reg cell_12_write_sum;
+    reg [1:0] cell_12_work_source;
+    reg cell_12_add_sum;
+    reg [7:0] cell_12_query_in;
+    reg [17:0] cell_12_radius_sq_in;
+    reg [7:0] cell_12_photon_in;
+    reg cell_12_present_in;
+    reg [15:0] cell_12_power_in;
+    reg [18:0] cell_12_link_in;
+    wire [18:0] cell_12_work_out;
+    wire [31:0] cell_12_sum_out;
+    reg cell_13_clock;
+    reg cell_13_write_query;
+    reg cell_13_write_photon;
+    reg cell_13_write_power;
+    reg cell_13_write_work;
+    reg cell_13_write_sum;
+    reg [1:0] cell_13_work_source;
+    reg cell_13_add_sum;
+    reg [7:0] cell_13_query_in;
+    reg [17:0] cell_13_radius_sq_in;
+    reg [7:0] cell_13_photon_in;
+    reg cell_13_present_in;
+    reg [15:0] cell_13_power_in;
+    reg [18:0] cell_13_link_in;
+    wire [18:0] cell_13_work_out;
+    wire [31:0] cell_13_sum_out;
+    reg cell_14_clock;
+    reg cell_14_write_query;
+    reg cell_14_write_photon;
+    reg cell_14_write_power;
+    reg cell_14_write_work;
+    reg cell_14_write_sum;
+    reg [1:0] cell_14_work_source;
+    reg cell_14_add_sum;
+    reg [7:0] cell_14_query_in;
+    reg [17:0] cell_14_radius_sq_in;
+    reg [7:0] cell_14_photon_in;
+    reg cell_14_present_in;
+    reg [15:0] cell_14_power_in;
+    reg [18:0] cell_14_link_in;
+    wire [18:0] cell_14_work_out;
+    wire [31:0] cell_14_sum_out;
+    reg cell_15_clock;
+    reg cell_15_write_query;
+    reg cell_15_write_photon;
+    reg cell_15_write_power;
+    reg cell_15_write_work;
+    reg cell_15_write_sum;
+    reg [1:0] cell_15_work_source;
+    reg cell_15_add_sum;
+    reg [7:0] cell_15_query_in;
+    reg [17:0] cell_15_radius_sq_in;
+    reg [7:0] cell_15_photon_in;
+    reg cell_15_present_in;
+    reg [15:0] cell_15_power_in;
+    reg [18:0] cell_15_link_in;
+    wire [18:0] cell_15_work_out;
+    wire [31:0] cell_15_sum_out;
+    reg cell_16_clock;
+    reg cell_16_write_query;
+    reg cell_16_write_photon;
+    reg cell_16_write_power;
+    reg cell_16_write_work;
+    reg cell_16_write_sum;
+    reg [1:0] cell_16_work_source;
+    reg cell_16_add_sum;
+    reg [7:0] cell_16_query_in;
+    reg [17:0] cell_16_radius_sq_in;
+    reg [7:0] cell_16_photon_in;
+    reg cell_16_present_in;
+    reg [15:0] cell_16_power_in;
+    reg [18:0] cell_16_link_in;
+    wire [18:0] cell_16_work_out;
+    wire [31:0] cell_16_sum_out;
+    reg cell_17_clock;
+    reg cell_17_write_query;
+    reg cell_17_write_photon;
+    reg cell_17_write_power;
+    reg cell_17_write_work;
+    reg cell_17_write_sum;
+    reg [1:0] cell_17_work_source;
+    reg cell_17_add_sum;
+    reg [7:0] cell_17_query_in;
+    reg [17:0] cell_17_radius_sq_in;
+    reg [7:0] cell_17_photon_in;
+    reg cell_17_present_in;
+    reg [15:0] cell_17_power_in;
+    reg [18:0] cell_17_link_in;
+    wire [18:0] cell_17_work_out;
+    wire [31:0] cell_17_sum_out;
+    reg cell_18_clock;
+    reg cell_18_write_query;
+    reg cell_18_write_photon;
+    reg cell_18_write_power;
+    reg cell_18_write_work;
+    reg cell_18_write_sum;
+    reg [1:0] cell_18_work_source;
+    reg cell_18_add_sum;
+    reg [7:0] cell_18_query_in;
+    reg [17:0] cell_18_radius_sq_in;
+    reg [7:0] cell_18_photon_in;
+    reg cell_18_present_in;
+    reg [15:0] cell_18_power_in;
+    reg [18:0] cell_18_link_in;
+    wire [18:0] cell_18_work_out;
+    wire [31:0] cell_18_sum_out;
+    reg cell_19_clock;
+    reg cell_19_write_query;
+    reg cell_19_write_photon;
+    reg cell_19_write_power;
+    reg cell_19_write_work;
+    reg cell_19_write_sum;
+    reg [1:0] cell_19_work_source;
+    reg cell_19_add_sum;
+    reg [7:0] cell_19_query_in;
+    reg [17:0] cell_19_radius_sq_in;
+    reg [7:0] cell_19_photon_in;
+    reg cell_19_present_in;
+    reg [15:0] cell_19_power_in;
+    reg [18:0] cell_19_link_in;
+    wire [18:0] cell_19_work_out;
+    wire [31:0] cell_19_sum_out;
+    reg cell_20_clock;
+    reg cell_20_write_query;
+    reg cell_20_write_photon;
+    reg cell_20_write_power;
+    reg cell_20_write_work;
+    reg cell_20_write_sum;
+    reg [1:0] cell_20_work_source;
+    reg cell_20_add_sum;
+    reg [7:0] cell_20_query_in;
+    reg [17:0] cell_20_radius_sq_in;
+    reg [7:0] cell_20_photon_in;
+    reg cell_20_present_in;
+    reg [15:0] cell_20_power_in;
+    reg [18:0] cell_20_link_in;
+    wire [18:0] cell_20_work_out;
+    wire [31:0] cell_20_sum_out;
+    reg cell_21_clock;
+    reg cell_21_write_query;
+    reg cell_21_write_photon;
+    reg cell_21_write_power;
+    reg cell_21_write_work;
+    reg cell_21_write_sum;
+    reg [1:0] cell_21_work_source;
+    reg cell_21_add_sum;
+    reg [7:0] cell_21_query_in;
+    reg [17:0] cell_21_radius_sq_in;
+    reg [7:0] cell_21_photon_in;
+    reg cell_21_present_in;
+    reg [15:0] cell_21_power_in;
+    reg [18:0] cell_21_link_in;
+    wire [18:0] cell_21_work_out;
+    wire [31:0] cell_21_sum_out;
+    reg cell_22_clock;
+    reg cell_22_write_query;
+    reg cell_22_write_photon;
+    reg cell_22_write_power;
+    reg cell_22_write_work;
+    reg cell_22_write_sum;
+    reg [1:0] cell_22_work_source;
+    reg cell_22_add_sum;
+    reg [7:0] cell_22_query_in;
+    reg [17:0] cell_22_radius_sq_in;
+    reg [7:0] cell_22_photon_in;
+    reg cell_22_present_in;
+    reg [15:0] cell_22_power_in;
+    reg [18:0] cell_22_link_in;
+    wire [18:0] cell_22_work_out;
+    wire [31:0] cell_22_sum_out;
+    reg cell_23_clock;
+    reg cell_23_write_query;
+    reg cell_23_write_photon;
+    reg cell_23_write_power;
+    reg cell_23_write_work;
+    reg cell_23_write_sum;
+    reg [1:0] cell_23_work_source;
+    reg cell_23_add_sum;
+    reg [7:0] cell_23_query_in;
+    reg [17:0] cell_23_radius_sq_in;
+    reg [7:0] cell_23_photon_in;
+    reg cell_23_present_in;
+    reg [15:0] cell_23_power_in;
+    reg [18:0] cell_23_link_in;
+    wire [18:0] cell_23_work_out;
+    wire [31:0] cell_23_sum_out;
+    reg cell_24_clock;
+    reg cell_24_write_query;
+    reg cell_24_write_photon;
+    reg cell_24_write_power;
+    reg cell_24_write_work;
+    reg cell_24_write_sum;
+    reg [1:0] cell_24_work_source;
+    reg cell_24_add_sum;
+    reg [7:0] cell_24_query_in;
+    reg [17:0] cell_24_radius_sq_in;
+    reg [7:0] cell_24_photon_in;
+    reg cell_24_present_in;
+    reg [15:0] cell_24_power_in;
+    reg [18:0] cell_24_link_in;
+    wire [18:0] cell_24_work_out;
+    wire [31:0] cell_24_sum_out;
+    reg cell_25_clock;
+    reg cell_25_write_query;
+    reg cell_25_write_photon;
+    reg cell_25_write_power;
+    reg cell_25_write_work;
+    reg cell_25_write_sum;
+    reg [1:0] cell_25_work_source;
+    reg cell_25_add_sum;
+    reg [7:0] cell_25_query_in;
+    reg [17:0] cell_25_radius_sq_in;
+    reg [7:0] cell_25_photon_in;
+    reg cell_25_present_in;
+    reg [15:0] cell_25_power_in;
+    reg [18:0] cell_25_link_in;
+    wire [18:0] cell_25_work_out;
+    wire [31:0] cell_25_sum_out;
+    reg cell_26_clock;
+    reg cell_26_write_query;
+    reg cell_26_write_photon;
+    reg cell_26_write_power;
+    reg cell_26_write_work;
+    reg cell_26_write_sum;
+    reg [1:0] cell_26_work_source;
+    reg cell_26_add_sum;
+    reg [7:0] cell_26_query_in;
+    reg [17:0] cell_26_radius_sq_in;
+    reg [7:0] cell_26_photon_in;
+    reg cell_26_present_in;
+    reg [15:0] cell_26_power_in;
+    reg [18:0] cell_26_link_in;
+    wire [18:0] cell_26_work_out;
+    wire [31:0] cell_26_sum_out;
+    reg cell_27_clock;
+    reg cell_27_write_query;
+    reg cell_27_write_photon;
+    reg cell_27_write_power;
+    reg cell_27_write_work;
+    reg cell_27_write_sum;
+    reg [1:0] cell_27_work_source;
+    reg cell_27_add_sum;
+    reg [7:0] cell_27_query_in;
+    reg [17:0] cell_27_radius_sq_in;
+    reg [7:0] cell_27_photon_in;
+    reg cell_27_present_in;
+    reg [15:0] cell_27_power_in;
+    reg [18:0] cell_27_link_in;
+    wire [18:0] cell_27_work_out;
+    wire [31:0] cell_27_sum_out;
+    reg cell_28_clock;
+    reg cell_28_write_query;
+    reg cell_28_write_photon;
+    reg cell_28_write_power;
+    reg cell_28_write_work;
+    reg cell_28_write_sum;
+    reg [1:0] cell_28_work_source;
+    reg cell_28_add_sum;
+    reg [7:0] cell_28_query_in;
+    reg [17:0] cell_28_radius_sq_in;
+    reg [7:0] cell_28_photon_in;
+    reg cell_28_present_in;
+    reg [15:0] cell_28_power_in;
+    reg [18:0] cell_28_link_in;
+    wire [18:0] cell_28_work_out;
+    wire [31:0] cell_28_sum_out;
+    reg cell_29_clock;
+    reg cell_29_write_query;
+    reg cell_29_write_photon;
+    reg cell_29_write_power;
+    reg cell_29_write_work;
+    reg cell_29_write_sum;
+    reg [1:0] cell_29_work_source;
+    reg cell_29_add_sum;
+    reg [7:0] cell_29_query_in;
+    reg [17:0] cell_29_radius_sq_in;
+    reg [7:0] cell_29_photon_in;
+    reg cell_29_present_in;
+    reg [15:0] cell_29_power_in;
+    reg [18:0] cell_29_link_in;
+    wire [18:0] cell_29_work_out;
+    wire [31:0] cell_29_sum_out;
+    reg cell_30_clock;
+    reg cell_30_write_query;
+    reg cell_30_write_photon;
+    reg cell_30_write_power;
+    reg cell_30_write_work;
+    reg cell_30_write_sum;
+    reg [1:0] cell_30_work_source;
+    reg cell_30_add_sum;
+    reg [7:0] cell_30_query_in;
+    reg [17:0] cell_30_radius_sq_in;
+    reg [7:0] cell_30_photon_in;
+    reg cell_30_present_in;
+    reg [15:0] cell_30_power_in;
+    reg [18:0] cell_30_link_in;
+    wire [18:0] cell_30_work_out;
+    wire [31:0] cell_30_sum_out;
+    reg cell_31_clock;
+    reg cell_31_write_query;
+    reg cell_31_write_photon;
+    reg cell_31_write_power;
+    reg cell_31_write_work;
+    reg cell_31_write_sum;
+    reg [1:0] cell_31_work_source;
+    reg cell_31_add_sum;
+    reg [7:0] cell_31_query_in;
+    reg [17:0] cell_31_radius_sq_in;
+    reg [7:0] cell_31_photon_in;
+    reg cell_31_present_in;
+    reg [15:0] cell_31_power_in;
+    reg [18:0] cell_31_link_in;
+    wire [18:0] cell_31_work_out;
+    wire [31:0] cell_31_sum_out;
+    // Sub module instances
+    photoncube_paper_5d_control control(
+        .clock(control_clock),
+        .reset(control_reset),
+        .query_valid(control_query_valid),
+        .query_ready(control_query_ready),
+        .group_valid(control_group_valid),
+        .group_last(control_group_last),
+        .group_ready(control_group_ready),
+        .result_valid(control_result_valid),
+        .result_ready(control_result_ready),
+        .write_query(control_write_query),
+        .write_photon(control_write_photon),
+        .write_power(control_write_power),
+        .write_work(control_write_work),
+        .write_sum(control_write_sum),
+        .work_source(control_work_source),
+        .add_sum(control_add_sum),
+        .axis(control_axis)
+    );
+    photoncube_paper_5d_ports ports(
+        .query_x(ports_query_x),
+        .query_y(ports_query_y),
+        .query_z(ports_query_z),
+        .present_0(ports_present_0),
+        .present_1(ports_present_1),
+        .present_2(ports_present_2),
+        .present_3(ports_present_3),
+        .present_4(ports_present_4),
+        .present_5(ports_present_5),
+        .present_6(ports_present_6),
+        .present_7(ports_present_7),
+        .x_0(ports_x_0),
+        .x_1(ports_x_1),
+        .x_2(ports_x_2),
+        .x_3(ports_x_3),
+        .x_4(ports_x_4),
+        .x_5(ports_x_5),
+        .x_6(ports_x_6),
+        .x_7(ports_x_7),
+        .y_0(ports_y_0),
+        .y_1(ports_y_1),
+        .y_2(ports_y_2),
+        .y_3(ports_y_3),
+        .y_4(ports_y_4),
+        .y_5(ports_y_5),
+        .y_6(ports_y_6),
+        .y_7(ports_y_7),
+        .z_0(ports_z_0),
+        .z_1(ports_z_1),
+        .z_2(ports_z_2),
+        .z_3(ports_z_3),
+        .z_4(ports_z_4),
+        .z_5(ports_z_5),
+        .z_6(ports_z_6),
+        .z_7(ports_z_7),
+        .red_0(ports_red_0),
+        .red_1(ports_red_1),
+        .red_2(ports_red_2),
+        .red_3(ports_red_3),
+        .red_4(ports_red_4),
+        .red_5(ports_red_5),
+        .red_6(ports_red_6),
+        .red_7(ports_red_7),
+        .green_0(ports_green_0),
+        .green_1(ports_green_1),
+        .green_2(ports_green_2),
+        .green_3(ports_green_3),
+        .green_4(ports_green_4),
+        .green_5(ports_green_5),
+        .green_6(ports_green_6),
+        .green_7(ports_green_7),
+        .blue_0(ports_blue_0),
+        .blue_1(ports_blue_1),
+        .blue_2(ports_blue_2),
+        .blue_3(ports_blue_3),
+        .blue_4(ports_blue_4),
+        .blue_5(ports_blue_5),
+        .blue_6(ports_blue_6),
+        .blue_7(ports_blue_7),
+        .sum_0(ports_sum_0),
+        .sum_1(ports_sum_1),
+        .sum_2(ports_sum_2),
+        .sum_3(ports_sum_3),
+        .sum_4(ports_sum_4),
+        .sum_5(ports_sum_5),
+        .sum_6(ports_sum_6),
+        .sum_7(ports_sum_7),
+        .sum_8(ports_sum_8),
+        .sum_9(ports_sum_9),
+        .sum_10(ports_sum_10),
+        .sum_11(ports_sum_11),
+        .sum_12(ports_sum_12),
+        .sum_13(ports_sum_13),
+        .sum_14(ports_sum_14),
+        .sum_15(ports_sum_15),
+        .sum_16(ports_sum_16),
+        .sum_17(ports_sum_17),
+        .sum_18(ports_sum_18),
+        .sum_19(ports_sum_19),
+        .sum_20(ports_sum_20),
+        .sum_21(ports_sum_21),
+        .sum_22(ports_sum_22),
+        .sum_23(ports_sum_23),
+        .sum_24(ports_sum_24),
+        .sum_25(ports_sum_25),
+        .sum_26(ports_sum_26),
+        .sum_27(ports_sum_27),
+        .sum_28(ports_sum_28),
+        .sum_29(ports_sum_29),
+        .sum_30(ports_sum_30),
+        .sum_31(ports_sum_31),
+        .cell_query_0(ports_cell_query_0),
+        .cell_query_1(ports_cell_query_1),
+        .cell_query_2(ports_cell_query_2),
+        .cell_query_3(ports_cell_query_3),
+        .cell_query_4(ports_cell_query_4),
+        .cell_query_5(ports_cell_query_5),
+        .cell_query_6(ports_cell_query_6),
+        .cell_query_7(ports_cell_query_7),
+        .cell_query_8(ports_cell_query_8),
+        .cell_query_9(ports_cell_query_9),
+        .cell_query_10(ports_cell_query_10),
+        .cell_query_11(ports_cell_query_11),
+        .cell_query_12(ports_cell_query_12),
+        .cell_query_13(ports_cell_query_13),
+        .cell_query_14(ports_cell_query_14),
+        .cell_query_15(ports_cell_query_15),
+        .cell_query_16(ports_cell_query_16),
+        .cell_query_17(ports_cell_query_17),
+        .cell_query_18(ports_cell_query_18),
+        .cell_query_19(ports_cell_query_19),
+        .cell_query_20(ports_cell_query_20),
+        .cell_query_21(ports_cell_query_21),
+        .cell_query_22(ports_cell_query_22),
+        .cell_query_23(ports_cell_query_23),
+        .cell_query_24(ports_cell_query_24),
+        .cell_query_25(ports_cell_query_25),
+        .cell_query_26(ports_cell_query_26),
+        .cell_query_27(ports_cell_query_27),
+        .cell_query_28(ports_cell_query_28),
+        .cell_query_29(ports_cell_query_29),
+        .cell_query_30(ports_cell_query_30),
+        .cell_query_31(ports_cell_query_31),
+        .cell_photon_0(ports_cell_photon_0),
+        .cell_photon_1(ports_cell_photon_1),
+        .cell_photon_2(ports_cell_photon_2),
+        .cell_photon_3(ports_cell_photon_3),
+        .cell_photon_4(ports_cell_photon_4),
+        .cell_photon_5(ports_cell_photon_5),
+        .cell_photon_6(ports_cell_photon_6),
+        .cell_photon_7(ports_cell_photon_7),
+        .cell_photon_8(ports_cell_photon_8),
+        .cell_photon_9(ports_cell_photon_9),
+        .cell_photon_10(ports_cell_photon_10),
+        .cell_photon_11(ports_cell_photon_11),
+        .cell_photon_12(ports_cell_photon_12),
+        .cell_photon_13(ports_cell_photon_13),
+        .cell_photon_14(ports_cell_photon_14),
+        .cell_photon_15(ports_cell_photon_15),
+        .cell_photon_16(ports_cell_photon_16),
+        .cell_photon_17(ports_cell_photon_17),
+        .cell_photon_18(ports_cell_photon_18),
+        .cell_photon_19(ports_cell_photon_19),
+        .cell_photon_20(ports_cell_photon_20),
+        .cell_photon_21(ports_cell_photon_21),
+        .cell_photon_22(ports_cell_photon_22),
+        .cell_photon_23(ports_cell_photon_23),
+        .cell_photon_24(ports_cell_photon_24),
+        .cell_photon_25(ports_cell_photon_25),
+        .cell_photon_26(ports_cell_photon_26),
+        .cell_photon_27(ports_cell_photon_27),
+        .cell_photon_28(ports_cell_photon_28),
+        .cell_photon_29(ports_cell_photon_29),
+        .cell_photon_30(ports_cell_photon_30),
+        .cell_photon_31(ports_cell_photon_31),
+        .cell_present_0(ports_cell_present_0),
+        .cell_present_1(ports_cell_present_1),
+        .cell_present_2(ports_cell_present_2),
+        .cell_present_3(ports_cell_present_3),
+        .cell_present_4(ports_cell_present_4),
+        .cell_present_5(ports_cell_present_5),
+        .cell_present_6(ports_cell_present_6),
+        .cell_present_7(ports_cell_present_7),
+        .cell_present_8(ports_cell_present_8),
+        .cell_present_9(ports_cell_present_9),
+        .cell_present_10(ports_cell_present_10),
+        .cell_present_11(ports_cell_present_11),
+        .cell_present_12(ports_cell_present_12),
+        .cell_present_13(ports_cell_present_13),
+        .cell_present_14(ports_cell_present_14),
+        .cell_present_15(ports_cell_present_15),
+        .cell_present_16(ports_cell_present_16),
+        .cell_present_17(ports_cell_present_17),
+        .cell_present_18(ports_cell_present_18),
+        .cell_present_19(ports_cell_present_19),
+        .cell_present_20(ports_cell_present_20),
+        .cell_present_21(ports_cell_present_21),
+        .cell_present_22(ports_cell_present_22),
+        .cell_present_23(ports_cell_present_23),
+        .cell_present_24(ports_cell_present_24),
+        .cell_present_25(ports_cell_present_25),
+        .cell_present_26(ports_cell_present_26),
+        .cell_present_27(ports_cell_present_27),
+        .cell_present_28(ports_cell_present_28),
+        .cell_present_29(ports_cell_present_29),
+        .cell_present_30(ports_cell_present_30),
+        .cell_present_31(ports_cell_present_31),
+        .cell_power_0(ports_cell_power_0),
+        .cell_power_1(ports_cell_power_1),
+        .cell_power_2(ports_cell_power_2),
+        .cell_power_3(ports_cell_power_3),
+        .cell_power_4(ports_cell_power_4),
+        .cell_power_5(ports_cell_power_5),
+        .cell_power_6(ports_cell_power_6),
+        .cell_power_7(ports_cell_power_7),
+        .cell_power_8(ports_cell_power_8),
+        .cell_power_9(ports_cell_power_9),
+        .cell_power_10(ports_cell_power_10),
+        .cell_power_11(ports_cell_power_11),
+        .cell_power_12(ports_cell_power_12),
+        .cell_power_13(ports_cell_power_13),
+        .cell_power_14(ports_cell_power_14),
+        .cell_power_15(ports_cell_power_15),
+        .cell_power_16(ports_cell_power_16),
+        .cell_power_17(ports_cell_power_17),
+        .cell_power_18(ports_cell_power_18),
+        .cell_power_19(ports_cell_power_19),
+        .cell_power_20(ports_cell_power_20),
+        .cell_power_21(ports_cell_power_21),
+        .cell_power_22(ports_cell_power_22),
+        .cell_power_23(ports_cell_power_23),
+        .cell_power_24(ports_cell_power_24),
+        .cell_power_25(ports_cell_power_25),
+        .cell_power_26(ports_cell_power_26),
+        .cell_power_27(ports_cell_power_27),
+        .cell_power_28(ports_cell_power_28),
+        .cell_power_29(ports_cell_power_29),
+        .cell_power_30(ports_cell_power_30),
+        .cell_power_31(ports_cell_power_31),
+        .result_red(ports_result_red),
+        .result_green(ports_result_green),
+        .result_blue(ports_result_blue),
+        .result_count(ports_result_count)
+    );
+    photoncube_paper_5d_network network(
+        .axis(network_axis),
+        .work_0(network_work_0),
+        .work_1(network_work_1),
+        .work_2(network_work_2),
+        .work_3(network_work_3),
+        .work_4(network_work_4),
+        .work_5(network_work_5),
+        .work_6(network_work_6),
+        .work_7(network_work_7),
+        .work_8(network_work_8),
+        .work_9(network_work_9),
+        .work_10(network_work_10),
+        .work_11(network_work_11),
+        .work_12(network_work_12),
+        .work_13(network_work_13),
+        .work_14(network_work_14),
+        .work_15(network_work_15),
+        .work_16(network_work_16),
+        .work_17(network_work_17),
+        .work_18(network_work_18),
+        .work_19(network_work_19),
+        .work_20(network_work_20),
+        .work_21(network_work_21),
+        .work_22(network_work_22),
+        .work_23(network_work_23),
+        .work_24(network_work_24),
+        .work_25(network_work_25),
+        .work_26(network_work_26),
+        .work_27(network_work_27),
+        .work_28(network_work_28),
+        .work_29(network_work_29),
+        .work_30(network_work_30),
+        .work_31(network_work_31),
+        .link_0(network_link_0),
+        .link_1(network_link_1),
+        .link_2(network_link_2),
+        .link_3(network_link_3),
+        .link_4(network_link_4),
+        .link_5(network_link_5),
+        .link_6(network_link_6),
+        .link_7(network_link_7),
+        .link_8(network_link_8),
+        .link_9(network_link_9),
+        .link_10(network_link_10),
+        .link_11(network_link_11),
+        .link_12(network_link_12),
+        .link_13(network_link_13),
+        .link_14(network_link_14),
+        .link_15(network_link_15),
+        .link_16(network_link_16),
+        .link_17(network_link_17),
+        .link_18(network_link_18),
+        .link_19(network_link_19),
+        .link_20(network_link_20),
+        .link_21(network_link_21),
+        .link_22(network_link_22),
+        .link_23(network_link_23),
+        .link_24(network_link_24),
+        .link_25(network_link_25),
+        .link_26(network_link_26),
+        .link_27(network_link_27),
+        .link_28(network_link_28),
+        .link_29(network_link_29),
+        .link_30(network_link_30),
+        .link_31(network_link_31)
+    );
+    photoncube_paper_5d_cell cell_0(
+        .clock(cell_0_clock),
+        .write_query(cell_0_write_query),
+        .write_photon(cell_0_write_photon),
+        .write_power(cell_0_write_power),
+        .write_work(cell_0_write_work),
+        .write_sum(cell_0_write_sum),
+        .work_source(cell_0_work_source),
+        .add_sum(cell_0_add_sum),
+        .query_in(cell_0_query_in),
+        .radius_sq_in(cell_0_radius_sq_in),
+        .photon_in(cell_0_photon_in),
+        .present_in(cell_0_present_in),
+        .power_in(cell_0_power_in),
+        .link_in(cell_0_link_in),
+        .work_out(cell_0_work_out),
+        .sum_out(cell_0_sum_out)
+    );
+    photoncube_paper_5d_cell cell_1(
+        .clock(cell_1_clock),
+        .write_query(cell_1_write_query),
+        .write_photon(cell_1_write_photon),
+        .write_power(cell_1_write_power),
+        .write_work(cell_1_write_work),
+        .write_sum(cell_1_write_sum),
+        .work_source(cell_1_work_source),
+        .add_sum(cell_1_add_sum),
+        .query_in(cell_1_query_in),
+        .radius_sq_in(cell_1_radius_sq_in),
+        .photon_in(cell_1_photon_in),
+        .present_in(cell_1_present_in),
+        .power_in(cell_1_power_in),
+        .link_in(cell_1_link_in),
+        .work_out(cell_1_work_out),
+        .sum_out(cell_1_sum_out)
+    );
+    photoncube_paper_5d_cell cell_2(
+        .clock(cell_2_clock),
+        .write_query(cell_2_write_query),
+        .write_photon(cell_2_write_photon),
+        .write_power(cell_2_write_power),
+        .write_work(cell_2_write_work),
+        .write_sum(cell_2_write_sum),
+        .work_source(cell_2_work_source),
+        .add_sum(cell_2_add_sum),
+        .query_in(cell_2_query_in),
+        .radius_sq_in(cell_2_radius_sq_in),
+        .photon_in(cell_2_photon_in),
+        .present_in(cell_2_present_in),
+        .power_in(cell_2_power_in),
+        .link_in(cell_2_link_in),
+        .work_out(cell_2_work_out),
+        .sum_out(cell_2_sum_out)
+    );
+    photoncube_paper_5d_cell cell_3(
+        .clock(cell_3_clock),
+        .write_query(cell_3_write_query),
+        .write_photon(cell_3_write_photon),
+        .write_power(cell_3_write_power),
+        .write_work(cell_3_write_work),
+        .write_sum(cell_3_write_sum),
+        .work_source(cell_3_work_source),
+        .add_sum(cell_3_add_sum),
+        .query_in(cell_3_query_in),
+        .radius_sq_in(cell_3_radius_sq_in),
+        .photon_in(cell_3_photon_in),
+        .present_in(cell_3_present_in),
+        .power_in(cell_3_power_in),
+        .link_in(cell_3_link_in),
+        .work_out(cell_3_work_out),
+        .sum_out(cell_3_sum_out)
+    );
+    photoncube_paper_5d_cell cell_4(
+        .clock(cell_4_clock),
+        .write_query(cell_4_write_query),
+        .write_photon(cell_4_write_photon),
+        .write_power(cell_4_write_power),
+        .write_work(cell_4_write_work),
+        .write_sum(cell_4_write_sum),
+        .work_source(cell_4_work_source),
+        .add_sum(cell_4_add_sum),
+        .query_in(cell_4_query_in),
+        .radius_sq_in(cell_4_radius_sq_in),
+        .photon_in(cell_4_photon_in),
+        .present_in(cell_4_present_in),
+        .power_in(cell_4_power_in),
+        .link_in(cell_4_link_in),
+        .work_out(cell_4_work_out),
+        .sum_out(cell_4_sum_out)
+    );
+    photoncube_paper_5d_cell cell_5(
+        .clock(cell_5_clock),
+        .write_query(cell_5_write_query),
+        .write_photon(cell_5_write_photon),
+        .write_power(cell_5_write_power),
+        .write_work(cell_5_write_work),
+        .write_sum(cell_5_write_sum),
+        .work_source(cell_5_work_source),
+        .add_sum(cell_5_add_sum),
+        .query_in(cell_5_query_in),
+        .radius_sq_in(cell_5_radius_sq_in),
+        .photon_in(cell_5_photon_in),
+        .present_in(cell_5_present_in),
+        .power_in(cell_5_power_in),
+        .link_in(cell_5_link_in),
+        .work_out(cell_5_work_out),
+        .sum_out(cell_5_sum_out)
+    );
+    photoncube_paper_5d_cell cell_6(
+        .clock(cell_6_clock),
+        .write_query(cell_6_write_query),
+        .write_photon(cell_6_write_photon),
+        .write_power(cell_6_write_power),
+        .write_work(cell_6_write_work),
+        .write_sum(cell_6_write_sum),
+        .work_source(cell_6_work_source),
+        .add_sum(cell_6_add_sum),
+        .query_in(cell_6_query_in),
+        .radius_sq_in(cell_6_radius_sq_in),
+        .photon_in(cell_6_photon_in),
+        .present_in(cell_6_present_in),
+        .power_in(cell_6_power_in),
+        .link_in(cell_6_link_in),
+        .work_out(cell_6_work_out),
+        .sum_out(cell_6_sum_out)
+    );
+    photoncube_paper_5d_cell cell_7(
+        .clock(cell_7_clock),
+        .write_query(cell_7_write_query),
+        .write_photon(cell_7_write_photon),
+        .write_power(cell_7_write_power),
+        .write_work(cell_7_write_work),
+        .write_sum(cell_7_write_sum),
+        .work_source(cell_7_work_source),
+        .add_sum(cell_7_add_sum),
+        .query_in(cell_7_query_in),
+        .radius_sq_in(cell_7_radius_sq_in),
+        .photon_in(cell_7_photon_in),
+        .present_in(cell_7_present_in),
+        .power_in(cell_7_power_in),
+        .link_in(cell_7_link_in),
+        .work_out(cell_7_work_out),
+        .sum_out(cell_7_sum_out)
+    );
+    photoncube_paper_5d_cell cell_8(
+        .clock(cell_8_clock),
+        .write_query(cell_8_write_query),
+        .write_photon(cell_8_write_photon),
+        .write_power(cell_8_write_power),
+        .write_work(cell_8_write_work),
+        .write_sum(cell_8_write_sum),
+        .work_source(cell_8_work_source),
+        .add_sum(cell_8_add_sum),
+        .query_in(cell_8_query_in),
+        .radius_sq_in(cell_8_radius_sq_in),
+        .photon_in(cell_8_photon_in),
+        .present_in(cell_8_present_in),
+        .power_in(cell_8_power_in),
+        .link_in(cell_8_link_in),
+        .work_out(cell_8_work_out),
+        .sum_out(cell_8_sum_out)
+    );
+    photoncube_paper_5d_cell cell_9(
+        .clock(cell_9_clock),
+        .write_query(cell_9_write_query),
+        .write_photon(cell_9_write_photon),
+        .write_power(cell_9_write_power),
+        .write_work(cell_9_write_work),
+        .write_sum(cell_9_write_sum),
+        .work_source(cell_9_work_source),
+        .add_sum(cell_9_add_sum),
+        .query_in(cell_9_query_in),
+        .radius_sq_in(cell_9_radius_sq_in),
+        .photon_in(cell_9_photon_in),
+        .present_in(cell_9_present_in),
+        .power_in(cell_9_power_in),
+        .link_in(cell_9_link_in),
+        .work_out(cell_9_work_out),
+        .sum_out(cell_9_sum_out)
+    );
+    photoncube_paper_5d_cell cell_10(
+        .clock(cell_10_clock),
+        .write_query(cell_10_write_query),
+        .write_photon(cell_10_write_photon),
+        .write_power(cell_10_write_power),
+        .write_work(cell_10_write_work),
+        .write_sum(cell_10_write_sum),
+        .work_source(cell_10_work_source),
+        .add_sum(cell_10_add_sum),
+        .query_in(cell_10_query_in),
+        .radius_sq_in(cell_10_radius_sq_in),
+        .photon_in(cell_10_photon_in),
+        .present_in(cell_10_present_in),
+        .power_in(cell_10_power_in),
+        .link_in(cell_10_link_in),
+        .work_out(cell_10_work_out),
+        .sum_out(cell_10_sum_out)
+    );
+    photoncube_paper_5d_cell cell_11(
+        .clock(cell_11_clock),
+        .write_query(cell_11_write_query),
+        .write_photon(cell_11_write_photon),
+        .write_power(cell_11_write_power),
+        .write_work(cell_11_write_work),
+        .write_sum(cell_11_write_sum),
+        .work_source(cell_11_work_source),
+        .add_sum(cell_11_add_sum),
+        .query_in(cell_11_query_in),
+        .radius_sq_in(cell_11_radius_sq_in),
+        .photon_in(cell_11_photon_in),
+        .present_in(cell_11_present_in),
+        .power_in(cell_11_power_in),
+        .link_in(cell_11_link_in),
+        .work_out(cell_11_work_out),
+        .sum_out(cell_11_sum_out)
+    );
+    photoncube_paper_5d_cell cell_12(
+        .clock(cell_12_clock),
+        .write_query(cell_12_write_query),
+        .write_photon(cell_12_write_photon),
+        .write_power(cell_12_write_power),
+        .write_work(cell_12_write_work),
+        .write_sum(cell_12_write_sum),
+        .work_source(cell_12_work_source),
+        .add_sum(cell_12_add_sum),
+        .query_in(cell_12_query_in),
+        .radius_sq_in(cell_12_radius_sq_in),
+        .photon_in(cell_12_photon_in),
+        .present_in(cell_12_present_in),
+        .power_in(cell_12_power_in),
+        .link_in(cell_12_link_in),
+        .work_out(cell_12_work_out),
+        .sum_out(cell_12_sum_out)
+    );
+    photoncube_paper_5d_cell cell_13(
+        .clock(cell_13_clock),
+        .write_query(cell_13_write_query),
+        .write_photon(cell_13_write_photon),
+        .write_power(cell_13_write_power),
+        .write_work(cell_13_write_work),
+        .write_sum(cell_13_write_sum),
+        .work_source(cell_13_work_source),
+        .add_sum(cell_13_add_sum),
+        .query_in(cell_13_query_in),
+        .radius_sq_in(cell_13_radius_sq_in),
+        .photon_in(cell_13_photon_in),
+        .present_in(cell_13_present_in),
+        .power_in(cell_13_power_in),
+        .link_in(cell_13_link_in),
+        .work_out(cell_13_work_out),
+        .sum_out(cell_13_sum_out)
+    );
+    photoncube_paper_5d_cell cell_14(
+        .clock(cell_14_clock),
+        .write_query(cell_14_write_query),
+        .write_photon(cell_14_write_photon),
+        .write_power(cell_14_write_power),
+        .write_work(cell_14_write_work),
+        .write_sum(cell_14_write_sum),
+        .work_source(cell_14_work_source),
+        .add_sum(cell_14_add_sum),
+        .query_in(cell_14_query_in),
+        .radius_sq_in(cell_14_radius_sq_in),
+        .photon_in(cell_14_photon_in),
+        .present_in(cell_14_present_in),
+        .power_in(cell_14_power_in),
+        .link_in(cell_14_link_in),
+        .work_out(cell_14_work_out),
+        .sum_out(cell_14_sum_out)
+    );
+    photoncube_paper_5d_cell cell_15(
+        .clock(cell_15_clock),
+        .write_query(cell_15_write_query),
+        .write_photon(cell_15_write_photon),
+        .write_power(cell_15_write_power),
+        .write_work(cell_15_write_work),
+        .write_sum(cell_15_write_sum),
+        .work_source(cell_15_work_source),
+        .add_sum(cell_15_add_sum),
+        .query_in(cell_15_query_in),
+        .radius_sq_in(cell_15_radius_sq_in),
+        .photon_in(cell_15_photon_in),
+        .present_in(cell_15_present_in),
+        .power_in(cell_15_power_in),
+        .link_in(cell_15_link_in),
+        .work_out(cell_15_work_out),
+        .sum_out(cell_15_sum_out)
+    );
+    photoncube_paper_5d_cell cell_16(
+        .clock(cell_16_clock),
+        .write_query(cell_16_write_query),
+        .write_photon(cell_16_write_photon),
+        .write_power(cell_16_write_power),
+        .write_work(cell_16_write_work),
+        .write_sum(cell_16_write_sum),
+        .work_source(cell_16_work_source),
+        .add_sum(cell_16_add_sum),
+        .query_in(cell_16_query_in),
+        .radius_sq_in(cell_16_radius_sq_in),
+        .photon_in(cell_16_photon_in),
+        .present_in(cell_16_present_in),
+        .power_in(cell_16_power_in),
+        .link_in(cell_16_link_in),
+        .work_out(cell_16_work_out),
+        .sum_out(cell_16_sum_out)
+    );
+    photoncube_paper_5d_cell cell_17(
+        .clock(cell_17_clock),
+        .write_query(cell_17_write_query),
+        .write_photon(cell_17_write_photon),
+        .write_power(cell_17_write_power),
+        .write_work(cell_17_write_work),
+        .write_sum(cell_17_write_sum),
+        .work_source(cell_17_work_source),
+        .add_sum(cell_17_add_sum),
+        .query_in(cell_17_query_in),
+        .radius_sq_in(cell_17_radius_sq_in),
+        .photon_in(cell_17_photon_in),
+        .present_in(cell_17_present_in),
+        .power_in(cell_17_power_in),
+        .link_in(cell_17_link_in),
+        .work_out(cell_17_work_out),
+        .sum_out(cell_17_sum_out)
+    );
+    photoncube_paper_5d_cell cell_18(
+        .clock(cell_18_clock),
+        .write_query(cell_18_write_query),
+        .write_photon(cell_18_write_photon),
+        .write_power(cell_18_write_power),
+        .write_work(cell_18_write_work),
+        .write_sum(cell_18_write_sum),
+        .work_source(cell_18_work_source),
+        .add_sum(cell_18_add_sum),
+        .query_in(cell_18_query_in),
+        .radius_sq_in(cell_18_radius_sq_in),
+        .photon_in(cell_18_photon_in),
+        .present_in(cell_18_present_in),
+        .power_in(cell_18_power_in),
+        .link_in(cell_18_link_in),
+        .work_out(cell_18_work_out),
+        .sum_out(cell_18_sum_out)
+    );
+    photoncube_paper_5d_cell cell_19(
+        .clock(cell_19_clock),
+        .write_query(cell_19_write_query),
+        .write_photon(cell_19_write_photon),
+        .write_power(cell_19_write_power),
+        .write_work(cell_19_write_work),
+        .write_sum(cell_19_write_sum),
+        .work_source(cell_19_work_source),
+        .add_sum(cell_19_add_sum),
+        .query_in(cell_19_query_in),
+        .radius_sq_in(cell_19_radius_sq_in),
+        .photon_in(cell_19_photon_in),
+        .present_in(cell_19_present_in),
+        .power_in(cell_19_power_in),
+        .link_in(cell_19_link_in),
+        .work_out(cell_19_work_out),
+        .sum_out(cell_19_sum_out)
+    );
+    photoncube_paper_5d_cell cell_20(
+        .clock(cell_20_clock),
+        .write_query(cell_20_write_query),
+        .write_photon(cell_20_write_photon),
+        .write_power(cell_20_write_power),
+        .write_work(cell_20_write_work),
+        .write_sum(cell_20_write_sum),
+        .work_source(cell_20_work_source),
+        .add_sum(cell_20_add_sum),
+        .query_in(cell_20_query_in),
+        .radius_sq_in(cell_20_radius_sq_in),
+        .photon_in(cell_20_photon_in),
+        .present_in(cell_20_present_in),
+        .power_in(cell_20_power_in),
+        .link_in(cell_20_link_in),
+        .work_out(cell_20_work_out),
+        .sum_out(cell_20_sum_out)
+    );
+    photoncube_paper_5d_cell cell_21(
+        .clock(cell_21_clock),
+        .write_query(cell_21_write_query),
+        .write_photon(cell_21_write_photon),
+        .write_power(cell_21_write_power),
+        .write_work(cell_21_write_work),
+        .write_sum(cell_21_write_sum),
+        .work_source(cell_21_work_source),
+        .add_sum(cell_21_add_sum),
+        .query_in(cell_21_query_in),
+        .radius_sq_in(cell_21_radius_sq_in),
+        .photon_in(cell_21_photon_in),
+        .present_in(cell_21_present_in),
+        .power_in(cell_21_power_in),
+        .link_in(cell_21_link_in),
+        .work_out(cell_21_work_out),
+        .sum_out(cell_21_sum_out)
+    );
+    photoncube_paper_5d_cell cell_22(
+        .clock(cell_22_clock),
+        .write_query(cell_22_write_query),
+        .write_photon(cell_22_write_photon),
+        .write_power(cell_22_write_power),
+        .write_work(cell_22_write_work),
+        .write_sum(cell_22_write_sum),
+        .work_source(cell_22_work_source),
+        .add_sum(cell_22_add_sum),
+        .query_in(cell_22_query_in),
+        .radius_sq_in(cell_22_radius_sq_in),
+        .photon_in(cell_22_photon_in),
+        .present_in(cell_22_present_in),
+        .power_in(cell_22_power_in),
+        .link_in(cell_22_link_in),
+        .work_out(cell_22_work_out),
+        .sum_out(cell_22_sum_out)
+    );
+    photoncube_paper_5d_cell cell_23(
+        .clock(cell_23_clock),
+        .write_query(cell_23_write_query),
+        .write_photon(cell_23_write_photon),
+        .write_power(cell_23_write_power),
+        .write_work(cell_23_write_work),
+        .write_sum(cell_23_write_sum),
+        .work_source(cell_23_work_source),
+        .add_sum(cell_23_add_sum),
+        .query_in(cell_23_query_in),
+        .radius_sq_in(cell_23_radius_sq_in),
+        .photon_in(cell_23_photon_in),
+        .present_in(cell_23_present_in),
+        .power_in(cell_23_power_in),
+        .link_in(cell_23_link_in),
+        .work_out(cell_23_work_out),
+        .sum_out(cell_23_sum_out)
+    );
+    photoncube_paper_5d_cell cell_24(
+        .clock(cell_24_clock),
+        .write_query(cell_24_write_query),
+        .write_photon(cell_24_write_photon),
+        .write_power(cell_24_write_power),
+        .write_work(cell_24_write_work),
+        .write_sum(cell_24_write_sum),
+        .work_source(cell_24_work_source),
+        .add_sum(cell_24_add_sum),
+        .query_in(cell_24_query_in),
+        .radius_sq_in(cell_24_radius_sq_in),
+        .photon_in(cell_24_photon_in),
+        .present_in(cell_24_present_in),
+        .power_in(cell_24_power_in),
+        .link_in(cell_24_link_in),
+        .work_out(cell_24_work_out),
+        .sum_out(cell_24_sum_out)
+    );
+    photoncube_paper_5d_cell cell_25(
+        .clock(cell_25_clock),
+        .write_query(cell_25_write_query),
+        .write_photon(cell_25_write_photon),
+        .write_power(cell_25_write_power),
+        .write_work(cell_25_write_work),
+        .write_sum(cell_25_write_sum),
+        .work_source(cell_25_work_source),
+        .add_sum(cell_25_add_sum),
+        .query_in(cell_25_query_in),
+        .radius_sq_in(cell_25_radius_sq_in),
+        .photon_in(cell_25_photon_in),
+        .present_in(cell_25_present_in),
+        .power_in(cell_25_power_in),
+        .link_in(cell_25_link_in),
+        .work_out(cell_25_work_out),
+        .sum_out(cell_25_sum_out)
+    );
+    photoncube_paper_5d_cell cell_26(
+        .clock(cell_26_clock),
+        .write_query(cell_26_write_query),
+        .write_photon(cell_26_write_photon),
+        .write_power(cell_26_write_power),
+        .write_work(cell_26_write_work),
+        .write_sum(cell_26_write_sum),
+        .work_source(cell_26_work_source),
+        .add_sum(cell_26_add_sum),
+        .query_in(cell_26_query_in),
+        .radius_sq_in(cell_26_radius_sq_in),
+        .photon_in(cell_26_photon_in),
+        .present_in(cell_26_present_in),
+        .power_in(cell_26_power_in),
+        .link_in(cell_26_link_in),
+        .work_out(cell_26_work_out),
+        .sum_out(cell_26_sum_out)
+    );
+    photoncube_paper_5d_cell cell_27(
+        .clock(cell_27_clock),
+        .write_query(cell_27_write_query),
+        .write_photon(cell_27_write_photon),
+        .write_power(cell_27_write_power),
+        .write_work(cell_27_write_work),
+        .write_sum(cell_27_write_sum),
+        .work_source(cell_27_work_source),
+        .add_sum(cell_27_add_sum),
+        .query_in(cell_27_query_in),
+        .radius_sq_in(cell_27_radius_sq_in),
+        .photon_in(cell_27_photon_in),
+        .present_in(cell_27_present_in),
+        .power_in(cell_27_power_in),
+        .link_in(cell_27_link_in),
+        .work_out(cell_27_work_out),
+        .sum_out(cell_27_sum_out)
+    );
+    photoncube_paper_5d_cell cell_28(
+        .clock(cell_28_clock),
+        .write_query(cell_28_write_query),
+        .write_photon(cell_28_write_photon),
+        .write_power(cell_28_write_power),
+        .write_work(cell_28_write_work),
+        .write_sum(cell_28_write_sum),
+        .work_source(cell_28_work_source),
+        .add_sum(cell_28_add_sum),
+        .query_in(cell_28_query_in),
+        .radius_sq_in(cell_28_radius_sq_in),
+        .photon_in(cell_28_photon_in),
+        .present_in(cell_28_present_in),
+        .power_in(cell_28_power_in),
+        .link_in(cell_28_link_in),
+        .work_out(cell_28_work_out),
+        .sum_out(cell_28_sum_out)
+    );
+    photoncube_paper_5d_cell cell_29(
+        .clock(cell_29_clock),
+        .write_query(cell_29_write_query),
+        .write_photon(cell_29_write_photon),
+        .write_power(cell_29_write_power),
+        .write_work(cell_29_write_work),
+        .write_sum(cell_29_write_sum),
+        .work_source(cell_29_work_source),
+        .add_sum(cell_29_add_sum),
+        .query_in(cell_29_query_in),
+        .radius_sq_in(cell_29_radius_sq_in),
+        .photon_in(cell_29_photon_in),
+        .present_in(cell_29_present_in),
+        .power_in(cell_29_power_in),
+        .link_in(cell_29_link_in),
+        .work_out(cell_29_work_out),
+        .sum_out(cell_29_sum_out)
+    );
+    photoncube_paper_5d_cell cell_30(
+        .clock(cell_30_clock),
+        .write_query(cell_30_write_query),
+        .write_photon(cell_30_write_photon),
+        .write_power(cell_30_write_power),
+        .write_work(cell_30_write_work),
+        .write_sum(cell_30_write_sum),
+        .work_source(cell_30_work_source),
+        .add_sum(cell_30_add_sum),
+        .query_in(cell_30_query_in),
+        .radius_sq_in(cell_30_radius_sq_in),
+        .photon_in(cell_30_photon_in),
+        .present_in(cell_30_present_in),
+        .power_in(cell_30_power_in),
+        .link_in(cell_30_link_in),
+        .work_out(cell_30_work_out),
+        .sum_out(cell_30_sum_out)
+    );
+    photoncube_paper_5d_cell cell_31(
+        .clock(cell_31_clock),
+        .write_query(cell_31_write_query),
+        .write_photon(cell_31_write_photon),
+        .write_power(cell_31_write_power),
+        .write_work(cell_31_write_work),
+        .write_sum(cell_31_write_sum),
+        .work_source(cell_31_work_source),
+        .add_sum(cell_31_add_sum),
+        .query_in(cell_31_query_in),
+        .radius_sq_in(cell_31_radius_sq_in),
+        .photon_in(cell_31_photon_in),
+        .present_in(cell_31_present_in),
+        .power_in(cell_31_power_in),
+        .link_in(cell_31_link_in),
+        .work_out(cell_31_work_out),
+        .sum_out(cell_31_sum_out)
+    );
+    // Update code
+    always @(*) begin
+        control_clock = clock;
+        control_reset = reset;
+        control_query_valid = query_valid;
+        control_group_valid = group_valid;
+        control_group_last = group_last;
+        control_result_ready = result_ready;
+        query_ready = control_query_ready;
+        group_ready = control_group_ready;
+        result_valid = control_result_valid;
+        ports_query_x = query_x;
+        ports_query_y = query_y;
+        ports_query_z = query_z;
+        ports_present_0 = photon_present_0;
+        ports_x_0 = photon_x_0;
+        ports_y_0 = photon_y_0;
+        ports_z_0 = photon_z_0;
+        ports_red_0 = photon_red_0;
+        ports_green_0 = photon_green_0;
+        ports_blue_0 = photon_blue_0;
+        ports_present_1 = photon_present_1;
+        ports_x_1 = photon_x_1;
+        ports_y_1 = photon_y_1;
+        ports_z_1 = photon_z_1;
+        ports_red_1 = photon_red_1;
+        ports_green_1 = photon_green_1;
+        ports_blue_1 = photon_blue_1;
+        ports_present_2 = photon_present_2;
+        ports_x_2 = photon_x_2;
+        ports_y_2 = photon_y_2;
+        ports_z_2 = photon_z_2;
+        ports_red_2 = photon_red_2;
+        ports_green_2 = photon_green_2;
+        ports_blue_2 = photon_blue_2;
+        ports_present_3 = photon_present_3;
+        ports_x_3 = photon_x_3;
+        ports_y_3 = photon_y_3;
+        ports_z_3 = photon_z_3;
+        ports_red_3 = photon_red_3;
+        ports_green_3 = photon_green_3;
+        ports_blue_3 = photon_blue_3;
+        ports_present_4 = photon_present_4;
+        ports_x_4 = photon_x_4;
+        ports_y_4 = photon_y_4;
+        ports_z_4 = photon_z_4;
+        ports_red_4 = photon_red_4;
+        ports_green_4 = photon_green_4;
+        ports_blue_4 = photon_blue_4;
+        ports_present_5 = photon_present_5;
+        ports_x_5 = photon_x_5;
+        ports_y_5 = photon_y_5;
+        ports_z_5 = photon_z_5;
+        ports_red_5 = photon_red_5;
+        ports_green_5 = photon_green_5;
+        ports_blue_5 = photon_blue_5;
+        ports_present_6 = photon_present_6;
+        ports_x_6 = photon_x_6;
+        ports_y_6 = photon_y_6;
+        ports_z_6 = photon_z_6;
+        ports_red_6 = photon_red_6;
+        ports_green_6 = photon_green_6;
+        ports_blue_6 = photon_blue_6;
+        ports_present_7 = photon_present_7;
+        ports_x_7 = photon_x_7;
+        ports_y_7 = photon_y_7;
+        ports_z_7 = photon_z_7;
+        ports_red_7 = photon_red_7;
+        ports_green_7 = photon_green_7;
+        ports_blue_7 = photon_blue_7;
+        network_axis = control_axis;
+        cell_0_clock = clock;
+        cell_0_write_query = control_write_query;
+        cell_0_write_photon = control_write_photon;
+        cell_0_write_power = control_write_power;
+        cell_0_write_work = control_write_work;
+        cell_0_write_sum = control_write_sum;
+        cell_0_work_source = control_work_source;
+        cell_0_add_sum = control_add_sum;
+        cell_0_query_in = ports_cell_query_0;
+        cell_0_radius_sq_in = query_radius_sq;
+        cell_0_photon_in = ports_cell_photon_0;
+        cell_0_present_in = ports_cell_present_0;
+        cell_0_power_in = ports_cell_power_0;
+        network_work_0 = cell_0_work_out;
+        cell_0_link_in = network_link_0;
+        ports_sum_0 = cell_0_sum_out;
+        cell_1_clock = clock;
+        cell_1_write_query = control_write_query;
+        cell_1_write_photon = control_write_photon;
+        cell_1_write_power = control_write_power;
+        cell_1_write_work = control_write_work;
+        cell_1_write_sum = control_write_sum;
+        cell_1_work_source = control_work_source;
+        cell_1_add_sum = control_add_sum;
+        cell_1_query_in = ports_cell_query_1;
+        cell_1_radius_sq_in = query_radius_sq;
+        cell_1_photon_in = ports_cell_photon_1;
+        cell_1_present_in = ports_cell_present_1;
+        cell_1_power_in = ports_cell_power_1;
+        network_work_1 = cell_1_work_out;
+        cell_1_link_in = network_link_1;
+        ports_sum_1 = cell_1_sum_out;
+        cell_2_clock = clock;
+        cell_2_write_query = control_write_query;
+        cell_2_write_photon = control_write_photon;
+        cell_2_write_power = control_write_power;
+        cell_2_write_work = control_write_work;
+        cell_2_write_sum = control_write_sum;
+        cell_2_work_source = control_work_source;
+        cell_2_add_sum = control_add_sum;
+        cell_2_query_in = ports_cell_query_2;
+        cell_2_radius_sq_in = query_radius_sq;
+        cell_2_photon_in = ports_cell_photon_2;
+        cell_2_present_in = ports_cell_present_2;
+        cell_2_power_in = ports_cell_power_2;
+        network_work_2 = cell_2_work_out;
+        cell_2_link_in = network_link_2;
+        ports_sum_2 = cell_2_sum_out;
+        cell_3_clock = clock;
+        cell_3_write_query = control_write_query;
+        cell_3_write_photon = control_write_photon;
+        cell_3_write_power = control_write_power;
+        cell_3_write_work = control_write_work;
+        cell_3_write_sum = control_write_sum;
+        cell_3_work_source = control_work_source;
+        cell_3_add_sum = control_add_sum;
+        cell_3_query_in = ports_cell_query_3;
+        cell_3_radius_sq_in = query_radius_sq;
+        cell_3_photon_in = ports_cell_photon_3;
+        cell_3_present_in = ports_cell_present_3;
+        cell_3_power_in = ports_cell_power_3;
+        network_work_3 = cell_3_work_out;
+        cell_3_link_in = network_link_3;
+        ports_sum_3 = cell_3_sum_out;
+        cell_4_clock = clock;
+        cell_4_write_query = control_write_query;
+        cell_4_write_photon = control_write_photon;
+        cell_4_write_power = control_write_power;
+        cell_4_write_work = control_write_work;
+        cell_4_write_sum = control_write_sum;
+        cell_4_work_source = control_work_source;
+        cell_4_add_sum = control_add_sum;
+        cell_4_query_in = ports_cell_query_4;
+        cell_4_radius_sq_in = query_radius_sq;
+        cell_4_photon_in = ports_cell_photon_4;
+        cell_4_present_in = ports_cell_present_4;
+        cell_4_power_in = ports_cell_power_4;
+        network_work_4 = cell_4_work_out;
+        cell_4_link_in = network_link_4;
+        ports_sum_4 = cell_4_sum_out;
+        cell_5_clock = clock;
+        cell_5_write_query = control_write_query;
+        cell_5_write_photon = control_write_photon;
+        cell_5_write_power = control_write_power;
+        cell_5_write_work = control_write_work;
+        cell_5_write_sum = control_write_sum;
+        cell_5_work_source = control_work_source;
+        cell_5_add_sum = control_add_sum;
+        cell_5_query_in = ports_cell_query_5;
+        cell_5_radius_sq_in = query_radius_sq;
+        cell_5_photon_in = ports_cell_photon_5;
+        cell_5_present_in = ports_cell_present_5;
+        cell_5_power_in = ports_cell_power_5;
+        network_work_5 = cell_5_work_out;
+        cell_5_link_in = network_link_5;
+        ports_sum_5 = cell_5_sum_out;
+        cell_6_clock = clock;
+        cell_6_write_query = control_write_query;
+        cell_6_write_photon = control_write_photon;
+        cell_6_write_power = control_write_power;
+        cell_6_write_work = control_write_work;
+        cell_6_write_sum = control_write_sum;
+        cell_6_work_source = control_work_source;
+        cell_6_add_sum = control_add_sum;
+        cell_6_query_in = ports_cell_query_6;
+        cell_6_radius_sq_in = query_radius_sq;
+        cell_6_photon_in = ports_cell_photon_6;
+        cell_6_present_in = ports_cell_present_6;
+        cell_6_power_in = ports_cell_power_6;
+        network_work_6 = cell_6_work_out;
+        cell_6_link_in = network_link_6;
+        ports_sum_6 = cell_6_sum_out;
+        cell_7_clock = clock;
+        cell_7_write_query = control_write_query;
+        cell_7_write_photon = control_write_photon;
+        cell_7_write_power = control_write_power;
+        cell_7_write_work = control_write_work;
+        cell_7_write_sum = control_write_sum;
+        cell_7_work_source = control_work_source;
+        cell_7_add_sum = control_add_sum;
+        cell_7_query_in = ports_cell_query_7;
+        cell_7_radius_sq_in = query_radius_sq;
+        cell_7_photon_in = ports_cell_photon_7;
+        cell_7_present_in = ports_cell_present_7;
+        cell_7_power_in = ports_cell_power_7;
+        network_work_7 = cell_7_work_out;
+        cell_7_link_in = network_link_7;
+        ports_sum_7 = cell_7_sum_out;
+        cell_8_clock = clock;
+        cell_8_write_query = control_write_query;
+        cell_8_write_photon = control_write_photon;
+        cell_8_write_power = control_write_power;
+        cell_8_write_work = control_write_work;
+        cell_8_write_sum = control_write_sum;
+        cell_8_work_source = control_work_source;
+        cell_8_add_sum = control_add_sum;
+        cell_8_query_in = ports_cell_query_8;
+        cell_8_radius_sq_in = query_radius_sq;
+        cell_8_photon_in = ports_cell_photon_8;
+        cell_8_present_in = ports_cell_present_8;
+        cell_8_power_in = ports_cell_power_8;
+        network_work_8 = cell_8_work_out;
+        cell_8_link_in = network_link_8;
+        ports_sum_8 = cell_8_sum_out;
+        cell_9_clock = clock;
+        cell_9_write_query = control_write_query;
+        cell_9_write_photon = control_write_photon;
+        cell_9_write_power = control_write_power;
+        cell_9_write_work = control_write_work;
+        cell_9_write_sum = control_write_sum;
+        cell_9_work_source = control_work_source;
+        cell_9_add_sum = control_add_sum;
+        cell_9_query_in = ports_cell_query_9;
+        cell_9_radius_sq_in = query_radius_sq;
+        cell_9_photon_in = ports_cell_photon_9;
+        cell_9_present_in = ports_cell_present_9;
+        cell_9_power_in = ports_cell_power_9;
+        network_work_9 = cell_9_work_out;
+        cell_9_link_in = network_link_9;
+        ports_sum_9 = cell_9_sum_out;
+        cell_10_clock = clock;
+        cell_10_write_query = control_write_query;
+        cell_10_write_photon = control_write_photon;
+        cell_10_write_power = control_write_power;
+        cell_10_write_work = control_write_work;
+        cell_10_write_sum = control_write_sum;
+        cell_10_work_source = control_work_source;
+        cell_10_add_sum = control_add_sum;
+        cell_10_query_in = ports_cell_query_10;
+        cell_10_radius_sq_in = query_radius_sq;
+        cell_10_photon_in = ports_cell_photon_10;
+        cell_10_present_in = ports_cell_present_10;
+        cell_10_power_in = ports_cell_power_10;
+        network_work_10 = cell_10_work_out;
+        cell_10_link_in = network_link_10;
+        ports_sum_10 = cell_10_sum_out;
+        cell_11_clock = clock;
+        cell_11_write_query = control_write_query;
+        cell_11_write_photon = control_write_photon;
+        cell_11_write_power = control_write_power;
+        cell_11_write_work = control_write_work;
+        cell_11_write_sum = control_write_sum;
+        cell_11_work_source = control_work_source;
+        cell_11_add_sum = control_add_sum;
+        cell_11_query_in = ports_cell_query_11;
+        cell_11_radius_sq_in = query_radius_sq;
+        cell_11_photon_in = ports_cell_photon_11;
+        cell_11_present_in = ports_cell_present_11;
+        cell_11_power_in = ports_cell_power_11;
+        network_work_11 = cell_11_work_out;
+        cell_11_link_in = network_link_11;
+        ports_sum_11 = cell_11_sum_out;
+        cell_12_clock = clock;
+        cell_12_write_query = control_write_query;
+        cell_12_write_photon = control_write_photon;
+        cell_12_write_power = control_write_power;
+        cell_12_write_work = control_write_work;
+        cell_12_write_sum = control_write_sum;
+        cell_12_work_source = control_work_source;
+        cell_12_add_sum = control_add_sum;
+        cell_12_query_in = ports_cell_query_12;
+        cell_12_radius_sq_in = query_radius_sq;
+        cell_12_photon_in = ports_cell_photon_12;
+        cell_12_present_in = ports_cell_present_12;
+        cell_12_power_in = ports_cell_power_12;
+        network_work_12 = cell_12_work_out;
+        cell_12_link_in = network_link_12;
+        ports_sum_12 = cell_12_sum_out;
+        cell_13_clock = clock;
+        cell_13_write_query = control_write_query;
+        cell_13_write_photon = control_write_photon;
+        cell_13_write_power = control_write_power;
+        cell_13_write_work = control_write_work;
+        cell_13_write_sum = control_write_sum;
+        cell_13_work_source = control_work_source;
+        cell_13_add_sum = control_add_sum;
+        cell_13_query_in = ports_cell_query_13;
+        cell_13_radius_sq_in = query_radius_sq;
+        cell_13_photon_in = ports_cell_photon_13;
+        cell_13_present_in = ports_cell_present_13;
+        cell_13_power_in = ports_cell_power_13;
+        network_work_13 = cell_13_work_out;
+        cell_13_link_in = network_link_13;
+        ports_sum_13 = cell_13_sum_out;
+        cell_14_clock = clock;
+        cell_14_write_query = control_write_query;
+        cell_14_write_photon = control_write_photon;
+        cell_14_write_power = control_write_power;
+        cell_14_write_work = control_write_work;
+        cell_14_write_sum = control_write_sum;
+        cell_14_work_source = control_work_source;
+        cell_14_add_sum = control_add_sum;
+        cell_14_query_in = ports_cell_query_14;
+        cell_14_radius_sq_in = query_radius_sq;
+        cell_14_photon_in = ports_cell_photon_14;
+        cell_14_present_in = ports_cell_present_14;
+        cell_14_power_in = ports_cell_power_14;
+        network_work_14 = cell_14_work_out;
+        cell_14_link_in = network_link_14;
+        ports_sum_14 = cell_14_sum_out;
+        cell_15_clock = clock;
+        cell_15_write_query = control_write_query;
+        cell_15_write_photon = control_write_photon;
+        cell_15_write_power = control_write_power;
+        cell_15_write_work = control_write_work;
+        cell_15_write_sum = control_write_sum;
+        cell_15_work_source = control_work_source;
+        cell_15_add_sum = control_add_sum;
+        cell_15_query_in = ports_cell_query_15;
+        cell_15_radius_sq_in = query_radius_sq;
+        cell_15_photon_in = ports_cell_photon_15;
+        cell_15_present_in = ports_cell_present_15;
+        cell_15_power_in = ports_cell_power_15;
+        network_work_15 = cell_15_work_out;
+        cell_15_link_in = network_link_15;
+        ports_sum_15 = cell_15_sum_out;
+        cell_16_clock = clock;
+        cell_16_write_query = control_write_query;
+        cell_16_write_photon = control_write_photon;
+        cell_16_write_power = control_write_power;
+        cell_16_write_work = control_write_work;
+        cell_16_write_sum = control_write_sum;
+        cell_16_work_source = control_work_source;
+        cell_16_add_sum = control_add_sum;
+        cell_16_query_in = ports_cell_query_16;
+        cell_16_radius_sq_in = query_radius_sq;
+        cell_16_photon_in = ports_cell_photon_16;
+        cell_16_present_in = ports_cell_present_16;
+        cell_16_power_in = ports_cell_power_16;
+        network_work_16 = cell_16_work_out;
+        cell_16_link_in = network_link_16;
+        ports_sum_16 = cell_16_sum_out;
+        cell_17_clock = clock;
+        cell_17_write_query = control_write_query;
+        cell_17_write_photon = control_write_photon;
+        cell_17_write_power = control_write_power;
+        cell_17_write_work = control_write_work;
+        cell_17_write_sum = control_write_sum;
+        cell_17_work_source = control_work_source;
+        cell_17_add_sum = control_add_sum;
+        cell_17_query_in = ports_cell_query_17;
+        cell_17_radius_sq_in = query_radius_sq;
+        cell_17_photon_in = ports_cell_photon_17;
+        cell_17_present_in = ports_cell_present_17;
+        cell_17_power_in = ports_cell_power_17;
+        network_work_17 = cell_17_work_out;
+        cell_17_link_in = network_link_17;
+        ports_sum_17 = cell_17_sum_out;
+        cell_18_clock = clock;
+        cell_18_write_query = control_write_query;
+        cell_18_write_photon = control_write_photon;
+        cell_18_write_power = control_write_power;
+        cell_18_write_work = control_write_work;
+        cell_18_write_sum = control_write_sum;
+        cell_18_work_source = control_work_source;
+        cell_18_add_sum = control_add_sum;
+        cell_18_query_in = ports_cell_query_18;
+        cell_18_radius_sq_in = query_radius_sq;
+        cell_18_photon_in = ports_cell_photon_18;
+        cell_18_present_in = ports_cell_present_18;
+        cell_18_power_in = ports_cell_power_18;
+        network_work_18 = cell_18_work_out;
+        cell_18_link_in = network_link_18;
+        ports_sum_18 = cell_18_sum_out;
+        cell_19_clock = clock;
+        cell_19_write_query = control_write_query;
+        cell_19_write_photon = control_write_photon;
+        cell_19_write_power = control_write_power;
+        cell_19_write_work = control_write_work;
+        cell_19_write_sum = control_write_sum;
+        cell_19_work_source = control_work_source;
+        cell_19_add_sum = control_add_sum;
+        cell_19_query_in = ports_cell_query_19;
+        cell_19_radius_sq_in = query_radius_sq;
+        cell_19_photon_in = ports_cell_photon_19;
+        cell_19_present_in = ports_cell_present_19;
+        cell_19_power_in = ports_cell_power_19;
+        network_work_19 = cell_19_work_out;
+        cell_19_link_in = network_link_19;
+        ports_sum_19 = cell_19_sum_out;
+        cell_20_clock = clock;
+        cell_20_write_query = control_write_query;
+        cell_20_write_photon = control_write_photon;
+        cell_20_write_power = control_write_power;
+        cell_20_write_work = control_write_work;
+        cell_20_write_sum = control_write_sum;
+        cell_20_work_source = control_work_source;
+        cell_20_add_sum = control_add_sum;
+        cell_20_query_in = ports_cell_query_20;
+        cell_20_radius_sq_in = query_radius_sq;
+        cell_20_photon_in = ports_cell_photon_20;
+        cell_20_present_in = ports_cell_present_20;
+        cell_20_power_in = ports_cell_power_20;
+        network_work_20 = cell_20_work_out;
+        cell_20_link_in = network_link_20;
+        ports_sum_20 = cell_20_sum_out;
+        cell_21_clock = clock;
+        cell_21_write_query = control_write_query;
+        cell_21_write_photon = control_write_photon;
+        cell_21_write_power = control_write_power;
+        cell_21_write_work = control_write_work;
+        cell_21_write_sum = control_write_sum;
+        cell_21_work_source = control_work_source;
+        cell_21_add_sum = control_add_sum;
+        cell_21_query_in = ports_cell_query_21;
+        cell_21_radius_sq_in = query_radius_sq;
+        cell_21_photon_in = ports_cell_photon_21;
+        cell_21_present_in = ports_cell_present_21;
+        cell_21_power_in = ports_cell_power_21;
+        network_work_21 = cell_21_work_out;
+        cell_21_link_in = network_link_21;
+        ports_sum_21 = cell_21_sum_out;
+        cell_22_clock = clock;
+        cell_22_write_query = control_write_query;
+        cell_22_write_photon = control_write_photon;
+        cell_22_write_power = control_write_power;
+        cell_22_write_work = control_write_work;
+        cell_22_write_sum = control_write_sum;
+        cell_22_work_source = control_work_source;
+        cell_22_add_sum = control_add_sum;
+        cell_22_query_in = ports_cell_query_22;
+        cell_22_radius_sq_in = query_radius_sq;
+        cell_22_photon_in = ports_cell_photon_22;
+        cell_22_present_in = ports_cell_present_22;
+        cell_22_power_in = ports_cell_power_22;
+        network_work_22 = cell_22_work_out;
+        cell_22_link_in = network_link_22;
+        ports_sum_22 = cell_22_sum_out;
+        cell_23_clock = clock;
+        cell_23_write_query = control_write_query;
+        cell_23_write_photon = control_write_photon;
+        cell_23_write_power = control_write_power;
+        cell_23_write_work = control_write_work;
+        cell_23_write_sum = control_write_sum;
+        cell_23_work_source = control_work_source;
+        cell_23_add_sum = control_add_sum;
+        cell_23_query_in = ports_cell_query_23;
+        cell_23_radius_sq_in = query_radius_sq;
+        cell_23_photon_in = ports_cell_photon_23;
+        cell_23_present_in = ports_cell_present_23;
+        cell_23_power_in = ports_cell_power_23;
+        network_work_23 = cell_23_work_out;
+        cell_23_link_in = network_link_23;
+        ports_sum_23 = cell_23_sum_out;
+        cell_24_clock = clock;
+        cell_24_write_query = control_write_query;
+        cell_24_write_photon = control_write_photon;
+        cell_24_write_power = control_write_power;
+        cell_24_write_work = control_write_work;
+        cell_24_write_sum = control_write_sum;
+        cell_24_work_source = control_work_source;
+        cell_24_add_sum = control_add_sum;
+        cell_24_query_in = ports_cell_query_24;
+        cell_24_radius_sq_in = query_radius_sq;
+        cell_24_photon_in = ports_cell_photon_24;
+        cell_24_present_in = ports_cell_present_24;
+        cell_24_power_in = ports_cell_power_24;
+        network_work_24 = cell_24_work_out;
+        cell_24_link_in = network_link_24;
+        ports_sum_24 = cell_24_sum_out;
+        cell_25_clock = clock;
+        cell_25_write_query = control_write_query;
+        cell_25_write_photon = control_write_photon;
+        cell_25_write_power = control_write_power;
+        cell_25_write_work = control_write_work;
+        cell_25_write_sum = control_write_sum;
+        cell_25_work_source = control_work_source;
+        cell_25_add_sum = control_add_sum;
+        cell_25_query_in = ports_cell_query_25;
+        cell_25_radius_sq_in = query_radius_sq;
+        cell_25_photon_in = ports_cell_photon_25;
+        cell_25_present_in = ports_cell_present_25;
+        cell_25_power_in = ports_cell_power_25;
+        network_work_25 = cell_25_work_out;
+        cell_25_link_in = network_link_25;
+        ports_sum_25 = cell_25_sum_out;
+        cell_26_clock = clock;
+        cell_26_write_query = control_write_query;
+        cell_26_write_photon = control_write_photon;
+        cell_26_write_power = control_write_power;
+        cell_26_write_work = control_write_work;
+        cell_26_write_sum = control_write_sum;
+        cell_26_work_source = control_work_source;
+        cell_26_add_sum = control_add_sum;
+        cell_26_query_in = ports_cell_query_26;
+        cell_26_radius_sq_in = query_radius_sq;
+        cell_26_photon_in = ports_cell_photon_26;
+        cell_26_present_in = ports_cell_present_26;
+        cell_26_power_in = ports_cell_power_26;
+        network_work_26 = cell_26_work_out;
+        cell_26_link_in = network_link_26;
+        ports_sum_26 = cell_26_sum_out;
+        cell_27_clock = clock;
+        cell_27_write_query = control_write_query;
+        cell_27_write_photon = control_write_photon;
+        cell_27_write_power = control_write_power;
+        cell_27_write_work = control_write_work;
+        cell_27_write_sum = control_write_sum;
+        cell_27_work_source = control_work_source;
+        cell_27_add_sum = control_add_sum;
+        cell_27_query_in = ports_cell_query_27;
+        cell_27_radius_sq_in = query_radius_sq;
+        cell_27_photon_in = ports_cell_photon_27;
+        cell_27_present_in = ports_cell_present_27;
+        cell_27_power_in = ports_cell_power_27;
+        network_work_27 = cell_27_work_out;
+        cell_27_link_in = network_link_27;
+        ports_sum_27 = cell_27_sum_out;
+        cell_28_clock = clock;
+        cell_28_write_query = control_write_query;
+        cell_28_write_photon = control_write_photon;
+        cell_28_write_power = control_write_power;
+        cell_28_write_work = control_write_work;
+        cell_28_write_sum = control_write_sum;
+        cell_28_work_source = control_work_source;
+        cell_28_add_sum = control_add_sum;
+        cell_28_query_in = ports_cell_query_28;
+        cell_28_radius_sq_in = query_radius_sq;
+        cell_28_photon_in = ports_cell_photon_28;
+        cell_28_present_in = ports_cell_present_28;
+        cell_28_power_in = ports_cell_power_28;
+        network_work_28 = cell_28_work_out;
+        cell_28_link_in = network_link_28;
+        ports_sum_28 = cell_28_sum_out;
+        cell_29_clock = clock;
+        cell_29_write_query = control_write_query;
+        cell_29_write_photon = control_write_photon;
+        cell_29_write_power = control_write_power;
+        cell_29_write_work = control_write_work;
+        cell_29_write_sum = control_write_sum;
+        cell_29_work_source = control_work_source;
+        cell_29_add_sum = control_add_sum;
+        cell_29_query_in = ports_cell_query_29;
+        cell_29_radius_sq_in = query_radius_sq;
+        cell_29_photon_in = ports_cell_photon_29;
+        cell_29_present_in = ports_cell_present_29;
+        cell_29_power_in = ports_cell_power_29;
+        network_work_29 = cell_29_work_out;
+        cell_29_link_in = network_link_29;
+        ports_sum_29 = cell_29_sum_out;
+        cell_30_clock = clock;
+        cell_30_write_query = control_write_query;
+        cell_30_write_photon = control_write_photon;
+        cell_30_write_power = control_write_power;
+        cell_30_write_work = control_write_work;
+        cell_30_write_sum = control_write_sum;
+        cell_30_work_source = control_work_source;
+        cell_30_add_sum = control_add_sum;
+        cell_30_query_in = ports_cell_query_30;
+        cell_30_radius_sq_in = query_radius_sq;
+        cell_30_photon_in = ports_cell_photon_30;
+        cell_30_present_in = ports_cell_present_30;
+        cell_30_power_in = ports_cell_power_30;
+        network_work_30 = cell_30_work_out;
+        cell_30_link_in = network_link_30;
+        ports_sum_30 = cell_30_sum_out;
+        cell_31_clock = clock;
+        cell_31_write_query = control_write_query;
+        cell_31_write_photon = control_write_photon;
+        cell_31_write_power = control_write_power;
+        cell_31_write_work = control_write_work;
+        cell_31_write_sum = control_write_sum;
+        cell_31_work_source = control_work_source;
+        cell_31_add_sum = control_add_sum;
+        cell_31_query_in = ports_cell_query_31;
+        cell_31_radius_sq_in = query_radius_sq;
+        cell_31_photon_in = ports_cell_photon_31;
+        cell_31_present_in = ports_cell_present_31;
+        cell_31_power_in = ports_cell_power_31;
+        network_work_31 = cell_31_work_out;
+        cell_31_link_in = network_link_31;
+        ports_sum_31 = cell_31_sum_out;
+        result_red = ports_result_red;
+        result_green = ports_result_green;
+        result_blue = ports_result_blue;
+        result_count = ports_result_count;
+    end
+endmodule
+
+module photoncube_paper_5d_ports(query_x,query_y,query_z,present_0,present_1,present_2,present_3,present_4,present_5,present_6,present_7,x_0,x_1,x_2,x_3,x_4,x_5,x_6,x_7,y_0,y_1,y_2,y_3,y_4,y_5,y_6,y_7,z_0,z_1,z_2,z_3,z_4,z_5,z_6,z_7,red_0,red_1,red_2,red_3,red_4,red_5,red_6,red_7,green_0,green_1,green_2,green_3,green_4,green_5,green_6,green_7,blue_0,blue_1,blue_2,blue_3,blue_4,blue_5,blue_6,blue_7,sum_0,sum_1,sum_2,sum_3,sum_4,sum_5,sum_6,sum_7,sum_8,sum_9,sum_10,sum_11,sum_12,sum_13,sum_14,sum_15,sum_16,sum_17,sum_18,sum_19,sum_20,sum_21,sum_22,sum_23,sum_24,sum_25,sum_26,sum_27,sum_28,sum_29,sum_30,sum_31,cell_query_0,cell_query_1,cell_query_2,cell_query_3,cell_query_4,cell_query_5,cell_query_6,cell_query_7,cell_query_8,cell_query_9,cell_query_10,cell_query_11,cell_query_12,cell_query_13,cell_query_14,cell_query_15,cell_query_16,cell_query_17,cell_query_18,cell_query_19,cell_query_20,cell_query_21,cell_query_22,cell_query_23,cell_query_24,cell_query_25,cell_query_26,cell_query_27,cell_query_28,cell_query_29,cell_query_30,cell_query_31,cell_photon_0,cell_photon_1,cell_photon_2,cell_photon_3,cell_photon_4,cell_photon_5,cell_photon_6,cell_photon_7,cell_photon_8,cell_photon_9,cell_photon_10,cell_photon_11,cell_photon_12,cell_photon_13,cell_photon_14,cell_photon_15,cell_photon_16,cell_photon_17,cell_photon_18,cell_photon_19,cell_photon_20,cell_photon_21,cell_photon_22,cell_photon_23,cell_photon_24,cell_photon_25,cell_photon_26,cell_photon_27,cell_photon_28,cell_photon_29,cell_photon_30,cell_photon_31,cell_present_0,cell_present_1,cell_present_2,cell_present_3,cell_present_4,cell_present_5,cell_present_6,cell_present_7,cell_present_8,cell_present_9,cell_present_10,cell_present_11,cell_present_12,cell_present_13,cell_present_14,cell_present_15,cell_present_16,cell_present_17,cell_present_18,cell_present_19,cell_present_20,cell_present_21,cell_present_22,cell_present_23,cell_present_24,cell_present_25,cell_present_26,cell_present_27,cell_present_28,cell_present_29,cell_present_30,cell_present_31,cell_power_0,cell_power_1,cell_power_2,cell_power_3,cell_power_4,cell_power_5,cell_power_6,cell_power_7,cell_power_8,cell_power_9,cell_power_10,cell_power_11,cell_power_12,cell_power_13,cell_power_14,cell_power_15,cell_power_16,cell_power_17,cell_power_18,cell_power_19,cell_power_20,cell_power_21,cell_power_22,cell_power_23,cell_power_24,cell_power_25,cell_power_26,cell_power_27,cell_power_28,cell_power_29,cell_power_30,cell_power_31,result_red,result_green,result_blue,result_count);
+    // Module arguments
+    input wire [7:0] query_x;
+    input wire [7:0] query_y;
+    input wire [7:0] query_z;
+    input wire present_0;
+    input wire present_1;
+    input wire present_2;
+    input wire present_3;
+    input wire present_4;
+    input wire present_5;
+    input wire present_6;
+    input wire present_7;
+    input wire [7:0] x_0;
+    input wire [7:0] x_1;
+    input wire [7:0] x_2;
+    input wire [7:0] x_3;
+    input wire [7:0] x_4;
+    input wire [7:0] x_5;
+    input wire [7:0] x_6;
+    input wire [7:0] x_7;
+    input wire [7:0] y_0;
+    input wire [7:0] y_1;
+    input wire [7:0] y_2;
+    input wire [7:0] y_3;
+    input wire [7:0] y_4;
+    input wire [7:0] y_5;
+    input wire [7:0] y_6;
+    input wire [7:0] y_7;
+    input wire [7:0] z_0;
+    input wire [7:0] z_1;
+    input wire [7:0] z_2;
+    input wire [7:0] z_3;
+    input wire [7:0] z_4;
+    input wire [7:0] z_5;
+    input wire [7:0] z_6;
+    input wire [7:0] z_7;
+    input wire [15:0] red_0;
+    input wire [15:0] red_1;
+    input wire [15:0] red_2;
+    input wire [15:0] red_3;
+    input wire [15:0] red_4;
+    input wire [15:0] red_5;
+    input wire [15:0] red_6;
+    input wire [15:0] red_7;
+    input wire [15:0] green_0;
+    input wire [15:0] green_1;
+    input wire [15:0] green_2;
+    input wire [15:0] green_3;
+    input wire [15:0] green_4;
+    input wire [15:0] green_5;
+    input wire [15:0] green_6;
+    input wire [15:0] green_7;
+    input wire [15:0] blue_0;
+    input wire [15:0] blue_1;
+    input wire [15:0] blue_2;
+    input wire [15:0] blue_3;
+    input wire [15:0] blue_4;
+    input wire [15:0] blue_5;
+    input wire [15:0] blue_6;
+    input wire [15:0] blue_7;
+    input wire [31:0] sum_0;
+    input wire [31:0] sum_1;
+    input wire [31:0] sum_2;
+    input wire [31:0] sum_3;
+    input wire [31:0] sum_4;
+    input wire [31:0] sum_5;
+    input wire [31:0] sum_6;
+    input wire [31:0] sum_7;
+    input wire [31:0] sum_8;
+    input wire [31:0] sum_9;
+    input wire [31:0] sum_10;
+    input wire [31:0] sum_11;
+    input wire [31:0] sum_12;
+    input wire [31:0] sum_13;
+    input wire [31:0] sum_14;
+    input wire [31:0] sum_15;
+    input wire [31:0] sum_16;
+    input wire [31:0] sum_17;
+    input wire [31:0] sum_18;
+    input wire [31:0] sum_19;
+    input wire [31:0] sum_20;
+    input wire [31:0] sum_21;
+    input wire [31:0] sum_22;
+    input wire [31:0] sum_23;
+    input wire [31:0] sum_24;
+    input wire [31:0] sum_25;
+    input wire [31:0] sum_26;
+    input wire [31:0] sum_27;
+    input wire [31:0] sum_28;
+    input wire [31:0] sum_29;
+    input wire [31:0] sum_30;
+    input wire [31:0] sum_31;
+    output reg [7:0] cell_query_0;
+    output reg [7:0] cell_query_1;
+    output reg [7:0] cell_query_2;
+    output reg [7:0] cell_query_3;
+    output reg [7:0] cell_query_4;
+    output reg [7:0] cell_query_5;
+    output reg [7:0] cell_query_6;
+    output reg [7:0] cell_query_7;
+    output reg [7:0] cell_query_8;
+    output reg [7:0] cell_query_9;
+    output reg [7:0] cell_query_10;
+    output reg [7:0] cell_query_11;
+    output reg [7:0] cell_query_12;
+    output reg [7:0] cell_query_13;
+    output reg [7:0] cell_query_14;
+    output reg [7:0] cell_query_15;
+    output reg [7:0] cell_query_16;
+    output reg [7:0] cell_query_17;
+    output reg [7:0] cell_query_18;
+    output reg [7:0] cell_query_19;
+    output reg [7:0] cell_query_20;
+    output reg [7:0] cell_query_21;
+    output reg [7:0] cell_query_22;
+    output reg [7:0] cell_query_23;
+    output reg [7:0] cell_query_24;
+    output reg [7:0] cell_query_25;
+    output reg [7:0] cell_query_26;
+    output reg [7:0] cell_query_27;
+    output reg [7:0] cell_query_28;
+    output reg [7:0] cell_query_29;
+    output reg [7:0] cell_query_30;
+    output reg [7:0] cell_query_31;
+    output reg [7:0] cell_photon_0;
+    output reg [7:0] cell_photon_1;
+    output reg [7:0] cell_photon_2;
+    output reg [7:0] cell_photon_3;
+    output reg [7:0] cell_photon_4;
+    output reg [7:0] cell_photon_5;
+    output reg [7:0] cell_photon_6;
+    output reg [7:0] cell_photon_7;
+    output reg [7:0] cell_photon_8;
+    output reg [7:0] cell_photon_9;
+    output reg [7:0] cell_photon_10;
+    output reg [7:0] cell_photon_11;
+    output reg [7:0] cell_photon_12;
+    output reg [7:0] cell_photon_13;
+    output reg [7:0] cell_photon_14;
+    output reg [7:0] cell_photon_15;
+    output reg [7:0] cell_photon_16;
+    output reg [7:0] cell_photon_17;
+    output reg [7:0] cell_photon_18;
+    output reg [7:0] cell_photon_19;
+    output reg [7:0] cell_photon_20;
+    output reg [7:0] cell_photon_21;
+    output reg [7:0] cell_photon_22;
+    output reg [7:0] cell_photon_23;
+    output reg [7:0] cell_photon_24;
+    output reg [7:0] cell_photon_25;
+    output reg [7:0] cell_photon_26;
+    output reg [7:0] cell_photon_27;
+    output reg [7:0] cell_photon_28;
+    output reg [7:0] cell_photon_29;
+    output reg [7:0] cell_photon_30;
+    output reg [7:0] cell_photon_31;
+    output reg cell_present_0;
+    output reg cell_present_1;
+    output reg cell_present_2;
+    output reg cell_present_3;
+    output reg cell_present_4;
+    output reg cell_present_5;
+    output reg cell_present_6;
+    output reg cell_present_7;
+    output reg cell_present_8;
+    output reg cell_present_9;
+    output reg cell_present_10;
+    output reg cell_present_11;
+    output reg cell_present_12;
+    output reg cell_present_13;
+    output reg cell_present_14;
+    output reg cell_present_15;
+    output reg cell_present_16;
+    output reg cell_present_17;
+    output reg cell_present_18;
+    output reg cell_present_19;
+    output reg cell_present_20;
+    output reg cell_present_21;
+    output reg cell_present_22;
+    output reg cell_present_23;
+    output reg cell_present_24;
+    output reg cell_present_25;
+    output reg cell_present_26;
+    output reg cell_present_27;
+    output reg cell_present_28;
+    output reg cell_present_29;
+    output reg cell_present_30;
+    output reg cell_present_31;
+    output reg [15:0] cell_power_0;
+    output reg [15:0] cell_power_1;
+    output reg [15:0] cell_power_2;
+    output reg [15:0] cell_power_3;
+    output reg [15:0] cell_power_4;
+    output reg [15:0] cell_power_5;
+    output reg [15:0] cell_power_6;
+    output reg [15:0] cell_power_7;
+    output reg [15:0] cell_power_8;
+    output reg [15:0] cell_power_9;
+    output reg [15:0] cell_power_10;
+    output reg [15:0] cell_power_11;
+    output reg [15:0] cell_power_12;
+    output reg [15:0] cell_power_13;
+    output reg [15:0] cell_power_14;
+    output reg [15:0] cell_power_15;
+    output reg [15:0] cell_power_16;
+    output reg [15:0] cell_power_17;
+    output reg [15:0] cell_power_18;
+    output reg [15:0] cell_power_19;
+    output reg [15:0] cell_power_20;
+    output reg [15:0] cell_power_21;
+    output reg [15:0] cell_power_22;
+    output reg [15:0] cell_power_23;
+    output reg [15:0] cell_power_24;
+    output reg [15:0] cell_power_25;
+    output reg [15:0] cell_power_26;
+    output reg [15:0] cell_power_27;
+    output reg [15:0] cell_power_28;
+    output reg [15:0] cell_power_29;
+    output reg [15:0] cell_power_30;
+    output reg [15:0] cell_power_31;
+    output reg [31:0] result_red;
+    output reg [31:0] result_green;
+    output reg [31:0] result_blue;
+    output reg [31:0] result_count;
+    // Update code
+    always @(*) begin
+        cell_query_0 = query_x;
+        cell_photon_0 = x_0;
+        cell_present_0 = present_0;
+        cell_power_0 = red_0;
+        cell_query_1 = query_x;
+        cell_photon_1 = x_1;
+        cell_present_1 = present_1;
+        cell_power_1 = red_1;
+        cell_query_2 = query_x;
+        cell_photon_2 = x_2;
+        cell_present_2 = present_2;
+        cell_power_2 = red_2;
+        cell_query_3 = query_x;
+        cell_photon_3 = x_3;
+        cell_present_3 = present_3;
+        cell_power_3 = red_3;
+        cell_query_4 = query_y;
+        cell_photon_4 = y_0;
+        cell_present_4 = present_0;
+        cell_power_4 = green_0;
+        cell_query_5 = query_y;
+        cell_photon_5 = y_1;
+        cell_present_5 = present_1;
+        cell_power_5 = green_1;
+        cell_query_6 = query_y;
+        cell_photon_6 = y_2;
+        cell_present_6 = present_2;
+        cell_power_6 = green_2;
+        cell_query_7 = query_y;
+        cell_photon_7 = y_3;
+        cell_present_7 = present_3;
+        cell_power_7 = green_3;
+        cell_query_8 = query_z;
+        cell_photon_8 = z_0;
+        cell_present_8 = present_0;
+        cell_power_8 = blue_0;
+        cell_query_9 = query_z;
+        cell_photon_9 = z_1;
+        cell_present_9 = present_1;
+        cell_power_9 = blue_1;
+        cell_query_10 = query_z;
+        cell_photon_10 = z_2;
+        cell_present_10 = present_2;
+        cell_power_10 = blue_2;
+        cell_query_11 = query_z;
+        cell_photon_11 = z_3;
+        cell_present_11 = present_3;
+        cell_power_11 = blue_3;
+        cell_query_12 = 8'h0;
+        cell_photon_12 = 8'h0;
+        cell_present_12 = present_0;
+        cell_power_12 = 16'h1;
+        cell_query_13 = 8'h0;
+        cell_photon_13 = 8'h0;
+        cell_present_13 = present_1;
+        cell_power_13 = 16'h1;
+        cell_query_14 = 8'h0;
+        cell_photon_14 = 8'h0;
+        cell_present_14 = present_2;
+        cell_power_14 = 16'h1;
+        cell_query_15 = 8'h0;
+        cell_photon_15 = 8'h0;
+        cell_present_15 = present_3;
+        cell_power_15 = 16'h1;
+        cell_query_16 = query_x;
+        cell_photon_16 = x_4;
+        cell_present_16 = present_4;
+        cell_power_16 = red_4;
+        cell_query_17 = query_x;
+        cell_photon_17 = x_5;
+        cell_present_17 = present_5;
+        cell_power_17 = red_5;
+        cell_query_18 = query_x;
+        cell_photon_18 = x_6;
+        cell_present_18 = present_6;
+        cell_power_18 = red_6;
+        cell_query_19 = query_x;
+        cell_photon_19 = x_7;
+        cell_present_19 = present_7;
+        cell_power_19 = red_7;
+        cell_query_20 = query_y;
+        cell_photon_20 = y_4;
+        cell_present_20 = present_4;
+        cell_power_20 = green_4;
+        cell_query_21 = query_y;
+        cell_photon_21 = y_5;
+        cell_present_21 = present_5;
+        cell_power_21 = green_5;
+        cell_query_22 = query_y;
+        cell_photon_22 = y_6;
+        cell_present_22 = present_6;
+        cell_power_22 = green_6;
+        cell_query_23 = query_y;
+        cell_photon_23 = y_7;
+        cell_present_23 = present_7;
+        cell_power_23 = green_7;
+        cell_query_24 = query_z;
+        cell_photon_24 = z_4;
+        cell_present_24 = present_4;
+        cell_power_24 = blue_4;
+        cell_query_25 = query_z;
+        cell_photon_25 = z_5;
+        cell_present_25 = present_5;
+        cell_power_25 = blue_5;
+        cell_query_26 = query_z;
+        cell_photon_26 = z_6;
+        cell_present_26 = present_6;
+        cell_power_26 = blue_6;
+        cell_query_27 = query_z;
+        cell_photon_27 = z_7;
+        cell_present_27 = present_7;
+        cell_power_27 = blue_7;
+        cell_query_28 = 8'h0;
+        cell_photon_28 = 8'h0;
+        cell_present_28 = present_4;
+        cell_power_28 = 16'h1;
+        cell_query_29 = 8'h0;
+        cell_photon_29 = 8'h0;
+        cell_present_29 = present_5;
+        cell_power_29 = 16'h1;
+        cell_query_30 = 8'h0;
+        cell_photon_30 = 8'h0;
+        cell_present_30 = present_6;
+        cell_power_30 = 16'h1;
+        cell_query_31 = 8'h0;
+        cell_photon_31 = 8'h0;
+        cell_present_31 = present_7;
+        cell_power_31 = 16'h1;
+        result_red = sum_0;
+        result_green = sum_4;
+        result_blue = sum_8;
+        result_count = sum_12;
+    end
+endmodule
+
+module photoncube_paper_5d_network(axis,work_0,work_1,work_2,work_3,work_4,work_5,work_6,work_7,work_8,work_9,work_10,work_11,work_12,work_13,work_14,work_15,work_16,work_17,work_18,work_19,work_20,work_21,work_22,work_23,work_24,work_25,work_26,work_27,work_28,work_29,work_30,work_31,link_0,link_1,link_2,link_3,link_4,link_5,link_6,link_7,link_8,link_9,link_10,link_11,link_12,link_13,link_14,link_15,link_16,link_17,link_18,link_19,link_20,link_21,link_22,link_23,link_24,link_25,link_26,link_27,link_28,link_29,link_30,link_31);
+    // Module arguments
+    input wire [4:0] axis;
+    input wire [18:0] work_0;
+    input wire [18:0] work_1;
+    input wire [18:0] work_2;
+    input wire [18:0] work_3;
+    input wire [18:0] work_4;
+    input wire [18:0] work_5;
+    input wire [18:0] work_6;
+    input wire [18:0] work_7;
+    input wire [18:0] work_8;
+    input wire [18:0] work_9;
+    input wire [18:0] work_10;
+    input wire [18:0] work_11;
+    input wire [18:0] work_12;
+    input wire [18:0] work_13;
+    input wire [18:0] work_14;
+    input wire [18:0] work_15;
+    input wire [18:0] work_16;
+    input wire [18:0] work_17;
+    input wire [18:0] work_18;
+    input wire [18:0] work_19;
+    input wire [18:0] work_20;
+    input wire [18:0] work_21;
+    input wire [18:0] work_22;
+    input wire [18:0] work_23;
+    input wire [18:0] work_24;
+    input wire [18:0] work_25;
+    input wire [18:0] work_26;
+    input wire [18:0] work_27;
+    input wire [18:0] work_28;
+    input wire [18:0] work_29;
+    input wire [18:0] work_30;
+    input wire [18:0] work_31;
+    output reg [18:0] link_0;
+    output reg [18:0] link_1;
+    output reg [18:0] link_2;
+    output reg [18:0] link_3;
+    output reg [18:0] link_4;
+    output reg [18:0] link_5;
+    output reg [18:0] link_6;
+    output reg [18:0] link_7;
+    output reg [18:0] link_8;
+    output reg [18:0] link_9;
+    output reg [18:0] link_10;
+    output reg [18:0] link_11;
+    output reg [18:0] link_12;
+    output reg [18:0] link_13;
+    output reg [18:0] link_14;
+    output reg [18:0] link_15;
+    output reg [18:0] link_16;
+    output reg [18:0] link_17;
+    output reg [18:0] link_18;
+    output reg [18:0] link_19;
+    output reg [18:0] link_20;
+    output reg [18:0] link_21;
+    output reg [18:0] link_22;
+    output reg [18:0] link_23;
+    output reg [18:0] link_24;
+    output reg [18:0] link_25;
+    output reg [18:0] link_26;
+    output reg [18:0] link_27;
+    output reg [18:0] link_28;
+    output reg [18:0] link_29;
+    output reg [18:0] link_30;
+    output reg [18:0] link_31;
+    // Update code
+    always @(*) begin
+        link_0 = 19'b0;
+        link_1 = 19'b0;
+        link_2 = 19'b0;
+        link_3 = 19'b0;
+        link_4 = 19'b0;
+        link_5 = 19'b0;
+        link_6 = 19'b0;
+        link_7 = 19'b0;
+        link_8 = 19'b0;
+        link_9 = 19'b0;
+        link_10 = 19'b0;
+        link_11 = 19'b0;
+        link_12 = 19'b0;
+        link_13 = 19'b0;
+        link_14 = 19'b0;
+        link_15 = 19'b0;
+        link_16 = 19'b0;
+        link_17 = 19'b0;
+        link_18 = 19'b0;
+        link_19 = 19'b0;
+        link_20 = 19'b0;
+        link_21 = 19'b0;
+        link_22 = 19'b0;
+        link_23 = 19'b0;
+        link_24 = 19'b0;
+        link_25 = 19'b0;
+        link_26 = 19'b0;
+        link_27 = 19'b0;
+        link_28 = 19'b0;
+        link_29 = 19'b0;
+        link_30 = 19'b0;
+        link_31 = 19'b0;
+        if (axis[32'h0]) begin
+            link_0 = link_0 | work_1;
+            link_1 = link_1 | work_0;
+            link_2 = link_2 | work_3;
+            link_3 = link_3 | work_2;
+            link_4 = link_4 | work_5;
+            link_5 = link_5 | work_4;
+            link_6 = link_6 | work_7;
+            link_7 = link_7 | work_6;
+            link_8 = link_8 | work_9;
+            link_9 = link_9 | work_8;
+            link_10 = link_10 | work_11;
+            link_11 = link_11 | work_10;
+            link_12 = link_12 | work_13;
+            link_13 = link_13 | work_12;
+            link_14 = link_14 | work_15;
+            link_15 = link_15 | work_14;
+            link_16 = link_16 | work_17;
+            link_17 = link_17 | work_16;
+            link_18 = link_18 | work_19;
+            link_19 = link_19 | work_18;
+            link_20 = link_20 | work_21;
+            link_21 = link_21 | work_20;
+            link_22 = link_22 | work_23;
+            link_23 = link_23 | work_22;
+            link_24 = link_24 | work_25;
+            link_25 = link_25 | work_24;
+            link_26 = link_26 | work_27;
+            link_27 = link_27 | work_26;
+            link_28 = link_28 | work_29;
+            link_29 = link_29 | work_28;
+            link_30 = link_30 | work_31;
+            link_31 = link_31 | work_30;
+        end
+        if (axis[32'h1]) begin
+            link_0 = link_0 | work_2;
+            link_1 = link_1 | work_3;
+            link_2 = link_2 | work_0;
+            link_3 = link_3 | work_1;
+            link_4 = link_4 | work_6;
+            link_5 = link_5 | work_7;
+            link_6 = link_6 | work_4;
+            link_7 = link_7 | work_5;
+            link_8 = link_8 | work_10;
+            link_9 = link_9 | work_11;
+            link_10 = link_10 | work_8;
+            link_11 = link_11 | work_9;
+            link_12 = link_12 | work_14;
+            link_13 = link_13 | work_15;
+            link_14 = link_14 | work_12;
+            link_15 = link_15 | work_13;
+            link_16 = link_16 | work_18;
+            link_17 = link_17 | work_19;
+            link_18 = link_18 | work_16;
+            link_19 = link_19 | work_17;
+            link_20 = link_20 | work_22;
+            link_21 = link_21 | work_23;
+            link_22 = link_22 | work_20;
+            link_23 = link_23 | work_21;
+            link_24 = link_24 | work_26;
+            link_25 = link_25 | work_27;
+            link_26 = link_26 | work_24;
+            link_27 = link_27 | work_25;
+            link_28 = link_28 | work_30;
+            link_29 = link_29 | work_31;
+            link_30 = link_30 | work_28;
+            link_31 = link_31 | work_29;
+        end
+        if (axis[32'h2]) begin
+            link_0 = link_0 | work_4;
+            link_1 = link_1 | work_5;
+            link_2 = link_2 | work_6;
+            link_3 = link_3 | work_7;
+            link_4 = link_4 | work_0;
+            link_5 = link_5 | work_1;
+            link_6 = link_6 | work_2;
+            link_7 = link_7 | work_3;
+            link_8 = link_8 | work_12;
+            link_9 = link_9 | work_13;
+            link_10 = link_10 | work_14;
+            link_11 = link_11 | work_15;
+            link_12 = link_12 | work_8;
+            link_13 = link_13 | work_9;
+            link_14 = link_14 | work_10;
+            link_15 = link_15 | work_11;
+            link_16 = link_16 | work_20;
+            link_17 = link_17 | work_21;
+            link_18 = link_18 | work_22;
+            link_19 = link_19 | work_23;
+            link_20 = link_20 | work_16;
+            link_21 = link_21 | work_17;
+            link_22 = link_22 | work_18;
+            link_23 = link_23 | work_19;
+            link_24 = link_24 | work_28;
+            link_25 = link_25 | work_29;
+            link_26 = link_26 | work_30;
+            link_27 = link_27 | work_31;
+            link_28 = link_28 | work_24;
+            link_29 = link_29 | work_25;
+            link_30 = link_30 | work_26;
+            link_31 = link_31 | work_27;
+        end
+        if (axis[32'h3]) begin
+            link_0 = link_0 | work_8;
+            link_1 = link_1 | work_9;
+            link_2 = link_2 | work_10;
+            link_3 = link_3 | work_11;
+            link_4 = link_4 | work_12;
+            link_5 = link_5 | work_13;
+            link_6 = link_6 | work_14;
+            link_7 = link_7 | work_15;
+            link_8 = link_8 | work_0;
+            link_9 = link_9 | work_1;
+            link_10 = link_10 | work_2;
+            link_11 = link_11 | work_3;
+            link_12 = link_12 | work_4;
+            link_13 = link_13 | work_5;
+            link_14 = link_14 | work_6;
+            link_15 = link_15 | work_7;
+            link_16 = link_16 | work_24;
+            link_17 = link_17 | work_25;
+            link_18 = link_18 | work_26;
+            link_19 = link_19 | work_27;
+            link_20 = link_20 | work_28;
+            link_21 = link_21 | work_29;
+            link_22 = link_22 | work_30;
+            link_23 = link_23 | work_31;
+            link_24 = link_24 | work_16;
+            link_25 = link_25 | work_17;
+            link_26 = link_26 | work_18;
+            link_27 = link_27 | work_19;
+            link_28 = link_28 | work_20;
+            link_29 = link_29 | work_21;
+            link_30 = link_30 | work_22;
+            link_31 = link_31 | work_23;
+        end
+        if (axis[32'h4]) begin
+            link_0 = link_0 | work_16;
+            link_1 = link_1 | work_17;
+            link_2 = link_2 | work_18;
+            link_3 = link_3 | work_19;
+            link_4 = link_4 | work_20;
+            link_5 = link_5 | work_21;
+            link_6 = link_6 | work_22;
+            link_7 = link_7 | work_23;
+            link_8 = link_8 | work_24;
+            link_9 = link_9 | work_25;
+            link_10 = link_10 | work_26;
+            link_11 = link_11 | work_27;
+            link_12 = link_12 | work_28;
+            link_13 = link_13 | work_29;
+            link_14 = link_14 | work_30;
+            link_15 = link_15 | work_31;
+            link_16 = link_16 | work_0;
+            link_17 = link_17 | work_1;
+            link_18 = link_18 | work_2;
+            link_19 = link_19 | work_3;
+            link_20 = link_20 | work_4;
+            link_21 = link_21 | work_5;
+            link_22 = link_22 | work_6;
+            link_23 = link_23 | work_7;
+            link_24 = link_24 | work_8;
+            link_25 = link_25 | work_9;
+            link_26 = link_26 | work_10;
+            link_27 = link_27 | work_11;
+            link_28 = link_28 | work_12;
+            link_29 = link_29 | work_13;
+            link_30 = link_30 | work_14;
+            link_31 = link_31 | work_15;
+        end
+    end
+endmodule
+
+module photoncube_paper_5d_control(clock,reset,query_valid,query_ready,group_valid,group_last,group_ready,result_valid,result_ready,write_query,write_photon,write_power,write_work,write_sum,work_source,add_sum,axis);
+    // Module arguments
+    input wire clock;
+    input wire reset;
+    input wire query_valid;
+    output reg query_ready;
+    input wire group_valid;
+    input wire group_last;
+    output reg group_ready;
+    output reg result_valid;
+    input wire result_ready;
+    output reg write_query;
+    output reg write_photon;
+    output reg write_power;
+    output reg write_work;
+    output reg write_sum;
+    output reg [1:0] work_source;
+    output reg add_sum;
+    output reg [4:0] axis;
+    // Constant declarations
+    localparam iteration_address = 4'h1;
+    localparam final_address = 4'ha;
+    // Stub signals
+    reg [3:0] address_d;
+    wire [3:0] address_q;
+    reg address_clock;
+    reg last_d;
+    wire last_q;
+    reg last_clock;
+    reg done_d;
+    wire done_q;
+    reg done_clock;
+    reg [3:0] store_address;
+    wire [15:0] store_word;
+    reg [15:0] decoder_word;
+    wire decoder_write_query;
+    wire decoder_write_photon;
+    wire decoder_write_power;
+    wire decoder_write_work;
+    wire decoder_write_sum;
+    wire [1:0] decoder_work_source;
+    wire decoder_add_sum;
+    wire decoder_takes_query;
+    wire decoder_reads_group;
+    wire decoder_takes_group;
+    wire [4:0] decoder_axis;
+    // Local signals
+    reg runs;
+    reg at_end;
+    reg taken;
+    // Sub module instances
+    photoncube_paper_5d_register_4 address(
+        .d(address_d),
+        .q(address_q),
+        .clock(address_clock)
+    );
+    photoncube_paper_5d_register_1 last(
+        .d(last_d),
+        .q(last_q),
+        .clock(last_clock)
+    );
+    photoncube_paper_5d_register_1 done(
+        .d(done_d),
+        .q(done_q),
+        .clock(done_clock)
+    );
+    photoncube_paper_5d_store store(
+        .address(store_address),
+        .word(store_word)
+    );
+    photoncube_paper_5d_decoder decoder(
+        .word(decoder_word),
+        .write_query(decoder_write_query),
+        .write_photon(decoder_write_photon),
+        .write_power(decoder_write_power),
+        .write_work(decoder_write_work),
+        .write_sum(decoder_write_sum),
+        .work_source(decoder_work_source),
+        .add_sum(decoder_add_sum),
+        .takes_query(decoder_takes_query),
+        .reads_group(decoder_reads_group),
+        .takes_group(decoder_takes_group),
+        .axis(decoder_axis)
+    );
+    // Update code
+    always @(*) begin
+        address_clock = clock;
+        last_clock = clock;
+        done_clock = clock;
+        address_d = address_q;
+        last_d = last_q;
+        done_d = done_q;
+        store_address = address_q;
+        decoder_word = store_word;
+        runs = 1'b1;
+        if (decoder_takes_query) begin
+            runs = query_valid;
+        end
+        if (decoder_reads_group) begin
+            runs = group_valid;
+        end
+        if (done_q) begin
+            runs = 1'b0;
+        end
+        query_ready = decoder_takes_query;
+        group_ready = decoder_takes_group;
+        if (done_q) begin
+            query_ready = 1'b0;
+            group_ready = 1'b0;
+        end
+        result_valid = done_q;
+        write_query = decoder_write_query & runs;
+        write_photon = decoder_write_photon & runs;
+        write_power = decoder_write_power & runs;
+        write_work = decoder_write_work & runs;
+        write_sum = decoder_write_sum & runs;
+        work_source = decoder_work_source;
+        add_sum = decoder_add_sum;
+        axis = decoder_axis;
+        at_end = address_q == final_address;
+        if (runs) begin
+            address_d = address_q + 32'h1;
+            if (at_end) begin
+                address_d = iteration_address;
+                if (last_q) begin
+                    address_d = 32'h0;
+                    done_d = 1'b1;
+                end
+            end
+            if (decoder_takes_group) begin
+                last_d = group_last;
+            end
+        end
+        taken = done_q & result_ready;
+        if (taken) begin
+            done_d = 1'b0;
+        end
+        if (reset) begin
+            address_d = 32'h0;
+            last_d = 1'b0;
+            done_d = 1'b0;
+        end
+    end
+endmodule
+
+module photoncube_paper_5d_cell(clock,write_query,write_photon,write_power,write_work,write_sum,work_source,add_sum,query_in,radius_sq_in,photon_in,present_in,power_in,link_in,work_out,sum_out);
+    // Module arguments
+    input wire clock;
+    input wire write_query;
+    input wire write_photon;
+    input wire write_power;
+    input wire write_work;
+    input wire write_sum;
+    input wire [1:0] work_source;
+    input wire add_sum;
+    input wire [7:0] query_in;
+    input wire [17:0] radius_sq_in;
+    input wire [7:0] photon_in;
+    input wire present_in;
+    input wire [15:0] power_in;
+    input wire [18:0] link_in;
+    output reg [18:0] work_out;
+    output reg [31:0] sum_out;
+    // Constant declarations
+    localparam high_bits = 32'hfff80000;
+    // Stub signals
+    reg [7:0] query_d;
+    wire [7:0] query_q;
+    reg query_clock;
+    reg [17:0] radius_sq_d;
+    wire [17:0] radius_sq_q;
+    reg radius_sq_clock;
+    reg [7:0] photon_d;
+    wire [7:0] photon_q;
+    reg photon_clock;
+    reg [15:0] power_d;
+    wire [15:0] power_q;
+    reg power_clock;
+    reg [18:0] work_d;
+    wire [18:0] work_q;
+    reg work_clock;
+    reg [31:0] sum_d;
+    wire [31:0] sum_q;
+    reg sum_clock;
+    reg [7:0] square_unit_a;
+    reg [7:0] square_unit_b;
+    wire [15:0] square_unit_square;
+    reg [18:0] gate_unit_a;
+    reg [17:0] gate_unit_b;
+    reg [15:0] gate_unit_power;
+    wire [18:0] gate_unit_gated;
+    reg [31:0] add_unit_a;
+    reg [31:0] add_unit_b;
+    wire [31:0] add_unit_sum;
+    // Local signals
+    reg [18:0] addend;
+    reg [18:0] sum_low;
+    reg [31:0] sum_high;
+    reg [31:0] wide_addend;
+    // Sub module instances
+    photoncube_paper_5d_register_8 query(
+        .d(query_d),
+        .q(query_q),
+        .clock(query_clock)
+    );
+    photoncube_paper_5d_register_18 radius_sq(
+        .d(radius_sq_d),
+        .q(radius_sq_q),
+        .clock(radius_sq_clock)
+    );
+    photoncube_paper_5d_register_8 photon(
+        .d(photon_d),
+        .q(photon_q),
+        .clock(photon_clock)
+    );
+    photoncube_paper_5d_register_16 power(
+        .d(power_d),
+        .q(power_q),
+        .clock(power_clock)
+    );
+    photoncube_paper_5d_register_19 work(
+        .d(work_d),
+        .q(work_q),
+        .clock(work_clock)
+    );
+    photoncube_paper_5d_register_32 sum(
+        .d(sum_d),
+        .q(sum_q),
+        .clock(sum_clock)
+    );
+    photoncube_paper_5d_square_unit square_unit(
+        .a(square_unit_a),
+        .b(square_unit_b),
+        .square(square_unit_square)
+    );
+    photoncube_paper_5d_gate_unit gate_unit(
+        .a(gate_unit_a),
+        .b(gate_unit_b),
+        .power(gate_unit_power),
+        .gated(gate_unit_gated)
+    );
+    photoncube_paper_5d_add_unit add_unit(
+        .a(add_unit_a),
+        .b(add_unit_b),
+        .sum(add_unit_sum)
+    );
+    // Update code
+    always @(*) begin
+        query_clock = clock;
+        radius_sq_clock = clock;
+        photon_clock = clock;
+        power_clock = clock;
+        work_clock = clock;
+        sum_clock = clock;
+        query_d = query_q;
+        radius_sq_d = radius_sq_q;
+        photon_d = photon_q;
+        power_d = power_q;
+        work_d = work_q;
+        sum_d = sum_q;
+        square_unit_a = query_q;
+        square_unit_b = photon_q;
+        gate_unit_a = work_q;
+        gate_unit_b = radius_sq_q;
+        gate_unit_power = power_q;
+        sum_low = 32'h0;
+        if (add_sum) begin
+            sum_low = ((sum_q) & 19'h7ffff);
+        end
+        addend = link_in | sum_low;
+        sum_high = sum_q & high_bits;
+        wide_addend = ((addend) & 32'hffffffff);
+        add_unit_a = ((work_q) & 32'hffffffff);
+        add_unit_b = sum_high | wide_addend;
+        if (write_query) begin
+            query_d = query_in;
+            radius_sq_d = radius_sq_in;
+            sum_d = 32'h0;
+        end
+        if (write_photon) begin
+            photon_d = photon_in;
+        end
+        if (write_power) begin
+            power_d = power_in;
+            if (~present_in) begin
+                power_d = 32'h0;
+            end
+        end
+        if (write_work) begin
+            case (work_source)
+                0:
+                    begin
+                        work_d = ((square_unit_square) & 19'h7ffff);
+                    end
+                1:
+                    begin
+                        work_d = ((add_unit_sum) & 19'h7ffff);
+                    end
+                default:
+                    begin
+                        work_d = gate_unit_gated;
+                    end
+            endcase
+        end
+        if (write_sum) begin
+            sum_d = add_unit_sum;
+        end
+        work_out = work_q;
+        sum_out = sum_q;
+    end
+endmodule
+
+module photoncube_paper_5d_register_32(d,q,clock);
+    // Module arguments
+    input wire [31:0] d;
+    output reg [31:0] q;
+    input wire clock;
+    // Update code (custom)
+    initial begin
+       q = 32'h0;
+    end
+    always @(posedge clock) begin
+       q <= d;
+    end
+endmodule
+
+module photoncube_paper_5d_register_1(d,q,clock);
+    // Module arguments
+    input wire d;
+    output reg q;
+    input wire clock;
+    // Update code (custom)
+    initial begin
+       q = 1'h0;
+    end
+    always @(posedge clock) begin
+       q <= d;
+    end
+endmodule
+
+module photoncube_paper_5d_register_19(d,q,clock);
+    // Module arguments
+    input wire [18:0] d;
+    output reg [18:0] q;
+    input wire clock;
+    // Update code (custom)
+    initial begin
+       q = 19'h0;
+    end
+    always @(posedge clock) begin
+       q <= d;
+    end
+endmodule
+
+module photoncube_paper_5d_store(address,word);
+    // Module arguments
+    input wire [3:0] address;
+    output reg [15:0] word;
+    // Update code
+    always @(*) begin
+        case (address)
+            4'd0:
+                begin
+                    word = 16'h101;
+                end
+            4'd1:
+                begin
+                    word = 16'h202;
+                end
+            4'd2:
+                begin
+                    word = 16'h604;
+                end
+            4'd3:
+                begin
+                    word = 16'h8;
+                end
+            4'd4:
+                begin
+                    word = 16'h2028;
+                end
+            4'd5:
+                begin
+                    word = 16'h4028;
+                end
+            4'd6:
+                begin
+                    word = 16'h48;
+                end
+            4'd7:
+                begin
+                    word = 16'h828;
+                end
+            4'd8:
+                begin
+                    word = 16'h1028;
+                end
+            4'd9:
+                begin
+                    word = 16'h8028;
+                end
+            4'd10:
+                begin
+                    word = 16'h90;
+                end
+            default:
+                begin
+                    word = 16'h0;
+                end
+        endcase
+    end
+endmodule
+
+module photoncube_paper_5d_register_16(d,q,clock);
+    // Module arguments
+    input wire [15:0] d;
+    output reg [15:0] q;
+    input wire clock;
+    // Update code (custom)
+    initial begin
+       q = 16'h0;
+    end
+    always @(posedge clock) begin
+       q <= d;
+    end
+endmodule
+
+module photoncube_paper_5d_register_8(d,q,clock);
+    // Module arguments
+    input wire [7:0] d;
+    output reg [7:0] q;
+    input wire clock;
+    // Update code (custom)
+    initial begin
+       q = 8'h0;
+    end
+    always @(posedge clock) begin
+       q <= d;
+    end
+endmodule
+
+module photoncube_paper_5d_decoder(word,write_query,write_photon,write_power,write_work,write_sum,work_source,add_sum,takes_query,reads_group,takes_group,axis);
+    // Module arguments
+    input wire [15:0] word;
+    output reg write_query;
+    output reg write_photon;
+    output reg write_power;
+    output reg write_work;
+    output reg write_sum;
+    output reg [1:0] work_source;
+    output reg add_sum;
+    output reg takes_query;
+    output reg reads_group;
+    output reg takes_group;
+    output reg [4:0] axis;
+    // Update code
+    always @(*) begin
+        write_query = word[32'h0];
+        write_photon = word[32'h1];
+        write_power = word[32'h2];
+        write_work = word[32'h3];
+        write_sum = word[32'h4];
+        work_source = word[(32'h5)+:(2)];
+        add_sum = word[32'h7];
+        takes_query = word[32'h8];
+        reads_group = word[32'h9];
+        takes_group = word[32'ha];
+        axis = word[(32'hb)+:(5)];
+    end
+endmodule
+
+module photoncube_paper_5d_register_4(d,q,clock);
+    // Module arguments
+    input wire [3:0] d;
+    output reg [3:0] q;
+    input wire clock;
+    // Update code (custom)
+    initial begin
+       q = 4'h0;
+    end
+    always @(posedge clock) begin
+       q <= d;
+    end
+endmodule
+
+module photoncube_paper_5d_add_unit(a,b,sum);
+    // Module arguments
+    input wire [31:0] a;
+    input wire [31:0] b;
+    output reg [31:0] sum;
+    // Update code
+    always @(*) begin
+        sum = a + b;
+    end
+endmodule
+
+module photoncube_paper_5d_register_18(d,q,clock);
+    // Module arguments
+    input wire [17:0] d;
+    output reg [17:0] q;
+    input wire clock;
+    // Update code (custom)
+    initial begin
+       q = 18'h0;
+    end
+    always @(posedge clock) begin
+       q <= d;
+    end
+endmodule
+
+module photoncube_paper_5d_gate_unit(a,b,power,gated);
+    // Module arguments
+    input wire [18:0] a;
+    input wire [17:0] b;
+    input wire [15:0] power;
+    output reg [18:0] gated;
+    // Local signals
+    reg [18:0] wide_b;
+    reg out_of_range;
+    // Update code
+    always @(*) begin
+        wide_b = ((b) & 19'h7ffff);
+        out_of_range = a > wide_b;
+        gated = ((power) & 19'h7ffff);
+        if (out_of_range) begin
+            gated = 32'h0;
+        end
+    end
+endmodule
+
+module photoncube_paper_5d_square_unit(a,b,square);
+    // Module arguments
+    input wire [7:0] a;
+    input wire [7:0] b;
+    output reg [15:0] square;
+    // Stub signals
+    reg [7:0] squarer_root;
+    wire [15:0] squarer_square;
+    // Local signals
+    reg [7:0] a_minus_b;
+    reg [7:0] b_minus_a;
+    reg below;
+    // Sub module instances
+    photoncube_paper_5d_squarer squarer(
+        .root(squarer_root),
+        .square(squarer_square)
+    );
+    // Update code
+    always @(*) begin
+        a_minus_b = a - b;
+        b_minus_a = b - a;
+        below = a < b;
+        squarer_root = a_minus_b;
+        if (below) begin
+            squarer_root = b_minus_a;
+        end
+        square = squarer_square;
+    end
+endmodule
+
+module photoncube_paper_5d_squarer(root,square);
+    // Module arguments
+    input wire [7:0] root;
+    output reg [15:0] square;
+    // Update code (custom)
+    function [7:0] digit_square;
+      input [3:0] digit;
+      case (digit)
+        4'd0: digit_square = 8'd0;
+        4'd1: digit_square = 8'd1;
+        4'd2: digit_square = 8'd4;
+        4'd3: digit_square = 8'd9;
+        4'd4: digit_square = 8'd16;
+        4'd5: digit_square = 8'd25;
+        4'd6: digit_square = 8'd36;
+        4'd7: digit_square = 8'd49;
+        4'd8: digit_square = 8'd64;
+        4'd9: digit_square = 8'd81;
+        4'd10: digit_square = 8'd100;
+        4'd11: digit_square = 8'd121;
+        4'd12: digit_square = 8'd144;
+        4'd13: digit_square = 8'd169;
+        4'd14: digit_square = 8'd196;
+        default: digit_square = 8'd225;
+      endcase
+    endfunction
+    function [7:0] digit_product;
+      input [3:0] first;
+      input [3:0] second;
+      reg [5:0] low;
+      reg [5:0] high;
+      begin
+        low = (first[0] ? {2'd0, second} : 6'd0) + (first[1] ? {1'd0, second, 1'd0} : 6'd0);
+        high = (first[2] ? {2'd0, second} : 6'd0) + (first[3] ? {1'd0, second, 1'd0} : 6'd0);
+        digit_product = {2'd0, low} + {high, 2'd0};
+      end
+    endfunction
+    wire [3:0] digit_0 = root[3:0];
+    wire [3:0] digit_1 = root[7:4];
+    always @(*) square = {digit_square(digit_1), digit_square(digit_0)}
+        + {digit_product(digit_0, digit_1), 5'd0};
+endmodule
