@@ -127,7 +127,7 @@ pub struct GenerateArgs {
 #[derive(ClapArgs, Debug)]
 #[command(after_help = "\
 Examples:
-  photoncube verify                                        20,000 iterations in rust-hdl's simulation
+  photoncube verify                     in rust-hdl's simulation
   photoncube verify --against icarus,verilator --iterations 2000
   photoncube verify --against verilator --iterations 1000000 --json
   photoncube verify --machine paper-5d --against all --seed 7")]

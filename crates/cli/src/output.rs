@@ -1,14 +1,24 @@
 //! What a command prints: one JSON object, or text for people.
 
+use std::io::{self, ErrorKind, Write};
+
 use anyhow::Result;
 use serde::Serialize;
 
 /// Prints `value` as one JSON object if asked, else the text.
 pub fn print<T: Serialize>(json: bool, value: &T, text: impl FnOnce() -> String) -> Result<()> {
-    if json {
-        println!("{}", serde_json::to_string_pretty(value)?);
-    } else {
-        print!("{}", text());
+    let text = match json {
+        true => serde_json::to_string_pretty(value)? + "\n",
+        false => text(),
+    };
+    write(&text)
+}
+
+/// Writes to standard output; a reader that has gone away, such as `head`, is no error.
+pub fn write(text: &str) -> Result<()> {
+    let mut out = io::stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
+        result => Ok(result?),
     }
-    Ok(())
 }

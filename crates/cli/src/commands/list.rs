@@ -2,7 +2,7 @@
 
 use anyhow::Result;
 use photoncube_render::Scene;
-use photoncube_spec::{MACHINES, Machine};
+use photoncube_spec::{MACHINES, Machine, Widths};
 use serde::Serialize;
 
 use crate::measured::{Area, Measured};
@@ -28,6 +28,9 @@ struct MachineRow {
     coordinate_bits: u32,
     position_bits: u32,
     power_bits: u32,
+    radius_sq_bits: u32,
+    work_bits: u32,
+    sum_bits: u32,
     bits_per_photon: u32,
     max_photons: u64,
     squarer: &'static str,
@@ -56,6 +59,7 @@ fn report() -> Result<Report> {
 }
 
 fn machine_row(machine: &Machine) -> Result<MachineRow> {
+    let widths = Widths::of(machine);
     Ok(MachineRow {
         machine: machine.name,
         summary: machine.summary,
@@ -63,6 +67,9 @@ fn machine_row(machine: &Machine) -> Result<MachineRow> {
         coordinate_bits: machine.coordinate_bits,
         position_bits: machine.position_bits(),
         power_bits: machine.power_bits,
+        radius_sq_bits: widths.distance,
+        work_bits: widths.work,
+        sum_bits: widths.sum,
         bits_per_photon: machine.bits_per_photon(),
         max_photons: machine.max_photons,
         squarer: machine.squarer.name(),
@@ -82,7 +89,39 @@ fn text(report: &Report) -> String {
     for machine in &report.machines {
         text += &format!("  {:<10} {}\n", machine.machine, machine.summary);
     }
-    text + "\n" + &machine_table(&report.machines)
+    text += "\nFormats (bits):\n";
+    text += &format_table(&report.machines);
+    text + "\nFigures:\n" + &machine_table(&report.machines)
+}
+
+fn format_table(machines: &[MachineRow]) -> String {
+    let header = [
+        "machine",
+        "coordinate",
+        "position in block",
+        "radius_sq",
+        "power",
+        "work and link",
+        "sum",
+        "bits per photon",
+        "largest query",
+    ];
+    let row = |row: &MachineRow| {
+        let numbers = [
+            row.coordinate_bits,
+            row.position_bits,
+            row.radius_sq_bits,
+            row.power_bits,
+            row.work_bits,
+            row.sum_bits,
+            row.bits_per_photon,
+        ];
+        let mut cells = vec![row.machine.to_owned()];
+        cells.extend(numbers.map(|bits| bits.to_string()));
+        cells.push(format!("{} photons", row.max_photons));
+        cells
+    };
+    table::markdown(&header, &machines.iter().map(row).collect::<Vec<_>>())
 }
 
 /// The table of the README's first screen.

@@ -11,6 +11,7 @@ use anyhow::Result;
 use clap::CommandFactory;
 
 use crate::args::{Args, Command};
+use crate::output;
 
 /// Does what the command line asks for.
 pub fn execute(args: Args) -> Result<()> {
@@ -26,8 +27,7 @@ pub fn execute(args: Args) -> Result<()> {
             let mut command = Args::command();
             let mut text = Vec::new();
             clap_complete::generate(shell, &mut command, env!("CARGO_BIN_NAME"), &mut text);
-            print!("{}", String::from_utf8_lossy(&text));
-            Ok(())
+            output::write(&String::from_utf8_lossy(&text))
         }
     }
 }

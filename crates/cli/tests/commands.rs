@@ -1,0 +1,255 @@
+//! The commands as a user sees them: what they print, what they write, how they end.
+
+use std::fs;
+use std::path::Path;
+
+use assert_cmd::Command;
+use serde_json::Value;
+
+fn photoncube(args: &[&str]) -> Command {
+    let mut command = Command::cargo_bin("photoncube").unwrap();
+    command.args(args);
+    command
+}
+
+/// Standard output of a command that must succeed, as one JSON object.
+fn json(args: &[&str]) -> Value {
+    let output = photoncube(args).arg("--json").assert().success();
+    serde_json::from_slice(&output.get_output().stdout).unwrap()
+}
+
+/// Standard error of a command that must end with `code`.
+fn error(args: &[&str], code: i32) -> String {
+    let output = photoncube(args).assert().code(code);
+    String::from_utf8(output.get_output().stderr.clone()).unwrap()
+}
+
+fn files_in(folder: &Path) -> usize {
+    fs::read_dir(folder).map_or(0, Iterator::count)
+}
+
+#[test]
+fn the_paper_takes_nine_clocks_for_four_photons() {
+    let report = json(&["microprogram"]);
+    assert_eq!(report["initiation_interval"], 9);
+    assert_eq!(report["photons_per_iteration"], 4);
+    assert_eq!(report["accepted"], true);
+}
+
+#[test]
+fn a_rejected_microprogram_names_clock_and_node_and_ends_1() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("program.txt");
+    let listing = "query:\n0 ldq\niteration:\n0 ldp\n1 ldw\n2 sqd\n3 add z\n4 gate\n5 acc\n";
+    fs::write(&path, listing).unwrap();
+    let message = error(&["microprogram", "--file", path.to_str().unwrap()], 1);
+    assert!(
+        message.contains("iteration clock 4, node 0: `gate` reads v"),
+        "{message}"
+    );
+}
+
+#[test]
+fn a_listing_that_cannot_be_read_names_file_and_line_and_ends_2() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("program.txt");
+    fs::write(&path, "query:\n0 ldq\niteration:\n0 jump\n").unwrap();
+    let message = error(&["microprogram", "--file", path.to_str().unwrap()], 2);
+    assert!(
+        message.contains("program.txt: line 4: found `jump`"),
+        "{message}"
+    );
+    let message = error(&["microprogram", "--file", "no-such-file"], 2);
+    assert!(message.contains("no-such-file"), "{message}");
+}
+
+#[test]
+fn generated_files_are_checked_byte_for_byte() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().to_str().unwrap();
+    let generate = ["generate", "--machine", "paper", "--out", out];
+    let check = ["generate", "--machine", "paper", "--out", out, "--check"];
+    assert_eq!(json(&generate)["files"].as_array().unwrap().len(), 5);
+    photoncube(&check).assert().success();
+
+    let verilog = folder.path().join("paper/photoncube_paper.v");
+    let text = fs::read_to_string(&verilog).unwrap();
+    fs::write(&verilog, text.replacen("a - b", "a + b", 1)).unwrap();
+    let message = error(&check, 1);
+    assert!(message.contains("paper/photoncube_paper.v"), "{message}");
+
+    photoncube(&generate).assert().success();
+    fs::write(folder.path().join("paper/stray.v"), "").unwrap();
+    assert!(error(&check, 1).contains("stray.v (not ours)"));
+}
+
+#[test]
+fn what_is_committed_is_what_is_generated() {
+    let committed = concat!(env!("CARGO_MANIFEST_DIR"), "/../../hdl-out");
+    photoncube(&["generate", "--check", "--out", committed])
+        .assert()
+        .success();
+}
+
+#[test]
+fn bad_input_ends_2_says_what_was_expected_and_writes_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().to_str().unwrap();
+    let file = folder.path().join("file");
+    fs::write(&file, "").unwrap();
+    let below_a_file = file.join("x");
+    let below_a_file = below_a_file.to_str().unwrap();
+    let picture = folder.path().join("x.png");
+    let picture = picture.to_str().unwrap();
+    let cases: &[(&[&str], &str)] = &[
+        (
+            &["generate", "--machine", "pentium", "--out", out],
+            "the machines are paper",
+        ),
+        (
+            &["generate", "--out", below_a_file],
+            "cannot make the folder",
+        ),
+        (
+            &[
+                "generate",
+                "--machine",
+                "paper",
+                "--coordinate-bits",
+                "9",
+                "--out",
+                out,
+            ],
+            "not built in",
+        ),
+        (&["generate", "--coordinate-bits", "9"], "--machine"),
+        (&["generate", "--check", "--out", below_a_file], "no folder"),
+        (
+            &["verify", "--machine", "pentium"],
+            "the machines are paper",
+        ),
+        (&["verify", "--iterations", "0"], "1.."),
+        (&["verify", "--against", "modelsim"], "rust-hdl"),
+        (&["microprogram", "--dimension", "9"], "not built in"),
+        (
+            &["run", "atlantis", "--out", out],
+            "built-in scene (cornell)",
+        ),
+        (
+            &["run", "--machine", "pentium", "--out", out],
+            "the machines are paper",
+        ),
+        (&["run", "--out", below_a_file], "cannot make the folder"),
+        (&["run", "--photons", "0", "--out", out], "1.."),
+        (
+            &["render", "cornell", "-o", picture, "--size", "0x9"],
+            "expected WxH",
+        ),
+        (
+            &["render", "cornell", "-o", picture, "--in-range=0"],
+            "number above 0",
+        ),
+        (
+            &["render", "cornell", "-o", picture, "--engine", "gpu"],
+            "f64",
+        ),
+        (
+            &["render", "cornell", "-o", below_a_file],
+            "cannot make the folder",
+        ),
+    ];
+    for (args, expected) in cases {
+        let message = error(args, 2);
+        assert!(message.contains(expected), "{args:?}: {message}");
+        assert_eq!(files_in(folder.path()), 1, "{args:?} left something behind");
+    }
+}
+
+#[test]
+fn verify_reports_what_it_compared() {
+    let report = json(&["verify", "--machine", "paper-5d", "--iterations", "50"]);
+    assert_eq!(report["mismatches"], 0);
+    assert!(report["vectors_compared"].as_u64().unwrap() >= 50 * 10);
+    assert_eq!(report["devices"][0]["device"], "rust-hdl");
+    assert_eq!(report["devices"][0]["registers_compared"], true);
+}
+
+#[test]
+fn render_is_the_same_for_a_seed_and_another_for_another() {
+    let folder = tempfile::tempdir().unwrap();
+    let render = |name: &str, seed: &str, engine: &str| {
+        let path = folder.path().join(name);
+        let path = path.to_str().unwrap();
+        let small = ["--photons", "5000", "--size", "16x16", "--samples", "1"];
+        let args = [
+            "render", "cornell", "-o", path, "--seed", seed, "--engine", engine,
+        ];
+        let report = json(&[&args[..], &small[..]].concat());
+        assert!(report["photons"].as_u64().unwrap() >= 5000);
+        fs::read(path).unwrap()
+    };
+    let first = render("a.png", "1", "model");
+    assert_eq!(first, render("b.png", "1", "model"));
+    assert_ne!(first, render("c.png", "2", "model"));
+    assert_ne!(
+        first,
+        render("d.png", "1", "f64"),
+        "the formats' error is not zero"
+    );
+}
+
+#[test]
+fn run_takes_the_whole_path() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().to_str().unwrap();
+    let small = [
+        "--photons",
+        "20000",
+        "--size",
+        "24x24",
+        "--samples",
+        "1",
+        "--iterations",
+        "40",
+    ];
+    let report = json(&[&["run", "--out", out][..], &small[..]].concat());
+    assert_eq!(report["mismatches"], 0);
+    assert!(report["photons"].as_u64().unwrap() >= 20_000);
+    let groups = report["photon_groups"].as_u64().unwrap();
+    let queries = report["query_points"].as_u64().unwrap();
+    assert_eq!(report["clocks"].as_u64().unwrap(), 9 * groups + 2 * queries);
+    assert!(report["rms_relative_error"].as_f64().unwrap() > 0.0);
+    // Every simulator is either compared or named as missing.
+    let compared = report["devices"].as_array().unwrap().len();
+    let missing = report["devices_not_found"].as_array().unwrap().len();
+    assert_eq!(compared + missing, 3);
+    for name in [
+        "cornell.png",
+        "cornell-f64.png",
+        "run.json",
+        "paper/photoncube_paper.v",
+    ] {
+        assert!(folder.path().join(name).is_file(), "{name}");
+    }
+}
+
+#[test]
+fn list_names_scenes_machines_and_formats() {
+    let report = json(&["list"]);
+    assert_eq!(report["scenes"][0]["scene"], "cornell");
+    assert_eq!(report["machines"][0]["machine"], "paper");
+    assert_eq!(report["machines"][0]["radius_sq_bits"], 18);
+}
+
+#[test]
+fn help_has_examples() {
+    for command in ["run", "generate", "verify", "render", "microprogram"] {
+        let output = photoncube(&[command, "--help"]).assert().success();
+        let help = String::from_utf8(output.get_output().stdout.clone()).unwrap();
+        insta::assert_snapshot!(format!("help_{command}"), help);
+        assert!(help.contains("Examples:"), "{command}");
+    }
+    let output = photoncube(&["--help"]).assert().success();
+    let help = String::from_utf8(output.get_output().stdout.clone()).unwrap();
+    insta::assert_snapshot!("help", help);
+}

@@ -1,0 +1,40 @@
+//! The microprogram, disassembled from its control words: what the control store holds, readable.
+
+use photoncube_spec::{ControlWord, FIELDS, Field, Machine, find_machine};
+
+/// Every control word with the fields that are not zero.
+fn disassemble(machine: &Machine) -> String {
+    let program = machine.microprogram();
+    let words = program.control_words();
+    let steps = program.steps();
+    let lines = steps.iter().zip(words).enumerate();
+    lines
+        .map(|(address, (step, word))| {
+            let fields = fields(word, machine.dimension);
+            format!(
+                "{address:>2}  {:<6}  {word:#07x}  {fields}\n",
+                step.to_string()
+            )
+        })
+        .collect()
+}
+
+fn fields(word: ControlWord, dimension: u32) -> String {
+    let field = |field: Field| match field.of(word, dimension) {
+        0 => None,
+        1 if (field.row().width)(dimension) == 1 => Some(field.row().name.to_owned()),
+        value => Some(format!("{}={value}", field.row().name)),
+    };
+    let names: Vec<_> = FIELDS.iter().filter_map(|row| field(row.field)).collect();
+    names.join(" ")
+}
+
+#[test]
+fn the_papers_control_store() {
+    insta::assert_snapshot!(disassemble(find_machine("paper").unwrap()));
+}
+
+#[test]
+fn the_control_store_of_five_dimensions() {
+    insta::assert_snapshot!(disassemble(find_machine("paper-5d").unwrap()));
+}
