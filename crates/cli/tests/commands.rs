@@ -253,3 +253,43 @@ fn help_has_examples() {
     let help = String::from_utf8(output.get_output().stdout.clone()).unwrap();
     insta::assert_snapshot!("help", help);
 }
+
+/// Every key of a JSON value, at any depth.
+fn keys(value: &Value, found: &mut Vec<String>) {
+    match value {
+        Value::Object(map) => {
+            for (key, value) in map {
+                found.push(key.clone());
+                keys(value, found);
+            }
+        }
+        Value::Array(values) => values.iter().for_each(|value| keys(value, found)),
+        _ => {}
+    }
+}
+
+#[test]
+fn every_json_key_is_documented() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().to_str().unwrap();
+    let picture = folder.path().join("x.png");
+    let picture = picture.to_str().unwrap();
+    let small = ["--photons", "1000", "--size", "8x8", "--samples", "1"];
+    let run = ["run", "--out", out, "--iterations", "5"];
+    let render = ["render", "cornell", "-o", picture];
+    let mut found = Vec::new();
+    for args in [
+        &["list"][..],
+        &["microprogram"],
+        &["generate", "--machine", "paper", "--out", out],
+        &["verify", "--iterations", "5"],
+        &[&render[..], &small[..]].concat(),
+        &[&run[..], &small[..]].concat(),
+    ] {
+        keys(&json(args), &mut found);
+    }
+    assert!(found.len() > 50, "the commands print keys: {found:?}");
+    let documented = include_str!("../../../docs/json.md");
+    found.retain(|key| !documented.contains(&format!("`{key}`")));
+    assert!(found.is_empty(), "docs/json.md does not explain {found:?}");
+}
