@@ -9,10 +9,14 @@ use serde::{Deserialize, Serialize};
 /// Area on ECP5, by Yosys's `synth_ecp5`.
 #[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct Area {
+    /// The options of `synth_ecp5`.
+    pub options: String,
     /// LUTs with four inputs.
     pub lut4: u64,
     /// Carry cells, each two LUTs wide.
     pub ccu2c: u64,
+    /// `lut4 + 2 ccu2c`.
+    pub lut4_equivalents: u64,
     /// Flip-flops.
     pub ff: u64,
     /// Multipliers, MULT18X18D.
@@ -48,7 +52,6 @@ struct Synthesis {
 struct SynthesisRow {
     machine: String,
     flow: String,
-    options: String,
     #[serde(flatten)]
     area: Area,
 }
@@ -64,6 +67,7 @@ struct Run {
 #[derive(Deserialize)]
 struct Device {
     device: String,
+    vectors_compared: u64,
 }
 
 impl Measured {
@@ -71,17 +75,20 @@ impl Measured {
     pub fn of(machine: &Machine) -> Result<Self> {
         let synthesis: Synthesis =
             serde_json::from_str(SYNTHESIS).context("docs/measured/synthesis.json")?;
-        let area = |options: &str| {
-            let mut rows = synthesis.rows.iter();
-            let row = rows.find(|row| {
-                row.machine == machine.name && row.flow == "synth_ecp5" && row.options == options
+        // The smallest of the mappings that were tried.
+        let area = |may_use_dsp: bool| {
+            let rows = synthesis.rows.iter().filter(|row| {
+                let forbids_dsp = row.area.options.split_whitespace().any(|o| o == "-nodsp");
+                let is_ours = row.machine == machine.name && row.flow == "synth_ecp5";
+                is_ours && forbids_dsp != may_use_dsp
             });
-            row.map(|row| row.area.clone())
+            let smallest = rows.min_by_key(|row| row.area.lut4_equivalents);
+            smallest.map(|row| row.area.clone())
         };
         let run = run(machine)?;
         Ok(Self {
-            area_without_dsp: area("-nodsp"),
-            area_with_dsp: area(""),
+            area_without_dsp: area(false),
+            area_with_dsp: area(true),
             rms_relative_error: run.as_ref().map(|run| run.rms_relative_error),
             vectors_compared: run.as_ref().map(|run| run.vectors_compared),
             verified_against: run.map_or("not measured".to_owned(), |run| run.verified()),
@@ -101,9 +108,11 @@ fn run(machine: &Machine) -> Result<Option<Run>> {
 impl Run {
     fn verified(&self) -> String {
         let devices: Vec<_> = self.devices.iter().map(|d| d.device.as_str()).collect();
-        match self.mismatches {
-            0 => devices.join(", "),
-            mismatches => format!("{mismatches} MISMATCHES in {}", devices.join(", ")),
-        }
+        let clocks: u64 = self.devices.iter().map(|d| d.vectors_compared).sum();
+        format!(
+            "{}: {clocks} clocks, {} mismatches",
+            devices.join(", "),
+            self.mismatches
+        )
     }
 }

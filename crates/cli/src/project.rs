@@ -38,9 +38,12 @@ fn yosys(top: &str) -> String {
     format!(
         "# yosys {top}.ys: checks the design, then maps it to ECP5.\n\
          read_verilog {top}.v\n\
+         # ABC9 trades area for speed only where a path is longer than this, in ps.\n\
+         scratchpad -set abc9.D {}\n\
          hierarchy -check -top {top}\n\
          synth_ecp5 -top {top} -json {top}.json\n\
-         stat\n"
+         stat\n",
+        1000 * TARGET_CLOCK_NS
     )
 }
 
