@@ -7,18 +7,19 @@
 //! look into it, and it never passes on nothing.
 
 mod compare;
-mod design;
 mod device;
+mod levels;
 mod stimulus;
 mod tools;
+mod trace;
 mod verify;
 
 pub use compare::{Activity, Actual, Divergence};
-pub use design::Design;
 pub use device::{
     Device, DeviceError, DeviceKind, Icarus, Mutant, Observed, RustHdl, Unknown, UnknownDevice,
-    Verilator, emit, netlist,
+    Verilator, netlist,
 };
+pub use levels::{PartVerdict, verify_part, verify_part_device};
 pub use stimulus::{Block, Source, StimulusError, chunk_seed, generate};
 pub use tools::{MissingTool, Tool, ToolError};
 pub use verify::{Verdict, VerifyError, VerifyOptions, verify, verify_device};

@@ -1,0 +1,193 @@
+//! Verilog in Icarus: slow and 4-state, so what was never set shows as X.
+
+use std::fmt::Write as _;
+use std::io::{BufRead, BufReader, Error, ErrorKind, Write};
+use std::process::{ChildStdin, ChildStdout, Command};
+
+use photoncube_hdl::Emitted;
+use tempfile::TempDir;
+
+use super::process::Process;
+use super::{Device, DeviceError, Observed, Unknown, netlist, scratch_folder, write_file};
+use crate::tools::{Tool, run};
+use crate::trace::{TRACE, declare, names, trace_module};
+
+/// A design in Icarus.
+pub struct Icarus {
+    name: &'static str,
+    version: String,
+    inputs: usize,
+    visible: usize,
+    process: Process,
+    /// Holds the compiled simulation as long as it runs.
+    _folder: TempDir,
+}
+
+impl Icarus {
+    /// Compiles the design and starts it.
+    ///
+    /// # Errors
+    /// Icarus is missing or refuses the text.
+    pub fn new(design: &Emitted) -> Result<Self, DeviceError> {
+        Self::start("icarus", design, Tool::Iverilog.version()?)
+    }
+
+    /// Turns the design into gates first.
+    ///
+    /// # Errors
+    /// Yosys or Icarus is missing or refuses the text.
+    pub fn of_netlist(design: &Emitted) -> Result<Self, DeviceError> {
+        let version = format!("{}, {}", Tool::Yosys.version()?, Tool::Iverilog.version()?);
+        Self::start("netlist", &netlist(design)?, version)
+    }
+
+    fn start(name: &'static str, design: &Emitted, version: String) -> Result<Self, DeviceError> {
+        let folder = scratch_folder()?;
+        let text = [design.text.as_str(), &trace_module(design), &bench(design)];
+        let source = folder.path().join("bench.v");
+        write_file(&source, &text.join("\n"))?;
+        let compiled = folder.path().join("bench.vvp");
+        run(Command::new(Tool::Iverilog.find()?)
+            .args(["-g2005", "-s", "bench", "-o"])
+            .args([&compiled, &source]))?;
+        let mut simulate = Command::new(Tool::Vvp.find()?);
+        // -n: an end, not a prompt, where the simulation stops.
+        let process = Process::start(name, simulate.arg("-n").arg(&compiled), folder.path())?;
+        Ok(Self {
+            name,
+            version,
+            inputs: design.pins.inputs.len(),
+            visible: design.pins.observed.len(),
+            process,
+            _folder: folder,
+        })
+    }
+}
+
+impl Device for Icarus {
+    fn name(&self) -> &str {
+        self.name
+    }
+
+    fn tool_version(&self) -> &str {
+        &self.version
+    }
+
+    fn visible(&self) -> usize {
+        self.visible
+    }
+
+    fn replay(&mut self, inputs: &[u64], observed: &mut Observed) -> Result<(), DeviceError> {
+        let (columns, visible) = (self.inputs, self.visible);
+        let clocks = inputs.len() / columns;
+        self.process.converse(
+            |stdin| write_frame(stdin, inputs, columns),
+            |stdout| read_frame(stdout, clocks, visible, observed),
+        )
+    }
+}
+
+fn write_frame(stdin: &mut ChildStdin, inputs: &[u64], columns: usize) -> std::io::Result<()> {
+    let mut text = format!("{}\n", inputs.len() / columns);
+    for row in inputs.chunks_exact(columns) {
+        for value in row {
+            let _ = write!(text, "{value:x} ");
+        }
+        text += "\n";
+        if text.len() > 1 << 16 {
+            stdin.write_all(text.as_bytes())?;
+            text.clear();
+        }
+    }
+    stdin.write_all(text.as_bytes())
+}
+
+fn read_frame(
+    stdout: &mut BufReader<ChildStdout>,
+    clocks: usize,
+    visible: usize,
+    observed: &mut Observed,
+) -> std::io::Result<()> {
+    let mut line = String::new();
+    for _ in 0..clocks {
+        line.clear();
+        stdout.read_line(&mut line)?;
+        let before = observed.values.len();
+        for word in line.split_whitespace() {
+            let index = observed.values.len();
+            observed.values.push(match u64::from_str_radix(word, 16) {
+                Ok(value) => value,
+                Err(_) if is_four_state(word) => {
+                    let text = word.to_owned();
+                    observed.unknown.push(Unknown { index, text });
+                    0
+                }
+                Err(_) => return Err(nonsense(&line)),
+            });
+        }
+        if observed.values.len() != before + visible {
+            return Err(nonsense(&line));
+        }
+    }
+    Ok(())
+}
+
+fn is_four_state(word: &str) -> bool {
+    let legal = |letter: char| letter.is_ascii_hexdigit() || "xXzZ".contains(letter);
+    word.chars().all(legal)
+}
+
+fn nonsense(line: &str) -> Error {
+    let text = if line.is_empty() {
+        "no answer".to_owned()
+    } else {
+        format!("cannot read its answer `{}`", line.trim())
+    };
+    Error::new(ErrorKind::InvalidData, text)
+}
+
+/// The testbench: reads the number of clocks, then a line of hexadecimal inputs for each, and
+/// writes a line of what it observes in each.
+fn bench(design: &Emitted) -> String {
+    const STDIN: &str = "32'h8000_0000";
+    const STDOUT: &str = "32'h8000_0001";
+    let pins = &design.pins;
+    let inputs: Vec<_> = names(&pins.inputs).collect();
+    let observed: Vec<_> = names(&pins.observed).collect();
+    let clock = design.clocked.then_some("clock");
+    let ports = clock.iter().chain(&inputs).chain(&observed);
+    let ports: Vec<_> = ports.map(|name| format!(".{name}({name})")).collect();
+    let mut text = "module bench;\n".to_owned();
+    text += "  reg clock = 0;\n  integer clocks, read;\n";
+    declare(&mut text, "reg", &pins.inputs);
+    declare(&mut text, "wire", &pins.observed);
+    let read = " %h".repeat(inputs.len());
+    let write = vec!["%h"; observed.len()].join(" ");
+    let _ = write!(
+        text,
+        r#"  {TRACE} trace({ports});
+  initial begin
+    read = $fscanf({STDIN}, "%d", clocks);
+    while (read == 1) begin
+      while (clocks > 0) begin
+        read = $fscanf({STDIN}, "{read}", {inputs});
+        if (read != {count}) $finish(0);
+        clock = 0;
+        #1 $display("{write}", {observed});
+        clock = 1;
+        #1 clocks = clocks - 1;
+      end
+      $fflush({STDOUT});
+      read = $fscanf({STDIN}, "%d", clocks);
+    end
+    $finish(0);
+  end
+endmodule
+"#,
+        ports = ports.join(", "),
+        inputs = inputs.join(", "),
+        count = inputs.len(),
+        observed = observed.join(", "),
+    );
+    text
+}

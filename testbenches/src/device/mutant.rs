@@ -1,0 +1,84 @@
+//! The golden model with a planted fault: it tests that the comparison sees faults.
+
+use photoncube_model::StepMachine;
+use photoncube_spec::{Inputs, Machine, Pins};
+
+use super::{Device, DeviceError, Observed};
+
+/// A fault: given the clock and what stands on the pins, it changes what the model gets.
+type InputFault = Box<dyn Fn(u64, &mut Inputs)>;
+/// A fault: given the clock and the row of signals, it changes what is seen.
+type RowFault = Box<dyn Fn(u64, &mut [u64])>;
+
+/// A golden model that a fault stands before and another behind.
+pub struct Mutant {
+    model: StepMachine,
+    lanes: usize,
+    columns: usize,
+    visible: usize,
+    clock: u64,
+    input_fault: InputFault,
+    row_fault: RowFault,
+}
+
+impl Mutant {
+    /// The golden model as it is.
+    pub fn sound(machine: &Machine) -> Self {
+        let pins = Pins::of(machine);
+        Self {
+            model: StepMachine::new(machine),
+            lanes: machine.photons_per_iteration(),
+            columns: pins.inputs.len(),
+            visible: pins.observed.len(),
+            clock: 0,
+            input_fault: Box::new(|_, _| {}),
+            row_fault: Box::new(|_, _| {}),
+        }
+    }
+
+    /// Changes what the model gets in some clock.
+    pub fn with_input_fault(mut self, fault: impl Fn(u64, &mut Inputs) + 'static) -> Self {
+        self.input_fault = Box::new(fault);
+        self
+    }
+
+    /// Changes what is seen of the model in some clock.
+    pub fn with_row_fault(mut self, fault: impl Fn(u64, &mut [u64]) + 'static) -> Self {
+        self.row_fault = Box::new(fault);
+        self
+    }
+
+    /// Shows the first signals alone.
+    pub fn showing(mut self, visible: usize) -> Self {
+        self.visible = visible;
+        self
+    }
+}
+
+impl Device for Mutant {
+    fn name(&self) -> &str {
+        "mutant"
+    }
+
+    fn tool_version(&self) -> &str {
+        "golden model"
+    }
+
+    fn visible(&self) -> usize {
+        self.visible
+    }
+
+    fn replay(&mut self, inputs: &[u64], observed: &mut Observed) -> Result<(), DeviceError> {
+        for row in inputs.chunks_exact(self.columns) {
+            let mut inputs = Pins::inputs_of(row, self.lanes);
+            (self.input_fault)(self.clock, &mut inputs);
+            let first = observed.values.len();
+            self.model.observe(&mut observed.values);
+            (self.row_fault)(self.clock, &mut observed.values[first..]);
+            observed.values.truncate(first + self.visible);
+            self.model.clock(&inputs);
+            self.clock += 1;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,324 @@
+//! The parts of a machine for themselves: each unit, one cell on random microprograms, and the
+//! network, against the golden model's ops and the spec's topology.
+//!
+//! A part is small enough to be driven into corners that the whole machine reaches rarely, and a
+//! difference here names the part.
+
+use photoncube_hdl::{Level, level_pins};
+use photoncube_model::{CellInputs, CellState};
+use photoncube_spec::{Field, Machine, OPS, Op, Pin, Pins, Step, Widths, encode};
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64;
+use serde::Serialize;
+
+use crate::compare::{Activity, Actual, Divergence};
+use crate::device::{Device, DeviceKind, Observed, hdl_error};
+use crate::stimulus::corner;
+use crate::verify::{VerifyError, nothing_compared, wrong_count};
+
+/// What was compared of a part and found equal.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct PartVerdict {
+    /// The machine.
+    pub machine: &'static str,
+    /// The part's name.
+    pub part: &'static str,
+    /// The device.
+    pub device: String,
+    /// Rows of inputs, after each of which every visible signal was compared.
+    pub vectors_compared: u64,
+    /// Signals in a vector.
+    pub signals_per_vector: usize,
+}
+
+/// Verifies a part of a machine in a device, on `vectors` rows of inputs or more: a squarer small
+/// enough gets every pair of operands, a larger one every difference.
+///
+/// # Errors
+/// The first difference, or no verdict at all.
+///
+/// # Panics
+/// For the whole machine, which is no part: [`crate::verify`] is for that.
+pub fn verify_part(
+    machine: &Machine,
+    part: Level,
+    kind: DeviceKind,
+    vectors: usize,
+    seed: u64,
+) -> Result<PartVerdict, VerifyError> {
+    let mut device = kind.open(machine, part)?;
+    verify_part_device(machine, part, device.as_mut(), vectors, seed)
+}
+
+/// Verifies a part of a machine in a device that is open and has not run yet.
+///
+/// # Errors
+/// The first difference, or no verdict at all.
+///
+/// # Panics
+/// For the whole machine, which is no part: [`crate::verify`] is for that.
+pub fn verify_part_device(
+    machine: &Machine,
+    part: Level,
+    device: &mut dyn Device,
+    vectors: usize,
+    seed: u64,
+) -> Result<PartVerdict, VerifyError> {
+    let pins = level_pins(machine, part).map_err(hdl_error(machine))?;
+    let trace = Trace::of(machine, part, pins, vectors, seed);
+    let mut observed = Observed::default();
+    device.replay(&trace.inputs, &mut observed)?;
+    let visible = device.visible();
+    let rows = trace.steps.len();
+    if observed.values.len() != rows * visible {
+        return Err(wrong_count(device, rows, &observed).into());
+    }
+    if observed.values.is_empty() {
+        return Err(nothing_compared(device.name(), 0, 0, 0));
+    }
+    if let Some(mut divergence) = trace.divergence(machine, part, &observed, visible) {
+        divergence.seed = seed;
+        divergence.device = device.name().to_owned();
+        divergence.repeat = format!("{}::{}", divergence.repeat, device.name());
+        return Err(VerifyError::Diverged(Box::new(divergence)));
+    }
+    Ok(PartVerdict {
+        machine: machine.name,
+        part: part.name(),
+        device: device.name().to_owned(),
+        vectors_compared: rows as u64,
+        signals_per_vector: visible,
+    })
+}
+
+/// Rows for a part, with what it must show.
+struct Trace {
+    pins: Pins,
+    inputs: Vec<u64>,
+    expected: Vec<u64>,
+    /// What each row asks for.
+    steps: Vec<Step>,
+}
+
+impl Trace {
+    fn of(machine: &Machine, part: Level, pins: Pins, vectors: usize, seed: u64) -> Self {
+        let mut trace = Self {
+            pins,
+            inputs: Vec::new(),
+            expected: Vec::new(),
+            steps: Vec::new(),
+        };
+        let rng = &mut Pcg64::seed_from_u64(seed);
+        match part {
+            Level::Machine => panic!("the whole machine is not a part"),
+            Level::Cell => trace.cell(machine, vectors, rng),
+            Level::Network => trace.network(machine, vectors, rng),
+            Level::Add => trace.add(machine, vectors, rng),
+            Level::Square => trace.square(machine, vectors, rng),
+            Level::Gate => trace.gate(machine, vectors, rng),
+        }
+        trace
+    }
+
+    /// One row: a value for each pin, by its name.
+    fn push(&mut self, step: Step, value: impl Fn(&str) -> u64, expected: &[u64]) {
+        let value = |pin: &Pin| value(&pin.name) & (u64::MAX >> (u64::BITS - pin.width));
+        self.inputs.extend(self.pins.inputs.iter().map(value));
+        self.expected.extend(expected);
+        self.steps.push(step);
+    }
+
+    fn add(&mut self, machine: &Machine, vectors: usize, rng: &mut Pcg64) {
+        let widths = Widths::of(machine);
+        let all = u64::MAX >> (u64::BITS - widths.sum);
+        for _ in 0..vectors {
+            let a = corner(rng, widths.sum);
+            // One in three at the edge of the carry out.
+            let b = match rng.random_range(0..6) {
+                0 => !a & all,
+                1 => (!a).wrapping_add(1) & all,
+                _ => corner(rng, widths.sum),
+            };
+            let mut cell = CellState {
+                sum: a,
+                work: u32::try_from(b).expect("no machine's sum is wider than 32 bits yet"),
+                ..CellState::default()
+            };
+            cell.execute(Op::Accumulate, &CellInputs::default(), &widths);
+            let operands = |name: &str| if name == "a" { a } else { b };
+            self.push(Step::new(Op::Accumulate), operands, &[cell.sum]);
+        }
+    }
+
+    fn square(&mut self, machine: &Machine, vectors: usize, rng: &mut Pcg64) {
+        let widths = Widths::of(machine);
+        let largest = u32::MAX >> (u32::BITS - widths.coordinate);
+        let mut pairs: Vec<(u32, u32)> = if widths.coordinate <= 8 {
+            (0..=largest)
+                .flat_map(|a| (0..=largest).map(move |b| (a, b)))
+                .collect()
+        } else {
+            // Every difference, both ways.
+            (0..=largest).flat_map(|d| [(d, 0), (0, d)]).collect()
+        };
+        while pairs.len() < vectors {
+            let mut any = || corner(rng, widths.coordinate) as u32;
+            pairs.push((any(), any()));
+        }
+        for (a, b) in pairs {
+            let mut cell = CellState {
+                query: a,
+                photon: b,
+                ..CellState::default()
+            };
+            cell.execute(Op::SquareDifference, &CellInputs::default(), &widths);
+            let operands = |name: &str| u64::from(if name == "a" { a } else { b });
+            let step = Step::new(Op::SquareDifference);
+            self.push(step, operands, &[u64::from(cell.work)]);
+        }
+    }
+
+    fn gate(&mut self, machine: &Machine, vectors: usize, rng: &mut Pcg64) {
+        let widths = Widths::of(machine);
+        let largest = u32::MAX >> (u32::BITS - widths.distance);
+        for _ in 0..vectors {
+            let radius_sq = corner(rng, widths.distance) as u32;
+            let work = match rng.random_range(0..6) {
+                0 | 1 => radius_sq,
+                2 => radius_sq.saturating_sub(1),
+                3 => radius_sq.saturating_add(1).min(largest),
+                _ => corner(rng, widths.work) as u32,
+            };
+            let mut cell = CellState {
+                radius_sq,
+                work,
+                power: corner(rng, widths.power) as u32,
+                ..CellState::default()
+            };
+            let power = cell.power;
+            cell.execute(Op::Gate, &CellInputs::default(), &widths);
+            let operands = |name: &str| match name {
+                "a" => u64::from(work),
+                "b" => u64::from(radius_sq),
+                _ => u64::from(power),
+            };
+            self.push(Step::new(Op::Gate), operands, &[u64::from(cell.work)]);
+        }
+    }
+
+    /// A cell under a program of random steps; the link is 0 where a step names no axis, as the
+    /// network makes it.
+    fn cell(&mut self, machine: &Machine, vectors: usize, rng: &mut Pcg64) {
+        let widths = Widths::of(machine);
+        let dimension = machine.dimension;
+        let axes: Vec<_> = machine.hypercube().axes().collect();
+        let mut cell = CellState::default();
+        for _ in 0..vectors {
+            let row = &OPS[rng.random_range(0..OPS.len())];
+            let axis = row.uses_link.then(|| axes[rng.random_range(0..axes.len())]);
+            let step = Step { op: row.op, axis };
+            let mut any = |bits| corner(rng, bits) as u32;
+            let inputs = CellInputs {
+                query: any(widths.coordinate),
+                radius_sq: any(widths.distance),
+                photon: any(widths.coordinate),
+                present: any(2) != 0,
+                power: any(widths.power),
+                link: axis.map_or(0, |_| any(widths.work)),
+            };
+            let word = encode(step, false);
+            let fields = |name: &str| match name {
+                "query_in" => u64::from(inputs.query),
+                "radius_sq_in" => u64::from(inputs.radius_sq),
+                "photon_in" => u64::from(inputs.photon),
+                "present_in" => u64::from(inputs.present),
+                "power_in" => u64::from(inputs.power),
+                "link_in" => u64::from(inputs.link),
+                field => u64::from(field_named(field).of(word, dimension)),
+            };
+            let mut expected = vec![u64::from(cell.work), cell.sum];
+            expected.extend(cell.registers());
+            self.push(step, fields, &expected);
+            cell.execute(step.op, &inputs, &widths);
+        }
+    }
+
+    /// Every axis and none, with words that tell the nodes apart.
+    fn network(&mut self, machine: &Machine, vectors: usize, rng: &mut Pcg64) {
+        let work = Widths::of(machine).work;
+        let nodes = machine.hypercube().nodes();
+        let axes = machine.hypercube().axes().map(Some);
+        let axes: Vec<_> = axes.chain([None]).collect();
+        for index in 0..vectors.max(axes.len()) {
+            let axis = axes[index % axes.len()];
+            let words: Vec<_> = (0..nodes).map(|_| corner(rng, work)).collect();
+            let mut expected = vec![0; nodes];
+            if let Some(axis) = axis {
+                for (node, link) in expected.iter_mut().enumerate() {
+                    *link = words[node ^ (1 << axis.bit())];
+                }
+            }
+            let inputs = |name: &str| match name.strip_prefix("work_") {
+                Some(node) => words[node.parse::<usize>().expect("a node's index")],
+                None => axis.map_or(0, |axis| 1 << axis.bit()),
+            };
+            let step = axis.map_or(Step::new(Op::Nop), Step::exchange_add);
+            self.push(step, inputs, &expected);
+        }
+    }
+
+    fn divergence(
+        &self,
+        machine: &Machine,
+        part: Level,
+        observed: &Observed,
+        visible: usize,
+    ) -> Option<Divergence> {
+        let columns = self.pins.observed.len();
+        let expected = |index: usize| self.expected[index / visible * columns + index % visible];
+        let differs = |&index: &usize| observed.at(index) != Actual::Known(expected(index));
+        let index = (0..observed.values.len()).find(differs)?;
+        let row = index / visible;
+        let in_row = row * visible..(row + 1) * visible;
+        let pin = &self.pins.observed[index % visible];
+        // What a register shows was done in the clock before.
+        let cause = match part {
+            Level::Cell => row.checked_sub(1),
+            _ => Some(row),
+        };
+        let operands = cause.map_or(Vec::new(), |row| {
+            let inputs = self.pins.inputs.len();
+            let values = &self.inputs[row * inputs..][..inputs];
+            let named = self.pins.inputs.iter().zip(values);
+            named
+                .map(|(pin, value)| (pin.name.clone(), *value))
+                .collect()
+        });
+        Some(Divergence {
+            machine: machine.name,
+            device: String::new(),
+            seed: 0,
+            chunk: 0,
+            clock: row as u64,
+            signal: pin.name.clone(),
+            place: pin.place,
+            expected: expected(index),
+            actual: observed.at(index),
+            differing: in_row.filter(differs).count(),
+            activity: cause.map_or(Activity::PowerUp, |row| Activity::Step(self.steps[row])),
+            operands,
+            vectors_compared: row as u64,
+            repeat: format!(
+                "cargo test -p photoncube-testbench --test parts -- {}::{}",
+                part.name(),
+                machine.name
+            ),
+        })
+    }
+}
+
+fn field_named(name: &str) -> Field {
+    let row = photoncube_spec::FIELDS.iter().find(|row| row.name == name);
+    row.expect("a cell's other pins are fields of the control word")
+        .field
+}

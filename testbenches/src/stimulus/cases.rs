@@ -1,0 +1,376 @@
+//! Which queries and photons: weighted towards the corners where a datapath goes wrong.
+
+use photoncube_spec::{Group, Lane, Machine, Photon, Query, Widths};
+use rand::{Rng, RngExt};
+
+/// A query with all its groups, at least one, the last marked as such.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Case {
+    pub query: Query,
+    pub groups: Vec<Group>,
+}
+
+impl Case {
+    /// The case with the photons of a real scene, in their order. Absent lanes repeat the query
+    /// point at full power: a machine that wrongly counted one would show it.
+    pub fn pack(machine: &Machine, query: Query, photons: &[Photon]) -> Self {
+        let lanes = machine.photons_per_iteration();
+        let absent = Lane {
+            present: false,
+            photon: Photon {
+                position: query.position,
+                power: [largest(machine.power_bits); 3],
+            },
+        };
+        let present = |&photon| Lane {
+            present: true,
+            photon,
+        };
+        let count = photons.len().div_ceil(lanes).max(1);
+        let groups = (0..count).map(|index| {
+            let rest = photons.iter().skip(index * lanes).map(present);
+            let lanes = rest.chain(std::iter::repeat(absent)).take(lanes).collect();
+            Group {
+                lanes,
+                last: index + 1 == count,
+            }
+        });
+        Self {
+            query,
+            groups: groups.collect(),
+        }
+    }
+
+    /// As many photons of full power as the machine declares, all in range: the sums reach their
+    /// largest value, and every one of their bits is used.
+    pub fn fullest(machine: &Machine) -> Self {
+        let full = Photon {
+            position: [0; 3],
+            power: [largest(machine.power_bits); 3],
+        };
+        let count = usize::try_from(machine.max_photons).expect("a test's photons fit the memory");
+        Self::pack(machine, Query::default(), &vec![full; count])
+    }
+}
+
+/// Where the photons of a case lie.
+#[derive(Copy, Clone, Debug)]
+enum Theme {
+    /// Anywhere.
+    Uniform,
+    /// On corner values of each coordinate.
+    Corners,
+    /// At the query point.
+    Equal,
+    /// The query in a corner of the frame, the photons in the opposite one.
+    Farthest,
+    /// Within some power of two of the query point.
+    Near,
+    /// On lattice points of one distance, some of them a step off.
+    Shell,
+}
+
+/// Draws cases for one machine.
+pub(crate) struct Cases<'a, R> {
+    widths: Widths,
+    lanes: usize,
+    rng: &'a mut R,
+}
+
+impl<'a, R: Rng> Cases<'a, R> {
+    pub fn new(machine: &Machine, rng: &'a mut R) -> Self {
+        Self {
+            widths: Widths::of(machine),
+            lanes: machine.photons_per_iteration(),
+            rng,
+        }
+    }
+
+    /// A case of one to three groups mostly, of up to 40 sometimes.
+    pub fn case(&mut self) -> Case {
+        let theme = self.theme();
+        let position = [(); 3].map(|()| match theme {
+            Theme::Farthest if self.rng.random() => largest(self.widths.coordinate),
+            Theme::Farthest => 0,
+            _ => self.corner(self.widths.coordinate),
+        });
+        let pivot = self.photon_position(theme, position, None);
+        let query = Query {
+            position,
+            radius_sq: self.radius_sq(distance_sq(position, pivot)),
+        };
+        let count = match self.rng.random_range(0..16) {
+            0 => self.rng.random_range(1..=40),
+            1..=3 => 3,
+            4..=7 => 2,
+            _ => 1,
+        };
+        let groups = (0..count).map(|index| Group {
+            lanes: self.lanes(theme, position, pivot),
+            last: index + 1 == count,
+        });
+        Case {
+            query,
+            groups: groups.collect(),
+        }
+    }
+
+    fn theme(&mut self) -> Theme {
+        match self.rng.random_range(0..16) {
+            0..=2 => Theme::Uniform,
+            3..=5 => Theme::Corners,
+            6 => Theme::Equal,
+            7 => Theme::Farthest,
+            8..=10 => Theme::Near,
+            _ => Theme::Shell,
+        }
+    }
+
+    /// Mostly at the edge of a photon at the pivot's distance; sometimes an extreme.
+    fn radius_sq(&mut self, tie: u64) -> u32 {
+        let limit = u64::from(largest(self.widths.distance));
+        let farthest = 3 * u64::from(largest(self.widths.coordinate)).pow(2);
+        let value = match self.rng.random_range(0..16) {
+            0..=3 => tie,
+            4..=6 => tie.saturating_sub(1),
+            7..=9 => tie + 1,
+            10 => 0,
+            11 => limit,
+            12 => farthest,
+            13 => farthest - 1,
+            14 => u64::from(self.corner(self.widths.distance)),
+            _ => u64::from(self.uniform(self.widths.coordinate)).pow(2),
+        };
+        u32::try_from(value.min(limit)).expect("distances fit 32 bits")
+    }
+
+    fn lanes(&mut self, theme: Theme, query: [u32; 3], pivot: [u32; 3]) -> Vec<Lane> {
+        let presence = self.rng.random_range(0..8);
+        let alone = self.rng.random_range(0..self.lanes);
+        let lanes = (0..self.lanes).map(|lane| Lane {
+            present: match presence {
+                0 => false,
+                1 => lane == alone,
+                2 | 3 => self.rng.random(),
+                _ => true,
+            },
+            photon: Photon {
+                position: self.photon_position(theme, query, Some(pivot)),
+                power: [(); 3].map(|()| self.corner(self.widths.power)),
+            },
+        });
+        lanes.collect()
+    }
+
+    fn photon_position(
+        &mut self,
+        theme: Theme,
+        query: [u32; 3],
+        pivot: Option<[u32; 3]>,
+    ) -> [u32; 3] {
+        let bits = self.widths.coordinate;
+        match (theme, pivot) {
+            (Theme::Uniform, _) => [(); 3].map(|()| self.uniform(bits)),
+            (Theme::Corners, _) => [(); 3].map(|()| self.corner(bits)),
+            (Theme::Equal, _) => query,
+            (Theme::Farthest, _) => query.map(|centre| largest(bits) - centre),
+            (Theme::Near, _) | (Theme::Shell, None) => self.near(query),
+            (Theme::Shell, Some(pivot)) => self.on_shell(query, pivot),
+        }
+    }
+
+    fn near(&mut self, query: [u32; 3]) -> [u32; 3] {
+        let span = self.rng.random_range(0..self.widths.coordinate);
+        let limit = largest(self.widths.coordinate);
+        query.map(|centre| {
+            let offset = self.rng.random_range(0..=1_u32 << span);
+            if self.rng.random() {
+                (centre + offset).min(limit)
+            } else {
+                centre.saturating_sub(offset)
+            }
+        })
+    }
+
+    /// The pivot, mirrored and with its axes exchanged where the frame allows it: the distance
+    /// stays. One in four is then moved by one step.
+    fn on_shell(&mut self, query: [u32; 3], pivot: [u32; 3]) -> [u32; 3] {
+        let limit = largest(self.widths.coordinate);
+        let mut offsets = [0, 1, 2].map(|axis| query[axis].abs_diff(pivot[axis]));
+        offsets.rotate_left(self.rng.random_range(0..3));
+        if self.rng.random() {
+            offsets.swap(0, 1);
+        }
+        let mirrored = [0, 1, 2].map(|axis| {
+            let above = query[axis].checked_add(offsets[axis]);
+            let above = above.filter(|&value| value <= limit);
+            let below = query[axis].checked_sub(offsets[axis]);
+            let above_first = self.rng.random();
+            if above_first {
+                above.or(below)
+            } else {
+                below.or(above)
+            }
+        });
+        let mut position = match mirrored {
+            [Some(x), Some(y), Some(z)] => [x, y, z],
+            _ => pivot,
+        };
+        if self.rng.random_ratio(1, 4) {
+            let axis = self.rng.random_range(0..3);
+            position[axis] = (position[axis] + 1).min(limit);
+        }
+        position
+    }
+
+    fn corner(&mut self, bits: u32) -> u32 {
+        u32::try_from(corner(self.rng, bits)).expect("values but the sums fit 32 bits")
+    }
+
+    fn uniform(&mut self, bits: u32) -> u32 {
+        self.rng.random::<u32>() & largest(bits)
+    }
+
+    /// Any word at all: what stands on the query pins while they are not valid.
+    pub fn garbage_query(&mut self) -> Query {
+        Query {
+            position: [(); 3].map(|()| self.uniform(self.widths.coordinate)),
+            radius_sq: self.uniform(self.widths.distance),
+        }
+    }
+
+    /// Any word at all, put into `group`: what stands on its pins while they are not valid.
+    pub fn garbage_group(&mut self, group: &mut Group) {
+        group.last = self.rng.random();
+        for lane in &mut group.lanes {
+            lane.present = self.rng.random();
+            lane.photon = Photon {
+                position: [(); 3].map(|()| self.uniform(self.widths.coordinate)),
+                power: [(); 3].map(|()| self.uniform(self.widths.power)),
+            };
+        }
+    }
+}
+
+/// A value of `bits` bits that is a corner of its width half of the time.
+pub(crate) fn corner(rng: &mut impl Rng, bits: u32) -> u64 {
+    let largest = u64::MAX >> (u64::BITS - bits);
+    let power = 1 << rng.random_range(0..bits);
+    match rng.random_range(0..12) {
+        0 | 1 => 0,
+        2 | 3 => largest,
+        4 => power,
+        5 => power - 1,
+        6 => (power + 1) & largest,
+        _ => rng.random::<u64>() & largest,
+    }
+}
+
+fn largest(bits: u32) -> u32 {
+    u32::MAX >> (u32::BITS - bits)
+}
+
+/// Only to aim at the boundary: what is in range, the golden model alone decides.
+fn distance_sq(a: [u32; 3], b: [u32; 3]) -> u64 {
+    let square = |axis: usize| u64::from(a[axis].abs_diff(b[axis])).pow(2);
+    square(0) + square(1) + square(2)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use photoncube_model::Limits;
+    use photoncube_spec::MACHINES;
+    use rand::SeedableRng;
+    use rand_pcg::Pcg64;
+
+    use super::*;
+
+    #[test]
+    fn every_value_fits_and_every_corner_is_met() {
+        for machine in MACHINES {
+            let mut rng = Pcg64::seed_from_u64(1);
+            let mut cases = Cases::new(machine, &mut rng);
+            let limits = Limits::of(machine);
+            let mut met = BTreeSet::new();
+            for _ in 0..5_000 {
+                let case = cases.case();
+                limits.check_query(&case.query).unwrap();
+                let tie = u64::from(case.query.radius_sq);
+                met.insert(if tie == 0 { "radius 0" } else { "radius" });
+                if case.query.radius_sq == largest(Widths::of(machine).distance) {
+                    met.insert("radius max");
+                }
+                if case.groups.iter().all(|g| g.photons().count() == 0) {
+                    met.insert("no photon");
+                }
+                assert!(case.groups.last().unwrap().last);
+                for lane in case.groups.iter().flat_map(|group| &group.lanes) {
+                    limits.check_photon(&lane.photon).unwrap();
+                    let distance = distance_sq(case.query.position, lane.photon.position);
+                    met.extend(lane_corners(machine, lane, distance, tie));
+                }
+            }
+            let wanted = [
+                "absent",
+                "above",
+                "below",
+                "equal",
+                "farthest",
+                "full",
+                "no photon",
+                "radius",
+                "radius 0",
+                "radius max",
+                "tie",
+                "zero power",
+            ];
+            assert_eq!(met, BTreeSet::from(wanted), "{}", machine.name);
+        }
+    }
+
+    fn lane_corners(
+        machine: &Machine,
+        lane: &Lane,
+        distance: u64,
+        tie: u64,
+    ) -> impl Iterator<Item = &'static str> {
+        let full = largest(machine.power_bits);
+        let farthest = 3 * u64::from(largest(machine.coordinate_bits)).pow(2);
+        let corners = [
+            ("absent", !lane.present),
+            ("above", lane.present && distance == tie + 1),
+            ("below", lane.present && distance + 1 == tie),
+            ("equal", lane.present && distance == 0),
+            ("farthest", lane.present && distance == farthest),
+            ("full", lane.photon.power == [full; 3]),
+            ("tie", lane.present && distance == tie && tie > 0),
+            ("zero power", lane.photon.power == [0; 3]),
+        ];
+        corners
+            .into_iter()
+            .filter_map(|(name, met)| met.then_some(name))
+    }
+
+    #[test]
+    fn packing_keeps_the_photons_and_their_order() {
+        let machine = &MACHINES[0];
+        let photon = |x| Photon {
+            position: [x, 0, 0],
+            power: [x; 3],
+        };
+        for count in [0, 1, 3, 4, 5, 8, 9] {
+            let photons: Vec<_> = (0..count).map(photon).collect();
+            let case = Case::pack(machine, Query::default(), &photons);
+            let packed: Vec<_> = case.groups.iter().flat_map(Group::photons).collect();
+            assert_eq!(packed, photons);
+            assert_eq!(case.groups.len(), photons.len().div_ceil(4).max(1));
+            assert_eq!(
+                case.groups.iter().filter(|group| group.last).count(),
+                1,
+                "{count}"
+            );
+        }
+    }
+}

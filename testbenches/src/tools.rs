@@ -1,0 +1,187 @@
+//! The outside tools: which there are, which version, and how to get those that are missing.
+
+use std::env;
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+use thiserror::Error;
+
+/// A program that some device needs.
+#[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Tool {
+    /// Icarus Verilog's compiler.
+    Iverilog,
+    /// Icarus Verilog's runtime.
+    Vvp,
+    /// Verilator.
+    Verilator,
+    /// The C++ compiler that builds what Verilator writes.
+    Gxx,
+    /// Make, which Verilator's build runs under.
+    Make,
+    /// Yosys.
+    Yosys,
+}
+
+/// A tool is not there.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[error("`{program}` is not on the PATH; install it with `{}`", self.install())]
+pub struct MissingTool {
+    /// The program's name.
+    pub program: &'static str,
+    /// The Debian package that has it.
+    pub package: &'static str,
+}
+
+impl MissingTool {
+    /// The command that installs the tool.
+    pub fn install(&self) -> String {
+        format!("sudo apt-get install -y {}", self.package)
+    }
+}
+
+/// A tool did not do what it was asked for.
+#[derive(Debug, Error)]
+pub enum ToolError {
+    /// It is not there.
+    #[error(transparent)]
+    Missing(#[from] MissingTool),
+    /// It could not be started.
+    #[error("`{program}` did not start")]
+    NotStarted {
+        /// The program's name.
+        program: String,
+        /// Why.
+        source: std::io::Error,
+    },
+    /// It ended with an error.
+    #[error("`{program}` failed ({status}):\n{message}")]
+    Failed {
+        /// The program's name.
+        program: String,
+        /// Its exit status.
+        status: std::process::ExitStatus,
+        /// The end of what it said.
+        message: String,
+    },
+}
+
+impl Tool {
+    /// The program's name.
+    pub fn program(self) -> &'static str {
+        match self {
+            Self::Iverilog => "iverilog",
+            Self::Vvp => "vvp",
+            Self::Verilator => "verilator",
+            Self::Gxx => "g++",
+            Self::Make => "make",
+            Self::Yosys => "yosys",
+        }
+    }
+
+    fn package(self) -> &'static str {
+        match self {
+            Self::Iverilog | Self::Vvp => "iverilog",
+            Self::Verilator => "verilator",
+            Self::Gxx => "g++",
+            Self::Make => "make",
+            Self::Yosys => "yosys",
+        }
+    }
+
+    /// Where the tool is.
+    ///
+    /// # Errors
+    /// It is not on the PATH; the error has the command that installs it.
+    pub fn find(self) -> Result<PathBuf, MissingTool> {
+        on_path(self.program()).ok_or(MissingTool {
+            program: self.program(),
+            package: self.package(),
+        })
+    }
+
+    /// The tool's own words for its version: the first line.
+    ///
+    /// # Errors
+    /// It is missing or does not run.
+    pub fn version(self) -> Result<String, ToolError> {
+        let argument = match self {
+            Self::Iverilog | Self::Vvp | Self::Yosys => "-V",
+            Self::Verilator | Self::Gxx | Self::Make => "--version",
+        };
+        let output = output(Command::new(self.find()?).arg(argument))?;
+        let text = String::from_utf8_lossy(&output.stdout).into_owned();
+        Ok(text.lines().next().unwrap_or_default().trim().to_owned())
+    }
+}
+
+/// A program's place on the PATH.
+pub(crate) fn on_path(program: &str) -> Option<PathBuf> {
+    let path = env::var_os("PATH")?;
+    env::split_paths(&path)
+        .map(|folder| folder.join(program))
+        .find(|file| file.is_file())
+}
+
+/// Runs a command to its end and keeps what it says.
+pub(crate) fn run(command: &mut Command) -> Result<(), ToolError> {
+    let output = output(command)?;
+    if output.status.success() {
+        return Ok(());
+    }
+    let said = [output.stdout, output.stderr].concat();
+    Err(ToolError::Failed {
+        program: program_of(command),
+        status: output.status,
+        message: tail(&said),
+    })
+}
+
+fn output(command: &mut Command) -> Result<Output, ToolError> {
+    let output = command.stdin(Stdio::null()).output();
+    output.map_err(|source| ToolError::NotStarted {
+        program: program_of(command),
+        source,
+    })
+}
+
+pub(crate) fn program_of(command: &Command) -> String {
+    let name = Path::new(command.get_program()).file_name();
+    name.unwrap_or(OsStr::new("?")).to_string_lossy().into()
+}
+
+/// The end of what a tool said: what went wrong stands there.
+pub(crate) fn tail(said: &[u8]) -> String {
+    const MOST: usize = 2_000;
+    let text = String::from_utf8_lossy(said);
+    let text = text.trim();
+    let from = text.len().saturating_sub(MOST);
+    let from = (from..=text.len()).find(|&at| text.is_char_boundary(at));
+    text[from.unwrap_or(0)..].to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_missing_tool_is_named_with_its_install_command() {
+        let missing = MissingTool {
+            program: Tool::Vvp.program(),
+            package: Tool::Vvp.package(),
+        };
+        assert_eq!(
+            missing.to_string(),
+            "`vvp` is not on the PATH; install it with `sudo apt-get install -y iverilog`"
+        );
+        assert_eq!(on_path("no-such-tool-anywhere"), None);
+    }
+
+    #[test]
+    fn the_tail_is_what_a_tool_said_last() {
+        assert_eq!(tail(b" error: here \n"), "error: here");
+        let long = [b"first".as_slice(), &[b'x'; 5_000], b"last"].concat();
+        assert!(tail(&long).ends_with("last") && !tail(&long).contains("first"));
+    }
+}

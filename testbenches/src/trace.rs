@@ -1,0 +1,50 @@
+//! The trace module: Verilog around an emitted design that makes its registers visible.
+
+use std::fmt::Write as _;
+
+use photoncube_hdl::Emitted;
+use photoncube_spec::Pin;
+
+/// The name of the module that [`trace_module`] writes.
+pub(crate) const TRACE: &str = "photoncube_trace";
+
+/// A module with the design inside, as `dut`, and a port for each of its pins and registers. It
+/// reads registers by hierarchical reference, so that the design's own text stays as it is.
+pub(crate) fn trace_module(design: &Emitted) -> String {
+    let (outputs, registers) = design.pins.observed.split_at(design.pins.outputs);
+    let mut ports: Vec<_> = design.clocked.then_some("clock").into_iter().collect();
+    ports.extend(names(&design.pins.inputs));
+    ports.extend(names(outputs));
+    let connections: Vec<_> = ports
+        .iter()
+        .map(|name| format!(".{name}({name})"))
+        .collect();
+    ports.extend(names(registers));
+    let mut text = format!("module {TRACE}({});\n", ports.join(", "));
+    if design.clocked {
+        text += "  input clock;\n";
+    }
+    declare(&mut text, "input", &design.pins.inputs);
+    declare(&mut text, "output", &design.pins.observed);
+    let _ = writeln!(text, "  {} dut({});", design.top, connections.join(", "));
+    for (name, path) in names(registers).zip(&design.register_paths) {
+        let _ = writeln!(text, "  assign {name} = dut.{path};");
+    }
+    text += "endmodule\n";
+    text
+}
+
+/// The pins' names, in order.
+pub(crate) fn names(pins: &[Pin]) -> impl Iterator<Item = &str> {
+    pins.iter().map(|pin| pin.name.as_str())
+}
+
+/// Declares each pin, one a line.
+pub(crate) fn declare(text: &mut String, kind: &str, pins: &[Pin]) {
+    for pin in pins {
+        let _ = match pin.width {
+            1 => writeln!(text, "  {kind} {};", pin.name),
+            width => writeln!(text, "  {kind} [{}:0] {};", width - 1, pin.name),
+        };
+    }
+}

@@ -1,0 +1,236 @@
+//! Verification: a device against the golden model on a stream of stimulus.
+
+use std::ops::ControlFlow;
+use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
+use std::thread;
+
+use photoncube_hdl::Level;
+use photoncube_spec::{Machine, Pins};
+use serde::Serialize;
+use thiserror::Error;
+
+use crate::compare::{Comparer, Divergence};
+use crate::device::{Device, DeviceError, DeviceKind, Observed};
+use crate::stimulus::{Block, Source, StimulusError, generate};
+
+/// How much is verified, on what.
+#[derive(Copy, Clone, Debug)]
+pub struct VerifyOptions<'a> {
+    /// At least this many iterations: groups taken and accumulated. A workload ends with its last
+    /// query, if that comes first.
+    pub iterations: u64,
+    /// The seed of random stimulus.
+    pub seed: u64,
+    /// Where the queries come from.
+    pub source: Source<'a>,
+}
+
+/// What was compared and found equal.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Verdict {
+    /// The machine.
+    pub machine: &'static str,
+    /// The device.
+    pub device: String,
+    /// The tool behind it, with its version.
+    pub tool_version: String,
+    /// The seed of the stimulus.
+    pub seed: u64,
+    /// Groups taken and accumulated.
+    pub iterations: u64,
+    /// Results taken; each was also held against the direct gather.
+    pub results_compared: u64,
+    /// Clocks, in each of which every visible signal was compared.
+    pub vectors_compared: u64,
+    /// Signals in a vector.
+    pub signals_per_vector: usize,
+    /// Whether these are all registers of all cells, or the output pins alone.
+    pub registers_compared: bool,
+    /// Vectors that were not equal: 0, as the first one ends a verification with an error.
+    pub mismatches: u64,
+}
+
+/// Why a verification did not end well.
+#[derive(Debug, Error)]
+pub enum VerifyError {
+    /// The device differs from the golden model.
+    #[error("{0}")]
+    Diverged(Box<Divergence>),
+    /// Nothing went through the machine, so nothing was proven.
+    #[error(
+        "nothing was compared in {device}: {iterations} iterations, {results} results, \
+         {vectors} vectors; a verification needs at least one of each"
+    )]
+    NothingCompared {
+        /// The device.
+        device: String,
+        /// Iterations that were run.
+        iterations: u64,
+        /// Results that were taken.
+        results: u64,
+        /// Clocks that were compared.
+        vectors: u64,
+    },
+    /// The device does not run.
+    #[error(transparent)]
+    Device(#[from] DeviceError),
+    /// The stimulus cannot be made.
+    #[error(transparent)]
+    Stimulus(#[from] StimulusError),
+}
+
+/// Blocks that wait between the golden model and the device.
+const BLOCKS_AHEAD: usize = 4;
+
+/// Verifies a machine in a device; `progress` is told the iterations done.
+///
+/// # Errors
+/// The first difference, with all that is needed to look into it; or no verdict at all.
+pub fn verify(
+    machine: &Machine,
+    kind: DeviceKind,
+    options: &VerifyOptions<'_>,
+    progress: &dyn Fn(u64),
+) -> Result<Verdict, VerifyError> {
+    verify_device(
+        machine,
+        kind.open(machine, Level::Machine)?.as_mut(),
+        options,
+        progress,
+    )
+}
+
+/// Verifies a machine in a device that is open and has not run yet.
+///
+/// # Errors
+/// The first difference, with all that is needed to look into it; or no verdict at all.
+pub fn verify_device(
+    machine: &Machine,
+    device: &mut dyn Device,
+    options: &VerifyOptions<'_>,
+    progress: &dyn Fn(u64),
+) -> Result<Verdict, VerifyError> {
+    thread::scope(|scope| {
+        // The golden model runs ahead of the device in a thread of its own.
+        let (send, receive) = sync_channel(BLOCKS_AHEAD);
+        let generator = scope.spawn(move || produce(machine, options, &send));
+        // The receiver goes with this call, which stops the generator where the device failed.
+        let compared = consume(machine, device, options, receive, progress);
+        let produced = generator.join().expect("the golden model does not panic");
+        let verdict = compared?;
+        produced?;
+        nothing_is_not_a_pass(verdict)
+    })
+}
+
+fn produce(
+    machine: &Machine,
+    options: &VerifyOptions<'_>,
+    send: &SyncSender<Block>,
+) -> Result<(), StimulusError> {
+    let mut sink = |block| match send.send(block) {
+        Ok(()) => ControlFlow::Continue(()),
+        Err(_) => ControlFlow::Break(()),
+    };
+    let VerifyOptions {
+        iterations,
+        seed,
+        source,
+    } = *options;
+    generate(machine, source, seed, iterations, &mut sink)
+}
+
+fn consume(
+    machine: &Machine,
+    device: &mut dyn Device,
+    options: &VerifyOptions<'_>,
+    blocks: Receiver<Block>,
+    progress: &dyn Fn(u64),
+) -> Result<Verdict, VerifyError> {
+    let signals = Pins::of(machine).observed.len();
+    if device.visible() == 0 {
+        return Err(nothing_compared(device.name(), 0, 0, 0));
+    }
+    let mut comparer = Comparer::new(machine, device.visible());
+    let mut observed = Observed::default();
+    let (mut iterations, mut results) = (0, 0);
+    for block in blocks {
+        observed.clear();
+        device.replay(&block.inputs, &mut observed)?;
+        if !comparer.is_complete(&block, &observed) {
+            return Err(wrong_count(device, block.clocks, &observed).into());
+        }
+        let repeat = || repeat_command(machine, device.name(), options, &block);
+        let compared = comparer.compare(&block, &observed, device.name(), repeat);
+        compared.map_err(VerifyError::Diverged)?;
+        iterations += block.iterations;
+        results += block.results;
+        progress(iterations);
+    }
+    Ok(Verdict {
+        machine: machine.name,
+        device: device.name().to_owned(),
+        tool_version: device.tool_version().to_owned(),
+        seed: options.seed,
+        iterations,
+        results_compared: results,
+        vectors_compared: comparer.vectors,
+        signals_per_vector: device.visible(),
+        registers_compared: device.visible() == signals,
+        mismatches: 0,
+    })
+}
+
+/// A device that does not answer row for row is broken, whatever it answers.
+pub(crate) fn wrong_count(device: &dyn Device, clocks: usize, observed: &Observed) -> DeviceError {
+    DeviceError::BrokeOff {
+        device: device.name().to_owned(),
+        message: format!(
+            "it answered {} values in {clocks} clocks of {} signals",
+            observed.values.len(),
+            device.visible()
+        ),
+    }
+}
+
+fn nothing_is_not_a_pass(verdict: Verdict) -> Result<Verdict, VerifyError> {
+    let (iterations, results) = (verdict.iterations, verdict.results_compared);
+    let vectors = verdict.vectors_compared;
+    if iterations > 0 && results > 0 && vectors > 0 {
+        return Ok(verdict);
+    }
+    let device = &verdict.device;
+    Err(nothing_compared(device, iterations, results, vectors))
+}
+
+pub(crate) fn nothing_compared(
+    device: &str,
+    iterations: u64,
+    results: u64,
+    vectors: u64,
+) -> VerifyError {
+    VerifyError::NothingCompared {
+        device: device.to_owned(),
+        iterations,
+        results,
+        vectors,
+    }
+}
+
+/// The chunk becomes the first of a run that is just long enough to reach the block.
+fn repeat_command(
+    machine: &Machine,
+    device: &str,
+    options: &VerifyOptions<'_>,
+    block: &Block,
+) -> String {
+    match options.source {
+        Source::Workload { repeat, .. } => repeat.to_owned(),
+        Source::Random => format!(
+            "photoncube verify --machine {} --against {device} --seed {} --iterations {}",
+            machine.name,
+            block.seed,
+            block.iterations_before + block.iterations + 1
+        ),
+    }
+}

@@ -1,0 +1,215 @@
+//! The test of the tests: a fault planted in the emitted Verilog must be found.
+
+mod support;
+
+use libtest_mimic::{Arguments, Failed};
+use photoncube_hdl::{Emitted, Level, emit};
+use photoncube_spec::{MACHINES, Machine};
+use photoncube_testbench::{
+    Actual, DeviceError, DeviceKind, Divergence, Icarus, Source, VerifyError, VerifyOptions,
+    verify_device, verify_part_device,
+};
+
+const PAPER: &Machine = &MACHINES[0];
+
+/// An edit of one module's text.
+struct Fault {
+    name: &'static str,
+    /// The module, without the machine's prefix.
+    module: &'static str,
+    /// What stands in the module, once.
+    from: &'static str,
+    /// What stands there instead.
+    to: &'static str,
+    /// What the account of the divergence must name: the step or the signal.
+    names: &'static str,
+}
+
+const FAULTS: &[Fault] = &[
+    Fault {
+        name: "op::the_adder_loses_its_carries",
+        module: "add_unit",
+        from: "a + b",
+        to: "a ^ b",
+        names: "step      add",
+    },
+    Fault {
+        name: "op::the_difference_is_never_turned_round",
+        module: "square_unit",
+        from: "if (below)",
+        to: "if (1'b0)",
+        names: "step      sqd",
+    },
+    Fault {
+        name: "op::one_square_of_a_digit_is_off_by_one",
+        module: "squarer",
+        from: "8'd196",
+        to: "8'd197",
+        names: "step      sqd",
+    },
+    Fault {
+        name: "gate::the_boundary_is_out_of_range",
+        module: "gate_unit",
+        from: "a > wide_b",
+        to: "a >= wide_b",
+        names: "step      gate",
+    },
+    Fault {
+        name: "network::a_link_goes_to_the_wrong_neighbour",
+        module: "network",
+        from: "link_5 | work_13",
+        to: "link_5 | work_12",
+        names: "node 5, register v",
+    },
+    Fault {
+        name: "control::a_word_of_the_store_names_another_axis",
+        module: "store",
+        from: "15'b10000000101000",
+        to: "15'b1000000101000",
+        names: "step      add z",
+    },
+    Fault {
+        name: "control::the_sequencer_forgets_the_last_group",
+        module: "control",
+        from: "last_d = group_last",
+        to: "last_d = last_q",
+        names: "control_last",
+    },
+    Fault {
+        name: "control::a_taken_result_stays",
+        module: "control",
+        from: "taken = done_q & result_ready",
+        to: "taken = done_q & query_valid",
+        names: "control_done",
+    },
+    Fault {
+        name: "control::reset_forgets_the_address",
+        module: "control",
+        from: "address_d = 32'h0;\n            last_d = 1'b0;",
+        to: "last_d = 1'b0;",
+        names: "control_address",
+    },
+    Fault {
+        name: "cell::an_absent_photon_has_power",
+        module: "cell",
+        from: "if (~present_in)",
+        to: "if (1'b0)",
+        names: "step      ldw",
+    },
+];
+
+fn main() {
+    let icarus = DeviceKind::Icarus;
+    let mut trials = Vec::new();
+    for fault in FAULTS {
+        trials.push(support::trial(fault.name.into(), icarus, || caught(fault)));
+    }
+    let name = "part::the_gate_alone_shows_its_fault_too";
+    trials.push(support::trial(name.into(), icarus, part_caught));
+    let name = "text::a_simulation_that_stops_is_no_pass";
+    trials.push(support::trial(name.into(), icarus, stops));
+    let name = "text::a_syntax_error_is_shown_in_the_tools_words";
+    trials.push(support::trial(name.into(), icarus, no_verilog));
+    let name = "power_up::a_register_without_its_initial_value_shows_x";
+    trials.push(support::trial(name.into(), icarus, unknown_at_power_up));
+    let name = "none::the_text_as_it_is_passes";
+    trials.push(support::trial(name.into(), icarus, sound));
+    libtest_mimic::run(&Arguments::from_args(), trials).exit();
+}
+
+fn run(design: &Emitted) -> Result<(), VerifyError> {
+    let options = VerifyOptions {
+        iterations: 1_000,
+        seed: 1,
+        source: Source::Random,
+    };
+    verify_device(PAPER, &mut Icarus::new(design)?, &options, &|_| {}).map(drop)
+}
+
+fn diverges(design: &Emitted) -> Result<Divergence, Failed> {
+    match run(design) {
+        Err(VerifyError::Diverged(divergence)) => Ok(*divergence),
+        Err(other) => Err(other.into()),
+        Ok(()) => Err("the fault was not found".into()),
+    }
+}
+
+fn caught(fault: &Fault) -> Result<(), Failed> {
+    let mut design = emit(PAPER, Level::Machine)?;
+    let module = format!("module {}_{}(", PAPER.module_prefix(), fault.module);
+    design.text = edit(&design.text, &module, fault.from, fault.to);
+    let account = diverges(&design)?.to_string();
+    assert!(account.contains(fault.names), "{account}");
+    Ok(())
+}
+
+/// Replaces what stands once in the one module of that heading.
+fn edit(text: &str, module: &str, from: &str, to: &str) -> String {
+    assert_eq!(text.matches(module).count(), 1, "{module}");
+    let (before, rest) = text.split_at(text.find(module).expect("counted"));
+    let end = rest.find("endmodule").expect("a module ends");
+    let (body, after) = rest.split_at(end);
+    assert_eq!(body.matches(from).count(), 1, "`{from}` in {module}");
+    format!("{before}{}{after}", body.replace(from, to))
+}
+
+fn part_caught() -> Result<(), Failed> {
+    let mut design = emit(PAPER, Level::Gate)?;
+    let verified = |design: &Emitted| {
+        let mut device = Icarus::new(design)?;
+        verify_part_device(PAPER, Level::Gate, &mut device, 1_000, 1)
+    };
+    verified(&design)?;
+    let module = format!("module {}(", design.top);
+    design.text = edit(&design.text, &module, "a > wide_b", "a >= wide_b");
+    match verified(&design) {
+        Err(VerifyError::Diverged(divergence)) => {
+            assert_eq!(divergence.signal, "gated");
+            let operands = &divergence.operands;
+            assert_eq!(operands[0].1, operands[1].1, "a tie");
+            Ok(())
+        }
+        other => Err(format!("the fault was not found: {other:?}").into()),
+    }
+}
+
+fn stops() -> Result<(), Failed> {
+    let mut design = emit(PAPER, Level::Machine)?;
+    let module = format!("module {}_store(", PAPER.module_prefix());
+    let from = "    // Update code";
+    let stop = "    initial #301 $finish;";
+    design.text = edit(&design.text, &module, from, stop);
+    match run(&design) {
+        Err(VerifyError::Device(DeviceError::BrokeOff { device, .. })) => {
+            assert_eq!(device, "icarus");
+            Ok(())
+        }
+        other => Err(format!("expected a simulation that broke off, found {other:?}").into()),
+    }
+}
+
+fn no_verilog() -> Result<(), Failed> {
+    let mut design = emit(PAPER, Level::Machine)?;
+    design.text += "modul\n";
+    let message = run(&design).unwrap_err().to_string();
+    assert!(
+        message.contains("`iverilog` failed") && message.contains("syntax error"),
+        "{message}"
+    );
+    Ok(())
+}
+
+fn unknown_at_power_up() -> Result<(), Failed> {
+    let mut design = emit(PAPER, Level::Machine)?;
+    let initial = "initial begin\n       q = 32'h0;\n    end";
+    let module = format!("module {}_register_32(", PAPER.module_prefix());
+    design.text = edit(&design.text, &module, initial, "");
+    let divergence = diverges(&design)?;
+    assert_eq!(divergence.actual, Actual::Unknown("xxxxxxxx".into()));
+    assert_eq!((divergence.clock, divergence.differing), (0, 16 + 4));
+    Ok(())
+}
+
+fn sound() -> Result<(), Failed> {
+    Ok(run(&emit(PAPER, Level::Machine)?)?)
+}

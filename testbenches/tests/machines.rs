@@ -1,0 +1,142 @@
+//! Every named machine in every device, on random stimulus and on the photons of the built-in
+//! scene.
+
+mod support;
+
+use std::process::Command;
+use std::sync::OnceLock;
+
+use libtest_mimic::{Arguments, Failed, Trial};
+use photoncube_render::{PhotonMap, Scene, TraceOptions, ViewOptions, trace, workload};
+use photoncube_spec::{MACHINES, Machine};
+use photoncube_testbench::{DeviceKind, Source, Verdict, VerifyOptions, verify};
+
+/// Iterations on random stimulus: of the first machine, and of each of the others. Synthesis takes
+/// longer than all else, so one machine is made into gates here, and the parts of all in `parts`.
+fn random_iterations(kind: DeviceKind, is_first: bool) -> Option<u64> {
+    let (first, others) = match kind {
+        DeviceKind::RustHdl => (20_000, 2_000),
+        DeviceKind::Icarus => (2_000, 200),
+        DeviceKind::Verilator => (1_000_000, 20_000),
+        DeviceKind::Netlist if is_first => (200, 0),
+        DeviceKind::Netlist => return None,
+    };
+    Some(if is_first { first } else { others })
+}
+
+/// Iterations on photons of the scene. The netlist differs from Icarus's run in nothing but the
+/// gates, which random stimulus exercises better.
+fn scene_iterations(kind: DeviceKind, is_first: bool) -> Option<u64> {
+    let (first, others) = match kind {
+        DeviceKind::RustHdl => (2_000, 500),
+        DeviceKind::Icarus => (500, 100),
+        DeviceKind::Verilator => (100_000, 10_000),
+        DeviceKind::Netlist => return None,
+    };
+    Some(if is_first { first } else { others })
+}
+
+fn main() {
+    let mut trials = Vec::new();
+    for (index, machine) in MACHINES.iter().enumerate() {
+        for kind in DeviceKind::ALL {
+            if let Some(iterations) = random_iterations(kind, index == 0) {
+                let name = format!("random::{}::{kind}", machine.name);
+                let run = move || random(machine, kind, iterations);
+                trials.push(support::trial(name, kind, run));
+            }
+            if let Some(iterations) = scene_iterations(kind, index == 0) {
+                let name = format!("scene::{}::{kind}", machine.name);
+                let run = move || scene(machine, kind, iterations);
+                trials.push(support::trial(name, kind, run));
+            }
+        }
+    }
+    trials.push(Trial::test("tools::missing_ones_are_listed", missing_tools));
+    libtest_mimic::run(&Arguments::from_args(), trials).exit();
+}
+
+fn random(machine: &Machine, kind: DeviceKind, iterations: u64) -> Result<(), Failed> {
+    let options = VerifyOptions {
+        iterations,
+        seed: 1,
+        source: Source::Random,
+    };
+    let verdict = verify(machine, kind, &options, &|_| {})?;
+    check(&verdict, kind, iterations);
+    Ok(())
+}
+
+fn scene(machine: &Machine, kind: DeviceKind, iterations: u64) -> Result<(), Failed> {
+    static MAP: OnceLock<(Scene, PhotonMap)> = OnceLock::new();
+    let (scene, map) = MAP.get_or_init(photon_map);
+    let queries = workload(scene, map, machine, &ViewOptions::default(), iterations, 1)?;
+    let options = VerifyOptions {
+        iterations,
+        seed: 1,
+        source: Source::Workload {
+            queries: &queries,
+            repeat: "cargo test -p photoncube-testbench --test machines -- scene",
+        },
+    };
+    let verdict = verify(machine, kind, &options, &|_| {})?;
+    check(&verdict, kind, iterations);
+    Ok(())
+}
+
+fn photon_map() -> (Scene, PhotonMap) {
+    let scene = Scene::built_in("cornell").expect("the scene is built in");
+    let options = TraceOptions {
+        photons: 100_000,
+        seed: 1,
+    };
+    let photons = trace(&scene, &options, &|_| ()).expect("the scene has a light");
+    let photons = photons.photons;
+    // 100 photons in range make queries of some hundred candidates.
+    let radius = PhotonMap::radius_for(&scene, photons.len() as u64, 100.0);
+    let map = PhotonMap::new(&scene, photons, radius).expect("the photons fit a map");
+    (scene, map)
+}
+
+/// This very program without any tool on its PATH.
+fn missing_tools() -> Result<(), Failed> {
+    let run = |arguments: &[&str], require: &str| {
+        Command::new(std::env::current_exe()?)
+            .args(arguments)
+            .env("PATH", "")
+            .env("REQUIRE_EDA", require)
+            .output()
+    };
+    let listed = run(&["--list", "--ignored"], "0")?;
+    let listed = String::from_utf8(listed.stdout)?;
+    for package in ["iverilog", "verilator", "yosys"] {
+        let named = format!("(sudo apt-get install -y {package})");
+        assert!(listed.contains(&named), "{listed}");
+    }
+    assert!(!listed.contains("rust-hdl"), "{listed}");
+    let icarus = ["--exact", "random::paper::icarus"];
+    let ignored = run(&icarus, "0")?;
+    assert!(ignored.status.success());
+    let required = run(&icarus, "1")?;
+    assert!(!required.status.success());
+    let said = String::from_utf8(required.stdout)?;
+    assert!(said.contains("`iverilog` is not on the PATH"), "{said}");
+    Ok(())
+}
+
+fn check(verdict: &Verdict, kind: DeviceKind, iterations: u64) {
+    println!(
+        "{} in {}: {} clocks of {} signals, {} iterations, {} results",
+        verdict.machine,
+        verdict.device,
+        verdict.vectors_compared,
+        verdict.signals_per_vector,
+        verdict.iterations,
+        verdict.results_compared
+    );
+    assert!(verdict.iterations >= iterations);
+    assert!(verdict.vectors_compared > 9 * iterations);
+    assert!(verdict.results_compared > 0);
+    assert_eq!(verdict.mismatches, 0);
+    assert_eq!(verdict.registers_compared, kind != DeviceKind::Netlist);
+}

@@ -1,0 +1,37 @@
+//! Each unit, one cell on random microprograms, and the network, of every named machine in every
+//! device.
+
+mod support;
+
+use libtest_mimic::Arguments;
+use photoncube_hdl::Level;
+use photoncube_spec::MACHINES;
+use photoncube_testbench::{DeviceKind, verify_part};
+
+/// Rows of inputs for one part; a squarer of 8 bits gets all 65,536 pairs at least.
+fn vectors(kind: DeviceKind) -> usize {
+    match kind {
+        DeviceKind::RustHdl | DeviceKind::Verilator => 20_000,
+        DeviceKind::Icarus | DeviceKind::Netlist => 5_000,
+    }
+}
+
+fn main() {
+    let mut trials = Vec::new();
+    let parts = Level::ALL.into_iter();
+    for part in parts.filter(|&level| level != Level::Machine) {
+        for machine in MACHINES {
+            for kind in DeviceKind::ALL {
+                let name = format!("{}::{}::{kind}", part.name(), machine.name);
+                let run = move || {
+                    let vectors = vectors(kind);
+                    let verdict = verify_part(machine, part, kind, vectors, 1)?;
+                    assert!(verdict.vectors_compared >= vectors as u64);
+                    Ok(())
+                };
+                trials.push(support::trial(name, kind, run));
+            }
+        }
+    }
+    libtest_mimic::run(&Arguments::from_args(), trials).exit();
+}
