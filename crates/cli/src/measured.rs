@@ -41,7 +41,24 @@ pub struct Measured {
 const SYNTHESIS: &str = include_str!("../../../docs/measured/synthesis.json");
 
 /// The summary of `photoncube run --machine M`, by machine.
-const RUNS: &[(&str, &str)] = &[];
+const RUNS: &[(&str, &str)] = &[
+    (
+        "paper",
+        include_str!("../../../docs/measured/run-paper.json"),
+    ),
+    (
+        "paper-dsp",
+        include_str!("../../../docs/measured/run-paper-dsp.json"),
+    ),
+    (
+        "paper-12",
+        include_str!("../../../docs/measured/run-paper-12.json"),
+    ),
+    (
+        "paper-5d",
+        include_str!("../../../docs/measured/run-paper-5d.json"),
+    ),
+];
 
 #[derive(Deserialize)]
 struct Synthesis {

@@ -20,44 +20,62 @@ struct Report {
     divergence: Option<String>,
 }
 
-/// Verifies in each device that was named, one after the other.
-pub fn execute(args: &VerifyArgs, json: bool) -> Result<()> {
-    let machine = args.machine.find()?;
-    let devices = devices(&args.against)?;
-    let mut report = Report {
-        machine: machine.name,
-        seed: args.seed,
-        iterations: args.iterations,
-        vectors_compared: 0,
-        mismatches: 0,
-        devices: Vec::new(),
-        divergence: None,
-    };
-    for device in devices {
-        let options = VerifyOptions {
-            iterations: args.iterations,
+impl Report {
+    fn new(machine: &Machine, args: &VerifyArgs) -> Self {
+        Self {
+            machine: machine.name,
             seed: args.seed,
-            source: Source::Random,
-        };
-        match verify_with_bar(machine, device, &options) {
+            iterations: args.iterations,
+            vectors_compared: 0,
+            mismatches: 0,
+            devices: Vec::new(),
+            divergence: None,
+        }
+    }
+
+    /// Takes note of a device; an error is what kept it from a verdict.
+    fn record(&mut self, result: Result<Verdict, VerifyError>) -> Result<()> {
+        match result {
             Ok(verdict) => {
-                report.vectors_compared += verdict.vectors_compared;
-                report.mismatches += verdict.mismatches;
-                report.devices.push(verdict);
+                self.vectors_compared += verdict.vectors_compared;
+                self.mismatches += verdict.mismatches;
+                self.devices.push(verdict);
             }
             Err(VerifyError::Diverged(divergence)) => {
-                report.mismatches += 1;
-                report.divergence = Some(divergence.to_string());
-                break;
+                self.vectors_compared += divergence.vectors_compared + 1;
+                self.mismatches += 1;
+                self.divergence = Some(divergence.to_string());
             }
             Err(error) => return Err(error.into()),
         }
+        Ok(())
+    }
+
+    fn conclusion(&self) -> Result<()> {
+        match &self.divergence {
+            None => Ok(()),
+            Some(divergence) => Err(CheckFailed(divergence.clone()).into()),
+        }
+    }
+}
+
+/// Verifies in each device that was named, one after the other, up to the first difference.
+pub fn execute(args: &VerifyArgs, json: bool) -> Result<()> {
+    let machine = args.machine.find()?;
+    let mut report = Report::new(machine, args);
+    let options = VerifyOptions {
+        iterations: args.iterations,
+        seed: args.seed,
+        source: Source::Random,
+    };
+    for device in devices(&args.against)? {
+        report.record(verify_with_bar(machine, device, &options))?;
+        if report.divergence.is_some() {
+            break;
+        }
     }
     output::print(json, &report, || verdict_table(&report.devices))?;
-    match report.divergence {
-        None => Ok(()),
-        Some(divergence) => Err(CheckFailed(divergence).into()),
-    }
+    report.conclusion()
 }
 
 /// Verifies with a progress bar.
@@ -116,4 +134,47 @@ pub fn verdict_table(verdicts: &[Verdict]) -> String {
         ]
     };
     table::markdown(&header, &verdicts.iter().map(row).collect::<Vec<_>>())
+}
+
+#[cfg(test)]
+mod tests {
+    use std::process::ExitCode;
+
+    use clap::Parser;
+    use photoncube_spec::find_machine;
+    use photoncube_testbench::{Mutant, verify_device};
+
+    use super::*;
+    use crate::args::{Args, Command};
+    use crate::failure::exit_code;
+
+    #[test]
+    fn a_divergence_is_reported_and_ends_1() {
+        let args = Args::parse_from(["photoncube", "verify", "--iterations", "10"]);
+        let Command::Verify(args) = args.command else {
+            panic!("parsed as {args:?}");
+        };
+        let machine = find_machine("paper").unwrap();
+        let options = VerifyOptions {
+            iterations: args.iterations,
+            seed: args.seed,
+            source: Source::Random,
+        };
+        // A device that is the golden model, but for the first register of the last cell.
+        let flip = |_clock, row: &mut [u64]| {
+            if let Some(register) = row.iter_mut().rev().nth(5) {
+                *register ^= 1;
+            }
+        };
+        let mut mutant = Mutant::sound(machine).with_row_fault(flip);
+        let result = verify_device(machine, &mut mutant, &options, &|_| {});
+        let mut report = Report::new(machine, &args);
+        report.record(result).unwrap();
+        assert_eq!(report.mismatches, 1);
+        let error = report.conclusion().unwrap_err();
+        assert_eq!(exit_code(&error), ExitCode::from(1));
+        let message = error.to_string();
+        assert!(message.contains("node 15, register q"), "{message}");
+        assert!(message.contains("repeat    photoncube verify"), "{message}");
+    }
 }

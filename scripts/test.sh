@@ -1,0 +1,50 @@
+#!/usr/bin/env bash
+# Every check that this project holds, from a fresh clone: installs what is missing, then runs them
+# one after the other and stops at the first that fails.
+#
+# Only the dev profile is built (it is optimised, see Cargo.toml), and the binary that the tests built
+# is the one that checks the committed Verilog: `cargo run`, with or without --release, would compile
+# the dependencies once more (their features differ without the tests') and test nothing more.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+if (($# > 0)); then
+    printf 'Usage: scripts/test.sh\nInstalls what the full tests need (scripts/setup.sh) and runs them all.\n'
+    [[ $1 == -h || $1 == --help ]] && exit 0
+    exit 2
+fi
+
+export REQUIRE_EDA=1
+
+name=start
+report_failure() {
+    local code=$?
+    ((code == 0)) || printf '\nstage failed: %s (exit code %d, at %d s)\n' "$name" "$code" "$SECONDS" >&2
+}
+trap report_failure EXIT
+
+stage() {
+    name=$1
+    shift
+    printf '\n=== %s (at %d s)\n' "$name" "$SECONDS"
+    "$@"
+}
+
+# The binary of `cargo test`, wherever this Cargo puts its targets.
+photoncube() {
+    local folder
+    folder=$(cargo metadata --format-version 1 --no-deps |
+        python3 -c 'import json, sys; print(json.load(sys.stdin)["target_directory"])')
+    "$folder/debug/photoncube" "$@"
+}
+
+stage "set-up" scripts/setup.sh
+stage "format" cargo fmt --all --check
+stage "layers" scripts/check_layers.sh
+stage "clippy" cargo clippy --locked --workspace --all-targets -- -D warnings
+stage "docs" env RUSTDOCFLAGS="-D warnings" cargo doc --locked --workspace --no-deps
+stage "tests" cargo test --locked --workspace
+stage "committed Verilog" photoncube generate --check
+stage "Verilog checks" scripts/yosys/check.sh
+
+printf '\nall stages passed\n'

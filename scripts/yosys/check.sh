@@ -1,0 +1,82 @@
+#!/usr/bin/env bash
+# Whether three readers of Verilog take what the generator emits, without a single complaint.
+set -euo pipefail
+
+usage() {
+    cat <<'USAGE'
+Usage: scripts/yosys/check.sh [FILE...]
+
+Checks emitted Verilog (default: hdl-out/*/*.v); the top module has the name of its file.
+  yosys      no missing module, no latch, no loop, no driver conflict, no undriven net
+  iverilog   Verilog-2001 with all warnings
+  verilator  all warnings but WIDTH, UNUSEDSIGNAL, UNUSEDPARAM and DECLFILENAME
+A warning is a failure.
+
+Exit codes: 0 all pass; 1 a file fails; 2 bad usage, a missing file or a missing tool.
+USAGE
+}
+
+# rust-hdl declares one module per block in one file and never trims an operand.
+readonly WAIVED=(-Wno-WIDTH -Wno-UNUSEDSIGNAL -Wno-UNUSEDPARAM -Wno-DECLFILENAME)
+
+by_yosys() {
+    # -e makes every warning an error: undeclared names are only warned of.
+    yosys -q -e . -p "read_verilog \"$1\"; hierarchy -check -top $2; proc;
+        select -assert-none t:\$dlatch t:\$adlatch t:\$dlatchsr t:\$sr; flatten; check -assert"
+}
+by_iverilog() { iverilog -g2001 -Wall -s "$2" -o /dev/null "$1"; }
+by_verilator() { verilator --lint-only -Wall "${WAIVED[@]}" --top-module "$2" "$1"; }
+
+case ${1-} in
+    -h | --help)
+        usage
+        exit 0
+        ;;
+    -*)
+        usage >&2
+        exit 2
+        ;;
+esac
+
+files=("$@")
+if (($# == 0)); then
+    cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+    shopt -s nullglob
+    files=(hdl-out/*/*.v)
+    if ((${#files[@]} == 0)); then
+        echo "check: found no hdl-out/*/*.v, expected one for each machine; write them with \`cargo run --release -- generate\`" >&2
+        exit 2
+    fi
+fi
+for tool in yosys iverilog verilator; do
+    command -v "$tool" >/dev/null || {
+        echo "check: no $tool on the PATH; scripts/setup.sh installs it" >&2
+        exit 2
+    }
+done
+
+failed=0
+for file in "${files[@]}"; do
+    if [[ ! -f $file || ! $file =~ ^[[:alnum:]_./-]+\.v$ ]]; then
+        echo "check: found no file $file, expected Verilog: *.v with only letters, digits and _./- in its path" >&2
+        exit 2
+    fi
+    top=$(basename "$file" .v) bad=()
+    for tool in yosys iverilog verilator; do
+        # A tool that says anything has complained, whatever it returns.
+        if ! said=$("by_$tool" "$file" "$top" 2>&1) || [[ -n $said ]]; then
+            bad+=("$tool")
+            head -n 40 <<<"${said:-(no message)}" | sed "s/^/    $tool: /" >&2
+        fi
+    done
+    if ((${#bad[@]} == 0)); then
+        printf 'pass  %s (yosys, iverilog, verilator)\n' "$file"
+    else
+        printf 'FAIL  %s (%s)\n' "$file" "${bad[*]}"
+        failed=$((failed + 1))
+    fi
+done
+if ((failed > 0)); then
+    printf 'check: %d of %d files fail\n' "$failed" "${#files[@]}" >&2
+    exit 1
+fi
