@@ -5,7 +5,7 @@ mod mutant;
 mod netlist;
 mod packing;
 mod process;
-mod rust_hdl;
+mod simulation;
 mod verilator;
 
 use std::fmt;
@@ -21,8 +21,8 @@ use crate::tools::{MissingTool, Tool, ToolError};
 pub use icarus::Icarus;
 pub use mutant::Mutant;
 pub use netlist::netlist;
-pub use rust_hdl::RustHdl;
-pub(crate) use rust_hdl::hdl_error;
+pub use simulation::RustHdl;
+pub(crate) use simulation::hdl_error;
 pub use verilator::Verilator;
 
 /// Something that is compared with the golden model. It keeps its state between calls and starts
