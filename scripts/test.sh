@@ -46,5 +46,6 @@ stage "docs" env RUSTDOCFLAGS="-D warnings" cargo doc --locked --workspace --no-
 stage "tests" cargo test --locked --workspace
 stage "committed Verilog" photoncube generate --check
 stage "Verilog checks" scripts/yosys/check.sh
+stage "synthesis figures" scripts/yosys/synth.sh --check
 
 printf '\nall stages passed\n'

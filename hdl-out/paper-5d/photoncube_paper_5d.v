@@ -2,7 +2,18 @@
 // 32 cells, 8-bit coordinates, 16-bit powers, squarer: digits.
 // Written by `photoncube generate --machine paper-5d`; do not edit.
 
-module photoncube_paper_5d(clock,reset,query_valid,query_x,query_y,query_z,query_radius_sq,group_valid,group_last,photon_present_0,photon_present_1,photon_present_2,photon_present_3,photon_present_4,photon_present_5,photon_present_6,photon_present_7,photon_x_0,photon_x_1,photon_x_2,photon_x_3,photon_x_4,photon_x_5,photon_x_6,photon_x_7,photon_y_0,photon_y_1,photon_y_2,photon_y_3,photon_y_4,photon_y_5,photon_y_6,photon_y_7,photon_z_0,photon_z_1,photon_z_2,photon_z_3,photon_z_4,photon_z_5,photon_z_6,photon_z_7,photon_red_0,photon_red_1,photon_red_2,photon_red_3,photon_red_4,photon_red_5,photon_red_6,photon_red_7,photon_green_0,photon_green_1,photon_green_2,photon_green_3,photon_green_4,photon_green_5,photon_green_6,photon_green_7,photon_blue_0,photon_blue_1,photon_blue_2,photon_blue_3,photon_blue_4,photon_blue_5,photon_blue_6,photon_blue_7,result_ready,query_ready,group_ready,result_valid,result_red,result_green,result_blue,result_count);
+module photoncube_paper_5d(clock, reset, query_valid, query_x, query_y, query_z,
+    query_radius_sq, group_valid, group_last, photon_present_0, photon_present_1,
+    photon_present_2, photon_present_3, photon_present_4, photon_present_5, photon_present_6,
+    photon_present_7, photon_x_0, photon_x_1, photon_x_2, photon_x_3, photon_x_4, photon_x_5,
+    photon_x_6, photon_x_7, photon_y_0, photon_y_1, photon_y_2, photon_y_3, photon_y_4,
+    photon_y_5, photon_y_6, photon_y_7, photon_z_0, photon_z_1, photon_z_2, photon_z_3,
+    photon_z_4, photon_z_5, photon_z_6, photon_z_7, photon_red_0, photon_red_1, photon_red_2,
+    photon_red_3, photon_red_4, photon_red_5, photon_red_6, photon_red_7, photon_green_0,
+    photon_green_1, photon_green_2, photon_green_3, photon_green_4, photon_green_5,
+    photon_green_6, photon_green_7, photon_blue_0, photon_blue_1, photon_blue_2, photon_blue_3,
+    photon_blue_4, photon_blue_5, photon_blue_6, photon_blue_7, result_ready, query_ready,
+    group_ready, result_valid, result_red, result_green, result_blue, result_count);
     // Module arguments
     input wire clock;
     input wire reset;
@@ -2373,7 +2384,38 @@ module photoncube_paper_5d(clock,reset,query_valid,query_x,query_y,query_z,query
     end
 endmodule
 
-module photoncube_paper_5d_ports(query_x,query_y,query_z,present_0,present_1,present_2,present_3,present_4,present_5,present_6,present_7,x_0,x_1,x_2,x_3,x_4,x_5,x_6,x_7,y_0,y_1,y_2,y_3,y_4,y_5,y_6,y_7,z_0,z_1,z_2,z_3,z_4,z_5,z_6,z_7,red_0,red_1,red_2,red_3,red_4,red_5,red_6,red_7,green_0,green_1,green_2,green_3,green_4,green_5,green_6,green_7,blue_0,blue_1,blue_2,blue_3,blue_4,blue_5,blue_6,blue_7,sum_0,sum_1,sum_2,sum_3,sum_4,sum_5,sum_6,sum_7,sum_8,sum_9,sum_10,sum_11,sum_12,sum_13,sum_14,sum_15,sum_16,sum_17,sum_18,sum_19,sum_20,sum_21,sum_22,sum_23,sum_24,sum_25,sum_26,sum_27,sum_28,sum_29,sum_30,sum_31,cell_query_0,cell_query_1,cell_query_2,cell_query_3,cell_query_4,cell_query_5,cell_query_6,cell_query_7,cell_query_8,cell_query_9,cell_query_10,cell_query_11,cell_query_12,cell_query_13,cell_query_14,cell_query_15,cell_query_16,cell_query_17,cell_query_18,cell_query_19,cell_query_20,cell_query_21,cell_query_22,cell_query_23,cell_query_24,cell_query_25,cell_query_26,cell_query_27,cell_query_28,cell_query_29,cell_query_30,cell_query_31,cell_photon_0,cell_photon_1,cell_photon_2,cell_photon_3,cell_photon_4,cell_photon_5,cell_photon_6,cell_photon_7,cell_photon_8,cell_photon_9,cell_photon_10,cell_photon_11,cell_photon_12,cell_photon_13,cell_photon_14,cell_photon_15,cell_photon_16,cell_photon_17,cell_photon_18,cell_photon_19,cell_photon_20,cell_photon_21,cell_photon_22,cell_photon_23,cell_photon_24,cell_photon_25,cell_photon_26,cell_photon_27,cell_photon_28,cell_photon_29,cell_photon_30,cell_photon_31,cell_present_0,cell_present_1,cell_present_2,cell_present_3,cell_present_4,cell_present_5,cell_present_6,cell_present_7,cell_present_8,cell_present_9,cell_present_10,cell_present_11,cell_present_12,cell_present_13,cell_present_14,cell_present_15,cell_present_16,cell_present_17,cell_present_18,cell_present_19,cell_present_20,cell_present_21,cell_present_22,cell_present_23,cell_present_24,cell_present_25,cell_present_26,cell_present_27,cell_present_28,cell_present_29,cell_present_30,cell_present_31,cell_power_0,cell_power_1,cell_power_2,cell_power_3,cell_power_4,cell_power_5,cell_power_6,cell_power_7,cell_power_8,cell_power_9,cell_power_10,cell_power_11,cell_power_12,cell_power_13,cell_power_14,cell_power_15,cell_power_16,cell_power_17,cell_power_18,cell_power_19,cell_power_20,cell_power_21,cell_power_22,cell_power_23,cell_power_24,cell_power_25,cell_power_26,cell_power_27,cell_power_28,cell_power_29,cell_power_30,cell_power_31,result_red,result_green,result_blue,result_count);
+module photoncube_paper_5d_ports(query_x, query_y, query_z, present_0, present_1, present_2,
+    present_3, present_4, present_5, present_6, present_7, x_0, x_1, x_2, x_3, x_4, x_5, x_6,
+    x_7, y_0, y_1, y_2, y_3, y_4, y_5, y_6, y_7, z_0, z_1, z_2, z_3, z_4, z_5, z_6, z_7, red_0,
+    red_1, red_2, red_3, red_4, red_5, red_6, red_7, green_0, green_1, green_2, green_3, green_4,
+    green_5, green_6, green_7, blue_0, blue_1, blue_2, blue_3, blue_4, blue_5, blue_6, blue_7,
+    sum_0, sum_1, sum_2, sum_3, sum_4, sum_5, sum_6, sum_7, sum_8, sum_9, sum_10, sum_11, sum_12,
+    sum_13, sum_14, sum_15, sum_16, sum_17, sum_18, sum_19, sum_20, sum_21, sum_22, sum_23,
+    sum_24, sum_25, sum_26, sum_27, sum_28, sum_29, sum_30, sum_31, cell_query_0, cell_query_1,
+    cell_query_2, cell_query_3, cell_query_4, cell_query_5, cell_query_6, cell_query_7,
+    cell_query_8, cell_query_9, cell_query_10, cell_query_11, cell_query_12, cell_query_13,
+    cell_query_14, cell_query_15, cell_query_16, cell_query_17, cell_query_18, cell_query_19,
+    cell_query_20, cell_query_21, cell_query_22, cell_query_23, cell_query_24, cell_query_25,
+    cell_query_26, cell_query_27, cell_query_28, cell_query_29, cell_query_30, cell_query_31,
+    cell_photon_0, cell_photon_1, cell_photon_2, cell_photon_3, cell_photon_4, cell_photon_5,
+    cell_photon_6, cell_photon_7, cell_photon_8, cell_photon_9, cell_photon_10, cell_photon_11,
+    cell_photon_12, cell_photon_13, cell_photon_14, cell_photon_15, cell_photon_16,
+    cell_photon_17, cell_photon_18, cell_photon_19, cell_photon_20, cell_photon_21,
+    cell_photon_22, cell_photon_23, cell_photon_24, cell_photon_25, cell_photon_26,
+    cell_photon_27, cell_photon_28, cell_photon_29, cell_photon_30, cell_photon_31,
+    cell_present_0, cell_present_1, cell_present_2, cell_present_3, cell_present_4,
+    cell_present_5, cell_present_6, cell_present_7, cell_present_8, cell_present_9,
+    cell_present_10, cell_present_11, cell_present_12, cell_present_13, cell_present_14,
+    cell_present_15, cell_present_16, cell_present_17, cell_present_18, cell_present_19,
+    cell_present_20, cell_present_21, cell_present_22, cell_present_23, cell_present_24,
+    cell_present_25, cell_present_26, cell_present_27, cell_present_28, cell_present_29,
+    cell_present_30, cell_present_31, cell_power_0, cell_power_1, cell_power_2, cell_power_3,
+    cell_power_4, cell_power_5, cell_power_6, cell_power_7, cell_power_8, cell_power_9,
+    cell_power_10, cell_power_11, cell_power_12, cell_power_13, cell_power_14, cell_power_15,
+    cell_power_16, cell_power_17, cell_power_18, cell_power_19, cell_power_20, cell_power_21,
+    cell_power_22, cell_power_23, cell_power_24, cell_power_25, cell_power_26, cell_power_27,
+    cell_power_28, cell_power_29, cell_power_30, cell_power_31, result_red, result_green,
+    result_blue, result_count);
     // Module arguments
     input wire [7:0] query_x;
     input wire [7:0] query_y;
@@ -2735,7 +2777,13 @@ module photoncube_paper_5d_ports(query_x,query_y,query_z,present_0,present_1,pre
     end
 endmodule
 
-module photoncube_paper_5d_network(axis,work_0,work_1,work_2,work_3,work_4,work_5,work_6,work_7,work_8,work_9,work_10,work_11,work_12,work_13,work_14,work_15,work_16,work_17,work_18,work_19,work_20,work_21,work_22,work_23,work_24,work_25,work_26,work_27,work_28,work_29,work_30,work_31,link_0,link_1,link_2,link_3,link_4,link_5,link_6,link_7,link_8,link_9,link_10,link_11,link_12,link_13,link_14,link_15,link_16,link_17,link_18,link_19,link_20,link_21,link_22,link_23,link_24,link_25,link_26,link_27,link_28,link_29,link_30,link_31);
+module photoncube_paper_5d_network(axis, work_0, work_1, work_2, work_3, work_4, work_5,
+    work_6, work_7, work_8, work_9, work_10, work_11, work_12, work_13, work_14, work_15,
+    work_16, work_17, work_18, work_19, work_20, work_21, work_22, work_23, work_24, work_25,
+    work_26, work_27, work_28, work_29, work_30, work_31, link_0, link_1, link_2, link_3, link_4,
+    link_5, link_6, link_7, link_8, link_9, link_10, link_11, link_12, link_13, link_14, link_15,
+    link_16, link_17, link_18, link_19, link_20, link_21, link_22, link_23, link_24, link_25,
+    link_26, link_27, link_28, link_29, link_30, link_31);
     // Module arguments
     input wire [4:0] axis;
     input wire [18:0] work_0;
@@ -3009,7 +3057,9 @@ module photoncube_paper_5d_network(axis,work_0,work_1,work_2,work_3,work_4,work_
     end
 endmodule
 
-module photoncube_paper_5d_control(clock,reset,query_valid,query_ready,group_valid,group_last,group_ready,result_valid,result_ready,write_query,write_photon,write_power,write_work,write_sum,work_source,add_sum,axis);
+module photoncube_paper_5d_control(clock, reset, query_valid, query_ready, group_valid,
+    group_last, group_ready, result_valid, result_ready, write_query, write_photon, write_power,
+    write_work, write_sum, work_source, add_sum, axis);
     // Module arguments
     input wire clock;
     input wire reset;
@@ -3154,7 +3204,9 @@ module photoncube_paper_5d_control(clock,reset,query_valid,query_ready,group_val
     end
 endmodule
 
-module photoncube_paper_5d_cell(clock,write_query,write_photon,write_power,write_work,write_sum,work_source,add_sum,query_in,radius_sq_in,photon_in,present_in,power_in,link_in,work_out,sum_out);
+module photoncube_paper_5d_cell(clock, write_query, write_photon, write_power, write_work,
+    write_sum, work_source, add_sum, query_in, radius_sq_in, photon_in, present_in, power_in,
+    link_in, work_out, sum_out);
     // Module arguments
     input wire clock;
     input wire write_query;
@@ -3321,7 +3373,7 @@ module photoncube_paper_5d_cell(clock,write_query,write_photon,write_power,write
     end
 endmodule
 
-module photoncube_paper_5d_register_32(d,q,clock);
+module photoncube_paper_5d_register_32(d, q, clock);
     // Module arguments
     input wire [31:0] d;
     output reg [31:0] q;
@@ -3335,7 +3387,7 @@ module photoncube_paper_5d_register_32(d,q,clock);
     end
 endmodule
 
-module photoncube_paper_5d_register_1(d,q,clock);
+module photoncube_paper_5d_register_1(d, q, clock);
     // Module arguments
     input wire d;
     output reg q;
@@ -3349,7 +3401,7 @@ module photoncube_paper_5d_register_1(d,q,clock);
     end
 endmodule
 
-module photoncube_paper_5d_register_19(d,q,clock);
+module photoncube_paper_5d_register_19(d, q, clock);
     // Module arguments
     input wire [18:0] d;
     output reg [18:0] q;
@@ -3363,7 +3415,7 @@ module photoncube_paper_5d_register_19(d,q,clock);
     end
 endmodule
 
-module photoncube_paper_5d_store(address,word);
+module photoncube_paper_5d_store(address, word);
     // Module arguments
     input wire [3:0] address;
     output reg [15:0] word;
@@ -3422,7 +3474,7 @@ module photoncube_paper_5d_store(address,word);
     end
 endmodule
 
-module photoncube_paper_5d_register_16(d,q,clock);
+module photoncube_paper_5d_register_16(d, q, clock);
     // Module arguments
     input wire [15:0] d;
     output reg [15:0] q;
@@ -3436,7 +3488,7 @@ module photoncube_paper_5d_register_16(d,q,clock);
     end
 endmodule
 
-module photoncube_paper_5d_register_8(d,q,clock);
+module photoncube_paper_5d_register_8(d, q, clock);
     // Module arguments
     input wire [7:0] d;
     output reg [7:0] q;
@@ -3450,7 +3502,8 @@ module photoncube_paper_5d_register_8(d,q,clock);
     end
 endmodule
 
-module photoncube_paper_5d_decoder(word,write_query,write_photon,write_power,write_work,write_sum,work_source,add_sum,takes_query,reads_group,takes_group,axis);
+module photoncube_paper_5d_decoder(word, write_query, write_photon, write_power, write_work,
+    write_sum, work_source, add_sum, takes_query, reads_group, takes_group, axis);
     // Module arguments
     input wire [15:0] word;
     output reg write_query;
@@ -3480,7 +3533,7 @@ module photoncube_paper_5d_decoder(word,write_query,write_photon,write_power,wri
     end
 endmodule
 
-module photoncube_paper_5d_register_4(d,q,clock);
+module photoncube_paper_5d_register_4(d, q, clock);
     // Module arguments
     input wire [3:0] d;
     output reg [3:0] q;
@@ -3494,7 +3547,7 @@ module photoncube_paper_5d_register_4(d,q,clock);
     end
 endmodule
 
-module photoncube_paper_5d_add_unit(a,b,sum);
+module photoncube_paper_5d_add_unit(a, b, sum);
     // Module arguments
     input wire [31:0] a;
     input wire [31:0] b;
@@ -3505,7 +3558,7 @@ module photoncube_paper_5d_add_unit(a,b,sum);
     end
 endmodule
 
-module photoncube_paper_5d_register_18(d,q,clock);
+module photoncube_paper_5d_register_18(d, q, clock);
     // Module arguments
     input wire [17:0] d;
     output reg [17:0] q;
@@ -3519,7 +3572,7 @@ module photoncube_paper_5d_register_18(d,q,clock);
     end
 endmodule
 
-module photoncube_paper_5d_gate_unit(a,b,power,gated);
+module photoncube_paper_5d_gate_unit(a, b, power, gated);
     // Module arguments
     input wire [18:0] a;
     input wire [17:0] b;
@@ -3539,7 +3592,7 @@ module photoncube_paper_5d_gate_unit(a,b,power,gated);
     end
 endmodule
 
-module photoncube_paper_5d_square_unit(a,b,square);
+module photoncube_paper_5d_square_unit(a, b, square);
     // Module arguments
     input wire [7:0] a;
     input wire [7:0] b;
@@ -3569,7 +3622,7 @@ module photoncube_paper_5d_square_unit(a,b,square);
     end
 endmodule
 
-module photoncube_paper_5d_squarer(root,square);
+module photoncube_paper_5d_squarer(root, square);
     // Module arguments
     input wire [7:0] root;
     output reg [15:0] square;

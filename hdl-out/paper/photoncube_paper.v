@@ -2,7 +2,14 @@
 // 16 cells, 8-bit coordinates, 16-bit powers, squarer: digits.
 // Written by `photoncube generate --machine paper`; do not edit.
 
-module photoncube_paper(clock,reset,query_valid,query_x,query_y,query_z,query_radius_sq,group_valid,group_last,photon_present_0,photon_present_1,photon_present_2,photon_present_3,photon_x_0,photon_x_1,photon_x_2,photon_x_3,photon_y_0,photon_y_1,photon_y_2,photon_y_3,photon_z_0,photon_z_1,photon_z_2,photon_z_3,photon_red_0,photon_red_1,photon_red_2,photon_red_3,photon_green_0,photon_green_1,photon_green_2,photon_green_3,photon_blue_0,photon_blue_1,photon_blue_2,photon_blue_3,result_ready,query_ready,group_ready,result_valid,result_red,result_green,result_blue,result_count);
+module photoncube_paper(clock, reset, query_valid, query_x, query_y, query_z,
+    query_radius_sq, group_valid, group_last, photon_present_0, photon_present_1,
+    photon_present_2, photon_present_3, photon_x_0, photon_x_1, photon_x_2, photon_x_3,
+    photon_y_0, photon_y_1, photon_y_2, photon_y_3, photon_z_0, photon_z_1, photon_z_2,
+    photon_z_3, photon_red_0, photon_red_1, photon_red_2, photon_red_3, photon_green_0,
+    photon_green_1, photon_green_2, photon_green_3, photon_blue_0, photon_blue_1, photon_blue_2,
+    photon_blue_3, result_ready, query_ready, group_ready, result_valid, result_red,
+    result_green, result_blue, result_count);
     // Module arguments
     input wire clock;
     input wire reset;
@@ -1237,7 +1244,23 @@ module photoncube_paper(clock,reset,query_valid,query_x,query_y,query_z,query_ra
     end
 endmodule
 
-module photoncube_paper_ports(query_x,query_y,query_z,present_0,present_1,present_2,present_3,x_0,x_1,x_2,x_3,y_0,y_1,y_2,y_3,z_0,z_1,z_2,z_3,red_0,red_1,red_2,red_3,green_0,green_1,green_2,green_3,blue_0,blue_1,blue_2,blue_3,sum_0,sum_1,sum_2,sum_3,sum_4,sum_5,sum_6,sum_7,sum_8,sum_9,sum_10,sum_11,sum_12,sum_13,sum_14,sum_15,cell_query_0,cell_query_1,cell_query_2,cell_query_3,cell_query_4,cell_query_5,cell_query_6,cell_query_7,cell_query_8,cell_query_9,cell_query_10,cell_query_11,cell_query_12,cell_query_13,cell_query_14,cell_query_15,cell_photon_0,cell_photon_1,cell_photon_2,cell_photon_3,cell_photon_4,cell_photon_5,cell_photon_6,cell_photon_7,cell_photon_8,cell_photon_9,cell_photon_10,cell_photon_11,cell_photon_12,cell_photon_13,cell_photon_14,cell_photon_15,cell_present_0,cell_present_1,cell_present_2,cell_present_3,cell_present_4,cell_present_5,cell_present_6,cell_present_7,cell_present_8,cell_present_9,cell_present_10,cell_present_11,cell_present_12,cell_present_13,cell_present_14,cell_present_15,cell_power_0,cell_power_1,cell_power_2,cell_power_3,cell_power_4,cell_power_5,cell_power_6,cell_power_7,cell_power_8,cell_power_9,cell_power_10,cell_power_11,cell_power_12,cell_power_13,cell_power_14,cell_power_15,result_red,result_green,result_blue,result_count);
+module photoncube_paper_ports(query_x, query_y, query_z, present_0, present_1, present_2,
+    present_3, x_0, x_1, x_2, x_3, y_0, y_1, y_2, y_3, z_0, z_1, z_2, z_3, red_0, red_1, red_2,
+    red_3, green_0, green_1, green_2, green_3, blue_0, blue_1, blue_2, blue_3, sum_0, sum_1,
+    sum_2, sum_3, sum_4, sum_5, sum_6, sum_7, sum_8, sum_9, sum_10, sum_11, sum_12, sum_13,
+    sum_14, sum_15, cell_query_0, cell_query_1, cell_query_2, cell_query_3, cell_query_4,
+    cell_query_5, cell_query_6, cell_query_7, cell_query_8, cell_query_9, cell_query_10,
+    cell_query_11, cell_query_12, cell_query_13, cell_query_14, cell_query_15, cell_photon_0,
+    cell_photon_1, cell_photon_2, cell_photon_3, cell_photon_4, cell_photon_5, cell_photon_6,
+    cell_photon_7, cell_photon_8, cell_photon_9, cell_photon_10, cell_photon_11, cell_photon_12,
+    cell_photon_13, cell_photon_14, cell_photon_15, cell_present_0, cell_present_1,
+    cell_present_2, cell_present_3, cell_present_4, cell_present_5, cell_present_6,
+    cell_present_7, cell_present_8, cell_present_9, cell_present_10, cell_present_11,
+    cell_present_12, cell_present_13, cell_present_14, cell_present_15, cell_power_0,
+    cell_power_1, cell_power_2, cell_power_3, cell_power_4, cell_power_5, cell_power_6,
+    cell_power_7, cell_power_8, cell_power_9, cell_power_10, cell_power_11, cell_power_12,
+    cell_power_13, cell_power_14, cell_power_15, result_red, result_green, result_blue,
+    result_count);
     // Module arguments
     input wire [7:0] query_x;
     input wire [7:0] query_y;
@@ -1427,7 +1450,10 @@ module photoncube_paper_ports(query_x,query_y,query_z,present_0,present_1,presen
     end
 endmodule
 
-module photoncube_paper_network(axis,work_0,work_1,work_2,work_3,work_4,work_5,work_6,work_7,work_8,work_9,work_10,work_11,work_12,work_13,work_14,work_15,link_0,link_1,link_2,link_3,link_4,link_5,link_6,link_7,link_8,link_9,link_10,link_11,link_12,link_13,link_14,link_15);
+module photoncube_paper_network(axis, work_0, work_1, work_2, work_3, work_4, work_5,
+    work_6, work_7, work_8, work_9, work_10, work_11, work_12, work_13, work_14, work_15, link_0,
+    link_1, link_2, link_3, link_4, link_5, link_6, link_7, link_8, link_9, link_10, link_11,
+    link_12, link_13, link_14, link_15);
     // Module arguments
     input wire [3:0] axis;
     input wire [17:0] work_0;
@@ -1555,7 +1581,9 @@ module photoncube_paper_network(axis,work_0,work_1,work_2,work_3,work_4,work_5,w
     end
 endmodule
 
-module photoncube_paper_control(clock,reset,query_valid,query_ready,group_valid,group_last,group_ready,result_valid,result_ready,write_query,write_photon,write_power,write_work,write_sum,work_source,add_sum,axis);
+module photoncube_paper_control(clock, reset, query_valid, query_ready, group_valid,
+    group_last, group_ready, result_valid, result_ready, write_query, write_photon, write_power,
+    write_work, write_sum, work_source, add_sum, axis);
     // Module arguments
     input wire clock;
     input wire reset;
@@ -1700,7 +1728,9 @@ module photoncube_paper_control(clock,reset,query_valid,query_ready,group_valid,
     end
 endmodule
 
-module photoncube_paper_cell(clock,write_query,write_photon,write_power,write_work,write_sum,work_source,add_sum,query_in,radius_sq_in,photon_in,present_in,power_in,link_in,work_out,sum_out);
+module photoncube_paper_cell(clock, write_query, write_photon, write_power, write_work,
+    write_sum, work_source, add_sum, query_in, radius_sq_in, photon_in, present_in, power_in,
+    link_in, work_out, sum_out);
     // Module arguments
     input wire clock;
     input wire write_query;
@@ -1867,7 +1897,7 @@ module photoncube_paper_cell(clock,write_query,write_photon,write_power,write_wo
     end
 endmodule
 
-module photoncube_paper_register_32(d,q,clock);
+module photoncube_paper_register_32(d, q, clock);
     // Module arguments
     input wire [31:0] d;
     output reg [31:0] q;
@@ -1881,7 +1911,7 @@ module photoncube_paper_register_32(d,q,clock);
     end
 endmodule
 
-module photoncube_paper_register_1(d,q,clock);
+module photoncube_paper_register_1(d, q, clock);
     // Module arguments
     input wire d;
     output reg q;
@@ -1895,7 +1925,7 @@ module photoncube_paper_register_1(d,q,clock);
     end
 endmodule
 
-module photoncube_paper_store(address,word);
+module photoncube_paper_store(address, word);
     // Module arguments
     input wire [3:0] address;
     output reg [14:0] word;
@@ -1950,7 +1980,7 @@ module photoncube_paper_store(address,word);
     end
 endmodule
 
-module photoncube_paper_register_16(d,q,clock);
+module photoncube_paper_register_16(d, q, clock);
     // Module arguments
     input wire [15:0] d;
     output reg [15:0] q;
@@ -1964,7 +1994,7 @@ module photoncube_paper_register_16(d,q,clock);
     end
 endmodule
 
-module photoncube_paper_register_8(d,q,clock);
+module photoncube_paper_register_8(d, q, clock);
     // Module arguments
     input wire [7:0] d;
     output reg [7:0] q;
@@ -1978,7 +2008,8 @@ module photoncube_paper_register_8(d,q,clock);
     end
 endmodule
 
-module photoncube_paper_decoder(word,write_query,write_photon,write_power,write_work,write_sum,work_source,add_sum,takes_query,reads_group,takes_group,axis);
+module photoncube_paper_decoder(word, write_query, write_photon, write_power, write_work,
+    write_sum, work_source, add_sum, takes_query, reads_group, takes_group, axis);
     // Module arguments
     input wire [14:0] word;
     output reg write_query;
@@ -2008,7 +2039,7 @@ module photoncube_paper_decoder(word,write_query,write_photon,write_power,write_
     end
 endmodule
 
-module photoncube_paper_register_4(d,q,clock);
+module photoncube_paper_register_4(d, q, clock);
     // Module arguments
     input wire [3:0] d;
     output reg [3:0] q;
@@ -2022,7 +2053,7 @@ module photoncube_paper_register_4(d,q,clock);
     end
 endmodule
 
-module photoncube_paper_add_unit(a,b,sum);
+module photoncube_paper_add_unit(a, b, sum);
     // Module arguments
     input wire [31:0] a;
     input wire [31:0] b;
@@ -2033,7 +2064,7 @@ module photoncube_paper_add_unit(a,b,sum);
     end
 endmodule
 
-module photoncube_paper_register_18(d,q,clock);
+module photoncube_paper_register_18(d, q, clock);
     // Module arguments
     input wire [17:0] d;
     output reg [17:0] q;
@@ -2047,7 +2078,7 @@ module photoncube_paper_register_18(d,q,clock);
     end
 endmodule
 
-module photoncube_paper_gate_unit(a,b,power,gated);
+module photoncube_paper_gate_unit(a, b, power, gated);
     // Module arguments
     input wire [17:0] a;
     input wire [17:0] b;
@@ -2067,7 +2098,7 @@ module photoncube_paper_gate_unit(a,b,power,gated);
     end
 endmodule
 
-module photoncube_paper_square_unit(a,b,square);
+module photoncube_paper_square_unit(a, b, square);
     // Module arguments
     input wire [7:0] a;
     input wire [7:0] b;
@@ -2097,7 +2128,7 @@ module photoncube_paper_square_unit(a,b,square);
     end
 endmodule
 
-module photoncube_paper_squarer(root,square);
+module photoncube_paper_squarer(root, square);
     // Module arguments
     input wire [7:0] root;
     output reg [15:0] square;

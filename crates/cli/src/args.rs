@@ -51,6 +51,12 @@ pub enum Command {
         /// The shell
         shell: Shell,
     },
+    /// Write the manual pages, one for each command
+    Man {
+        /// The folder to write
+        #[arg(long, default_value = "man", value_name = "DIR")]
+        out: PathBuf,
+    },
 }
 
 /// `run`

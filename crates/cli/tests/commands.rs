@@ -242,6 +242,34 @@ fn list_names_scenes_machines_and_formats() {
 }
 
 #[test]
+fn completions_and_manual_pages_name_every_command() {
+    let commands = [
+        "run",
+        "list",
+        "generate",
+        "verify",
+        "render",
+        "microprogram",
+    ];
+    let output = photoncube(&["completions", "bash"]).assert().success();
+    let text = String::from_utf8(output.get_output().stdout.clone()).unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().to_str().unwrap();
+    photoncube(&["man", "--out", out]).assert().success();
+    for command in commands {
+        assert!(
+            text.contains(&format!("photoncube__subcmd__{command}")),
+            "{command}"
+        );
+        let page = folder.path().join(format!("photoncube-{command}.1"));
+        assert!(
+            fs::read_to_string(page).unwrap().contains(".TH"),
+            "{command}"
+        );
+    }
+}
+
+#[test]
 fn help_has_examples() {
     for command in ["run", "generate", "verify", "render", "microprogram"] {
         let output = photoncube(&[command, "--help"]).assert().success();

@@ -7,11 +7,14 @@ mod render;
 mod run;
 mod verify;
 
+use std::path::Path;
+
 use anyhow::Result;
 use clap::CommandFactory;
+use clap_complete::Shell;
 
 use crate::args::{Args, Command};
-use crate::output;
+use crate::{files, output};
 
 /// Does what the command line asks for.
 pub fn execute(args: Args) -> Result<()> {
@@ -23,11 +26,27 @@ pub fn execute(args: Args) -> Result<()> {
         Command::Verify(options) => verify::execute(&options, json),
         Command::Render(options) => render::execute(&options, json),
         Command::Microprogram(options) => microprogram::execute(&options, json),
-        Command::Completions { shell } => {
-            let mut command = Args::command();
-            let mut text = Vec::new();
-            clap_complete::generate(shell, &mut command, env!("CARGO_BIN_NAME"), &mut text);
-            output::write(&String::from_utf8_lossy(&text))
-        }
+        Command::Completions { shell } => completions(shell),
+        Command::Man { out } => manual(&out),
     }
+}
+
+fn completions(shell: Shell) -> Result<()> {
+    let mut command = Args::command();
+    let mut text = Vec::new();
+    clap_complete::generate(shell, &mut command, env!("CARGO_BIN_NAME"), &mut text);
+    output::write(&String::from_utf8_lossy(&text))
+}
+
+fn manual(out: &Path) -> Result<()> {
+    let mut command = Args::command();
+    command.build();
+    let commands = command.get_subcommands().filter(|c| c.get_name() != "help");
+    for command in commands.chain([&command]) {
+        let page = clap_mangen::Man::new(command.clone());
+        let mut text = Vec::new();
+        page.render(&mut text)?;
+        files::write(&out.join(page.get_filename()), &text)?;
+    }
+    Ok(())
 }

@@ -126,11 +126,37 @@ fn register_width(body: &str) -> Option<u32> {
     }
 }
 
-/// Without trailing blanks, empty lines, and the double blanks of unsigned declarations.
+/// Without trailing blanks, empty lines, and the double blanks of unsigned declarations; the list
+/// of ports in lines of readable length.
 fn tidy(body: &str) -> String {
-    let lines = body.lines().map(str::trim_end).filter(|l| !l.is_empty());
-    lines.map(|line| tidy_line(line) + "\n").collect()
+    let (ports, rest) = body.split_once('\n').unwrap_or((body, ""));
+    let lines = rest.lines().map(str::trim_end).filter(|l| !l.is_empty());
+    let lines = lines.map(|line| tidy_line(line) + "\n");
+    wrap_ports(ports) + &lines.collect::<String>()
 }
+
+/// `(a,b,c);` with a blank after each comma, a new line where the next port would pass the width.
+fn wrap_ports(ports: &str) -> String {
+    let mut text = String::new();
+    let mut column = HEADING;
+    for port in ports.split_inclusive(',') {
+        if column + port.len() > LINE_WIDTH {
+            text += "\n    ";
+            column = INDENT;
+        } else if !text.is_empty() {
+            text += " ";
+            column += 1;
+        }
+        text += port;
+        column += port.len();
+    }
+    text + "\n"
+}
+
+const LINE_WIDTH: usize = 96;
+const INDENT: usize = 4;
+/// What `module` and its name take of the first line, about.
+const HEADING: usize = 36;
 
 fn tidy_line(line: &str) -> String {
     let text = line.trim_start();
@@ -167,8 +193,18 @@ mod tests {
             merged,
             "\nmodule p();\n p_a a_0();\n p_a a_1();\nendmodule\n\
              \nmodule p_a();\n p_register_8 r();\nendmodule\n\
-             \nmodule p_register_8(d,q,clock);\n input wire [7:0] d;\n q <= d;\nendmodule\n"
+             \nmodule p_register_8(d, q, clock);\n input wire [7:0] d;\n q <= d;\nendmodule\n"
         );
+    }
+
+    #[test]
+    fn long_port_lists_are_wrapped_and_keep_every_port() {
+        let ports: Vec<String> = (0..60).map(|i| format!("port_{i}")).collect();
+        let text = wrap_ports(&format!("({});", ports.join(",")));
+        assert!(text.lines().count() > 1);
+        assert!(text.lines().all(|line| line.len() <= LINE_WIDTH), "{text}");
+        let words = text.split_whitespace().collect::<String>();
+        assert_eq!(words, format!("({});", ports.join(",")));
     }
 
     #[test]

@@ -1,121 +1,11 @@
-//! The schedule checker and the utilisation of a schedule.
-//!
-//! The checker follows, for every node, *what kind of value* each register holds, clock by clock:
-//! a distance that still lacks the w axis is not a distance that may be compared. It knows no
-//! photon values, only what must have happened before each op, and it is the oracle for the
-//! microprogram that model and HDL both read.
+//! The checker: the contents of every register of every node, clock by clock.
 
-use std::fmt;
-
-use thiserror::Error;
-
+use super::content::Content;
+use super::error::ScheduleError;
 use crate::hypercube::{Axis, Hypercube};
 use crate::microprogram::{Microprogram, ScheduledStep};
-use crate::op::{Op, Unit};
+use crate::op::Op;
 use crate::register::{REGISTERS, Register};
-
-/// What a register holds.
-#[derive(Copy, Clone, Debug, PartialEq, Eq)]
-pub enum Content {
-    /// Nothing yet: never written, or left over from the iteration before.
-    Stale,
-    /// A word loaded from a stream.
-    Loaded,
-    /// Squares summed across these axes (bit set), by index bit.
-    Distance(u32),
-    /// Powers gated and summed across these axes (bit set), by index bit.
-    Gated(u32),
-    /// The sum of a query over this many groups.
-    SumOf(u32),
-}
-
-impl fmt::Display for Content {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            Self::Stale => f.write_str("nothing of this iteration"),
-            Self::Loaded => f.write_str("a loaded word"),
-            Self::Distance(axes) => write!(f, "squares summed across {}", AxisSet(axes)),
-            Self::Gated(axes) => write!(f, "gated powers summed across {}", AxisSet(axes)),
-            Self::SumOf(groups) => write!(f, "the sum of {groups} groups"),
-        }
-    }
-}
-
-struct AxisSet(u32);
-
-impl fmt::Display for AxisSet {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if self.0 == 0 {
-            return f.write_str("no axis");
-        }
-        let names: Vec<_> = (0..32)
-            .filter(|bit| self.0 >> bit & 1 == 1)
-            .filter_map(Axis::new)
-            .map(Axis::name)
-            .collect();
-        f.write_str(&names.join(", "))
-    }
-}
-
-/// Why a microprogram is rejected. Clocks count from 0 in their phase.
-#[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[allow(missing_docs)] // the messages say what the fields are
-pub enum ScheduleError {
-    #[error("{phase} phase: it has no step; expected at least one")]
-    Empty { phase: &'static str },
-    #[error(
-        "{phase} clock {clock}, node {node}: `{first}` and `{second}` both {what}; \
-         move one to another clock"
-    )]
-    Conflict {
-        phase: &'static str,
-        clock: u32,
-        node: usize,
-        first: String,
-        second: String,
-        what: String,
-    },
-    #[error("{phase} clock {clock}, node {node}: the {dimension}-D cube has no axis {axis}")]
-    NoSuchLink {
-        phase: &'static str,
-        clock: u32,
-        node: usize,
-        axis: Axis,
-        dimension: u32,
-    },
-    #[error("{phase} clock {clock}, node {node}: `{step}` does not belong to this phase")]
-    WrongPhase {
-        phase: &'static str,
-        clock: u32,
-        node: usize,
-        step: String,
-    },
-    #[error(
-        "{phase} clock {clock}, node {node}: `{step}` reads {register} of node {holder}, \
-         which holds {found}; expected {expected}"
-    )]
-    Precedence {
-        phase: &'static str,
-        clock: u32,
-        node: usize,
-        step: String,
-        register: &'static str,
-        holder: usize,
-        found: Content,
-        expected: String,
-    },
-    #[error(
-        "after {phase} clock {clock}, node {node}: {register} holds {found}; expected {expected}"
-    )]
-    Incomplete {
-        phase: &'static str,
-        clock: u32,
-        node: usize,
-        register: &'static str,
-        found: Content,
-        expected: String,
-    },
-}
 
 const QUERY: &str = "query";
 const ITERATION: &str = "iteration";
@@ -366,96 +256,6 @@ fn expect_all(
     Ok(())
 }
 
-/// How many of the clocks of an iteration a unit works.
-#[derive(Copy, Clone, Debug, PartialEq, Eq)]
-pub struct UnitUse {
-    /// The unit.
-    pub unit: Unit,
-    /// Clocks of one iteration in which it works (in every cell: they share one instruction).
-    pub busy_clocks: u32,
-}
-
-/// The utilisation of a schedule.
-///
-/// `units` counts the paper's three computing units; `registers` counts a register as used in a
-/// clock in which it is read or written. Then
-/// `utilisation = (sum of busy unit clocks + sum of used register clocks) / (clocks x (units + registers))`.
-/// The paper reports 62 % "over ALUs and registers" for its machine without giving its formula.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct ScheduleReport {
-    /// Clocks of an iteration.
-    pub initiation_interval: u32,
-    /// Photons tested in an iteration.
-    pub photons: usize,
-    /// Each computing unit.
-    pub units: Vec<UnitUse>,
-    /// Each register, with the clocks in which it is read or written.
-    pub registers: Vec<(Register, u32)>,
-}
-
-impl ScheduleReport {
-    /// Busy unit clocks over all unit clocks.
-    pub fn unit_utilisation(&self) -> f64 {
-        self.ratio(self.busy_units(), self.units.len())
-    }
-
-    /// Used register clocks over all register clocks.
-    pub fn register_utilisation(&self) -> f64 {
-        self.ratio(self.used_registers(), self.registers.len())
-    }
-
-    /// Both together, the formula of the type's documentation.
-    pub fn utilisation(&self) -> f64 {
-        self.ratio(
-            self.busy_units() + self.used_registers(),
-            self.units.len() + self.registers.len(),
-        )
-    }
-
-    fn busy_units(&self) -> u32 {
-        self.units.iter().map(|unit| unit.busy_clocks).sum()
-    }
-
-    fn used_registers(&self) -> u32 {
-        self.registers.iter().map(|&(_, clocks)| clocks).sum()
-    }
-
-    fn ratio(&self, used: u32, resources: usize) -> f64 {
-        f64::from(used) / (f64::from(self.initiation_interval) * resources as f64)
-    }
-}
-
-/// Counts the use of units and registers over one iteration.
-pub fn schedule_report(program: &Microprogram, cube: Hypercube) -> ScheduleReport {
-    let rows: Vec<_> = program
-        .iteration
-        .iter()
-        .map(|scheduled| scheduled.step.op.row())
-        .collect();
-    let count = |used: &dyn Fn(&crate::op::OpRow) -> bool| {
-        rows.iter().filter(|row| used(row)).count() as u32
-    };
-    ScheduleReport {
-        initiation_interval: program.initiation_interval(),
-        photons: cube.photons(),
-        units: Unit::COMPUTING
-            .into_iter()
-            .map(|unit| UnitUse {
-                unit,
-                busy_clocks: count(&|row| row.unit == Some(unit)),
-            })
-            .collect(),
-        registers: REGISTERS
-            .iter()
-            .map(|register| {
-                let r = register.register;
-                let used = count(&|row| row.reads.contains(&r) || row.writes.contains(&r));
-                (r, used)
-            })
-            .collect(),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -596,17 +396,5 @@ mod tests {
             assert!(message.starts_with(expected), "{from} -> {to}: {message}");
         }
         assert!(verdict("query:\n0 ldq\n", 4).is_err());
-    }
-
-    #[test]
-    fn utilisation_counts_units_and_registers() {
-        let cube = Hypercube::new(4);
-        let report = schedule_report(&Microprogram::all_reduce(cube), cube);
-        let busy: Vec<_> = report.units.iter().map(|unit| unit.busy_clocks).collect();
-        assert_eq!(busy, [1, 1, 5], "square, gate, add");
-        // q: sqd. r: gate. p: ldp, sqd. w: ldw, gate. v: sqd, four adds, gate, acc. s: acc.
-        let used: Vec<_> = report.registers.iter().map(|&(_, clocks)| clocks).collect();
-        assert_eq!(used, [1, 1, 2, 2, 7, 1]);
-        assert_eq!(report.utilisation(), 21.0 / 81.0);
     }
 }

@@ -1,0 +1,66 @@
+//! Why a microprogram is rejected: the clock, the node, what was found and what was expected.
+
+use thiserror::Error;
+
+use super::content::Content;
+use crate::hypercube::Axis;
+
+/// Why a microprogram is rejected. Clocks count from 0 in their phase.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[allow(missing_docs)] // the messages say what the fields are
+pub enum ScheduleError {
+    #[error("{phase} phase: it has no step; expected at least one")]
+    Empty { phase: &'static str },
+    #[error(
+        "{phase} clock {clock}, node {node}: `{first}` and `{second}` both {what}; \
+         move one to another clock"
+    )]
+    Conflict {
+        phase: &'static str,
+        clock: u32,
+        node: usize,
+        first: String,
+        second: String,
+        what: String,
+    },
+    #[error("{phase} clock {clock}, node {node}: the {dimension}-D cube has no axis {axis}")]
+    NoSuchLink {
+        phase: &'static str,
+        clock: u32,
+        node: usize,
+        axis: Axis,
+        dimension: u32,
+    },
+    #[error("{phase} clock {clock}, node {node}: `{step}` does not belong to this phase")]
+    WrongPhase {
+        phase: &'static str,
+        clock: u32,
+        node: usize,
+        step: String,
+    },
+    #[error(
+        "{phase} clock {clock}, node {node}: `{step}` reads {register} of node {holder}, \
+         which holds {found}; expected {expected}"
+    )]
+    Precedence {
+        phase: &'static str,
+        clock: u32,
+        node: usize,
+        step: String,
+        register: &'static str,
+        holder: usize,
+        found: Content,
+        expected: String,
+    },
+    #[error(
+        "after {phase} clock {clock}, node {node}: {register} holds {found}; expected {expected}"
+    )]
+    Incomplete {
+        phase: &'static str,
+        clock: u32,
+        node: usize,
+        register: &'static str,
+        found: Content,
+        expected: String,
+    },
+}

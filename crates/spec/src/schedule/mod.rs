@@ -1,0 +1,16 @@
+//! The schedule checker and the utilisation of a schedule.
+//!
+//! The checker follows, for every node, *what kind of value* each register holds, clock by clock:
+//! a distance that still lacks the w axis is not a distance that may be compared. It knows no
+//! photon values, only what must have happened before each op, and it is the oracle for the
+//! microprogram that model and HDL both read.
+
+mod check;
+mod content;
+mod error;
+mod report;
+
+pub use check::check_schedule;
+pub use content::Content;
+pub use error::ScheduleError;
+pub use report::{ScheduleReport, UnitUse, schedule_report};
