@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
+use photoncube_spec::PHOTON_FORMATS;
 
 use crate::machines::MachineArgs;
 
@@ -27,6 +28,7 @@ Examples:
   photoncube verify --against verilator --iterations 1000000
   photoncube generate --machine paper --out /tmp/verilog
   photoncube render cornell -o box.png --engine f64
+  photoncube report ring                          formats by error and speed, with a plot
   photoncube microprogram --machine paper-5d
 
 Exit codes: 0 all holds; 1 a check failed; 2 bad usage or bad input.";
@@ -44,6 +46,8 @@ pub enum Command {
     Verify(VerifyArgs),
     /// Render a scene to a picture
     Render(RenderArgs),
+    /// Speed against error: every photon format and machine on a scene, as a table and a plot
+    Report(ReportArgs),
     /// Print a microprogram: listing by clock, utilisation, and the schedule checker's verdict
     Microprogram(MicroprogramArgs),
     /// Print the completions for a shell
@@ -162,7 +166,8 @@ pub struct VerifyArgs {
 Examples:
   photoncube render cornell -o box.png
   photoncube render cornell -o reference.png --engine f64 --photons 4000000
-  photoncube render cornell -o small.png --size 128x128 --machine paper-12")]
+  photoncube render cornell -o small.png --size 128x128 --machine paper-12
+  photoncube render range -o range.png --engine format --format local8-rgbe8")]
 pub struct RenderArgs {
     /// A built-in scene (see `photoncube list`) or a scene file
     pub scene: String,
@@ -172,6 +177,9 @@ pub struct RenderArgs {
     /// What makes the radiance estimates
     #[arg(long, value_enum, default_value_t = EngineName::Model)]
     pub engine: EngineName,
+    /// The photon format (see `photoncube list`) of the engine `format`
+    #[arg(long, default_value = PHOTON_FORMATS[0].name, value_name = "F")]
+    pub format: String,
     #[command(flatten)]
     pub machine: MachineArgs,
     #[command(flatten)]
@@ -185,6 +193,41 @@ pub enum EngineName {
     F64,
     /// The golden model of the machine
     Model,
+    /// The golden model of a photon format
+    Format,
+}
+
+/// `report`
+#[derive(ClapArgs, Debug)]
+#[command(after_help = "\
+Examples:
+  photoncube report
+  photoncube report ring --maps 12 --out out --json
+
+The error is over the scene's own Monte-Carlo noise, from independent photon maps. Speed is the
+golden model's here, one thread, beside plain f64 and f32 loops of the same run.")]
+pub struct ReportArgs {
+    /// A built-in scene (see `photoncube list`) or a scene file
+    #[arg(default_value = "cornell")]
+    pub scene: String,
+    /// The folder for the plot (SVG) and the table's data (JSON)
+    #[arg(long, default_value = "out", value_name = "DIR")]
+    pub out: PathBuf,
+    /// At least this many photons are stored in each map
+    #[arg(long, default_value_t = 200_000, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    pub photons: u64,
+    /// Photons in range that the search radius aims at, on average
+    #[arg(long, default_value_t = 200.0, value_name = "N", value_parser = parse_positive)]
+    pub in_range: f64,
+    /// Independent photon maps; more know noise and bias better
+    #[arg(long, default_value_t = 8, value_name = "N", value_parser = clap::value_parser!(u64).range(2..))]
+    pub maps: u64,
+    /// The view whose pixels are the queries
+    #[arg(long, default_value = "32x32", value_name = "WxH", value_parser = parse_size)]
+    pub size: (u32, u32),
+    /// Seed of all random numbers
+    #[arg(long, default_value_t = 1, value_name = "S")]
+    pub seed: u64,
 }
 
 /// `microprogram`

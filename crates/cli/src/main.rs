@@ -7,6 +7,7 @@ mod files;
 mod machines;
 mod measured;
 mod output;
+mod plot;
 mod progress;
 mod project;
 mod scenes;

@@ -21,3 +21,9 @@ pub fn load(name: &str) -> Result<Scene> {
     let text = fs::read_to_string(name).with_context(|| format!("cannot read scene {name}"))?;
     Ok(Scene::from_json(name, &text)?)
 }
+
+/// The scene's name for files: a built-in scene's own, or a file's without folder and extension.
+pub fn stem(name: &str) -> String {
+    let stem = Path::new(name).file_stem().unwrap_or_default();
+    stem.to_string_lossy().into_owned()
+}

@@ -133,7 +133,7 @@ fn bad_input_ends_2_says_what_was_expected_and_writes_nothing() {
         (&["microprogram", "--dimension", "9"], "not built in"),
         (
             &["run", "atlantis", "--out", out],
-            "built-in scene (cornell)",
+            "built-in scene (cornell, ring, range)",
         ),
         (
             &["run", "--machine", "pentium", "--out", out],
@@ -234,6 +234,32 @@ fn run_takes_the_whole_path() {
 }
 
 #[test]
+fn report_measures_every_format_and_machine() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().to_str().unwrap();
+    let small = ["--photons", "5000", "--size", "8x8", "--maps", "2"];
+    let report = json(&[&["report", "--out", out][..], &small[..]].concat());
+    let rows = report["rows"].as_array().unwrap();
+    let list = json(&["list"]);
+    let listed = ["formats", "machines"].map(|key| list[key].as_array().unwrap().len());
+    assert_eq!(rows.len(), listed[0] + listed[1]);
+    let row = |name: &str| rows.iter().find(|row| row["name"] == name).unwrap();
+    assert!(row("local8-rgbe8")["bits_per_photon"].as_u64().unwrap() <= 56);
+    assert_eq!(row("paper")["initiation_interval"], 9);
+    let error = |name| row(name)["error_over_noise"].as_f64().unwrap();
+    assert!(error("local4-rgbe8") > error("local8-rgbe8"));
+    assert!(rows.iter().any(|row| row["on_bits_front"] == true));
+    for name in [
+        "report-cornell-speed.svg",
+        "report-cornell-bits.svg",
+        "report-cornell.json",
+    ] {
+        let text = fs::read_to_string(folder.path().join(name)).unwrap();
+        assert!(text.contains("local8-rgbe8"), "{name}");
+    }
+}
+
+#[test]
 fn list_names_scenes_machines_and_formats() {
     let report = json(&["list"]);
     assert_eq!(report["scenes"][0]["scene"], "cornell");
@@ -271,7 +297,14 @@ fn completions_and_manual_pages_name_every_command() {
 
 #[test]
 fn help_has_examples() {
-    for command in ["run", "generate", "verify", "render", "microprogram"] {
+    for command in [
+        "run",
+        "generate",
+        "verify",
+        "render",
+        "report",
+        "microprogram",
+    ] {
         let output = photoncube(&[command, "--help"]).assert().success();
         let help = String::from_utf8(output.get_output().stdout.clone()).unwrap();
         insta::assert_snapshot!(format!("help_{command}"), help);
@@ -305,10 +338,13 @@ fn every_json_key_is_documented() {
     let small = ["--photons", "1000", "--size", "8x8", "--samples", "1"];
     let run = ["run", "--out", out, "--iterations", "5"];
     let render = ["render", "cornell", "-o", picture];
+    let report = ["report", "--out", out];
+    let tiny = ["--photons", "2000", "--size", "6x6", "--maps", "2"];
     let mut found = Vec::new();
     for args in [
         &["list"][..],
         &["microprogram"],
+        &[&report[..], &tiny[..]].concat(),
         &["generate", "--machine", "paper", "--out", out],
         &["verify", "--iterations", "5"],
         &[&render[..], &small[..]].concat(),

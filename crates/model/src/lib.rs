@@ -2,14 +2,19 @@
 //!
 //! Two independent readings of the spec: [`StepMachine`] does what the hardware does, clock by
 //! clock, register by register; [`gather`] is the sum over photons that all of it is for. A
-//! property test holds them equal. No I/O, no HDL, and no arithmetic shared with the HDL.
+//! property test holds them equal. [`LocalGather`] is the same sum in a photon format, relative to
+//! blocks and radius, for machines to come. No I/O, no HDL, and no arithmetic shared with the HDL.
 
 mod cell;
 mod gather;
+mod local;
 mod machine;
 mod range;
 
 pub use cell::{CellInputs, CellState};
 pub use gather::{GatherError, gather};
+pub use local::{
+    CountError, LocalError, LocalGather, LocalLimits, PackError, ValueError, pack, unpack,
+};
 pub use machine::{ControlState, StepMachine};
 pub use range::{Limits, RangeError};

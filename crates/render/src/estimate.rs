@@ -5,8 +5,10 @@
 //! times the query's rho / pi, which [`crate::QueryPoint`] carries as `beta`.
 
 use glam::DVec3;
-use photoncube_model::{GatherError, gather};
+use photoncube_model::{GatherError, LocalError, gather};
+use thiserror::Error;
 
+use crate::format_map::FormatMap;
 use crate::photon_map::PhotonMap;
 use crate::quantise::QuantisedMap;
 use crate::view::QueryPoint;
@@ -20,6 +22,17 @@ pub(crate) struct Estimate {
     pub tests: u64,
     /// Those of them in range.
     pub in_range: u64,
+}
+
+/// Why an engine refused a query.
+#[derive(Debug, Error)]
+pub(crate) enum Refusal {
+    /// The machine's golden model did.
+    #[error(transparent)]
+    Machine(#[from] GatherError),
+    /// The photon format's did.
+    #[error(transparent)]
+    Format(#[from] LocalError),
 }
 
 /// The estimate in f64, the reference of all formats.
@@ -63,6 +76,22 @@ pub(crate) fn estimate_model(
     })
 }
 
+/// The estimate in a photon format, from integer photons to integer sums.
+pub(crate) fn estimate_format(
+    quantised: &FormatMap<'_>,
+    query: &QueryPoint,
+) -> Result<Estimate, LocalError> {
+    let blocks = quantised.blocks(query.position, query.normal);
+    let tests = blocks.map(|block| block.photons.len() as u64).sum();
+    let sums = quantised.gather(query.position, query.normal)?;
+    let power = DVec3::from(sums.power.map(|p| p as f64)) * quantised.power_unit();
+    Ok(Estimate {
+        irradiance: power / disc_area(quantised.map()),
+        tests,
+        in_range: sums.count,
+    })
+}
+
 /// pi r^2.
 fn disc_area(map: &PhotonMap) -> f64 {
     std::f64::consts::PI * map.radius() * map.radius()
@@ -70,7 +99,7 @@ fn disc_area(map: &PhotonMap) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use photoncube_spec::find_machine;
+    use photoncube_spec::{PHOTON_FORMATS, find_machine};
 
     use super::*;
     use crate::{Photon, Scene};
@@ -111,6 +140,24 @@ mod tests {
         assert!(reference.irradiance.distance(expected) < 1e-12);
         // Half a power step of 4 / 65535 in each channel, over the disc.
         assert!(model.irradiance.distance(expected) < 1e-4);
+    }
+
+    #[test]
+    fn every_format_agrees_to_half_a_mantissas_step() {
+        let map = one_photon();
+        let reference = estimate_f64(&map, &query(0.1, DVec3::Y));
+        for format in PHOTON_FORMATS {
+            let quantised = FormatMap::new(&map, format).unwrap();
+            let found = estimate_format(&quantised, &query(0.1, DVec3::Y)).unwrap();
+            assert_eq!((found.tests, found.in_range), (1, 1));
+            let error = (found.irradiance - reference.irradiance)
+                .abs()
+                .max_element();
+            let steps = f64::from((1 << format.power.mantissa_bits()) - 1);
+            // The strongest channel is all ones; the sum is exact.
+            let bound = 0.5 / steps * reference.irradiance.max_element();
+            assert!(error <= bound * 1.000001, "{}: {error}", format.name);
+        }
     }
 
     #[test]

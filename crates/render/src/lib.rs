@@ -3,11 +3,12 @@
 //!
 //! The modules follow the six stages of a photon-mapping renderer, in their order:
 //! 1. [`Scene`]: surfaces, one area light or more, a camera;
-//! 2. [`trace`]: photons leave the lights and are stored at every diffuse hit;
-//! 3. [`PhotonMap`]: photons in blocks of a grid whose edge is the search radius;
+//! 2. [`trace`]: photons leave the lights, follow mirrors, and are stored at every diffuse hit;
+//! 3. [`PhotonMap`]: photons in blocks of a grid whose edge is at least the search radius;
 //! 4. [`ViewOptions`]: view rays, supersampled, end at [`QueryPoint`]s;
 //! 5. [`render`] with an [`Engine`]: the radiance estimate, by the f64 reference or by the
-//!    golden model on photons that [`QuantisedMap`] turned into the machine's integers;
+//!    golden model on photons that [`QuantisedMap`] turned into a machine's integers, or
+//!    [`FormatMap`] into those of a photon format;
 //! 6. [`Image`]: linear RGB, tone mapping, PNG.
 //!
 //! The fifth stage is what the processor does; [`workload`] hands its testbench real queries.
@@ -16,35 +17,50 @@
 //! never matters.
 //!
 //! # What is modelled
-//! Flat quads and boxes, diffuse (Lambertian) reflection on their front, a black back, diffuse
-//! area lights, global illumination of any depth, a pinhole camera with a box filter. Photons
-//! on the far side of a thin sheet, or across a corner, are kept out of an estimate by the
-//! rule stated at [`PhotonMap`].
-//! Not modelled: specular and glossy surfaces, textures, media, lens effects, meshes (rays are
-//! tested against every quad, which suits tens of them).
+//! Flat quads and boxes, diffuse (Lambertian) reflection on their front, perfect mirrors of one
+//! side or two, a black back, diffuse area lights, global illumination of any depth with its
+//! caustics, a pinhole camera with a box filter. Photons on the far side of a thin sheet, or
+//! across a corner, are kept out of an estimate by the rule stated at [`PhotonMap`].
+//! Not modelled: refraction and glossy surfaces, textures, media, lens effects, meshes (rays are
+//! tested against every quad, which suits a hundred of them).
 
 mod camera;
 mod compare;
 mod estimate;
+mod estimators;
+mod format_map;
 mod geometry;
 mod image;
+mod metrics;
 mod photon_map;
 mod quantise;
 mod render;
 mod sample;
 mod scene;
+mod speed;
 mod trace;
 mod view;
 mod workload;
 
 pub use camera::{Camera, Ray};
 pub use compare::{CompareError, light_mask, rel_mse, rms_relative_difference};
+pub use estimators::{
+    Bisection, EstimatorError, Kernel, KernelEstimate, Ladder, LadderError, MAX_RUNGS, Near,
+    Neighbourhood, Rung, smallest_radius_sq,
+};
+pub use format_map::{FormatMap, FormatMapError};
 pub use geometry::{Hit, Quad};
 pub use image::{Image, ImageError};
+pub use metrics::{
+    BenchError, BenchOptions, ErrorBench, ErrorReport, ErrorStudy, Interval, MAX_QUERY_NOISE,
+    MetricsError, Misclassified, Moments, Noise, NoiseMeter, RelativeErrors, RelativeSummary,
+    luminance, view_queries,
+};
 pub use photon_map::{Candidates, MapError, PhotonMap};
 pub use quantise::{QuantiseError, QuantisedMap};
 pub use render::{Engine, RenderError, RenderStats, Rendering, render};
-pub use scene::{Scene, SceneError, Surface};
+pub use scene::{Bsdf, LightChoice, Scene, SceneError, Surface};
+pub use speed::{f32_speed, gather_speed};
 pub use trace::{Photon, PhotonTrace, TraceError, TraceOptions, trace};
 pub use view::{QueryPoint, ViewError, ViewOptions};
 pub use workload::{WorkloadError, workload};

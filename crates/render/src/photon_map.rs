@@ -1,7 +1,7 @@
 //! Stage 3, the photon map: photons sorted by block, and within a block by surface.
 //!
-//! A block is a cell of a uniform grid whose edge is the search radius, so that all photons
-//! in range of a query lie in the 27 blocks around it. Photons stand in the order of
+//! A block is a cell of a uniform grid whose edge is the search radius or somewhat more, so that all
+//! photons in range of a query lie in the 27 blocks around it. Photons stand in the order of
 //! (block z, y, x, surface); a *run* is the slice of one surface in one block. Only blocks that
 //! hold photons take memory, and the three blocks of a row are neighbours in the order, so a
 //! query looks up nine places.
@@ -29,6 +29,16 @@ pub enum MapError {
         /// The smallest: the scene's size over 2^20.
         min: f64,
         /// The largest: 2^20 times the scene's size.
+        max: f64,
+    },
+    /// The edge leaves photons in range outside the 27 blocks, or makes one block of all.
+    #[error("block edge: found {found}, expected {min} to {max} for this search radius")]
+    Edge {
+        /// The edge asked for.
+        found: f64,
+        /// The smallest: the search radius.
+        min: f64,
+        /// The largest: 2^20 times the search radius.
         max: f64,
     },
     /// A photon that no surface of the scene can hold.
@@ -81,8 +91,11 @@ pub struct Candidates {
 #[derive(Debug, Clone, PartialEq)]
 pub struct PhotonMap {
     radius: f64,
-    /// The corner of block (0, 0, 0).
-    origin: DVec3,
+    /// The blocks' edge.
+    edge: f64,
+    /// The scene's lowest corner, the middle of block (0, 0, 0): its outermost walls do not run
+    /// along the border of blocks, where rounding would spread them over two.
+    low: DVec3,
     photons: Vec<Photon>,
     runs: Vec<Run>,
     /// The normal of every surface of the scene.
@@ -111,22 +124,28 @@ impl PhotonMap {
     /// [`MapError::Photon`] for a photon outside the scene, or of a power that is negative or
     /// not finite.
     pub fn new(scene: &Scene, photons: Vec<Photon>, radius: f64) -> Result<Self, MapError> {
+        Self::with_edge(scene, photons, radius, radius)
+    }
+
+    /// The same with blocks of another edge, which may exceed the radius: formats choose it so
+    /// that the radius is a whole number of their steps.
+    ///
+    /// # Errors
+    /// As for [`Self::new`]; [`MapError::Edge`] for an edge that is not between once and 2^20 times
+    /// the radius.
+    pub fn with_edge(
+        scene: &Scene,
+        photons: Vec<Photon>,
+        radius: f64,
+        edge: f64,
+    ) -> Result<Self, MapError> {
         let [low, high] = scene.bounds();
-        let size = (high - low).max_element();
-        let blocks = f64::from(1u32 << (INDEX_BITS - 1));
-        let (min, max) = (size / blocks, size * blocks);
-        if !(min..=max).contains(&radius) {
-            return Err(MapError::Radius {
-                found: radius,
-                min,
-                max,
-            });
-        }
+        check_radius((high - low).max_element(), radius)?;
+        check_edge(radius, edge)?;
         let mut map = Self {
             radius,
-            // Half a block below the scene: its outermost walls do not run along the border of
-            // blocks, where rounding would spread them over two.
-            origin: low - 0.5 * radius,
+            edge,
+            low,
             photons: Vec::new(),
             runs: Vec::new(),
             normals: scene.surfaces().iter().map(|s| s.quad.normal()).collect(),
@@ -136,15 +155,32 @@ impl PhotonMap {
         Ok(map)
     }
 
+    /// The same photons in blocks of another edge.
+    ///
+    /// # Errors
+    /// [`MapError::Edge`] as for [`Self::with_edge`].
+    pub fn reblocked(&self, edge: f64) -> Result<Self, MapError> {
+        check_edge(self.radius, edge)?;
+        let mut map = Self {
+            edge,
+            photons: Vec::new(),
+            runs: Vec::new(),
+            normals: self.normals.clone(),
+            ..*self
+        };
+        map.sort(self.photons.clone());
+        Ok(map)
+    }
+
     fn check(&self, photons: &[Photon], high: DVec3) -> Result<(), MapError> {
         let error = |index, found: String, expected: &str| MapError::Photon {
             index,
             found,
             expected: expected.to_owned(),
         };
-        // A tenth of a block absorbs any rounding of positions, and keeps indices positive.
+        // A tenth of the radius absorbs any rounding of positions, and keeps indices positive.
         let slack = 0.1 * self.radius;
-        let low = self.origin + 0.4 * self.radius;
+        let low = self.low - slack;
         for (index, photon) in photons.iter().enumerate() {
             let (at, power) = (photon.position, photon.power);
             if !(at.cmpge(low).all() && at.cmple(high + slack).all()) {
@@ -190,10 +226,16 @@ impl PhotonMap {
         }
     }
 
-    /// The search radius and the blocks' edge, in scene units.
+    /// The search radius, in scene units.
     #[must_use]
     pub fn radius(&self) -> f64 {
         self.radius
+    }
+
+    /// The blocks' edge, in scene units; at least the search radius.
+    #[must_use]
+    pub fn edge(&self) -> f64 {
+        self.edge
     }
 
     /// All photons, sorted by block and surface.
@@ -211,14 +253,23 @@ impl PhotonMap {
     /// The most photons in one block.
     #[must_use]
     pub fn fullest_block(&self) -> usize {
-        let blocks = self.runs.chunk_by(|a, b| a.block == b.block);
-        let sizes = blocks.map(|b| b.iter().map(|r| r.photons.len()).sum());
-        sizes.max().unwrap_or(0)
+        self.block_slices().map(|b| b.len()).max().unwrap_or(0)
     }
 
-    /// `position` in block edges from the grid's origin.
+    /// The photons of every block that holds any, as indices into [`Self::photons`], in its order.
+    pub fn block_slices(&self) -> impl Iterator<Item = Range<usize>> {
+        let blocks = self.runs.chunk_by(|a, b| a.block == b.block);
+        blocks.map(|runs| {
+            let end = runs.last().map_or(0, |run| run.photons.end);
+            runs[0].photons.start as usize..end as usize
+        })
+    }
+
+    /// `position` in block edges from the grid's origin. First the difference from the scene, which
+    /// is exact for a scene far from the origin: where moving it rounds no coordinate, all
+    /// later results are bit-identical.
     pub(crate) fn in_blocks(&self, position: DVec3) -> DVec3 {
-        (position - self.origin) / self.radius
+        (position - self.low + 0.5 * self.edge) / self.edge
     }
 
     fn block_key(&self, position: DVec3) -> u64 {
@@ -269,6 +320,31 @@ impl PhotonMap {
         let count = tail.iter().take_while(|run| run.block <= to).count();
         &tail[..count]
     }
+}
+
+fn check_radius(scene_size: f64, radius: f64) -> Result<(), MapError> {
+    let blocks = f64::from(1u32 << (INDEX_BITS - 1));
+    let (min, max) = (scene_size / blocks, scene_size * blocks);
+    if (min..=max).contains(&radius) {
+        return Ok(());
+    }
+    Err(MapError::Radius {
+        found: radius,
+        min,
+        max,
+    })
+}
+
+fn check_edge(radius: f64, edge: f64) -> Result<(), MapError> {
+    let (min, max) = (radius, radius * f64::from(1u32 << (INDEX_BITS - 1)));
+    if (min..=max).contains(&edge) {
+        return Ok(());
+    }
+    Err(MapError::Edge {
+        found: edge,
+        min,
+        max,
+    })
 }
 
 /// A block's key, which orders blocks by z, then y, then x; `None` outside the grid.
@@ -360,6 +436,34 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn larger_blocks_hold_the_same_photons_in_range() {
+        let (radius, edge) = (0.2, 0.2 * 16.0 / 14.0);
+        let map = PhotonMap::new(&scene(), traced(), radius).unwrap();
+        let larger = PhotonMap::with_edge(&scene(), traced(), radius, edge).unwrap();
+        assert_eq!((larger.radius(), larger.edge()), (radius, edge));
+        let count = |map: &PhotonMap, query: &Photon| {
+            let near = |p: &&Photon| p.position.distance(query.position) <= radius;
+            let runs = map.candidates(query.position, map.normals[query.surface as usize]);
+            let photons = runs.flat_map(|c| &map.photons()[c.photons]);
+            photons.filter(near).count()
+        };
+        for query in map.photons().iter().step_by(977) {
+            assert_eq!(count(&map, query), count(&larger, query));
+        }
+        let again = map.reblocked(edge).unwrap();
+        assert_eq!(again.runs, larger.runs);
+        assert_eq!(
+            again.block_slices().map(|b| b.len()).sum::<usize>(),
+            map.photons().len()
+        );
+        let error = map.reblocked(0.19).unwrap_err().to_string();
+        assert!(
+            error.starts_with("block edge: found 0.19, expected 0.2 to"),
+            "{error}"
+        );
     }
 
     #[test]

@@ -4,8 +4,9 @@
 //! f = [`Machine::position_bits`]; queries follow the same rule, so that the mean error of a
 //! difference is zero. The machine's coordinates span a frame of four block edges that starts
 //! one block before the query's own: a block's offset of 0, 1 or 2 is added to the fraction,
-//! and no coordinate can overflow (they end at 3 * 2^f - 1). Block edge and search radius
-//! are the same length, so the squared radius is 2^(2f), exactly.
+//! and no coordinate can overflow (they end at 3 * 2^f - 1). Where block edge and
+//! search radius are the same length, as [`PhotonMap::new`] has them, the squared radius is
+//! 2^(2f), exactly; otherwise it is rounded down to a square step.
 //!
 //! Power is linear: one step for the whole map, the largest channel of any photon over
 //! `2^power_bits - 1`, rounded to nearest (truncation would bias every estimate, and more photons
@@ -62,7 +63,7 @@ impl<'a> QuantisedMap<'a> {
         check(machine, "power_bits", machine.power_bits, 1, 16)?;
         let power_step = power_step(map, machine.power_bits);
         let stored = |photon: &crate::Photon| StoredPhoton {
-            fraction: fraction(map, photon.position, machine).map(|f| f as u16),
+            fraction: fraction(map, photon.position, machine.position_bits()).map(|f| f as u16),
             // Float to integer rounds half away from zero and cannot exceed the largest power.
             power: (photon.power / power_step)
                 .round()
@@ -93,9 +94,11 @@ impl<'a> QuantisedMap<'a> {
     #[must_use]
     pub fn query(&self, position: DVec3) -> spec::Query {
         let edge = 1 << self.machine.position_bits();
+        let radius = f64::from(edge) * (self.map.radius() / self.map.edge());
         spec::Query {
-            position: fraction(self.map, position, self.machine).map(|f| edge + f),
-            radius_sq: edge * edge,
+            position: fraction(self.map, position, self.machine.position_bits()).map(|f| edge + f),
+            // The quotient's rounding must not cost a radius of whole steps its last square step.
+            radius_sq: (radius.powi(2) * (1.0 + 1e-12)) as u32,
         }
     }
 
@@ -141,10 +144,10 @@ fn power_step(map: &PhotonMap, bits: u32) -> f64 {
     if step.is_normal() { step } else { 1.0 }
 }
 
-/// floor(fraction * 2^f) of a position in its block, below 2^f also where rounding makes the
-/// fraction exactly 1.
-fn fraction(map: &PhotonMap, position: DVec3, machine: &Machine) -> [u32; 3] {
-    let steps = 1u32 << machine.position_bits();
+/// floor(fraction * 2^bits) of a position in its block, below 2^bits also where rounding makes
+/// the fraction exactly 1.
+pub(crate) fn fraction(map: &PhotonMap, position: DVec3, bits: u32) -> [u32; 3] {
+    let steps = 1u32 << bits;
     let place = map.in_blocks(position);
     let fraction = (place - place.floor()) * f64::from(steps);
     // `as` saturates, and takes a NaN for 0.
@@ -196,6 +199,16 @@ mod tests {
                     }
                 }
             }
+        }
+    }
+
+    #[test]
+    fn the_radius_is_the_maps_also_in_larger_blocks() {
+        let machine = find_machine("paper").unwrap();
+        for (edge, radius_sq) in [(RADIUS, 64 * 64), (RADIUS * 16.0 / 14.0, 56 * 56)] {
+            let map = map().reblocked(edge).unwrap();
+            let quantised = QuantisedMap::new(&map, machine).unwrap();
+            assert_eq!(quantised.query(DVec3::ZERO).radius_sq, radius_sq);
         }
     }
 

@@ -4,12 +4,13 @@ use std::ops::AddAssign;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use glam::DVec3;
-use photoncube_model::GatherError;
-use photoncube_spec::Machine;
+use photoncube_model::{GatherError, LocalError};
+use photoncube_spec::{Machine, PhotonFormat};
 use rayon::prelude::*;
 use thiserror::Error;
 
-use crate::estimate::{Estimate, estimate_f64, estimate_model};
+use crate::estimate::{Estimate, Refusal, estimate_f64, estimate_format, estimate_model};
+use crate::format_map::{FormatMap, FormatMapError};
 use crate::image::Image;
 use crate::photon_map::PhotonMap;
 use crate::quantise::{QuantiseError, QuantisedMap};
@@ -23,6 +24,8 @@ pub enum Engine<'a> {
     F64,
     /// The golden model of this machine, on photons rounded to its formats.
     Model(&'a Machine),
+    /// The golden model of this photon format, for which there need be no machine.
+    Format(&'a PhotonFormat),
 }
 
 /// Why a picture could not be rendered.
@@ -34,7 +37,10 @@ pub enum RenderError {
     /// The machine's formats do not fit.
     #[error(transparent)]
     Quantise(#[from] QuantiseError),
-    /// The golden model refused a query.
+    /// The photon format does not fit.
+    #[error(transparent)]
+    Format(#[from] FormatMapError),
+    /// The golden model of a machine refused a query.
     #[error("pixel ({x}, {y}): {source}")]
     Gather {
         /// Column, from the left.
@@ -44,6 +50,26 @@ pub enum RenderError {
         /// What the model found.
         source: GatherError,
     },
+    /// The golden model of a photon format refused a query.
+    #[error("pixel ({x}, {y}): {source}")]
+    LocalGather {
+        /// Column, from the left.
+        x: u32,
+        /// Row, from the top.
+        y: u32,
+        /// What the model found.
+        source: LocalError,
+    },
+}
+
+impl RenderError {
+    /// A query's refusal, with its pixel.
+    pub(crate) fn of(refusal: Refusal, x: u32, y: u32) -> Self {
+        match refusal {
+            Refusal::Machine(source) => Self::Gather { x, y, source },
+            Refusal::Format(source) => Self::LocalGather { x, y, source },
+        }
+    }
 }
 
 /// What rendering did.
@@ -56,7 +82,8 @@ pub struct RenderStats {
     /// Those of them in range.
     pub photons_in_range: u64,
     /// Iterations of the machine: a query's photons in groups of
-    /// [`Machine::photons_per_iteration`], the last perhaps not full. 0 for the reference, which has none.
+    /// [`Machine::photons_per_iteration`], the last perhaps not full. 0 for the
+    /// reference and for a photon format, which have none.
     pub photon_groups: u64,
     /// The most photons that one query tested.
     pub largest_query: u64,
@@ -81,13 +108,13 @@ pub struct Rendering {
     pub stats: RenderStats,
 }
 
-/// Renders the scene's view from the photon map. Both engines see the same query points.
+/// Renders the scene's view from the photon map. All engines see the same query points.
 ///
 /// `progress` gets the number of pixels done so far, from any thread, not always in order.
 ///
 /// # Errors
 /// Options without pixels, formats that do not fit the map, or a query that the golden model
-/// refuses (more photons than [`Machine::max_photons`]).
+/// refuses (more photons than [`Machine::max_photons`] or [`PhotonFormat::max_photons`]).
 pub fn render(
     scene: &Scene,
     map: &PhotonMap,
@@ -120,29 +147,36 @@ pub fn render(
     Ok(Rendering { image, stats })
 }
 
-enum Prepared<'a> {
+pub(crate) enum Prepared<'a> {
     F64,
     Model(QuantisedMap<'a>),
+    Format(Box<FormatMap<'a>>),
 }
 
 impl<'a> Prepared<'a> {
-    fn new(map: &'a PhotonMap, engine: Engine<'a>) -> Result<Self, QuantiseError> {
+    pub(crate) fn new(map: &'a PhotonMap, engine: Engine<'a>) -> Result<Self, RenderError> {
         Ok(match engine {
             Engine::F64 => Self::F64,
             Engine::Model(machine) => Self::Model(QuantisedMap::new(map, machine)?),
+            Engine::Format(format) => Self::Format(Box::new(FormatMap::new(map, format)?)),
         })
     }
 
-    fn estimate(&self, map: &PhotonMap, query: &QueryPoint) -> Result<Estimate, GatherError> {
+    pub(crate) fn estimate(
+        &self,
+        map: &PhotonMap,
+        query: &QueryPoint,
+    ) -> Result<Estimate, Refusal> {
         match self {
             Self::F64 => Ok(estimate_f64(map, query)),
-            Self::Model(quantised) => estimate_model(map, quantised, query),
+            Self::Model(quantised) => Ok(estimate_model(map, quantised, query)?),
+            Self::Format(quantised) => Ok(estimate_format(quantised, query)?),
         }
     }
 
     fn groups(&self, photons: u64) -> u64 {
         match self {
-            Self::F64 => 0,
+            Self::F64 | Self::Format(_) => 0,
             Self::Model(quantised) => {
                 photons.div_ceil(quantised.machine().photons_per_iteration() as u64)
             }
@@ -162,14 +196,14 @@ impl Renderer<'_> {
         let mut stats = RenderStats::default();
         let pixel = |x| {
             let pixel = self.pixel(x, y, &mut stats);
-            pixel.map_err(|source| RenderError::Gather { x, y, source })
+            pixel.map_err(|refusal| RenderError::of(refusal, x, y))
         };
         let pixels: Result<Vec<_>, _> = (0..self.options.width).map(pixel).collect();
         Ok((pixels?, stats))
     }
 
     /// The mean radiance of a pixel's view rays.
-    fn pixel(&self, x: u32, y: u32, stats: &mut RenderStats) -> Result<DVec3, GatherError> {
+    fn pixel(&self, x: u32, y: u32, stats: &mut RenderStats) -> Result<DVec3, Refusal> {
         let mut radiance = DVec3::ZERO;
         for sample in self.options.samples(self.scene, x, y) {
             radiance += sample.emitted;
@@ -195,7 +229,7 @@ impl Renderer<'_> {
 
 #[cfg(test)]
 mod tests {
-    use photoncube_spec::find_machine;
+    use photoncube_spec::{PHOTON_FORMATS, find_machine};
 
     use super::*;
     use crate::{TraceOptions, trace};
@@ -221,7 +255,12 @@ mod tests {
     #[test]
     fn threads_do_not_matter() {
         let (scene, map) = scene_and_map();
-        for engine in [Engine::F64, Engine::Model(find_machine("paper").unwrap())] {
+        let engines = [
+            Engine::F64,
+            Engine::Model(find_machine("paper").unwrap()),
+            Engine::Format(&PHOTON_FORMATS[0]),
+        ];
+        for engine in engines {
             let on = |threads| {
                 let pool = rayon::ThreadPoolBuilder::new()
                     .num_threads(threads)
@@ -250,6 +289,23 @@ mod tests {
         let groups = model.photon_groups;
         assert!(groups >= model.photon_tests / 4);
         assert!(groups < model.photon_tests / 4 + model.query_points);
+    }
+
+    #[test]
+    fn a_format_sees_the_same_queries_and_about_the_same_photons() {
+        let (scene, map) = scene_and_map();
+        let stats = |engine| {
+            render(&scene, &map, engine, &OPTIONS, &|_| ())
+                .unwrap()
+                .stats
+        };
+        let f64 = stats(Engine::F64);
+        let format = stats(Engine::Format(&PHOTON_FORMATS[0]));
+        assert_eq!(f64.query_points, format.query_points);
+        assert_eq!(format.photon_groups, 0);
+        // 0.26 % of the photons change sides, about half of them each way.
+        let ratio = format.photons_in_range as f64 / f64.photons_in_range as f64;
+        assert!((ratio - 1.0).abs() < 0.001, "{ratio}");
     }
 
     #[test]

@@ -5,8 +5,10 @@ use rand::RngExt;
 use rand_pcg::Pcg64Mcg;
 use thiserror::Error;
 
+use crate::camera::Ray;
+use crate::geometry::Hit;
 use crate::sample::{Purpose, stream};
-use crate::scene::Scene;
+use crate::scene::{Scene, Surface};
 
 /// The picture to take.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -48,6 +50,10 @@ pub struct ViewError {
 
 /// The longest side of an image: its pixels' number fits 32 bits.
 const MAX_SIDE: u32 = 1 << 16;
+/// A view ray that has followed this many mirrors and meets another ends there and sees black, so
+/// that facing mirrors cannot keep it for ever. What is lost is below the reflectance to the 64th
+/// power of the radiance: 4 % at 0.95, and only where the picture shows a 65th image.
+const MAX_MIRRORS: u32 = 64;
 /// More samples than any picture needs, few enough for their square to fit.
 const MAX_SAMPLES_PER_AXIS: u32 = 64;
 
@@ -58,16 +64,18 @@ pub struct QueryPoint {
     pub position: DVec3,
     /// The unit normal of its surface's front.
     pub normal: DVec3,
-    /// What turns irradiance into reflected radiance: rho / pi, the diffuse BRDF.
+    /// What turns irradiance into radiance at the camera: rho / pi, the diffuse BRDF, times the
+    /// reflectances of the mirrors between.
     pub beta: DVec3,
 }
 
 /// What one view ray sees.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(crate) struct ViewSample {
-    /// Radiance that the surface emits.
+    /// Radiance that arrives from a light, seen directly or by mirrors.
     pub emitted: DVec3,
-    /// Where to estimate what it reflects; none where the ray leaves the scene or meets a back.
+    /// Where to estimate what is reflected; none where the ray leaves the scene, meets a back, or
+    /// is lost between mirrors.
     pub query: Option<QueryPoint>,
 }
 
@@ -121,17 +129,34 @@ fn random(rng: &mut Pcg64Mcg) -> f64 {
     rng.random()
 }
 
-fn see(scene: &Scene, ray: &crate::Ray) -> ViewSample {
-    let Some((index, hit)) = scene.intersect(ray).filter(|(_, hit)| hit.front) else {
-        return ViewSample::default();
-    };
-    let surface = &scene.surfaces()[index];
+/// Follows mirrors until a diffuse surface. No randomness: a ray is split nowhere.
+fn see(scene: &Scene, ray: &Ray) -> ViewSample {
+    let mut ray = *ray;
+    let mut beta = DVec3::ONE;
+    for _ in 0..=MAX_MIRRORS {
+        let Some((index, hit)) = scene.intersect(&ray) else {
+            break;
+        };
+        let surface = &scene.surfaces()[index];
+        if !surface.is_lit(&hit) {
+            break;
+        }
+        if !surface.is_mirror() {
+            return diffuse_sample(surface, &hit, beta);
+        }
+        beta *= surface.reflectance();
+        ray = surface.mirrored(&ray, &hit);
+    }
+    ViewSample::default()
+}
+
+fn diffuse_sample(surface: &Surface, hit: &Hit, beta: DVec3) -> ViewSample {
     ViewSample {
-        emitted: surface.radiance,
+        emitted: beta * surface.radiance,
         query: Some(QueryPoint {
             position: hit.position,
             normal: surface.quad.normal(),
-            beta: surface.reflectance / std::f64::consts::PI,
+            beta: beta * surface.reflectance() / std::f64::consts::PI,
         }),
     }
 }
@@ -139,6 +164,7 @@ fn see(scene: &Scene, ray: &crate::Ray) -> ViewSample {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scene::fixtures::{chamber, mirror_box, walls_met};
 
     const OPTIONS: ViewOptions = ViewOptions {
         width: 128,
@@ -184,6 +210,39 @@ mod tests {
             assert!((p.x + 3.5 * pixel).abs() < 0.5 * pixel + 1e-6, "{p}");
             assert!((p.y - 13.5 * pixel).abs() < 0.5 * pixel + 1e-6, "{p}");
         }
+    }
+
+    /// The ceiling is seen once directly and again in the walls, darker with every mirror: by
+    /// laying out the mirror images flat, a straight view ray says how many.
+    #[test]
+    fn view_rays_follow_mirrors() {
+        let scene = chamber(0.5);
+        let mut most = 0;
+        for (x, y) in (0..64).flat_map(|x| (0..32).map(move |y| (x, y))) {
+            let ray = scene
+                .camera()
+                .ray(f64::from(x) + 0.5, f64::from(y) + 0.7, 64, 64);
+            let t = (1.0 - ray.origin.y) / ray.direction.y;
+            let at = ray.origin + t * ray.direction;
+            let walls = walls_met(at.x, at.z);
+            most = most.max(walls);
+            let expected = if walls > MAX_MIRRORS as i32 {
+                DVec3::ZERO
+            } else {
+                DVec3::splat(0.5f64.powi(walls))
+            };
+            assert_eq!(see(&scene, &ray).emitted, expected, "{x}, {y}: {walls}");
+        }
+        assert!(most > MAX_MIRRORS as i32, "the bound is met: {most}");
+    }
+
+    #[test]
+    fn view_rays_between_perfect_mirrors_end() {
+        let scene = mirror_box();
+        let pixels = (0..64).flat_map(|x| OPTIONS.samples(&scene, x, 64));
+        let (dark, lit): (Vec<_>, Vec<_>) = pixels.partition(|s| *s == ViewSample::default());
+        // The light is a thousandth of the box's side: hardly a ray finds it in 64 mirrors.
+        assert!(dark.len() > 100 * lit.len(), "{} {}", dark.len(), lit.len());
     }
 
     #[test]

@@ -8,11 +8,15 @@
 
 mod control;
 mod format;
+mod format_widths;
 mod hypercube;
 mod listing;
 mod machine;
 mod microprogram;
 mod op;
+mod photon_format;
+mod photon_formats;
+mod photon_record;
 mod pins;
 mod register;
 mod schedule;
@@ -20,11 +24,15 @@ mod stream;
 
 pub use control::{ControlWord, FIELDS, Field, FieldRow, WorkSource, control_word_bits, encode};
 pub use format::{Squarer, Widths};
+pub use format_widths::FormatWidths;
 pub use hypercube::{Axis, Channel, Hypercube, Role};
 pub use listing::{ListingError, parse_listing};
 pub use machine::{MACHINES, Machine, UnknownMachine, find_machine};
 pub use microprogram::{Microprogram, ScheduledStep, Step};
 pub use op::{OPS, Op, OpRow, Unit};
+pub use photon_format::{FormatError, PhotonFormat, PowerFormat};
+pub use photon_formats::{PHOTON_FORMATS, UnknownFormat, find_photon_format};
+pub use photon_record::{LocalQuery, LocalSums, PhotonBlock, PhotonRecord};
 pub use pins::{CONTROL_REGISTERS, Pin, Pins, SignalPlace};
 pub use register::{REGISTERS, Register, RegisterRow};
 pub use schedule::{

@@ -2,7 +2,7 @@
 
 use anyhow::Result;
 use photoncube_render::Scene;
-use photoncube_spec::{MACHINES, Machine, Widths};
+use photoncube_spec::{FormatWidths, MACHINES, Machine, PHOTON_FORMATS, PhotonFormat, Widths};
 use serde::Serialize;
 
 use crate::measured::{Area, Measured};
@@ -12,6 +12,23 @@ use crate::{output, table};
 struct Report {
     scenes: Vec<SceneRow>,
     machines: Vec<MachineRow>,
+    formats: Vec<FormatRow>,
+}
+
+/// A photon format; machines that are built for one come with them.
+#[derive(Serialize)]
+struct FormatRow {
+    format: &'static str,
+    summary: &'static str,
+    bits_per_photon: u32,
+    position_bits: u32,
+    query_extra_bits: u32,
+    radius_bits: u32,
+    mantissa_bits: u32,
+    exponent_bits: u32,
+    exponent_range: u32,
+    max_photons: u64,
+    sum_bits: u32,
 }
 
 #[derive(Serialize)]
@@ -55,7 +72,25 @@ fn report() -> Result<Report> {
     Ok(Report {
         scenes: scenes.collect::<Result<_>>()?,
         machines: MACHINES.iter().map(machine_row).collect::<Result<_>>()?,
+        formats: PHOTON_FORMATS.iter().map(format_row).collect(),
     })
+}
+
+fn format_row(format: &PhotonFormat) -> FormatRow {
+    let widths = FormatWidths::of(format);
+    FormatRow {
+        format: format.name,
+        summary: format.summary,
+        bits_per_photon: widths.bits_per_photon,
+        position_bits: format.position_bits,
+        query_extra_bits: format.query_extra_bits,
+        radius_bits: format.radius_bits,
+        mantissa_bits: format.power.mantissa_bits(),
+        exponent_bits: format.power.exponent_bits(),
+        exponent_range: format.exponent_range,
+        max_photons: format.max_photons,
+        sum_bits: widths.sum,
+    }
 }
 
 fn machine_row(machine: &Machine) -> Result<MachineRow> {
@@ -89,12 +124,19 @@ fn text(report: &Report) -> String {
     for machine in &report.machines {
         text += &format!("  {:<10} {}\n", machine.machine, machine.summary);
     }
-    text += "\nFormats (bits):\n";
-    text += &format_table(&report.machines);
+    text += "\nPhoton formats of the golden model (`photoncube report` measures them):\n";
+    for format in &report.formats {
+        text += &format!(
+            "  {:<17} {:>2} bits per photon  {}\n",
+            format.format, format.bits_per_photon, format.summary
+        );
+    }
+    text += "\nWidths of the machines (bits):\n";
+    text += &width_table(&report.machines);
     text + "\nFigures:\n" + &machine_table(&report.machines)
 }
 
-fn format_table(machines: &[MachineRow]) -> String {
+fn width_table(machines: &[MachineRow]) -> String {
     let header = [
         "machine",
         "coordinate",

@@ -4,6 +4,7 @@ mod generate;
 mod list;
 mod microprogram;
 mod render;
+mod report;
 mod run;
 mod verify;
 
@@ -25,6 +26,7 @@ pub fn execute(args: Args) -> Result<()> {
         Command::Generate(options) => generate::execute(&options, json),
         Command::Verify(options) => verify::execute(&options, json),
         Command::Render(options) => render::execute(&options, json),
+        Command::Report(options) => report::execute(&options, json),
         Command::Microprogram(options) => microprogram::execute(&options, json),
         Command::Completions { shell } => completions(shell),
         Command::Man { out } => manual(&out),

@@ -7,7 +7,7 @@ use anyhow::Result;
 use photoncube_render::{
     Engine, PhotonMap, Rendering, Scene, TraceOptions, ViewOptions, render, trace,
 };
-use photoncube_spec::Machine;
+use photoncube_spec::{Machine, find_photon_format};
 use serde::Serialize;
 
 use crate::args::{EngineName, PictureArgs, RenderArgs};
@@ -21,6 +21,7 @@ struct Report {
     scene: String,
     engine: &'static str,
     machine: Option<&'static str>,
+    format: Option<&'static str>,
     output: String,
     photons: usize,
     query_points: u64,
@@ -89,9 +90,11 @@ pub fn picture(
 /// Renders a scene to a PNG file.
 pub fn execute(args: &RenderArgs, json: bool) -> Result<()> {
     let machine: &'static Machine = args.machine.find()?;
+    let format = find_photon_format(&args.format)?;
     let engine = match args.engine {
         EngineName::F64 => Engine::F64,
         EngineName::Model => Engine::Model(machine),
+        EngineName::Format => Engine::Format(format),
     };
     // Before the work, so that a folder that cannot be written is told at once.
     files::make_folder(args.output.parent().unwrap_or(Path::new(".")))?;
@@ -100,11 +103,16 @@ pub fn execute(args: &RenderArgs, json: bool) -> Result<()> {
     let view = view(&args.picture);
     let rendering = picture(&traced, engine, &view, "rendering")?;
     rendering.image.write_png(&args.output, EXPOSURE)?;
-    let is_model = args.engine == EngineName::Model;
+    let (engine, machine, format) = match args.engine {
+        EngineName::F64 => ("f64", None, None),
+        EngineName::Model => ("model", Some(machine.name), None),
+        EngineName::Format => ("format", None, Some(format.name)),
+    };
     let report = Report {
         scene: args.scene.clone(),
-        engine: if is_model { "model" } else { "f64" },
-        machine: is_model.then_some(machine.name),
+        engine,
+        machine,
+        format,
         output: args.output.display().to_string(),
         photons: traced.map.photons().len(),
         query_points: rendering.stats.query_points,

@@ -15,7 +15,7 @@ use super::render::{EXPOSURE, Traced, picture, trace_scene, view};
 use super::verify::{verdict_table, verify_with_bar};
 use crate::args::RunArgs;
 use crate::failure::CheckFailed;
-use crate::{files, output, project};
+use crate::{files, output, project, scenes};
 
 /// Radiance above which a pixel shows the light itself; those pixels and the ones that touch them
 /// are left out of errors, as for the reference image. The walls stay below 2.
@@ -85,8 +85,7 @@ pub fn execute(args: &RunArgs, json: bool) -> Result<()> {
     let rendering = timed(&mut seconds.render_model, || {
         picture(&traced, Engine::Model(machine), &view, "rendering, model")
     })?;
-    let name = Path::new(&args.scene).file_stem().unwrap_or_default();
-    let name = name.to_string_lossy();
+    let name = scenes::stem(&args.scene);
     let picture_path = args.out.join(format!("{name}.png"));
     let reference_path = args.out.join(format!("{name}-f64.png"));
     rendering.image.write_png(&picture_path, EXPOSURE)?;

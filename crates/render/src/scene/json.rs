@@ -1,11 +1,12 @@
 //! The scene file: the reference renderer's JSON, of which camera and shapes are read.
 
-use std::collections::BTreeMap;
-
 use glam::DVec3;
-use serde::Deserialize;
 
-use super::{Scene, SceneError, Surface};
+use super::file::{
+    BsdfFile, CameraFile, ConductorFile, EmitterFile, Kind, LightChoiceFile, SceneFile, ShapeFile,
+    SheetFile, Spectrum,
+};
+use super::{Bsdf, LightChoice, Scene, SceneError, Surface};
 use crate::camera::Camera;
 use crate::geometry::Quad;
 
@@ -15,65 +16,6 @@ const NORMAL_COSINE: f64 = 0.9998;
 
 /// Far above any light, and no sum of squares of such numbers overflows.
 const MAX_RADIANCE: f64 = 1e30;
-
-#[derive(Deserialize)]
-struct SceneFile {
-    name: String,
-    camera: CameraFile,
-    // Sorted, so that the order of the surfaces does not depend on the parser.
-    shapes: BTreeMap<String, ShapeFile>,
-}
-
-#[derive(Deserialize)]
-struct CameraFile {
-    fov_deg: f64,
-    // Read only to refuse any other axis.
-    #[serde(rename = "fov_axis")]
-    _fov_axis: FovAxis,
-    to_world: [[f64; 4]; 4],
-}
-
-#[derive(Deserialize)]
-#[serde(rename_all = "lowercase")]
-enum FovAxis {
-    Smaller,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct ShapeFile {
-    kind: Kind,
-    vertices: Vec<[f64; 3]>,
-    normal: Option<[f64; 3]>,
-    quads_ccw_outward: Option<Vec<[usize; 4]>>,
-    bsdf: BsdfFile,
-    emitter: Option<EmitterFile>,
-}
-
-#[derive(Deserialize, Clone, Copy, PartialEq)]
-#[serde(rename_all = "lowercase")]
-enum Kind {
-    Quad,
-    Box,
-}
-
-#[derive(Deserialize)]
-#[serde(tag = "type", rename_all = "lowercase", deny_unknown_fields)]
-enum BsdfFile {
-    Diffuse { reflectance: Spectrum },
-}
-
-#[derive(Deserialize)]
-#[serde(tag = "type", rename_all = "lowercase", deny_unknown_fields)]
-enum EmitterFile {
-    Area { radiance: Spectrum },
-}
-
-#[derive(Deserialize)]
-#[serde(tag = "type", rename_all = "lowercase", deny_unknown_fields)]
-enum Spectrum {
-    Rgb { value: [f64; 3] },
-}
 
 pub(super) fn parse(file: &str, text: &str) -> Result<Scene, SceneError> {
     let parsed: SceneFile = serde_json::from_str(text).map_err(|error| json_error(file, &error))?;
@@ -90,7 +32,12 @@ pub(super) fn parse(file: &str, text: &str) -> Result<Scene, SceneError> {
             "at least one with a radiance over 0",
         ));
     }
-    Ok(Scene::new(parsed.name, camera, surfaces))
+    let mut scene = Scene::new(parsed.name, camera, surfaces);
+    scene.light_choice = match parsed.light_choice {
+        LightChoiceFile::Flux => LightChoice::Flux,
+        LightChoiceFile::Uniform => LightChoice::Uniform,
+    };
+    Ok(scene)
 }
 
 fn json_error(file: &str, error: &serde_json::Error) -> SceneError {
@@ -133,11 +80,7 @@ impl Reader<'_> {
 
     fn shape(&self, name: &str, shape: &ShapeFile) -> Result<Vec<Surface>, SceneError> {
         let place = format!("shapes.{name}");
-        let BsdfFile::Diffuse {
-            reflectance: Spectrum::Rgb { value: reflectance },
-        } = shape.bsdf;
-        let at = format!("{place}.bsdf.reflectance.value");
-        self.spectrum(&at, reflectance, 1.0, "numbers from 0 to 1")?;
+        let bsdf = self.bsdf(&format!("{place}.bsdf"), &shape.bsdf)?;
         let radiance = match shape.emitter {
             Some(EmitterFile::Area {
                 radiance: Spectrum::Rgb { value },
@@ -146,10 +89,14 @@ impl Reader<'_> {
         };
         let at = format!("{place}.emitter.radiance.value");
         self.spectrum(&at, radiance, MAX_RADIANCE, "numbers from 0 to 1e30")?;
+        let mirror = matches!(bsdf, Bsdf::Mirror { .. });
+        if mirror && shape.emitter.is_some() {
+            return Err(self.error(&place, "a mirror with an emitter", "one or the other"));
+        }
         let surface = |quad| Surface {
             shape: name.to_owned(),
             quad,
-            reflectance: reflectance.into(),
+            bsdf,
             radiance: radiance.into(),
         };
         Ok(self
@@ -157,6 +104,40 @@ impl Reader<'_> {
             .into_iter()
             .map(surface)
             .collect())
+    }
+
+    fn bsdf(&self, place: &str, bsdf: &BsdfFile) -> Result<Bsdf, SceneError> {
+        match bsdf {
+            BsdfFile::Diffuse { reflectance } => {
+                let reflectance = self.reflectance(&format!("{place}.reflectance"), reflectance)?;
+                Ok(Bsdf::Diffuse { reflectance })
+            }
+            BsdfFile::Conductor(conductor) => self.mirror(place, conductor, false),
+            BsdfFile::TwoSided {
+                bsdf: SheetFile::Conductor(conductor),
+            } => self.mirror(&format!("{place}.bsdf"), conductor, true),
+        }
+    }
+
+    fn mirror(
+        &self,
+        place: &str,
+        conductor: &ConductorFile,
+        two_sided: bool,
+    ) -> Result<Bsdf, SceneError> {
+        let at = format!("{place}.specular_reflectance");
+        let reflectance = self.reflectance(&at, &conductor.specular_reflectance)?;
+        Ok(Bsdf::Mirror {
+            reflectance,
+            two_sided,
+        })
+    }
+
+    fn reflectance(&self, place: &str, spectrum: &Spectrum) -> Result<DVec3, SceneError> {
+        let Spectrum::Rgb { value } = *spectrum;
+        let at = format!("{place}.value");
+        self.spectrum(&at, value, 1.0, "numbers from 0 to 1")?;
+        Ok(value.into())
     }
 
     fn spectrum(
@@ -178,6 +159,7 @@ impl Reader<'_> {
         let faces: &[[usize; 4]] = match (shape.kind, &shape.quads_ccw_outward) {
             (Kind::Quad, None) => &[[0, 1, 2, 3]],
             (Kind::Box, Some(faces)) if faces.len() == 6 => faces,
+            (Kind::Quads, Some(faces)) if !faces.is_empty() => faces,
             (Kind::Quad, Some(_)) => {
                 return Err(self.error(
                     place,
@@ -185,16 +167,20 @@ impl Reader<'_> {
                     "a quad without it",
                 ));
             }
-            (Kind::Box, _) => {
+            (Kind::Box | Kind::Quads, faces) => {
                 let at = format!("{place}.quads_ccw_outward");
-                let found = shape.quads_ccw_outward.as_ref().map_or(0, Vec::len);
-                return Err(self.error(&at, format!("{found} faces"), "the 6 faces of a box"));
+                let found = format!("{} faces", faces.as_ref().map_or(0, Vec::len));
+                let expected = match shape.kind {
+                    Kind::Box => "the 6 faces of a box",
+                    _ => "one face or more",
+                };
+                return Err(self.error(&at, found, expected));
             }
         };
         let quads = faces.iter().enumerate().map(|(index, face)| {
             let at = match shape.kind {
                 Kind::Quad => format!("{place}.vertices"),
-                Kind::Box => format!("{place}.quads_ccw_outward[{index}]"),
+                _ => format!("{place}.quads_ccw_outward[{index}]"),
             };
             self.quad(&at, face, shape)
         });
@@ -297,6 +283,22 @@ mod tests {
                 "a quad with quads_ccw_outward",
             ),
             (
+                "/shapes/small-box",
+                json!({"kind": "quads", "vertices": [], "quads_ccw_outward": [], "bsdf": conductor("none")}),
+                "shapes.small-box.quads_ccw_outward: found 0 faces, expected one face or more",
+            ),
+            (
+                "/shapes/light/bsdf",
+                conductor("none"),
+                "shapes.light: found a mirror with an emitter",
+            ),
+            (
+                "/shapes/floor/bsdf",
+                json!({"type": "conductor", "material": "none",
+                    "specular_reflectance": {"type": "rgb", "value": [1, 2, 1]}}),
+                "shapes.floor.bsdf.specular_reflectance.value[1]: found 2",
+            ),
+            (
                 "/camera/fov_deg",
                 json!(0),
                 "my.json, camera: found fov_deg 0",
@@ -306,6 +308,53 @@ mod tests {
             let message = message(&changed(pointer, value));
             assert!(message.contains(expected), "{pointer}: {message}");
         }
+    }
+
+    fn grey() -> Value {
+        json!({"type": "rgb", "value": [0.5, 0.5, 0.5]})
+    }
+
+    fn conductor(material: &str) -> Value {
+        json!({"type": "conductor", "material": material, "specular_reflectance": grey()})
+    }
+
+    fn two_sided(bsdf: Value) -> Value {
+        json!({"type": "twosided", "bsdf": bsdf})
+    }
+
+    #[test]
+    fn mirrors_have_one_side_or_two() {
+        for (bsdf, two_sided) in [
+            (conductor("none"), false),
+            (two_sided(conductor("none")), true),
+        ] {
+            let text = changed("/shapes/floor/bsdf", bsdf);
+            let scene = Scene::from_json("my.json", &text).unwrap();
+            let floor = scene.surfaces().iter().find(|s| s.shape == "floor");
+            let expected = Bsdf::Mirror {
+                reflectance: DVec3::splat(0.5),
+                two_sided,
+            };
+            assert_eq!(floor.unwrap().bsdf, expected);
+        }
+    }
+
+    #[test]
+    fn lights_are_chosen_by_flux_unless_the_file_says_otherwise() {
+        let with = |choice: &str| {
+            let mut scene: Value = serde_json::from_str(&changed("/name", json!("x"))).unwrap();
+            scene["light_choice"] = json!(choice);
+            Scene::from_json("my.json", &scene.to_string())
+        };
+        let cornell = Scene::built_in("cornell").unwrap();
+        assert_eq!(cornell.light_choice(), LightChoice::Flux);
+        assert_eq!(with("flux").unwrap().light_choice(), LightChoice::Flux);
+        assert_eq!(
+            with("uniform").unwrap().light_choice(),
+            LightChoice::Uniform
+        );
+        let error = with("brightest").unwrap_err().to_string();
+        assert!(error.contains("`flux` or `uniform`"), "{error}");
     }
 
     #[test]
@@ -320,6 +369,11 @@ mod tests {
             ("/camera/fov_axis", json!("x")),
             ("/shapes/floor/bsdf/type", json!("glass")),
             ("/shapes/floor/kind", json!("sphere")),
+            (
+                "/shapes/floor/bsdf",
+                two_sided(json!({"type": "diffuse", "reflectance": grey()})),
+            ),
+            ("/shapes/floor/bsdf", conductor("Au")),
             ("/shapes/floor", json!({"kind": "quad", "colour": 1})),
         ] {
             let error = Scene::from_json("my.json", &changed(pointer, value)).unwrap_err();

@@ -1,0 +1,123 @@
+//! The largest value of every field of a photon format.
+
+use photoncube_spec::{
+    FormatError, FormatWidths, LocalQuery, PhotonBlock, PhotonFormat, PhotonRecord, PowerFormat,
+};
+
+use super::error::ValueError;
+
+const POSITION: [&str; 3] = ["position x", "position y", "position z"];
+const MANTISSA: [&str; 3] = ["red mantissa", "green mantissa", "blue mantissa"];
+const OFFSET: [&str; 3] = ["block offset x", "block offset y", "block offset z"];
+
+/// The largest values of a format's words.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub struct LocalLimits {
+    coordinate: u32,
+    position: u32,
+    mantissa: u32,
+    photon_exponent: u32,
+    block_exponent: u32,
+    format: &'static str,
+}
+
+impl LocalLimits {
+    /// The limits of a format.
+    ///
+    /// # Errors
+    /// A format that is not legal.
+    pub fn of(format: &PhotonFormat) -> Result<Self, FormatError> {
+        format.check()?;
+        let widths = FormatWidths::of(format);
+        let ones = |bits| u32::MAX >> (u32::BITS - bits);
+        let (photon_exponent, block_exponent) = match format.power {
+            PowerFormat::BlockLinear { .. } => (0, format.exponent_range),
+            PowerFormat::SharedExponent { .. } => (format.exponent_range, 0),
+        };
+        Ok(Self {
+            coordinate: ones(widths.coordinate),
+            position: ones(widths.position),
+            mantissa: ones(widths.mantissa),
+            photon_exponent,
+            block_exponent,
+            format: format.name,
+        })
+    }
+
+    /// Checks that a query fits the frame.
+    ///
+    /// # Errors
+    /// The first value that does not, with the limit.
+    pub fn check_query(&self, query: &LocalQuery) -> Result<(), ValueError> {
+        self.check_each(POSITION, query.position, self.coordinate)
+    }
+
+    /// Checks a block's place and exponent; not its photons.
+    ///
+    /// # Errors
+    /// The first value that does not fit, with the limit.
+    pub fn check_block(&self, block: &PhotonBlock<'_>) -> Result<(), ValueError> {
+        self.check_each(OFFSET, block.offset, PhotonFormat::FRAME_BLOCKS - 1)?;
+        let exponent = u32::from(block.exponent);
+        self.check("block exponent", exponent, self.block_exponent)
+    }
+
+    /// Checks that a record fits.
+    ///
+    /// # Errors
+    /// The first value that does not, with the limit.
+    pub fn check_record(&self, record: &PhotonRecord) -> Result<(), ValueError> {
+        self.check_each(POSITION, record.position.map(u32::from), self.position)?;
+        self.check_each(MANTISSA, record.mantissa.map(u32::from), self.mantissa)?;
+        let exponent = u32::from(record.exponent);
+        self.check("photon exponent", exponent, self.photon_exponent)
+    }
+
+    /// Checks that all records fit.
+    ///
+    /// # Errors
+    /// As for [`Self::check_record`], of the first that does not.
+    pub fn check_records(&self, records: &[PhotonRecord]) -> Result<(), ValueError> {
+        // Limits of positions and mantissas are all ones: one value is past them where the OR of
+        // all is.
+        let (mut position, mut mantissa, mut exponent) = (0, 0, 0);
+        for record in records {
+            let [x, y, z] = record.position;
+            let [red, green, blue] = record.mantissa;
+            position |= x | y | z;
+            mantissa |= red | green | blue;
+            exponent = exponent.max(record.exponent);
+        }
+        let fits = u32::from(position) <= self.position
+            && u32::from(mantissa) <= self.mantissa
+            && u32::from(exponent) <= self.photon_exponent;
+        if fits {
+            return Ok(());
+        }
+        records
+            .iter()
+            .try_for_each(|record| self.check_record(record))
+    }
+
+    fn check_each(
+        &self,
+        names: [&'static str; 3],
+        values: [u32; 3],
+        largest: u32,
+    ) -> Result<(), ValueError> {
+        let mut named = names.into_iter().zip(values);
+        named.try_for_each(|(what, value)| self.check(what, value, largest))
+    }
+
+    fn check(&self, what: &'static str, value: u32, largest: u32) -> Result<(), ValueError> {
+        if value <= largest {
+            return Ok(());
+        }
+        Err(ValueError {
+            what,
+            value,
+            largest,
+            format: self.format,
+        })
+    }
+}

@@ -1,0 +1,63 @@
+//! Records as bits, in the order that [`photoncube_spec::PhotonRecord`]'s module states.
+
+use photoncube_spec::{FormatWidths, PhotonFormat, PhotonRecord};
+
+use super::error::{LocalError, PackError};
+use super::limits::LocalLimits;
+
+/// The record in the lowest [`FormatWidths::bits_per_photon`] bits; the others are 0.
+///
+/// # Errors
+/// A value that the format cannot hold.
+pub fn pack(format: &PhotonFormat, record: &PhotonRecord) -> Result<u128, LocalError> {
+    LocalLimits::of(format)?.check_record(record)?;
+    let mut bits = 0;
+    let mut place = 0;
+    for (value, width) in values(record).into_iter().zip(field_widths(format)) {
+        bits |= u128::from(value) << place;
+        place += width;
+    }
+    Ok(bits)
+}
+
+/// The record that [`pack`] made these bits of.
+///
+/// # Errors
+/// Bits past the record's width, or a field beyond its limit, such as an exponent over
+/// [`PhotonFormat::exponent_range`].
+pub fn unpack(format: &PhotonFormat, bits: u128) -> Result<PhotonRecord, PackError> {
+    let limits = LocalLimits::of(format)?;
+    let width = FormatWidths::of(format).bits_per_photon;
+    if bits >> width != 0 {
+        return Err(PackError::TooWide {
+            found: bits,
+            bits_per_photon: width,
+            format: format.name,
+        });
+    }
+    let mut rest = bits;
+    let [x, y, z, red, green, blue, exponent] = field_widths(format).map(|width| {
+        let field = rest & ((1 << width) - 1);
+        rest >>= width;
+        field as u16
+    });
+    let record = PhotonRecord {
+        position: [x, y, z],
+        mantissa: [red, green, blue],
+        exponent: exponent as u8,
+    };
+    limits.check_record(&record)?;
+    Ok(record)
+}
+
+fn values(record: &PhotonRecord) -> [u16; 7] {
+    let [x, y, z] = record.position;
+    let [red, green, blue] = record.mantissa;
+    [x, y, z, red, green, blue, record.exponent.into()]
+}
+
+fn field_widths(format: &PhotonFormat) -> [u32; 7] {
+    let widths = FormatWidths::of(format);
+    let (p, m) = (widths.position, widths.mantissa);
+    [p, p, p, m, m, m, widths.exponent]
+}

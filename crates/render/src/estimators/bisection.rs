@@ -1,0 +1,121 @@
+//! The k nearest photons in integers: bisection on the squared radius with the count channel.
+//!
+//! A gather at `radius_sq` returns the number of photons with d^2 <= radius_sq. That count never
+//! falls as `radius_sq` grows, so the smallest `radius_sq` with a count of at least k is the
+//! squared distance of the k-th photon, exactly, and as many gathers find it as `radius_sq`
+//! has bits, and one.
+
+/// Where a bisection ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Bisection {
+    /// The smallest squared radius whose count is at least k: d_k^2 in the machine's steps.
+    pub radius_sq: u64,
+    /// The count there: k, or more where several photons are at the distance of the k-th.
+    pub count: u64,
+    /// Gathers made.
+    pub gathers: u32,
+}
+
+/// The smallest `radius_sq` from 0 to `max_radius_sq` with `count(radius_sq) >= k`, in at most
+/// 1 + bits gathers (bits: the length of `max_radius_sq` in binary); `None`, after one
+/// gather, where even the largest has fewer photons.
+///
+/// `count` must not fall as its argument grows, as is true of any gather. For the open disc
+/// that [`crate::Neighbourhood::k_nearest`] sums, gather once more at the result less 1.
+///
+/// # Errors
+/// What `count` returns, at once.
+pub fn smallest_radius_sq<E>(
+    k: u64,
+    max_radius_sq: u64,
+    mut count: impl FnMut(u64) -> Result<u64, E>,
+) -> Result<Option<Bisection>, E> {
+    let mut gathers = 1;
+    let mut at_high = count(max_radius_sq)?;
+    if at_high < k {
+        return Ok(None);
+    }
+    // Invariant: count(high) >= k, and all radii below `low` have fewer.
+    let (mut low, mut high) = (0, max_radius_sq);
+    while low < high {
+        let middle = low + (high - low) / 2;
+        let found = count(middle)?;
+        gathers += 1;
+        if found >= k {
+            (high, at_high) = (middle, found);
+        } else {
+            low = middle + 1;
+        }
+    }
+    Ok(Some(Bisection {
+        radius_sq: high,
+        count: at_high,
+        gathers,
+    }))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::convert::Infallible;
+
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn bisect(distances_sq: &[u64], k: u64, max: u64) -> Option<Bisection> {
+        let count = |radius_sq| {
+            let inside = distances_sq.iter().filter(|d| **d <= radius_sq);
+            Ok::<_, Infallible>(inside.count() as u64)
+        };
+        smallest_radius_sq(k, max, count).unwrap()
+    }
+
+    #[test]
+    fn the_kth_distance_is_found_and_ties_are_counted() {
+        let distances = [9, 4, 4, 25, 0];
+        let found = |k| bisect(&distances, k, 30).map(|b| (b.radius_sq, b.count));
+        assert_eq!(found(1), Some((0, 1)));
+        assert_eq!(found(2), Some((4, 3)));
+        assert_eq!(found(3), Some((4, 3)));
+        assert_eq!(found(5), Some((25, 5)));
+        assert_eq!(found(6), None);
+    }
+
+    #[test]
+    fn the_ends_of_the_range_work() {
+        let max = u64::MAX;
+        assert_eq!(bisect(&[max], 1, max).unwrap().radius_sq, max);
+        assert_eq!(bisect(&[0], 1, max).unwrap().radius_sq, 0);
+        let one = bisect(&[0], 1, 0).unwrap();
+        assert_eq!((one.radius_sq, one.gathers), (0, 1));
+        assert_eq!(bisect(&[1], 1, 0), None);
+        assert_eq!(bisect(&[], 0, 7).unwrap().radius_sq, 0);
+    }
+
+    #[test]
+    fn a_refused_gather_is_passed_on() {
+        let result = smallest_radius_sq(1, 7, |_| Err("refused"));
+        assert_eq!(result, Err("refused"));
+    }
+
+    proptest! {
+        #[test]
+        fn it_is_minimal_within_bits_plus_one_gathers(
+            distances in prop::collection::vec(0u64..5000, 1..60),
+            k in 1u64..60,
+            max in 0u64..5000,
+        ) {
+            let mut sorted = distances.clone();
+            sorted.sort_unstable();
+            let kth = sorted.get(k as usize - 1).copied().filter(|d| *d <= max);
+            let found = bisect(&distances, k, max);
+            prop_assert_eq!(found.map(|b| b.radius_sq), kth);
+            if let Some(found) = found {
+                let bits = u64::BITS - max.leading_zeros();
+                prop_assert!(found.gathers <= bits + 1);
+                let inside = distances.iter().filter(|d| **d <= found.radius_sq);
+                prop_assert_eq!(found.count, inside.count() as u64);
+            }
+        }
+    }
+}

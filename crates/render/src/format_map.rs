@@ -1,0 +1,258 @@
+//! Photons and queries in the integers of a photon format, by the rules of
+//! [`photoncube_spec::PhotonFormat`].
+//!
+//! Block edge and search radius have the ratio that the format fixes, so the radius is exact and
+//! nothing depends on the scene's place or size. Precisely: the records, the block exponents
+//! and every sum are bit-identical
+//! - after moving scene, photons and queries by a vector that rounds none of their coordinates
+//!   (only their differences from the scene's corner are used, and those are exact);
+//! - after scaling scene, radius and photons by a power of two; by any other factor, except
+//!   for coordinates that f64 rounding carries across the border of a cell (relative 1e-15 of the
+//!   scene);
+//! - after scaling all powers by a power of two;
+//! - up to the order of the records, after permuting the photons.
+
+use std::borrow::Cow;
+
+use glam::DVec3;
+use photoncube_model::{LocalError, LocalGather};
+use photoncube_spec::{
+    FormatError, LocalQuery, LocalSums, PhotonBlock, PhotonFormat, PhotonRecord, PowerFormat,
+};
+use rayon::prelude::*;
+use thiserror::Error;
+
+use crate::photon_map::{Candidates, MapError, PhotonMap};
+use crate::quantise::fraction;
+use crate::trace::Photon;
+
+/// Why a photon map cannot be had in a format.
+#[derive(Debug, Error, PartialEq)]
+pub enum FormatMapError {
+    /// The format is not legal.
+    #[error(transparent)]
+    Format(#[from] FormatError),
+    /// The blocks that it needs cannot be had.
+    #[error(transparent)]
+    Map(#[from] MapError),
+}
+
+/// A photon map's content in one photon format.
+#[derive(Debug, Clone)]
+pub struct FormatMap<'a> {
+    map: Cow<'a, PhotonMap>,
+    gather: LocalGather,
+    /// In the map's order.
+    records: Vec<PhotonRecord>,
+    blocks: Vec<Block>,
+    power_unit: f64,
+}
+
+/// Where a block begins among the records, and its exponent.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Block {
+    start: usize,
+    exponent: u8,
+}
+
+impl<'a> FormatMap<'a> {
+    /// Rounds every photon of `map` to `format`, in blocks of [`Self::edge_for`] its radius: a map
+    /// with blocks of another edge is sorted anew.
+    ///
+    /// # Errors
+    /// A format that is not legal.
+    pub fn new(map: &'a PhotonMap, format: &PhotonFormat) -> Result<Self, FormatMapError> {
+        let gather = LocalGather::new(format)?;
+        let edge = Self::edge_for(format, map.radius());
+        let map = if map.edge() == edge {
+            Cow::Borrowed(map)
+        } else {
+            Cow::Owned(map.reblocked(edge)?)
+        };
+        let scale = PowerScale::new(&map, format);
+        let slices: Vec<_> = map.block_slices().collect();
+        let exponent = |photons: &[Photon]| match format.power {
+            PowerFormat::BlockLinear { .. } => scale.exponent(photons),
+            PowerFormat::SharedExponent { .. } => 0,
+        };
+        let blocks: Vec<Block> = slices
+            .par_iter()
+            .map(|slice| Block {
+                start: slice.start,
+                exponent: exponent(&map.photons()[slice.clone()]),
+            })
+            .collect();
+        let records = slices
+            .par_iter()
+            .zip(&blocks)
+            .flat_map_iter(|(slice, block)| {
+                let photons = &map.photons()[slice.clone()];
+                photons
+                    .iter()
+                    .map(|p| record(&map, format, &scale, block.exponent, p))
+            });
+        Ok(Self {
+            records: records.collect(),
+            gather,
+            blocks,
+            power_unit: scale.unit,
+            map,
+        })
+    }
+
+    /// The blocks' edge with which `radius` is exact in the format (scene units).
+    #[must_use]
+    pub fn edge_for(format: &PhotonFormat, radius: f64) -> f64 {
+        radius * f64::from(format.edge_steps()) / f64::from(format.radius_steps())
+    }
+
+    /// The format.
+    #[must_use]
+    pub fn format(&self) -> &PhotonFormat {
+        self.gather.format()
+    }
+
+    /// The photons before rounding, in the format's blocks.
+    #[must_use]
+    pub fn map(&self) -> &PhotonMap {
+        &self.map
+    }
+
+    /// The photons in the format, in the order of [`Self::map`].
+    #[must_use]
+    pub fn records(&self) -> &[PhotonRecord] {
+        &self.records
+    }
+
+    /// The flux that a power of 1 stands for.
+    #[must_use]
+    pub fn power_unit(&self) -> f64 {
+        self.power_unit
+    }
+
+    /// The query at `position`, in its frame.
+    #[must_use]
+    pub fn query(&self, position: DVec3) -> LocalQuery {
+        let format = self.format();
+        let bits = format.position_bits + format.query_extra_bits;
+        LocalQuery {
+            position: fraction(&self.map, position, bits).map(|f| format.edge_steps() + f),
+        }
+    }
+
+    /// The photons that a query at `position` on a surface of unit normal `normal` gathers, by the
+    /// rule of [`PhotonMap`].
+    pub fn blocks(&self, position: DVec3, normal: DVec3) -> impl Iterator<Item = PhotonBlock<'_>> {
+        let runs = self.map.candidates(position, normal);
+        runs.map(|Candidates { offset, photons }| PhotonBlock {
+            offset,
+            exponent: self.block_exponent(photons.start),
+            photons: &self.records[photons],
+        })
+    }
+
+    /// The sums of a query.
+    ///
+    /// # Errors
+    /// More photons than the format declares.
+    pub fn gather(&self, position: DVec3, normal: DVec3) -> Result<LocalSums, LocalError> {
+        let blocks = self.blocks(position, normal);
+        self.gather.gather(&self.query(position), blocks)
+    }
+
+    /// Every photon that a query gathers, before rounding, with the format's verdict whether it
+    /// is in range: what misclassified photons are counted from.
+    pub fn verdicts(
+        &self,
+        position: DVec3,
+        normal: DVec3,
+    ) -> impl Iterator<Item = (&Photon, bool)> {
+        let query = self.query(position);
+        let runs = self.map.candidates(position, normal);
+        runs.flat_map(move |Candidates { offset, photons }| {
+            photons.map(move |index| {
+                let record = &self.records[index];
+                let in_range = self.gather.in_range(&query, offset, record);
+                (&self.map.photons()[index], in_range)
+            })
+        })
+    }
+
+    /// The flux of a stored photon, as the format has it; `index` as in [`Self::records`].
+    #[must_use]
+    pub fn power(&self, index: usize) -> DVec3 {
+        let record = &self.records[index];
+        let exponent = self.block_exponent(index) + record.exponent;
+        DVec3::from(record.mantissa.map(f64::from)) * power_of_two(exponent) * self.power_unit
+    }
+
+    fn block_exponent(&self, photon: usize) -> u8 {
+        let next = self.blocks.partition_point(|block| block.start <= photon);
+        self.blocks[next - 1].exponent
+    }
+}
+
+/// The rounding of powers.
+struct PowerScale {
+    unit: f64,
+    /// The largest mantissa.
+    full: f64,
+    exponent_range: u8,
+}
+
+impl PowerScale {
+    fn new(map: &PhotonMap, format: &PhotonFormat) -> Self {
+        let full = f64::from((1_u32 << format.power.mantissa_bits()) - 1);
+        let exponent_range = format.exponent_range as u8;
+        let largest = strongest(map.photons());
+        let unit = largest / full / power_of_two(exponent_range);
+        Self {
+            // A subnormal unit would round unlike the others; such powers are no light at all.
+            unit: if unit.is_normal() { unit } else { 1.0 },
+            full,
+            exponent_range,
+        }
+    }
+
+    /// The smallest exponent at which all of these photons fit.
+    fn exponent(&self, photons: &[Photon]) -> u8 {
+        let value = strongest(photons) / self.unit;
+        let fits = |exponent: &u8| (value / power_of_two(*exponent)).round() <= self.full;
+        // At the largest the map's strongest photon fits, by the unit's choice.
+        let found = (0..self.exponent_range).find(fits);
+        found.unwrap_or(self.exponent_range)
+    }
+
+    /// To nearest, ties away from zero.
+    fn mantissa(&self, power: DVec3, exponent: u8) -> [u16; 3] {
+        let scaled = power / self.unit / power_of_two(exponent);
+        scaled.round().to_array().map(|value| value as u16)
+    }
+}
+
+fn strongest(photons: &[Photon]) -> f64 {
+    let powers = photons.iter().map(|photon| photon.power.max_element());
+    powers.fold(0.0, f64::max)
+}
+
+fn power_of_two(exponent: u8) -> f64 {
+    (1_u64 << exponent) as f64
+}
+
+fn record(
+    map: &PhotonMap,
+    format: &PhotonFormat,
+    scale: &PowerScale,
+    block_exponent: u8,
+    photon: &Photon,
+) -> PhotonRecord {
+    let exponent = match format.power {
+        PowerFormat::BlockLinear { .. } => 0,
+        PowerFormat::SharedExponent { .. } => scale.exponent(std::slice::from_ref(photon)),
+    };
+    PhotonRecord {
+        position: fraction(map, photon.position, format.position_bits).map(|cell| cell as u16),
+        mantissa: scale.mantissa(photon.power, block_exponent + exponent),
+        exponent,
+    }
+}

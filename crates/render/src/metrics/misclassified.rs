@@ -1,0 +1,72 @@
+//! Photons that two engines place on different sides of the radius.
+
+use std::ops::AddAssign;
+
+use super::error::MetricsError;
+
+/// Counts of photon tests and of the disagreements among them.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Misclassified {
+    /// Photon tests seen.
+    pub tests: u64,
+    /// In range by the reference.
+    pub in_range: u64,
+    /// Out of range by the reference, in range by the machine.
+    pub gained: u64,
+    /// In range by the reference, out of range by the machine.
+    pub lost: u64,
+}
+
+impl Misclassified {
+    /// Takes one photon test: whether it is in range by the reference and by the machine.
+    pub fn push(&mut self, by_reference: bool, by_machine: bool) {
+        self.tests += 1;
+        self.in_range += u64::from(by_reference);
+        self.gained += u64::from(by_machine && !by_reference);
+        self.lost += u64::from(by_reference && !by_machine);
+    }
+
+    /// Photons in range for one and out for the other.
+    #[must_use]
+    pub fn photons(&self) -> u64 {
+        self.gained + self.lost
+    }
+
+    /// Misclassified photons, per cent of those in range by the reference.
+    ///
+    /// # Errors
+    /// [`MetricsError::NothingInRange`] where the reference has none in range.
+    pub fn percent(&self) -> Result<f64, MetricsError> {
+        match self.in_range {
+            0 => Err(MetricsError::NothingInRange),
+            in_range => Ok(100.0 * self.photons() as f64 / in_range as f64),
+        }
+    }
+}
+
+impl AddAssign for Misclassified {
+    fn add_assign(&mut self, other: Self) {
+        self.tests += other.tests;
+        self.in_range += other.in_range;
+        self.gained += other.gained;
+        self.lost += other.lost;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_kind_is_counted() {
+        let mut counts = Misclassified::default();
+        assert_eq!(counts.percent(), Err(MetricsError::NothingInRange));
+        for (reference, machine) in [(true, true), (true, false), (false, true), (false, false)] {
+            counts.push(reference, machine);
+        }
+        assert_eq!((counts.tests, counts.in_range, counts.photons()), (4, 2, 2));
+        counts += counts;
+        assert_eq!((counts.gained, counts.lost), (2, 2));
+        assert_eq!(counts.percent(), Ok(100.0));
+    }
+}

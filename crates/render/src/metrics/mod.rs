@@ -1,0 +1,40 @@
+//! How wrong an estimate is, in measures that are defined here and nowhere else.
+//!
+//! | measure | definition | unit |
+//! |---|---|---|
+//! | relative error of a query | e = (estimate - reference) / scale, of the [`luminance`] | 1 |
+//! | `rms`, `median`, `p95`, `p99`, `max` | of \|e\| over queries and maps | 1 |
+//! | bias | the mean of e, with a 95 % interval over independent maps: [`Interval`] | 1 |
+//! | noise | the reference's deviation by mean over maps; rms over queries | 1 |
+//! | error over noise | rms relative error by noise | 1 |
+//! | misclassified | photons in range for one only, by the reference's in range | % |
+//!
+//! A relative error of 1 is 100 %. The scale is the reference itself where there is but one set
+//! ([`RelativeErrors::between`]), and the reference's mean over independent maps where there are
+//! several ([`ErrorStudy`], which says why). Where it is 0 there is no relative error: such queries
+//! are left out and counted, and those of them that the estimate lights are counted again. A
+//! comparison of nothing is an error. A study leaves out, and counts, queries noisier than
+//! [`MAX_QUERY_NOISE`].
+//!
+//! [`ErrorStudy`] takes estimates and references map by map and makes the [`ErrorReport`];
+//! [`ErrorBench`] feeds it with any [`crate::Engine`] on photon maps of a scene.
+
+mod bench;
+mod bias;
+mod error;
+mod misclassified;
+mod moments;
+mod noise;
+mod queries;
+mod relative;
+mod study;
+
+pub use bench::{BenchError, BenchOptions, ErrorBench};
+pub use bias::Interval;
+pub use error::MetricsError;
+pub use misclassified::Misclassified;
+pub use moments::Moments;
+pub use noise::{MAX_QUERY_NOISE, Noise, NoiseMeter};
+pub use queries::{luminance, view_queries};
+pub use relative::{RelativeErrors, RelativeSummary};
+pub use study::{ErrorReport, ErrorStudy};

@@ -1,0 +1,99 @@
+//! The shape of a scene file, as it is read and before any value is checked.
+
+use std::collections::BTreeMap;
+
+use serde::Deserialize;
+
+#[derive(Deserialize)]
+pub(super) struct SceneFile {
+    pub name: String,
+    pub camera: CameraFile,
+    #[serde(default)]
+    pub light_choice: LightChoiceFile,
+    // Sorted, so that the order of the surfaces does not depend on the parser.
+    pub shapes: BTreeMap<String, ShapeFile>,
+}
+
+#[derive(Deserialize, Default, Clone, Copy)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum LightChoiceFile {
+    #[default]
+    Flux,
+    Uniform,
+}
+
+#[derive(Deserialize)]
+pub(super) struct CameraFile {
+    pub fov_deg: f64,
+    // Read only to refuse any other axis.
+    #[serde(rename = "fov_axis")]
+    _fov_axis: FovAxis,
+    pub to_world: [[f64; 4]; 4],
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum FovAxis {
+    Smaller,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct ShapeFile {
+    pub kind: Kind,
+    pub vertices: Vec<[f64; 3]>,
+    pub normal: Option<[f64; 3]>,
+    pub quads_ccw_outward: Option<Vec<[usize; 4]>>,
+    pub bsdf: BsdfFile,
+    pub emitter: Option<EmitterFile>,
+}
+
+#[derive(Deserialize, Clone, Copy, PartialEq)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum Kind {
+    Quad,
+    Box,
+    Quads,
+}
+
+#[derive(Deserialize)]
+#[serde(tag = "type", rename_all = "lowercase", deny_unknown_fields)]
+pub(super) enum BsdfFile {
+    Diffuse { reflectance: Spectrum },
+    Conductor(ConductorFile),
+    TwoSided { bsdf: SheetFile },
+}
+
+/// What a two-sided surface can be made of: only mirrors have two sides.
+#[derive(Deserialize)]
+#[serde(tag = "type", rename_all = "lowercase", deny_unknown_fields)]
+pub(super) enum SheetFile {
+    Conductor(ConductorFile),
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct ConductorFile {
+    // Read only to refuse a metal, whose reflectance would depend on the angle.
+    #[serde(rename = "material")]
+    _material: Material,
+    pub specular_reflectance: Spectrum,
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum Material {
+    None,
+}
+
+#[derive(Deserialize)]
+#[serde(tag = "type", rename_all = "lowercase", deny_unknown_fields)]
+pub(super) enum EmitterFile {
+    Area { radiance: Spectrum },
+}
+
+#[derive(Deserialize)]
+#[serde(tag = "type", rename_all = "lowercase", deny_unknown_fields)]
+pub(super) enum Spectrum {
+    Rgb { value: [f64; 3] },
+}

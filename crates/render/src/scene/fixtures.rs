@@ -1,0 +1,78 @@
+//! Small scenes of mirrors for the tests of tracing and viewing.
+
+use serde_json::{Value, json};
+
+use super::Scene;
+
+/// The unit cube's corners; the faces below show their fronts to its inside.
+const CUBE: [[f64; 3]; 8] = [
+    [0.0, 0.0, 0.0],
+    [1.0, 0.0, 0.0],
+    [1.0, 0.0, 1.0],
+    [0.0, 0.0, 1.0],
+    [0.0, 1.0, 0.0],
+    [1.0, 1.0, 0.0],
+    [1.0, 1.0, 1.0],
+    [0.0, 1.0, 1.0],
+];
+const FLOOR: [usize; 4] = [0, 3, 2, 1];
+const CEILING: [usize; 4] = [4, 5, 6, 7];
+const WALLS: [[usize; 4]; 4] = [[0, 4, 7, 3], [1, 2, 6, 5], [0, 1, 5, 4], [3, 7, 6, 2]];
+
+fn quads(faces: &[[usize; 4]], bsdf: Value) -> Value {
+    json!({"kind": "quads", "vertices": CUBE, "quads_ccw_outward": faces, "bsdf": bsdf})
+}
+
+fn rgb(value: f64) -> Value {
+    json!({"type": "rgb", "value": [value, value, value]})
+}
+
+fn black() -> Value {
+    json!({"type": "diffuse", "reflectance": rgb(0.0)})
+}
+
+fn mirror(reflectance: f64) -> Value {
+    json!({"type": "conductor", "material": "none", "specular_reflectance": rgb(reflectance)})
+}
+
+/// The camera stands inside and looks along -z, somewhat upwards by its wide view.
+fn scene(shapes: &Value) -> Scene {
+    let to_world = [
+        [-1.0, 0.0, 0.0, 0.4],
+        [0.0, 1.0, 0.0, 0.3],
+        [0.0, 0.0, -1.0, 0.8],
+        [0.0, 0.0, 0.0, 1.0],
+    ];
+    let camera = json!({"fov_deg": 100, "fov_axis": "smaller", "to_world": to_world});
+    let text = json!({"name": "fixture", "camera": camera, "shapes": shapes}).to_string();
+    Scene::from_json("fixture", &text).expect("a scene")
+}
+
+/// The unit cube with walls of mirror; all its ceiling emits a radiance of 1 and, like the floor,
+/// absorbs what arrives.
+pub(crate) fn chamber(reflectance: f64) -> Scene {
+    let mut ceiling = quads(&[CEILING], black());
+    ceiling["emitter"] = json!({"type": "area", "radiance": rgb(1.0)});
+    scene(&json!({
+        "ceiling": ceiling,
+        "floor": quads(&[FLOOR], black()),
+        "walls": quads(&WALLS, mirror(reflectance)),
+    }))
+}
+
+/// The unit cube with six perfect mirrors inside, and a light of a millionth of its area.
+pub(crate) fn mirror_box() -> Scene {
+    let mut light = quads(&[[0, 1, 2, 3]], black());
+    let (a, b) = (0.5, 0.501);
+    light["vertices"] = json!([[a, b, a], [b, b, a], [b, b, b], [a, b, b]]);
+    light["emitter"] = json!({"type": "area", "radiance": rgb(1.0)});
+    let mut faces = WALLS.to_vec();
+    faces.extend([FLOOR, CEILING]);
+    scene(&json!({"light": light, "walls": quads(&faces, mirror(1.0))}))
+}
+
+/// How many walls of the [`chamber`] light meets on its way to a point at `(x, z)` of the plane
+/// where the walls' mirror images are laid out flat.
+pub(crate) fn walls_met(x: f64, z: f64) -> i32 {
+    (x.floor().abs() + z.floor().abs()) as i32
+}

@@ -1,0 +1,98 @@
+//! How fast an engine gathers here: photon tests a second, one thread, beside plain loops.
+
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+use glam::Vec3;
+
+use crate::photon_map::PhotonMap;
+use crate::render::{Engine, Prepared, RenderError};
+use crate::view::QueryPoint;
+
+/// Long enough that one clock tick or one interruption does not matter.
+const TIME: Duration = Duration::from_millis(60);
+
+/// Photon tests a second of an engine's gather at these queries; [`Engine::F64`] is the plain f64
+/// loop.
+///
+/// # Errors
+/// Formats that do not fit the map, or a query that the golden model refuses.
+pub fn gather_speed(
+    map: &PhotonMap,
+    queries: &[QueryPoint],
+    engine: Engine<'_>,
+) -> Result<f64, RenderError> {
+    let prepared = Prepared::new(map, engine)?;
+    for (index, query) in queries.iter().enumerate() {
+        let estimate = prepared.estimate(map, query);
+        // A query's place in the list stands for its pixel.
+        estimate.map_err(|refusal| RenderError::of(refusal, index as u32, 0))?;
+    }
+    Ok(speed(queries, |query| {
+        let estimate = black_box(prepared.estimate(map, query));
+        estimate.map_or(0, |estimate| estimate.tests)
+    }))
+}
+
+/// Photon tests a second of the reference's loop on f32 copies of the photons.
+#[must_use]
+pub fn f32_speed(map: &PhotonMap, queries: &[QueryPoint]) -> f64 {
+    let photons: Vec<(Vec3, Vec3)> = map
+        .photons()
+        .iter()
+        .map(|photon| (photon.position.as_vec3(), photon.power.as_vec3()))
+        .collect();
+    let radius_sq = (map.radius() * map.radius()) as f32;
+    speed(queries, |query| {
+        let (centre, mut power, mut tests) = (query.position.as_vec3(), Vec3::ZERO, 0);
+        for run in map.candidates(query.position, query.normal) {
+            tests += run.photons.len() as u64;
+            for (position, flux) in &photons[run.photons] {
+                if position.distance_squared(centre) <= radius_sq {
+                    power += flux;
+                }
+            }
+        }
+        black_box(power);
+        tests
+    })
+}
+
+/// Photon tests a second, over whole rounds of all queries.
+fn speed(queries: &[QueryPoint], mut tests_of: impl FnMut(&QueryPoint) -> u64) -> f64 {
+    let start = Instant::now();
+    let mut tests = 0;
+    while start.elapsed() < TIME {
+        tests += queries.iter().map(&mut tests_of).sum::<u64>();
+    }
+    tests as f64 / start.elapsed().as_secs_f64()
+}
+
+#[cfg(test)]
+mod tests {
+    use photoncube_spec::{find_machine, find_photon_format};
+
+    use super::*;
+    use crate::{BenchOptions, ErrorBench, Scene};
+
+    #[test]
+    fn every_engine_has_a_speed() {
+        let scene = Scene::built_in("cornell").unwrap();
+        let options = BenchOptions {
+            photons: 5_000,
+            maps: 1,
+            ..BenchOptions::default()
+        };
+        let bench = ErrorBench::new(&scene, &options).unwrap();
+        let (map, queries) = (&bench.maps()[0], bench.queries());
+        let engines = [
+            Engine::F64,
+            Engine::Model(find_machine("paper").unwrap()),
+            Engine::Format(find_photon_format("local8-rgbe8").unwrap()),
+        ];
+        for engine in engines {
+            assert!(gather_speed(map, queries, engine).unwrap() > 0.0);
+        }
+        assert!(f32_speed(map, queries) > 0.0);
+    }
+}

@@ -1,0 +1,115 @@
+//! The widths that follow from a photon format, and why nothing overflows.
+
+use crate::format::bits_for;
+use crate::photon_format::PhotonFormat;
+
+/// The width in bits of every kind of value in one photon format. The format must be legal, see
+/// [`PhotonFormat::check`].
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub struct FormatWidths {
+    /// A coordinate in the frame, in fine steps: position, extra bits, and the frame's blocks.
+    pub coordinate: u32,
+    /// A photon's position in its block, on one axis.
+    pub position: u32,
+    /// m, the clamped difference on one axis: `radius_bits`.
+    pub difference: u32,
+    /// A square or half square of m, at most (2^r - 1) 2^r < 2^(2r).
+    pub square: u32,
+    /// A squared distance. Sums saturate at all ones, which exceeds R^2 < (2^r - 1)^2: as wide as
+    /// a square.
+    pub distance: u32,
+    /// A stored mantissa.
+    pub mantissa: u32,
+    /// The exponent in a photon's record; 0 bits where its block has it.
+    pub exponent: u32,
+    /// A decoded power: a mantissa, shifted by up to `exponent_range`.
+    pub power: u32,
+    /// A query's sum of powers: `max_photons` photons of full-scale power.
+    pub sum: u32,
+    /// A query's count: up to `max_photons`.
+    pub count: u32,
+    /// A photon's record: three positions, three mantissas, the exponent.
+    pub bits_per_photon: u32,
+}
+
+impl FormatWidths {
+    /// The widths that follow from a format.
+    pub fn of(format: &PhotonFormat) -> Self {
+        let mantissa = format.power.mantissa_bits();
+        let exponent = format.power.exponent_bits();
+        let full_scale = ((1_u128 << mantissa) - 1) << format.exponent_range;
+        let fine_bits = format.position_bits + format.query_extra_bits;
+        Self {
+            coordinate: fine_bits + PhotonFormat::FRAME_BLOCKS.ilog2(),
+            position: format.position_bits,
+            difference: format.radius_bits,
+            square: 2 * format.radius_bits,
+            distance: 2 * format.radius_bits,
+            mantissa,
+            exponent,
+            power: mantissa + format.exponent_range,
+            sum: bits_for(full_scale * u128::from(format.max_photons)),
+            count: bits_for(format.max_photons.into()),
+            bits_per_photon: 3 * (format.position_bits + mantissa) + exponent,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{PHOTON_FORMATS, find_photon_format};
+
+    #[test]
+    fn no_value_of_any_named_format_can_overflow() {
+        for format in PHOTON_FORMATS {
+            let widths = FormatWidths::of(format);
+            let largest_offset = u128::from(PhotonFormat::FRAME_BLOCKS - 1);
+            let edge = u128::from(format.edge_steps());
+            assert!(largest_offset * edge + (edge - 1) < 1 << widths.coordinate);
+            let m = (1_u128 << widths.difference) - 1;
+            assert!(m * (m + 1) < 1 << widths.square);
+            let radius_sq = u128::from(format.radius_steps()).pow(2);
+            assert!(radius_sq < (1 << widths.distance) - 1);
+            let full_scale = ((1_u128 << widths.mantissa) - 1) << format.exponent_range;
+            assert!(full_scale < 1 << widths.power);
+            assert!(u128::from(format.max_photons) * full_scale < 1 << widths.sum);
+            assert!(u128::from(format.max_photons) < 1 << widths.count);
+        }
+    }
+
+    #[test]
+    fn no_legal_format_exceeds_what_the_model_carries() {
+        let widest = PhotonFormat {
+            position_bits: 12,
+            query_extra_bits: 2,
+            radius_bits: 14,
+            power: crate::PowerFormat::SharedExponent {
+                mantissa_bits: 16,
+                exponent_bits: 8,
+            },
+            exponent_range: 47,
+            max_photons: 1 << 32,
+            ..PHOTON_FORMATS[0]
+        };
+        assert_eq!(widest.check(), Ok(()));
+        let widths = FormatWidths::of(&widest);
+        assert!(widths.coordinate <= 16 && widths.distance <= 28);
+        assert!(widths.power <= 63 && widths.sum <= 95);
+        assert!(widths.bits_per_photon <= 92);
+    }
+
+    #[test]
+    fn the_default_takes_56_bits() {
+        for (name, bits) in [
+            ("local8-rgbe8", 56),
+            ("local8-rgb8e5", 53),
+            ("local6-rgbe8", 50),
+            ("local7x1-linear8", 45),
+        ] {
+            let format = find_photon_format(name).unwrap();
+            assert_eq!(FormatWidths::of(format).bits_per_photon, bits, "{name}");
+        }
+        assert_eq!(PHOTON_FORMATS[0].name, "local8-rgbe8");
+    }
+}
