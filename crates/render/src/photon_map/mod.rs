@@ -10,48 +10,17 @@ use std::ops::Range;
 
 use glam::{DVec3, I64Vec3};
 use rayon::prelude::*;
-use thiserror::Error;
 
+use self::error::{check_edge, check_radius};
 use crate::scene::Scene;
 use crate::trace::Photon;
 
+mod error;
+
+pub use self::error::MapError;
+
 /// Bits of a block's index on one axis: three of them and a sign bit fit 64 bits.
 const INDEX_BITS: u32 = 21;
-
-/// Why a photon map could not be built.
-#[derive(Debug, Error, PartialEq)]
-pub enum MapError {
-    /// The radius gives no grid, or one too fine to index.
-    #[error("search radius: found {found}, expected {min} to {max} for this scene")]
-    Radius {
-        /// The radius asked for.
-        found: f64,
-        /// The smallest: the scene's size over 2^20.
-        min: f64,
-        /// The largest: 2^20 times the scene's size.
-        max: f64,
-    },
-    /// The edge leaves photons in range outside the 27 blocks, or makes one block of all.
-    #[error("block edge: found {found}, expected {min} to {max} for this search radius")]
-    Edge {
-        /// The edge asked for.
-        found: f64,
-        /// The smallest: the search radius.
-        min: f64,
-        /// The largest: 2^20 times the search radius.
-        max: f64,
-    },
-    /// A photon that no surface of the scene can hold.
-    #[error("photon {index}: found {found}, expected {expected}")]
-    Photon {
-        /// Its place in the list.
-        index: usize,
-        /// What it is.
-        found: String,
-        /// What it could be.
-        expected: String,
-    },
-}
 
 /// The photons of one surface in one block, a slice of the map's order.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -108,11 +77,12 @@ impl PhotonMap {
     pub const MIN_FACING_COSINE: f64 = 0.5;
 
     /// The search radius at which a query gathers about `in_range` of the `photons` stored on
-    /// the scene's surfaces, sqrt(in_range A / (pi photons)) with A the area of all fronts (scene
-    /// units); 200 in range make a noise of about 7 %. Meant for any count over 0.
+    /// the scene's surfaces, sqrt(in_range A / (pi photons)) with A the area of all diffuse fronts
+    /// (scene units); 200 in range make a noise of about 7 %. Meant for any count over 0.
     #[must_use]
     pub fn radius_for(scene: &Scene, photons: u64, in_range: f64) -> f64 {
-        let area: f64 = scene.surfaces().iter().map(|s| s.quad.area()).sum();
+        let diffuse = scene.surfaces().iter().filter(|s| !s.is_mirror());
+        let area: f64 = diffuse.map(|s| s.quad.area()).sum();
         (in_range * area / (std::f64::consts::PI * photons as f64)).sqrt()
     }
 
@@ -322,31 +292,6 @@ impl PhotonMap {
     }
 }
 
-fn check_radius(scene_size: f64, radius: f64) -> Result<(), MapError> {
-    let blocks = f64::from(1u32 << (INDEX_BITS - 1));
-    let (min, max) = (scene_size / blocks, scene_size * blocks);
-    if (min..=max).contains(&radius) {
-        return Ok(());
-    }
-    Err(MapError::Radius {
-        found: radius,
-        min,
-        max,
-    })
-}
-
-fn check_edge(radius: f64, edge: f64) -> Result<(), MapError> {
-    let (min, max) = (radius, radius * f64::from(1u32 << (INDEX_BITS - 1)));
-    if (min..=max).contains(&edge) {
-        return Ok(());
-    }
-    Err(MapError::Edge {
-        found: edge,
-        min,
-        max,
-    })
-}
-
 /// A block's key, which orders blocks by z, then y, then x; `None` outside the grid.
 fn key(block: I64Vec3) -> Option<u64> {
     let inside = |index: i64| (0..1 << INDEX_BITS).contains(&index);
@@ -362,177 +307,4 @@ fn x_of(key: u64) -> i64 {
 }
 
 #[cfg(test)]
-mod tests {
-    use proptest::prelude::*;
-
-    use super::*;
-    use crate::trace::{TraceOptions, trace};
-
-    fn scene() -> Scene {
-        Scene::built_in("cornell").unwrap()
-    }
-
-    fn traced() -> Vec<Photon> {
-        let options = TraceOptions {
-            photons: 20_000,
-            seed: 2,
-        };
-        trace(&scene(), &options, &|_| ()).unwrap().photons
-    }
-
-    #[test]
-    fn nothing_is_lost_and_blocks_are_slices() {
-        let photons = traced();
-        let map = PhotonMap::new(&scene(), photons.clone(), 0.1).unwrap();
-        assert_eq!(map.photons().len(), photons.len());
-        let sum = |photons: &[Photon]| photons.iter().map(|p| p.position).sum::<DVec3>();
-        // 1e-6: sums of 20,000 coordinates in two orders.
-        assert!(sum(map.photons()).distance(sum(&photons)) < 1e-6);
-        let mut next = 0;
-        for run in &map.runs {
-            assert_eq!(run.photons.start, next);
-            next = run.photons.end;
-            for photon in &map.photons[run.photons.start as usize..next as usize] {
-                assert_eq!(
-                    (map.block_key(photon.position), photon.surface),
-                    (run.block, run.surface)
-                );
-            }
-        }
-        assert_eq!(next as usize, photons.len());
-        assert!(map.blocks() <= map.runs.len() && map.fullest_block() > 0);
-    }
-
-    #[test]
-    fn candidates_hold_every_facing_photon_in_range_and_no_other_facing() {
-        let map = PhotonMap::new(&scene(), traced(), 0.2).unwrap();
-        for query in map.photons().iter().step_by(977) {
-            let normal = map.normals[query.surface as usize];
-            let gathered: Vec<usize> = map
-                .candidates(query.position, normal)
-                .flat_map(|c| c.photons)
-                .collect();
-            for (index, photon) in map.photons().iter().enumerate() {
-                let faces =
-                    map.normals[photon.surface as usize].dot(normal) > PhotonMap::MIN_FACING_COSINE;
-                let in_range = photon.position.distance(query.position) <= 0.2;
-                let is = gathered.binary_search(&index).is_ok();
-                assert!(!(faces && in_range) || is, "photon {index} is missing");
-                assert!(!is || faces, "photon {index} faces away");
-            }
-        }
-    }
-
-    #[test]
-    fn offsets_place_the_photon_in_the_query_frame() {
-        let map = PhotonMap::new(&scene(), traced(), 0.3).unwrap();
-        for query in map.photons().iter().step_by(1001) {
-            let normal = map.normals[query.surface as usize];
-            let centre = map.in_blocks(query.position).floor();
-            for c in map.candidates(query.position, normal) {
-                let place = centre + DVec3::from(c.offset.map(f64::from)) - DVec3::ONE;
-                for photon in &map.photons()[c.photons] {
-                    assert_eq!(map.in_blocks(photon.position).floor(), place);
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn larger_blocks_hold_the_same_photons_in_range() {
-        let (radius, edge) = (0.2, 0.2 * 16.0 / 14.0);
-        let map = PhotonMap::new(&scene(), traced(), radius).unwrap();
-        let larger = PhotonMap::with_edge(&scene(), traced(), radius, edge).unwrap();
-        assert_eq!((larger.radius(), larger.edge()), (radius, edge));
-        let count = |map: &PhotonMap, query: &Photon| {
-            let near = |p: &&Photon| p.position.distance(query.position) <= radius;
-            let runs = map.candidates(query.position, map.normals[query.surface as usize]);
-            let photons = runs.flat_map(|c| &map.photons()[c.photons]);
-            photons.filter(near).count()
-        };
-        for query in map.photons().iter().step_by(977) {
-            assert_eq!(count(&map, query), count(&larger, query));
-        }
-        let again = map.reblocked(edge).unwrap();
-        assert_eq!(again.runs, larger.runs);
-        assert_eq!(
-            again.block_slices().map(|b| b.len()).sum::<usize>(),
-            map.photons().len()
-        );
-        let error = map.reblocked(0.19).unwrap_err().to_string();
-        assert!(
-            error.starts_with("block edge: found 0.19, expected 0.2 to"),
-            "{error}"
-        );
-    }
-
-    #[test]
-    fn bad_radii_and_photons_are_errors() {
-        for radius in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e-9] {
-            let error = PhotonMap::new(&scene(), vec![], radius).unwrap_err();
-            assert!(matches!(error, MapError::Radius { .. }), "{error}");
-        }
-        let good = traced()[0];
-        let bad = [
-            Photon {
-                position: DVec3::splat(3.0),
-                ..good
-            },
-            Photon {
-                position: DVec3::NAN,
-                ..good
-            },
-            Photon {
-                power: DVec3::NEG_X,
-                ..good
-            },
-            Photon {
-                surface: 99,
-                ..good
-            },
-        ];
-        for photon in bad {
-            let error = PhotonMap::new(&scene(), vec![good, photon], 0.1).unwrap_err();
-            assert!(
-                matches!(error, MapError::Photon { index: 1, .. }),
-                "{error}"
-            );
-        }
-    }
-
-    #[test]
-    fn the_radius_for_a_count_finds_about_that_many() {
-        let (scene, photons) = (scene(), traced());
-        let radius = PhotonMap::radius_for(&scene, photons.len() as u64, 100.0);
-        let map = PhotonMap::new(&scene, photons, radius).unwrap();
-        let in_range = |query: &Photon| {
-            let near = |p: &&Photon| p.position.distance(query.position) <= radius;
-            let facing = map.candidates(query.position, map.normals[query.surface as usize]);
-            facing
-                .flat_map(|c| &map.photons()[c.photons])
-                .filter(near)
-                .count()
-        };
-        let sampled: Vec<usize> = map.photons().iter().step_by(97).map(in_range).collect();
-        let mean = sampled.iter().sum::<usize>() as f64 / sampled.len() as f64;
-        // Queries at photons favour the dense places, so somewhat over 100.
-        assert!((80.0..250.0).contains(&mean), "{mean}");
-    }
-
-    #[test]
-    fn an_empty_map_has_no_candidates() {
-        let map = PhotonMap::new(&scene(), vec![], 0.1).unwrap();
-        assert_eq!(map.candidates(DVec3::ZERO, DVec3::Y).count(), 0);
-        assert_eq!((map.blocks(), map.fullest_block()), (0, 0));
-    }
-
-    proptest! {
-        /// Queries anywhere, also far outside the grid, are answered.
-        #[test]
-        fn queries_anywhere_do_not_panic(x in prop::num::f64::ANY, y in -2.0..2.0f64, z in prop::num::f64::ANY) {
-            let photon = Photon { position: DVec3::ZERO, power: DVec3::ONE, surface: 0 };
-            let map = PhotonMap::new(&scene(), vec![photon], 0.1).unwrap();
-            let _ = map.candidates(DVec3::new(x, y, z), DVec3::Y).count();
-        }
-    }
-}
+mod tests;

@@ -1,0 +1,65 @@
+//! What cannot be a photon map.
+
+use thiserror::Error;
+
+use super::INDEX_BITS;
+
+/// Why a photon map could not be built.
+#[derive(Debug, Error, PartialEq)]
+pub enum MapError {
+    /// The radius gives no grid, or one too fine to index.
+    #[error("search radius: found {found}, expected {min} to {max} for this scene")]
+    Radius {
+        /// The radius asked for.
+        found: f64,
+        /// The smallest: the scene's size over 2^20.
+        min: f64,
+        /// The largest: 2^20 times the scene's size.
+        max: f64,
+    },
+    /// The edge leaves photons in range outside the 27 blocks, or makes one block of all.
+    #[error("block edge: found {found}, expected {min} to {max} for this search radius")]
+    Edge {
+        /// The edge asked for.
+        found: f64,
+        /// The smallest: the search radius.
+        min: f64,
+        /// The largest: 2^20 times the search radius.
+        max: f64,
+    },
+    /// A photon that no surface of the scene can hold.
+    #[error("photon {index}: found {found}, expected {expected}")]
+    Photon {
+        /// Its place in the list.
+        index: usize,
+        /// What it is.
+        found: String,
+        /// What it could be.
+        expected: String,
+    },
+}
+
+pub(super) fn check_radius(scene_size: f64, radius: f64) -> Result<(), MapError> {
+    let blocks = f64::from(1u32 << (INDEX_BITS - 1));
+    let (min, max) = (scene_size / blocks, scene_size * blocks);
+    if (min..=max).contains(&radius) {
+        return Ok(());
+    }
+    Err(MapError::Radius {
+        found: radius,
+        min,
+        max,
+    })
+}
+
+pub(super) fn check_edge(radius: f64, edge: f64) -> Result<(), MapError> {
+    let (min, max) = (radius, radius * f64::from(1u32 << (INDEX_BITS - 1)));
+    if (min..=max).contains(&edge) {
+        return Ok(());
+    }
+    Err(MapError::Edge {
+        found: edge,
+        min,
+        max,
+    })
+}

@@ -1,0 +1,172 @@
+use proptest::prelude::*;
+
+use super::*;
+use crate::trace::{TraceOptions, trace};
+
+fn scene() -> Scene {
+    Scene::built_in("cornell").unwrap()
+}
+
+fn traced() -> Vec<Photon> {
+    let options = TraceOptions {
+        photons: 20_000,
+        seed: 2,
+    };
+    trace(&scene(), &options, &|_| ()).unwrap().photons
+}
+
+#[test]
+fn nothing_is_lost_and_blocks_are_slices() {
+    let photons = traced();
+    let map = PhotonMap::new(&scene(), photons.clone(), 0.1).unwrap();
+    assert_eq!(map.photons().len(), photons.len());
+    let sum = |photons: &[Photon]| photons.iter().map(|p| p.position).sum::<DVec3>();
+    // 1e-6: sums of 20,000 coordinates in two orders.
+    assert!(sum(map.photons()).distance(sum(&photons)) < 1e-6);
+    let mut next = 0;
+    for run in &map.runs {
+        assert_eq!(run.photons.start, next);
+        next = run.photons.end;
+        for photon in &map.photons[run.photons.start as usize..next as usize] {
+            assert_eq!(
+                (map.block_key(photon.position), photon.surface),
+                (run.block, run.surface)
+            );
+        }
+    }
+    assert_eq!(next as usize, photons.len());
+    assert!(map.blocks() <= map.runs.len() && map.fullest_block() > 0);
+}
+
+#[test]
+fn candidates_hold_every_facing_photon_in_range_and_no_other_facing() {
+    let map = PhotonMap::new(&scene(), traced(), 0.2).unwrap();
+    for query in map.photons().iter().step_by(977) {
+        let normal = map.normals[query.surface as usize];
+        let gathered: Vec<usize> = map
+            .candidates(query.position, normal)
+            .flat_map(|c| c.photons)
+            .collect();
+        for (index, photon) in map.photons().iter().enumerate() {
+            let faces =
+                map.normals[photon.surface as usize].dot(normal) > PhotonMap::MIN_FACING_COSINE;
+            let in_range = photon.position.distance(query.position) <= 0.2;
+            let is = gathered.binary_search(&index).is_ok();
+            assert!(!(faces && in_range) || is, "photon {index} is missing");
+            assert!(!is || faces, "photon {index} faces away");
+        }
+    }
+}
+
+#[test]
+fn offsets_place_the_photon_in_the_query_frame() {
+    let map = PhotonMap::new(&scene(), traced(), 0.3).unwrap();
+    for query in map.photons().iter().step_by(1001) {
+        let normal = map.normals[query.surface as usize];
+        let centre = map.in_blocks(query.position).floor();
+        for c in map.candidates(query.position, normal) {
+            let place = centre + DVec3::from(c.offset.map(f64::from)) - DVec3::ONE;
+            for photon in &map.photons()[c.photons] {
+                assert_eq!(map.in_blocks(photon.position).floor(), place);
+            }
+        }
+    }
+}
+
+#[test]
+fn larger_blocks_hold_the_same_photons_in_range() {
+    let (radius, edge) = (0.2, 0.2 * 16.0 / 14.0);
+    let map = PhotonMap::new(&scene(), traced(), radius).unwrap();
+    let larger = PhotonMap::with_edge(&scene(), traced(), radius, edge).unwrap();
+    assert_eq!((larger.radius(), larger.edge()), (radius, edge));
+    let count = |map: &PhotonMap, query: &Photon| {
+        let near = |p: &&Photon| p.position.distance(query.position) <= radius;
+        let runs = map.candidates(query.position, map.normals[query.surface as usize]);
+        let photons = runs.flat_map(|c| &map.photons()[c.photons]);
+        photons.filter(near).count()
+    };
+    for query in map.photons().iter().step_by(977) {
+        assert_eq!(count(&map, query), count(&larger, query));
+    }
+    let again = map.reblocked(edge).unwrap();
+    assert_eq!(again.runs, larger.runs);
+    assert_eq!(
+        again.block_slices().map(|b| b.len()).sum::<usize>(),
+        map.photons().len()
+    );
+    let error = map.reblocked(0.19).unwrap_err().to_string();
+    assert!(
+        error.starts_with("block edge: found 0.19, expected 0.2 to"),
+        "{error}"
+    );
+}
+
+#[test]
+fn bad_radii_and_photons_are_errors() {
+    for radius in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e-9] {
+        let error = PhotonMap::new(&scene(), vec![], radius).unwrap_err();
+        assert!(matches!(error, MapError::Radius { .. }), "{error}");
+    }
+    let good = traced()[0];
+    let bad = [
+        Photon {
+            position: DVec3::splat(3.0),
+            ..good
+        },
+        Photon {
+            position: DVec3::NAN,
+            ..good
+        },
+        Photon {
+            power: DVec3::NEG_X,
+            ..good
+        },
+        Photon {
+            surface: 99,
+            ..good
+        },
+    ];
+    for photon in bad {
+        let error = PhotonMap::new(&scene(), vec![good, photon], 0.1).unwrap_err();
+        assert!(
+            matches!(error, MapError::Photon { index: 1, .. }),
+            "{error}"
+        );
+    }
+}
+
+#[test]
+fn the_radius_for_a_count_finds_about_that_many() {
+    let (scene, photons) = (scene(), traced());
+    let radius = PhotonMap::radius_for(&scene, photons.len() as u64, 100.0);
+    let map = PhotonMap::new(&scene, photons, radius).unwrap();
+    let in_range = |query: &Photon| {
+        let near = |p: &&Photon| p.position.distance(query.position) <= radius;
+        let facing = map.candidates(query.position, map.normals[query.surface as usize]);
+        facing
+            .flat_map(|c| &map.photons()[c.photons])
+            .filter(near)
+            .count()
+    };
+    let sampled: Vec<usize> = map.photons().iter().step_by(97).map(in_range).collect();
+    let mean = sampled.iter().sum::<usize>() as f64 / sampled.len() as f64;
+    // Queries at photons favour the dense places, so somewhat over 100.
+    assert!((80.0..250.0).contains(&mean), "{mean}");
+}
+
+#[test]
+fn an_empty_map_has_no_candidates() {
+    let map = PhotonMap::new(&scene(), vec![], 0.1).unwrap();
+    assert_eq!(map.candidates(DVec3::ZERO, DVec3::Y).count(), 0);
+    assert_eq!((map.blocks(), map.fullest_block()), (0, 0));
+}
+
+proptest! {
+    /// Queries anywhere, also far outside the grid, are answered.
+    #[test]
+    fn queries_anywhere_do_not_panic(x in prop::num::f64::ANY, y in -2.0..2.0f64, z in prop::num::f64::ANY) {
+        let photon = Photon { position: DVec3::ZERO, power: DVec3::ONE, surface: 0 };
+        let map = PhotonMap::new(&scene(), vec![photon], 0.1).unwrap();
+        let _ = map.candidates(DVec3::new(x, y, z), DVec3::Y).count();
+    }
+}
