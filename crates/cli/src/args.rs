@@ -1,9 +1,12 @@
 //! The command line.
 
+use std::fmt;
 use std::path::PathBuf;
+use std::str::FromStr;
 
 use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
+use photoncube_render::{BenchOptions, TraceOptions, ViewOptions};
 use photoncube_spec::PHOTON_FORMATS;
 
 use crate::machines::MachineArgs;
@@ -92,16 +95,16 @@ pub struct RunArgs {
 #[derive(ClapArgs, Clone, Debug)]
 pub struct PictureArgs {
     /// At least this many photons are stored
-    #[arg(long, default_value_t = 2_000_000, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(long, default_value_t = TraceOptions::default().photons, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub photons: u64,
     /// Picture size in pixels
-    #[arg(long, default_value = "256x256", value_name = "WxH", value_parser = parse_size)]
-    pub size: (u32, u32),
+    #[arg(long, default_value_t = Size::of(&ViewOptions::default()), value_name = "WxH")]
+    pub size: Size,
     /// Query points for each pixel: N x N
-    #[arg(long, default_value_t = 3, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=64))]
+    #[arg(long, default_value_t = ViewOptions::default().samples_per_axis, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=64))]
     pub samples: u32,
     /// Photons in range that the search radius aims at, on average
-    #[arg(long, default_value_t = 200.0, value_name = "N", value_parser = parse_positive)]
+    #[arg(long, default_value_t = BenchOptions::default().in_range, value_name = "N", value_parser = parse_positive)]
     pub in_range: f64,
     /// Seed of all random numbers; the same seed gives the same picture
     #[arg(long, default_value_t = 1, value_name = "S")]
@@ -217,14 +220,14 @@ pub struct ReportArgs {
     #[arg(long, default_value_t = 200_000, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub photons: u64,
     /// Photons in range that the search radius aims at, on average
-    #[arg(long, default_value_t = 200.0, value_name = "N", value_parser = parse_positive)]
+    #[arg(long, default_value_t = BenchOptions::default().in_range, value_name = "N", value_parser = parse_positive)]
     pub in_range: f64,
     /// Independent photon maps; more know noise and bias better
     #[arg(long, default_value_t = 8, value_name = "N", value_parser = clap::value_parser!(u64).range(2..))]
     pub maps: u64,
     /// The view whose pixels are the queries
-    #[arg(long, default_value = "32x32", value_name = "WxH", value_parser = parse_size)]
-    pub size: (u32, u32),
+    #[arg(long, default_value_t = Size { width: 32, height: 32 }, value_name = "WxH")]
+    pub size: Size,
     /// Seed of all random numbers
     #[arg(long, default_value_t = 1, value_name = "S")]
     pub seed: u64,
@@ -248,14 +251,46 @@ pub struct MicroprogramArgs {
 /// Pixels a picture may have in one direction; it bounds memory.
 const MAX_SIDE: u32 = 16_384;
 
-fn parse_size(text: &str) -> Result<(u32, u32), String> {
-    let side = |text: &str| {
-        let side = text.parse().ok();
-        side.filter(|side| (1..=MAX_SIDE).contains(side))
-    };
-    text.split_once('x')
-        .and_then(|(width, height)| Some((side(width)?, side(height)?)))
-        .ok_or_else(|| format!("expected WxH, each from 1 to {MAX_SIDE}, such as 256x256"))
+/// A picture's size in pixels, written WxH.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub struct Size {
+    /// Columns.
+    pub width: u32,
+    /// Rows.
+    pub height: u32,
+}
+
+impl Size {
+    fn of(view: &ViewOptions) -> Self {
+        Self {
+            width: view.width,
+            height: view.height,
+        }
+    }
+}
+
+impl fmt::Display for Size {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}x{}", self.width, self.height)
+    }
+}
+
+impl FromStr for Size {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let side = |text: &str| {
+            let side = text.parse().ok();
+            side.filter(|side| (1..=MAX_SIDE).contains(side))
+        };
+        let size = text.split_once('x').and_then(|(width, height)| {
+            Some(Self {
+                width: side(width)?,
+                height: side(height)?,
+            })
+        });
+        size.ok_or_else(|| format!("expected WxH, each from 1 to {MAX_SIDE}, such as 256x256"))
+    }
 }
 
 fn parse_positive(text: &str) -> Result<f64, String> {

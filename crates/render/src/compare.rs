@@ -8,6 +8,10 @@ use crate::image::Image;
 /// Keeps the quotient of black pixels finite: the constant of the reference's definition.
 const EPSILON: f64 = 1e-4;
 
+/// Radiance over which a pixel sees a light itself, by the reference image's own rule: the limit for
+/// [`light_mask`]. The walls of the Cornell box stay below 2.
+pub const LIGHT_RADIANCE: f64 = 5.0;
+
 /// Images that cannot be compared.
 #[derive(Debug, Error, PartialEq, Eq)]
 pub enum CompareError {

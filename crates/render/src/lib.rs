@@ -43,7 +43,7 @@ mod view;
 mod workload;
 
 pub use camera::{Camera, Ray};
-pub use compare::{CompareError, light_mask, rel_mse, rms_relative_difference};
+pub use compare::{CompareError, LIGHT_RADIANCE, light_mask, rel_mse, rms_relative_difference};
 pub use estimators::{
     Bisection, EstimatorError, Kernel, KernelEstimate, Ladder, LadderError, MAX_RUNGS, Near,
     Neighbourhood, Rung, smallest_radius_sq,

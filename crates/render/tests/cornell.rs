@@ -4,13 +4,10 @@
 mod npy;
 
 use photoncube_render::{
-    Engine, Image, PhotonMap, Rendering, Scene, TraceOptions, ViewOptions, light_mask, rel_mse,
-    render, rms_relative_difference, trace,
+    Engine, Image, LIGHT_RADIANCE, PhotonMap, Rendering, Scene, TraceOptions, ViewOptions,
+    light_mask, rel_mse, render, rms_relative_difference, trace,
 };
 use photoncube_spec::find_machine;
-
-/// Pixels over this see the light, by the reference's own rule.
-const LIGHT: f64 = 5.0;
 
 /// Photons in range that the search radius is chosen for.
 const IN_RANGE: f64 = 200.0;
@@ -48,7 +45,7 @@ fn the_golden_models_image_agrees_with_the_path_tracer() {
     let paper = find_machine("paper").unwrap();
     let image = rendered(&scene, &map, Engine::Model(paper), 128).image;
     let reference = reference();
-    let mask = light_mask(&reference, LIGHT);
+    let mask = light_mask(&reference, LIGHT_RADIANCE);
     let error = rel_mse(&image, &reference, &mask).unwrap();
     println!("relMSE {error:.5}");
     assert!(error <= 0.01, "relMSE {error}");
@@ -66,7 +63,7 @@ fn the_format_error_is_small_and_falls_with_the_step() {
     };
     let map = map(&scene, &options);
     let exact = rendered(&scene, &map, Engine::F64, 64).image;
-    let mask = light_mask(&exact, LIGHT);
+    let mask = light_mask(&exact, LIGHT_RADIANCE);
     let error = |machine| {
         let engine = Engine::Model(find_machine(machine).unwrap());
         let image = rendered(&scene, &map, engine, 64).image;

@@ -64,8 +64,8 @@ pub fn trace_scene(name: &str, picture: &PictureArgs) -> Result<Traced> {
 /// The view that the picture's options ask for.
 pub fn view(picture: &PictureArgs) -> ViewOptions {
     ViewOptions {
-        width: picture.size.0,
-        height: picture.size.1,
+        width: picture.size.width,
+        height: picture.size.height,
         samples_per_axis: picture.samples,
         seed: picture.seed,
     }

@@ -56,8 +56,8 @@ pub fn execute(args: &ReportArgs, json: bool) -> Result<()> {
         maps: args.maps,
         seed: args.seed,
         view: ViewOptions {
-            width: args.size.0,
-            height: args.size.1,
+            width: args.size.width,
+            height: args.size.height,
             samples_per_axis: 1,
             seed: args.seed,
         },

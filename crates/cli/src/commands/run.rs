@@ -5,7 +5,8 @@ use std::time::Instant;
 
 use anyhow::{Result, anyhow};
 use photoncube_render::{
-    Engine, Image, Rendering, light_mask, rel_mse, rms_relative_difference, workload,
+    Engine, Image, LIGHT_RADIANCE, Rendering, light_mask, rel_mse, rms_relative_difference,
+    workload,
 };
 use photoncube_spec::Machine;
 use photoncube_testbench::{DeviceKind, Source, Verdict, VerifyError, VerifyOptions};
@@ -16,10 +17,6 @@ use super::verify::{verdict_table, verify_with_bar};
 use crate::args::RunArgs;
 use crate::failure::CheckFailed;
 use crate::{files, output, project, scenes};
-
-/// Radiance above which a pixel shows the light itself; those pixels and the ones that touch them
-/// are left out of errors, as for the reference image. The walls stay below 2.
-const LIGHT_RADIANCE: f64 = 5.0;
 
 #[derive(Serialize)]
 struct Report {
@@ -202,7 +199,8 @@ fn prove(args: &RunArgs, machine: &Machine, traced: &Traced) -> Result<Proof> {
     Ok(proof)
 }
 
-/// The rms relative difference and the relMSE of two pictures, the light masked.
+/// The rms relative difference and the relMSE of two pictures; pixels that see the light, and those
+/// that touch them, are left out, as for the reference image.
 fn errors(image: &Image, reference: &Image) -> Result<(f64, f64)> {
     let mask = light_mask(reference, LIGHT_RADIANCE);
     let explain = |error| anyhow!("the two pictures cannot be compared: {error}");
