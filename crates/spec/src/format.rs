@@ -2,10 +2,12 @@
 //!
 //! All values are unsigned integers. Coordinates are steps of the frame around the query,
 //! `radius_sq` and distances are square steps, powers are multiples of the map's power step.
-//! No value is ever rounded inside the machine: every result below is exact.
+//! No value is ever rounded inside the machine: every result below is exact. A difference that a
+//! photon format clamps is out of range with or without it.
 
-use crate::hypercube::Hypercube;
-use crate::machine::Machine;
+use crate::format_widths::FormatWidths;
+use crate::machine::{Machine, Numbers, PlainFormat};
+use crate::photon_format::PhotonFormat;
 
 /// How the squarer of `(A-B)^2` is built; the result is the same.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, Hash)]
@@ -29,36 +31,79 @@ impl Squarer {
 /// The width in bits of every kind of value in one machine.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct Widths {
-    /// A coordinate of a photon or a query point: `coordinate_bits`.
+    /// A coordinate of a query point in the frame.
     pub coordinate: u32,
-    /// `(A-B)^2` of two coordinates: twice the coordinate.
+    /// A coordinate of a photon in the frame: as a query's, or without its extra fraction bits.
+    pub photon: u32,
+    /// What is squared: |A-B|, clamped to p + x bits in a photon format.
+    pub difference: u32,
+    /// A square or half square: twice the difference.
     pub square: u32,
-    /// A squared distance, the sum of three squares: `3 (2^c - 1)^2 < 2^(2c + 2)`.
-    /// `radius_sq` has the same width, so every distance can be compared.
-    pub distance: u32,
-    /// A photon's power in one channel: `power_bits`.
+    /// `radius_sq`. In plain numbers as wide as a squared distance, so that every distance can be
+    /// compared; in a photon format no larger than a square.
+    pub radius_sq: u32,
+    /// A channel of a photon's power as it is stored.
+    pub mantissa: u32,
+    /// A photon's exponent; 0 bits where there is none.
+    pub exponent: u32,
+    /// A decoded power: a mantissa, shifted by its exponent.
     pub power: u32,
-    /// The work register and the links: a squared distance, or the power of all the photons of
-    /// one iteration (`power` plus one bit for each photon axis), whichever is wider.
+    /// The work register and the links: a squared distance, the sum of three squares, which is
+    /// two bits wider than one; or the power of all the photons of one iteration (`power` plus
+    /// one bit for each photon axis), whichever is wider.
     pub work: u32,
     /// The sums of a query: `max_photons` photons of full-scale power.
     pub sum: u32,
 }
 
 impl Widths {
-    /// The widths that follow from a machine's formats.
+    /// The widths that follow from a machine's numbers.
     pub fn of(machine: &Machine) -> Self {
-        let cube = Hypercube::new(machine.dimension);
-        let distance = 2 * machine.coordinate_bits + 2;
-        let iteration_power = machine.power_bits + cube.photon_axes().count() as u32;
-        let full_scale = (1_u128 << machine.power_bits) - 1;
+        let own = match &machine.numbers {
+            Numbers::Plain(format) => Self::of_plain(format),
+            Numbers::Local(format) => Self::of_local(format),
+        };
+        let photon_axes = machine.hypercube().photon_axes().count() as u32;
+        let distance = own.square + 2;
         Self {
-            coordinate: machine.coordinate_bits,
-            square: 2 * machine.coordinate_bits,
-            distance,
-            power: machine.power_bits,
-            work: distance.max(iteration_power),
-            sum: bits_for(full_scale * u128::from(machine.max_photons)),
+            work: distance.max(own.power + photon_axes),
+            ..own
+        }
+    }
+
+    fn of_plain(format: &PlainFormat) -> Self {
+        let full_scale = (1_u128 << format.power_bits) - 1;
+        let square = 2 * format.coordinate_bits;
+        Self {
+            coordinate: format.coordinate_bits,
+            photon: format.coordinate_bits,
+            difference: format.coordinate_bits,
+            square,
+            radius_sq: square + 2,
+            mantissa: format.power_bits,
+            exponent: 0,
+            power: format.power_bits,
+            work: 0,
+            sum: bits_for(full_scale * u128::from(format.max_photons)),
+        }
+    }
+
+    fn of_local(format: &PhotonFormat) -> Self {
+        let widths = FormatWidths::of(format);
+        Self {
+            coordinate: widths.coordinate,
+            photon: widths.coordinate - format.query_extra_bits,
+            difference: widths.difference,
+            square: widths.square,
+            radius_sq: widths.square,
+            mantissa: widths.mantissa,
+            exponent: match format.power.exponent_range() {
+                0 => 0,
+                largest => bits_for(largest.into()),
+            },
+            power: widths.power,
+            work: 0,
+            sum: widths.sum,
         }
     }
 }
@@ -84,16 +129,21 @@ mod tests {
     fn no_sum_of_any_named_machine_can_overflow() {
         for machine in MACHINES {
             let widths = Widths::of(machine);
-            let largest_coordinate = (1_u128 << widths.coordinate) - 1;
-            assert!(largest_coordinate.pow(2) < 1 << widths.square);
-            assert!(3 * largest_coordinate.pow(2) < 1 << widths.distance);
-            let full_scale = (1_u128 << widths.power) - 1;
-            let photons = Hypercube::new(machine.dimension).photons() as u128;
+            let largest = (1_u128 << widths.difference) - 1;
+            let half_step = u128::from(machine.format().is_some_and(|f| f.half_steps()));
+            let square = largest * (largest + half_step);
+            assert!(square < 1 << widths.square);
+            assert!(3 * square < 1 << widths.work);
+            assert!(widths.radius_sq >= widths.square && widths.radius_sq <= widths.work);
+            let full_scale = machine.full_scale();
+            assert!(full_scale < 1 << widths.power);
+            let photons = machine.photons_per_iteration() as u128;
             assert!(photons * full_scale < 1 << widths.work);
-            assert!(u128::from(machine.max_photons) * full_scale < 1 << widths.sum);
+            assert!(u128::from(machine.max_photons()) * full_scale < 1 << widths.sum);
+            assert!(widths.work < widths.sum);
             assert!(
-                widths.sum <= 64 && widths.work <= 32,
-                "{}: the runners carry sums in 64 bits, all other values in 32",
+                widths.sum <= 64 && widths.coordinate <= 32 && widths.radius_sq <= 32,
+                "{}: the runners carry powers and sums in 64 bits, all other values in 32",
                 machine.name
             );
         }

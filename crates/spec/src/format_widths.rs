@@ -11,7 +11,7 @@ pub struct FormatWidths {
     pub coordinate: u32,
     /// A photon's position in its block, on one axis.
     pub position: u32,
-    /// m, the clamped difference on one axis: `radius_bits`.
+    /// m, the clamped difference on one axis: p + x.
     pub difference: u32,
     /// A square or half square of m, at most (2^r - 1) 2^r < 2^(2r).
     pub square: u32,
@@ -22,35 +22,38 @@ pub struct FormatWidths {
     pub mantissa: u32,
     /// The exponent in a photon's record; 0 bits where its block has it.
     pub exponent: u32,
-    /// A decoded power: a mantissa, shifted by up to `exponent_range`.
+    /// A decoded power: a mantissa, shifted by up to the exponent's range.
     pub power: u32,
     /// A query's sum of powers: `max_photons` photons of full-scale power.
     pub sum: u32,
     /// A query's count: up to `max_photons`.
     pub count: u32,
-    /// A photon's record: three positions, three mantissas, the exponent.
+    /// A photon's record: three positions, a mantissa for each channel, its exponent.
     pub bits_per_photon: u32,
 }
 
 impl FormatWidths {
     /// The widths that follow from a format.
     pub fn of(format: &PhotonFormat) -> Self {
-        let mantissa = format.power.mantissa_bits();
-        let exponent = format.power.exponent_bits();
-        let full_scale = ((1_u128 << mantissa) - 1) << format.exponent_range;
-        let fine_bits = format.position_bits + format.query_extra_bits;
+        let mantissa = format.power.mantissa_bits;
+        let exponent = format.power.record_exponent_bits();
+        let exponent_range = format.power.exponent_range();
+        let full_scale = ((1_u128 << mantissa) - 1) << exponent_range;
+        let radius_bits = format.radius_bits();
         Self {
-            coordinate: fine_bits + PhotonFormat::FRAME_BLOCKS.ilog2(),
+            coordinate: radius_bits + PhotonFormat::FRAME_BLOCKS.ilog2(),
             position: format.position_bits,
-            difference: format.radius_bits,
-            square: 2 * format.radius_bits,
-            distance: 2 * format.radius_bits,
+            difference: radius_bits,
+            square: 2 * radius_bits,
+            distance: 2 * radius_bits,
             mantissa,
             exponent,
-            power: mantissa + format.exponent_range,
+            power: mantissa + exponent_range,
             sum: bits_for(full_scale * u128::from(format.max_photons)),
             count: bits_for(format.max_photons.into()),
-            bits_per_photon: 3 * (format.position_bits + mantissa) + exponent,
+            bits_per_photon: 3 * format.position_bits
+                + format.power.channels.count() * mantissa
+                + exponent,
         }
     }
 }
@@ -71,7 +74,7 @@ mod tests {
             assert!(m * (m + 1) < 1 << widths.square);
             let radius_sq = u128::from(format.radius_steps()).pow(2);
             assert!(radius_sq < (1 << widths.distance) - 1);
-            let full_scale = ((1_u128 << widths.mantissa) - 1) << format.exponent_range;
+            let full_scale = ((1_u128 << widths.mantissa) - 1) << format.power.exponent_range();
             assert!(full_scale < 1 << widths.power);
             assert!(u128::from(format.max_photons) * full_scale < 1 << widths.sum);
             assert!(u128::from(format.max_photons) < 1 << widths.count);
@@ -80,36 +83,26 @@ mod tests {
 
     #[test]
     fn no_legal_format_exceeds_what_the_model_carries() {
-        let widest = PhotonFormat {
-            position_bits: 12,
-            query_extra_bits: 2,
-            radius_bits: 14,
-            power: crate::PowerFormat::SharedExponent {
-                mantissa_bits: 16,
-                exponent_bits: 8,
-            },
-            exponent_range: 47,
-            max_photons: 1 << 32,
-            ..PHOTON_FORMATS[0]
-        };
+        let widest = find_photon_format("local12x2-rgb16e8-n4294967296").unwrap();
         assert_eq!(widest.check(), Ok(()));
         let widths = FormatWidths::of(&widest);
         assert!(widths.coordinate <= 16 && widths.distance <= 28);
-        assert!(widths.power <= 63 && widths.sum <= 95);
+        assert!(widths.power <= 40 && widths.sum <= 72);
         assert!(widths.bits_per_photon <= 92);
     }
 
     #[test]
-    fn the_default_takes_56_bits() {
+    fn the_default_takes_at_most_56_bits() {
         for (name, bits) in [
-            ("local8-rgbe8", 56),
+            ("local8-rgb8e8", 56),
             ("local8-rgb8e5", 53),
-            ("local6-rgbe8", 50),
-            ("local7x1-linear8", 45),
+            ("local6-rgb8e8", 50),
+            ("local7x1-rgb8b5", 45),
+            ("local7x1-mono8e3", 32),
         ] {
             let format = find_photon_format(name).unwrap();
-            assert_eq!(FormatWidths::of(format).bits_per_photon, bits, "{name}");
+            assert_eq!(FormatWidths::of(&format).bits_per_photon, bits, "{name}");
         }
-        assert_eq!(PHOTON_FORMATS[0].name, "local8-rgbe8");
+        assert_eq!(PHOTON_FORMATS[0].name(), "local8-rgb8e5");
     }
 }

@@ -42,7 +42,8 @@ impl fmt::Display for Axis {
     }
 }
 
-/// What a cell does in the quad of its photon: three hold a coordinate, one holds none.
+/// What a cell does in the quad of its photon: three hold a coordinate, one holds none. Where a
+/// photon's power has one channel, X has it and Y and Z have none.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Role {
     /// Coordinate x, then the red channel.
@@ -66,41 +67,6 @@ impl Role {
             Self::Y => Some(1),
             Self::Z => Some(2),
             Self::D => None,
-        }
-    }
-
-    /// The channel that the role gates and sums.
-    pub fn channel(self) -> Channel {
-        match self {
-            Self::X => Channel::Red,
-            Self::Y => Channel::Green,
-            Self::Z => Channel::Blue,
-            Self::D => Channel::Count,
-        }
-    }
-}
-
-/// One of the four sums of a query.
-#[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Channel {
-    /// Red power.
-    Red,
-    /// Green power.
-    Green,
-    /// Blue power.
-    Blue,
-    /// Photons in range; every present photon counts 1.
-    Count,
-}
-
-impl Channel {
-    /// The channel's name in ports and reports.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Red => "red",
-            Self::Green => "green",
-            Self::Blue => "blue",
-            Self::Count => "count",
         }
     }
 }

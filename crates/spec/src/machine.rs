@@ -2,9 +2,12 @@
 
 use thiserror::Error;
 
-use crate::format::Squarer;
+use crate::format::{Squarer, Widths};
+use crate::format_widths::FormatWidths;
 use crate::hypercube::Hypercube;
 use crate::microprogram::Microprogram;
+use crate::photon_format::{Channels, Exponent, PhotonFormat, PowerFormat, Rounding};
+use crate::photon_formats::PHOTON_FORMATS;
 
 /// A machine's configuration.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
@@ -15,14 +18,37 @@ pub struct Machine {
     pub summary: &'static str,
     /// Hypercube dimension; the machine has `2^dimension` cells.
     pub dimension: u32,
-    /// Bits of a coordinate. The frame of a query is [`Self::FRAME_BLOCKS`] block edges wide.
+    /// What its words mean.
+    pub numbers: Numbers,
+    /// How the square is built.
+    pub squarer: Squarer,
+}
+
+/// What a machine's words mean.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub enum Numbers {
+    /// The paper's plain arithmetic at full width; the square is `(A-B)^2`.
+    Plain(PlainFormat),
+    /// Relative to the search radius, by the rules of [`PhotonFormat`].
+    Local(PhotonFormat),
+}
+
+/// The paper's numbers: coordinates of the frame, linear powers in three channels.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub struct PlainFormat {
+    /// Bits of a coordinate. The frame of a query is [`Machine::FRAME_BLOCKS`] block edges wide.
     pub coordinate_bits: u32,
     /// Bits of a photon's power in one channel.
     pub power_bits: u32,
     /// The most photons that one query may be given; it sizes the sums.
     pub max_photons: u64,
-    /// How `(A-B)^2` is built.
-    pub squarer: Squarer,
+}
+
+impl PlainFormat {
+    /// Fraction bits of a position in its block.
+    pub fn position_bits(&self) -> u32 {
+        self.coordinate_bits - Machine::FRAME_BLOCKS.ilog2()
+    }
 }
 
 impl Machine {
@@ -45,14 +71,58 @@ impl Machine {
         self.hypercube().photons()
     }
 
-    /// Fraction bits of a position in its block.
-    pub fn position_bits(&self) -> u32 {
-        self.coordinate_bits - Self::FRAME_BLOCKS.ilog2()
+    /// Its photon format; none in plain numbers.
+    pub fn format(&self) -> Option<&PhotonFormat> {
+        match &self.numbers {
+            Numbers::Plain(_) => None,
+            Numbers::Local(format) => Some(format),
+        }
     }
 
-    /// Bits of a stored photon: a position in its block and three powers.
+    /// Its plain format; none where it has a photon format.
+    pub fn plain(&self) -> Option<&PlainFormat> {
+        match &self.numbers {
+            Numbers::Plain(format) => Some(format),
+            Numbers::Local(_) => None,
+        }
+    }
+
+    /// Fraction bits of a photon's position in its block.
+    pub fn position_bits(&self) -> u32 {
+        match &self.numbers {
+            Numbers::Plain(format) => format.position_bits(),
+            Numbers::Local(format) => format.position_bits,
+        }
+    }
+
+    /// The most photons that one query may be given.
+    pub fn max_photons(&self) -> u64 {
+        match &self.numbers {
+            Numbers::Plain(format) => format.max_photons,
+            Numbers::Local(format) => format.max_photons,
+        }
+    }
+
+    /// The channels of a photon's power.
+    pub fn channels(&self) -> Channels {
+        match &self.numbers {
+            Numbers::Plain(_) => Channels::Rgb,
+            Numbers::Local(format) => format.power.channels,
+        }
+    }
+
+    /// The largest decoded power: a mantissa of all ones at the largest exponent.
+    pub fn full_scale(&self) -> u128 {
+        let exponent_range = self.format().map_or(0, |f| f.power.exponent_range());
+        ((1 << Widths::of(self).mantissa) - 1) << exponent_range
+    }
+
+    /// Bits of a stored photon: a position in its block, its powers, its exponent.
     pub fn bits_per_photon(&self) -> u32 {
-        3 * (self.position_bits() + self.power_bits)
+        match &self.numbers {
+            Numbers::Plain(format) => 3 * (format.position_bits() + format.power_bits),
+            Numbers::Local(format) => FormatWidths::of(format).bits_per_photon,
+        }
     }
 
     /// Photon tests per clock, with no waiting.
@@ -66,42 +136,67 @@ impl Machine {
     }
 }
 
+/// 16-bit powers; 65,537 of full scale sum to 32 bits exactly.
+const fn plain(coordinate_bits: u32) -> Numbers {
+    Numbers::Plain(PlainFormat {
+        coordinate_bits,
+        power_bits: 16,
+        max_photons: 65_537,
+    })
+}
+
 /// All named machines, the default first.
 pub const MACHINES: &[Machine] = &[
     Machine {
         name: "paper",
         summary: "Ryu, Kim, Lee: 16 cells on a 4-D hypercube, squarers for LUTs",
         dimension: 4,
-        coordinate_bits: 8,
-        power_bits: 16,
-        max_photons: 65_537,
+        numbers: plain(8),
         squarer: Squarer::Digits,
     },
     Machine {
         name: "paper-dsp",
         summary: "the same, squarers for DSP blocks",
         dimension: 4,
-        coordinate_bits: 8,
-        power_bits: 16,
-        max_photons: 65_537,
+        numbers: plain(8),
         squarer: Squarer::Product,
     },
     Machine {
         name: "paper-12",
         summary: "the same with 12-bit coordinates",
         dimension: 4,
-        coordinate_bits: 12,
-        power_bits: 16,
-        max_photons: 65_537,
+        numbers: plain(12),
         squarer: Squarer::Digits,
     },
     Machine {
         name: "paper-5d",
         summary: "32 cells on a 5-D hypercube: 8 photons an iteration",
         dimension: 5,
-        coordinate_bits: 8,
-        power_bits: 16,
-        max_photons: 65_537,
+        numbers: plain(8),
+        squarer: Squarer::Digits,
+    },
+    Machine {
+        name: "local",
+        summary: "16 cells, numbers relative to the search radius: the default photon format",
+        dimension: 4,
+        numbers: Numbers::Local(PHOTON_FORMATS[0]),
+        squarer: Squarer::Digits,
+    },
+    Machine {
+        name: "fit-ring",
+        summary: "16 cells, the photon format that `fit` finds for the scene ring",
+        dimension: 4,
+        numbers: Numbers::Local(PhotonFormat {
+            position_bits: 7,
+            query_extra_bits: 1,
+            power: PowerFormat {
+                channels: Channels::Mono,
+                mantissa_bits: 8,
+                exponent: Exponent::None,
+                rounding: Rounding::Nearest,
+            },
+            max_photons: 1 << 14,
+        }),
         squarer: Squarer::Digits,
     },
 ];
@@ -145,7 +240,7 @@ mod tests {
             assert_eq!(verdict, Ok(()), "{}", machine.name);
             assert_eq!(
                 Machine::FRAME_BLOCKS << machine.position_bits(),
-                1 << machine.coordinate_bits
+                1 << Widths::of(machine).photon
             );
         }
     }

@@ -133,7 +133,7 @@ pub const OPS: &[OpRow] = &[
         uses_link: false,
         reads_query: false,
         reads_group: true,
-        result_width: |w| w.coordinate,
+        result_width: |w| w.photon,
         formula: "p := photon coordinate",
         control: ControlFields {
             write_photon: true,
@@ -150,7 +150,7 @@ pub const OPS: &[OpRow] = &[
         reads_query: false,
         reads_group: true,
         result_width: |w| w.power,
-        formula: "w := present ? photon power : 0",
+        formula: "w := present ? photon mantissa << exponent : 0",
         control: ControlFields {
             write_power: true,
             ..IDLE
@@ -166,7 +166,7 @@ pub const OPS: &[OpRow] = &[
         reads_query: false,
         reads_group: false,
         result_width: |w| w.square,
-        formula: "v := (q - p)^2",
+        formula: "v := square(q - p)",
         control: ControlFields {
             write_work: true,
             work_source: WorkSource::Square,

@@ -10,8 +10,8 @@
 //! - A photon is stored as the index of the cell that contains it, floor(fraction * 2^p), and
 //!   stands for that cell's middle. A fraction that rounding made exactly 1 is in the last cell.
 //! - A query point is the index of the fine cell that contains it and stands for its middle.
-//! - The search radius is R = 2^`radius_bits` - 2, exactly; the edge is 2^(p+x) >= R. A scene's
-//!   radius is never rounded: the blocks' edge is chosen so that this ratio holds.
+//! - The search radius is R = 2^(p+x) - 2 = edge - 2, exactly. A scene's radius is never rounded:
+//!   the blocks' edge is chosen so that this ratio holds.
 //! - Coordinates are counted in a frame of [`PhotonFormat::FRAME_BLOCKS`] block edges; a photon
 //!   of the block with offset o stands o edges further on.
 //!
@@ -23,78 +23,142 @@
 //!   m = d for d >= 0 and m = ~d (inversion, no increment) below. As (m + 1/2)^2 =
 //!   m (m + 1) + 1/4, the *half square* m (m + 1) is summed. In range: sum + 3/4 <= R^2, which
 //!   for integers is sum <= R^2 - 1. No rounding anywhere: exact.
-//! - Overflow: m is clamped to 2^`radius_bits` - 1 = R + 1, whose square alone is out of range,
+//! - Overflow: m is clamped to 2^(p+x) - 1 = R + 1, whose square alone is out of range,
 //!   so a clamped axis decides the same as an unclamped one. The sum of the squares saturates at
-//!   2^(2 `radius_bits`) - 1, which is out of range too.
+//!   2^(2p+2x) - 1, which is out of range too; or it is kept in full, which takes two bits more and
+//!   decides the same (the cells do so: their work register has the bits).
 //!
 //! # Power
+//! - With [`Channels::Rgb`] a photon has a mantissa for red, green and blue. With
+//!   [`Channels::Mono`] it has one, for its strongest channel, and all photons have the map's one
+//!   colour: the sum of their powers, over its strongest channel.
 //! - A channel's value is mantissa << exponent, in units of the map's own.
-//! - The unit is the largest channel of any photon in the map, over (2^m - 1) << `exponent_range`
-//!   with m the mantissa's bits; so the largest power is all ones at the largest exponent.
-//! - An exponent is the smallest from 0 to `exponent_range` at which the strongest channel (of the
-//!   photon, or of the block's photons) rounds to a mantissa of m bits.
-//! - Mantissas round to nearest, ties away from zero; never truncation, which is a bias that
+//! - The unit is the largest channel of any photon in the map, over (2^m - 1) << E with m the
+//!   mantissa's bits and E = [`PowerFormat::exponent_range`]; so the largest power is all ones at
+//!   the largest exponent.
+//! - An exponent is the smallest from 0 to E at which the strongest channel (of the photon, or of
+//!   the block's photons) rounds to a mantissa of m bits.
+//! - [`Rounding::Nearest`]: to nearest, ties away from zero; never truncation, which is a bias that
 //!   more photons do not remove. What would need an exponent below 0 rounds to a multiple of the
 //!   unit, perhaps 0.
-//! - Overflow: sums are sized for `max_photons` of full scale, see [`FormatWidths::sum`]; a query
-//!   of more photons is refused.
+//! - [`Rounding::Dithered`]: floor(value + t), with t from 0 to 1 - 2^-16 drawn from a hash of the
+//!   photon's stored position and the channel, so that powers that are all alike do not all round
+//!   alike; the exponent is then the smallest at which the strongest channel itself is at most
+//!   2^m - 1, which no t carries over.
+//! - Overflow: sums are sized for `max_photons` of full scale, see [`crate::FormatWidths::sum`]; a
+//!   query of more photons is refused.
+//!
+//! # Names
+//! A format's name says all of it, and any legal name is a format:
+//! `local` p [`x` x] `-` (`rgb` | `mono`) m [`e` bits | `b` bits] [`d`] [`-n` max_photons], where `e`
+//! is an exponent of each photon, `b` one of each block, `d` dithered; without `-n`,
+//! [`PhotonFormat::DEFAULT_MAX_PHOTONS`].
+
+use std::fmt;
 
 use thiserror::Error;
 
-/// How a photon's three channels are stored.
+/// Which values a photon's power has.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, Hash)]
-pub enum PowerFormat {
-    /// A mantissa for each channel; one exponent for each block, which costs a photon nothing.
-    BlockLinear {
-        /// Bits of a mantissa.
-        mantissa_bits: u32,
-    },
-    /// A mantissa for each channel and an exponent for each photon, as in RGBE8 (8 and 8) or
-    /// RGB9E5 (9 and 5).
-    SharedExponent {
-        /// Bits of a mantissa.
-        mantissa_bits: u32,
-        /// Bits of the exponent.
-        exponent_bits: u32,
-    },
+pub enum Channels {
+    /// One, for light of one colour.
+    Mono,
+    /// Red, green, blue.
+    Rgb,
 }
 
-impl PowerFormat {
-    /// Bits of a mantissa.
-    pub fn mantissa_bits(self) -> u32 {
+impl Channels {
+    /// Their names in pins and reports, in the order of the photon's words.
+    pub fn names(self) -> &'static [&'static str] {
         match self {
-            Self::BlockLinear { mantissa_bits } | Self::SharedExponent { mantissa_bits, .. } => {
-                mantissa_bits
-            }
+            Self::Mono => &["power"],
+            Self::Rgb => &["red", "green", "blue"],
         }
     }
 
-    /// Bits of the exponent in a photon's record; 0 where its block has it.
-    pub fn exponent_bits(self) -> u32 {
+    /// How many there are.
+    pub fn count(self) -> u32 {
+        self.names().len() as u32
+    }
+}
+
+/// Whose exponent a power has.
+#[derive(Copy, Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Exponent {
+    /// None: one scale for the whole map.
+    None,
+    /// Each block has one, which costs a photon nothing.
+    Block {
+        /// Its bits.
+        bits: u32,
+    },
+    /// Each photon has one, shared by its channels, as in RGBE8 or RGB9E5.
+    Photon {
+        /// Its bits.
+        bits: u32,
+    },
+}
+
+impl Exponent {
+    /// Its bits, 0 where there is none.
+    pub fn bits(self) -> u32 {
         match self {
-            Self::BlockLinear { .. } => 0,
-            Self::SharedExponent { exponent_bits, .. } => exponent_bits,
+            Self::None => 0,
+            Self::Block { bits } | Self::Photon { bits } => bits,
+        }
+    }
+}
+
+/// How a mantissa is rounded.
+#[derive(Copy, Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Rounding {
+    /// To nearest, ties away from zero.
+    Nearest,
+    /// Up or down by chance, so that the mean is the value.
+    Dithered,
+}
+
+/// How power is stored.
+#[derive(Copy, Clone, Debug, PartialEq, Eq, Hash)]
+pub struct PowerFormat {
+    /// Which values there are.
+    pub channels: Channels,
+    /// Bits of a mantissa, 1 to 16.
+    pub mantissa_bits: u32,
+    /// Whose exponent, 1 to 8 bits where there is one.
+    pub exponent: Exponent,
+    /// How a mantissa is rounded.
+    pub rounding: Rounding,
+}
+
+impl PowerFormat {
+    /// 2^24 is over 1e7: a photon of a millionth of the map's largest keeps a full mantissa. RGBE8
+    /// could hold a larger exponent, and no photon would ever use it.
+    const LARGEST_EXPONENT: u32 = 24;
+
+    /// The largest exponent that is used: all that its bits hold, up to 24.
+    pub fn exponent_range(self) -> u32 {
+        ((1 << self.exponent.bits().min(8)) - 1).min(Self::LARGEST_EXPONENT)
+    }
+
+    /// Bits of the exponent in a photon's record; 0 where its block has it.
+    pub fn record_exponent_bits(self) -> u32 {
+        match self.exponent {
+            Exponent::Photon { bits } => bits,
+            Exponent::None | Exponent::Block { .. } => 0,
         }
     }
 }
 
 /// A photon format; the module's text says what its fields mean.
-#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+#[derive(Copy, Clone, Debug, PartialEq, Eq, Hash)]
 pub struct PhotonFormat {
-    /// Its name on the command line.
-    pub name: &'static str,
-    /// What it is, in a line.
-    pub summary: &'static str,
     /// Fraction bits of a photon's position in its block, 4 to 12.
     pub position_bits: u32,
     /// Further fraction bits of a query point, 0 to 2.
     pub query_extra_bits: u32,
-    /// Bits that |A-B| is clamped to, 2 to `position_bits + query_extra_bits`.
-    pub radius_bits: u32,
     /// How power is stored.
     pub power: PowerFormat,
-    /// The largest exponent, 0 to 47; a stored one must be able to hold it.
-    pub exponent_range: u32,
     /// The most photons that one query may be given, 1 to 2^32; it sizes the sums.
     pub max_photons: u64,
 }
@@ -104,7 +168,7 @@ pub struct PhotonFormat {
 #[error("format `{format}`: {field} is {found}, expected {min} to {max}")]
 pub struct FormatError {
     /// The format.
-    pub format: &'static str,
+    pub format: String,
     /// Which of its fields.
     pub field: &'static str,
     /// The field's value.
@@ -120,14 +184,66 @@ impl PhotonFormat {
     /// block has offset 1, and the fourth keeps the count a power of two.
     pub const FRAME_BLOCKS: u32 = 4;
 
+    /// Four times the quarter million in one block that the hard cases ask for.
+    pub const DEFAULT_MAX_PHOTONS: u64 = 1 << 20;
+
+    /// The format's name, which says all of it.
+    pub fn name(&self) -> String {
+        self.to_string()
+    }
+
+    /// What it is, in a line.
+    pub fn summary(&self) -> String {
+        let PowerFormat {
+            channels,
+            mantissa_bits,
+            exponent,
+            rounding,
+        } = self.power;
+        let queries = ["", ", queries on half steps", ", queries on quarter steps"];
+        let exponent = match exponent {
+            Exponent::None => String::new(),
+            Exponent::Block { .. } => ", a block's exponent".to_owned(),
+            Exponent::Photon { bits } => format!(", {bits}-bit exponent"),
+        };
+        let words = match channels {
+            Channels::Mono => "one channel of",
+            Channels::Rgb => "RGB of",
+        };
+        let rounding = match rounding {
+            Rounding::Nearest => "",
+            Rounding::Dithered => ", dithered",
+        };
+        format!(
+            "{} bits per radius{}, {words} {mantissa_bits} bits{exponent}{rounding}",
+            self.position_bits,
+            queries.get(self.query_extra_bits as usize).unwrap_or(&""),
+        )
+    }
+
+    /// Bits that |A-B| is clamped to: p + x.
+    pub fn radius_bits(&self) -> u32 {
+        self.position_bits + self.query_extra_bits
+    }
+
     /// The search radius R in fine steps.
     pub fn radius_steps(&self) -> u32 {
-        (1 << self.radius_bits) - 2
+        self.edge_steps() - 2
     }
 
     /// A block's edge in fine steps.
     pub fn edge_steps(&self) -> u32 {
-        1 << (self.position_bits + self.query_extra_bits)
+        1 << self.radius_bits()
+    }
+
+    /// Whether queries stand between the photons' grid lines, so that half squares are summed.
+    pub fn half_steps(&self) -> bool {
+        self.query_extra_bits > 0
+    }
+
+    /// The largest sum of squares, or of half squares, of a photon in range.
+    pub fn largest_in_range(&self) -> u32 {
+        self.radius_steps().pow(2) - u32::from(self.half_steps())
     }
 
     /// Checks every field against its documented range.
@@ -135,26 +251,17 @@ impl PhotonFormat {
     /// # Errors
     /// The first field outside, with what it could be.
     pub fn check(&self) -> Result<(), FormatError> {
-        let fine_bits = u64::from(self.position_bits) + u64::from(self.query_extra_bits);
-        let exponent_bits = self.power.exponent_bits();
-        let largest_exponent = match self.power {
-            PowerFormat::BlockLinear { .. } => Self::LARGEST_EXPONENT,
-            PowerFormat::SharedExponent { .. } => {
-                Self::LARGEST_EXPONENT.min((1 << exponent_bits.min(8)) - 1)
-            }
-        };
+        let PowerFormat {
+            mantissa_bits,
+            exponent,
+            ..
+        } = self.power;
+        let least_exponent = u64::from(exponent != Exponent::None);
         let rows = [
             ("position_bits", self.position_bits.into(), 4, 12),
             ("query_extra_bits", self.query_extra_bits.into(), 0, 2),
-            ("radius_bits", self.radius_bits.into(), 2, fine_bits),
-            ("mantissa_bits", self.power.mantissa_bits().into(), 1, 16),
-            ("exponent_bits", exponent_bits.into(), 0, 8),
-            (
-                "exponent_range",
-                self.exponent_range.into(),
-                0,
-                largest_exponent,
-            ),
+            ("mantissa_bits", mantissa_bits.into(), 1, 16),
+            ("exponent_bits", exponent.bits().into(), least_exponent, 8),
             ("max_photons", self.max_photons, 1, 1 << 32),
         ];
         match rows
@@ -163,7 +270,7 @@ impl PhotonFormat {
         {
             None => Ok(()),
             Some((field, found, min, max)) => Err(FormatError {
-                format: self.name,
+                format: self.name(),
                 field,
                 found,
                 min,
@@ -171,9 +278,38 @@ impl PhotonFormat {
             }),
         }
     }
+}
 
-    /// Keeps a decoded power of 16 mantissa bits within 63.
-    const LARGEST_EXPONENT: u64 = 47;
+impl fmt::Display for PhotonFormat {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let PowerFormat {
+            channels,
+            mantissa_bits,
+            exponent,
+            rounding,
+        } = self.power;
+        write!(f, "local{}", self.position_bits)?;
+        if self.query_extra_bits > 0 {
+            write!(f, "x{}", self.query_extra_bits)?;
+        }
+        let word = match channels {
+            Channels::Mono => "mono",
+            Channels::Rgb => "rgb",
+        };
+        write!(f, "-{word}{mantissa_bits}")?;
+        match exponent {
+            Exponent::None => {}
+            Exponent::Block { bits } => write!(f, "b{bits}")?,
+            Exponent::Photon { bits } => write!(f, "e{bits}")?,
+        }
+        if rounding == Rounding::Dithered {
+            f.write_str("d")?;
+        }
+        if self.max_photons != Self::DEFAULT_MAX_PHOTONS {
+            write!(f, "-n{}", self.max_photons)?;
+        }
+        Ok(())
+    }
 }
 
 #[cfg(test)]
@@ -185,39 +321,60 @@ mod tests {
     fn every_named_format_is_legal_and_found_by_its_name() {
         for format in PHOTON_FORMATS {
             assert_eq!(format.check(), Ok(()));
-            assert_eq!(find_photon_format(format.name), Ok(format));
+            assert_eq!(find_photon_format(&format.name()), Ok(*format));
         }
-        let message = find_photon_format("local99").unwrap_err().to_string();
-        assert!(message.contains("`local99`") && message.contains("local8-rgbe8, "));
     }
 
     #[test]
     fn a_clamped_axis_is_out_of_range_and_the_edge_holds_the_radius() {
         for format in PHOTON_FORMATS {
-            let (radius, clamp) = (format.radius_steps(), (1 << format.radius_bits) - 1);
+            let (radius, clamp) = (format.radius_steps(), (1 << format.radius_bits()) - 1);
             assert_eq!(clamp, radius + 1);
             assert!(format.edge_steps() >= radius);
+            let half_square = clamp * (clamp + u32::from(format.half_steps()));
+            assert!(half_square > format.largest_in_range());
+        }
+    }
+
+    #[test]
+    fn an_exponent_uses_its_bits_up_to_what_light_needs() {
+        let range = |name| find_photon_format(name).unwrap().power.exponent_range();
+        for (name, expected) in [
+            ("local8-rgb8", 0),
+            ("local8-rgb8e2", 3),
+            ("local8-rgb8b4", 15),
+            ("local8-rgb8e5", 24),
+            ("local8-rgb8e8", 24),
+        ] {
+            assert_eq!(range(name), expected, "{name}");
         }
     }
 
     #[test]
     fn fields_outside_their_range_are_named_with_it() {
         let format = PHOTON_FORMATS[0];
-        let shared = |mantissa_bits, exponent_bits| PowerFormat::SharedExponent {
-            mantissa_bits,
-            exponent_bits,
+        let power = format.power;
+        let with = |power| PhotonFormat { power, ..format };
+        let exponent = |bits| {
+            with(PowerFormat {
+                exponent: Exponent::Photon { bits },
+                ..power
+            })
+        };
+        let mantissa = |mantissa_bits| {
+            with(PowerFormat {
+                mantissa_bits,
+                ..power
+            })
         };
         #[rustfmt::skip]
         let wrong = [
             (PhotonFormat { position_bits: 3, ..format }, "position_bits is 3, expected 4 to 12"),
             (PhotonFormat { position_bits: 13, ..format }, "position_bits is 13, expected 4 to 12"),
             (PhotonFormat { query_extra_bits: 3, ..format }, "query_extra_bits is 3, expected 0 to 2"),
-            (PhotonFormat { radius_bits: 9, ..format }, "radius_bits is 9, expected 2 to 8"),
-            (PhotonFormat { radius_bits: 1, ..format }, "radius_bits is 1, expected 2 to 8"),
-            (PhotonFormat { power: shared(17, 8), ..format }, "mantissa_bits is 17, expected 1 to 16"),
-            (PhotonFormat { power: shared(8, 9), ..format }, "exponent_bits is 9, expected 0 to 8"),
-            (PhotonFormat { power: shared(8, 4), ..format }, "exponent_range is 24, expected 0 to 15"),
-            (PhotonFormat { exponent_range: 48, ..format }, "exponent_range is 48, expected 0 to 47"),
+            (mantissa(17), "mantissa_bits is 17, expected 1 to 16"),
+            (exponent(9), "exponent_bits is 9, expected 1 to 8"),
+            (exponent(0), "exponent_bits is 0, expected 1 to 8"),
             (PhotonFormat { max_photons: 0, ..format }, "max_photons is 0, expected 1 to 4294967296"),
         ];
         for (format, expected) in wrong {

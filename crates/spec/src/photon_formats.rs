@@ -1,270 +1,218 @@
-//! The table of named photon formats. Each sets every field; nothing defaults.
+//! The table of listed photon formats, and how any other is found by its name.
 
 use thiserror::Error;
 
-use crate::photon_format::{PhotonFormat, PowerFormat};
+use crate::photon_format::{Channels, Exponent, FormatError, PhotonFormat, PowerFormat, Rounding};
 
-/// 8-bit mantissas and an 8-bit exponent: Ward, "Real pixels" (Graphics Gems II, 1991).
-const RGBE8: PowerFormat = shared(8, 8);
-/// 9-bit mantissas and a 5-bit exponent: EXT_texture_shared_exponent.
-const RGB9E5: PowerFormat = shared(9, 5);
-/// RGBE8 in the exponents that a range of 24 needs.
-const RGB8E5: PowerFormat = shared(8, 5);
-
-/// 2^24 is over 1e7: a photon of a millionth of the map's largest keeps a full mantissa.
-const EXPONENT_RANGE: u32 = 24;
-
-/// Four times the quarter million in one block that the hard cases ask for.
-const MAX_PHOTONS: u64 = 1 << 20;
-
-const fn shared(mantissa_bits: u32, exponent_bits: u32) -> PowerFormat {
-    PowerFormat::SharedExponent {
-        mantissa_bits,
-        exponent_bits,
+/// A row of the table: p and x, then RGB rounded to nearest.
+const fn row(
+    position_bits: u32,
+    query_extra_bits: u32,
+    mantissa_bits: u32,
+    exponent: Exponent,
+) -> PhotonFormat {
+    PhotonFormat {
+        position_bits,
+        query_extra_bits,
+        power: PowerFormat {
+            channels: Channels::Rgb,
+            mantissa_bits,
+            exponent,
+            rounding: Rounding::Nearest,
+        },
+        max_photons: PhotonFormat::DEFAULT_MAX_PHOTONS,
     }
 }
 
-const fn linear(mantissa_bits: u32) -> PowerFormat {
-    PowerFormat::BlockLinear { mantissa_bits }
+const fn own(bits: u32) -> Exponent {
+    Exponent::Photon { bits }
 }
 
-/// All named formats, the default first. `localPxX`: P fraction bits of a block edge, X further
-/// ones for query points.
+/// As large an exponent as a photon of its own could use; it costs a photon nothing.
+const BLOCK: Exponent = Exponent::Block { bits: 5 };
+
+/// The listed formats, the default first. `local8-rgb8e8` is RGBE8 (Ward, "Real pixels", Graphics
+/// Gems II, 1991), `local8-rgb9e5` RGB9E5 (EXT_texture_shared_exponent); the default is RGBE8 in the
+/// exponents that light uses: its records differ in three bits that are always 0.
 pub const PHOTON_FORMATS: &[PhotonFormat] = &[
-    PhotonFormat {
-        name: "local8-rgbe8",
-        summary: "the default: 8 bits per radius, RGBE8",
-        position_bits: 8,
-        query_extra_bits: 0,
-        radius_bits: 8,
-        power: RGBE8,
-        exponent_range: EXPONENT_RANGE,
-        max_photons: MAX_PHOTONS,
-    },
-    PhotonFormat {
-        name: "local4-rgbe8",
-        summary: "4 bits per radius: the coarsest there is",
-        position_bits: 4,
-        query_extra_bits: 0,
-        radius_bits: 4,
-        power: RGBE8,
-        exponent_range: EXPONENT_RANGE,
-        max_photons: MAX_PHOTONS,
-    },
-    PhotonFormat {
-        name: "local6-rgbe8",
-        summary: "6 bits per radius, as the paper's 8-bit coordinates have",
-        position_bits: 6,
-        query_extra_bits: 0,
-        radius_bits: 6,
-        power: RGBE8,
-        exponent_range: EXPONENT_RANGE,
-        max_photons: MAX_PHOTONS,
-    },
-    PhotonFormat {
-        name: "local7-rgbe8",
-        summary: "7 bits per radius",
-        position_bits: 7,
-        query_extra_bits: 0,
-        radius_bits: 7,
-        power: RGBE8,
-        exponent_range: EXPONENT_RANGE,
-        max_photons: MAX_PHOTONS,
-    },
-    PhotonFormat {
-        name: "local10-rgbe8",
-        summary: "10 bits per radius",
-        position_bits: 10,
-        query_extra_bits: 0,
-        radius_bits: 10,
-        power: RGBE8,
-        exponent_range: EXPONENT_RANGE,
-        max_photons: MAX_PHOTONS,
-    },
-    PhotonFormat {
-        name: "local12-rgbe8",
-        summary: "12 bits per radius: the finest there is",
-        position_bits: 12,
-        query_extra_bits: 0,
-        radius_bits: 12,
-        power: RGBE8,
-        exponent_range: EXPONENT_RANGE,
-        max_photons: MAX_PHOTONS,
-    },
-    PhotonFormat {
-        name: "local8-rgb9e5",
-        summary: "8 bits per radius, RGB9E5",
-        position_bits: 8,
-        query_extra_bits: 0,
-        radius_bits: 8,
-        power: RGB9E5,
-        exponent_range: EXPONENT_RANGE,
-        max_photons: MAX_PHOTONS,
-    },
-    PhotonFormat {
-        name: "local8-linear8",
-        summary: "8 bits per radius, 8-bit power, a block's exponent",
-        position_bits: 8,
-        query_extra_bits: 0,
-        radius_bits: 8,
-        power: linear(8),
-        exponent_range: EXPONENT_RANGE,
-        max_photons: MAX_PHOTONS,
-    },
-    PhotonFormat {
-        name: "local8-linear10",
-        summary: "8 bits per radius, 10-bit power, a block's exponent",
-        position_bits: 8,
-        query_extra_bits: 0,
-        radius_bits: 8,
-        power: linear(10),
-        exponent_range: EXPONENT_RANGE,
-        max_photons: MAX_PHOTONS,
-    },
-    PhotonFormat {
-        name: "local8-linear12",
-        summary: "8 bits per radius, 12-bit power, a block's exponent",
-        position_bits: 8,
-        query_extra_bits: 0,
-        radius_bits: 8,
-        power: linear(12),
-        exponent_range: EXPONENT_RANGE,
-        max_photons: MAX_PHOTONS,
-    },
-    PhotonFormat {
-        name: "local8-linear16",
-        summary: "8 bits per radius, 16-bit power, a block's exponent",
-        position_bits: 8,
-        query_extra_bits: 0,
-        radius_bits: 8,
-        power: linear(16),
-        exponent_range: EXPONENT_RANGE,
-        max_photons: MAX_PHOTONS,
-    },
-    PhotonFormat {
-        name: "local8-rgb8e5",
-        summary: "the default without the exponent bits that its range never uses",
-        position_bits: 8,
-        query_extra_bits: 0,
-        radius_bits: 8,
-        power: RGB8E5,
-        exponent_range: EXPONENT_RANGE,
-        max_photons: MAX_PHOTONS,
-    },
-    PhotonFormat {
-        name: "local7x1-rgb8e5",
-        summary: "7 bits per radius, queries on half steps",
-        position_bits: 7,
-        query_extra_bits: 1,
-        radius_bits: 8,
-        power: RGB8E5,
-        exponent_range: EXPONENT_RANGE,
-        max_photons: MAX_PHOTONS,
-    },
-    PhotonFormat {
-        name: "local6x2-rgb8e5",
-        summary: "6 bits per radius, queries on quarter steps",
-        position_bits: 6,
-        query_extra_bits: 2,
-        radius_bits: 8,
-        power: RGB8E5,
-        exponent_range: EXPONENT_RANGE,
-        max_photons: MAX_PHOTONS,
-    },
-    PhotonFormat {
-        name: "local7x1-linear8",
-        summary: "7 bits per radius, queries on half steps, a block's exponent",
-        position_bits: 7,
-        query_extra_bits: 1,
-        radius_bits: 8,
-        power: linear(8),
-        exponent_range: EXPONENT_RANGE,
-        max_photons: MAX_PHOTONS,
-    },
-    PhotonFormat {
-        name: "local6x2-linear8",
-        summary: "6 bits per radius, queries on quarter steps, a block's exponent",
-        position_bits: 6,
-        query_extra_bits: 2,
-        radius_bits: 8,
-        power: linear(8),
-        exponent_range: EXPONENT_RANGE,
-        max_photons: MAX_PHOTONS,
-    },
-    PhotonFormat {
-        name: "local8x1-linear6",
-        summary: "8 bits per radius, queries on half steps, 6-bit power, a block's exponent",
-        position_bits: 8,
-        query_extra_bits: 1,
-        radius_bits: 9,
-        power: linear(6),
-        exponent_range: EXPONENT_RANGE,
-        max_photons: MAX_PHOTONS,
-    },
-    PhotonFormat {
-        name: "local7x1-linear6",
-        summary: "7 bits per radius, queries on half steps, 6-bit power, a block's exponent",
-        position_bits: 7,
-        query_extra_bits: 1,
-        radius_bits: 8,
-        power: linear(6),
-        exponent_range: EXPONENT_RANGE,
-        max_photons: MAX_PHOTONS,
-    },
-    PhotonFormat {
-        name: "local7x1-rgb6e5",
-        summary: "7 bits per radius, queries on half steps, 6-bit mantissas, 5-bit exponent",
-        position_bits: 7,
-        query_extra_bits: 1,
-        radius_bits: 8,
-        power: shared(6, 5),
-        exponent_range: EXPONENT_RANGE,
-        max_photons: MAX_PHOTONS,
-    },
-    PhotonFormat {
-        name: "local7x1-rgb5e5",
-        summary: "7 bits per radius, queries on half steps, 5-bit mantissas, 5-bit exponent",
-        position_bits: 7,
-        query_extra_bits: 1,
-        radius_bits: 8,
-        power: shared(5, 5),
-        exponent_range: EXPONENT_RANGE,
-        max_photons: MAX_PHOTONS,
-    },
-    PhotonFormat {
-        name: "local6x2-rgb6e5",
-        summary: "6 bits per radius, queries on quarter steps, 6-bit mantissas, 5-bit exponent",
-        position_bits: 6,
-        query_extra_bits: 2,
-        radius_bits: 8,
-        power: shared(6, 5),
-        exponent_range: EXPONENT_RANGE,
-        max_photons: MAX_PHOTONS,
-    },
+    row(8, 0, 8, own(5)),
+    row(8, 0, 8, own(8)),
+    row(8, 0, 9, own(5)),
+    row(4, 0, 8, own(5)),
+    row(6, 0, 8, own(5)),
+    row(7, 0, 8, own(5)),
+    row(10, 0, 8, own(5)),
+    row(12, 0, 8, own(5)),
+    row(8, 0, 8, BLOCK),
+    row(8, 0, 10, BLOCK),
+    row(8, 0, 12, BLOCK),
+    row(8, 0, 16, BLOCK),
+    row(7, 1, 8, own(5)),
+    row(6, 2, 8, own(5)),
+    row(7, 1, 6, own(5)),
+    row(7, 1, 5, own(5)),
+    row(6, 2, 6, own(5)),
+    row(7, 1, 8, BLOCK),
+    row(7, 1, 6, BLOCK),
+    row(6, 2, 8, BLOCK),
 ];
 
 /// No format has that name.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[error("there is no format `{found}`; the formats are {expected}")]
-pub struct UnknownFormat {
-    /// The name asked for.
-    pub found: String,
-    /// The names there are.
-    pub expected: String,
+pub enum UnknownFormat {
+    /// It is not how formats are named.
+    #[error(
+        "there is no format `{found}`; expected local P [x X] - (rgb | mono) M [e BITS | b BITS] [d] \
+         [-n PHOTONS] without spaces, such as {examples}"
+    )]
+    Name {
+        /// The name asked for.
+        found: String,
+        /// Some that there are.
+        examples: String,
+    },
+    /// It names a format outside what the rules allow.
+    #[error(transparent)]
+    Illegal(#[from] FormatError),
 }
 
-/// The format of that name.
+/// The format of that name: any legal one, listed or not.
 ///
 /// # Errors
-/// No format has that name; the error lists those there are.
-pub fn find_photon_format(name: &str) -> Result<&'static PhotonFormat, UnknownFormat> {
-    let found = PHOTON_FORMATS.iter().find(|format| format.name == name);
-    found.ok_or_else(|| UnknownFormat {
+/// A name that is not one of a format, or one with a field outside its range.
+pub fn find_photon_format(name: &str) -> Result<PhotonFormat, UnknownFormat> {
+    let format = parse(name).ok_or_else(|| UnknownFormat::Name {
         found: name.to_owned(),
-        expected: PHOTON_FORMATS
+        examples: PHOTON_FORMATS[..3]
             .iter()
-            .map(|format| format.name)
+            .map(PhotonFormat::name)
             .collect::<Vec<_>>()
             .join(", "),
+    })?;
+    format.check()?;
+    Ok(format)
+}
+
+fn parse(name: &str) -> Option<PhotonFormat> {
+    let rest = name.strip_prefix("local")?;
+    let (position, rest) = rest.split_once('-')?;
+    let (power, max_photons) = match rest.split_once("-n") {
+        Some((power, count)) => (power, number(count)?),
+        None => (rest, PhotonFormat::DEFAULT_MAX_PHOTONS),
+    };
+    let (position_bits, query_extra_bits) = match position.split_once('x') {
+        Some((position, extra)) => (number(position)?, number(extra)?),
+        None => (number(position)?, 0),
+    };
+    let format = PhotonFormat {
+        position_bits,
+        query_extra_bits,
+        power: parse_power(power)?,
+        max_photons,
+    };
+    // One name for each format: `local08x0-rgb8e0` is none.
+    (format.name() == name).then_some(format)
+}
+
+fn parse_power(text: &str) -> Option<PowerFormat> {
+    let (text, rounding) = match text.strip_suffix('d') {
+        Some(rest) => (rest, Rounding::Dithered),
+        None => (text, Rounding::Nearest),
+    };
+    let (channels, text) = match text.strip_prefix("rgb") {
+        Some(rest) => (Channels::Rgb, rest),
+        None => (Channels::Mono, text.strip_prefix("mono")?),
+    };
+    let (mantissa, exponent) = if let Some((mantissa, bits)) = text.split_once('e') {
+        (
+            mantissa,
+            Exponent::Photon {
+                bits: number(bits)?,
+            },
+        )
+    } else if let Some((mantissa, bits)) = text.split_once('b') {
+        (
+            mantissa,
+            Exponent::Block {
+                bits: number(bits)?,
+            },
+        )
+    } else {
+        (text, Exponent::None)
+    };
+    Some(PowerFormat {
+        channels,
+        mantissa_bits: number(mantissa)?,
+        exponent,
+        rounding,
     })
+}
+
+fn number<T: std::str::FromStr>(text: &str) -> Option<T> {
+    text.parse().ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_name_says_all_of_a_format() {
+        let format = find_photon_format("local6x2-mono5b3d-n4096").unwrap();
+        let expected = PhotonFormat {
+            position_bits: 6,
+            query_extra_bits: 2,
+            power: PowerFormat {
+                channels: Channels::Mono,
+                mantissa_bits: 5,
+                exponent: Exponent::Block { bits: 3 },
+                rounding: Rounding::Dithered,
+            },
+            max_photons: 4096,
+        };
+        assert_eq!(format, expected);
+        assert_eq!(format.name(), "local6x2-mono5b3d-n4096");
+        assert_eq!(
+            format.summary(),
+            "6 bits per radius, queries on quarter steps, one channel of 5 bits, a block's exponent, dithered"
+        );
+    }
+
+    #[test]
+    fn a_name_that_says_nothing_is_refused_with_what_one_is() {
+        for name in [
+            "",
+            "local",
+            "local8",
+            "rgb8",
+            "local8-rgb",
+            "local8-cmyk8",
+            "local08-rgb8",
+            "local8x0-rgb8",
+            "local8-rgb8-n1048576",
+        ] {
+            let message = find_photon_format(name).unwrap_err().to_string();
+            assert!(
+                message.contains(&format!("`{name}`")) && message.contains("local8-rgb8e5, "),
+                "{message}"
+            );
+        }
+        let message = find_photon_format("local3-rgb8e5").unwrap_err().to_string();
+        assert!(
+            message.ends_with("position_bits is 3, expected 4 to 12"),
+            "{message}"
+        );
+        let message = find_photon_format("local8-rgb8e0").unwrap_err().to_string();
+        assert!(
+            message.ends_with("exponent_bits is 0, expected 1 to 8"),
+            "{message}"
+        );
+    }
+
+    #[test]
+    fn no_format_is_listed_twice() {
+        for (index, format) in PHOTON_FORMATS.iter().enumerate() {
+            assert!(!PHOTON_FORMATS[..index].contains(format), "{format}");
+        }
+    }
 }

@@ -1,6 +1,6 @@
 //! The words of a photon format: a stored photon, a block of them, a query, its sums.
 //!
-//! A record packed into bits holds, from bit 0 up: position x, y, z; mantissa red, green, blue;
+//! A record packed into bits holds, from bit 0 up: position x, y, z; a mantissa for each channel;
 //! the exponent, if the format has one there.
 
 /// A stored photon.
@@ -8,7 +8,7 @@
 pub struct PhotonRecord {
     /// The cell of its block that contains it, on x, y, z.
     pub position: [u16; 3],
-    /// Red, green, blue.
+    /// Red, green, blue; of one channel the first, and the others are 0.
     pub mantissa: [u16; 3],
     /// Its own exponent; 0 where the block has it.
     pub exponent: u8,
@@ -35,7 +35,7 @@ pub struct LocalQuery {
 /// The sums of a query over the photons in range.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
 pub struct LocalSums {
-    /// Power in red, green, blue, in the map's units.
+    /// Power in red, green, blue, in the map's units; of one channel the first.
     pub power: [u128; 3],
     /// Photons in range.
     pub count: u64,

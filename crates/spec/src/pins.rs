@@ -5,7 +5,6 @@
 //! compares the same things, and a mismatch has a name.
 
 use crate::format::{Widths, bits_for};
-use crate::hypercube::{Channel, Role};
 use crate::machine::Machine;
 use crate::register::{REGISTERS, Register};
 use crate::stream::{Group, Inputs, Lane, Outputs, Photon, Query, Sums};
@@ -42,7 +41,8 @@ pub enum SignalPlace {
 pub const CONTROL_REGISTERS: [&str; 3] = ["address", "last", "done"];
 
 const PHOTON_COORDINATES: [&str; 3] = ["x", "y", "z"];
-const RESULT_CHANNELS: [Channel; 4] = [Channel::Red, Channel::Green, Channel::Blue, Channel::Count];
+/// The name of the sum that counts the photons in range.
+const COUNT: &str = "count";
 
 /// All signals of a machine, in order.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -59,7 +59,7 @@ impl Pins {
     /// The signals of a machine.
     pub fn of(machine: &Machine) -> Self {
         let widths = Widths::of(machine);
-        let mut observed = output_pins(&widths);
+        let mut observed = output_pins(machine, &widths);
         let outputs = observed.len();
         observed.extend(control_pins(machine));
         observed.extend(cell_pins(machine, &widths));
@@ -71,7 +71,8 @@ impl Pins {
     }
 
     /// Puts one clock's inputs into a row of [`Self::inputs`].
-    pub fn input_row(inputs: &Inputs) -> Vec<u64> {
+    pub fn input_row(machine: &Machine, inputs: &Inputs) -> Vec<u64> {
+        let shape = PhotonPins::of(machine);
         let mut row = vec![
             u64::from(inputs.reset),
             u64::from(inputs.query_valid),
@@ -85,17 +86,27 @@ impl Pins {
         for lane in &inputs.group.lanes {
             row.push(u64::from(lane.present));
             row.extend(lane.photon.position.map(u64::from));
-            row.extend(lane.photon.power.map(u64::from));
+            row.extend(
+                lane.photon.power[..shape.channels]
+                    .iter()
+                    .map(|&p| u64::from(p)),
+            );
+            row.extend(
+                shape
+                    .has_exponent
+                    .then_some(u64::from(lane.photon.exponent)),
+            );
         }
         row.push(u64::from(inputs.result_ready));
         row
     }
 
-    /// Reads a row of [`Self::inputs`] back. `lanes` is [`Machine::photons_per_iteration`].
+    /// Reads a row of [`Self::inputs`] back.
     ///
     /// # Panics
     /// Where the row is not of that length.
-    pub fn inputs_of(row: &[u64], lanes: usize) -> Inputs {
+    pub fn inputs_of(machine: &Machine, row: &[u64]) -> Inputs {
+        let shape = PhotonPins::of(machine);
         let mut values = row.iter().copied();
         let mut next = || values.next().expect("a row has a value for each pin");
         let reset = next() != 0;
@@ -106,14 +117,22 @@ impl Pins {
         };
         let group_valid = next() != 0;
         let last = next() != 0;
-        let lanes = (0..lanes)
-            .map(|_| Lane {
-                present: next() != 0,
-                photon: Photon {
-                    position: [next() as u32, next() as u32, next() as u32],
-                    power: [next() as u32, next() as u32, next() as u32],
-                },
-            })
+        let mut lane = || {
+            let present = next() != 0;
+            let mut photon = Photon {
+                position: [next() as u32, next() as u32, next() as u32],
+                ..Photon::default()
+            };
+            for power in &mut photon.power[..shape.channels] {
+                *power = next() as u32;
+            }
+            if shape.has_exponent {
+                photon.exponent = next() as u32;
+            }
+            Lane { present, photon }
+        };
+        let lanes = (0..machine.photons_per_iteration())
+            .map(|_| lane())
             .collect();
         Inputs {
             reset,
@@ -126,29 +145,50 @@ impl Pins {
     }
 
     /// Puts one clock's outputs into the first values of a row of [`Self::observed`].
-    pub fn output_row(outputs: &Outputs) -> [u64; 7] {
-        let [red, green, blue] = outputs.result.power;
-        [
+    pub fn output_row(machine: &Machine, outputs: &Outputs) -> Vec<u64> {
+        let mut row = vec![
             u64::from(outputs.query_ready),
             u64::from(outputs.group_ready),
             u64::from(outputs.result_valid),
-            red,
-            green,
-            blue,
-            outputs.result.count,
-        ]
+        ];
+        row.extend(&outputs.result.power[..PhotonPins::of(machine).channels]);
+        row.push(outputs.result.count);
+        row
     }
 
     /// Reads the output pins of a row of [`Self::observed`] back.
-    pub fn outputs_of(row: &[u64]) -> Outputs {
+    ///
+    /// # Panics
+    /// Where the row is shorter than they are.
+    pub fn outputs_of(machine: &Machine, row: &[u64]) -> Outputs {
+        let (ready, sums) = row.split_at(3);
+        let channels = PhotonPins::of(machine).channels;
+        let mut power = [0; 3];
+        power[..channels].copy_from_slice(&sums[..channels]);
         Outputs {
-            query_ready: row[0] != 0,
-            group_ready: row[1] != 0,
-            result_valid: row[2] != 0,
+            query_ready: ready[0] != 0,
+            group_ready: ready[1] != 0,
+            result_valid: ready[2] != 0,
             result: Sums {
-                power: [row[3], row[4], row[5]],
-                count: row[6],
+                power,
+                count: sums[channels],
             },
+        }
+    }
+}
+
+/// Which words a photon has on a machine's pins.
+#[derive(Copy, Clone)]
+struct PhotonPins {
+    channels: usize,
+    has_exponent: bool,
+}
+
+impl PhotonPins {
+    fn of(machine: &Machine) -> Self {
+        Self {
+            channels: machine.channels().names().len(),
+            has_exponent: Widths::of(machine).exponent > 0,
         }
     }
 }
@@ -166,34 +206,33 @@ fn input_pins(machine: &Machine, widths: &Widths) -> Vec<Pin> {
     for coordinate in PHOTON_COORDINATES {
         pins.push(top(format!("query_{coordinate}"), widths.coordinate));
     }
-    pins.push(top("query_radius_sq", widths.distance));
+    pins.push(top("query_radius_sq", widths.radius_sq));
     pins.push(top("group_valid", 1));
     pins.push(top("group_last", 1));
     for lane in 0..machine.photons_per_iteration() {
         pins.push(top(format!("photon_present_{lane}"), 1));
         for coordinate in PHOTON_COORDINATES {
-            pins.push(top(
-                format!("photon_{coordinate}_{lane}"),
-                widths.coordinate,
-            ));
+            pins.push(top(format!("photon_{coordinate}_{lane}"), widths.photon));
         }
-        for channel in Role::ALL.iter().filter(|role| role.coordinate().is_some()) {
-            let name = channel.channel().name();
-            pins.push(top(format!("photon_{name}_{lane}"), widths.power));
+        for channel in machine.channels().names() {
+            pins.push(top(format!("photon_{channel}_{lane}"), widths.mantissa));
+        }
+        if widths.exponent > 0 {
+            pins.push(top(format!("photon_exponent_{lane}"), widths.exponent));
         }
     }
     pins.push(top("result_ready", 1));
     pins
 }
 
-fn output_pins(widths: &Widths) -> Vec<Pin> {
+fn output_pins(machine: &Machine, widths: &Widths) -> Vec<Pin> {
     let mut pins = vec![
         top("query_ready", 1),
         top("group_ready", 1),
         top("result_valid", 1),
     ];
-    for channel in RESULT_CHANNELS {
-        pins.push(top(format!("result_{}", channel.name()), widths.sum));
+    for sum in machine.channels().names().iter().chain([&COUNT]) {
+        pins.push(top(format!("result_{sum}"), widths.sum));
     }
     pins
 }
@@ -238,46 +277,53 @@ mod tests {
     fn rows_have_a_value_for_each_pin_and_are_read_back() {
         for machine in MACHINES {
             let pins = Pins::of(machine);
-            let lanes = machine.photons_per_iteration();
+            let shape = PhotonPins::of(machine);
             let mut values = 1..;
             let mut next = || values.next().unwrap_or(0);
+            let mut lane = |index| Lane {
+                present: index != 1,
+                photon: Photon {
+                    position: [next(), next(), next()],
+                    power: [0, 1, 2]
+                        .map(|channel| if channel < shape.channels { next() } else { 0 }),
+                    exponent: if shape.has_exponent { next() } else { 0 },
+                },
+            };
             let inputs = Inputs {
                 reset: true,
                 query_valid: false,
                 query: Query {
-                    position: [next(), next(), next()],
-                    radius_sq: next(),
+                    position: [101, 102, 103],
+                    radius_sq: 104,
                 },
                 group_valid: true,
                 group: Group {
-                    lanes: (0..lanes)
-                        .map(|lane| Lane {
-                            present: lane != 1,
-                            photon: Photon {
-                                position: [next(), next(), next()],
-                                power: [next(), next(), next()],
-                            },
-                        })
+                    lanes: (0..machine.photons_per_iteration())
+                        .map(&mut lane)
                         .collect(),
                     last: true,
                 },
                 result_ready: true,
             };
-            let row = Pins::input_row(&inputs);
+            let row = Pins::input_row(machine, &inputs);
             assert_eq!(row.len(), pins.inputs.len());
-            assert_eq!(Pins::inputs_of(&row, lanes), inputs);
+            assert_eq!(Pins::inputs_of(machine, &row), inputs);
+            let power = [1, 2, 3].map(|value| {
+                if value <= shape.channels as u64 {
+                    value
+                } else {
+                    0
+                }
+            });
             let outputs = Outputs {
                 query_ready: true,
                 group_ready: false,
                 result_valid: true,
-                result: Sums {
-                    power: [1, 2, 3],
-                    count: 4,
-                },
+                result: Sums { power, count: 4 },
             };
-            let row = Pins::output_row(&outputs);
+            let row = Pins::output_row(machine, &outputs);
             assert_eq!(row.len(), pins.outputs);
-            assert_eq!(Pins::outputs_of(&row), outputs);
+            assert_eq!(Pins::outputs_of(machine, &row), outputs);
         }
     }
 

@@ -44,13 +44,13 @@ pub const REGISTERS: &[RegisterRow] = &[
         register: Register::RadiusSq,
         mnemonic: "r",
         name: "radius_sq",
-        width: |w| w.distance,
+        width: |w| w.radius_sq,
     },
     RegisterRow {
         register: Register::Photon,
         mnemonic: "p",
         name: "photon",
-        width: |w| w.coordinate,
+        width: |w| w.photon,
     },
     RegisterRow {
         register: Register::Power,

@@ -3,9 +3,9 @@
 /// A query point: where an estimate is made.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Query {
-    /// Its coordinates x, y, z in steps of the frame, `coordinate_bits` wide.
+    /// Its coordinates x, y, z in steps of the frame, [`crate::Widths::coordinate`] wide.
     pub position: [u32; 3],
-    /// The squared search radius in square steps, [`crate::Widths::distance`] wide. A photon with
+    /// The squared search radius in square steps, [`crate::Widths::radius_sq`] wide. A photon with
     /// `d^2 <= radius_sq` is in range.
     pub radius_sq: u32,
 }
@@ -13,10 +13,14 @@ pub struct Query {
 /// A photon as the machine sees it.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Photon {
-    /// Its coordinates x, y, z in steps of the frame, `coordinate_bits` wide.
+    /// Its coordinates x, y, z in its own steps of the frame, [`crate::Widths::photon`] wide.
     pub position: [u32; 3],
-    /// Its power in red, green, blue, `power_bits` wide.
+    /// Its power in red, green, blue, [`crate::Widths::mantissa`] wide; of one channel the first,
+    /// and the others are 0.
     pub power: [u32; 3],
+    /// The exponent of all its powers, [`crate::Widths::exponent`] wide; 0 where the machine has
+    /// none.
+    pub exponent: u32,
 }
 
 /// One quad's part of a group.
@@ -40,7 +44,7 @@ pub struct Group {
 /// The sums of a query over the photons in range.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Sums {
-    /// Power in red, green, blue, in power steps.
+    /// Power in red, green, blue, in power steps; of one channel the first, and the others are 0.
     pub power: [u64; 3],
     /// Photons in range.
     pub count: u64,
