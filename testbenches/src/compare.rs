@@ -237,9 +237,8 @@ impl<'a> Comparer<'a> {
             registers[column.expect("every register is observed")]
         };
         let [address, last, done] = [0, 1, 2].map(|index| value(SignalPlace::Control(index)));
-        let lanes = self.machine.photons_per_iteration();
         let step = self.steps[address as usize];
-        let activity = activity(step, done != 0, &Pins::inputs_of(inputs, lanes));
+        let activity = activity(step, done != 0, &Pins::inputs_of(self.machine, inputs));
         let mut operands = Vec::new();
         let mut add = |name: &str, value| operands.push((name.to_owned(), value));
         let SignalPlace::Cell { node, .. } = place else {

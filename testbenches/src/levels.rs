@@ -5,7 +5,7 @@
 //! difference here names the part.
 
 use photoncube_hdl::{Level, level_pins};
-use photoncube_model::{CellInputs, CellState};
+use photoncube_model::{CellInputs, CellRules, CellState};
 use photoncube_spec::{Field, Machine, OPS, Op, Pin, Pins, Step, Widths, encode};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
@@ -15,6 +15,9 @@ use crate::compare::{Activity, Actual, Divergence};
 use crate::device::{Device, DeviceKind, Observed, hdl_error};
 use crate::stimulus::corner;
 use crate::verify::{VerifyError, nothing_compared, wrong_count};
+
+/// Coordinates of up to so many bits are squared in all their pairs.
+const EXHAUSTIVE_BITS: u32 = 8;
 
 /// What was compared of a part and found equal.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -129,7 +132,8 @@ impl Trace {
     }
 
     fn add(&mut self, machine: &Machine, vectors: usize, rng: &mut Pcg64) {
-        let widths = Widths::of(machine);
+        let rules = CellRules::of(machine);
+        let widths = rules.widths();
         let all = u64::MAX >> (u64::BITS - widths.sum);
         for _ in 0..vectors {
             let a = corner(rng, widths.sum);
@@ -141,29 +145,31 @@ impl Trace {
             };
             let mut cell = CellState {
                 sum: a,
-                work: u32::try_from(b).expect("no machine's sum is wider than 32 bits yet"),
+                work: b,
                 ..CellState::default()
             };
-            cell.execute(Op::Accumulate, &CellInputs::default(), &widths);
+            cell.execute(Op::Accumulate, &CellInputs::default(), &rules);
             let operands = |name: &str| if name == "a" { a } else { b };
             self.push(Step::new(Op::Accumulate), operands, &[cell.sum]);
         }
     }
 
     fn square(&mut self, machine: &Machine, vectors: usize, rng: &mut Pcg64) {
-        let widths = Widths::of(machine);
-        let largest = u32::MAX >> (u32::BITS - widths.coordinate);
-        let mut pairs: Vec<(u32, u32)> = if widths.coordinate <= 8 {
-            (0..=largest)
-                .flat_map(|a| (0..=largest).map(move |b| (a, b)))
-                .collect()
+        let rules = CellRules::of(machine);
+        let widths = rules.widths();
+        let queries = 0..=u32::MAX >> (u32::BITS - widths.coordinate);
+        let photons = 0..=u32::MAX >> (u32::BITS - widths.photon);
+        let mut pairs: Vec<(u32, u32)> = if widths.coordinate <= EXHAUSTIVE_BITS {
+            let all = |a| photons.clone().map(move |b| (a, b));
+            queries.flat_map(all).collect()
         } else {
             // Every difference, both ways.
-            (0..=largest).flat_map(|d| [(d, 0), (0, d)]).collect()
+            let from = queries.map(|d| (d, 0));
+            from.chain(photons.map(|d| (0, d))).collect()
         };
         while pairs.len() < vectors {
-            let mut any = || corner(rng, widths.coordinate) as u32;
-            pairs.push((any(), any()));
+            let mut any = |bits| corner(rng, bits) as u32;
+            pairs.push((any(widths.coordinate), any(widths.photon)));
         }
         for (a, b) in pairs {
             let mut cell = CellState {
@@ -171,45 +177,47 @@ impl Trace {
                 photon: b,
                 ..CellState::default()
             };
-            cell.execute(Op::SquareDifference, &CellInputs::default(), &widths);
+            cell.execute(Op::SquareDifference, &CellInputs::default(), &rules);
             let operands = |name: &str| u64::from(if name == "a" { a } else { b });
             let step = Step::new(Op::SquareDifference);
-            self.push(step, operands, &[u64::from(cell.work)]);
+            self.push(step, operands, &[cell.work]);
         }
     }
 
     fn gate(&mut self, machine: &Machine, vectors: usize, rng: &mut Pcg64) {
-        let widths = Widths::of(machine);
-        let largest = u32::MAX >> (u32::BITS - widths.distance);
+        let rules = CellRules::of(machine);
+        let widths = rules.widths();
+        let largest = u32::MAX >> (u32::BITS - widths.radius_sq);
         for _ in 0..vectors {
-            let radius_sq = corner(rng, widths.distance) as u32;
+            let radius_sq = corner(rng, widths.radius_sq) as u32;
             let work = match rng.random_range(0..6) {
-                0 | 1 => radius_sq,
-                2 => radius_sq.saturating_sub(1),
-                3 => radius_sq.saturating_add(1).min(largest),
-                _ => corner(rng, widths.work) as u32,
+                0 | 1 => u64::from(radius_sq),
+                2 => u64::from(radius_sq.saturating_sub(1)),
+                3 => u64::from(radius_sq.saturating_add(1).min(largest)),
+                _ => corner(rng, widths.work),
             };
             let mut cell = CellState {
                 radius_sq,
                 work,
-                power: corner(rng, widths.power) as u32,
+                power: corner(rng, widths.power),
                 ..CellState::default()
             };
             let power = cell.power;
-            cell.execute(Op::Gate, &CellInputs::default(), &widths);
+            cell.execute(Op::Gate, &CellInputs::default(), &rules);
             let operands = |name: &str| match name {
-                "a" => u64::from(work),
+                "a" => work,
                 "b" => u64::from(radius_sq),
-                _ => u64::from(power),
+                _ => power,
             };
-            self.push(Step::new(Op::Gate), operands, &[u64::from(cell.work)]);
+            self.push(Step::new(Op::Gate), operands, &[cell.work]);
         }
     }
 
     /// A cell under a program of random steps; the link is 0 where a step names no axis, as the
     /// network makes it.
     fn cell(&mut self, machine: &Machine, vectors: usize, rng: &mut Pcg64) {
-        let widths = Widths::of(machine);
+        let rules = CellRules::of(machine);
+        let widths = rules.widths();
         let dimension = machine.dimension;
         let axes: Vec<_> = machine.hypercube().axes().collect();
         let mut cell = CellState::default();
@@ -217,11 +225,11 @@ impl Trace {
             let row = &OPS[rng.random_range(0..OPS.len())];
             let axis = row.uses_link.then(|| axes[rng.random_range(0..axes.len())]);
             let step = Step { op: row.op, axis };
-            let mut any = |bits| corner(rng, bits) as u32;
+            let mut any = |bits| corner(rng, bits);
             let inputs = CellInputs {
-                query: any(widths.coordinate),
-                radius_sq: any(widths.distance),
-                photon: any(widths.coordinate),
+                query: any(widths.coordinate) as u32,
+                radius_sq: any(widths.radius_sq) as u32,
+                photon: any(widths.photon) as u32,
                 present: any(2) != 0,
                 power: any(widths.power),
                 link: axis.map_or(0, |_| any(widths.work)),
@@ -232,14 +240,14 @@ impl Trace {
                 "radius_sq_in" => u64::from(inputs.radius_sq),
                 "photon_in" => u64::from(inputs.photon),
                 "present_in" => u64::from(inputs.present),
-                "power_in" => u64::from(inputs.power),
-                "link_in" => u64::from(inputs.link),
+                "power_in" => inputs.power,
+                "link_in" => inputs.link,
                 field => u64::from(field_named(field).of(word, dimension)),
             };
-            let mut expected = vec![u64::from(cell.work), cell.sum];
+            let mut expected = vec![cell.work, cell.sum];
             expected.extend(cell.registers());
             self.push(step, fields, &expected);
-            cell.execute(step.op, &inputs, &widths);
+            cell.execute(step.op, &inputs, &rules);
         }
     }
 

@@ -170,7 +170,7 @@ Examples:
   photoncube render cornell -o box.png
   photoncube render cornell -o reference.png --engine f64 --photons 4000000
   photoncube render cornell -o small.png --size 128x128 --machine paper-12
-  photoncube render range -o range.png --engine format --format local8-rgbe8")]
+  photoncube render range -o range.png --engine format --format local8-rgb8e5")]
 pub struct RenderArgs {
     /// A built-in scene (see `photoncube list`) or a scene file
     pub scene: String,
@@ -181,7 +181,7 @@ pub struct RenderArgs {
     #[arg(long, value_enum, default_value_t = EngineName::Model)]
     pub engine: EngineName,
     /// The photon format (see `photoncube list`) of the engine `format`
-    #[arg(long, default_value = PHOTON_FORMATS[0].name, value_name = "F")]
+    #[arg(long, default_value_t = PHOTON_FORMATS[0].name(), value_name = "F")]
     pub format: String,
     #[command(flatten)]
     pub machine: MachineArgs,

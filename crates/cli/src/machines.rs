@@ -2,7 +2,7 @@
 
 use anyhow::{Result, bail};
 use clap::Args;
-use photoncube_spec::{MACHINES, Machine, find_machine};
+use photoncube_spec::{MACHINES, Machine, Widths, find_machine};
 
 /// Which machine.
 #[derive(Args, Clone, Debug)]
@@ -22,36 +22,35 @@ impl MachineArgs {
     /// The machine asked for.
     pub fn find(&self) -> Result<&'static Machine> {
         let named = find_machine(&self.machine)?;
-        let wanted = Machine {
-            coordinate_bits: self.coordinate_bits.unwrap_or(named.coordinate_bits),
-            dimension: self.dimension.unwrap_or(named.dimension),
-            ..*named
-        };
+        let coordinate_bits = self.coordinate_bits.unwrap_or_else(|| bits(named));
+        let dimension = self.dimension.unwrap_or(named.dimension);
+        if (coordinate_bits, dimension) == (bits(named), named.dimension) {
+            return Ok(named);
+        }
         let is_wanted = |machine: &&Machine| {
-            let renamed = Machine {
-                name: wanted.name,
-                summary: wanted.summary,
-                ..**machine
-            };
-            renamed == wanted
+            machine.plain().is_some()
+                && named.plain().is_some()
+                && machine.squarer == named.squarer
+                && (bits(machine), machine.dimension) == (coordinate_bits, dimension)
         };
         match MACHINES.iter().find(is_wanted) {
             Some(machine) => Ok(machine),
             None => bail!(
-                "machine `{}` with {}-bit coordinates on a {}-D hypercube is not built in; \
-                 built in are {}",
+                "machine `{}` with {coordinate_bits}-bit coordinates on a {dimension}-D hypercube \
+                 is not built in; built in are {}",
                 named.name,
-                wanted.coordinate_bits,
-                wanted.dimension,
                 built_in()
             ),
         }
     }
 }
 
+fn bits(machine: &Machine) -> u32 {
+    Widths::of(machine).coordinate
+}
+
 fn built_in() -> String {
-    let describe =
-        |m: &Machine| format!("{} ({} bits, {}-D)", m.name, m.coordinate_bits, m.dimension);
+    let describe = |m: &Machine| format!("{} ({} bits, {}-D)", m.name, bits(m), m.dimension);
     MACHINES.iter().map(describe).collect::<Vec<_>>().join(", ")
 }
 
@@ -83,6 +82,7 @@ mod tests {
             "{error}"
         );
         assert!(find("paper-dsp", Some(12), None).is_err());
+        assert!(find("local", Some(8), None).is_err());
         assert!(find("pentium", None, None).is_err());
     }
 }

@@ -244,10 +244,10 @@ fn report_measures_every_format_and_machine() {
     let listed = ["formats", "machines"].map(|key| list[key].as_array().unwrap().len());
     assert_eq!(rows.len(), listed[0] + listed[1]);
     let row = |name: &str| rows.iter().find(|row| row["name"] == name).unwrap();
-    assert!(row("local8-rgbe8")["bits_per_photon"].as_u64().unwrap() <= 56);
+    assert!(row("local8-rgb8e5")["bits_per_photon"].as_u64().unwrap() <= 56);
     assert_eq!(row("paper")["initiation_interval"], 9);
     let error = |name| row(name)["error_over_noise"].as_f64().unwrap();
-    assert!(error("local4-rgbe8") > error("local8-rgbe8"));
+    assert!(error("local4-rgb8e5") > error("local8-rgb8e5"));
     assert!(rows.iter().any(|row| row["on_bits_front"] == true));
     for name in [
         "report-cornell-speed.svg",
@@ -255,7 +255,7 @@ fn report_measures_every_format_and_machine() {
         "report-cornell.json",
     ] {
         let text = fs::read_to_string(folder.path().join(name)).unwrap();
-        assert!(text.contains("local8-rgbe8"), "{name}");
+        assert!(text.contains("local8-rgb8e5"), "{name}");
     }
 }
 

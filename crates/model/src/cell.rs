@@ -1,6 +1,8 @@
 //! One cell: its registers and what an op does to them.
+//!
+//! Distances are never wrapped: the work register holds the sum of three squares.
 
-use photoncube_spec::{Op, Widths};
+use photoncube_spec::{Machine, Numbers, Op, Widths};
 
 /// The registers of one cell.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
@@ -12,9 +14,9 @@ pub struct CellState {
     /// `p`: the photon's coordinate.
     pub photon: u32,
     /// `w`: the photon's power in the cell's channel.
-    pub power: u32,
+    pub power: u64,
     /// `v`: square, distance, gated power.
-    pub work: u32,
+    pub work: u64,
     /// `s`: the sum of the query.
     pub sum: u64,
 }
@@ -30,15 +32,83 @@ pub struct CellInputs {
     pub photon: u32,
     /// Whether the lane holds a photon.
     pub present: bool,
-    /// The photon's power in the cell's channel.
-    pub power: u32,
+    /// The photon's decoded power in the cell's channel.
+    pub power: u64,
     /// The work register of the neighbour on the selected axis; 0 if none is selected.
-    pub link: u32,
+    pub link: u64,
+}
+
+/// How a machine's cells compute.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub struct CellRules {
+    widths: Widths,
+    square: SquareRule,
+}
+
+/// What a cell squares; see [`photoncube_spec::PhotonFormat`], "Distance".
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+enum SquareRule {
+    /// The plain difference.
+    Plain,
+    /// |A-B|, clamped.
+    Clamped { largest: u32 },
+    /// Half squares: a photon stands on the fine grid line `(index << shift) + middle`.
+    HalfSteps {
+        largest: u32,
+        shift: u32,
+        middle: u32,
+    },
+}
+
+impl CellRules {
+    /// The rules of a machine.
+    pub fn of(machine: &Machine) -> Self {
+        let widths = Widths::of(machine);
+        let largest = u32::MAX >> (u32::BITS - widths.difference);
+        let square = match &machine.numbers {
+            Numbers::Plain(_) => SquareRule::Plain,
+            Numbers::Local(format) if format.half_steps() => SquareRule::HalfSteps {
+                largest,
+                shift: format.query_extra_bits,
+                middle: 1 << (format.query_extra_bits - 1),
+            },
+            Numbers::Local(_) => SquareRule::Clamped { largest },
+        };
+        Self { widths, square }
+    }
+
+    /// The widths of the cell's registers.
+    pub fn widths(&self) -> &Widths {
+        &self.widths
+    }
+}
+
+impl SquareRule {
+    fn apply(self, query: u32, photon: u32) -> u64 {
+        match self {
+            Self::Plain => u64::from(query.abs_diff(photon)).pow(2),
+            Self::Clamped { largest } => u64::from(query.abs_diff(photon).min(largest)).pow(2),
+            Self::HalfSteps {
+                largest,
+                shift,
+                middle,
+            } => {
+                let line = (photon << shift) + middle;
+                // A query stands half a step above its index: below the line, that half is lost.
+                let steps = match query.checked_sub(line) {
+                    Some(steps) => steps,
+                    None => line - query - 1,
+                };
+                let m = u64::from(steps.min(largest));
+                m * (m + 1)
+            }
+        }
+    }
 }
 
 impl CellState {
     /// Does one op; the rows of [`photoncube_spec::OPS`] in plain integers.
-    pub fn execute(&mut self, op: Op, inputs: &CellInputs, widths: &Widths) {
+    pub fn execute(&mut self, op: Op, inputs: &CellInputs, rules: &CellRules) {
         match op {
             Op::Nop => {}
             Op::LoadQuery => {
@@ -48,18 +118,20 @@ impl CellState {
             }
             Op::LoadPhoton => self.photon = inputs.photon,
             Op::LoadPower => self.power = if inputs.present { inputs.power } else { 0 },
-            Op::SquareDifference => self.work = self.query.abs_diff(self.photon).pow(2),
+            Op::SquareDifference => {
+                self.work = rules.square.apply(self.query, self.photon);
+            }
             Op::ExchangeAdd => {
-                let mask = u32::MAX >> (u32::BITS - widths.work);
+                let mask = u64::MAX >> (u64::BITS - rules.widths.work);
                 self.work = self.work.wrapping_add(inputs.link) & mask;
             }
             Op::Gate => {
-                let out_of_range = self.work > self.radius_sq;
+                let out_of_range = self.work > u64::from(self.radius_sq);
                 self.work = if out_of_range { 0 } else { self.power };
             }
             Op::Accumulate => {
-                let mask = u64::MAX >> (u64::BITS - widths.sum);
-                self.sum = self.sum.wrapping_add(u64::from(self.work)) & mask;
+                let mask = u64::MAX >> (u64::BITS - rules.widths.sum);
+                self.sum = self.sum.wrapping_add(self.work) & mask;
             }
         }
     }
@@ -70,8 +142,8 @@ impl CellState {
             u64::from(self.query),
             u64::from(self.radius_sq),
             u64::from(self.photon),
-            u64::from(self.power),
-            u64::from(self.work),
+            self.power,
+            self.work,
             self.sum,
         ]
     }

@@ -26,7 +26,8 @@ pub enum GatherError {
 
 /// Sums the power and the number of the photons with `d^2 <= radius_sq`; exact.
 ///
-/// Eq. 2 of Ryu, Kim, Lee, without its constant factor `1 / (pi r^2)`.
+/// Eq. 2 of Ryu, Kim, Lee, without its constant factor `1 / (pi r^2)`. In a photon format on half
+/// steps, `radius_sq` bounds the sum of half squares, see [`photoncube_spec::PhotonFormat`].
 ///
 /// # Errors
 /// A value that the machine's formats cannot hold, or more photons than its sums are sized for.
@@ -37,20 +38,21 @@ pub fn gather(
 ) -> Result<Sums, GatherError> {
     let limits = Limits::of(machine);
     limits.check_query(query)?;
+    let grid = Grid::of(machine);
     let mut sums = Sums::default();
     let mut given = 0;
     for photon in photons {
         limits.check_photon(&photon)?;
         given += 1;
-        if given > machine.max_photons {
+        if given > machine.max_photons() {
             return Err(GatherError::TooManyPhotons {
-                max_photons: machine.max_photons,
+                max_photons: machine.max_photons(),
                 machine: machine.name,
             });
         }
-        if distance_sq(query.position, photon.position) <= u64::from(query.radius_sq) {
+        if grid.in_range(query, photon.position) {
             for (sum, power) in sums.power.iter_mut().zip(photon.power) {
-                *sum += u64::from(power);
+                *sum += u64::from(power) << photon.exponent;
             }
             sums.count += 1;
         }
@@ -58,11 +60,38 @@ pub fn gather(
     Ok(sums)
 }
 
-fn distance_sq(a: [u32; 3], b: [u32; 3]) -> u64 {
-    a.into_iter()
-        .zip(b)
-        .map(|(a, b)| u64::from(a.abs_diff(b)).pow(2))
-        .sum()
+/// Where indices lie, in half fine steps, so that middles of cells are integers too. It is the
+/// plain geometry: no clamp and no half squares, to which it must come to the same.
+#[derive(Copy, Clone)]
+struct Grid {
+    /// Further fraction bits of a query.
+    extra: u32,
+    /// What (2 d)^2 exceeds 4 `radius_sq` by at the boundary: 1/4 on each axis on half steps, where
+    /// `radius_sq` bounds a sum of half squares.
+    margin: u64,
+}
+
+impl Grid {
+    fn of(machine: &Machine) -> Self {
+        let extra = machine.format().map_or(0, |f| f.query_extra_bits);
+        Self {
+            extra,
+            margin: if extra > 0 { 3 } else { 0 },
+        }
+    }
+
+    fn in_range(self, query: &Query, photon: [u32; 3]) -> bool {
+        let squares = query
+            .position
+            .into_iter()
+            .zip(photon)
+            .map(|(query, photon)| {
+                let query = 2 * u64::from(query) + 1;
+                let photon = (2 * u64::from(photon) + 1) << self.extra;
+                query.abs_diff(photon).pow(2)
+            });
+        squares.sum::<u64>() <= 4 * u64::from(query.radius_sq) + self.margin
+    }
 }
 
 #[cfg(test)]
@@ -76,6 +105,7 @@ mod tests {
         Photon {
             position: [x, y, z],
             power: [1, 2, 3],
+            exponent: 0,
         }
     }
 
@@ -95,10 +125,11 @@ mod tests {
         let full = Photon {
             position: [0; 3],
             power: [65_535; 3],
+            exponent: 0,
         };
         let many = |count| std::iter::repeat_n(full, count);
         let query = Query::default();
-        let largest = PAPER.max_photons as usize;
+        let largest = PAPER.max_photons() as usize;
         let sums = gather(PAPER, &query, many(largest)).unwrap();
         assert_eq!(sums.power, [u64::from(u32::MAX); 3]);
         let refused = gather(PAPER, &query, many(largest + 1));
@@ -112,6 +143,9 @@ mod tests {
             .unwrap_err()
             .to_string();
         assert!(message.contains("position y is 256"), "{message}");
-        assert!(message.contains("largest is 255"), "{message}");
+        assert!(
+            message.contains("1 over the largest") && message.contains("holds, 255"),
+            "{message}"
+        );
     }
 }

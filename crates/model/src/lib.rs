@@ -2,8 +2,8 @@
 //!
 //! Two independent readings of the spec: [`StepMachine`] does what the hardware does, clock by
 //! clock, register by register; [`gather`] is the sum over photons that all of it is for. A
-//! property test holds them equal. [`LocalGather`] is the same sum in a photon format, relative to
-//! blocks and radius, for machines to come. No I/O, no HDL, and no arithmetic shared with the HDL.
+//! property test holds them equal. [`LocalGather`] is the same sum over blocks of
+//! stored records in a photon format, with its radius. No I/O, no HDL, and no arithmetic shared with the HDL.
 
 mod cell;
 mod gather;
@@ -11,7 +11,7 @@ mod local;
 mod machine;
 mod range;
 
-pub use cell::{CellInputs, CellState};
+pub use cell::{CellInputs, CellRules, CellState};
 pub use gather::{GatherError, gather};
 pub use local::{
     CountError, LocalError, LocalGather, LocalLimits, PackError, ValueError, pack, unpack,

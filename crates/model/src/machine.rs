@@ -3,9 +3,11 @@
 //! It executes decoded [`Step`]s and knows nothing of control words, so that encoding (spec) and
 //! its use (HDL) are tested by the comparison too.
 
-use photoncube_spec::{Hypercube, Inputs, Machine, Op, Outputs, Photon, Role, Step, Sums, Widths};
+use photoncube_spec::{
+    Channels, Hypercube, Inputs, Machine, Op, Outputs, Photon, Pins, Role, Step, Sums,
+};
 
-use crate::cell::{CellInputs, CellState};
+use crate::cell::{CellInputs, CellRules, CellState};
 
 /// The registers of the control block.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
@@ -21,8 +23,9 @@ pub struct ControlState {
 /// A machine with its state; starts as after power-up, all registers 0.
 #[derive(Clone, Debug)]
 pub struct StepMachine {
+    machine: Machine,
     cube: Hypercube,
-    widths: Widths,
+    rules: CellRules,
     steps: Vec<Step>,
     /// The address of the iteration's first step.
     iteration: usize,
@@ -42,8 +45,9 @@ impl StepMachine {
         let reads_group = |step: &Step| matches!(step.op, Op::LoadPhoton | Op::LoadPower);
         let cells = vec![CellState::default(); machine.hypercube().nodes()];
         Self {
+            machine: *machine,
             cube: machine.hypercube(),
-            widths: Widths::of(machine),
+            rules: CellRules::of(machine),
             iteration: program.query_clocks() as usize,
             taker: steps.iter().rposition(reads_group).unwrap_or(0),
             steps,
@@ -72,12 +76,16 @@ impl StepMachine {
     pub fn outputs(&self) -> Outputs {
         let ready = |wanted| !self.control.done && wanted;
         let sum = |role| self.cells[self.cube.result_node(role)].sum;
+        let power = match self.machine.channels() {
+            Channels::Rgb => [sum(Role::X), sum(Role::Y), sum(Role::Z)],
+            Channels::Mono => [sum(Role::X), 0, 0],
+        };
         Outputs {
             query_ready: ready(self.step().op == Op::LoadQuery),
             group_ready: ready(self.control.address == self.taker),
             result_valid: self.control.done,
             result: Sums {
-                power: [sum(Role::X), sum(Role::Y), sum(Role::Z)],
+                power,
                 count: sum(Role::D),
             },
         }
@@ -86,7 +94,7 @@ impl StepMachine {
     /// Appends the output pins and all registers to a row, in the order of
     /// [`photoncube_spec::Pins::observed`].
     pub fn observe(&self, row: &mut Vec<u64>) {
-        row.extend(photoncube_spec::Pins::output_row(&self.outputs()));
+        row.extend(Pins::output_row(&self.machine, &self.outputs()));
         row.push(self.control.address as u64);
         row.push(u64::from(self.control.last));
         row.push(u64::from(self.control.done));
@@ -156,7 +164,7 @@ impl StepMachine {
                 power: power(role, &lane.photon),
                 link: step.axis.map_or(0, sent),
             };
-            cell.execute(step.op, &ports, &self.widths);
+            cell.execute(step.op, &ports, &self.rules);
         }
     }
 }
@@ -165,7 +173,9 @@ fn coordinate(role: Role, position: [u32; 3]) -> u32 {
     role.coordinate().map_or(0, |index| position[index])
 }
 
-/// The power in the role's channel; a distance cell counts the photon.
-fn power(role: Role, photon: &Photon) -> u32 {
-    role.coordinate().map_or(1, |index| photon.power[index])
+/// The power in the role's channel; a distance cell counts the photon. Of one channel only the
+/// first word is there, and the others are 0.
+fn power(role: Role, photon: &Photon) -> u64 {
+    role.coordinate()
+        .map_or(1, |index| u64::from(photon.power[index]) << photon.exponent)
 }

@@ -1,12 +1,13 @@
 //! What a machine can represent, and the refusal of what it cannot.
 
-use photoncube_spec::{Machine, Photon, Query, Widths};
+use photoncube_spec::{Channels, Machine, Photon, PhotonFormat, Query, Widths};
 use thiserror::Error;
 
 /// A value does not fit its format.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error(
-    "{what} is {value}, which machine `{machine}` cannot hold: its largest is {largest} ({bits} bits)"
+    "{what} is {value}, {} over the largest that machine `{machine}` holds, {largest}",
+    .value - .largest
 )]
 pub struct RangeError {
     /// Which value.
@@ -15,8 +16,6 @@ pub struct RangeError {
     pub value: u32,
     /// The largest that fits.
     pub largest: u32,
-    /// The format's bits.
-    pub bits: u32,
     /// The machine.
     pub machine: &'static str,
 }
@@ -24,12 +23,14 @@ pub struct RangeError {
 const POSITION: [&str; 3] = ["position x", "position y", "position z"];
 const POWER: [&str; 3] = ["red power", "green power", "blue power"];
 
-/// The largest values of a machine's formats; each is all ones.
+/// The largest values of a machine's words. Those of coordinates and powers are all ones.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct Limits {
     coordinate: u32,
     radius_sq: u32,
-    power: u32,
+    photon: u32,
+    power: [u32; 3],
+    exponent: u32,
     machine: &'static str,
 }
 
@@ -40,8 +41,16 @@ impl Limits {
         let ones = |bits| u32::MAX >> (u32::BITS - bits);
         Self {
             coordinate: ones(widths.coordinate),
-            radius_sq: ones(widths.distance),
-            power: ones(widths.power),
+            // In a photon format a clamped distance is out of range only up to its own radius.
+            radius_sq: machine
+                .format()
+                .map_or(ones(widths.radius_sq), PhotonFormat::largest_in_range),
+            photon: ones(widths.photon),
+            power: match machine.channels() {
+                Channels::Rgb => [ones(widths.mantissa); 3],
+                Channels::Mono => [ones(widths.mantissa), 0, 0],
+            },
+            exponent: machine.format().map_or(0, |f| f.power.exponent_range()),
             machine: machine.name,
         }
     }
@@ -51,7 +60,7 @@ impl Limits {
     /// # Errors
     /// The first value that does not, with the limit.
     pub fn check_query(&self, query: &Query) -> Result<(), RangeError> {
-        self.check_each(POSITION, query.position, self.coordinate)?;
+        self.check_each(POSITION, query.position, [self.coordinate; 3])?;
         self.check(("radius_sq", query.radius_sq), self.radius_sq)
     }
 
@@ -60,23 +69,19 @@ impl Limits {
     /// # Errors
     /// The first value that does not, with the limit.
     pub fn check_photon(&self, photon: &Photon) -> Result<(), RangeError> {
-        self.check_each(POSITION, photon.position, self.coordinate)?;
-        self.check_each(POWER, photon.power, self.power)
+        self.check_each(POSITION, photon.position, [self.photon; 3])?;
+        self.check_each(POWER, photon.power, self.power)?;
+        self.check(("exponent", photon.exponent), self.exponent)
     }
 
-    /// All three at once: a limit is all ones, so one value is past it where their OR is.
     fn check_each(
         &self,
         names: [&'static str; 3],
         values: [u32; 3],
-        largest: u32,
+        largest: [u32; 3],
     ) -> Result<(), RangeError> {
-        let [a, b, c] = values;
-        if a | b | c <= largest {
-            return Ok(());
-        }
-        let mut named = names.into_iter().zip(values);
-        named.try_for_each(|value| self.check(value, largest))
+        let mut named = names.into_iter().zip(values).zip(largest);
+        named.try_for_each(|(value, largest)| self.check(value, largest))
     }
 
     fn check(&self, (what, value): (&'static str, u32), largest: u32) -> Result<(), RangeError> {
@@ -87,7 +92,6 @@ impl Limits {
             what,
             value,
             largest,
-            bits: largest.count_ones(),
             machine: self.machine,
         })
     }

@@ -2,8 +2,8 @@
 
 use photoncube_model::{LocalError, LocalGather, pack, unpack};
 use photoncube_spec::{
-    FormatWidths, LocalQuery, LocalSums, PHOTON_FORMATS, PhotonBlock, PhotonFormat, PhotonRecord,
-    PowerFormat, find_photon_format,
+    Channels, Exponent, FormatWidths, LocalQuery, LocalSums, PHOTON_FORMATS, PhotonBlock,
+    PhotonFormat, PhotonRecord, PowerFormat, Rounding, find_photon_format,
 };
 use proptest::prelude::*;
 
@@ -67,49 +67,55 @@ fn naive(format: &PhotonFormat, query: &LocalQuery, blocks: &[Block]) -> ([i128;
     (power, count)
 }
 
+/// The largest exponents of a block and of a photon.
 fn exponents(format: &PhotonFormat) -> (u8, u8) {
-    let largest = format.exponent_range as u8;
-    match format.power {
-        PowerFormat::BlockLinear { .. } => (largest, 0),
-        PowerFormat::SharedExponent { .. } => (0, largest),
+    let largest = format.power.exponent_range() as u8;
+    match format.power.exponent {
+        Exponent::None => (0, 0),
+        Exponent::Block { .. } => (largest, 0),
+        Exponent::Photon { .. } => (0, largest),
     }
 }
 
-/// Every legal format, not only those with a name.
+/// Every legal format, not only those that are listed.
 fn any_format() -> impl Strategy<Value = PhotonFormat> {
-    let widths = (4..=12_u32, 0..=2_u32, 1..=16_u32, any::<bool>());
-    widths.prop_flat_map(|(position_bits, query_extra_bits, mantissa_bits, shared)| {
-        let rest = (2..=position_bits + query_extra_bits, 0..=47_u32);
-        rest.prop_map(move |(radius_bits, exponent_range)| PhotonFormat {
-            name: "any",
+    let exponent = prop_oneof![
+        Just(Exponent::None),
+        (1..=8_u32).prop_map(|bits| Exponent::Block { bits }),
+        (1..=8_u32).prop_map(|bits| Exponent::Photon { bits }),
+    ];
+    let channels = prop::sample::select(&[Channels::Mono, Channels::Rgb]);
+    let rounding = Rounding::Nearest;
+    (4..=12_u32, 0..=2_u32, channels, 1..=16_u32, exponent).prop_map(
+        move |(position_bits, query_extra_bits, channels, mantissa_bits, exponent)| PhotonFormat {
             position_bits,
             query_extra_bits,
-            radius_bits,
-            power: if shared {
-                PowerFormat::SharedExponent {
-                    mantissa_bits,
-                    exponent_bits: 6,
-                }
-            } else {
-                PowerFormat::BlockLinear { mantissa_bits }
+            power: PowerFormat {
+                channels,
+                mantissa_bits,
+                exponent,
+                rounding,
             },
-            exponent_range,
             ..*DEFAULT
-        })
-    })
+        },
+    )
 }
 
 fn record(format: PhotonFormat) -> impl Strategy<Value = PhotonRecord> {
     let widths = FormatWidths::of(&format);
     let position = prop::array::uniform3(0..1_u16 << widths.position);
     let mantissa = prop::array::uniform3(0..=u16::MAX >> (16 - widths.mantissa));
-    (position, mantissa, 0..=exponents(&format).1).prop_map(|(position, mantissa, exponent)| {
-        PhotonRecord {
-            position,
-            mantissa,
-            exponent,
-        }
-    })
+    let channels = format.power.channels.names().len();
+    (position, mantissa, 0..=exponents(&format).1).prop_map(
+        move |(position, mut mantissa, exponent)| {
+            mantissa[channels..].fill(0);
+            PhotonRecord {
+                position,
+                mantissa,
+                exponent,
+            }
+        },
+    )
 }
 
 fn block(format: PhotonFormat) -> impl Strategy<Value = Block> {
@@ -276,7 +282,7 @@ fn the_largest_declared_count_at_full_scale_is_exact_and_one_more_is_refused() {
         let sums = gather
             .gather(&query, std::iter::repeat_n(block, repeat))
             .unwrap();
-        let full_scale = ((1_u128 << widths.mantissa) - 1) << format.exponent_range;
+        let full_scale = ((1_u128 << widths.mantissa) - 1) << format.power.exponent_range();
         assert_eq!(sums.power, [full_scale << 20; 3]);
         assert!(sums.power[0] < 1 << widths.sum);
         assert_eq!(sums.count, format.max_photons);
@@ -311,11 +317,11 @@ fn a_bright_photon_just_outside_adds_nothing() {
     // How many cells along x are in range of the first fine cell: their middles are c + 1/2 - 1/2,
     // 2c + 1 - 1/2 and 4c + 2 - 1/2 fine steps away, and the radius has 254.
     for (name, expected) in [
-        ("local8-rgbe8", 255),
+        ("local8-rgb8e5", 255),
         ("local7x1-rgb8e5", 127),
         ("local6x2-rgb8e5", 64),
     ] {
-        let format = find_photon_format(name).unwrap();
+        let format = &find_photon_format(name).unwrap();
         let query = query_at([format.edge_steps(); 3]);
         let cells = 1_u16 << format.position_bits;
         let in_range = |&place: &u16| {
@@ -356,7 +362,7 @@ fn what_does_not_fit_is_refused_with_the_limit_and_by_how_much() {
     let good = photon([0; 3]);
     #[rustfmt::skip]
     let cases = [
-        (of(photon([0, 300, 0]), [1; 3], 0, [256; 3]), "position y is 300, 45 over the largest that format `local8-rgbe8` holds, 255"),
+        (of(photon([0, 300, 0]), [1; 3], 0, [256; 3]), "position y is 300, 45 over the largest that format `local8-rgb8e5` holds, 255"),
         (of(PhotonRecord { mantissa: [0, 0, 256], ..good }, [1; 3], 0, [256; 3]), "blue mantissa is 256, 1 over"),
         (of(PhotonRecord { exponent: 25, ..good }, [1; 3], 0, [256; 3]), "photon exponent is 25, 1 over"),
         (of(good, [1; 3], 1, [256; 3]), "block exponent is 1, 1 over"),
@@ -366,8 +372,8 @@ fn what_does_not_fit_is_refused_with_the_limit_and_by_how_much() {
     for (message, expected) in cases {
         assert!(message.contains(expected), "{message}");
     }
-    let wide = unpack(DEFAULT, 1 << 56).unwrap_err().to_string();
-    assert!(wide.contains("56 bits of format"), "{wide}");
+    let wide = unpack(DEFAULT, 1 << 53).unwrap_err().to_string();
+    assert!(wide.contains("53 bits of format"), "{wide}");
     let message = unpack(DEFAULT, 25 << 48).unwrap_err().to_string();
     assert!(
         message.contains("photon exponent is 25, 1 over"),

@@ -1,7 +1,9 @@
 //! The step-exact machine and the direct gather are two readings of one spec: they must agree.
 
 use photoncube_model::{StepMachine, gather};
-use photoncube_spec::{Group, Inputs, Lane, MACHINES, Machine, Photon, Query, Sums, Widths};
+use photoncube_spec::{
+    Group, Inputs, Lane, MACHINES, Machine, Photon, PhotonFormat, Query, Sums, Widths,
+};
 use proptest::prelude::*;
 
 /// Runs one query through the machine, group by group, as a patient user of its streams would.
@@ -32,21 +34,35 @@ fn run(machine: &Machine, query: Query, groups: &[Group]) -> (Sums, u64) {
     unreachable!()
 }
 
-fn photon(widths: Widths) -> impl Strategy<Value = Photon> {
-    let coordinate = 0..1_u32 << widths.coordinate;
-    let power = 0..1_u32 << widths.power;
+fn photon(machine: &Machine) -> impl Strategy<Value = Photon> + use<> {
+    let widths = Widths::of(machine);
+    let channels = machine.channels().names().len();
+    let exponents = machine.format().map_or(0, |f| f.power.exponent_range());
     (
-        prop::array::uniform3(coordinate),
-        prop::array::uniform3(power),
+        prop::array::uniform3(0..1_u32 << widths.photon),
+        prop::array::uniform3(0..1_u32 << widths.mantissa),
+        0..=exponents,
     )
-        .prop_map(|(position, power)| Photon { position, power })
+        .prop_map(move |(position, mut power, exponent)| {
+            power[channels..].fill(0);
+            Photon {
+                position,
+                power,
+                exponent,
+            }
+        })
 }
 
-fn query(widths: Widths) -> impl Strategy<Value = Query> {
-    let coordinate = 0..1_u32 << widths.coordinate;
+/// The radius is any that the machine takes, or its largest.
+fn query(machine: &Machine) -> impl Strategy<Value = Query> + use<> {
+    let widths = Widths::of(machine);
+    let largest = machine.format().map_or(
+        u32::MAX >> (u32::BITS - widths.radius_sq),
+        PhotonFormat::largest_in_range,
+    );
     (
-        prop::array::uniform3(coordinate),
-        0..1_u32 << widths.distance,
+        prop::array::uniform3(0..1_u32 << widths.coordinate),
+        prop_oneof![0..=largest, Just(largest)],
     )
         .prop_map(|(position, radius_sq)| Query {
             position,
@@ -56,7 +72,7 @@ fn query(widths: Widths) -> impl Strategy<Value = Query> {
 
 fn groups(machine: &Machine) -> impl Strategy<Value = Vec<Group>> {
     let lanes = machine.photons_per_iteration();
-    let lane = (prop::bool::weighted(0.8), photon(Widths::of(machine)))
+    let lane = (prop::bool::weighted(0.8), photon(machine))
         .prop_map(|(present, photon)| Lane { present, photon });
     prop::collection::vec(prop::collection::vec(lane, lanes), 1..6).prop_map(|groups| {
         let count = groups.len();
@@ -71,7 +87,7 @@ fn groups(machine: &Machine) -> impl Strategy<Value = Vec<Group>> {
 fn case() -> impl Strategy<Value = (&'static Machine, Query, Vec<Group>)> {
     prop::sample::select(MACHINES).prop_flat_map(|machine| {
         let machine: &'static Machine = MACHINES.iter().find(|m| **m == machine).unwrap();
-        (Just(machine), query(Widths::of(machine)), groups(machine))
+        (Just(machine), query(machine), groups(machine))
     })
 }
 

@@ -84,7 +84,7 @@ pub(crate) fn estimate_format(
     let blocks = quantised.blocks(query.position, query.normal);
     let tests = blocks.map(|block| block.photons.len() as u64).sum();
     let sums = quantised.gather(query.position, query.normal)?;
-    let power = DVec3::from(sums.power.map(|p| p as f64)) * quantised.power_unit();
+    let power = quantised.flux(sums.power);
     Ok(Estimate {
         irradiance: power / disc_area(quantised.map()),
         tests,
@@ -153,10 +153,10 @@ mod tests {
             let error = (found.irradiance - reference.irradiance)
                 .abs()
                 .max_element();
-            let steps = f64::from((1 << format.power.mantissa_bits()) - 1);
+            let steps = f64::from((1 << format.power.mantissa_bits) - 1);
             // The strongest channel is all ones; the sum is exact.
             let bound = 0.5 / steps * reference.irradiance.max_element();
-            assert!(error <= bound * 1.000001, "{}: {error}", format.name);
+            assert!(error <= bound * 1.000001, "{format}: {error}");
         }
     }
 

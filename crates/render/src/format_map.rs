@@ -17,12 +17,13 @@ use std::borrow::Cow;
 use glam::DVec3;
 use photoncube_model::{LocalError, LocalGather};
 use photoncube_spec::{
-    FormatError, LocalQuery, LocalSums, PhotonBlock, PhotonFormat, PhotonRecord, PowerFormat,
+    Exponent, FormatError, LocalQuery, LocalSums, PhotonBlock, PhotonFormat, PhotonRecord,
 };
 use rayon::prelude::*;
 use thiserror::Error;
 
 use crate::photon_map::{Candidates, MapError, PhotonMap};
+use crate::power_scale::{PowerScale, power_of_two};
 use crate::quantise::fraction;
 use crate::trace::Photon;
 
@@ -45,7 +46,7 @@ pub struct FormatMap<'a> {
     /// In the map's order.
     records: Vec<PhotonRecord>,
     blocks: Vec<Block>,
-    power_unit: f64,
+    scale: PowerScale,
 }
 
 /// Where a block begins among the records, and its exponent.
@@ -71,9 +72,9 @@ impl<'a> FormatMap<'a> {
         };
         let scale = PowerScale::new(&map, format);
         let slices: Vec<_> = map.block_slices().collect();
-        let exponent = |photons: &[Photon]| match format.power {
-            PowerFormat::BlockLinear { .. } => scale.exponent(photons),
-            PowerFormat::SharedExponent { .. } => 0,
+        let exponent = |photons: &[Photon]| match format.power.exponent {
+            Exponent::Block { .. } => scale.exponent(photons),
+            Exponent::None | Exponent::Photon { .. } => 0,
         };
         let blocks: Vec<Block> = slices
             .par_iter()
@@ -95,7 +96,7 @@ impl<'a> FormatMap<'a> {
             records: records.collect(),
             gather,
             blocks,
-            power_unit: scale.unit,
+            scale,
             map,
         })
     }
@@ -124,10 +125,10 @@ impl<'a> FormatMap<'a> {
         &self.records
     }
 
-    /// The flux that a power of 1 stands for.
+    /// The flux that sums of power stand for.
     #[must_use]
-    pub fn power_unit(&self) -> f64 {
-        self.power_unit
+    pub fn flux(&self, power: [u128; 3]) -> DVec3 {
+        self.scale.flux(DVec3::from(power.map(|sum| sum as f64)))
     }
 
     /// The query at `position`, in its frame.
@@ -183,60 +184,14 @@ impl<'a> FormatMap<'a> {
     pub fn power(&self, index: usize) -> DVec3 {
         let record = &self.records[index];
         let exponent = self.block_exponent(index) + record.exponent;
-        DVec3::from(record.mantissa.map(f64::from)) * power_of_two(exponent) * self.power_unit
+        let mantissa = DVec3::from(record.mantissa.map(f64::from));
+        self.scale.flux(mantissa * power_of_two(exponent))
     }
 
     fn block_exponent(&self, photon: usize) -> u8 {
         let next = self.blocks.partition_point(|block| block.start <= photon);
         self.blocks[next - 1].exponent
     }
-}
-
-/// The rounding of powers.
-struct PowerScale {
-    unit: f64,
-    /// The largest mantissa.
-    full: f64,
-    exponent_range: u8,
-}
-
-impl PowerScale {
-    fn new(map: &PhotonMap, format: &PhotonFormat) -> Self {
-        let full = f64::from((1_u32 << format.power.mantissa_bits()) - 1);
-        let exponent_range = format.exponent_range as u8;
-        let largest = strongest(map.photons());
-        let unit = largest / full / power_of_two(exponent_range);
-        Self {
-            // A subnormal unit would round unlike the others; such powers are no light at all.
-            unit: if unit.is_normal() { unit } else { 1.0 },
-            full,
-            exponent_range,
-        }
-    }
-
-    /// The smallest exponent at which all of these photons fit.
-    fn exponent(&self, photons: &[Photon]) -> u8 {
-        let value = strongest(photons) / self.unit;
-        let fits = |exponent: &u8| (value / power_of_two(*exponent)).round() <= self.full;
-        // At the largest the map's strongest photon fits, by the unit's choice.
-        let found = (0..self.exponent_range).find(fits);
-        found.unwrap_or(self.exponent_range)
-    }
-
-    /// To nearest, ties away from zero.
-    fn mantissa(&self, power: DVec3, exponent: u8) -> [u16; 3] {
-        let scaled = power / self.unit / power_of_two(exponent);
-        scaled.round().to_array().map(|value| value as u16)
-    }
-}
-
-fn strongest(photons: &[Photon]) -> f64 {
-    let powers = photons.iter().map(|photon| photon.power.max_element());
-    powers.fold(0.0, f64::max)
-}
-
-fn power_of_two(exponent: u8) -> f64 {
-    (1_u64 << exponent) as f64
 }
 
 fn record(
@@ -246,13 +201,14 @@ fn record(
     block_exponent: u8,
     photon: &Photon,
 ) -> PhotonRecord {
-    let exponent = match format.power {
-        PowerFormat::BlockLinear { .. } => 0,
-        PowerFormat::SharedExponent { .. } => scale.exponent(std::slice::from_ref(photon)),
+    let exponent = match format.power.exponent {
+        Exponent::Photon { .. } => scale.exponent(std::slice::from_ref(photon)),
+        Exponent::None | Exponent::Block { .. } => 0,
     };
+    let position = fraction(map, photon.position, format.position_bits).map(|cell| cell as u16);
     PhotonRecord {
-        position: fraction(map, photon.position, format.position_bits).map(|cell| cell as u16),
-        mantissa: scale.mantissa(photon.power, block_exponent + exponent),
+        position,
+        mantissa: scale.mantissa(photon.power, block_exponent + exponent, position),
         exponent,
     }
 }

@@ -31,8 +31,10 @@ mod estimators;
 mod format_map;
 mod geometry;
 mod image;
+mod machine_map;
 mod metrics;
 mod photon_map;
+mod power_scale;
 mod quantise;
 mod render;
 mod sample;
@@ -51,6 +53,7 @@ pub use estimators::{
 pub use format_map::{FormatMap, FormatMapError};
 pub use geometry::{Hit, Quad};
 pub use image::{Image, ImageError};
+pub use machine_map::MachineMap;
 pub use metrics::{
     BenchError, BenchOptions, ErrorBench, ErrorReport, ErrorStudy, Interval, MAX_QUERY_NOISE,
     MetricsError, Misclassified, Moments, Noise, NoiseMeter, RelativeErrors, RelativeSummary,

@@ -1,7 +1,7 @@
 //! Photons and queries in the machine's integers.
 //!
 //! A position is an unsigned fraction of its block, `floor(fraction * 2^f)` with
-//! f = [`Machine::position_bits`]; queries follow the same rule, so that the mean error of a
+//! f = [`PlainFormat::position_bits`]; queries follow the same rule, so that the mean error of a
 //! difference is zero. The machine's coordinates span a frame of four block edges that starts
 //! one block before the query's own: a block's offset of 0, 1 or 2 is added to the fraction,
 //! and no coordinate can overflow (they end at 3 * 2^f - 1). Where block edge and
@@ -12,7 +12,7 @@
 //! `2^power_bits - 1`, rounded to nearest (truncation would bias every estimate, and more photons
 //! would not remove it).
 
-use photoncube_spec::{self as spec, Machine};
+use photoncube_spec::{self as spec, Machine, Numbers, PlainFormat};
 use rayon::prelude::*;
 use thiserror::Error;
 
@@ -20,20 +20,31 @@ use glam::DVec3;
 
 use crate::photon_map::{Candidates, PhotonMap};
 
-/// A machine whose formats the photon map cannot be turned into.
+/// A machine whose numbers the photon map cannot be turned into.
 #[derive(Debug, Error, PartialEq, Eq)]
-#[error("machine `{machine}`: {field} is {found}, expected {min} to {max}")]
-pub struct QuantiseError {
-    /// The machine.
-    pub machine: &'static str,
-    /// Which of its fields.
-    pub field: &'static str,
-    /// The field's value.
-    pub found: u32,
-    /// The smallest that works.
-    pub min: u32,
-    /// The largest that works.
-    pub max: u32,
+pub enum QuantiseError {
+    /// A field is outside what works.
+    #[error("machine `{machine}`: {field} is {found}, expected {min} to {max}")]
+    Field {
+        /// The machine.
+        machine: &'static str,
+        /// Which of its fields.
+        field: &'static str,
+        /// The field's value.
+        found: u32,
+        /// The smallest that works.
+        min: u32,
+        /// The largest that works.
+        max: u32,
+    },
+    /// The machine has a photon format.
+    #[error("machine `{machine}` has the photon format {format}, expected plain numbers")]
+    NotPlain {
+        /// The machine.
+        machine: &'static str,
+        /// Its format.
+        format: String,
+    },
 }
 
 /// A photon map's content in one machine's integers, in the map's order.
@@ -41,6 +52,7 @@ pub struct QuantiseError {
 pub struct QuantisedMap<'a> {
     map: &'a PhotonMap,
     machine: &'a Machine,
+    format: &'a PlainFormat,
     photons: Vec<StoredPhoton>,
     power_step: f64,
 }
@@ -57,13 +69,22 @@ impl<'a> QuantisedMap<'a> {
     ///
     /// # Errors
     /// Coordinates outside 3 to 17 bits (a fraction of 1 to 15, whose radius squared fits 32
-    /// bits), or powers outside 1 to 16 bits.
+    /// bits), powers outside 1 to 16 bits, or a machine with a photon format.
     pub fn new(map: &'a PhotonMap, machine: &'a Machine) -> Result<Self, QuantiseError> {
-        check(machine, "coordinate_bits", machine.coordinate_bits, 3, 17)?;
-        check(machine, "power_bits", machine.power_bits, 1, 16)?;
-        let power_step = power_step(map, machine.power_bits);
+        let format = match &machine.numbers {
+            Numbers::Plain(format) => format,
+            Numbers::Local(format) => {
+                return Err(QuantiseError::NotPlain {
+                    machine: machine.name,
+                    format: format.name(),
+                });
+            }
+        };
+        check(machine, "coordinate_bits", format.coordinate_bits, 3, 17)?;
+        check(machine, "power_bits", format.power_bits, 1, 16)?;
+        let power_step = power_step(map, format.power_bits);
         let stored = |photon: &crate::Photon| StoredPhoton {
-            fraction: fraction(map, photon.position, machine.position_bits()).map(|f| f as u16),
+            fraction: fraction(map, photon.position, format.position_bits()).map(|f| f as u16),
             // Float to integer rounds half away from zero and cannot exceed the largest power.
             power: (photon.power / power_step)
                 .round()
@@ -73,6 +94,7 @@ impl<'a> QuantisedMap<'a> {
         Ok(Self {
             map,
             machine,
+            format,
             photons: map.photons().par_iter().map(stored).collect(),
             power_step,
         })
@@ -93,10 +115,10 @@ impl<'a> QuantisedMap<'a> {
     /// The machine's query at `position`: the fraction in its block, behind one block's edge.
     #[must_use]
     pub fn query(&self, position: DVec3) -> spec::Query {
-        let edge = 1 << self.machine.position_bits();
+        let edge = 1 << self.format.position_bits();
         let radius = f64::from(edge) * (self.map.radius() / self.map.edge());
         spec::Query {
-            position: fraction(self.map, position, self.machine.position_bits()).map(|f| edge + f),
+            position: fraction(self.map, position, self.format.position_bits()).map(|f| edge + f),
             // The quotient's rounding must not cost a radius of whole steps its last square step.
             radius_sq: (radius.powi(2) * (1.0 + 1e-12)) as u32,
         }
@@ -107,10 +129,11 @@ impl<'a> QuantisedMap<'a> {
     pub fn photons(&self, position: DVec3, normal: DVec3) -> impl Iterator<Item = spec::Photon> {
         let runs = self.map.candidates(position, normal);
         runs.flat_map(|Candidates { offset, photons }| {
-            let base = offset.map(|blocks| blocks << self.machine.position_bits());
+            let base = offset.map(|blocks| blocks << self.format.position_bits());
             self.photons[photons].iter().map(move |p| spec::Photon {
                 position: std::array::from_fn(|axis| base[axis] + u32::from(p.fraction[axis])),
                 power: p.power.map(u32::from),
+                exponent: 0,
             })
         })
     }
@@ -126,7 +149,7 @@ fn check(
     if (min..=max).contains(&found) {
         return Ok(());
     }
-    Err(QuantiseError {
+    Err(QuantiseError::Field {
         machine: machine.name,
         field,
         found,
@@ -242,20 +265,26 @@ mod tests {
     fn formats_that_do_not_fit_are_errors() {
         let map = map();
         let paper = find_machine("paper").unwrap();
-        for (coordinate_bits, power_bits) in [(2, 16), (18, 16), (8, 0), (8, 17)] {
-            let machine = Machine {
+        let with = |coordinate_bits, power_bits| Machine {
+            numbers: Numbers::Plain(PlainFormat {
                 coordinate_bits,
                 power_bits,
-                ..*paper
-            };
-            assert!(QuantisedMap::new(&map, &machine).is_err());
-        }
-        let machine = Machine {
-            power_bits: 17,
+                ..*paper.plain().unwrap()
+            }),
             ..*paper
         };
-        let error = QuantisedMap::new(&map, &machine).unwrap_err().to_string();
-        assert_eq!(error, "machine `paper`: power_bits is 17, expected 1 to 16");
+        for (coordinate_bits, power_bits) in [(2, 16), (18, 16), (8, 0), (8, 17)] {
+            assert!(QuantisedMap::new(&map, &with(coordinate_bits, power_bits)).is_err());
+        }
+        let error = QuantisedMap::new(&map, &with(8, 17)).unwrap_err();
+        let expected = "machine `paper`: power_bits is 17, expected 1 to 16";
+        assert_eq!(error.to_string(), expected);
+        let error = QuantisedMap::new(&map, find_machine("local").unwrap()).unwrap_err();
+        assert!(
+            error
+                .to_string()
+                .contains("photon format local8-rgb8e5, expected plain")
+        );
     }
 
     proptest! {

@@ -12,6 +12,7 @@ use thiserror::Error;
 use crate::estimate::{Estimate, Refusal, estimate_f64, estimate_format, estimate_model};
 use crate::format_map::{FormatMap, FormatMapError};
 use crate::image::Image;
+use crate::machine_map::MachineMap;
 use crate::photon_map::PhotonMap;
 use crate::quantise::{QuantiseError, QuantisedMap};
 use crate::scene::Scene;
@@ -150,15 +151,19 @@ pub fn render(
 pub(crate) enum Prepared<'a> {
     F64,
     Model(QuantisedMap<'a>),
-    Format(Box<FormatMap<'a>>),
+    /// In a photon format; with the machine, if it is one's.
+    Format(Box<FormatMap<'a>>, Option<&'a Machine>),
 }
 
 impl<'a> Prepared<'a> {
     pub(crate) fn new(map: &'a PhotonMap, engine: Engine<'a>) -> Result<Self, RenderError> {
         Ok(match engine {
             Engine::F64 => Self::F64,
-            Engine::Model(machine) => Self::Model(QuantisedMap::new(map, machine)?),
-            Engine::Format(format) => Self::Format(Box::new(FormatMap::new(map, format)?)),
+            Engine::Model(machine) => match MachineMap::new(map, machine)? {
+                MachineMap::Plain(quantised) => Self::Model(quantised),
+                MachineMap::Local(quantised) => Self::Format(quantised, Some(machine)),
+            },
+            Engine::Format(format) => Self::Format(Box::new(FormatMap::new(map, format)?), None),
         })
     }
 
@@ -170,17 +175,17 @@ impl<'a> Prepared<'a> {
         match self {
             Self::F64 => Ok(estimate_f64(map, query)),
             Self::Model(quantised) => Ok(estimate_model(map, quantised, query)?),
-            Self::Format(quantised) => Ok(estimate_format(quantised, query)?),
+            Self::Format(quantised, _) => Ok(estimate_format(quantised, query)?),
         }
     }
 
     fn groups(&self, photons: u64) -> u64 {
-        match self {
-            Self::F64 | Self::Format(_) => 0,
-            Self::Model(quantised) => {
-                photons.div_ceil(quantised.machine().photons_per_iteration() as u64)
-            }
-        }
+        let machine = match self {
+            Self::F64 => None,
+            Self::Model(quantised) => Some(quantised.machine()),
+            Self::Format(_, machine) => *machine,
+        };
+        machine.map_or(0, |m| photons.div_ceil(m.photons_per_iteration() as u64))
     }
 }
 
@@ -229,7 +234,7 @@ impl Renderer<'_> {
 
 #[cfg(test)]
 mod tests {
-    use photoncube_spec::{PHOTON_FORMATS, find_machine};
+    use photoncube_spec::{Numbers, PHOTON_FORMATS, PlainFormat, find_machine};
 
     use super::*;
     use crate::{TraceOptions, trace};
@@ -322,9 +327,13 @@ mod tests {
     #[test]
     fn a_machine_too_small_for_a_query_says_which_pixel() {
         let (scene, map) = scene_and_map();
+        let paper = find_machine("paper").unwrap();
         let machine = Machine {
-            max_photons: 3,
-            ..*find_machine("paper").unwrap()
+            numbers: Numbers::Plain(PlainFormat {
+                max_photons: 3,
+                ..*paper.plain().unwrap()
+            }),
+            ..*paper
         };
         let error = render(&scene, &map, Engine::Model(&machine), &OPTIONS, &|_| ()).unwrap_err();
         assert!(error.to_string().starts_with("pixel ("), "{error}");

@@ -88,7 +88,7 @@ mod tests {
         let engines = [
             Engine::F64,
             Engine::Model(find_machine("paper").unwrap()),
-            Engine::Format(find_photon_format("local8-rgbe8").unwrap()),
+            Engine::Format(&find_photon_format("local8-rgb8e5").unwrap()),
         ];
         for engine in engines {
             assert!(gather_speed(map, queries, engine).unwrap() > 0.0);

@@ -4,8 +4,9 @@ use photoncube_spec::{Machine, Photon, Query};
 use rand::RngExt;
 use thiserror::Error;
 
+use crate::machine_map::MachineMap;
 use crate::photon_map::PhotonMap;
-use crate::quantise::{QuantiseError, QuantisedMap};
+use crate::render::RenderError;
 use crate::sample::{Purpose, stream};
 use crate::scene::Scene;
 use crate::view::{ViewError, ViewOptions};
@@ -15,14 +16,14 @@ use crate::view::{ViewError, ViewOptions};
 const BARREN_PIXELS: u64 = 4096;
 
 /// Why a workload could not be put together.
-#[derive(Debug, Error, PartialEq, Eq)]
+#[derive(Debug, Error)]
 pub enum WorkloadError {
     /// The options give no picture.
     #[error(transparent)]
     View(#[from] ViewError),
-    /// The machine's formats do not fit.
+    /// The machine's numbers do not fit.
     #[error(transparent)]
-    Quantise(#[from] QuantiseError),
+    Numbers(#[from] RenderError),
     /// No query gathers a photon.
     #[error(
         "workload: found no query with a photon in {BARREN_PIXELS} pixels, expected one: \
@@ -48,7 +49,7 @@ pub fn workload(
     seed: u64,
 ) -> Result<Vec<(Query, Vec<Photon>)>, WorkloadError> {
     options.check()?;
-    let quantised = QuantisedMap::new(map, machine)?;
+    let quantised = MachineMap::new(map, machine)?;
     let mut rng = stream(seed, Purpose::Workload, 0);
     let mut queries = Vec::new();
     let (mut have, mut barren) = (0, 0);
@@ -59,7 +60,7 @@ pub fn workload(
         let seen = options.samples(scene, x, y).nth(sample as usize);
         let point = seen.and_then(|sample| sample.query);
         let photons: Vec<Photon> = match &point {
-            Some(point) => quantised.photons(point.position, point.normal).collect(),
+            Some(point) => quantised.photons(point.position, point.normal),
             None => Vec::new(),
         };
         match point.filter(|_| !photons.is_empty()) {
@@ -119,6 +120,6 @@ mod tests {
         let map = PhotonMap::new(&scene, vec![], 0.1).unwrap();
         let machine = find_machine("paper").unwrap();
         let result = workload(&scene, &map, machine, &ViewOptions::default(), 1, 1);
-        assert_eq!(result, Err(WorkloadError::NothingGathered));
+        assert!(matches!(result, Err(WorkloadError::NothingGathered)));
     }
 }

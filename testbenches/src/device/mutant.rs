@@ -13,7 +13,7 @@ type RowFault = Box<dyn Fn(u64, &mut [u64])>;
 /// A golden model that a fault stands before and another behind.
 pub struct Mutant {
     model: StepMachine,
-    lanes: usize,
+    machine: Machine,
     columns: usize,
     visible: usize,
     clock: u64,
@@ -27,7 +27,7 @@ impl Mutant {
         let pins = Pins::of(machine);
         Self {
             model: StepMachine::new(machine),
-            lanes: machine.photons_per_iteration(),
+            machine: *machine,
             columns: pins.inputs.len(),
             visible: pins.observed.len(),
             clock: 0,
@@ -70,7 +70,7 @@ impl Device for Mutant {
 
     fn replay(&mut self, inputs: &[u64], observed: &mut Observed) -> Result<(), DeviceError> {
         for row in inputs.chunks_exact(self.columns) {
-            let mut inputs = Pins::inputs_of(row, self.lanes);
+            let mut inputs = Pins::inputs_of(&self.machine, row);
             (self.input_fault)(self.clock, &mut inputs);
             let first = observed.values.len();
             self.model.observe(&mut observed.values);

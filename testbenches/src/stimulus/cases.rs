@@ -1,7 +1,9 @@
 //! Which queries and photons: weighted towards the corners where a datapath goes wrong.
 
-use photoncube_spec::{Group, Lane, Machine, Photon, Query, Widths};
+use photoncube_spec::{Group, Lane, Machine, Photon, PhotonFormat, Query, Widths};
 use rand::{Rng, RngExt};
+
+use super::aim::Aim;
 
 /// A query with all its groups, at least one, the last marked as such.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -18,8 +20,8 @@ impl Case {
         let absent = Lane {
             present: false,
             photon: Photon {
-                position: query.position,
-                power: [largest(machine.power_bits); 3],
+                position: Aim::of(machine).cell(query.position),
+                ..full_scale(machine)
             },
         };
         let present = |&photon| Lane {
@@ -44,13 +46,33 @@ impl Case {
     /// As many photons of full power as the machine declares, all in range: the sums reach their
     /// largest value, and every one of their bits is used.
     pub fn fullest(machine: &Machine) -> Self {
-        let full = Photon {
-            position: [0; 3],
-            power: [largest(machine.power_bits); 3],
+        let count = machine.max_photons();
+        let count = usize::try_from(count).expect("a test's photons fit the memory");
+        let query = Query {
+            radius_sq: largest_radius_sq(machine),
+            ..Query::default()
         };
-        let count = usize::try_from(machine.max_photons).expect("a test's photons fit the memory");
-        Self::pack(machine, Query::default(), &vec![full; count])
+        Self::pack(machine, query, &vec![full_scale(machine); count])
     }
+}
+
+/// A photon in the frame's first corner whose powers are as large as can be.
+fn full_scale(machine: &Machine) -> Photon {
+    let mut power = [0; 3];
+    power[..machine.channels().names().len()].fill(largest(Widths::of(machine).mantissa));
+    Photon {
+        position: [0; 3],
+        power,
+        exponent: machine.format().map_or(0, |f| f.power.exponent_range()),
+    }
+}
+
+/// The largest that a query may ask for.
+fn largest_radius_sq(machine: &Machine) -> u32 {
+    let all_ones = largest(Widths::of(machine).radius_sq);
+    machine
+        .format()
+        .map_or(all_ones, PhotonFormat::largest_in_range)
 }
 
 /// Where the photons of a case lie.
@@ -73,6 +95,9 @@ enum Theme {
 /// Draws cases for one machine.
 pub(crate) struct Cases<'a, R> {
     widths: Widths,
+    aim: Aim,
+    full: Photon,
+    largest_radius_sq: u32,
     lanes: usize,
     rng: &'a mut R,
 }
@@ -81,6 +106,9 @@ impl<'a, R: Rng> Cases<'a, R> {
     pub fn new(machine: &Machine, rng: &'a mut R) -> Self {
         Self {
             widths: Widths::of(machine),
+            aim: Aim::of(machine),
+            full: full_scale(machine),
+            largest_radius_sq: largest_radius_sq(machine),
             lanes: machine.photons_per_iteration(),
             rng,
         }
@@ -97,7 +125,7 @@ impl<'a, R: Rng> Cases<'a, R> {
         let pivot = self.photon_position(theme, position, None);
         let query = Query {
             position,
-            radius_sq: self.radius_sq(distance_sq(position, pivot)),
+            radius_sq: self.radius_sq(self.aim.distance_sq(position, pivot)),
         };
         let count = match self.rng.random_range(0..16) {
             0 => self.rng.random_range(1..=40),
@@ -128,8 +156,10 @@ impl<'a, R: Rng> Cases<'a, R> {
 
     /// Mostly at the edge of a photon at the pivot's distance; sometimes an extreme.
     fn radius_sq(&mut self, tie: u64) -> u32 {
-        let limit = u64::from(largest(self.widths.distance));
-        let farthest = 3 * u64::from(largest(self.widths.coordinate)).pow(2);
+        let limit = u64::from(self.largest_radius_sq);
+        let farthest = self
+            .aim
+            .distance_sq([0; 3], [largest(self.widths.photon); 3]);
         let value = match self.rng.random_range(0..16) {
             0..=3 => tie,
             4..=6 => tie.saturating_sub(1),
@@ -138,8 +168,8 @@ impl<'a, R: Rng> Cases<'a, R> {
             11 => limit,
             12 => farthest,
             13 => farthest - 1,
-            14 => u64::from(self.corner(self.widths.distance)),
-            _ => u64::from(self.uniform(self.widths.coordinate)).pow(2),
+            14 => u64::from(self.corner(self.widths.radius_sq)),
+            _ => u64::from(self.uniform(self.widths.difference)).pow(2),
         };
         u32::try_from(value.min(limit)).expect("distances fit 32 bits")
     }
@@ -156,10 +186,29 @@ impl<'a, R: Rng> Cases<'a, R> {
             },
             photon: Photon {
                 position: self.photon_position(theme, query, Some(pivot)),
-                power: [(); 3].map(|()| self.corner(self.widths.power)),
+                ..self.power()
             },
         });
         lanes.collect()
+    }
+
+    /// Powers and exponent of a photon, often extreme.
+    fn power(&mut self) -> Photon {
+        let bits = self.widths.mantissa;
+        let exponent = match self.rng.random_range(0..4) {
+            0 => 0,
+            1 => self.full.exponent,
+            _ => self.rng.random_range(0..=self.full.exponent),
+        };
+        let power = self.full.power.map(|full| self.corner(bits) & full);
+        Photon {
+            position: [0; 3],
+            power: match self.rng.random_range(0..16) {
+                0 => self.full.power,
+                _ => power,
+            },
+            exponent,
+        }
     }
 
     fn photon_position(
@@ -168,21 +217,21 @@ impl<'a, R: Rng> Cases<'a, R> {
         query: [u32; 3],
         pivot: Option<[u32; 3]>,
     ) -> [u32; 3] {
-        let bits = self.widths.coordinate;
+        let bits = self.widths.photon;
         match (theme, pivot) {
             (Theme::Uniform, _) => [(); 3].map(|()| self.uniform(bits)),
             (Theme::Corners, _) => [(); 3].map(|()| self.corner(bits)),
-            (Theme::Equal, _) => query,
-            (Theme::Farthest, _) => query.map(|centre| largest(bits) - centre),
+            (Theme::Equal, _) => self.aim.cell(query),
+            (Theme::Farthest, _) => self.aim.cell(query).map(|cell| largest(bits) - cell),
             (Theme::Near, _) | (Theme::Shell, None) => self.near(query),
             (Theme::Shell, Some(pivot)) => self.on_shell(query, pivot),
         }
     }
 
     fn near(&mut self, query: [u32; 3]) -> [u32; 3] {
-        let span = self.rng.random_range(0..self.widths.coordinate);
-        let limit = largest(self.widths.coordinate);
-        query.map(|centre| {
+        let span = self.rng.random_range(0..self.widths.photon);
+        let limit = largest(self.widths.photon);
+        self.aim.cell(query).map(|centre| {
             let offset = self.rng.random_range(0..=1_u32 << span);
             if self.rng.random() {
                 (centre + offset).min(limit)
@@ -195,18 +244,15 @@ impl<'a, R: Rng> Cases<'a, R> {
     /// The pivot, mirrored and with its axes exchanged where the frame allows it: the distance
     /// stays. One in four is then moved by one step.
     fn on_shell(&mut self, query: [u32; 3], pivot: [u32; 3]) -> [u32; 3] {
-        let limit = largest(self.widths.coordinate);
-        let mut offsets = [0, 1, 2].map(|axis| query[axis].abs_diff(pivot[axis]));
-        offsets.rotate_left(self.rng.random_range(0..3));
+        let limit = largest(self.widths.photon);
+        let mut steps = [0, 1, 2].map(|axis| self.aim.steps(query[axis], pivot[axis]));
+        steps.rotate_left(self.rng.random_range(0..3));
         if self.rng.random() {
-            offsets.swap(0, 1);
+            steps.swap(0, 1);
         }
         let mirrored = [0, 1, 2].map(|axis| {
-            let above = query[axis].checked_add(offsets[axis]);
-            let above = above.filter(|&value| value <= limit);
-            let below = query[axis].checked_sub(offsets[axis]);
-            let above_first = self.rng.random();
-            if above_first {
+            let [above, below] = self.aim.at_steps(query[axis], steps[axis]);
+            if self.rng.random() {
                 above.or(below)
             } else {
                 below.or(above)
@@ -235,7 +281,7 @@ impl<'a, R: Rng> Cases<'a, R> {
     pub fn garbage_query(&mut self) -> Query {
         Query {
             position: [(); 3].map(|()| self.uniform(self.widths.coordinate)),
-            radius_sq: self.uniform(self.widths.distance),
+            radius_sq: self.uniform(self.widths.radius_sq),
         }
     }
 
@@ -245,8 +291,13 @@ impl<'a, R: Rng> Cases<'a, R> {
         for lane in &mut group.lanes {
             lane.present = self.rng.random();
             lane.photon = Photon {
-                position: [(); 3].map(|()| self.uniform(self.widths.coordinate)),
-                power: [(); 3].map(|()| self.uniform(self.widths.power)),
+                position: [(); 3].map(|()| self.uniform(self.widths.photon)),
+                // Words that have no pins are 0.
+                power: self.full.power.map(|full| self.rng.random::<u32>() & full),
+                exponent: match self.widths.exponent {
+                    0 => 0,
+                    bits => self.uniform(bits),
+                },
             };
         }
     }
@@ -268,12 +319,6 @@ pub(crate) fn corner(rng: &mut impl Rng, bits: u32) -> u64 {
 
 fn largest(bits: u32) -> u32 {
     u32::MAX >> (u32::BITS - bits)
-}
-
-/// Only to aim at the boundary: what is in range, the golden model alone decides.
-fn distance_sq(a: [u32; 3], b: [u32; 3]) -> u64 {
-    let square = |axis: usize| u64::from(a[axis].abs_diff(b[axis])).pow(2);
-    square(0) + square(1) + square(2)
 }
 
 #[cfg(test)]
@@ -299,7 +344,7 @@ mod tests {
                 limits.check_query(&case.query).unwrap();
                 let tie = u64::from(case.query.radius_sq);
                 met.insert(if tie == 0 { "radius 0" } else { "radius" });
-                if case.query.radius_sq == largest(Widths::of(machine).distance) {
+                if case.query.radius_sq == largest_radius_sq(machine) {
                     met.insert("radius max");
                 }
                 if case.groups.iter().all(|g| g.photons().count() == 0) {
@@ -308,7 +353,8 @@ mod tests {
                 assert!(case.groups.last().unwrap().last);
                 for lane in case.groups.iter().flat_map(|group| &group.lanes) {
                     limits.check_photon(&lane.photon).unwrap();
-                    let distance = distance_sq(case.query.position, lane.photon.position);
+                    let aim = Aim::of(machine);
+                    let distance = aim.distance_sq(case.query.position, lane.photon.position);
                     met.extend(lane_corners(machine, lane, distance, tie));
                 }
             }
@@ -336,15 +382,22 @@ mod tests {
         distance: u64,
         tie: u64,
     ) -> impl Iterator<Item = &'static str> {
-        let full = largest(machine.power_bits);
-        let farthest = 3 * u64::from(largest(machine.coordinate_bits)).pow(2);
+        let full = full_scale(machine);
+        let corner = [largest(Widths::of(machine).photon); 3];
+        let farthest = Aim::of(machine).distance_sq([0; 3], corner);
         let corners = [
             ("absent", !lane.present),
             ("above", lane.present && distance == tie + 1),
             ("below", lane.present && distance + 1 == tie),
             ("equal", lane.present && distance == 0),
             ("farthest", lane.present && distance == farthest),
-            ("full", lane.photon.power == [full; 3]),
+            (
+                "full",
+                Photon {
+                    position: [0; 3],
+                    ..lane.photon
+                } == full,
+            ),
             ("tie", lane.present && distance == tie && tie > 0),
             ("zero power", lane.photon.power == [0; 3]),
         ];
@@ -359,6 +412,7 @@ mod tests {
         let photon = |x| Photon {
             position: [x, 0, 0],
             power: [x; 3],
+            exponent: 0,
         };
         for count in [0, 1, 3, 4, 5, 8, 9] {
             let photons: Vec<_> = (0..count).map(photon).collect();

@@ -331,7 +331,9 @@ impl<'a> Driver<'a> {
 
     /// One clock: writes down the inputs and what the machine shows, then the rising edge.
     fn step(&mut self, inputs: &Inputs) -> ControlFlow<()> {
-        self.block.inputs.extend(Pins::input_row(inputs));
+        self.block
+            .inputs
+            .extend(Pins::input_row(self.machine, inputs));
         self.model.observe(&mut self.block.expected);
         let accumulates = self.model.step().op == Op::Accumulate && !self.model.control().done;
         self.model.clock(inputs);

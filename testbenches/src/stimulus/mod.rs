@@ -8,6 +8,7 @@
 //! A *chunk* has a seed of its own and begins with every register at its power-up value: what
 //! fails in chunk 70 of a long run fails again in a run of that chunk alone.
 
+mod aim;
 mod cases;
 mod drive;
 
@@ -306,8 +307,8 @@ mod tests {
         for block in blocks(machine, Source::Random, 2, 5_000) {
             let rows = block.inputs.chunks(inputs);
             for (row, shown) in rows.zip(block.expected.chunks(observed)) {
-                let inputs = Pins::inputs_of(row, machine.photons_per_iteration());
-                let outputs = Pins::outputs_of(shown);
+                let inputs = Pins::inputs_of(machine, row);
+                let outputs = Pins::outputs_of(machine, shown);
                 if let Some(group) = offered.take() {
                     assert!(inputs.group_valid && inputs.group == group);
                 }

@@ -18,12 +18,13 @@ struct Report {
 /// A photon format; machines that are built for one come with them.
 #[derive(Serialize)]
 struct FormatRow {
-    format: &'static str,
-    summary: &'static str,
+    format: String,
+    summary: String,
     bits_per_photon: u32,
     position_bits: u32,
     query_extra_bits: u32,
     radius_bits: u32,
+    channels: u32,
     mantissa_bits: u32,
     exponent_bits: u32,
     exponent_range: u32,
@@ -41,6 +42,7 @@ struct SceneRow {
 struct MachineRow {
     machine: &'static str,
     summary: &'static str,
+    format: Option<String>,
     cells: usize,
     coordinate_bits: u32,
     position_bits: u32,
@@ -79,15 +81,16 @@ fn report() -> Result<Report> {
 fn format_row(format: &PhotonFormat) -> FormatRow {
     let widths = FormatWidths::of(format);
     FormatRow {
-        format: format.name,
-        summary: format.summary,
+        format: format.name(),
+        summary: format.summary(),
         bits_per_photon: widths.bits_per_photon,
         position_bits: format.position_bits,
         query_extra_bits: format.query_extra_bits,
-        radius_bits: format.radius_bits,
-        mantissa_bits: format.power.mantissa_bits(),
-        exponent_bits: format.power.exponent_bits(),
-        exponent_range: format.exponent_range,
+        radius_bits: format.radius_bits(),
+        channels: format.power.channels.count(),
+        mantissa_bits: format.power.mantissa_bits,
+        exponent_bits: format.power.exponent.bits(),
+        exponent_range: format.power.exponent_range(),
         max_photons: format.max_photons,
         sum_bits: widths.sum,
     }
@@ -98,15 +101,16 @@ fn machine_row(machine: &Machine) -> Result<MachineRow> {
     Ok(MachineRow {
         machine: machine.name,
         summary: machine.summary,
+        format: machine.format().map(PhotonFormat::name),
         cells: machine.hypercube().nodes(),
-        coordinate_bits: machine.coordinate_bits,
+        coordinate_bits: widths.coordinate,
         position_bits: machine.position_bits(),
-        power_bits: machine.power_bits,
-        radius_sq_bits: widths.distance,
+        power_bits: widths.power,
+        radius_sq_bits: widths.radius_sq,
         work_bits: widths.work,
         sum_bits: widths.sum,
         bits_per_photon: machine.bits_per_photon(),
-        max_photons: machine.max_photons,
+        max_photons: machine.max_photons(),
         squarer: machine.squarer.name(),
         photons_per_iteration: machine.photons_per_iteration(),
         initiation_interval: machine.microprogram().initiation_interval(),

@@ -90,7 +90,7 @@ pub fn picture(
 /// Renders a scene to a PNG file.
 pub fn execute(args: &RenderArgs, json: bool) -> Result<()> {
     let machine: &'static Machine = args.machine.find()?;
-    let format = find_photon_format(&args.format)?;
+    let format = &find_photon_format(&args.format)?;
     let engine = match args.engine {
         EngineName::F64 => Engine::F64,
         EngineName::Model => Engine::Model(machine),

@@ -30,7 +30,7 @@ struct Report {
 #[derive(Serialize)]
 struct Row {
     /// A format's or a machine's name.
-    name: &'static str,
+    name: String,
     /// A format that no machine is built for yet has no clocks and no area.
     kind: &'static str,
     bits_per_photon: u32,
@@ -118,16 +118,20 @@ fn row(bench: &ErrorBench, engine: Engine<'static>) -> Result<Row> {
         error,
     };
     Ok(match engine {
-        Engine::F64 => unmeasured("f64", "reference", 0),
+        Engine::F64 => unmeasured("f64".to_owned(), "reference", 0),
         Engine::Format(format) => {
             let bits = FormatWidths::of(format).bits_per_photon;
-            unmeasured(format.name, "format", bits)
+            unmeasured(format.name(), "format", bits)
         }
         Engine::Model(machine) => Row {
             initiation_interval: Some(machine.microprogram().initiation_interval()),
             photon_tests_per_clock: Some(machine.photon_tests_per_clock()),
             area_without_dsp: Measured::of(machine)?.area_without_dsp,
-            ..unmeasured(machine.name, "machine", machine.bits_per_photon())
+            ..unmeasured(
+                machine.name.to_owned(),
+                "machine",
+                machine.bits_per_photon(),
+            )
         },
     })
 }
@@ -157,7 +161,7 @@ const BITS: Merit = Merit {
 impl Merit {
     fn points(&self, rows: &[Row]) -> Vec<Point> {
         let point = |row: &Row| Point {
-            label: row.name.to_owned(),
+            label: row.name.clone(),
             error: row.error.error_over_noise,
             figure: (self.of)(row),
         };

@@ -31,7 +31,7 @@ pub struct ValueError {
     /// The largest that fits.
     pub largest: u32,
     /// The format.
-    pub format: &'static str,
+    pub format: String,
 }
 
 /// A query was given more photons than the format declares.
@@ -47,7 +47,7 @@ pub struct CountError {
     /// The most that the format declares.
     pub max_photons: u64,
     /// The format.
-    pub format: &'static str,
+    pub format: String,
 }
 
 /// Bits that are no packed record.
@@ -64,7 +64,7 @@ pub enum PackError {
         /// The width of a record.
         bits_per_photon: u32,
         /// The format.
-        format: &'static str,
+        format: String,
     },
     /// A field holds what no photon has.
     #[error(transparent)]

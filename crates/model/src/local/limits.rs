@@ -1,7 +1,8 @@
 //! The largest value of every field of a photon format.
 
 use photoncube_spec::{
-    FormatError, FormatWidths, LocalQuery, PhotonBlock, PhotonFormat, PhotonRecord, PowerFormat,
+    Channels, Exponent, FormatError, FormatWidths, LocalQuery, PhotonBlock, PhotonFormat,
+    PhotonRecord,
 };
 
 use super::error::ValueError;
@@ -15,10 +16,10 @@ const OFFSET: [&str; 3] = ["block offset x", "block offset y", "block offset z"]
 pub struct LocalLimits {
     coordinate: u32,
     position: u32,
-    mantissa: u32,
+    mantissa: [u32; 3],
     photon_exponent: u32,
     block_exponent: u32,
-    format: &'static str,
+    format: PhotonFormat,
 }
 
 impl LocalLimits {
@@ -30,17 +31,22 @@ impl LocalLimits {
         format.check()?;
         let widths = FormatWidths::of(format);
         let ones = |bits| u32::MAX >> (u32::BITS - bits);
-        let (photon_exponent, block_exponent) = match format.power {
-            PowerFormat::BlockLinear { .. } => (0, format.exponent_range),
-            PowerFormat::SharedExponent { .. } => (format.exponent_range, 0),
+        let range = format.power.exponent_range();
+        let (photon_exponent, block_exponent) = match format.power.exponent {
+            Exponent::None => (0, 0),
+            Exponent::Block { .. } => (0, range),
+            Exponent::Photon { .. } => (range, 0),
         };
         Ok(Self {
             coordinate: ones(widths.coordinate),
             position: ones(widths.position),
-            mantissa: ones(widths.mantissa),
+            mantissa: match format.power.channels {
+                Channels::Rgb => [ones(widths.mantissa); 3],
+                Channels::Mono => [ones(widths.mantissa), 0, 0],
+            },
             photon_exponent,
             block_exponent,
-            format: format.name,
+            format: *format,
         })
     }
 
@@ -49,7 +55,7 @@ impl LocalLimits {
     /// # Errors
     /// The first value that does not, with the limit.
     pub fn check_query(&self, query: &LocalQuery) -> Result<(), ValueError> {
-        self.check_each(POSITION, query.position, self.coordinate)
+        self.check_each(POSITION, query.position, [self.coordinate; 3])
     }
 
     /// Checks a block's place and exponent; not its photons.
@@ -57,7 +63,7 @@ impl LocalLimits {
     /// # Errors
     /// The first value that does not fit, with the limit.
     pub fn check_block(&self, block: &PhotonBlock<'_>) -> Result<(), ValueError> {
-        self.check_each(OFFSET, block.offset, PhotonFormat::FRAME_BLOCKS - 1)?;
+        self.check_each(OFFSET, block.offset, [PhotonFormat::FRAME_BLOCKS - 1; 3])?;
         let exponent = u32::from(block.exponent);
         self.check("block exponent", exponent, self.block_exponent)
     }
@@ -67,7 +73,7 @@ impl LocalLimits {
     /// # Errors
     /// The first value that does not, with the limit.
     pub fn check_record(&self, record: &PhotonRecord) -> Result<(), ValueError> {
-        self.check_each(POSITION, record.position.map(u32::from), self.position)?;
+        self.check_each(POSITION, record.position.map(u32::from), [self.position; 3])?;
         self.check_each(MANTISSA, record.mantissa.map(u32::from), self.mantissa)?;
         let exponent = u32::from(record.exponent);
         self.check("photon exponent", exponent, self.photon_exponent)
@@ -80,16 +86,19 @@ impl LocalLimits {
     pub fn check_records(&self, records: &[PhotonRecord]) -> Result<(), ValueError> {
         // Limits of positions and mantissas are all ones: one value is past them where the OR of
         // all is.
-        let (mut position, mut mantissa, mut exponent) = (0, 0, 0);
+        let (mut position, mut mantissa, mut exponent) = (0, [0; 3], 0);
         for record in records {
             let [x, y, z] = record.position;
-            let [red, green, blue] = record.mantissa;
             position |= x | y | z;
-            mantissa |= red | green | blue;
+            for (all, one) in mantissa.iter_mut().zip(record.mantissa) {
+                *all |= one;
+            }
             exponent = exponent.max(record.exponent);
         }
         let fits = u32::from(position) <= self.position
-            && u32::from(mantissa) <= self.mantissa
+            && self
+                .check_each(MANTISSA, mantissa.map(u32::from), self.mantissa)
+                .is_ok()
             && u32::from(exponent) <= self.photon_exponent;
         if fits {
             return Ok(());
@@ -103,10 +112,10 @@ impl LocalLimits {
         &self,
         names: [&'static str; 3],
         values: [u32; 3],
-        largest: u32,
+        largest: [u32; 3],
     ) -> Result<(), ValueError> {
-        let mut named = names.into_iter().zip(values);
-        named.try_for_each(|(what, value)| self.check(what, value, largest))
+        let mut named = names.into_iter().zip(values).zip(largest);
+        named.try_for_each(|((what, value), largest)| self.check(what, value, largest))
     }
 
     fn check(&self, what: &'static str, value: u32, largest: u32) -> Result<(), ValueError> {
@@ -117,7 +126,7 @@ impl LocalLimits {
             what,
             value,
             largest,
-            format: self.format,
+            format: self.format.name(),
         })
     }
 }

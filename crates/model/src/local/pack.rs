@@ -1,6 +1,6 @@
 //! Records as bits, in the order that [`photoncube_spec::PhotonRecord`]'s module states.
 
-use photoncube_spec::{FormatWidths, PhotonFormat, PhotonRecord};
+use photoncube_spec::{Channels, FormatWidths, PhotonFormat, PhotonRecord};
 
 use super::error::{LocalError, PackError};
 use super::limits::LocalLimits;
@@ -24,7 +24,7 @@ pub fn pack(format: &PhotonFormat, record: &PhotonRecord) -> Result<u128, LocalE
 ///
 /// # Errors
 /// Bits past the record's width, or a field beyond its limit, such as an exponent over
-/// [`PhotonFormat::exponent_range`].
+/// [`photoncube_spec::PowerFormat::exponent_range`].
 pub fn unpack(format: &PhotonFormat, bits: u128) -> Result<PhotonRecord, PackError> {
     let limits = LocalLimits::of(format)?;
     let width = FormatWidths::of(format).bits_per_photon;
@@ -32,7 +32,7 @@ pub fn unpack(format: &PhotonFormat, bits: u128) -> Result<PhotonRecord, PackErr
         return Err(PackError::TooWide {
             found: bits,
             bits_per_photon: width,
-            format: format.name,
+            format: format.name(),
         });
     }
     let mut rest = bits;
@@ -59,5 +59,9 @@ fn values(record: &PhotonRecord) -> [u16; 7] {
 fn field_widths(format: &PhotonFormat) -> [u32; 7] {
     let widths = FormatWidths::of(format);
     let (p, m) = (widths.position, widths.mantissa);
-    [p, p, p, m, m, m, widths.exponent]
+    let rest = match format.power.channels {
+        Channels::Rgb => m,
+        Channels::Mono => 0,
+    };
+    [p, p, p, m, rest, rest, widths.exponent]
 }

@@ -174,7 +174,7 @@ fn answer(
     let verdicts = match prepared {
         Prepared::F64 => f64_verdicts(map, query),
         Prepared::Model(quantised) => model_verdicts(map, quantised, query)?,
-        Prepared::Format(quantised) => format_verdicts(quantised, query),
+        Prepared::Format(quantised, _) => format_verdicts(quantised, query),
     };
     Ok((luminance(query.beta * estimate.irradiance), verdicts))
 }

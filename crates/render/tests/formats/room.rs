@@ -10,7 +10,7 @@ use serde_json::json;
 /// Faces up; all photons say that they lie on it, wherever they are.
 pub const NORMAL: DVec3 = DVec3::Y;
 
-pub fn format(name: &str) -> &'static PhotonFormat {
+pub fn format(name: &str) -> PhotonFormat {
     find_photon_format(name).unwrap()
 }
 
