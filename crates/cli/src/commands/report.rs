@@ -37,6 +37,8 @@ struct Row {
     initiation_interval: Option<u32>,
     photon_tests_per_clock: Option<f64>,
     area_without_dsp: Option<Area>,
+    fmax_mhz: Option<f64>,
+    photon_tests_per_second_at_fmax: Option<f64>,
     photon_tests_per_second: f64,
     on_speed_front: bool,
     on_bits_front: bool,
@@ -112,6 +114,8 @@ fn row(bench: &ErrorBench, engine: Engine<'static>) -> Result<Row> {
         initiation_interval: None,
         photon_tests_per_clock: None,
         area_without_dsp: None,
+        fmax_mhz: None,
+        photon_tests_per_second_at_fmax: None,
         photon_tests_per_second,
         on_speed_front: false,
         on_bits_front: false,
@@ -123,16 +127,22 @@ fn row(bench: &ErrorBench, engine: Engine<'static>) -> Result<Row> {
             let bits = FormatWidths::of(format).bits_per_photon;
             unmeasured(format.name(), "format", bits)
         }
-        Engine::Model(machine) => Row {
-            initiation_interval: Some(machine.microprogram().initiation_interval()),
-            photon_tests_per_clock: Some(machine.photon_tests_per_clock()),
-            area_without_dsp: Measured::of(machine)?.area_without_dsp,
-            ..unmeasured(
-                machine.name.to_owned(),
-                "machine",
-                machine.bits_per_photon(),
-            )
-        },
+        Engine::Model(machine) => {
+            let measured = Measured::of(machine)?;
+            let (rate, fmax_mhz) = (machine.photon_tests_per_clock(), measured.fmax.fmax_mhz);
+            Row {
+                initiation_interval: Some(machine.microprogram().initiation_interval()),
+                photon_tests_per_clock: Some(rate),
+                area_without_dsp: measured.area_without_dsp,
+                fmax_mhz,
+                photon_tests_per_second_at_fmax: fmax_mhz.map(|fmax| rate * fmax * 1e6),
+                ..unmeasured(
+                    machine.name.to_owned(),
+                    "machine",
+                    machine.bits_per_photon(),
+                )
+            }
+        }
     })
 }
 
@@ -190,6 +200,8 @@ fn text(report: &Report) -> String {
         "clocks",
         "tests/clock",
         "LUT4 + CCU2C",
+        "Fmax",
+        "M tests/s at Fmax",
         "rms error",
         "p99",
         "error/noise",
@@ -211,6 +223,10 @@ fn text(report: &Report) -> String {
             row.area_without_dsp
                 .as_ref()
                 .map_or_else(unknown, |area| format!("{} + {}", area.lut4, area.ccu2c)),
+            row.fmax_mhz
+                .map_or_else(unknown, |fmax| format!("{fmax:.0} MHz")),
+            row.photon_tests_per_second_at_fmax
+                .map_or_else(unknown, |speed| format!("{:.1}", speed / 1e6)),
             percent(row.error.rms_relative_error),
             percent(row.error.p99_relative_error),
             format!("{:.4}", row.error.error_over_noise),
