@@ -956,29 +956,29 @@ module photoncube_paper_dsp(clock, reset, query_valid, query_x, query_y, query_z
         ports_x_0 = photon_x_0;
         ports_y_0 = photon_y_0;
         ports_z_0 = photon_z_0;
-        ports_red_0 = photon_red_0;
-        ports_green_0 = photon_green_0;
-        ports_blue_0 = photon_blue_0;
         ports_present_1 = photon_present_1;
         ports_x_1 = photon_x_1;
         ports_y_1 = photon_y_1;
         ports_z_1 = photon_z_1;
-        ports_red_1 = photon_red_1;
-        ports_green_1 = photon_green_1;
-        ports_blue_1 = photon_blue_1;
         ports_present_2 = photon_present_2;
         ports_x_2 = photon_x_2;
         ports_y_2 = photon_y_2;
         ports_z_2 = photon_z_2;
-        ports_red_2 = photon_red_2;
-        ports_green_2 = photon_green_2;
-        ports_blue_2 = photon_blue_2;
         ports_present_3 = photon_present_3;
         ports_x_3 = photon_x_3;
         ports_y_3 = photon_y_3;
         ports_z_3 = photon_z_3;
+        ports_red_0 = photon_red_0;
+        ports_red_1 = photon_red_1;
+        ports_red_2 = photon_red_2;
         ports_red_3 = photon_red_3;
+        ports_green_0 = photon_green_0;
+        ports_green_1 = photon_green_1;
+        ports_green_2 = photon_green_2;
         ports_green_3 = photon_green_3;
+        ports_blue_0 = photon_blue_0;
+        ports_blue_1 = photon_blue_1;
+        ports_blue_2 = photon_blue_2;
         ports_blue_3 = photon_blue_3;
         network_axis = control_axis;
         cell_0_clock = clock;
@@ -2104,26 +2104,26 @@ module photoncube_paper_dsp_square_unit(a, b, square);
     input wire [7:0] b;
     output reg [15:0] square;
     // Stub signals
+    reg [7:0] difference_a;
+    reg [7:0] difference_b;
+    wire [7:0] difference_magnitude;
     reg [7:0] squarer_root;
     wire [15:0] squarer_square;
-    // Local signals
-    reg [7:0] a_minus_b;
-    reg [7:0] b_minus_a;
-    reg below;
     // Sub module instances
+    photoncube_paper_dsp_difference difference(
+        .a(difference_a),
+        .b(difference_b),
+        .magnitude(difference_magnitude)
+    );
     photoncube_paper_dsp_squarer squarer(
         .root(squarer_root),
         .square(squarer_square)
     );
     // Update code
     always @(*) begin
-        a_minus_b = a - b;
-        b_minus_a = b - a;
-        below = a < b;
-        squarer_root = a_minus_b;
-        if (below) begin
-            squarer_root = b_minus_a;
-        end
+        difference_a = a;
+        difference_b = b;
+        squarer_root = difference_magnitude;
         square = squarer_square;
     end
 endmodule
@@ -2134,4 +2134,17 @@ module photoncube_paper_dsp_squarer(root, square);
     output reg [15:0] square;
     // Update code (custom)
     always @(*) square = root * root;
+endmodule
+
+module photoncube_paper_dsp_difference(a, b, magnitude);
+    // Module arguments
+    input wire [7:0] a;
+    input wire [7:0] b;
+    output reg [7:0] magnitude;
+    // Update code (custom)
+    wire [7:0] a_minus_b = a - b;
+    wire [7:0] b_minus_a = b - a;
+    wire below = a < b;
+    wire [7:0] distance = below ? b_minus_a : a_minus_b;
+    always @(*) magnitude = distance;
 endmodule

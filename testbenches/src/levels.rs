@@ -16,8 +16,8 @@ use crate::device::{Device, DeviceKind, Observed, hdl_error};
 use crate::stimulus::corner;
 use crate::verify::{VerifyError, nothing_compared, wrong_count};
 
-/// Coordinates of up to so many bits are squared in all their pairs.
-const EXHAUSTIVE_BITS: u32 = 8;
+/// So many pairs of operands are squared by every device: those of 8-bit coordinates.
+const EXHAUSTIVE_PAIRS: usize = 1 << 16;
 
 /// What was compared of a part and found equal.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -34,8 +34,8 @@ pub struct PartVerdict {
     pub signals_per_vector: usize,
 }
 
-/// Verifies a part of a machine in a device, on `vectors` rows of inputs or more: a squarer small
-/// enough gets every pair of operands, a larger one every difference.
+/// Verifies a part of a machine in a device, on `vectors` rows of inputs or more: a square unit gets
+/// every pair of operands where these are no more than `vectors` or 2^16, else every difference.
 ///
 /// # Errors
 /// The first difference, or no verdict at all.
@@ -159,13 +159,17 @@ impl Trace {
         let widths = rules.widths();
         let queries = 0..=u32::MAX >> (u32::BITS - widths.coordinate);
         let photons = 0..=u32::MAX >> (u32::BITS - widths.photon);
-        let mut pairs: Vec<(u32, u32)> = if widths.coordinate <= EXHAUSTIVE_BITS {
+        let all_pairs = 1 << (widths.coordinate + widths.photon);
+        let mut pairs: Vec<(u32, u32)> = if all_pairs <= vectors.max(EXHAUSTIVE_PAIRS) {
             let all = |a| photons.clone().map(move |b| (a, b));
             queries.flat_map(all).collect()
         } else {
             // Every difference, both ways.
-            let from = queries.map(|d| (d, 0));
-            from.chain(photons.map(|d| (0, d))).collect()
+            let (last_query, last_photon) = (*queries.end(), *photons.end());
+            let below = queries.flat_map(|d| [(d, 0), (d, last_photon)]);
+            below
+                .chain(photons.flat_map(|d| [(0, d), (last_query, d)]))
+                .collect()
         };
         while pairs.len() < vectors {
             let mut any = |bits| corner(rng, bits) as u32;

@@ -183,6 +183,7 @@ fn a_workload_is_repeated_by_the_command_of_its_caller() {
     let photon = Photon {
         position: [1; 3],
         power: [3; 3],
+        exponent: 0,
     };
     let queries = vec![(Query::default(), vec![photon; 6]); 20];
     let source = Source::Workload {

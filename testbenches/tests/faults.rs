@@ -4,7 +4,7 @@ mod support;
 
 use libtest_mimic::{Arguments, Failed};
 use photoncube_hdl::{Emitted, Level, emit};
-use photoncube_spec::{MACHINES, Machine};
+use photoncube_spec::{MACHINES, Machine, find_machine};
 use photoncube_testbench::{
     Actual, DeviceError, DeviceKind, Divergence, Icarus, Source, VerifyError, VerifyOptions,
     verify_device, verify_part_device,
@@ -15,6 +15,8 @@ const PAPER: &Machine = &MACHINES[0];
 /// An edit of one module's text.
 struct Fault {
     name: &'static str,
+    /// The machine whose text is edited.
+    machine: &'static str,
     /// The module, without the machine's prefix.
     module: &'static str,
     /// What stands in the module, once.
@@ -28,6 +30,7 @@ struct Fault {
 const FAULTS: &[Fault] = &[
     Fault {
         name: "op::the_adder_loses_its_carries",
+        machine: "paper",
         module: "add_unit",
         from: "a + b",
         to: "a ^ b",
@@ -35,13 +38,15 @@ const FAULTS: &[Fault] = &[
     },
     Fault {
         name: "op::the_difference_is_never_turned_round",
-        module: "square_unit",
-        from: "if (below)",
-        to: "if (1'b0)",
+        machine: "paper",
+        module: "difference",
+        from: "below ?",
+        to: "1'b0 ?",
         names: "step      sqd",
     },
     Fault {
         name: "op::one_square_of_a_digit_is_off_by_one",
+        machine: "paper",
         module: "squarer",
         from: "8'd196",
         to: "8'd197",
@@ -49,6 +54,7 @@ const FAULTS: &[Fault] = &[
     },
     Fault {
         name: "gate::the_boundary_is_out_of_range",
+        machine: "paper",
         module: "gate_unit",
         from: "a > wide_b",
         to: "a >= wide_b",
@@ -56,6 +62,7 @@ const FAULTS: &[Fault] = &[
     },
     Fault {
         name: "network::a_link_goes_to_the_wrong_neighbour",
+        machine: "paper",
         module: "network",
         from: "link_5 | work_13",
         to: "link_5 | work_12",
@@ -63,6 +70,7 @@ const FAULTS: &[Fault] = &[
     },
     Fault {
         name: "control::a_word_of_the_store_names_another_axis",
+        machine: "paper",
         module: "store",
         from: "15'b10000000101000",
         to: "15'b1000000101000",
@@ -70,6 +78,7 @@ const FAULTS: &[Fault] = &[
     },
     Fault {
         name: "control::the_sequencer_forgets_the_last_group",
+        machine: "paper",
         module: "control",
         from: "last_d = group_last",
         to: "last_d = last_q",
@@ -77,6 +86,7 @@ const FAULTS: &[Fault] = &[
     },
     Fault {
         name: "control::a_taken_result_stays",
+        machine: "paper",
         module: "control",
         from: "taken = done_q & result_ready",
         to: "taken = done_q & query_valid",
@@ -84,6 +94,7 @@ const FAULTS: &[Fault] = &[
     },
     Fault {
         name: "control::reset_forgets_the_address",
+        machine: "paper",
         module: "control",
         from: "address_d = 32'h0;\n            last_d = 1'b0;",
         to: "last_d = 1'b0;",
@@ -91,9 +102,50 @@ const FAULTS: &[Fault] = &[
     },
     Fault {
         name: "cell::an_absent_photon_has_power",
+        machine: "paper",
         module: "cell",
         from: "if (~present_in)",
         to: "if (1'b0)",
+        names: "step      ldw",
+    },
+    Fault {
+        name: "format::a_far_photon_is_not_clamped",
+        machine: "local",
+        module: "difference",
+        from: "| {8{far}}",
+        to: "",
+        names: "step      sqd",
+    },
+    Fault {
+        name: "format::the_far_side_of_a_half_step_is_not_inverted",
+        machine: "fit-ring",
+        module: "difference",
+        from: "~a_minus_line",
+        to: "-a_minus_line",
+        names: "step      sqd",
+    },
+    Fault {
+        name: "format::a_photon_stands_on_the_border_of_its_cell",
+        machine: "fit-ring",
+        module: "difference",
+        from: "{b, 1'd1}",
+        to: "{b, 1'd0}",
+        names: "step      sqd",
+    },
+    Fault {
+        name: "format::one_half_square_of_a_digit_is_a_square",
+        machine: "fit-ring",
+        module: "squarer",
+        from: "4'd3: digit_half_square = 8'd12",
+        to: "4'd3: digit_half_square = 8'd9",
+        names: "step      sqd",
+    },
+    Fault {
+        name: "format::a_power_has_the_exponent_of_another_lane",
+        machine: "local",
+        module: "ports",
+        from: "cell_power_1 = cell_power_1 << exponent_1",
+        to: "cell_power_1 = cell_power_1 << exponent_0",
         names: "step      ldw",
     },
 ];
@@ -117,17 +169,17 @@ fn main() {
     libtest_mimic::run(&Arguments::from_args(), trials).exit();
 }
 
-fn run(design: &Emitted) -> Result<(), VerifyError> {
+fn run(machine: &Machine, design: &Emitted) -> Result<(), VerifyError> {
     let options = VerifyOptions {
         iterations: 1_000,
         seed: 1,
         source: Source::Random,
     };
-    verify_device(PAPER, &mut Icarus::new(design)?, &options, &|_| {}).map(drop)
+    verify_device(machine, &mut Icarus::new(design)?, &options, &|_| {}).map(drop)
 }
 
-fn diverges(design: &Emitted) -> Result<Divergence, Failed> {
-    match run(design) {
+fn diverges(machine: &Machine, design: &Emitted) -> Result<Divergence, Failed> {
+    match run(machine, design) {
         Err(VerifyError::Diverged(divergence)) => Ok(*divergence),
         Err(other) => Err(other.into()),
         Ok(()) => Err("the fault was not found".into()),
@@ -135,10 +187,11 @@ fn diverges(design: &Emitted) -> Result<Divergence, Failed> {
 }
 
 fn caught(fault: &Fault) -> Result<(), Failed> {
-    let mut design = emit(PAPER, Level::Machine)?;
-    let module = format!("module {}_{}(", PAPER.module_prefix(), fault.module);
+    let machine = find_machine(fault.machine)?;
+    let mut design = emit(machine, Level::Machine)?;
+    let module = format!("module {}_{}(", machine.module_prefix(), fault.module);
     design.text = edit(&design.text, &module, fault.from, fault.to);
-    let account = diverges(&design)?.to_string();
+    let account = diverges(machine, &design)?.to_string();
     assert!(account.contains(fault.names), "{account}");
     Ok(())
 }
@@ -179,7 +232,7 @@ fn stops() -> Result<(), Failed> {
     let from = "    // Update code";
     let stop = "    initial #301 $finish;";
     design.text = edit(&design.text, &module, from, stop);
-    match run(&design) {
+    match run(PAPER, &design) {
         Err(VerifyError::Device(DeviceError::BrokeOff { device, .. })) => {
             assert_eq!(device, "icarus");
             Ok(())
@@ -191,7 +244,7 @@ fn stops() -> Result<(), Failed> {
 fn no_verilog() -> Result<(), Failed> {
     let mut design = emit(PAPER, Level::Machine)?;
     design.text += "modul\n";
-    let message = run(&design).unwrap_err().to_string();
+    let message = run(PAPER, &design).unwrap_err().to_string();
     assert!(
         message.contains("`iverilog` failed") && message.contains("syntax error"),
         "{message}"
@@ -204,12 +257,12 @@ fn unknown_at_power_up() -> Result<(), Failed> {
     let initial = "initial begin\n       q = 32'h0;\n    end";
     let module = format!("module {}_register_32(", PAPER.module_prefix());
     design.text = edit(&design.text, &module, initial, "");
-    let divergence = diverges(&design)?;
+    let divergence = diverges(PAPER, &design)?;
     assert_eq!(divergence.actual, Actual::Unknown("xxxxxxxx".into()));
     assert_eq!((divergence.clock, divergence.differing), (0, 16 + 4));
     Ok(())
 }
 
 fn sound() -> Result<(), Failed> {
-    Ok(run(&emit(PAPER, Level::Machine)?)?)
+    Ok(run(PAPER, &emit(PAPER, Level::Machine)?)?)
 }

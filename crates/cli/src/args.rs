@@ -6,7 +6,7 @@ use std::str::FromStr;
 
 use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
-use photoncube_render::{BenchOptions, TraceOptions, ViewOptions};
+use photoncube_render::{BenchOptions, Estimator, TraceOptions, ViewOptions};
 use photoncube_spec::PHOTON_FORMATS;
 
 use crate::machines::MachineArgs;
@@ -170,7 +170,18 @@ Examples:
   photoncube render cornell -o box.png
   photoncube render cornell -o reference.png --engine f64 --photons 4000000
   photoncube render cornell -o small.png --size 128x128 --machine paper-12
-  photoncube render range -o range.png --engine format --format local8-rgb8e5")]
+  photoncube render range -o range.png --engine format --format local8-rgb8e5
+  photoncube render ring -o ring.png --engine format --estimator knn:50
+  photoncube render cornell -o smooth.png --engine f64 --estimator epanechnikov
+  photoncube render cornell -o ladder.png --estimator ladder:4:cone
+
+Estimators:
+  fixed                    all photons within the search radius count the same
+  knn:K                    the radius is that of the K-th nearest photon, at most the search radius;
+                           `model` and `format` find it by bisection, some 15 gathers a query
+  cone, epanechnikov       kernels that fall with the distance; only `f64` has them
+  ladder:RUNGS[:KERNEL]    such a kernel (epanechnikov unless named) as a mixture of discs, which
+                           every engine can gather, one gather for each")]
 pub struct RenderArgs {
     /// A built-in scene (see `photoncube list`) or a scene file
     pub scene: String,
@@ -183,6 +194,9 @@ pub struct RenderArgs {
     /// The photon format (see `photoncube list`) of the engine `format`
     #[arg(long, default_value_t = PHOTON_FORMATS[0].name(), value_name = "F")]
     pub format: String,
+    /// The form of the estimate: fixed, knn:K, cone, epanechnikov or `ladder:RUNGS[:KERNEL]`, see below
+    #[arg(long, default_value_t = Estimator::FixedRadius, value_name = "E")]
+    pub estimator: Estimator,
     #[command(flatten)]
     pub machine: MachineArgs,
     #[command(flatten)]

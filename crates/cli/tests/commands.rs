@@ -1,5 +1,7 @@
 //! The commands as a user sees them: what they print, what they write, how they end.
 
+mod estimators;
+
 use std::fs;
 use std::path::Path;
 
@@ -154,6 +156,29 @@ fn bad_input_ends_2_says_what_was_expected_and_writes_nothing() {
             "f64",
         ),
         (
+            &["render", "cornell", "-o", picture, "--estimator", "knn:1"],
+            "k: found `1`, expected a whole number from 2",
+        ),
+        (
+            &[
+                "render",
+                "cornell",
+                "-o",
+                picture,
+                "--estimator",
+                "ladder:99",
+            ],
+            "rungs: found `99`, expected 1 to 64",
+        ),
+        (
+            &["render", "cornell", "-o", picture, "--estimator", "nearest"],
+            "expected fixed, knn:K, cone, epanechnikov or ladder:RUNGS[:KERNEL]",
+        ),
+        (
+            &["render", "cornell", "-o", picture, "--estimator", "cone"],
+            "expected its ladder, such as ladder:4:cone",
+        ),
+        (
             &["render", "cornell", "-o", below_a_file],
             "cannot make the folder",
         ),
@@ -249,6 +274,7 @@ fn report_measures_every_format_and_machine() {
     let error = |name| row(name)["error_over_noise"].as_f64().unwrap();
     assert!(error("local4-rgb8e5") > error("local8-rgb8e5"));
     assert!(rows.iter().any(|row| row["on_bits_front"] == true));
+    estimators::check_rows(&report);
     for name in [
         "report-cornell-speed.svg",
         "report-cornell-bits.svg",

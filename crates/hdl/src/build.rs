@@ -31,12 +31,7 @@ pub struct NotBuiltIn {
 /// All that chooses a compiled block.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 struct Shape {
-    coordinate: u32,
-    square: u32,
-    distance: u32,
-    power: u32,
-    work: u32,
-    sum: u32,
+    widths: Widths,
     address: u32,
     word: u32,
     axis: u32,
@@ -46,15 +41,9 @@ struct Shape {
 
 impl Shape {
     fn of(machine: &Machine) -> Self {
-        let widths = Widths::of(machine);
         let steps = machine.microprogram().steps().len();
         Self {
-            coordinate: widths.coordinate,
-            square: widths.square,
-            distance: widths.distance,
-            power: widths.power,
-            work: widths.work,
-            sum: widths.sum,
+            widths: Widths::of(machine),
             address: usize::BITS - (steps - 1).leading_zeros(),
             word: control_word_bits(machine.dimension),
             axis: machine.dimension,
@@ -65,10 +54,14 @@ impl Shape {
 }
 
 macro_rules! built_in {
-    ($($c:literal $q:literal $r:literal $p:literal $v:literal $s:literal
+    ($($c:literal $h:literal $m:literal $q:literal $r:literal
+       $b:literal $e:literal $p:literal $v:literal $s:literal
        $a:literal $w:literal $x:literal $n:literal $g:literal;)+) => {
         const BUILT_IN: &[Shape] = &[$(Shape {
-            coordinate: $c, square: $q, distance: $r, power: $p, work: $v, sum: $s,
+            widths: Widths {
+                coordinate: $c, photon: $h, difference: $m, square: $q, radius_sq: $r,
+                mantissa: $b, exponent: $e, power: $p, work: $v, sum: $s,
+            },
             address: $a, word: $w, axis: $x, nodes: $n, lanes: $g,
         },)+];
 
@@ -79,11 +72,13 @@ macro_rules! built_in {
                 if row.next() == Some(&shape) {
                     return Some(match level {
                         Level::Machine => Box::new(
-                            Processor::<$c, $q, $r, $p, $v, $s, $a, $w, $x, $n, $g>::new(machine)),
-                        Level::Cell => Box::new(Cell::<$c, $q, $r, $p, $v, $s>::new(machine.squarer)),
+                            Processor::<$c, $h, $m, $q, $r, $b, $e, $p, $v, $s, $a, $w, $x, $n, $g>
+                                ::new(machine)),
+                        Level::Cell => Box::new(
+                            Cell::<$c, $h, $m, $q, $r, $p, $v, $s>::new(machine.squarer)),
                         Level::Network => Box::new(Network::<$n, $v, $x>::new(machine.hypercube())),
                         Level::Add => Box::new(AddUnit::<$s>::default()),
-                        Level::Square => Box::new(SquareUnit::<$c, $q>::new(machine.squarer)),
+                        Level::Square => Box::new(SquareUnit::<$c, $h, $m, $q>::new(machine.squarer)),
                         Level::Gate => Box::new(GateUnit::<$v, $r, $p>::default()),
                     });
                 }
@@ -93,11 +88,14 @@ macro_rules! built_in {
     };
 }
 
-// coordinate, square, radius_sq, power, work, sum; address, control word, axes; cells, lanes
+// coordinate, photon, difference, square, radius_sq; mantissa, exponent, power, work, sum;
+// address, control word, axes; cells, lanes
 built_in! {
-    8 16 18 16 18 32  4 15 4  16 4;
-    12 24 26 16 26 32  4 15 4  16 4;
-    8 16 18 16 19 32  4 16 5  32 8;
+    8 8 8 16 18  16 0 16 18 32  4 15 4  16 4;
+    12 12 12 24 26  16 0 16 26 32  4 15 4  16 4;
+    8 8 8 16 18  16 0 16 19 32  4 16 5  32 8;
+    10 10 8 16 16  8 5 32 34 52  4 15 4  16 4;
+    10 9 8 16 16  8 0 8 18 22  4 15 4  16 4;
 }
 
 /// The block of a machine at a level, with all its signals claimed.
@@ -114,7 +112,7 @@ pub(crate) fn build(machine: &Machine, level: Level) -> Result<Box<dyn Pinned>, 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use photoncube_spec::MACHINES;
+    use photoncube_spec::{MACHINES, Numbers, PlainFormat};
 
     #[test]
     fn every_named_machine_is_built_in() {
@@ -127,8 +125,13 @@ mod tests {
 
     #[test]
     fn a_width_that_is_not_built_in_is_refused_with_those_that_are() {
-        let machine = Machine {
+        let numbers = Numbers::Plain(PlainFormat {
             coordinate_bits: 9,
+            power_bits: 16,
+            max_photons: 65_537,
+        });
+        let machine = Machine {
+            numbers,
             ..MACHINES[0]
         };
         let error = build(&machine, Level::Machine).err().unwrap().to_string();

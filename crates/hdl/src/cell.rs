@@ -8,11 +8,13 @@ use rust_hdl::prelude::*;
 
 use crate::units::{AddUnit, GateUnit, SquareUnit};
 
-/// One cell. Widths: `C` coordinate, `Q = 2 C` square, `R` radius_sq, `P` power, `V` work and
-/// link, `S` sum.
+/// One cell. Widths: `C` query coordinate, `H` photon coordinate, `M` their difference, `Q = 2 M`
+/// its square, `R` radius_sq, `P` power, `V` work and link, `S` sum.
 #[derive(LogicBlock)]
 pub(crate) struct Cell<
     const C: usize,
+    const H: usize,
+    const M: usize,
     const Q: usize,
     const R: usize,
     const P: usize,
@@ -29,7 +31,7 @@ pub(crate) struct Cell<
     pub add_sum: Signal<In, Bit>,
     pub query_in: Signal<In, Bits<C>>,
     pub radius_sq_in: Signal<In, Bits<R>>,
-    pub photon_in: Signal<In, Bits<C>>,
+    pub photon_in: Signal<In, Bits<H>>,
     pub present_in: Signal<In, Bit>,
     pub power_in: Signal<In, Bits<P>>,
     pub link_in: Signal<In, Bits<V>>,
@@ -37,11 +39,11 @@ pub(crate) struct Cell<
     pub sum_out: Signal<Out, Bits<S>>,
     pub query: DFF<Bits<C>>,
     pub radius_sq: DFF<Bits<R>>,
-    pub photon: DFF<Bits<C>>,
+    pub photon: DFF<Bits<H>>,
     pub power: DFF<Bits<P>>,
     pub work: DFF<Bits<V>>,
     pub sum: DFF<Bits<S>>,
-    square_unit: SquareUnit<C, Q>,
+    square_unit: SquareUnit<C, H, M, Q>,
     gate_unit: GateUnit<V, R, P>,
     add_unit: AddUnit<S>,
     addend: Signal<Local, Bits<V>>,
@@ -51,11 +53,19 @@ pub(crate) struct Cell<
     high_bits: Constant<Bits<S>>,
 }
 
-impl<const C: usize, const Q: usize, const R: usize, const P: usize, const V: usize, const S: usize>
-    Cell<C, Q, R, P, V, S>
+impl<
+    const C: usize,
+    const H: usize,
+    const M: usize,
+    const Q: usize,
+    const R: usize,
+    const P: usize,
+    const V: usize,
+    const S: usize,
+> Cell<C, H, M, Q, R, P, V, S>
 {
     pub fn new(squarer: Squarer) -> Self {
-        assert!(Q == 2 * C && Q <= V && R <= V && P <= V && V <= S && S <= 64);
+        assert!(Q == 2 * M && Q <= V && R <= V && P <= V && V <= S && S <= 64);
         let high_bits = (u64::MAX >> (64 - S)) & !(u64::MAX >> (64 - V));
         Self {
             clock: Default::default(),
@@ -92,8 +102,16 @@ impl<const C: usize, const Q: usize, const R: usize, const P: usize, const V: us
     }
 }
 
-impl<const C: usize, const Q: usize, const R: usize, const P: usize, const V: usize, const S: usize>
-    Logic for Cell<C, Q, R, P, V, S>
+impl<
+    const C: usize,
+    const H: usize,
+    const M: usize,
+    const Q: usize,
+    const R: usize,
+    const P: usize,
+    const V: usize,
+    const S: usize,
+> Logic for Cell<C, H, M, Q, R, P, V, S>
 {
     #[hdl_gen]
     fn update(&mut self) {

@@ -150,7 +150,9 @@ impl<const S: usize> Pinned for AddUnit<S> {
     settle!();
 }
 
-impl<const C: usize, const Q: usize> Pinned for SquareUnit<C, Q> {
+impl<const C: usize, const H: usize, const M: usize, const Q: usize> Pinned
+    for SquareUnit<C, H, M, Q>
+{
     fn drive(&mut self, row: &[u64]) {
         drive!(self, row: a, b);
     }
@@ -190,8 +192,16 @@ impl<const N: usize, const V: usize, const X: usize> Pinned for Network<N, V, X>
     settle!();
 }
 
-impl<const C: usize, const Q: usize, const R: usize, const P: usize, const V: usize, const S: usize>
-    Cell<C, Q, R, P, V, S>
+impl<
+    const C: usize,
+    const H: usize,
+    const M: usize,
+    const Q: usize,
+    const R: usize,
+    const P: usize,
+    const V: usize,
+    const S: usize,
+> Cell<C, H, M, Q, R, P, V, S>
 {
     fn sample_registers(&self, row: &mut Vec<u64>) {
         for register in REGISTERS {
@@ -207,8 +217,16 @@ impl<const C: usize, const Q: usize, const R: usize, const P: usize, const V: us
     }
 }
 
-impl<const C: usize, const Q: usize, const R: usize, const P: usize, const V: usize, const S: usize>
-    Pinned for Cell<C, Q, R, P, V, S>
+impl<
+    const C: usize,
+    const H: usize,
+    const M: usize,
+    const Q: usize,
+    const R: usize,
+    const P: usize,
+    const V: usize,
+    const S: usize,
+> Pinned for Cell<C, H, M, Q, R, P, V, S>
 {
     fn set_clock(&mut self, level: bool) {
         self.clock.next = level.into();
@@ -231,8 +249,12 @@ impl<const C: usize, const Q: usize, const R: usize, const P: usize, const V: us
 
 impl<
     const C: usize,
+    const H: usize,
+    const M: usize,
     const Q: usize,
     const R: usize,
+    const B: usize,
+    const E: usize,
     const P: usize,
     const V: usize,
     const S: usize,
@@ -241,7 +263,7 @@ impl<
     const X: usize,
     const N: usize,
     const G: usize,
-> Pinned for Processor<C, Q, R, P, V, S, A, W, X, N, G>
+> Pinned for Processor<C, H, M, Q, R, B, E, P, V, S, A, W, X, N, G>
 {
     fn set_clock(&mut self, level: bool) {
         self.clock.next = level.into();
@@ -262,19 +284,20 @@ impl<
             driver.put(&mut self.photon_x[lane]);
             driver.put(&mut self.photon_y[lane]);
             driver.put(&mut self.photon_z[lane]);
-            driver.put(&mut self.photon_red[lane]);
-            driver.put(&mut self.photon_green[lane]);
-            driver.put(&mut self.photon_blue[lane]);
+            for channel in self.photon_channel.iter_mut().skip(lane).step_by(G) {
+                driver.put(channel);
+            }
+            if let Some(exponent) = self.photon_exponent.get_mut(lane) {
+                driver.put(exponent);
+            }
         }
         driver.put(&mut self.result_ready);
     }
 
     fn sample(&self, row: &mut Vec<u64>) {
-        sample!(
-            self, row: query_ready, group_ready, result_valid,
-            result_red, result_green, result_blue, result_count,
-            control.address.q, control.last.q, control.done.q,
-        );
+        sample!(self, row: query_ready, group_ready, result_valid);
+        row.extend(self.result.iter().map(|result| result.val().number()));
+        sample!(self, row: control.address.q, control.last.q, control.done.q);
         for cell in &self.cell {
             cell.sample_registers(row);
         }

@@ -1,18 +1,23 @@
 //! The ports: which cell gets which word of the streams, and which cells hold the results.
 //!
-//! Wires only, laid by the spec's topology: a cell's role says which coordinate and which channel
-//! are its own, its quad says which lane.
+//! Wires, laid by the spec's topology: a cell's role says which coordinate and which channel are
+//! its own, its quad says which lane. A power that is stored with an exponent is decoded here, so
+//! that a cell knows powers only.
 
-use photoncube_spec::{Hypercube, Role};
-use rust_hdl::core::ast::{VerilogExpression, VerilogLiteral, VerilogStatement};
+use photoncube_spec::{Channels, Hypercube, Role};
+use rust_hdl::core::ast::{VerilogExpression, VerilogLiteral, VerilogOp, VerilogStatement};
 use rust_hdl::prelude::*;
 
-/// `N` cells, `G` lanes (photons of a group); `C` coordinate, `P` power, `S` sum bits.
+/// `N` cells, `G` lanes (photons of a group); `C` query coordinate, `H` photon coordinate, `B`
+/// mantissa, `E` exponent, `P` power, `S` sum bits.
 #[derive(LogicBlock)]
 pub(crate) struct Ports<
     const N: usize,
     const G: usize,
     const C: usize,
+    const H: usize,
+    const B: usize,
+    const E: usize,
     const P: usize,
     const S: usize,
 > {
@@ -20,29 +25,72 @@ pub(crate) struct Ports<
     pub query_y: Signal<In, Bits<C>>,
     pub query_z: Signal<In, Bits<C>>,
     pub present: [Signal<In, Bit>; G],
-    pub x: [Signal<In, Bits<C>>; G],
-    pub y: [Signal<In, Bits<C>>; G],
-    pub z: [Signal<In, Bits<C>>; G],
-    pub red: [Signal<In, Bits<P>>; G],
-    pub green: [Signal<In, Bits<P>>; G],
-    pub blue: [Signal<In, Bits<P>>; G],
+    pub x: [Signal<In, Bits<H>>; G],
+    pub y: [Signal<In, Bits<H>>; G],
+    pub z: [Signal<In, Bits<H>>; G],
+    /// The first channel of every lane, then the next: channel c of lane g is at `c G + g`.
+    pub channel: Vec<Signal<In, Bits<B>>>,
+    /// One for each lane, or none where powers have no exponent.
+    pub exponent: Vec<Signal<In, Bits<E>>>,
     pub sum: [Signal<In, Bits<S>>; N],
     pub cell_query: [Signal<Out, Bits<C>>; N],
-    pub cell_photon: [Signal<Out, Bits<C>>; N],
+    pub cell_photon: [Signal<Out, Bits<H>>; N],
     pub cell_present: [Signal<Out, Bit>; N],
     pub cell_power: [Signal<Out, Bits<P>>; N],
-    pub result_red: Signal<Out, Bits<S>>,
-    pub result_green: Signal<Out, Bits<S>>,
-    pub result_blue: Signal<Out, Bits<S>>,
-    pub result_count: Signal<Out, Bits<S>>,
+    /// The sums of the channels, then the count.
+    pub result: Vec<Signal<Out, Bits<S>>>,
     _cube: Hypercube,
+    _channels: usize,
+    _result_nodes: Vec<usize>,
 }
 
-impl<const N: usize, const G: usize, const C: usize, const P: usize, const S: usize>
-    Ports<N, G, C, P, S>
+/// What the cells of a role add up.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+enum Summand {
+    /// That channel of the photons' powers.
+    Channel(usize),
+    /// 1 for each photon.
+    Count,
+    /// 0, where there are fewer channels than coordinates.
+    Nothing,
+}
+
+impl Summand {
+    fn of(role: Role, channels: usize) -> Self {
+        match role.coordinate() {
+            None => Self::Count,
+            Some(channel) if channel < channels => Self::Channel(channel),
+            Some(_) => Self::Nothing,
+        }
+    }
+}
+
+impl<
+    const N: usize,
+    const G: usize,
+    const C: usize,
+    const H: usize,
+    const B: usize,
+    const E: usize,
+    const P: usize,
+    const S: usize,
+> Ports<N, G, C, H, B, E, P, S>
 {
-    pub fn new(cube: Hypercube) -> Self {
+    /// The query of a cell without a coordinate. Its photon is 0 and its distance must be 0 too, so
+    /// it is the index at photon 0, or the one below the grid line on which that stands.
+    const NO_QUERY: u64 = ((1 << (C - H)) - 1) / 2;
+
+    pub fn new(cube: Hypercube, channels: Channels) -> Self {
         assert_eq!((N, G), (cube.nodes(), cube.photons()));
+        assert!(B == P || E > 0, "only an exponent makes a power wider");
+        let channels = channels.count() as usize;
+        let exponents = if E > 0 { G } else { 0 };
+        let sums = |role: &Role| Summand::of(*role, channels) != Summand::Nothing;
+        let result_nodes: Vec<_> = Role::ALL
+            .into_iter()
+            .filter(sums)
+            .map(|role| cube.result_node(role))
+            .collect();
         Self {
             query_x: Default::default(),
             query_y: Default::default(),
@@ -51,52 +99,84 @@ impl<const N: usize, const G: usize, const C: usize, const P: usize, const S: us
             x: std::array::from_fn(|_| Default::default()),
             y: std::array::from_fn(|_| Default::default()),
             z: std::array::from_fn(|_| Default::default()),
-            red: std::array::from_fn(|_| Default::default()),
-            green: std::array::from_fn(|_| Default::default()),
-            blue: std::array::from_fn(|_| Default::default()),
+            channel: (0..channels * G).map(|_| Default::default()).collect(),
+            exponent: (0..exponents).map(|_| Default::default()).collect(),
             sum: std::array::from_fn(|_| Default::default()),
             cell_query: std::array::from_fn(|_| Default::default()),
             cell_photon: std::array::from_fn(|_| Default::default()),
             cell_present: std::array::from_fn(|_| Default::default()),
             cell_power: std::array::from_fn(|_| Default::default()),
-            result_red: Default::default(),
-            result_green: Default::default(),
-            result_blue: Default::default(),
-            result_count: Default::default(),
+            result: result_nodes.iter().map(|_| Default::default()).collect(),
             _cube: cube,
+            _channels: channels,
+            _result_nodes: result_nodes,
+        }
+    }
+
+    fn summand(&self, node: usize) -> Summand {
+        Summand::of(self._cube.role(node), self._channels)
+    }
+
+    fn power(&self, channel: usize, lane: usize) -> Bits<P> {
+        let mantissa = bit_cast::<P, B>(self.channel[channel * G + lane].val());
+        match self.exponent.get(lane) {
+            None => mantissa,
+            Some(exponent) => mantissa << exponent.val(),
+        }
+    }
+
+    /// The mantissa is widened before it is shifted: a shift is as wide as its operand.
+    fn power_wires(&self, node: usize) -> Vec<VerilogStatement> {
+        let lane = self._cube.photon(node);
+        let power = || word("cell_power", node);
+        let mantissa = |channel| word("channel", channel * G + lane);
+        match self.summand(node) {
+            Summand::Count => vec![wire(power(), number::<P>(1))],
+            Summand::Nothing => vec![wire(power(), number::<P>(0))],
+            Summand::Channel(channel) if self.exponent.is_empty() => {
+                vec![wire(power(), mantissa(channel))]
+            }
+            Summand::Channel(channel) => vec![
+                wire(power(), widened::<P>(mantissa(channel))),
+                wire(power(), shifted(power(), word("exponent", lane))),
+            ],
         }
     }
 }
 
-impl<const N: usize, const G: usize, const C: usize, const P: usize, const S: usize> Logic
-    for Ports<N, G, C, P, S>
+impl<
+    const N: usize,
+    const G: usize,
+    const C: usize,
+    const H: usize,
+    const B: usize,
+    const E: usize,
+    const P: usize,
+    const S: usize,
+> Logic for Ports<N, G, C, H, B, E, P, S>
 {
     fn update(&mut self) {
         for node in 0..N {
             let lane = self._cube.photon(node);
-            let (query, photon, power) = match self._cube.role(node) {
-                Role::X => (self.query_x.val(), self.x[lane].val(), self.red[lane].val()),
-                Role::Y => (
-                    self.query_y.val(),
-                    self.y[lane].val(),
-                    self.green[lane].val(),
-                ),
-                Role::Z => (
-                    self.query_z.val(),
-                    self.z[lane].val(),
-                    self.blue[lane].val(),
-                ),
-                Role::D => (0.into(), 0.into(), 1.into()),
+            let (query, photon) = match self._cube.role(node) {
+                Role::X => (self.query_x.val(), self.x[lane].val()),
+                Role::Y => (self.query_y.val(), self.y[lane].val()),
+                Role::Z => (self.query_z.val(), self.z[lane].val()),
+                Role::D => (Self::NO_QUERY.to_bits(), 0.into()),
+            };
+            let power = match self.summand(node) {
+                Summand::Channel(channel) => self.power(channel, lane),
+                Summand::Count => 1.into(),
+                Summand::Nothing => 0.into(),
             };
             self.cell_query[node].next = query;
             self.cell_photon[node].next = photon;
             self.cell_present[node].next = self.present[lane].val();
             self.cell_power[node].next = power;
         }
-        self.result_red.next = self.sum[self._cube.result_node(Role::X)].val();
-        self.result_green.next = self.sum[self._cube.result_node(Role::Y)].val();
-        self.result_blue.next = self.sum[self._cube.result_node(Role::Z)].val();
-        self.result_count.next = self.sum[self._cube.result_node(Role::D)].val();
+        for (result, &node) in self.result.iter_mut().zip(&self._result_nodes) {
+            result.next = self.sum[node].val();
+        }
     }
 
     fn connect(&mut self) {
@@ -106,32 +186,28 @@ impl<const N: usize, const G: usize, const C: usize, const P: usize, const S: us
             self.cell_present[node].connect();
             self.cell_power[node].connect();
         }
-        self.result_red.connect();
-        self.result_green.connect();
-        self.result_blue.connect();
-        self.result_count.connect();
+        for result in &mut self.result {
+            result.connect();
+        }
     }
 
     fn hdl(&self) -> Verilog {
         let mut wires = Vec::new();
         for node in 0..N {
             let lane = self._cube.photon(node);
-            let role = self._cube.role(node);
-            let (query, photon, power) = match role {
-                Role::X => (name("query_x"), word("x", lane), word("red", lane)),
-                Role::Y => (name("query_y"), word("y", lane), word("green", lane)),
-                Role::Z => (name("query_z"), word("z", lane), word("blue", lane)),
-                Role::D => (number::<C>(0), number::<C>(0), number::<P>(1)),
+            let (query, photon) = match self._cube.role(node) {
+                Role::X => (name("query_x"), word("x", lane)),
+                Role::Y => (name("query_y"), word("y", lane)),
+                Role::Z => (name("query_z"), word("z", lane)),
+                Role::D => (number::<C>(Self::NO_QUERY), number::<H>(0)),
             };
             wires.push(wire(word("cell_query", node), query));
             wires.push(wire(word("cell_photon", node), photon));
             wires.push(wire(word("cell_present", node), word("present", lane)));
-            wires.push(wire(word("cell_power", node), power));
+            wires.extend(self.power_wires(node));
         }
-        for role in Role::ALL {
-            let result = format!("result_{}", role.channel().name());
-            let node = self._cube.result_node(role);
-            wires.push(wire(name(&result), word("sum", node)));
+        for (index, &node) in self._result_nodes.iter().enumerate() {
+            wires.push(wire(word("result", index), word("sum", node)));
         }
         Verilog::Combinatorial(wires)
     }
@@ -148,6 +224,14 @@ fn word(array: &str, index: usize) -> VerilogExpression {
 fn number<const W: usize>(value: u64) -> VerilogExpression {
     let bits: Bits<W> = value.to_bits();
     VerilogExpression::Literal(VerilogLiteral::from(bits))
+}
+
+fn widened<const W: usize>(value: VerilogExpression) -> VerilogExpression {
+    VerilogExpression::Cast(Box::new(value), W)
+}
+
+fn shifted(value: VerilogExpression, places: VerilogExpression) -> VerilogExpression {
+    VerilogExpression::Binary(Box::new(value), VerilogOp::Shl, Box::new(places))
 }
 
 fn wire(target: VerilogExpression, source: VerilogExpression) -> VerilogStatement {

@@ -8,13 +8,18 @@ use crate::control::Control;
 use crate::network::Network;
 use crate::ports::Ports;
 
-/// The processor. Widths: `C` coordinate, `Q` square, `R` radius_sq, `P` power, `V` work, `S`
-/// sum; `A` address, `W` control word, `X` axis; `N` cells, `G` lanes.
+/// The processor. Widths: `C` query coordinate, `H` photon coordinate, `M` difference, `Q` square,
+/// `R` radius_sq, `B` mantissa, `E` exponent, `P` power, `V` work, `S` sum; `A` address, `W` control
+/// word, `X` axis; `N` cells, `G` lanes.
 #[derive(LogicBlock)]
 pub(crate) struct Processor<
     const C: usize,
+    const H: usize,
+    const M: usize,
     const Q: usize,
     const R: usize,
+    const B: usize,
+    const E: usize,
     const P: usize,
     const V: usize,
     const S: usize,
@@ -34,30 +39,31 @@ pub(crate) struct Processor<
     pub group_valid: Signal<In, Bit>,
     pub group_last: Signal<In, Bit>,
     pub photon_present: [Signal<In, Bit>; G],
-    pub photon_x: [Signal<In, Bits<C>>; G],
-    pub photon_y: [Signal<In, Bits<C>>; G],
-    pub photon_z: [Signal<In, Bits<C>>; G],
-    pub photon_red: [Signal<In, Bits<P>>; G],
-    pub photon_green: [Signal<In, Bits<P>>; G],
-    pub photon_blue: [Signal<In, Bits<P>>; G],
+    pub photon_x: [Signal<In, Bits<H>>; G],
+    pub photon_y: [Signal<In, Bits<H>>; G],
+    pub photon_z: [Signal<In, Bits<H>>; G],
+    /// The channels, as in [`Ports`]; `emit` gives them their names.
+    pub photon_channel: Vec<Signal<In, Bits<B>>>,
+    pub photon_exponent: Vec<Signal<In, Bits<E>>>,
     pub result_ready: Signal<In, Bit>,
     pub query_ready: Signal<Out, Bit>,
     pub group_ready: Signal<Out, Bit>,
     pub result_valid: Signal<Out, Bit>,
-    pub result_red: Signal<Out, Bits<S>>,
-    pub result_green: Signal<Out, Bits<S>>,
-    pub result_blue: Signal<Out, Bits<S>>,
-    pub result_count: Signal<Out, Bits<S>>,
+    pub result: Vec<Signal<Out, Bits<S>>>,
     pub control: Control<A, W, X>,
-    ports: Ports<N, G, C, P, S>,
+    ports: Ports<N, G, C, H, B, E, P, S>,
     network: Network<N, V, X>,
-    pub cell: [Cell<C, Q, R, P, V, S>; N],
+    pub cell: [Cell<C, H, M, Q, R, P, V, S>; N],
 }
 
 impl<
     const C: usize,
+    const H: usize,
+    const M: usize,
     const Q: usize,
     const R: usize,
+    const B: usize,
+    const E: usize,
     const P: usize,
     const V: usize,
     const S: usize,
@@ -66,11 +72,12 @@ impl<
     const X: usize,
     const N: usize,
     const G: usize,
-> Processor<C, Q, R, P, V, S, A, W, X, N, G>
+> Processor<C, H, M, Q, R, B, E, P, V, S, A, W, X, N, G>
 {
     /// The processor of a machine whose widths are this type's.
     pub fn new(machine: &Machine) -> Self {
         let cube = machine.hypercube();
+        let ports = Ports::new(cube, machine.channels());
         Self {
             clock: Default::default(),
             reset: Default::default(),
@@ -85,19 +92,15 @@ impl<
             photon_x: std::array::from_fn(|_| Default::default()),
             photon_y: std::array::from_fn(|_| Default::default()),
             photon_z: std::array::from_fn(|_| Default::default()),
-            photon_red: std::array::from_fn(|_| Default::default()),
-            photon_green: std::array::from_fn(|_| Default::default()),
-            photon_blue: std::array::from_fn(|_| Default::default()),
+            photon_channel: ports.channel.iter().map(|_| Default::default()).collect(),
+            photon_exponent: ports.exponent.iter().map(|_| Default::default()).collect(),
             result_ready: Default::default(),
             query_ready: Default::default(),
             group_ready: Default::default(),
             result_valid: Default::default(),
-            result_red: Default::default(),
-            result_green: Default::default(),
-            result_blue: Default::default(),
-            result_count: Default::default(),
+            result: ports.result.iter().map(|_| Default::default()).collect(),
             control: Control::new(&machine.microprogram(), machine.dimension),
-            ports: Ports::new(cube),
+            ports,
             network: Network::new(cube),
             cell: std::array::from_fn(|_| Cell::new(machine.squarer)),
         }
@@ -106,8 +109,12 @@ impl<
 
 impl<
     const C: usize,
+    const H: usize,
+    const M: usize,
     const Q: usize,
     const R: usize,
+    const B: usize,
+    const E: usize,
     const P: usize,
     const V: usize,
     const S: usize,
@@ -116,7 +123,7 @@ impl<
     const X: usize,
     const N: usize,
     const G: usize,
-> Logic for Processor<C, Q, R, P, V, S, A, W, X, N, G>
+> Logic for Processor<C, H, M, Q, R, B, E, P, V, S, A, W, X, N, G>
 {
     #[hdl_gen]
     fn update(&mut self) {
@@ -138,9 +145,12 @@ impl<
             self.ports.x[g].next = self.photon_x[g].val();
             self.ports.y[g].next = self.photon_y[g].val();
             self.ports.z[g].next = self.photon_z[g].val();
-            self.ports.red[g].next = self.photon_red[g].val();
-            self.ports.green[g].next = self.photon_green[g].val();
-            self.ports.blue[g].next = self.photon_blue[g].val();
+        }
+        for i in 0..self.photon_channel.len() {
+            self.ports.channel[i].next = self.photon_channel[i].val();
+        }
+        for i in 0..self.photon_exponent.len() {
+            self.ports.exponent[i].next = self.photon_exponent[i].val();
         }
 
         self.network.axis.next = self.control.axis.val();
@@ -163,9 +173,8 @@ impl<
             self.ports.sum[i].next = self.cell[i].sum_out.val();
         }
 
-        self.result_red.next = self.ports.result_red.val();
-        self.result_green.next = self.ports.result_green.val();
-        self.result_blue.next = self.ports.result_blue.val();
-        self.result_count.next = self.ports.result_count.val();
+        for i in 0..self.result.len() {
+            self.result[i].next = self.ports.result[i].val();
+        }
     }
 }

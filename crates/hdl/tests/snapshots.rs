@@ -4,9 +4,9 @@
 use photoncube_hdl::{Level, emit};
 use photoncube_spec::find_machine;
 
-fn text(level: Level) -> String {
-    let paper = find_machine("paper").unwrap();
-    emit(paper, level).unwrap().text
+fn text(machine: &str, level: Level) -> String {
+    let machine = find_machine(machine).unwrap();
+    emit(machine, level).unwrap().text
 }
 
 /// The first module: the part itself without what it instantiates.
@@ -15,22 +15,47 @@ fn first_module(text: &str) -> String {
     text[..end].to_owned() + "\n"
 }
 
+/// The header and the module whose name ends so.
+fn only_module(text: &str, name: &str) -> String {
+    let (header, modules) = text.split_once("\nmodule ").unwrap();
+    let module = modules.split("\nmodule ").find(|module| {
+        let declared = module.split_once('(').map_or("", |(declared, _)| declared);
+        declared.ends_with(name)
+    });
+    format!("{header}\nmodule {}", module.unwrap())
+}
+
 #[test]
 fn the_cell() {
-    insta::assert_snapshot!(first_module(&text(Level::Cell)));
+    insta::assert_snapshot!(first_module(&text("paper", Level::Cell)));
 }
 
 #[test]
 fn the_unit_that_adds() {
-    insta::assert_snapshot!(text(Level::Add));
+    insta::assert_snapshot!(text("paper", Level::Add));
 }
 
 #[test]
 fn the_unit_that_squares_differences() {
-    insta::assert_snapshot!(text(Level::Square));
+    insta::assert_snapshot!(text("paper", Level::Square));
+}
+
+#[test]
+fn the_clamped_difference() {
+    insta::assert_snapshot!(only_module(&text("local", Level::Square), "_difference"));
+}
+
+#[test]
+fn the_difference_from_a_grid_line() {
+    insta::assert_snapshot!(only_module(&text("fit-ring", Level::Square), "_difference"));
+}
+
+#[test]
+fn the_half_squarer() {
+    insta::assert_snapshot!(only_module(&text("fit-ring", Level::Square), "_squarer"));
 }
 
 #[test]
 fn the_unit_that_gates() {
-    insta::assert_snapshot!(text(Level::Gate));
+    insta::assert_snapshot!(text("paper", Level::Gate));
 }

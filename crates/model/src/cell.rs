@@ -77,6 +77,15 @@ impl CellRules {
         Self { widths, square }
     }
 
+    /// What a distance cell has for a query, so that its square of photon 0 is 0: the index just
+    /// below the photon's grid line.
+    pub(crate) fn idle_query(&self) -> u32 {
+        match self.square {
+            SquareRule::Plain | SquareRule::Clamped { .. } => 0,
+            SquareRule::HalfSteps { middle, .. } => middle - 1,
+        }
+    }
+
     /// The widths of the cell's registers.
     pub fn widths(&self) -> &Widths {
         &self.widths

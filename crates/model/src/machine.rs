@@ -157,9 +157,13 @@ impl StepMachine {
                 .unwrap_or_default();
             let sent = |axis| self.before[self.cube.neighbour(node, axis)].work;
             let ports = CellInputs {
-                query: coordinate(role, inputs.query.position),
+                query: role
+                    .coordinate()
+                    .map_or(self.rules.idle_query(), |axis| inputs.query.position[axis]),
                 radius_sq: inputs.query.radius_sq,
-                photon: coordinate(role, lane.photon.position),
+                photon: role
+                    .coordinate()
+                    .map_or(0, |axis| lane.photon.position[axis]),
                 present: lane.present,
                 power: power(role, &lane.photon),
                 link: step.axis.map_or(0, sent),
@@ -167,10 +171,6 @@ impl StepMachine {
             cell.execute(step.op, &ports, &self.rules);
         }
     }
-}
-
-fn coordinate(role: Role, position: [u32; 3]) -> u32 {
-    role.coordinate().map_or(0, |index| position[index])
 }
 
 /// The power in the role's channel; a distance cell counts the photon. Of one channel only the

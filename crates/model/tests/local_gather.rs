@@ -1,5 +1,7 @@
 //! The gather of every photon format against the rules in their plainest form, and at the limits.
 
+mod radius;
+
 use photoncube_model::{LocalError, LocalGather, pack, unpack};
 use photoncube_spec::{
     Channels, Exponent, FormatWidths, LocalQuery, LocalSums, PHOTON_FORMATS, PhotonBlock,
@@ -32,24 +34,33 @@ fn gather(format: &PhotonFormat, query: &LocalQuery, blocks: &[Block]) -> LocalS
         .unwrap()
 }
 
-/// Whether a photon is in range, from the middles of both cells in halves of a fine step: no
-/// clamp, no half squares, no saturation.
-fn naively_in_range(
+/// 4 d^2 of a photon in fine steps, an integer: from the middles of both cells in halves of a fine
+/// step; no clamp, no half squares, no saturation.
+fn quarters(
     format: &PhotonFormat,
     query: &LocalQuery,
     offset: [u32; 3],
     record: &PhotonRecord,
-) -> bool {
+) -> i128 {
     let x = format.query_extra_bits;
-    let distance_sq: i128 = (0..3)
+    (0..3)
         .map(|axis| {
             let place = (i128::from(offset[axis]) << format.position_bits)
                 + i128::from(record.position[axis]);
             let halves = (2 * i128::from(query.position[axis]) + 1) - ((2 * place + 1) << x);
             halves * halves
         })
-        .sum();
-    distance_sq <= (2 * i128::from(format.radius_steps())).pow(2)
+        .sum()
+}
+
+/// Whether a photon is in range of the format's own radius.
+fn naively_in_range(
+    format: &PhotonFormat,
+    query: &LocalQuery,
+    offset: [u32; 3],
+    record: &PhotonRecord,
+) -> bool {
+    quarters(format, query, offset, record) <= (2 * i128::from(format.radius_steps())).pow(2)
 }
 
 fn naive(format: &PhotonFormat, query: &LocalQuery, blocks: &[Block]) -> ([i128; 3], i128) {

@@ -2,12 +2,15 @@
 //!
 //! Both sum the power of the photons in range, d^2 <= r^2, and divide by the disc: the paper's
 //! eq. 2 with the rectangle kernel, E = sum(power) / (pi r^2). The reflected radiance is that
-//! times the query's rho / pi, which [`crate::QueryPoint`] carries as `beta`.
+//! times the query's rho / pi, which [`crate::QueryPoint`] carries as `beta`. What other estimates
+//! make of the same gathers is in [`crate::estimators`].
 
 use glam::DVec3;
 use photoncube_model::{GatherError, LocalError, gather};
+use photoncube_spec as spec;
 use thiserror::Error;
 
+use crate::estimators::{Disc, EstimatorError, UnfitEstimator};
 use crate::format_map::FormatMap;
 use crate::photon_map::PhotonMap;
 use crate::quantise::QuantisedMap;
@@ -18,10 +21,12 @@ use crate::view::QueryPoint;
 pub(crate) struct Estimate {
     /// E, flux per area.
     pub irradiance: DVec3,
-    /// Photons tested.
+    /// Photons that each gather tests.
     pub tests: u64,
-    /// Those of them in range.
+    /// Those of them in the widest disc that was summed.
     pub in_range: u64,
+    /// Gathers made, each over the same photons.
+    pub gathers: u64,
 }
 
 /// Why an engine refused a query.
@@ -33,12 +38,21 @@ pub(crate) enum Refusal {
     /// The photon format's did.
     #[error(transparent)]
     Format(#[from] LocalError),
+    /// There is no such estimate in f64.
+    #[error(transparent)]
+    Reference(#[from] EstimatorError),
+    /// The engine cannot make it at any query.
+    #[error(transparent)]
+    Estimator(#[from] UnfitEstimator),
 }
 
 /// The estimate in f64, the reference of all formats.
 pub(crate) fn estimate_f64(map: &PhotonMap, query: &QueryPoint) -> Estimate {
     let radius_sq = map.radius() * map.radius();
-    let mut estimate = Estimate::default();
+    let mut estimate = Estimate {
+        gathers: 1,
+        ..Estimate::default()
+    };
     let mut power = DVec3::ZERO;
     for run in map.candidates(query.position, query.normal) {
         estimate.tests += run.photons.len() as u64;
@@ -53,47 +67,47 @@ pub(crate) fn estimate_f64(map: &PhotonMap, query: &QueryPoint) -> Estimate {
     estimate
 }
 
-/// The estimate by the golden model, from integer photons to integer sums; floats enter again
-/// with the sums' scale.
-pub(crate) fn estimate_model(
-    map: &PhotonMap,
+/// One gather of a machine's golden model, from integer photons to integer sums; floats enter
+/// again with the sums' scale. `radius_sq` is the machine's pin.
+pub(crate) fn gather_model(
     quantised: &QuantisedMap<'_>,
     query: &QueryPoint,
-) -> Result<Estimate, GatherError> {
+    radius_sq: u32,
+) -> Result<Disc, GatherError> {
     let mut tests = 0;
     let photons = quantised.photons(query.position, query.normal);
     let counted = photons.inspect(|_| tests += 1);
-    let sums = gather(
-        quantised.machine(),
-        &quantised.query(query.position),
-        counted,
-    )?;
-    let power = DVec3::from(sums.power.map(|p| p as f64)) * quantised.power_step();
-    Ok(Estimate {
-        irradiance: power / disc_area(map),
+    let centre = spec::Query {
+        radius_sq,
+        ..quantised.query(query.position)
+    };
+    let sums = gather(quantised.machine(), &centre, counted)?;
+    Ok(Disc {
+        power: DVec3::from(sums.power.map(|p| p as f64)) * quantised.power_step(),
         tests,
-        in_range: sums.count,
+        count: sums.count,
     })
 }
 
-/// The estimate in a photon format, from integer photons to integer sums.
-pub(crate) fn estimate_format(
+/// One gather in a photon format, from integer photons to integer sums; `radius_sq` in its
+/// squared fine steps.
+pub(crate) fn gather_format(
     quantised: &FormatMap<'_>,
     query: &QueryPoint,
-) -> Result<Estimate, LocalError> {
+    radius_sq: u32,
+) -> Result<Disc, LocalError> {
     let blocks = quantised.blocks(query.position, query.normal);
     let tests = blocks.map(|block| block.photons.len() as u64).sum();
-    let sums = quantised.gather(query.position, query.normal)?;
-    let power = quantised.flux(sums.power);
-    Ok(Estimate {
-        irradiance: power / disc_area(quantised.map()),
+    let sums = quantised.gather_within(query.position, query.normal, radius_sq)?;
+    Ok(Disc {
+        power: quantised.flux(sums.power),
         tests,
-        in_range: sums.count,
+        count: sums.count,
     })
 }
 
-/// pi r^2.
-fn disc_area(map: &PhotonMap) -> f64 {
+/// pi r^2 of the search radius (scene units squared).
+pub(crate) fn disc_area(map: &PhotonMap) -> f64 {
     std::f64::consts::PI * map.radius() * map.radius()
 }
 
@@ -102,6 +116,7 @@ mod tests {
     use photoncube_spec::{PHOTON_FORMATS, find_machine};
 
     use super::*;
+    use crate::render::{Engine, Prepared};
     use crate::{Photon, Scene};
 
     /// One photon on the floor's middle, surface found by name.
@@ -134,7 +149,8 @@ mod tests {
         let quantised = QuantisedMap::new(&map, find_machine("paper").unwrap()).unwrap();
         let expected = DVec3::new(4.0, 2.0, 1.0) / (std::f64::consts::PI * 0.25);
         let reference = estimate_f64(&map, &query(0.1, DVec3::Y));
-        let model = estimate_model(&map, &quantised, &query(0.1, DVec3::Y)).unwrap();
+        let model = Prepared::Model(quantised);
+        let model = model.estimate(&map, &query(0.1, DVec3::Y)).unwrap();
         assert_eq!((reference.tests, reference.in_range), (1, 1));
         assert_eq!((model.tests, model.in_range), (1, 1));
         assert!(reference.irradiance.distance(expected) < 1e-12);
@@ -147,8 +163,8 @@ mod tests {
         let map = one_photon();
         let reference = estimate_f64(&map, &query(0.1, DVec3::Y));
         for format in PHOTON_FORMATS {
-            let quantised = FormatMap::new(&map, format).unwrap();
-            let found = estimate_format(&quantised, &query(0.1, DVec3::Y)).unwrap();
+            let quantised = Prepared::new(&map, Engine::Format(format)).unwrap();
+            let found = quantised.estimate(&map, &query(0.1, DVec3::Y)).unwrap();
             assert_eq!((found.tests, found.in_range), (1, 1));
             let error = (found.irradiance - reference.irradiance)
                 .abs()
@@ -166,7 +182,7 @@ mod tests {
         let far = estimate_f64(&map, &query(0.500001, DVec3::Y));
         assert_eq!((far.tests, far.in_range), (1, 0));
         let below = estimate_f64(&map, &query(0.0, DVec3::NEG_Y));
-        assert_eq!(below, Estimate::default());
+        assert_eq!((below.tests, below.irradiance), (0, DVec3::ZERO));
     }
 
     #[test]

@@ -157,8 +157,29 @@ impl<'a> FormatMap<'a> {
     /// # Errors
     /// More photons than the format declares.
     pub fn gather(&self, position: DVec3, normal: DVec3) -> Result<LocalSums, LocalError> {
+        self.gather_within(position, normal, self.radius_sq())
+    }
+
+    /// The search radius squared (squared fine steps): exact, and the largest that can be gathered
+    /// at.
+    #[must_use]
+    pub fn radius_sq(&self) -> u32 {
+        self.gather.radius_sq()
+    }
+
+    /// The sums of a query with another search radius, `radius_sq` in squared fine steps.
+    ///
+    /// # Errors
+    /// More photons than the format declares, or a `radius_sq` over [`Self::radius_sq`].
+    pub fn gather_within(
+        &self,
+        position: DVec3,
+        normal: DVec3,
+        radius_sq: u32,
+    ) -> Result<LocalSums, LocalError> {
         let blocks = self.blocks(position, normal);
-        self.gather.gather(&self.query(position), blocks)
+        let query = self.query(position);
+        self.gather.gather_within(&query, radius_sq, blocks)
     }
 
     /// Every photon that a query gathers, before rounding, with the format's verdict whether it

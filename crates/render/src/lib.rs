@@ -6,7 +6,7 @@
 //! 2. [`trace`]: photons leave the lights, follow mirrors, and are stored at every diffuse hit;
 //! 3. [`PhotonMap`]: photons in blocks of a grid whose edge is at least the search radius;
 //! 4. [`ViewOptions`]: view rays, supersampled, end at [`QueryPoint`]s;
-//! 5. [`render`] with an [`Engine`]: the radiance estimate, by the f64 reference or by the
+//! 5. [`render`] with an [`Engine`] and an [`Estimator`]: the radiance estimate, by the f64 reference or by the
 //!    golden model on photons that [`QuantisedMap`] turned into a machine's integers, or
 //!    [`FormatMap`] into those of a photon format;
 //! 6. [`Image`]: linear RGB, tone mapping, PNG.
@@ -47,21 +47,21 @@ mod workload;
 pub use camera::{Camera, Ray};
 pub use compare::{CompareError, LIGHT_RADIANCE, light_mask, rel_mse, rms_relative_difference};
 pub use estimators::{
-    Bisection, EstimatorError, Kernel, KernelEstimate, Ladder, LadderError, MAX_RUNGS, Near,
-    Neighbourhood, Rung, smallest_radius_sq,
+    Bisection, Estimator, EstimatorError, Kernel, KernelEstimate, Ladder, LadderError, MAX_RUNGS,
+    MIN_K, Near, Neighbourhood, Rung, UnfitEstimator, UnknownEstimator, smallest_radius_sq,
 };
 pub use format_map::{FormatMap, FormatMapError};
 pub use geometry::{Hit, Quad};
 pub use image::{Image, ImageError};
 pub use machine_map::MachineMap;
 pub use metrics::{
-    BenchError, BenchOptions, ErrorBench, ErrorReport, ErrorStudy, Interval, MAX_QUERY_NOISE,
-    MetricsError, Misclassified, Moments, Noise, NoiseMeter, RelativeErrors, RelativeSummary,
-    luminance, view_queries,
+    BenchError, BenchOptions, ErrorBench, ErrorReport, ErrorStudy, EstimatorReport, Interval,
+    MAX_QUERY_NOISE, MetricsError, Misclassified, Moments, Noise, NoiseMeter, RelativeErrors,
+    RelativeSummary, luminance, view_queries,
 };
 pub use photon_map::{Candidates, MapError, PhotonMap};
 pub use quantise::{QuantiseError, QuantisedMap};
-pub use render::{Engine, RenderError, RenderStats, Rendering, render};
+pub use render::{Engine, RenderError, RenderStats, Rendering, render, render_with};
 pub use scene::{Bsdf, LightChoice, Scene, SceneError, Surface};
 pub use speed::{f32_speed, gather_speed};
 pub use trace::{Photon, PhotonTrace, TraceError, TraceOptions, trace};

@@ -112,15 +112,21 @@ impl<'a> QuantisedMap<'a> {
         self.power_step
     }
 
+    /// The search radius squared in the machine's steps, not rounded.
+    pub(crate) fn exact_radius_sq(&self) -> f64 {
+        let edge = 1 << self.machine.position_bits();
+        let radius = f64::from(edge) * (self.map.radius() / self.map.edge());
+        radius.powi(2)
+    }
+
     /// The machine's query at `position`: the fraction in its block, behind one block's edge.
     #[must_use]
     pub fn query(&self, position: DVec3) -> spec::Query {
         let edge = 1 << self.format.position_bits();
-        let radius = f64::from(edge) * (self.map.radius() / self.map.edge());
         spec::Query {
             position: fraction(self.map, position, self.format.position_bits()).map(|f| edge + f),
             // The quotient's rounding must not cost a radius of whole steps its last square step.
-            radius_sq: (radius.powi(2) * (1.0 + 1e-12)) as u32,
+            radius_sq: (self.exact_radius_sq() * (1.0 + 1e-12)) as u32,
         }
     }
 

@@ -9,7 +9,8 @@ use photoncube_spec::{Machine, PhotonFormat};
 use rayon::prelude::*;
 use thiserror::Error;
 
-use crate::estimate::{Estimate, Refusal, estimate_f64, estimate_format, estimate_model};
+use crate::estimate::{Estimate, Refusal};
+use crate::estimators::{Estimator, EstimatorError, Method, UnfitEstimator};
 use crate::format_map::{FormatMap, FormatMapError};
 use crate::image::Image;
 use crate::machine_map::MachineMap;
@@ -41,6 +42,19 @@ pub enum RenderError {
     /// The photon format does not fit.
     #[error(transparent)]
     Format(#[from] FormatMapError),
+    /// The engine cannot make that estimate.
+    #[error(transparent)]
+    Estimator(#[from] UnfitEstimator),
+    /// There is no such estimate at a query, in f64.
+    #[error("pixel ({x}, {y}): {source}")]
+    Reference {
+        /// Column, from the left.
+        x: u32,
+        /// Row, from the top.
+        y: u32,
+        /// Why.
+        source: EstimatorError,
+    },
     /// The golden model of a machine refused a query.
     #[error("pixel ({x}, {y}): {source}")]
     Gather {
@@ -69,6 +83,8 @@ impl RenderError {
         match refusal {
             Refusal::Machine(source) => Self::Gather { x, y, source },
             Refusal::Format(source) => Self::LocalGather { x, y, source },
+            Refusal::Reference(source) => Self::Reference { x, y, source },
+            Refusal::Estimator(source) => Self::Estimator(source),
         }
     }
 }
@@ -78,11 +94,13 @@ impl RenderError {
 pub struct RenderStats {
     /// View rays that ended on a front, each one query.
     pub query_points: u64,
-    /// Photons tested against a query: distance, compare, accumulate.
+    /// Gathers made: of integer engines, one for each bisection and each rung.
+    pub gathers: u64,
+    /// Photons tested against a query in a gather: distance, compare, accumulate.
     pub photon_tests: u64,
     /// Those of them in range.
     pub photons_in_range: u64,
-    /// Iterations of the machine: a query's photons in groups of
+    /// Iterations of the machine: a gather's photons in groups of
     /// [`Machine::photons_per_iteration`], the last perhaps not full. 0 for the
     /// reference and for a photon format, which have none.
     pub photon_groups: u64,
@@ -93,6 +111,7 @@ pub struct RenderStats {
 impl AddAssign for RenderStats {
     fn add_assign(&mut self, other: Self) {
         self.query_points += other.query_points;
+        self.gathers += other.gathers;
         self.photon_tests += other.photon_tests;
         self.photons_in_range += other.photons_in_range;
         self.photon_groups += other.photon_groups;
@@ -109,13 +128,11 @@ pub struct Rendering {
     pub stats: RenderStats,
 }
 
-/// Renders the scene's view from the photon map. All engines see the same query points.
-///
-/// `progress` gets the number of pixels done so far, from any thread, not always in order.
+/// Renders the scene's view from the photon map with its search radius: [`render_with`] and
+/// [`Estimator::FixedRadius`].
 ///
 /// # Errors
-/// Options without pixels, formats that do not fit the map, or a query that the golden model
-/// refuses (more photons than [`Machine::max_photons`] or [`PhotonFormat::max_photons`]).
+/// As for [`render_with`].
 pub fn render(
     scene: &Scene,
     map: &PhotonMap,
@@ -123,10 +140,31 @@ pub fn render(
     options: &ViewOptions,
     progress: &(dyn Fn(u64) + Sync),
 ) -> Result<Rendering, RenderError> {
+    let estimator = Estimator::FixedRadius;
+    render_with(scene, map, engine, estimator, options, progress)
+}
+
+/// Renders the scene's view from the photon map. All engines see the same query points.
+///
+/// `progress` gets the number of pixels done so far, from any thread, not always in order.
+///
+/// # Errors
+/// Options without pixels, formats that do not fit the map, an estimate that the engine cannot make
+/// ([`Estimator::check`]), or a query that the golden model refuses (more photons than
+/// [`Machine::max_photons`] or [`PhotonFormat::max_photons`]).
+pub fn render_with(
+    scene: &Scene,
+    map: &PhotonMap,
+    engine: Engine<'_>,
+    estimator: Estimator,
+    options: &ViewOptions,
+    progress: &(dyn Fn(u64) + Sync),
+) -> Result<Rendering, RenderError> {
     options.check()?;
     let renderer = Renderer {
         scene,
         map,
+        method: Method::new(estimator, engine)?,
         engine: Prepared::new(map, engine)?,
         options,
     };
@@ -167,16 +205,13 @@ impl<'a> Prepared<'a> {
         })
     }
 
+    /// The estimate at the map's search radius.
     pub(crate) fn estimate(
         &self,
         map: &PhotonMap,
         query: &QueryPoint,
     ) -> Result<Estimate, Refusal> {
-        match self {
-            Self::F64 => Ok(estimate_f64(map, query)),
-            Self::Model(quantised) => Ok(estimate_model(map, quantised, query)?),
-            Self::Format(quantised, _) => Ok(estimate_format(quantised, query)?),
-        }
+        Method::FixedRadius.estimate(self, map, query)
     }
 
     fn groups(&self, photons: u64) -> u64 {
@@ -192,6 +227,7 @@ impl<'a> Prepared<'a> {
 struct Renderer<'a> {
     scene: &'a Scene,
     map: &'a PhotonMap,
+    method: Method,
     engine: Prepared<'a>,
     options: &'a ViewOptions,
 }
@@ -213,7 +249,7 @@ impl Renderer<'_> {
         for sample in self.options.samples(self.scene, x, y) {
             radiance += sample.emitted;
             if let Some(query) = sample.query {
-                let estimate = self.engine.estimate(self.map, &query)?;
+                let estimate = self.method.estimate(&self.engine, self.map, &query)?;
                 radiance += query.beta * estimate.irradiance;
                 *stats += self.stats_of(&estimate);
             }
@@ -224,9 +260,10 @@ impl Renderer<'_> {
     fn stats_of(&self, estimate: &Estimate) -> RenderStats {
         RenderStats {
             query_points: 1,
-            photon_tests: estimate.tests,
+            gathers: estimate.gathers,
+            photon_tests: estimate.gathers * estimate.tests,
             photons_in_range: estimate.in_range,
-            photon_groups: self.engine.groups(estimate.tests),
+            photon_groups: estimate.gathers * self.engine.groups(estimate.tests),
             largest_query: estimate.tests,
         }
     }

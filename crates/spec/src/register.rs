@@ -5,7 +5,8 @@ use crate::format::Widths;
 /// A register of a cell.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Register {
-    /// The query point's coordinate of this role; 0 in a D cell.
+    /// The query point's coordinate of this role; in a D cell what is at distance 0 from a photon
+    /// at 0: 0, on quarter steps 1.
     Query,
     /// The squared search radius.
     RadiusSq,

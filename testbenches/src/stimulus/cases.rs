@@ -251,7 +251,8 @@ impl<'a, R: Rng> Cases<'a, R> {
             steps.swap(0, 1);
         }
         let mirrored = [0, 1, 2].map(|axis| {
-            let [above, below] = self.aim.at_steps(query[axis], steps[axis]);
+            let sides = self.aim.at_steps(query[axis], steps[axis]);
+            let [above, below] = sides.map(|side| side.filter(|&photon| photon <= limit));
             if self.rng.random() {
                 above.or(below)
             } else {

@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use anyhow::Result;
 use photoncube_render::{
-    Engine, PhotonMap, Rendering, Scene, TraceOptions, ViewOptions, render, trace,
+    Engine, Estimator, PhotonMap, Rendering, Scene, TraceOptions, ViewOptions, render_with, trace,
 };
 use photoncube_spec::{Machine, find_photon_format};
 use serde::Serialize;
@@ -21,10 +21,12 @@ struct Report {
     scene: String,
     engine: &'static str,
     machine: Option<&'static str>,
-    format: Option<&'static str>,
+    format: Option<String>,
+    estimator: String,
     output: String,
     photons: usize,
     query_points: u64,
+    gathers_per_query: f64,
     photon_tests: u64,
     search_radius: f64,
     seed: u64,
@@ -71,18 +73,28 @@ pub fn view(picture: &PictureArgs) -> ViewOptions {
     }
 }
 
-/// Stages 4 to 6, without writing: view rays, estimates, the image.
+/// Stages 4 to 6 with the fixed search radius, without writing: view rays, estimates, the image.
 pub fn picture(
     traced: &Traced,
     engine: Engine<'_>,
     view: &ViewOptions,
     what: &'static str,
 ) -> Result<Rendering> {
+    picture_with(traced, engine, Estimator::FixedRadius, view, what)
+}
+
+fn picture_with(
+    traced: &Traced,
+    engine: Engine<'_>,
+    estimator: Estimator,
+    view: &ViewOptions,
+    what: &'static str,
+) -> Result<Rendering> {
     let pixels = u64::from(view.width) * u64::from(view.height);
     let bar = progress::bar(what, pixels);
-    let rendering = render(&traced.scene, &traced.map, engine, view, &|done| {
-        bar.set_position(done);
-    })?;
+    let progress = |done| bar.set_position(done);
+    let (scene, map) = (&traced.scene, &traced.map);
+    let rendering = render_with(scene, map, engine, estimator, view, &progress)?;
     bar.finish_and_clear();
     Ok(rendering)
 }
@@ -96,26 +108,29 @@ pub fn execute(args: &RenderArgs, json: bool) -> Result<()> {
         EngineName::Model => Engine::Model(machine),
         EngineName::Format => Engine::Format(format),
     };
+    args.estimator.check(engine)?;
     // Before the work, so that a folder that cannot be written is told at once.
     files::make_folder(args.output.parent().unwrap_or(Path::new(".")))?;
     let start = Instant::now();
     let traced = trace_scene(&args.scene, &args.picture)?;
     let view = view(&args.picture);
-    let rendering = picture(&traced, engine, &view, "rendering")?;
+    let rendering = picture_with(&traced, engine, args.estimator, &view, "rendering")?;
     rendering.image.write_png(&args.output, EXPOSURE)?;
     let (engine, machine, format) = match args.engine {
         EngineName::F64 => ("f64", None, None),
         EngineName::Model => ("model", Some(machine.name), None),
-        EngineName::Format => ("format", None, Some(format.name)),
+        EngineName::Format => ("format", None, Some(format.name())),
     };
     let report = Report {
         scene: args.scene.clone(),
         engine,
         machine,
         format,
+        estimator: args.estimator.to_string(),
         output: args.output.display().to_string(),
         photons: traced.map.photons().len(),
         query_points: rendering.stats.query_points,
+        gathers_per_query: mean(rendering.stats.gathers, rendering.stats.query_points),
         photon_tests: rendering.stats.photon_tests,
         search_radius: traced.map.radius(),
         seed: args.picture.seed,
@@ -124,9 +139,20 @@ pub fn execute(args: &RenderArgs, json: bool) -> Result<()> {
     output::print(json, &report, || text(&report))
 }
 
+/// 0 where nothing was counted, as in a view of nothing.
+fn mean(total: u64, count: u64) -> f64 {
+    total as f64 / count.max(1) as f64
+}
+
 fn text(report: &Report) -> String {
     format!(
-        "{}: {} photons, {} query points, {} photon tests in {:.1} s\n",
-        report.output, report.photons, report.query_points, report.photon_tests, report.seconds
+        "{}: {} photons, {} query points, {} photon tests in {:.1} s; estimator {}, {:.1} gathers a query\n",
+        report.output,
+        report.photons,
+        report.query_points,
+        report.photon_tests,
+        report.seconds,
+        report.estimator,
+        report.gathers_per_query,
     )
 }

@@ -1,5 +1,7 @@
 //! `report`: speed against error, formats and machines side by side.
 
+mod estimators;
+
 use anyhow::Result;
 use photoncube_render::{
     BenchOptions, Engine, ErrorBench, ErrorReport, MAX_QUERY_NOISE, ViewOptions, f32_speed,
@@ -21,6 +23,7 @@ struct Report {
     photons: u64,
     noise_relative: f64,
     rows: Vec<Row>,
+    estimators: Vec<estimators::Row>,
     f64_photon_tests_per_second: f64,
     f32_photon_tests_per_second: f64,
     speed_plot: String,
@@ -85,6 +88,7 @@ pub fn execute(args: &ReportArgs, json: bool) -> Result<()> {
         photons: args.photons,
         noise_relative: rows[0].error.noise_relative,
         rows,
+        estimators: estimators::measure(&bench, args.in_range)?,
         f64_photon_tests_per_second: gather_speed(map, queries, Engine::F64)?,
         f32_photon_tests_per_second: f32_speed(map, queries),
         speed_plot: speed_path.display().to_string(),
@@ -241,7 +245,7 @@ fn text(report: &Report) -> String {
         "{}: noise {} rms over {} maps of {} photons; {} of {} estimates left out, their queries\n\
          noisier than {}\n\n{}\n\
          f64 loop {:.0} M photon tests/s, f32 loop {:.0}; `-`: no machine is built for that format yet\n\
-         plots: {}, {}\n",
+         plots: {}, {}\n\n{}",
         report.scene,
         percent(report.noise_relative),
         report.maps,
@@ -254,6 +258,7 @@ fn text(report: &Report) -> String {
         report.f32_photon_tests_per_second / 1e6,
         report.speed_plot,
         report.bits_plot,
+        estimators::text(&report.estimators),
     )
 }
 

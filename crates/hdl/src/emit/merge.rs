@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, HashMap, HashSet};
 
 use super::EmitError;
+use super::channels::ChannelNames;
 use super::modules::{Module, rename_identifiers};
 
 /// Merges equal modules and names them `prefix_instance`; the module `top` becomes `prefix` and
@@ -11,12 +12,13 @@ pub(super) fn merge(
     mut modules: Vec<Module>,
     top: &str,
     prefix: &str,
+    channels: &ChannelNames,
 ) -> Result<String, EmitError> {
     let names: HashSet<String> = modules.iter().map(|module| module.name.clone()).collect();
     // A child's name extends its parent's: the longest first is bottom-up. The order of equal
     // lengths is the text's, so the result does not change from run to run.
     modules.sort_by_key(|module| std::cmp::Reverse(module.name.len()));
-    let mut merged = Merged::default();
+    let mut merged = Merged::new(channels);
     for module in &modules {
         let name = if module.name == top {
             prefix.to_owned()
@@ -28,8 +30,8 @@ pub(super) fn merge(
     Ok(merged.text())
 }
 
-#[derive(Default)]
-struct Merged {
+struct Merged<'a> {
+    channels: &'a ChannelNames,
     /// From rust-hdl's name to ours.
     names: HashMap<String, String>,
     /// From a module's text to its name.
@@ -40,7 +42,17 @@ struct Merged {
     modules: Vec<(String, String)>,
 }
 
-impl Merged {
+impl<'a> Merged<'a> {
+    fn new(channels: &'a ChannelNames) -> Self {
+        Self {
+            channels,
+            names: HashMap::new(),
+            by_body: HashMap::new(),
+            wanted: BTreeMap::new(),
+            modules: Vec::new(),
+        }
+    }
+
     fn add(&mut self, module: &Module, wanted: String) -> Result<(), EmitError> {
         let body = self.readable(module)?;
         if let Some(name) = self.by_body.get(&body) {
@@ -59,7 +71,7 @@ impl Merged {
         Ok(())
     }
 
-    /// The body with our module names, and `_` for the `$` of rust-hdl's paths.
+    /// The body with our names of modules and channels, and `_` for the `$` of rust-hdl's paths.
     fn readable(&self, module: &Module) -> Result<String, EmitError> {
         let mut origin: HashMap<String, String> = HashMap::new();
         let mut clash = None;
@@ -67,7 +79,7 @@ impl Merged {
             if let Some(name) = self.names.get(word) {
                 return name.clone();
             }
-            let name = word.replace('$', "_");
+            let name = self.channels.name(word).replace('$', "_");
             let first = origin
                 .entry(name.clone())
                 .or_insert_with(|| word.to_owned());
@@ -168,6 +180,7 @@ fn tidy_line(line: &str) -> String {
 mod tests {
     use super::super::modules::split;
     use super::*;
+    use photoncube_spec::MACHINES;
 
     const REGISTER: &str = "(d,q,clock);\n input wire [7:0] d;\n q <= d;\n";
 
@@ -179,6 +192,10 @@ mod tests {
         split(&text)
     }
 
+    fn merge_as_p(modules: Vec<Module>) -> Result<String, EmitError> {
+        merge(modules, "top", "p", &ChannelNames::of(&MACHINES[0]))
+    }
+
     #[test]
     fn equal_children_make_equal_parents() {
         let modules = text(&[
@@ -188,7 +205,7 @@ mod tests {
             ("top$a$1", "();\n top$a$1$r r();\n"),
             ("top$a$1$r", REGISTER),
         ]);
-        let merged = merge(modules, "top", "p").unwrap();
+        let merged = merge_as_p(modules).unwrap();
         assert_eq!(
             merged,
             "\nmodule p();\n p_a a_0();\n p_a a_1();\nendmodule\n\
@@ -214,14 +231,14 @@ mod tests {
             ("top$a$0", "();\n x\n"),
             ("top$a$1", "();\n y\n"),
         ]);
-        let merged = merge(modules, "top", "p").unwrap();
+        let merged = merge_as_p(modules).unwrap();
         assert!(merged.contains("module p_a()") && merged.contains("module p_a_2()"));
     }
 
     #[test]
     fn names_that_would_fall_together_are_refused() {
         let modules = text(&[("top", "(a$0, a_0);\n")]);
-        let error = merge(modules, "top", "p").unwrap_err().to_string();
+        let error = merge_as_p(modules).unwrap_err().to_string();
         assert!(error.contains("`a$0` and `a_0`"), "{error}");
     }
 }

@@ -4,10 +4,11 @@
 //! and our lint), printed, cut into modules, and equal modules are merged, bottom-up, under names
 //! that people can read. The result is plain Verilog-2001 and the same at every run.
 
+mod channels;
 mod merge;
 mod modules;
 
-use photoncube_spec::{CONTROL_REGISTERS, Machine, Pins, Register, SignalPlace};
+use photoncube_spec::{CONTROL_REGISTERS, Machine, Numbers, Pins, Register, SignalPlace};
 use rust_hdl::prelude::{ModuleDefines, check_all};
 use thiserror::Error;
 
@@ -16,6 +17,8 @@ use crate::level::Level;
 use crate::lint::{OpaqueKind, lint, opaque_blocks};
 use crate::pinned::Pinned;
 use crate::simulator::level_pins;
+
+use channels::ChannelNames;
 
 /// Emitted Verilog, and what one must know to simulate it.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -71,7 +74,7 @@ pub enum EmitError {
 
 /// Blocks whose Verilog is written by hand and so is not seen by the lint. Each is simulated from
 /// its emitted text, exhaustively where it has no state.
-const HAND_WRITTEN: &[&str] = &["squarer"];
+const HAND_WRITTEN: &[&str] = &["difference", "squarer"];
 
 /// Emits the Verilog of a machine at a level.
 ///
@@ -87,7 +90,7 @@ pub fn emit(machine: &Machine, level: Level) -> Result<Emitted, EmitError> {
         part => format!("{}_{}", machine.module_prefix(), part.name()),
     };
     let modules = modules::split(&printed.defines());
-    let merged = merge::merge(modules, TOP, &prefix)?;
+    let merged = merge::merge(modules, TOP, &prefix, &ChannelNames::of(machine))?;
     let pins = level_pins(machine, level)?;
     Ok(Emitted {
         text: header(machine, level) + &merged,
@@ -133,16 +136,29 @@ fn header(machine: &Machine, level: Level) -> String {
         part => format!(", its {}", part.name()),
     };
     format!(
-        "// {}{scope}: {}.\n// {} cells, {}-bit coordinates, {}-bit powers, squarer: {}.\n\
+        "// {}{scope}: {}.\n// {} cells, {}, squarer: {}.\n\
          // Written by `photoncube generate --machine {}`; do not edit.\n",
         machine.name,
         machine.summary,
         machine.hypercube().nodes(),
-        machine.coordinate_bits,
-        machine.power_bits,
+        numbers(machine),
         machine.squarer.name(),
         machine.name,
     )
+}
+
+fn numbers(machine: &Machine) -> String {
+    match &machine.numbers {
+        Numbers::Plain(format) => format!(
+            "{}-bit coordinates, {}-bit powers",
+            format.coordinate_bits, format.power_bits
+        ),
+        Numbers::Local(format) => format!(
+            "photon format {}, {} bits per photon",
+            format.name(),
+            machine.bits_per_photon()
+        ),
+    }
 }
 
 /// Registers are instances of a register module; its output is `q`.
@@ -160,6 +176,7 @@ fn register_path(level: Level, place: SignalPlace) -> String {
 mod tests {
     use super::*;
     use photoncube_spec::MACHINES;
+    use std::collections::BTreeSet;
 
     #[test]
     fn every_level_of_every_machine_is_emitted_alike_twice() {
@@ -173,6 +190,41 @@ mod tests {
         }
     }
 
+    /// The ports that the first module declares, with their widths.
+    fn declared_ports(text: &str) -> BTreeSet<(String, u32)> {
+        let top = text.split("endmodule").next().unwrap_or_default();
+        let declaration = |line: &str| {
+            let line = line.trim().trim_end_matches(';');
+            let port = ["input wire ", "output reg ", "output wire "]
+                .iter()
+                .find_map(|kind| line.strip_prefix(kind))?;
+            match port
+                .strip_prefix('[')
+                .and_then(|port| port.split_once(":0] "))
+            {
+                None => Some((port.to_owned(), 1)),
+                Some((high, name)) => Some((name.to_owned(), high.parse::<u32>().ok()? + 1)),
+            }
+        };
+        top.lines().filter_map(declaration).collect()
+    }
+
+    #[test]
+    fn every_machine_has_exactly_the_pins_of_the_spec() {
+        for machine in MACHINES {
+            let pins = Pins::of(machine);
+            let clock = ("clock".to_owned(), 1);
+            let expected = pins.inputs.iter().chain(&pins.observed[..pins.outputs]);
+            let expected = expected.map(|pin| (pin.name.clone(), pin.width));
+            assert_eq!(
+                declared_ports(&emit(machine, Level::Machine).unwrap().text),
+                expected.chain([clock]).collect(),
+                "{}",
+                machine.name
+            );
+        }
+    }
+
     #[test]
     fn equal_modules_are_merged() {
         let text = emit(&MACHINES[0], Level::Machine).unwrap().text;
@@ -180,8 +232,8 @@ mod tests {
             .lines()
             .filter(|line| line.starts_with("module "))
             .count();
-        // processor, control, store, decoder, ports, network, cell, square unit, squarer, gate
-        // unit, add unit, and registers of 1, 4, 8, 16, 18 and 32 bits.
-        assert_eq!(modules, 17);
+        // processor, control, store, decoder, ports, network, cell, square unit, difference,
+        // squarer, gate unit, add unit, and registers of 1, 4, 8, 16, 18 and 32 bits.
+        assert_eq!(modules, 18);
     }
 }

@@ -1,6 +1,7 @@
 //! The paper's three units: `A+B`, `(A-B)^2`, and `if A>B, output 0`.
 
 mod add;
+mod difference;
 mod gate;
 mod square;
 mod squarer;

@@ -1,49 +1,48 @@
-//! `(A-B)^2`.
+//! The square of a distance on one axis: `(A-B)^2`, or what a photon format has in its place.
 
 use photoncube_spec::Squarer;
 use rust_hdl::prelude::*;
 
-use super::squarer::SquarerBlock;
+use super::difference::Difference;
+use super::squarer::{Power, SquarerBlock};
 
-/// The squared difference of two unsigned coordinates; `Q = 2 C`, exact.
-///
-/// |A-B| is chosen from the two differences, so that the squarer stays unsigned and `C` bits
-/// wide; synthesis shares the comparison with a subtraction.
+/// The square of the distance of query `a` (`C` bits) and photon `b` (`H` bits), of which `M` bits
+/// are squared; `Q = 2 M`, exact. Between two grids it is the half square, see
+/// `photoncube_spec::PhotonFormat`.
 #[derive(LogicBlock)]
-pub(crate) struct SquareUnit<const C: usize, const Q: usize> {
+pub(crate) struct SquareUnit<const C: usize, const H: usize, const M: usize, const Q: usize> {
     pub a: Signal<In, Bits<C>>,
-    pub b: Signal<In, Bits<C>>,
+    pub b: Signal<In, Bits<H>>,
     pub square: Signal<Out, Bits<Q>>,
-    a_minus_b: Signal<Local, Bits<C>>,
-    b_minus_a: Signal<Local, Bits<C>>,
-    below: Signal<Local, Bit>,
-    squarer: SquarerBlock<C, Q>,
+    difference: Difference<C, H, M>,
+    squarer: SquarerBlock<M, Q>,
 }
 
-impl<const C: usize, const Q: usize> SquareUnit<C, Q> {
+impl<const C: usize, const H: usize, const M: usize, const Q: usize> SquareUnit<C, H, M, Q> {
     pub fn new(squarer: Squarer) -> Self {
+        let power = if H < C {
+            Power::HalfSquare
+        } else {
+            Power::Square
+        };
         Self {
             a: Default::default(),
             b: Default::default(),
             square: Default::default(),
-            a_minus_b: Default::default(),
-            b_minus_a: Default::default(),
-            below: Default::default(),
-            squarer: SquarerBlock::new(squarer),
+            difference: Default::default(),
+            squarer: SquarerBlock::new(squarer, power),
         }
     }
 }
 
-impl<const C: usize, const Q: usize> Logic for SquareUnit<C, Q> {
+impl<const C: usize, const H: usize, const M: usize, const Q: usize> Logic
+    for SquareUnit<C, H, M, Q>
+{
     #[hdl_gen]
     fn update(&mut self) {
-        self.a_minus_b.next = self.a.val() - self.b.val();
-        self.b_minus_a.next = self.b.val() - self.a.val();
-        self.below.next = self.a.val() < self.b.val();
-        self.squarer.root.next = self.a_minus_b.val();
-        if self.below.val() {
-            self.squarer.root.next = self.b_minus_a.val();
-        }
+        self.difference.a.next = self.a.val();
+        self.difference.b.next = self.b.val();
+        self.squarer.root.next = self.difference.magnitude.val();
         self.square.next = self.squarer.square.val();
     }
 }

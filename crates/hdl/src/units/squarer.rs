@@ -9,29 +9,39 @@ use rust_hdl::prelude::*;
 /// Bits of a digit of [`Squarer::Digits`]: a LUT4 holds one bit of a digit's square.
 const DIGIT: usize = 4;
 
-/// `square = root^2`; `Q = 2 C`, exact.
-#[derive(LogicBlock)]
-pub(crate) struct SquarerBlock<const C: usize, const Q: usize> {
-    pub root: Signal<In, Bits<C>>,
-    pub square: Signal<Out, Bits<Q>>,
-    _kind: Squarer,
+/// What becomes of the root.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Power {
+    /// `m m`.
+    Square,
+    /// `m (m + 1)`: the square of `m + 1/2`, without its constant quarter.
+    HalfSquare,
 }
 
-impl<const C: usize, const Q: usize> SquarerBlock<C, Q> {
-    pub fn new(kind: Squarer) -> Self {
-        assert_eq!(Q, 2 * C);
+/// `square` is the square or half square of `root`; `Q = 2 M`, exact.
+#[derive(LogicBlock)]
+pub(crate) struct SquarerBlock<const M: usize, const Q: usize> {
+    pub root: Signal<In, Bits<M>>,
+    pub square: Signal<Out, Bits<Q>>,
+    _kind: Squarer,
+    _power: Power,
+}
+
+impl<const M: usize, const Q: usize> SquarerBlock<M, Q> {
+    pub fn new(kind: Squarer, power: Power) -> Self {
+        assert_eq!(Q, 2 * M);
         Self {
             root: Default::default(),
             square: Default::default(),
             _kind: kind,
+            _power: power,
         }
     }
 }
 
-impl<const C: usize, const Q: usize> Logic for SquarerBlock<C, Q> {
+impl<const M: usize, const Q: usize> Logic for SquarerBlock<M, Q> {
     fn update(&mut self) {
-        let root = self.root.val().to_u64();
-        self.square.next = (root * root).to_bits();
+        self.square.next = self._power.of(self.root.val().to_u64()).to_bits();
     }
 
     fn connect(&mut self) {
@@ -39,73 +49,138 @@ impl<const C: usize, const Q: usize> Logic for SquarerBlock<C, Q> {
     }
 
     fn hdl(&self) -> Verilog {
-        Verilog::Custom(match self._kind {
-            Squarer::Product => "always @(*) square = root * root;\n".to_owned(),
-            Squarer::Digits => digits_text(C),
+        Verilog::Custom(match (self._kind, self._power) {
+            (Squarer::Product, Power::Square) => product_text("root * root"),
+            (Squarer::Product, Power::HalfSquare) => product_text("root * root + root"),
+            (Squarer::Digits, Power::Square) => square_text(M),
+            (Squarer::Digits, Power::HalfSquare) => half_square_text(M),
         })
     }
 }
 
-/// With `root = sum of d_i 16^i`, `root^2 = sum of d_i^2 256^i + 2 sum of d_i d_j 16^(i+j)`, i < j:
-/// the squares of the digits stand side by side without overlap, the products are added.
-fn digits_text(width: usize) -> String {
-    let digits = width.div_ceil(DIGIT);
-    let mut text = square_function();
-    if digits > 1 {
-        text += PRODUCT_FUNCTION;
+impl Power {
+    fn of(self, root: u64) -> u64 {
+        match self {
+            Self::Square => root * root,
+            Self::HalfSquare => root * (root + 1),
+        }
     }
-    for i in 0..digits {
-        let low = i * DIGIT;
-        let high = width.min(low + DIGIT) - 1;
-        text += &format!("wire [{}:0] digit_{i} = root[{high}:{low}];\n", DIGIT - 1);
+
+    /// The name of its table of digits.
+    fn table(self) -> &'static str {
+        match self {
+            Self::Square => "digit_square",
+            Self::HalfSquare => "digit_half_square",
+        }
     }
-    let squares: Vec<_> = (0..digits)
-        .rev()
-        .map(|i| format!("digit_square(digit_{i})"))
-        .collect();
-    // Every term is at most as wide as the square, and Verilog extends it with zeros.
-    let mut terms = vec![format!("{{{}}}", squares.join(", "))];
-    for (i, j) in (0..digits).flat_map(|j| (0..j).map(move |i| (i, j))) {
-        let shift = DIGIT * (i + j) + 1;
-        terms.push(format!(
-            "{{digit_product(digit_{i}, digit_{j}), {shift}'d0}}"
-        ));
-    }
-    let sum = terms.join("\n    + ");
-    text + &format!("always @(*) square = {sum};\n")
 }
 
-fn square_function() -> String {
+fn product_text(product: &str) -> String {
+    format!("always @(*) square = {product};\n")
+}
+
+/// With `root = sum of d_i 16^i`, `root^2 = sum of d_i^2 256^i + 2 sum of d_i d_j 16^(i+j)`, i < j:
+/// the squares of the digits stand side by side without overlap, the products are added.
+fn square_text(width: usize) -> String {
+    let digits = width.div_ceil(DIGIT);
+    let products = pairs(digits).map(|(i, j)| {
+        let shift = DIGIT * (i + j) + 1;
+        format!("{{digit_product(digit_{i}, digit_{j}), {shift}'d0}}")
+    });
+    let mut text = table_function(Power::Square);
+    if digits > 1 {
+        text += &product_function(DIGIT);
+    }
+    text + &digit_wires(width) + &sum_text(Power::Square, digits, products)
+}
+
+/// `root (root + 1)` is the square with the sum of `d_i 16^i` added. At i = 0 that makes
+/// `d_0 (d_0 + 1)` of the digit's square; the others go into the products with digit 0:
+/// `2 d_0 d_j + d_j = (2 d_0 + 1) d_j`, one bit put below `d_0` and no adder.
+fn half_square_text(width: usize) -> String {
+    let digits = width.div_ceil(DIGIT);
+    let products = pairs(digits).map(|(i, j)| {
+        let shift = DIGIT * (i + j);
+        let below = u8::from(i == 0);
+        format!("{{digit_product(digit_{j}, {{digit_{i}, 1'd{below}}}), {shift}'d0}}")
+    });
+    let mut text = table_function(Power::HalfSquare);
+    if digits > 1 {
+        text += &table_function(Power::Square);
+        text += &product_function(DIGIT + 1);
+    }
+    text + &digit_wires(width) + &sum_text(Power::HalfSquare, digits, products)
+}
+
+/// All pairs i < j of digits.
+fn pairs(digits: usize) -> impl Iterator<Item = (usize, usize)> {
+    (0..digits).flat_map(|j| (0..j).map(move |i| (i, j)))
+}
+
+fn digit_wires(width: usize) -> String {
+    let wire = |i: usize| {
+        let low = i * DIGIT;
+        let high = width.min(low + DIGIT) - 1;
+        format!("wire [{}:0] digit_{i} = root[{high}:{low}];\n", DIGIT - 1)
+    };
+    (0..width.div_ceil(DIGIT)).map(wire).collect()
+}
+
+/// The digits' squares, of which the lowest is that of `lowest`, and the products. Verilog extends
+/// a term with zeros; where the highest digit is short, what is cut off is 0.
+fn sum_text(lowest: Power, digits: usize, products: impl Iterator<Item = String>) -> String {
+    let squares: Vec<_> = (0..digits)
+        .rev()
+        .map(|i| {
+            let power = if i == 0 { lowest } else { Power::Square };
+            format!("{}(digit_{i})", power.table())
+        })
+        .collect();
+    let mut terms = vec![format!("{{{}}}", squares.join(", "))];
+    terms.extend(products);
+    format!("always @(*) square = {};\n", terms.join("\n    + "))
+}
+
+fn table_function(power: Power) -> String {
+    let name = power.table();
     let (digit_bits, square_bits) = (DIGIT, 2 * DIGIT);
     let mut text = format!(
-        "function [{}:0] digit_square;\n  input [{}:0] digit;\n  case (digit)\n",
+        "function [{}:0] {name};\n  input [{}:0] digit;\n  case (digit)\n",
         square_bits - 1,
         digit_bits - 1
     );
-    let largest = (1_u32 << DIGIT) - 1;
+    let largest = (1_u64 << DIGIT) - 1;
     for digit in 0..=largest {
         let label = match digit {
             _ if digit == largest => "default".to_owned(),
             _ => format!("{digit_bits}'d{digit}"),
         };
-        let square = digit * digit;
-        text += &format!("    {label}: digit_square = {square_bits}'d{square};\n");
+        let square = power.of(digit);
+        text += &format!("    {label}: {name} = {square_bits}'d{square};\n");
     }
     text + "  endcase\nendfunction\n"
 }
 
-/// Two bits of `first` at a time: each row is one carry chain of 6 bits. Yosys maps the bare `a * b`
-/// to twice the LUTs.
-const PRODUCT_FUNCTION: &str = "\
-function [7:0] digit_product;
-  input [3:0] first;
-  input [3:0] second;
-  reg [5:0] low;
-  reg [5:0] high;
-  begin
-    low = (first[0] ? {2'd0, second} : 6'd0) + (first[1] ? {1'd0, second, 1'd0} : 6'd0);
-    high = (first[2] ? {2'd0, second} : 6'd0) + (first[3] ? {1'd0, second, 1'd0} : 6'd0);
-    digit_product = {2'd0, low} + {high, 2'd0};
-  end
-endfunction
-";
+/// Two bits of `first` at a time: each row is one carry chain of two bits more than `second`. Yosys
+/// maps the bare `a * b` to twice the LUTs.
+fn product_function(second_bits: usize) -> String {
+    let (row_bits, product_bits) = (second_bits + 2, second_bits + DIGIT);
+    let row = |name: &str, bit: usize| {
+        format!(
+            "    {name} = (first[{bit}] ? {{2'd0, second}} : {row_bits}'d0) \
+             + (first[{}] ? {{1'd0, second, 1'd0}} : {row_bits}'d0);\n",
+            bit + 1
+        )
+    };
+    let mut text = format!("function [{}:0] digit_product;\n", product_bits - 1);
+    text += &format!("  input [{}:0] first;\n", DIGIT - 1);
+    text += &format!("  input [{}:0] second;\n", second_bits - 1);
+    for name in ["low", "high"] {
+        text += &format!("  reg [{}:0] {name};\n", row_bits - 1);
+    }
+    text += "  begin\n";
+    text += &row("low", 0);
+    text += &row("high", 2);
+    text += "    digit_product = {2'd0, low} + {high, 2'd0};\n";
+    text + "  end\nendfunction\n"
+}

@@ -8,15 +8,15 @@ use super::error::{CountError, LocalError};
 use super::limits::LocalLimits;
 
 /// The gather of one format: eq. 2 of Ryu, Kim, Lee without its constant factor, with the search
-/// radius that the format fixes.
+/// radius that the format fixes or any smaller one.
 #[derive(Copy, Clone, Debug)]
 pub struct LocalGather {
     format: PhotonFormat,
     limits: LocalLimits,
     /// The largest clamped difference.
     clamp: u32,
-    /// The largest sum of (half) squares in range.
-    largest: u32,
+    /// The search radius squared, R^2.
+    radius_sq: u32,
     /// The largest sum of (half) squares that is told apart.
     saturated: u32,
 }
@@ -28,15 +28,12 @@ impl LocalGather {
     /// A format that is not legal.
     pub fn new(format: &PhotonFormat) -> Result<Self, FormatError> {
         let limits = LocalLimits::of(format)?;
-        let radius_sq = format.radius_steps().pow(2);
-        let half_steps = format.half_steps();
         let widths = FormatWidths::of(format);
         Ok(Self {
             format: *format,
             limits,
             clamp: (1 << format.radius_bits()) - 1,
-            // On half steps, sum + 3/4 <= R^2 for an integer sum.
-            largest: radius_sq - u32::from(half_steps),
+            radius_sq: format.radius_steps().pow(2),
             saturated: (1 << widths.distance) - 1,
         })
     }
@@ -53,6 +50,13 @@ impl LocalGather {
         &self.limits
     }
 
+    /// The format's search radius squared, R^2 (squared fine steps): the largest that
+    /// [`Self::gather_within`] takes.
+    #[must_use]
+    pub fn radius_sq(&self) -> u32 {
+        self.radius_sq
+    }
+
     /// Sums power and number of the photons in range; exact, in whatever order they come.
     ///
     /// # Errors
@@ -62,7 +66,24 @@ impl LocalGather {
         query: &LocalQuery,
         blocks: impl IntoIterator<Item = PhotonBlock<'b>>,
     ) -> Result<LocalSums, LocalError> {
+        self.gather_within(query, self.radius_sq, blocks)
+    }
+
+    /// The same for another search radius: d^2 <= `radius_sq` (squared fine steps) is in range,
+    /// which decides exactly, as at R. Bisection for the k-th photon and a ladder of radii are
+    /// made of these, each radius one gather.
+    ///
+    /// # Errors
+    /// As for [`Self::gather`], and a `radius_sq` over [`Self::radius_sq`]: the blocks around the
+    /// query hold all photons only up to there.
+    pub fn gather_within<'b>(
+        &self,
+        query: &LocalQuery,
+        radius_sq: u32,
+        blocks: impl IntoIterator<Item = PhotonBlock<'b>>,
+    ) -> Result<LocalSums, LocalError> {
         self.limits.check_query(query)?;
+        self.limits.check_radius_sq(radius_sq)?;
         let mut sums = LocalSums::default();
         let mut given = 0;
         for block in blocks {
@@ -70,7 +91,7 @@ impl LocalGather {
             // Past the limit nothing is summed, only counted for the error.
             if given <= self.format.max_photons {
                 self.limits.check_block(&block)?;
-                self.add_block(query, &block, &mut sums)?;
+                self.add_block(query, radius_sq, &block, &mut sums)?;
             }
         }
         self.check_count(given)?;
@@ -83,36 +104,38 @@ impl LocalGather {
     pub fn in_range(&self, query: &LocalQuery, offset: [u32; 3], record: &PhotonRecord) -> bool {
         let relative = self.relative(query, offset);
         if self.format.half_steps() {
-            self.in_range_of::<true>(relative, record)
+            self.in_range_of::<true>(self.radius_sq, relative, record)
         } else {
-            self.in_range_of::<false>(relative, record)
+            self.in_range_of::<false>(self.radius_sq, relative, record)
         }
     }
 
     fn add_block(
         &self,
         query: &LocalQuery,
+        radius_sq: u32,
         block: &PhotonBlock<'_>,
         sums: &mut LocalSums,
     ) -> Result<(), LocalError> {
         self.limits.check_records(block.photons)?;
         let relative = self.relative(query, block.offset);
         if self.format.half_steps() {
-            self.add_records::<true>(relative, block, sums);
+            self.add_records::<true>(radius_sq, relative, block, sums);
         } else {
-            self.add_records::<false>(relative, block, sums);
+            self.add_records::<false>(radius_sq, relative, block, sums);
         }
         Ok(())
     }
 
     fn add_records<const HALF_STEPS: bool>(
         &self,
+        radius_sq: u32,
         relative: [i32; 3],
         block: &PhotonBlock<'_>,
         sums: &mut LocalSums,
     ) {
         for record in block.photons {
-            if !self.in_range_of::<HALF_STEPS>(relative, record) {
+            if !self.in_range_of::<HALF_STEPS>(radius_sq, relative, record) {
                 continue;
             }
             let exponent = block.exponent + record.exponent;
@@ -142,6 +165,7 @@ impl LocalGather {
 
     fn in_range_of<const HALF_STEPS: bool>(
         &self,
+        radius_sq: u32,
         relative: [i32; 3],
         record: &PhotonRecord,
     ) -> bool {
@@ -150,7 +174,13 @@ impl LocalGather {
             self.square::<HALF_STEPS>(difference)
         };
         let sum: u32 = square(0) + square(1) + square(2);
-        sum.min(self.saturated) <= self.largest
+        self.is_within::<HALF_STEPS>(sum, radius_sq)
+    }
+
+    /// Whether a sum of (half) squares is in range. On half steps d^2 is the sum and 3/4, which is
+    /// at most an integer where the sum and 1 are.
+    fn is_within<const HALF_STEPS: bool>(&self, sum: u32, radius_sq: u32) -> bool {
+        sum.min(self.saturated) + u32::from(HALF_STEPS) <= radius_sq
     }
 
     /// What a photon in this cell is subtracted as: its index, or the fine grid line through its
@@ -196,6 +226,14 @@ mod tests {
         }
     }
 
+    fn is_within(gather: &LocalGather, sum: u32, radius_sq: u32) -> bool {
+        if gather.format.half_steps() {
+            gather.is_within::<true>(sum, radius_sq)
+        } else {
+            gather.is_within::<false>(sum, radius_sq)
+        }
+    }
+
     /// Every pair of places on one axis: the squares against the distance in halves of a fine
     /// step, where it is an integer, from the definition alone.
     #[test]
@@ -220,7 +258,7 @@ mod tests {
                     let is_exact = quarters == halves * halves;
                     let both_out = quarters > quarters_of_limit
                         && halves * halves > quarters_of_limit
-                        && square > i64::from(gather.largest);
+                        && square + three_quarters_left > i64::from(gather.radius_sq);
                     assert!(is_exact || both_out, "{format:?} {query} {place}");
                 }
             }
@@ -246,8 +284,14 @@ mod tests {
                         .map(|m| (f64::from(m) + half).powi(2))
                         .iter()
                         .sum();
-                    let decided = sum.min(gather.saturated) <= gather.largest;
+                    let decided = is_within(&gather, sum, gather.radius_sq);
                     assert_eq!(decided, distance_sq <= radius_sq, "{format:?} {x} {y} {z}");
+                    // Up to R, d^2 rounded up is the smallest radius that holds the photon.
+                    let reaches = distance_sq.ceil() as u32;
+                    if reaches <= gather.radius_sq {
+                        assert!(is_within(&gather, sum, reaches));
+                        assert!(reaches == 0 || !is_within(&gather, sum, reaches - 1));
+                    }
                 }
             }
         }

@@ -14,6 +14,7 @@ const OFFSET: [&str; 3] = ["block offset x", "block offset y", "block offset z"]
 /// The largest values of a format's words.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct LocalLimits {
+    radius_sq: u32,
     coordinate: u32,
     position: u32,
     mantissa: [u32; 3],
@@ -38,6 +39,7 @@ impl LocalLimits {
             Exponent::Photon { .. } => (range, 0),
         };
         Ok(Self {
+            radius_sq: format.radius_steps().pow(2),
             coordinate: ones(widths.coordinate),
             position: ones(widths.position),
             mantissa: match format.power.channels {
@@ -56,6 +58,14 @@ impl LocalLimits {
     /// The first value that does not, with the limit.
     pub fn check_query(&self, query: &LocalQuery) -> Result<(), ValueError> {
         self.check_each(POSITION, query.position, [self.coordinate; 3])
+    }
+
+    /// Checks that a squared radius is at most the format's own.
+    ///
+    /// # Errors
+    /// One that is more, with the limit.
+    pub fn check_radius_sq(&self, radius_sq: u32) -> Result<(), ValueError> {
+        self.check("radius_sq", radius_sq, self.radius_sq)
     }
 
     /// Checks a block's place and exponent; not its photons.

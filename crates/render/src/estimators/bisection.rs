@@ -21,7 +21,8 @@ pub struct Bisection {
 /// gather, where even the largest has fewer photons.
 ///
 /// `count` must not fall as its argument grows, as is true of any gather. For the open disc
-/// that [`crate::Neighbourhood::k_nearest`] sums, gather once more at the result less 1.
+/// that [`crate::Neighbourhood::k_nearest`] sums, keep the sums of the last gather with fewer than
+/// k: it was at the result less 1, unless that is 0.
 ///
 /// # Errors
 /// What `count` returns, at once.

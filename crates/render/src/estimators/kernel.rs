@@ -1,6 +1,7 @@
 //! Kernels on the disc: what a photon counts at its distance.
 
 use std::f64::consts::PI;
+use std::fmt;
 
 /// A radially decreasing kernel on the disc of the search radius.
 ///
@@ -99,6 +100,12 @@ impl Kernel {
             Self::Cone => part * part,
             Self::Epanechnikov => part,
         }
+    }
+}
+
+impl fmt::Display for Kernel {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
     }
 }
 

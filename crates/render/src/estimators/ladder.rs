@@ -66,9 +66,7 @@ impl Ladder {
     /// # Errors
     /// No rung, or more than [`MAX_RUNGS`].
     pub fn new(kernel: Kernel, rungs: usize) -> Result<Self, LadderError> {
-        if !(1..=MAX_RUNGS).contains(&rungs) {
-            return Err(LadderError { found: rungs });
-        }
+        Self::check(rungs)?;
         let steps = match kernel {
             Kernel::Rectangle => vec![1.0],
             Kernel::Cone | Kernel::Epanechnikov => steps(kernel, rungs),
@@ -77,6 +75,17 @@ impl Ladder {
             kernel,
             rungs: rungs_of(&steps, &levels(kernel, &steps).0),
         })
+    }
+
+    /// Checks a number of rungs.
+    ///
+    /// # Errors
+    /// No rung, or more than [`MAX_RUNGS`].
+    pub fn check(rungs: usize) -> Result<(), LadderError> {
+        if (1..=MAX_RUNGS).contains(&rungs) {
+            return Ok(());
+        }
+        Err(LadderError { found: rungs })
     }
 
     /// The kernel that it approximates.

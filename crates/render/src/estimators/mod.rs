@@ -8,13 +8,21 @@
 //! The machine has one op on distances, `d^2 <= radius_sq`. Two modules say how everything above
 //! is had from it: [`smallest_radius_sq`] finds the k-th photon by bisection on the count, and a
 //! [`Ladder`] mixes rectangles of several radii to a smooth kernel.
+//!
+//! An [`Estimator`] names one of these forms, and a [`Method`] makes it with any engine.
 
 mod bisection;
+mod estimator;
+mod integers;
 mod kernel;
 mod ladder;
+mod method;
 mod neighbourhood;
 
 pub use bisection::{Bisection, smallest_radius_sq};
+pub use estimator::{Estimator, MIN_K, UnfitEstimator, UnknownEstimator};
+pub(crate) use integers::Disc;
 pub use kernel::Kernel;
 pub use ladder::{Ladder, LadderError, MAX_RUNGS, Rung};
+pub(crate) use method::Method;
 pub use neighbourhood::{EstimatorError, KernelEstimate, Near, Neighbourhood};

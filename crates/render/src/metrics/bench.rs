@@ -8,7 +8,8 @@ use super::error::MetricsError;
 use super::misclassified::Misclassified;
 use super::queries::{luminance, view_queries};
 use super::study::{ErrorReport, ErrorStudy};
-use crate::estimate::{Refusal, estimate_f64};
+use crate::estimate::{Estimate, Refusal, estimate_f64};
+use crate::estimators::{Estimator, EstimatorError, Method, UnfitEstimator};
 use crate::format_map::FormatMap;
 use crate::photon_map::{MapError, PhotonMap};
 use crate::quantise::QuantisedMap;
@@ -72,6 +73,12 @@ pub enum BenchError {
     /// The photon format's golden model refused a query.
     #[error(transparent)]
     Local(#[from] LocalError),
+    /// There is no such estimate at a query, in f64.
+    #[error(transparent)]
+    Reference(#[from] EstimatorError),
+    /// The engine cannot make that estimate.
+    #[error(transparent)]
+    Estimator(#[from] UnfitEstimator),
     /// There is nothing to compare.
     #[error(transparent)]
     Metrics(#[from] MetricsError),
@@ -82,8 +89,19 @@ impl From<Refusal> for BenchError {
         match refusal {
             Refusal::Machine(error) => Self::Gather(error),
             Refusal::Format(error) => Self::Local(error),
+            Refusal::Reference(error) => Self::Reference(error),
+            Refusal::Estimator(error) => Self::Estimator(error),
         }
     }
+}
+
+/// The error of a form of estimate, and what it costs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EstimatorReport {
+    /// Against its reference, see [`ErrorBench::measure_estimator`].
+    pub error: ErrorReport,
+    /// How many gathers of a query's photons one estimate takes: the mean.
+    pub gathers_per_query: f64,
 }
 
 /// Photon maps of different seeds, query points, and the f64 reference of each at each. Traced
@@ -143,40 +161,101 @@ impl ErrorBench {
     /// Formats that do not fit the maps, a query that the golden model refuses, or nothing to
     /// compare.
     pub fn measure(&self, engine: Engine<'_>) -> Result<ErrorReport, BenchError> {
+        let report = self.compare(engine, Estimator::FixedRadius, &self.references)?;
+        Ok(report.error)
+    }
+
+    /// The error of any form of estimate by the engine, against what it stands for in f64
+    /// ([`Estimator::reference`]) on the same photons, beside that reference's noise. Misclassified
+    /// photons are the engine's at the map's search radius, whatever the estimator.
+    ///
+    /// # Errors
+    /// As for [`Self::measure`], and an estimate that the engine or f64 cannot make.
+    pub fn measure_estimator(
+        &self,
+        engine: Engine<'_>,
+        estimator: Estimator,
+    ) -> Result<EstimatorReport, BenchError> {
+        let method = Method::new(estimator.reference(), Engine::F64)?;
+        let reference = |map: &PhotonMap| -> Result<Vec<f64>, Refusal> {
+            let queries = self.queries.par_iter();
+            let estimates = queries.map(|query| {
+                let estimate = method.estimate(&Prepared::F64, map, query)?;
+                Ok(reflected(query, &estimate))
+            });
+            estimates.collect()
+        };
+        let references = self.maps.iter().map(reference);
+        let references = references.collect::<Result<Vec<_>, _>>()?;
+        self.compare(engine, estimator, &references)
+    }
+
+    /// The estimates of every map against `references`, luminance by map and query.
+    fn compare(
+        &self,
+        engine: Engine<'_>,
+        estimator: Estimator,
+        references: &[Vec<f64>],
+    ) -> Result<EstimatorReport, BenchError> {
+        let method = Method::new(estimator, engine)?;
         let mut study = ErrorStudy::new(self.queries.len());
-        for (map, references) in self.maps.iter().zip(&self.references) {
+        let mut gathers = 0;
+        for (map, references) in self.maps.iter().zip(references) {
             let prepared = Prepared::new(map, engine)?;
             let answers = self.queries.par_iter();
-            let answers = answers.map(|query| answer(&prepared, map, query));
+            let answers = answers.map(|query| answer(&method, &prepared, map, query));
             let answers = answers.collect::<Result<Vec<_>, _>>()?;
             let mut counts = Misclassified::default();
-            answers.iter().for_each(|(_, count)| counts += *count);
-            let estimates: Vec<f64> = answers.iter().map(|(estimate, _)| *estimate).collect();
+            answers.iter().for_each(|answer| counts += answer.verdicts);
+            gathers += answers.iter().map(|answer| answer.gathers).sum::<u64>();
+            let estimates: Vec<f64> = answers.iter().map(|answer| answer.luminance).collect();
             study.push_map(&estimates, references, counts)?;
         }
-        Ok(study.report()?)
+        let estimates = self.maps.len() * self.queries.len();
+        Ok(EstimatorReport {
+            // A study without an estimate has no report.
+            error: study.report()?,
+            gathers_per_query: gathers as f64 / estimates as f64,
+        })
     }
 }
 
 fn references(map: &PhotonMap, queries: &[QueryPoint]) -> Vec<f64> {
     let queries = queries.par_iter();
-    let values = queries.map(|q| luminance(q.beta * estimate_f64(map, q).irradiance));
+    let values = queries.map(|query| reflected(query, &estimate_f64(map, query)));
     values.collect()
 }
 
-/// Reflected luminance at the query, and the verdicts on its photons.
+/// Reflected luminance at the query.
+fn reflected(query: &QueryPoint, estimate: &Estimate) -> f64 {
+    luminance(query.beta * estimate.irradiance)
+}
+
+/// What an engine says at one query.
+struct Answer {
+    luminance: f64,
+    gathers: u64,
+    /// On its photons.
+    verdicts: Misclassified,
+}
+
 fn answer(
+    method: &Method,
     prepared: &Prepared<'_>,
     map: &PhotonMap,
     query: &QueryPoint,
-) -> Result<(f64, Misclassified), BenchError> {
-    let estimate = prepared.estimate(map, query)?;
+) -> Result<Answer, BenchError> {
+    let estimate = method.estimate(prepared, map, query)?;
     let verdicts = match prepared {
         Prepared::F64 => f64_verdicts(map, query),
         Prepared::Model(quantised) => model_verdicts(map, quantised, query)?,
         Prepared::Format(quantised, _) => format_verdicts(quantised, query),
     };
-    Ok((luminance(query.beta * estimate.irradiance), verdicts))
+    Ok(Answer {
+        luminance: reflected(query, &estimate),
+        gathers: estimate.gathers,
+        verdicts,
+    })
 }
 
 fn is_in_range(map: &PhotonMap, photon: &crate::Photon, query: &QueryPoint) -> bool {

@@ -29,7 +29,7 @@ mod queries;
 mod relative;
 mod study;
 
-pub use bench::{BenchError, BenchOptions, ErrorBench};
+pub use bench::{BenchError, BenchOptions, ErrorBench, EstimatorReport};
 pub use bias::Interval;
 pub use error::MetricsError;
 pub use misclassified::Misclassified;

@@ -45,6 +45,8 @@ fn the_block_walk_is_the_brute_force() {
         // In the map's order both add the same numbers in the same order: equal to the bit.
         let brute = Neighbourhood::brute_force(&scene, map.photons(), query);
         let walk = Neighbourhood::block_walk(&map, query);
+        let ladder = Ladder::new(Kernel::Cone, 3).unwrap();
+        assert_eq!(walk.ladder(0.15, &ladder), brute.ladder(0.15, &ladder));
         for kernel in Kernel::ALL {
             let estimate = walk.fixed_radius(0.15, kernel).unwrap();
             assert_eq!(Ok(estimate), brute.fixed_radius(0.15, kernel));

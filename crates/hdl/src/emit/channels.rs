@@ -1,0 +1,62 @@
+//! The names of channels and results.
+//!
+//! How many there are depends on the machine, so the blocks number them; the emitted text names
+//! them as `photoncube_spec::Pins` does.
+
+use photoncube_spec::Machine;
+
+/// Pairs of rust-hdl's name of an element and the name that it has in the text.
+pub(super) struct ChannelNames(Vec<(String, String)>);
+
+impl ChannelNames {
+    pub(super) fn of(machine: &Machine) -> Self {
+        let channels = machine.channels().names();
+        let lanes = machine.photons_per_iteration();
+        let words = (0..channels.len() * lanes).map(|index| {
+            let name = format!("{}${}", channels[index / lanes], index % lanes);
+            (format!("channel${index}"), name)
+        });
+        let sums = channels.iter().chain(&["count"]).enumerate();
+        let results =
+            sums.map(|(index, name)| (format!("result${index}"), format!("result${name}")));
+        Self(words.chain(results).collect())
+    }
+
+    /// The identifier with such an element at its end named; any other as it is.
+    pub(super) fn name(&self, identifier: &str) -> String {
+        let named = self.0.iter().find_map(|(numbered, named)| {
+            let path = identifier.strip_suffix(numbered.as_str())?;
+            let whole = path.is_empty() || path.ends_with(['_', '$']);
+            whole.then(|| format!("{path}{named}"))
+        });
+        named.unwrap_or_else(|| identifier.to_owned())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use photoncube_spec::find_machine;
+
+    #[test]
+    fn numbered_elements_get_the_names_of_the_machines_channels() {
+        let renamed = |machine: &str, identifier: &str| {
+            ChannelNames::of(find_machine(machine).unwrap()).name(identifier)
+        };
+        #[rustfmt::skip]
+        let rows = [
+            ("paper", "photon_channel$0", "photon_red$0"),
+            ("paper", "ports$channel$11", "ports$blue$3"),
+            ("paper-5d", "channel$11", "green$3"),
+            ("fit-ring", "photon_channel$3", "photon_power$3"),
+            ("fit-ring", "ports$result$1", "ports$result$count"),
+            ("paper", "result$3", "result$count"),
+            ("paper", "otherchannel$3", "otherchannel$3"),
+            ("paper", "channel$12", "channel$12"),
+            ("paper", "cell$0", "cell$0"),
+        ];
+        for (machine, identifier, expected) in rows {
+            assert_eq!(renamed(machine, identifier), expected, "{machine}");
+        }
+    }
+}

@@ -1,0 +1,253 @@
+//! Which estimate to make, by name.
+
+use std::fmt;
+use std::str::FromStr;
+
+use thiserror::Error;
+
+use super::kernel::Kernel;
+use super::ladder::{Ladder, LadderError, MAX_RUNGS};
+use crate::render::Engine;
+
+/// The form of an estimate. On the command line: `fixed`, `knn:50`, `cone`, `ladder:4:cone`.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
+pub enum Estimator {
+    /// The map's search radius and the rectangle kernel: eq. 2 of the paper.
+    #[default]
+    FixedRadius,
+    /// The distance of the k-th nearest photon as the radius, at most the map's search radius, and
+    /// the rectangle kernel: eq. 1 of the paper. [`crate::Neighbourhood::k_nearest`] says which
+    /// photons it sums.
+    KNearest {
+        /// Which photon, from [`MIN_K`].
+        k: u64,
+    },
+    /// The map's search radius and a smooth kernel. In f64 only: a machine has no op for it.
+    Smooth {
+        /// The kernel; the rectangle makes it [`Self::FixedRadius`].
+        kernel: Kernel,
+    },
+    /// The same of the machine's own comparison: a mixture of rectangles, see [`Ladder`].
+    Ladder {
+        /// The kernel that it approximates.
+        kernel: Kernel,
+        /// Rectangles, 1 to [`MAX_RUNGS`].
+        rungs: usize,
+    },
+}
+
+/// The smallest k: the k-th photon sets the radius and those nearer are summed, so that the nearest
+/// alone would leave none.
+pub const MIN_K: u64 = 2;
+
+/// Why an engine cannot make an estimate of that form.
+#[derive(Debug, Clone, Copy, Error, PartialEq, Eq)]
+pub enum UnfitEstimator {
+    /// A k that sums nothing.
+    #[error(
+        "k: found {0}, expected at least {MIN_K}: only photons nearer than the k-th are summed"
+    )]
+    TooFewAsked(u64),
+    /// A number of rungs that makes no ladder.
+    #[error(transparent)]
+    Ladder(#[from] LadderError),
+    /// A smooth kernel in integers.
+    #[error(
+        "estimator: found {0}, which an engine of integers cannot make, as it only decides \
+         d^2 <= radius_sq; expected its ladder, such as ladder:4:{0}, or the engine f64"
+    )]
+    SmoothInIntegers(Kernel),
+}
+
+/// A text that names no estimator.
+#[derive(Debug, Clone, Error, PartialEq, Eq)]
+#[error("{what}: found `{found}`, expected {expected}")]
+pub struct UnknownEstimator {
+    /// Which part of the text.
+    pub what: &'static str,
+    /// The part.
+    pub found: String,
+    /// What could stand there.
+    pub expected: String,
+}
+
+impl Estimator {
+    /// What it stands for in f64, against which its error is measured: a ladder's smooth kernel,
+    /// any other itself.
+    #[must_use]
+    pub fn reference(self) -> Self {
+        match self {
+            Self::Ladder { kernel, .. } => Self::Smooth { kernel },
+            other => other,
+        }
+    }
+
+    /// Whether `engine` can make it.
+    ///
+    /// # Errors
+    /// k below [`MIN_K`], a wrong number of rungs, or a smooth kernel in integers.
+    pub fn check(self, engine: Engine<'_>) -> Result<(), UnfitEstimator> {
+        match (self, engine) {
+            (Self::KNearest { k }, _) if k < MIN_K => Err(UnfitEstimator::TooFewAsked(k)),
+            (Self::Ladder { rungs, .. }, _) => Ok(Ladder::check(rungs)?),
+            (Self::Smooth { kernel }, Engine::Model(_) | Engine::Format(_))
+                if kernel != Kernel::Rectangle =>
+            {
+                Err(UnfitEstimator::SmoothInIntegers(kernel))
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+impl fmt::Display for Estimator {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::FixedRadius => write!(f, "fixed"),
+            Self::KNearest { k } => write!(f, "knn:{k}"),
+            Self::Smooth { kernel } => write!(f, "{kernel}"),
+            Self::Ladder { kernel, rungs } => write!(f, "ladder:{rungs}:{kernel}"),
+        }
+    }
+}
+
+impl FromStr for Estimator {
+    type Err = UnknownEstimator;
+
+    fn from_str(text: &str) -> Result<Self, UnknownEstimator> {
+        match text.split_once(':') {
+            None if text == "fixed" => Ok(Self::FixedRadius),
+            None => match kernel("estimator", text) {
+                Ok(kernel) => Ok(Self::Smooth { kernel }),
+                Err(_) => Err(unknown_estimator(text)),
+            },
+            Some(("knn", k)) => Ok(Self::KNearest { k: photon(k)? }),
+            Some(("ladder", rest)) => {
+                let (count, name) = rest
+                    .split_once(':')
+                    .unwrap_or((rest, DEFAULT_KERNEL.name()));
+                Ok(Self::Ladder {
+                    rungs: rungs(count)?,
+                    kernel: kernel("kernel", name)?,
+                })
+            }
+            Some(_) => Err(unknown_estimator(text)),
+        }
+    }
+}
+
+/// The kernel of a ladder that names none: the one of the least mean integrated squared error
+/// (Epanechnikov, 1969), and the one that a ladder comes closer to.
+const DEFAULT_KERNEL: Kernel = Kernel::Epanechnikov;
+
+fn unknown_estimator(found: &str) -> UnknownEstimator {
+    UnknownEstimator {
+        what: "estimator",
+        found: found.to_owned(),
+        expected: "fixed, knn:K, cone, epanechnikov or ladder:RUNGS[:KERNEL]".to_owned(),
+    }
+}
+
+fn photon(found: &str) -> Result<u64, UnknownEstimator> {
+    let k = found.parse().ok().filter(|k| *k >= MIN_K);
+    k.ok_or_else(|| UnknownEstimator {
+        what: "k",
+        found: found.to_owned(),
+        expected: format!("a whole number from {MIN_K}, such as knn:50"),
+    })
+}
+
+fn rungs(found: &str) -> Result<usize, UnknownEstimator> {
+    let rungs = found.parse().ok();
+    let rungs = rungs.filter(|rungs| Ladder::check(*rungs).is_ok());
+    rungs.ok_or_else(|| UnknownEstimator {
+        what: "rungs",
+        found: found.to_owned(),
+        expected: format!("1 to {MAX_RUNGS}, such as ladder:4:cone"),
+    })
+}
+
+fn kernel(what: &'static str, found: &str) -> Result<Kernel, UnknownEstimator> {
+    let kernel = Kernel::ALL.into_iter().find(|k| k.name() == found);
+    kernel.ok_or_else(|| UnknownEstimator {
+        what,
+        found: found.to_owned(),
+        expected: Kernel::ALL.map(Kernel::name).join(", "),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use photoncube_spec::{PHOTON_FORMATS, find_machine};
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn any_estimator() -> impl Strategy<Value = Estimator> {
+        let kernel = || prop::sample::select(Kernel::ALL.as_slice());
+        prop_oneof![
+            Just(Estimator::FixedRadius),
+            (MIN_K..=u64::MAX).prop_map(|k| Estimator::KNearest { k }),
+            kernel().prop_map(|kernel| Estimator::Smooth { kernel }),
+            (kernel(), 1..=MAX_RUNGS)
+                .prop_map(|(kernel, rungs)| Estimator::Ladder { kernel, rungs }),
+        ]
+    }
+
+    proptest! {
+        #[test]
+        fn a_name_comes_back(estimator in any_estimator()) {
+            prop_assert_eq!(estimator.to_string().parse(), Ok(estimator));
+            prop_assert_eq!(estimator.check(Engine::F64), Ok(()));
+        }
+    }
+
+    #[test]
+    fn a_ladder_without_a_kernel_has_one() {
+        let named = "ladder:4:epanechnikov".parse::<Estimator>();
+        assert_eq!("ladder:4".parse(), named);
+    }
+
+    #[test]
+    fn a_wrong_name_says_which_part_and_what_was_expected() {
+        for (text, part) in [
+            ("", "estimator: found ``, expected fixed, knn:K"),
+            ("gauss", "estimator: found `gauss`"),
+            ("knn", "estimator: found `knn`"),
+            ("fixed:3", "estimator: found `fixed:3`"),
+            ("knn:1", "k: found `1`, expected a whole number from 2"),
+            ("knn:-1", "k: found `-1`"),
+            ("ladder:0", "rungs: found `0`, expected 1 to 64"),
+            ("ladder:65:cone", "rungs: found `65`"),
+            ("ladder:cone", "rungs: found `cone`"),
+            (
+                "ladder:2:gauss",
+                "kernel: found `gauss`, expected rectangle, cone, epanechnikov",
+            ),
+        ] {
+            let message = text.parse::<Estimator>().unwrap_err().to_string();
+            assert!(message.starts_with(part), "{message}");
+        }
+    }
+
+    #[test]
+    fn what_an_engine_cannot_do_is_refused() {
+        let machine = find_machine("paper").unwrap();
+        let integers = [Engine::Model(machine), Engine::Format(&PHOTON_FORMATS[0])];
+        let of = |kernel| Estimator::Smooth { kernel };
+        for engine in integers {
+            let refused = of(Kernel::Cone).check(engine);
+            assert_eq!(refused, Err(UnfitEstimator::SmoothInIntegers(Kernel::Cone)));
+            let message = refused.unwrap_err().to_string();
+            assert!(message.contains("such as ladder:4:cone"), "{message}");
+            assert_eq!(of(Kernel::Rectangle).check(engine), Ok(()));
+            for k in [0, 1] {
+                let none = Estimator::KNearest { k }.check(engine);
+                assert_eq!(none, Err(UnfitEstimator::TooFewAsked(k)));
+            }
+            let (kernel, rungs) = (Kernel::Cone, MAX_RUNGS + 1);
+            let many = Estimator::Ladder { kernel, rungs }.check(engine);
+            assert_eq!(many, Err(LadderError { found: rungs }.into()));
+        }
+    }
+}

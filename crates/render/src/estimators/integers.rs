@@ -1,0 +1,250 @@
+//! Estimates of the machine's own gather, at any squared radius up to the search radius.
+//!
+//! What a machine does is a gather: with a `radius_sq`, it sums power and number of the photons of
+//! d^2 <= radius_sq. What stands here asks for several and puts their sums together.
+
+use glam::DVec3;
+
+use super::bisection::smallest_radius_sq;
+use super::ladder::Ladder;
+use crate::estimate::Estimate;
+
+/// What one gather found.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(crate) struct Disc {
+    /// The flux in range.
+    pub power: DVec3,
+    /// Photons tested.
+    pub tests: u64,
+    /// Photons in range.
+    pub count: u64,
+}
+
+/// The k-th nearest photon in a machine's steps.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct KNearest {
+    /// The squared radius that the disc's area is of: d_k^2, rounded up to a whole step.
+    pub radius_sq: u32,
+    /// The photons of d^2 < d_k^2.
+    pub disc: Disc,
+    /// Gathers made.
+    pub gathers: u64,
+}
+
+/// The search radius of a query in the steps of its engine.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Steps {
+    /// The largest `radius_sq` that may be gathered at.
+    pub radius_sq: u32,
+    /// The search radius squared, not rounded to a whole step.
+    pub exact_radius_sq: f64,
+    /// The area of the disc of the search radius (scene units squared).
+    pub disc_area: f64,
+}
+
+impl Steps {
+    /// The area of the disc of `radius_sq` (scene units squared); that of the search radius is
+    /// `disc_area` to the bit.
+    fn area_of(&self, radius_sq: u32) -> f64 {
+        self.disc_area * (f64::from(radius_sq) / self.exact_radius_sq)
+    }
+
+    /// The estimate of one gather at the search radius.
+    ///
+    /// # Errors
+    /// What `gather` returns.
+    pub fn fixed_radius<E>(
+        &self,
+        mut gather: impl FnMut(u32) -> Result<Disc, E>,
+    ) -> Result<Estimate, E> {
+        let disc = gather(self.radius_sq)?;
+        Ok(Estimate {
+            irradiance: disc.power / self.disc_area,
+            tests: disc.tests,
+            in_range: disc.count,
+            gathers: 1,
+        })
+    }
+
+    /// The estimate at the k-th photon.
+    ///
+    /// # Errors
+    /// What `gather` returns.
+    pub fn k_nearest<E>(
+        &self,
+        k: u64,
+        gather: impl FnMut(u32) -> Result<Disc, E>,
+    ) -> Result<Estimate, E> {
+        let found = k_nearest(k, self.radius_sq, gather)?;
+        Ok(Estimate {
+            irradiance: found.disc.power / self.area_of(found.radius_sq),
+            tests: found.disc.tests,
+            in_range: found.disc.count,
+            gathers: found.gathers,
+        })
+    }
+
+    /// The ladder's estimate, each rung over the area of its own rounded radius, so that the
+    /// rounding leaves no bias.
+    ///
+    /// # Errors
+    /// What `gather` returns.
+    pub fn ladder<E>(
+        &self,
+        ladder: &Ladder,
+        mut gather: impl FnMut(u32) -> Result<Disc, E>,
+    ) -> Result<Estimate, E> {
+        let mut sum = Estimate::default();
+        let radii = ladder.radii_sq(self.radius_sq);
+        for (rung, radius_sq) in ladder.rungs().iter().zip(radii) {
+            let disc = gather(radius_sq)?;
+            sum.irradiance += rung.weight * (disc.power / self.area_of(radius_sq));
+            (sum.tests, sum.in_range) = (disc.tests, disc.count);
+            sum.gathers += 1;
+        }
+        Ok(sum)
+    }
+}
+
+/// The k-th photon by bisection on the count, up to `max` (squared steps).
+///
+/// As in f64 ([`crate::Neighbourhood::k_nearest`]) the k-th photon and those that tie with it set
+/// the radius and are not summed. Those nearer are what the last gather with fewer than k
+/// found, at one step less, so that they cost no further gather. Where `max` holds fewer than k,
+/// it is the radius and all are summed. A disc of no area has no density: where k photons are at
+/// distance 0 the radius is one step, and they are summed.
+///
+/// # Errors
+/// What `gather` returns.
+pub(crate) fn k_nearest<E>(
+    k: u64,
+    max: u32,
+    mut gather: impl FnMut(u32) -> Result<Disc, E>,
+) -> Result<KNearest, E> {
+    let (mut gathers, mut fewer, mut enough) = (0, Disc::default(), Disc::default());
+    let count = |radius_sq: u64| {
+        // At most `max`, so it fits.
+        let disc = gather(radius_sq as u32)?;
+        gathers += 1;
+        *(if disc.count < k {
+            &mut fewer
+        } else {
+            &mut enough
+        }) = disc;
+        Ok(disc.count)
+    };
+    let found = smallest_radius_sq(k, max.into(), count)?;
+    let (radius_sq, disc) = match found.map(|found| found.radius_sq as u32) {
+        None => (max, fewer),
+        Some(0) => (1, enough),
+        // The bisection ends only once it has seen fewer than k at one less.
+        Some(radius_sq) => (radius_sq, fewer),
+    };
+    Ok(KNearest {
+        radius_sq,
+        disc,
+        gathers,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use std::convert::Infallible;
+
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::Kernel;
+
+    const STEPS: Steps = Steps {
+        radius_sq: 64516,
+        exact_radius_sq: 64516.0,
+        disc_area: 0.7,
+    };
+
+    /// A gather of photons of power 1 at these squared distances.
+    fn among(distances: &[u32]) -> impl FnMut(u32) -> Result<Disc, Infallible> {
+        move |radius_sq| {
+            let count = distances.iter().filter(|d| **d <= radius_sq).count() as u64;
+            Ok(Disc {
+                power: DVec3::splat(count as f64),
+                tests: distances.len() as u64,
+                count,
+            })
+        }
+    }
+
+    fn nearest(distances: &[u32], k: u64, max: u32) -> (u32, u64) {
+        let found = k_nearest(k, max, among(distances)).unwrap();
+        (found.radius_sq, found.disc.count)
+    }
+
+    #[test]
+    fn the_kth_and_its_ties_are_not_summed() {
+        let distances = [9, 4, 4, 25, 1];
+        assert_eq!(nearest(&distances, 1, 30), (1, 0));
+        assert_eq!(nearest(&distances, 2, 30), (4, 1));
+        assert_eq!(nearest(&distances, 3, 30), (4, 1));
+        assert_eq!(nearest(&distances, 5, 30), (25, 4));
+    }
+
+    #[test]
+    fn too_few_are_the_search_radius_and_none_apart_are_one_step() {
+        let too_few = k_nearest(3, 30, among(&[4, 30, 31])).unwrap();
+        assert_eq!((too_few.radius_sq, too_few.disc.count), (30, 2));
+        assert_eq!(too_few.gathers, 1);
+        assert_eq!(nearest(&[0, 0, 5], 2, 30), (1, 2));
+        assert_eq!(nearest(&[0, 0, 5], 2, 0), (1, 2));
+    }
+
+    #[test]
+    fn a_refused_gather_is_passed_on() {
+        let refuse = |_| Err::<Disc, _>("refused");
+        assert_eq!(STEPS.k_nearest(1, refuse), Err("refused"));
+        let ladder = Ladder::new(Kernel::Cone, 2).unwrap();
+        assert_eq!(STEPS.ladder(&ladder, refuse), Err("refused"));
+    }
+
+    /// One rung of the full radius is the fixed radius, bit for bit.
+    #[test]
+    fn one_rung_is_the_fixed_radius() {
+        let distances = [0, 17, 60000, 64516, 64517];
+        let ladder = Ladder::new(Kernel::Rectangle, 1).unwrap();
+        let sum = STEPS.ladder(&ladder, among(&distances)).unwrap();
+        assert_eq!((sum.tests, sum.in_range, sum.gathers), (5, 4, 1));
+        assert_eq!(sum.irradiance, DVec3::splat(4.0) / 0.7);
+    }
+
+    /// A photon on every squared step: a uniform field of 64516 on the search disc.
+    #[test]
+    fn a_uniform_field_is_its_density() {
+        let distances: Vec<u32> = (1..=64516).collect();
+        let ladder = Ladder::new(Kernel::Epanechnikov, 8).unwrap();
+        let rungs = STEPS.ladder(&ladder, among(&distances)).unwrap();
+        // Weights that add to 1 but for rounding.
+        assert!((rungs.irradiance.x * 0.7 / 64516.0 - 1.0).abs() < 1e-12);
+        let nearest = STEPS.k_nearest(101, among(&distances)).unwrap();
+        // A few roundings. The disc of 100 steps with 100 photons is counted as one of 101.
+        let density = nearest.irradiance.x * 0.7 / 64516.0;
+        assert!((density - 100.0 / 101.0).abs() < 1e-12);
+    }
+
+    proptest! {
+        /// The radius is the k-th of the sorted distances, few values so that many tie.
+        #[test]
+        fn it_is_the_kth_of_the_sorted(
+            distances in prop::collection::vec(1u32..60, 1..80),
+            k in 1u64..80,
+            max in 1u32..60,
+        ) {
+            let mut sorted = distances.clone();
+            sorted.sort_unstable();
+            let kth = sorted.get(k as usize - 1).copied().filter(|d| *d <= max);
+            let found = k_nearest(k, max, among(&distances)).unwrap();
+            prop_assert_eq!(found.radius_sq, kth.unwrap_or(max));
+            let inside = |d: &&u32| kth.map_or(**d <= max, |kth| **d < kth);
+            prop_assert_eq!(found.disc.count, distances.iter().filter(inside).count() as u64);
+            prop_assert!(found.gathers <= u64::from(u32::BITS - max.leading_zeros() + 1));
+        }
+    }
+}

@@ -1,0 +1,296 @@
+use photoncube_model::LocalGather;
+use photoncube_spec::{LocalQuery, PHOTON_FORMATS, PhotonFormat, find_machine};
+
+use super::*;
+use crate::estimators::integers::k_nearest;
+use crate::{
+    BenchOptions, ErrorBench, FormatMap, QuantisedMap, RenderError, Scene, TraceOptions,
+    ViewOptions, render, render_with, trace, view_queries,
+};
+
+/// Bits per radius from 4 (where nearly every k-th photon ties) to 8, on whole and on half steps.
+const FORMATS: [&str; 4] = [
+    "local8-rgb8e5",
+    "local4-rgb8e5",
+    "local7x1-rgb8e5",
+    "local6x2-rgb8e5",
+];
+
+const VIEW: ViewOptions = ViewOptions {
+    width: 16,
+    height: 16,
+    samples_per_axis: 1,
+    seed: 5,
+};
+
+/// A listed format, which lives as long as any engine.
+fn format(name: &str) -> &'static PhotonFormat {
+    let mut formats = PHOTON_FORMATS.iter();
+    formats.find(|format| format.name() == name).unwrap()
+}
+
+fn scene_and_map() -> (Scene, PhotonMap) {
+    let scene = Scene::built_in("cornell").unwrap();
+    let options = TraceOptions {
+        photons: 20_000,
+        seed: 5,
+    };
+    let photons = trace(&scene, &options, &|_| ()).unwrap().photons;
+    let map = PhotonMap::new(&scene, photons, 0.15).unwrap();
+    (scene, map)
+}
+
+/// The estimate at every query of the view.
+fn estimates(estimator: Estimator, engine: Engine<'_>) -> Vec<Estimate> {
+    let (scene, map) = scene_and_map();
+    let method = Method::new(estimator, engine).unwrap();
+    let prepared = Prepared::new(&map, engine).unwrap();
+    let queries = view_queries(&scene, &VIEW).unwrap();
+    let estimate = |query: &QueryPoint| method.estimate(&prepared, &map, query).unwrap();
+    queries.iter().map(estimate).collect()
+}
+
+/// The machines' and the formats' engines.
+fn integer_engines() -> Vec<Engine<'static>> {
+    let machine = |name| Engine::Model(find_machine(name).unwrap());
+    let mut engines = vec![machine("paper"), machine("paper-12")];
+    engines.extend(FORMATS.map(|name| Engine::Format(format(name))));
+    engines
+}
+
+/// d^2 in fine steps, rounded up, of every photon that the query gathers, the nearest first: from
+/// the middles of both cells, in halves of a step.
+fn sorted_distances(quantised: &FormatMap<'_>, query: &QueryPoint) -> Vec<u32> {
+    let (format, centre) = (quantised.format(), quantised.query(query.position));
+    let mut distances = Vec::new();
+    for block in quantised.blocks(query.position, query.normal) {
+        for record in block.photons {
+            distances.push(distance_sq(format, &centre, block.offset, record.position));
+        }
+    }
+    distances.sort_unstable();
+    distances
+}
+
+fn distance_sq(format: &PhotonFormat, query: &LocalQuery, offset: [u32; 3], cell: [u16; 3]) -> u32 {
+    let halves = |axis| {
+        let cells = (i64::from(offset[axis]) << format.position_bits) + i64::from(cell[axis]);
+        let photon = (2 * cells + 1) << format.query_extra_bits;
+        photon.abs_diff(2 * i64::from(query.position[axis]) + 1)
+    };
+    let quarters: u64 = (0..3).map(|axis| halves(axis).pow(2)).sum();
+    quarters.div_ceil(4) as u32
+}
+
+/// The k-th photon of the format's own gathers is the k-th of its own sorted distances, and what
+/// is summed are those nearer. Exact, ties included.
+#[test]
+fn the_kth_photon_in_a_format_is_the_kth_of_its_sorted_distances() {
+    let (scene, map) = scene_and_map();
+    let queries = view_queries(&scene, &VIEW).unwrap();
+    let (mut found, mut ties) = (0, 0);
+    for name in FORMATS {
+        let quantised = FormatMap::new(&map, format(name)).unwrap();
+        let max = LocalGather::new(format(name)).unwrap().radius_sq();
+        for (query, k) in queries.iter().zip([1, 5, 20, 50].into_iter().cycle()) {
+            let distances = sorted_distances(&quantised, query);
+            let kth = distances.get(k as usize - 1).filter(|d| **d <= max);
+            let gather = |radius_sq| gather_format(&quantised, query, radius_sq);
+            let nearest = k_nearest(k, max, gather).unwrap();
+            let (radius_sq, inside) = match kth {
+                Some(kth) => (*kth, distances.partition_point(|d| d < kth)),
+                None => (max, distances.partition_point(|d| *d <= max)),
+            };
+            // Where the k-th is in the query's own cell, the module's rule holds.
+            if radius_sq > 0 {
+                assert_eq!(nearest.radius_sq, radius_sq, "{name}");
+                assert_eq!(nearest.disc.count, inside as u64, "{name}");
+            }
+            found += u64::from(kth.is_some());
+            ties += u64::from(kth.is_some() && inside + 1 < k as usize);
+        }
+    }
+    assert!(found > 500 && ties > 50, "{found} {ties}");
+}
+
+#[test]
+fn the_kth_photon_of_a_machine_is_the_kth_of_its_sorted_distances() {
+    let (scene, map) = scene_and_map();
+    let quantised = QuantisedMap::new(&map, find_machine("paper").unwrap()).unwrap();
+    let mut found = 0;
+    for query in view_queries(&scene, &VIEW).unwrap() {
+        let centre = quantised.query(query.position);
+        let photons = quantised.photons(query.position, query.normal);
+        let mut distances: Vec<u32> = photons
+            .map(|p| {
+                (0..3)
+                    .map(|axis| p.position[axis].abs_diff(centre.position[axis]).pow(2))
+                    .sum()
+            })
+            .collect();
+        distances.sort_unstable();
+        let kth = distances.get(19).filter(|d| **d <= centre.radius_sq);
+        let gather = |radius_sq| gather_model(&quantised, &query, radius_sq);
+        let nearest = k_nearest(20, centre.radius_sq, gather).unwrap();
+        assert_eq!(nearest.radius_sq, *kth.unwrap_or(&centre.radius_sq));
+        // 13 bits of 4096, and one.
+        assert!(nearest.gathers <= 14);
+        found += u64::from(kth.is_some());
+    }
+    assert!(found > 100, "{found}");
+}
+
+/// One rung is one gather at the search radius: its sums over the same area, to the bit.
+#[test]
+fn one_rung_is_the_fixed_radius() {
+    let one = Estimator::Ladder {
+        kernel: Kernel::Rectangle,
+        rungs: 1,
+    };
+    for engine in integer_engines() {
+        let fixed = estimates(Estimator::FixedRadius, engine);
+        assert_eq!(estimates(one, engine), fixed);
+    }
+    let (rung, fixed) = (
+        estimates(one, Engine::F64),
+        estimates(Estimator::FixedRadius, Engine::F64),
+    );
+    for (rung, fixed) in rung.iter().zip(&fixed) {
+        assert_eq!((rung.in_range, rung.tests), (fixed.in_range, fixed.tests));
+        // One multiplies by norm / (pi r^2), the other divides by pi r^2: two roundings.
+        let difference = (rung.irradiance - fixed.irradiance).abs().max_element();
+        assert!(difference <= 4e-16 * fixed.irradiance.max_element());
+    }
+}
+
+/// Every form in f64 is the brute force over all photons, in the map's order: to the bit.
+#[test]
+fn in_f64_every_form_is_the_brute_force() {
+    let (scene, map) = scene_and_map();
+    let queries = view_queries(&scene, &VIEW).unwrap();
+    let ladder = Ladder::new(Kernel::Cone, 4).unwrap();
+    let forms = ["knn:20", "cone", "epanechnikov", "ladder:4:cone"];
+    let found = forms.map(|form| estimates(form.parse().unwrap(), Engine::F64));
+    for (index, query) in queries.iter().enumerate() {
+        let all = Neighbourhood::brute_force(&scene, map.photons(), query);
+        let radius = map.radius();
+        let k_nearest = all.k_nearest(20, Kernel::Rectangle).unwrap();
+        let expected = [
+            // Without a reach, k photons may lie further than the map's radius.
+            if k_nearest.radius <= radius {
+                k_nearest
+            } else {
+                all.fixed_radius(radius, Kernel::Rectangle).unwrap()
+            },
+            all.fixed_radius(radius, Kernel::Cone).unwrap(),
+            all.fixed_radius(radius, Kernel::Epanechnikov).unwrap(),
+            all.ladder(radius, &ladder).unwrap(),
+        ];
+        for (found, expected) in found.iter().zip(expected) {
+            let (found, expected) = (&found[index], expected);
+            assert_eq!(found.irradiance, expected.irradiance);
+            assert_eq!(found.in_range, expected.in_range);
+        }
+    }
+    let gathers = found.map(|estimates| estimates[0].gathers);
+    assert_eq!(gathers, [1, 1, 1, 4]);
+}
+
+fn bench() -> ErrorBench {
+    let options = BenchOptions {
+        photons: 20_000,
+        in_range: 100.0,
+        maps: 3,
+        ..BenchOptions::default()
+    };
+    ErrorBench::new(&Scene::built_in("cornell").unwrap(), &options).unwrap()
+}
+
+/// Each doubling of the rungs nearly halves a ladder's own error (0.25, 0.14, 0.08 of the noise
+/// for the cone); the integers of 8 bits per radius add 0.06.
+#[test]
+fn a_ladders_error_falls_with_its_rungs() {
+    let bench = bench();
+    for engine in [Engine::F64, Engine::Format(format("local8-rgb8e5"))] {
+        for kernel in [Kernel::Cone, Kernel::Epanechnikov] {
+            let error = |rungs| {
+                let ladder = Estimator::Ladder { kernel, rungs };
+                let report = bench.measure_estimator(engine, ladder).unwrap();
+                assert_eq!(report.gathers_per_query, rungs as f64);
+                report.error.error_over_noise
+            };
+            let errors = [1, 2, 4, 8, 16].map(error);
+            assert!(errors.is_sorted_by(|a, b| a > b), "{errors:?}");
+            // A share of the noise that the format's own error bounds from below.
+            assert!(errors[4] < 0.08 && errors[0] > 0.3, "{errors:?}");
+        }
+    }
+}
+
+#[test]
+fn a_bench_measures_every_form_against_its_own_reference() {
+    let bench = bench();
+    for form in ["fixed", "knn:25", "cone", "epanechnikov"] {
+        let report = bench
+            .measure_estimator(Engine::F64, form.parse().unwrap())
+            .unwrap();
+        assert_eq!(
+            (report.error.rms_relative_error, report.gathers_per_query),
+            (0.0, 1.0)
+        );
+    }
+    let engine = Engine::Format(format("local8-rgb8e5"));
+    let fixed = bench
+        .measure_estimator(engine, Estimator::FixedRadius)
+        .unwrap();
+    assert_eq!(fixed.error, bench.measure(engine).unwrap());
+    let nearest = bench
+        .measure_estimator(engine, Estimator::KNearest { k: 25 })
+        .unwrap();
+    // 16 bits of radius_sq and one gather; one alone where the reach holds fewer than 25.
+    assert!(nearest.gathers_per_query > 12.0 && nearest.gathers_per_query <= 17.0);
+    // Fewer photons: noisier. A photon that changes its side only moves the radius a little, or
+    // not at all: 0.2 is far above any format's error at a fixed radius.
+    assert!(nearest.error.noise_relative > fixed.error.noise_relative);
+    assert!(nearest.error.error_over_noise < 0.2);
+}
+
+#[test]
+fn what_an_engine_cannot_make_is_refused_before_any_query() {
+    let (scene, map) = scene_and_map();
+    let with = |engine, estimator| {
+        let rendering = render_with(&scene, &map, engine, estimator, &VIEW, &|_| ());
+        rendering.unwrap_err()
+    };
+    for engine in integer_engines() {
+        let kernel = Kernel::Epanechnikov;
+        let error = with(engine, Estimator::Smooth { kernel });
+        assert!(matches!(error, RenderError::Estimator(_)), "{error}");
+        let message = error.to_string();
+        assert!(message.contains("expected its ladder"), "{message}");
+    }
+    let none = with(Engine::F64, Estimator::KNearest { k: 1 });
+    assert!(matches!(
+        none,
+        RenderError::Estimator(UnfitEstimator::TooFewAsked(1))
+    ));
+    let kernel = Kernel::Epanechnikov;
+    let bench = bench().measure_estimator(integer_engines()[0], Estimator::Smooth { kernel });
+    assert!(bench.is_err());
+}
+
+/// Every gather is work: photons, groups and gathers count each.
+#[test]
+fn a_pictures_figures_count_every_gather() {
+    let (scene, map) = scene_and_map();
+    let engine = Engine::Model(find_machine("paper").unwrap());
+    let fixed = render(&scene, &map, engine, &VIEW, &|_| ()).unwrap().stats;
+    let ladder = "ladder:3".parse().unwrap();
+    let ladder = render_with(&scene, &map, engine, ladder, &VIEW, &|_| ()).unwrap();
+    let ladder = ladder.stats;
+    assert_eq!(fixed.gathers, fixed.query_points);
+    assert_eq!(ladder.gathers, 3 * fixed.gathers);
+    assert_eq!(ladder.photon_tests, 3 * fixed.photon_tests);
+    assert_eq!(ladder.photon_groups, 3 * fixed.photon_groups);
+    assert_eq!(ladder.largest_query, fixed.largest_query);
+}
