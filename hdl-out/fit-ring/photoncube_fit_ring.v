@@ -1,5 +1,5 @@
 // fit-ring: 16 cells, the photon format that `fit` finds for the scene ring.
-// 16 cells, photon format local7x1-mono8-n16384, 29 bits per photon, squarer: digits.
+// 16 cells, photon format local7x1-mono1-n8192, 22 bits per photon, squarer: digits.
 // Written by `photoncube generate --machine fit-ring`; do not edit.
 
 module photoncube_fit_ring(clock, reset, query_valid, query_x, query_y, query_z,
@@ -34,16 +34,16 @@ module photoncube_fit_ring(clock, reset, query_valid, query_x, query_y, query_z,
     input wire [8:0] photon_z_1;
     input wire [8:0] photon_z_2;
     input wire [8:0] photon_z_3;
-    input wire [7:0] photon_power_0;
-    input wire [7:0] photon_power_1;
-    input wire [7:0] photon_power_2;
-    input wire [7:0] photon_power_3;
+    input wire photon_power_0;
+    input wire photon_power_1;
+    input wire photon_power_2;
+    input wire photon_power_3;
     input wire result_ready;
     output reg query_ready;
     output reg group_ready;
     output reg result_valid;
-    output reg [21:0] result_power;
-    output reg [21:0] result_count;
+    output reg [17:0] result_power;
+    output reg [17:0] result_count;
     // Stub signals
     reg control_clock;
     reg control_reset;
@@ -81,26 +81,26 @@ module photoncube_fit_ring(clock, reset, query_valid, query_x, query_y, query_z,
     reg [8:0] ports_z_1;
     reg [8:0] ports_z_2;
     reg [8:0] ports_z_3;
-    reg [7:0] ports_power_0;
-    reg [7:0] ports_power_1;
-    reg [7:0] ports_power_2;
-    reg [7:0] ports_power_3;
-    reg [21:0] ports_sum_0;
-    reg [21:0] ports_sum_1;
-    reg [21:0] ports_sum_2;
-    reg [21:0] ports_sum_3;
-    reg [21:0] ports_sum_4;
-    reg [21:0] ports_sum_5;
-    reg [21:0] ports_sum_6;
-    reg [21:0] ports_sum_7;
-    reg [21:0] ports_sum_8;
-    reg [21:0] ports_sum_9;
-    reg [21:0] ports_sum_10;
-    reg [21:0] ports_sum_11;
-    reg [21:0] ports_sum_12;
-    reg [21:0] ports_sum_13;
-    reg [21:0] ports_sum_14;
-    reg [21:0] ports_sum_15;
+    reg ports_power_0;
+    reg ports_power_1;
+    reg ports_power_2;
+    reg ports_power_3;
+    reg [17:0] ports_sum_0;
+    reg [17:0] ports_sum_1;
+    reg [17:0] ports_sum_2;
+    reg [17:0] ports_sum_3;
+    reg [17:0] ports_sum_4;
+    reg [17:0] ports_sum_5;
+    reg [17:0] ports_sum_6;
+    reg [17:0] ports_sum_7;
+    reg [17:0] ports_sum_8;
+    reg [17:0] ports_sum_9;
+    reg [17:0] ports_sum_10;
+    reg [17:0] ports_sum_11;
+    reg [17:0] ports_sum_12;
+    reg [17:0] ports_sum_13;
+    reg [17:0] ports_sum_14;
+    reg [17:0] ports_sum_15;
     wire [9:0] ports_cell_query_0;
     wire [9:0] ports_cell_query_1;
     wire [9:0] ports_cell_query_2;
@@ -149,24 +149,24 @@ module photoncube_fit_ring(clock, reset, query_valid, query_x, query_y, query_z,
     wire ports_cell_present_13;
     wire ports_cell_present_14;
     wire ports_cell_present_15;
-    wire [7:0] ports_cell_power_0;
-    wire [7:0] ports_cell_power_1;
-    wire [7:0] ports_cell_power_2;
-    wire [7:0] ports_cell_power_3;
-    wire [7:0] ports_cell_power_4;
-    wire [7:0] ports_cell_power_5;
-    wire [7:0] ports_cell_power_6;
-    wire [7:0] ports_cell_power_7;
-    wire [7:0] ports_cell_power_8;
-    wire [7:0] ports_cell_power_9;
-    wire [7:0] ports_cell_power_10;
-    wire [7:0] ports_cell_power_11;
-    wire [7:0] ports_cell_power_12;
-    wire [7:0] ports_cell_power_13;
-    wire [7:0] ports_cell_power_14;
-    wire [7:0] ports_cell_power_15;
-    wire [21:0] ports_result_power;
-    wire [21:0] ports_result_count;
+    wire ports_cell_power_0;
+    wire ports_cell_power_1;
+    wire ports_cell_power_2;
+    wire ports_cell_power_3;
+    wire ports_cell_power_4;
+    wire ports_cell_power_5;
+    wire ports_cell_power_6;
+    wire ports_cell_power_7;
+    wire ports_cell_power_8;
+    wire ports_cell_power_9;
+    wire ports_cell_power_10;
+    wire ports_cell_power_11;
+    wire ports_cell_power_12;
+    wire ports_cell_power_13;
+    wire ports_cell_power_14;
+    wire ports_cell_power_15;
+    wire [17:0] ports_result_power;
+    wire [17:0] ports_result_count;
     reg [3:0] network_axis;
     reg [17:0] network_work_0;
     reg [17:0] network_work_1;
@@ -212,10 +212,10 @@ module photoncube_fit_ring(clock, reset, query_valid, query_x, query_y, query_z,
     reg [15:0] cell_0_radius_sq_in;
     reg [8:0] cell_0_photon_in;
     reg cell_0_present_in;
-    reg [7:0] cell_0_power_in;
+    reg cell_0_power_in;
     reg [17:0] cell_0_link_in;
     wire [17:0] cell_0_work_out;
-    wire [21:0] cell_0_sum_out;
+    wire [17:0] cell_0_sum_out;
     reg cell_1_clock;
     reg cell_1_write_query;
     reg cell_1_write_photon;
@@ -228,10 +228,10 @@ module photoncube_fit_ring(clock, reset, query_valid, query_x, query_y, query_z,
     reg [15:0] cell_1_radius_sq_in;
     reg [8:0] cell_1_photon_in;
     reg cell_1_present_in;
-    reg [7:0] cell_1_power_in;
+    reg cell_1_power_in;
     reg [17:0] cell_1_link_in;
     wire [17:0] cell_1_work_out;
-    wire [21:0] cell_1_sum_out;
+    wire [17:0] cell_1_sum_out;
     reg cell_2_clock;
     reg cell_2_write_query;
     reg cell_2_write_photon;
@@ -244,10 +244,10 @@ module photoncube_fit_ring(clock, reset, query_valid, query_x, query_y, query_z,
     reg [15:0] cell_2_radius_sq_in;
     reg [8:0] cell_2_photon_in;
     reg cell_2_present_in;
-    reg [7:0] cell_2_power_in;
+    reg cell_2_power_in;
     reg [17:0] cell_2_link_in;
     wire [17:0] cell_2_work_out;
-    wire [21:0] cell_2_sum_out;
+    wire [17:0] cell_2_sum_out;
     reg cell_3_clock;
     reg cell_3_write_query;
     reg cell_3_write_photon;
@@ -260,10 +260,10 @@ module photoncube_fit_ring(clock, reset, query_valid, query_x, query_y, query_z,
     reg [15:0] cell_3_radius_sq_in;
     reg [8:0] cell_3_photon_in;
     reg cell_3_present_in;
-    reg [7:0] cell_3_power_in;
+    reg cell_3_power_in;
     reg [17:0] cell_3_link_in;
     wire [17:0] cell_3_work_out;
-    wire [21:0] cell_3_sum_out;
+    wire [17:0] cell_3_sum_out;
     reg cell_4_clock;
     reg cell_4_write_query;
     reg cell_4_write_photon;
@@ -276,10 +276,10 @@ module photoncube_fit_ring(clock, reset, query_valid, query_x, query_y, query_z,
     reg [15:0] cell_4_radius_sq_in;
     reg [8:0] cell_4_photon_in;
     reg cell_4_present_in;
-    reg [7:0] cell_4_power_in;
+    reg cell_4_power_in;
     reg [17:0] cell_4_link_in;
     wire [17:0] cell_4_work_out;
-    wire [21:0] cell_4_sum_out;
+    wire [17:0] cell_4_sum_out;
     reg cell_5_clock;
     reg cell_5_write_query;
     reg cell_5_write_photon;
@@ -292,10 +292,10 @@ module photoncube_fit_ring(clock, reset, query_valid, query_x, query_y, query_z,
     reg [15:0] cell_5_radius_sq_in;
     reg [8:0] cell_5_photon_in;
     reg cell_5_present_in;
-    reg [7:0] cell_5_power_in;
+    reg cell_5_power_in;
     reg [17:0] cell_5_link_in;
     wire [17:0] cell_5_work_out;
-    wire [21:0] cell_5_sum_out;
+    wire [17:0] cell_5_sum_out;
     reg cell_6_clock;
     reg cell_6_write_query;
     reg cell_6_write_photon;
@@ -308,10 +308,10 @@ module photoncube_fit_ring(clock, reset, query_valid, query_x, query_y, query_z,
     reg [15:0] cell_6_radius_sq_in;
     reg [8:0] cell_6_photon_in;
     reg cell_6_present_in;
-    reg [7:0] cell_6_power_in;
+    reg cell_6_power_in;
     reg [17:0] cell_6_link_in;
     wire [17:0] cell_6_work_out;
-    wire [21:0] cell_6_sum_out;
+    wire [17:0] cell_6_sum_out;
     reg cell_7_clock;
     reg cell_7_write_query;
     reg cell_7_write_photon;
@@ -324,10 +324,10 @@ module photoncube_fit_ring(clock, reset, query_valid, query_x, query_y, query_z,
     reg [15:0] cell_7_radius_sq_in;
     reg [8:0] cell_7_photon_in;
     reg cell_7_present_in;
-    reg [7:0] cell_7_power_in;
+    reg cell_7_power_in;
     reg [17:0] cell_7_link_in;
     wire [17:0] cell_7_work_out;
-    wire [21:0] cell_7_sum_out;
+    wire [17:0] cell_7_sum_out;
     reg cell_8_clock;
     reg cell_8_write_query;
     reg cell_8_write_photon;
@@ -340,10 +340,10 @@ module photoncube_fit_ring(clock, reset, query_valid, query_x, query_y, query_z,
     reg [15:0] cell_8_radius_sq_in;
     reg [8:0] cell_8_photon_in;
     reg cell_8_present_in;
-    reg [7:0] cell_8_power_in;
+    reg cell_8_power_in;
     reg [17:0] cell_8_link_in;
     wire [17:0] cell_8_work_out;
-    wire [21:0] cell_8_sum_out;
+    wire [17:0] cell_8_sum_out;
     reg cell_9_clock;
     reg cell_9_write_query;
     reg cell_9_write_photon;
@@ -356,10 +356,10 @@ module photoncube_fit_ring(clock, reset, query_valid, query_x, query_y, query_z,
     reg [15:0] cell_9_radius_sq_in;
     reg [8:0] cell_9_photon_in;
     reg cell_9_present_in;
-    reg [7:0] cell_9_power_in;
+    reg cell_9_power_in;
     reg [17:0] cell_9_link_in;
     wire [17:0] cell_9_work_out;
-    wire [21:0] cell_9_sum_out;
+    wire [17:0] cell_9_sum_out;
     reg cell_10_clock;
     reg cell_10_write_query;
     reg cell_10_write_photon;
@@ -372,10 +372,10 @@ module photoncube_fit_ring(clock, reset, query_valid, query_x, query_y, query_z,
     reg [15:0] cell_10_radius_sq_in;
     reg [8:0] cell_10_photon_in;
     reg cell_10_present_in;
-    reg [7:0] cell_10_power_in;
+    reg cell_10_power_in;
     reg [17:0] cell_10_link_in;
     wire [17:0] cell_10_work_out;
-    wire [21:0] cell_10_sum_out;
+    wire [17:0] cell_10_sum_out;
     reg cell_11_clock;
     reg cell_11_write_query;
     reg cell_11_write_photon;
@@ -388,10 +388,10 @@ module photoncube_fit_ring(clock, reset, query_valid, query_x, query_y, query_z,
     reg [15:0] cell_11_radius_sq_in;
     reg [8:0] cell_11_photon_in;
     reg cell_11_present_in;
-    reg [7:0] cell_11_power_in;
+    reg cell_11_power_in;
     reg [17:0] cell_11_link_in;
     wire [17:0] cell_11_work_out;
-    wire [21:0] cell_11_sum_out;
+    wire [17:0] cell_11_sum_out;
     reg cell_12_clock;
     reg cell_12_write_query;
     reg cell_12_write_photon;
@@ -404,10 +404,10 @@ module photoncube_fit_ring(clock, reset, query_valid, query_x, query_y, query_z,
     reg [15:0] cell_12_radius_sq_in;
     reg [8:0] cell_12_photon_in;
     reg cell_12_present_in;
-    reg [7:0] cell_12_power_in;
+    reg cell_12_power_in;
     reg [17:0] cell_12_link_in;
     wire [17:0] cell_12_work_out;
-    wire [21:0] cell_12_sum_out;
+    wire [17:0] cell_12_sum_out;
     reg cell_13_clock;
     reg cell_13_write_query;
     reg cell_13_write_photon;
@@ -420,10 +420,10 @@ module photoncube_fit_ring(clock, reset, query_valid, query_x, query_y, query_z,
     reg [15:0] cell_13_radius_sq_in;
     reg [8:0] cell_13_photon_in;
     reg cell_13_present_in;
-    reg [7:0] cell_13_power_in;
+    reg cell_13_power_in;
     reg [17:0] cell_13_link_in;
     wire [17:0] cell_13_work_out;
-    wire [21:0] cell_13_sum_out;
+    wire [17:0] cell_13_sum_out;
     reg cell_14_clock;
     reg cell_14_write_query;
     reg cell_14_write_photon;
@@ -436,10 +436,10 @@ module photoncube_fit_ring(clock, reset, query_valid, query_x, query_y, query_z,
     reg [15:0] cell_14_radius_sq_in;
     reg [8:0] cell_14_photon_in;
     reg cell_14_present_in;
-    reg [7:0] cell_14_power_in;
+    reg cell_14_power_in;
     reg [17:0] cell_14_link_in;
     wire [17:0] cell_14_work_out;
-    wire [21:0] cell_14_sum_out;
+    wire [17:0] cell_14_sum_out;
     reg cell_15_clock;
     reg cell_15_write_query;
     reg cell_15_write_photon;
@@ -452,10 +452,10 @@ module photoncube_fit_ring(clock, reset, query_valid, query_x, query_y, query_z,
     reg [15:0] cell_15_radius_sq_in;
     reg [8:0] cell_15_photon_in;
     reg cell_15_present_in;
-    reg [7:0] cell_15_power_in;
+    reg cell_15_power_in;
     reg [17:0] cell_15_link_in;
     wire [17:0] cell_15_work_out;
-    wire [21:0] cell_15_sum_out;
+    wire [17:0] cell_15_sum_out;
     // Sub module instances
     photoncube_fit_ring_control control(
         .clock(control_clock),
@@ -1238,26 +1238,26 @@ module photoncube_fit_ring_ports(query_x, query_y, query_z, present_0, present_1
     input wire [8:0] z_1;
     input wire [8:0] z_2;
     input wire [8:0] z_3;
-    input wire [7:0] power_0;
-    input wire [7:0] power_1;
-    input wire [7:0] power_2;
-    input wire [7:0] power_3;
-    input wire [21:0] sum_0;
-    input wire [21:0] sum_1;
-    input wire [21:0] sum_2;
-    input wire [21:0] sum_3;
-    input wire [21:0] sum_4;
-    input wire [21:0] sum_5;
-    input wire [21:0] sum_6;
-    input wire [21:0] sum_7;
-    input wire [21:0] sum_8;
-    input wire [21:0] sum_9;
-    input wire [21:0] sum_10;
-    input wire [21:0] sum_11;
-    input wire [21:0] sum_12;
-    input wire [21:0] sum_13;
-    input wire [21:0] sum_14;
-    input wire [21:0] sum_15;
+    input wire power_0;
+    input wire power_1;
+    input wire power_2;
+    input wire power_3;
+    input wire [17:0] sum_0;
+    input wire [17:0] sum_1;
+    input wire [17:0] sum_2;
+    input wire [17:0] sum_3;
+    input wire [17:0] sum_4;
+    input wire [17:0] sum_5;
+    input wire [17:0] sum_6;
+    input wire [17:0] sum_7;
+    input wire [17:0] sum_8;
+    input wire [17:0] sum_9;
+    input wire [17:0] sum_10;
+    input wire [17:0] sum_11;
+    input wire [17:0] sum_12;
+    input wire [17:0] sum_13;
+    input wire [17:0] sum_14;
+    input wire [17:0] sum_15;
     output reg [9:0] cell_query_0;
     output reg [9:0] cell_query_1;
     output reg [9:0] cell_query_2;
@@ -1306,24 +1306,24 @@ module photoncube_fit_ring_ports(query_x, query_y, query_z, present_0, present_1
     output reg cell_present_13;
     output reg cell_present_14;
     output reg cell_present_15;
-    output reg [7:0] cell_power_0;
-    output reg [7:0] cell_power_1;
-    output reg [7:0] cell_power_2;
-    output reg [7:0] cell_power_3;
-    output reg [7:0] cell_power_4;
-    output reg [7:0] cell_power_5;
-    output reg [7:0] cell_power_6;
-    output reg [7:0] cell_power_7;
-    output reg [7:0] cell_power_8;
-    output reg [7:0] cell_power_9;
-    output reg [7:0] cell_power_10;
-    output reg [7:0] cell_power_11;
-    output reg [7:0] cell_power_12;
-    output reg [7:0] cell_power_13;
-    output reg [7:0] cell_power_14;
-    output reg [7:0] cell_power_15;
-    output reg [21:0] result_power;
-    output reg [21:0] result_count;
+    output reg cell_power_0;
+    output reg cell_power_1;
+    output reg cell_power_2;
+    output reg cell_power_3;
+    output reg cell_power_4;
+    output reg cell_power_5;
+    output reg cell_power_6;
+    output reg cell_power_7;
+    output reg cell_power_8;
+    output reg cell_power_9;
+    output reg cell_power_10;
+    output reg cell_power_11;
+    output reg cell_power_12;
+    output reg cell_power_13;
+    output reg cell_power_14;
+    output reg cell_power_15;
+    output reg [17:0] result_power;
+    output reg [17:0] result_count;
     // Update code
     always @(*) begin
         cell_query_0 = query_x;
@@ -1345,51 +1345,51 @@ module photoncube_fit_ring_ports(query_x, query_y, query_z, present_0, present_1
         cell_query_4 = query_y;
         cell_photon_4 = y_0;
         cell_present_4 = present_0;
-        cell_power_4 = 8'h0;
+        cell_power_4 = 1'b0;
         cell_query_5 = query_y;
         cell_photon_5 = y_1;
         cell_present_5 = present_1;
-        cell_power_5 = 8'h0;
+        cell_power_5 = 1'b0;
         cell_query_6 = query_y;
         cell_photon_6 = y_2;
         cell_present_6 = present_2;
-        cell_power_6 = 8'h0;
+        cell_power_6 = 1'b0;
         cell_query_7 = query_y;
         cell_photon_7 = y_3;
         cell_present_7 = present_3;
-        cell_power_7 = 8'h0;
+        cell_power_7 = 1'b0;
         cell_query_8 = query_z;
         cell_photon_8 = z_0;
         cell_present_8 = present_0;
-        cell_power_8 = 8'h0;
+        cell_power_8 = 1'b0;
         cell_query_9 = query_z;
         cell_photon_9 = z_1;
         cell_present_9 = present_1;
-        cell_power_9 = 8'h0;
+        cell_power_9 = 1'b0;
         cell_query_10 = query_z;
         cell_photon_10 = z_2;
         cell_present_10 = present_2;
-        cell_power_10 = 8'h0;
+        cell_power_10 = 1'b0;
         cell_query_11 = query_z;
         cell_photon_11 = z_3;
         cell_present_11 = present_3;
-        cell_power_11 = 8'h0;
+        cell_power_11 = 1'b0;
         cell_query_12 = 10'b0;
         cell_photon_12 = 9'b0;
         cell_present_12 = present_0;
-        cell_power_12 = 8'h1;
+        cell_power_12 = 1'b1;
         cell_query_13 = 10'b0;
         cell_photon_13 = 9'b0;
         cell_present_13 = present_1;
-        cell_power_13 = 8'h1;
+        cell_power_13 = 1'b1;
         cell_query_14 = 10'b0;
         cell_photon_14 = 9'b0;
         cell_present_14 = present_2;
-        cell_power_14 = 8'h1;
+        cell_power_14 = 1'b1;
         cell_query_15 = 10'b0;
         cell_photon_15 = 9'b0;
         cell_present_15 = present_3;
-        cell_power_15 = 8'h1;
+        cell_power_15 = 1'b1;
         result_power = sum_0;
         result_count = sum_12;
     end
@@ -1689,12 +1689,12 @@ module photoncube_fit_ring_cell(clock, write_query, write_photon, write_power, w
     input wire [15:0] radius_sq_in;
     input wire [8:0] photon_in;
     input wire present_in;
-    input wire [7:0] power_in;
+    input wire power_in;
     input wire [17:0] link_in;
     output reg [17:0] work_out;
-    output reg [21:0] sum_out;
+    output reg [17:0] sum_out;
     // Constant declarations
-    localparam high_bits = 22'h3c0000;
+    localparam high_bits = 18'b0;
     // Stub signals
     reg [9:0] query_d;
     wire [9:0] query_q;
@@ -1705,30 +1705,30 @@ module photoncube_fit_ring_cell(clock, write_query, write_photon, write_power, w
     reg [8:0] photon_d;
     wire [8:0] photon_q;
     reg photon_clock;
-    reg [7:0] power_d;
-    wire [7:0] power_q;
+    reg power_d;
+    wire power_q;
     reg power_clock;
     reg [17:0] work_d;
     wire [17:0] work_q;
     reg work_clock;
-    reg [21:0] sum_d;
-    wire [21:0] sum_q;
+    reg [17:0] sum_d;
+    wire [17:0] sum_q;
     reg sum_clock;
     reg [9:0] square_unit_a;
     reg [8:0] square_unit_b;
     wire [15:0] square_unit_square;
     reg [17:0] gate_unit_a;
     reg [15:0] gate_unit_b;
-    reg [7:0] gate_unit_power;
+    reg gate_unit_power;
     wire [17:0] gate_unit_gated;
-    reg [21:0] add_unit_a;
-    reg [21:0] add_unit_b;
-    wire [21:0] add_unit_sum;
+    reg [17:0] add_unit_a;
+    reg [17:0] add_unit_b;
+    wire [17:0] add_unit_sum;
     // Local signals
     reg [17:0] addend;
     reg [17:0] sum_low;
-    reg [21:0] sum_high;
-    reg [21:0] wide_addend;
+    reg [17:0] sum_high;
+    reg [17:0] wide_addend;
     // Sub module instances
     photoncube_fit_ring_register_10 query(
         .d(query_d),
@@ -1745,7 +1745,7 @@ module photoncube_fit_ring_cell(clock, write_query, write_photon, write_power, w
         .q(photon_q),
         .clock(photon_clock)
     );
-    photoncube_fit_ring_register_8 power(
+    photoncube_fit_ring_register_1 power(
         .d(power_d),
         .q(power_q),
         .clock(power_clock)
@@ -1755,7 +1755,7 @@ module photoncube_fit_ring_cell(clock, write_query, write_photon, write_power, w
         .q(work_q),
         .clock(work_clock)
     );
-    photoncube_fit_ring_register_22 sum(
+    photoncube_fit_ring_register_18 sum(
         .d(sum_d),
         .q(sum_q),
         .clock(sum_clock)
@@ -1801,8 +1801,8 @@ module photoncube_fit_ring_cell(clock, write_query, write_photon, write_power, w
         end
         addend = link_in | sum_low;
         sum_high = sum_q & high_bits;
-        wide_addend = ((addend) & 22'h3fffff);
-        add_unit_a = ((work_q) & 22'h3fffff);
+        wide_addend = ((addend) & 18'h3ffff);
+        add_unit_a = ((work_q) & 18'h3ffff);
         add_unit_b = sum_high | wide_addend;
         if (write_query) begin
             query_d = query_in;
@@ -1839,34 +1839,6 @@ module photoncube_fit_ring_cell(clock, write_query, write_photon, write_power, w
         end
         work_out = work_q;
         sum_out = sum_q;
-    end
-endmodule
-
-module photoncube_fit_ring_register_22(d, q, clock);
-    // Module arguments
-    input wire [21:0] d;
-    output reg [21:0] q;
-    input wire clock;
-    // Update code (custom)
-    initial begin
-       q = 22'h0;
-    end
-    always @(posedge clock) begin
-       q <= d;
-    end
-endmodule
-
-module photoncube_fit_ring_register_1(d, q, clock);
-    // Module arguments
-    input wire d;
-    output reg q;
-    input wire clock;
-    // Update code (custom)
-    initial begin
-       q = 1'h0;
-    end
-    always @(posedge clock) begin
-       q <= d;
     end
 endmodule
 
@@ -1953,14 +1925,14 @@ module photoncube_fit_ring_register_10(d, q, clock);
     end
 endmodule
 
-module photoncube_fit_ring_register_8(d, q, clock);
+module photoncube_fit_ring_register_1(d, q, clock);
     // Module arguments
-    input wire [7:0] d;
-    output reg [7:0] q;
+    input wire d;
+    output reg q;
     input wire clock;
     // Update code (custom)
     initial begin
-       q = 8'h0;
+       q = 1'h0;
     end
     always @(posedge clock) begin
        q <= d;
@@ -2028,9 +2000,9 @@ endmodule
 
 module photoncube_fit_ring_add_unit(a, b, sum);
     // Module arguments
-    input wire [21:0] a;
-    input wire [21:0] b;
-    output reg [21:0] sum;
+    input wire [17:0] a;
+    input wire [17:0] b;
+    output reg [17:0] sum;
     // Update code
     always @(*) begin
         sum = a + b;
@@ -2055,7 +2027,7 @@ module photoncube_fit_ring_gate_unit(a, b, power, gated);
     // Module arguments
     input wire [17:0] a;
     input wire [15:0] b;
-    input wire [7:0] power;
+    input wire power;
     output reg [17:0] gated;
     // Local signals
     reg [17:0] wide_b;

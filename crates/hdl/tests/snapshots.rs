@@ -15,14 +15,14 @@ fn first_module(text: &str) -> String {
     text[..end].to_owned() + "\n"
 }
 
-/// The header and the module whose name ends so.
+/// The module whose name ends so.
 fn only_module(text: &str, name: &str) -> String {
-    let (header, modules) = text.split_once("\nmodule ").unwrap();
+    let (_, modules) = text.split_once("\nmodule ").unwrap();
     let module = modules.split("\nmodule ").find(|module| {
         let declared = module.split_once('(').map_or("", |(declared, _)| declared);
         declared.ends_with(name)
     });
-    format!("{header}\nmodule {}", module.unwrap())
+    format!("module {}", module.unwrap())
 }
 
 #[test]

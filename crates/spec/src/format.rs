@@ -52,7 +52,8 @@ pub struct Widths {
     /// two bits wider than one; or the power of all the photons of one iteration (`power` plus
     /// one bit for each photon axis), whichever is wider.
     pub work: u32,
-    /// The sums of a query: `max_photons` photons of full-scale power.
+    /// The sums of a query: `max_photons` photons of full-scale power; no narrower than the work
+    /// register, with which they share the adder.
     pub sum: u32,
 }
 
@@ -65,8 +66,11 @@ impl Widths {
         };
         let photon_axes = machine.hypercube().photon_axes().count() as u32;
         let distance = own.square + 2;
+        let work = distance.max(own.power + photon_axes);
         Self {
-            work: distance.max(own.power + photon_axes),
+            work,
+            // One adder serves both.
+            sum: own.sum.max(work),
             ..own
         }
     }
@@ -140,7 +144,7 @@ mod tests {
             let photons = machine.photons_per_iteration() as u128;
             assert!(photons * full_scale < 1 << widths.work);
             assert!(u128::from(machine.max_photons()) * full_scale < 1 << widths.sum);
-            assert!(widths.work < widths.sum);
+            assert!(widths.work <= widths.sum);
             assert!(
                 widths.sum <= 64 && widths.coordinate <= 32 && widths.radius_sq <= 32,
                 "{}: the runners carry powers and sums in 64 bits, all other values in 32",

@@ -183,6 +183,23 @@ pub const MACHINES: &[Machine] = &[
         squarer: Squarer::Digits,
     },
     Machine {
+        name: "fit-cornell",
+        summary: "16 cells, the photon format that `fit` finds for the scene cornell",
+        dimension: 4,
+        numbers: Numbers::Local(PhotonFormat {
+            position_bits: 6,
+            query_extra_bits: 2,
+            power: PowerFormat {
+                channels: Channels::Rgb,
+                mantissa_bits: 6,
+                exponent: Exponent::None,
+                rounding: Rounding::Dithered,
+            },
+            max_photons: 1 << 12,
+        }),
+        squarer: Squarer::Digits,
+    },
+    Machine {
         name: "fit-ring",
         summary: "16 cells, the photon format that `fit` finds for the scene ring",
         dimension: 4,
@@ -191,9 +208,26 @@ pub const MACHINES: &[Machine] = &[
             query_extra_bits: 1,
             power: PowerFormat {
                 channels: Channels::Mono,
-                mantissa_bits: 8,
+                mantissa_bits: 1,
                 exponent: Exponent::None,
                 rounding: Rounding::Nearest,
+            },
+            max_photons: 1 << 13,
+        }),
+        squarer: Squarer::Digits,
+    },
+    Machine {
+        name: "fit-range",
+        summary: "16 cells, the photon format that `fit` finds for the scene range",
+        dimension: 4,
+        numbers: Numbers::Local(PhotonFormat {
+            position_bits: 6,
+            query_extra_bits: 1,
+            power: PowerFormat {
+                channels: Channels::Rgb,
+                mantissa_bits: 4,
+                exponent: Exponent::Photon { bits: 5 },
+                rounding: Rounding::Dithered,
             },
             max_photons: 1 << 14,
         }),

@@ -89,7 +89,7 @@ pub enum StimulusError {
         program_clocks: u64,
     },
     /// A reset and a query of zeros leave something behind.
-    #[error("machine `{machine}` has a register that a reset and a query of zeros do not clear")]
+    #[error("machine `{machine}` has a register that a reset and a query of zeros do not set")]
     NotScrubbed {
         /// The machine.
         machine: &'static str,
