@@ -1,18 +1,18 @@
 //! Where every engine is measured alike: several photon maps of a scene, and queries of its view.
 
-use photoncube_model::{GatherError, LocalError, gather};
+use glam::DVec3;
+use photoncube_model::{GatherError, LocalError};
 use rayon::prelude::*;
 use thiserror::Error;
 
 use super::error::MetricsError;
 use super::misclassified::Misclassified;
-use super::queries::{luminance, view_queries};
+use super::queries::{LUMINANCE, view_queries};
 use super::study::{ErrorReport, ErrorStudy};
+use super::verdicts::{f64_verdicts, format_verdicts, model_verdicts};
 use crate::estimate::{Estimate, Refusal, estimate_f64};
 use crate::estimators::{Estimator, EstimatorError, Method, UnfitEstimator};
-use crate::format_map::FormatMap;
 use crate::photon_map::{MapError, PhotonMap};
-use crate::quantise::QuantisedMap;
 use crate::render::{Engine, Prepared, RenderError};
 use crate::scene::Scene;
 use crate::trace::{TraceError, TraceOptions, trace};
@@ -110,7 +110,9 @@ pub struct EstimatorReport {
 pub struct ErrorBench {
     queries: Vec<QueryPoint>,
     maps: Vec<PhotonMap>,
-    /// Luminance by map and query.
+    /// The sum of channels that is measured.
+    weights: DVec3,
+    /// That sum by map and query.
     references: Vec<Vec<f64>>,
 }
 
@@ -129,12 +131,23 @@ impl ErrorBench {
             Ok(PhotonMap::new(scene, trace.photons, radius)?)
         };
         let maps = (0..options.maps).map(map).collect::<Result<Vec<_>, _>>()?;
-        let references = maps.iter().map(|map| references(map, &queries)).collect();
-        Ok(Self {
+        let bench = Self {
             queries,
             maps,
-            references,
-        })
+            weights: DVec3::ZERO,
+            references: Vec::new(),
+        };
+        Ok(bench.weighted(LUMINANCE))
+    }
+
+    /// The same, measuring another weighted sum of the channels in luminance's place: `DVec3::Z`
+    /// for blue alone.
+    #[must_use]
+    pub fn weighted(mut self, weights: DVec3) -> Self {
+        self.weights = weights;
+        let references = |map| references(map, &self.queries, weights);
+        self.references = self.maps.iter().map(references).collect();
+        self
     }
 
     /// The query points.
@@ -149,7 +162,8 @@ impl ErrorBench {
         &self.maps
     }
 
-    /// The f64 reference on each map: reflected luminance at each query, in order.
+    /// The f64 reference on each map: reflected luminance (or what [`Self::weighted`] chose) at
+    /// each query, in order.
     #[must_use]
     pub fn references(&self) -> &[Vec<f64>] {
         &self.references
@@ -161,8 +175,16 @@ impl ErrorBench {
     /// Formats that do not fit the maps, a query that the golden model refuses, or nothing to
     /// compare.
     pub fn measure(&self, engine: Engine<'_>) -> Result<ErrorReport, BenchError> {
-        let report = self.compare(engine, Estimator::FixedRadius, &self.references)?;
-        Ok(report.error)
+        Ok(self.study(engine)?.report()?)
+    }
+
+    /// What [`Self::measure`] reports from, for more of its figures' intervals.
+    ///
+    /// # Errors
+    /// Formats that do not fit the maps, or a query that the golden model refuses.
+    pub fn study(&self, engine: Engine<'_>) -> Result<ErrorStudy, BenchError> {
+        let (study, _) = self.compare(engine, Estimator::FixedRadius, &self.references)?;
+        Ok(study)
     }
 
     /// The error of any form of estimate by the engine, against what it stands for in f64
@@ -181,36 +203,13 @@ impl ErrorBench {
             let queries = self.queries.par_iter();
             let estimates = queries.map(|query| {
                 let estimate = method.estimate(&Prepared::F64, map, query)?;
-                Ok(reflected(query, &estimate))
+                Ok(reflected(query, &estimate, self.weights))
             });
             estimates.collect()
         };
         let references = self.maps.iter().map(reference);
         let references = references.collect::<Result<Vec<_>, _>>()?;
-        self.compare(engine, estimator, &references)
-    }
-
-    /// The estimates of every map against `references`, luminance by map and query.
-    fn compare(
-        &self,
-        engine: Engine<'_>,
-        estimator: Estimator,
-        references: &[Vec<f64>],
-    ) -> Result<EstimatorReport, BenchError> {
-        let method = Method::new(estimator, engine)?;
-        let mut study = ErrorStudy::new(self.queries.len());
-        let mut gathers = 0;
-        for (map, references) in self.maps.iter().zip(references) {
-            let prepared = Prepared::new(map, engine)?;
-            let answers = self.queries.par_iter();
-            let answers = answers.map(|query| answer(&method, &prepared, map, query));
-            let answers = answers.collect::<Result<Vec<_>, _>>()?;
-            let mut counts = Misclassified::default();
-            answers.iter().for_each(|answer| counts += answer.verdicts);
-            gathers += answers.iter().map(|answer| answer.gathers).sum::<u64>();
-            let estimates: Vec<f64> = answers.iter().map(|answer| answer.luminance).collect();
-            study.push_map(&estimates, references, counts)?;
-        }
+        let (study, gathers) = self.compare(engine, estimator, &references)?;
         let estimates = self.maps.len() * self.queries.len();
         Ok(EstimatorReport {
             // A study without an estimate has no report.
@@ -218,22 +217,47 @@ impl ErrorBench {
             gathers_per_query: gathers as f64 / estimates as f64,
         })
     }
+
+    /// The estimates of every map against `references`, by map and query; and the gathers that
+    /// they took.
+    fn compare(
+        &self,
+        engine: Engine<'_>,
+        estimator: Estimator,
+        references: &[Vec<f64>],
+    ) -> Result<(ErrorStudy, u64), BenchError> {
+        let method = Method::new(estimator, engine)?;
+        let mut study = ErrorStudy::new(self.queries.len());
+        let mut gathers = 0;
+        for (map, references) in self.maps.iter().zip(references) {
+            let prepared = Prepared::new(map, engine)?;
+            let answers = self.queries.par_iter();
+            let answers = answers.map(|query| answer(&method, &prepared, map, query, self.weights));
+            let answers = answers.collect::<Result<Vec<_>, _>>()?;
+            let mut counts = Misclassified::default();
+            answers.iter().for_each(|answer| counts += answer.verdicts);
+            gathers += answers.iter().map(|answer| answer.gathers).sum::<u64>();
+            let estimates: Vec<f64> = answers.iter().map(|answer| answer.light).collect();
+            study.push_map(&estimates, references, counts)?;
+        }
+        Ok((study, gathers))
+    }
 }
 
-fn references(map: &PhotonMap, queries: &[QueryPoint]) -> Vec<f64> {
+fn references(map: &PhotonMap, queries: &[QueryPoint], weights: DVec3) -> Vec<f64> {
     let queries = queries.par_iter();
-    let values = queries.map(|query| reflected(query, &estimate_f64(map, query)));
+    let values = queries.map(|query| reflected(query, &estimate_f64(map, query), weights));
     values.collect()
 }
 
-/// Reflected luminance at the query.
-fn reflected(query: &QueryPoint, estimate: &Estimate) -> f64 {
-    luminance(query.beta * estimate.irradiance)
+/// Reflected light at the query.
+fn reflected(query: &QueryPoint, estimate: &Estimate, weights: DVec3) -> f64 {
+    weights.dot(query.beta * estimate.irradiance)
 }
 
 /// What an engine says at one query.
 struct Answer {
-    luminance: f64,
+    light: f64,
     gathers: u64,
     /// On its photons.
     verdicts: Misclassified,
@@ -244,6 +268,7 @@ fn answer(
     prepared: &Prepared<'_>,
     map: &PhotonMap,
     query: &QueryPoint,
+    weights: DVec3,
 ) -> Result<Answer, BenchError> {
     let estimate = method.estimate(prepared, map, query)?;
     let verdicts = match prepared {
@@ -252,51 +277,10 @@ fn answer(
         Prepared::Format(quantised, _) => format_verdicts(quantised, query),
     };
     Ok(Answer {
-        luminance: reflected(query, &estimate),
+        light: reflected(query, &estimate, weights),
         gathers: estimate.gathers,
         verdicts,
     })
-}
-
-fn is_in_range(map: &PhotonMap, photon: &crate::Photon, query: &QueryPoint) -> bool {
-    photon.position.distance_squared(query.position) <= map.radius() * map.radius()
-}
-
-fn f64_verdicts(map: &PhotonMap, query: &QueryPoint) -> Misclassified {
-    let mut counts = Misclassified::default();
-    for run in map.candidates(query.position, query.normal) {
-        for photon in &map.photons()[run.photons] {
-            let inside = is_in_range(map, photon, query);
-            counts.push(inside, inside);
-        }
-    }
-    counts
-}
-
-/// The golden model itself decides, photon by photon.
-fn model_verdicts(
-    map: &PhotonMap,
-    quantised: &QuantisedMap<'_>,
-    query: &QueryPoint,
-) -> Result<Misclassified, GatherError> {
-    let runs = map.candidates(query.position, query.normal);
-    let floats = runs.flat_map(|run| &map.photons()[run.photons]);
-    let integers = quantised.photons(query.position, query.normal);
-    let centre = quantised.query(query.position);
-    let mut counts = Misclassified::default();
-    for (float, integer) in floats.zip(integers) {
-        let sums = gather(quantised.machine(), &centre, [integer])?;
-        counts.push(is_in_range(map, float, query), sums.count == 1);
-    }
-    Ok(counts)
-}
-
-fn format_verdicts(quantised: &FormatMap<'_>, query: &QueryPoint) -> Misclassified {
-    let mut counts = Misclassified::default();
-    for (photon, verdict) in quantised.verdicts(query.position, query.normal) {
-        counts.push(is_in_range(quantised.map(), photon, query), verdict);
-    }
-    counts
 }
 
 #[cfg(test)]
@@ -342,6 +326,17 @@ mod tests {
             assert_eq!(report.photons_in_range, reference.photons_in_range);
             assert!(report.misclassified_photons > 0 && report.error_over_noise < 0.2);
         }
+    }
+
+    #[test]
+    fn luminance_is_the_sum_of_its_channels() {
+        let bench = bench();
+        let total = bench.references()[0][7];
+        let channel = |weights| bench.clone().weighted(weights).references()[0][7];
+        let [red, green, blue] = DVec3::AXES.map(channel);
+        let sum = DVec3::new(red, green, blue).dot(LUMINANCE);
+        // A few roundings.
+        assert!(red != blue && (sum / total - 1.0).abs() < 1e-14);
     }
 
     #[test]

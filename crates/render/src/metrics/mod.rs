@@ -26,8 +26,10 @@ mod misclassified;
 mod moments;
 mod noise;
 mod queries;
+mod quotient;
 mod relative;
 mod study;
+mod verdicts;
 
 pub use bench::{BenchError, BenchOptions, ErrorBench, EstimatorReport};
 pub use bias::Interval;

@@ -5,10 +5,13 @@ use glam::DVec3;
 use crate::scene::Scene;
 use crate::view::{QueryPoint, ViewError, ViewOptions};
 
+/// The channels' weights in luminance (Rec. 709).
+pub(super) const LUMINANCE: DVec3 = DVec3::new(0.2126, 0.7152, 0.0722);
+
 /// The luminance of linear RGB with the primaries of Rec. ITU-R BT.709.
 #[must_use]
 pub fn luminance(rgb: DVec3) -> f64 {
-    rgb.dot(DVec3::new(0.2126, 0.7152, 0.0722))
+    rgb.dot(LUMINANCE)
 }
 
 /// The query points of a picture, row by row: what [`crate::render`] gathers at, all of it. A

@@ -72,6 +72,14 @@ impl RelativeErrors {
         self.unlit_but_estimated += other.unlit_but_estimated;
     }
 
+    /// [`RelativeSummary::rms`] alone, without the sorting that the quantiles take.
+    pub(super) fn rms(&self) -> Result<f64, MetricsError> {
+        match self.signed.count() {
+            0 => Err(MetricsError::NothingCompared),
+            _ => Ok(self.signed.rms()),
+        }
+    }
+
     /// The figures over all errors taken.
     ///
     /// # Errors

@@ -22,10 +22,11 @@ use super::relative::{RelativeErrors, RelativeSummary};
 /// denominator is the mean, depends on the scene and not on the machine.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ErrorStudy {
-    queries: usize,
+    pub(super) queries: usize,
     /// Estimate less reference, by map and query.
-    differences: Vec<Vec<f64>>,
-    noise: NoiseMeter,
+    pub(super) differences: Vec<Vec<f64>>,
+    pub(super) references: Vec<Vec<f64>>,
+    pub(super) noise: NoiseMeter,
     misclassified: Misclassified,
 }
 
@@ -88,6 +89,7 @@ impl ErrorStudy {
         Self {
             queries,
             differences: Vec::new(),
+            references: Vec::new(),
             noise: NoiseMeter::new(queries),
             misclassified: Misclassified::default(),
         }
@@ -108,6 +110,7 @@ impl ErrorStudy {
         self.noise.push_map(references)?;
         let pairs = estimates.iter().zip(references);
         self.differences.push(pairs.map(|(a, b)| a - b).collect());
+        self.references.push(references.to_vec());
         self.misclassified += misclassified;
         Ok(())
     }
@@ -127,7 +130,7 @@ impl ErrorStudy {
         Ok((all.summary()?, bias, Interval::of_independent(&squares)?))
     }
 
-    fn errors_of(&self, differences: &[f64]) -> RelativeErrors {
+    pub(super) fn errors_of(&self, differences: &[f64]) -> RelativeErrors {
         let mut errors = RelativeErrors::default();
         for (query, difference) in differences.iter().enumerate() {
             let mean = self.noise.mean_of_query(query);

@@ -1,0 +1,68 @@
+//! Powers rounded otherwise than any format does: other exponents, other dither.
+
+use glam::DVec3;
+use photoncube_render::{FormatMap, Photon};
+use rand::rngs::StdRng;
+use rand::{RngExt, SeedableRng};
+
+/// How many photons share an exponent.
+#[derive(Copy, Clone, PartialEq)]
+pub enum Sharing {
+    /// None: each has its own.
+    Photon,
+    /// Those of a block cut in 2^s on every axis.
+    SubBlock(u32),
+}
+
+/// The powers of a map whose format has an exponent for each photon, dithered by random numbers in
+/// place of the hash, or rounded to nearest, with the largest exponent of those that share one.
+pub fn powers(quantised: &FormatMap<'_>, sharing: Sharing, dithered: bool) -> Vec<DVec3> {
+    let unit = quantised.flux([1; 3]);
+    let full = f64::from((1_u32 << quantised.format().power.mantissa_bits) - 1);
+    // Another sequence for each map, so that maps stay independent.
+    let seed = quantised.map().photons()[0].position.x.to_bits();
+    let mut rng = StdRng::seed_from_u64(seed);
+    let exponents = exponents(quantised, sharing);
+    let photons = quantised.map().photons().iter();
+    let round = |(photon, exponent): (&Photon, u8)| {
+        let step = unit * f64::from(exponent).exp2();
+        let mut add = || if dithered { rng.random() } else { 0.5 };
+        let offset = DVec3::new(add(), add(), add());
+        let mantissa = (photon.power / step + offset).floor();
+        mantissa.min(DVec3::splat(full)) * step
+    };
+    photons.zip(exponents).map(round).collect()
+}
+
+fn exponents(quantised: &FormatMap<'_>, sharing: Sharing) -> Vec<u8> {
+    let own = quantised.records().iter().map(|record| record.exponent);
+    match sharing {
+        Sharing::Photon => own.collect(),
+        Sharing::SubBlock(s) => shared_exponents(quantised, s),
+    }
+}
+
+fn shared_exponents(quantised: &FormatMap<'_>, s: u32) -> Vec<u8> {
+    let mut found = vec![0; quantised.records().len()];
+    let shift = quantised.format().position_bits - s;
+    for block in quantised.map().block_slices() {
+        let records = &quantised.records()[block.clone()];
+        let mut largest = vec![0; 1 << (3 * s)];
+        let places: Vec<usize> = records
+            .iter()
+            .map(|r| place(r.position, shift, s))
+            .collect();
+        for (place, record) in places.iter().zip(records) {
+            largest[*place] = record.exponent.max(largest[*place]);
+        }
+        let shared = places.iter().map(|place| largest[*place]);
+        found[block].copy_from_slice(&shared.collect::<Vec<u8>>());
+    }
+    found
+}
+
+/// Which sub-block of 2^s on every axis a position is in.
+pub fn place(position: [u16; 3], shift: u32, s: u32) -> usize {
+    let [x, y, z] = position.map(|axis| usize::from(axis) >> shift);
+    (z << (2 * s)) | (y << s) | x
+}
