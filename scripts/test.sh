@@ -44,6 +44,7 @@ stage "layers" scripts/check_layers.sh
 stage "clippy" cargo clippy --locked --workspace --all-targets -- -D warnings
 stage "docs" env RUSTDOCFLAGS="-D warnings" cargo doc --locked --workspace --no-deps
 stage "tests" cargo test --locked --workspace
+stage "hard cases" photoncube hard-cases
 stage "committed Verilog" photoncube generate --check
 stage "Verilog checks" scripts/yosys/check.sh
 stage "synthesis figures" scripts/yosys/synth.sh --check

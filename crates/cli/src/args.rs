@@ -32,6 +32,7 @@ Examples:
   photoncube generate --machine paper --out /tmp/verilog
   photoncube render cornell -o box.png --engine f64
   photoncube report ring                          formats by error and speed, with a plot
+  photoncube hard-cases                           what breaks other arithmetic, and not this
   photoncube microprogram --machine paper-5d
 
 Exit codes: 0 all holds; 1 a check failed; 2 bad usage or bad input.";
@@ -51,6 +52,8 @@ pub enum Command {
     Render(RenderArgs),
     /// Speed against error: every photon format and machine on a scene, as a table and a plot
     Report(ReportArgs),
+    /// Run the inputs at which some arithmetic is known to fail, in every photon format
+    HardCases(HardCasesArgs),
     /// Print a microprogram: listing by clock, utilisation, and the schedule checker's verdict
     Microprogram(MicroprogramArgs),
     /// Print the completions for a shell
@@ -245,6 +248,22 @@ pub struct ReportArgs {
     /// Seed of all random numbers
     #[arg(long, default_value_t = 1, value_name = "S")]
     pub seed: u64,
+}
+
+/// `hard-cases`
+#[derive(ClapArgs, Debug)]
+#[command(after_help = "\
+Examples:
+  photoncube hard-cases
+  photoncube hard-cases --format local7x1-mono8 --json
+
+For each case: what could break, the result in the worst format, its bound and why, and as contrast
+what an arithmetic that is known to fail gives on the same input. A row fails where the result is
+past its bound, or where, in all formats together, the contrast is not bad enough to be one.")]
+pub struct HardCasesArgs {
+    /// Only this photon format (see `photoncube list`; any legal name is one) [default: all of them]
+    #[arg(long, value_name = "F")]
+    pub format: Option<String>,
 }
 
 /// `microprogram`

@@ -132,6 +132,7 @@ fn bad_input_ends_2_says_what_was_expected_and_writes_nothing() {
         ),
         (&["verify", "--iterations", "0"], "1.."),
         (&["verify", "--against", "modelsim"], "rust-hdl"),
+        (&["hard-cases", "--format", "float"], "no format `float`"),
         (&["microprogram", "--dimension", "9"], "not built in"),
         (
             &["run", "atlantis", "--out", out],
@@ -286,6 +287,43 @@ fn report_measures_every_format_and_machine() {
 }
 
 #[test]
+fn hard_cases_print_a_row_each_with_bound_reason_and_contrast() {
+    let report = json(&["hard-cases", "--format", "local7x1-mono8"]);
+    let cases = report["cases"].as_array().unwrap();
+    assert!(cases.len() > 20, "{cases:?}");
+    assert_eq!(report["failed"].as_array().unwrap().len(), 0);
+    for case in cases {
+        assert_eq!(case["holds"], true, "{case}");
+        assert!(case["looked_at"].as_u64().unwrap() > 0, "{case}");
+        assert!(!case["why"].as_str().unwrap().is_empty(), "{case}");
+        assert!(case["contrast"].is_number(), "{case}");
+    }
+    let output = photoncube(&["hard-cases", "--format", "local6-rgb8"])
+        .assert()
+        .success();
+    let table = String::from_utf8(output.get_output().stdout.clone()).unwrap();
+    for text in [
+        "what could break",
+        "boundary-ties-f64",
+        "permuted",
+        "0 failed",
+    ] {
+        assert!(table.contains(text), "{table}");
+    }
+}
+
+/// Two photons are too few for any case of more: they are refused, and the row is named.
+#[test]
+fn a_hard_case_that_fails_is_named_and_ends_1() {
+    let message = error(&["hard-cases", "--format", "local8-rgb8e5-n2"], 1);
+    assert!(
+        message.contains("hard case `boundary-ties-f32`: "),
+        "{message}"
+    );
+    assert!(message.contains("over the 2 that format"), "{message}");
+}
+
+#[test]
 fn list_names_scenes_machines_and_formats() {
     let report = json(&["list"]);
     assert_eq!(report["scenes"][0]["scene"], "cornell");
@@ -329,6 +367,7 @@ fn help_has_examples() {
         "verify",
         "render",
         "report",
+        "hard-cases",
         "microprogram",
     ] {
         let output = photoncube(&[command, "--help"]).assert().success();
@@ -370,6 +409,7 @@ fn every_json_key_is_documented() {
     for args in [
         &["list"][..],
         &["microprogram"],
+        &["hard-cases", "--format", "local6-rgb8"],
         &[&report[..], &tiny[..]].concat(),
         &["generate", "--machine", "paper", "--out", out],
         &["verify", "--iterations", "5"],

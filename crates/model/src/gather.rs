@@ -13,10 +13,13 @@ pub enum GatherError {
     Range(#[from] RangeError),
     /// More photons than the sums are sized for.
     #[error(
-        "a query of more than {max_photons} photons does not fit machine `{machine}`: \
-         its sums could overflow; use a smaller radius or a machine with a larger `max_photons`"
+        "a query of {found} photons is {} over the {max_photons} that machine `{machine}` declares: \
+         its sums could overflow; use a smaller radius or a machine with a larger `max_photons`",
+        .found - .max_photons
     )]
     TooManyPhotons {
+        /// The photons given.
+        found: u64,
         /// The most photons that the machine declares for one query.
         max_photons: u64,
         /// The machine.
@@ -44,18 +47,20 @@ pub fn gather(
     for photon in photons {
         limits.check_photon(&photon)?;
         given += 1;
-        if given > machine.max_photons() {
-            return Err(GatherError::TooManyPhotons {
-                max_photons: machine.max_photons(),
-                machine: machine.name,
-            });
-        }
-        if grid.in_range(query, photon.position) {
+        // Past the limit nothing is summed, only counted for the error.
+        if given <= machine.max_photons() && grid.in_range(query, photon.position) {
             for (sum, power) in sums.power.iter_mut().zip(photon.power) {
                 *sum += u64::from(power) << photon.exponent;
             }
             sums.count += 1;
         }
+    }
+    if given > machine.max_photons() {
+        return Err(GatherError::TooManyPhotons {
+            found: given,
+            max_photons: machine.max_photons(),
+            machine: machine.name,
+        });
     }
     Ok(sums)
 }
@@ -132,8 +137,9 @@ mod tests {
         let largest = PAPER.max_photons() as usize;
         let sums = gather(PAPER, &query, many(largest)).unwrap();
         assert_eq!(sums.power, [u64::from(u32::MAX); 3]);
-        let refused = gather(PAPER, &query, many(largest + 1));
-        assert!(matches!(refused, Err(GatherError::TooManyPhotons { .. })));
+        let refused = gather(PAPER, &query, many(largest + 3)).unwrap_err();
+        let expected = "65540 photons is 3 over the 65537 that machine `paper` declares";
+        assert!(refused.to_string().contains(expected), "{refused}");
     }
 
     #[test]

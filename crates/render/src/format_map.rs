@@ -8,7 +8,7 @@
 //!   (only their differences from the scene's corner are used, and those are exact);
 //! - after scaling scene, radius and photons by a power of two; by any other factor, except
 //!   for coordinates that f64 rounding carries across the border of a cell (relative 1e-15 of the
-//!   scene);
+//!   scene), hence always for those in the middle of theirs;
 //! - after scaling all powers by a power of two;
 //! - up to the order of the records, after permuting the photons.
 
@@ -207,6 +207,14 @@ impl<'a> FormatMap<'a> {
         let exponent = self.block_exponent(index) + record.exponent;
         let mantissa = DVec3::from(record.mantissa.map(f64::from));
         self.scale.flux(mantissa * power_of_two(exponent))
+    }
+
+    /// The flux of one step of a stored photon's mantissa, in the strongest channel that there is.
+    pub(crate) fn step(&self, index: usize) -> f64 {
+        let exponent = self.block_exponent(index) + self.records[index].exponent;
+        self.scale
+            .flux(DVec3::ONE * power_of_two(exponent))
+            .max_element()
     }
 
     fn block_exponent(&self, photon: usize) -> u8 {

@@ -30,6 +30,7 @@ mod estimate;
 mod estimators;
 mod format_map;
 mod geometry;
+mod hard_cases;
 mod image;
 mod machine_map;
 mod metrics;
@@ -52,6 +53,10 @@ pub use estimators::{
 };
 pub use format_map::{FormatMap, FormatMapError};
 pub use geometry::{Hit, Quad};
+pub use hard_cases::{
+    Bound, Contrast, Grid, HARD_CASES, HardCase, HardCaseError, HardCaseReport, Outcome, Setting,
+    hard_case_formats, run_hard_case,
+};
 pub use image::{Image, ImageError};
 pub use machine_map::MachineMap;
 pub use metrics::{

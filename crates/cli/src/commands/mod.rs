@@ -1,6 +1,7 @@
 //! The commands, one file each.
 
 mod generate;
+mod hard_cases;
 mod list;
 mod microprogram;
 mod render;
@@ -27,6 +28,7 @@ pub fn execute(args: Args) -> Result<()> {
         Command::Verify(options) => verify::execute(&options, json),
         Command::Render(options) => render::execute(&options, json),
         Command::Report(options) => report::execute(&options, json),
+        Command::HardCases(options) => hard_cases::execute(&options, json),
         Command::Microprogram(options) => microprogram::execute(&options, json),
         Command::Completions { shell } => completions(shell),
         Command::Man { out } => manual(&out),

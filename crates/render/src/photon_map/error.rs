@@ -1,5 +1,6 @@
 //! What cannot be a photon map.
 
+use glam::DVec3;
 use thiserror::Error;
 
 use super::INDEX_BITS;
@@ -61,5 +62,20 @@ pub(super) fn check_edge(radius: f64, edge: f64) -> Result<(), MapError> {
         found: edge,
         min,
         max,
+    })
+}
+
+/// The first coordinate that is outside the scene by more than `slack`, and by how much.
+pub(super) fn outside(position: DVec3, low: DVec3, high: DVec3, slack: f64) -> Option<String> {
+    (0..3).find_map(|axis| {
+        let (at, low, high) = (position[axis], low[axis], high[axis]);
+        let past = (low - at).max(at - high);
+        let name = ["x", "y", "z"][axis];
+        // A NaN is inside nothing.
+        let inside = past <= slack;
+        (!inside).then(|| match at.is_nan() {
+            true => format!("{name} is NaN"),
+            false => format!("{name} is {at}, {past} past the scene's {low} to {high}"),
+        })
     })
 }

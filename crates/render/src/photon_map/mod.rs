@@ -11,7 +11,7 @@ use std::ops::Range;
 use glam::{DVec3, I64Vec3};
 use rayon::prelude::*;
 
-use self::error::{check_edge, check_radius};
+use self::error::{check_edge, check_radius, outside};
 use crate::scene::Scene;
 use crate::trace::Photon;
 
@@ -150,15 +150,10 @@ impl PhotonMap {
         };
         // A tenth of the radius absorbs any rounding of positions, and keeps indices positive.
         let slack = 0.1 * self.radius;
-        let low = self.low - slack;
         for (index, photon) in photons.iter().enumerate() {
-            let (at, power) = (photon.position, photon.power);
-            if !(at.cmpge(low).all() && at.cmple(high + slack).all()) {
-                return Err(error(
-                    index,
-                    format!("position {at}"),
-                    "one inside the scene",
-                ));
+            let power = photon.power;
+            if let Some(found) = outside(photon.position, self.low, high, slack) {
+                return Err(error(index, found, "one inside the scene"));
             }
             if !(power.is_finite() && power.cmpge(DVec3::ZERO).all()) {
                 return Err(error(index, format!("power {power}"), "numbers from 0 up"));

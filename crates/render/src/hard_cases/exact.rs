@@ -1,0 +1,67 @@
+//! Who is in range, from the definition alone: no clamp, no half squares, no saturation.
+
+use photoncube_spec::{LocalQuery, PhotonFormat, PhotonRecord};
+
+use super::case::HardCaseError;
+use super::room::NORMAL;
+use super::setting::Setting;
+use crate::format_map::FormatMap;
+
+/// A photon as a query of a format meets it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Met {
+    /// Distances between both middles, in halves of a fine step.
+    pub halves: [i64; 3],
+    /// The format's decision.
+    pub in_range: bool,
+}
+
+impl Met {
+    /// The exact decision.
+    pub fn truly(&self, format: &PhotonFormat) -> bool {
+        let distance_sq: i64 = self.halves.iter().map(|h| h * h).sum();
+        distance_sq <= (2 * i64::from(format.radius_steps())).pow(2)
+    }
+
+    /// Whole steps on each axis: on half steps half a step less than there are.
+    pub fn steps(&self) -> [u64; 3] {
+        self.halves.map(|halves| halves.unsigned_abs() / 2)
+    }
+}
+
+/// Every photon that every query of a setting is given.
+pub(super) fn all_met(setting: &Setting, format: &PhotonFormat) -> Result<Vec<Met>, HardCaseError> {
+    let quantised = FormatMap::new(&setting.map, format)?;
+    let mut all = Vec::new();
+    for &place in &setting.queries {
+        let query = quantised.query(place);
+        let verdicts = quantised
+            .verdicts(place, NORMAL)
+            .map(|(_, verdict)| verdict);
+        let blocks = quantised.blocks(place, NORMAL);
+        let photons = blocks.flat_map(|block| block.photons.iter().map(move |p| (block.offset, p)));
+        all.extend(
+            photons
+                .zip(verdicts)
+                .map(|((offset, record), in_range)| Met {
+                    halves: halves(format, &query, offset, record),
+                    in_range,
+                }),
+        );
+    }
+    Ok(all)
+}
+
+fn halves(
+    format: &PhotonFormat,
+    query: &LocalQuery,
+    offset: [u32; 3],
+    record: &PhotonRecord,
+) -> [i64; 3] {
+    std::array::from_fn(|axis| {
+        let block = i64::from(offset[axis]) << format.position_bits;
+        let cell = block + i64::from(record.position[axis]);
+        let photon = (2 * cell + 1) << format.query_extra_bits;
+        2 * i64::from(query.position[axis]) + 1 - photon
+    })
+}

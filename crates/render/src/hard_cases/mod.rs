@@ -1,0 +1,62 @@
+//! The hard cases: inputs at which some arithmetic for photon gathers is known to fail, each with
+//! what a photon format makes of it, the bound on that, and what the arithmetic that fails makes of
+//! the very same input.
+//!
+//! That last number, the *contrast*, must be bad: a case that a naive arithmetic would pass proves
+//! nothing. A case that looked at nothing fails too.
+//!
+//! Every case also gives [`Setting`]s, which a testbench turns into the words of a machine.
+
+mod boundary;
+mod case;
+mod exact;
+mod grid;
+mod invariance;
+mod lattice;
+mod many;
+mod naive;
+mod places;
+mod powers;
+mod refusals;
+mod room;
+mod run;
+mod setting;
+mod wrap;
+
+pub use case::{Bound, Contrast, HardCase, HardCaseError, Outcome};
+pub use grid::Grid;
+pub use run::{HardCaseReport, hard_case_formats, run_hard_case};
+pub use setting::Setting;
+
+/// Every hard case.
+pub const HARD_CASES: &[HardCase] = &[
+    boundary::TIES_F32,
+    boundary::TIES_F64,
+    boundary::HALF_STEPS,
+    wrap::OWN_WIDTH,
+    wrap::TRUNCATED,
+    wrap::SQUARES_32,
+    wrap::DIFFERENCES_16,
+    many::QUARTER_MILLION,
+    many::MILLION,
+    many::FULLEST,
+    many::PERMUTED,
+    lattice::BIAS,
+    lattice::CAUSTIC,
+    lattice::JUST_OUTSIDE,
+    places::EXACTLY_ONE,
+    places::CORNERS,
+    places::RADIUS_IS_EDGE,
+    places::RADIUS_OVER_SCENE,
+    powers::NONE,
+    powers::ONE,
+    powers::ONE_BLOCK,
+    powers::ACROSS_BLOCKS,
+    powers::ROUNDING,
+    invariance::MOVED,
+    invariance::SCALED,
+    invariance::BRIGHTER,
+    refusals::VALUES,
+    refusals::COUNTS,
+    refusals::PHOTONS,
+];

@@ -1,0 +1,70 @@
+//! Photons with queries among them.
+
+use glam::DVec3;
+use photoncube_spec::{self as spec, LocalSums, Machine, PhotonFormat};
+
+use super::case::HardCaseError;
+use super::room::NORMAL;
+use crate::format_map::FormatMap;
+use crate::machine_map::MachineMap;
+use crate::photon_map::PhotonMap;
+
+/// A photon map and the places where it is asked.
+#[derive(Debug, Clone)]
+pub struct Setting {
+    /// The photons, in blocks of the grid that the setting was made for.
+    pub map: PhotonMap,
+    /// Query points.
+    pub queries: Vec<DVec3>,
+    /// Photons in range of each query, where the way they were placed says so; else empty.
+    pub counts: Vec<u64>,
+}
+
+impl Setting {
+    /// One whose counts nothing but a measurement knows.
+    pub(super) fn new(map: PhotonMap, queries: Vec<DVec3>) -> Self {
+        Self {
+            map,
+            queries,
+            counts: Vec::new(),
+        }
+    }
+
+    /// One query, of which the photons in range are known.
+    pub(super) fn counted(map: PhotonMap, query: DVec3, count: u64) -> Self {
+        Self {
+            map,
+            queries: vec![query],
+            counts: vec![count],
+        }
+    }
+
+    /// The sums of every query in a format.
+    pub(super) fn sums(&self, format: &PhotonFormat) -> Result<Vec<LocalSums>, HardCaseError> {
+        let quantised = FormatMap::new(&self.map, format)?;
+        let sums = self.queries.iter().map(|&q| quantised.gather(q, NORMAL));
+        Ok(sums.collect::<Result<_, _>>()?)
+    }
+
+    /// Photons counted too much or too little by a format.
+    pub(super) fn miscounted(&self, format: &PhotonFormat) -> Result<u64, HardCaseError> {
+        let sums = self.sums(format)?;
+        let pairs = sums.iter().zip(&self.counts);
+        Ok(pairs.map(|(sums, count)| sums.count.abs_diff(*count)).sum())
+    }
+
+    /// The queries with their photons as the words of a machine.
+    ///
+    /// # Errors
+    /// Numbers that do not fit.
+    pub fn workload(
+        &self,
+        machine: &Machine,
+    ) -> Result<Vec<(spec::Query, Vec<spec::Photon>)>, HardCaseError> {
+        let words = MachineMap::new(&self.map, machine)?;
+        let queries = self.queries.iter();
+        Ok(queries
+            .map(|&query| (words.query(query), words.photons(query, NORMAL)))
+            .collect())
+    }
+}

@@ -1,0 +1,164 @@
+//! The hard cases in every named machine and every device: the photons that some arithmetic gets
+//! wrong, as the words of the machine, with the counts that follow from the way they were placed.
+
+mod support;
+
+use libtest_mimic::{Arguments, Failed, Trial};
+use photoncube_model::gather;
+use photoncube_render::{Grid, HARD_CASES, HardCase};
+use photoncube_spec::{MACHINES, Machine, Photon, Query, Sums};
+use photoncube_testbench::{DeviceKind, Source, Verdict, VerifyOptions, verify};
+
+type Workload = Vec<(Query, Vec<Photon>)>;
+
+/// Iterations of each case, by the device's speed: the first of its photons. Verilator has them all,
+/// up to the most photons that a machine declares.
+fn iterations_of_a_case(kind: DeviceKind) -> usize {
+    match kind {
+        DeviceKind::RustHdl => 250,
+        DeviceKind::Icarus => 70,
+        DeviceKind::Verilator => usize::MAX,
+        DeviceKind::Netlist => 0,
+    }
+}
+
+fn main() {
+    let mut trials = Vec::new();
+    for machine in MACHINES {
+        trials.push(Trial::test(format!("counts::{}", machine.name), || {
+            counts(machine)
+        }));
+        for kind in [
+            DeviceKind::RustHdl,
+            DeviceKind::Icarus,
+            DeviceKind::Verilator,
+        ] {
+            let name = format!("hard_cases::{}::{kind}", machine.name);
+            trials.push(support::trial(name, kind, move || in_device(machine, kind)));
+        }
+    }
+    libtest_mimic::run(&Arguments::from_args(), trials).exit();
+}
+
+/// The golden model counts what stands in range by the way it was placed, not by any arithmetic.
+fn counts(machine: &Machine) -> Result<(), Failed> {
+    let (mut checked, mut ties) = (0, 0);
+    for case in HARD_CASES {
+        for setting in (case.settings)(&Grid::of_machine(machine))? {
+            let workload = setting.workload(machine)?;
+            for ((query, photons), count) in workload.iter().zip(&setting.counts) {
+                let sums = gather(machine, query, photons.iter().copied())?;
+                assert_eq!(sums.count, *count, "{}", case.name);
+                checked += 1;
+                if case.name == "boundary-ties-f32" {
+                    ties += count;
+                }
+                if case.name == "largest-declared-count" {
+                    assert_eq!(sums, largest_sums(machine));
+                }
+            }
+        }
+    }
+    println!(
+        "{}: {checked} queries counted, {ties} photons at the boundary",
+        machine.name
+    );
+    assert!(checked > 100 && ties > 100);
+    Ok(())
+}
+
+/// What the sums are sized for.
+fn largest_sums(machine: &Machine) -> Sums {
+    let power = machine.full_scale() * u128::from(machine.max_photons());
+    let mut sums = Sums {
+        count: machine.max_photons(),
+        ..Sums::default()
+    };
+    let channels = machine.channels().names().len();
+    sums.power[..channels].fill(u64::try_from(power).expect("sums of machines fit 64 bits"));
+    sums
+}
+
+/// All cases in one run, as a device is slow to build; where they differ, each alone, to name it.
+fn in_device(machine: &Machine, kind: DeviceKind) -> Result<(), Failed> {
+    let mut all = Workload::new();
+    let (mut cases, mut ties) = (0, 0);
+    for case in HARD_CASES {
+        let workload = workload(case, machine, kind)?;
+        cases += usize::from(!workload.is_empty());
+        if case.name == "boundary-ties-f32" {
+            ties = workload.iter().map(|(_, photons)| photons.len()).sum();
+        }
+        all.extend(workload);
+    }
+    let verdict = match compare(machine, kind, &all) {
+        Ok(verdict) => verdict,
+        Err(error) => return Err(named(machine, kind)?.unwrap_or(error)),
+    };
+    println!(
+        "{} in {}: {cases} cases, {} queries, {} iterations, {} vectors, {ties} photons at the boundary",
+        verdict.machine,
+        verdict.device,
+        verdict.results_compared,
+        verdict.iterations,
+        verdict.vectors_compared
+    );
+    assert_eq!(verdict.results_compared, all.len() as u64);
+    assert_eq!(verdict.mismatches, 0);
+    assert!(verdict.registers_compared && verdict.vectors_compared > 9 * verdict.iterations);
+    let with_photons = HARD_CASES.iter().filter(|case| has_photons(case, machine));
+    assert_eq!(cases, with_photons.count());
+    assert!(cases >= 20 && ties > 100, "{cases} cases, {ties} ties");
+    Ok(())
+}
+
+/// The queries of a case that a device has time for.
+fn workload(case: &HardCase, machine: &Machine, kind: DeviceKind) -> Result<Workload, Failed> {
+    let mut left = iterations_of_a_case(kind);
+    let mut all = Workload::new();
+    for setting in (case.settings)(&Grid::of_machine(machine))? {
+        for (query, mut photons) in setting.workload(machine)? {
+            if left == 0 {
+                return Ok(all);
+            }
+            // A machine that declares fewer photons than a caustic has gets the first of them.
+            let most = left.saturating_mul(machine.photons_per_iteration()) as u64;
+            photons.truncate(most.min(machine.max_photons()) as usize);
+            let groups = photons.len().div_ceil(machine.photons_per_iteration());
+            left = left.saturating_sub(groups.max(1));
+            all.push((query, photons));
+        }
+    }
+    Ok(all)
+}
+
+fn compare(machine: &Machine, kind: DeviceKind, queries: &Workload) -> Result<Verdict, Failed> {
+    let options = VerifyOptions {
+        iterations: u64::MAX,
+        seed: 1,
+        source: Source::Workload {
+            queries,
+            repeat: "cargo test -p photoncube-testbench --test hard_cases",
+        },
+    };
+    Ok(verify(machine, kind, &options, &|_| {})?)
+}
+
+fn has_photons(case: &HardCase, machine: &Machine) -> bool {
+    (case.settings)(&Grid::of_machine(machine)).is_ok_and(|settings| !settings.is_empty())
+}
+
+/// The first case that fails alone.
+fn named(machine: &Machine, kind: DeviceKind) -> Result<Option<Failed>, Failed> {
+    for case in HARD_CASES {
+        let queries = workload(case, machine, kind)?;
+        if queries.is_empty() {
+            continue;
+        }
+        if let Err(error) = compare(machine, kind, &queries) {
+            let message = error.message().unwrap_or_default();
+            return Ok(Some(Failed::from(format!("{}: {message}", case.name))));
+        }
+    }
+    Ok(None)
+}
