@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Measures the figures that `photoncube list` and the README show, and writes them to docs/measured/:
 # area by scripts/yosys/synth.sh and speed by scripts/yosys/place.sh, then error, clocks and the proof
-# by `photoncube run` on the built-in scene, for each machine. Also refreshes the README's picture.
+# by `photoncube run` for each machine, on `cornell`, or on the scene that the machine is fitted to; and
+# the fit of every built-in scene. Also refreshes the README's picture.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -18,8 +19,15 @@ cargo build --locked --release
 for folder in hdl-out/*/; do
     machine=$(basename "$folder")
     printf '\n=== %s\n' "$machine"
-    target/release/photoncube run --machine "$machine" --out "target/measured/$machine"
+    # A machine is named `fit-SCENE` after the scene that it is for.
+    scene=cornell
+    [[ $machine == fit-* ]] && scene=${machine#fit-}
+    target/release/photoncube run "$scene" --machine "$machine" --out "target/measured/$machine"
     cp "target/measured/$machine/run.json" "docs/measured/run-$machine.json"
+done
+for scene in cornell ring range; do
+    target/release/photoncube fit "$scene" --json >"target/measured/fit-$scene.json"
+    cp "target/measured/fit-$scene.json" docs/measured/
 done
 cp target/measured/paper/cornell.png docs/cornell.png
 printf '\nmeasured; if the table of `photoncube list` changed, paste it into README.md\n'

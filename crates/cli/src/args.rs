@@ -9,7 +9,11 @@ use clap_complete::Shell;
 use photoncube_render::{BenchOptions, Estimator, TraceOptions, ViewOptions};
 use photoncube_spec::PHOTON_FORMATS;
 
-use crate::machines::MachineArgs;
+use crate::machines::{ChosenMachineArgs, MachineArgs};
+
+mod fit;
+
+pub use self::fit::FitArgs;
 
 /// From a scene to a proven photon-mapping processor.
 ///
@@ -28,6 +32,7 @@ pub struct Args {
 const EXAMPLES: &str = "\
 Examples:
   photoncube run                                  the whole path on the built-in Cornell box
+  photoncube fit ring                             the smallest machine that the scene needs
   photoncube verify --against verilator --iterations 1000000
   photoncube generate --machine paper --out /tmp/verilog
   photoncube render cornell -o box.png --engine f64
@@ -42,6 +47,8 @@ Exit codes: 0 all holds; 1 a check failed; 2 bad usage or bad input.";
 pub enum Command {
     /// Trace, build the photon map, emit the machine, prove its Verilog on this scene, render
     Run(RunArgs),
+    /// Find the smallest photon format and machine whose error stays below a part of the noise
+    Fit(FitArgs),
     /// List the scenes and the machines, each with its figures
     List,
     /// Write the Verilog of the machines, with project files for Yosys and Quartus
@@ -76,6 +83,7 @@ Examples:
   photoncube run
   photoncube run cornell --machine paper-12 --out out --photons 2000000 --json
 
+Without --machine the scene is fitted first, as by `photoncube fit`.
 The Verilog is proven in every simulator that is found (Icarus, Verilator); those that are not
 are named, with the command that installs them.")]
 pub struct RunArgs {
@@ -83,7 +91,7 @@ pub struct RunArgs {
     #[arg(default_value = "cornell")]
     pub scene: String,
     #[command(flatten)]
-    pub machine: MachineArgs,
+    pub machine: ChosenMachineArgs,
     /// The folder for the picture, the Verilog and the summary
     #[arg(long, default_value = "out", value_name = "DIR")]
     pub out: PathBuf,

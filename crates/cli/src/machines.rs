@@ -18,6 +18,32 @@ pub struct MachineArgs {
     pub dimension: Option<u32>,
 }
 
+/// Which machine, if one is asked for.
+#[derive(Args, Clone, Debug)]
+pub struct ChosenMachineArgs {
+    /// The machine, by name (see `photoncube list`) [default: what `photoncube fit` finds]
+    #[arg(long, value_name = "M")]
+    pub machine: Option<String>,
+    /// The variant of it with coordinates of N bits
+    #[arg(long, value_name = "N", requires = "machine")]
+    pub coordinate_bits: Option<u32>,
+    /// The variant of it on a hypercube of N dimensions
+    #[arg(long, value_name = "N", requires = "machine")]
+    pub dimension: Option<u32>,
+}
+
+impl ChosenMachineArgs {
+    /// The machine asked for; none where none is.
+    pub fn find(&self) -> Result<Option<&'static Machine>> {
+        let named = self.machine.clone().map(|machine| MachineArgs {
+            machine,
+            coordinate_bits: self.coordinate_bits,
+            dimension: self.dimension,
+        });
+        named.map(|args| args.find()).transpose()
+    }
+}
+
 impl MachineArgs {
     /// The machine asked for.
     pub fn find(&self) -> Result<&'static Machine> {

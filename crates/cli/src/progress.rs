@@ -12,10 +12,20 @@ pub fn bar(what: &'static str, length: u64) -> ProgressBar {
         .with_message(what)
 }
 
+/// A count that goes up to nobody knows where, with the time since; silent as a bar is.
+pub fn spinner(what: &'static str) -> ProgressBar {
+    let style = ProgressStyle::with_template("{spinner} {msg} {pos}  {elapsed}")
+        .expect("the template is a constant that a test has parsed");
+    ProgressBar::new_spinner()
+        .with_style(style)
+        .with_message(what)
+}
+
 #[cfg(test)]
 mod tests {
     #[test]
-    fn the_template_is_well_formed() {
+    fn the_templates_are_well_formed() {
         super::bar("test", 1).finish_and_clear();
+        super::spinner("test").finish_and_clear();
     }
 }

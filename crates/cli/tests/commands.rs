@@ -239,6 +239,12 @@ fn run_takes_the_whole_path() {
         "40",
     ];
     let report = json(&[&["run", "--out", out][..], &small[..]].concat());
+    // Without --machine it is the one that the scene needs.
+    let fitted = &report["fitted"];
+    assert_eq!(fitted["holds"], true);
+    assert!(fitted["measurement"]["error_over_noise"].as_f64() <= fitted["noise_ratio"].as_f64());
+    let machine = report["machine"].as_str().unwrap();
+    assert_ne!(machine, "paper");
     assert_eq!(report["mismatches"], 0);
     assert!(report["photons"].as_u64().unwrap() >= 20_000);
     let groups = report["photon_groups"].as_u64().unwrap();
@@ -249,13 +255,57 @@ fn run_takes_the_whole_path() {
     let compared = report["devices"].as_array().unwrap().len();
     let missing = report["devices_not_found"].as_array().unwrap().len();
     assert_eq!(compared + missing, 3);
-    for name in [
-        "cornell.png",
-        "cornell-f64.png",
-        "run.json",
-        "paper/photoncube_paper.v",
-    ] {
+    for name in ["cornell.png", "cornell-f64.png", "run.json"] {
         assert!(folder.path().join(name).is_file(), "{name}");
+    }
+    let verilog = format!("{machine}/photoncube_{}.v", machine.replace('-', "_"));
+    assert!(folder.path().join(&verilog).is_file(), "{verilog}");
+}
+
+/// Few photons and queries: what is fitted differs from the default's, how does not.
+const SMALL_FIT: [&str; 6] = ["--photons", "20000", "--size", "24x24", "--maps", "4"];
+
+#[test]
+fn fit_finds_a_format_that_holds_and_shows_that_less_breaks() {
+    let report = json(&[&["fit", "ring"][..], &SMALL_FIT[..]].concat());
+    let bound = report["noise_ratio"].as_f64().unwrap();
+    let error = |row: &Value| row["measurement"]["error_over_noise"].as_f64().unwrap();
+    assert!(error(&report["fitted"]) <= bound);
+    let removals = report["removals"].as_array().unwrap();
+    assert!(!removals.is_empty() && removals.iter().all(|row| error(row) > bound));
+    assert_eq!(report["one_colour"], true);
+    let format = report["fitted"]["format"].as_str().unwrap();
+    assert!(format.contains("-mono1"), "{format}");
+    let machine = report["machine"]["machine"].as_str().unwrap();
+    let next = report["next"].as_str().unwrap();
+    assert!(next.contains(&format!("--machine {machine} ")), "{next}");
+    let saved = report["comparison"].as_array().unwrap().iter();
+    let saved = |name| saved.clone().find(|row| row["name"] == name).unwrap();
+    assert!(saved("paper")["bits_per_photon_saved"].as_i64() > Some(0));
+}
+
+#[test]
+fn fit_says_what_it_found_to_people() {
+    let args = [&["fit", "ring"][..], &SMALL_FIT[..]].concat();
+    let output = photoncube(&args).assert().success();
+    let text = String::from_utf8(output.get_output().stdout.clone()).unwrap();
+    for expected in [
+        "less: position bit",
+        "bits saved per photon",
+        "go on with: ",
+    ] {
+        assert!(text.contains(expected), "{expected}: {text}");
+    }
+}
+
+#[test]
+fn a_ratio_that_nothing_meets_ends_1_and_one_of_nothing_ends_2() {
+    let tiny = ["--photons", "2000", "--size", "6x6", "--maps", "3"];
+    let fit = |ratio| [&["fit", "cornell", "--noise-ratio", ratio][..], &tiny[..]].concat();
+    let message = error(&fit("0.000001"), 1);
+    assert!(message.contains("larger --noise-ratio"), "{message}");
+    for ratio in ["0", "nan"] {
+        assert!(error(&fit(ratio), 2).contains("number above 0"), "{ratio}");
     }
 }
 
@@ -335,6 +385,7 @@ fn list_names_scenes_machines_and_formats() {
 fn completions_and_manual_pages_name_every_command() {
     let commands = [
         "run",
+        "fit",
         "list",
         "generate",
         "verify",
@@ -363,6 +414,7 @@ fn completions_and_manual_pages_name_every_command() {
 fn help_has_examples() {
     for command in [
         "run",
+        "fit",
         "generate",
         "verify",
         "render",
@@ -401,16 +453,19 @@ fn every_json_key_is_documented() {
     let picture = folder.path().join("x.png");
     let picture = picture.to_str().unwrap();
     let small = ["--photons", "1000", "--size", "8x8", "--samples", "1"];
-    let run = ["run", "--out", out, "--iterations", "5"];
+    let run = ["run", "--machine", "paper", "--out", out];
+    let run = [&run[..], &["--iterations", "5"]].concat();
     let render = ["render", "cornell", "-o", picture];
     let report = ["report", "--out", out];
     let tiny = ["--photons", "2000", "--size", "6x6", "--maps", "2"];
+    let fit = ["fit", "ring"];
     let mut found = Vec::new();
     for args in [
         &["list"][..],
         &["microprogram"],
         &["hard-cases", "--format", "local6-rgb8"],
         &[&report[..], &tiny[..]].concat(),
+        &[&fit[..], &SMALL_FIT[..]].concat(),
         &["generate", "--machine", "paper", "--out", out],
         &["verify", "--iterations", "5"],
         &[&render[..], &small[..]].concat(),

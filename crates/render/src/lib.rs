@@ -11,6 +11,8 @@
 //!    [`FormatMap`] into those of a photon format;
 //! 6. [`Image`]: linear RGB, tone mapping, PNG.
 //!
+//! [`fit`] finds the smallest photon format that a scene needs.
+//!
 //! The fifth stage is what the processor does; [`workload`] hands its testbench real queries.
 //!
 //! All results are a function of the scene, the options and the seed; the number of threads
@@ -28,6 +30,7 @@ mod camera;
 mod compare;
 mod estimate;
 mod estimators;
+mod fit;
 mod format_map;
 mod geometry;
 mod hard_cases;
@@ -51,6 +54,10 @@ pub use estimators::{
     Bisection, Estimator, EstimatorError, Kernel, KernelEstimate, Ladder, LadderError, MAX_RUNGS,
     MIN_K, Near, Neighbourhood, Rung, UnfitEstimator, UnknownEstimator, smallest_radius_sq,
 };
+pub use fit::{
+    FieldNeed, Fit, FitError, FitOptions, Measurement, Prediction, Removal, SceneFacts, Trial,
+    covering, covers, field_needs, fit, largest_query,
+};
 pub use format_map::{FormatMap, FormatMapError};
 pub use geometry::{Hit, Quad};
 pub use hard_cases::{
@@ -61,8 +68,8 @@ pub use image::{Image, ImageError};
 pub use machine_map::MachineMap;
 pub use metrics::{
     BenchError, BenchOptions, ErrorBench, ErrorReport, ErrorStudy, EstimatorReport, Interval,
-    MAX_QUERY_NOISE, MetricsError, Misclassified, Moments, Noise, NoiseMeter, RelativeErrors,
-    RelativeSummary, luminance, view_queries,
+    LightReport, LightStudy, MAX_QUERY_NOISE, Measure, MetricsError, Misclassified, Moments, Noise,
+    NoiseMeter, RelativeErrors, RelativeSummary, luminance, view_queries,
 };
 pub use photon_map::{Candidates, MapError, PhotonMap};
 pub use quantise::{QuantiseError, QuantisedMap};

@@ -183,6 +183,16 @@ pub const MACHINES: &[Machine] = &[
         squarer: Squarer::Digits,
     },
     Machine {
+        name: "local-half",
+        summary: "the same, queries on half steps: the widest photon format that is built",
+        dimension: 4,
+        numbers: Numbers::Local(PhotonFormat {
+            query_extra_bits: 1,
+            ..PHOTON_FORMATS[0]
+        }),
+        squarer: Squarer::Digits,
+    },
+    Machine {
         name: "fit-cornell",
         summary: "16 cells, the photon format that `fit` finds for the scene cornell",
         dimension: 4,

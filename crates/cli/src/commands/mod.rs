@@ -1,5 +1,6 @@
 //! The commands, one file each.
 
+mod fit;
 mod generate;
 mod hard_cases;
 mod list;
@@ -23,6 +24,7 @@ pub fn execute(args: Args) -> Result<()> {
     let json = args.json;
     match args.command {
         Command::Run(options) => run::execute(&options, json),
+        Command::Fit(options) => fit::execute(&options, json),
         Command::List => list::execute(json),
         Command::Generate(options) => generate::execute(&options, json),
         Command::Verify(options) => verify::execute(&options, json),

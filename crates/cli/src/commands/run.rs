@@ -1,5 +1,7 @@
 //! `run`: the whole path, from a scene to proven Verilog and a picture.
 
+mod sizing;
+
 use std::path::Path;
 use std::time::Instant;
 
@@ -12,6 +14,7 @@ use photoncube_spec::Machine;
 use photoncube_testbench::{DeviceKind, Source, Verdict, VerifyError, VerifyOptions};
 use serde::Serialize;
 
+use self::sizing::Fitted;
 use super::render::{EXPOSURE, Traced, picture, trace_scene, view};
 use super::verify::{verdict_table, verify_with_bar};
 use crate::args::RunArgs;
@@ -22,6 +25,8 @@ use crate::{files, output, project, scenes};
 struct Report {
     scene: String,
     machine: &'static str,
+    /// What the scene needs; none where the machine was asked for.
+    fitted: Option<Fitted>,
     seed: u64,
     photons: usize,
     photon_paths: u64,
@@ -58,6 +63,7 @@ struct NotFound {
 #[derive(Serialize, Default)]
 struct Seconds {
     trace: f64,
+    fit: f64,
     emit: f64,
     verify: f64,
     render_f64: f64,
@@ -66,13 +72,15 @@ struct Seconds {
 
 /// Runs every stage and reports.
 pub fn execute(args: &RunArgs, json: bool) -> Result<()> {
-    let machine = args.machine.find()?;
+    // Before the work, so that a wrong name is told at once.
+    args.machine.find()?;
     files::make_folder(&args.out)?;
     let mut seconds = Seconds::default();
 
     let traced = timed(&mut seconds.trace, || {
         trace_scene(&args.scene, &args.picture)
     })?;
+    let (machine, fitted) = timed(&mut seconds.fit, || sizing::machine(args, &traced))?;
     let verilog = timed(&mut seconds.emit, || emit(machine, &args.out))?;
     let proof = timed(&mut seconds.verify, || prove(args, machine, &traced))?;
     let view = view(&args.picture);
@@ -94,6 +102,7 @@ pub fn execute(args: &RunArgs, json: bool) -> Result<()> {
     let report = Report {
         scene: args.scene.clone(),
         machine: machine.name,
+        fitted,
         seed: args.picture.seed,
         photons: traced.map.photons().len(),
         photon_paths: traced.paths,
@@ -224,7 +233,7 @@ fn text(report: &Report) -> String {
          \x20 clocks            {} ({} for {} photons, {:.3} photon tests a clock)\n\
          \x20 model against f64 {:.3} % rms relative error of the picture, relMSE {:.2e}\n\
          \x20 pictures          {}, {}\n\
-         \x20 Verilog           {}\n\n",
+         \x20 Verilog           {}\n",
         r.scene,
         r.machine,
         r.photons,
@@ -244,6 +253,8 @@ fn text(report: &Report) -> String {
         r.reference_picture,
         r.verilog,
     );
+    text += &r.fitted.as_ref().map_or_else(String::new, fitted_line);
+    text += "\n";
     text += &verdict_table(&r.devices);
     for missing in &r.devices_not_found {
         text += &format!(
@@ -261,8 +272,21 @@ fn text(report: &Report) -> String {
     };
     let s = &r.seconds;
     text + &format!(
-        "seconds: trace {:.1}, emit {:.1}, verify {:.1}, render f64 {:.1}, render model {:.1}\n",
-        s.trace, s.emit, s.verify, s.render_f64, s.render_model
+        "seconds: trace {:.1}, fit {:.1}, emit {:.1}, verify {:.1}, render f64 {:.1}, render model {:.1}\n",
+        s.trace, s.fit, s.emit, s.verify, s.render_f64, s.render_model
+    )
+}
+
+fn fitted_line(fitted: &Fitted) -> String {
+    let row = &fitted.row;
+    format!(
+        "\x20 the scene needs   {}: {} bits per photon, error / noise {:.4} predicted, {:.4} measured, \
+         below {}\n",
+        row.format,
+        row.bits_per_photon,
+        row.prediction.error_over_noise,
+        row.measurement.error_over_noise,
+        fitted.noise_ratio,
     )
 }
 

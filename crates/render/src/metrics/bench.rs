@@ -6,6 +6,7 @@ use rayon::prelude::*;
 use thiserror::Error;
 
 use super::error::MetricsError;
+use super::light::{LightReport, LightStudy};
 use super::misclassified::Misclassified;
 use super::queries::{LUMINANCE, view_queries};
 use super::study::{ErrorReport, ErrorStudy};
@@ -110,6 +111,8 @@ pub struct EstimatorReport {
 pub struct ErrorBench {
     queries: Vec<QueryPoint>,
     maps: Vec<PhotonMap>,
+    /// Reflected light by map and query.
+    lights: Vec<Vec<DVec3>>,
     /// The sum of channels that is measured.
     weights: DVec3,
     /// That sum by map and query.
@@ -131,9 +134,11 @@ impl ErrorBench {
             Ok(PhotonMap::new(scene, trace.photons, radius)?)
         };
         let maps = (0..options.maps).map(map).collect::<Result<Vec<_>, _>>()?;
+        let lights = maps.iter().map(|map| lights(map, &queries)).collect();
         let bench = Self {
             queries,
             maps,
+            lights,
             weights: DVec3::ZERO,
             references: Vec::new(),
         };
@@ -145,8 +150,8 @@ impl ErrorBench {
     #[must_use]
     pub fn weighted(mut self, weights: DVec3) -> Self {
         self.weights = weights;
-        let references = |map| references(map, &self.queries, weights);
-        self.references = self.maps.iter().map(references).collect();
+        let weighted = |lights: &Vec<DVec3>| lights.iter().map(|l| weights.dot(*l)).collect();
+        self.references = self.lights.iter().map(weighted).collect();
         self
     }
 
@@ -169,6 +174,12 @@ impl ErrorBench {
         &self.references
     }
 
+    /// All channels of that light.
+    #[must_use]
+    pub fn lights(&self) -> &[Vec<DVec3>] {
+        &self.lights
+    }
+
     /// The engine's error against the reference on the same photons, beside the noise.
     ///
     /// # Errors
@@ -176,6 +187,20 @@ impl ErrorBench {
     /// compare.
     pub fn measure(&self, engine: Engine<'_>) -> Result<ErrorReport, BenchError> {
         Ok(self.study(engine)?.report()?)
+    }
+
+    /// The same by luminance and by every channel, whatever [`Self::weighted`] chose.
+    ///
+    /// # Errors
+    /// As for [`Self::measure`].
+    pub fn measure_light(&self, engine: Engine<'_>) -> Result<LightReport, BenchError> {
+        let method = Method::new(Estimator::FixedRadius, engine)?;
+        let mut study = LightStudy::new(self.queries.len());
+        for (map, lights) in self.maps.iter().zip(&self.lights) {
+            let answers = self.answers(&method, engine, map)?;
+            study.push_map(&answers.lights, lights, answers.verdicts)?;
+        }
+        Ok(study.report()?)
     }
 
     /// What [`Self::measure`] reports from, for more of its figures' intervals.
@@ -203,7 +228,7 @@ impl ErrorBench {
             let queries = self.queries.par_iter();
             let estimates = queries.map(|query| {
                 let estimate = method.estimate(&Prepared::F64, map, query)?;
-                Ok(reflected(query, &estimate, self.weights))
+                Ok(self.weights.dot(reflected(query, &estimate)))
             });
             estimates.collect()
         };
@@ -230,34 +255,58 @@ impl ErrorBench {
         let mut study = ErrorStudy::new(self.queries.len());
         let mut gathers = 0;
         for (map, references) in self.maps.iter().zip(references) {
-            let prepared = Prepared::new(map, engine)?;
-            let answers = self.queries.par_iter();
-            let answers = answers.map(|query| answer(&method, &prepared, map, query, self.weights));
-            let answers = answers.collect::<Result<Vec<_>, _>>()?;
-            let mut counts = Misclassified::default();
-            answers.iter().for_each(|answer| counts += answer.verdicts);
-            gathers += answers.iter().map(|answer| answer.gathers).sum::<u64>();
-            let estimates: Vec<f64> = answers.iter().map(|answer| answer.light).collect();
-            study.push_map(&estimates, references, counts)?;
+            let answers = self.answers(&method, engine, map)?;
+            gathers += answers.gathers;
+            let estimates = answers.lights.iter().map(|light| self.weights.dot(*light));
+            study.push_map(&estimates.collect::<Vec<_>>(), references, answers.verdicts)?;
         }
         Ok((study, gathers))
     }
+
+    /// What the engine says at every query of a map.
+    fn answers(
+        &self,
+        method: &Method,
+        engine: Engine<'_>,
+        map: &PhotonMap,
+    ) -> Result<Answers, BenchError> {
+        let prepared = Prepared::new(map, engine)?;
+        let answers = self.queries.par_iter();
+        let answers = answers.map(|query| answer(method, &prepared, map, query));
+        let answers = answers.collect::<Result<Vec<_>, _>>()?;
+        let mut verdicts = Misclassified::default();
+        answers
+            .iter()
+            .for_each(|answer| verdicts += answer.verdicts);
+        Ok(Answers {
+            lights: answers.iter().map(|answer| answer.light).collect(),
+            gathers: answers.iter().map(|answer| answer.gathers).sum(),
+            verdicts,
+        })
+    }
 }
 
-fn references(map: &PhotonMap, queries: &[QueryPoint], weights: DVec3) -> Vec<f64> {
+fn lights(map: &PhotonMap, queries: &[QueryPoint]) -> Vec<DVec3> {
     let queries = queries.par_iter();
-    let values = queries.map(|query| reflected(query, &estimate_f64(map, query), weights));
+    let values = queries.map(|query| reflected(query, &estimate_f64(map, query)));
     values.collect()
 }
 
 /// Reflected light at the query.
-fn reflected(query: &QueryPoint, estimate: &Estimate, weights: DVec3) -> f64 {
-    weights.dot(query.beta * estimate.irradiance)
+fn reflected(query: &QueryPoint, estimate: &Estimate) -> DVec3 {
+    query.beta * estimate.irradiance
+}
+
+/// What an engine says at all queries of a map.
+struct Answers {
+    lights: Vec<DVec3>,
+    gathers: u64,
+    verdicts: Misclassified,
 }
 
 /// What an engine says at one query.
 struct Answer {
-    light: f64,
+    light: DVec3,
     gathers: u64,
     /// On its photons.
     verdicts: Misclassified,
@@ -268,7 +317,6 @@ fn answer(
     prepared: &Prepared<'_>,
     map: &PhotonMap,
     query: &QueryPoint,
-    weights: DVec3,
 ) -> Result<Answer, BenchError> {
     let estimate = method.estimate(prepared, map, query)?;
     let verdicts = match prepared {
@@ -277,7 +325,7 @@ fn answer(
         Prepared::Format(quantised, _) => format_verdicts(quantised, query),
     };
     Ok(Answer {
-        light: reflected(query, &estimate, weights),
+        light: reflected(query, &estimate),
         gathers: estimate.gathers,
         verdicts,
     })

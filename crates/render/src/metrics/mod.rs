@@ -16,12 +16,15 @@
 //! comparison of nothing is an error. A study leaves out, and counts, queries noisier than
 //! [`MAX_QUERY_NOISE`].
 //!
+//! A light has four [`Measure`]s: luminance, and each channel against its own noise ([`LightStudy`]).
+//!
 //! [`ErrorStudy`] takes estimates and references map by map and makes the [`ErrorReport`];
 //! [`ErrorBench`] feeds it with any [`crate::Engine`] on photon maps of a scene.
 
 mod bench;
 mod bias;
 mod error;
+mod light;
 mod misclassified;
 mod moments;
 mod noise;
@@ -34,9 +37,10 @@ mod verdicts;
 pub use bench::{BenchError, BenchOptions, ErrorBench, EstimatorReport};
 pub use bias::Interval;
 pub use error::MetricsError;
+pub use light::{LightReport, LightStudy};
 pub use misclassified::Misclassified;
 pub use moments::Moments;
 pub use noise::{MAX_QUERY_NOISE, Noise, NoiseMeter};
-pub use queries::{luminance, view_queries};
+pub use queries::{Measure, luminance, view_queries};
 pub use relative::{RelativeErrors, RelativeSummary};
 pub use study::{ErrorReport, ErrorStudy};

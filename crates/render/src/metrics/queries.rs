@@ -1,6 +1,7 @@
 //! Where the measures are taken, and of what.
 
 use glam::DVec3;
+use serde::Serialize;
 
 use crate::scene::Scene;
 use crate::view::{QueryPoint, ViewError, ViewOptions};
@@ -12,6 +13,61 @@ pub(super) const LUMINANCE: DVec3 = DVec3::new(0.2126, 0.7152, 0.0722);
 #[must_use]
 pub fn luminance(rgb: DVec3) -> f64 {
     rgb.dot(LUMINANCE)
+}
+
+/// What is compared of a light: an error in a channel that luminance hardly sees, such as blue's, is
+/// a wrong colour all the same.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Measure {
+    /// [`luminance`].
+    Luminance,
+    /// The first channel.
+    Red,
+    /// The second.
+    Green,
+    /// The third.
+    Blue,
+}
+
+impl Measure {
+    /// All, luminance first.
+    pub const ALL: [Self; 4] = [Self::Luminance, Self::Red, Self::Green, Self::Blue];
+
+    /// The measure of the largest figure, the first where they differ by no more than rounding, as
+    /// those of light of one colour do; none of none.
+    pub fn worst<T>(
+        figures: impl Iterator<Item = (Self, T)>,
+        of: impl Fn(&T) -> f64,
+    ) -> Option<(Self, T)> {
+        let larger = |a: f64, b: f64| a > b * (1.0 + 1e-9);
+        figures.reduce(|worst, found| match larger(of(&found.1), of(&worst.1)) {
+            true => found,
+            false => worst,
+        })
+    }
+
+    /// Its word in reports.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Luminance => "luminance",
+            Self::Red => "red",
+            Self::Green => "green",
+            Self::Blue => "blue",
+        }
+    }
+
+    /// Its value of linear RGB.
+    #[must_use]
+    pub fn of(self, rgb: DVec3) -> f64 {
+        match self {
+            Self::Luminance => luminance(rgb),
+            Self::Red => rgb.x,
+            Self::Green => rgb.y,
+            Self::Blue => rgb.z,
+        }
+    }
 }
 
 /// The query points of a picture, row by row: what [`crate::render`] gathers at, all of it. A

@@ -130,9 +130,15 @@ impl PhotonMap {
     /// # Errors
     /// [`MapError::Edge`] as for [`Self::with_edge`].
     pub fn reblocked(&self, edge: f64) -> Result<Self, MapError> {
+        self.reblocked_at(edge, DVec3::ZERO)
+    }
+
+    /// The same with the grid moved down by `shift`, from 0 to 1 block edges on each axis.
+    pub(crate) fn reblocked_at(&self, edge: f64, shift: DVec3) -> Result<Self, MapError> {
         check_edge(self.radius, edge)?;
         let mut map = Self {
             edge,
+            low: self.low - shift * edge,
             photons: Vec::new(),
             runs: Vec::new(),
             normals: self.normals.clone(),

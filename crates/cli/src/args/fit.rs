@@ -1,0 +1,63 @@
+//! The arguments of `fit`.
+
+use clap::Args as ClapArgs;
+use photoncube_render::{BenchOptions, FitOptions, ViewOptions};
+
+use super::{Size, parse_positive};
+
+/// `fit`
+#[derive(ClapArgs, Debug)]
+#[command(after_help = "\
+Examples:
+  photoncube fit ring
+  photoncube fit cornell --noise-ratio 0.05 --json
+  photoncube fit range --photons 1000000 --in-range 500
+
+Every format is predicted on a pilot, the smallest below the bound is measured on photon maps of
+its own, and so is each format with one bit less: exit code 0 says that it holds and they do not.")]
+pub struct FitArgs {
+    /// A built-in scene (see `photoncube list`) or a scene file
+    #[arg(default_value = "cornell")]
+    pub scene: String,
+    /// The error's bound, as a part of the scene's own Monte-Carlo noise
+    #[arg(long, default_value_t = FitOptions::default().noise_ratio, value_name = "R", value_parser = parse_positive)]
+    pub noise_ratio: f64,
+    /// At least this many photons are stored in each map
+    #[arg(long, default_value_t = FitOptions::default().bench.photons, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    pub photons: u64,
+    /// Photons in range that the search radius aims at, on average
+    #[arg(long, default_value_t = FitOptions::default().bench.in_range, value_name = "N", value_parser = parse_positive)]
+    pub in_range: f64,
+    /// Independent photon maps to measure on; more know the error better
+    #[arg(long, default_value_t = FitOptions::default().bench.maps, value_name = "N", value_parser = clap::value_parser!(u64).range(3..))]
+    pub maps: u64,
+    /// The view whose pixels are the queries
+    #[arg(long, default_value_t = Size::of(&FitOptions::default().bench.view), value_name = "WxH")]
+    pub size: Size,
+    /// Seed of all random numbers
+    #[arg(long, default_value_t = FitOptions::default().bench.seed, value_name = "S")]
+    pub seed: u64,
+}
+
+impl FitArgs {
+    /// The same for the library.
+    pub fn options(&self) -> FitOptions {
+        let options = FitOptions::default();
+        FitOptions {
+            noise_ratio: self.noise_ratio,
+            bench: BenchOptions {
+                photons: self.photons,
+                in_range: self.in_range,
+                maps: self.maps,
+                seed: self.seed,
+                view: ViewOptions {
+                    width: self.size.width,
+                    height: self.size.height,
+                    seed: self.seed,
+                    ..options.bench.view
+                },
+            },
+            ..options
+        }
+    }
+}

@@ -1,0 +1,150 @@
+//! `fit`: the smallest photon format and machine that a scene needs, with the evidence.
+
+mod comparison;
+mod left_out;
+mod text;
+
+use std::time::Instant;
+
+use anyhow::Result;
+use photoncube_render::{FieldNeed, Fit, FitOptions, Measurement, Removal, SceneFacts};
+use serde::Serialize;
+
+use self::comparison::Compared;
+use self::left_out::LeftOut;
+use crate::args::FitArgs;
+use crate::failure::CheckFailed;
+use crate::fitted::{self, FormatRow, MachineChoice};
+use crate::{output, scenes};
+
+#[derive(Serialize)]
+struct Report {
+    scene: String,
+    seed: u64,
+    noise_ratio: f64,
+    photons: u64,
+    in_range: f64,
+    maps: u64,
+    pilot_maps: u64,
+    noise_relative: f64,
+    #[serde(flatten)]
+    light: SceneFacts,
+    candidates: u64,
+    pilot_figures: u64,
+    /// Predicted below the bound, measured above.
+    broken: Vec<FormatRow>,
+    fitted: Option<FormatRow>,
+    removals: Vec<RemovalRow>,
+    left_out: Vec<LeftOut>,
+    /// The fitted format, its machine, and what they are held against.
+    comparison: Vec<Compared>,
+    machine: Option<MachineRow>,
+    /// What to write where for a machine of exactly the fitted format; none where there is one.
+    row_to_add: Option<String>,
+    /// The command to go on with.
+    next: Option<String>,
+    seconds: f64,
+}
+
+/// The fitted format with one bit, or one freedom, less.
+#[derive(Serialize)]
+struct RemovalRow {
+    less: &'static str,
+    #[serde(flatten)]
+    row: FormatRow,
+}
+
+#[derive(Serialize)]
+struct MachineRow {
+    machine: &'static str,
+    format: String,
+    bits_per_photon: u32,
+    measurement: Measurement,
+    wider_than_needed: Vec<FieldNeed>,
+}
+
+/// Fits a scene; ends 1 where no format or no machine meets the ratio.
+pub fn execute(args: &FitArgs, json: bool) -> Result<()> {
+    let start = Instant::now();
+    let options = args.options();
+    let scene = scenes::load(&args.scene)?;
+    let fit = fitted::fit_with_spinner(&scene, &options)?;
+    let choice = match &fit.chosen {
+        Some(chosen) => fitted::choose(&fit, &options, chosen)?,
+        None => None,
+    };
+    let mut report = report(args, &options, &fit, choice.as_ref())?;
+    report.seconds = start.elapsed().as_secs_f64();
+    output::print(json, &report, || text::text(&report))?;
+    match (&fit.chosen, &choice) {
+        (None, _) => Err(CheckFailed(fitted::no_format(&options)).into()),
+        (Some(chosen), None) => Err(CheckFailed(fitted::no_machine(&chosen.format)).into()),
+        (Some(_), Some(_)) => Ok(()),
+    }
+}
+
+fn report(
+    args: &FitArgs,
+    options: &FitOptions,
+    fit: &Fit,
+    choice: Option<&MachineChoice>,
+) -> Result<Report> {
+    let chosen = fit.chosen.as_ref();
+    let is_exact = |choice: &MachineChoice| chosen.is_some_and(|c| c.format == choice.format);
+    Ok(Report {
+        scene: args.scene.clone(),
+        seed: args.seed,
+        noise_ratio: options.noise_ratio,
+        photons: args.photons,
+        in_range: args.in_range,
+        maps: args.maps,
+        pilot_maps: fit.pilot_maps,
+        noise_relative: fit.noise_relative,
+        light: fit.facts,
+        candidates: fit.candidates,
+        pilot_figures: fit.parts,
+        broken: fit.broken.iter().map(FormatRow::of).collect(),
+        fitted: chosen.map(FormatRow::of),
+        removals: fit.removals.iter().map(RemovalRow::of).collect(),
+        left_out: chosen.map_or_else(Vec::new, |c| left_out::left_out(c, &fit.facts)),
+        comparison: match chosen {
+            Some(chosen) => comparison::comparison(&chosen.format, choice)?,
+            None => Vec::new(),
+        },
+        machine: choice.map(MachineRow::of),
+        row_to_add: chosen
+            .filter(|_| !choice.is_some_and(is_exact))
+            .map(|chosen| fitted::row_to_add(&chosen.format)),
+        next: choice.map(|choice| next(args, choice)),
+        seconds: 0.0,
+    })
+}
+
+/// The run of the scene on that machine, as it was fitted.
+fn next(args: &FitArgs, choice: &MachineChoice) -> String {
+    format!(
+        "photoncube run {} --machine {} --in-range {}",
+        args.scene, choice.machine.name, args.in_range
+    )
+}
+
+impl RemovalRow {
+    fn of(removal: &Removal) -> Self {
+        Self {
+            less: removal.less,
+            row: FormatRow::of(&removal.trial),
+        }
+    }
+}
+
+impl MachineRow {
+    fn of(choice: &MachineChoice) -> Self {
+        Self {
+            machine: choice.machine.name,
+            format: choice.format.name(),
+            bits_per_photon: choice.machine.bits_per_photon(),
+            measurement: choice.measurement,
+            wider_than_needed: choice.wider.clone(),
+        }
+    }
+}

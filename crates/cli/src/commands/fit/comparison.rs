@@ -1,0 +1,117 @@
+//! The fitted format's widths, area and clocks beside those of other machines.
+
+use anyhow::Result;
+use photoncube_spec::{MACHINES, Machine, Numbers, PHOTON_FORMATS, PhotonFormat, Widths};
+use serde::Serialize;
+
+use crate::fitted::MachineChoice;
+use crate::measured::Measured;
+
+/// A machine, or one that there could be.
+#[derive(Serialize)]
+pub struct Compared {
+    /// Its name, or a word.
+    pub name: String,
+    /// Its photon format; none in plain numbers.
+    pub format: Option<String>,
+    /// Bits of a stored photon.
+    pub bits_per_photon: u32,
+    /// Bits of a photon that the fitted format saves against it.
+    pub bits_per_photon_saved: i64,
+    /// What is squared.
+    pub radius_bits: u32,
+    /// A decoded power.
+    pub power_bits: u32,
+    /// The work register and the links.
+    pub work_bits: u32,
+    /// The sums.
+    pub sum_bits: u32,
+    /// Area without DSP, if it was measured.
+    pub lut4_equivalents: Option<u64>,
+    /// Flip-flops, if they were.
+    pub ff: Option<u64>,
+    /// Clock, if it was.
+    pub fmax_mhz: Option<f64>,
+    /// Clocks for one group of photons.
+    pub initiation_interval: u32,
+    /// Photons in a group.
+    pub photons_per_iteration: usize,
+}
+
+/// The fitted format, the machine that is taken for it where that is another, the default format's
+/// machine, and the paper's.
+pub fn comparison(fitted: &PhotonFormat, choice: Option<&MachineChoice>) -> Result<Vec<Compared>> {
+    let paper = &MACHINES[0];
+    let default = (MACHINES.iter()).find(|machine| machine.format() == Some(&PHOTON_FORMATS[0]));
+    let exact = MACHINES
+        .iter()
+        .find(|machine| machine.format() == Some(fitted));
+    let own = Machine {
+        name: "fitted",
+        numbers: Numbers::Local(*fitted),
+        ..*exact.unwrap_or(paper)
+    };
+    let mut rows = vec![Compared {
+        name: exact.map_or("fitted", |machine| machine.name).to_owned(),
+        ..compared(&own, exact, fitted)?
+    }];
+    let others = [choice.map(|choice| choice.machine), default, Some(paper)];
+    for machine in others.into_iter().flatten() {
+        if rows.iter().all(|row| row.name != machine.name) {
+            rows.push(compared(machine, Some(machine), fitted)?);
+        }
+    }
+    Ok(rows)
+}
+
+/// The row of a machine, with the figures of `measured`.
+fn compared(
+    machine: &Machine,
+    measured: Option<&Machine>,
+    fitted: &PhotonFormat,
+) -> Result<Compared> {
+    let widths = Widths::of(machine);
+    let figures = measured.map(Measured::of).transpose()?;
+    let area = figures.as_ref().and_then(|f| f.area_without_dsp.as_ref());
+    let own = photoncube_spec::FormatWidths::of(fitted).bits_per_photon;
+    Ok(Compared {
+        name: machine.name.to_owned(),
+        format: machine.format().map(PhotonFormat::name),
+        bits_per_photon: machine.bits_per_photon(),
+        bits_per_photon_saved: i64::from(machine.bits_per_photon()) - i64::from(own),
+        radius_bits: widths.difference,
+        power_bits: widths.power,
+        work_bits: widths.work,
+        sum_bits: widths.sum,
+        lut4_equivalents: area.map(|area| area.lut4_equivalents),
+        ff: area.map(|area| area.ff),
+        fmax_mhz: figures.as_ref().and_then(|f| f.fmax.fmax_mhz),
+        initiation_interval: machine.microprogram().initiation_interval(),
+        photons_per_iteration: machine.photons_per_iteration(),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use photoncube_spec::find_photon_format;
+
+    use super::*;
+
+    #[test]
+    fn a_format_without_a_machine_has_widths_and_no_area() {
+        let format = find_photon_format("local6-rgb5-n4096").unwrap();
+        let rows = comparison(&format, None).unwrap();
+        let names: Vec<_> = rows.iter().map(|row| row.name.as_str()).collect();
+        assert_eq!(names, ["fitted", "local", "paper"]);
+        assert_eq!(
+            (rows[0].bits_per_photon, rows[0].bits_per_photon_saved),
+            (33, 0)
+        );
+        assert_eq!(rows[1].bits_per_photon_saved, 20);
+        assert_eq!(rows[0].sum_bits, 17);
+        assert!(rows[0].lut4_equivalents.is_none() && rows[2].lut4_equivalents.is_some());
+        let rows = comparison(&PHOTON_FORMATS[0], None).unwrap();
+        assert_eq!(rows.len(), 2);
+        assert_eq!(rows[0].name, "local");
+    }
+}

@@ -1,0 +1,135 @@
+//! What of the default format a scene does not need, and why.
+
+use photoncube_render::{Prediction, SceneFacts, Trial};
+use photoncube_spec::{Channels, PHOTON_FORMATS, PhotonFormat};
+use serde::Serialize;
+
+/// A field of the default format beside the fitted one's.
+#[derive(Serialize)]
+pub struct LeftOut {
+    /// Which.
+    pub field: &'static str,
+    /// What the default format has.
+    pub default: u32,
+    /// What the fitted format has.
+    pub fitted: u32,
+    /// Bits of a stored photon that the difference saves; negative where it costs some.
+    pub bits_saved: i64,
+    /// The measured reason.
+    pub because: String,
+}
+
+/// Axes of a position.
+const AXES: i64 = 3;
+
+/// Field by field; the bits saved add up to the two formats' difference.
+pub fn left_out(chosen: &Trial, facts: &SceneFacts) -> Vec<LeftOut> {
+    let (default, fitted) = (&PHOTON_FORMATS[0], &chosen.format);
+    let prediction = chosen.predicted;
+    let row = |field, of: fn(&PhotonFormat) -> u32, bits_each: i64, because| LeftOut {
+        field,
+        default: of(default),
+        fitted: of(fitted),
+        bits_saved: bits_each * (i64::from(of(default)) - i64::from(of(fitted))),
+        because,
+    };
+    let channels = i64::from(fitted.power.channels.count());
+    let mantissa = i64::from(default.power.mantissa_bits);
+    let part = |error: f64| format!("its part of the error is {error:.3} of the noise");
+    vec![
+        row(
+            "position bits",
+            |f| f.position_bits,
+            AXES,
+            positions(&prediction),
+        ),
+        row(
+            "query bits",
+            |f| f.query_extra_bits,
+            0,
+            "no bits of a photon".to_owned(),
+        ),
+        row(
+            "channels",
+            |f| f.power.channels.count(),
+            mantissa,
+            colours(facts, fitted),
+        ),
+        row(
+            "mantissa bits",
+            |f| f.power.mantissa_bits,
+            channels,
+            part(prediction.power_error_over_noise),
+        ),
+        row(
+            "exponent bits",
+            |f| f.power.record_exponent_bits(),
+            1,
+            powers(facts),
+        ),
+    ]
+}
+
+/// Even light is the same photons without a caustic or a shadow.
+fn positions(prediction: &Prediction) -> String {
+    let part = prediction.position_error_over_noise;
+    let times = part / prediction.law_error_over_noise;
+    format!(
+        "its part of the error is {part:.3} of the noise, {times:.1} times what even light makes"
+    )
+}
+
+fn colours(facts: &SceneFacts, fitted: &PhotonFormat) -> String {
+    let deviation = facts.colour_deviation;
+    match fitted.power.channels {
+        Channels::Mono => format!("all photons have one colour, to {deviation:.0e}"),
+        Channels::Rgb => format!("colours differ by up to {:.0} %", 100.0 * deviation),
+    }
+}
+
+fn powers(facts: &SceneFacts) -> String {
+    let spread = facts.power_spread;
+    format!("the strongest photon has {spread:.6} times the weakest's power")
+}
+
+#[cfg(test)]
+mod tests {
+    use photoncube_render::{BenchOptions, FitOptions, Scene, ViewOptions, fit};
+    use photoncube_spec::FormatWidths;
+
+    use super::*;
+
+    #[test]
+    fn the_bits_saved_add_up() {
+        let options = FitOptions::default();
+        let view = ViewOptions {
+            width: 8,
+            height: 8,
+            ..options.bench.view
+        };
+        let bench = BenchOptions {
+            photons: 5_000,
+            maps: 3,
+            view,
+            ..options.bench
+        };
+        let options = FitOptions {
+            noise_ratio: 0.3,
+            bench,
+            ..options
+        };
+        for scene in ["cornell", "ring"] {
+            let scene = Scene::built_in(scene).unwrap();
+            let fit = fit(&scene, &options, &|_| ()).unwrap();
+            let chosen = fit.chosen.unwrap();
+            let saved: i64 = (left_out(&chosen, &fit.facts).iter())
+                .map(|row| row.bits_saved)
+                .sum();
+            let default = FormatWidths::of(&PHOTON_FORMATS[0]).bits_per_photon;
+            assert_eq!(
+                saved,
+                i64::from(default) - i64::from(chosen.bits_per_photon())
+            );
+        }
+    }
+}

@@ -1,0 +1,183 @@
+//! The report of `fit` for people.
+
+use super::{Compared, MachineRow, RemovalRow, Report};
+use crate::fitted::FormatRow;
+use crate::table;
+
+/// All of it.
+pub fn text(report: &Report) -> String {
+    let mut text = facts(report);
+    text += "\nPredicted on the pilot, then measured on maps of their own; error / noise:\n";
+    text += &trials(report);
+    if let Some(fitted) = &report.fitted {
+        text += &format!(
+            "\n{}: {} bits per photon, error / noise {:.4}, below {}; each removal above it\n",
+            fitted.format,
+            fitted.bits_per_photon,
+            fitted.measurement.error_over_noise,
+            report.noise_ratio
+        );
+        text += "\nLeft out of the default format:\n";
+        text += &left_out(report);
+        text += "\nWhat that saves (area in LUT4 equivalents, no DSP):\n";
+        text += &comparison(&report.comparison);
+    }
+    if let Some(machine) = &report.machine {
+        text += &machine_line(machine);
+    }
+    if let Some(row) = &report.row_to_add {
+        text += &format!("for a machine of exactly this format, {row}\n");
+    }
+    if let Some(next) = &report.next {
+        text += &format!("go on with: {next}\n");
+    }
+    text + &format!("{:.0} s\n", report.seconds)
+}
+
+fn facts(report: &Report) -> String {
+    let light = &report.light;
+    format!(
+        "{}: noise {:.2} % rms over {} maps of {} photons, about {} in range; pilot of {} maps\n\
+         \x20 colours      {} (photons deviate from one colour by {:.0e})\n\
+         \x20 powers       the strongest photon has {:.6} times the weakest's\n\
+         \x20 largest query {} photons\n\
+         \x20 candidates   {}, predicted from {} figures of the pilot\n",
+        report.scene,
+        100.0 * report.noise_relative,
+        report.maps,
+        report.photons,
+        report.in_range,
+        report.pilot_maps,
+        if light.one_colour { "one" } else { "several" },
+        light.colour_deviation,
+        light.power_spread,
+        light.largest_query,
+        report.candidates,
+        report.pilot_figures,
+    )
+}
+
+fn trials(report: &Report) -> String {
+    let header = [
+        "",
+        "format",
+        "bits/photon",
+        "predicted",
+        "positions",
+        "powers",
+        "even light",
+        "measured",
+        "95 % interval",
+        "worst in",
+        "luminance",
+    ];
+    let broken = report
+        .broken
+        .iter()
+        .map(|row| cells("too small".to_owned(), row));
+    let fitted = report
+        .fitted
+        .iter()
+        .map(|row| cells("fitted".to_owned(), row));
+    let less = |removal: &RemovalRow| cells(format!("less: {}", removal.less), &removal.row);
+    let removals = report.removals.iter().map(less);
+    let rows: Vec<_> = broken.chain(fitted).chain(removals).collect();
+    table::markdown(&header, &rows)
+}
+
+fn cells(what: String, row: &FormatRow) -> Vec<String> {
+    let (prediction, measurement) = (&row.prediction, &row.measurement);
+    let figure = |value: f64| format!("{value:.4}");
+    vec![
+        what,
+        row.format.clone(),
+        row.bits_per_photon.to_string(),
+        figure(prediction.error_over_noise),
+        figure(prediction.position_error_over_noise),
+        figure(prediction.power_error_over_noise),
+        figure(prediction.law_error_over_noise),
+        figure(measurement.error_over_noise),
+        format!(
+            "{:.4} to {:.4}",
+            measurement.error_over_noise_low, measurement.error_over_noise_high
+        ),
+        measurement.measure.name().to_owned(),
+        figure(measurement.luminance_error_over_noise),
+    ]
+}
+
+fn left_out(report: &Report) -> String {
+    let header = [
+        "field",
+        "default",
+        "fitted",
+        "bits saved per photon",
+        "because",
+    ];
+    let rows = report.left_out.iter().map(|row| {
+        vec![
+            row.field.to_owned(),
+            row.default.to_string(),
+            row.fitted.to_string(),
+            row.bits_saved.to_string(),
+            row.because.clone(),
+        ]
+    });
+    table::markdown(&header, &rows.collect::<Vec<_>>())
+}
+
+fn comparison(rows: &[Compared]) -> String {
+    let header = [
+        "machine",
+        "format",
+        "bits/photon",
+        "saved",
+        "radius",
+        "power",
+        "work",
+        "sum",
+        "area",
+        "FF",
+        "Fmax",
+        "clocks",
+    ];
+    let unknown = || "not measured".to_owned();
+    let row = |row: &Compared| {
+        vec![
+            row.name.clone(),
+            row.format.clone().unwrap_or_else(|| "plain".to_owned()),
+            row.bits_per_photon.to_string(),
+            row.bits_per_photon_saved.to_string(),
+            row.radius_bits.to_string(),
+            row.power_bits.to_string(),
+            row.work_bits.to_string(),
+            row.sum_bits.to_string(),
+            row.lut4_equivalents
+                .map_or_else(unknown, |area| area.to_string()),
+            row.ff.map_or_else(unknown, |ff| ff.to_string()),
+            row.fmax_mhz
+                .map_or_else(unknown, |fmax| format!("{fmax:.0} MHz")),
+            format!(
+                "{} for {} photons",
+                row.initiation_interval, row.photons_per_iteration
+            ),
+        ]
+    };
+    table::markdown(&header, &rows.iter().map(row).collect::<Vec<_>>())
+}
+
+fn machine_line(row: &MachineRow) -> String {
+    let wider: Vec<_> = row
+        .wider_than_needed
+        .iter()
+        .map(|need| format!("{} {} for {}", need.field, need.found, need.needed))
+        .collect();
+    let wider = match wider.is_empty() {
+        true => "exactly as wide as needed".to_owned(),
+        false => format!("wider than needed: {}", wider.join(", ")),
+    };
+    format!(
+        "\nmachine {} ({}): {wider}; error / noise {:.4}\n",
+        row.machine, row.format, row.measurement.error_over_noise
+    )
+}

@@ -1,0 +1,65 @@
+//! The machine of a run: the one asked for, or the one that the scene needs.
+
+use anyhow::Result;
+use photoncube_render::{BenchOptions, FitOptions, FormatMap, largest_query, view_queries};
+use photoncube_spec::{Machine, PHOTON_FORMATS, PhotonFormat};
+use serde::Serialize;
+
+use crate::args::RunArgs;
+use crate::commands::render::{Traced, view};
+use crate::fitted::{self, FormatRow};
+
+/// Why the machine is as wide as it is.
+#[derive(Serialize)]
+pub struct Fitted {
+    /// The error's bound, as a part of the noise.
+    pub noise_ratio: f64,
+    /// The format that the scene needs; the machine may be wider.
+    #[serde(flatten)]
+    pub row: FormatRow,
+}
+
+/// The machine asked for, or else the scene's fit and its machine.
+pub fn machine(args: &RunArgs, traced: &Traced) -> Result<(&'static Machine, Option<Fitted>)> {
+    if let Some(machine) = args.machine.find()? {
+        return Ok((machine, None));
+    }
+    let options = options(args, traced)?;
+    let fit = fitted::fit_with_spinner(&traced.scene, &options)?;
+    let (chosen, choice) = fitted::format_and_machine(&fit, &options)?;
+    let fitted = Fitted {
+        noise_ratio: options.noise_ratio,
+        row: FormatRow::of(&chosen),
+    };
+    Ok((choice.machine, Some(fitted)))
+}
+
+/// As `fit` does by default, with the run's seed and photons in range, and no more photons than the
+/// run has; the sums hold the picture's own queries.
+fn options(args: &RunArgs, traced: &Traced) -> Result<FitOptions> {
+    let options = FitOptions::default();
+    let (bench, picture) = (options.bench, &args.picture);
+    let queries = view_queries(&traced.scene, &view(picture))?;
+    let map = &traced.map;
+    let map = map.reblocked(FormatMap::edge_for(&coarsest(), map.radius()))?;
+    let bench = BenchOptions {
+        photons: bench.photons.min(picture.photons),
+        in_range: picture.in_range,
+        seed: picture.seed,
+        ..bench
+    };
+    Ok(FitOptions {
+        bench,
+        largest_query: largest_query(&map, &queries),
+        ..options
+    })
+}
+
+/// The format with the largest blocks for its radius, so with the largest queries.
+fn coarsest() -> PhotonFormat {
+    PhotonFormat {
+        position_bits: 4,
+        query_extra_bits: 0,
+        ..PHOTON_FORMATS[0]
+    }
+}

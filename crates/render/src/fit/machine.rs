@@ -1,0 +1,110 @@
+//! Which machine is wide enough for a format.
+
+use photoncube_spec::{Channels, Machine, PhotonFormat};
+use serde::Serialize;
+
+/// A field of a machine beside what the format needs of it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct FieldNeed {
+    /// Which.
+    pub field: &'static str,
+    /// What the format needs.
+    pub needed: u64,
+    /// What the machine has.
+    pub found: u64,
+}
+
+/// Every field of the machine's photon format that decides its widths, beside the needed one.
+/// Whose exponent it is does not matter: a machine gets a block's exponent with every photon, by
+/// the same pins; nor does the rounding, which is done before photons are stored.
+#[must_use]
+pub fn field_needs(machine: &PhotonFormat, needed: &PhotonFormat) -> Vec<FieldNeed> {
+    let fields = |format: &PhotonFormat| {
+        [
+            ("position_bits", u64::from(format.position_bits)),
+            ("radius_bits", format.radius_bits().into()),
+            ("channels", channels(format)),
+            ("mantissa_bits", format.power.mantissa_bits.into()),
+            ("exponent_range", format.power.exponent_range().into()),
+            ("max_photons", format.max_photons),
+        ]
+    };
+    let pairs = fields(machine).into_iter().zip(fields(needed));
+    pairs
+        .map(|((field, found), (_, needed))| FieldNeed {
+            field,
+            needed,
+            found,
+        })
+        .collect()
+}
+
+/// Whether a machine of the one format is enough for the other: no field is smaller.
+///
+/// Positions with as many bits and radii with as many steps are as fine or finer: where both have
+/// the same `radius_bits`, more position bits and fewer further query bits round the photon less
+/// and the query as much.
+#[must_use]
+pub fn covers(machine: &PhotonFormat, needed: &PhotonFormat) -> bool {
+    let needs = field_needs(machine, needed);
+    needs.iter().all(|need| need.found >= need.needed)
+}
+
+/// The machines that are enough for the format.
+pub fn covering<'a>(
+    machines: &'a [Machine],
+    needed: &PhotonFormat,
+) -> impl Iterator<Item = (&'a Machine, &'a PhotonFormat)> {
+    let needed = *needed;
+    let local = machines
+        .iter()
+        .filter_map(|machine| Some((machine, machine.format()?)));
+    local.filter(move |(_, format)| covers(format, &needed))
+}
+
+fn channels(format: &PhotonFormat) -> u64 {
+    Channels::count(format.power.channels).into()
+}
+
+#[cfg(test)]
+mod tests {
+    use photoncube_spec::{MACHINES, find_photon_format};
+
+    use super::*;
+
+    #[test]
+    fn a_machine_covers_what_is_nowhere_wider() {
+        let covers = |machine, needed| {
+            let format = |name| find_photon_format(name).unwrap();
+            covers(&format(machine), &format(needed))
+        };
+        let needed = "local7x1-rgb6e3d-n16384";
+        for machine in [
+            needed,
+            "local7x1-rgb6b3-n16384",
+            "local8-rgb6e3-n16384",
+            "local8x2-rgb16b8",
+        ] {
+            assert!(covers(machine, needed), "{machine}");
+        }
+        for machine in [
+            "local7-rgb6e3-n16384",
+            "local6x2-rgb6e3-n16384",
+            "local7x1-mono6e3-n16384",
+            "local7x1-rgb5e3-n16384",
+            "local7x1-rgb6e2-n16384",
+            "local7x1-rgb6e3-n8192",
+        ] {
+            assert!(!covers(machine, needed), "{machine}");
+        }
+    }
+
+    #[test]
+    fn only_machines_of_a_photon_format_cover() {
+        let needed = find_photon_format("local4-mono1-n1").unwrap();
+        let found: Vec<_> = covering(MACHINES, &needed).collect();
+        assert!(found.len() >= 2 && found.iter().all(|(machine, _)| machine.plain().is_none()));
+        let needed = find_photon_format("local12x2-rgb16e8").unwrap();
+        assert_eq!(covering(MACHINES, &needed).count(), 0);
+    }
+}

@@ -1,0 +1,70 @@
+//! The position's part of an error: positions by a format's rules, powers exact.
+
+use glam::DVec3;
+use photoncube_spec::{Channels, Exponent, PhotonFormat, PowerFormat, Rounding};
+use rayon::prelude::*;
+
+use super::pilot::{Part, Pilot};
+use crate::format_map::FormatMap;
+use crate::metrics::BenchError;
+use crate::render::RenderError;
+use crate::view::QueryPoint;
+
+/// Shifts of the lattice that each map is measured with. The error depends on where the lattice
+/// happens to lie under a caustic; each shift is another draw of it, from photons already traced.
+const SHIFTS: usize = 2;
+
+/// The error that p and x alone make.
+pub(super) fn position_part(
+    pilot: &Pilot,
+    position_bits: u32,
+    query_extra_bits: u32,
+) -> Result<Part, BenchError> {
+    let format = positions(position_bits, query_extra_bits);
+    let mut part = Part::default();
+    for (index, map) in pilot.bench.maps().iter().enumerate() {
+        let edge = FormatMap::edge_for(&format, map.radius());
+        for draw in 0..SHIFTS {
+            let shift = lattice_shift(index * SHIFTS + draw);
+            let shifted = map.reblocked_at(edge, shift)?;
+            let rounded = FormatMap::new(&shifted, &format).map_err(RenderError::from)?;
+            let queries = pilot.bench.queries().par_iter();
+            let estimates: Vec<DVec3> = queries.map(|query| light(&rounded, query)).collect();
+            pilot.push(&mut part, index, &estimates);
+        }
+    }
+    Ok(part)
+}
+
+/// Reflected light of the photons that the format finds in range, their powers exact.
+fn light(rounded: &FormatMap<'_>, query: &QueryPoint) -> DVec3 {
+    let verdicts = rounded.verdicts(query.position, query.normal);
+    let in_range = verdicts.filter(|(_, in_range)| *in_range);
+    let power: DVec3 = in_range.map(|(photon, _)| photon.power).sum();
+    let radius = rounded.map().radius();
+    query.beta * power / (std::f64::consts::PI * radius * radius)
+}
+
+/// A format of these positions; its powers are not looked at.
+fn positions(position_bits: u32, query_extra_bits: u32) -> PhotonFormat {
+    PhotonFormat {
+        position_bits,
+        query_extra_bits,
+        power: PowerFormat {
+            channels: Channels::Mono,
+            mantissa_bits: 1,
+            exponent: Exponent::None,
+            rounding: Rounding::Nearest,
+        },
+        max_photons: PhotonFormat::DEFAULT_MAX_PHOTONS,
+    }
+}
+
+/// The `draw`-th shift, in block edges: the R3 sequence, multiples of powers of the root of
+/// x^4 = x + 1 (M. Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018), which
+/// fills the cube evenly however many are drawn.
+fn lattice_shift(draw: usize) -> DVec3 {
+    const ROOT: f64 = 1.220_744_084_605_759_5;
+    let step = DVec3::new(1.0 / ROOT, 1.0 / (ROOT * ROOT), 1.0 / (ROOT * ROOT * ROOT));
+    (draw as f64 * step).fract()
+}
