@@ -7,6 +7,7 @@ mod files;
 mod fitted;
 mod machines;
 mod measured;
+mod measured_fits;
 mod output;
 mod plot;
 mod progress;

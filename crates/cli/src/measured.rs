@@ -46,7 +46,8 @@ pub struct Measured {
     /// Speed where DSP blocks are forbidden.
     #[serde(flatten)]
     pub fmax: Fmax,
-    /// Golden model's picture against the f64 reference's, the built-in scene.
+    /// Golden model's picture against the f64 reference's, on `cornell` or on the scene that the
+    /// machine is fitted to.
     pub rms_relative_error: Option<f64>,
     /// Clocks in which all registers were compared, on the emitted Verilog.
     pub vectors_compared: Option<u64>,
@@ -57,24 +58,23 @@ pub struct Measured {
 const SYNTHESIS: &str = include_str!("../../../docs/measured/synthesis.json");
 const PLACEMENT: &str = include_str!("../../../docs/measured/place.json");
 
+macro_rules! runs {
+    ($($machine:literal),+ $(,)?) => {
+        &[$(($machine, include_str!(concat!("../../../docs/measured/run-", $machine, ".json")))),+]
+    };
+}
+
 /// The summary of `photoncube run --machine M`, by machine.
-const RUNS: &[(&str, &str)] = &[
-    (
-        "paper",
-        include_str!("../../../docs/measured/run-paper.json"),
-    ),
-    (
-        "paper-dsp",
-        include_str!("../../../docs/measured/run-paper-dsp.json"),
-    ),
-    (
-        "paper-12",
-        include_str!("../../../docs/measured/run-paper-12.json"),
-    ),
-    (
-        "paper-5d",
-        include_str!("../../../docs/measured/run-paper-5d.json"),
-    ),
+const RUNS: &[(&str, &str)] = runs![
+    "paper",
+    "paper-dsp",
+    "paper-12",
+    "paper-5d",
+    "local",
+    "local-half",
+    "fit-cornell",
+    "fit-ring",
+    "fit-range",
 ];
 
 #[derive(Deserialize)]

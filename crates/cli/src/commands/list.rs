@@ -5,6 +5,7 @@ use photoncube_render::Scene;
 use photoncube_spec::{FormatWidths, MACHINES, Machine, PHOTON_FORMATS, PhotonFormat, Widths};
 use serde::Serialize;
 
+use crate::measured_fits::{FitRow, fit_rows, fit_table};
 use crate::measured::{self, Area, Measured};
 use crate::{output, table};
 
@@ -13,6 +14,7 @@ struct Report {
     scenes: Vec<SceneRow>,
     machines: Vec<MachineRow>,
     formats: Vec<FormatRow>,
+    fits: Vec<FitRow>,
 }
 
 /// A photon format; machines that are built for one come with them.
@@ -76,6 +78,7 @@ fn report() -> Result<Report> {
         scenes: scenes.collect::<Result<_>>()?,
         machines: MACHINES.iter().map(machine_row).collect::<Result<_>>()?,
         formats: PHOTON_FORMATS.iter().map(format_row).collect(),
+        fits: fit_rows()?,
     })
 }
 
@@ -136,6 +139,8 @@ fn text(report: &Report, fmax_source: &str) -> String {
             format.format, format.bits_per_photon, format.summary
         );
     }
+    text += "\nWhat `photoncube fit` found for them:\n";
+    text += &fit_table(&report.fits);
     text += "\nWidths of the machines (bits):\n";
     text += &width_table(&report.machines);
     text += "\nFigures:\n";
@@ -233,6 +238,11 @@ mod tests {
         assert!(
             readme.contains(&table),
             "the README's table is not what `photoncube list` prints; paste this:\n{table}"
+        );
+        let fits = fit_table(&fit_rows().unwrap());
+        assert!(
+            readme.contains(&fits),
+            "the README's fits are not what `photoncube list` prints; paste this:\n{fits}"
         );
         let source = measured::fmax_source().unwrap();
         assert!(

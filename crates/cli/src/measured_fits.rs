@@ -1,0 +1,151 @@
+//! What `photoncube fit` found for the built-in scenes, committed as data like all measured figures.
+
+use anyhow::{Context, Result};
+use serde::{Deserialize, Serialize};
+
+use crate::table;
+
+/// The summary of `photoncube fit SCENE --json`, by scene.
+const FITS: &[(&str, &str)] = &[
+    (
+        "cornell",
+        include_str!("../../../docs/measured/fit-cornell.json"),
+    ),
+    ("ring", include_str!("../../../docs/measured/fit-ring.json")),
+    (
+        "range",
+        include_str!("../../../docs/measured/fit-range.json"),
+    ),
+];
+
+/// What was found for a scene.
+#[derive(Clone, Debug, Serialize)]
+pub struct FitRow {
+    scene: String,
+    noise_ratio: f64,
+    format: String,
+    bits_per_photon: u32,
+    machine: String,
+    predicted_error_over_noise: f64,
+    error_over_noise: f64,
+    error_over_noise_low: f64,
+    error_over_noise_high: f64,
+    /// The smallest error of the formats that have something less.
+    one_bit_less_error_over_noise: f64,
+}
+
+#[derive(Deserialize)]
+struct Fit {
+    scene: String,
+    noise_ratio: f64,
+    fitted: Format,
+    removals: Vec<Format>,
+    machine: Machine,
+}
+
+#[derive(Deserialize)]
+struct Format {
+    format: String,
+    bits_per_photon: u32,
+    prediction: Prediction,
+    measurement: Measurement,
+}
+
+#[derive(Deserialize)]
+struct Prediction {
+    error_over_noise: f64,
+}
+
+#[derive(Deserialize)]
+struct Measurement {
+    error_over_noise: f64,
+    error_over_noise_low: f64,
+    error_over_noise_high: f64,
+}
+
+#[derive(Deserialize)]
+struct Machine {
+    machine: String,
+}
+
+/// The fits that are committed.
+pub fn fit_rows() -> Result<Vec<FitRow>> {
+    let row = |(scene, text): &(&str, &str)| {
+        let fit: Result<Fit, _> = serde_json::from_str(text);
+        let fit = fit.with_context(|| format!("docs/measured/fit-{scene}.json"))?;
+        Ok(FitRow::of(fit))
+    };
+    FITS.iter().map(row).collect()
+}
+
+impl FitRow {
+    fn of(fit: Fit) -> Self {
+        let errors = fit.removals.iter().map(|r| r.measurement.error_over_noise);
+        let measured = fit.fitted.measurement;
+        Self {
+            scene: fit.scene,
+            noise_ratio: fit.noise_ratio,
+            format: fit.fitted.format,
+            bits_per_photon: fit.fitted.bits_per_photon,
+            machine: fit.machine.machine,
+            predicted_error_over_noise: fit.fitted.prediction.error_over_noise,
+            error_over_noise: measured.error_over_noise,
+            error_over_noise_low: measured.error_over_noise_low,
+            error_over_noise_high: measured.error_over_noise_high,
+            one_bit_less_error_over_noise: errors.fold(f64::INFINITY, f64::min),
+        }
+    }
+
+    fn cells(&self) -> Vec<String> {
+        let ratio = |value: f64| format!("{value:.3}");
+        vec![
+            self.scene.clone(),
+            self.format.clone(),
+            self.bits_per_photon.to_string(),
+            ratio(self.predicted_error_over_noise),
+            format!(
+                "{:.3} ({:.3} to {:.3})",
+                self.error_over_noise, self.error_over_noise_low, self.error_over_noise_high
+            ),
+            ratio(self.one_bit_less_error_over_noise),
+            self.machine.clone(),
+        ]
+    }
+}
+
+/// The fits as the README shows them.
+pub fn fit_table(rows: &[FitRow]) -> String {
+    let header = [
+        "scene",
+        "fitted format",
+        "bits per photon",
+        "error / noise, predicted",
+        "measured (95 %)",
+        "with a bit less, at least",
+        "machine",
+    ];
+    table::markdown(&header, &rows.iter().map(FitRow::cells).collect::<Vec<_>>())
+}
+
+#[cfg(test)]
+mod tests {
+    use photoncube_spec::{find_machine, find_photon_format};
+
+    use super::*;
+
+    /// The machines that are named after a scene have the format that was found for it, which holds
+    /// the bound that a bit less breaks.
+    #[test]
+    fn the_fitted_machines_are_those_that_fit_found() {
+        for row in fit_rows().unwrap() {
+            assert_eq!(row.machine, format!("fit-{}", row.scene));
+            let machine = find_machine(&row.machine).unwrap();
+            let format = find_photon_format(&row.format).unwrap();
+            assert_eq!(machine.format(), Some(&format));
+            assert!(row.error_over_noise <= row.noise_ratio, "{row:?}");
+            assert!(row.one_bit_less_error_over_noise > row.noise_ratio, "{row:?}");
+            let off = row.predicted_error_over_noise / row.error_over_noise - 1.0;
+            assert!(off.abs() < 0.3, "{row:?}");
+        }
+    }
+}
