@@ -143,7 +143,10 @@ mod tests {
             let format = find_photon_format(&row.format).unwrap();
             assert_eq!(machine.format(), Some(&format));
             assert!(row.error_over_noise <= row.noise_ratio, "{row:?}");
-            assert!(row.one_bit_less_error_over_noise > row.noise_ratio, "{row:?}");
+            assert!(
+                row.one_bit_less_error_over_noise > row.noise_ratio,
+                "{row:?}"
+            );
             let off = row.predicted_error_over_noise / row.error_over_noise - 1.0;
             assert!(off.abs() < 0.3, "{row:?}");
         }

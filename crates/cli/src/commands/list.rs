@@ -5,8 +5,8 @@ use photoncube_render::Scene;
 use photoncube_spec::{FormatWidths, MACHINES, Machine, PHOTON_FORMATS, PhotonFormat, Widths};
 use serde::Serialize;
 
-use crate::measured_fits::{FitRow, fit_rows, fit_table};
 use crate::measured::{self, Area, Measured};
+use crate::measured_fits::{FitRow, fit_rows, fit_table};
 use crate::{output, table};
 
 #[derive(Serialize)]
