@@ -78,7 +78,7 @@ fn draw(
         .x_label_area_size(44)
         .y_label_area_size(84)
         .build_cartesian_2d(
-            (0.7 * lowest..2.0 * highest).log_scale(),
+            (0.7 * lowest..2.0 * highest).log_scale().base(2.0),
             0.0..1.1 * largest,
         )?;
     chart
@@ -86,7 +86,7 @@ fn draw(
         .x_desc(plot.error_axis)
         .y_desc(plot.figure_axis)
         .x_labels(8)
-        .x_label_formatter(&|error| format!("{error}"))
+        .x_label_formatter(&|error| format!("{error:.2}"))
         .light_line_style(WHITE)
         .draw()?;
     let front = pareto_front(points, plot.better);
@@ -96,12 +96,14 @@ fn draw(
         .iter()
         .map(|(point, _)| (point.error, point.figure));
     chart.draw_series(LineSeries::new(line, FRONT.stroke_width(1)))?;
+    let mut labels = Labels::default();
     for (point, is_front) in points.iter().zip(front) {
         let colour = if is_front { FRONT } else { OTHER };
         let at = (point.error, point.figure);
         chart.draw_series([Circle::new(at, 4, colour.filled())])?;
         let style = ("sans-serif", 12).into_font().color(&colour);
-        let label = Text::new(point.label.clone(), (6, -12), style);
+        let height = labels.place(chart.backend_coord(&at), &point.label);
+        let label = Text::new(point.label.clone(), (Labels::RIGHT, height), style);
         chart.draw_series([EmptyElement::at(at) + label])?;
     }
     area.present()?;
@@ -109,9 +111,46 @@ fn draw(
     Ok(())
 }
 
+/// Where labels stand already, in pixels, so that no two are written over each other.
+#[derive(Default)]
+struct Labels(Vec<((i32, i32), i32)>);
+
+impl Labels {
+    /// A label begins so far to the right of its point.
+    const RIGHT: i32 = 6;
+    const LINE: i32 = 12;
+    /// The mean width of a character, rounded up.
+    const CHARACTER: i32 = 7;
+
+    /// The label's height over its point, negative as pixels count downwards: the free place that
+    /// is nearest to just above it.
+    fn place(&mut self, (x, y): (i32, i32), label: &str) -> i32 {
+        let span = (x, x + Self::RIGHT + Self::CHARACTER * label.len() as i32);
+        let heights =
+            (0..20).map(|n| -Self::LINE + Self::LINE * if n % 2 == 0 { -n / 2 } else { n / 2 + 1 });
+        let is_free = |height: &i32| {
+            let overlaps = |((low, high), line): &((i32, i32), i32)| {
+                span.0 < *high && *low < span.1 && (line - (y + height)).abs() < Self::LINE
+            };
+            !self.0.iter().any(overlaps)
+        };
+        let height = heights.clone().find(is_free).unwrap_or(-Self::LINE);
+        self.0.push((span, y + height));
+        height
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn labels_of_one_place_stand_one_over_the_other() {
+        let mut labels = Labels::default();
+        let heights: Vec<_> = (0..4).map(|_| labels.place((100, 100), "label")).collect();
+        assert_eq!(heights, [-12, 0, -24, 12]);
+        assert_eq!(labels.place((300, 100), "far"), -12);
+    }
 
     fn point(label: &str, error: f64, figure: f64) -> Point {
         Point {

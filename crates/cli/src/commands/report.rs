@@ -7,7 +7,7 @@ use photoncube_render::{
     BenchOptions, Engine, ErrorBench, ErrorReport, MAX_QUERY_NOISE, ViewOptions, f32_speed,
     gather_speed,
 };
-use photoncube_spec::{FormatWidths, MACHINES, PHOTON_FORMATS};
+use photoncube_spec::{FormatWidths, MACHINES, PHOTON_FORMATS, PhotonFormat};
 use serde::Serialize;
 
 use crate::args::ReportArgs;
@@ -34,8 +34,10 @@ struct Report {
 struct Row {
     /// A format's or a machine's name.
     name: String,
-    /// A format that no machine is built for yet has no clocks and no area.
+    /// A format by itself has no clocks and no area.
     kind: &'static str,
+    /// The machine's photon format; null in the paper's plain numbers.
+    format: Option<String>,
     bits_per_photon: u32,
     initiation_interval: Option<u32>,
     photon_tests_per_clock: Option<f64>,
@@ -111,9 +113,10 @@ fn mark_fronts(rows: &mut [Row]) {
 fn row(bench: &ErrorBench, engine: Engine<'static>) -> Result<Row> {
     let error = bench.measure(engine)?;
     let photon_tests_per_second = gather_speed(&bench.maps()[0], bench.queries(), engine)?;
-    let unmeasured = |name, kind, bits_per_photon| Row {
+    let unmeasured = |name, kind, format: Option<&PhotonFormat>, bits_per_photon| Row {
         name,
         kind,
+        format: format.map(PhotonFormat::name),
         bits_per_photon,
         initiation_interval: None,
         photon_tests_per_clock: None,
@@ -126,10 +129,10 @@ fn row(bench: &ErrorBench, engine: Engine<'static>) -> Result<Row> {
         error,
     };
     Ok(match engine {
-        Engine::F64 => unmeasured("f64".to_owned(), "reference", 0),
+        Engine::F64 => unmeasured("f64".to_owned(), "reference", None, 0),
         Engine::Format(format) => {
             let bits = FormatWidths::of(format).bits_per_photon;
-            unmeasured(format.name(), "format", bits)
+            unmeasured(format.name(), "format", Some(format), bits)
         }
         Engine::Model(machine) => {
             let measured = Measured::of(machine)?;
@@ -143,6 +146,7 @@ fn row(bench: &ErrorBench, engine: Engine<'static>) -> Result<Row> {
                 ..unmeasured(
                     machine.name.to_owned(),
                     "machine",
+                    machine.format(),
                     machine.bits_per_photon(),
                 )
             }
@@ -197,9 +201,18 @@ impl Merit {
     }
 }
 
+/// The row's machine, if it is one's.
+fn machine_of(row: &Row) -> &str {
+    match row.kind {
+        "machine" => &row.name,
+        _ => "-",
+    }
+}
+
 fn text(report: &Report) -> String {
     let header = [
-        "name",
+        "machine",
+        "format",
         "bits/photon",
         "clocks",
         "tests/clock",
@@ -218,7 +231,8 @@ fn text(report: &Report) -> String {
     let unknown = || "-".to_owned();
     let row = |row: &Row| {
         vec![
-            row.name.to_owned(),
+            machine_of(row).to_owned(),
+            row.format.clone().unwrap_or_else(|| "plain".to_owned()),
             row.bits_per_photon.to_string(),
             row.initiation_interval
                 .map_or_else(unknown, |clocks| clocks.to_string()),
@@ -244,7 +258,7 @@ fn text(report: &Report) -> String {
     format!(
         "{}: noise {} rms over {} maps of {} photons; {} of {} estimates left out, their queries\n\
          noisier than {}\n\n{}\n\
-         f64 loop {:.0} M photon tests/s, f32 loop {:.0}; `-`: no machine is built for that format yet\n\
+         f64 loop {:.0} M photon tests/s, f32 loop {:.0}; `-`: a format by itself\n\
          plots: {}, {}\n\n{}",
         report.scene,
         percent(report.noise_relative),

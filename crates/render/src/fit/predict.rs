@@ -24,7 +24,7 @@ pub struct Prediction {
     pub position_error_over_noise: f64,
     /// The part that the powers make, alone.
     pub power_error_over_noise: f64,
-    /// For comparison the law for uniform light, [`law`].
+    /// For comparison what photons that lie evenly would make, sqrt(0.67 / u) with u = 2^p.
     pub law_error_over_noise: f64,
 }
 
