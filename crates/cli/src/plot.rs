@@ -37,7 +37,7 @@ pub fn pareto_front(points: &[Point], better: Better) -> Vec<bool> {
     points.iter().map(|point| !is_beaten(point)).collect()
 }
 
-const SIZE: (u32, u32) = (900, 560);
+const SIZE: (u32, u32) = (1100, 700);
 const FRONT: RGBColor = RGBColor(190, 60, 40);
 const OTHER: RGBColor = RGBColor(90, 110, 140);
 
@@ -86,7 +86,7 @@ fn draw(
         .x_desc(plot.error_axis)
         .y_desc(plot.figure_axis)
         .x_labels(8)
-        .x_label_formatter(&|error| format!("{error:.2}"))
+        .x_label_formatter(&|error| format!("{error:.3}"))
         .light_line_style(WHITE)
         .draw()?;
     let front = pareto_front(points, plot.better);
@@ -96,48 +96,70 @@ fn draw(
         .iter()
         .map(|(point, _)| (point.error, point.figure));
     chart.draw_series(LineSeries::new(line, FRONT.stroke_width(1)))?;
-    let mut labels = Labels::default();
-    for (point, is_front) in points.iter().zip(front) {
+    // The front's labels first: they get the best places.
+    let mut order: Vec<_> = points.iter().zip(front).collect();
+    order.sort_by_key(|(_, is_front)| !is_front);
+    let place = |point: &Point| chart.backend_coord(&(point.error, point.figure));
+    let places: Vec<_> = order.iter().map(|(point, _)| place(point)).collect();
+    let mut labels = Labels::around(&places);
+    for ((point, is_front), place) in order.into_iter().zip(places) {
         let colour = if is_front { FRONT } else { OTHER };
-        let at = (point.error, point.figure);
-        chart.draw_series([Circle::new(at, 4, colour.filled())])?;
+        let at = EmptyElement::at((point.error, point.figure));
+        let dot = Circle::new((0, 0), 4, colour.filled());
         let style = ("sans-serif", 12).into_font().color(&colour);
-        let height = labels.place(chart.backend_coord(&at), &point.label);
-        let label = Text::new(point.label.clone(), (Labels::RIGHT, height), style);
-        chart.draw_series([EmptyElement::at(at) + label])?;
+        let label = Text::new(
+            point.label.clone(),
+            labels.place(place, &point.label),
+            style,
+        );
+        chart.draw_series([at + dot + label])?;
     }
     area.present()?;
     drop(chart);
     Ok(())
 }
 
-/// Where labels stand already, in pixels, so that no two are written over each other.
-#[derive(Default)]
-struct Labels(Vec<((i32, i32), i32)>);
+/// Where points and labels stand already, in pixels, so that no label is written over another.
+struct Labels(Vec<Rectangle>);
+
+/// From (left, top) to (right, bottom).
+type Rectangle = ((i32, i32), (i32, i32));
 
 impl Labels {
-    /// A label begins so far to the right of its point.
-    const RIGHT: i32 = 6;
-    const LINE: i32 = 12;
+    const LINE: i32 = 13;
     /// The mean width of a character, rounded up.
     const CHARACTER: i32 = 7;
+    /// Half of a point's size.
+    const POINT: i32 = 5;
 
-    /// The label's height over its point, negative as pixels count downwards: the free place that
-    /// is nearest to just above it.
-    fn place(&mut self, (x, y): (i32, i32), label: &str) -> i32 {
-        let span = (x, x + Self::RIGHT + Self::CHARACTER * label.len() as i32);
-        let heights =
-            (0..20).map(|n| -Self::LINE + Self::LINE * if n % 2 == 0 { -n / 2 } else { n / 2 + 1 });
-        let is_free = |height: &i32| {
-            let overlaps = |((low, high), line): &((i32, i32), i32)| {
-                span.0 < *high && *low < span.1 && (line - (y + height)).abs() < Self::LINE
-            };
-            !self.0.iter().any(overlaps)
-        };
-        let height = heights.clone().find(is_free).unwrap_or(-Self::LINE);
-        self.0.push((span, y + height));
-        height
+    fn around(points: &[(i32, i32)]) -> Self {
+        let r = Self::POINT;
+        let square = |&(x, y): &(i32, i32)| ((x - r, y - r), (x + r, y + r));
+        Self(points.iter().map(square).collect())
     }
+
+    /// Where the label's left top is, from its point on: the nearest free place to either side.
+    fn place(&mut self, (x, y): (i32, i32), label: &str) -> (i32, i32) {
+        let width = Self::CHARACTER * label.len() as i32;
+        let rows = (0..20).flat_map(|row| [-Self::LINE - row * 4, row * 4 - Self::LINE / 2]);
+        let offsets = rows.flat_map(|top| [(Self::POINT + 1, top), (-Self::POINT - width, top)]);
+        let rectangle = |(left, top)| {
+            let (left, top) = (x + left, y + top);
+            ((left, top), (left + width, top + Self::LINE))
+        };
+        let is_free = |offset: &(i32, i32)| {
+            let new = rectangle(*offset);
+            !self.0.iter().any(|old| overlap(*old, new))
+        };
+        let found = offsets.clone().find(is_free);
+        let offset = found.unwrap_or((Self::POINT + 1, -Self::LINE));
+        self.0.push(rectangle(offset));
+        offset
+    }
+}
+
+fn overlap(a: Rectangle, b: Rectangle) -> bool {
+    a.0.0 < b.1.0 && b.0.0 < a.1.0 && a.0.1 < b.1.1 && b.0.1 < a.1.1
 }
 
 #[cfg(test)]
@@ -145,11 +167,15 @@ mod tests {
     use super::*;
 
     #[test]
-    fn labels_of_one_place_stand_one_over_the_other() {
-        let mut labels = Labels::default();
-        let heights: Vec<_> = (0..4).map(|_| labels.place((100, 100), "label")).collect();
-        assert_eq!(heights, [-12, 0, -24, 12]);
-        assert_eq!(labels.place((300, 100), "far"), -12);
+    fn labels_of_one_place_stand_apart() {
+        let place = (100, 100);
+        let mut labels = Labels::around(&[place]);
+        for _ in 0..6 {
+            labels.place(place, "label");
+        }
+        for (index, one) in labels.0.iter().enumerate() {
+            assert!(labels.0[..index].iter().all(|other| !overlap(*one, *other)));
+        }
     }
 
     fn point(label: &str, error: f64, figure: f64) -> Point {
