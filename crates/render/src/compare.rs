@@ -63,6 +63,15 @@ pub fn rel_mse(image: &Image, reference: &Image, mask: &[bool]) -> Result<f64, C
     })
 }
 
+/// RMSE: sqrt(mean((a - ref)^2)), in radiance, over the channels of the pixels that the mask keeps.
+///
+/// # Errors
+/// As for [`rel_mse`].
+pub fn rmse(image: &Image, reference: &Image, mask: &[bool]) -> Result<f64, CompareError> {
+    let square = mean(image, reference, mask, |a, b| (a - b) * (a - b))?;
+    Ok(square.sqrt())
+}
+
 /// The root of the mean squared relative difference, sqrt(mean((a/ref - 1)^2)), over the
 /// channels that the mask keeps and that are over 0 in the reference: the measure for two engines
 /// on the same photons, where nothing but the number format differs.
@@ -140,6 +149,14 @@ mod tests {
         // Exact up to rounding.
         assert!((got - 0.25 / 2.2501 / 2.0).abs() < 1e-15);
         assert_eq!(rel_mse(&b, &b, &[true; 3]), Ok(0.0));
+    }
+
+    #[test]
+    fn rmse_is_in_radiance() {
+        let (a, b) = (image(&[1.0, 2.0, 9.0]), image(&[1.5, 2.0, 0.0]));
+        let got = rmse(&a, &b, &[true, true, false]).unwrap();
+        // Exact up to rounding.
+        assert!((got - (0.25_f64 / 2.0).sqrt()).abs() < 1e-15);
     }
 
     #[test]

@@ -49,7 +49,9 @@ mod view;
 mod workload;
 
 pub use camera::{Camera, Ray};
-pub use compare::{CompareError, LIGHT_RADIANCE, light_mask, rel_mse, rms_relative_difference};
+pub use compare::{
+    CompareError, LIGHT_RADIANCE, light_mask, rel_mse, rms_relative_difference, rmse,
+};
 pub use estimators::{
     Bisection, Estimator, EstimatorError, Kernel, KernelEstimate, Ladder, LadderError, MAX_RUNGS,
     MIN_K, Near, Neighbourhood, Rung, UnfitEstimator, UnknownEstimator, smallest_radius_sq,

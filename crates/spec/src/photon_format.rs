@@ -58,6 +58,8 @@ use std::fmt;
 
 use thiserror::Error;
 
+use crate::machine::Machine;
+
 /// Which values a photon's power has.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Channels {
@@ -180,9 +182,8 @@ pub struct FormatError {
 }
 
 impl PhotonFormat {
-    /// Block edges that coordinates span: as in [`crate::Machine::FRAME_BLOCKS`], the query's
-    /// block has offset 1, and the fourth keeps the count a power of two.
-    pub const FRAME_BLOCKS: u32 = 4;
+    /// Block edges that coordinates span; the query's block has offset 1.
+    pub const FRAME_BLOCKS: u32 = Machine::FRAME_BLOCKS;
 
     /// Four times the quarter million in one block that the hard cases ask for.
     pub const DEFAULT_MAX_PHOTONS: u64 = 1 << 20;

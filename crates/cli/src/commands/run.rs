@@ -7,7 +7,7 @@ use std::time::Instant;
 
 use anyhow::{Result, anyhow};
 use photoncube_render::{
-    Engine, Image, LIGHT_RADIANCE, Rendering, light_mask, rel_mse, rms_relative_difference,
+    Engine, Image, LIGHT_RADIANCE, Rendering, light_mask, rel_mse, rms_relative_difference, rmse,
     workload,
 };
 use photoncube_spec::Machine;
@@ -47,6 +47,7 @@ struct Report {
     /// The golden model's picture against the f64 reference's, rms over pixels and channels.
     rms_relative_error: f64,
     rel_mse: f64,
+    rmse: f64,
     picture: String,
     reference_picture: String,
     verilog: String,
@@ -96,7 +97,7 @@ pub fn execute(args: &RunArgs, json: bool) -> Result<()> {
     rendering.image.write_png(&picture_path, EXPOSURE)?;
     reference.image.write_png(&reference_path, EXPOSURE)?;
 
-    let (rms_relative_error, rel_mse) = errors(&rendering.image, &reference.image)?;
+    let (rms_relative_error, rel_mse, rmse) = errors(&rendering.image, &reference.image)?;
     let program = machine.microprogram();
     let stats = rendering.stats;
     let report = Report {
@@ -121,6 +122,7 @@ pub fn execute(args: &RunArgs, json: bool) -> Result<()> {
         devices_not_found: proof.not_found,
         rms_relative_error,
         rel_mse,
+        rmse,
         picture: picture_path.display().to_string(),
         reference_picture: reference_path.display().to_string(),
         verilog,
@@ -208,14 +210,15 @@ fn prove(args: &RunArgs, machine: &Machine, traced: &Traced) -> Result<Proof> {
     Ok(proof)
 }
 
-/// The rms relative difference and the relMSE of two pictures; pixels that see the light, and those
+/// The rms relative difference, the relMSE and the RMSE of two pictures; pixels that see the light, and those
 /// that touch them, are left out, as for the reference image.
-fn errors(image: &Image, reference: &Image) -> Result<(f64, f64)> {
+fn errors(image: &Image, reference: &Image) -> Result<(f64, f64, f64)> {
     let mask = light_mask(reference, LIGHT_RADIANCE);
     let explain = |error| anyhow!("the two pictures cannot be compared: {error}");
     let rms = rms_relative_difference(image, reference, &mask).map_err(explain)?;
     let rel_mse = rel_mse(image, reference, &mask).map_err(explain)?;
-    Ok((rms, rel_mse))
+    let rmse = rmse(image, reference, &mask).map_err(explain)?;
+    Ok((rms, rel_mse, rmse))
 }
 
 fn mean_in_range(rendering: &Rendering) -> f64 {
@@ -231,7 +234,7 @@ fn text(report: &Report) -> String {
          \x20 query points      {}, on average {:.0} photons in range of radius {:.4}\n\
          \x20 photon tests      {} in {} groups\n\
          \x20 clocks            {} ({} for {} photons, {:.3} photon tests a clock)\n\
-         \x20 model against f64 {:.3} % rms relative error of the picture, relMSE {:.2e}\n\
+         \x20 model against f64 {:.3} % rms relative error of the picture, relMSE {:.2e}, RMSE {:.2e}\n\
          \x20 pictures          {}, {}\n\
          \x20 Verilog           {}\n",
         r.scene,
@@ -249,6 +252,7 @@ fn text(report: &Report) -> String {
         r.photon_tests_per_clock,
         100.0 * r.rms_relative_error,
         r.rel_mse,
+        r.rmse,
         r.picture,
         r.reference_picture,
         r.verilog,
