@@ -12,7 +12,7 @@ use photoncube_testbench::{DeviceKind, verify_part};
 /// device gets every pair of operands of the photon formats' square units.
 fn vectors(kind: DeviceKind, part: Level) -> usize {
     match (kind, part) {
-        (DeviceKind::Verilator, Level::Square) => 1 << 20,
+        (DeviceKind::Verilator, Level::Square) => 1 << 21,
         (DeviceKind::RustHdl | DeviceKind::Verilator, _) => 20_000,
         (DeviceKind::Icarus | DeviceKind::Netlist, _) => 5_000,
     }
