@@ -4,6 +4,7 @@ use glam::DVec3;
 use photoncube_spec::{Channels, PhotonFormat, Rounding};
 
 use crate::photon_map::PhotonMap;
+use crate::sample::mix;
 use crate::trace::Photon;
 
 /// How a map's powers become integers of a format, and back.
@@ -104,15 +105,10 @@ pub(crate) fn power_of_two(exponent: u8) -> f64 {
 }
 
 /// A multiple of 2^-16 from 0 up to 1, the same for the same stored position and channel: the
-/// top bits of SplitMix64's finaliser (Steele, Lea, Flood, "Fast splittable pseudorandom number
-/// generators", 2014).
+/// top bits of SplitMix64's finaliser.
 fn dither(cell: [u16; 3], channel: u64) -> f64 {
     let [x, y, z] = cell.map(u64::from);
-    let mut hash = x | y << 16 | z << 32 | channel << 48;
-    hash = hash.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    hash = (hash ^ hash >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    hash = (hash ^ hash >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
-    hash ^= hash >> 31;
+    let hash = mix(x | y << 16 | z << 32 | channel << 48);
     (hash >> 48) as f64 / 65_536.0
 }
 

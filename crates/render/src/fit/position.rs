@@ -5,6 +5,7 @@ use photoncube_spec::{Channels, Exponent, PhotonFormat, PowerFormat, Rounding};
 use rayon::prelude::*;
 
 use super::pilot::{Part, Pilot};
+use crate::estimate::disc_area;
 use crate::format_map::FormatMap;
 use crate::metrics::BenchError;
 use crate::render::RenderError;
@@ -41,8 +42,7 @@ fn light(rounded: &FormatMap<'_>, query: &QueryPoint) -> DVec3 {
     let verdicts = rounded.verdicts(query.position, query.normal);
     let in_range = verdicts.filter(|(_, in_range)| *in_range);
     let power: DVec3 = in_range.map(|(photon, _)| photon.power).sum();
-    let radius = rounded.map().radius();
-    query.beta * power / (std::f64::consts::PI * radius * radius)
+    query.beta * power / disc_area(rounded.map())
 }
 
 /// A format of these positions; its powers are not looked at.

@@ -7,6 +7,7 @@ use photoncube_spec::{PHOTON_FORMATS, PhotonFormat, PowerFormat};
 use rayon::prelude::*;
 
 use super::pilot::{Part, Pilot};
+use crate::estimate::disc_area;
 use crate::format_map::FormatMap;
 use crate::metrics::BenchError;
 use crate::photon_map::PhotonMap;
@@ -87,8 +88,7 @@ impl GatheredMap {
 
     /// Reflected light at each query with these powers.
     fn lights(&self, powers: &[DVec3], queries: &[QueryPoint]) -> Vec<DVec3> {
-        let radius = self.map.radius();
-        let disc = std::f64::consts::PI * radius * radius;
+        let disc = disc_area(&self.map);
         let queries = queries.par_iter().zip(&self.slices);
         let lights = queries.map(|(query, slice)| {
             let photons = &self.photons[slice.clone()];

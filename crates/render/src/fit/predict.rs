@@ -8,7 +8,7 @@ use serde::Serialize;
 use super::pilot::{Part, Pilot};
 use super::position::position_part;
 use super::power::Gathered;
-use crate::metrics::{BenchError, Measure};
+use crate::metrics::{BenchError, MISCLASSIFIED_TIMES_STEPS, Measure};
 
 /// An error as a part of the noise, by the measure where it is largest.
 ///
@@ -141,10 +141,6 @@ impl Predictor {
         Ok(part)
     }
 }
-
-/// The share of the photons in range that u steps per radius put on the wrong side, times u, where
-/// they lie evenly: measured on the anchors' uniform scene.
-const MISCLASSIFIED_TIMES_STEPS: f64 = 0.67;
 
 /// The error over the noise for photons that lie evenly, sqrt(0.67 / u) with u = 2^p steps per
 /// radius. Around a caustic it is too small by half and more.

@@ -15,6 +15,7 @@ use super::naive::in_range_absolute;
 use super::room::{COLOUR, NORMAL, RADIUS, Room, photon, points};
 use super::setting::Setting;
 use crate::format_map::FormatMap;
+use crate::metrics::MISCLASSIFIED_TIMES_STEPS;
 use crate::trace::Photon;
 
 pub(super) const BIAS: HardCase = HardCase {
@@ -181,7 +182,7 @@ fn tight(format: &PhotonFormat) -> Result<Outcome, HardCaseError> {
     let cells = radius / grid.cell(radius);
     Ok(Outcome {
         looked_at: truly,
-        result: wrong as f64 / truly as f64 / (0.67 / cells),
+        result: wrong as f64 / truly as f64 / (MISCLASSIFIED_TIMES_STEPS / cells),
         contrast: percent(absolute, truly) - 100.0,
     })
 }

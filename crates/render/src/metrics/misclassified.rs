@@ -4,6 +4,10 @@ use std::ops::AddAssign;
 
 use super::error::MetricsError;
 
+/// The share of the photons in range that u steps per radius put on the wrong side, times u, where
+/// they lie evenly: measured on a uniform scene.
+pub(crate) const MISCLASSIFIED_TIMES_STEPS: f64 = 0.67;
+
 /// Counts of photon tests and of the disagreements among them.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Misclassified {
