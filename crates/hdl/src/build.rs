@@ -40,16 +40,17 @@ struct Shape {
 }
 
 impl Shape {
-    fn of(machine: &Machine) -> Self {
-        let steps = machine.microprogram().steps().len();
-        Self {
+    /// None for a machine that runs no program.
+    fn of(machine: &Machine) -> Option<Self> {
+        let steps = machine.microprogram()?.steps().len();
+        Some(Self {
             widths: Widths::of(machine),
             address: usize::BITS - (steps - 1).leading_zeros(),
             word: control_word_bits(machine.dimension),
             axis: machine.dimension,
             nodes: machine.hypercube().nodes(),
             lanes: machine.photons_per_iteration(),
-        }
+        })
     }
 }
 
@@ -66,7 +67,7 @@ macro_rules! built_in {
         },)+];
 
         fn find(machine: &Machine, level: Level) -> Option<Box<dyn Pinned>> {
-            let shape = Shape::of(machine);
+            let shape = Shape::of(machine)?;
             let mut row = BUILT_IN.iter();
             $(
                 if row.next() == Some(&shape) {

@@ -77,6 +77,7 @@ impl<
     /// The processor of a machine whose widths are this type's.
     pub fn new(machine: &Machine) -> Self {
         let cube = machine.hypercube();
+        let program = machine.microprogram().expect("a processor runs a program");
         let ports = Ports::new(cube, machine.channels());
         Self {
             clock: Default::default(),
@@ -99,7 +100,7 @@ impl<
             group_ready: Default::default(),
             result_valid: Default::default(),
             result: ports.result.iter().map(|_| Default::default()).collect(),
-            control: Control::new(&machine.microprogram(), machine.dimension),
+            control: Control::new(&program, machine.dimension),
             ports,
             network: Network::new(cube),
             cell: std::array::from_fn(|_| Cell::new(machine.squarer)),

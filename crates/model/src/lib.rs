@@ -7,12 +7,14 @@
 
 mod cell;
 mod gather;
+mod golden;
 mod local;
 mod machine;
 mod range;
 
 pub use cell::{CellInputs, CellRules, CellState};
 pub use gather::{GatherError, gather};
+pub use golden::{GoldenMachine, golden_machine};
 pub use local::{
     CountError, LocalError, LocalGather, LocalLimits, PackError, ValueError, pack, unpack,
 };

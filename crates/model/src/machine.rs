@@ -8,6 +8,7 @@ use photoncube_spec::{
 };
 
 use crate::cell::{CellInputs, CellRules, CellState};
+use crate::golden::GoldenMachine;
 
 /// The registers of the control block.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
@@ -39,8 +40,14 @@ pub struct StepMachine {
 
 impl StepMachine {
     /// A machine in its power-up state.
+    ///
+    /// # Panics
+    /// Where the machine is not [`photoncube_spec::Organisation::Sequential`]; see
+    /// [`crate::golden_machine`].
     pub fn new(machine: &Machine) -> Self {
-        let program = machine.microprogram();
+        let program = machine
+            .microprogram()
+            .expect("a step machine is of a machine that runs a program");
         let steps = program.steps();
         let reads_group = |step: &Step| matches!(step.op, Op::LoadPhoton | Op::LoadPower);
         let cells = vec![CellState::default(); machine.hypercube().nodes()];
@@ -70,57 +77,6 @@ impl StepMachine {
     /// The step that this clock will do, if nothing makes it wait.
     pub fn step(&self) -> Step {
         self.steps[self.control.address]
-    }
-
-    /// The output pins in this clock; they do not depend on the inputs.
-    pub fn outputs(&self) -> Outputs {
-        let ready = |wanted| !self.control.done && wanted;
-        let sum = |role| self.cells[self.cube.result_node(role)].sum;
-        let power = match self.machine.channels() {
-            Channels::Rgb => [sum(Role::X), sum(Role::Y), sum(Role::Z)],
-            Channels::Mono => [sum(Role::X), 0, 0],
-        };
-        Outputs {
-            query_ready: ready(self.step().op == Op::LoadQuery),
-            group_ready: ready(self.control.address == self.taker),
-            result_valid: self.control.done,
-            result: Sums {
-                power,
-                count: sum(Role::D),
-            },
-        }
-    }
-
-    /// Appends the output pins and all registers to a row, in the order of
-    /// [`photoncube_spec::Pins::observed`].
-    pub fn observe(&self, row: &mut Vec<u64>) {
-        row.extend(Pins::output_row(&self.machine, &self.outputs()));
-        row.push(self.control.address as u64);
-        row.push(u64::from(self.control.last));
-        row.push(u64::from(self.control.done));
-        for cell in &self.cells {
-            row.extend(cell.registers());
-        }
-    }
-
-    /// One rising clock edge with these inputs. Inputs must fit the machine's widths; a lane that
-    /// is not there is 0.
-    pub fn clock(&mut self, inputs: &Inputs) {
-        let step = self.step();
-        let waits = match step.op {
-            Op::LoadQuery => !inputs.query_valid,
-            Op::LoadPhoton | Op::LoadPower => !inputs.group_valid,
-            _ => false,
-        };
-        let runs = !self.control.done && !waits;
-        if runs {
-            self.execute(step, inputs);
-        }
-        self.control = if inputs.reset {
-            ControlState::default()
-        } else {
-            self.next_control(runs, inputs)
-        };
     }
 
     fn next_control(&self, runs: bool, inputs: &Inputs) -> ControlState {
@@ -170,6 +126,62 @@ impl StepMachine {
             };
             cell.execute(step.op, &ports, &self.rules);
         }
+    }
+}
+
+impl GoldenMachine for StepMachine {
+    fn outputs(&self, _inputs: &Inputs) -> Outputs {
+        let ready = |wanted| !self.control.done && wanted;
+        let sum = |role| self.cells[self.cube.result_node(role)].sum;
+        let power = match self.machine.channels() {
+            Channels::Rgb => [sum(Role::X), sum(Role::Y), sum(Role::Z)],
+            Channels::Mono => [sum(Role::X), 0, 0],
+        };
+        Outputs {
+            query_ready: ready(self.step().op == Op::LoadQuery),
+            group_ready: ready(self.control.address == self.taker),
+            result_valid: self.control.done,
+            result: Sums {
+                power,
+                count: sum(Role::D),
+            },
+        }
+    }
+
+    fn observe(&self, inputs: &Inputs, row: &mut Vec<u64>) {
+        row.extend(Pins::output_row(&self.machine, &self.outputs(inputs)));
+        row.push(self.control.address as u64);
+        row.push(u64::from(self.control.last));
+        row.push(u64::from(self.control.done));
+        for cell in &self.cells {
+            row.extend(cell.registers());
+        }
+    }
+
+    fn clock(&mut self, inputs: &Inputs) {
+        let step = self.step();
+        let waits = match step.op {
+            Op::LoadQuery => !inputs.query_valid,
+            Op::LoadPhoton | Op::LoadPower => !inputs.group_valid,
+            _ => false,
+        };
+        let runs = !self.control.done && !waits;
+        if runs {
+            self.execute(step, inputs);
+        }
+        self.control = if inputs.reset {
+            ControlState::default()
+        } else {
+            self.next_control(runs, inputs)
+        };
+    }
+
+    fn works(&self, inputs: &Inputs) -> bool {
+        if self.control.done {
+            return inputs.result_ready;
+        }
+        let row = self.step().op.row();
+        (!row.reads_query || inputs.query_valid) && (!row.reads_group || inputs.group_valid)
     }
 }
 

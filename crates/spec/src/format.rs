@@ -16,6 +16,8 @@ pub enum Squarer {
     Digits,
     /// As one product `m * m`, for a DSP block.
     Product,
+    /// As a table of squares, for a block RAM; in spatial machines only.
+    Table,
 }
 
 impl Squarer {
@@ -24,6 +26,7 @@ impl Squarer {
         match self {
             Self::Digits => "digits",
             Self::Product => "product",
+            Self::Table => "table",
         }
     }
 }
@@ -64,8 +67,16 @@ impl Widths {
             Numbers::Plain(format) => Self::of_plain(format),
             Numbers::Local(format) => Self::of_local(format),
         };
-        let photon_axes = machine.hypercube().photon_axes().count() as u32;
+        let photon_axes = machine.photons_per_iteration().ilog2();
         let distance = own.square + 2;
+        if machine.spatial().is_some() {
+            // Distances and sums have adders of their own.
+            return Self {
+                work: distance,
+                sum: own.sum.max(own.power + photon_axes),
+                ..own
+            };
+        }
         let work = distance.max(own.power + photon_axes);
         Self {
             work,
@@ -142,9 +153,14 @@ mod tests {
             let full_scale = machine.full_scale();
             assert!(full_scale < 1 << widths.power);
             let photons = machine.photons_per_iteration() as u128;
-            assert!(photons * full_scale < 1 << widths.work);
+            let group = if machine.spatial().is_some() {
+                widths.sum
+            } else {
+                widths.work
+            };
+            assert!(photons * full_scale < 1 << group);
             assert!(u128::from(machine.max_photons()) * full_scale < 1 << widths.sum);
-            assert!(widths.work <= widths.sum);
+            assert!(machine.spatial().is_some() || widths.work <= widths.sum);
             assert!(
                 widths.sum <= 64 && widths.coordinate <= 32 && widths.radius_sq <= 32,
                 "{}: the runners carry powers and sums in 64 bits, all other values in 32",

@@ -14,12 +14,14 @@ mod listing;
 mod machine;
 mod microprogram;
 mod op;
+mod organisation;
 mod photon_format;
 mod photon_formats;
 mod photon_record;
 mod pins;
 mod register;
 mod schedule;
+mod spatial;
 mod stream;
 
 pub use control::{ControlWord, FIELDS, Field, FieldRow, WorkSource, control_word_bits, encode};
@@ -30,6 +32,7 @@ pub use listing::{ListingError, parse_listing};
 pub use machine::{MACHINES, Machine, Numbers, PlainFormat, UnknownMachine, find_machine};
 pub use microprogram::{Microprogram, ScheduledStep, Step};
 pub use op::{OPS, Op, OpRow, Unit};
+pub use organisation::{Organisation, Rate};
 pub use photon_format::{Channels, Exponent, FormatError, PhotonFormat, PowerFormat, Rounding};
 pub use photon_formats::{PHOTON_FORMATS, UnknownFormat, find_photon_format};
 pub use photon_record::{LocalQuery, LocalSums, PhotonBlock, PhotonRecord};
@@ -37,5 +40,9 @@ pub use pins::{CONTROL_REGISTERS, Pin, Pins, SignalPlace};
 pub use register::{REGISTERS, Register, RegisterRow};
 pub use schedule::{
     Content, ScheduleError, ScheduleReport, UnitUse, check_schedule, schedule_report,
+};
+pub use spatial::{
+    Cut, Cuts, ENGINE_REGISTERS, EngineRegister, EngineRow, HeadRegister, HeadSizes, Instances,
+    Radius, Spatial, SpatialWidths,
 };
 pub use stream::{Group, Inputs, Lane, Outputs, Photon, Query, Sums};

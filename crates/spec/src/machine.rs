@@ -6,8 +6,10 @@ use crate::format::{Squarer, Widths};
 use crate::format_widths::FormatWidths;
 use crate::hypercube::Hypercube;
 use crate::microprogram::Microprogram;
+use crate::organisation::{Organisation, Rate};
 use crate::photon_format::{Channels, Exponent, PhotonFormat, PowerFormat, Rounding};
 use crate::photon_formats::PHOTON_FORMATS;
+use crate::spatial::{Cut, Cuts, Radius, Spatial};
 
 /// A machine's configuration.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
@@ -22,6 +24,8 @@ pub struct Machine {
     pub numbers: Numbers,
     /// How the square is built.
     pub squarer: Squarer,
+    /// How the work is laid out over cells and clocks.
+    pub organisation: Organisation,
 }
 
 /// What a machine's words mean.
@@ -61,14 +65,41 @@ impl Machine {
         Hypercube::new(self.dimension)
     }
 
-    /// The machine's program.
-    pub fn microprogram(&self) -> Microprogram {
-        Microprogram::all_reduce(self.hypercube())
+    /// The program of a machine that runs one.
+    pub fn microprogram(&self) -> Option<Microprogram> {
+        match &self.organisation {
+            Organisation::Sequential => Some(Microprogram::all_reduce(self.hypercube())),
+            Organisation::Spatial(_) => None,
+        }
     }
 
-    /// Photons tested in one iteration.
+    /// What a spatial machine has beside its numbers; none for the others.
+    pub fn spatial(&self) -> Option<&Spatial> {
+        match &self.organisation {
+            Organisation::Spatial(spatial) => Some(spatial),
+            Organisation::Sequential => None,
+        }
+    }
+
+    /// Photons of one iteration: the lanes of a group.
     pub fn photons_per_iteration(&self) -> usize {
-        self.hypercube().photons()
+        match self.spatial() {
+            Some(_) => Spatial::LANES,
+            None => self.hypercube().photons(),
+        }
+    }
+
+    /// Queries that are tested at once against every photon.
+    pub fn queries_at_once(&self) -> usize {
+        self.spatial().map_or(1, Spatial::engines)
+    }
+
+    /// Groups that are taken in so many clocks, in the steady state.
+    pub fn rate(&self) -> Rate {
+        let clocks = self
+            .microprogram()
+            .map_or(1, |program| program.initiation_interval());
+        Rate { groups: 1, clocks }
     }
 
     /// Its photon format; none in plain numbers.
@@ -93,6 +124,14 @@ impl Machine {
             Numbers::Plain(format) => format.position_bits(),
             Numbers::Local(format) => format.position_bits,
         }
+    }
+
+    /// The squared search radius of all queries, in square steps, where the machine fixes it.
+    pub fn fixed_radius_sq(&self) -> Option<u32> {
+        let fixed = self.spatial().is_some_and(|s| s.radius == Radius::Format);
+        self.format()
+            .filter(|_| fixed)
+            .map(PhotonFormat::largest_in_range)
     }
 
     /// The most photons that one query may be given.
@@ -127,7 +166,8 @@ impl Machine {
 
     /// Photon tests per clock, with no waiting.
     pub fn photon_tests_per_clock(&self) -> f64 {
-        self.photons_per_iteration() as f64 / f64::from(self.microprogram().initiation_interval())
+        let tests = self.photons_per_iteration() * self.queries_at_once();
+        tests as f64 / self.rate().interval()
     }
 
     /// The machine's name as a Verilog identifier: the prefix of all its modules.
@@ -145,6 +185,58 @@ const fn plain(coordinate_bits: u32) -> Numbers {
     })
 }
 
+/// Registers wherever one can stand: at most one adder or table between two.
+const FINE: Cuts = Cuts::of(&[
+    Cut::Difference,
+    Cut::Magnitude,
+    Cut::Products,
+    Cut::Cross,
+    Cut::Square,
+    Cut::Pair,
+    Cut::Distance,
+    Cut::Range,
+    Cut::PairPower,
+    Cut::GroupPower,
+]);
+
+/// Two adders between two registers: a chip of many engines has no more flip-flops than LUTs.
+const COARSE: Cuts = Cuts::of(&[
+    Cut::Magnitude,
+    Cut::Products,
+    Cut::Square,
+    Cut::Distance,
+    Cut::Range,
+    Cut::PairPower,
+]);
+
+/// A tile of `2^query_axes` engines in the format that two of three built-in scenes' noise allows.
+const fn tile(name: &'static str, summary: &'static str, query_axes: u32) -> Machine {
+    Machine {
+        name,
+        summary,
+        dimension: 4 + query_axes,
+        numbers: Numbers::Local(PhotonFormat {
+            position_bits: 7,
+            query_extra_bits: 0,
+            power: PowerFormat {
+                channels: Channels::Rgb,
+                mantissa_bits: 6,
+                exponent: Exponent::None,
+                rounding: Rounding::Dithered,
+            },
+            max_photons: 1 << 12,
+        }),
+        squarer: Squarer::Digits,
+        organisation: Organisation::Spatial(Spatial {
+            query_axes,
+            radius: Radius::Format,
+            cuts: COARSE,
+            squarers: &[],
+            memory_groups: 0,
+        }),
+    }
+}
+
 /// All named machines, the default first.
 pub const MACHINES: &[Machine] = &[
     Machine {
@@ -153,6 +245,7 @@ pub const MACHINES: &[Machine] = &[
         dimension: 4,
         numbers: plain(8),
         squarer: Squarer::Digits,
+        organisation: Organisation::Sequential,
     },
     Machine {
         name: "paper-dsp",
@@ -160,6 +253,7 @@ pub const MACHINES: &[Machine] = &[
         dimension: 4,
         numbers: plain(8),
         squarer: Squarer::Product,
+        organisation: Organisation::Sequential,
     },
     Machine {
         name: "paper-12",
@@ -167,6 +261,7 @@ pub const MACHINES: &[Machine] = &[
         dimension: 4,
         numbers: plain(12),
         squarer: Squarer::Digits,
+        organisation: Organisation::Sequential,
     },
     Machine {
         name: "paper-5d",
@@ -174,6 +269,7 @@ pub const MACHINES: &[Machine] = &[
         dimension: 5,
         numbers: plain(8),
         squarer: Squarer::Digits,
+        organisation: Organisation::Sequential,
     },
     Machine {
         name: "local",
@@ -181,6 +277,7 @@ pub const MACHINES: &[Machine] = &[
         dimension: 4,
         numbers: Numbers::Local(PHOTON_FORMATS[0]),
         squarer: Squarer::Digits,
+        organisation: Organisation::Sequential,
     },
     Machine {
         name: "local-half",
@@ -191,6 +288,7 @@ pub const MACHINES: &[Machine] = &[
             ..PHOTON_FORMATS[0]
         }),
         squarer: Squarer::Digits,
+        organisation: Organisation::Sequential,
     },
     Machine {
         name: "fit-cornell",
@@ -208,6 +306,7 @@ pub const MACHINES: &[Machine] = &[
             max_photons: 1 << 12,
         }),
         squarer: Squarer::Digits,
+        organisation: Organisation::Sequential,
     },
     Machine {
         name: "fit-ring",
@@ -225,6 +324,7 @@ pub const MACHINES: &[Machine] = &[
             max_photons: 1 << 13,
         }),
         squarer: Squarer::Digits,
+        organisation: Organisation::Sequential,
     },
     Machine {
         name: "fit-range",
@@ -242,7 +342,60 @@ pub const MACHINES: &[Machine] = &[
             max_photons: 1 << 14,
         }),
         squarer: Squarer::Digits,
+        organisation: Organisation::Sequential,
     },
+    Machine {
+        name: "stream",
+        summary: "one engine of 16 cells that keep their instructions: a group of 4 photons a clock",
+        dimension: 4,
+        numbers: Numbers::Local(PhotonFormat {
+            power: PowerFormat {
+                exponent: Exponent::None,
+                rounding: Rounding::Dithered,
+                ..PHOTON_FORMATS[0].power
+            },
+            max_photons: 1 << 14,
+            ..PHOTON_FORMATS[0]
+        }),
+        squarer: Squarer::Digits,
+        organisation: Organisation::Spatial(Spatial {
+            query_axes: 0,
+            radius: Radius::Query,
+            cuts: FINE,
+            squarers: &[],
+            memory_groups: 0,
+        }),
+    },
+    tile(
+        "tile-5",
+        "2 engines in a chain: every photon is read once for 2 queries",
+        1,
+    ),
+    tile(
+        "tile-6",
+        "4 engines in a chain: every photon is read once for 4 queries",
+        2,
+    ),
+    tile(
+        "tile-7",
+        "8 engines in a chain: every photon is read once for 8 queries",
+        3,
+    ),
+    tile(
+        "tile-8",
+        "16 engines in a chain: every photon is read once for 16 queries",
+        4,
+    ),
+    tile(
+        "tile-9",
+        "32 engines in a chain: every photon is read once for 32 queries",
+        5,
+    ),
+    tile(
+        "tile-10",
+        "64 engines in a chain: every photon is read once for 64 queries",
+        6,
+    ),
 ];
 
 /// No machine has that name.
@@ -280,8 +433,10 @@ mod tests {
     fn every_named_machine_runs_a_legal_program_in_a_frame_that_holds_it() {
         for machine in MACHINES {
             assert_eq!(find_machine(machine.name), Ok(machine));
-            let verdict = check_schedule(&machine.microprogram(), machine.hypercube());
-            assert_eq!(verdict, Ok(()), "{}", machine.name);
+            if let Some(program) = machine.microprogram() {
+                let verdict = check_schedule(&program, machine.hypercube());
+                assert_eq!(verdict, Ok(()), "{}", machine.name);
+            }
             assert_eq!(
                 Machine::FRAME_BLOCKS << machine.position_bits(),
                 1 << Widths::of(machine).photon

@@ -7,6 +7,9 @@
 use crate::format::{Widths, bits_for};
 use crate::machine::Machine;
 use crate::register::{REGISTERS, Register};
+use crate::spatial::{
+    ENGINE_REGISTERS, EngineRegister, HeadRegister, HeadSizes, Instances, Spatial, SpatialWidths,
+};
 use crate::stream::{Group, Inputs, Lane, Outputs, Photon, Query, Sums};
 
 /// A signal: its Verilog name at the top level (or in the trace module) and its width.
@@ -33,6 +36,22 @@ pub enum SignalPlace {
         node: usize,
         /// The register.
         register: Register,
+    },
+    /// A register of a spatial machine's head.
+    Head {
+        /// The register.
+        register: HeadRegister,
+        /// Which of them; see [`HeadRegister`].
+        index: usize,
+    },
+    /// A register of an engine of a spatial machine.
+    Engine {
+        /// The engine, 0 next to the head.
+        engine: usize,
+        /// The register.
+        register: EngineRegister,
+        /// Which of them; see [`Instances`].
+        index: usize,
     },
 }
 
@@ -61,8 +80,13 @@ impl Pins {
         let widths = Widths::of(machine);
         let mut observed = output_pins(machine, &widths);
         let outputs = observed.len();
-        observed.extend(control_pins(machine));
-        observed.extend(cell_pins(machine, &widths));
+        match machine.spatial() {
+            Some(spatial) => observed.extend(SpatialPins::of(machine, spatial).registers()),
+            None => {
+                observed.extend(control_pins(machine));
+                observed.extend(cell_pins(machine, &widths));
+            }
+        }
         Self {
             inputs: input_pins(machine, &widths),
             observed,
@@ -79,10 +103,14 @@ impl Pins {
             u64::from(inputs.query.position[0]),
             u64::from(inputs.query.position[1]),
             u64::from(inputs.query.position[2]),
-            u64::from(inputs.query.radius_sq),
-            u64::from(inputs.group_valid),
-            u64::from(inputs.group.last),
         ];
+        row.extend(
+            shape
+                .has_radius
+                .then_some(u64::from(inputs.query.radius_sq)),
+        );
+        row.push(u64::from(inputs.group_valid));
+        row.push(u64::from(inputs.group.last));
         for lane in &inputs.group.lanes {
             row.push(u64::from(lane.present));
             row.extend(lane.photon.position.map(u64::from));
@@ -113,7 +141,10 @@ impl Pins {
         let query_valid = next() != 0;
         let query = Query {
             position: [next() as u32, next() as u32, next() as u32],
-            radius_sq: next() as u32,
+            radius_sq: match machine.fixed_radius_sq() {
+                Some(radius_sq) => radius_sq,
+                None => next() as u32,
+            },
         };
         let group_valid = next() != 0;
         let last = next() != 0;
@@ -182,6 +213,7 @@ impl Pins {
 struct PhotonPins {
     channels: usize,
     has_exponent: bool,
+    has_radius: bool,
 }
 
 impl PhotonPins {
@@ -189,6 +221,7 @@ impl PhotonPins {
         Self {
             channels: machine.channels().names().len(),
             has_exponent: Widths::of(machine).exponent > 0,
+            has_radius: machine.fixed_radius_sq().is_none(),
         }
     }
 }
@@ -206,7 +239,9 @@ fn input_pins(machine: &Machine, widths: &Widths) -> Vec<Pin> {
     for coordinate in PHOTON_COORDINATES {
         pins.push(top(format!("query_{coordinate}"), widths.coordinate));
     }
-    pins.push(top("query_radius_sq", widths.radius_sq));
+    if machine.fixed_radius_sq().is_none() {
+        pins.push(top("query_radius_sq", widths.radius_sq));
+    }
     pins.push(top("group_valid", 1));
     pins.push(top("group_last", 1));
     for lane in 0..machine.photons_per_iteration() {
@@ -231,14 +266,103 @@ fn output_pins(machine: &Machine, widths: &Widths) -> Vec<Pin> {
         top("group_ready", 1),
         top("result_valid", 1),
     ];
-    for sum in machine.channels().names().iter().chain([&COUNT]) {
-        pins.push(top(format!("result_{sum}"), widths.sum));
+    for channel in machine.channels().names() {
+        pins.push(top(format!("result_{channel}"), widths.sum));
     }
+    // Where the count has an adder of its own, it has a width of its own.
+    let count = match (machine.spatial(), machine.format()) {
+        (Some(_), Some(format)) => SpatialWidths::of(format).count,
+        _ => widths.sum,
+    };
+    pins.push(top(format!("result_{COUNT}"), count));
     pins
 }
 
+/// The registers of a spatial machine.
+struct SpatialPins<'a> {
+    machine: &'a Machine,
+    spatial: &'a Spatial,
+    widths: SpatialWidths,
+    channels: &'static [&'static str],
+}
+
+impl<'a> SpatialPins<'a> {
+    fn of(machine: &'a Machine, spatial: &'a Spatial) -> Self {
+        let format = machine
+            .format()
+            .expect("a spatial machine has a photon format");
+        Self {
+            machine,
+            spatial,
+            widths: SpatialWidths::of(format),
+            channels: machine.channels().names(),
+        }
+    }
+
+    fn registers(&self) -> Vec<Pin> {
+        let mut pins = Vec::new();
+        for register in HeadRegister::ALL {
+            self.head_register(register, &mut pins);
+        }
+        for engine in 0..self.spatial.engines() {
+            self.engine_registers(engine, &mut pins);
+        }
+        pins
+    }
+
+    fn head_register(&self, register: HeadRegister, pins: &mut Vec<Pin>) {
+        let sizes = HeadSizes::of(self.spatial);
+        let stages = self.spatial.cuts.latency() as usize;
+        let lanes = stages * Spatial::LANES;
+        let (count, width) = match register {
+            HeadRegister::Loaded => (1, sizes.loaded_bits),
+            HeadRegister::Open => (1, 1),
+            HeadRegister::Spacing => (1, sizes.spacing_bits),
+            HeadRegister::Room => (1, sizes.room_bits),
+            HeadRegister::WritePlace | HeadRegister::ReadPlace => (1, sizes.place_bits),
+            HeadRegister::DelayPower => (lanes * self.channels.len(), self.widths.power),
+            HeadRegister::DelayPresent => (lanes, 1),
+            HeadRegister::DelayFirst | HeadRegister::DelayLast => (stages, 1),
+        };
+        pins.extend((0..count).map(|index| Pin {
+            name: format!("head_{}_{index}", register.name()),
+            width,
+            place: SignalPlace::Head { register, index },
+        }));
+    }
+
+    fn engine_registers(&self, engine: usize, pins: &mut Vec<Pin>) {
+        let squarer = self.spatial.squarer(self.machine.squarer, engine);
+        for row in ENGINE_REGISTERS {
+            if !row.is_in(self.spatial, squarer) {
+                continue;
+            }
+            let count = row.instances.count(self.spatial, self.channels.len());
+            pins.extend((0..count).map(|index| Pin {
+                name: self.engine_pin(engine, row.name, row.instances, index),
+                width: (row.width)(&self.widths),
+                place: SignalPlace::Engine {
+                    engine,
+                    register: row.register,
+                    index,
+                },
+            }));
+        }
+    }
+
+    fn engine_pin(&self, engine: usize, name: &str, instances: Instances, index: usize) -> String {
+        format!(
+            "engine_{engine}_{name}{}",
+            instances.suffix(index, self.channels)
+        )
+    }
+}
+
 fn control_pins(machine: &Machine) -> Vec<Pin> {
-    let addresses = machine.microprogram().steps().len() as u128;
+    let program = machine
+        .microprogram()
+        .expect("a machine without engines has a program");
+    let addresses = program.steps().len() as u128;
     CONTROL_REGISTERS
         .iter()
         .zip([bits_for(addresses - 1), 1, 1])
@@ -294,7 +418,7 @@ mod tests {
                 query_valid: false,
                 query: Query {
                     position: [101, 102, 103],
-                    radius_sq: 104,
+                    radius_sq: machine.fixed_radius_sq().unwrap_or(104),
                 },
                 group_valid: true,
                 group: Group {
@@ -329,11 +453,13 @@ mod tests {
 
     #[test]
     fn names_are_unique() {
-        let pins = Pins::of(&MACHINES[0]);
-        let mut names: Vec<_> = pins.inputs.iter().chain(&pins.observed).collect();
-        let all = names.len();
-        names.sort_by(|a, b| a.name.cmp(&b.name));
-        names.dedup_by(|a, b| a.name == b.name);
-        assert_eq!(names.len(), all);
+        for machine in MACHINES {
+            let pins = Pins::of(machine);
+            let mut names: Vec<_> = pins.inputs.iter().chain(&pins.observed).collect();
+            let all = names.len();
+            names.sort_by(|a, b| a.name.cmp(&b.name));
+            names.dedup_by(|a, b| a.name == b.name);
+            assert_eq!(names.len(), all);
+        }
     }
 }

@@ -4,7 +4,7 @@ use photoncube_spec::{ControlWord, FIELDS, Field, Machine, find_machine};
 
 /// Every control word with the fields that are not zero.
 fn disassemble(machine: &Machine) -> String {
-    let program = machine.microprogram();
+    let program = machine.microprogram().expect("it runs a program");
     let words = program.control_words();
     let steps = program.steps();
     let lines = steps.iter().zip(words).enumerate();

@@ -54,6 +54,7 @@ impl<const M: usize, const Q: usize> Logic for SquarerBlock<M, Q> {
             (Squarer::Product, Power::HalfSquare) => product_text("root * root + root"),
             (Squarer::Digits, Power::Square) => square_text(M),
             (Squarer::Digits, Power::HalfSquare) => half_square_text(M),
+            (Squarer::Table, _) => unreachable!("tables are in spatial machines"),
         })
     }
 }

@@ -1,0 +1,92 @@
+//! The spatial machines, `stream` and `tile`: every cell keeps its instruction, and data flows
+//! through registers.
+//!
+//! # Engines
+//! An *engine* is the 4-D cube of 16 cells that holds one query: cell (photon g, role R) of engine
+//! e is node `16 e + 4 R + g`. A machine has `2^query_axes` engines in a chain; `stream` has one.
+//! Each clock an engine tests the four photons of a group.
+//!
+//! # Waves
+//! A group enters at the *head* and passes from engine to engine, one a clock, through *hop*
+//! registers, so that every net is short and every photon is read once. Positions go first. Powers
+//! follow as a second wave, [`Cuts::latency`] clocks later, which is when an engine has decided
+//! which of the photons are in range; so only the head delays them, once for all engines. The head
+//! also decodes powers and clears those of absent photons.
+//!
+//! Queries travel as *tokens* in the same direction: an engine without a next query keeps the first
+//! token that comes and passes on the later ones. The first group of a batch makes each engine take
+//! its next query as its query in the clock in which the group arrives, so a change costs none.
+//! With the last group, sums are complete; each engine then puts them on the result chain, which
+//! runs back to the head. Results of one batch never meet there, as engine e's leave 2 e clocks
+//! after the first; the head keeps batches far enough apart that no two do.
+//!
+//! Reset travels as a wave as well: each engine clears its flags when the wave arrives and in the
+//! clock after, so that nothing that comes against it slips past.
+//!
+//! # Batches
+//! A *batch* is `2^query_axes` queries, the first for engine 0, and the groups of photons that all
+//! of them are tested against. Queries of the next batch are taken from the clock on in which the
+//! first group of this one is. Results come in the order of the queries.
+
+mod cuts;
+mod head;
+mod registers;
+mod widths;
+
+pub use cuts::{Cut, Cuts};
+pub use head::HeadSizes;
+pub use registers::{ENGINE_REGISTERS, EngineRegister, EngineRow, HeadRegister, Instances};
+pub use widths::SpatialWidths;
+
+use crate::format::Squarer;
+
+/// What a spatial machine has beside its numbers.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub struct Spatial {
+    /// Axes above the engine's four, which join queries: `2^query_axes` engines.
+    pub query_axes: u32,
+    /// Where the search radius comes from.
+    pub radius: Radius,
+    /// Where the pipeline has registers.
+    pub cuts: Cuts,
+    /// Squarers of other kinds than the machine's own: this many engines of each kind, from engine
+    /// 0 on. A device has tables (block RAMs), products (DSP blocks) and LUTs to make squares of.
+    pub squarers: &'static [(Squarer, usize)],
+    /// Groups that each of the two banks of the photon memory holds; 0: no memory, the group stream
+    /// goes straight to the head. With a memory, a set of photons is read in once and played to
+    /// batch after batch, until a batch that says it is the set's last.
+    pub memory_groups: u32,
+}
+
+/// Where the search radius comes from.
+#[derive(Copy, Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Radius {
+    /// Each query has its own, up to the format's.
+    Query,
+    /// It is always the format's: a constant, and no pin.
+    Format,
+}
+
+impl Spatial {
+    /// Cells of an engine.
+    pub const ENGINE_CELLS: usize = 16;
+    /// Photons that an engine tests in a clock, one in each quad: the lanes of a group.
+    pub const LANES: usize = 4;
+
+    /// Engines, so queries of a batch.
+    pub fn engines(&self) -> usize {
+        1 << self.query_axes
+    }
+
+    /// The kind of squarer of an engine of a machine whose own kind is `own`.
+    pub fn squarer(&self, own: Squarer, engine: usize) -> Squarer {
+        let mut first = 0;
+        for &(kind, engines) in self.squarers {
+            first += engines;
+            if engine < first {
+                return kind;
+            }
+        }
+        own
+    }
+}

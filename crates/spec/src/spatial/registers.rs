@@ -1,0 +1,382 @@
+//! The registers of a spatial machine, one row each.
+
+use super::cuts::Cut;
+use super::widths::SpatialWidths;
+use super::{Radius, Spatial};
+use crate::format::Squarer;
+
+/// A register of an engine.
+#[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum EngineRegister {
+    /// The wave of a reset.
+    Reset,
+    /// A query passes by.
+    TokenValid,
+    /// Its coordinates.
+    Token,
+    /// Its squared search radius.
+    TokenRadius,
+    /// There is a query for the next batch.
+    NextValid,
+    /// Its coordinates.
+    Next,
+    /// Its squared search radius.
+    NextRadius,
+    /// The query's coordinates.
+    Query,
+    /// Its squared search radius.
+    QueryRadius,
+    /// The radius follows the photons that it is for: one at each cut from `Difference` to
+    /// `Distance`.
+    RadiusDelay,
+    /// Hop: the coordinates of the photons.
+    Photon,
+    /// d = query - photon.
+    Difference,
+    /// |d|, for squares from digits.
+    Magnitude,
+    /// d once more, for other squares.
+    MagnitudeDelay,
+    /// The squares of the two digits of |d|, side by side: high^2 4^(r-4) + low^2.
+    Squares,
+    /// The high digit times the two lowest bits of the low one.
+    LowProduct,
+    /// The high digit times the other bits of the low one.
+    HighProduct,
+    /// |d| exceeds r bits.
+    ProductsFar,
+    /// d^2 in 2 r bits from a table, and above it whether |d| exceeds r bits.
+    Lookup,
+    /// d^2 as one product, in full.
+    Product,
+    /// `Squares` once more.
+    CrossSquares,
+    /// The product of the digits.
+    Cross,
+    /// `ProductsFar` once more.
+    CrossFar,
+    /// `Lookup` once more.
+    LookupDelay,
+    /// `Product` once more.
+    ProductDelay,
+    /// d^2 modulo 2^(2 r).
+    Square,
+    /// |d| exceeds r bits.
+    SquareFar,
+    /// x^2 + y^2.
+    PairSquare,
+    /// z^2.
+    PairZ,
+    /// Some |d| exceeds r bits.
+    PairFar,
+    /// x^2 + y^2 + z^2.
+    Distance,
+    /// Some |d| exceeds r bits.
+    DistanceFar,
+    /// The photon is in range: no axis far and distance <= `radius_sq`.
+    InRange,
+    /// Hop: the decoded powers of the photons, 0 for an absent one.
+    Power,
+    /// Hop: whether there is a photon.
+    Present,
+    /// Hop: the group is the first of its batch.
+    First,
+    /// Hop: the group is the last of its batch.
+    Last,
+    /// The powers of photons in range.
+    GatedPower,
+    /// Whether there is a photon in range.
+    GatedPresent,
+    /// `First` once more.
+    GateFirst,
+    /// `Last` once more.
+    GateLast,
+    /// Sums over photons 0 and 1, and over 2 and 3.
+    PairPower,
+    /// How many of those are in range.
+    PairCount,
+    /// `First` once more.
+    PairFirst,
+    /// `Last` once more.
+    PairLast,
+    /// Sums over the group.
+    GroupPower,
+    /// How many of the group are in range.
+    GroupCount,
+    /// `First` once more.
+    GroupFirst,
+    /// `Last` once more.
+    GroupLast,
+    /// The sums of the query so far; a first group replaces them.
+    Sum,
+    /// The photons in range so far.
+    Count,
+    /// The sums are complete.
+    Done,
+    /// The result chain has a result here: this engine's, or one from further on.
+    ResultValid,
+    /// Its sums.
+    Result,
+    /// Its count.
+    ResultCount,
+}
+
+/// How many of a register an engine has, and in which order.
+#[derive(Copy, Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Instances {
+    /// One.
+    One,
+    /// One for x, y, z.
+    Axes,
+    /// Axis a of lane g is at 3 g + a.
+    Coordinates,
+    /// One for each lane.
+    Lanes,
+    /// Channel c of lane g is at `channels` g + c.
+    LaneChannels,
+    /// Lanes 0 and 1, lanes 2 and 3.
+    Pairs,
+    /// Channel c of pair i is at `channels` i + c.
+    PairChannels,
+    /// One for each channel.
+    Channels,
+    /// One for each cut from `Difference` to `Distance` that the machine has.
+    RadiusDelays,
+}
+
+/// One row of the table of an engine's registers.
+#[derive(Copy, Clone, Debug)]
+pub struct EngineRow {
+    /// The register.
+    pub register: EngineRegister,
+    /// Its name in pins and in the emitted Verilog.
+    pub name: &'static str,
+    /// How many there are.
+    pub instances: Instances,
+    /// The width of each in bits.
+    pub width: fn(&SpatialWidths) -> u32,
+    /// When a machine, or an engine of it, has the register.
+    condition: Condition,
+}
+
+#[derive(Copy, Clone, Debug)]
+enum Condition {
+    Always,
+    /// Queries have a radius of their own.
+    QueryRadius,
+    At(Cut),
+    /// At the cut in engines with squarers of this kind.
+    Squarer(Cut, Squarer),
+    /// At the cut in engines with squarers of another kind.
+    NotSquarer(Cut, Squarer),
+}
+
+impl EngineRow {
+    /// Whether an engine with that kind of squarer has the register.
+    pub fn is_in(&self, spatial: &Spatial, squarer: Squarer) -> bool {
+        let has = |cut| spatial.cuts.has(cut);
+        match self.condition {
+            Condition::Always => true,
+            Condition::QueryRadius => spatial.radius == Radius::Query,
+            Condition::At(cut) => has(cut),
+            Condition::Squarer(cut, kind) => has(cut) && squarer == kind,
+            Condition::NotSquarer(cut, kind) => has(cut) && squarer != kind,
+        }
+    }
+}
+
+impl EngineRegister {
+    /// The register's row.
+    pub fn row(self) -> &'static EngineRow {
+        &ENGINE_REGISTERS[self as usize]
+    }
+}
+
+impl Instances {
+    /// How many there are in an engine, with so many channels.
+    pub fn count(self, spatial: &Spatial, channels: usize) -> usize {
+        match self {
+            Self::One => 1,
+            Self::Axes => 3,
+            Self::Coordinates => 3 * Spatial::LANES,
+            Self::Lanes => Spatial::LANES,
+            Self::LaneChannels => channels * Spatial::LANES,
+            Self::Pairs => Spatial::LANES / 2,
+            Self::PairChannels => channels * Spatial::LANES / 2,
+            Self::Channels => channels,
+            Self::RadiusDelays => {
+                let before_range = Cut::ALL.into_iter().take_while(|&cut| cut < Cut::Range);
+                before_range.filter(|&cut| spatial.cuts.has(cut)).count()
+            }
+        }
+    }
+
+    /// What tells one from the others in names: empty for one, `_x`, `_x_2` (axis, lane), `_2`,
+    /// `_red_2` (channel, lane or pair), `_red`.
+    pub fn suffix(self, index: usize, channels: &[&str]) -> String {
+        const AXES: [&str; 3] = ["x", "y", "z"];
+        match self {
+            Self::One => String::new(),
+            Self::Axes => format!("_{}", AXES[index]),
+            Self::Coordinates => format!("_{}_{}", AXES[index % 3], index / 3),
+            Self::Lanes | Self::Pairs | Self::RadiusDelays => format!("_{index}"),
+            Self::LaneChannels | Self::PairChannels => {
+                let count = channels.len();
+                format!("_{}_{}", channels[index % count], index / count)
+            }
+            Self::Channels => format!("_{}", channels[index]),
+        }
+    }
+}
+
+/// A register of the head.
+#[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum HeadRegister {
+    /// Queries taken for the next batch.
+    Loaded,
+    /// A batch has begun and its last group is still to come.
+    Open,
+    /// Clocks until a last group may be taken.
+    Spacing,
+    /// Places in the queue that are neither taken nor promised.
+    Room,
+    /// The place in the queue that the next result goes to.
+    WritePlace,
+    /// The place in the queue of the result on the pins.
+    ReadPlace,
+    /// The delay line of the powers, one for each stage, lane and channel: channel c of lane g in
+    /// stage i is at (4 i + g) `channels` + c. Stage 0 is nearest to the pins; there are
+    /// [`super::Cuts::latency`] stages.
+    DelayPower,
+    /// The same for presence: lane g in stage i is at 4 i + g.
+    DelayPresent,
+    /// The same for the first group's flag, one for each stage.
+    DelayFirst,
+    /// The same for the last group's flag.
+    DelayLast,
+}
+
+impl HeadRegister {
+    /// All of them, in order.
+    pub const ALL: [Self; 10] = [
+        Self::Loaded,
+        Self::Open,
+        Self::Spacing,
+        Self::Room,
+        Self::WritePlace,
+        Self::ReadPlace,
+        Self::DelayPower,
+        Self::DelayPresent,
+        Self::DelayFirst,
+        Self::DelayLast,
+    ];
+
+    /// Its name in pins and in the emitted Verilog.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Loaded => "loaded",
+            Self::Open => "open",
+            Self::Spacing => "spacing",
+            Self::Room => "room",
+            Self::WritePlace => "write_place",
+            Self::ReadPlace => "read_place",
+            Self::DelayPower => "delay_power",
+            Self::DelayPresent => "delay_present",
+            Self::DelayFirst => "delay_first",
+            Self::DelayLast => "delay_last",
+        }
+    }
+}
+
+macro_rules! rows {
+    ($($register:ident $name:literal $instances:ident $width:expr, $condition:expr;)+) => {
+        /// The registers of an engine, one row each, in the order of [`EngineRegister`].
+        pub const ENGINE_REGISTERS: &[EngineRow] = &[$(EngineRow {
+            register: EngineRegister::$register,
+            name: $name,
+            instances: Instances::$instances,
+            width: $width,
+            condition: $condition,
+        },)+];
+    };
+}
+
+use Condition::{Always, At, NotSquarer, QueryRadius};
+use Squarer::{Digits, Product, Table};
+
+rows! {
+    Reset "reset" One |_| 1, Always;
+    TokenValid "token_valid" One |_| 1, Always;
+    Token "token" Axes |w| w.coordinate, Always;
+    TokenRadius "token_radius_sq" One |w| w.radius_sq, QueryRadius;
+    NextValid "next_valid" One |_| 1, Always;
+    Next "next" Axes |w| w.coordinate, Always;
+    NextRadius "next_radius_sq" One |w| w.radius_sq, QueryRadius;
+    Query "query" Axes |w| w.coordinate, Always;
+    QueryRadius "query_radius_sq" One |w| w.radius_sq, QueryRadius;
+    RadiusDelay "radius_sq_delay" RadiusDelays |w| w.radius_sq, QueryRadius;
+    Photon "photon" Coordinates |w| w.coordinate, Always;
+    Difference "difference" Coordinates |w| w.difference, At(Cut::Difference);
+    Magnitude "magnitude" Coordinates |w| w.coordinate, Condition::Squarer(Cut::Magnitude, Digits);
+    MagnitudeDelay "magnitude_delay" Coordinates |w| w.difference,
+        NotSquarer(Cut::Magnitude, Digits);
+    Squares "squares" Coordinates |w| w.square, Condition::Squarer(Cut::Products, Digits);
+    LowProduct "low_product" Coordinates |w| w.low_product,
+        Condition::Squarer(Cut::Products, Digits);
+    HighProduct "high_product" Coordinates |w| w.high_product,
+        Condition::Squarer(Cut::Products, Digits);
+    ProductsFar "products_far" Coordinates |_| 1, Condition::Squarer(Cut::Products, Digits);
+    Lookup "lookup" Coordinates |w| w.square + 1, Condition::Squarer(Cut::Products, Table);
+    Product "product" Coordinates |w| w.product, Condition::Squarer(Cut::Products, Product);
+    CrossSquares "cross_squares" Coordinates |w| w.square, Condition::Squarer(Cut::Cross, Digits);
+    Cross "cross" Coordinates |w| w.cross, Condition::Squarer(Cut::Cross, Digits);
+    CrossFar "cross_far" Coordinates |_| 1, Condition::Squarer(Cut::Cross, Digits);
+    LookupDelay "lookup_delay" Coordinates |w| w.square + 1, Condition::Squarer(Cut::Cross, Table);
+    ProductDelay "product_delay" Coordinates |w| w.product,
+        Condition::Squarer(Cut::Cross, Product);
+    Square "square" Coordinates |w| w.square, At(Cut::Square);
+    SquareFar "square_far" Coordinates |_| 1, At(Cut::Square);
+    PairSquare "pair_square" Lanes |w| w.pair, At(Cut::Pair);
+    PairZ "pair_z" Lanes |w| w.square, At(Cut::Pair);
+    PairFar "pair_far" Lanes |_| 1, At(Cut::Pair);
+    Distance "distance" Lanes |w| w.distance, At(Cut::Distance);
+    DistanceFar "distance_far" Lanes |_| 1, At(Cut::Distance);
+    InRange "in_range" Lanes |_| 1, At(Cut::Range);
+    Power "power" LaneChannels |w| w.power, Always;
+    Present "present" Lanes |_| 1, Always;
+    First "first" One |_| 1, Always;
+    Last "last" One |_| 1, Always;
+    GatedPower "gated_power" LaneChannels |w| w.power, At(Cut::Gate);
+    GatedPresent "gated_present" Lanes |_| 1, At(Cut::Gate);
+    GateFirst "gate_first" One |_| 1, At(Cut::Gate);
+    GateLast "gate_last" One |_| 1, At(Cut::Gate);
+    PairPower "pair_power" PairChannels |w| w.pair_power, At(Cut::PairPower);
+    PairCount "pair_count" Pairs |_| SpatialWidths::PAIR_COUNT, At(Cut::PairPower);
+    PairFirst "pair_first" One |_| 1, At(Cut::PairPower);
+    PairLast "pair_last" One |_| 1, At(Cut::PairPower);
+    GroupPower "group_power" Channels |w| w.group_power, At(Cut::GroupPower);
+    GroupCount "group_count" One |_| SpatialWidths::GROUP_COUNT, At(Cut::GroupPower);
+    GroupFirst "group_first" One |_| 1, At(Cut::GroupPower);
+    GroupLast "group_last" One |_| 1, At(Cut::GroupPower);
+    Sum "sum" Channels |w| w.sum, Always;
+    Count "count" One |w| w.count, Always;
+    Done "done" One |_| 1, Always;
+    ResultValid "result_valid" One |_| 1, Always;
+    Result "result" Channels |w| w.sum, Always;
+    ResultCount "result_count" One |w| w.count, Always;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_stand_in_the_order_of_the_enum() {
+        for (index, row) in ENGINE_REGISTERS.iter().enumerate() {
+            assert_eq!(row.register as usize, index);
+        }
+        for (index, register) in HeadRegister::ALL.into_iter().enumerate() {
+            assert_eq!(register as usize, index);
+        }
+    }
+}
