@@ -318,7 +318,7 @@ impl<'a> SpatialPins<'a> {
             HeadRegister::Loaded => (1, sizes.loaded_bits),
             HeadRegister::Open => (1, 1),
             HeadRegister::Spacing => (1, sizes.spacing_bits),
-            HeadRegister::Room => (1, sizes.room_bits),
+            HeadRegister::Promised => (1, sizes.promised_bits),
             HeadRegister::WritePlace | HeadRegister::ReadPlace => (1, sizes.place_bits),
             HeadRegister::DelayPower => (lanes * self.channels.len(), self.widths.power),
             HeadRegister::DelayPresent => (lanes, 1),

@@ -20,8 +20,8 @@
 //! runs back to the head. Results of one batch never meet there, as engine e's leave 2 e clocks
 //! after the first; the head keeps batches far enough apart that no two do.
 //!
-//! Reset travels as a wave as well: each engine clears its flags when the wave arrives and in the
-//! clock after, so that nothing that comes against it slips past.
+//! Reset travels as a wave as well: each engine clears its flags when the wave arrives, and its
+//! place on the result chain in the clock after too, so that no result slips past the wave.
 //!
 //! # Batches
 //! A *batch* is `2^query_axes` queries, the first for engine 0, and the groups of photons that all

@@ -29,6 +29,8 @@ pub enum EngineRegister {
     /// The radius follows the photons that it is for: one at each cut from `Difference` to
     /// `Distance`.
     RadiusDelay,
+    /// Hop: the group whose positions arrive is the first of its batch, and the query changes.
+    Swap,
     /// Hop: the coordinates of the photons.
     Photon,
     /// d = query - photon.
@@ -238,8 +240,8 @@ pub enum HeadRegister {
     Open,
     /// Clocks until a last group may be taken.
     Spacing,
-    /// Places in the queue that are neither taken nor promised.
-    Room,
+    /// Places in the queue that are taken or promised.
+    Promised,
     /// The place in the queue that the next result goes to.
     WritePlace,
     /// The place in the queue of the result on the pins.
@@ -262,7 +264,7 @@ impl HeadRegister {
         Self::Loaded,
         Self::Open,
         Self::Spacing,
-        Self::Room,
+        Self::Promised,
         Self::WritePlace,
         Self::ReadPlace,
         Self::DelayPower,
@@ -277,7 +279,7 @@ impl HeadRegister {
             Self::Loaded => "loaded",
             Self::Open => "open",
             Self::Spacing => "spacing",
-            Self::Room => "room",
+            Self::Promised => "promised",
             Self::WritePlace => "write_place",
             Self::ReadPlace => "read_place",
             Self::DelayPower => "delay_power",
@@ -315,6 +317,7 @@ rows! {
     Query "query" Axes |w| w.coordinate, Always;
     QueryRadius "query_radius_sq" One |w| w.radius_sq, QueryRadius;
     RadiusDelay "radius_sq_delay" RadiusDelays |w| w.radius_sq, QueryRadius;
+    Swap "swap" One |_| 1, Always;
     Photon "photon" Coordinates |w| w.coordinate, Always;
     Difference "difference" Coordinates |w| w.difference, At(Cut::Difference);
     Magnitude "magnitude" Coordinates |w| w.coordinate, Condition::Squarer(Cut::Magnitude, Digits);
