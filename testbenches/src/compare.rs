@@ -3,7 +3,9 @@
 
 use std::fmt;
 
-use photoncube_spec::{Inputs, Machine, Pins, REGISTERS, SignalPlace, Step};
+use photoncube_spec::{
+    EngineRegister, Inputs, Instances, Machine, Pins, REGISTERS, SignalPlace, Step,
+};
 
 use crate::device::Observed;
 use crate::stimulus::Block;
@@ -28,6 +30,8 @@ pub enum Activity {
     WaitsFor(Step),
     /// It held its result, which was taken or not.
     HasResult,
+    /// Every cell did what it does in every clock.
+    Flows,
 }
 
 /// The first difference between a device and the golden model.
@@ -71,6 +75,7 @@ impl fmt::Display for Activity {
             Self::Step(step) => write!(f, "{step}"),
             Self::WaitsFor(step) => write!(f, "none, waits for its stream to do {step}"),
             Self::HasResult => f.write_str("none, has a result"),
+            Self::Flows => f.write_str("all, as in every clock"),
         }
     }
 }
@@ -118,6 +123,7 @@ impl fmt::Display for Divergence {
 pub(crate) struct Comparer<'a> {
     machine: &'a Machine,
     pins: Pins,
+    /// The program's steps; none where there is no program.
     steps: Vec<Step>,
     visible: usize,
     /// The clock before the block: its row of inputs and its row of signals.
@@ -131,7 +137,7 @@ impl<'a> Comparer<'a> {
         Self {
             machine,
             pins: Pins::of(machine),
-            steps: machine.microprogram().steps(),
+            steps: machine.microprogram().map_or(Vec::new(), |p| p.steps()),
             visible,
             before: None,
             vectors: 0,
@@ -192,8 +198,8 @@ impl<'a> Comparer<'a> {
         let differing = (0..self.visible).filter(differs);
         // The control block leads the cells, and both lead the outputs.
         let rank = |&column: &usize| match self.pins.observed[column].place {
-            SignalPlace::Control(_) => 0,
-            SignalPlace::Cell { .. } => 1,
+            SignalPlace::Control(_) | SignalPlace::Head { .. } => 0,
+            SignalPlace::Cell { .. } | SignalPlace::Engine { .. } => 1,
             SignalPlace::Top => 2,
         };
         let column = differing.clone().min_by_key(rank);
@@ -231,6 +237,13 @@ impl<'a> Comparer<'a> {
         registers: &[u64],
         place: SignalPlace,
     ) -> (Activity, Vec<(String, u64)>) {
+        if self.steps.is_empty() {
+            let near = |other| is_near(self.machine, place, other);
+            let registers = self.pins.observed.iter().zip(registers);
+            let near = registers.filter(|(pin, _)| near(pin.place));
+            let operands = near.map(|(pin, &value)| (pin.name.clone(), value));
+            return (Activity::Flows, operands.collect());
+        }
         let value = |wanted: SignalPlace| {
             let mut places = self.pins.observed.iter().map(|pin| pin.place);
             let column = places.position(|place| place == wanted);
@@ -273,6 +286,34 @@ impl<'a> Comparer<'a> {
             }
         }
         (activity, operands)
+    }
+}
+
+/// Whether one register of a spatial machine may feed another: both in the head, or both in one
+/// engine and of one lane, if they are of a lane.
+fn is_near(machine: &Machine, place: SignalPlace, other: SignalPlace) -> bool {
+    let channels = machine.channels().names().len();
+    let lane = |register: EngineRegister, index| match register.row().instances {
+        Instances::Lanes => Some(index),
+        Instances::Coordinates => Some(index / 3),
+        Instances::LaneChannels => Some(index / channels),
+        _ => None,
+    };
+    match (place, other) {
+        (SignalPlace::Head { .. }, SignalPlace::Head { index, .. }) => index == 0,
+        (
+            SignalPlace::Engine {
+                engine,
+                register,
+                index,
+            },
+            SignalPlace::Engine {
+                engine: e,
+                register: r,
+                index: i,
+            },
+        ) => engine == e && (lane(r, i).is_none() || lane(r, i) == lane(register, index)),
+        _ => false,
     }
 }
 

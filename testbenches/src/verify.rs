@@ -16,7 +16,7 @@ use crate::stimulus::{Block, Source, StimulusError, generate};
 /// How much is verified, on what.
 #[derive(Copy, Clone, Debug)]
 pub struct VerifyOptions<'a> {
-    /// At least this many iterations: groups taken and accumulated. A workload ends with its last
+    /// At least this many iterations: groups whose sums are taken. A workload ends with its last
     /// query, if that comes first.
     pub iterations: u64,
     /// The seed of random stimulus.
@@ -36,7 +36,7 @@ pub struct Verdict {
     pub tool_version: String,
     /// The seed of the stimulus.
     pub seed: u64,
-    /// Groups taken and accumulated.
+    /// Groups whose sums were taken.
     pub iterations: u64,
     /// Results taken; each was also held against the direct gather.
     pub results_compared: u64,

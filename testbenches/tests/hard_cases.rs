@@ -22,12 +22,19 @@ fn iterations_of_a_case(kind: DeviceKind) -> usize {
     }
 }
 
+/// The most engines of a machine that is put through the cases in devices.
+const LONGEST_CHAIN: usize = 2;
+
 fn main() {
     let mut trials = Vec::new();
     for machine in MACHINES {
         trials.push(Trial::test(format!("counts::{}", machine.name), || {
             counts(machine)
         }));
+        // The engines of a longer chain are the same module.
+        if machine.queries_at_once() > LONGEST_CHAIN {
+            continue;
+        }
         for kind in [
             DeviceKind::RustHdl,
             DeviceKind::Icarus,
@@ -103,9 +110,14 @@ fn in_device(machine: &Machine, kind: DeviceKind) -> Result<(), Failed> {
         verdict.iterations,
         verdict.vectors_compared
     );
-    assert_eq!(verdict.results_compared, all.len() as u64);
+    // Where a machine tests several queries at once, a query may be there several times.
+    let results = verdict.results_compared;
+    assert!(results >= all.len() as u64);
+    assert!(machine.queries_at_once() > 1 || results == all.len() as u64);
     assert_eq!(verdict.mismatches, 0);
-    assert!(verdict.registers_compared && verdict.vectors_compared > 9 * verdict.iterations);
+    assert!(verdict.registers_compared);
+    let clocks = machine.rate().interval() * verdict.iterations as f64;
+    assert!(verdict.vectors_compared as f64 > clocks);
     let with_photons = HARD_CASES.iter().filter(|case| has_photons(case, machine));
     assert_eq!(cases, with_photons.count());
     assert!(cases >= 20 && ties > 100, "{cases} cases, {ties} ties");

@@ -34,7 +34,9 @@ pub enum WorkloadError {
 
 /// Query points picked at random from the view, each with the quantised photons that it
 /// gathers, until they make at least `groups` groups of [`Machine::photons_per_iteration`] (a
-/// query's last group may not be full). Queries without photons are passed over.
+/// query's last group may not be full). Queries without photons are passed over. For a machine that
+/// tests several queries at once, pixels around the picked one follow it, as many as share its
+/// photons, up to that number.
 ///
 /// A photon list can exceed [`Machine::max_photons`] only where rendering fails as well.
 ///
@@ -54,19 +56,20 @@ pub fn workload(
     let mut queries = Vec::new();
     let (mut have, mut barren) = (0, 0);
     while have < groups {
-        let x = rng.random_range(0..options.width);
-        let y = rng.random_range(0..options.height);
-        let sample = rng.random_range(0..options.samples_per_pixel());
-        let seen = options.samples(scene, x, y).nth(sample as usize);
-        let point = seen.and_then(|sample| sample.query);
-        let photons: Vec<Photon> = match &point {
-            Some(point) => quantised.photons(point.position, point.normal),
-            None => Vec::new(),
+        let pixel = Pixel {
+            x: rng.random_range(0..options.width),
+            y: rng.random_range(0..options.height),
+            sample: rng.random_range(0..options.samples_per_pixel()),
         };
-        match point.filter(|_| !photons.is_empty()) {
-            Some(point) => {
+        let look = |pixel| seen(scene, options, &quantised, pixel);
+        match look(pixel) {
+            Some((query, photons)) => {
                 have += photons.len().div_ceil(machine.photons_per_iteration()) as u64;
-                queries.push((quantised.query(point.position), photons));
+                let around = pixel.around(options, machine.queries_at_once());
+                let others = around.filter_map(look).filter(|(_, seen)| *seen == photons);
+                let others: Vec<_> = others.collect();
+                queries.push((query, photons));
+                queries.extend(others.into_iter().take(machine.queries_at_once() - 1));
                 barren = 0;
             }
             None if barren == BARREN_PIXELS => return Err(WorkloadError::NothingGathered),
@@ -74,6 +77,43 @@ pub fn workload(
         }
     }
     Ok(queries)
+}
+
+/// A sample of a pixel.
+#[derive(Copy, Clone)]
+struct Pixel {
+    x: u32,
+    y: u32,
+    sample: u32,
+}
+
+impl Pixel {
+    /// The same sample of the other pixels of a square of at least so many pixels around this one,
+    /// inside the picture; for one pixel none.
+    fn around(self, options: &ViewOptions, pixels: usize) -> impl Iterator<Item = Self> + use<> {
+        let reach = (pixels as f64).sqrt().ceil() as u32 / 2;
+        let within =
+            |centre: u32, size: u32| centre.saturating_sub(reach)..=(centre + reach).min(size - 1);
+        let columns = within(self.x, options.width);
+        let rows = within(self.y, options.height);
+        let pixels = rows.flat_map(move |y| columns.clone().map(move |x| Self { x, y, ..self }));
+        pixels.filter(move |other| (other.x, other.y) != (self.x, self.y))
+    }
+}
+
+/// The query that a sample sees, with its photons, if it gathers any.
+fn seen(
+    scene: &Scene,
+    options: &ViewOptions,
+    quantised: &MachineMap<'_>,
+    pixel: Pixel,
+) -> Option<(Query, Vec<Photon>)> {
+    let sample = options
+        .samples(scene, pixel.x, pixel.y)
+        .nth(pixel.sample as usize);
+    let point = sample?.query?;
+    let photons = quantised.photons(point.position, point.normal);
+    (!photons.is_empty()).then(|| (quantised.query(point.position), photons))
 }
 
 #[cfg(test)]

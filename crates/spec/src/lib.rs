@@ -42,7 +42,7 @@ pub use schedule::{
     Content, ScheduleError, ScheduleReport, UnitUse, check_schedule, schedule_report,
 };
 pub use spatial::{
-    Cut, Cuts, ENGINE_REGISTERS, EngineRegister, EngineRow, HeadRegister, HeadSizes, Instances,
-    Radius, Spatial, SpatialWidths,
+    Cut, Cuts, ENGINE_REGISTERS, EngineRegister, EngineRow, EngineUnits, FlowRow, HeadRegister,
+    HeadSizes, Instances, Radius, Spatial, SpatialWidths,
 };
 pub use stream::{Group, Inputs, Lane, Outputs, Photon, Query, Sums};

@@ -102,6 +102,15 @@ impl Machine {
         Rate { groups: 1, clocks }
     }
 
+    /// Clocks for a whole workload with no waiting, `groups` counted over all batches of queries.
+    pub fn workload_clocks(&self, batches: u64, groups: u64) -> u64 {
+        match self.microprogram() {
+            Some(program) => program.workload_clocks(batches, groups),
+            // A query change costs no clock; the end of the last batch costs the latency.
+            None => groups + self.spatial().map_or(0, |s| s.latency_clocks().into()),
+        }
+    }
+
     /// Its photon format; none in plain numbers.
     pub fn format(&self) -> Option<&PhotonFormat> {
         match &self.numbers {

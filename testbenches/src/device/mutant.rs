@@ -1,6 +1,6 @@
 //! The golden model with a planted fault: it tests that the comparison sees faults.
 
-use photoncube_model::StepMachine;
+use photoncube_model::{GoldenMachine, golden_machine};
 use photoncube_spec::{Inputs, Machine, Pins};
 
 use super::{Device, DeviceError, Observed};
@@ -12,7 +12,7 @@ type RowFault = Box<dyn Fn(u64, &mut [u64])>;
 
 /// A golden model that a fault stands before and another behind.
 pub struct Mutant {
-    model: StepMachine,
+    model: Box<dyn GoldenMachine>,
     machine: Machine,
     columns: usize,
     visible: usize,
@@ -26,7 +26,7 @@ impl Mutant {
     pub fn sound(machine: &Machine) -> Self {
         let pins = Pins::of(machine);
         Self {
-            model: StepMachine::new(machine),
+            model: golden_machine(machine),
             machine: *machine,
             columns: pins.inputs.len(),
             visible: pins.observed.len(),
@@ -73,7 +73,7 @@ impl Device for Mutant {
             let mut inputs = Pins::inputs_of(&self.machine, row);
             (self.input_fault)(self.clock, &mut inputs);
             let first = observed.values.len();
-            self.model.observe(&mut observed.values);
+            self.model.observe(&inputs, &mut observed.values);
             (self.row_fault)(self.clock, &mut observed.values[first..]);
             observed.values.truncate(first + self.visible);
             self.model.clock(&inputs);

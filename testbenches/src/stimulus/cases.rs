@@ -5,22 +5,33 @@ use rand::{Rng, RngExt};
 
 use super::aim::Aim;
 
-/// A query with all its groups, at least one, the last marked as such.
+/// The queries that a machine tests at once, with all their groups, at least one, the last marked
+/// as such.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Case {
-    pub query: Query,
+    /// [`Machine::queries_at_once`] queries.
+    pub queries: Vec<Query>,
     pub groups: Vec<Group>,
 }
 
 impl Case {
-    /// The case with the photons of a real scene, in their order. Absent lanes repeat the query
-    /// point at full power: a machine that wrongly counted one would show it.
-    pub fn pack(machine: &Machine, query: Query, photons: &[Photon]) -> Self {
+    /// The case with the photons of a real scene, in their order. Where there are fewer queries than
+    /// the machine tests at once, the last is there several times. Absent lanes repeat the first
+    /// query point at full power: a machine that wrongly counted one would show it.
+    ///
+    /// # Panics
+    /// Without a query, or with more than the machine tests at once.
+    pub fn pack(machine: &Machine, queries: &[Query], photons: &[Photon]) -> Self {
         let lanes = machine.photons_per_iteration();
+        let last = *queries.last().expect("a case has a query");
+        let at_once = machine.queries_at_once();
+        assert!(queries.len() <= at_once);
+        let repeats = std::iter::repeat_n(last, at_once - queries.len());
+        let queries: Vec<_> = queries.iter().copied().chain(repeats).collect();
         let absent = Lane {
             present: false,
             photon: Photon {
-                position: Aim::of(machine).cell(query.position),
+                position: Aim::of(machine).cell(queries[0].position),
                 ..full_scale(machine)
             },
         };
@@ -38,8 +49,21 @@ impl Case {
             }
         });
         Self {
-            query,
             groups: groups.collect(),
+            queries,
+        }
+    }
+
+    /// A query that no photon comes to.
+    pub fn empty(machine: &Machine) -> Self {
+        let query = Query {
+            radius_sq: machine.fixed_radius_sq().unwrap_or(0),
+            ..Query::default()
+        };
+        let lanes = vec![Lane::default(); machine.photons_per_iteration()];
+        Self {
+            queries: vec![query; machine.queries_at_once()],
+            groups: vec![Group { lanes, last: true }],
         }
     }
 
@@ -52,7 +76,7 @@ impl Case {
             radius_sq: largest_radius_sq(machine),
             ..Query::default()
         };
-        Self::pack(machine, query, &vec![full_scale(machine); count])
+        Self::pack(machine, &[query], &vec![full_scale(machine); count])
     }
 }
 
@@ -98,6 +122,8 @@ pub(crate) struct Cases<'a, R> {
     aim: Aim,
     full: Photon,
     largest_radius_sq: u32,
+    fixed_radius_sq: Option<u32>,
+    at_once: usize,
     lanes: usize,
     rng: &'a mut R,
 }
@@ -109,6 +135,8 @@ impl<'a, R: Rng> Cases<'a, R> {
             aim: Aim::of(machine),
             full: full_scale(machine),
             largest_radius_sq: largest_radius_sq(machine),
+            fixed_radius_sq: machine.fixed_radius_sq(),
+            at_once: machine.queries_at_once(),
             lanes: machine.photons_per_iteration(),
             rng,
         }
@@ -122,12 +150,19 @@ impl<'a, R: Rng> Cases<'a, R> {
             Theme::Farthest => 0,
             _ => self.corner(self.widths.coordinate),
         });
-        let pivot = self.photon_position(theme, position, None);
-        let query = Query {
+        let pivot = match (theme, self.fixed_radius_sq) {
+            (Theme::Shell, Some(radius_sq)) => self.at_radius(position, radius_sq),
+            _ => self.photon_position(theme, position, None),
+        };
+        let first = Query {
             position,
             radius_sq: self.radius_sq(self.aim.distance_sq(position, pivot)),
         };
+        let others = (1..self.at_once).map(|_| self.companion(first));
+        let queries = [first].into_iter().chain(others).collect();
         let count = match self.rng.random_range(0..16) {
+            // Long enough that batches follow each other in a chain of engines without waiting.
+            0..=3 if self.at_once > 1 => self.rng.random_range(1..=4 * self.at_once),
             0 => self.rng.random_range(1..=40),
             1..=3 => 3,
             4..=7 => 2,
@@ -138,9 +173,48 @@ impl<'a, R: Rng> Cases<'a, R> {
             last: index + 1 == count,
         });
         Case {
-            query,
+            queries,
             groups: groups.collect(),
         }
+    }
+
+    /// Another query of the same batch: the same, some steps off, or anywhere.
+    fn companion(&mut self, first: Query) -> Query {
+        let bits = self.widths.coordinate;
+        let position = match self.rng.random_range(0..4) {
+            0 => first.position,
+            1 => [(); 3].map(|()| self.corner(bits)),
+            _ => first.position.map(|coordinate| {
+                let offset = self.rng.random_range(0..=4_u32);
+                (coordinate + offset).saturating_sub(2).min(largest(bits))
+            }),
+        };
+        let tie = u64::from(first.radius_sq) + self.rng.random_range(0..2);
+        Query {
+            position,
+            radius_sq: self.radius_sq(tie),
+        }
+    }
+
+    /// A photon within a step of the radius, in a random direction; on a side of the query where the
+    /// frame ends first it is nearer.
+    fn at_radius(&mut self, query: [u32; 3], radius_sq: u32) -> [u32; 3] {
+        let x = self.rng.random_range(0..=radius_sq.isqrt());
+        let y = self.rng.random_range(0..=(radius_sq - x * x).isqrt());
+        let z = (radius_sq - x * x - y * y).isqrt() + self.rng.random_range(0..=1);
+        let mut steps = [x, y, z];
+        steps.rotate_left(self.rng.random_range(0..3));
+        let limit = largest(self.widths.photon);
+        let mut axis = 0;
+        self.aim.cell(query).map(|centre| {
+            let step = steps[axis];
+            axis += 1;
+            if self.rng.random() {
+                (centre + step).min(limit)
+            } else {
+                centre.saturating_sub(step)
+            }
+        })
     }
 
     fn theme(&mut self) -> Theme {
@@ -156,6 +230,9 @@ impl<'a, R: Rng> Cases<'a, R> {
 
     /// Mostly at the edge of a photon at the pivot's distance; sometimes an extreme.
     fn radius_sq(&mut self, tie: u64) -> u32 {
+        if let Some(fixed) = self.fixed_radius_sq {
+            return fixed;
+        }
         let limit = u64::from(self.largest_radius_sq);
         let farthest = self
             .aim
@@ -282,7 +359,10 @@ impl<'a, R: Rng> Cases<'a, R> {
     pub fn garbage_query(&mut self) -> Query {
         Query {
             position: [(); 3].map(|()| self.uniform(self.widths.coordinate)),
-            radius_sq: self.uniform(self.widths.radius_sq),
+            radius_sq: match self.fixed_radius_sq {
+                Some(fixed) => fixed,
+                None => self.uniform(self.widths.radius_sq),
+            },
         }
     }
 
@@ -342,10 +422,14 @@ mod tests {
             let mut met = BTreeSet::new();
             for _ in 0..5_000 {
                 let case = cases.case();
-                limits.check_query(&case.query).unwrap();
-                let tie = u64::from(case.query.radius_sq);
+                assert_eq!(case.queries.len(), machine.queries_at_once());
+                for query in &case.queries {
+                    limits.check_query(query).unwrap();
+                }
+                let query = case.queries[0];
+                let tie = u64::from(query.radius_sq);
                 met.insert(if tie == 0 { "radius 0" } else { "radius" });
-                if case.query.radius_sq == largest_radius_sq(machine) {
+                if query.radius_sq == largest_radius_sq(machine) {
                     met.insert("radius max");
                 }
                 if case.groups.iter().all(|g| g.photons().count() == 0) {
@@ -355,7 +439,7 @@ mod tests {
                 for lane in case.groups.iter().flat_map(|group| &group.lanes) {
                     limits.check_photon(&lane.photon).unwrap();
                     let aim = Aim::of(machine);
-                    let distance = aim.distance_sq(case.query.position, lane.photon.position);
+                    let distance = aim.distance_sq(query.position, lane.photon.position);
                     met.extend(lane_corners(machine, lane, distance, tie));
                 }
             }
@@ -373,7 +457,11 @@ mod tests {
                 "tie",
                 "zero power",
             ];
-            assert_eq!(met, BTreeSet::from(wanted), "{}", machine.name);
+            let mut wanted = BTreeSet::from(wanted);
+            if machine.fixed_radius_sq().is_some() {
+                wanted.remove("radius 0");
+            }
+            assert_eq!(met, wanted, "{}", machine.name);
         }
     }
 
@@ -417,7 +505,7 @@ mod tests {
         };
         for count in [0, 1, 3, 4, 5, 8, 9] {
             let photons: Vec<_> = (0..count).map(photon).collect();
-            let case = Case::pack(machine, Query::default(), &photons);
+            let case = Case::pack(machine, &[Query::default()], &photons);
             let packed: Vec<_> = case.groups.iter().flat_map(Group::photons).collect();
             assert_eq!(packed, photons);
             assert_eq!(case.groups.len(), photons.len().div_ceil(4).max(1));

@@ -1,10 +1,13 @@
 //! Drives cases through the golden model clock by clock and writes down what went in and what
 //! every signal was.
 
+use std::collections::VecDeque;
 use std::ops::ControlFlow;
 
-use photoncube_model::{StepMachine, gather};
-use photoncube_spec::{Group, Inputs, Lane, Machine, Microprogram, Op, Outputs, Pins, Query};
+use photoncube_model::{GoldenMachine, gather, golden_machine};
+use photoncube_spec::{
+    Group, HeadSizes, Inputs, Lane, Machine, Microprogram, Outputs, Pins, Query,
+};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
@@ -81,8 +84,9 @@ pub(crate) type Sink<'a> = dyn FnMut(Block) -> ControlFlow<()> + 'a;
 /// Runs the golden model, a chunk at a time.
 pub(crate) struct Driver<'a> {
     machine: &'a Machine,
-    program: Microprogram,
-    model: StepMachine,
+    /// Which clocks a query takes, where a program says so.
+    program: Option<Microprogram>,
+    model: Box<dyn GoldenMachine>,
     rng: Pcg64,
     block: Block,
     sink: &'a mut Sink<'a>,
@@ -96,10 +100,10 @@ pub(crate) struct Driver<'a> {
 struct Batch<'a> {
     cases: &'a [Case],
     traffic: Traffic,
-    /// The query that the machine works on.
-    in_flight: Option<usize>,
-    /// The first query that has not been taken.
-    next_query: usize,
+    /// The queries whose results are to come, each as its case and its index in that.
+    in_flight: VecDeque<(usize, usize)>,
+    /// The first query that has not been taken, in the same way.
+    next_query: (usize, usize),
     /// The case, and the index in it, of the group to be offered next.
     next_group: (usize, usize),
     /// That group stands on the pins and stays until it is taken.
@@ -108,12 +112,66 @@ struct Batch<'a> {
     occupied: u64,
 }
 
+impl<'a> Batch<'a> {
+    fn new(cases: &'a [Case], traffic: Traffic) -> Self {
+        Self {
+            cases,
+            traffic,
+            in_flight: VecDeque::new(),
+            next_query: (0, 0),
+            next_group: (0, 0),
+            offered: false,
+            occupied: 0,
+        }
+    }
+
+    fn is_done(&self) -> bool {
+        self.in_flight.is_empty() && self.next_query.0 >= self.cases.len()
+    }
+
+    fn query(&self) -> Option<Query> {
+        let (case, index) = self.next_query;
+        self.cases.get(case).map(|case| case.queries[index])
+    }
+
+    /// What was under way is lost, a case that is half in too.
+    fn reset(&mut self) {
+        let (case, index) = self.next_query;
+        let next = case + usize::from(index > 0);
+        self.next_query = (next, 0);
+        self.next_group = (next, 0);
+        self.in_flight.clear();
+        self.offered = false;
+    }
+
+    fn take_query(&mut self) {
+        let (case, index) = self.next_query;
+        self.in_flight.push_back(self.next_query);
+        self.next_query = if index + 1 < self.cases[case].queries.len() {
+            (case, index + 1)
+        } else {
+            (case + 1, 0)
+        };
+        self.occupied = 1;
+    }
+
+    fn take_group(&mut self) {
+        let (case, index) = self.next_group;
+        self.next_group = if index + 1 < self.cases[case].groups.len() {
+            (case, index + 1)
+        } else {
+            (case + 1, 0)
+        };
+        self.offered = false;
+    }
+}
+
 impl<'a> Driver<'a> {
     pub fn new(machine: &'a Machine, sink: &'a mut Sink<'a>) -> Self {
         Self {
             machine,
             program: machine.microprogram(),
-            model: StepMachine::new(machine),
+            model: golden_machine(machine),
             rng: Pcg64::seed_from_u64(0),
             block: Block::default(),
             sink,
@@ -145,26 +203,24 @@ impl<'a> Driver<'a> {
             seed,
             ..Block::default()
         };
-        let zeros = Case {
-            query: Query::default(),
-            groups: vec![Group {
-                last: true,
-                ..self.idle_inputs().group
-            }],
-        };
         let reset = Inputs {
             reset: true,
             ..self.idle_inputs()
         };
+        let (cases, flushing) = self.scrubbing();
         if self.step(&reset).is_break()
-            || self.run(&[zeros], Traffic::STREAMING)?.is_break()
+            || self.run(&cases, Traffic::STREAMING)?.is_break()
+            || self.flush_pipeline(flushing).is_break()
             || self.step(&reset).is_break()
+            || self.flush_pipeline(flushing).is_break()
         {
             return Ok(ControlFlow::Break(()));
         }
+        let idle = self.idle_inputs();
         let (mut scrubbed, mut fresh) = (Vec::new(), Vec::new());
-        self.model.observe(&mut scrubbed);
-        self.after_the_same(&self.block.inputs).observe(&mut fresh);
+        self.model.observe(&idle, &mut scrubbed);
+        let after = self.after_the_same(&self.block.inputs);
+        after.observe(&idle, &mut fresh);
         if scrubbed != fresh {
             return Err(StimulusError::NotScrubbed {
                 machine: self.machine.name,
@@ -176,9 +232,27 @@ impl<'a> Driver<'a> {
         Ok(ControlFlow::Continue(()))
     }
 
+    /// Cases without photons that set every word that holds a sum, and the clocks in which a
+    /// pipeline then runs empty.
+    fn scrubbing(&self) -> (Vec<Case>, usize) {
+        let Some(spatial) = self.machine.spatial() else {
+            return (vec![Case::empty(self.machine)], 0);
+        };
+        let cases = HeadSizes::of(spatial).queue / spatial.engines();
+        let pipeline = (spatial.cuts.latency() + spatial.cuts.power_latency()) as usize;
+        let clocks = 2 * spatial.engines() + 2 * pipeline;
+        (vec![Case::empty(self.machine); cases], clocks)
+    }
+
+    /// So many clocks with zeros on all pins.
+    fn flush_pipeline(&mut self, clocks: usize) -> ControlFlow<()> {
+        let idle = self.idle_inputs();
+        (0..clocks).try_for_each(|_| self.step(&idle))
+    }
+
     /// The machine after these rows of inputs from power-up on.
-    fn after_the_same(&self, rows: &[u64]) -> StepMachine {
-        let mut fresh = StepMachine::new(self.machine);
+    fn after_the_same(&self, rows: &[u64]) -> Box<dyn GoldenMachine> {
+        let mut fresh = golden_machine(self.machine);
         let columns = Pins::of(self.machine).inputs.len();
         for row in rows.chunks_exact(columns) {
             fresh.clock(&Pins::inputs_of(self.machine, row));
@@ -207,30 +281,21 @@ impl<'a> Driver<'a> {
         cases: &[Case],
         traffic: Traffic,
     ) -> Result<ControlFlow<()>, StimulusError> {
-        let mut batch = Batch {
-            cases,
-            traffic,
-            in_flight: None,
-            next_query: 0,
-            next_group: (0, 0),
-            offered: false,
-            occupied: 0,
-        };
+        let mut batch = Batch::new(cases, traffic);
         let mut inputs = self.idle_inputs();
-        while batch.in_flight.is_some() || batch.next_query < cases.len() {
-            let outputs = self.model.outputs();
+        while !batch.is_done() {
             inputs.reset = traffic.resets && self.rng.random_ratio(1, 100);
             inputs.result_ready = traffic.result.draw(&mut self.rng);
-            self.offer_query(&mut inputs, outputs, &batch);
             self.offer_group(&mut inputs, &mut batch);
-            let works = self.works(&inputs);
+            // No output depends on the query, so the query may depend on the outputs.
+            let outputs = self.model.outputs(&inputs);
+            self.offer_query(&mut inputs, outputs, &batch);
+            let works = self.model.works(&inputs);
             if self.step(&inputs).is_break() {
                 return Ok(ControlFlow::Break(()));
             }
             if inputs.reset {
-                batch.in_flight = None;
-                batch.next_group = (batch.next_query, 0);
-                batch.offered = false;
+                batch.reset();
             } else {
                 batch.occupied += u64::from(works);
                 self.transfer(&inputs, outputs, &mut batch)?;
@@ -243,14 +308,14 @@ impl<'a> Driver<'a> {
     /// its place.
     fn offer_query(&mut self, inputs: &mut Inputs, outputs: Outputs, batch: &Batch<'_>) {
         let traffic = batch.traffic;
-        let next = batch.cases.get(batch.next_query);
+        let next = batch.query();
         let feint = traffic.garbage && !outputs.query_ready;
         inputs.query_valid = traffic.query.draw(&mut self.rng) && (next.is_some() || feint);
         let wanted = inputs.query_valid && outputs.query_ready;
         inputs.query = match next {
-            Some(case) if wanted || !traffic.garbage => case.query,
+            Some(query) if wanted || !traffic.garbage => query,
             _ if traffic.garbage => Cases::new(self.machine, &mut self.rng).garbage_query(),
-            _ => Query::default(),
+            _ => self.idle_inputs().query,
         };
     }
 
@@ -267,15 +332,6 @@ impl<'a> Driver<'a> {
         }
     }
 
-    /// Whether the machine does something with these inputs, rather than wait for a stream.
-    fn works(&self, inputs: &Inputs) -> bool {
-        if self.model.control().done {
-            return inputs.result_ready;
-        }
-        let row = self.model.step().op.row();
-        (!row.reads_query || inputs.query_valid) && (!row.reads_group || inputs.group_valid)
-    }
-
     fn transfer(
         &mut self,
         inputs: &Inputs,
@@ -283,24 +339,21 @@ impl<'a> Driver<'a> {
         batch: &mut Batch<'_>,
     ) -> Result<(), StimulusError> {
         if outputs.query_ready && inputs.query_valid {
-            batch.in_flight = Some(batch.next_query);
-            batch.next_query += 1;
-            batch.occupied = 1;
+            batch.take_query();
         }
         if outputs.group_ready && inputs.group_valid {
-            let (case, index) = batch.next_group;
-            batch.next_group = if inputs.group.last {
-                (case + 1, 0)
-            } else {
-                (case, index + 1)
-            };
-            batch.offered = false;
+            batch.take_group();
         }
         if outputs.result_valid && inputs.result_ready {
-            let taken = batch.in_flight.take();
-            let taken = taken.expect("the model has a result only for a query that it took");
+            let taken = batch.in_flight.pop_front();
+            let (case, index) = taken.expect("a result is only of a query that was taken");
+            let case = &batch.cases[case];
             self.block.results += 1;
-            self.check_result(&batch.cases[taken], outputs, batch.occupied)?;
+            self.check_result(case, case.queries[index], outputs, batch.occupied)?;
+            if index + 1 == case.queries.len() {
+                self.iterations += case.groups.len() as u64;
+                self.block.iterations += case.groups.len() as u64;
+            }
         }
         Ok(())
     }
@@ -309,12 +362,15 @@ impl<'a> Driver<'a> {
     fn check_result(
         &self,
         case: &Case,
+        query: Query,
         outputs: Outputs,
         machine_clocks: u64,
     ) -> Result<(), StimulusError> {
         let photons = case.groups.iter().flat_map(Group::photons);
-        let gathered = gather(self.machine, &case.query, photons)?;
-        let program_clocks = self.program.occupied_clocks(case.groups.len() as u64);
+        let gathered = gather(self.machine, &query, photons)?;
+        let groups = case.groups.len() as u64;
+        let program = self.program.as_ref();
+        let program_clocks = program.map_or(machine_clocks, |p| p.occupied_clocks(groups));
         if outputs.result == gathered && machine_clocks == program_clocks {
             return Ok(());
         }
@@ -335,27 +391,28 @@ impl<'a> Driver<'a> {
                 lanes: vec![Lane::default(); self.machine.photons_per_iteration()],
                 last: false,
             },
+            query: Query {
+                radius_sq: self.machine.fixed_radius_sq().unwrap_or(0),
+                ..Query::default()
+            },
             ..Inputs::default()
         }
     }
 
     /// One clock: writes down the inputs and what the machine shows, then the rising edge.
     fn step(&mut self, inputs: &Inputs) -> ControlFlow<()> {
+        // Before the clock, not after it: what is taken in a clock counts in its block.
+        if self.block.clocks >= BLOCK_CLOCKS && self.flush().is_break() {
+            return ControlFlow::Break(());
+        }
         self.block
             .inputs
             .extend(Pins::input_row(self.machine, inputs));
-        self.model.observe(&mut self.block.expected);
-        let accumulates = self.model.step().op == Op::Accumulate && !self.model.control().done;
+        self.model.observe(inputs, &mut self.block.expected);
         self.model.clock(inputs);
-        let iterations = u64::from(accumulates && !inputs.reset);
         self.clocks += 1;
-        self.iterations += iterations;
         self.block.clocks += 1;
-        self.block.iterations += iterations;
-        if self.block.clocks < BLOCK_CLOCKS {
-            return ControlFlow::Continue(());
-        }
-        self.flush()
+        ControlFlow::Continue(())
     }
 
     /// Hands on what is in the block, if anything.

@@ -28,7 +28,8 @@ use drive::{Driver, Traffic};
 pub enum Source<'a> {
     /// Random, weighted towards the corners, with waiting, garbage and resets; the seed decides.
     Random,
-    /// Queries with their photons, one after the other without waiting, once each at most.
+    /// Queries with their photons, one after the other without waiting, once each at most. Neighbours
+    /// with the same photons are tested at once where the machine can.
     Workload {
         /// The queries.
         queries: &'a [(Query, Vec<Photon>)],
@@ -54,7 +55,7 @@ pub struct Block {
     pub expected: Vec<u64>,
     /// Clocks, so rows.
     pub clocks: usize,
-    /// Groups taken and accumulated.
+    /// Groups whose sums were taken.
     pub iterations: u64,
     /// Results taken.
     pub results: u64,
@@ -195,21 +196,30 @@ fn workload(
     if queries.is_empty() || driver.begin_chunk(0, seed)?.is_break() {
         return Ok(ControlFlow::Break(()));
     }
-    for batch in queries.chunks(MAX_BATCH) {
+    for batch in queries.chunks(MAX_BATCH * machine.queries_at_once()) {
         if driver.iterations() >= iterations {
             break;
         }
         let mut cases = Vec::new();
-        for (query, photons) in batch {
-            // Refuses what the pins cannot hold, before it is put on them.
-            photoncube_model::gather(machine, query, photons.iter().copied())?;
-            cases.push(Case::pack(machine, *query, photons));
+        for shared in batch.chunk_by(|(_, photons), (_, next)| photons == next) {
+            for together in shared.chunks(machine.queries_at_once()) {
+                cases.push(packed(machine, together)?);
+            }
         }
         if driver.run(&cases, Traffic::STREAMING)?.is_break() {
             return Ok(ControlFlow::Break(()));
         }
     }
     Ok(driver.flush())
+}
+
+/// Refuses what the pins cannot hold, before it is put on them.
+fn packed(machine: &Machine, together: &[(Query, Vec<Photon>)]) -> Result<Case, GatherError> {
+    for (query, photons) in together {
+        photoncube_model::gather(machine, query, photons.iter().copied())?;
+    }
+    let queries: Vec<_> = together.iter().map(|(query, _)| *query).collect();
+    Ok(Case::pack(machine, &queries, &together[0].1))
 }
 
 #[cfg(test)]
@@ -252,7 +262,7 @@ mod tests {
         let machine = &MACHINES[0];
         let pins = Pins::of(machine);
         let mut seen = vec![0; pins.observed.len()];
-        for block in blocks(machine, Source::Random, 0, 8 * CHUNK_ITERATIONS) {
+        for block in blocks(machine, Source::Random, 1, 8 * CHUNK_ITERATIONS) {
             for row in block.inputs.chunks(pins.inputs.len()) {
                 for (value, pin) in row.iter().zip(&pins.inputs) {
                     assert_eq!(value >> pin.width, 0, "{}", pin.name);
@@ -301,7 +311,7 @@ mod tests {
             Pins::of(machine).observed.len(),
         );
         let address = address_column(machine);
-        let steps = machine.microprogram().steps();
+        let steps = machine.microprogram().unwrap().steps();
         let mut offered: Option<Group> = None;
         let mut met = [0; 7];
         for block in blocks(machine, Source::Random, 2, 5_000) {
@@ -382,7 +392,7 @@ mod tests {
         };
         let blocks = blocks(machine, source, 0, u64::MAX);
         let clocks: usize = blocks.iter().map(|block| block.clocks).sum();
-        let occupied = machine.microprogram().occupied_clocks(3);
+        let occupied = machine.microprogram().unwrap().occupied_clocks(3);
         assert_eq!(clocks as u64, SCRUB_CLOCKS as u64 + 50 * occupied);
         assert_eq!(
             blocks.iter().map(|block| block.iterations).sum::<u64>(),

@@ -56,7 +56,8 @@ struct MachineRow {
     max_photons: u64,
     squarer: &'static str,
     photons_per_iteration: usize,
-    initiation_interval: u32,
+    queries_at_once: usize,
+    initiation_interval: f64,
     photon_tests_per_clock: f64,
     #[serde(flatten)]
     measured: Measured,
@@ -117,7 +118,8 @@ fn machine_row(machine: &Machine) -> Result<MachineRow> {
         max_photons: machine.max_photons(),
         squarer: machine.squarer.name(),
         photons_per_iteration: machine.photons_per_iteration(),
-        initiation_interval: machine.microprogram().initiation_interval(),
+        queries_at_once: machine.queries_at_once(),
+        initiation_interval: machine.rate().interval(),
         photon_tests_per_clock: machine.photon_tests_per_clock(),
         measured: Measured::of(machine)?,
     })
@@ -195,6 +197,17 @@ fn machine_table(machines: &[MachineRow]) -> String {
     table::markdown(&header, &rows)
 }
 
+fn clocks_cell(row: &MachineRow) -> String {
+    let queries = match row.queries_at_once {
+        1 => String::new(),
+        queries => format!(", {queries} queries"),
+    };
+    format!(
+        "{} for {} photons{queries}",
+        row.initiation_interval, row.photons_per_iteration
+    )
+}
+
 fn table_row(row: &MachineRow) -> Vec<String> {
     let not_measured = || "not measured".to_owned();
     let luts = |area: &Option<Area>| match area {
@@ -209,10 +222,7 @@ fn table_row(row: &MachineRow) -> Vec<String> {
     let without = &row.measured.area_without_dsp;
     vec![
         row.machine.to_owned(),
-        format!(
-            "{} for {} photons",
-            row.initiation_interval, row.photons_per_iteration
-        ),
+        clocks_cell(row),
         luts(without),
         dsp(&row.measured.area_with_dsp),
         without

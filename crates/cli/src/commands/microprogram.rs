@@ -1,9 +1,11 @@
 //! `microprogram`: the schedule, its utilisation, and the checker's verdict.
 
+mod spatial;
+
 use std::fs;
 use std::path::Path;
 
-use anyhow::{Context, Result, anyhow};
+use anyhow::{Context, Result, anyhow, bail};
 use photoncube_spec::{
     Machine, Microprogram, ScheduleReport, check_schedule, parse_listing, schedule_report,
 };
@@ -33,9 +35,11 @@ struct Report {
 /// Prints a machine's program, or checks a listing.
 pub fn execute(args: &MicroprogramArgs, json: bool) -> Result<()> {
     let machine = args.machine.find()?;
-    let (source, program) = match &args.file {
-        None => (format!("machine {}", machine.name), machine.microprogram()),
-        Some(path) => (path.display().to_string(), read(path)?),
+    let (source, program) = match (&args.file, machine.microprogram(), machine.spatial()) {
+        (Some(path), _, _) => (path.display().to_string(), read(path)?),
+        (None, Some(program), _) => (format!("machine {}", machine.name), program),
+        (None, None, Some(spatial)) => return spatial::execute(machine, spatial, json),
+        (None, None, None) => bail!("machine `{}` has no listing", machine.name),
     };
     let (report, schedule) = report(machine, source, &program);
     output::print(json, &report, || text(&report, &schedule))?;
@@ -115,7 +119,11 @@ mod tests {
     #[test]
     fn the_papers_schedule_report() {
         let machine = find_machine("paper").unwrap();
-        let (report, schedule) = report(machine, "paper".to_owned(), &machine.microprogram());
+        let (report, schedule) = report(
+            machine,
+            "paper".to_owned(),
+            &machine.microprogram().unwrap(),
+        );
         insta::assert_snapshot!(text(&report, &schedule));
     }
 }

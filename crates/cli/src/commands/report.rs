@@ -39,7 +39,7 @@ struct Row {
     /// The machine's photon format; null in the paper's plain numbers.
     format: Option<String>,
     bits_per_photon: u32,
-    initiation_interval: Option<u32>,
+    initiation_interval: Option<f64>,
     photon_tests_per_clock: Option<f64>,
     area_without_dsp: Option<Area>,
     fmax_mhz: Option<f64>,
@@ -138,7 +138,7 @@ fn row(bench: &ErrorBench, engine: Engine<'static>) -> Result<Row> {
             let measured = Measured::of(machine)?;
             let (rate, fmax_mhz) = (machine.photon_tests_per_clock(), measured.fmax.fmax_mhz);
             Row {
-                initiation_interval: Some(machine.microprogram().initiation_interval()),
+                initiation_interval: Some(machine.rate().interval()),
                 photon_tests_per_clock: Some(rate),
                 area_without_dsp: measured.area_without_dsp,
                 fmax_mhz,

@@ -36,7 +36,9 @@ struct Report {
     photon_tests: u64,
     photon_groups: u64,
     bits_per_photon: u32,
-    initiation_interval: u32,
+    initiation_interval: f64,
+    photons_per_iteration: usize,
+    queries_at_once: usize,
     photon_tests_per_clock: f64,
     clocks: u64,
     /// On emitted Verilog alone: rust-hdl's own simulation is not counted.
@@ -98,7 +100,6 @@ pub fn execute(args: &RunArgs, json: bool) -> Result<()> {
     reference.image.write_png(&reference_path, EXPOSURE)?;
 
     let (rms_relative_error, rel_mse, rmse) = errors(&rendering.image, &reference.image)?;
-    let program = machine.microprogram();
     let stats = rendering.stats;
     let report = Report {
         scene: args.scene.clone(),
@@ -113,9 +114,11 @@ pub fn execute(args: &RunArgs, json: bool) -> Result<()> {
         photon_tests: stats.photon_tests,
         photon_groups: stats.photon_groups,
         bits_per_photon: machine.bits_per_photon(),
-        initiation_interval: program.initiation_interval(),
+        initiation_interval: machine.rate().interval(),
+        photons_per_iteration: machine.photons_per_iteration(),
+        queries_at_once: machine.queries_at_once(),
         photon_tests_per_clock: machine.photon_tests_per_clock(),
-        clocks: program.workload_clocks(stats.query_points, stats.photon_groups),
+        clocks: machine.workload_clocks(stats.query_points, stats.photon_groups),
         vectors_compared: proof.on_verilog().map(|v| v.vectors_compared).sum(),
         mismatches: proof.verdicts.iter().map(|v| v.mismatches).sum(),
         devices: proof.verdicts,
@@ -248,7 +251,7 @@ fn text(report: &Report) -> String {
         r.photon_groups,
         r.clocks,
         r.initiation_interval,
-        r.photons_per_iteration(),
+        r.photons_per_iteration,
         r.photon_tests_per_clock,
         100.0 * r.rms_relative_error,
         r.rel_mse,
@@ -292,10 +295,4 @@ fn fitted_line(fitted: &Fitted) -> String {
         row.measurement.error_over_noise,
         fitted.noise_ratio,
     )
-}
-
-impl Report {
-    fn photons_per_iteration(&self) -> f64 {
-        self.photon_tests_per_clock * f64::from(self.initiation_interval)
-    }
 }

@@ -29,11 +29,13 @@
 //! first group of this one is. Results come in the order of the queries.
 
 mod cuts;
+mod flow;
 mod head;
 mod registers;
 mod widths;
 
 pub use cuts::{Cut, Cuts};
+pub use flow::{EngineUnits, FlowRow};
 pub use head::HeadSizes;
 pub use registers::{ENGINE_REGISTERS, EngineRegister, EngineRow, HeadRegister, Instances};
 pub use widths::SpatialWidths;
@@ -76,6 +78,13 @@ impl Spatial {
     /// Engines, so queries of a batch.
     pub fn engines(&self) -> usize {
         1 << self.query_axes
+    }
+
+    /// Clocks from that in which a batch's last group is taken to the first in which its first
+    /// result can be: the hop register, the two flows, the result chain and the queue. Each further
+    /// engine's result comes two clocks later.
+    pub fn latency_clocks(&self) -> u32 {
+        self.cuts.latency() + self.cuts.power_latency() + 3
     }
 
     /// The kind of squarer of an engine of a machine whose own kind is `own`.

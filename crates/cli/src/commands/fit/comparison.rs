@@ -33,7 +33,7 @@ pub struct Compared {
     /// Clock, if it was.
     pub fmax_mhz: Option<f64>,
     /// Clocks for one group of photons.
-    pub initiation_interval: u32,
+    pub initiation_interval: f64,
     /// Photons in a group.
     pub photons_per_iteration: usize,
 }
@@ -86,7 +86,7 @@ fn compared(
         lut4_equivalents: area.map(|area| area.lut4_equivalents),
         ff: area.map(|area| area.ff),
         fmax_mhz: figures.as_ref().and_then(|f| f.fmax.fmax_mhz),
-        initiation_interval: machine.microprogram().initiation_interval(),
+        initiation_interval: machine.rate().interval(),
         photons_per_iteration: machine.photons_per_iteration(),
     })
 }

@@ -1,0 +1,138 @@
+//! What happens to a group, clock by clock: the listing of a machine without a program.
+
+use super::cuts::Cut;
+use super::{Radius, Spatial};
+
+/// A register, or a step without one, on a group's way through an engine.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FlowRow {
+    /// The clock at whose end the value is in its register, counted from the clock in which the
+    /// group arrives; a step without a register is in the clock of the next one.
+    pub clock: u32,
+    /// The cells that do it: their roles.
+    pub cells: &'static str,
+    /// Which of an engine's units it takes, and how many of them.
+    pub units: &'static str,
+    /// What is done.
+    pub step: &'static str,
+    /// Whether a register holds it.
+    pub registered: bool,
+}
+
+/// Units of an engine that work in every clock.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub struct EngineUnits {
+    /// `(A-B)^2`: one for each coordinate of each photon.
+    pub squares: usize,
+    /// `A+B` of distances: two for each photon.
+    pub distance_adds: usize,
+    /// `if A>B, output 0`: one for each photon and word that is summed.
+    pub gates: usize,
+    /// `A+B` of powers and counts: a tree over the group, and the sum.
+    pub power_adds: usize,
+}
+
+impl EngineUnits {
+    /// The units of an engine, with so many channels. All adds together are 24 for three channels:
+    /// on 16 adders, one in each cell, they would take 1.5 clocks, so Y and D cells have two.
+    pub fn of(channels: usize) -> Self {
+        let words = channels + 1;
+        Self {
+            squares: 3 * Spatial::LANES,
+            distance_adds: 2 * Spatial::LANES,
+            gates: words * Spatial::LANES,
+            power_adds: words * Spatial::LANES,
+        }
+    }
+
+    /// All adds of a group.
+    pub fn adds(&self) -> usize {
+        self.distance_adds + self.power_adds
+    }
+}
+
+/// Cells, units and meaning of what stands at a cut.
+fn step(cut: Cut) -> (&'static str, &'static str, &'static str) {
+    match cut {
+        Cut::Difference => ("X Y Z", "square", "d = query - photon"),
+        Cut::Magnitude => ("X Y Z", "square", "|d|"),
+        Cut::Products => ("X Y Z", "square", "squares and products of its digits"),
+        Cut::Cross => ("X Y Z", "square", "the product of its digits"),
+        Cut::Square => ("X Y Z", "square", "d^2"),
+        Cut::Pair => ("Y", "add", "x^2 + y^2, across z"),
+        Cut::Distance => ("D", "add", "x^2 + y^2 + z^2, across w and z"),
+        Cut::Range => ("D", "gate", "distance <= radius_sq"),
+        Cut::Gate => ("X Y Z D", "gate", "the power, or 0 out of range"),
+        Cut::PairPower => ("X Y Z D", "gate, add", "the sum of two photons, across x"),
+        Cut::GroupPower => ("X Y Z D", "add", "the sum of four, across y"),
+    }
+}
+
+impl Spatial {
+    /// A group's way through an engine.
+    pub fn flow(&self) -> Vec<FlowRow> {
+        let mut clock = 0;
+        let mut rows = vec![row(0, "X Y Z", "", "the photons' coordinates arrive", true)];
+        for cut in Cut::ALL {
+            let registered = self.cuts.has(cut);
+            if cut == Cut::Gate {
+                let arrive = "the photons' powers arrive, with them whether each is in range";
+                rows.push(row(clock, "X Y Z D", "", arrive, true));
+            }
+            let (cells, units, step) = step(cut);
+            rows.push(row(clock + 1, cells, units, step, registered));
+            clock += u32::from(registered);
+        }
+        rows.push(row(clock + 1, "X Y Z D", "add", "the query's sums", true));
+        rows
+    }
+
+    /// In a word, where the radius comes from.
+    pub fn radius_name(&self) -> &'static str {
+        match self.radius {
+            Radius::Query => "of each query",
+            Radius::Format => "the format's",
+        }
+    }
+}
+
+fn row(
+    clock: u32,
+    cells: &'static str,
+    units: &'static str,
+    step: &'static str,
+    registered: bool,
+) -> FlowRow {
+    FlowRow {
+        clock,
+        cells,
+        units,
+        step,
+        registered,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::machine::MACHINES;
+
+    #[test]
+    fn the_sums_come_when_the_latencies_say() {
+        for machine in MACHINES {
+            let Some(spatial) = machine.spatial() else {
+                continue;
+            };
+            let flow = spatial.flow();
+            let sums = flow.last().unwrap();
+            let cuts = spatial.cuts;
+            assert_eq!(sums.clock, cuts.latency() + cuts.power_latency());
+            assert!(flow.windows(2).all(|pair| pair[0].clock <= pair[1].clock));
+        }
+    }
+
+    #[test]
+    fn an_engine_has_24_adds_a_group() {
+        assert_eq!(EngineUnits::of(3).adds(), 24);
+    }
+}
