@@ -198,7 +198,7 @@ impl<'a> Comparer<'a> {
         let differing = (0..self.visible).filter(differs);
         // The control block leads the cells, and both lead the outputs.
         let rank = |&column: &usize| match self.pins.observed[column].place {
-            SignalPlace::Control(_) | SignalPlace::Head { .. } => 0,
+            SignalPlace::Control(_) | SignalPlace::Head { .. } | SignalPlace::Memory { .. } => 0,
             SignalPlace::Cell { .. } | SignalPlace::Engine { .. } => 1,
             SignalPlace::Top => 2,
         };
@@ -301,6 +301,7 @@ fn is_near(machine: &Machine, place: SignalPlace, other: SignalPlace) -> bool {
     };
     match (place, other) {
         (SignalPlace::Head { .. }, SignalPlace::Head { index, .. }) => index == 0,
+        (SignalPlace::Memory { .. }, SignalPlace::Memory { .. } | SignalPlace::Head { .. }) => true,
         (
             SignalPlace::Engine {
                 engine,

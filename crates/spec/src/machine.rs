@@ -81,6 +81,12 @@ impl Machine {
         }
     }
 
+    /// Whether there is a photon memory between the group stream and the engines.
+    pub fn has_memory(&self) -> bool {
+        self.spatial()
+            .is_some_and(|spatial| spatial.memory_groups > 0)
+    }
+
     /// Photons of one iteration: the lanes of a group.
     pub fn photons_per_iteration(&self) -> usize {
         match self.spatial() {

@@ -8,7 +8,8 @@ use crate::format::{Widths, bits_for};
 use crate::machine::Machine;
 use crate::register::{REGISTERS, Register};
 use crate::spatial::{
-    ENGINE_REGISTERS, EngineRegister, HeadRegister, HeadSizes, Instances, Spatial, SpatialWidths,
+    ENGINE_REGISTERS, EngineRegister, HeadRegister, HeadSizes, Instances, MemoryRegister, Spatial,
+    SpatialWidths,
 };
 use crate::stream::{Group, Inputs, Lane, Outputs, Photon, Query, Sums};
 
@@ -42,6 +43,13 @@ pub enum SignalPlace {
         /// The register.
         register: HeadRegister,
         /// Which of them; see [`HeadRegister`].
+        index: usize,
+    },
+    /// A register of a spatial machine's photon memory.
+    Memory {
+        /// The register.
+        register: MemoryRegister,
+        /// Which of them; see [`MemoryRegister`].
         index: usize,
     },
     /// A register of an engine of a spatial machine.
@@ -109,6 +117,7 @@ impl Pins {
                 .has_radius
                 .then_some(u64::from(inputs.query.radius_sq)),
         );
+        row.extend(shape.has_memory.then_some(u64::from(inputs.query_release)));
         row.push(u64::from(inputs.group_valid));
         row.push(u64::from(inputs.group.last));
         for lane in &inputs.group.lanes {
@@ -146,6 +155,7 @@ impl Pins {
                 None => next() as u32,
             },
         };
+        let query_release = shape.has_memory && next() != 0;
         let group_valid = next() != 0;
         let last = next() != 0;
         let mut lane = || {
@@ -169,6 +179,7 @@ impl Pins {
             reset,
             query_valid,
             query,
+            query_release,
             group_valid,
             group: Group { lanes, last },
             result_ready: next() != 0,
@@ -214,6 +225,7 @@ struct PhotonPins {
     channels: usize,
     has_exponent: bool,
     has_radius: bool,
+    has_memory: bool,
 }
 
 impl PhotonPins {
@@ -222,6 +234,7 @@ impl PhotonPins {
             channels: machine.channels().names().len(),
             has_exponent: Widths::of(machine).exponent > 0,
             has_radius: machine.fixed_radius_sq().is_none(),
+            has_memory: machine.has_memory(),
         }
     }
 }
@@ -241,6 +254,9 @@ fn input_pins(machine: &Machine, widths: &Widths) -> Vec<Pin> {
     }
     if machine.fixed_radius_sq().is_none() {
         pins.push(top("query_radius_sq", widths.radius_sq));
+    }
+    if machine.has_memory() {
+        pins.push(top("query_release", 1));
     }
     pins.push(top("group_valid", 1));
     pins.push(top("group_last", 1));
@@ -304,6 +320,11 @@ impl<'a> SpatialPins<'a> {
         for register in HeadRegister::ALL {
             self.head_register(register, &mut pins);
         }
+        if self.machine.has_memory() {
+            for register in MemoryRegister::ALL {
+                self.memory_register(register, &mut pins);
+            }
+        }
         for engine in 0..self.spatial.engines() {
             self.engine_registers(engine, &mut pins);
         }
@@ -328,6 +349,27 @@ impl<'a> SpatialPins<'a> {
             name: format!("head_{}_{index}", register.name()),
             width,
             place: SignalPlace::Head { register, index },
+        }));
+    }
+
+    fn memory_register(&self, register: MemoryRegister, pins: &mut Vec<Pin>) {
+        let place = self.spatial.memory_groups.ilog2();
+        let lanes = Spatial::LANES;
+        let (count, width) = match register {
+            MemoryRegister::FillPlace | MemoryRegister::PlayPlace => (1, place),
+            MemoryRegister::Full => (2, 1),
+            MemoryRegister::End => (2, place),
+            MemoryRegister::WordPresent => (lanes, 1),
+            MemoryRegister::WordPosition => (3 * lanes, self.widths.coordinate),
+            MemoryRegister::WordPower => (lanes * self.channels.len(), self.widths.mantissa),
+            MemoryRegister::WordExponent if self.widths.exponent == 0 => (0, 0),
+            MemoryRegister::WordExponent => (lanes, self.widths.exponent),
+            _ => (1, 1),
+        };
+        pins.extend((0..count).map(|index| Pin {
+            name: format!("memory_{}_{index}", register.name()),
+            width,
+            place: SignalPlace::Memory { register, index },
         }));
     }
 
@@ -420,6 +462,7 @@ mod tests {
                     position: [101, 102, 103],
                     radius_sq: machine.fixed_radius_sq().unwrap_or(104),
                 },
+                query_release: machine.has_memory(),
                 group_valid: true,
                 group: Group {
                     lanes: (0..machine.photons_per_iteration())

@@ -60,6 +60,8 @@ pub struct Inputs {
     pub query_valid: bool,
     /// The query stream's word.
     pub query: Query,
+    /// The query's batch is the last on its set of photons; for machines with a photon memory.
+    pub query_release: bool,
     /// The group stream's valid; once high it must stay, with the word, until it is taken.
     pub group_valid: bool,
     /// The group stream's word.

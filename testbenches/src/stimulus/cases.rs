@@ -12,6 +12,8 @@ pub(crate) struct Case {
     /// [`Machine::queries_at_once`] queries.
     pub queries: Vec<Query>,
     pub groups: Vec<Group>,
+    /// The next case has the same groups, so a machine with a photon memory keeps them.
+    pub keeps_photons: bool,
 }
 
 impl Case {
@@ -51,6 +53,7 @@ impl Case {
         Self {
             groups: groups.collect(),
             queries,
+            keeps_photons: false,
         }
     }
 
@@ -64,6 +67,7 @@ impl Case {
         Self {
             queries: vec![query; machine.queries_at_once()],
             groups: vec![Group { lanes, last: true }],
+            keeps_photons: false,
         }
     }
 
@@ -175,7 +179,25 @@ impl<'a, R: Rng> Cases<'a, R> {
         Case {
             queries,
             groups: groups.collect(),
+            keeps_photons: false,
         }
+    }
+
+    /// Cases, of which a machine with a photon memory gets some with the photons of the one before.
+    pub fn cases(&mut self, count: usize, shared: bool) -> Vec<Case> {
+        let mut cases: Vec<Case> = Vec::new();
+        for _ in 0..count {
+            let mut case = self.case();
+            if let Some(before) = cases.last_mut()
+                && shared
+                && self.rng.random()
+            {
+                before.keeps_photons = true;
+                case.groups.clone_from(&before.groups);
+            }
+            cases.push(case);
+        }
+        cases
     }
 
     /// Another query of the same batch: the same, some steps off, or anywhere.

@@ -160,7 +160,11 @@ impl<'a> Batch<'a> {
         self.next_group = if index + 1 < self.cases[case].groups.len() {
             (case, index + 1)
         } else {
-            (case + 1, 0)
+            // Those that are kept are not sent again.
+            let kept = self.cases[case..]
+                .iter()
+                .take_while(|case| case.keeps_photons);
+            (case + 1 + kept.count(), 0)
         };
         self.offered = false;
     }
@@ -312,6 +316,11 @@ impl<'a> Driver<'a> {
         let feint = traffic.garbage && !outputs.query_ready;
         inputs.query_valid = traffic.query.draw(&mut self.rng) && (next.is_some() || feint);
         let wanted = inputs.query_valid && outputs.query_ready;
+        // Every query of a batch says so, though one would do.
+        inputs.query_release = match batch.cases.get(batch.next_query.0) {
+            Some(case) if wanted => !case.keeps_photons,
+            _ => traffic.garbage && self.rng.random(),
+        };
         inputs.query = match next {
             Some(query) if wanted || !traffic.garbage => query,
             _ if traffic.garbage => Cases::new(self.machine, &mut self.rng).garbage_query(),

@@ -174,7 +174,7 @@ fn random_chunk(
         let count = rng.random_range(1..=MAX_BATCH);
         let idle = rng.random_range(0..4);
         let mut cases = Cases::new(machine, rng);
-        let batch: Vec<_> = (0..count).map(|_| cases.case()).collect();
+        let batch = cases.cases(count, machine.has_memory());
         if driver.run(&batch, traffic)?.is_break() || driver.idle(idle).is_break() {
             return Ok(ControlFlow::Break(()));
         }
@@ -202,8 +202,12 @@ fn workload(
         }
         let mut cases = Vec::new();
         for shared in batch.chunk_by(|(_, photons), (_, next)| photons == next) {
+            let first = cases.len();
             for together in shared.chunks(machine.queries_at_once()) {
                 cases.push(packed(machine, together)?);
+            }
+            for case in cases[first..].iter_mut().rev().skip(1) {
+                case.keeps_photons = machine.has_memory();
             }
         }
         if driver.run(&cases, Traffic::STREAMING)?.is_break() {

@@ -168,7 +168,9 @@ fn register_path(level: Level, place: SignalPlace) -> String {
         (SignalPlace::Cell { register, .. }, Level::Cell) => cell(register),
         (SignalPlace::Cell { node, register }, _) => format!("cell_{node}.{}", cell(register)),
         (SignalPlace::Control(index), _) => format!("control.{}.q", CONTROL_REGISTERS[index]),
-        (SignalPlace::Head { .. } | SignalPlace::Engine { .. }, _) => todo!("spatial machines"),
+        (SignalPlace::Head { .. } | SignalPlace::Memory { .. } | SignalPlace::Engine { .. }, _) => {
+            todo!("spatial machines")
+        }
         (SignalPlace::Top, _) => unreachable!("pins are not registers"),
     }
 }

@@ -31,12 +31,14 @@
 mod cuts;
 mod flow;
 mod head;
+mod memory;
 mod registers;
 mod widths;
 
 pub use cuts::{Cut, Cuts};
 pub use flow::{EngineUnits, FlowRow};
 pub use head::HeadSizes;
+pub use memory::MemoryRegister;
 pub use registers::{ENGINE_REGISTERS, EngineRegister, EngineRow, HeadRegister, Instances};
 pub use widths::SpatialWidths;
 
@@ -54,9 +56,8 @@ pub struct Spatial {
     /// Squarers of other kinds than the machine's own: this many engines of each kind, from engine
     /// 0 on. A device has tables (block RAMs), products (DSP blocks) and LUTs to make squares of.
     pub squarers: &'static [(Squarer, usize)],
-    /// Groups that each of the two banks of the photon memory holds; 0: no memory, the group stream
-    /// goes straight to the head. With a memory, a set of photons is read in once and played to
-    /// batch after batch, until a batch that says it is the set's last.
+    /// Groups that each of the two banks of the photon memory holds, a power of two; 0: no memory,
+    /// the group stream goes straight to the head. See [`MemoryRegister`].
     pub memory_groups: u32,
 }
 
