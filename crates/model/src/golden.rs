@@ -3,6 +3,7 @@
 use photoncube_spec::{Inputs, Machine, Organisation, Outputs};
 
 use crate::machine::StepMachine;
+use crate::spatial::SpatialMachine;
 
 /// A machine with its state, all registers, every clock; starts as after power-up, all 0.
 pub trait GoldenMachine: Send {
@@ -23,9 +24,12 @@ pub trait GoldenMachine: Send {
 }
 
 /// The golden model of a machine, in its power-up state.
+///
+/// # Panics
+/// Where a spatial machine is not legal, see [`photoncube_spec::Spatial::check`].
 pub fn golden_machine(machine: &Machine) -> Box<dyn GoldenMachine> {
     match &machine.organisation {
         Organisation::Sequential => Box::new(StepMachine::new(machine)),
-        Organisation::Spatial(_) => todo!("the spatial model"),
+        Organisation::Spatial(_) => Box::new(SpatialMachine::new(machine)),
     }
 }

@@ -1,9 +1,10 @@
 //! The golden model: what a machine computes, in plain integers.
 //!
-//! Two independent readings of the spec: [`StepMachine`] does what the hardware does, clock by
-//! clock, register by register; [`gather`] is the sum over photons that all of it is for. A
-//! property test holds them equal. [`LocalGather`] is the same sum over blocks of
-//! stored records in a photon format, with its radius. No I/O, no HDL, and no arithmetic shared with the HDL.
+//! Two independent readings of the spec: a [`GoldenMachine`] does what the hardware does, clock by
+//! clock, register by register ([`StepMachine`] runs programs, [`SpatialMachine`] is a pipeline);
+//! [`gather`] is the sum over photons that all of it is for. A property test holds them equal.
+//! [`LocalGather`] is the same sum over blocks of stored records in a photon format, with its
+//! radius. No I/O, no HDL, and no arithmetic shared with the HDL.
 
 mod cell;
 mod gather;
@@ -11,6 +12,7 @@ mod golden;
 mod local;
 mod machine;
 mod range;
+mod spatial;
 
 pub use cell::{CellInputs, CellRules, CellState};
 pub use gather::{GatherError, gather};
@@ -20,3 +22,4 @@ pub use local::{
 };
 pub use machine::{ControlState, StepMachine};
 pub use range::{Limits, RangeError};
+pub use spatial::SpatialMachine;

@@ -6,10 +6,15 @@ use photoncube_spec::{
 };
 use proptest::prelude::*;
 
-/// Runs one query through the machine, group by group, as a patient user of its streams would.
+/// Runs one query through the machine, group by group, as a patient user of its streams would. A
+/// machine that tests several queries at once gets it for each of them, and must say the same to
+/// all. Also gives the clocks until the first result.
 fn run(machine: &Machine, query: Query, groups: &[Group]) -> (Sums, u64) {
     let mut dut = golden_machine(machine);
     let mut next_group = 0;
+    let mut results = Vec::new();
+    let mut first_clock = 0;
+    // Valid on, as queries of a next batch may be: they wait, as no group follows.
     let mut inputs = Inputs {
         query_valid: true,
         query,
@@ -18,10 +23,18 @@ fn run(machine: &Machine, query: Query, groups: &[Group]) -> (Sums, u64) {
         result_ready: true,
         ..Inputs::default()
     };
-    for clock in 0.. {
+    let limit = 100 * (groups.len() + machine.queries_at_once()) as u64;
+    for clock in 0..limit {
         let outputs = dut.outputs(&inputs);
         if outputs.result_valid {
-            return (outputs.result, clock);
+            if results.is_empty() {
+                first_clock = clock;
+            }
+            results.push(outputs.result);
+        }
+        if results.len() == machine.queries_at_once() {
+            assert!(results.iter().all(|sums| *sums == results[0]));
+            return (results[0], first_clock);
         }
         dut.clock(&inputs);
         if outputs.group_ready {
@@ -29,9 +42,8 @@ fn run(machine: &Machine, query: Query, groups: &[Group]) -> (Sums, u64) {
             inputs.group_valid = next_group < groups.len();
             inputs.group = groups.get(next_group).cloned().unwrap_or_default();
         }
-        assert!(clock < 100 * groups.len() as u64, "the machine hangs");
     }
-    unreachable!()
+    panic!("the machine hangs")
 }
 
 fn photon(machine: &Machine) -> impl Strategy<Value = Photon> + use<> {
@@ -53,16 +65,20 @@ fn photon(machine: &Machine) -> impl Strategy<Value = Photon> + use<> {
         })
 }
 
-/// The radius is any that the machine takes, or its largest.
+/// The radius is any that the machine takes, or its largest, or the only one it has.
 fn query(machine: &Machine) -> impl Strategy<Value = Query> + use<> {
     let widths = Widths::of(machine);
     let largest = machine.format().map_or(
         u32::MAX >> (u32::BITS - widths.radius_sq),
         PhotonFormat::largest_in_range,
     );
+    let radius_sq = match machine.fixed_radius_sq() {
+        Some(radius_sq) => Just(radius_sq).boxed(),
+        None => prop_oneof![0..=largest, Just(largest)].boxed(),
+    };
     (
         prop::array::uniform3(0..1_u32 << widths.coordinate),
-        prop_oneof![0..=largest, Just(largest)],
+        radius_sq,
     )
         .prop_map(|(position, radius_sq)| Query {
             position,

@@ -84,14 +84,15 @@ impl Hypercube {
     const ROLE_BITS: u32 = 2;
     /// The smallest cube that has two photon axes and two role axes, as in the paper.
     pub const MIN_DIMENSION: u32 = 4;
+    /// The largest cube: all its axes have names.
+    pub const MAX_DIMENSION: u32 = Axis::NAMES.len() as u32;
 
     /// A cube of that dimension.
     ///
     /// # Panics
     /// Below dimension 4 or past the last named axis; the named machines are all inside.
     pub fn new(dimension: u32) -> Self {
-        let named = Axis::NAMES.len() as u32;
-        assert!((Self::MIN_DIMENSION..=named).contains(&dimension));
+        assert!((Self::MIN_DIMENSION..=Self::MAX_DIMENSION).contains(&dimension));
         Self { dimension }
     }
 

@@ -43,6 +43,6 @@ pub use schedule::{
 };
 pub use spatial::{
     Cut, Cuts, ENGINE_REGISTERS, EngineRegister, EngineRow, EngineUnits, FlowRow, HeadRegister,
-    HeadSizes, Instances, MemoryRegister, Radius, Spatial, SpatialWidths,
+    HeadSizes, Instances, MemoryRegister, Radius, Spatial, SpatialError, SpatialWidths,
 };
 pub use stream::{Group, Inputs, Lane, Outputs, Photon, Query, Sums};

@@ -25,8 +25,9 @@
 //!   `read_place` in every clock; a result taken counts that on. The queue's memory starts as 0 and
 //!   is not reset.
 //! - Reset, at the end of the clock in which the pin is set: all registers of the head but
-//!   `DelayPower` and `DelayPresent` become 0 (and no group, query or result counts as taken by
-//!   the engines: their incoming token, first and last are 0).
+//!   `DelayPower` and `DelayPresent` become 0, and these two and the queue's memory do as in any
+//!   clock. No group or query counts as taken by the engines: engine 0's incoming token is not
+//!   valid and its incoming swap is 0. The outputs do not look at the pin.
 //!
 //! # An engine, each clock
 //! - `reset_in` is the pin for engine 0 and engine e - 1's `Reset` for engine e; `Reset` := it.
@@ -48,7 +49,9 @@
 //!   each further one the one before.
 //! - `Sum` := (`first` ? 0 : `Sum`) + the group's sums, in every clock, with the flags as they stand
 //!   beside these sums (in the last cut of the power flow that has a register, else in the hop);
-//!   `Count` likewise. `Done` := the flag `last` there.
+//!   `Count` likewise. Both wrap at their widths, which only a reset in flight can lead to: photons
+//!   of a batch whose `first` it cleared are added to the sums before. `Done` := the flag `last`
+//!   there.
 //! - Where `Done`, `Result` := `Sum` and `ResultCount` := `Count`, else engine e + 1's (0 for the last
 //!   engine); `ResultValid` := `Done` or engine e + 1's.
 

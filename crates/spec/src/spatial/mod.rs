@@ -28,6 +28,7 @@
 //! of them are tested against. Queries of the next batch are taken from the clock on in which the
 //! first group of this one is. Results come in the order of the queries.
 
+mod check;
 mod cuts;
 mod flow;
 mod head;
@@ -35,6 +36,7 @@ mod memory;
 mod registers;
 mod widths;
 
+pub use check::SpatialError;
 pub use cuts::{Cut, Cuts};
 pub use flow::{EngineUnits, FlowRow};
 pub use head::HeadSizes;

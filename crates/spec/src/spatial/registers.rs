@@ -47,7 +47,7 @@ pub enum EngineRegister {
     HighProduct,
     /// |d| exceeds r bits.
     ProductsFar,
-    /// d^2 in 2 r bits from a table, and above it whether |d| exceeds r bits.
+    /// d^2 modulo 2^(2 r) from a table, and above it whether |d| exceeds r bits.
     Lookup,
     /// d^2 as one product, in full.
     Product,
@@ -61,7 +61,8 @@ pub enum EngineRegister {
     LookupDelay,
     /// `Product` once more.
     ProductDelay,
-    /// d^2 modulo 2^(2 r).
+    /// d^2 modulo 2^(2 r); from digits the square of |d| modulo 2^r, which is another number where
+    /// |d| exceeds r bits, and counts for nothing there.
     Square,
     /// |d| exceeds r bits.
     SquareFar,

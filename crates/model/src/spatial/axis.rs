@@ -1,0 +1,189 @@
+//! One photon's difference on one axis, and its square by each kind of squarer.
+
+use photoncube_spec::{Cut, Squarer};
+
+use super::rules::Rules;
+
+/// A square, and whether |d| exceeds r bits. Of a far axis the word means nothing, but it is in the
+/// registers, and is exact there.
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Square {
+    /// From a table or product d^2 modulo 2^(2 r); from digits (|d| modulo 2^r)^2.
+    pub(super) word: u64,
+    pub(super) far: bool,
+}
+
+/// The digits' squares and products.
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Products {
+    pub(super) squares: u64,
+    pub(super) low: u64,
+    pub(super) high: u64,
+    pub(super) far: bool,
+}
+
+/// The digits' squares and their product.
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Crossed {
+    pub(super) squares: u64,
+    pub(super) cross: u64,
+    pub(super) far: bool,
+}
+
+/// The registers of one axis of one lane. Those of another kind of squarer stay 0.
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Axis {
+    pub(super) difference: i32,
+    pub(super) magnitude: u32,
+    pub(super) magnitude_delay: i32,
+    pub(super) products: Products,
+    pub(super) crossed: Crossed,
+    pub(super) lookup: Square,
+    pub(super) lookup_delay: Square,
+    pub(super) product: u64,
+    pub(super) product_delay: u64,
+    pub(super) square: Square,
+}
+
+impl Axis {
+    /// One clock; gives what is behind the cut `Square`.
+    pub(super) fn clock(&mut self, rules: &Rules, query: u32, photon: u32) -> Square {
+        let d = query as i32 - photon as i32;
+        let d = rules.cut(Cut::Difference, &mut self.difference, d);
+        let square = match rules.squarer {
+            Squarer::Digits => self.digits_square(rules, d),
+            Squarer::Product => self.product_square(rules, d),
+            Squarer::Table => self.table_square(rules, d),
+        };
+        rules.cut(Cut::Square, &mut self.square, square)
+    }
+
+    fn digits_square(&mut self, rules: &Rules, d: i32) -> Square {
+        let magnitude = rules.cut(Cut::Magnitude, &mut self.magnitude, d.unsigned_abs());
+        let products = Products::of(rules, magnitude);
+        let products = rules.cut(Cut::Products, &mut self.products, products);
+        let crossed = Crossed {
+            squares: products.squares,
+            cross: products.low + 4 * products.high,
+            far: products.far,
+        };
+        let crossed = rules.cut(Cut::Cross, &mut self.crossed, crossed);
+        // (high 2^l + low)^2 has the product of the digits twice, l bits up.
+        let twice = rules.widths.low_digit + 1;
+        Square {
+            word: crossed.squares + (crossed.cross << twice),
+            far: crossed.far,
+        }
+    }
+
+    fn table_square(&mut self, rules: &Rules, d: i32) -> Square {
+        let d = rules.cut(Cut::Magnitude, &mut self.magnitude_delay, d);
+        let lookup = Square::of_product(rules, squared(d));
+        let lookup = rules.cut(Cut::Products, &mut self.lookup, lookup);
+        rules.cut(Cut::Cross, &mut self.lookup_delay, lookup)
+    }
+
+    fn product_square(&mut self, rules: &Rules, d: i32) -> Square {
+        let d = rules.cut(Cut::Magnitude, &mut self.magnitude_delay, d);
+        let product = rules.cut(Cut::Products, &mut self.product, squared(d));
+        let product = rules.cut(Cut::Cross, &mut self.product_delay, product);
+        Square::of_product(rules, product)
+    }
+}
+
+fn squared(d: i32) -> u64 {
+    u64::from(d.unsigned_abs()).pow(2)
+}
+
+impl Products {
+    fn of(rules: &Rules, magnitude: u32) -> Self {
+        let widths = &rules.widths;
+        let inside = magnitude % (1 << widths.radius);
+        let high = u64::from(inside >> widths.low_digit);
+        let low = u64::from(inside % (1 << widths.low_digit));
+        Self {
+            squares: (high.pow(2) << (2 * widths.low_digit)) | low.pow(2),
+            low: high * (low % 4),
+            high: high * (low / 4),
+            far: inside != magnitude,
+        }
+    }
+}
+
+impl Square {
+    /// The full square, cut to 2 r bits.
+    fn of_product(rules: &Rules, product: u64) -> Self {
+        let word = product % (1 << rules.widths.square);
+        Self {
+            word,
+            far: word != product,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use photoncube_spec::{Cut, Cuts, Machine, Organisation, Spatial, find_machine};
+
+    use super::*;
+
+    fn rules(machine: &Machine, squarer: Squarer, cuts: &[Cut]) -> Rules {
+        let spatial = Spatial {
+            cuts: Cuts::of(cuts),
+            ..*machine.spatial().unwrap()
+        };
+        let machine = Machine {
+            squarer,
+            organisation: Organisation::Spatial(spatial),
+            ..*machine
+        };
+        Rules::of(&machine, &spatial, 0)
+    }
+
+    /// All differences there are, in both radii that squarers are made for.
+    #[test]
+    fn each_squarer_is_exact_up_to_r_bits_and_far_beyond() {
+        for name in ["stream", "tile-5"] {
+            let machine = find_machine(name).unwrap();
+            for squarer in [Squarer::Digits, Squarer::Product, Squarer::Table] {
+                let rules = rules(machine, squarer, &[]);
+                let modulus = 1_u64 << rules.widths.square;
+                for magnitude in 0..1_u32 << rules.widths.coordinate {
+                    let [right, left] = [[magnitude, 0], [0, magnitude]]
+                        .map(|[query, photon]| Axis::default().clock(&rules, query, photon));
+                    assert_eq!(right, left);
+                    assert_eq!(right.far, magnitude >> rules.widths.radius != 0);
+                    let inside = u64::from(magnitude % (1 << rules.widths.radius));
+                    let expected = match squarer {
+                        Squarer::Digits => inside.pow(2),
+                        Squarer::Product | Squarer::Table => u64::from(magnitude).pow(2) % modulus,
+                    };
+                    assert_eq!(right.word, expected, "{squarer:?} of {magnitude}");
+                }
+            }
+        }
+    }
+
+    /// A register at each cut that has one holds the value of the clock before.
+    #[test]
+    fn a_value_takes_a_clock_for_each_register() {
+        let machine = find_machine("stream").unwrap();
+        let all = [
+            Cut::Difference,
+            Cut::Magnitude,
+            Cut::Products,
+            Cut::Cross,
+            Cut::Square,
+        ];
+        for squarer in [Squarer::Digits, Squarer::Product, Squarer::Table] {
+            for count in 0..=all.len() {
+                let rules = rules(machine, squarer, &all[..count]);
+                let mut axis = Axis::default();
+                let seen: Vec<_> = (1..20).map(|q| axis.clock(&rules, q, 0).word).collect();
+                let squares: Vec<_> = (1..20 - count as u64).map(|q| q.pow(2)).collect();
+                assert!(seen[..count].iter().all(|&word| word == 0));
+                assert_eq!(seen[count..], squares);
+            }
+        }
+    }
+}

@@ -1,0 +1,58 @@
+//! One lane of an engine: the photon's distance, and whether it is in range.
+
+use photoncube_spec::Cut;
+
+use super::axis::Axis;
+use super::rules::Rules;
+
+/// The sum of two squares, and the third.
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Pair {
+    pub(super) square: u64,
+    pub(super) z: u64,
+    pub(super) far: bool,
+}
+
+/// The sum of three squares.
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Distance {
+    pub(super) word: u64,
+    pub(super) far: bool,
+}
+
+/// The registers of one lane.
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Lane {
+    pub(super) axes: [Axis; 3],
+    pub(super) pair: Pair,
+    pub(super) distance: Distance,
+    pub(super) in_range: bool,
+}
+
+impl Lane {
+    /// One clock; gives what is behind the cut `Range`. `radius_sq` is that which stands at the
+    /// compare in this clock.
+    pub(super) fn clock(
+        &mut self,
+        rules: &Rules,
+        query: [u32; 3],
+        photon: [u32; 3],
+        radius_sq: u32,
+    ) -> bool {
+        let mut square = |a: usize| self.axes[a].clock(rules, query[a], photon[a]);
+        let [x, y, z] = [square(0), square(1), square(2)];
+        let pair = Pair {
+            square: x.word + y.word,
+            z: z.word,
+            far: x.far || y.far || z.far,
+        };
+        let pair = rules.cut(Cut::Pair, &mut self.pair, pair);
+        let distance = Distance {
+            word: pair.square + pair.z,
+            far: pair.far,
+        };
+        let distance = rules.cut(Cut::Distance, &mut self.distance, distance);
+        let in_range = !distance.far && distance.word <= u64::from(radius_sq);
+        rules.cut(Cut::Range, &mut self.in_range, in_range)
+    }
+}

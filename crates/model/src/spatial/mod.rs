@@ -1,0 +1,82 @@
+//! The step-exact model of the spatial machines: all registers of the head and of the engines,
+//! every clock.
+//!
+//! The rules are those of [`photoncube_spec::HeadSizes`]'s module and of
+//! [`photoncube_spec::EngineRegister`]. A cut is a value that is either registered or flows through
+//! in the same clock, see [`rules::Rules::cut`]; so one description serves every set of cuts.
+
+mod axis;
+mod engine;
+mod head;
+mod lane;
+mod link;
+mod observe;
+mod rules;
+mod sums;
+
+use photoncube_spec::{Inputs, Machine, Outputs, Pins};
+
+use crate::golden::GoldenMachine;
+use engine::Engine;
+use head::Head;
+
+/// A spatial machine with its state; starts as after power-up, all registers 0.
+#[derive(Clone, Debug)]
+pub struct SpatialMachine {
+    machine: Machine,
+    head: Head,
+    engines: Vec<Engine>,
+}
+
+impl SpatialMachine {
+    /// A machine in its power-up state.
+    ///
+    /// # Panics
+    /// Where the machine is not a legal [`photoncube_spec::Organisation::Spatial`], see
+    /// [`photoncube_spec::Spatial::check`].
+    pub fn new(machine: &Machine) -> Self {
+        let spatial = machine.spatial().expect("the machine is a spatial one");
+        if let Err(error) = spatial.check(machine) {
+            panic!("{error}");
+        }
+        Self {
+            machine: *machine,
+            head: Head::new(spatial),
+            engines: (0..spatial.engines())
+                .map(|engine| Engine::new(machine, spatial, engine))
+                .collect(),
+        }
+    }
+}
+
+impl GoldenMachine for SpatialMachine {
+    fn outputs(&self, inputs: &Inputs) -> Outputs {
+        self.head.outputs(inputs)
+    }
+
+    fn observe(&self, inputs: &Inputs, row: &mut Vec<u64>) {
+        row.extend(Pins::output_row(&self.machine, &self.outputs(inputs)));
+        let channels = self.machine.channels().names().len();
+        self.head.observe(channels, row);
+        if let Some(spatial) = self.machine.spatial() {
+            for engine in &self.engines {
+                engine.observe(spatial, channels, row);
+            }
+        }
+    }
+
+    fn clock(&mut self, inputs: &Inputs) {
+        let mut hop = self.head.clock(inputs, self.engines[0].result());
+        // From the head on: what an engine held before the edge goes on to the next one, and the
+        // result of the next one, not yet clocked, is still that of before the edge.
+        for index in 0..self.engines.len() {
+            let beyond = self.engines.get(index + 1).map(Engine::result);
+            hop = self.engines[index].clock(hop, beyond.unwrap_or_default());
+        }
+    }
+
+    /// Only a program counts clocks.
+    fn works(&self, _inputs: &Inputs) -> bool {
+        true
+    }
+}

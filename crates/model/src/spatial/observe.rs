@@ -1,0 +1,161 @@
+//! All registers as numbers, in the order of [`photoncube_spec::Pins::observed`].
+
+use photoncube_spec::{ENGINE_REGISTERS, EngineRegister, HeadRegister, Spatial};
+
+use super::axis::{Axis, Square};
+use super::engine::Engine;
+use super::head::Head;
+use super::lane::Lane;
+use super::link::Flags;
+use super::rules::ones;
+
+impl Head {
+    /// Appends the head's registers.
+    pub(super) fn observe(&self, channels: usize, row: &mut Vec<u64>) {
+        for register in HeadRegister::ALL {
+            match register {
+                HeadRegister::Loaded => row.push(self.loaded.into()),
+                HeadRegister::Open => row.push(self.open.into()),
+                HeadRegister::Spacing => row.push(self.spacing.into()),
+                HeadRegister::Promised => row.push(self.promised.into()),
+                HeadRegister::WritePlace => row.push(self.write_place.into()),
+                HeadRegister::ReadPlace => row.push(self.read_place.into()),
+                HeadRegister::DelayPower => {
+                    let lanes = self.delay.iter().flat_map(|stage| &stage.power);
+                    row.extend(lanes.flat_map(|power| &power[..channels]));
+                }
+                HeadRegister::DelayPresent => {
+                    let lanes = self.delay.iter().flat_map(|stage| stage.present);
+                    row.extend(lanes.map(u64::from));
+                }
+                HeadRegister::DelayFirst => {
+                    row.extend(self.delay.iter().map(|stage| u64::from(stage.flags.first)));
+                }
+                HeadRegister::DelayLast => {
+                    row.extend(self.delay.iter().map(|stage| u64::from(stage.flags.last)));
+                }
+            }
+        }
+    }
+}
+
+/// Writes an engine's registers into a row.
+struct Writer<'a> {
+    engine: &'a Engine,
+    channels: usize,
+    row: &'a mut Vec<u64>,
+}
+
+impl Engine {
+    /// Appends the registers that the engine has.
+    pub(super) fn observe(&self, spatial: &Spatial, channels: usize, row: &mut Vec<u64>) {
+        let mut writer = Writer {
+            engine: self,
+            channels,
+            row,
+        };
+        for table_row in ENGINE_REGISTERS {
+            if table_row.is_in(spatial, self.rules.squarer) {
+                writer.register(table_row.register);
+            }
+        }
+    }
+}
+
+impl Writer<'_> {
+    fn register(&mut self, register: EngineRegister) {
+        use EngineRegister as R;
+        let engine = self.engine;
+        let (hop, sums) = (&engine.hop, &engine.sums);
+        let widths = &engine.rules.widths;
+        let signed = |d: i32| d as u64 & ones(widths.difference);
+        let lookup = |square: Square| u64::from(square.far) << widths.square | square.word;
+        match register {
+            R::Reset => self.one(hop.reset),
+            R::TokenValid => self.one(hop.token_valid),
+            R::Token => self.axes(hop.token.position),
+            R::TokenRadius => self.one(hop.token.radius_sq),
+            R::NextValid => self.one(engine.next_valid),
+            R::Next => self.axes(engine.next.position),
+            R::NextRadius => self.one(engine.next.radius_sq),
+            R::Query => self.axes(engine.query.position),
+            R::QueryRadius => self.one(engine.query.radius_sq),
+            R::RadiusDelay => {
+                let delays = &engine.radius_delay[..engine.rules.radius_delays];
+                self.row.extend(delays.iter().map(|&r| u64::from(r)));
+            }
+            R::Swap => self.one(hop.swap),
+            R::Photon => hop.photon.into_iter().for_each(|lane| self.axes(lane)),
+            R::Difference => self.coordinates(|axis| signed(axis.difference)),
+            R::Magnitude => self.coordinates(|axis| axis.magnitude),
+            R::MagnitudeDelay => self.coordinates(|axis| signed(axis.magnitude_delay)),
+            R::Squares => self.coordinates(|axis| axis.products.squares),
+            R::LowProduct => self.coordinates(|axis| axis.products.low),
+            R::HighProduct => self.coordinates(|axis| axis.products.high),
+            R::ProductsFar => self.coordinates(|axis| axis.products.far),
+            R::Lookup => self.coordinates(|axis| lookup(axis.lookup)),
+            R::Product => self.coordinates(|axis| axis.product),
+            R::CrossSquares => self.coordinates(|axis| axis.crossed.squares),
+            R::Cross => self.coordinates(|axis| axis.crossed.cross),
+            R::CrossFar => self.coordinates(|axis| axis.crossed.far),
+            R::LookupDelay => self.coordinates(|axis| lookup(axis.lookup_delay)),
+            R::ProductDelay => self.coordinates(|axis| axis.product_delay),
+            R::Square => self.coordinates(|axis| axis.square.word),
+            R::SquareFar => self.coordinates(|axis| axis.square.far),
+            R::PairSquare => self.lanes(|lane| lane.pair.square),
+            R::PairZ => self.lanes(|lane| lane.pair.z),
+            R::PairFar => self.lanes(|lane| lane.pair.far),
+            R::Distance => self.lanes(|lane| lane.distance.word),
+            R::DistanceFar => self.lanes(|lane| lane.distance.far),
+            R::InRange => self.lanes(|lane| lane.in_range),
+            R::Power => self.channels(&hop.powers.power),
+            R::Present => self.row.extend(hop.powers.present.map(u64::from)),
+            R::First | R::Last => self.flag(hop.powers.flags, register == R::First),
+            R::GatedPower => self.channels(&sums.gated.power),
+            R::GatedPresent => self.row.extend(sums.gated.present.map(u64::from)),
+            R::GateFirst | R::GateLast => self.flag(sums.gated.flags, register == R::GateFirst),
+            R::PairPower => self.channels(&sums.pairs.sums.map(|pair| pair.power)),
+            R::PairCount => self.row.extend(sums.pairs.sums.map(|pair| pair.count)),
+            R::PairFirst | R::PairLast => self.flag(sums.pairs.flags, register == R::PairFirst),
+            R::GroupPower => self.channels(&[sums.group.sums.power]),
+            R::GroupCount => self.one(sums.group.sums.count),
+            R::GroupFirst | R::GroupLast => self.flag(sums.group.flags, register == R::GroupFirst),
+            R::Sum => self.channels(&[sums.sum.power]),
+            R::Count => self.one(sums.sum.count),
+            R::Done => self.one(sums.done),
+            R::ResultValid => self.one(sums.result.valid),
+            R::Result => self.channels(&[sums.result.sums.power]),
+            R::ResultCount => self.one(sums.result.sums.count),
+        }
+    }
+
+    fn one(&mut self, value: impl Into<u64>) {
+        self.row.push(value.into());
+    }
+
+    fn flag(&mut self, flags: Flags, first: bool) {
+        self.one(if first { flags.first } else { flags.last });
+    }
+
+    fn axes(&mut self, values: [u32; 3]) {
+        self.row.extend(values.map(u64::from));
+    }
+
+    /// Axis a of lane g is at 3 g + a.
+    fn coordinates<T: Into<u64>>(&mut self, value: impl Fn(&Axis) -> T) {
+        let axes = self.engine.lanes.iter().flat_map(|lane| &lane.axes);
+        self.row.extend(axes.map(|axis| value(axis).into()));
+    }
+
+    fn lanes<T: Into<u64>>(&mut self, value: impl Fn(&Lane) -> T) {
+        let lanes = self.engine.lanes.iter();
+        self.row.extend(lanes.map(|lane| value(lane).into()));
+    }
+
+    /// Those channels that there are, of each lane, pair or group.
+    fn channels(&mut self, powers: &[[u64; 3]]) {
+        let channels = self.channels;
+        self.row
+            .extend(powers.iter().flat_map(|power| &power[..channels]));
+    }
+}

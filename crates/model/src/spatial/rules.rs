@@ -1,0 +1,46 @@
+//! What an engine's arithmetic depends on, fixed when the machine is made.
+
+use std::mem;
+
+use photoncube_spec::{Cut, Cuts, EngineRegister, Machine, Spatial, SpatialWidths, Squarer};
+
+/// How an engine computes.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub(super) struct Rules {
+    pub(super) cuts: Cuts,
+    pub(super) squarer: Squarer,
+    pub(super) widths: SpatialWidths,
+    /// The radius, where it is the same for all queries.
+    pub(super) fixed_radius_sq: Option<u32>,
+    /// Registers that a query's radius passes on its way to the compare.
+    pub(super) radius_delays: usize,
+}
+
+impl Rules {
+    pub(super) fn of(machine: &Machine, spatial: &Spatial, engine: usize) -> Self {
+        let format = machine.format();
+        let delays = EngineRegister::RadiusDelay.row().instances;
+        Self {
+            cuts: spatial.cuts,
+            squarer: spatial.squarer(machine.squarer, engine),
+            widths: SpatialWidths::of(format.expect("a legal spatial machine has a photon format")),
+            fixed_radius_sq: machine.fixed_radius_sq(),
+            radius_delays: delays.count(spatial, machine.channels().names().len()),
+        }
+    }
+
+    /// What is seen behind a cut in this clock: where a register stands there, what it held, and it
+    /// takes `value` with the clock edge; elsewhere `value` itself.
+    pub(super) fn cut<T>(&self, cut: Cut, register: &mut T, value: T) -> T {
+        if self.cuts.has(cut) {
+            mem::replace(register, value)
+        } else {
+            value
+        }
+    }
+}
+
+/// The lowest `width` bits all ones, of up to 64.
+pub(super) fn ones(width: u32) -> u64 {
+    u64::MAX >> (u64::BITS - width)
+}

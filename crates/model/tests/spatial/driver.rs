@@ -1,0 +1,193 @@
+//! Drives a machine's three streams, clock by clock, and checks every row on the way.
+
+use std::collections::VecDeque;
+
+use photoncube_model::{GoldenMachine, gather, golden_machine};
+use photoncube_spec::{Group, Inputs, Machine, Outputs, Pins, Query, SignalPlace, Sums};
+
+use crate::words::Noise;
+
+/// The queries of a batch and the groups that all of them are tested against.
+#[derive(Clone, Debug)]
+pub struct Batch {
+    pub queries: Vec<Query>,
+    pub groups: Vec<Group>,
+}
+
+impl Batch {
+    /// What the direct gather says, in the order of the queries.
+    pub fn expected(&self, machine: &Machine) -> Vec<Sums> {
+        let photons: Vec<_> = self.groups.iter().flat_map(Group::photons).collect();
+        let sums = |query| gather(machine, query, photons.iter().copied()).unwrap();
+        self.queries.iter().map(sums).collect()
+    }
+}
+
+/// What the direct gather says of batches one after the other.
+pub fn expected(machine: &Machine, batches: &[Batch]) -> Vec<Sums> {
+    let each = batches.iter().map(|batch| batch.expected(machine));
+    each.collect::<Vec<_>>().concat()
+}
+
+/// Which streams do not move in a clock.
+#[derive(Copy, Clone, Debug, Default)]
+pub struct Waits {
+    pub query: bool,
+    pub group: bool,
+    pub result: bool,
+}
+
+/// What crossed the streams in a clock.
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+pub struct Moved {
+    pub query: bool,
+    pub group: bool,
+    /// The group that was taken is the last of its batch.
+    pub last: bool,
+    pub result: bool,
+}
+
+/// A machine and what is still to be given to it.
+pub struct Driver {
+    machine: Machine,
+    pins: Pins,
+    dut: Box<dyn GoldenMachine>,
+    queries: VecDeque<Query>,
+    groups: VecDeque<Group>,
+    /// The word on the group stream has been valid and was not taken: it must stay.
+    offered: bool,
+    noise: Noise,
+    /// What came out, in order.
+    pub results: Vec<Sums>,
+}
+
+impl Driver {
+    pub fn new(machine: &Machine) -> Self {
+        Self {
+            machine: *machine,
+            pins: Pins::of(machine),
+            dut: golden_machine(machine),
+            queries: VecDeque::new(),
+            groups: VecDeque::new(),
+            offered: false,
+            noise: Noise::new(machine),
+            results: Vec::new(),
+        }
+    }
+
+    /// Adds batches to what is still to be given.
+    pub fn give(&mut self, batches: &[Batch]) {
+        for batch in batches {
+            self.queries.extend(&batch.queries);
+            self.groups.extend(batch.groups.iter().cloned());
+        }
+    }
+
+    /// Queries that are still to be taken.
+    pub fn queries_left(&self) -> usize {
+        self.queries.len()
+    }
+
+    /// Groups that are still to be taken.
+    pub fn groups_left(&self) -> usize {
+        self.groups.len()
+    }
+
+    /// One clock. On the pins of a stream that is not valid stands noise.
+    pub fn tick(&mut self, waits: Waits) -> Moved {
+        let inputs = self.inputs(waits);
+        let outputs = self.clock(&inputs);
+        let moved = Moved {
+            query: inputs.query_valid && outputs.query_ready,
+            group: inputs.group_valid && outputs.group_ready,
+            last: inputs.group_valid && outputs.group_ready && inputs.group.last,
+            result: inputs.result_ready && outputs.result_valid,
+        };
+        if moved.query {
+            self.queries.pop_front();
+        }
+        if moved.group {
+            self.groups.pop_front();
+        }
+        self.offered = inputs.group_valid && !moved.group;
+        if moved.result {
+            self.results.push(outputs.result);
+        }
+        moved
+    }
+
+    /// A clock with the reset pin set, in which whatever moves is lost, with all that was still to
+    /// be given.
+    pub fn reset(&mut self) {
+        let inputs = Inputs {
+            reset: true,
+            ..self.inputs(Waits::default())
+        };
+        self.clock(&inputs);
+        self.queries.clear();
+        self.groups.clear();
+        self.offered = false;
+    }
+
+    /// The registers, each with its place.
+    pub fn registers(&self) -> Vec<(SignalPlace, u64)> {
+        let mut row = Vec::new();
+        self.dut.observe(&Inputs::default(), &mut row);
+        let places = self.pins.observed.iter().map(|pin| pin.place);
+        places.zip(row).skip(self.pins.outputs).collect()
+    }
+
+    /// Runs without waiting until so many results came, and some clocks more, in which no further
+    /// one may come.
+    pub fn finish(&mut self, results: usize) {
+        self.finish_with(results, |_| Waits::default());
+    }
+
+    /// The same with what waits in each clock.
+    pub fn finish_with(&mut self, results: usize, mut waits: impl FnMut(u64) -> Waits) {
+        let words = self.queries.len() + self.groups.len() + results;
+        let engines = self.machine.queries_at_once();
+        let limit = 100 * (words + engines) as u64 + 1000;
+        for clock in 0.. {
+            if self.results.len() >= results {
+                break;
+            }
+            assert!(clock < limit, "the machine hangs");
+            self.tick(waits(clock));
+        }
+        for _ in 0..4 * engines + 40 {
+            assert!(!self.tick(Waits::default()).result, "a result too many");
+        }
+    }
+
+    fn inputs(&mut self, waits: Waits) -> Inputs {
+        let query = self.queries.front().filter(|_| !waits.query);
+        let group = self.groups.front();
+        let group = group.filter(|_| self.offered || !waits.group);
+        Inputs {
+            reset: false,
+            query_valid: query.is_some(),
+            query: query.copied().unwrap_or_else(|| self.noise.query()),
+            query_release: false,
+            group_valid: group.is_some(),
+            group: group.cloned().unwrap_or_else(|| self.noise.group()),
+            result_ready: !waits.result,
+        }
+    }
+
+    /// One clock edge; the row before it has a value for each pin, and each fits.
+    fn clock(&mut self, inputs: &Inputs) -> Outputs {
+        let outputs = self.dut.outputs(inputs);
+        let mut row = Vec::with_capacity(self.pins.observed.len());
+        self.dut.observe(inputs, &mut row);
+        assert_eq!(row.len(), self.pins.observed.len());
+        for (value, pin) in row.iter().zip(&self.pins.observed) {
+            let fits = pin.width >= u64::BITS || value >> pin.width == 0;
+            assert!(fits, "{} is {value}", pin.name);
+        }
+        assert_eq!(Pins::outputs_of(&self.machine, &row), outputs);
+        assert!(self.dut.works(inputs));
+        self.dut.clock(inputs);
+        outputs
+    }
+}

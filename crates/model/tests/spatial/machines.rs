@@ -1,0 +1,121 @@
+//! Spatial machines: the named ones, and others in every legal shape.
+
+use photoncube_spec::{
+    Cut, Cuts, MACHINES, Machine, Numbers, Organisation, Radius, Spatial, Squarer, find_machine,
+    find_photon_format,
+};
+use proptest::prelude::*;
+
+/// The named machine.
+pub fn named(name: &str) -> Machine {
+    *find_machine(name).unwrap()
+}
+
+/// The named spatial machines.
+pub fn all_named() -> impl Iterator<Item = &'static Machine> {
+    MACHINES
+        .iter()
+        .filter(|machine| machine.spatial().is_some())
+}
+
+/// The machine with another pipeline.
+pub fn with_spatial(machine: &Machine, spatial: Spatial) -> Machine {
+    let machine = Machine {
+        dimension: 4 + spatial.query_axes,
+        organisation: Organisation::Spatial(spatial),
+        ..*machine
+    };
+    assert_eq!(spatial.check(&machine), Ok(()));
+    machine
+}
+
+/// The machine with other cuts.
+pub fn with_cuts(machine: &Machine, cuts: Cuts) -> Machine {
+    let spatial = *machine.spatial().unwrap();
+    with_spatial(machine, Spatial { cuts, ..spatial })
+}
+
+pub const SQUARERS: [Squarer; 3] = [Squarer::Digits, Squarer::Product, Squarer::Table];
+
+/// Every set of cuts that engines with such squarers may have.
+pub fn all_cuts(squarer: Squarer) -> impl Iterator<Item = Cuts> {
+    let sets = (0_u32..1 << Cut::ALL.len()).map(|set| {
+        let chosen = Cut::ALL.into_iter().enumerate();
+        let chosen = chosen.filter(|(bit, _)| set >> bit & 1 == 1);
+        Cuts::of(&chosen.map(|(_, cut)| cut).collect::<Vec<_>>())
+    });
+    sets.filter(move |cuts| {
+        cuts.has(Cut::Range) && (squarer != Squarer::Table || cuts.has(Cut::Products))
+    })
+}
+
+/// Named cuts, the extremes, and any.
+fn cuts() -> impl Strategy<Value = Cuts> {
+    let of = |name| named(name).spatial().unwrap().cuts;
+    prop_oneof![
+        Just(Cuts::of(&Cut::ALL)),
+        // All kinds of squarers may come, so the tables' register is there too.
+        Just(Cuts::of(&[Cut::Products, Cut::Range])),
+        Just(of("stream")),
+        Just(of("tile-5")),
+        prop::sample::subsequence(Cut::ALL.to_vec(), 0..=Cut::ALL.len()).prop_map(|mut cuts| {
+            cuts.extend([Cut::Products, Cut::Range]);
+            Cuts::of(&cuts)
+        }),
+    ]
+}
+
+fn built() -> impl Strategy<Value = Machine> {
+    let formats = [
+        "local7-rgb6d-n4096",
+        "local8-rgb8e5-n4096",
+        "local8-rgb8b4-n4096",
+        "local7-mono1-n8",
+        "local8-mono16e8-n4096",
+    ];
+    let others: [&'static [(Squarer, usize)]; 4] = [
+        &[],
+        &[(Squarer::Table, 1)],
+        &[(Squarer::Product, 1)],
+        &[(Squarer::Table, 1), (Squarer::Digits, 1)],
+    ];
+    (
+        prop::sample::select(formats.to_vec()),
+        0_u32..=3,
+        prop::bool::ANY,
+        cuts(),
+        prop::sample::select(SQUARERS.to_vec()),
+        prop::sample::select(others.to_vec()),
+    )
+        .prop_map(
+            |(format, query_axes, own_radius, cuts, squarer, squarers)| {
+                let machine = Machine {
+                    numbers: Numbers::Local(find_photon_format(format).unwrap()),
+                    squarer,
+                    ..named("stream")
+                };
+                let spatial = Spatial {
+                    query_axes,
+                    radius: if own_radius {
+                        Radius::Query
+                    } else {
+                        Radius::Format
+                    },
+                    cuts,
+                    squarers: if query_axes == 0 {
+                        &squarers[..squarers.len().min(1)]
+                    } else {
+                        squarers
+                    },
+                    memory_groups: 0,
+                };
+                with_spatial(&machine, spatial)
+            },
+        )
+}
+
+/// A named or any legal machine of up to 8 engines.
+pub fn machine() -> impl Strategy<Value = Machine> {
+    let few: Vec<_> = all_named().filter(|m| m.queries_at_once() <= 8).collect();
+    prop_oneof![prop::sample::select(few).prop_map(|m| *m), built()]
+}

@@ -1,0 +1,9 @@
+//! The step-exact model of the spatial machines: what it sums, when, and after a reset.
+
+mod driver;
+mod machines;
+mod pace;
+mod reset;
+mod rows;
+mod sums;
+mod words;

@@ -1,0 +1,167 @@
+//! When things happen: latency, no bubbles, what short batches cost, what a full queue stops.
+
+use photoncube_spec::{Cuts, HeadSizes, Machine};
+
+use crate::driver::{Driver, Moved, Waits, expected};
+use crate::machines::{SQUARERS, all_cuts, all_named, named, with_cuts};
+use crate::words::Noise;
+
+/// Runs batches of so many groups without waiting; what moved in each clock until all results
+/// have come.
+fn moves(machine: &Machine, batches: usize, groups: usize) -> Vec<Moved> {
+    let batches = Noise::new(machine).batches(batches, groups);
+    let mut driver = Driver::new(machine);
+    driver.give(&batches);
+    let results = batches.len() * machine.queries_at_once();
+    let mut moves = Vec::new();
+    while driver.results.len() < results {
+        moves.push(driver.tick(Waits::default()));
+        assert!(moves.len() < 100_000, "the machine hangs");
+    }
+    assert_eq!(driver.results, expected(machine, &batches));
+    moves
+}
+
+/// The clocks in which something moved.
+fn clocks(moves: &[Moved], moved: impl Fn(&Moved) -> bool) -> Vec<u32> {
+    let clocks = moves.iter().enumerate().filter(|(_, m)| moved(m));
+    clocks.map(|(clock, _)| clock as u32).collect()
+}
+
+/// From the last group taken to each result.
+fn latencies(machine: &Machine, groups: usize) -> Vec<u32> {
+    let moves = moves(machine, 1, groups);
+    let last = clocks(&moves, |m| m.last)[0];
+    let results = clocks(&moves, |m| m.result);
+    results.into_iter().map(|clock| clock - last).collect()
+}
+
+#[test]
+fn results_come_after_the_latency_and_two_clocks_apart() {
+    for machine in all_named() {
+        let first = machine.spatial().unwrap().latency_clocks();
+        let expected: Vec<_> = (0..machine.queries_at_once() as u32)
+            .map(|engine| first + 2 * engine)
+            .collect();
+        for groups in [1, 5] {
+            assert_eq!(latencies(machine, groups), expected, "{}", machine.name);
+        }
+    }
+    let latency = |name| named(name).spatial().unwrap().latency_clocks();
+    assert_eq!((latency("stream"), latency("tile-10")), (14, 10));
+}
+
+#[test]
+fn the_latency_follows_from_the_cuts() {
+    for squarer in SQUARERS {
+        for cuts in all_cuts(squarer) {
+            let machine = Machine {
+                squarer,
+                ..named("stream")
+            };
+            let machine = with_cuts(&machine, cuts);
+            let expected = machine.spatial().unwrap().latency_clocks();
+            assert_eq!(latencies(&machine, 1), [expected], "{cuts:?}");
+        }
+    }
+}
+
+/// Queries of one group each: nothing is lost at a change of the query, whatever the pipeline.
+#[test]
+fn stream_takes_a_group_and_gives_a_result_every_clock() {
+    let cuts_of = |name| named(name).spatial().unwrap().cuts;
+    let all = Cuts::of(&photoncube_spec::Cut::ALL);
+    for cuts in [cuts_of("stream"), cuts_of("tile-5"), all] {
+        let machine = with_cuts(&named("stream"), cuts);
+        let moves = moves(&machine, 200, 1);
+        let latency = machine.spatial().unwrap().latency_clocks();
+        // The first query is taken a clock before its group.
+        assert_eq!(clocks(&moves, |m| m.query), (0..200).collect::<Vec<_>>());
+        assert_eq!(clocks(&moves, |m| m.group), (1..201).collect::<Vec<_>>());
+        let results = 1 + latency..201 + latency;
+        assert_eq!(clocks(&moves, |m| m.result), results.collect::<Vec<_>>());
+    }
+}
+
+/// From batches of 2 N - 1 groups on, a chain of N engines never waits, and the next batch's
+/// queries are all there before the batch ends.
+#[test]
+fn a_tile_takes_a_group_every_clock() {
+    for name in ["tile-5", "tile-6", "tile-7", "tile-8"] {
+        let machine = named(name);
+        let engines = machine.queries_at_once();
+        for groups in [2 * engines - 1, 2 * engines, 2 * engines + 3, 5 * engines] {
+            let batches = 12;
+            let moves = moves(&machine, batches, groups);
+            let first = engines as u32;
+            let taken = first..first + (batches * groups) as u32;
+            assert_eq!(
+                clocks(&moves, |m| m.group),
+                taken.collect::<Vec<_>>(),
+                "{name} with batches of {groups}"
+            );
+            let queries = clocks(&moves, |m| m.query);
+            let lasts = clocks(&moves, |m| m.last);
+            for (batch, queries) in queries.chunks(engines).enumerate().skip(1) {
+                let begun = (engines + (batch - 1) * groups) as u32;
+                let expected: Vec<_> = (begun..begun + first).collect();
+                assert_eq!(queries, expected);
+                assert!(expected[engines - 1] < lasts[batch - 1]);
+            }
+        }
+    }
+}
+
+/// A shorter batch costs as much as one of 2 N - 1 groups, since results of two batches must not
+/// meet on the chain: from one last group to the next are 2 N - 1 clocks.
+#[test]
+fn a_short_batch_costs_the_spacing_and_no_more() {
+    for name in ["tile-5", "tile-6", "tile-7", "tile-8"] {
+        let machine = named(name);
+        let engines = machine.queries_at_once();
+        let spacing = HeadSizes::of(machine.spatial().unwrap()).spacing;
+        for groups in [1, engines - 1, engines, 2 * engines - 2] {
+            let lasts = clocks(&moves(&machine, 12, groups.max(1)), |m| m.last);
+            for pair in lasts.windows(2) {
+                assert_eq!(pair[1] - pair[0], spacing, "{name}, batches of {groups}");
+            }
+        }
+    }
+}
+
+/// With results that nobody takes, all groups are taken up to the last one whose results would have
+/// no room; nothing is lost.
+#[test]
+fn a_full_queue_stops_at_the_last_group_that_has_no_room() {
+    for name in ["stream", "tile-5", "tile-6", "tile-7"] {
+        let machine = named(name);
+        let engines = machine.queries_at_once();
+        let queue = HeadSizes::of(machine.spatial().unwrap()).queue;
+        let (groups, fitting) = (5, queue / engines);
+        let batches = Noise::new(&machine).batches(fitting + 3, groups);
+        let mut driver = Driver::new(&machine);
+        driver.give(&batches);
+        let stopped = Waits {
+            result: true,
+            ..Waits::default()
+        };
+        for _ in 0..1000 {
+            driver.tick(stopped);
+        }
+        assert!(driver.results.is_empty());
+        // Of the batch that does not fit all groups but the last, and the queries of the next.
+        assert_eq!(driver.groups_left(), 3 * groups - (groups - 1), "{name}");
+        assert_eq!(driver.queries_left(), engines, "{name}");
+        // Room for the results of one batch lets one more last group in.
+        let mut lasts = 0;
+        for taken in 1..=engines {
+            lasts += usize::from(driver.tick(Waits::default()).last);
+            assert_eq!(driver.results.len(), taken);
+            assert_eq!(lasts, 0);
+        }
+        lasts += usize::from(driver.tick(stopped).last);
+        assert_eq!(lasts, 1, "{name}");
+        driver.finish(batches.len() * engines);
+        assert_eq!(driver.results, expected(&machine, &batches));
+    }
+}

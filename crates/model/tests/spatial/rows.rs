@@ -1,0 +1,121 @@
+//! The rows of registers. The driver of all tests checks their length and that each value fits.
+
+use photoncube_model::golden_machine;
+use photoncube_spec::{EngineRegister, HeadRegister, Inputs, Machine, Pins, SignalPlace};
+
+use crate::driver::{Driver, Waits};
+use crate::machines::{all_named, named};
+use crate::words::Noise;
+
+#[test]
+fn power_up_is_all_zero_and_ready_for_a_query() {
+    for machine in all_named() {
+        let pins = Pins::of(machine);
+        let mut row = Vec::new();
+        golden_machine(machine).observe(&Inputs::default(), &mut row);
+        assert_eq!(row.len(), pins.observed.len());
+        for (value, pin) in row.iter().zip(&pins.observed) {
+            assert_eq!(*value, u64::from(pin.name == "query_ready"), "{}", pin.name);
+        }
+    }
+}
+
+/// Whether the wave of a reset clears it in an engine.
+fn is_cleared(register: EngineRegister) -> bool {
+    use EngineRegister as R;
+    [
+        [R::TokenValid, R::NextValid, R::Swap, R::First, R::Last],
+        [
+            R::GateFirst,
+            R::GateLast,
+            R::PairFirst,
+            R::PairLast,
+            R::Done,
+        ],
+    ]
+    .as_flattened()
+    .contains(&register)
+        || [R::GroupFirst, R::GroupLast, R::ResultValid].contains(&register)
+}
+
+fn reset_in_flight(machine: &Machine, clocks: u64) {
+    let mut driver = Driver::new(machine);
+    driver.give(&Noise::seeded(machine, clocks).batches(20, 3));
+    for _ in 0..clocks {
+        driver.tick(Waits::default());
+    }
+    let before = driver.registers();
+    // A query, a group and a result stand ready in this clock, and are lost.
+    driver.reset();
+    for (&(place, value), (_, before)) in driver.registers().iter().zip(before) {
+        match place {
+            SignalPlace::Head {
+                register: HeadRegister::DelayPower | HeadRegister::DelayPresent,
+                ..
+            } => {}
+            SignalPlace::Head { .. } => assert_eq!(value, 0, "{place:?}"),
+            SignalPlace::Engine {
+                engine: 0,
+                register,
+                ..
+            } => match register {
+                EngineRegister::Reset => assert_eq!(value, 1),
+                EngineRegister::Next | EngineRegister::NextRadius => assert_eq!(value, before),
+                EngineRegister::Query | EngineRegister::QueryRadius => assert_eq!(value, before),
+                register => assert!(value == 0 || !is_cleared(register), "{place:?}"),
+            },
+            _ => {}
+        }
+    }
+    // The wave is an engine further with each clock, and leaves all flags at 0.
+    for reached in 0..machine.queries_at_once() {
+        for (place, value) in driver.registers() {
+            if let SignalPlace::Engine {
+                engine, register, ..
+            } = place
+            {
+                let arrived = engine <= reached;
+                assert!(value == 0 || !arrived || !is_cleared(register), "{place:?}");
+                if register == EngineRegister::Reset {
+                    assert_eq!(value, u64::from(engine == reached));
+                }
+            }
+        }
+        driver.tick(Waits::default());
+    }
+}
+
+#[test]
+fn a_reset_clears_the_head_at_once_and_the_engines_flags_as_a_wave() {
+    for name in ["stream", "tile-5", "tile-7"] {
+        for clocks in 0..120 {
+            reset_in_flight(&named(name), clocks);
+        }
+    }
+}
+
+/// In the clock of a reset the powers of a group that is ready enter the delay line as ever.
+#[test]
+fn a_reset_does_not_touch_the_powers_in_the_delay_line() {
+    let machine = named("stream");
+    let delayed = |driver: &Driver| {
+        let registers = driver.registers();
+        let powers = registers.into_iter().filter(|(place, _)| {
+            let register = HeadRegister::DelayPower;
+            matches!(place, SignalPlace::Head { register: r, .. } if *r == register)
+        });
+        powers.map(|(_, value)| value).collect::<Vec<_>>()
+    };
+    let [mut with, mut without] = [0, 1].map(|_| {
+        let mut driver = Driver::new(&machine);
+        driver.give(&Noise::new(&machine).batches(5, 3));
+        for _ in 0..8 {
+            driver.tick(Waits::default());
+        }
+        driver
+    });
+    with.reset();
+    without.tick(Waits::default());
+    assert!(delayed(&with)[..12].iter().any(|&power| power > 0));
+    assert_eq!(delayed(&with), delayed(&without));
+}

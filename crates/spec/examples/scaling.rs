@@ -1,0 +1,80 @@
+//! What a tile needs from the world around it, on paper: photon bandwidth, queries resident, and
+//! memory, for photon maps up to 1e8. `docs/scaling.md` says where the formulas come from.
+//!
+//! ```text
+//! cargo run -p photoncube-spec --example scaling -- MACHINE CLOCK_MHZ
+//! ```
+
+use std::f64::consts::PI;
+use std::process::ExitCode;
+
+use photoncube_spec::{Machine, find_machine};
+
+/// Photons in range that the search radius aims at.
+const IN_RANGE: f64 = 200.0;
+/// Queries of a picture: 1920 x 1080 pixels, 16 each.
+const QUERIES: f64 = 1920.0 * 1080.0 * 16.0;
+/// Block edges, squared, of a flat surface across the four-block frame.
+const FRAME_FACES: f64 = 16.0;
+/// The same of the two-block cube that the queries of a frame may be in.
+const QUERY_FACES: f64 = 4.0;
+
+fn main() -> ExitCode {
+    let arguments: Vec<_> = std::env::args().skip(1).collect();
+    let parsed = match arguments.as_slice() {
+        [name, clock] => find_machine(name).ok().zip(clock.parse::<f64>().ok()),
+        _ => None,
+    };
+    match parsed.filter(|(_, clock)| *clock > 0.0) {
+        Some((machine, clock)) => {
+            print!("{}", report(machine, clock * 1e6));
+            ExitCode::SUCCESS
+        }
+        None => {
+            eprintln!("usage: scaling MACHINE CLOCK_MHZ, as in: scaling tile-10 150");
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn report(machine: &Machine, clock: f64) -> String {
+    let lanes = machine.photons_per_iteration() as f64;
+    let engines = machine.queries_at_once() as f64;
+    let bytes = f64::from(machine.bits_per_photon()) / 8.0;
+    let bandwidth = lanes * clock * bytes;
+    let mut text = format!(
+        "{}: {engines} queries at once, {lanes} photons a clock, {bytes} bytes a photon, {:.0} MHz\n\
+         photon tests per second   {lanes} x {engines} x {:.0} MHz = {:.1} G\n\
+         photon bandwidth          {lanes} x {:.0} MHz x {bytes} B = {:.2} GB/s, for any number of engines\n\
+         without sharing           x {engines} = {:.0} GB/s\n\n\
+         photons  memory   faces  photons a frame  queries a frame  batches a frame  engines busy  seconds a picture\n",
+        machine.name,
+        clock / 1e6,
+        clock / 1e6,
+        lanes * engines * clock / 1e9,
+        clock / 1e6,
+        bandwidth / 1e9,
+        bandwidth * engines / 1e9,
+    );
+    for exponent in 5..=8 {
+        text += &row(10_f64.powi(exponent), lanes, engines, bytes, clock);
+    }
+    text
+}
+
+fn row(photons: f64, lanes: f64, engines: f64, bytes: f64, clock: f64) -> String {
+    // A disc of the search radius, which is a block's edge, has IN_RANGE photons.
+    let photons_a_face = IN_RANGE / PI;
+    let faces = photons / photons_a_face;
+    let photons_a_frame = FRAME_FACES * photons_a_face;
+    let queries_a_frame = QUERIES / (faces / QUERY_FACES);
+    let batches = (queries_a_frame / engines).ceil();
+    let clocks = (faces / QUERY_FACES) * batches * (photons_a_frame / lanes);
+    format!(
+        "{photons:>7.0e} {:>7.3} GB {faces:>8.0} {photons_a_frame:>13.0} {queries_a_frame:>16.1} \
+         {batches:>16.0} {:>12.0} % {:>12.2}\n",
+        photons * bytes / 1e9,
+        100.0 * queries_a_frame / (batches * engines),
+        clocks / clock,
+    )
+}

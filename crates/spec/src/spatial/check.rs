@@ -1,0 +1,210 @@
+//! Which spatial machines can be built.
+
+use thiserror::Error;
+
+use super::{Cut, Spatial, SpatialWidths};
+use crate::format::Squarer;
+use crate::hypercube::Hypercube;
+use crate::machine::Machine;
+use crate::photon_format::FormatError;
+
+/// Why a spatial machine cannot be built.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum SpatialError {
+    /// A field is outside what the rules allow.
+    #[error("machine `{machine}`: {field} is {found}, expected {min} to {max}")]
+    Field {
+        /// The machine.
+        machine: &'static str,
+        /// Which of its fields.
+        field: &'static str,
+        /// The field's value.
+        found: u64,
+        /// The smallest that works.
+        min: u64,
+        /// The largest that works.
+        max: u64,
+    },
+    /// There is no register where one must stand.
+    #[error("machine `{machine}`: there is no register at the cut {cut:?}, which {needed_by}")]
+    Cut {
+        /// The machine.
+        machine: &'static str,
+        /// Where a register is missing.
+        cut: Cut,
+        /// What needs it.
+        needed_by: &'static str,
+    },
+    /// Plain numbers have no radius bits, which engines cut differences to.
+    #[error("machine `{0}` has plain numbers, and an engine needs a photon format")]
+    PlainNumbers(&'static str),
+    /// The photon format is not legal.
+    #[error("machine `{machine}`: {error}")]
+    Format {
+        /// The machine.
+        machine: &'static str,
+        /// What is wrong with its format.
+        error: FormatError,
+    },
+}
+
+impl Spatial {
+    /// Bits per radius that the squarers are made for.
+    const RADIUS_BITS: [u64; 2] = [7, 8];
+
+    /// Checks that engines can be built for a machine whose organisation this is.
+    ///
+    /// # Errors
+    /// The first field outside its range, with what it could be, or the first cut that is missing.
+    pub fn check(&self, machine: &Machine) -> Result<(), SpatialError> {
+        let name = machine.name;
+        let format = machine.format().ok_or(SpatialError::PlainNumbers(name))?;
+        format.check().map_err(|error| SpatialError::Format {
+            machine: name,
+            error,
+        })?;
+        let most_axes = Hypercube::MAX_DIMENSION - Hypercube::MIN_DIMENSION;
+        self.check_fields(
+            name,
+            [
+                // Half squares would need other squarers.
+                ("query_extra_bits", format.query_extra_bits, [0, 0]),
+                ("radius bits", format.radius_bits(), Self::RADIUS_BITS),
+                ("query_axes", self.query_axes, [0, most_axes.into()]),
+                ("memory_groups", self.memory_groups, [0, 0]),
+            ],
+        )?;
+        let dimension = u64::from(Hypercube::MIN_DIMENSION + self.query_axes);
+        let other_squarers: usize = self.squarers.iter().map(|&(_, engines)| engines).sum();
+        self.check_fields(
+            name,
+            [
+                ("dimension", machine.dimension, [dimension; 2]),
+                // Sums are carried in 64 bits.
+                ("bits of a sum", SpatialWidths::of(format).sum, [1, 64]),
+                (
+                    "engines with squarers of other kinds",
+                    u32::try_from(other_squarers).unwrap_or(u32::MAX),
+                    [0, self.engines() as u64],
+                ),
+            ],
+        )?;
+        self.check_cuts(machine)
+    }
+
+    fn check_fields<const N: usize>(
+        &self,
+        machine: &'static str,
+        fields: [(&'static str, u32, [u64; 2]); N],
+    ) -> Result<(), SpatialError> {
+        for (field, found, [min, max]) in fields {
+            let found = u64::from(found);
+            if !(min..=max).contains(&found) {
+                return Err(SpatialError::Field {
+                    machine,
+                    field,
+                    found,
+                    min,
+                    max,
+                });
+            }
+        }
+        Ok(())
+    }
+
+    fn check_cuts(&self, machine: &Machine) -> Result<(), SpatialError> {
+        let has_tables =
+            (0..self.engines()).any(|e| self.squarer(machine.squarer, e) == Squarer::Table);
+        let needed = [
+            (
+                Cut::Range,
+                true,
+                "the decision needs beside the power hop's register",
+            ),
+            (
+                Cut::Products,
+                has_tables,
+                "a table needs, as a block RAM has one",
+            ),
+        ];
+        match needed
+            .into_iter()
+            .find(|&(cut, needed, _)| needed && !self.cuts.has(cut))
+        {
+            None => Ok(()),
+            Some((cut, _, needed_by)) => Err(SpatialError::Cut {
+                machine: machine.name,
+                cut,
+                needed_by,
+            }),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::machine::{MACHINES, Numbers, PlainFormat, find_machine};
+    use crate::organisation::Organisation;
+    use crate::photon_format::PhotonFormat;
+    use crate::spatial::Cuts;
+
+    #[test]
+    fn every_named_spatial_machine_is_legal() {
+        let mut checked = 0;
+        for machine in MACHINES {
+            if let Some(spatial) = machine.spatial() {
+                assert_eq!(spatial.check(machine), Ok(()));
+                checked += 1;
+            }
+        }
+        assert!(checked > 0);
+    }
+
+    fn message(machine: Machine) -> String {
+        let spatial = machine.spatial().expect("a spatial machine");
+        spatial.check(&machine).unwrap_err().to_string()
+    }
+
+    #[test]
+    fn what_cannot_be_built_is_refused_with_what_could_be() {
+        let machine = *find_machine("tile-5").unwrap();
+        let (spatial, format) = (*machine.spatial().unwrap(), *machine.format().unwrap());
+        let with_spatial = |spatial| Machine {
+            organisation: Organisation::Spatial(spatial),
+            ..machine
+        };
+        let with_format = |format| Machine {
+            numbers: Numbers::Local(format),
+            ..machine
+        };
+        let plain = Numbers::Plain(PlainFormat {
+            coordinate_bits: 8,
+            power_bits: 16,
+            max_photons: 1,
+        });
+        let tables = Spatial {
+            squarers: &[(Squarer::Table, 1)],
+            cuts: Cuts::of(&[Cut::Range]),
+            ..spatial
+        };
+        #[rustfmt::skip]
+        let wrong = [
+            (with_format(PhotonFormat { query_extra_bits: 1, ..format }), "query_extra_bits is 1, expected 0 to 0"),
+            (with_format(PhotonFormat { position_bits: 6, ..format }), "radius bits is 6, expected 7 to 8"),
+            (with_format(PhotonFormat { position_bits: 9, ..format }), "radius bits is 9, expected 7 to 8"),
+            (with_format(PhotonFormat { position_bits: 3, ..format }), "position_bits is 3, expected 4 to 12"),
+            (with_spatial(Spatial { memory_groups: 1, ..spatial }), "memory_groups is 1, expected 0 to 0"),
+            (with_spatial(Spatial { query_axes: 64, ..spatial }), "query_axes is 64, expected 0 to 6"),
+            (with_spatial(Spatial { query_axes: 2, ..spatial }), "dimension is 5, expected 6 to 6"),
+            (with_spatial(Spatial { squarers: &[(Squarer::Table, 1), (Squarer::Product, 2)], ..spatial }), "squarers of other kinds is 3, expected 0 to 2"),
+            (with_spatial(Spatial { cuts: Cuts::of(&[Cut::Products]), ..spatial }), "the cut Range, which the decision needs beside the power hop's register"),
+            (with_spatial(tables), "the cut Products, which a table needs, as a block RAM has one"),
+            (Machine { numbers: plain, ..machine }, "`tile-5` has plain numbers, and an engine needs a photon format"),
+        ];
+        for (machine, expected) in wrong {
+            let found = message(machine);
+            assert!(found.ends_with(expected), "{found}");
+        }
+    }
+}
