@@ -252,6 +252,25 @@ const fn tile(name: &'static str, summary: &'static str, query_axes: u32) -> Mac
     }
 }
 
+/// A tile with a photon memory that holds the most photons that a query may be given, twice.
+const fn with_memory(tile: Machine, squarers: &'static [(Squarer, usize)]) -> Machine {
+    let Organisation::Spatial(spatial) = tile.organisation else {
+        panic!("only spatial machines have a photon memory");
+    };
+    let Numbers::Local(format) = tile.numbers else {
+        panic!("spatial machines have photon formats");
+    };
+    let memory_groups = (format.max_photons / Spatial::LANES as u64) as u32;
+    Machine {
+        organisation: Organisation::Spatial(Spatial {
+            memory_groups,
+            squarers,
+            ..spatial
+        }),
+        ..tile
+    }
+}
+
 /// All named machines, the default first.
 pub const MACHINES: &[Machine] = &[
     Machine {
@@ -381,6 +400,7 @@ pub const MACHINES: &[Machine] = &[
             memory_groups: 0,
         }),
     },
+    tile("tile-4", "one engine of a tile, to measure by", 0),
     tile(
         "tile-5",
         "2 engines in a chain: every photon is read once for 2 queries",
@@ -410,6 +430,30 @@ pub const MACHINES: &[Machine] = &[
         "tile-10",
         "64 engines in a chain: every photon is read once for 64 queries",
         6,
+    ),
+    with_memory(
+        tile(
+            "tile-6-mixed",
+            "4 engines of three kinds of squarers, and the photon memory",
+            2,
+        ),
+        &[(Squarer::Table, 2), (Squarer::Product, 1)],
+    ),
+    with_memory(
+        tile(
+            "chip-lut",
+            "64 engines and the photon memory for one FPGA, squarers from LUTs",
+            6,
+        ),
+        &[],
+    ),
+    with_memory(
+        tile(
+            "chip-mixed",
+            "the same, squarers from block RAMs, DSP blocks and LUTs",
+            6,
+        ),
+        &[(Squarer::Table, 30), (Squarer::Product, 13)],
     ),
 ];
 

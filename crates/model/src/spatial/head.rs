@@ -3,6 +3,7 @@
 use photoncube_spec::{HeadSizes, Inputs, Outputs, Spatial, Sums};
 
 use super::link::{Flags, Hop, Powers, ResultLink};
+use super::memory::HeadStatus;
 
 /// The head with its registers.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -48,9 +49,8 @@ impl Head {
 
     /// The output pins. They do not look at the reset pin.
     pub(super) fn outputs(&self, inputs: &Inputs) -> Outputs {
-        let full = self.loaded == self.engines;
-        let fits =
-            self.spacing == 0 && self.promised as usize + self.engines as usize <= self.sizes.queue;
+        let full = self.is_full();
+        let fits = self.spacing == 0 && self.has_room();
         let group_ready = (self.open || full) && (!inputs.group.last || fits);
         let first_taken = !self.open && group_ready && inputs.group_valid;
         Outputs {
@@ -58,6 +58,26 @@ impl Head {
             group_ready,
             result_valid: self.write_place != self.read_place,
             result: self.queue[self.place(self.read_place)],
+        }
+    }
+
+    /// All queries of the next batch are taken.
+    fn is_full(&self) -> bool {
+        self.loaded == self.engines
+    }
+
+    /// The queue has room for the results of a batch.
+    fn has_room(&self) -> bool {
+        self.promised as usize + self.engines as usize <= self.sizes.queue
+    }
+
+    /// What the photon memory goes by in this clock.
+    pub(super) fn status(&self, inputs: &Inputs) -> HeadStatus {
+        HeadStatus {
+            full: self.is_full(),
+            has_room: self.has_room(),
+            spacing: self.spacing,
+            takes_query: self.taken(inputs).query,
         }
     }
 

@@ -10,6 +10,7 @@ mod engine;
 mod head;
 mod lane;
 mod link;
+mod memory;
 mod observe;
 mod rules;
 mod sums;
@@ -19,11 +20,13 @@ use photoncube_spec::{Inputs, Machine, Outputs, Pins};
 use crate::golden::GoldenMachine;
 use engine::Engine;
 use head::Head;
+use memory::PhotonMemory;
 
 /// A spatial machine with its state; starts as after power-up, all registers 0.
 #[derive(Clone, Debug)]
 pub struct SpatialMachine {
     machine: Machine,
+    memory: Option<PhotonMemory>,
     head: Head,
     engines: Vec<Engine>,
 }
@@ -41,6 +44,7 @@ impl SpatialMachine {
         }
         Self {
             machine: *machine,
+            memory: PhotonMemory::of(machine, spatial),
             head: Head::new(spatial),
             engines: (0..spatial.engines())
                 .map(|engine| Engine::new(machine, spatial, engine))
@@ -51,13 +55,22 @@ impl SpatialMachine {
 
 impl GoldenMachine for SpatialMachine {
     fn outputs(&self, inputs: &Inputs) -> Outputs {
-        self.head.outputs(inputs)
+        let Some(memory) = &self.memory else {
+            return self.head.outputs(inputs);
+        };
+        Outputs {
+            group_ready: memory.group_ready(),
+            ..self.head.outputs(&memory.head_inputs(inputs))
+        }
     }
 
     fn observe(&self, inputs: &Inputs, row: &mut Vec<u64>) {
         row.extend(Pins::output_row(&self.machine, &self.outputs(inputs)));
         let channels = self.machine.channels().names().len();
         self.head.observe(channels, row);
+        if let Some(memory) = &self.memory {
+            memory.observe(row);
+        }
         if let Some(spatial) = self.machine.spatial() {
             for engine in &self.engines {
                 engine.observe(spatial, channels, row);
@@ -66,7 +79,15 @@ impl GoldenMachine for SpatialMachine {
     }
 
     fn clock(&mut self, inputs: &Inputs) {
-        let mut hop = self.head.clock(inputs, self.engines[0].result());
+        let result = self.engines[0].result();
+        let mut hop = match &mut self.memory {
+            None => self.head.clock(inputs, result),
+            Some(memory) => {
+                let words = memory.head_inputs(inputs);
+                memory.clock(inputs, self.head.status(&words));
+                self.head.clock(&words, result)
+            }
+        };
         // From the head on: what an engine held before the edge goes on to the next one, and the
         // result of the next one, not yet clocked, is still that of before the edge.
         for index in 0..self.engines.len() {

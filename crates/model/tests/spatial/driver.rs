@@ -168,7 +168,8 @@ impl Driver {
             reset: false,
             query_valid: query.is_some(),
             query: query.copied().unwrap_or_else(|| self.noise.query()),
-            query_release: false,
+            // Every batch has photons of its own.
+            query_release: self.machine.has_memory(),
             group_valid: group.is_some(),
             group: group.cloned().unwrap_or_else(|| self.noise.group()),
             result_ready: !waits.result,

@@ -2,6 +2,7 @@
 
 mod driver;
 mod machines;
+mod memory;
 mod pace;
 mod reset;
 mod rows;

@@ -52,6 +52,9 @@ impl Spatial {
     /// Bits per radius that the squarers are made for.
     const RADIUS_BITS: [u64; 2] = [7, 8];
 
+    /// More than a large FPGA has block RAMs for.
+    const MOST_MEMORY_GROUPS: u64 = 1 << 16;
+
     /// Checks that engines can be built for a machine whose organisation this is.
     ///
     /// # Errors
@@ -71,7 +74,6 @@ impl Spatial {
                 ("query_extra_bits", format.query_extra_bits, [0, 0]),
                 ("radius bits", format.radius_bits(), Self::RADIUS_BITS),
                 ("query_axes", self.query_axes, [0, most_axes.into()]),
-                ("memory_groups", self.memory_groups, [0, 0]),
             ],
         )?;
         let dimension = u64::from(Hypercube::MIN_DIMENSION + self.query_axes);
@@ -89,7 +91,24 @@ impl Spatial {
                 ),
             ],
         )?;
+        self.check_memory(machine)?;
         self.check_cuts(machine)
+    }
+
+    /// A set of photons is no more than a query may be given, so it fits a bank of that size.
+    fn check_memory(&self, machine: &Machine) -> Result<(), SpatialError> {
+        let found = self.memory_groups;
+        let needed = machine.max_photons().div_ceil(Self::LANES as u64);
+        if found == 0 || (found.is_power_of_two() && u64::from(found) >= needed) {
+            return Ok(());
+        }
+        Err(SpatialError::Field {
+            machine: machine.name,
+            field: "memory_groups, a power of two,",
+            found: found.into(),
+            min: needed,
+            max: Self::MOST_MEMORY_GROUPS,
+        })
     }
 
     fn check_fields<const N: usize>(
@@ -194,7 +213,7 @@ mod tests {
             (with_format(PhotonFormat { position_bits: 6, ..format }), "radius bits is 6, expected 7 to 8"),
             (with_format(PhotonFormat { position_bits: 9, ..format }), "radius bits is 9, expected 7 to 8"),
             (with_format(PhotonFormat { position_bits: 3, ..format }), "position_bits is 3, expected 4 to 12"),
-            (with_spatial(Spatial { memory_groups: 1, ..spatial }), "memory_groups is 1, expected 0 to 0"),
+            (with_spatial(Spatial { memory_groups: 1, ..spatial }), "memory_groups, a power of two, is 1, expected 1024 to 65536"),
             (with_spatial(Spatial { query_axes: 64, ..spatial }), "query_axes is 64, expected 0 to 6"),
             (with_spatial(Spatial { query_axes: 2, ..spatial }), "dimension is 5, expected 6 to 6"),
             (with_spatial(Spatial { squarers: &[(Squarer::Table, 1), (Squarer::Product, 2)], ..spatial }), "squarers of other kinds is 3, expected 0 to 2"),

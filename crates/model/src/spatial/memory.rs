@@ -1,0 +1,214 @@
+//! The photon memory, see [`photoncube_spec::MemoryRegister`].
+
+use photoncube_spec::{Group, Inputs, Lane, Machine, MemoryRegister, Spatial};
+
+/// What the head says in a clock, before its edge.
+#[derive(Copy, Clone, Debug)]
+pub(super) struct HeadStatus {
+    /// All queries of the next batch are taken.
+    pub full: bool,
+    /// The queue has room for the results of a batch.
+    pub has_room: bool,
+    /// Clocks until a last group may be taken.
+    pub spacing: u32,
+    /// A query is taken.
+    pub takes_query: bool,
+}
+
+/// The memory with its registers.
+#[derive(Clone, Debug)]
+pub(super) struct PhotonMemory {
+    banks: [Bank; 2],
+    fill_bank: usize,
+    fill_place: usize,
+    play_bank: usize,
+    play_place: usize,
+    playing: bool,
+    releases: bool,
+    release_next: bool,
+    word_valid: bool,
+    word: Group,
+    channels: usize,
+    has_exponent: bool,
+}
+
+#[derive(Clone, Debug)]
+struct Bank {
+    groups: Vec<Group>,
+    full: bool,
+    end: usize,
+}
+
+impl PhotonMemory {
+    /// An empty memory, if the machine has one.
+    pub fn of(machine: &Machine, spatial: &Spatial) -> Option<Self> {
+        if !machine.has_memory() {
+            return None;
+        }
+        let nothing = Group {
+            lanes: vec![Lane::default(); Spatial::LANES],
+            last: false,
+        };
+        let bank = Bank {
+            groups: vec![nothing.clone(); spatial.memory_groups as usize],
+            full: false,
+            end: 0,
+        };
+        Some(Self {
+            banks: [bank.clone(), bank],
+            fill_bank: 0,
+            fill_place: 0,
+            play_bank: 0,
+            play_place: 0,
+            playing: false,
+            releases: false,
+            release_next: false,
+            word_valid: false,
+            word: nothing,
+            channels: machine.channels().names().len(),
+            has_exponent: machine
+                .format()
+                .is_some_and(|f| f.power.exponent_range() > 0),
+        })
+    }
+
+    /// Whether a group is taken from the stream in this clock, if there is one.
+    pub fn group_ready(&self) -> bool {
+        !self.banks[self.fill_bank].full
+    }
+
+    /// The pins as the head sees them: its group is the word that was read.
+    pub fn head_inputs(&self, inputs: &Inputs) -> Inputs {
+        Inputs {
+            group_valid: self.word_valid,
+            group: self.word.clone(),
+            ..inputs.clone()
+        }
+    }
+
+    /// One rising clock edge.
+    pub fn clock(&mut self, inputs: &Inputs, head: HeadStatus) {
+        let starts = self.starts(head);
+        let reads = self.playing || starts;
+        let read = self.banks[self.play_bank].groups[self.play_place].clone();
+        let at_end = self.play_place == self.banks[self.play_bank].end;
+        let takes = inputs.group_valid && self.group_ready();
+
+        self.word_valid = reads;
+        self.word = Group {
+            last: reads && at_end,
+            ..read
+        };
+        if reads {
+            self.advance(starts, at_end);
+        }
+        if starts {
+            self.releases = self.release_next;
+            self.release_next = false;
+        }
+        if head.takes_query && inputs.query_release {
+            self.release_next = true;
+        }
+        if takes {
+            self.fill(&inputs.group);
+        }
+        if inputs.reset {
+            self.reset();
+        }
+    }
+
+    fn starts(&self, head: HeadStatus) -> bool {
+        let bank = &self.banks[self.play_bank];
+        let ends = self.word_valid && self.word.last;
+        !self.playing
+            && bank.full
+            && head.full
+            && head.has_room
+            && head.spacing as usize <= bank.end
+            && !ends
+    }
+
+    fn advance(&mut self, starts: bool, at_end: bool) {
+        self.playing = !at_end;
+        if !at_end {
+            self.play_place += 1;
+            return;
+        }
+        self.play_place = 0;
+        let releases = if starts {
+            self.release_next
+        } else {
+            self.releases
+        };
+        if releases {
+            self.banks[self.play_bank].full = false;
+            self.play_bank = 1 - self.play_bank;
+        }
+    }
+
+    fn fill(&mut self, group: &Group) {
+        let bank = &mut self.banks[self.fill_bank];
+        let place = self.fill_place;
+        bank.groups[place].clone_from(group);
+        if group.last || place + 1 == bank.groups.len() {
+            bank.full = true;
+            bank.end = place;
+            self.fill_place = 0;
+            self.fill_bank = 1 - self.fill_bank;
+        } else {
+            self.fill_place += 1;
+        }
+    }
+
+    fn reset(&mut self) {
+        for bank in &mut self.banks {
+            (bank.full, bank.end) = (false, 0);
+        }
+        (self.fill_bank, self.fill_place) = (0, 0);
+        (self.play_bank, self.play_place) = (0, 0);
+        (self.playing, self.releases, self.release_next) = (false, false, false);
+        self.word_valid = false;
+        self.word.last = false;
+    }
+
+    /// Appends the registers in the order of [`photoncube_spec::Pins`].
+    pub fn observe(&self, row: &mut Vec<u64>) {
+        for register in MemoryRegister::ALL {
+            self.observe_register(register, row);
+        }
+    }
+
+    fn observe_register(&self, register: MemoryRegister, row: &mut Vec<u64>) {
+        let lanes = &self.word.lanes;
+        match register {
+            MemoryRegister::FillBank => row.push(self.fill_bank as u64),
+            MemoryRegister::FillPlace => row.push(self.fill_place as u64),
+            MemoryRegister::Full => row.extend(self.banks.iter().map(|b| u64::from(b.full))),
+            MemoryRegister::End => row.extend(self.banks.iter().map(|b| b.end as u64)),
+            MemoryRegister::PlayBank => row.push(self.play_bank as u64),
+            MemoryRegister::PlayPlace => row.push(self.play_place as u64),
+            MemoryRegister::Playing => row.push(self.playing.into()),
+            MemoryRegister::Releases => row.push(self.releases.into()),
+            MemoryRegister::ReleaseNext => row.push(self.release_next.into()),
+            MemoryRegister::WordValid => row.push(self.word_valid.into()),
+            MemoryRegister::WordLast => row.push(self.word.last.into()),
+            MemoryRegister::WordPresent => {
+                row.extend(lanes.iter().map(|lane| u64::from(lane.present)));
+            }
+            MemoryRegister::WordPosition => {
+                let positions = lanes.iter().flat_map(|lane| lane.photon.position);
+                row.extend(positions.map(u64::from));
+            }
+            MemoryRegister::WordPower => {
+                let powers = lanes
+                    .iter()
+                    .flat_map(|lane| &lane.photon.power[..self.channels]);
+                row.extend(powers.map(|&power| u64::from(power)));
+            }
+            MemoryRegister::WordExponent if !self.has_exponent => {}
+            MemoryRegister::WordExponent => {
+                row.extend(lanes.iter().map(|lane| u64::from(lane.photon.exponent)));
+            }
+        }
+    }
+}
