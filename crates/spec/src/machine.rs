@@ -214,14 +214,28 @@ const FINE: Cuts = Cuts::of(&[
     Cut::GroupPower,
 ]);
 
-/// Two adders between two registers: a chip of many engines has no more flip-flops than LUTs.
+/// Registers where they are worth it on a chip of many engines, which has no more flip-flops than
+/// LUTs: between two stand at most two adders.
 const COARSE: Cuts = Cuts::of(&[
     Cut::Magnitude,
-    Cut::Products,
-    Cut::Square,
+    Cut::Cross,
+    Cut::Pair,
     Cut::Distance,
     Cut::Range,
     Cut::PairPower,
+    Cut::GroupPower,
+]);
+
+/// The same with a register behind a block RAM or DSP block, both slow.
+const MIXED: Cuts = Cuts::of(&[
+    Cut::Magnitude,
+    Cut::Cross,
+    Cut::Square,
+    Cut::Pair,
+    Cut::Distance,
+    Cut::Range,
+    Cut::PairPower,
+    Cut::GroupPower,
 ]);
 
 /// A tile of `2^query_axes` engines in the format that two of three built-in scenes' noise allows.
@@ -265,6 +279,7 @@ const fn with_memory(tile: Machine, squarers: &'static [(Squarer, usize)]) -> Ma
         organisation: Organisation::Spatial(Spatial {
             memory_groups,
             squarers,
+            cuts: if squarers.is_empty() { COARSE } else { MIXED },
             ..spatial
         }),
         ..tile

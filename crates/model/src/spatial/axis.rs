@@ -13,35 +13,39 @@ pub(super) struct Square {
     pub(super) far: bool,
 }
 
-/// The digits' squares and products.
+/// |d| modulo 2^r, and whether it is more.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
-pub(super) struct Products {
-    pub(super) squares: u64,
-    pub(super) low: u64,
-    pub(super) high: u64,
+pub(super) struct Magnitude {
+    pub(super) word: u32,
     pub(super) far: bool,
 }
 
-/// The digits' squares and their product.
+/// |d| and the products of its digits.
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Products {
+    pub(super) magnitude: Magnitude,
+    pub(super) low: u64,
+    pub(super) high: u64,
+}
+
+/// |d| and the product of its two digits.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Crossed {
-    pub(super) squares: u64,
+    pub(super) magnitude: Magnitude,
     pub(super) cross: u64,
-    pub(super) far: bool,
 }
 
 /// The registers of one axis of one lane. Those of another kind of squarer stay 0.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Axis {
     pub(super) difference: i32,
-    pub(super) magnitude: u32,
+    pub(super) magnitude: Magnitude,
     pub(super) magnitude_delay: i32,
     pub(super) products: Products,
+    pub(super) products_delay: i32,
     pub(super) crossed: Crossed,
     pub(super) lookup: Square,
-    pub(super) lookup_delay: Square,
     pub(super) product: u64,
-    pub(super) product_delay: u64,
     pub(super) square: Square,
 }
 
@@ -59,34 +63,45 @@ impl Axis {
     }
 
     fn digits_square(&mut self, rules: &Rules, d: i32) -> Square {
-        let magnitude = rules.cut(Cut::Magnitude, &mut self.magnitude, d.unsigned_abs());
-        let products = Products::of(rules, magnitude);
+        let magnitude = Magnitude::of(rules, d);
+        let magnitude = rules.cut(Cut::Magnitude, &mut self.magnitude, magnitude);
+        let [high, low] = digits(rules, magnitude);
+        let products = Products {
+            magnitude,
+            low: high * (low % 4),
+            high: high * (low / 4),
+        };
         let products = rules.cut(Cut::Products, &mut self.products, products);
         let crossed = Crossed {
-            squares: products.squares,
+            magnitude: products.magnitude,
             cross: products.low + 4 * products.high,
-            far: products.far,
         };
         let crossed = rules.cut(Cut::Cross, &mut self.crossed, crossed);
         // (high 2^l + low)^2 has the product of the digits twice, l bits up.
-        let twice = rules.widths.low_digit + 1;
+        let [high, low] = digits(rules, crossed.magnitude);
+        let low_digit = rules.widths.low_digit;
+        let squares = (high.pow(2) << (2 * low_digit)) + low.pow(2);
         Square {
-            word: crossed.squares + (crossed.cross << twice),
-            far: crossed.far,
+            word: squares + (crossed.cross << (low_digit + 1)),
+            far: crossed.magnitude.far,
         }
     }
 
-    fn table_square(&mut self, rules: &Rules, d: i32) -> Square {
+    /// What a squarer that needs no digits has before the cut `Cross`: the difference.
+    fn delayed(&mut self, rules: &Rules, d: i32) -> i32 {
         let d = rules.cut(Cut::Magnitude, &mut self.magnitude_delay, d);
+        rules.cut(Cut::Products, &mut self.products_delay, d)
+    }
+
+    fn table_square(&mut self, rules: &Rules, d: i32) -> Square {
+        let d = self.delayed(rules, d);
         let lookup = Square::of_product(rules, squared(d));
-        let lookup = rules.cut(Cut::Products, &mut self.lookup, lookup);
-        rules.cut(Cut::Cross, &mut self.lookup_delay, lookup)
+        rules.cut(Cut::Cross, &mut self.lookup, lookup)
     }
 
     fn product_square(&mut self, rules: &Rules, d: i32) -> Square {
-        let d = rules.cut(Cut::Magnitude, &mut self.magnitude_delay, d);
-        let product = rules.cut(Cut::Products, &mut self.product, squared(d));
-        let product = rules.cut(Cut::Cross, &mut self.product_delay, product);
+        let d = self.delayed(rules, d);
+        let product = rules.cut(Cut::Cross, &mut self.product, squared(d));
         Square::of_product(rules, product)
     }
 }
@@ -95,19 +110,22 @@ fn squared(d: i32) -> u64 {
     u64::from(d.unsigned_abs()).pow(2)
 }
 
-impl Products {
-    fn of(rules: &Rules, magnitude: u32) -> Self {
-        let widths = &rules.widths;
-        let inside = magnitude % (1 << widths.radius);
-        let high = u64::from(inside >> widths.low_digit);
-        let low = u64::from(inside % (1 << widths.low_digit));
+impl Magnitude {
+    fn of(rules: &Rules, d: i32) -> Self {
+        let magnitude = d.unsigned_abs();
+        let word = magnitude % (1 << rules.widths.radius);
         Self {
-            squares: (high.pow(2) << (2 * widths.low_digit)) | low.pow(2),
-            low: high * (low % 4),
-            high: high * (low / 4),
-            far: inside != magnitude,
+            word,
+            far: word != magnitude,
         }
     }
+}
+
+/// The high and the low digit.
+fn digits(rules: &Rules, magnitude: Magnitude) -> [u64; 2] {
+    let word = u64::from(magnitude.word);
+    let low_digit = rules.widths.low_digit;
+    [word >> low_digit, word % (1 << low_digit)]
 }
 
 impl Square {

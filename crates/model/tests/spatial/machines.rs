@@ -45,7 +45,7 @@ pub fn all_cuts(squarer: Squarer) -> impl Iterator<Item = Cuts> {
         Cuts::of(&chosen.map(|(_, cut)| cut).collect::<Vec<_>>())
     });
     sets.filter(move |cuts| {
-        cuts.has(Cut::Range) && (squarer != Squarer::Table || cuts.has(Cut::Products))
+        cuts.has(Cut::Range) && (squarer != Squarer::Table || cuts.has(Cut::Cross))
     })
 }
 
@@ -55,11 +55,11 @@ fn cuts() -> impl Strategy<Value = Cuts> {
     prop_oneof![
         Just(Cuts::of(&Cut::ALL)),
         // All kinds of squarers may come, so the tables' register is there too.
-        Just(Cuts::of(&[Cut::Products, Cut::Range])),
+        Just(Cuts::of(&[Cut::Cross, Cut::Range])),
         Just(of("stream")),
         Just(of("tile-5")),
         prop::sample::subsequence(Cut::ALL.to_vec(), 0..=Cut::ALL.len()).prop_map(|mut cuts| {
-            cuts.extend([Cut::Products, Cut::Range]);
+            cuts.extend([Cut::Cross, Cut::Range]);
             Cuts::of(&cuts)
         }),
     ]

@@ -60,7 +60,7 @@ fn a_reset_in_any_clock_leaves_nothing_of_before() {
 fn so_it_does_in_other_pipelines() {
     for squarer in SQUARERS {
         let of = |name| named(name).spatial().unwrap().cuts;
-        let few = Cuts::of(&[Cut::Products, Cut::Range]);
+        let few = Cuts::of(&[Cut::Cross, Cut::Range]);
         for cuts in [of("stream"), of("tile-6"), Cuts::of(&Cut::ALL), few] {
             let machine = Machine {
                 squarer,

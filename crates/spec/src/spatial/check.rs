@@ -141,7 +141,7 @@ impl Spatial {
                 "the decision needs beside the power hop's register",
             ),
             (
-                Cut::Products,
+                Cut::Cross,
                 has_tables,
                 "a table needs, as a block RAM has one",
             ),
@@ -218,7 +218,7 @@ mod tests {
             (with_spatial(Spatial { query_axes: 2, ..spatial }), "dimension is 5, expected 6 to 6"),
             (with_spatial(Spatial { squarers: &[(Squarer::Table, 1), (Squarer::Product, 2)], ..spatial }), "squarers of other kinds is 3, expected 0 to 2"),
             (with_spatial(Spatial { cuts: Cuts::of(&[Cut::Products]), ..spatial }), "the cut Range, which the decision needs beside the power hop's register"),
-            (with_spatial(tables), "the cut Products, which a table needs, as a block RAM has one"),
+            (with_spatial(tables), "the cut Cross, which a table needs, as a block RAM has one"),
             (Machine { numbers: plain, ..machine }, "`tile-5` has plain numbers, and an engine needs a photon format"),
         ];
         for (machine, expected) in wrong {

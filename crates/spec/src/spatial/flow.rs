@@ -56,8 +56,12 @@ fn step(cut: Cut) -> (&'static str, &'static str, &'static str) {
     match cut {
         Cut::Difference => ("X Y Z", "square", "d = query - photon"),
         Cut::Magnitude => ("X Y Z", "square", "|d|"),
-        Cut::Products => ("X Y Z", "square", "squares and products of its digits"),
-        Cut::Cross => ("X Y Z", "square", "the product of its digits"),
+        Cut::Products => ("X Y Z", "square", "products of its digits"),
+        Cut::Cross => (
+            "X Y Z",
+            "square",
+            "the product of its digits; from a table, d^2",
+        ),
         Cut::Square => ("X Y Z", "square", "d^2"),
         Cut::Pair => ("Y", "add", "x^2 + y^2, across z"),
         Cut::Distance => ("D", "add", "x^2 + y^2 + z^2, across w and z"),

@@ -35,32 +35,32 @@ pub enum EngineRegister {
     Photon,
     /// d = query - photon.
     Difference,
-    /// |d|, for squares from digits.
+    /// |d| modulo 2^r, for squares from digits.
     Magnitude,
+    /// |d| exceeds r bits.
+    MagnitudeFar,
     /// d once more, for other squares.
     MagnitudeDelay,
-    /// The squares of the two digits of |d|, side by side: high^2 4^(r-4) + low^2.
-    Squares,
+    /// `Magnitude` once more.
+    ProductsMagnitude,
     /// The high digit times the two lowest bits of the low one.
     LowProduct,
     /// The high digit times the other bits of the low one.
     HighProduct,
-    /// |d| exceeds r bits.
+    /// `MagnitudeFar` once more.
     ProductsFar,
+    /// d once more, for other squares.
+    ProductsDelay,
+    /// `Magnitude` once more.
+    CrossMagnitude,
+    /// The product of the digits.
+    Cross,
+    /// `MagnitudeFar` once more.
+    CrossFar,
     /// d^2 modulo 2^(2 r) from a table, and above it whether |d| exceeds r bits.
     Lookup,
     /// d^2 as one product, in full.
     Product,
-    /// `Squares` once more.
-    CrossSquares,
-    /// The product of the digits.
-    Cross,
-    /// `ProductsFar` once more.
-    CrossFar,
-    /// `Lookup` once more.
-    LookupDelay,
-    /// `Product` once more.
-    ProductDelay,
     /// d^2 modulo 2^(2 r); from digits the square of |d| modulo 2^r, which is another number where
     /// |d| exceeds r bits, and counts for nothing there.
     Square,
@@ -321,23 +321,24 @@ rows! {
     Swap "swap" One |_| 1, Always;
     Photon "photon" Coordinates |w| w.coordinate, Always;
     Difference "difference" Coordinates |w| w.difference, At(Cut::Difference);
-    Magnitude "magnitude" Coordinates |w| w.coordinate, Condition::Squarer(Cut::Magnitude, Digits);
+    Magnitude "magnitude" Coordinates |w| w.radius, Condition::Squarer(Cut::Magnitude, Digits);
+    MagnitudeFar "magnitude_far" Coordinates |_| 1, Condition::Squarer(Cut::Magnitude, Digits);
     MagnitudeDelay "magnitude_delay" Coordinates |w| w.difference,
         NotSquarer(Cut::Magnitude, Digits);
-    Squares "squares" Coordinates |w| w.square, Condition::Squarer(Cut::Products, Digits);
+    ProductsMagnitude "products_magnitude" Coordinates |w| w.radius,
+        Condition::Squarer(Cut::Products, Digits);
     LowProduct "low_product" Coordinates |w| w.low_product,
         Condition::Squarer(Cut::Products, Digits);
     HighProduct "high_product" Coordinates |w| w.high_product,
         Condition::Squarer(Cut::Products, Digits);
     ProductsFar "products_far" Coordinates |_| 1, Condition::Squarer(Cut::Products, Digits);
-    Lookup "lookup" Coordinates |w| w.square + 1, Condition::Squarer(Cut::Products, Table);
-    Product "product" Coordinates |w| w.product, Condition::Squarer(Cut::Products, Product);
-    CrossSquares "cross_squares" Coordinates |w| w.square, Condition::Squarer(Cut::Cross, Digits);
+    ProductsDelay "products_delay" Coordinates |w| w.difference, NotSquarer(Cut::Products, Digits);
+    CrossMagnitude "cross_magnitude" Coordinates |w| w.radius,
+        Condition::Squarer(Cut::Cross, Digits);
     Cross "cross" Coordinates |w| w.cross, Condition::Squarer(Cut::Cross, Digits);
     CrossFar "cross_far" Coordinates |_| 1, Condition::Squarer(Cut::Cross, Digits);
-    LookupDelay "lookup_delay" Coordinates |w| w.square + 1, Condition::Squarer(Cut::Cross, Table);
-    ProductDelay "product_delay" Coordinates |w| w.product,
-        Condition::Squarer(Cut::Cross, Product);
+    Lookup "lookup" Coordinates |w| w.square + 1, Condition::Squarer(Cut::Cross, Table);
+    Product "product" Coordinates |w| w.product, Condition::Squarer(Cut::Cross, Product);
     Square "square" Coordinates |w| w.square, At(Cut::Square);
     SquareFar "square_far" Coordinates |_| 1, At(Cut::Square);
     PairSquare "pair_square" Lanes |w| w.pair, At(Cut::Pair);
