@@ -6,7 +6,11 @@
 
 use photoncube_hdl::{Level, level_pins};
 use photoncube_model::{CellInputs, CellRules, CellState};
-use photoncube_spec::{Field, Machine, OPS, Op, Pin, Pins, Step, Widths, encode};
+use std::collections::VecDeque;
+
+use photoncube_spec::{
+    Cut, Field, Machine, OPS, Op, Pin, Pins, SpatialWidths, Squarer, Step, Widths, encode,
+};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 use serde::Serialize;
@@ -119,6 +123,7 @@ impl Trace {
             Level::Add => trace.add(machine, vectors, rng),
             Level::Square => trace.square(machine, vectors, rng),
             Level::Gate => trace.gate(machine, vectors, rng),
+            Level::SquarePair => trace.square_pair(machine, vectors, rng),
         }
         trace
     }
@@ -185,6 +190,45 @@ impl Trace {
             let operands = |name: &str| u64::from(if name == "a" { a } else { b });
             let step = Step::new(Op::SquareDifference);
             self.push(step, operands, &[cell.work]);
+        }
+    }
+
+    /// Two squares of a spatial machine, a pair of operands a clock. What comes out is that of so many
+    /// clocks before as the squares have registers, and 0 before that.
+    fn square_pair(&mut self, machine: &Machine, vectors: usize, rng: &mut Pcg64) {
+        let (Some(spatial), Some(format)) = (machine.spatial(), machine.format()) else {
+            panic!("only spatial machines have pairs of squares");
+        };
+        let widths = SpatialWidths::of(format);
+        let of_squares = |cut: &Cut| *cut <= Cut::Square && spatial.cuts.has(*cut);
+        let latency = Cut::ALL.iter().filter(|cut| of_squares(cut)).count();
+        let mask = (1 << widths.coordinate) - 1;
+        let all_pairs = 1 << (2 * widths.coordinate);
+        let operands = |index: usize, rng: &mut Pcg64| match all_pairs <= vectors {
+            // Every pair for both; the second's photon runs through them in another order.
+            true => {
+                let photon = index as u64 & mask;
+                [
+                    (index as u64 >> widths.coordinate) & mask,
+                    photon,
+                    photon ^ (mask >> 1),
+                ]
+            }
+            false => [(); 3].map(|()| corner(rng, widths.coordinate)),
+        };
+        let mut squares = VecDeque::from(vec![[0; 4]; latency]);
+        for index in 0..vectors.max(latency + 1) {
+            let [query, photon_a, photon_b] = operands(index, rng);
+            let square = |photon| square_of(query, photon, widths.radius, machine.squarer);
+            let ((square_a, far_a), (square_b, far_b)) = (square(photon_a), square(photon_b));
+            squares.push_back([square_a, square_b, far_a, far_b]);
+            let expected = squares.pop_front().expect("one was pushed");
+            let value = |name: &str| match name {
+                "query" => query,
+                "photon_a" => photon_a,
+                _ => photon_b,
+            };
+            self.push(Step::new(Op::SquareDifference), value, &expected);
         }
     }
 
@@ -327,6 +371,18 @@ impl Trace {
             ),
         })
     }
+}
+
+/// What the spec says of a spatial machine's `Square` and `SquareFar`.
+fn square_of(query: u64, photon: u64, radius_bits: u32, squarer: Squarer) -> (u64, u64) {
+    let distance = query.abs_diff(photon);
+    let modulus = 1 << radius_bits;
+    let squared = match squarer {
+        Squarer::Digits => distance % modulus,
+        Squarer::Product | Squarer::Table => distance,
+    };
+    let square = squared * squared % (modulus * modulus);
+    (square, u64::from(distance >= modulus))
 }
 
 fn field_named(name: &str) -> Field {

@@ -12,7 +12,7 @@ use photoncube_testbench::{DeviceKind, verify_part};
 /// device gets every pair of operands of the photon formats' square units.
 fn vectors(kind: DeviceKind, part: Level) -> usize {
     match (kind, part) {
-        (DeviceKind::Verilator, Level::Square) => 1 << 21,
+        (DeviceKind::Verilator, Level::Square | Level::SquarePair) => 1 << 21,
         (DeviceKind::RustHdl | DeviceKind::Verilator, _) => 20_000,
         (DeviceKind::Icarus | DeviceKind::Netlist, _) => 5_000,
     }
@@ -20,10 +20,9 @@ fn vectors(kind: DeviceKind, part: Level) -> usize {
 
 fn main() {
     let mut trials = Vec::new();
-    let parts = Level::ALL.into_iter();
-    for part in parts.filter(|&level| level != Level::Machine) {
-        // Spatial machines have other parts.
-        for machine in MACHINES.iter().filter(|m| m.microprogram().is_some()) {
+    for machine in MACHINES {
+        let parts = Level::of(machine).iter().copied();
+        for part in parts.filter(|&level| level != Level::Machine) {
             for kind in DeviceKind::ALL {
                 let name = format!("{}::{}::{kind}", part.name(), machine.name);
                 let run = move || {

@@ -25,19 +25,32 @@ pub fn files(machine: &Machine) -> Result<Vec<ProjectFile>> {
         path: PathBuf::from(machine.name).join(format!("{top}.{extension}")),
         text,
     };
-    Ok(vec![
+    let mut files = vec![
         file("v", emitted.text),
-        file("ys", yosys(&top)),
+        file("ys", yosys(&top, emitted.ecp5_text.is_some())),
         file("qpf", format!("PROJECT_REVISION = \"{top}\"\n")),
         file("qsf", quartus(&top)),
         file("sdc", constraints()),
-    ])
+    ];
+    files.extend(emitted.ecp5_text.map(|text| ProjectFile {
+        path: PathBuf::from(machine.name).join(format!("{top}_ecp5.v")),
+        text,
+    }));
+    Ok(files)
 }
 
-fn yosys(top: &str) -> String {
+fn yosys(top: &str, has_carry_chains: bool) -> String {
+    let carry_chains = match has_carry_chains {
+        false => String::new(),
+        true => format!(
+            "# Carry cells where Yosys would spend LUTs, proven equal by scripts/yosys/ecp5.sh.\n\
+             read_verilog -overwrite {top}_ecp5.v\n"
+        ),
+    };
     format!(
         "# yosys {top}.ys: checks the design, then maps it to ECP5.\n\
          read_verilog {top}.v\n\
+         {carry_chains}\
          # ABC9 trades area for speed only where a path is longer than this, in ps.\n\
          scratchpad -set abc9.D {}\n\
          hierarchy -check -top {top}\n\

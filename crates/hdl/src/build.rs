@@ -3,7 +3,7 @@
 //! rust-hdl's widths are const generics, so every set of widths is compiled; each costs about a
 //! second of build time.
 
-use photoncube_spec::{Machine, Widths, control_word_bits};
+use photoncube_spec::{Machine, Spatial, SpatialWidths, Widths, control_word_bits};
 use thiserror::Error;
 
 use crate::cell::Cell;
@@ -11,6 +11,7 @@ use crate::level::Level;
 use crate::network::Network;
 use crate::pinned::Pinned;
 use crate::processor::Processor;
+use crate::spatial::{SpatialMachine, SquarePair};
 use crate::units::{AddUnit, GateUnit, SquareUnit};
 
 /// No block of these widths is compiled in.
@@ -81,6 +82,7 @@ macro_rules! built_in {
                         Level::Add => Box::new(AddUnit::<$s>::default()),
                         Level::Square => Box::new(SquareUnit::<$c, $h, $m, $q>::new(machine.squarer)),
                         Level::Gate => Box::new(GateUnit::<$v, $r, $p>::default()),
+                        Level::SquarePair => return None,
                     });
                 }
             )+
@@ -102,13 +104,79 @@ built_in! {
     9 8 7 14 14  4 5 28 30 42  4 15 4  16 4;
 }
 
+macro_rules! built_in_spatial {
+    ($($c:literal $d:literal $r:literal $q:literal $l:literal
+       $lp:literal $hp:literal $pr:literal $t:literal $u:literal;
+       $b:literal $e:literal $p:literal $pp:literal $gp:literal $s:literal $n:literal;)+) => {
+        const BUILT_IN_SPATIAL: &[SpatialWidths] = &[$(SpatialWidths {
+            coordinate: $c, difference: $d, radius: $r, low_digit: $r - 4,
+            low_product: $lp, high_product: $hp, cross: $r, square: $q, product: $pr,
+            pair: $t, distance: $u, radius_sq: $q, mantissa: $b, exponent: $e,
+            power: $p, pair_power: $pp, group_power: $gp, sum: $s, count: $n,
+        },)+];
+
+        fn find_spatial(
+            machine: &Machine,
+            spatial: &Spatial,
+            level: Level,
+        ) -> Option<Box<dyn Pinned>> {
+            let format = machine.format()?;
+            let widths = SpatialWidths::of(format);
+            if format.half_steps() {
+                return None;
+            }
+            let mut row = BUILT_IN_SPATIAL.iter();
+            $(
+                if row.next() == Some(&widths) {
+                    return match level {
+                        Level::Machine => Some(Box::new(SpatialMachine::<
+                            $c, $d, $r, $q, $l, $lp, $hp, $pr, $t, $u,
+                            $b, $e, $p, $pp, $gp, $s, $n,
+                        >::new(machine, spatial))),
+                        Level::SquarePair => Some(Box::new(
+                            SquarePair::<$c, $d, $r, $q, $l, $lp, $hp, $pr>::new(
+                                spatial.cuts, machine.squarer))),
+                        _ => None,
+                    };
+                }
+            )+
+            None
+        }
+    };
+}
+
+// coordinate, difference, radius, square, table's word, two digit products, product, pair, distance;
+// mantissa, exponent, power, pair's power, group's power, sum, count
+built_in_spatial! {
+    10 11 8 16 17 6 6 20 17 18;  8 0 8 9 10 22 15;
+    9 10 7 14 15 6 4 18 15 16;  6 0 6 7 8 18 13;
+}
+
+fn not_built_in(machine: &Machine, level: Level) -> NotBuiltIn {
+    let (needed, built_in) = match (machine.spatial(), machine.format()) {
+        (Some(_), Some(format)) => (
+            format!("{level:?} of {:?}", SpatialWidths::of(format)),
+            format!("{BUILT_IN_SPATIAL:?}"),
+        ),
+        _ => (
+            format!("{level:?} of {:?}", Shape::of(machine)),
+            format!("{BUILT_IN:?}"),
+        ),
+    };
+    NotBuiltIn {
+        machine: machine.name.to_owned(),
+        needed,
+        built_in,
+    }
+}
+
 /// The block of a machine at a level, with all its signals claimed.
 pub(crate) fn build(machine: &Machine, level: Level) -> Result<Box<dyn Pinned>, NotBuiltIn> {
-    let mut block = find(machine, level).ok_or_else(|| NotBuiltIn {
-        machine: machine.name.to_owned(),
-        needed: format!("{:?}", Shape::of(machine)),
-        built_in: format!("{BUILT_IN:?}"),
-    })?;
+    let block = match machine.spatial() {
+        Some(spatial) => find_spatial(machine, spatial, level),
+        None => find(machine, level),
+    };
+    let mut block = block.ok_or_else(|| not_built_in(machine, level))?;
     block.connect_all();
     Ok(block)
 }
@@ -121,7 +189,7 @@ mod tests {
     #[test]
     fn every_named_machine_is_built_in() {
         for machine in MACHINES {
-            for level in Level::ALL {
+            for &level in Level::of(machine) {
                 assert!(build(machine, level).is_ok(), "{} {level:?}", machine.name);
             }
         }

@@ -1,5 +1,7 @@
 //! The parts of a machine that can be built, simulated and emitted on their own.
 
+use photoncube_spec::{Machine, Organisation};
+
 /// A block of the machine: the whole, or a part for itself.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Level {
@@ -15,18 +17,30 @@ pub enum Level {
     Square,
     /// The unit `if A>B, output 0`.
     Gate,
+    /// A spatial machine's squares of two photons' distances on one axis, with their registers.
+    SquarePair,
 }
 
 impl Level {
-    /// All levels, the whole first.
-    pub const ALL: [Self; 6] = [
-        Self::Machine,
-        Self::Cell,
-        Self::Network,
-        Self::Add,
-        Self::Square,
-        Self::Gate,
-    ];
+    /// The levels of a machine, the whole first.
+    pub fn of(machine: &Machine) -> &'static [Self] {
+        match machine.organisation {
+            Organisation::Sequential => &[
+                Self::Machine,
+                Self::Cell,
+                Self::Network,
+                Self::Add,
+                Self::Square,
+                Self::Gate,
+            ],
+            Organisation::Spatial(_) => &[Self::Machine, Self::SquarePair],
+        }
+    }
+
+    /// Whether the block has a clock.
+    pub fn is_clocked(self) -> bool {
+        matches!(self, Self::Machine | Self::Cell | Self::SquarePair)
+    }
 
     /// The level's name; the parts' are their modules' in the emitted Verilog.
     pub fn name(self) -> &'static str {
@@ -37,6 +51,7 @@ impl Level {
             Self::Add => "add_unit",
             Self::Square => "square_unit",
             Self::Gate => "gate_unit",
+            Self::SquarePair => "square_pair",
         }
     }
 }

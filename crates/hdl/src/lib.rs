@@ -15,6 +15,7 @@ mod pinned;
 mod ports;
 mod processor;
 mod simulator;
+mod spatial;
 mod units;
 
 pub use build::NotBuiltIn;

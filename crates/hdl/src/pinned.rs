@@ -18,6 +18,10 @@ pub(crate) trait Pinned: Block {
     fn drive(&mut self, row: &[u64]);
     /// Appends the output pins and the registers, in the order of [`pins`].
     fn sample(&self, row: &mut Vec<u64>);
+    /// The path of a register in the top instance, of blocks that know it.
+    fn register_path(&self, _place: SignalPlace) -> Option<String> {
+        None
+    }
     /// One pass of rust-hdl's settling loop; true when nothing changed.
     fn settle(&mut self) -> bool;
 }
@@ -81,7 +85,7 @@ impl Probe for TopPins {
 }
 
 /// A signal's value as a number.
-trait Word {
+pub(crate) trait Word {
     fn from_number(number: u64) -> Self;
     fn number(self) -> u64;
 }
@@ -96,6 +100,16 @@ impl Word for bool {
     }
 }
 
+impl Word for u64 {
+    fn from_number(number: u64) -> Self {
+        number
+    }
+
+    fn number(self) -> u64 {
+        self
+    }
+}
+
 impl<const N: usize> Word for Bits<N> {
     fn from_number(number: u64) -> Self {
         number.to_bits()
@@ -107,10 +121,14 @@ impl<const N: usize> Word for Bits<N> {
 }
 
 /// Hands a row's numbers to input signals, one after the other.
-struct Driver<'a>(std::slice::Iter<'a, u64>);
+pub(crate) struct Driver<'a>(std::slice::Iter<'a, u64>);
 
-impl Driver<'_> {
-    fn put<T: Word + Synth>(&mut self, signal: &mut Signal<In, T>) {
+impl<'a> Driver<'a> {
+    pub fn new(row: &'a [u64]) -> Self {
+        Self(row.iter())
+    }
+
+    pub fn put<T: Word + Synth>(&mut self, signal: &mut Signal<In, T>) {
         let number = self.0.next().expect("a row has a number for each input");
         signal.next = T::from_number(*number);
     }
@@ -118,7 +136,7 @@ impl Driver<'_> {
 
 macro_rules! drive {
     ($self:ident, $row:ident: $($signal:ident),+ $(,)?) => {
-        let mut driver = Driver($row.iter());
+        let mut driver = $crate::pinned::Driver::new($row);
         $(driver.put(&mut $self.$signal);)+
     };
 }
@@ -137,6 +155,8 @@ macro_rules! settle {
         }
     };
 }
+
+pub(crate) use {drive, sample, settle};
 
 impl<const S: usize> Pinned for AddUnit<S> {
     fn drive(&mut self, row: &[u64]) {
@@ -178,7 +198,7 @@ impl<const V: usize, const R: usize, const P: usize> Pinned for GateUnit<V, R, P
 
 impl<const N: usize, const V: usize, const X: usize> Pinned for Network<N, V, X> {
     fn drive(&mut self, row: &[u64]) {
-        let mut driver = Driver(row.iter());
+        let mut driver = Driver::new(row);
         driver.put(&mut self.axis);
         for work in &mut self.work {
             driver.put(work);
@@ -270,7 +290,7 @@ impl<
     }
 
     fn drive(&mut self, row: &[u64]) {
-        let mut driver = Driver(row.iter());
+        let mut driver = Driver::new(row);
         driver.put(&mut self.reset);
         driver.put(&mut self.query_valid);
         driver.put(&mut self.query_x);

@@ -19,7 +19,10 @@ impl ChannelNames {
         let sums = channels.iter().chain(&["count"]).enumerate();
         let results =
             sums.map(|(index, name)| (format!("result${index}"), format!("result${name}")));
-        Self(words.chain(results).collect())
+        // Of these there is one or none.
+        let single = ["radius_sq", "query_release"];
+        let singles = single.map(|name| (format!("{name}$0"), name.to_owned()));
+        Self(words.chain(results).chain(singles).collect())
     }
 
     /// The identifier with such an element at its end named; any other as it is.

@@ -1,0 +1,222 @@
+//! Which queries and groups the head takes, and when.
+//!
+//! The counters' widths and limits follow from the number of engines, which the other widths do
+//! not depend on. So this block's Verilog is written by hand, with its registers inside, and one
+//! set of compiled widths serves machines of any number of engines.
+
+use photoncube_spec::{HeadSizes, Spatial};
+use rust_hdl::prelude::*;
+
+use super::hidden::Hidden;
+
+/// Takes queries and groups by the rules of `photoncube_spec::HeadSizes`' module.
+#[derive(LogicBlock)]
+pub(crate) struct Admission {
+    pub clock: Signal<In, Clock>,
+    pub reset: Signal<In, Bit>,
+    pub query_valid: Signal<In, Bit>,
+    pub group_valid: Signal<In, Bit>,
+    pub group_last: Signal<In, Bit>,
+    pub result_taken: Signal<In, Bit>,
+    pub query_ready: Signal<Out, Bit>,
+    pub group_ready: Signal<Out, Bit>,
+    /// The group of this clock is taken.
+    pub taken: Signal<Out, Bit>,
+    /// It is the first of its batch.
+    pub first_taken: Signal<Out, Bit>,
+    /// It is the last of its batch.
+    pub last_taken: Signal<Out, Bit>,
+    /// What engine 0 sees of it: nothing in the clock of a reset.
+    pub token_valid: Signal<Out, Bit>,
+    pub swap: Signal<Out, Bit>,
+    /// What a photon memory goes by: all queries of a batch are taken; there is room for its results;
+    /// the clocks until a last group may be taken.
+    pub is_full: Signal<Out, Bit>,
+    pub has_room: Signal<Out, Bit>,
+    pub clocks_to_last: Signal<Out, Bits<16>>,
+    pub _loaded: Hidden,
+    pub _open: Hidden,
+    pub _spacing: Hidden,
+    pub _promised: Hidden,
+    _engines: u64,
+    _sizes: HeadSizes,
+}
+
+/// What is taken in a clock.
+struct Taken {
+    query: bool,
+    query_ready: bool,
+    group: bool,
+    group_ready: bool,
+    first: bool,
+    last: bool,
+}
+
+impl Admission {
+    pub fn new(spatial: &Spatial) -> Self {
+        Self {
+            clock: Default::default(),
+            reset: Default::default(),
+            query_valid: Default::default(),
+            group_valid: Default::default(),
+            group_last: Default::default(),
+            result_taken: Default::default(),
+            query_ready: Default::default(),
+            group_ready: Default::default(),
+            taken: Default::default(),
+            first_taken: Default::default(),
+            last_taken: Default::default(),
+            token_valid: Default::default(),
+            swap: Default::default(),
+            is_full: Default::default(),
+            has_room: Default::default(),
+            clocks_to_last: Default::default(),
+            _loaded: Default::default(),
+            _open: Default::default(),
+            _spacing: Default::default(),
+            _promised: Default::default(),
+            _engines: spatial.engines() as u64,
+            _sizes: HeadSizes::of(spatial),
+        }
+    }
+
+    /// The most promises that leave room for a batch.
+    fn most_promised(&self) -> u64 {
+        self._sizes.queue as u64 - self._engines
+    }
+
+    fn taken(&self) -> Taken {
+        let open = self._open.0 != 0;
+        let full = self._loaded.0 == self._engines;
+        let fits = self._spacing.0 == 0 && self._promised.0 <= self.most_promised();
+        let group_ready = (open || full) && (!self.group_last.val() || fits);
+        let group = self.group_valid.val() && group_ready;
+        let first = group && !open;
+        let query_ready = !full || first;
+        Taken {
+            query: self.query_valid.val() && query_ready,
+            query_ready,
+            group,
+            group_ready,
+            first,
+            last: group && self.group_last.val(),
+        }
+    }
+
+    fn step(&mut self) {
+        let taken = self.taken();
+        let kept = if taken.first { 0 } else { self._loaded.0 };
+        let promised = self._promised.0 + if taken.last { self._engines } else { 0 };
+        self._loaded.0 = kept + u64::from(taken.query);
+        if taken.group {
+            self._open.0 = u64::from(!taken.last);
+        }
+        self._spacing.0 = match taken.last {
+            true => u64::from(self._sizes.spacing) - 1,
+            false => self._spacing.0.saturating_sub(1),
+        };
+        self._promised.0 = promised - u64::from(self.result_taken.val());
+        if self.reset.val() {
+            (self._loaded, self._open) = Default::default();
+            (self._spacing, self._promised) = Default::default();
+        }
+    }
+}
+
+impl Logic for Admission {
+    fn update(&mut self) {
+        if self.clock.pos_edge() {
+            self.step();
+        }
+        let taken = self.taken();
+        self.query_ready.next = taken.query_ready;
+        self.group_ready.next = taken.group_ready;
+        self.taken.next = taken.group;
+        self.first_taken.next = taken.first;
+        self.last_taken.next = taken.last;
+        self.token_valid.next = taken.query && !self.reset.val();
+        self.swap.next = taken.first && !self.reset.val();
+        self.is_full.next = self._loaded.0 == self._engines;
+        self.has_room.next = self._promised.0 <= self.most_promised();
+        self.clocks_to_last.next = self._spacing.0.to_bits();
+    }
+
+    fn connect(&mut self) {
+        self.query_ready.connect();
+        self.group_ready.connect();
+        self.taken.connect();
+        self.first_taken.connect();
+        self.last_taken.connect();
+        self.token_valid.connect();
+        self.swap.connect();
+        self.is_full.connect();
+        self.has_room.connect();
+        self.clocks_to_last.connect();
+    }
+
+    fn hdl(&self) -> Verilog {
+        let HeadSizes {
+            spacing,
+            loaded_bits,
+            spacing_bits,
+            promised_bits,
+            ..
+        } = self._sizes;
+        let engines = self._engines;
+        Verilog::Custom(format!(
+            "reg [{l}:0] loaded = {loaded_bits}'d0;\n\
+             reg open = 1'd0;\n\
+             reg [{s}:0] spacing = {spacing_bits}'d0;\n\
+             reg [{p}:0] promised = {promised_bits}'d0;\n\
+             wire full = loaded == {loaded_bits}'d{engines};\n\
+             wire room = promised <= {promised_bits}'d{most_promised};\n\
+             wire fits = (spacing == {spacing_bits}'d0) & room;\n\
+             wire admits_group = (open | full) & (~group_last | fits);\n\
+             wire takes_group = group_valid & admits_group;\n\
+             wire takes_first = takes_group & ~open;\n\
+             wire takes_last = takes_group & group_last;\n\
+             wire admits_query = ~full | takes_first;\n\
+             wire takes_query = query_valid & admits_query;\n\
+             always @(*) query_ready = admits_query;\n\
+             always @(*) group_ready = admits_group;\n\
+             always @(*) taken = takes_group;\n\
+             always @(*) first_taken = takes_first;\n\
+             always @(*) last_taken = takes_last;\n\
+             always @(*) token_valid = takes_query & ~reset;\n\
+             always @(*) swap = takes_first & ~reset;\n\
+             always @(*) is_full = full;\n\
+             always @(*) has_room = room;\n\
+             always @(*) clocks_to_last = {{{pad}'d0, spacing}};\n\
+             always @(posedge clock) begin\n\
+             \x20 loaded <= (takes_first ? {loaded_bits}'d0 : loaded) + {one_query};\n\
+             \x20 if (takes_group) open <= ~group_last;\n\
+             \x20 if (takes_last) spacing <= {spacing_bits}'d{start};\n\
+             \x20 else if (spacing != {spacing_bits}'d0) spacing <= spacing - {spacing_bits}'d1;\n\
+             \x20 promised <= promised + (takes_last ? {promised_bits}'d{engines} : {promised_bits}'d0) \
+             - {one_result};\n\
+             \x20 if (reset) begin\n\
+             \x20   loaded <= {loaded_bits}'d0;\n\
+             \x20   open <= 1'd0;\n\
+             \x20   spacing <= {spacing_bits}'d0;\n\
+             \x20   promised <= {promised_bits}'d0;\n\
+             \x20 end\n\
+             end\n",
+            l = loaded_bits - 1,
+            s = spacing_bits - 1,
+            p = promised_bits - 1,
+            most_promised = self.most_promised(),
+            start = spacing - 1,
+            pad = 16 - spacing_bits,
+            one_query = flag_as_number("takes_query", loaded_bits),
+            one_result = flag_as_number("result_taken", promised_bits),
+        ))
+    }
+}
+
+/// A flag as a number of so many bits.
+fn flag_as_number(flag: &str, bits: u32) -> String {
+    match bits {
+        1 => flag.to_owned(),
+        more => format!("{{{}'d0, {flag}}}", more - 1),
+    }
+}

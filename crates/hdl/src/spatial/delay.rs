@@ -1,0 +1,90 @@
+//! The head's delay line: what powers wait in until an engine has decided who is in range.
+
+use rust_hdl::prelude::*;
+
+use super::stage::{FlagStage, Stage};
+use super::wiring::{Wires, Wiring, logic_of_wires, wires, with_wires};
+
+/// A word's delay line, a clock a stage.
+#[derive(LogicBlock)]
+pub(crate) struct WordDelay<const W: usize> {
+    pub clock: Signal<In, Clock>,
+    pub word: Signal<In, Bits<W>>,
+    pub delayed: Signal<Out, Bits<W>>,
+    /// Stage 0 is nearest to the pins.
+    pub stage: Vec<Stage<Bits<W>>>,
+    _wires: Wires,
+}
+
+impl<const W: usize> WordDelay<W> {
+    pub fn new(stages: usize) -> Self {
+        assert!(stages > 0, "a decision takes a clock at least");
+        with_wires!(Self {
+            clock: Default::default(),
+            word: Default::default(),
+            delayed: Default::default(),
+            stage: Stage::several(stages, true),
+            _wires: Default::default(),
+        })
+    }
+
+    fn wires(&mut self, wiring: &mut Wiring) {
+        let stages = self.stage.len();
+        wires!(self, wiring: (stage[0].d) = (word););
+        for index in 1..stages {
+            wires!(self, wiring: (stage[index].d) = (stage[index - 1].q););
+        }
+        for index in 0..stages {
+            wires!(self, wiring: (stage[index].clock) = (clock););
+        }
+        wires!(self, wiring: (delayed) = (stage[stages - 1].q););
+    }
+}
+
+impl<const W: usize> Logic for WordDelay<W> {
+    logic_of_wires!();
+}
+
+/// A flag's delay line, which a reset clears.
+#[derive(LogicBlock)]
+pub(crate) struct FlagDelay {
+    pub clock: Signal<In, Clock>,
+    pub clear: Signal<In, Bit>,
+    pub flag: Signal<In, Bit>,
+    pub delayed: Signal<Out, Bit>,
+    pub stage: Vec<FlagStage>,
+    _wires: Wires,
+}
+
+impl FlagDelay {
+    pub fn new(stages: usize) -> Self {
+        assert!(stages > 0, "a decision takes a clock at least");
+        with_wires!(Self {
+            clock: Default::default(),
+            clear: Default::default(),
+            flag: Default::default(),
+            delayed: Default::default(),
+            stage: (0..stages).map(|_| FlagStage::new(true)).collect(),
+            _wires: Default::default(),
+        })
+    }
+
+    fn wires(&mut self, wiring: &mut Wiring) {
+        let stages = self.stage.len();
+        wires!(self, wiring: (stage[0].d) = (flag););
+        for index in 1..stages {
+            wires!(self, wiring: (stage[index].d) = (stage[index - 1].q););
+        }
+        for index in 0..stages {
+            wires!(self, wiring:
+                (stage[index].clock) = (clock);
+                (stage[index].clear) = (clear);
+            );
+        }
+        wires!(self, wiring: (delayed) = (stage[stages - 1].q););
+    }
+}
+
+impl Logic for FlagDelay {
+    logic_of_wires!();
+}

@@ -1,0 +1,178 @@
+//! The flags of an engine: which query waits, which group of a batch is where, what is complete.
+
+use photoncube_spec::{Cut, Cuts};
+use rust_hdl::prelude::*;
+
+use super::stage::FlagStage;
+
+/// What becomes of queries that pass by, and the waves of reset and of a batch's first positions.
+#[derive(LogicBlock, Default)]
+pub(crate) struct QueryFlags {
+    pub clock: Signal<In, Clock>,
+    pub reset_in: Signal<In, Bit>,
+    pub token_valid_in: Signal<In, Bit>,
+    pub swap_in: Signal<In, Bit>,
+    /// The token that comes is kept as the next query.
+    pub keep: Signal<Out, Bit>,
+    pub reset_out: Signal<Out, Bit>,
+    pub token_valid_out: Signal<Out, Bit>,
+    pub swap_out: Signal<Out, Bit>,
+    pub reset: DFF<Bit>,
+    pub token_valid: DFF<Bit>,
+    pub next_valid: DFF<Bit>,
+    pub swap: DFF<Bit>,
+    is_free: Signal<Local, Bit>,
+}
+
+impl Logic for QueryFlags {
+    #[hdl_gen]
+    fn update(&mut self) {
+        dff_setup!(self, clock, reset, token_valid, next_valid, swap);
+        self.is_free.next = !self.next_valid.q.val() | self.swap_in.val();
+        self.keep.next = self.token_valid_in.val() & self.is_free.val();
+        self.reset.d.next = self.reset_in.val();
+        self.token_valid.d.next = self.token_valid_in.val() & !self.is_free.val();
+        self.next_valid.d.next = !self.is_free.val() | self.token_valid_in.val();
+        self.swap.d.next = self.swap_in.val();
+        if self.reset_in.val() {
+            self.token_valid.d.next = false;
+            self.next_valid.d.next = false;
+            self.swap.d.next = false;
+        }
+        self.reset_out.next = self.reset.q.val();
+        self.token_valid_out.next = self.token_valid.q.val();
+        self.swap_out.next = self.swap.q.val();
+    }
+}
+
+/// A word of the queries: that which passes by, the next one and the present one; `W` bits.
+#[derive(LogicBlock, Default)]
+pub(crate) struct QueryWord<const W: usize> {
+    pub clock: Signal<In, Clock>,
+    pub token_in: Signal<In, Bits<W>>,
+    pub keep: Signal<In, Bit>,
+    pub swap_in: Signal<In, Bit>,
+    pub token: DFF<Bits<W>>,
+    pub waiting: DFF<Bits<W>>,
+    pub query: DFF<Bits<W>>,
+    pub token_out: Signal<Out, Bits<W>>,
+    pub query_out: Signal<Out, Bits<W>>,
+}
+
+impl<const W: usize> Logic for QueryWord<W> {
+    #[hdl_gen]
+    fn update(&mut self) {
+        dff_setup!(self, clock, token, waiting, query);
+        self.token.d.next = self.token_in.val();
+        if self.keep.val() {
+            self.waiting.d.next = self.token_in.val();
+        }
+        if self.swap_in.val() {
+            self.query.d.next = self.waiting.q.val();
+        }
+        self.token_out.next = self.token.q.val();
+        self.query_out.next = self.query.q.val();
+    }
+}
+
+/// The flags that go with the powers of a group, and those of the result chain.
+#[derive(LogicBlock)]
+pub(crate) struct GroupFlags {
+    pub clock: Signal<In, Clock>,
+    pub reset_in: Signal<In, Bit>,
+    /// The wave of a reset as it stands in this engine.
+    pub reset: Signal<In, Bit>,
+    pub first_in: Signal<In, Bit>,
+    pub last_in: Signal<In, Bit>,
+    pub result_valid_in: Signal<In, Bit>,
+    /// For the next engine.
+    pub first_out: Signal<Out, Bit>,
+    pub last_out: Signal<Out, Bit>,
+    /// The group whose sums are beside the accumulators is a first one.
+    pub replace: Signal<Out, Bit>,
+    pub sums_done: Signal<Out, Bit>,
+    pub result_valid_out: Signal<Out, Bit>,
+    pub first: FlagStage,
+    pub last: FlagStage,
+    pub gate_first: FlagStage,
+    pub gate_last: FlagStage,
+    pub pair_first: FlagStage,
+    pub pair_last: FlagStage,
+    pub group_first: FlagStage,
+    pub group_last: FlagStage,
+    pub done: DFF<Bit>,
+    pub result_valid: DFF<Bit>,
+}
+
+impl GroupFlags {
+    pub fn new(cuts: Cuts) -> Self {
+        let stage = |cut| FlagStage::new(cuts.has(cut));
+        Self {
+            clock: Default::default(),
+            reset_in: Default::default(),
+            reset: Default::default(),
+            first_in: Default::default(),
+            last_in: Default::default(),
+            result_valid_in: Default::default(),
+            first_out: Default::default(),
+            last_out: Default::default(),
+            replace: Default::default(),
+            sums_done: Default::default(),
+            result_valid_out: Default::default(),
+            first: FlagStage::new(true),
+            last: FlagStage::new(true),
+            gate_first: stage(Cut::Gate),
+            gate_last: stage(Cut::Gate),
+            pair_first: stage(Cut::PairPower),
+            pair_last: stage(Cut::PairPower),
+            group_first: stage(Cut::GroupPower),
+            group_last: stage(Cut::GroupPower),
+            done: Default::default(),
+            result_valid: Default::default(),
+        }
+    }
+}
+
+impl Logic for GroupFlags {
+    #[hdl_gen]
+    fn update(&mut self) {
+        dff_setup!(self, clock, done, result_valid);
+        self.first.clock.next = self.clock.val();
+        self.last.clock.next = self.clock.val();
+        self.gate_first.clock.next = self.clock.val();
+        self.gate_last.clock.next = self.clock.val();
+        self.pair_first.clock.next = self.clock.val();
+        self.pair_last.clock.next = self.clock.val();
+        self.group_first.clock.next = self.clock.val();
+        self.group_last.clock.next = self.clock.val();
+        self.first.clear.next = self.reset_in.val();
+        self.last.clear.next = self.reset_in.val();
+        self.gate_first.clear.next = self.reset_in.val();
+        self.gate_last.clear.next = self.reset_in.val();
+        self.pair_first.clear.next = self.reset_in.val();
+        self.pair_last.clear.next = self.reset_in.val();
+        self.group_first.clear.next = self.reset_in.val();
+        self.group_last.clear.next = self.reset_in.val();
+
+        self.first.d.next = self.first_in.val();
+        self.last.d.next = self.last_in.val();
+        self.first_out.next = self.first.q.val();
+        self.last_out.next = self.last.q.val();
+        self.gate_first.d.next = self.first.q.val();
+        self.gate_last.d.next = self.last.q.val();
+        self.pair_first.d.next = self.gate_first.q.val();
+        self.pair_last.d.next = self.gate_last.q.val();
+        self.group_first.d.next = self.pair_first.q.val();
+        self.group_last.d.next = self.pair_last.q.val();
+        self.replace.next = self.group_first.q.val();
+
+        self.done.d.next = self.group_last.q.val() & !self.reset_in.val();
+        self.sums_done.next = self.done.q.val();
+        self.result_valid.d.next = self.done.q.val() | self.result_valid_in.val();
+        // A result of the next engine, which the wave reaches a clock later, is on its way back.
+        if self.reset_in.val() | self.reset.val() {
+            self.result_valid.d.next = false;
+        }
+        self.result_valid_out.next = self.result_valid.q.val();
+    }
+}

@@ -1,0 +1,237 @@
+//! The head: what stands between the machine's pins and the first engine.
+
+use photoncube_spec::Spatial;
+use rust_hdl::prelude::*;
+
+use super::admission::Admission;
+use super::delay::{FlagDelay, WordDelay};
+use super::queue::ResultQueue;
+use super::wiring::{Wires, Wiring, logic_of_wires, wires, with_wires};
+
+const LANES: usize = Spatial::LANES;
+
+/// A power as the engines see it: mantissa << exponent, and 0 where no group is taken or the lane has
+/// no photon. Presence is a power of one bit. `B` mantissa, `E` exponent, `P` power bits.
+#[derive(LogicBlock)]
+pub(crate) struct PowerDecoder<const B: usize, const E: usize, const P: usize> {
+    pub taken: Signal<In, Bit>,
+    pub present: Signal<In, Bits<1>>,
+    pub mantissa: Signal<In, Bits<B>>,
+    /// One, or none where powers have no exponent.
+    pub exponent: Vec<Signal<In, Bits<E>>>,
+    pub power: Signal<Out, Bits<P>>,
+    is_photon: Signal<Local, Bit>,
+    decoded: Signal<Local, Bits<P>>,
+}
+
+impl<const B: usize, const E: usize, const P: usize> Default for PowerDecoder<B, E, P> {
+    fn default() -> Self {
+        let exponents = 0..usize::from(E > 0);
+        Self {
+            taken: Default::default(),
+            present: Default::default(),
+            mantissa: Default::default(),
+            exponent: exponents.map(|_| Default::default()).collect(),
+            power: Default::default(),
+            is_photon: Default::default(),
+            decoded: Default::default(),
+        }
+    }
+}
+
+impl<const B: usize, const E: usize, const P: usize> Logic for PowerDecoder<B, E, P> {
+    #[hdl_gen]
+    fn update(&mut self) {
+        self.is_photon.next = self.taken.val() & self.present.val().any();
+        self.decoded.next = bit_cast::<P, B>(self.mantissa.val());
+        for e in 0..self.exponent.len() {
+            self.decoded.next = self.decoded.val() << self.exponent[e].val();
+        }
+        self.power.next = 0.into();
+        if self.is_photon.val() {
+            self.power.next = self.decoded.val();
+        }
+    }
+}
+
+/// The head. `B` mantissa, `E` exponent, `P` power, `S` sum, `N` count bits.
+#[derive(LogicBlock)]
+pub(crate) struct Head<
+    const B: usize,
+    const E: usize,
+    const P: usize,
+    const S: usize,
+    const N: usize,
+> {
+    pub clock: Signal<In, Clock>,
+    pub reset: Signal<In, Bit>,
+    pub query_valid: Signal<In, Bit>,
+    pub query_ready: Signal<Out, Bit>,
+    pub group_valid: Signal<In, Bit>,
+    pub group_last: Signal<In, Bit>,
+    pub present: [Signal<In, Bits<1>>; LANES],
+    /// Channel c of lane g is at 4 c + g.
+    pub channel: Vec<Signal<In, Bits<B>>>,
+    pub exponent: Vec<Signal<In, Bits<E>>>,
+    pub group_ready: Signal<Out, Bit>,
+    pub result_valid: Signal<Out, Bit>,
+    pub result: Vec<Signal<Out, Bits<S>>>,
+    pub result_count: Signal<Out, Bits<N>>,
+    pub result_ready: Signal<In, Bit>,
+    /// To engine 0 and from it.
+    pub token_valid: Signal<Out, Bit>,
+    pub swap: Signal<Out, Bit>,
+    /// To the photon memory, as of [`Admission`].
+    pub is_full: Signal<Out, Bit>,
+    pub has_room: Signal<Out, Bit>,
+    pub clocks_to_last: Signal<Out, Bits<16>>,
+    /// Channel c of lane g is at `channels` g + c.
+    pub power: Vec<Signal<Out, Bits<P>>>,
+    pub power_present: [Signal<Out, Bits<1>>; LANES],
+    pub first: Signal<Out, Bit>,
+    pub last: Signal<Out, Bit>,
+    pub result_valid_in: Signal<In, Bit>,
+    pub result_in: Vec<Signal<In, Bits<S>>>,
+    pub result_count_in: Signal<In, Bits<N>>,
+    pub(super) admission: Admission,
+    power_decoder: Vec<PowerDecoder<B, E, P>>,
+    presence_decoder: Vec<PowerDecoder<1, 0, 1>>,
+    pub(super) power_delay: Vec<WordDelay<P>>,
+    pub(super) present_delay: Vec<WordDelay<1>>,
+    pub(super) first_delay: FlagDelay,
+    pub(super) last_delay: FlagDelay,
+    pub(super) queue: ResultQueue<S, N>,
+    pub(super) _channels: usize,
+    _wires: Wires,
+}
+
+impl<const B: usize, const E: usize, const P: usize, const S: usize, const N: usize>
+    Head<B, E, P, S, N>
+{
+    pub fn new(spatial: &Spatial, channels: usize) -> Self {
+        assert!(B == P || E > 0, "only an exponent makes a power wider");
+        let stages = spatial.cuts.latency() as usize;
+        let exponents = if E > 0 { LANES } else { 0 };
+        let words = channels * LANES;
+        with_wires!(Self {
+            clock: Default::default(),
+            reset: Default::default(),
+            query_valid: Default::default(),
+            query_ready: Default::default(),
+            group_valid: Default::default(),
+            group_last: Default::default(),
+            present: Default::default(),
+            channel: (0..words).map(|_| Default::default()).collect(),
+            exponent: (0..exponents).map(|_| Default::default()).collect(),
+            group_ready: Default::default(),
+            result_valid: Default::default(),
+            result: (0..channels).map(|_| Default::default()).collect(),
+            result_count: Default::default(),
+            result_ready: Default::default(),
+            token_valid: Default::default(),
+            swap: Default::default(),
+            is_full: Default::default(),
+            has_room: Default::default(),
+            clocks_to_last: Default::default(),
+            power: (0..words).map(|_| Default::default()).collect(),
+            power_present: Default::default(),
+            first: Default::default(),
+            last: Default::default(),
+            result_valid_in: Default::default(),
+            result_in: (0..channels).map(|_| Default::default()).collect(),
+            result_count_in: Default::default(),
+            admission: Admission::new(spatial),
+            power_decoder: (0..words).map(|_| Default::default()).collect(),
+            presence_decoder: (0..LANES).map(|_| Default::default()).collect(),
+            power_delay: (0..words).map(|_| WordDelay::new(stages)).collect(),
+            present_delay: (0..LANES).map(|_| WordDelay::new(stages)).collect(),
+            first_delay: FlagDelay::new(stages),
+            last_delay: FlagDelay::new(stages),
+            queue: ResultQueue::new(spatial, channels),
+            _channels: channels,
+            _wires: Default::default(),
+        })
+    }
+
+    fn wires(&mut self, wiring: &mut Wiring) {
+        self.stream_wires(wiring);
+        self.group_wires(wiring);
+    }
+
+    fn stream_wires(&mut self, wiring: &mut Wiring) {
+        wires!(self, wiring:
+            (admission.clock) = (clock);
+            (admission.reset) = (reset);
+            (admission.query_valid) = (query_valid);
+            (admission.group_valid) = (group_valid);
+            (admission.group_last) = (group_last);
+            (admission.result_taken) = (queue.result_taken);
+            (query_ready) = (admission.query_ready);
+            (group_ready) = (admission.group_ready);
+            (token_valid) = (admission.token_valid);
+            (swap) = (admission.swap);
+            (is_full) = (admission.is_full);
+            (has_room) = (admission.has_room);
+            (clocks_to_last) = (admission.clocks_to_last);
+            (queue.clock) = (clock);
+            (queue.reset) = (reset);
+            (queue.result_ready) = (result_ready);
+            (queue.result_valid_in) = (result_valid_in);
+            (queue.result_count_in) = (result_count_in);
+            (result_valid) = (queue.result_valid);
+            (result_count) = (queue.result_count);
+        );
+        for channel in 0..self._channels {
+            wires!(self, wiring:
+                (queue.result_in[channel]) = (result_in[channel]);
+                (result[channel]) = (queue.result[channel]);
+            );
+        }
+    }
+
+    fn group_wires(&mut self, wiring: &mut Wiring) {
+        let channels = self._channels;
+        for lane in 0..LANES {
+            wires!(self, wiring:
+                (presence_decoder[lane].taken) = (admission.taken);
+                (presence_decoder[lane].present) = (present[lane]);
+                (presence_decoder[lane].mantissa) = (present[lane]);
+                (present_delay[lane].clock) = (clock);
+                (present_delay[lane].word) = (presence_decoder[lane].power);
+                (power_present[lane]) = (present_delay[lane].delayed);
+            );
+            for channel in 0..channels {
+                let place = channels * lane + channel;
+                wires!(self, wiring:
+                    (power_decoder[place].taken) = (admission.taken);
+                    (power_decoder[place].present) = (present[lane]);
+                    (power_decoder[place].mantissa) = (channel[LANES * channel + lane]);
+                    (power_delay[place].clock) = (clock);
+                    (power_delay[place].word) = (power_decoder[place].power);
+                    (power[place]) = (power_delay[place].delayed);
+                );
+            }
+        }
+        for lane in 0..self.exponent.len() {
+            for place in channels * lane..channels * (lane + 1) {
+                wires!(self, wiring: (power_decoder[place].exponent[0]) = (exponent[lane]););
+            }
+        }
+        wires!(self, wiring:
+            (first_delay.clock) = (clock);
+            (first_delay.clear) = (reset);
+            (first_delay.flag) = (admission.first_taken);
+            (first) = (first_delay.delayed);
+            (last_delay.clock) = (clock);
+            (last_delay.clear) = (reset);
+            (last_delay.flag) = (admission.last_taken);
+            (last) = (last_delay.delayed);
+        );
+    }
+}
+
+impl<const B: usize, const E: usize, const P: usize, const S: usize, const N: usize> Logic
+    for Head<B, E, P, S, N>
+{
+    logic_of_wires!();
+}

@@ -1,0 +1,163 @@
+//! The parts of a square that a block RAM or a DSP block makes.
+
+use rust_hdl::prelude::*;
+
+/// A table of squares with two read ports: `{far, |d|^2}` of a difference of `D` bits, the square
+/// in `L - 1 = 2 r` bits. Two coordinates share it, because a block RAM has two ports.
+#[derive(LogicBlock)]
+pub(crate) struct SquareTable<const D: usize, const L: usize> {
+    pub clock: Signal<In, Clock>,
+    pub difference_a: Signal<In, Bits<D>>,
+    pub difference_b: Signal<In, Bits<D>>,
+    pub lookup_a: Signal<Out, Bits<L>>,
+    pub lookup_b: Signal<Out, Bits<L>>,
+    /// Whether the words read stand in registers, which are then the block RAM's.
+    _register: bool,
+}
+
+impl<const D: usize, const L: usize> SquareTable<D, L> {
+    pub fn new(register: bool) -> Self {
+        Self {
+            clock: Default::default(),
+            difference_a: Default::default(),
+            difference_b: Default::default(),
+            lookup_a: Default::default(),
+            lookup_b: Default::default(),
+            _register: register,
+        }
+    }
+
+    fn word(difference: u64) -> u64 {
+        let modulus = 1 << D;
+        let magnitude = difference.min(modulus - difference);
+        let far = u64::from(magnitude >> ((L - 1) / 2) != 0);
+        (far << (L - 1)) | (magnitude * magnitude % (1 << (L - 1)))
+    }
+}
+
+impl<const D: usize, const L: usize> Logic for SquareTable<D, L> {
+    fn update(&mut self) {
+        if !self._register || self.clock.pos_edge() {
+            self.lookup_a.next = Self::word(self.difference_a.val().to_u64()).to_bits();
+            self.lookup_b.next = Self::word(self.difference_b.val().to_u64()).to_bits();
+        }
+    }
+
+    fn connect(&mut self) {
+        self.lookup_a.connect();
+        self.lookup_b.connect();
+    }
+
+    fn hdl(&self) -> Verilog {
+        let (last, high) = ((1_u64 << D) - 1, L - 1);
+        let words: String = (0..=last)
+            .map(|d| format!("  squares[{d}] = {L}'d{};\n", Self::word(d)))
+            .collect();
+        let start = if self._register {
+            format!("  lookup_a = {L}'d0;\n  lookup_b = {L}'d0;\n")
+        } else {
+            String::new()
+        };
+        let read = |port: char| match self._register {
+            true => {
+                format!("always @(posedge clock) lookup_{port} <= squares[difference_{port}];\n")
+            }
+            false => format!(
+                "wire [{high}:0] word_{port} = squares[difference_{port}];\n\
+                 always @(*) lookup_{port} = word_{port};\n"
+            ),
+        };
+        Verilog::Custom(format!(
+            "reg [{high}:0] squares [0:{last}];\ninitial begin\n{words}{start}end\n{}{}",
+            read('a'),
+            read('b'),
+        ))
+    }
+}
+
+/// A word of the table, or what a register made of it: `{far, square}`.
+#[derive(LogicBlock, Default)]
+pub(crate) struct SplitLookup<const Q: usize, const L: usize> {
+    pub lookup: Signal<In, Bits<L>>,
+    pub square: Signal<Out, Bits<Q>>,
+    pub far: Signal<Out, Bit>,
+}
+
+impl<const Q: usize, const L: usize> Logic for SplitLookup<Q, L> {
+    fn update(&mut self) {
+        let lookup = self.lookup.val().to_u64();
+        self.square.next = (lookup % (1 << Q)).to_bits();
+        self.far.next = lookup >> Q != 0;
+    }
+
+    fn connect(&mut self) {
+        self.square.connect();
+        self.far.connect();
+    }
+
+    fn hdl(&self) -> Verilog {
+        Verilog::Custom(format!(
+            "always @(*) square = lookup[{}:0];\nalways @(*) far = lookup[{Q}];\n",
+            Q - 1
+        ))
+    }
+}
+
+/// `product = difference^2`, `PR = 2 (D - 1)` bits, for a DSP block.
+#[derive(LogicBlock, Default)]
+pub(crate) struct DifferenceProduct<const D: usize, const PR: usize> {
+    pub difference: Signal<In, Bits<D>>,
+    pub product: Signal<Out, Bits<PR>>,
+}
+
+impl<const D: usize, const PR: usize> Logic for DifferenceProduct<D, PR> {
+    fn update(&mut self) {
+        let difference = self.difference.val().to_u64();
+        let magnitude = difference.min((1 << D) - difference);
+        self.product.next = (magnitude * magnitude % (1 << PR)).to_bits();
+    }
+
+    fn connect(&mut self) {
+        self.product.connect();
+    }
+
+    fn hdl(&self) -> Verilog {
+        let high = D - 1;
+        Verilog::Custom(format!(
+            "wire signed [{high}:0] d = difference;\n\
+             wire signed [{}:0] squared = d * d;\n\
+             always @(*) product = squared[{}:0];\n",
+            2 * D - 1,
+            PR - 1,
+        ))
+    }
+}
+
+/// The square in `Q = 2 r` bits, and whether |d| has more than r: the product has more than 2 r.
+#[derive(LogicBlock, Default)]
+pub(crate) struct SplitProduct<const Q: usize, const PR: usize> {
+    pub product: Signal<In, Bits<PR>>,
+    pub square: Signal<Out, Bits<Q>>,
+    pub far: Signal<Out, Bit>,
+}
+
+impl<const Q: usize, const PR: usize> Logic for SplitProduct<Q, PR> {
+    fn update(&mut self) {
+        let product = self.product.val().to_u64();
+        self.square.next = (product % (1 << Q)).to_bits();
+        self.far.next = product >> Q != 0;
+    }
+
+    fn connect(&mut self) {
+        self.square.connect();
+        self.far.connect();
+    }
+
+    fn hdl(&self) -> Verilog {
+        Verilog::Custom(format!(
+            "always @(*) square = product[{}:0];\nalways @(*) far = |product[{}:{Q}];\n",
+            Q - 1,
+            PR - 1,
+        ))
+    }
+}

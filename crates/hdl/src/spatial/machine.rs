@@ -1,0 +1,342 @@
+//! A spatial machine: the head and its chain of engines.
+
+use photoncube_spec::{Machine, Pins, SignalPlace, Spatial};
+use rust_hdl::prelude::*;
+
+use super::engine::{Engine, EngineShape};
+use super::head::Head;
+use super::memory::PhotonMemory;
+use super::wiring::{Wires, Wiring, logic_of_wires, wires, with_wires, zeros};
+
+const LANES: usize = Spatial::LANES;
+const AXES: usize = 3;
+
+/// The machine. `B` mantissa and `E` exponent bits; the other widths are an engine's.
+#[derive(LogicBlock)]
+pub(crate) struct SpatialMachine<
+    const C: usize,
+    const D: usize,
+    const R: usize,
+    const Q: usize,
+    const L: usize,
+    const LP: usize,
+    const HP: usize,
+    const PR: usize,
+    const T: usize,
+    const U: usize,
+    const B: usize,
+    const E: usize,
+    const P: usize,
+    const PP: usize,
+    const GP: usize,
+    const S: usize,
+    const N: usize,
+> {
+    pub clock: Signal<In, Clock>,
+    pub reset: Signal<In, Bit>,
+    pub query_valid: Signal<In, Bit>,
+    pub query_ready: Signal<Out, Bit>,
+    pub query_x: Signal<In, Bits<C>>,
+    pub query_y: Signal<In, Bits<C>>,
+    pub query_z: Signal<In, Bits<C>>,
+    /// One, or none where it is the format's.
+    pub query_radius_sq: Vec<Signal<In, Bits<Q>>>,
+    /// One, or none where there is no photon memory.
+    pub query_release: Vec<Signal<In, Bit>>,
+    pub group_valid: Signal<In, Bit>,
+    pub group_ready: Signal<Out, Bit>,
+    pub group_last: Signal<In, Bit>,
+    pub photon_present: [Signal<In, Bits<1>>; LANES],
+    pub photon_x: [Signal<In, Bits<C>>; LANES],
+    pub photon_y: [Signal<In, Bits<C>>; LANES],
+    pub photon_z: [Signal<In, Bits<C>>; LANES],
+    /// Channel c of lane g is at 4 c + g.
+    pub photon_channel: Vec<Signal<In, Bits<B>>>,
+    pub photon_exponent: Vec<Signal<In, Bits<E>>>,
+    pub result_valid: Signal<Out, Bit>,
+    pub result_ready: Signal<In, Bit>,
+    pub result: Vec<Signal<Out, Bits<S>>>,
+    pub result_count: Signal<Out, Bits<N>>,
+    /// One or none.
+    pub(super) memory: Vec<PhotonMemory<C, B, E>>,
+    pub(super) head: Head<B, E, P, S, N>,
+    pub(super) engine: Vec<Engine<C, D, R, Q, L, LP, HP, PR, T, U, P, PP, GP, S, N>>,
+    /// Where its registers are, in the order of its pins.
+    pub(super) _places: Vec<SignalPlace>,
+    _wires: Wires,
+}
+
+impl<
+    const C: usize,
+    const D: usize,
+    const R: usize,
+    const Q: usize,
+    const L: usize,
+    const LP: usize,
+    const HP: usize,
+    const PR: usize,
+    const T: usize,
+    const U: usize,
+    const B: usize,
+    const E: usize,
+    const P: usize,
+    const PP: usize,
+    const GP: usize,
+    const S: usize,
+    const N: usize,
+> SpatialMachine<C, D, R, Q, L, LP, HP, PR, T, U, B, E, P, PP, GP, S, N>
+{
+    /// The machine, whose widths are this type's.
+    pub fn new(machine: &Machine, spatial: &Spatial) -> Self {
+        let names = machine.channels().names();
+        let channels = names.len();
+        let radii = usize::from(machine.fixed_radius_sq().is_none());
+        let exponents = if E > 0 { LANES } else { 0 };
+        let memories = 0..usize::from(machine.has_memory());
+        let pins = Pins::of(machine);
+        let engine = |index| EngineShape::of(machine, spatial, index);
+        with_wires!(Self {
+            clock: Default::default(),
+            reset: Default::default(),
+            query_valid: Default::default(),
+            query_ready: Default::default(),
+            query_x: Default::default(),
+            query_y: Default::default(),
+            query_z: Default::default(),
+            query_radius_sq: (0..radii).map(|_| Default::default()).collect(),
+            query_release: memories.clone().map(|_| Default::default()).collect(),
+            group_valid: Default::default(),
+            group_ready: Default::default(),
+            group_last: Default::default(),
+            photon_present: Default::default(),
+            photon_x: Default::default(),
+            photon_y: Default::default(),
+            photon_z: Default::default(),
+            photon_channel: (0..channels * LANES).map(|_| Default::default()).collect(),
+            photon_exponent: (0..exponents).map(|_| Default::default()).collect(),
+            result_valid: Default::default(),
+            result_ready: Default::default(),
+            result: (0..channels).map(|_| Default::default()).collect(),
+            result_count: Default::default(),
+            memory: memories
+                .map(|_| PhotonMemory::new(spatial, names))
+                .collect(),
+            head: Head::new(spatial, channels),
+            engine: (0..spatial.engines())
+                .map(|index| Engine::new(engine(index)))
+                .collect(),
+            _places: pins.observed[pins.outputs..]
+                .iter()
+                .map(|pin| pin.place)
+                .collect(),
+            _wires: Default::default(),
+        })
+    }
+
+    fn wires(&mut self, wiring: &mut Wiring) {
+        self.head_wires(wiring);
+        if self.memory.is_empty() {
+            self.stream_wires(wiring);
+        }
+        for memory in 0..self.memory.len() {
+            self.memory_wires(wiring, memory);
+            self.played_wires(wiring, memory);
+        }
+        self.first_engine_wires(wiring);
+        for engine in 1..self.engine.len() {
+            self.chain_wires(wiring, engine);
+        }
+        self.chain_end(wiring);
+    }
+
+    fn head_wires(&mut self, wiring: &mut Wiring) {
+        wires!(self, wiring:
+            (head.clock) = (clock);
+            (head.reset) = (reset);
+            (head.query_valid) = (query_valid);
+            (query_ready) = (head.query_ready);
+            (head.result_ready) = (result_ready);
+            (result_valid) = (head.result_valid);
+            (result_count) = (head.result_count);
+            (head.result_valid_in) = (engine[0].result_valid_out);
+            (head.result_count_in) = (engine[0].result_count_out);
+        );
+        for channel in 0..self.result.len() {
+            wires!(self, wiring:
+                (head.result_in[channel]) = (engine[0].result_out[channel]);
+                (result[channel]) = (head.result[channel]);
+            );
+        }
+    }
+
+    /// Without a memory, the groups go from the pins to the head and engine 0.
+    fn stream_wires(&mut self, wiring: &mut Wiring) {
+        wires!(self, wiring:
+            (head.group_valid) = (group_valid);
+            (head.group_last) = (group_last);
+            (group_ready) = (head.group_ready);
+        );
+        for lane in 0..LANES {
+            wires!(self, wiring:
+                (head.present[lane]) = (photon_present[lane]);
+                (engine[0].photon_in[AXES * lane]) = (photon_x[lane]);
+                (engine[0].photon_in[AXES * lane + 1]) = (photon_y[lane]);
+                (engine[0].photon_in[AXES * lane + 2]) = (photon_z[lane]);
+            );
+        }
+        for word in 0..self.photon_channel.len() {
+            wires!(self, wiring: (head.channel[word]) = (photon_channel[word]););
+        }
+        for lane in 0..self.photon_exponent.len() {
+            wires!(self, wiring: (head.exponent[lane]) = (photon_exponent[lane]););
+        }
+    }
+
+    /// From the pins to the memory.
+    fn memory_wires(&mut self, wiring: &mut Wiring, m: usize) {
+        wires!(self, wiring:
+            (memory[m].clock) = (clock);
+            (memory[m].reset) = (reset);
+            (memory[m].release_in) = (query_release[m]);
+            (memory[m].query_taken) = (head.token_valid);
+            (memory[m].is_full) = (head.is_full);
+            (memory[m].has_room) = (head.has_room);
+            (memory[m].clocks_to_last) = (head.clocks_to_last);
+            (memory[m].group_valid) = (group_valid);
+            (memory[m].group_last) = (group_last);
+            (group_ready) = (memory[m].group_ready);
+        );
+        for lane in 0..LANES {
+            wires!(self, wiring:
+                (memory[m].present[lane]) = (photon_present[lane]);
+                (memory[m].x[lane]) = (photon_x[lane]);
+                (memory[m].y[lane]) = (photon_y[lane]);
+                (memory[m].z[lane]) = (photon_z[lane]);
+            );
+        }
+        for word in 0..self.photon_channel.len() {
+            wires!(self, wiring: (memory[m].channel[word]) = (photon_channel[word]););
+        }
+        for lane in 0..self.photon_exponent.len() {
+            wires!(self, wiring: (memory[m].exponent[lane]) = (photon_exponent[lane]););
+        }
+    }
+
+    /// From the memory to the head and engine 0.
+    fn played_wires(&mut self, wiring: &mut Wiring, m: usize) {
+        wires!(self, wiring:
+            (head.group_valid) = (memory[m].word_valid);
+            (head.group_last) = (memory[m].word_last);
+        );
+        for lane in 0..LANES {
+            wires!(self, wiring:
+                (head.present[lane]) = (memory[m].word_present[lane]);
+                (engine[0].photon_in[AXES * lane]) = (memory[m].word_x[lane]);
+                (engine[0].photon_in[AXES * lane + 1]) = (memory[m].word_y[lane]);
+                (engine[0].photon_in[AXES * lane + 2]) = (memory[m].word_z[lane]);
+            );
+        }
+        for word in 0..self.photon_channel.len() {
+            wires!(self, wiring: (head.channel[word]) = (memory[m].word_channel[word]););
+        }
+        for lane in 0..self.photon_exponent.len() {
+            wires!(self, wiring: (head.exponent[lane]) = (memory[m].word_exponent[lane]););
+        }
+    }
+
+    fn first_engine_wires(&mut self, wiring: &mut Wiring) {
+        wires!(self, wiring:
+            (engine[0].clock) = (clock);
+            (engine[0].reset_in) = (reset);
+            (engine[0].token_valid_in) = (head.token_valid);
+            (engine[0].token_in[0]) = (query_x);
+            (engine[0].token_in[1]) = (query_y);
+            (engine[0].token_in[2]) = (query_z);
+            (engine[0].swap_in) = (head.swap);
+            (engine[0].first_in) = (head.first);
+            (engine[0].last_in) = (head.last);
+        );
+        for radius in 0..self.query_radius_sq.len() {
+            wires!(self, wiring:
+                (engine[0].token_radius_sq_in[radius]) = (query_radius_sq[radius]);
+            );
+        }
+        for lane in 0..LANES {
+            wires!(self, wiring: (engine[0].present_in[lane]) = (head.power_present[lane]););
+        }
+        for word in 0..self.head.power.len() {
+            wires!(self, wiring: (engine[0].power_in[word]) = (head.power[word]););
+        }
+    }
+
+    /// From an engine's neighbour nearer to the head, and its results back.
+    fn chain_wires(&mut self, wiring: &mut Wiring, e: usize) {
+        wires!(self, wiring:
+            (engine[e].clock) = (clock);
+            (engine[e].reset_in) = (engine[e - 1].reset_out);
+            (engine[e].token_valid_in) = (engine[e - 1].token_valid_out);
+            (engine[e].swap_in) = (engine[e - 1].swap_out);
+            (engine[e].first_in) = (engine[e - 1].first_out);
+            (engine[e].last_in) = (engine[e - 1].last_out);
+            (engine[e - 1].result_valid_in) = (engine[e].result_valid_out);
+            (engine[e - 1].result_count_in) = (engine[e].result_count_out);
+        );
+        for axis in 0..AXES {
+            wires!(self, wiring: (engine[e].token_in[axis]) = (engine[e - 1].token_out[axis]););
+        }
+        for radius in 0..self.query_radius_sq.len() {
+            wires!(self, wiring:
+                (engine[e].token_radius_sq_in[radius]) = (engine[e - 1].token_radius_sq_out[radius]);
+            );
+        }
+        for place in 0..AXES * LANES {
+            wires!(self, wiring: (engine[e].photon_in[place]) = (engine[e - 1].photon_out[place]););
+        }
+        for word in 0..self.head.power.len() {
+            wires!(self, wiring: (engine[e].power_in[word]) = (engine[e - 1].power_out[word]););
+        }
+        for lane in 0..LANES {
+            wires!(self, wiring: (engine[e].present_in[lane]) = (engine[e - 1].present_out[lane]););
+        }
+        for channel in 0..self.result.len() {
+            wires!(self, wiring:
+                (engine[e - 1].result_in[channel]) = (engine[e].result_out[channel]);
+            );
+        }
+    }
+
+    /// Nothing comes from beyond the last engine.
+    fn chain_end(&mut self, wiring: &mut Wiring) {
+        let last = self.engine.len() - 1;
+        zeros!(self, wiring:
+            (engine[last].result_valid_in);
+            (engine[last].result_count_in);
+        );
+        for channel in 0..self.result.len() {
+            zeros!(self, wiring: (engine[last].result_in[channel]););
+        }
+    }
+}
+
+impl<
+    const C: usize,
+    const D: usize,
+    const R: usize,
+    const Q: usize,
+    const L: usize,
+    const LP: usize,
+    const HP: usize,
+    const PR: usize,
+    const T: usize,
+    const U: usize,
+    const B: usize,
+    const E: usize,
+    const P: usize,
+    const PP: usize,
+    const GP: usize,
+    const S: usize,
+    const N: usize,
+> Logic for SpatialMachine<C, D, R, Q, L, LP, HP, PR, T, U, B, E, P, PP, GP, S, N>
+{
+    logic_of_wires!();
+}

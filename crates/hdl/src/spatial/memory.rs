@@ -1,0 +1,423 @@
+//! The photon memory, by the rules of `photoncube_spec::MemoryRegister`.
+//!
+//! Its depth and the layout of its words follow from the machine, which rust-hdl's widths cannot
+//! choose; so its Verilog is written by hand, with the block RAM and its registers inside.
+
+use photoncube_spec::{MemoryRegister, Spatial};
+use rust_hdl::prelude::*;
+
+const LANES: usize = Spatial::LANES;
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// Two banks of groups, and what plays them. `C` coordinate, `B` mantissa, `E` exponent bits.
+#[derive(LogicBlock)]
+pub(crate) struct PhotonMemory<const C: usize, const B: usize, const E: usize> {
+    pub clock: Signal<In, Clock>,
+    pub reset: Signal<In, Bit>,
+    pub group_valid: Signal<In, Bit>,
+    pub group_ready: Signal<Out, Bit>,
+    pub group_last: Signal<In, Bit>,
+    pub present: [Signal<In, Bits<1>>; LANES],
+    pub x: [Signal<In, Bits<C>>; LANES],
+    pub y: [Signal<In, Bits<C>>; LANES],
+    pub z: [Signal<In, Bits<C>>; LANES],
+    /// Channel c of lane g is at 4 c + g.
+    pub channel: Vec<Signal<In, Bits<B>>>,
+    pub exponent: Vec<Signal<In, Bits<E>>>,
+    pub release_in: Signal<In, Bit>,
+    /// What the head says: a query is taken; all of a batch are; there is room for its results; and
+    /// the clocks until a last group may be taken.
+    pub query_taken: Signal<In, Bit>,
+    pub is_full: Signal<In, Bit>,
+    pub has_room: Signal<In, Bit>,
+    pub clocks_to_last: Signal<In, Bits<16>>,
+    pub word_valid: Signal<Out, Bit>,
+    pub word_last: Signal<Out, Bit>,
+    pub word_present: [Signal<Out, Bits<1>>; LANES],
+    pub word_x: [Signal<Out, Bits<C>>; LANES],
+    pub word_y: [Signal<Out, Bits<C>>; LANES],
+    pub word_z: [Signal<Out, Bits<C>>; LANES],
+    pub word_channel: Vec<Signal<Out, Bits<B>>>,
+    pub word_exponent: Vec<Signal<Out, Bits<E>>>,
+    _state: State,
+    /// Both banks; a word has a number for each of its fields.
+    _groups: Vec<Vec<u64>>,
+    _word: Vec<u64>,
+    _bank_groups: usize,
+    _channels: &'static [&'static str],
+}
+
+/// The registers, apart from the word.
+#[derive(Copy, Clone, Debug, Default)]
+struct State {
+    fill_bank: usize,
+    fill_place: usize,
+    full: [bool; 2],
+    end: [usize; 2],
+    play_bank: usize,
+    play_place: usize,
+    playing: bool,
+    releases: bool,
+    release_next: bool,
+    word_valid: bool,
+    word_last: bool,
+}
+
+/// A field of a word: its name in the ports and its width.
+struct Field {
+    name: String,
+    width: usize,
+}
+
+impl<const C: usize, const B: usize, const E: usize> PhotonMemory<C, B, E> {
+    pub fn new(spatial: &Spatial, channels: &'static [&'static str]) -> Self {
+        let words = channels.len() * LANES;
+        let exponents = if E > 0 { LANES } else { 0 };
+        let bank_groups = spatial.memory_groups as usize;
+        let mut memory = Self {
+            clock: Default::default(),
+            reset: Default::default(),
+            group_valid: Default::default(),
+            group_ready: Default::default(),
+            group_last: Default::default(),
+            present: Default::default(),
+            x: Default::default(),
+            y: Default::default(),
+            z: Default::default(),
+            channel: (0..words).map(|_| Default::default()).collect(),
+            exponent: (0..exponents).map(|_| Default::default()).collect(),
+            release_in: Default::default(),
+            query_taken: Default::default(),
+            is_full: Default::default(),
+            has_room: Default::default(),
+            clocks_to_last: Default::default(),
+            word_valid: Default::default(),
+            word_last: Default::default(),
+            word_present: Default::default(),
+            word_x: Default::default(),
+            word_y: Default::default(),
+            word_z: Default::default(),
+            word_channel: (0..words).map(|_| Default::default()).collect(),
+            word_exponent: (0..exponents).map(|_| Default::default()).collect(),
+            _state: State::default(),
+            _groups: Vec::new(),
+            _word: Vec::new(),
+            _bank_groups: bank_groups,
+            _channels: channels,
+        };
+        memory._word = vec![0; memory.fields().len()];
+        memory._groups = vec![memory._word.clone(); 2 * bank_groups];
+        memory
+    }
+
+    /// The fields of a word, from bit 0 up: of each lane presence, coordinates, mantissas and
+    /// exponent.
+    fn fields(&self) -> Vec<Field> {
+        let mut fields = Vec::new();
+        let mut field = |name: String, width| fields.push(Field { name, width });
+        for lane in 0..LANES {
+            field(format!("present${lane}"), 1);
+            for axis in AXES {
+                field(format!("{axis}${lane}"), C);
+            }
+            for place in (lane..self.channel.len()).step_by(LANES) {
+                field(format!("channel${place}"), B);
+            }
+            if lane < self.exponent.len() {
+                field(format!("exponent${lane}"), E);
+            }
+        }
+        fields
+    }
+
+    /// The group on the pins, as a word.
+    fn group(&self) -> Vec<u64> {
+        let mut word = Vec::new();
+        for lane in 0..LANES {
+            word.push(self.present[lane].val().to_u64());
+            word.extend([&self.x, &self.y, &self.z].map(|axis| axis[lane].val().to_u64()));
+            let channels = self.channel.iter().skip(lane).step_by(LANES);
+            word.extend(channels.map(|channel| channel.val().to_u64()));
+            word.extend(
+                self.exponent
+                    .get(lane)
+                    .map(|exponent| exponent.val().to_u64()),
+            );
+        }
+        word
+    }
+
+    fn show(&mut self) {
+        let mut fields = self._word.iter();
+        let mut next = || *fields.next().expect("a word has a number for each field");
+        for lane in 0..LANES {
+            self.word_present[lane].next = next().to_bits();
+            self.word_x[lane].next = next().to_bits();
+            self.word_y[lane].next = next().to_bits();
+            self.word_z[lane].next = next().to_bits();
+            for channel in self.word_channel.iter_mut().skip(lane).step_by(LANES) {
+                channel.next = next().to_bits();
+            }
+            if let Some(exponent) = self.word_exponent.get_mut(lane) {
+                exponent.next = next().to_bits();
+            }
+        }
+        self.word_valid.next = self._state.word_valid;
+        self.word_last.next = self._state.word_last;
+        self.group_ready.next = !self._state.full[self._state.fill_bank];
+    }
+
+    fn starts(&self) -> bool {
+        let state = &self._state;
+        let ends = state.word_valid && state.word_last;
+        let waits = self.clocks_to_last.val().to_u64() > state.end[state.play_bank] as u64;
+        let ready = self.is_full.val() && self.has_room.val() && !waits;
+        !state.playing && state.full[state.play_bank] && ready && !ends
+    }
+
+    fn step(&mut self) {
+        let before = self._state;
+        let starts = self.starts();
+        let reads = before.playing || starts;
+        let at_end = before.play_place == before.end[before.play_bank];
+        let read = before.play_bank * self._bank_groups + before.play_place;
+        self._word.clone_from(&self._groups[read]);
+        let mut state = before;
+        state.word_valid = reads;
+        state.word_last = reads && at_end;
+        if reads {
+            state.playing = !at_end;
+            state.play_place = if at_end { 0 } else { before.play_place + 1 };
+            let releases = if starts {
+                before.release_next
+            } else {
+                before.releases
+            };
+            if at_end && releases {
+                state.full[before.play_bank] = false;
+                state.play_bank = 1 - before.play_bank;
+            }
+        }
+        if starts {
+            state.releases = before.release_next;
+            state.release_next = false;
+        }
+        if self.query_taken.val() && self.release_in.val() {
+            state.release_next = true;
+        }
+        if self.group_valid.val() && !before.full[before.fill_bank] {
+            let place = before.fill_bank * self._bank_groups + before.fill_place;
+            self._groups[place] = self.group();
+            let is_last = self.group_last.val() || before.fill_place + 1 == self._bank_groups;
+            state.fill_place = if is_last { 0 } else { before.fill_place + 1 };
+            if is_last {
+                state.full[before.fill_bank] = true;
+                state.end[before.fill_bank] = before.fill_place;
+                state.fill_bank = 1 - before.fill_bank;
+            }
+        }
+        self._state = if self.reset.val() {
+            State::default()
+        } else {
+            state
+        };
+    }
+
+    /// A register's value in the simulation, counted as the spec does.
+    pub fn value(&self, register: MemoryRegister, index: usize) -> u64 {
+        let state = &self._state;
+        match register {
+            MemoryRegister::FillBank => state.fill_bank as u64,
+            MemoryRegister::FillPlace => state.fill_place as u64,
+            MemoryRegister::Full => state.full[index].into(),
+            MemoryRegister::End => state.end[index] as u64,
+            MemoryRegister::PlayBank => state.play_bank as u64,
+            MemoryRegister::PlayPlace => state.play_place as u64,
+            MemoryRegister::Playing => state.playing.into(),
+            MemoryRegister::Releases => state.releases.into(),
+            MemoryRegister::ReleaseNext => state.release_next.into(),
+            MemoryRegister::WordValid => state.word_valid.into(),
+            MemoryRegister::WordLast => state.word_last.into(),
+            MemoryRegister::WordPresent => self.word_present[index].val().to_u64(),
+            MemoryRegister::WordPosition => {
+                let axes = [&self.word_x, &self.word_y, &self.word_z];
+                axes[index % 3][index / 3].val().to_u64()
+            }
+            MemoryRegister::WordPower => {
+                self.word_channel[self.channel_place(index)].val().to_u64()
+            }
+            MemoryRegister::WordExponent => self.word_exponent[index].val().to_u64(),
+        }
+    }
+
+    /// Its path in the block's text.
+    pub fn path(&self, register: MemoryRegister, index: usize) -> String {
+        match register {
+            MemoryRegister::Full | MemoryRegister::End => format!("{}_{index}", register.name()),
+            MemoryRegister::WordPresent => format!("word_present_{index}"),
+            MemoryRegister::WordPosition => format!("word_{}_{}", AXES[index % 3], index / 3),
+            MemoryRegister::WordPower => {
+                let channels = self._channels;
+                let channel = channels[index % channels.len()];
+                format!("word_{channel}_{}", index / channels.len())
+            }
+            MemoryRegister::WordExponent => format!("word_exponent_{index}"),
+            _ => register.name().to_owned(),
+        }
+    }
+
+    /// From channel c of lane g at `channels` g + c to the port's 4 c + g.
+    fn channel_place(&self, index: usize) -> usize {
+        let channels = self._channels.len();
+        index % channels * LANES + index / channels
+    }
+}
+
+impl<const C: usize, const B: usize, const E: usize> Logic for PhotonMemory<C, B, E> {
+    fn update(&mut self) {
+        if self.clock.pos_edge() {
+            self.step();
+        }
+        self.show();
+    }
+
+    fn connect(&mut self) {
+        self.group_ready.connect();
+        self.word_valid.connect();
+        self.word_last.connect();
+        for lane in 0..LANES {
+            self.word_present[lane].connect();
+            self.word_x[lane].connect();
+            self.word_y[lane].connect();
+            self.word_z[lane].connect();
+        }
+        self.word_channel.iter_mut().for_each(Signal::connect);
+        self.word_exponent.iter_mut().for_each(Signal::connect);
+    }
+
+    fn hdl(&self) -> Verilog {
+        let bits = self._bank_groups.ilog2() as usize;
+        let fields = self.fields();
+        let width: usize = fields.iter().map(|field| field.width).sum();
+        let group: Vec<_> = fields
+            .iter()
+            .rev()
+            .map(|field| field.name.as_str())
+            .collect();
+        let mut low = 0;
+        let outputs: String = fields
+            .iter()
+            .map(|Field { name, width }| {
+                let first = low;
+                low += width;
+                format!("always @(*) word_{name} = word[{}:{first}];\n", low - 1)
+            })
+            .collect();
+        Verilog::Custom(format!(
+            "{}{outputs}{}",
+            memory_text(width, self._bank_groups, bits, &group.join(", ")),
+            state_text(bits),
+        ))
+    }
+}
+
+/// The block RAM: what is read stands in `word` a clock later. Where a word is read and written in
+/// one clock nobody looks at it, so no logic needs to tell old from new.
+fn memory_text(width: usize, bank_groups: usize, bits: usize, group: &str) -> String {
+    format!(
+        "(* no_rw_check *) reg [{high}:0] groups [0:{last}];\n\
+         reg [{high}:0] word = {width}'d0;\n\
+         integer place;\n\
+         initial for (place = 0; place <= {last}; place = place + 1) groups[place] = {width}'d0;\n\
+         wire [{high}:0] group = {{{group}}};\n\
+         wire [{bits}:0] write_address = {{fill_bank, fill_place}};\n\
+         wire [{bits}:0] read_address = {{play_bank, play_place}};\n\
+         always @(posedge clock) begin\n\
+         \x20 word <= groups[read_address];\n\
+         \x20 if (takes_group) groups[write_address] <= group;\n\
+         end\n",
+        high = width - 1,
+        last = 2 * bank_groups - 1,
+    )
+}
+
+/// The registers and their next values.
+fn state_text(bits: usize) -> String {
+    let top = bits - 1;
+    format!(
+        "reg fill_bank = 1'd0;\n\
+         reg [{top}:0] fill_place = {bits}'d0;\n\
+         reg full_0 = 1'd0;\n\
+         reg full_1 = 1'd0;\n\
+         reg [{top}:0] end_place_0 = {bits}'d0;\n\
+         reg [{top}:0] end_place_1 = {bits}'d0;\n\
+         reg play_bank = 1'd0;\n\
+         reg [{top}:0] play_place = {bits}'d0;\n\
+         reg playing = 1'd0;\n\
+         reg releases = 1'd0;\n\
+         reg release_next = 1'd0;\n\
+         reg valid = 1'd0;\n\
+         reg last = 1'd0;\n\
+         wire takes_group = group_valid & ~(fill_bank ? full_1 : full_0);\n\
+         wire set_ends = group_last | (&fill_place);\n\
+         wire play_full = play_bank ? full_1 : full_0;\n\
+         wire [{top}:0] play_end = play_bank ? end_place_1 : end_place_0;\n\
+         wire [15:0] wide_end = {{{pad}play_end}};\n\
+         wire in_time = clocks_to_last <= wide_end;\n\
+         wire starts = ~playing & play_full & is_full & has_room & in_time & ~(valid & last);\n\
+         wire reads = playing | starts;\n\
+         wire at_end = play_place == play_end;\n\
+         wire ends_set = reads & at_end & (starts ? release_next : releases);\n\
+         always @(*) group_ready = ~(fill_bank ? full_1 : full_0);\n\
+         always @(*) word_valid = valid;\n\
+         always @(*) word_last = last;\n\
+         always @(posedge clock) begin\n\
+         \x20 valid <= reads;\n\
+         \x20 last <= reads & at_end;\n\
+         \x20 if (reads) begin\n\
+         \x20   playing <= ~at_end;\n\
+         \x20   play_place <= at_end ? {bits}'d0 : play_place + {bits}'d1;\n\
+         \x20 end\n\
+         \x20 if (ends_set) begin\n\
+         \x20   play_bank <= ~play_bank;\n\
+         \x20   if (play_bank) full_1 <= 1'd0;\n\
+         \x20   else full_0 <= 1'd0;\n\
+         \x20 end\n\
+         \x20 if (starts) begin\n\
+         \x20   releases <= release_next;\n\
+         \x20   release_next <= 1'd0;\n\
+         \x20 end\n\
+         \x20 if (query_taken & release_in) release_next <= 1'd1;\n\
+         \x20 if (takes_group) fill_place <= set_ends ? {bits}'d0 : fill_place + {bits}'d1;\n\
+         \x20 if (takes_group & set_ends) begin\n\
+         \x20   fill_bank <= ~fill_bank;\n\
+         \x20   if (fill_bank) begin\n\
+         \x20     full_1 <= 1'd1;\n\
+         \x20     end_place_1 <= fill_place;\n\
+         \x20   end else begin\n\
+         \x20     full_0 <= 1'd1;\n\
+         \x20     end_place_0 <= fill_place;\n\
+         \x20   end\n\
+         \x20 end\n\
+         \x20 if (reset) begin\n\
+         \x20   fill_bank <= 1'd0;\n\
+         \x20   fill_place <= {bits}'d0;\n\
+         \x20   full_0 <= 1'd0;\n\
+         \x20   full_1 <= 1'd0;\n\
+         \x20   end_place_0 <= {bits}'d0;\n\
+         \x20   end_place_1 <= {bits}'d0;\n\
+         \x20   play_bank <= 1'd0;\n\
+         \x20   play_place <= {bits}'d0;\n\
+         \x20   playing <= 1'd0;\n\
+         \x20   releases <= 1'd0;\n\
+         \x20   release_next <= 1'd0;\n\
+         \x20   valid <= 1'd0;\n\
+         \x20   last <= 1'd0;\n\
+         \x20 end\n\
+         end\n",
+        pad = match 16 - bits {
+            0 => String::new(),
+            more => format!("{more}'d0, "),
+        },
+    )
+}

@@ -1,0 +1,30 @@
+//! The spatial machines: every cell keeps its instruction, and data flows through registers.
+//!
+//! A machine is its head and a chain of engines. In an engine, cell (photon g, role X, Y or Z) is
+//! half of a `SquarePair`, cell (g, D) is a `Lane`; what the four roles do with powers is in a
+//! `ChannelSum` for each channel and one for the count. Blocks that hold others are wires only
+//! (`wiring`); what is calculated stands in small blocks of its own (`arithmetic`, `digits`,
+//! `lookup`); a `Stage` is a register or a wire, as the machine's cuts say.
+
+mod admission;
+mod arithmetic;
+mod delay;
+mod digits;
+mod engine;
+mod flags;
+mod head;
+mod hidden;
+mod lane;
+mod lookup;
+mod machine;
+mod memory;
+mod pinned;
+mod queue;
+mod registers;
+mod square;
+mod stage;
+mod sums;
+mod wiring;
+
+pub(crate) use machine::SpatialMachine;
+pub(crate) use square::SquarePair;

@@ -1,0 +1,160 @@
+//! Spatial machines and their square units with their pins in a row.
+
+use photoncube_spec::{SignalPlace, Spatial};
+use rust_hdl::prelude::*;
+
+use super::machine::SpatialMachine;
+use super::registers::{self, Answer, Ask};
+use super::square::SquarePair;
+use crate::pinned::{Driver, Pinned, Word, drive, sample, settle};
+
+impl<
+    const C: usize,
+    const D: usize,
+    const R: usize,
+    const Q: usize,
+    const L: usize,
+    const LP: usize,
+    const HP: usize,
+    const PR: usize,
+> Pinned for SquarePair<C, D, R, Q, L, LP, HP, PR>
+{
+    fn set_clock(&mut self, level: bool) {
+        self.clock.next = level.into();
+    }
+
+    fn drive(&mut self, row: &[u64]) {
+        drive!(self, row: query, photon_a, photon_b);
+    }
+
+    fn sample(&self, row: &mut Vec<u64>) {
+        sample!(self, row: square_a, square_b, far_a, far_b);
+    }
+
+    settle!();
+}
+
+impl<
+    const C: usize,
+    const D: usize,
+    const R: usize,
+    const Q: usize,
+    const L: usize,
+    const LP: usize,
+    const HP: usize,
+    const PR: usize,
+    const T: usize,
+    const U: usize,
+    const B: usize,
+    const E: usize,
+    const P: usize,
+    const PP: usize,
+    const GP: usize,
+    const S: usize,
+    const N: usize,
+> SpatialMachine<C, D, R, Q, L, LP, HP, PR, T, U, B, E, P, PP, GP, S, N>
+{
+    fn ask(&self, place: SignalPlace, ask: Ask) -> Answer {
+        match place {
+            SignalPlace::Head { register, index } => {
+                registers::head(&self.head, register, index, ask)
+            }
+            SignalPlace::Memory { register, index } => {
+                let memory = &self.memory[0];
+                match ask {
+                    Ask::Value => Answer::Value(memory.value(register, index)),
+                    Ask::Path => Answer::Path(memory.path(register, index)),
+                }
+            }
+            SignalPlace::Engine {
+                engine,
+                register,
+                index,
+            } => registers::engine(&self.engine[engine], register, index, ask),
+            _ => unreachable!("a spatial machine has a head and engines"),
+        }
+    }
+}
+
+impl<
+    const C: usize,
+    const D: usize,
+    const R: usize,
+    const Q: usize,
+    const L: usize,
+    const LP: usize,
+    const HP: usize,
+    const PR: usize,
+    const T: usize,
+    const U: usize,
+    const B: usize,
+    const E: usize,
+    const P: usize,
+    const PP: usize,
+    const GP: usize,
+    const S: usize,
+    const N: usize,
+> Pinned for SpatialMachine<C, D, R, Q, L, LP, HP, PR, T, U, B, E, P, PP, GP, S, N>
+{
+    fn set_clock(&mut self, level: bool) {
+        self.clock.next = level.into();
+    }
+
+    fn drive(&mut self, row: &[u64]) {
+        let mut driver = Driver::new(row);
+        driver.put(&mut self.reset);
+        driver.put(&mut self.query_valid);
+        driver.put(&mut self.query_x);
+        driver.put(&mut self.query_y);
+        driver.put(&mut self.query_z);
+        for radius_sq in &mut self.query_radius_sq {
+            driver.put(radius_sq);
+        }
+        for release in &mut self.query_release {
+            driver.put(release);
+        }
+        driver.put(&mut self.group_valid);
+        driver.put(&mut self.group_last);
+        for lane in 0..Spatial::LANES {
+            driver.put(&mut self.photon_present[lane]);
+            driver.put(&mut self.photon_x[lane]);
+            driver.put(&mut self.photon_y[lane]);
+            driver.put(&mut self.photon_z[lane]);
+            let channels = self.photon_channel.iter_mut();
+            for channel in channels.skip(lane).step_by(Spatial::LANES) {
+                driver.put(channel);
+            }
+            if let Some(exponent) = self.photon_exponent.get_mut(lane) {
+                driver.put(exponent);
+            }
+        }
+        driver.put(&mut self.result_ready);
+    }
+
+    fn sample(&self, row: &mut Vec<u64>) {
+        sample!(self, row: query_ready, group_ready, result_valid);
+        row.extend(self.result.iter().map(|result| result.val().number()));
+        sample!(self, row: result_count);
+        for &place in &self._places {
+            match self.ask(place, Ask::Value) {
+                Answer::Value(value) => row.push(value),
+                Answer::Path(_) => unreachable!("a value was asked for"),
+            }
+        }
+    }
+
+    fn register_path(&self, place: SignalPlace) -> Option<String> {
+        let below = match place {
+            SignalPlace::Head { .. } => "head.".to_owned(),
+            SignalPlace::Memory { .. } => "memory_0.".to_owned(),
+            SignalPlace::Engine { engine, .. } => format!("engine_{engine}."),
+            _ => return None,
+        };
+        match self.ask(place, Ask::Path) {
+            Answer::Path(path) => Some(below + &path),
+            Answer::Value(_) => None,
+        }
+    }
+
+    settle!();
+}

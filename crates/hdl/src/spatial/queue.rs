@@ -1,0 +1,140 @@
+//! The queue of results.
+//!
+//! Its depth follows from the number of engines, as `admission`'s counters do; so its Verilog is
+//! written by hand too, with the memory and the two places inside.
+
+use photoncube_spec::{HeadSizes, Spatial};
+use rust_hdl::prelude::*;
+
+use super::hidden::Hidden;
+
+/// Results go in with `result_valid_in`, and out where valid and ready. `S` bits of a sum, `N` of
+/// the count. The memory is read without a clock, so that it fits the LUTs' RAM.
+#[derive(LogicBlock)]
+pub(crate) struct ResultQueue<const S: usize, const N: usize> {
+    pub clock: Signal<In, Clock>,
+    pub reset: Signal<In, Bit>,
+    pub result_valid_in: Signal<In, Bit>,
+    pub result_in: Vec<Signal<In, Bits<S>>>,
+    pub result_count_in: Signal<In, Bits<N>>,
+    pub result_ready: Signal<In, Bit>,
+    pub result_valid: Signal<Out, Bit>,
+    pub result: Vec<Signal<Out, Bits<S>>>,
+    pub result_count: Signal<Out, Bits<N>>,
+    pub result_taken: Signal<Out, Bit>,
+    pub _write_place: Hidden,
+    pub _read_place: Hidden,
+    /// The sums and the count of each place.
+    _results: Vec<(Vec<u64>, u64)>,
+    _place_bits: u32,
+}
+
+impl<const S: usize, const N: usize> ResultQueue<S, N> {
+    pub fn new(spatial: &Spatial, channels: usize) -> Self {
+        let sizes = HeadSizes::of(spatial);
+        assert_eq!(sizes.queue, 1 << (sizes.place_bits - 1));
+        Self {
+            clock: Default::default(),
+            reset: Default::default(),
+            result_valid_in: Default::default(),
+            result_in: (0..channels).map(|_| Default::default()).collect(),
+            result_count_in: Default::default(),
+            result_ready: Default::default(),
+            result_valid: Default::default(),
+            result: (0..channels).map(|_| Default::default()).collect(),
+            result_count: Default::default(),
+            result_taken: Default::default(),
+            _write_place: Default::default(),
+            _read_place: Default::default(),
+            _results: vec![(vec![0; channels], 0); sizes.queue],
+            _place_bits: sizes.place_bits,
+        }
+    }
+
+    fn is_valid(&self) -> bool {
+        self._write_place.0 != self._read_place.0
+    }
+
+    fn step(&mut self) {
+        let (places, queue) = (1 << self._place_bits, self._results.len());
+        let taken = self.is_valid() && self.result_ready.val();
+        if self.result_valid_in.val() {
+            let sums = self.result_in.iter().map(|sum| sum.val().to_u64());
+            self._results[self._write_place.0 as usize % queue] =
+                (sums.collect(), self.result_count_in.val().to_u64());
+            self._write_place.0 = (self._write_place.0 + 1) % places;
+        }
+        self._read_place.0 = (self._read_place.0 + u64::from(taken)) % places;
+        if self.reset.val() {
+            (self._write_place, self._read_place) = Default::default();
+        }
+    }
+}
+
+impl<const S: usize, const N: usize> Logic for ResultQueue<S, N> {
+    fn update(&mut self) {
+        if self.clock.pos_edge() {
+            self.step();
+        }
+        self.result_valid.next = self.is_valid();
+        self.result_taken.next = self.is_valid() && self.result_ready.val();
+        let (sums, count) = &self._results[self._read_place.0 as usize % self._results.len()];
+        for (result, sum) in self.result.iter_mut().zip(sums) {
+            result.next = sum.to_bits();
+        }
+        self.result_count.next = count.to_bits();
+    }
+
+    fn connect(&mut self) {
+        for result in &mut self.result {
+            result.connect();
+        }
+        self.result_valid.connect();
+        self.result_count.connect();
+        self.result_taken.connect();
+    }
+
+    fn hdl(&self) -> Verilog {
+        let (bits, channels) = (self._place_bits, self.result.len());
+        let (high, top, last) = (channels * S + N - 1, bits - 1, self._results.len() - 1);
+        let sums: String = (0..channels)
+            .rev()
+            .map(|channel| format!(", result_in${channel}"))
+            .collect();
+        let outputs: String = (0..channels)
+            .map(|channel| {
+                let low = channel * S;
+                let high = low + S - 1;
+                format!("always @(*) result${channel} = word[{high}:{low}];\n")
+            })
+            .collect();
+        Verilog::Custom(format!(
+            "reg [{high}:0] results [0:{last}];\n\
+             reg [{top}:0] write_place = {bits}'d0;\n\
+             reg [{top}:0] read_place = {bits}'d0;\n\
+             integer place;\n\
+             initial for (place = 0; place <= {last}; place = place + 1) \
+             results[place] = {width}'d0;\n\
+             wire [{high}:0] word = results[read_place[{index}:0]];\n\
+             wire valid = write_place != read_place;\n\
+             always @(*) result_valid = valid;\n\
+             always @(*) result_taken = valid & result_ready;\n\
+             {outputs}\
+             always @(*) result_count = word[{high}:{count_low}];\n\
+             always @(posedge clock) begin\n\
+             \x20 if (result_valid_in) begin\n\
+             \x20   results[write_place[{index}:0]] <= {{result_count_in{sums}}};\n\
+             \x20   write_place <= write_place + {bits}'d1;\n\
+             \x20 end\n\
+             \x20 if (valid & result_ready) read_place <= read_place + {bits}'d1;\n\
+             \x20 if (reset) begin\n\
+             \x20   write_place <= {bits}'d0;\n\
+             \x20   read_place <= {bits}'d0;\n\
+             \x20 end\n\
+             end\n",
+            width = high + 1,
+            index = bits - 2,
+            count_low = channels * S,
+        ))
+    }
+}

@@ -1,0 +1,368 @@
+//! The squares of two photons' distances from the query on one axis.
+
+use photoncube_spec::{Cut, Cuts, Squarer};
+use rust_hdl::prelude::*;
+
+use super::arithmetic::Subtract;
+use super::digits::{CrossSum, DigitProducts, Magnitude, SquareSum};
+use super::lookup::{DifferenceProduct, SplitLookup, SplitProduct, SquareTable};
+use super::stage::Stage;
+use super::wiring::{Wires, Wiring, logic_of_wires, wires, with_wires};
+
+/// From d to d^2 by digits. Widths: `C` coordinate, `D = C + 1` difference, `R` bits that are
+/// squared, `Q = 2 R`; `LP` and `HP` of the two products.
+#[derive(LogicBlock)]
+pub(crate) struct DigitSquarer<
+    const C: usize,
+    const D: usize,
+    const R: usize,
+    const Q: usize,
+    const LP: usize,
+    const HP: usize,
+> {
+    pub clock: Signal<In, Clock>,
+    pub difference: Signal<In, Bits<D>>,
+    pub square: Signal<Out, Bits<Q>>,
+    pub far: Signal<Out, Bit>,
+    magnitude_of: Magnitude<C, D, R>,
+    pub magnitude: Stage<Bits<R>>,
+    pub magnitude_far: Stage<Bit>,
+    digit_products: DigitProducts<R, LP, HP>,
+    pub products_magnitude: Stage<Bits<R>>,
+    pub low_product: Stage<Bits<LP>>,
+    pub high_product: Stage<Bits<HP>>,
+    pub products_far: Stage<Bit>,
+    cross_sum: CrossSum<LP, HP, R>,
+    pub cross_magnitude: Stage<Bits<R>>,
+    pub cross_product: Stage<Bits<R>>,
+    pub cross_far: Stage<Bit>,
+    square_sum: SquareSum<Q, R>,
+    _wires: Wires,
+}
+
+impl<
+    const C: usize,
+    const D: usize,
+    const R: usize,
+    const Q: usize,
+    const LP: usize,
+    const HP: usize,
+> DigitSquarer<C, D, R, Q, LP, HP>
+{
+    pub fn new(cuts: Cuts) -> Self {
+        with_wires!(Self {
+            clock: Default::default(),
+            difference: Default::default(),
+            square: Default::default(),
+            far: Default::default(),
+            magnitude_of: Default::default(),
+            magnitude: Stage::new(cuts.has(Cut::Magnitude)),
+            magnitude_far: Stage::new(cuts.has(Cut::Magnitude)),
+            digit_products: Default::default(),
+            products_magnitude: Stage::new(cuts.has(Cut::Products)),
+            low_product: Stage::new(cuts.has(Cut::Products)),
+            high_product: Stage::new(cuts.has(Cut::Products)),
+            products_far: Stage::new(cuts.has(Cut::Products)),
+            cross_sum: Default::default(),
+            cross_magnitude: Stage::new(cuts.has(Cut::Cross)),
+            cross_product: Stage::new(cuts.has(Cut::Cross)),
+            cross_far: Stage::new(cuts.has(Cut::Cross)),
+            square_sum: Default::default(),
+            _wires: Default::default(),
+        })
+    }
+
+    fn wires(&mut self, wiring: &mut Wiring) {
+        wires!(self, wiring:
+            (magnitude.clock) = (clock);
+            (magnitude_far.clock) = (clock);
+            (products_magnitude.clock) = (clock);
+            (low_product.clock) = (clock);
+            (high_product.clock) = (clock);
+            (products_far.clock) = (clock);
+            (cross_magnitude.clock) = (clock);
+            (cross_product.clock) = (clock);
+            (cross_far.clock) = (clock);
+            (magnitude_of.difference) = (difference);
+            (magnitude.d) = (magnitude_of.magnitude);
+            (magnitude_far.d) = (magnitude_of.far);
+            (digit_products.magnitude) = (magnitude.q);
+            (products_magnitude.d) = (magnitude.q);
+            (low_product.d) = (digit_products.low_product);
+            (high_product.d) = (digit_products.high_product);
+            (products_far.d) = (magnitude_far.q);
+            (cross_sum.low_product) = (low_product.q);
+            (cross_sum.high_product) = (high_product.q);
+            (cross_magnitude.d) = (products_magnitude.q);
+            (cross_product.d) = (cross_sum.cross_product);
+            (cross_far.d) = (products_far.q);
+            (square_sum.magnitude) = (cross_magnitude.q);
+            (square_sum.cross_product) = (cross_product.q);
+            (square) = (square_sum.square);
+            (far) = (cross_far.q);
+        );
+    }
+}
+
+impl<
+    const C: usize,
+    const D: usize,
+    const R: usize,
+    const Q: usize,
+    const LP: usize,
+    const HP: usize,
+> Logic for DigitSquarer<C, D, R, Q, LP, HP>
+{
+    logic_of_wires!();
+}
+
+/// From d to d^2 by a table that two coordinates share; `L = Q + 1` bits of its words.
+#[derive(LogicBlock)]
+pub(crate) struct TableSquarer<const D: usize, const Q: usize, const L: usize> {
+    pub clock: Signal<In, Clock>,
+    pub difference_a: Signal<In, Bits<D>>,
+    pub difference_b: Signal<In, Bits<D>>,
+    pub square_a: Signal<Out, Bits<Q>>,
+    pub square_b: Signal<Out, Bits<Q>>,
+    pub far_a: Signal<Out, Bit>,
+    pub far_b: Signal<Out, Bit>,
+    pub magnitude_delay: Vec<Stage<Bits<D>>>,
+    pub products_delay: Vec<Stage<Bits<D>>>,
+    pub square_table: SquareTable<D, L>,
+    split_0: SplitLookup<Q, L>,
+    split_1: SplitLookup<Q, L>,
+    _wires: Wires,
+}
+
+impl<const D: usize, const Q: usize, const L: usize> TableSquarer<D, Q, L> {
+    pub fn new(cuts: Cuts) -> Self {
+        with_wires!(Self {
+            clock: Default::default(),
+            difference_a: Default::default(),
+            difference_b: Default::default(),
+            square_a: Default::default(),
+            square_b: Default::default(),
+            far_a: Default::default(),
+            far_b: Default::default(),
+            magnitude_delay: Stage::several(2, cuts.has(Cut::Magnitude)),
+            products_delay: Stage::several(2, cuts.has(Cut::Products)),
+            square_table: SquareTable::new(cuts.has(Cut::Cross)),
+            split_0: Default::default(),
+            split_1: Default::default(),
+            _wires: Default::default(),
+        })
+    }
+
+    fn wires(&mut self, wiring: &mut Wiring) {
+        for photon in 0..2 {
+            wires!(self, wiring:
+                (magnitude_delay[photon].clock) = (clock);
+                (products_delay[photon].clock) = (clock);
+                (products_delay[photon].d) = (magnitude_delay[photon].q);
+            );
+        }
+        wires!(self, wiring:
+            (square_table.clock) = (clock);
+            (magnitude_delay[0].d) = (difference_a);
+            (magnitude_delay[1].d) = (difference_b);
+            (square_table.difference_a) = (products_delay[0].q);
+            (square_table.difference_b) = (products_delay[1].q);
+            (split_0.lookup) = (square_table.lookup_a);
+            (split_1.lookup) = (square_table.lookup_b);
+            (square_a) = (split_0.square);
+            (square_b) = (split_1.square);
+            (far_a) = (split_0.far);
+            (far_b) = (split_1.far);
+        );
+    }
+}
+
+impl<const D: usize, const Q: usize, const L: usize> Logic for TableSquarer<D, Q, L> {
+    logic_of_wires!();
+}
+
+/// From d to d^2 as one product; `PR = 2 (D - 1)`.
+#[derive(LogicBlock)]
+pub(crate) struct ProductSquarer<const D: usize, const Q: usize, const PR: usize> {
+    pub clock: Signal<In, Clock>,
+    pub difference: Signal<In, Bits<D>>,
+    pub square: Signal<Out, Bits<Q>>,
+    pub far: Signal<Out, Bit>,
+    pub magnitude_delay: Stage<Bits<D>>,
+    pub products_delay: Stage<Bits<D>>,
+    difference_product: DifferenceProduct<D, PR>,
+    pub product: Stage<Bits<PR>>,
+    split_product: SplitProduct<Q, PR>,
+    _wires: Wires,
+}
+
+impl<const D: usize, const Q: usize, const PR: usize> ProductSquarer<D, Q, PR> {
+    pub fn new(cuts: Cuts) -> Self {
+        with_wires!(Self {
+            clock: Default::default(),
+            difference: Default::default(),
+            square: Default::default(),
+            far: Default::default(),
+            magnitude_delay: Stage::new(cuts.has(Cut::Magnitude)),
+            difference_product: Default::default(),
+            products_delay: Stage::new(cuts.has(Cut::Products)),
+            product: Stage::new(cuts.has(Cut::Cross)),
+            split_product: Default::default(),
+            _wires: Default::default(),
+        })
+    }
+
+    fn wires(&mut self, wiring: &mut Wiring) {
+        wires!(self, wiring:
+            (magnitude_delay.clock) = (clock);
+            (products_delay.clock) = (clock);
+            (product.clock) = (clock);
+            (magnitude_delay.d) = (difference);
+            (products_delay.d) = (magnitude_delay.q);
+            (difference_product.difference) = (products_delay.q);
+            (product.d) = (difference_product.product);
+            (split_product.product) = (product.q);
+            (square) = (split_product.square);
+            (far) = (split_product.far);
+        );
+    }
+}
+
+impl<const D: usize, const Q: usize, const PR: usize> Logic for ProductSquarer<D, Q, PR> {
+    logic_of_wires!();
+}
+
+/// The squares of the distances of two photons from one query on one axis. Two, because a table
+/// has two ports. `L = Q + 1`; the other widths are the squarers'.
+#[derive(LogicBlock)]
+pub(crate) struct SquarePair<
+    const C: usize,
+    const D: usize,
+    const R: usize,
+    const Q: usize,
+    const L: usize,
+    const LP: usize,
+    const HP: usize,
+    const PR: usize,
+> {
+    pub clock: Signal<In, Clock>,
+    pub query: Signal<In, Bits<C>>,
+    pub photon_a: Signal<In, Bits<C>>,
+    pub photon_b: Signal<In, Bits<C>>,
+    pub square_a: Signal<Out, Bits<Q>>,
+    pub square_b: Signal<Out, Bits<Q>>,
+    pub far_a: Signal<Out, Bit>,
+    pub far_b: Signal<Out, Bit>,
+    subtract: Vec<Subtract<C, D>>,
+    pub difference: Vec<Stage<Bits<D>>>,
+    /// Two, or none where the squarer is of another kind.
+    pub digits: Vec<DigitSquarer<C, D, R, Q, LP, HP>>,
+    /// One or none.
+    pub lookup: Vec<TableSquarer<D, Q, L>>,
+    /// Two or none.
+    pub product: Vec<ProductSquarer<D, Q, PR>>,
+    pub square_stage: Vec<Stage<Bits<Q>>>,
+    pub far_stage: Vec<Stage<Bit>>,
+    _wires: Wires,
+}
+
+impl<
+    const C: usize,
+    const D: usize,
+    const R: usize,
+    const Q: usize,
+    const L: usize,
+    const LP: usize,
+    const HP: usize,
+    const PR: usize,
+> SquarePair<C, D, R, Q, L, LP, HP, PR>
+{
+    pub fn new(cuts: Cuts, squarer: Squarer) -> Self {
+        assert!(D == C + 1 && Q == 2 * R && L == Q + 1 && PR == 2 * C);
+        let count = |kind, count| if squarer == kind { count } else { 0 };
+        let digits = 0..count(Squarer::Digits, 2);
+        let lookup = 0..count(Squarer::Table, 1);
+        let product = 0..count(Squarer::Product, 2);
+        with_wires!(Self {
+            clock: Default::default(),
+            query: Default::default(),
+            photon_a: Default::default(),
+            photon_b: Default::default(),
+            square_a: Default::default(),
+            square_b: Default::default(),
+            far_a: Default::default(),
+            far_b: Default::default(),
+            subtract: vec![Default::default(), Default::default()],
+            difference: Stage::several(2, cuts.has(Cut::Difference)),
+            digits: digits.map(|_| DigitSquarer::new(cuts)).collect(),
+            lookup: lookup.map(|_| TableSquarer::new(cuts)).collect(),
+            product: product.map(|_| ProductSquarer::new(cuts)).collect(),
+            square_stage: Stage::several(2, cuts.has(Cut::Square)),
+            far_stage: Stage::several(2, cuts.has(Cut::Square)),
+            _wires: Default::default(),
+        })
+    }
+
+    fn wires(&mut self, wiring: &mut Wiring) {
+        wires!(self, wiring:
+            (subtract[0].b) = (photon_a);
+            (subtract[1].b) = (photon_b);
+        );
+        for photon in 0..2 {
+            wires!(self, wiring:
+                (subtract[photon].a) = (query);
+                (difference[photon].clock) = (clock);
+                (difference[photon].d) = (subtract[photon].difference);
+                (square_stage[photon].clock) = (clock);
+                (far_stage[photon].clock) = (clock);
+            );
+        }
+        for photon in 0..self.digits.len() {
+            wires!(self, wiring:
+                (digits[photon].clock) = (clock);
+                (digits[photon].difference) = (difference[photon].q);
+                (square_stage[photon].d) = (digits[photon].square);
+                (far_stage[photon].d) = (digits[photon].far);
+            );
+        }
+        for table in 0..self.lookup.len() {
+            wires!(self, wiring:
+                (lookup[table].clock) = (clock);
+                (lookup[table].difference_a) = (difference[0].q);
+                (lookup[table].difference_b) = (difference[1].q);
+                (square_stage[0].d) = (lookup[table].square_a);
+                (square_stage[1].d) = (lookup[table].square_b);
+                (far_stage[0].d) = (lookup[table].far_a);
+                (far_stage[1].d) = (lookup[table].far_b);
+            );
+        }
+        for photon in 0..self.product.len() {
+            wires!(self, wiring:
+                (product[photon].clock) = (clock);
+                (product[photon].difference) = (difference[photon].q);
+                (square_stage[photon].d) = (product[photon].square);
+                (far_stage[photon].d) = (product[photon].far);
+            );
+        }
+        wires!(self, wiring:
+            (square_a) = (square_stage[0].q);
+            (square_b) = (square_stage[1].q);
+            (far_a) = (far_stage[0].q);
+            (far_b) = (far_stage[1].q);
+        );
+    }
+}
+
+impl<
+    const C: usize,
+    const D: usize,
+    const R: usize,
+    const Q: usize,
+    const L: usize,
+    const LP: usize,
+    const HP: usize,
+    const PR: usize,
+> Logic for SquarePair<C, D, R, Q, L, LP, HP, PR>
+{
+    logic_of_wires!();
+}

@@ -1,0 +1,128 @@
+//! The powers of one channel, from the hop register to the result chain.
+
+use photoncube_spec::{Cut, Cuts, Spatial};
+use rust_hdl::prelude::*;
+
+use super::arithmetic::{Accumulate, GateStage, GatedSum, ResultLink, Sum};
+use super::stage::Stage;
+use super::wiring::{Wires, Wiring, logic_of_wires, wires, with_wires};
+
+const LANES: usize = Spatial::LANES;
+const PAIRS: usize = LANES / 2;
+
+/// One channel's powers, or the photons' presence, whose sum is the count. Widths: `P` power,
+/// `PP = P + 1` of a pair, `GP = P + 2` of a group, `S` sum.
+#[derive(LogicBlock)]
+pub(crate) struct ChannelSum<const P: usize, const PP: usize, const GP: usize, const S: usize> {
+    pub clock: Signal<In, Clock>,
+    pub power_in: [Signal<In, Bits<P>>; LANES],
+    pub power: [Signal<Out, Bits<P>>; LANES],
+    pub in_range: [Signal<In, Bit>; LANES],
+    /// The group beside the sum is the first of its batch.
+    pub first: Signal<In, Bit>,
+    /// The sum is complete.
+    pub done: Signal<In, Bit>,
+    pub result_in: Signal<In, Bits<S>>,
+    pub result_out: Signal<Out, Bits<S>>,
+    pub hop: Vec<Stage<Bits<P>>>,
+    /// The gate with registers behind it and its adders, or the gate with the adders in it.
+    pub gate: Vec<GateStage<P>>,
+    pair_sum: Vec<Sum<P, P, PP>>,
+    gated_sum: Vec<GatedSum<P, PP>>,
+    pub pair: Vec<Stage<Bits<PP>>>,
+    group_sum: Sum<PP, PP, GP>,
+    pub group: Stage<Bits<GP>>,
+    accumulate: Accumulate<GP, S>,
+    pub sum: Stage<Bits<S>>,
+    result_link: ResultLink<S>,
+    pub result: Stage<Bits<S>>,
+    _wires: Wires,
+}
+
+impl<const P: usize, const PP: usize, const GP: usize, const S: usize> ChannelSum<P, PP, GP, S> {
+    pub fn new(cuts: Cuts) -> Self {
+        assert!(PP == P + 1 && GP == P + 2 && S >= GP);
+        let gate_stages = if cuts.has(Cut::Gate) { LANES } else { 0 };
+        let behind_gate = if cuts.has(Cut::Gate) { PAIRS } else { 0 };
+        with_wires!(Self {
+            clock: Default::default(),
+            power_in: Default::default(),
+            power: Default::default(),
+            in_range: Default::default(),
+            first: Default::default(),
+            done: Default::default(),
+            result_in: Default::default(),
+            result_out: Default::default(),
+            hop: Stage::several(LANES, true),
+            gate: (0..gate_stages).map(|_| Default::default()).collect(),
+            pair_sum: (0..behind_gate).map(|_| Default::default()).collect(),
+            gated_sum: (behind_gate..PAIRS).map(|_| Default::default()).collect(),
+            pair: Stage::several(PAIRS, cuts.has(Cut::PairPower)),
+            group_sum: Default::default(),
+            group: Stage::new(cuts.has(Cut::GroupPower)),
+            accumulate: Default::default(),
+            sum: Stage::new(true),
+            result_link: Default::default(),
+            result: Stage::new(true),
+            _wires: Default::default(),
+        })
+    }
+
+    fn wires(&mut self, wiring: &mut Wiring) {
+        for lane in 0..LANES {
+            wires!(self, wiring:
+                (hop[lane].clock) = (clock);
+                (hop[lane].d) = (power_in[lane]);
+                (power[lane]) = (hop[lane].q);
+            );
+        }
+        for lane in 0..self.gate.len() {
+            wires!(self, wiring:
+                (gate[lane].clock) = (clock);
+                (gate[lane].power) = (hop[lane].q);
+                (gate[lane].in_range) = (in_range[lane]);
+            );
+        }
+        for pair in 0..self.pair_sum.len() {
+            wires!(self, wiring:
+                (pair_sum[pair].a) = (gate[2 * pair].gated);
+                (pair_sum[pair].b) = (gate[2 * pair + 1].gated);
+                (pair[pair].d) = (pair_sum[pair].sum);
+            );
+        }
+        for pair in 0..self.gated_sum.len() {
+            wires!(self, wiring:
+                (gated_sum[pair].a) = (hop[2 * pair].q);
+                (gated_sum[pair].b) = (hop[2 * pair + 1].q);
+                (gated_sum[pair].a_in_range) = (in_range[2 * pair]);
+                (gated_sum[pair].b_in_range) = (in_range[2 * pair + 1]);
+                (pair[pair].d) = (gated_sum[pair].sum);
+            );
+        }
+        wires!(self, wiring:
+            (pair[0].clock) = (clock);
+            (pair[1].clock) = (clock);
+            (group_sum.a) = (pair[0].q);
+            (group_sum.b) = (pair[1].q);
+            (group.clock) = (clock);
+            (group.d) = (group_sum.sum);
+            (accumulate.group) = (group.q);
+            (accumulate.sum) = (sum.q);
+            (accumulate.first) = (first);
+            (sum.clock) = (clock);
+            (sum.d) = (accumulate.next_sum);
+            (result_link.done) = (done);
+            (result_link.own) = (sum.q);
+            (result_link.further) = (result_in);
+            (result.clock) = (clock);
+            (result.d) = (result_link.result);
+            (result_out) = (result.q);
+        );
+    }
+}
+
+impl<const P: usize, const PP: usize, const GP: usize, const S: usize> Logic
+    for ChannelSum<P, PP, GP, S>
+{
+    logic_of_wires!();
+}
