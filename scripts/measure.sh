@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Measures the figures that `photoncube list` and the README show, and writes them to docs/measured/:
-# area by scripts/yosys/synth.sh and speed by scripts/yosys/place.sh, then error, clocks and the proof
-# by `photoncube run` for each machine, on `cornell`, or on the scene that the machine is fitted to; and
-# the fit of every built-in scene. Also refreshes the README's picture.
+# area and Fmax by `photoncube synth`, then error, clocks and the proof by `photoncube run` for each
+# machine, on `cornell`, or on the scene that the machine is fitted to; and the fit of every built-in
+# scene. Also refreshes the README's picture.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -13,9 +13,8 @@ if (($# > 0)); then
 fi
 
 scripts/setup.sh --synthesis
-scripts/yosys/synth.sh
-scripts/yosys/place.sh
 cargo build --locked --release
+target/release/photoncube synth
 for folder in hdl-out/*/; do
     machine=$(basename "$folder")
     printf '\n=== %s\n' "$machine"

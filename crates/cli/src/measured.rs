@@ -2,14 +2,18 @@
 //!
 //! They are read here and nowhere typed in: `list` and the README's table show them.
 
-use std::collections::BTreeMap;
-
 use anyhow::{Context, Result};
 use photoncube_spec::Machine;
 use serde::{Deserialize, Serialize};
 
+use crate::synth::cells::Figure;
+use crate::synth::clock::{Clock, clocks};
+use crate::synth::figures::{AreaRow, Figured, PlaceRow};
+use crate::synth::flow::Flow;
+use crate::synth::place::{self, DEFAULT_GRADES};
+
 /// Area on ECP5, by Yosys's `synth_ecp5`.
-#[derive(Clone, Debug, Deserialize, Serialize)]
+#[derive(Clone, Debug, Serialize)]
 pub struct Area {
     /// The options of `synth_ecp5`.
     pub options: String,
@@ -17,13 +21,20 @@ pub struct Area {
     pub lut4: u64,
     /// Carry cells, each two LUTs wide.
     pub ccu2c: u64,
-    /// `lut4 + 2 ccu2c`.
+    /// LUTs, and what takes the place of LUTs.
     pub lut4_equivalents: u64,
     /// Flip-flops.
     pub ff: u64,
     /// Multipliers, MULT18X18D.
     pub dsp: u64,
+    /// Block RAMs, DP16KD.
+    pub block_ram: u64,
+    /// RAMs of 16 x 4 in LUTs, TRELLIS_DPR16X4.
+    pub lut_ram: u64,
 }
+
+/// The speed grade that `list` and the README's table have the clock of: the slowest.
+const SPEED_GRADE: u32 = DEFAULT_GRADES[0];
 
 /// The highest clock of the routed machine.
 #[derive(Clone, Debug, Serialize)]
@@ -43,9 +54,13 @@ pub struct Measured {
     pub area_without_dsp: Option<Area>,
     /// Area where DSP blocks may be used.
     pub area_with_dsp: Option<Area>,
-    /// Speed where DSP blocks are forbidden.
+    /// Speed in the slowest speed grade.
     #[serde(flatten)]
     pub fmax: Fmax,
+    /// Area in every flow.
+    pub areas: Vec<AreaRow>,
+    /// Speed in every speed grade, with what binds it.
+    pub fmax_by_grade: Vec<Clock>,
     /// Golden model's picture against the f64 reference's, on `cornell` or on the scene that the
     /// machine is fitted to.
     pub rms_relative_error: Option<f64>,
@@ -78,35 +93,6 @@ const RUNS: &[(&str, &str)] = runs![
 ];
 
 #[derive(Deserialize)]
-struct Synthesis {
-    rows: Vec<SynthesisRow>,
-}
-
-#[derive(Deserialize)]
-struct SynthesisRow {
-    machine: String,
-    flow: String,
-    #[serde(flatten)]
-    area: Area,
-}
-
-/// What `scripts/yosys/place.sh` writes.
-#[derive(Deserialize)]
-struct Placement {
-    device: String,
-    speed_grade: u32,
-    seeds: Vec<u32>,
-    tool_versions: BTreeMap<String, String>,
-    rows: Vec<PlacementRow>,
-}
-
-#[derive(Deserialize)]
-struct PlacementRow {
-    machine: String,
-    fmax_mhz: f64,
-}
-
-#[derive(Deserialize)]
 struct Run {
     rms_relative_error: f64,
     vectors_compared: u64,
@@ -123,23 +109,19 @@ struct Device {
 impl Measured {
     /// What was measured of that machine.
     pub fn of(machine: &Machine) -> Result<Self> {
-        let synthesis: Synthesis =
-            serde_json::from_str(SYNTHESIS).context("docs/measured/synthesis.json")?;
-        // The smallest of the mappings that were tried.
-        let area = |may_use_dsp: bool| {
-            let rows = synthesis.rows.iter().filter(|row| {
-                let forbids_dsp = row.area.options.split_whitespace().any(|o| o == "-nodsp");
-                let is_ours = row.machine == machine.name && row.flow == "synth_ecp5";
-                is_ours && forbids_dsp != may_use_dsp
-            });
-            let smallest = rows.min_by_key(|row| row.area.lut4_equivalents);
-            smallest.map(|row| row.area.clone())
-        };
+        let rows = synthesis()?.rows;
+        let areas: Vec<_> = rows
+            .into_iter()
+            .filter(|row| row.machine == machine.name)
+            .collect();
         let run = run(machine)?;
+        let fmax_by_grade = clocks_of(machine.name)?;
         Ok(Self {
-            area_without_dsp: area(false),
-            area_with_dsp: area(true),
-            fmax: placement()?.fmax(machine.name),
+            area_without_dsp: Area::of(&areas, Flow::Ecp5Nodsp),
+            area_with_dsp: Area::of(&areas, Flow::Ecp5),
+            fmax: Fmax::of(&fmax_by_grade),
+            areas,
+            fmax_by_grade,
             rms_relative_error: run.as_ref().map(|run| run.rms_relative_error),
             vectors_compared: run.as_ref().map(|run| run.vectors_compared),
             verified_against: run.map_or("not measured".to_owned(), |run| run.verified()),
@@ -147,47 +129,80 @@ impl Measured {
     }
 }
 
-/// How the clocks were measured, in one sentence.
-pub fn fmax_source() -> Result<String> {
-    placement()?.source()
+impl Area {
+    fn of(rows: &[AreaRow], flow: Flow) -> Option<Self> {
+        let row = rows.iter().find(|row| row.flow == flow)?;
+        let figure = |figure| row.figures.get(&figure).copied();
+        Some(Self {
+            options: match flow {
+                Flow::Ecp5Nodsp => "-nodsp".to_owned(),
+                _ => String::new(),
+            },
+            lut4: figure(Figure::Lut4)?,
+            ccu2c: figure(Figure::Ccu2c)?,
+            lut4_equivalents: figure(Figure::Lut4Equivalents)?,
+            ff: figure(Figure::Ff)?,
+            dsp: figure(Figure::Dsp)?,
+            block_ram: figure(Figure::BlockRam)?,
+            lut_ram: figure(Figure::LutRam)?,
+        })
+    }
 }
 
-fn placement() -> Result<Placement> {
+impl Fmax {
+    fn of(clocks: &[Clock]) -> Self {
+        let clock = clocks.iter().find(|clock| clock.speed_grade == SPEED_GRADE);
+        Self {
+            fmax_mhz: clock.map(|clock| clock.fmax_mhz),
+            device: clock.map(|_| place::Device::default_one().name.to_owned()),
+            speed_grade: clock.map(|clock| clock.speed_grade),
+        }
+    }
+}
+
+/// How the clocks were measured, in one sentence.
+pub fn fmax_source() -> Result<String> {
+    source(&placement()?)
+}
+
+/// LUTs, and what takes the place of LUTs, on ECP5 without DSP blocks; none if not measured.
+pub fn lut4_equivalents(machine: &str) -> Result<Option<u64>> {
+    let rows = synthesis()?.rows;
+    let row = rows
+        .iter()
+        .find(|row| row.machine == machine && row.flow == Flow::Ecp5Nodsp);
+    Ok(row.and_then(|row| row.figures.get(&Figure::Lut4Equivalents).copied()))
+}
+
+fn clocks_of(machine: &str) -> Result<Vec<Clock>> {
+    let mut clocks = clocks(&placement()?.rows);
+    clocks.retain(|clock| clock.machine == machine);
+    Ok(clocks)
+}
+
+fn synthesis() -> Result<Figured<AreaRow>> {
+    serde_json::from_str(SYNTHESIS).context("docs/measured/synthesis.json")
+}
+
+fn placement() -> Result<Figured<PlaceRow>> {
     serde_json::from_str(PLACEMENT).context("docs/measured/place.json")
 }
 
-impl Placement {
-    fn fmax(&self, machine: &str) -> Fmax {
-        let rows = self.rows.iter().filter(|row| row.machine == machine);
-        let fmax_mhz = median(rows.map(|row| row.fmax_mhz).collect());
-        Fmax {
-            fmax_mhz,
-            device: fmax_mhz.map(|_| self.device.clone()),
-            speed_grade: fmax_mhz.map(|_| self.speed_grade),
-        }
-    }
-
-    fn source(&self) -> Result<String> {
-        let tool = "nextpnr-ecp5";
-        let version = self.tool_versions.get(tool);
-        let version = version.with_context(|| format!("found no version of {tool}"))?;
-        Ok(format!(
-            "Fmax by {tool} {version}, {}, speed grade {}, no DSP, post-route, median of {} seeds.",
-            self.device,
-            self.speed_grade,
-            self.seeds.len()
-        ))
-    }
-}
-
-/// Of an even number of values, the mean of the two in the middle; of none, nothing.
-fn median(mut values: Vec<f64>) -> Option<f64> {
-    values.sort_by(f64::total_cmp);
-    let (&low, &high) = (
-        values.get(values.len().checked_sub(1)? / 2)?,
-        values.get(values.len() / 2)?,
-    );
-    Some(f64::midpoint(low, high))
+fn source(placement: &Figured<PlaceRow>) -> Result<String> {
+    let tool = "nextpnr-ecp5";
+    let setting = &placement.setting;
+    let version = setting.tool_versions.get(tool);
+    let version = version.with_context(|| format!("found no version of {tool}"))?;
+    let rows = placement.rows.iter();
+    let seeds = rows
+        .filter(|row| row.speed_grade == SPEED_GRADE)
+        .map(|row| row.seed);
+    Ok(format!(
+        "Fmax by {tool} {version}, {}, speed grade {SPEED_GRADE}, post-route, median of {} seeds; DSP \
+         only where the squarer is a product.",
+        setting.device,
+        seeds.max().unwrap_or(0)
+    ))
 }
 
 fn run(machine: &Machine) -> Result<Option<Run>> {
@@ -215,61 +230,31 @@ impl Run {
 mod tests {
     use super::*;
 
-    const TWO_MACHINES: &str = r#"{
-        "command": "scripts/yosys/place.sh --seeds 3",
-        "device": "LFE5U-85F",
-        "package": "CABGA756",
-        "speed_grade": 6,
-        "seeds": [1, 2, 3],
-        "tool_versions": {"nextpnr-ecp5": "0.11.1", "yosys": "0.70"},
-        "verilog_sha256": {"one": "00", "two": "01"},
-        "rows": [
-            {"machine": "one", "seed": 1, "fmax_mhz": 90.5},
-            {"machine": "one", "seed": 2, "fmax_mhz": 70.25},
-            {"machine": "one", "seed": 3, "fmax_mhz": 80.0},
-            {"machine": "two", "seed": 1, "fmax_mhz": 50.0}
-        ]
-    }"#;
-
-    fn two_machines() -> Placement {
-        serde_json::from_str(TWO_MACHINES).unwrap()
-    }
-
     #[test]
-    fn the_clock_is_the_median_over_the_seeds_of_that_machine() {
-        let fmax = two_machines().fmax("one");
-        assert_eq!(fmax.fmax_mhz, Some(80.0));
-        assert_eq!(fmax.device.as_deref(), Some("LFE5U-85F"));
-        assert_eq!(fmax.speed_grade, Some(6));
-        assert_eq!(two_machines().fmax("two").fmax_mhz, Some(50.0));
+    fn the_source_names_tool_device_and_seeds() {
+        let mut placement = placement().unwrap();
+        let tool = "nextpnr-ecp5".to_owned();
+        placement
+            .setting
+            .tool_versions
+            .insert(tool, "0.11.1".to_owned());
+        placement.rows.retain(|row| row.seed <= 2);
+        assert_eq!(
+            source(&placement).unwrap(),
+            "Fmax by nextpnr-ecp5 0.11.1, LFE5U-85F, speed grade 6, post-route, median of 2 seeds; \
+             DSP only where the squarer is a product."
+        );
+        placement.setting.tool_versions.clear();
+        assert!(source(&placement).is_err());
     }
 
     #[test]
     fn a_machine_that_was_not_placed_has_no_clock() {
-        let fmax = two_machines().fmax("three");
+        let fmax = Fmax::of(&clocks_of("pentium").unwrap());
         assert_eq!(fmax.fmax_mhz, None);
         assert_eq!(fmax.device, None);
         assert_eq!(fmax.speed_grade, None);
-    }
-
-    #[test]
-    fn the_source_names_tool_device_and_seeds() {
-        let source = two_machines().source().unwrap();
-        assert_eq!(
-            source,
-            "Fmax by nextpnr-ecp5 0.11.1, LFE5U-85F, speed grade 6, no DSP, post-route, median of 3 seeds."
-        );
-        let mut unnamed = two_machines();
-        unnamed.tool_versions.remove("nextpnr-ecp5");
-        assert!(unnamed.source().is_err());
-    }
-
-    #[test]
-    fn the_median_is_in_the_middle() {
-        assert_eq!(median(vec![]), None);
-        assert_eq!(median(vec![3.0]), Some(3.0));
-        assert_eq!(median(vec![4.0, 1.0]), Some(2.5));
-        assert_eq!(median(vec![9.0, 1.0, 2.0]), Some(2.0));
+        assert_eq!(lut4_equivalents("pentium").unwrap(), None);
     }
 
     #[test]

@@ -390,6 +390,7 @@ fn completions_and_manual_pages_name_every_command() {
         "generate",
         "verify",
         "render",
+        "synth",
         "microprogram",
     ];
     let output = photoncube(&["completions", "bash"]).assert().success();
@@ -420,6 +421,7 @@ fn help_has_examples() {
         "render",
         "report",
         "hard-cases",
+        "synth",
         "microprogram",
     ] {
         let output = photoncube(&[command, "--help"]).assert().success();
@@ -431,6 +433,8 @@ fn help_has_examples() {
     let help = String::from_utf8(output.get_output().stdout.clone()).unwrap();
     insta::assert_snapshot!("help", help);
 }
+
+const COMMITTED_FIGURES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/measured");
 
 /// Every key of a JSON value, at any depth.
 fn keys(value: &Value, found: &mut Vec<String>) {
@@ -467,6 +471,7 @@ fn every_json_key_is_documented() {
         &[&report[..], &tiny[..]].concat(),
         &[&fit[..], &SMALL_FIT[..]].concat(),
         &["generate", "--machine", "paper", "--out", out],
+        &["synth", "--check", "--out", COMMITTED_FIGURES],
         &["verify", "--iterations", "5"],
         &[&render[..], &small[..]].concat(),
         &[&run[..], &small[..]].concat(),

@@ -7,6 +7,7 @@ use serde::Serialize;
 
 use crate::measured::{self, Area, Measured};
 use crate::measured_fits::{FitRow, fit_rows, fit_table};
+use crate::synth::tables;
 use crate::{output, table};
 
 #[derive(Serialize)]
@@ -147,7 +148,13 @@ fn text(report: &Report, fmax_source: &str) -> String {
     text += &width_table(&report.machines);
     text += "\nFigures:\n";
     text += &machine_table(&report.machines);
-    text + "\n" + fmax_source + "\n"
+    text += &format!("\n{fmax_source}\n");
+    text += "\nFmax in each speed grade, and what binds it:\n";
+    let all = |row: &MachineRow| row.measured.fmax_by_grade.clone();
+    text += &tables::clocks(&report.machines.iter().flat_map(all).collect::<Vec<_>>());
+    text += "\nArea elsewhere than on ECP5:\n";
+    let all = |row: &MachineRow| row.measured.areas.clone();
+    text + &tables::elsewhere(&report.machines.iter().flat_map(all).collect::<Vec<_>>())
 }
 
 fn width_table(machines: &[MachineRow]) -> String {
@@ -253,6 +260,11 @@ mod tests {
         assert!(
             readme.contains(&fits),
             "the README's fits are not what `photoncube list` prints; paste this:\n{fits}"
+        );
+        let paper = tables::elsewhere(&report().unwrap().machines[0].measured.areas);
+        assert!(
+            readme.contains(&paper),
+            "the README's gates are not what `photoncube list` prints; paste this:\n{paper}"
         );
         let source = measured::fmax_source().unwrap();
         assert!(

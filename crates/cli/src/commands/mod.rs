@@ -8,6 +8,7 @@ mod microprogram;
 mod render;
 mod report;
 mod run;
+mod synth;
 mod verify;
 
 use std::path::Path;
@@ -31,6 +32,7 @@ pub fn execute(args: Args) -> Result<()> {
         Command::Render(options) => render::execute(&options, json),
         Command::Report(options) => report::execute(&options, json),
         Command::HardCases(options) => hard_cases::execute(&options, json),
+        Command::Synth(options) => synth::execute(&options, json),
         Command::Microprogram(options) => microprogram::execute(&options, json),
         Command::Completions { shell } => completions(shell),
         Command::Man { out } => manual(&out),

@@ -1,0 +1,211 @@
+//! `synth`: area and clock of the machines, by Yosys and nextpnr.
+
+use std::collections::BTreeMap;
+
+use anyhow::{Context, Result, bail};
+use photoncube_spec::{MACHINES, Machine, find_machine};
+use serde::Serialize;
+
+use crate::args::SynthArgs;
+use crate::failure::CheckFailed;
+use crate::synth::clock::{Clock, clocks};
+use crate::synth::figures::{self, AreaRow, AreaSetting, COMMAND, PlaceRow, PlaceSetting, Row};
+use crate::synth::flow::Flow;
+use crate::synth::place::{Device, TARGET_MHZ};
+use crate::synth::plan::Plan;
+use crate::synth::tools::Tools;
+use crate::synth::{Subject, tables};
+use crate::{output, project};
+
+#[derive(Serialize)]
+struct Report {
+    machines: Vec<VerilogRow>,
+    device: &'static str,
+    package: &'static str,
+    target_mhz: u32,
+    abc9_target_ps: u32,
+    tool_versions: BTreeMap<String, String>,
+    scripts: Vec<ScriptRow>,
+    areas: Vec<AreaRow>,
+    placements: Vec<PlaceRow>,
+    fmax_by_grade: Vec<Clock>,
+    files: Vec<String>,
+}
+
+/// What was measured.
+#[derive(Serialize)]
+struct VerilogRow {
+    machine: &'static str,
+    verilog_sha256: String,
+}
+
+/// How a flow was run.
+#[derive(Serialize)]
+struct ScriptRow {
+    flow: Flow,
+    script: String,
+}
+
+#[derive(Serialize)]
+struct CheckReport {
+    machines: Vec<&'static str>,
+    out: String,
+    checked: bool,
+    stale: Vec<String>,
+}
+
+/// Measures, or checks what was measured.
+pub fn execute(args: &SynthArgs, json: bool) -> Result<()> {
+    let machines = machines(&args.machines)?;
+    let subjects: Vec<_> = machines
+        .into_iter()
+        .map(Subject::of)
+        .collect::<Result<_>>()?;
+    if args.check {
+        return check(args, &subjects, json);
+    }
+    measure(args, subjects, json)
+}
+
+/// Those named, or all, each once.
+fn machines(names: &[String]) -> Result<Vec<&'static Machine>> {
+    if names.is_empty() {
+        return Ok(MACHINES.iter().collect());
+    }
+    let mut machines: Vec<&Machine> = Vec::new();
+    for name in names {
+        let machine = find_machine(name)?;
+        if machines.iter().all(|other| other.name != machine.name) {
+            machines.push(machine);
+        }
+    }
+    Ok(machines)
+}
+
+fn check(args: &SynthArgs, subjects: &[Subject], json: bool) -> Result<()> {
+    if !args.out.is_dir() {
+        bail!("{} is no folder: nothing to check", args.out.display());
+    }
+    let report = CheckReport {
+        machines: subjects
+            .iter()
+            .map(|subject| subject.machine.name)
+            .collect(),
+        out: args.out.display().to_string(),
+        checked: true,
+        stale: figures::faults(&args.out, subjects, args.machines.is_empty())?,
+    };
+    output::print(json, &report, || {
+        format!(
+            "checked the figures of {} machines in {}: {} stale\n",
+            report.machines.len(),
+            report.out,
+            report.stale.len()
+        )
+    })?;
+    if report.stale.is_empty() {
+        return Ok(());
+    }
+    Err(CheckFailed(format!(
+        "the figures in {} are not of these machines: {}; `{COMMAND} --update --machine M` measures a \
+         machine anew",
+        report.out,
+        report.stale.join("; ")
+    ))
+    .into())
+}
+
+fn measure(args: &SynthArgs, subjects: Vec<Subject>, json: bool) -> Result<()> {
+    let plan = Plan::new(args, subjects);
+    let writes = args.update || args.is_complete();
+    if writes && *plan.device != *Device::default_one() {
+        bail!(
+            "{} is for {}; `{COMMAND} --device {}` prints, if a machine, flow or grade is named and \
+             --update is not",
+            PlaceRow::FILE,
+            Device::default_one().name,
+            plan.device.name
+        );
+    }
+    let tools = Tools::find(args.tools.as_deref())?;
+    // The tools run in a sandbox that sees the current folder and below: each machine has one.
+    let scratch = tempfile::tempdir().context("cannot make a scratch folder")?;
+    let tool_versions = tools.versions(scratch.path())?;
+    let (area_groups, place_groups) = plan.groups();
+    // Both before the long work: what cannot be written is not begun.
+    let area_writer = match writes && !plan.flows.is_empty() {
+        true => {
+            let setting = AreaSetting::new(&tool_versions);
+            Some(plan.writer(args, setting, &area_groups, plan.flows.len())?)
+        }
+        false => None,
+    };
+    let place_writer = match writes && plan.places {
+        true => {
+            let setting = PlaceSetting::new(plan.device, &tool_versions);
+            Some(plan.writer(args, setting, &place_groups, plan.tries().len())?)
+        }
+        false => None,
+    };
+    plan.announce();
+    plan.write_verilog(scratch.path())?;
+    let areas = plan.areas(&tools, scratch.path(), area_writer.as_ref())?;
+    let placements = plan.placements(&tools, scratch.path(), place_writer.as_ref())?;
+    let written = [
+        area_writer.map(|writer| writer.path()),
+        place_writer.map(|writer| writer.path()),
+    ];
+    let report = Report {
+        machines: verilog_rows(&plan),
+        device: plan.device.name,
+        package: plan.device.package,
+        target_mhz: TARGET_MHZ,
+        abc9_target_ps: project::ABC9_TARGET_PS,
+        tool_versions,
+        scripts: script_rows(&plan),
+        fmax_by_grade: clocks(&placements),
+        areas,
+        placements,
+        files: written.into_iter().flatten().collect(),
+    };
+    output::print(json, &report, || text(&report))
+}
+
+fn verilog_rows(plan: &Plan) -> Vec<VerilogRow> {
+    let row = |subject: &Subject| VerilogRow {
+        machine: subject.machine.name,
+        verilog_sha256: subject.verilog_sha256.clone(),
+    };
+    plan.subjects.iter().map(row).collect()
+}
+
+fn script_rows(plan: &Plan) -> Vec<ScriptRow> {
+    let row = |&flow: &Flow| ScriptRow {
+        flow,
+        script: flow.script("TOP"),
+    };
+    plan.flows.iter().map(row).collect()
+}
+
+fn text(report: &Report) -> String {
+    let mut text = tables::areas(&report.areas);
+    if !report.fmax_by_grade.is_empty() {
+        text += &format!("Clock, {}, post-route:\n", report.device);
+        text += &tables::clocks(&report.fmax_by_grade);
+        text += "\n";
+    }
+    let versions = report.tool_versions.iter();
+    let versions: Vec<_> = versions
+        .filter(|(tool, _)| !tool.starts_with("yowasp-"))
+        .map(|(tool, version)| format!("{tool} {version}"))
+        .collect();
+    text += &format!("By {}.", versions.join(", "));
+    match report.files.as_slice() {
+        [] => text += " Nothing was written: that takes all machines, or --update.\n",
+        files => text += &format!(" Wrote {}.\n", files.join(", ")),
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests;

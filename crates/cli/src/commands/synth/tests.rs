@@ -1,0 +1,113 @@
+use clap::Parser;
+use serde_json::Value;
+
+use super::*;
+use crate::args::{Args, Command};
+use crate::measured;
+
+fn plan(arguments: &[&str]) -> Plan {
+    let arguments = [&["photoncube", "synth"][..], arguments].concat();
+    let Command::Synth(args) = Args::parse_from(arguments).command else {
+        panic!("parsed as another command");
+    };
+    let subjects = machines(&args.machines).unwrap();
+    let subjects = subjects.into_iter().map(|machine| Subject {
+        machine,
+        top: "top".to_owned(),
+        verilog: String::new(),
+        verilog_sha256: "00".to_owned(),
+    });
+    Plan::new(&args, subjects.collect())
+}
+
+#[test]
+fn without_a_word_everything_is_measured() {
+    let plan = plan(&[]);
+    assert_eq!(plan.subjects.len(), MACHINES.len());
+    assert_eq!(plan.flows.len(), 6);
+    assert_eq!(
+        plan.tries(),
+        [(6, 1), (6, 2), (6, 3), (8, 1), (8, 2), (8, 3)]
+    );
+    let (areas, places) = plan.groups();
+    assert_eq!(areas.len(), 6 * MACHINES.len());
+    assert_eq!(places.len(), 2 * MACHINES.len());
+}
+
+#[test]
+fn what_is_named_is_measured_alone_and_once() {
+    let named = plan(&[
+        "--machine",
+        "paper",
+        "--machine",
+        "paper",
+        "--flow",
+        "gates",
+        "--grade",
+        "8",
+    ]);
+    assert_eq!(named.subjects.len(), 1);
+    assert_eq!(named.flows, [Flow::Gates]);
+    assert!(named.tries().is_empty());
+    let placed = plan(&[
+        "--flow", "place", "--grade", "8", "--grade", "7", "--seeds", "2",
+    ]);
+    assert!(placed.flows.is_empty() && placed.groups().0.is_empty());
+    assert_eq!(placed.tries(), [(7, 1), (7, 2), (8, 1), (8, 2)]);
+}
+
+/// As `--json` prints it, from the committed figures.
+fn report() -> Report {
+    let plan = plan(&["--machine", "paper"]);
+    let measured = measured::Measured::of(plan.subjects[0].machine).unwrap();
+    Report {
+        machines: verilog_rows(&plan),
+        device: plan.device.name,
+        package: plan.device.package,
+        target_mhz: TARGET_MHZ,
+        abc9_target_ps: project::ABC9_TARGET_PS,
+        tool_versions: [("yosys".to_owned(), "0.70".to_owned())].into(),
+        scripts: script_rows(&plan),
+        areas: measured.areas,
+        placements: Vec::new(),
+        fmax_by_grade: measured.fmax_by_grade,
+        files: Vec::new(),
+    }
+}
+
+#[test]
+fn the_text_has_tables_tools_and_what_was_written() {
+    let mut report = report();
+    let printed = text(&report);
+    for expected in [
+        "Area, ECP5 without DSP blocks (ecp5-nodsp):",
+        "Clock, LFE5U-85F, post-route:",
+        "| paper   | ecp5-nodsp | 6     |",
+        "By yosys 0.70. Nothing was written",
+    ] {
+        assert!(printed.contains(expected), "{expected}: {printed}");
+    }
+    report.files = vec!["docs/measured/place.json".to_owned()];
+    assert!(text(&report).ends_with("Wrote docs/measured/place.json.\n"));
+}
+
+#[test]
+fn every_key_is_documented() {
+    fn keys(value: &Value, found: &mut Vec<String>) {
+        match value {
+            Value::Object(map) => map.iter().for_each(|(key, value)| {
+                found.push(key.clone());
+                keys(value, found);
+            }),
+            Value::Array(values) => values.iter().for_each(|value| keys(value, found)),
+            _ => {}
+        }
+    }
+    let mut report = serde_json::to_value(report()).unwrap();
+    report["tool_versions"] = Value::Null;
+    let mut found = Vec::new();
+    keys(&report, &mut found);
+    let documented = include_str!("../../../../../docs/json.md");
+    found.retain(|key| !documented.contains(&format!("`{key}`")));
+    assert!(found.is_empty(), "docs/json.md does not explain {found:?}");
+}

@@ -1,0 +1,98 @@
+//! Area and clock of the emitted machines, by one pinned Yosys and nextpnr.
+
+pub mod area;
+pub mod cells;
+pub mod clock;
+pub mod figures;
+pub mod flow;
+mod netlist;
+pub mod path;
+pub mod place;
+pub mod plan;
+pub mod tables;
+pub mod tools;
+mod transistors;
+mod wrapper;
+pub mod writer;
+
+use std::fmt::Write;
+use std::fs;
+use std::path::Path;
+
+use anyhow::Result;
+use photoncube_hdl::{Level, emit};
+use photoncube_spec::Machine;
+use sha2::{Digest, Sha256};
+
+use flow::Flow;
+
+/// A machine as it is measured: its emitted Verilog.
+pub struct Subject {
+    /// The machine.
+    pub machine: &'static Machine,
+    /// The name of its top module.
+    pub top: String,
+    /// The text.
+    pub verilog: String,
+    /// Second texts of some modules for an ECP5, if it has any.
+    pub ecp5_verilog: Option<String>,
+    /// The digest of both, in hexadecimal digits.
+    pub verilog_sha256: String,
+}
+
+impl Subject {
+    /// Emits the machine.
+    pub fn of(machine: &'static Machine) -> Result<Self> {
+        let emitted = emit(machine, Level::Machine)?;
+        Ok(Self {
+            machine,
+            top: emitted.top,
+            verilog_sha256: digest(&emitted.text, emitted.ecp5_text.as_deref()),
+            verilog: emitted.text,
+            ecp5_verilog: emitted.ecp5_text,
+        })
+    }
+
+    /// The Yosys commands that read the machine for a flow, from the folder that it was written to.
+    pub fn read(&self, flow: Flow) -> String {
+        let top = &self.top;
+        let is_ecp5 = matches!(flow, Flow::Ecp5 | Flow::Ecp5Nodsp);
+        match &self.ecp5_verilog {
+            Some(_) if is_ecp5 => {
+                format!("read_verilog {top}.v; read_verilog -overwrite {top}_ecp5.v")
+            }
+            _ => format!("read_verilog {top}.v"),
+        }
+    }
+
+    /// Writes the texts into a folder.
+    pub fn write(&self, folder: &Path) -> std::io::Result<()> {
+        let top = &self.top;
+        fs::write(folder.join(format!("{top}.v")), &self.verilog)?;
+        match &self.ecp5_verilog {
+            Some(text) => fs::write(folder.join(format!("{top}_ecp5.v")), text),
+            None => Ok(()),
+        }
+    }
+}
+
+fn digest(verilog: &str, ecp5_verilog: Option<&str>) -> String {
+    sha256(&(verilog.to_owned() + ecp5_verilog.unwrap_or_default()))
+}
+
+fn sha256(text: &str) -> String {
+    let digest = Sha256::digest(text.as_bytes());
+    digest.iter().fold(String::new(), |mut text, byte| {
+        write!(text, "{byte:02x}").expect("a string takes all that is written to it");
+        text
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn the_digest_is_that_of_sha256sum() {
+        let empty = "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855";
+        assert_eq!(super::sha256(""), empty);
+    }
+}

@@ -1,0 +1,244 @@
+//! What binds the clock: facts about the critical path of a routed design.
+
+use std::collections::BTreeMap;
+
+use anyhow::{Context, Result, bail};
+use serde::{Deserialize, Serialize};
+
+use super::wrapper::INSTANCE;
+
+/// The slowest path from register to register.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct CriticalPath {
+    /// The register, memory or DSP block that it starts in, without the bit.
+    pub from: String,
+    /// The one that it ends in.
+    pub to: String,
+    /// Time in cells, the registers at both ends included.
+    pub logic_ns: f64,
+    /// Time on nets.
+    pub routing_ns: f64,
+    /// The slowest net.
+    pub longest_net_ns: f64,
+    /// Carry chains, one behind the other.
+    pub carry_chains: u64,
+    /// Carry cells (CCU2C) in them.
+    pub carry_cells: u64,
+    /// LUTs; the muxes that join those of a slice are none.
+    pub lut_levels: u64,
+    /// DSP blocks.
+    pub dsp_levels: u64,
+    /// What takes most of the time.
+    pub binds: Binding,
+}
+
+/// What takes most of a path's time, where each net counts for what it leads to, unless one net alone
+/// takes more than all else.
+#[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Binding {
+    /// Adders and comparators.
+    CarryChains,
+    /// Logic.
+    Luts,
+    /// Multipliers.
+    DspBlocks,
+    /// Memories.
+    Memories,
+    /// The registers at both ends, and the net to the last.
+    Registers,
+    /// One long net.
+    OneNet,
+}
+
+impl Binding {
+    /// The words for it in reports.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::CarryChains => "carry chains",
+            Self::Luts => "LUTs",
+            Self::DspBlocks => "DSP blocks",
+            Self::Memories => "memories",
+            Self::Registers => "registers",
+            Self::OneNet => "one net",
+        }
+    }
+}
+
+/// What nextpnr's `--report` writes, as far as it is used.
+#[derive(Deserialize)]
+struct Report {
+    critical_paths: Vec<PathReport>,
+    fmax: BTreeMap<String, Clock>,
+}
+
+#[derive(Deserialize)]
+struct Clock {
+    achieved: f64,
+}
+
+#[derive(Deserialize)]
+struct PathReport {
+    from: String,
+    to: String,
+    path: Vec<Step>,
+}
+
+/// A step takes time in a cell or on a net.
+#[derive(Deserialize)]
+struct Step {
+    #[serde(rename = "type")]
+    kind: String,
+    delay: f64,
+    from: Pin,
+    to: Pin,
+}
+
+#[derive(Deserialize)]
+struct Pin {
+    cell: String,
+    port: String,
+}
+
+/// The highest clock in MHz that the routed design allows, and the path that it is bound by.
+pub fn parse(report: &str) -> Result<(f64, CriticalPath)> {
+    let report: Report =
+        serde_json::from_str(report).context("what nextpnr's `--report` writes")?;
+    let clocks: Vec<_> = report.fmax.iter().collect();
+    let &[(clock, fmax)] = clocks.as_slice() else {
+        bail!(
+            "found the clocks {:?} in nextpnr's report, expected one",
+            report.fmax.keys()
+        );
+    };
+    // The others are from and to pins.
+    let own = |path: &&PathReport| path.from == path.to && path.from.ends_with(clock.as_str());
+    let path = report.critical_paths.iter().find(own);
+    let path = path.with_context(|| format!("found no critical path of the clock {clock}"))?;
+    Ok((round(fmax.achieved, 2), facts(&path.path)?))
+}
+
+fn facts(steps: &[Step]) -> Result<CriticalPath> {
+    let (Some(first), Some(last)) = (steps.first(), steps.last()) else {
+        bail!("found a critical path without steps in nextpnr's report");
+    };
+    let nets = steps.iter().filter(|step| step.is_net());
+    let longest_net_ns = nets.map(|step| step.delay).fold(0.0, f64::max);
+    let sum = |of_nets: bool| {
+        let steps = steps.iter().filter(|step| step.is_net() == of_nets);
+        steps.map(|step| step.delay).sum::<f64>()
+    };
+    let (mut carry_chains, mut lut_levels, mut dsp_levels) = (0, 0, 0);
+    let mut carry_cells: Vec<&str> = Vec::new();
+    let mut taken: BTreeMap<Binding, f64> = BTreeMap::new();
+    let mut on_nets = 0.0;
+    for step in steps {
+        if step.is_net() {
+            on_nets += step.delay;
+            continue;
+        }
+        let part = step.part();
+        *taken.entry(part).or_default() += std::mem::take(&mut on_nets) + step.delay;
+        if step.kind != "logic" {
+            continue;
+        }
+        match part {
+            Binding::CarryChains => {
+                carry_chains += u64::from(step.from.port != CARRY_IN);
+                let (cell, _half) = step.to.cell.rsplit_once(CARRY_HALF).unwrap_or_default();
+                if carry_cells.last() != Some(&cell) {
+                    carry_cells.push(cell);
+                }
+            }
+            Binding::DspBlocks => dsp_levels += 1,
+            _ => lut_levels += u64::from(!step.is_wide_mux()),
+        }
+    }
+    let by_time = |a: &(&Binding, &f64), b: &(&Binding, &f64)| a.1.total_cmp(b.1);
+    let largest = taken.iter().max_by(by_time).map(|(&part, _)| part);
+    let total = sum(true) + sum(false);
+    let binds = match largest {
+        Some(part) if longest_net_ns <= total / 2.0 => part,
+        _ => Binding::OneNet,
+    };
+    Ok(CriticalPath {
+        from: register(&first.from.cell),
+        to: register(&last.to.cell),
+        logic_ns: round(sum(false), 2),
+        routing_ns: round(sum(true), 2),
+        longest_net_ns: round(longest_net_ns, 2),
+        carry_chains,
+        carry_cells: carry_cells.len() as u64,
+        lut_levels,
+        dsp_levels,
+        binds,
+    })
+}
+
+/// The port by which a carry comes from the cell before.
+const CARRY_IN: &str = "FCI";
+/// The inputs of the muxes beside the LUTs: data from a LUT or another mux, and the selection.
+const WIDE_MUX_INPUTS: &[&str] = &["F1", "FXA", "FXB", "M"];
+/// nextpnr names the halves of a carry cell so, and a number.
+const CARRY_HALF: &str = "$CCU2_COMB";
+/// Yosys names a cell `NET_KIND_PORT`, where the net may be named in that way itself, and nextpnr
+/// keeps the kinds of the cells apart no further.
+const KINDS: &[(&str, Binding)] = &[
+    ("_CCU2C", Binding::CarryChains),
+    ("_LUT4", Binding::Luts),
+    ("_PFUMX", Binding::Luts),
+    ("_L6MUX21", Binding::Luts),
+    ("_TRELLIS_FF", Binding::Registers),
+    ("_TRELLIS_DPR16X4", Binding::Memories),
+    ("_DP16KD", Binding::Memories),
+    ("_PDPW16KD", Binding::Memories),
+    ("_MULT18X18D", Binding::DspBlocks),
+];
+
+impl Step {
+    fn is_net(&self) -> bool {
+        self.kind == "routing"
+    }
+
+    /// The kind of cell, by the last kind in its name.
+    fn part(&self) -> Binding {
+        let cell = &self.to.cell;
+        if cell.contains(CARRY_HALF) {
+            return Binding::CarryChains;
+        }
+        let places = KINDS
+            .iter()
+            .filter_map(|&(kind, part)| cell.rfind(kind).map(|at| (at, part)));
+        let last = places.max_by_key(|&(at, _)| at).map(|(_, part)| part);
+        match (last, self.kind.as_str()) {
+            // A register in front of which there is a LUT has the LUT's name after its own.
+            (Some(part), _) => part,
+            (None, "logic") => Binding::Luts,
+            (None, _) => Binding::Registers,
+        }
+    }
+
+    /// Through one of the muxes that join the LUTs of a slice, and no LUT itself.
+    fn is_wide_mux(&self) -> bool {
+        WIDE_MUX_INPUTS.contains(&self.from.port.as_str())
+    }
+}
+
+/// The name of what a cell holds: without the wrapper around it and without what Yosys has added.
+fn register(cell: &str) -> String {
+    let cell = cell
+        .strip_prefix(INSTANCE)
+        .and_then(|cell| cell.strip_prefix('.'))
+        .unwrap_or(cell);
+    let ends = KINDS.iter().filter_map(|(kind, _)| cell.find(kind));
+    let end = ends.min().unwrap_or(cell.len());
+    cell[..end].to_owned()
+}
+
+fn round(value: f64, digits: i32) -> f64 {
+    let scale = 10f64.powi(digits);
+    (value * scale).round() / scale
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,142 @@
+//! The clock that a machine reaches on an ECP5, placed and routed.
+
+use std::fs;
+use std::path::Path;
+
+use anyhow::{Context, Result};
+
+use super::figures::PlaceRow;
+use super::flow::Flow;
+use super::tools::Tools;
+use super::{Subject, netlist, path, wrapper};
+
+/// An FPGA that nextpnr knows.
+#[derive(Debug, PartialEq, Eq)]
+pub struct Device {
+    /// Its name.
+    pub name: &'static str,
+    /// The package it is taken in; it decides nothing, since no pin is on a path that counts.
+    pub package: &'static str,
+    option: &'static str,
+}
+
+/// The devices, the one that figures are committed for first.
+pub static DEVICES: [Device; 4] = [
+    Device {
+        name: "LFE5U-85F",
+        package: "CABGA756",
+        option: "--85k",
+    },
+    Device {
+        name: "LFE5U-45F",
+        package: "CABGA554",
+        option: "--45k",
+    },
+    Device {
+        name: "LFE5U-25F",
+        package: "CABGA381",
+        option: "--25k",
+    },
+    Device {
+        name: "LFE5U-12F",
+        package: "CABGA381",
+        option: "--12k",
+    },
+];
+
+/// The slowest, which the figures of `list` are of, and the fastest.
+pub const DEFAULT_GRADES: [u32; 2] = [6, 8];
+
+/// More than any machine reaches, so that no path of one counts as short enough.
+pub const TARGET_MHZ: u32 = 400;
+
+const NETLIST: &str = "serial.json";
+
+impl Device {
+    /// The one that figures are committed for.
+    pub fn default_one() -> &'static Self {
+        &DEVICES[0]
+    }
+
+    /// By its name.
+    pub fn find(name: &str) -> Result<&'static Self> {
+        let device = DEVICES.iter().find(|device| device.name == name);
+        device.with_context(|| {
+            let names = DEVICES.each_ref().map(|device| device.name);
+            format!("expected one of {}", names.join(", "))
+        })
+    }
+}
+
+/// Maps a machine, whose Verilog `{top}.v` is in the folder, in its serial wrapper.
+pub fn map(tools: &Tools, folder: &Path, subject: &Subject) -> Result<()> {
+    let top = &subject.top;
+    let attempt = || -> Result<()> {
+        // -lib reads the ports alone.
+        let ports = "ports.json";
+        tools.yosys(
+            folder,
+            &format!("read_verilog -lib {top}.v; write_json {ports}"),
+        )?;
+        let wrapper = wrapper::around(top, &fs::read_to_string(folder.join(ports))?)?;
+        fs::write(folder.join("serial.v"), wrapper)?;
+        let flow = Flow::to_place(subject.machine);
+        let (read, map) = (subject.read(flow), flow.script(wrapper::TOP));
+        let script = format!("{read}; read_verilog serial.v; {map} -json {NETLIST}");
+        tools.yosys(folder, &script)?;
+        let netlist = folder.join(NETLIST);
+        fs::write(
+            &netlist,
+            netlist::open_ends(&fs::read_to_string(&netlist)?)?,
+        )?;
+        Ok(())
+    };
+    attempt().with_context(|| format!("machine {} in its wrapper", subject.machine.name))
+}
+
+/// Places and routes what [`map`] has left in the folder.
+pub fn measure(
+    tools: &Tools,
+    folder: &Path,
+    subject: &Subject,
+    device: &Device,
+    speed_grade: u32,
+    seed: u32,
+) -> Result<PlaceRow> {
+    let name = subject.machine.name;
+    let report = format!("{speed_grade}-{seed}.json");
+    let (grade, seed_text) = (speed_grade.to_string(), seed.to_string());
+    let target = TARGET_MHZ.to_string();
+    let options = [
+        "--quiet",
+        "--json",
+        NETLIST,
+        device.option,
+        "--package",
+        device.package,
+        "--speed",
+        &grade,
+        "--freq",
+        &target,
+        "--seed",
+        &seed_text,
+        "--report",
+        &report,
+        // The target is out of reach by intent, and a missed one is no failure.
+        "--timing-allow-fail",
+    ];
+    let figures = tools.nextpnr(folder, &options).and_then(|_| {
+        // Of the routed design; the figures that nextpnr prints before are estimates.
+        path::parse(&fs::read_to_string(folder.join(&report))?)
+    });
+    let (fmax_mhz, path) = figures
+        .with_context(|| format!("machine {name}, speed grade {speed_grade}, seed {seed}"))?;
+    Ok(PlaceRow {
+        machine: name.to_owned(),
+        flow: Flow::to_place(subject.machine),
+        speed_grade,
+        seed,
+        fmax_mhz,
+        path: Some(path),
+    })
+}

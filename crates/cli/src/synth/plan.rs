@@ -1,0 +1,217 @@
+//! What is to be measured, and doing it on several cores.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
+use std::thread::available_parallelism;
+
+use anyhow::Result;
+use indicatif::ProgressBar;
+use photoncube_spec::Machine;
+use rayon::ThreadPoolBuilder;
+use rayon::prelude::*;
+
+use super::figures::{AreaRow, Group, PlaceRow, Row};
+use super::flow::Flow;
+use super::place::{DEFAULT_GRADES, Device};
+use super::tools::Tools;
+use super::writer::{Others, Writer};
+use super::{Subject, area, place};
+use crate::args::SynthArgs;
+use crate::{measured, progress};
+
+/// What is to be measured.
+pub struct Plan {
+    /// The machines.
+    pub subjects: Vec<Subject>,
+    /// The flows to count areas in.
+    pub flows: Vec<Flow>,
+    /// Whether machines are placed.
+    pub places: bool,
+    /// The FPGA to place in.
+    pub device: &'static Device,
+    grades: Vec<u32>,
+    seeds: u32,
+    jobs: usize,
+}
+
+impl Plan {
+    /// What the arguments ask for, of these machines.
+    pub fn new(args: &SynthArgs, subjects: Vec<Subject>) -> Self {
+        let grades: BTreeSet<u32> = match args.grades.is_empty() {
+            true => DEFAULT_GRADES.into(),
+            false => args.grades.iter().copied().collect(),
+        };
+        let cores = || available_parallelism().map_or(1, usize::from);
+        Self {
+            subjects,
+            flows: args.area_flows(),
+            places: args.places(),
+            device: args.device,
+            grades: grades.into_iter().collect(),
+            seeds: args.seeds,
+            jobs: args.jobs.map_or_else(cores, usize::from),
+        }
+    }
+
+    /// The groups of rows that will be there.
+    pub fn groups(&self) -> (BTreeSet<Group>, BTreeSet<Group>) {
+        let names = || self.subjects.iter().map(|subject| subject.machine.name);
+        let areas = names().flat_map(|name| self.flows.iter().map(move |&f| Group::area(name, f)));
+        let grades = self.grades.iter().filter(|_| self.places);
+        let places = names().flat_map(|name| grades.clone().map(move |&g| Group::place(name, g)));
+        (areas.collect(), places.collect())
+    }
+
+    /// Placements of one machine: speed grade and seed.
+    pub fn tries(&self) -> Vec<(u32, u32)> {
+        let grades = self.grades.iter().filter(|_| self.places);
+        grades
+            .flat_map(|&grade| (1..=self.seeds).map(move |seed| (grade, seed)))
+            .collect()
+    }
+
+    /// How long it will take, from the areas that were measured before.
+    pub fn announce(&self) {
+        let (runs, tries) = (self.flows.len() as u64, self.tries().len() as u64);
+        let of = |subject: &Subject| {
+            let size = Size::of(subject.machine);
+            let mapping = u64::from(self.places) * size.map_ms();
+            runs * size.map_ms() + mapping + tries * size.place_ms()
+        };
+        let ms: u64 = self.subjects.iter().map(of).sum();
+        let machines = self.subjects.len() as u64;
+        eprintln!(
+            "{} syntheses and {} placements, {} at a time: about {} min",
+            machines * (runs + u64::from(self.places)),
+            machines * tries,
+            self.jobs,
+            ms.div_ceil(60_000 * self.jobs as u64)
+        );
+    }
+
+    /// Writes each machine's Verilog to a folder of its own, where the tools find it.
+    pub fn write_verilog(&self, scratch: &Path) -> Result<()> {
+        for subject in &self.subjects {
+            let folder = scratch.join(subject.machine.name);
+            fs::create_dir(&folder)?;
+            subject.write(&folder)?;
+        }
+        Ok(())
+    }
+
+    /// Each machine in each flow.
+    pub fn areas(
+        &self,
+        tools: &Tools,
+        scratch: &Path,
+        writer: Option<&Writer<AreaRow>>,
+    ) -> Result<Vec<AreaRow>> {
+        let flows = |subject| self.flows.iter().map(move |&flow| (subject, flow));
+        let work: Vec<_> = self.subjects.iter().flat_map(flows).collect();
+        let work = work
+            .into_iter()
+            .map(|(subject, flow)| (subject, Size::of(subject.machine).map_ms(), flow));
+        self.in_parallel("areas", work.collect(), |subject, flow| {
+            let row = area::measure(tools, &scratch.join(subject.machine.name), subject, flow)?;
+            writer.map_or(Ok(()), |writer| writer.take(subject, &row))?;
+            Ok(row)
+        })
+    }
+
+    /// Each machine mapped in its wrapper, then placed in each speed grade with each seed.
+    pub fn placements(
+        &self,
+        tools: &Tools,
+        scratch: &Path,
+        writer: Option<&Writer<PlaceRow>>,
+    ) -> Result<Vec<PlaceRow>> {
+        if !self.places {
+            return Ok(Vec::new());
+        }
+        let all = self.subjects.iter();
+        let mappings = all.clone().map(|s| (s, Size::of(s.machine).map_ms(), ()));
+        self.in_parallel("mappings", mappings.collect(), |subject, ()| {
+            place::map(tools, &scratch.join(subject.machine.name), subject)
+        })?;
+        let tries = self.tries();
+        let each = |subject| tries.iter().map(move |&what| (subject, what));
+        let work: Vec<_> = all.flat_map(each).collect();
+        let work = work
+            .into_iter()
+            .map(|(subject, what)| (subject, Size::of(subject.machine).place_ms(), what));
+        self.in_parallel("placements", work.collect(), |subject, (grade, seed)| {
+            let folder = scratch.join(subject.machine.name);
+            let row = place::measure(tools, &folder, subject, self.device, grade, seed)?;
+            writer.map_or(Ok(()), |writer| writer.take(subject, &row))?;
+            Ok(row)
+        })
+    }
+
+    /// Does the work, each item with the time that it is guessed to take, with a bar.
+    fn in_parallel<I: Copy + Send + Sync, R: Send>(
+        &self,
+        what: &'static str,
+        work: Vec<(&Subject, u64, I)>,
+        run: impl Fn(&Subject, I) -> Result<R> + Sync,
+    ) -> Result<Vec<R>> {
+        let bar: ProgressBar = progress::bar(what, work.iter().map(|(_, ms, _)| ms).sum());
+        let pool = ThreadPoolBuilder::new().num_threads(self.jobs).build()?;
+        let results = pool.install(|| {
+            let results = work.par_iter().map(|&(subject, ms, item)| {
+                let result = run(subject, item);
+                bar.inc(ms);
+                result
+            });
+            results.collect()
+        });
+        bar.finish_and_clear();
+        results
+    }
+
+    /// A writer of rows of these groups, `rows_each` of each machine.
+    pub fn writer<R: Row>(
+        &self,
+        args: &SynthArgs,
+        setting: R::Setting,
+        groups: &BTreeSet<Group>,
+        rows_each: usize,
+    ) -> Result<Writer<R>> {
+        let others = match args.update {
+            true => Others::Keep,
+            false => Others::Drop,
+        };
+        Writer::new(
+            &args.out,
+            setting,
+            others,
+            groups,
+            &self.subjects,
+            rows_each,
+        )
+    }
+}
+
+/// How large a machine is, which decides how long the tools take.
+struct Size {
+    lut4_equivalents: u64,
+}
+
+impl Size {
+    /// As it was measured before; else as the largest of the paper's.
+    fn of(machine: &Machine) -> Self {
+        const UNKNOWN: u64 = 8000;
+        let measured = measured::lut4_equivalents(machine.name).unwrap_or(None);
+        Self {
+            lut4_equivalents: measured.unwrap_or(UNKNOWN),
+        }
+    }
+
+    fn map_ms(&self) -> u64 {
+        1000 + 3 * self.lut4_equivalents / 2
+    }
+
+    fn place_ms(&self) -> u64 {
+        7 * self.lut4_equivalents
+    }
+}

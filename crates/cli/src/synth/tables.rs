@@ -1,0 +1,194 @@
+//! Areas and clocks as tables for people.
+
+use super::cells::Figure;
+use super::clock::Clock;
+use super::figures::AreaRow;
+use super::flow::Flow;
+use super::path::CriticalPath;
+use crate::table;
+
+/// A table of each flow that there are rows of.
+pub fn areas(rows: &[AreaRow]) -> String {
+    let mut text = String::new();
+    for flow in Flow::all() {
+        let rows: Vec<_> = rows.iter().filter(|row| row.flow == flow).collect();
+        if rows.is_empty() {
+            continue;
+        }
+        text += &format!("Area, {} ({}):\n", flow.heading(), flow.name());
+        let figures = flow.figures();
+        let header: Vec<_> = figures.iter().map(|figure| heading(*figure)).collect();
+        let header = [&["machine"][..], &header].concat();
+        let cells: Vec<_> = rows.iter().map(|row| area_cells(row, figures)).collect();
+        text += &table::markdown(&header, &cells);
+        text += "\n";
+    }
+    text
+}
+
+fn area_cells(row: &AreaRow, figures: &[Figure]) -> Vec<String> {
+    let number = |figure| {
+        row.figures
+            .get(figure)
+            .map_or(String::new(), u64::to_string)
+    };
+    let mut cells = vec![row.machine.clone()];
+    cells.extend(figures.iter().map(number));
+    cells
+}
+
+/// What machines take where there is no ECP5: a row for each machine, in the order in which they come.
+pub fn elsewhere(rows: &[AreaRow]) -> String {
+    let columns = [
+        ("LUT4, no carry chains", Flow::Lut4, Figure::Lut4),
+        ("gates", Flow::Gates, Figure::Gates),
+        ("NAND2 equivalents", Flow::Gates, Figure::Nand2Equivalents),
+        ("Cyclone V", Flow::Intel, Figure::Alut),
+        ("MAX 10", Flow::Max10, Figure::LogicCells),
+        ("FF", Flow::Gates, Figure::Ff),
+    ];
+    let mut machines: Vec<&str> = Vec::new();
+    for row in rows {
+        if !machines.contains(&row.machine.as_str()) {
+            machines.push(&row.machine);
+        }
+    }
+    let cell = |machine: &str, flow: Flow, figure: Figure| {
+        let of_it = |row: &&AreaRow| row.machine == machine && row.flow == flow;
+        let number = rows
+            .iter()
+            .find(of_it)
+            .and_then(|row| row.figures.get(&figure));
+        match (number, figure) {
+            (None, _) => "not measured".to_owned(),
+            (Some(number), Figure::Alut) => format!("{number} ALUT"),
+            (Some(number), Figure::LogicCells) => format!("{number} logic cells"),
+            (Some(number), _) => number.to_string(),
+        }
+    };
+    let row = |machine: &&str| {
+        let cells = columns.map(|(_, flow, figure)| cell(machine, flow, figure));
+        [vec![machine.to_string()], cells.to_vec()].concat()
+    };
+    let header = columns.map(|(heading, ..)| heading);
+    let header = [&["machine"][..], &header].concat();
+    table::markdown(&header, &machines.iter().map(row).collect::<Vec<_>>())
+}
+
+fn heading(figure: Figure) -> &'static str {
+    match figure {
+        Figure::Lut4 => "LUT4",
+        Figure::Ccu2c => "CCU2C",
+        Figure::Lut4Equivalents => "LUT4 equivalents",
+        Figure::Gates => "gates",
+        Figure::Nand2Equivalents => "NAND2 equivalents",
+        Figure::Alut => "ALUT",
+        Figure::AlmAtLeast => "ALM, at least",
+        Figure::LogicCells => "logic cells",
+        Figure::Ff => "FF",
+        Figure::Dsp => "DSP",
+        Figure::BlockRam => "block RAM",
+        Figure::LutRam => "LUT RAM",
+    }
+}
+
+/// The clocks, each with what binds it.
+pub fn clocks(clocks: &[Clock]) -> String {
+    let header = [
+        "machine",
+        "flow",
+        "grade",
+        "Fmax, MHz",
+        "seeds",
+        "critical path",
+        "logic + nets, ns",
+        "through",
+        "most of it",
+    ];
+    let row = |clock: &Clock| {
+        let path = clock.path.as_ref();
+        let of_path = |text: fn(&CriticalPath) -> String| path.map_or("not read".to_owned(), text);
+        vec![
+            clock.machine.clone(),
+            clock.flow.name(),
+            clock.speed_grade.to_string(),
+            format!("{:.1}", clock.fmax_mhz),
+            match clock.seeds {
+                1 => "1".to_owned(),
+                n => format!(
+                    "{n}: {:.1} to {:.1}",
+                    clock.fmax_mhz_low, clock.fmax_mhz_high
+                ),
+            },
+            of_path(|path| format!("{} to {}", path.from, path.to)),
+            of_path(|path| format!("{:.1} + {:.1}", path.logic_ns, path.routing_ns)),
+            of_path(levels),
+            of_path(|path| path.binds.words().to_owned()),
+        ]
+    };
+    table::markdown(&header, &clocks.iter().map(row).collect::<Vec<_>>())
+}
+
+fn levels(path: &CriticalPath) -> String {
+    let mut levels = Vec::new();
+    let mut name = |number: u64, one: &str, more: &str| match number {
+        0 => {}
+        1 => levels.push(format!("1 {one}")),
+        n => levels.push(format!("{n} {more}")),
+    };
+    let chains = format!(
+        "carry chain{} of {} CCU2C",
+        if path.carry_chains == 1 { "" } else { "s" },
+        path.carry_cells
+    );
+    name(path.carry_chains, &chains, &chains);
+    name(path.dsp_levels, "DSP", "DSPs");
+    name(path.lut_levels, "LUT", "LUTs");
+    levels.join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_flow_has_a_table_of_its_figures() {
+        let row = |flow: Flow, numbers: &[u64]| AreaRow {
+            machine: "paper".to_owned(),
+            flow,
+            figures: (flow.figures().iter().copied())
+                .zip(numbers.iter().copied())
+                .collect(),
+        };
+        let rows = [
+            row(Flow::Gates, &[12_817, 20_119, 972]),
+            row(Flow::Lut4, &[3663, 972]),
+        ];
+        let expected = "\
+Area, 4-input LUTs without carry chains (lut4):
+| machine | LUT4 | FF  |
+| ------- | ---- | --- |
+| paper   | 3663 | 972 |
+
+Area, gates with two inputs (gates):
+| machine | gates | NAND2 equivalents | FF  |
+| ------- | ----- | ----------------- | --- |
+| paper   | 12817 | 20119             | 972 |
+
+";
+        assert_eq!(areas(&rows), expected);
+        let cells = [
+            "paper",
+            "3663",
+            "12817",
+            "20119",
+            "not measured",
+            "not measured",
+            "972",
+        ];
+        let table = elsewhere(&rows);
+        let last: Vec<_> = table.lines().last().unwrap().split('|').collect();
+        let last: Vec<_> = last.iter().map(|cell| cell.trim()).collect();
+        assert_eq!(last[1..8], cells);
+    }
+}

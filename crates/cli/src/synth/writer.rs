@@ -1,0 +1,154 @@
+//! Rows to their file, a machine at a time: what was measured is there when a later machine fails or
+//! the run is ended.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
+
+use anyhow::Result;
+use photoncube_spec::find_machine;
+
+use super::Subject;
+use super::figures::{Figured, Group, Row};
+
+/// What rows are written beside.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub enum Others {
+    /// All rows of today's machines that are not measured anew, or it is an error.
+    Keep,
+    /// None in the end: everything is measured anew.
+    Drop,
+}
+
+/// Takes rows and writes them.
+pub struct Writer<R: Row> {
+    folder: PathBuf,
+    setting: R::Setting,
+    rows_each: usize,
+    state: Mutex<State<R>>,
+}
+
+struct State<R: Row> {
+    file: Figured<R>,
+    pending: BTreeMap<&'static str, Vec<R>>,
+}
+
+impl<R: Row> Writer<R> {
+    /// A writer to a folder of rows of these groups, `rows_each` of each machine.
+    pub fn new(
+        folder: &Path,
+        setting: R::Setting,
+        others: Others,
+        groups: &BTreeSet<Group>,
+        subjects: &[Subject],
+        rows_each: usize,
+    ) -> Result<Self> {
+        let old = Figured::<R>::read(folder);
+        let file = match others {
+            Others::Keep => {
+                let mut file = old?.unwrap_or_else(|| Figured::new(setting.clone()));
+                // Rows of a machine that is gone are of no use to anyone.
+                file.rows
+                    .retain(|row| find_machine(&row.group().machine).is_ok());
+                file.check_update(&setting, groups, subjects)?;
+                file
+            }
+            // A file that cannot be read is one to write anew.
+            Others::Drop => match old {
+                Ok(Some(mut file)) if file.setting == setting => {
+                    file.rows.retain(|row| groups.contains(&row.group()));
+                    file
+                }
+                _ => Figured::new(setting.clone()),
+            },
+        };
+        let pending = BTreeMap::new();
+        Ok(Self {
+            folder: folder.to_owned(),
+            setting,
+            rows_each,
+            state: Mutex::new(State { file, pending }),
+        })
+    }
+
+    /// Takes a row of a machine, and writes the machine's when it is the last of them.
+    pub fn take(&self, subject: &Subject, row: &R) -> Result<()> {
+        let mut state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
+        let State { file, pending } = &mut *state;
+        let rows = pending.entry(subject.machine.name).or_default();
+        rows.push(row.clone());
+        if rows.len() < self.rows_each {
+            return Ok(());
+        }
+        file.update(self.setting.clone(), subject, rows);
+        file.write(&self.folder)?;
+        Ok(())
+    }
+
+    /// The path of the file.
+    pub fn path(&self) -> String {
+        self.folder.join(R::FILE).display().to_string()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::figures::{AreaRow, AreaSetting};
+    use super::super::flow::Flow;
+    use super::*;
+
+    fn subject(machine: &str) -> Subject {
+        Subject {
+            machine: find_machine(machine).unwrap(),
+            top: "top".to_owned(),
+            verilog: String::new(),
+            ecp5_verilog: None,
+            verilog_sha256: "00".to_owned(),
+        }
+    }
+
+    fn row(machine: &str, flow: Flow) -> AreaRow {
+        AreaRow {
+            machine: machine.to_owned(),
+            flow,
+            figures: BTreeMap::new(),
+        }
+    }
+
+    const FLOWS: [Flow; 2] = [Flow::Lut4, Flow::Gates];
+
+    /// Writes two rows of a machine; what is in the file then.
+    fn write(folder: &Path, machine: &str, others: Others) -> Vec<AreaRow> {
+        let setting = AreaSetting::new(&BTreeMap::new());
+        let groups = FLOWS.map(|flow| Group::area(machine, flow)).into();
+        let subjects = [subject(machine)];
+        let writer = Writer::new(folder, setting, others, &groups, &subjects, 2).unwrap();
+        let before = Figured::<AreaRow>::read(folder).unwrap();
+        writer.take(&subjects[0], &row(machine, FLOWS[1])).unwrap();
+        let half_way = Figured::<AreaRow>::read(folder).unwrap();
+        let count = |file: Option<Figured<AreaRow>>| file.map_or(0, |file| file.rows.len());
+        assert_eq!(
+            count(before),
+            count(half_way),
+            "half a machine is not written"
+        );
+        writer.take(&subjects[0], &row(machine, FLOWS[0])).unwrap();
+        Figured::<AreaRow>::read(folder).unwrap().unwrap().rows
+    }
+
+    #[test]
+    fn a_machine_is_written_when_all_of_it_is_there() {
+        let folder = tempfile::tempdir().unwrap();
+        let of = |machine: &str| FLOWS.map(|flow| row(machine, flow)).to_vec();
+        let by_order = |mut rows: Vec<AreaRow>| {
+            rows.sort_by_key(Row::order);
+            rows
+        };
+        let rows = write(folder.path(), "paper", Others::Drop);
+        assert_eq!(rows, by_order(of("paper")));
+        let rows = write(folder.path(), "local", Others::Keep);
+        assert_eq!(rows, by_order([of("local"), of("paper")].concat()));
+        let rows = write(folder.path(), "paper", Others::Drop);
+        assert_eq!(rows, by_order(of("paper")));
+    }
+}

@@ -1,0 +1,155 @@
+//! `synth` as a user sees it, without the tools: what it checks, what it refuses, how it ends.
+
+use std::fs;
+use std::path::Path;
+
+use assert_cmd::Command;
+use serde_json::Value;
+
+const COMMITTED: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/measured");
+
+fn synth(args: &[&str]) -> Command {
+    let mut command = Command::cargo_bin("photoncube").unwrap();
+    command.arg("synth").args(args);
+    command
+}
+
+/// Standard error of a command that must end with `code`.
+fn error(args: &[&str], code: i32) -> String {
+    let output = synth(args).assert().code(code);
+    String::from_utf8(output.get_output().stderr.clone()).unwrap()
+}
+
+/// Changes a committed file's copy.
+fn edit(folder: &Path, name: &str, change: impl FnOnce(&mut Value)) {
+    let path = folder.join(name);
+    let text = fs::read_to_string(&path).unwrap();
+    let mut value = serde_json::from_str(&text).unwrap();
+    change(&mut value);
+    fs::write(&path, value.to_string()).unwrap();
+}
+
+fn copy_committed(folder: &Path) {
+    for name in ["synthesis.json", "place.json"] {
+        fs::copy(Path::new(COMMITTED).join(name), folder.join(name)).unwrap();
+    }
+}
+
+#[test]
+fn what_is_committed_is_measured_of_todays_verilog() {
+    let mut output = synth(&["--check", "--out", COMMITTED, "--json"]);
+    let output = output.output().unwrap();
+    let report: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(report["checked"], true);
+    assert_eq!(report["stale"].as_array().unwrap().len(), 0, "{report}");
+    assert!(output.status.success());
+}
+
+#[test]
+fn figures_of_other_verilog_are_named_and_end_1() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().to_str().unwrap();
+    copy_committed(folder.path());
+    synth(&["--check", "--out", out]).assert().success();
+
+    edit(folder.path(), "synthesis.json", |file| {
+        file["verilog_sha256"]["paper"] = "00".into();
+    });
+    let message = error(&["--check", "--out", out], 1);
+    assert!(
+        message.contains("synthesis.json: paper was measured with other Verilog"),
+        "{message}"
+    );
+    assert!(message.contains("--update --machine"), "{message}");
+    synth(&["--check", "--out", out, "--machine", "local"])
+        .assert()
+        .success();
+}
+
+#[test]
+fn rows_too_many_or_too_few_end_1() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().to_str().unwrap();
+    copy_committed(folder.path());
+    edit(folder.path(), "synthesis.json", |file| {
+        let mut row = file["rows"][0].clone();
+        row["machine"] = "pentium".into();
+        file["rows"].as_array_mut().unwrap().push(row);
+    });
+    edit(folder.path(), "place.json", |file| {
+        let rows = file["rows"].as_array_mut().unwrap();
+        rows.retain(|row| row["machine"] != "paper" || row["speed_grade"] != 8);
+    });
+    let message = error(&["--check", "--out", out], 1);
+    for expected in [
+        "synthesis.json: pentium is no machine any more",
+        "place.json: paper has no speed grade 8",
+    ] {
+        assert!(message.contains(expected), "{message}");
+    }
+    fs::remove_file(folder.path().join("place.json")).unwrap();
+    let message = error(&["--check", "--out", out], 1);
+    assert!(message.contains("place.json is missing"), "{message}");
+}
+
+#[test]
+fn bad_usage_ends_2_says_what_was_expected_and_writes_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().to_str().unwrap();
+    let missing = folder.path().join("missing");
+    let missing = missing.to_str().unwrap();
+    let cases: &[(&[&str], &str)] = &[
+        (&["--machine", "pentium"], "the machines are paper"),
+        (&["--flow", "asic"], "gates"),
+        (&["--grade", "9"], "6..=8"),
+        (&["--seeds", "0"], "1..=1000"),
+        (&["--jobs", "0"], "--jobs"),
+        (&["--device", "iCE40"], "LFE5U-85F"),
+        (&["--device", "LFE5U-45F"], "is for LFE5U-85F"),
+        (&["--check", "--update"], "cannot be used with"),
+        (&["--check", "--out", missing], "no folder"),
+        (&["--tools", out], "scripts/setup.sh --synthesis"),
+    ];
+    for (args, expected) in cases {
+        let args = match args.contains(&"--out") {
+            true => args.to_vec(),
+            false => [&["--out", out], *args].concat(),
+        };
+        let message = error(&args, 2);
+        assert!(message.contains(expected), "{args:?}: {message}");
+        let left = fs::read_dir(folder.path()).unwrap().count();
+        assert_eq!(left, 0, "{args:?} left something behind");
+    }
+}
+
+/// Two programs that say what a Yosys and a nextpnr say.
+#[cfg(unix)]
+#[test]
+fn a_cell_that_nobody_counts_and_tools_that_differ_end_2() {
+    use std::os::unix::fs::PermissionsExt;
+
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    let program = |name: &str, text: &str| {
+        fs::write(path(name), format!("#!/bin/sh\n{text}\n")).unwrap();
+        fs::set_permissions(path(name), fs::Permissions::from_mode(0o755)).unwrap();
+    };
+    let stat = r#"{"design": {"num_cells_by_type": {"WIDGET": 3}}}"#;
+    program(
+        "yosys",
+        &format!(
+            "case $1 in -V) echo 'Yosys 9.9 (git sha1 abc)';; *) echo '{stat}' >lut4.json;; esac"
+        ),
+    );
+    program("nextpnr-ecp5", "echo '(Version nextpnr-9.9)'");
+    let tools = folder.path().to_str().unwrap();
+    let args = ["--tools", tools, "--machine", "paper", "--flow", "lut4"];
+    let message = error(&args, 2);
+    assert!(
+        message.contains("machine paper in flow lut4: found 3 cells WIDGET"),
+        "{message}"
+    );
+    copy_committed(folder.path());
+    let message = error(&[&args[..], &["--update", "--out", tools]].concat(), 2);
+    assert!(message.contains("other tools or settings"), "{message}");
+}
