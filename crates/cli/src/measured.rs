@@ -129,6 +129,24 @@ impl Measured {
     }
 }
 
+impl Measured {
+    /// The clock in the fastest speed grade that was measured.
+    pub fn fastest(&self) -> Option<&Clock> {
+        self.fmax_by_grade
+            .iter()
+            .max_by_key(|clock| clock.speed_grade)
+    }
+
+    /// The clock in each speed grade that figures are committed of, in their order.
+    pub fn in_default_grades(&self) -> [Option<f64>; DEFAULT_GRADES.len()] {
+        DEFAULT_GRADES.map(|grade| {
+            let mut clocks = self.fmax_by_grade.iter();
+            let clock = clocks.find(|clock| clock.speed_grade == grade);
+            clock.map(|clock| clock.fmax_mhz)
+        })
+    }
+}
+
 impl Area {
     fn of(rows: &[AreaRow], flow: Flow) -> Option<Self> {
         let row = rows.iter().find(|row| row.flow == flow)?;
@@ -193,15 +211,14 @@ fn source(placement: &Figured<PlaceRow>) -> Result<String> {
     let setting = &placement.setting;
     let version = setting.tool_versions.get(tool);
     let version = version.with_context(|| format!("found no version of {tool}"))?;
-    let rows = placement.rows.iter();
-    let seeds = rows
-        .filter(|row| row.speed_grade == SPEED_GRADE)
-        .map(|row| row.seed);
+    let clocks = clocks(&placement.rows);
+    let seeds = || clocks.iter().map(|clock| clock.seeds);
+    let [fewest, most] = [seeds().min(), seeds().max()].map(|seeds| seeds.unwrap_or(0));
+    let grades = DEFAULT_GRADES.map(|grade| grade.to_string()).join(" and ");
     Ok(format!(
-        "Fmax by {tool} {version}, {}, speed grade {SPEED_GRADE}, post-route, median of {} seeds; DSP \
-         only where the squarer is a product.",
+        "Fmax by {tool} {version}, {}, speed grades {grades}, post-route, median of {fewest} to {most} \
+         seeds; tests/s in the faster grade; DSP only where the squarer is a product.",
         setting.device,
-        seeds.max().unwrap_or(0)
     ))
 }
 
@@ -238,11 +255,13 @@ mod tests {
             .setting
             .tool_versions
             .insert(tool, "0.11.1".to_owned());
-        placement.rows.retain(|row| row.seed <= 2);
+        placement
+            .rows
+            .retain(|row| row.machine == "paper" && row.seed <= 2);
         assert_eq!(
             source(&placement).unwrap(),
-            "Fmax by nextpnr-ecp5 0.11.1, LFE5U-85F, speed grade 6, post-route, median of 2 seeds; \
-             DSP only where the squarer is a product."
+            "Fmax by nextpnr-ecp5 0.11.1, LFE5U-85F, speed grades 6 and 8, post-route, median of 1 to \
+             2 seeds; tests/s in the faster grade; DSP only where the squarer is a product."
         );
         placement.setting.tool_versions.clear();
         assert!(source(&placement).is_err());

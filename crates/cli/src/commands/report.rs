@@ -1,5 +1,6 @@
 //! `report`: speed against error, formats and machines side by side.
 
+mod dimensions;
 mod estimators;
 
 use anyhow::Result;
@@ -26,8 +27,11 @@ struct Report {
     estimators: Vec<estimators::Row>,
     f64_photon_tests_per_second: f64,
     f32_photon_tests_per_second: f64,
+    dimensions: Vec<dimensions::Row>,
     speed_plot: String,
     bits_plot: String,
+    hardware_plot: String,
+    dimensions_plot: String,
 }
 
 #[derive(Serialize)]
@@ -43,6 +47,7 @@ struct Row {
     photon_tests_per_clock: Option<f64>,
     area_without_dsp: Option<Area>,
     fmax_mhz: Option<f64>,
+    speed_grade: Option<u32>,
     photon_tests_per_second_at_fmax: Option<f64>,
     photon_tests_per_second: f64,
     on_speed_front: bool,
@@ -82,6 +87,7 @@ pub fn execute(args: &ReportArgs, json: bool) -> Result<()> {
     let name = scenes::stem(&args.scene);
     let file = |what: &str| args.out.join(format!("report-{name}{what}"));
     let (speed_path, bits_path) = (file("-speed.svg"), file("-bits.svg"));
+    let (hardware_path, dimensions_path) = (file("-hardware.svg"), file("-dimensions.svg"));
     let (map, queries) = (&bench.maps()[0], bench.queries());
     let report = Report {
         scene: args.scene.clone(),
@@ -93,11 +99,17 @@ pub fn execute(args: &ReportArgs, json: bool) -> Result<()> {
         estimators: estimators::measure(&bench, args.in_range)?,
         f64_photon_tests_per_second: gather_speed(map, queries, Engine::F64)?,
         f32_photon_tests_per_second: f32_speed(map, queries),
+        dimensions: dimensions::rows()?,
         speed_plot: speed_path.display().to_string(),
         bits_plot: bits_path.display().to_string(),
+        hardware_plot: hardware_path.display().to_string(),
+        dimensions_plot: dimensions_path.display().to_string(),
     };
     files::write(&speed_path, SPEED.draw(&report)?.as_bytes())?;
     files::write(&bits_path, BITS.draw(&report)?.as_bytes())?;
+    files::write(&hardware_path, HARDWARE.draw(&report)?.as_bytes())?;
+    let plot = dimensions::plot(&report.dimensions)?;
+    files::write(&dimensions_path, plot.as_bytes())?;
     let data = serde_json::to_string_pretty(&report)? + "\n";
     files::write(&file(".json"), data.as_bytes())?;
     output::print(json, &report, || text(&report))
@@ -122,6 +134,7 @@ fn row(bench: &ErrorBench, engine: Engine<'static>) -> Result<Row> {
         photon_tests_per_clock: None,
         area_without_dsp: None,
         fmax_mhz: None,
+        speed_grade: None,
         photon_tests_per_second_at_fmax: None,
         photon_tests_per_second,
         on_speed_front: false,
@@ -136,12 +149,16 @@ fn row(bench: &ErrorBench, engine: Engine<'static>) -> Result<Row> {
         }
         Engine::Model(machine) => {
             let measured = Measured::of(machine)?;
-            let (rate, fmax_mhz) = (machine.photon_tests_per_clock(), measured.fmax.fmax_mhz);
+            let rate = machine.photon_tests_per_clock();
+            let clock = measured.fastest();
+            let fmax_mhz = clock.map(|clock| clock.fmax_mhz);
+            let speed_grade = clock.map(|clock| clock.speed_grade);
             Row {
                 initiation_interval: Some(machine.rate().interval()),
                 photon_tests_per_clock: Some(rate),
                 area_without_dsp: measured.area_without_dsp,
                 fmax_mhz,
+                speed_grade,
                 photon_tests_per_second_at_fmax: fmax_mhz.map(|fmax| rate * fmax * 1e6),
                 ..unmeasured(
                     machine.name.to_owned(),
@@ -159,31 +176,40 @@ struct Merit {
     name: &'static str,
     axis: &'static str,
     better: Better,
-    of: fn(&Row) -> f64,
+    of: fn(&Row) -> Option<f64>,
 }
 
 const SPEED: Merit = Merit {
     name: "speed",
     axis: "golden model, M photon tests per second, one thread",
     better: Better::Larger,
-    of: |row| row.photon_tests_per_second / 1e6,
+    of: |row| Some(row.photon_tests_per_second / 1e6),
+};
+
+const HARDWARE: Merit = Merit {
+    name: "hardware speed",
+    axis: "G photon tests per second at the routed Fmax",
+    better: Better::Larger,
+    of: |row| Some(row.photon_tests_per_second_at_fmax? / 1e9),
 };
 
 const BITS: Merit = Merit {
     name: "bits per photon",
     axis: "bits per photon",
     better: Better::Smaller,
-    of: |row| f64::from(row.bits_per_photon),
+    of: |row| Some(f64::from(row.bits_per_photon)),
 };
 
 impl Merit {
     fn points(&self, rows: &[Row]) -> Vec<Point> {
-        let point = |row: &Row| Point {
-            label: row.name.clone(),
-            error: row.error.error_over_noise,
-            figure: (self.of)(row),
+        let point = |row: &Row| {
+            Some(Point {
+                label: row.name.clone(),
+                error: row.error.error_over_noise,
+                figure: (self.of)(row)?,
+            })
         };
-        rows.iter().map(point).collect()
+        rows.iter().filter_map(point).collect()
     }
 
     fn front(&self, rows: &[Row]) -> Vec<bool> {
@@ -242,7 +268,8 @@ fn text(report: &Report) -> String {
                 .as_ref()
                 .map_or_else(unknown, |area| format!("{} + {}", area.lut4, area.ccu2c)),
             row.fmax_mhz
-                .map_or_else(unknown, |fmax| format!("{fmax:.0} MHz")),
+                .zip(row.speed_grade)
+                .map_or_else(unknown, |(fmax, grade)| format!("{fmax:.0} MHz (-{grade})")),
             row.photon_tests_per_second_at_fmax
                 .map_or_else(unknown, |speed| format!("{:.1}", speed / 1e6)),
             percent(row.error.rms_relative_error),
@@ -259,7 +286,8 @@ fn text(report: &Report) -> String {
         "{}: noise {} rms over {} maps of {} photons; {} of {} estimates left out, their queries\n\
          noisier than {}\n\n{}\n\
          f64 loop {:.0} M photon tests/s, f32 loop {:.0}; `-`: a format by itself\n\
-         plots: {}, {}\n\n{}",
+         plots: {}, {}, {}\n\n{}\n\
+         Tiles of every dimension, plot {}:\n\n{}",
         report.scene,
         percent(report.noise_relative),
         report.maps,
@@ -272,7 +300,10 @@ fn text(report: &Report) -> String {
         report.f32_photon_tests_per_second / 1e6,
         report.speed_plot,
         report.bits_plot,
+        report.hardware_plot,
         estimators::text(&report.estimators),
+        report.dimensions_plot,
+        dimensions::text(&report.dimensions),
     )
 }
 

@@ -294,7 +294,7 @@ impl SquareBit {
             Some(power) => (low, HIGH, power),
             None => (0, low, index),
         };
-        let value = |digit: usize| digit * digit >> power & 1 == 1;
+        let value = |digit: usize| (digit * digit) >> power & 1 == 1;
         let matters =
             |bit: &usize| (0..1 << width).any(|digit| value(digit) != value(digit ^ 1 << bit));
         let bits: Vec<_> = (0..width).filter(matters).collect();

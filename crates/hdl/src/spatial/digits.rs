@@ -157,7 +157,7 @@ impl<const Q: usize, const R: usize> SquareSum<Q, R> {
 impl<const Q: usize, const R: usize> Logic for SquareSum<Q, R> {
     fn update(&mut self) {
         let (high, low) = digits(self.magnitude.val().to_u64(), R);
-        let squares = high * high << (2 * low_bits(R)) | low * low;
+        let squares = ((high * high) << (2 * low_bits(R))) | (low * low);
         let sum = squares + (self.cross_product.val().to_u64() << Self::PLACE);
         self.square.next = (sum % (1 << Q)).to_bits();
     }

@@ -15,6 +15,7 @@ fn plan(arguments: &[&str]) -> Plan {
         machine,
         top: "top".to_owned(),
         verilog: String::new(),
+        ecp5_verilog: None,
         verilog_sha256: "00".to_owned(),
     });
     Plan::new(&args, subjects.collect())

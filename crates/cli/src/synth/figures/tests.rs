@@ -14,6 +14,7 @@ fn subject(machine: &str, digest: &str) -> Subject {
         machine: find_machine(machine).unwrap(),
         top: "top".to_owned(),
         verilog: String::new(),
+        ecp5_verilog: None,
         verilog_sha256: digest.to_owned(),
     }
 }
