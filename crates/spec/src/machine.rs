@@ -108,12 +108,16 @@ impl Machine {
         Rate { groups: 1, clocks }
     }
 
-    /// Clocks for a whole workload with no waiting, `groups` counted over all batches of queries.
-    pub fn workload_clocks(&self, batches: u64, groups: u64) -> u64 {
-        match self.microprogram() {
-            Some(program) => program.workload_clocks(batches, groups),
-            // A query change costs no clock; the end of the last batch costs the latency.
-            None => groups + self.spatial().map_or(0, |s| s.latency_clocks().into()),
+    /// Clocks for a whole workload with no waiting, `groups` counted over all queries; none for a
+    /// machine that tests several queries at once, where it depends on who shares photons.
+    pub fn workload_clocks(&self, queries: u64, groups: u64) -> Option<u64> {
+        match (self.microprogram(), self.spatial()) {
+            (Some(program), _) => Some(program.workload_clocks(queries, groups)),
+            // A query change costs no clock; the end of the last query costs the latency.
+            (None, Some(spatial)) if spatial.engines() == 1 => {
+                Some(groups + u64::from(spatial.latency_clocks()))
+            }
+            _ => None,
         }
     }
 

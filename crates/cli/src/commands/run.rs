@@ -40,7 +40,8 @@ struct Report {
     photons_per_iteration: usize,
     queries_at_once: usize,
     photon_tests_per_clock: f64,
-    clocks: u64,
+    /// None where queries share photons.
+    clocks: Option<u64>,
     /// On emitted Verilog alone: rust-hdl's own simulation is not counted.
     vectors_compared: u64,
     mismatches: u64,
@@ -249,7 +250,10 @@ fn text(report: &Report) -> String {
         r.search_radius,
         r.photon_tests,
         r.photon_groups,
-        r.clocks,
+        r.clocks.map_or_else(
+            || "as queries share photons".to_owned(),
+            |clocks| clocks.to_string()
+        ),
         r.initiation_interval,
         r.photons_per_iteration,
         r.photon_tests_per_clock,
