@@ -198,8 +198,13 @@ impl<'a> Comparer<'a> {
         let differing = (0..self.visible).filter(differs);
         // The control block leads the cells, and both lead the outputs.
         let rank = |&column: &usize| match self.pins.observed[column].place {
-            SignalPlace::Control(_) | SignalPlace::Head { .. } | SignalPlace::Memory { .. } => 0,
-            SignalPlace::Cell { .. } | SignalPlace::Engine { .. } => 1,
+            SignalPlace::Control(_)
+            | SignalPlace::OverlapControl(_)
+            | SignalPlace::Head { .. }
+            | SignalPlace::Memory { .. } => 0,
+            SignalPlace::Cell { .. }
+            | SignalPlace::OverlapCell { .. }
+            | SignalPlace::Engine { .. } => 1,
             SignalPlace::Top => 2,
         };
         let column = differing.clone().min_by_key(rank);
@@ -289,8 +294,8 @@ impl<'a> Comparer<'a> {
     }
 }
 
-/// Whether one register of a spatial machine may feed another: both in the head, or both in one
-/// engine and of one lane, if they are of a lane.
+/// Whether one register of a machine without a program of single steps may feed another: both in
+/// control or head, or both in one cell, or in one engine and of one lane, if they are of a lane.
 fn is_near(machine: &Machine, place: SignalPlace, other: SignalPlace) -> bool {
     let channels = machine.channels().names().len();
     let lane = |register: EngineRegister, index| match register.row().instances {
@@ -300,6 +305,10 @@ fn is_near(machine: &Machine, place: SignalPlace, other: SignalPlace) -> bool {
         _ => None,
     };
     match (place, other) {
+        (SignalPlace::OverlapControl(_), SignalPlace::OverlapControl(_)) => true,
+        (SignalPlace::OverlapCell { node, .. }, SignalPlace::OverlapCell { node: other, .. }) => {
+            node == other
+        }
         (SignalPlace::Head { .. }, SignalPlace::Head { index, .. }) => index == 0,
         (SignalPlace::Memory { .. }, SignalPlace::Memory { .. } | SignalPlace::Head { .. }) => true,
         (

@@ -26,7 +26,7 @@ enum Extent {
 impl Extent {
     fn of(machine: &Machine) -> Self {
         match machine.name {
-            "paper" | "stream" | "tile-6" => Self::Full,
+            "paper" | "overlap" | "stream" | "tile-6" => Self::Full,
             _ if machine.queries_at_once() > 4 => Self::Chain,
             _ => Self::Brief,
         }

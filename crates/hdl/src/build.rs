@@ -3,12 +3,13 @@
 //! rust-hdl's widths are const generics, so every set of widths is compiled; each costs about a
 //! second of build time.
 
-use photoncube_spec::{Machine, Spatial, SpatialWidths, Widths, control_word_bits};
+use photoncube_spec::{Machine, Organisation, Spatial, SpatialWidths, Widths, control_word_bits};
 use thiserror::Error;
 
 use crate::cell::Cell;
 use crate::level::Level;
 use crate::network::Network;
+use crate::overlap;
 use crate::pinned::Pinned;
 use crate::processor::Processor;
 use crate::spatial::{SpatialMachine, SquarePair};
@@ -159,8 +160,11 @@ fn not_built_in(machine: &Machine, level: Level) -> NotBuiltIn {
             format!("{BUILT_IN_SPATIAL:?}"),
         ),
         _ => (
-            format!("{level:?} of {:?}", Shape::of(machine)),
-            format!("{BUILT_IN:?}"),
+            format!("{level:?} of {:?}", Widths::of(machine)),
+            match machine.organisation {
+                Organisation::Overlapped => overlap::BUILT_IN.to_owned(),
+                _ => format!("{BUILT_IN:?}"),
+            },
         ),
     };
     NotBuiltIn {
@@ -172,9 +176,10 @@ fn not_built_in(machine: &Machine, level: Level) -> NotBuiltIn {
 
 /// The block of a machine at a level, with all its signals claimed.
 pub(crate) fn build(machine: &Machine, level: Level) -> Result<Box<dyn Pinned>, NotBuiltIn> {
-    let block = match machine.spatial() {
-        Some(spatial) => find_spatial(machine, spatial, level),
-        None => find(machine, level),
+    let block = match &machine.organisation {
+        Organisation::Sequential => find(machine, level),
+        Organisation::Overlapped => overlap::build(machine, level),
+        Organisation::Spatial(spatial) => find_spatial(machine, spatial, level),
     };
     let mut block = block.ok_or_else(|| not_built_in(machine, level))?;
     block.connect_all();

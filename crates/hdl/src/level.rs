@@ -33,6 +33,7 @@ impl Level {
                 Self::Square,
                 Self::Gate,
             ],
+            Organisation::Overlapped => &[Self::Machine, Self::Cell, Self::Add],
             Organisation::Spatial(_) => &[Self::Machine, Self::SquarePair],
         }
     }

@@ -11,6 +11,7 @@ mod emit;
 mod level;
 mod lint;
 mod network;
+mod overlap;
 mod pinned;
 mod ports;
 mod processor;

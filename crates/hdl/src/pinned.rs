@@ -1,6 +1,6 @@
 //! Blocks with their pins in a row: how the outside drives and reads them.
 
-use photoncube_spec::{Machine, REGISTERS, Register};
+use photoncube_spec::{Machine, Organisation, REGISTERS, Register, overlap};
 use photoncube_spec::{Pin, Pins, SignalPlace, Widths};
 use rust_hdl::core::atom::{Atom, AtomKind};
 use rust_hdl::prelude::*;
@@ -34,6 +34,18 @@ pub(crate) fn pins(block: &dyn Pinned, machine: &Machine, registers: bool) -> Pi
     let mut observed = probe.outputs;
     if registers {
         let widths = Widths::of(machine);
+        if machine.organisation == Organisation::Overlapped {
+            observed.extend(overlap::Register::all().map(|register| Pin {
+                name: format!("register_{}", register.name()),
+                width: register.width(&widths),
+                place: SignalPlace::OverlapCell { node: 0, register },
+            }));
+            return Pins {
+                inputs: probe.inputs,
+                observed,
+                outputs,
+            };
+        }
         observed.extend(REGISTERS.iter().map(|row| Pin {
             name: format!("register_{}", row.name),
             width: (row.width)(&widths),

@@ -3,6 +3,7 @@
 use photoncube_spec::{Inputs, Machine, Organisation, Outputs};
 
 use crate::machine::StepMachine;
+use crate::overlap::OverlapMachine;
 use crate::spatial::SpatialMachine;
 
 /// A machine with its state, all registers, every clock; starts as after power-up, all 0.
@@ -30,6 +31,7 @@ pub trait GoldenMachine: Send {
 pub fn golden_machine(machine: &Machine) -> Box<dyn GoldenMachine> {
     match &machine.organisation {
         Organisation::Sequential => Box::new(StepMachine::new(machine)),
+        Organisation::Overlapped => Box::new(OverlapMachine::new(machine)),
         Organisation::Spatial(_) => Box::new(SpatialMachine::new(machine)),
     }
 }

@@ -11,6 +11,8 @@ mod gather;
 mod golden;
 mod local;
 mod machine;
+mod overlap;
+mod overlap_cell;
 mod range;
 mod spatial;
 
@@ -21,5 +23,7 @@ pub use local::{
     CountError, LocalError, LocalGather, LocalLimits, PackError, ValueError, pack, unpack,
 };
 pub use machine::{ControlState, StepMachine};
+pub use overlap::{OverlapControl, OverlapMachine};
+pub use overlap_cell::OverlapCell;
 pub use range::{Limits, RangeError};
 pub use spatial::SpatialMachine;

@@ -114,6 +114,9 @@ proptest! {
         let expected = gather(machine, &query, photons).unwrap();
         let (sums, clocks) = run(machine, query, &groups);
         prop_assert_eq!(sums, expected);
+        if let Some(program) = machine.overlap_program() {
+            prop_assert_eq!(clocks, program.latency_clocks(groups.len() as u64));
+        }
         if let Some(program) = machine.microprogram() {
             prop_assert_eq!(clocks, program.latency_clocks(groups.len() as u64));
         }

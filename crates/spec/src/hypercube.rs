@@ -11,6 +11,15 @@ use std::fmt;
 pub struct Axis(u8);
 
 impl Axis {
+    /// The first photon axis.
+    pub const X: Self = Self(0);
+    /// The second photon axis.
+    pub const Y: Self = Self(1);
+    /// The first role axis: it joins X with Y, and Z with D.
+    pub const Z: Self = Self(2);
+    /// The second role axis: it joins X with Z, and Y with D.
+    pub const W: Self = Self(3);
+
     /// The first four names are the paper's; the others go backwards through the alphabet.
     const NAMES: [&'static str; 10] = ["x", "y", "z", "w", "v", "u", "t", "s", "r", "q"];
 
@@ -33,6 +42,12 @@ impl Axis {
     /// The axis as it is written in listings.
     pub fn name(self) -> &'static str {
         Self::NAMES[usize::from(self.0)]
+    }
+}
+
+impl fmt::Display for Role {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
     }
 }
 
@@ -59,6 +74,22 @@ pub enum Role {
 impl Role {
     /// All roles, in the order of node-index bits 3..2.
     pub const ALL: [Self; 4] = [Self::X, Self::Y, Self::Z, Self::D];
+
+    /// The role of the neighbour on an axis; a photon axis keeps the role.
+    pub fn across(self, axis: Axis) -> Self {
+        let node = (self as usize) << Hypercube::FIRST_ROLE_BIT;
+        Self::ALL[((node ^ (1 << axis.bit())) >> Hypercube::FIRST_ROLE_BIT) % Self::ALL.len()]
+    }
+
+    /// The role as it is written in listings.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::X => "X",
+            Self::Y => "Y",
+            Self::Z => "Z",
+            Self::D => "D",
+        }
+    }
 
     /// The coordinate that the role holds: 0 x, 1 y, 2 z; `None` for the distance cell.
     pub fn coordinate(self) -> Option<usize> {
@@ -217,6 +248,17 @@ mod tests {
         for role in Role::ALL {
             assert_eq!(cube.role(cube.result_node(role)), role);
             assert_eq!(cube.photon(cube.result_node(role)), 0);
+        }
+    }
+
+    #[test]
+    fn the_role_across_an_axis_is_that_of_the_neighbour() {
+        let cube = Hypercube::new(10);
+        for node in 0..cube.nodes() {
+            for axis in cube.axes() {
+                let neighbour = cube.role(cube.neighbour(node, axis));
+                assert_eq!(cube.role(node).across(axis), neighbour);
+            }
         }
     }
 

@@ -24,6 +24,8 @@ mod schedule;
 mod spatial;
 mod stream;
 
+pub mod overlap;
+
 pub use control::{ControlWord, FIELDS, Field, FieldRow, WorkSource, control_word_bits, encode};
 pub use format::{Squarer, Widths};
 pub use format_widths::FormatWidths;

@@ -7,6 +7,7 @@ use crate::format_widths::FormatWidths;
 use crate::hypercube::Hypercube;
 use crate::microprogram::Microprogram;
 use crate::organisation::{Organisation, Rate};
+use crate::overlap;
 use crate::photon_format::{Channels, Exponent, PhotonFormat, PowerFormat, Rounding};
 use crate::photon_formats::PHOTON_FORMATS;
 use crate::spatial::{Cut, Cuts, Radius, Spatial};
@@ -18,14 +19,14 @@ pub struct Machine {
     pub name: &'static str,
     /// What it is, in a line.
     pub summary: &'static str,
+    /// How its units work together.
+    pub organisation: Organisation,
     /// Hypercube dimension; the machine has `2^dimension` cells.
     pub dimension: u32,
     /// What its words mean.
     pub numbers: Numbers,
     /// How the square is built.
     pub squarer: Squarer,
-    /// How the work is laid out over cells and clocks.
-    pub organisation: Organisation,
 }
 
 /// What a machine's words mean.
@@ -65,19 +66,28 @@ impl Machine {
         Hypercube::new(self.dimension)
     }
 
-    /// The program of a machine that runs one.
+    /// The program of a machine that does one op a clock.
     pub fn microprogram(&self) -> Option<Microprogram> {
         match &self.organisation {
             Organisation::Sequential => Some(Microprogram::all_reduce(self.hypercube())),
-            Organisation::Spatial(_) => None,
+            Organisation::Overlapped | Organisation::Spatial(_) => None,
         }
+    }
+
+    /// The program of a machine whose units work at the same time.
+    ///
+    /// # Panics
+    /// The scheduler finds none; a test holds that it does.
+    pub fn overlap_program(&self) -> Option<overlap::Program> {
+        (self.organisation == Organisation::Overlapped)
+            .then(|| overlap::Program::rotated().expect("the scheduler finds a program"))
     }
 
     /// What a spatial machine has beside its numbers; none for the others.
     pub fn spatial(&self) -> Option<&Spatial> {
         match &self.organisation {
             Organisation::Spatial(spatial) => Some(spatial),
-            Organisation::Sequential => None,
+            Organisation::Sequential | Organisation::Overlapped => None,
         }
     }
 
@@ -102,14 +112,21 @@ impl Machine {
 
     /// Groups that are taken in so many clocks, in the steady state.
     pub fn rate(&self) -> Rate {
+        if let Some(program) = self.overlap_program() {
+            return Rate {
+                groups: program.groups as u32,
+                clocks: program.interval,
+            };
+        }
         let clocks = self
             .microprogram()
             .map_or(1, |program| program.initiation_interval());
         Rate { groups: 1, clocks }
     }
 
-    /// Clocks for a whole workload with no waiting, `groups` counted over all queries; none for a
-    /// machine that tests several queries at once, where it depends on who shares photons.
+    /// Clocks for a whole workload with no waiting, `groups` counted over all queries; none where
+    /// it depends on more: on who shares photons where several queries are tested at once, on the
+    /// groups of each query where units overlap.
     pub fn workload_clocks(&self, queries: u64, groups: u64) -> Option<u64> {
         match (self.microprogram(), self.spatial()) {
             (Some(program), _) => Some(program.workload_clocks(queries, groups)),
@@ -295,57 +312,58 @@ pub const MACHINES: &[Machine] = &[
     Machine {
         name: "paper",
         summary: "Ryu, Kim, Lee: 16 cells on a 4-D hypercube, squarers for LUTs",
+        organisation: Organisation::Sequential,
         dimension: 4,
         numbers: plain(8),
         squarer: Squarer::Digits,
-        organisation: Organisation::Sequential,
     },
     Machine {
         name: "paper-dsp",
         summary: "the same, squarers for DSP blocks",
+        organisation: Organisation::Sequential,
         dimension: 4,
         numbers: plain(8),
         squarer: Squarer::Product,
-        organisation: Organisation::Sequential,
     },
     Machine {
         name: "paper-12",
         summary: "the same with 12-bit coordinates",
+        organisation: Organisation::Sequential,
         dimension: 4,
         numbers: plain(12),
         squarer: Squarer::Digits,
-        organisation: Organisation::Sequential,
     },
     Machine {
         name: "paper-5d",
         summary: "32 cells on a 5-D hypercube: 8 photons an iteration",
+        organisation: Organisation::Sequential,
         dimension: 5,
         numbers: plain(8),
         squarer: Squarer::Digits,
-        organisation: Organisation::Sequential,
     },
     Machine {
         name: "local",
         summary: "16 cells, numbers relative to the search radius: the default photon format",
+        organisation: Organisation::Sequential,
         dimension: 4,
         numbers: Numbers::Local(PHOTON_FORMATS[0]),
         squarer: Squarer::Digits,
-        organisation: Organisation::Sequential,
     },
     Machine {
         name: "local-half",
         summary: "the same, queries on half steps: the widest photon format that is built",
+        organisation: Organisation::Sequential,
         dimension: 4,
         numbers: Numbers::Local(PhotonFormat {
             query_extra_bits: 1,
             ..PHOTON_FORMATS[0]
         }),
         squarer: Squarer::Digits,
-        organisation: Organisation::Sequential,
     },
     Machine {
         name: "fit-cornell",
         summary: "16 cells, the photon format that `fit` finds for the scene cornell",
+        organisation: Organisation::Sequential,
         dimension: 4,
         numbers: Numbers::Local(PhotonFormat {
             position_bits: 6,
@@ -359,11 +377,11 @@ pub const MACHINES: &[Machine] = &[
             max_photons: 1 << 12,
         }),
         squarer: Squarer::Digits,
-        organisation: Organisation::Sequential,
     },
     Machine {
         name: "fit-ring",
         summary: "16 cells, the photon format that `fit` finds for the scene ring",
+        organisation: Organisation::Sequential,
         dimension: 4,
         numbers: Numbers::Local(PhotonFormat {
             position_bits: 7,
@@ -377,11 +395,11 @@ pub const MACHINES: &[Machine] = &[
             max_photons: 1 << 13,
         }),
         squarer: Squarer::Digits,
-        organisation: Organisation::Sequential,
     },
     Machine {
         name: "fit-range",
         summary: "16 cells, the photon format that `fit` finds for the scene range",
+        organisation: Organisation::Sequential,
         dimension: 4,
         numbers: Numbers::Local(PhotonFormat {
             position_bits: 6,
@@ -395,7 +413,6 @@ pub const MACHINES: &[Machine] = &[
             max_photons: 1 << 14,
         }),
         squarer: Squarer::Digits,
-        organisation: Organisation::Sequential,
     },
     Machine {
         name: "stream",
@@ -418,6 +435,14 @@ pub const MACHINES: &[Machine] = &[
             squarers: &[],
             memory_groups: 0,
         }),
+    },
+    Machine {
+        name: "overlap",
+        summary: "the paper's 16 cells with all units at work: a modulo-scheduled kernel",
+        organisation: Organisation::Overlapped,
+        dimension: 4,
+        numbers: plain(8),
+        squarer: Squarer::Digits,
     },
     tile("tile-4", "one engine of a tile, to measure by", 0),
     tile(
@@ -511,9 +536,20 @@ mod tests {
     fn every_named_machine_runs_a_legal_program_in_a_frame_that_holds_it() {
         for machine in MACHINES {
             assert_eq!(find_machine(machine.name), Ok(machine));
-            if let Some(program) = machine.microprogram() {
-                let verdict = check_schedule(&program, machine.hypercube());
-                assert_eq!(verdict, Ok(()), "{}", machine.name);
+            match &machine.organisation {
+                Organisation::Sequential => {
+                    let program = machine.microprogram().unwrap();
+                    let verdict = check_schedule(&program, machine.hypercube());
+                    assert_eq!(verdict, Ok(()), "{}", machine.name);
+                }
+                Organisation::Overlapped => {
+                    let program = machine.overlap_program().unwrap();
+                    let verdict = overlap::check_program(&program);
+                    assert_eq!(verdict, Ok(()), "{}", machine.name);
+                }
+                Organisation::Spatial(spatial) => {
+                    assert_eq!(spatial.check(machine), Ok(()), "{}", machine.name);
+                }
             }
             assert_eq!(
                 Machine::FRAME_BLOCKS << machine.position_bits(),

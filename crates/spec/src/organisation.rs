@@ -7,6 +7,8 @@ use crate::spatial::Spatial;
 pub enum Organisation {
     /// The paper's: all cells do one instruction a clock, each one unit at a time.
     Sequential,
+    /// All units at the same time, by a modulo schedule; see [`crate::overlap`].
+    Overlapped,
     /// Every cell keeps its instruction, and data flows through registers.
     Spatial(Spatial),
 }

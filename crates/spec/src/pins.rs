@@ -6,6 +6,8 @@
 
 use crate::format::{Widths, bits_for};
 use crate::machine::Machine;
+use crate::organisation::Organisation;
+use crate::overlap;
 use crate::register::{REGISTERS, Register};
 use crate::spatial::{
     ENGINE_REGISTERS, EngineRegister, HeadRegister, HeadSizes, Instances, MemoryRegister, Spatial,
@@ -61,6 +63,16 @@ pub enum SignalPlace {
         /// Which of them; see [`Instances`].
         index: usize,
     },
+    /// A register of the control block of a machine whose units overlap, by its index in
+    /// [`overlap::CONTROL_REGISTERS`].
+    OverlapControl(usize),
+    /// A register of a cell of such a machine.
+    OverlapCell {
+        /// The cell's node index.
+        node: usize,
+        /// The register.
+        register: overlap::Register,
+    },
 }
 
 /// The control block's registers: program counter; "the group at work is the query's last"; "the
@@ -88,11 +100,14 @@ impl Pins {
         let widths = Widths::of(machine);
         let mut observed = output_pins(machine, &widths);
         let outputs = observed.len();
-        match machine.spatial() {
-            Some(spatial) => observed.extend(SpatialPins::of(machine, spatial).registers()),
-            None => {
+        match &machine.organisation {
+            Organisation::Sequential => {
                 observed.extend(control_pins(machine));
                 observed.extend(cell_pins(machine, &widths));
+            }
+            Organisation::Overlapped => observed.extend(overlap::pins(machine, &widths)),
+            Organisation::Spatial(spatial) => {
+                observed.extend(SpatialPins::of(machine, spatial).registers());
             }
         }
         Self {

@@ -38,3 +38,33 @@ fn the_papers_control_store() {
 fn the_control_store_of_five_dimensions() {
     insta::assert_snapshot!(disassemble(find_machine("paper-5d").unwrap()));
 }
+
+/// The kernel of the machine whose units overlap, and what each role's control store holds.
+fn overlap_listing() -> String {
+    use photoncube_spec::Role;
+    use photoncube_spec::overlap::{FIELDS, Program};
+    let program = Program::rotated().expect("the scheduler finds it");
+    let mut text = program.to_string();
+    for role in Role::ALL {
+        text += &format!("control store of role {role}:\n");
+        for (address, word) in program.control_words(role).into_iter().enumerate() {
+            let fields = FIELDS.iter().map(|row| (row, row.field.of(word)));
+            let fields = fields.filter(|(_, value)| *value != 0).map(|(row, value)| {
+                if row.width == 1 {
+                    row.name.to_owned()
+                } else {
+                    format!("{}={value:#b}", row.name)
+                }
+            });
+            let fields: Vec<_> = fields.collect();
+            let line = format!("{address:>2}  {word:#08x}  {}", fields.join(" "));
+            text += &format!("{}\n", line.trim_end());
+        }
+    }
+    text
+}
+
+#[test]
+fn the_overlapped_kernel() {
+    insta::assert_snapshot!(overlap_listing());
+}

@@ -1,11 +1,12 @@
 //! `microprogram`: the schedule, its utilisation, and the checker's verdict.
 
+mod overlap;
 mod spatial;
 
 use std::fs;
 use std::path::Path;
 
-use anyhow::{Context, Result, anyhow, bail};
+use anyhow::{Context, Result, anyhow};
 use photoncube_spec::{
     Machine, Microprogram, ScheduleReport, check_schedule, parse_listing, schedule_report,
 };
@@ -39,7 +40,7 @@ pub fn execute(args: &MicroprogramArgs, json: bool) -> Result<()> {
         (Some(path), _, _) => (path.display().to_string(), read(path)?),
         (None, Some(program), _) => (format!("machine {}", machine.name), program),
         (None, None, Some(spatial)) => return spatial::execute(machine, spatial, json),
-        (None, None, None) => bail!("machine `{}` has no listing", machine.name),
+        (None, None, None) => return overlap::execute(machine, json),
     };
     let (report, schedule) = report(machine, source, &program);
     output::print(json, &report, || text(&report, &schedule))?;

@@ -40,7 +40,7 @@ struct Report {
     photons_per_iteration: usize,
     queries_at_once: usize,
     photon_tests_per_clock: f64,
-    /// None where queries share photons.
+    /// None where it depends on more than the totals.
     clocks: Option<u64>,
     /// On emitted Verilog alone: rust-hdl's own simulation is not counted.
     vectors_compared: u64,
@@ -251,7 +251,7 @@ fn text(report: &Report) -> String {
         r.photon_tests,
         r.photon_groups,
         r.clocks.map_or_else(
-            || "as queries share photons".to_owned(),
+            || "depends on the queries".to_owned(),
             |clocks| clocks.to_string()
         ),
         r.initiation_interval,

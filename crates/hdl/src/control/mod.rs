@@ -5,3 +5,4 @@ mod sequencer;
 mod store;
 
 pub(crate) use sequencer::Control;
+pub(crate) use store::ControlStore;

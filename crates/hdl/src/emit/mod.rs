@@ -9,7 +9,7 @@ mod ecp5;
 mod merge;
 mod modules;
 
-use photoncube_spec::{CONTROL_REGISTERS, Machine, Numbers, Pins, Register, SignalPlace};
+use photoncube_spec::{CONTROL_REGISTERS, Machine, Numbers, Pins, Register, SignalPlace, overlap};
 use rust_hdl::prelude::{ModuleDefines, check_all};
 use thiserror::Error;
 
@@ -193,6 +193,15 @@ fn register_path(level: Level, place: SignalPlace) -> String {
         (SignalPlace::Cell { register, .. }, Level::Cell) => cell(register),
         (SignalPlace::Cell { node, register }, _) => format!("cell_{node}.{}", cell(register)),
         (SignalPlace::Control(index), _) => format!("control.{}.q", CONTROL_REGISTERS[index]),
+        (SignalPlace::OverlapCell { register, .. }, Level::Cell) => {
+            format!("{}.q", register.name())
+        }
+        (SignalPlace::OverlapCell { node, register }, _) => {
+            format!("cell_{node}.{}.q", register.name())
+        }
+        (SignalPlace::OverlapControl(index), _) => {
+            format!("control.{}.q", overlap::CONTROL_REGISTERS[index])
+        }
         (SignalPlace::Head { .. } | SignalPlace::Memory { .. } | SignalPlace::Engine { .. }, _) => {
             unreachable!("a spatial machine knows its registers")
         }

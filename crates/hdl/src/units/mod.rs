@@ -7,5 +7,6 @@ mod square;
 mod squarer;
 
 pub(crate) use add::AddUnit;
+pub(crate) use difference::Difference;
 pub(crate) use gate::GateUnit;
 pub(crate) use square::SquareUnit;

@@ -1,0 +1,214 @@
+//! The control block: which control words the cells get in this clock, and the handshakes.
+//!
+//! The words at work stand in registers, and the address is that of the words that come next, so that
+//! no cell waits for the store, and the store does not wait for the streams. A query starts the
+//! kernel at address 0, which goes round until the query's last group has been accumulated; then
+//! comes the epilogue, and past its end the words are 0 until the result is taken and a query comes.
+
+use photoncube_spec::Role;
+use photoncube_spec::overlap::Program;
+use rust_hdl::prelude::*;
+
+use super::decoder::Decoder;
+use crate::control::ControlStore;
+
+/// The control block. `A` address bits, `D` drain bits, `W` control-word bits.
+#[derive(LogicBlock)]
+pub(crate) struct Control<const A: usize, const D: usize, const W: usize> {
+    pub clock: Signal<In, Clock>,
+    pub reset: Signal<In, Bit>,
+    pub query_valid: Signal<In, Bit>,
+    pub query_ready: Signal<Out, Bit>,
+    pub group_valid: Signal<In, Bit>,
+    pub group_last: Signal<In, Bit>,
+    pub group_ready: Signal<Out, Bit>,
+    pub result_valid: Signal<Out, Bit>,
+    pub result_ready: Signal<In, Bit>,
+    /// A query can be taken in this clock, whether or not there is one. That spares the way from the
+    /// stream to the registers of all cells.
+    pub write_query: Signal<Out, Bit>,
+    /// A group is taken in this clock.
+    pub group_taken: Signal<Out, Bit>,
+    /// The words at work, for the cells of each role.
+    pub to_x: Signal<Out, Bits<W>>,
+    pub to_y: Signal<Out, Bits<W>>,
+    pub to_z: Signal<Out, Bits<W>>,
+    pub to_d: Signal<Out, Bits<W>>,
+    /// The address of the words that come next.
+    pub address: DFF<Bits<A>>,
+    /// A query is in the machine, at work or with its result.
+    pub occupied: DFF<Bit>,
+    /// Its last group is taken.
+    pub last: DFF<Bit>,
+    /// Clocks since then.
+    pub drain: DFF<Bits<D>>,
+    /// The result waits to be taken.
+    pub done: DFF<Bit>,
+    pub word_x: DFF<Bits<W>>,
+    pub word_y: DFF<Bits<W>>,
+    pub word_z: DFF<Bits<W>>,
+    pub word_d: DFF<Bits<W>>,
+    store_x: ControlStore<A, W>,
+    store_y: ControlStore<A, W>,
+    store_z: ControlStore<A, W>,
+    store_d: ControlStore<A, W>,
+    /// All roles take a group in the same clocks.
+    decoder: Decoder<W>,
+    accepts: Signal<Local, Bit>,
+    takes_query: Signal<Local, Bit>,
+    accepts_group: Signal<Local, Bit>,
+    takes_group: Signal<Local, Bit>,
+    takes_last: Signal<Local, Bit>,
+    drain_ends: Signal<Local, Bit>,
+    drained: Signal<Local, Bit>,
+    kernel_ends: Signal<Local, Bit>,
+    is_at_end: Signal<Local, Bit>,
+    is_at_work: Signal<Local, Bit>,
+    works: Signal<Local, Bit>,
+    fetches: Signal<Local, Bit>,
+    taken: Signal<Local, Bit>,
+    kernel_end: Constant<Bits<A>>,
+    epilogue_address: Constant<Bits<A>>,
+    end_address: Constant<Bits<A>>,
+    drain_end: Constant<Bits<D>>,
+}
+
+impl<const A: usize, const D: usize, const W: usize> Control<A, D, W> {
+    pub fn new(program: &Program) -> Self {
+        let address = |address: u32| Constant::new(u64::from(address).to_bits());
+        let store = |role| ControlStore::new(program.control_words(role));
+        // One clock for the last group to be seen, and two for the epilogue's first words: one to
+        // their address, one out of the store.
+        let drain_end = u64::from(program.drain_clocks - 3);
+        Self {
+            clock: Default::default(),
+            reset: Default::default(),
+            query_valid: Default::default(),
+            query_ready: Default::default(),
+            group_valid: Default::default(),
+            group_last: Default::default(),
+            group_ready: Default::default(),
+            result_valid: Default::default(),
+            result_ready: Default::default(),
+            write_query: Default::default(),
+            group_taken: Default::default(),
+            to_x: Default::default(),
+            to_y: Default::default(),
+            to_z: Default::default(),
+            to_d: Default::default(),
+            address: Default::default(),
+            occupied: Default::default(),
+            last: Default::default(),
+            drain: Default::default(),
+            done: Default::default(),
+            word_x: Default::default(),
+            word_y: Default::default(),
+            word_z: Default::default(),
+            word_d: Default::default(),
+            store_x: store(Role::X),
+            store_y: store(Role::Y),
+            store_z: store(Role::Z),
+            store_d: store(Role::D),
+            decoder: Decoder::new(),
+            accepts: Default::default(),
+            takes_query: Default::default(),
+            accepts_group: Default::default(),
+            takes_group: Default::default(),
+            takes_last: Default::default(),
+            drain_ends: Default::default(),
+            drained: Default::default(),
+            kernel_ends: Default::default(),
+            is_at_end: Default::default(),
+            is_at_work: Default::default(),
+            works: Default::default(),
+            fetches: Default::default(),
+            taken: Default::default(),
+            kernel_end: address(program.epilogue_address() - 1),
+            epilogue_address: address(program.epilogue_address()),
+            end_address: address(program.end_address()),
+            drain_end: Constant::new(drain_end.to_bits()),
+        }
+    }
+}
+
+impl<const A: usize, const D: usize, const W: usize> Logic for Control<A, D, W> {
+    #[hdl_gen]
+    fn update(&mut self) {
+        dff_setup!(
+            self, clock, address, occupied, last, drain, done, word_x, word_y, word_z, word_d
+        );
+        self.decoder.word.next = self.word_x.q.val();
+        self.to_x.next = self.word_x.q.val();
+        self.to_y.next = self.word_y.q.val();
+        self.to_z.next = self.word_z.q.val();
+        self.to_d.next = self.word_d.q.val();
+
+        self.accepts.next = !self.occupied.q.val();
+        self.takes_query.next = self.accepts.val() & self.query_valid.val();
+        self.query_ready.next = self.accepts.val();
+        self.write_query.next = self.accepts.val();
+        self.accepts_group.next = self.decoder.write_power.val() & !self.last.q.val();
+        self.takes_group.next = self.accepts_group.val() & self.group_valid.val();
+        self.takes_last.next = self.takes_group.val() & self.group_last.val();
+        self.group_ready.next = self.accepts_group.val();
+        self.group_taken.next = self.takes_group.val();
+        self.result_valid.next = self.done.q.val();
+
+        if self.last.q.val() {
+            self.drain.d.next = self.drain.q.val() + 1;
+        }
+        if self.takes_last.val() {
+            self.last.d.next = true;
+            self.drain.d.next = 0.into();
+        }
+        self.drain_ends.next = self.drain.q.val() == self.drain_end.val();
+        self.drained.next = self.drain_ends.val() & self.last.q.val();
+        self.kernel_ends.next = self.address.q.val() == self.kernel_end.val();
+        self.is_at_end.next = self.address.q.val() == self.end_address.val();
+
+        self.taken.next = self.done.q.val() & self.result_ready.val();
+        if self.taken.val() {
+            self.done.d.next = false;
+            self.occupied.d.next = false;
+        }
+        self.is_at_work.next = self.occupied.q.val() & !self.done.q.val();
+        self.works.next = self.is_at_work.val() | self.takes_query.val();
+        if self.works.val() {
+            self.occupied.d.next = true;
+            self.address.d.next = self.address.q.val() + 1;
+            if self.kernel_ends.val() {
+                self.address.d.next = 0.into();
+            }
+            if self.drained.val() {
+                self.address.d.next = self.epilogue_address.val();
+                self.last.d.next = false;
+            }
+            if self.is_at_end.val() {
+                self.address.d.next = 0.into();
+                self.done.d.next = true;
+            }
+        }
+        self.store_x.address.next = self.address.q.val();
+        self.store_y.address.next = self.address.q.val();
+        self.store_z.address.next = self.address.q.val();
+        self.store_d.address.next = self.address.q.val();
+        self.fetches.next = self.works.val() & !self.reset.val();
+        self.word_x.d.next = 0.into();
+        self.word_y.d.next = 0.into();
+        self.word_z.d.next = 0.into();
+        self.word_d.d.next = 0.into();
+        if self.fetches.val() {
+            self.word_x.d.next = self.store_x.word.val();
+            self.word_y.d.next = self.store_y.word.val();
+            self.word_z.d.next = self.store_z.word.val();
+            self.word_d.d.next = self.store_d.word.val();
+        }
+        if self.reset.val() {
+            self.address.d.next = 0.into();
+            self.occupied.d.next = false;
+            self.last.d.next = false;
+            self.drain.d.next = 0.into();
+            self.done.d.next = false;
+        }
+    }
+}

@@ -1,0 +1,11 @@
+//! The machine whose units work at the same time; see `photoncube_spec::overlap`.
+
+mod build;
+mod cell;
+mod control;
+mod decoder;
+mod digits;
+mod pinned;
+mod processor;
+
+pub(crate) use build::{BUILT_IN, build};

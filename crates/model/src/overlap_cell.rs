@@ -1,0 +1,155 @@
+//! One cell whose units work at the same time: its registers and what a clock does to them.
+
+use photoncube_spec::overlap::{Op, POWER_WORDS};
+use photoncube_spec::{Axis, Widths};
+
+const WORDS: usize = POWER_WORDS as usize;
+
+/// The registers of one cell; see [`photoncube_spec::overlap::Register`].
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+pub struct OverlapCell {
+    /// `q`: the query's coordinate.
+    pub query: u32,
+    /// `r`: the squared search radius.
+    pub radius_sq: u32,
+    /// `p`: the photon's coordinate.
+    pub photon: u32,
+    /// `|q - p|`.
+    pub magnitude: u32,
+    /// The squares of its base-16 digits, side by side.
+    pub digit_squares: u64,
+    /// The product of its low digit and the lower half of the high one.
+    pub low_product: u64,
+    /// The product of its low digit and the upper half of the high one.
+    pub high_product: u64,
+    /// `v`: the square.
+    pub square: u64,
+    /// `c`: the square of a clock ago.
+    pub addend: u64,
+    /// `b`: what is added next.
+    pub operand: u64,
+    /// `a`: a sum of squares.
+    pub work: u64,
+    /// `t`: a distance.
+    pub distance: u64,
+    /// `f`: the distance of a clock ago is in range.
+    pub in_range: bool,
+    /// `s`: the sum of the query.
+    pub sum: u64,
+    /// `w0`, ...: powers.
+    pub power: [u64; WORDS],
+    /// Whether there is a photon to each.
+    pub present: [bool; WORDS],
+}
+
+/// What stands at a cell's ports in one clock.
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+pub struct CellPorts {
+    /// The query's coordinate.
+    pub query: u32,
+    /// The query's squared search radius.
+    pub radius_sq: u32,
+    /// The photon's coordinate.
+    pub photon: u32,
+    /// The photon's power in the cell's channel.
+    pub power: u64,
+    /// A group is taken and has a photon for this quad.
+    pub present: bool,
+}
+
+impl OverlapCell {
+    /// One clock with the ops that write at its end. `neighbour` gives the cell across an axis, as
+    /// it was before the clock.
+    pub(crate) fn clock<'a>(
+        &mut self,
+        ops: &[Op],
+        ports: &CellPorts,
+        neighbour: impl Fn(Axis) -> &'a Self,
+        widths: &Widths,
+    ) {
+        let old = *self;
+        let (high, low) = (u64::from(old.magnitude) / 16, u64::from(old.magnitude) % 16);
+        self.magnitude = old.query.abs_diff(old.photon);
+        self.digit_squares = 256 * high * high + low * low;
+        self.low_product = low * (high % 4);
+        self.high_product = low * (high / 4);
+        self.addend = old.square;
+        self.operand = 0;
+        self.in_range = old.distance <= u64::from(old.radius_sq);
+        for &op in ops {
+            match op {
+                // Done in every clock.
+                Op::Compare => {}
+                Op::LoadPhoton => self.photon = ports.photon,
+                Op::LoadPower => {
+                    self.power[0] = ports.power;
+                    self.present[0] = ports.present;
+                }
+                Op::MovePower(place) => {
+                    let place = usize::from(place);
+                    self.power[place] = old.power[place - 1];
+                    self.present[place] = old.present[place - 1];
+                }
+                Op::SquareDifference => {
+                    self.square = old.digit_squares + 32 * old.low_product + 128 * old.high_product;
+                }
+                Op::Receive(axis) => self.operand = neighbour(axis).sent(axis),
+                Op::Gate => self.operand = old.gated(),
+                Op::Add => self.work = (old.addend + old.operand) % (1 << widths.work),
+                Op::Accumulate => self.sum = (old.sum + old.operand) % (1 << widths.sum),
+                Op::Keep(None) => self.distance = old.work,
+                Op::Keep(Some(axis)) => self.distance = neighbour(axis).work,
+                Op::Relay => self.distance = neighbour(Axis::W).distance,
+            }
+        }
+    }
+
+    /// Takes what stands on the query's pins, whether or not it is one: what comes last is. Nothing
+    /// that is still on its way belongs to it.
+    pub(crate) fn take_query(&mut self, ports: &CellPorts) {
+        self.query = ports.query;
+        self.radius_sq = ports.radius_sq;
+        self.sum = 0;
+        self.present = [false; WORDS];
+    }
+
+    /// The operand that the cell has for its neighbour on an axis.
+    fn sent(&self, axis: Axis) -> u64 {
+        match axis {
+            Axis::Z => self.square,
+            Axis::W => self.work,
+            _ => self.sum,
+        }
+    }
+
+    fn gated(&self) -> u64 {
+        if self.in_range && self.present[WORDS - 1] {
+            self.power[WORDS - 1]
+        } else {
+            0
+        }
+    }
+
+    /// The registers as numbers, in the order of [`photoncube_spec::overlap::Register::all`].
+    pub(crate) fn registers(&self) -> impl Iterator<Item = u64> {
+        let fixed = [
+            u64::from(self.query),
+            u64::from(self.radius_sq),
+            u64::from(self.photon),
+            u64::from(self.magnitude),
+            self.digit_squares,
+            self.low_product,
+            self.high_product,
+            self.square,
+            self.addend,
+            self.operand,
+            self.work,
+            self.distance,
+            u64::from(self.in_range),
+            self.sum,
+        ];
+        let queue = self.power.iter().zip(&self.present);
+        let queue = queue.flat_map(|(&power, &present)| [power, u64::from(present)]);
+        fixed.into_iter().chain(queue)
+    }
+}

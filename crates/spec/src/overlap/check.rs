@@ -1,0 +1,452 @@
+//! The checker: what kind of value every register of a quad holds, clock by clock, over whole
+//! queries, with iterations on top of each other as in the machine.
+//!
+//! It knows nothing of the scheduler and of its graph, only what must have happened before each op,
+//! and it is the oracle for the program that model and HDL both read.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::content::{ALL_SQUARES, Content};
+use super::error::{Place, ProgramError};
+use super::op::{Op, Unit};
+use super::program::{KernelOp, Program};
+use super::register::{POWER_WORDS, Register};
+use crate::hypercube::{Axis, Hypercube, Role};
+
+/// Checks a program: one op for each unit, one writer for each register and one word for each link
+/// and clock; every operand of the right group, complete, and not overwritten before it is read; and
+/// at the end of a query in every node the sum of all its groups, each once, across the photon axes.
+/// Queries of one group up to some more than the kernel has in flight are run, without a gap and
+/// with gaps.
+///
+/// # Errors
+/// The first violation, with its clock and node.
+pub fn check_program(program: &Program) -> Result<(), ProgramError> {
+    check_takes(program)?;
+    let in_flight = program.stages() as usize * program.groups;
+    // The longest first: what comes over a word is then another group, and is named.
+    for groups in (1..=in_flight + program.groups + 1).rev() {
+        // The last group is there by definition: its turn, the first, is that of no gap.
+        for missing in (0..groups).rev() {
+            let is_there = |slot| slot == groups - 1 || slot != missing;
+            Query::run(program, (0..groups).map(is_there).collect())?;
+        }
+        let every_third = |slot| (groups - 1 - slot) % 3 == 0;
+        Query::run(program, (0..groups).map(every_third).collect())?;
+    }
+    Ok(())
+}
+
+/// A group stands on the pins for all nodes at once.
+fn check_takes(program: &Program) -> Result<(), ProgramError> {
+    for op in &program.kernel {
+        if op.clock >= program.interval {
+            return Err(ProgramError::NoSuchClock {
+                place: place("kernel", 0, op.clock, op.role, op.op),
+                clock: op.clock,
+                interval: program.interval,
+            });
+        }
+    }
+    for group in 0..program.groups {
+        let clock = program.take_clock(group);
+        for role in Role::ALL {
+            let is_take = |op: &&KernelOp| op.op == Op::LoadPower && op.group == group;
+            let mut takes = program.kernel.iter().filter(is_take);
+            if !takes.any(|op| (op.role, op.clock, op.stage) == (role, clock, 0)) {
+                let node = node(role);
+                return Err(ProgramError::NotTaken { clock, node });
+            }
+        }
+    }
+    Ok(())
+}
+
+fn node(role: Role) -> usize {
+    Hypercube::new(Hypercube::MIN_DIMENSION).result_node(role)
+}
+
+fn place(phase: &'static str, pass: u32, clock: u32, role: Role, op: Op) -> Box<Place> {
+    Box::new(Place {
+        phase,
+        pass,
+        clock,
+        node: node(role),
+        op: op.to_string(),
+    })
+}
+
+type Cell = BTreeMap<Register, Content>;
+
+/// An op that starts in this clock.
+#[derive(Clone)]
+struct Start {
+    place: Box<Place>,
+    role: Role,
+    op: Op,
+    /// The group that it must work on, if it is there.
+    group: Option<u32>,
+}
+
+/// A result on its way.
+struct Arriving {
+    /// The clock that ends with the write.
+    clock: u32,
+    start: Start,
+    content: Content,
+}
+
+/// A query in the machine.
+struct Query<'a> {
+    program: &'a Program,
+    /// Whether there is a group, in each clock in which one can be taken; the last is there.
+    slots: Vec<bool>,
+    /// The cells of the quad, by role.
+    cells: [Cell; 4],
+    results: Vec<Arriving>,
+}
+
+impl<'a> Query<'a> {
+    fn run(program: &'a Program, slots: Vec<bool>) -> Result<(), ProgramError> {
+        let mut query = Self {
+            program,
+            slots,
+            cells: [(); 4].map(|()| loaded_cell()),
+            results: Vec::new(),
+        };
+        let last = query.slots.len() - 1;
+        let pass = (last / program.groups) as u32;
+        let taken = pass * program.interval + program.take_clock(last % program.groups);
+        for clock in 0..taken + program.drain_clocks {
+            query.clock(clock, query.kernel_starts(clock))?;
+        }
+        // What is still on its way is not written: its control word does not come.
+        query.results.clear();
+        for clock in 0..program.epilogue_clocks() {
+            query.clock(clock, query.epilogue_starts(clock))?;
+        }
+        query.check_sums()
+    }
+
+    fn kernel_starts(&self, clock: u32) -> Vec<Start> {
+        let (pass, clock) = (clock / self.program.interval, clock % self.program.interval);
+        let ops = self.program.kernel.iter().filter(|op| op.clock == clock);
+        ops.map(|op| Start {
+            place: place("kernel", pass, clock, op.role, op.op),
+            role: op.role,
+            op: op.op,
+            group: self.group(pass, op),
+        })
+        .collect()
+    }
+
+    /// The group that an op of this pass is for, if there is one.
+    fn group(&self, pass: u32, op: &KernelOp) -> Option<u32> {
+        let iteration = pass.checked_sub(op.stage)?;
+        let slot = iteration as usize * self.program.groups + op.group;
+        let there = self.slots.get(slot).copied().unwrap_or(false);
+        there.then_some(slot as u32)
+    }
+
+    fn epilogue_starts(&self, clock: u32) -> Vec<Start> {
+        let ops = self.program.epilogue.iter().filter(|op| op.clock == clock);
+        ops.flat_map(|op| {
+            Role::ALL.map(|role| Start {
+                place: place("epilogue", 0, clock, role, op.op),
+                role,
+                op: op.op,
+                group: None,
+            })
+        })
+        .collect()
+    }
+
+    fn clock(&mut self, clock: u32, starts: Vec<Start>) -> Result<(), ProgramError> {
+        check_units_and_links(&starts)?;
+        for start in starts {
+            let content = self.result(&start)?;
+            let clock = clock + start.op.row().latency - 1;
+            self.results.push(Arriving {
+                clock,
+                start,
+                content,
+            });
+        }
+        self.write(clock)
+    }
+
+    /// The clock edge.
+    fn write(&mut self, clock: u32) -> Result<(), ProgramError> {
+        for cell in &mut self.cells {
+            let square = cell[&Register::Square].clone();
+            cell.insert(Register::Addend, square);
+            cell.insert(Register::Operand, Content::Nothing);
+            cell.insert(Register::InRange, Content::Stale);
+        }
+        let (now, later): (Vec<_>, Vec<_>) = std::mem::take(&mut self.results)
+            .into_iter()
+            .partition(|result| result.clock == clock);
+        self.results = later;
+        let mut written = BTreeMap::new();
+        for Arriving { start, content, .. } in now {
+            let register = start.op.write();
+            if let Some(other) = written.insert((start.role, register), start.op) {
+                return Err(conflict(
+                    &start,
+                    other,
+                    format!("write {}", register.mnemonic()),
+                ));
+            }
+            self.cells[start.role as usize].insert(register, content);
+        }
+        Ok(())
+    }
+
+    fn result(&self, start: &Start) -> Result<Content, ProgramError> {
+        if start.place.phase == "epilogue" {
+            return self.crossing(start);
+        }
+        match start.op {
+            Op::Receive(Axis::X | Axis::Y) => Err(ProgramError::WrongPhase {
+                place: start.place.clone(),
+            }),
+            Op::MovePower(_) => self.moved(start),
+            Op::Gate => self.gated(start),
+            Op::Accumulate => self.accumulated(start),
+            _ => match start.group {
+                Some(group) => self.of_group(start, group),
+                None if start.op == Op::LoadPower => Ok(Content::Nothing),
+                None => Ok(Content::Stale),
+            },
+        }
+    }
+
+    /// The result of an op that leaves no trace by itself.
+    fn of_group(&self, start: &Start, group: u32) -> Result<Content, ProgramError> {
+        let coordinate = start.role.coordinate().unwrap_or(2);
+        let complete = Content::Squares(ALL_SQUARES, group);
+        match start.op {
+            Op::LoadPhoton => Ok(Content::Coordinate(coordinate, group)),
+            Op::LoadPower => Ok(Content::Power(group)),
+            Op::SquareDifference => {
+                self.expect(start, Register::Query, None, Content::Query)?;
+                let photon = Content::Coordinate(coordinate, group);
+                self.expect(start, Register::Photon, None, photon)?;
+                Ok(Content::Squares(1 << coordinate, group))
+            }
+            Op::Receive(axis) => {
+                let own = self.squares(start, Register::Square, None, group, 0)?;
+                let register = start.op.reads()[1].register;
+                let other = self.squares(start, register, Some(axis), group, own)?;
+                Ok(Content::Squares(other, group))
+            }
+            Op::Add => {
+                let own = self.squares(start, Register::Addend, None, group, 0)?;
+                let other = self.squares(start, Register::Operand, None, group, own)?;
+                Ok(Content::Squares(own | other, group))
+            }
+            Op::Keep(axis) => self.expect(start, Register::Work, axis, complete),
+            Op::Compare => {
+                self.expect(start, Register::RadiusSq, None, Content::Query)?;
+                self.expect(start, Register::Distance, None, complete)?;
+                Ok(Content::InRange(group))
+            }
+            Op::Relay => self.expect(start, Register::Distance, Some(Axis::W), complete),
+            _ => unreachable!("has its own rule"),
+        }
+    }
+
+    /// Squares of the group, none of which is in `others` too.
+    fn squares(
+        &self,
+        start: &Start,
+        register: Register,
+        across: Option<Axis>,
+        group: u32,
+        others: u32,
+    ) -> Result<u32, ProgramError> {
+        match self.read(start, register, across) {
+            (_, &Content::Squares(set, of)) if of == group && set & others == 0 => Ok(set),
+            _ => {
+                let expected = match others {
+                    0 => format!("squares of group {group}"),
+                    _ => format!("squares other than {}", Content::Squares(others, group)),
+                };
+                Err(self.precedence(start, register, across, expected))
+            }
+        }
+    }
+
+    /// A power, or its absence.
+    fn moved(&self, start: &Start) -> Result<Content, ProgramError> {
+        let register = start.op.reads()[0].register;
+        match start.group {
+            Some(group) => self.expect(start, register, None, Content::Power(group)),
+            None => Ok(self.read(start, register, None).1.clone()),
+        }
+    }
+
+    fn gated(&self, start: &Start) -> Result<Content, ProgramError> {
+        let power = Register::Power(POWER_WORDS - 1);
+        let Some(group) = start.group else {
+            return self.expect(start, power, None, Content::Nothing);
+        };
+        self.expect(start, power, None, Content::Power(group))?;
+        self.expect(start, Register::InRange, None, Content::InRange(group))?;
+        Ok(Content::Gated(group))
+    }
+
+    fn accumulated(&self, start: &Start) -> Result<Content, ProgramError> {
+        let (_, sum) = self.read(start, Register::Sum, None);
+        let Some(group) = start.group else {
+            self.expect(start, Register::Operand, None, Content::Nothing)?;
+            return Ok(sum.clone());
+        };
+        self.expect(start, Register::Operand, None, Content::Gated(group))?;
+        match sum {
+            Content::Sum(groups, 0) if !groups.contains(&group) => {
+                let mut groups = groups.clone();
+                groups.insert(group);
+                Ok(Content::Sum(groups, 0))
+            }
+            _ => {
+                let expected = format!("a sum without group {group}");
+                Err(self.precedence(start, Register::Sum, None, expected))
+            }
+        }
+    }
+
+    /// All quads do the same, so the neighbour on a photon axis holds what the cell itself holds.
+    fn crossing(&self, start: &Start) -> Result<Content, ProgramError> {
+        let (_, sum) = self.read(start, Register::Sum, None);
+        let Content::Sum(groups, axes) = sum else {
+            let expected = "the sum of the query".to_owned();
+            return Err(self.precedence(start, Register::Sum, None, expected));
+        };
+        match start.op {
+            Op::Receive(axis @ (Axis::X | Axis::Y)) if axes & (1 << axis.bit()) == 0 => {
+                Ok(Content::SumAcross(axis, groups.clone(), *axes))
+            }
+            Op::Accumulate => match self.read(start, Register::Operand, None).1 {
+                Content::SumAcross(axis, g, a) if (g, a) == (groups, axes) => {
+                    Ok(Content::Sum(groups.clone(), axes | (1 << axis.bit())))
+                }
+                _ => {
+                    let expected = format!("{sum}, from a neighbour");
+                    Err(self.precedence(start, Register::Operand, None, expected))
+                }
+            },
+            _ => Err(ProgramError::WrongPhase {
+                place: start.place.clone(),
+            }),
+        }
+    }
+
+    /// The register's holder and what it holds.
+    fn read(&self, start: &Start, register: Register, across: Option<Axis>) -> (Role, &Content) {
+        let holder = across.map_or(start.role, |axis| start.role.across(axis));
+        (holder, &self.cells[holder as usize][&register])
+    }
+
+    fn expect(
+        &self,
+        start: &Start,
+        register: Register,
+        across: Option<Axis>,
+        expected: Content,
+    ) -> Result<Content, ProgramError> {
+        if *self.read(start, register, across).1 == expected {
+            return Ok(expected);
+        }
+        Err(self.precedence(start, register, across, expected.to_string()))
+    }
+
+    fn precedence(
+        &self,
+        start: &Start,
+        register: Register,
+        across: Option<Axis>,
+        expected: String,
+    ) -> ProgramError {
+        let (holder, found) = self.read(start, register, across);
+        ProgramError::Precedence {
+            place: start.place.clone(),
+            register: register.mnemonic(),
+            holder: node(holder),
+            found: found.clone(),
+            expected,
+        }
+    }
+
+    fn check_sums(&self) -> Result<(), ProgramError> {
+        let there = (0..).zip(&self.slots).filter(|(_, there)| **there);
+        let groups: BTreeSet<u32> = there.map(|(slot, _)| slot).collect();
+        let axes = (1 << Axis::X.bit()) | (1 << Axis::Y.bit());
+        let expected = Content::Sum(groups, axes);
+        for role in Role::ALL {
+            let found = &self.cells[role as usize][&Register::Sum];
+            if *found != expected {
+                return Err(ProgramError::Incomplete {
+                    groups: self.slots.iter().filter(|there| **there).count(),
+                    node: node(role),
+                    found: found.clone(),
+                    expected,
+                });
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A cell that has just taken a query.
+fn loaded_cell() -> Cell {
+    let content = |register| match register {
+        Register::Query | Register::RadiusSq => Content::Query,
+        Register::Sum => Content::Sum(BTreeSet::new(), 0),
+        Register::Operand | Register::Power(_) => Content::Nothing,
+        _ => Content::Stale,
+    };
+    Register::all()
+        .map(|register| (register, content(register)))
+        .collect()
+}
+
+fn check_units_and_links(starts: &[Start]) -> Result<(), ProgramError> {
+    let mut units: BTreeMap<(Role, Unit), Op> = BTreeMap::new();
+    let mut links: BTreeMap<(Role, Axis), Register> = BTreeMap::new();
+    for start in starts {
+        if let Some(unit) = start.op.row().unit
+            && let Some(other) = units.insert((start.role, unit), start.op)
+        {
+            return Err(conflict(start, other, format!("need the {unit} unit")));
+        }
+        let across = start.op.reads().into_iter();
+        for (read, axis) in across.filter_map(|read| Some((read, read.across?))) {
+            let sender = start.role.across(axis);
+            // On a photon axis the sender is the same role of another quad.
+            let other = links.insert((sender, axis), read.register);
+            if let Some(other) = other.filter(|other| *other != read.register) {
+                return Err(ProgramError::Link {
+                    place: start.place.clone(),
+                    sender: node(sender),
+                    axis,
+                    register: read.register.mnemonic(),
+                    other: other.mnemonic(),
+                });
+            }
+        }
+    }
+    Ok(())
+}
+
+fn conflict(start: &Start, other: Op, what: String) -> ProgramError {
+    ProgramError::Conflict {
+        place: start.place.clone(),
+        other: other.to_string(),
+        what,
+    }
+}
+
+#[cfg(test)]
+#[path = "check_tests.rs"]
+mod tests;

@@ -1,0 +1,104 @@
+//! The listing of a program, for people.
+//!
+//! A line is what one cell of a quad does in one clock of the kernel, unit by unit. `b3` is the
+//! second group of the iteration that began three passes ago.
+
+use std::fmt;
+
+use super::op::Op;
+use super::program::{KernelOp, Program};
+use crate::hypercube::Role;
+
+/// A column of the listing.
+struct Column {
+    title: &'static str,
+    shows: fn(Op) -> bool,
+}
+
+const COLUMNS: &[Column] = &[
+    Column {
+        title: "photon",
+        shows: |op| op == Op::LoadPhoton,
+    },
+    Column {
+        title: "square",
+        shows: |op| op == Op::SquareDifference,
+    },
+    Column {
+        title: "gate",
+        shows: |op| op == Op::Compare,
+    },
+    Column {
+        title: "operand",
+        shows: |op| matches!(op, Op::Receive(_) | Op::Gate),
+    },
+    Column {
+        title: "adder",
+        shows: |op| matches!(op, Op::Add | Op::Accumulate),
+    },
+    Column {
+        title: "distance",
+        shows: |op| matches!(op, Op::Keep(_) | Op::Relay),
+    },
+    Column {
+        title: "power: word of the queue, and whose",
+        shows: |op| matches!(op, Op::LoadPower | Op::MovePower(_)),
+    },
+];
+
+impl fmt::Display for Program {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(
+            f,
+            "kernel, {} clocks for {} groups:",
+            self.interval, self.groups
+        )?;
+        let titles = COLUMNS.iter().map(|column| column.title.to_owned());
+        line(f, "clock", "cell", titles)?;
+        for clock in 0..self.interval {
+            for role in Role::ALL {
+                let cells = COLUMNS.iter().map(|column| self.entry(clock, role, column));
+                let clock = match role {
+                    Role::X => clock.to_string(),
+                    _ => String::new(),
+                };
+                line(f, &clock, role.name(), cells)?;
+            }
+        }
+        writeln!(f, "epilogue, {} clocks:", self.epilogue_clocks())?;
+        for op in &self.epilogue {
+            writeln!(f, "{:>5}  all   {}", op.clock, op.op)?;
+        }
+        Ok(())
+    }
+}
+
+impl Program {
+    fn entry(&self, clock: u32, role: Role, column: &Column) -> String {
+        let here = |op: &&KernelOp| op.clock == clock && op.role == role && (column.shows)(op.op);
+        let entries: Vec<_> = self.kernel.iter().filter(here).map(entry).collect();
+        entries.join(" ")
+    }
+}
+
+/// The queue's words go by their number, everything else by its mnemonic.
+fn entry(op: &KernelOp) -> String {
+    let letter = char::from(b'a' + op.group as u8);
+    let of = format!("{letter}{}", op.stage);
+    match op.op {
+        Op::LoadPower => format!("0:{of}"),
+        Op::MovePower(place) => format!("{place}:{of}"),
+        other => format!("{other} {of}"),
+    }
+}
+
+fn line(
+    f: &mut fmt::Formatter<'_>,
+    clock: &str,
+    role: &str,
+    cells: impl Iterator<Item = String>,
+) -> fmt::Result {
+    let cells: String = cells.map(|cell| format!("{cell:<10}")).collect();
+    let text = format!("{clock:>5}  {role:<5} {cells}");
+    writeln!(f, "{}", text.trim_end())
+}
