@@ -113,10 +113,10 @@ impl OverlapMachine {
         next.at_work = (now.address < end).then_some(now.address);
         if now.address == end {
             next.address = 0;
+            next.last = false;
             next.done = true;
         } else if now.last && now.drain + 3 == self.program.drain_clocks {
             next.address = epilogue;
-            next.last = false;
         } else if now.address + 1 == epilogue {
             next.address = 0;
         } else {

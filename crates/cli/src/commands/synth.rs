@@ -52,6 +52,7 @@ struct CheckReport {
     out: String,
     checked: bool,
     stale: Vec<String>,
+    not_placed: Vec<&'static str>,
 }
 
 /// Measures, or checks what was measured.
@@ -94,13 +95,18 @@ fn check(args: &SynthArgs, subjects: &[Subject], json: bool) -> Result<()> {
         out: args.out.display().to_string(),
         checked: true,
         stale: figures::faults(&args.out, subjects, args.machines.is_empty())?,
+        not_placed: figures::not_placed(&args.out, subjects)?,
     };
     output::print(json, &report, || {
         format!(
-            "checked the figures of {} machines in {}: {} stale\n",
+            "checked the figures of {} machines in {}: {} stale; not placed: {}\n",
             report.machines.len(),
             report.out,
-            report.stale.len()
+            report.stale.len(),
+            match report.not_placed.as_slice() {
+                [] => "none".to_owned(),
+                names => names.join(", "),
+            }
         )
     })?;
     if report.stale.is_empty() {

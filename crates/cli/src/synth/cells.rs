@@ -82,6 +82,8 @@ const CELLS: &[(&str, Option<Figure>)] = &[
     ("altsyncram", Some(Figure::BlockRam)),
     // Yosys's bookkeeping.
     ("$scopeinfo", None),
+    // An inverter that the mapping to MAX 10 leaves as it is.
+    ("$not", Some(Figure::LogicCells)),
 ];
 
 /// The ALUT that fills an adaptive logic module of Cyclone V; of the others it holds two.

@@ -6,6 +6,7 @@ use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
+use photoncube_spec::Machine;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
@@ -278,7 +279,10 @@ impl<R: Row> Figured<R> {
         for subject in subjects {
             let name = subject.machine.name;
             match self.verilog_sha256.get(name) {
-                None => faults.push(format!("{name} is not measured")),
+                None if expected.iter().any(|group| group.machine == name) => {
+                    faults.push(format!("{name} is not measured"));
+                }
+                None => {}
                 Some(digest) if *digest != subject.verilog_sha256 => {
                     faults.push(format!("{name} was measured with other Verilog"));
                 }
@@ -305,16 +309,36 @@ impl<R: Row> Figured<R> {
     }
 }
 
+/// A chain of engines takes up to an hour to place, and minutes in the flows of other devices, where
+/// its engines are those of `tile-4`: it is measured on its own device, and placed where someone has
+/// the time.
+fn is_chain(machine: &Machine) -> bool {
+    machine.queries_at_once() > 1
+}
+
+fn expected_areas(machine: &Machine) -> Vec<Group> {
+    let own = Flow::to_place(machine);
+    let flows = Flow::all().filter(|&flow| flow == own || !is_chain(machine));
+    flows.map(|flow| Group::area(machine.name, flow)).collect()
+}
+
+/// The machines of which `place.json` has no row.
+pub fn not_placed(folder: &Path, subjects: &[Subject]) -> Result<Vec<&'static str>> {
+    let rows = Figured::<PlaceRow>::read(folder)?.map_or(Vec::new(), |file| file.rows);
+    let names = subjects.iter().map(|subject| subject.machine.name);
+    let is_placed = |name: &&str| rows.iter().any(|row| row.machine == *name);
+    Ok(names.filter(|name| !is_placed(name)).collect())
+}
+
 /// What is wrong with the files of a folder; nothing is if they are about these machines, with every
 /// flow and grade, measured as this program would.
 pub fn faults(folder: &Path, subjects: &[Subject], all: bool) -> Result<Vec<String>> {
     let mut faults = Vec::new();
-    let names = || subjects.iter().map(|subject| subject.machine.name);
     match Figured::<AreaRow>::read(folder)? {
         None => faults.push(format!("{} is missing", AreaRow::FILE)),
         Some(file) => {
-            let expected = names().flat_map(|name| Flow::all().map(|flow| Group::area(name, flow)));
-            let expected: Vec<_> = expected.collect();
+            let machines = subjects.iter().map(|subject| subject.machine);
+            let expected: Vec<_> = machines.flat_map(expected_areas).collect();
             faults.extend(file.faults(&expected, subjects, all));
             if file.setting != AreaSetting::new(&file.setting.tool_versions) {
                 faults.push(format!("{}: its scripts are not today's", AreaRow::FILE));
@@ -324,8 +348,10 @@ pub fn faults(folder: &Path, subjects: &[Subject], all: bool) -> Result<Vec<Stri
     match Figured::<PlaceRow>::read(folder)? {
         None => faults.push(format!("{} is missing", PlaceRow::FILE)),
         Some(file) => {
-            let expected =
-                names().flat_map(|name| DEFAULT_GRADES.map(|grade| Group::place(name, grade)));
+            let machines = subjects.iter().map(|subject| subject.machine);
+            let placed = machines.filter(|machine| !is_chain(machine));
+            let expected = placed
+                .flat_map(|machine| DEFAULT_GRADES.map(|grade| Group::place(machine.name, grade)));
             let expected: Vec<_> = expected.collect();
             faults.extend(file.faults(&expected, subjects, all));
             let flows = subjects

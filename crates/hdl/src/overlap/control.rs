@@ -181,10 +181,11 @@ impl<const A: usize, const D: usize, const W: usize> Logic for Control<A, D, W> 
             }
             if self.drained.val() {
                 self.address.d.next = self.epilogue_address.val();
-                self.last.d.next = false;
             }
+            // Not before: the kernel's last words, which take groups, are still at work.
             if self.is_at_end.val() {
                 self.address.d.next = 0.into();
+                self.last.d.next = false;
                 self.done.d.next = true;
             }
         }

@@ -18,14 +18,14 @@ struct Report {
     squares_per_engine: usize,
     gates_per_engine: usize,
     adders_per_engine: usize,
-    flow: Vec<Step>,
+    steps: Vec<Step>,
 }
 
 #[derive(Serialize)]
 struct Step {
     clock: u32,
     cells: &'static str,
-    units: &'static str,
+    unit: &'static str,
     step: &'static str,
     registered: bool,
 }
@@ -49,11 +49,11 @@ fn report(machine: &'static Machine, spatial: &Spatial) -> Report {
         squares_per_engine: units.squares,
         gates_per_engine: units.gates,
         adders_per_engine: units.adds(),
-        flow: (spatial.flow().into_iter())
+        steps: (spatial.flow().into_iter())
             .map(|row| Step {
                 clock: row.clock,
                 cells: row.cells,
-                units: row.units,
+                unit: row.units,
                 step: row.step,
                 registered: row.registered,
             })
@@ -68,11 +68,11 @@ fn text(report: &Report) -> String {
             // No register: it happens before that of the clock.
             false => format!("({})", step.clock),
         };
-        [&clock, step.cells, step.units, step.step]
+        [&clock, step.cells, step.unit, step.step]
             .map(str::to_owned)
             .to_vec()
     };
-    let rows: Vec<_> = report.flow.iter().map(row).collect();
+    let rows: Vec<_> = report.steps.iter().map(row).collect();
     format!(
         "machine {}: every cell keeps its instruction; a group's way through an engine\n\n{}\n\
          A clock in parentheses has no register of its own. A group of {} photons enters every\n\
