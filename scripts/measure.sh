@@ -6,18 +6,42 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-if (($# > 0)); then
-    printf 'Usage: scripts/measure.sh\nWrites docs/measured/*.json and docs/cornell.png.\n'
-    [[ $1 == -h || $1 == --help ]] && exit 0
-    exit 2
-fi
+place_chains=0
+case ${1-} in
+    '') ;;
+    --place-chains) place_chains=1 ;;
+    *)
+        printf 'Usage: scripts/measure.sh [--place-chains]\nWrites docs/measured/*.json and docs/cornell.png.\n'
+        printf '  --place-chains  also place the machines of several engines: hours\n'
+        [[ $1 == -h || $1 == --help ]] && exit 0
+        exit 2
+        ;;
+esac
 
 scripts/setup.sh --synthesis
 cargo build --locked --release
-target/release/photoncube synth
+synth=(target/release/photoncube synth --update)
+# Area and clock: of single engines and cells in all flows; of chains of engines on their own device.
+measure_area_and_clock() {
+    case $1 in
+        tile-6-mixed | chip-mixed) flows=(--flow ecp5 --flow ecp5-nodsp) ;;
+        tile-4) flows=() ;;
+        tile-* | chip-*) flows=(--flow ecp5-nodsp) ;;
+        *) flows=() ;;
+    esac
+    "${synth[@]}" --machine "$1" "${flows[@]}"
+    if ((${#flows[@]} > 0 && place_chains)); then
+        "${synth[@]}" --machine "$1" --flow place --grade 8 --seeds 1
+    fi
+}
 for folder in hdl-out/*/; do
     machine=$(basename "$folder")
     printf '\n=== %s\n' "$machine"
+    measure_area_and_clock "$machine"
+    # The engines of longer chains are those of `tile-6`.
+    case $machine in
+        tile-4 | tile-5 | tile-[7-9] | tile-10 | tile-6-mixed | chip-*) continue ;;
+    esac
     # A machine is named `fit-SCENE` after the scene that it is for.
     scene=cornell
     [[ $machine == fit-* ]] && scene=${machine#fit-}

@@ -1050,10 +1050,10 @@ module photoncube_overlap_control(clock, reset, query_valid, query_ready, group_
             end
             if (drained) begin
                 address_d = epilogue_address;
-                last_d = 1'b0;
             end
             if (is_at_end) begin
                 address_d = 32'h0;
+                last_d = 1'b0;
                 done_d = 1'b1;
             end
         end

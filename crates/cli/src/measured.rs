@@ -90,6 +90,9 @@ const RUNS: &[(&str, &str)] = runs![
     "fit-cornell",
     "fit-ring",
     "fit-range",
+    "stream",
+    "overlap",
+    "tile-6",
 ];
 
 #[derive(Deserialize)]
