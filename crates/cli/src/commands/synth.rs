@@ -52,6 +52,7 @@ struct CheckReport {
     out: String,
     checked: bool,
     stale: Vec<String>,
+    not_mapped: Vec<&'static str>,
     not_placed: Vec<&'static str>,
 }
 
@@ -95,18 +96,18 @@ fn check(args: &SynthArgs, subjects: &[Subject], json: bool) -> Result<()> {
         out: args.out.display().to_string(),
         checked: true,
         stale: figures::faults(&args.out, subjects, args.machines.is_empty())?,
-        not_placed: figures::not_placed(&args.out, subjects)?,
+        not_mapped: figures::without::<figures::AreaRow>(&args.out, subjects)?,
+        not_placed: figures::without::<PlaceRow>(&args.out, subjects)?,
     };
     output::print(json, &report, || {
         format!(
-            "checked the figures of {} machines in {}: {} stale; not placed: {}\n",
+            "checked the figures of {} machines in {}: {} stale\n\
+             without an area: {}\nwithout a clock: {}\n",
             report.machines.len(),
             report.out,
             report.stale.len(),
-            match report.not_placed.as_slice() {
-                [] => "none".to_owned(),
-                names => names.join(", "),
-            }
+            named(&report.not_mapped),
+            named(&report.not_placed),
         )
     })?;
     if report.stale.is_empty() {
@@ -119,6 +120,13 @@ fn check(args: &SynthArgs, subjects: &[Subject], json: bool) -> Result<()> {
         report.stale.join("; ")
     ))
     .into())
+}
+
+fn named(machines: &[&str]) -> String {
+    match machines {
+        [] => "none".to_owned(),
+        names => names.join(", "),
+    }
 }
 
 fn measure(args: &SynthArgs, subjects: Vec<Subject>, json: bool) -> Result<()> {

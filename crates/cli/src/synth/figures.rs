@@ -309,25 +309,23 @@ impl<R: Row> Figured<R> {
     }
 }
 
-/// A chain of engines takes up to an hour to place, and minutes in the flows of other devices, where
-/// its engines are those of `tile-4`: it is measured on its own device, and placed where someone has
-/// the time.
+/// A chain of engines takes minutes to map and up to an hour to place, and its engines are those of
+/// `tile-4`: it is measured where someone has the time, and named where nobody had.
 fn is_chain(machine: &Machine) -> bool {
     machine.queries_at_once() > 1
 }
 
 fn expected_areas(machine: &Machine) -> Vec<Group> {
-    let own = Flow::to_place(machine);
-    let flows = Flow::all().filter(|&flow| flow == own || !is_chain(machine));
+    let flows = Flow::all().filter(|_| !is_chain(machine));
     flows.map(|flow| Group::area(machine.name, flow)).collect()
 }
 
-/// The machines of which `place.json` has no row.
-pub fn not_placed(folder: &Path, subjects: &[Subject]) -> Result<Vec<&'static str>> {
-    let rows = Figured::<PlaceRow>::read(folder)?.map_or(Vec::new(), |file| file.rows);
+/// The machines of which a file has no row.
+pub fn without<R: Row>(folder: &Path, subjects: &[Subject]) -> Result<Vec<&'static str>> {
+    let rows = Figured::<R>::read(folder)?.map_or(Vec::new(), |file| file.rows);
     let names = subjects.iter().map(|subject| subject.machine.name);
-    let is_placed = |name: &&str| rows.iter().any(|row| row.machine == *name);
-    Ok(names.filter(|name| !is_placed(name)).collect())
+    let is_there = |name: &&str| rows.iter().any(|row| row.group().machine == *name);
+    Ok(names.filter(|name| !is_there(name)).collect())
 }
 
 /// What is wrong with the files of a folder; nothing is if they are about these machines, with every
