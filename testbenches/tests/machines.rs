@@ -18,15 +18,19 @@ enum Extent {
     Full,
     /// Others of as many cells or a few times that: they differ in numbers and sizes.
     Brief,
-    /// Chains so long that a device has hundreds of times the signals: that they are put together
-    /// right, as their engines are those of shorter chains.
+    /// Chains whose devices have many times the signals: that they are put together right, as their
+    /// engines are those of shorter chains.
     Chain,
+    /// Chains that take minutes in any Verilog simulator: in rust-hdl alone; `photoncube
+    /// verify --machine M --against verilator` is for them.
+    LongChain,
 }
 
 impl Extent {
     fn of(machine: &Machine) -> Self {
         match machine.name {
             "paper" | "overlap" | "stream" | "tile-6" => Self::Full,
+            _ if machine.queries_at_once() > 8 => Self::LongChain,
             _ if machine.queries_at_once() > 4 => Self::Chain,
             _ => Self::Brief,
         }
@@ -35,32 +39,33 @@ impl Extent {
 
 /// Iterations on random stimulus.
 fn random_iterations(kind: DeviceKind, extent: Extent) -> Option<u64> {
-    let [full, brief, chain] = match kind {
-        DeviceKind::RustHdl => [20_000, 2_000, 50],
-        DeviceKind::Icarus => [2_000, 200, 50],
-        DeviceKind::Verilator => [1_000_000, 20_000, 2_000],
-        DeviceKind::Netlist => [200, 100, 0],
+    let iterations = match kind {
+        DeviceKind::RustHdl => [20_000, 2_000, 50, 10],
+        DeviceKind::Icarus => [2_000, 200, 50, 0],
+        DeviceKind::Verilator => [1_000_000, 20_000, 2_000, 0],
+        DeviceKind::Netlist => [200, 100, 0, 0],
     };
-    chosen(extent, [full, brief, chain])
+    chosen(extent, iterations)
 }
 
 /// Iterations on photons of the scene. The netlist differs from Icarus's run in nothing but the
 /// gates, which random stimulus exercises better.
 fn scene_iterations(kind: DeviceKind, extent: Extent) -> Option<u64> {
     let iterations = match kind {
-        DeviceKind::RustHdl => [2_000, 500, 0],
-        DeviceKind::Icarus => [500, 100, 0],
-        DeviceKind::Verilator => [100_000, 10_000, 1_000],
-        DeviceKind::Netlist => [0; 3],
+        DeviceKind::RustHdl => [2_000, 500, 0, 0],
+        DeviceKind::Icarus => [500, 100, 0, 0],
+        DeviceKind::Verilator => [100_000, 10_000, 1_000, 0],
+        DeviceKind::Netlist => [0; 4],
     };
     chosen(extent, iterations)
 }
 
-fn chosen(extent: Extent, [full, brief, chain]: [u64; 3]) -> Option<u64> {
+fn chosen(extent: Extent, [full, brief, chain, long_chain]: [u64; 4]) -> Option<u64> {
     let iterations = match extent {
         Extent::Full => full,
         Extent::Brief => brief,
         Extent::Chain => chain,
+        Extent::LongChain => long_chain,
     };
     (iterations > 0).then_some(iterations)
 }

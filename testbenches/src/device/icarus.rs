@@ -162,7 +162,15 @@ fn bench(design: &Emitted) -> String {
     declare(&mut text, "reg", &pins.inputs);
     declare(&mut text, "wire", &pins.observed);
     let read = " %h".repeat(inputs.len());
-    let write = vec!["%h"; observed.len()].join(" ");
+    // Icarus cannot read a word of many thousand characters, as one format of all would be.
+    const VALUES: usize = 256;
+    let writes: String = observed
+        .chunks(VALUES)
+        .map(|chunk| {
+            let format = "%h ".repeat(chunk.len());
+            format!("        $write(\"{format}\", {});\n", chunk.join(", "))
+        })
+        .collect();
     let _ = write!(
         text,
         r#"  {TRACE} trace({ports});
@@ -173,7 +181,8 @@ fn bench(design: &Emitted) -> String {
         read = $fscanf({STDIN}, "{read}", {inputs});
         if (read != {count}) $finish(0);
         clock = 0;
-        #1 $display("{write}", {observed});
+        #1 ;
+{writes}        $display("");
         clock = 1;
         #1 clocks = clocks - 1;
       end
@@ -187,7 +196,6 @@ endmodule
         ports = ports.join(", "),
         inputs = inputs.join(", "),
         count = inputs.len(),
-        observed = observed.join(", "),
     );
     text
 }
