@@ -56,6 +56,7 @@ impl MachineArgs {
         let is_wanted = |machine: &&Machine| {
             machine.plain().is_some()
                 && named.plain().is_some()
+                && machine.organisation == named.organisation
                 && machine.squarer == named.squarer
                 && (bits(machine), machine.dimension) == (coordinate_bits, dimension)
         };
@@ -109,6 +110,7 @@ mod tests {
         );
         assert!(find("paper-dsp", Some(12), None).is_err());
         assert!(find("local", Some(8), None).is_err());
+        assert!(find("overlap", None, Some(5)).is_err());
         assert!(find("pentium", None, None).is_err());
     }
 }

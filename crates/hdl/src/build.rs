@@ -3,7 +3,9 @@
 //! rust-hdl's widths are const generics, so every set of widths is compiled; each costs about a
 //! second of build time.
 
-use photoncube_spec::{Machine, Organisation, Spatial, SpatialWidths, Widths, control_word_bits};
+use photoncube_spec::{
+    Machine, Organisation, Spatial, SpatialWidths, Squarer, Widths, control_word_bits,
+};
 use thiserror::Error;
 
 use crate::cell::Cell;
@@ -42,8 +44,12 @@ struct Shape {
 }
 
 impl Shape {
-    /// None for a machine that runs no program.
+    /// None for a machine that runs no program, or whose squares are looked up: its cells have no
+    /// place for a table.
     fn of(machine: &Machine) -> Option<Self> {
+        if machine.squarer == Squarer::Table {
+            return None;
+        }
         let steps = machine.microprogram()?.steps().len();
         Some(Self {
             widths: Widths::of(machine),
@@ -198,6 +204,15 @@ mod tests {
                 assert!(build(machine, level).is_ok(), "{} {level:?}", machine.name);
             }
         }
+    }
+
+    #[test]
+    fn a_cell_has_no_place_for_a_table_of_squares() {
+        let machine = Machine {
+            squarer: Squarer::Table,
+            ..MACHINES[0]
+        };
+        assert!(build(&machine, Level::Machine).is_err());
     }
 
     #[test]

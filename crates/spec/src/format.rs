@@ -131,7 +131,7 @@ pub(crate) fn bits_for(largest: u128) -> u32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::machine::MACHINES;
+    use crate::machines::MACHINES;
 
     #[test]
     fn bits_hold_the_largest_value_and_no_more() {

@@ -9,10 +9,7 @@ use crate::machine::Machine;
 use crate::organisation::Organisation;
 use crate::overlap;
 use crate::register::{REGISTERS, Register};
-use crate::spatial::{
-    ENGINE_REGISTERS, EngineRegister, HeadRegister, HeadSizes, Instances, MemoryRegister, Spatial,
-    SpatialWidths,
-};
+use crate::spatial::{EngineRegister, HeadRegister, MemoryRegister, SpatialPins, SpatialWidths};
 use crate::stream::{Group, Inputs, Lane, Outputs, Photon, Query, Sums};
 
 /// A signal: its Verilog name at the top level (or in the trace module) and its width.
@@ -60,7 +57,7 @@ pub enum SignalPlace {
         engine: usize,
         /// The register.
         register: EngineRegister,
-        /// Which of them; see [`Instances`].
+        /// Which of them; see [`crate::Instances`].
         index: usize,
     },
     /// A register of the control block of a machine whose units overlap, by its index in
@@ -309,112 +306,6 @@ fn output_pins(machine: &Machine, widths: &Widths) -> Vec<Pin> {
     pins
 }
 
-/// The registers of a spatial machine.
-struct SpatialPins<'a> {
-    machine: &'a Machine,
-    spatial: &'a Spatial,
-    widths: SpatialWidths,
-    channels: &'static [&'static str],
-}
-
-impl<'a> SpatialPins<'a> {
-    fn of(machine: &'a Machine, spatial: &'a Spatial) -> Self {
-        let format = machine
-            .format()
-            .expect("a spatial machine has a photon format");
-        Self {
-            machine,
-            spatial,
-            widths: SpatialWidths::of(format),
-            channels: machine.channels().names(),
-        }
-    }
-
-    fn registers(&self) -> Vec<Pin> {
-        let mut pins = Vec::new();
-        for register in HeadRegister::ALL {
-            self.head_register(register, &mut pins);
-        }
-        if self.machine.has_memory() {
-            for register in MemoryRegister::ALL {
-                self.memory_register(register, &mut pins);
-            }
-        }
-        for engine in 0..self.spatial.engines() {
-            self.engine_registers(engine, &mut pins);
-        }
-        pins
-    }
-
-    fn head_register(&self, register: HeadRegister, pins: &mut Vec<Pin>) {
-        let sizes = HeadSizes::of(self.spatial);
-        let stages = self.spatial.cuts.latency() as usize;
-        let lanes = stages * Spatial::LANES;
-        let (count, width) = match register {
-            HeadRegister::Loaded => (1, sizes.loaded_bits),
-            HeadRegister::Open => (1, 1),
-            HeadRegister::Spacing => (1, sizes.spacing_bits),
-            HeadRegister::Promised => (1, sizes.promised_bits),
-            HeadRegister::WritePlace | HeadRegister::ReadPlace => (1, sizes.place_bits),
-            HeadRegister::DelayPower => (lanes * self.channels.len(), self.widths.power),
-            HeadRegister::DelayPresent => (lanes, 1),
-            HeadRegister::DelayFirst | HeadRegister::DelayLast => (stages, 1),
-        };
-        pins.extend((0..count).map(|index| Pin {
-            name: format!("head_{}_{index}", register.name()),
-            width,
-            place: SignalPlace::Head { register, index },
-        }));
-    }
-
-    fn memory_register(&self, register: MemoryRegister, pins: &mut Vec<Pin>) {
-        let place = self.spatial.memory_groups.ilog2();
-        let lanes = Spatial::LANES;
-        let (count, width) = match register {
-            MemoryRegister::FillPlace | MemoryRegister::PlayPlace => (1, place),
-            MemoryRegister::Full => (2, 1),
-            MemoryRegister::End => (2, place),
-            MemoryRegister::WordPresent => (lanes, 1),
-            MemoryRegister::WordPosition => (3 * lanes, self.widths.coordinate),
-            MemoryRegister::WordPower => (lanes * self.channels.len(), self.widths.mantissa),
-            MemoryRegister::WordExponent if self.widths.exponent == 0 => (0, 0),
-            MemoryRegister::WordExponent => (lanes, self.widths.exponent),
-            _ => (1, 1),
-        };
-        pins.extend((0..count).map(|index| Pin {
-            name: format!("memory_{}_{index}", register.name()),
-            width,
-            place: SignalPlace::Memory { register, index },
-        }));
-    }
-
-    fn engine_registers(&self, engine: usize, pins: &mut Vec<Pin>) {
-        let squarer = self.spatial.squarer(self.machine.squarer, engine);
-        for row in ENGINE_REGISTERS {
-            if !row.is_in(self.spatial, squarer) {
-                continue;
-            }
-            let count = row.instances.count(self.spatial, self.channels.len());
-            pins.extend((0..count).map(|index| Pin {
-                name: self.engine_pin(engine, row.name, row.instances, index),
-                width: (row.width)(&self.widths),
-                place: SignalPlace::Engine {
-                    engine,
-                    register: row.register,
-                    index,
-                },
-            }));
-        }
-    }
-
-    fn engine_pin(&self, engine: usize, name: &str, instances: Instances, index: usize) -> String {
-        format!(
-            "engine_{engine}_{name}{}",
-            instances.suffix(index, self.channels)
-        )
-    }
-}
-
 fn control_pins(machine: &Machine) -> Vec<Pin> {
     let program = machine
         .microprogram()
@@ -452,7 +343,7 @@ fn cell_pins(machine: &Machine, widths: &Widths) -> Vec<Pin> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::machine::MACHINES;
+    use crate::machines::MACHINES;
 
     #[test]
     fn rows_have_a_value_for_each_pin_and_are_read_back() {

@@ -11,7 +11,8 @@ use photoncube_spec::{
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
-use super::cases::{Case, Cases};
+use super::case::Case;
+use super::cases::Cases;
 use super::{Block, StimulusError};
 
 /// How often a side of a stream is ready or valid.

@@ -9,6 +9,7 @@
 //! fails in chunk 70 of a long run fails again in a run of that chunk alone.
 
 mod aim;
+mod case;
 mod cases;
 mod drive;
 
@@ -19,8 +20,9 @@ use photoncube_spec::{Machine, Photon, Query, Sums};
 use rand::RngExt;
 use thiserror::Error;
 
+use case::Case;
+use cases::Cases;
 pub(crate) use cases::corner;
-use cases::{Case, Cases};
 use drive::{Driver, Traffic};
 
 /// Where the queries come from.

@@ -32,12 +32,6 @@ fn bits_read(module: &Value) -> HashSet<u64> {
         let bits = bits.as_array().into_iter().flatten();
         bits.filter_map(Value::as_u64).collect()
     };
-    let members = |value: &Value| -> Vec<(String, Value)> {
-        let members = value.as_object().into_iter().flatten();
-        members
-            .map(|(name, value)| (name.clone(), value.clone()))
-            .collect()
-    };
     let mut read = HashSet::new();
     for cell in module["cells"]
         .as_object()
@@ -51,7 +45,7 @@ fn bits_read(module: &Value) -> HashSet<u64> {
             }
         }
     }
-    for (_, port) in members(&module["ports"]) {
+    for (_, port) in module["ports"].as_object().into_iter().flatten() {
         read.extend(numbers(&port["bits"]));
     }
     read

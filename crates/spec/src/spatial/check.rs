@@ -163,7 +163,8 @@ impl Spatial {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::machine::{MACHINES, Numbers, PlainFormat, find_machine};
+    use crate::machine::{Numbers, PlainFormat};
+    use crate::machines::{MACHINES, find_machine};
     use crate::organisation::Organisation;
     use crate::photon_format::PhotonFormat;
     use crate::spatial::Cuts;

@@ -55,12 +55,12 @@ impl EngineUnits {
 fn step(cut: Cut) -> (&'static str, &'static str, &'static str) {
     match cut {
         Cut::Difference => ("X Y Z", "square", "d = query - photon"),
-        Cut::Magnitude => ("X Y Z", "square", "|d|"),
-        Cut::Products => ("X Y Z", "square", "products of its digits"),
+        Cut::Magnitude => ("X Y Z", "square", "the magnitude of d"),
+        Cut::Products => ("X Y Z", "square", "products of the magnitude's digits"),
         Cut::Cross => (
             "X Y Z",
             "square",
-            "the product of its digits; from a table, d^2",
+            "the product of the two digits; from a table, d^2",
         ),
         Cut::Square => ("X Y Z", "square", "d^2"),
         Cut::Pair => ("Y", "add", "x^2 + y^2, across z"),
@@ -119,7 +119,7 @@ fn row(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::machine::MACHINES;
+    use crate::machines::MACHINES;
 
     #[test]
     fn the_sums_come_when_the_latencies_say() {

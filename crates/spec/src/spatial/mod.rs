@@ -33,6 +33,7 @@ mod cuts;
 mod flow;
 mod head;
 mod memory;
+mod pins;
 mod registers;
 mod widths;
 
@@ -41,6 +42,7 @@ pub use cuts::{Cut, Cuts};
 pub use flow::{EngineUnits, FlowRow};
 pub use head::HeadSizes;
 pub use memory::MemoryRegister;
+pub(crate) use pins::SpatialPins;
 pub use registers::{ENGINE_REGISTERS, EngineRegister, EngineRow, HeadRegister, Instances};
 pub use widths::SpatialWidths;
 

@@ -1,0 +1,366 @@
+//! The table of the named machines. Each sets every field; nothing defaults.
+
+use thiserror::Error;
+
+use crate::format::Squarer;
+use crate::machine::{Machine, Numbers, PlainFormat};
+use crate::organisation::Organisation;
+use crate::photon_format::{Channels, Exponent, PhotonFormat, PowerFormat, Rounding};
+use crate::photon_formats::PHOTON_FORMATS;
+use crate::spatial::{Cut, Cuts, Radius, Spatial};
+
+/// 16-bit powers; 65,537 of full scale sum to 32 bits exactly.
+const fn plain(coordinate_bits: u32) -> Numbers {
+    Numbers::Plain(PlainFormat {
+        coordinate_bits,
+        power_bits: 16,
+        max_photons: 65_537,
+    })
+}
+
+/// Registers wherever one can stand: at most one adder or table between two.
+const FINE: Cuts = Cuts::of(&[
+    Cut::Difference,
+    Cut::Magnitude,
+    Cut::Products,
+    Cut::Cross,
+    Cut::Square,
+    Cut::Pair,
+    Cut::Distance,
+    Cut::Range,
+    Cut::PairPower,
+    Cut::GroupPower,
+]);
+
+/// Registers where they are worth it on a chip of many engines, which has no more flip-flops than
+/// LUTs: between two stand at most two adders.
+const COARSE: Cuts = Cuts::of(&[
+    Cut::Magnitude,
+    Cut::Cross,
+    Cut::Pair,
+    Cut::Distance,
+    Cut::Range,
+    Cut::PairPower,
+    Cut::GroupPower,
+]);
+
+/// The same with a register behind a block RAM or DSP block, both slow.
+const MIXED: Cuts = Cuts::of(&[
+    Cut::Magnitude,
+    Cut::Cross,
+    Cut::Square,
+    Cut::Pair,
+    Cut::Distance,
+    Cut::Range,
+    Cut::PairPower,
+    Cut::GroupPower,
+]);
+
+/// A tile of `2^query_axes` engines, in a format of one scale for all powers and seven bits for the
+/// radius; `photoncube report SCENE` measures what it costs in accuracy.
+const fn tile(name: &'static str, summary: &'static str, query_axes: u32) -> Machine {
+    Machine {
+        name,
+        summary,
+        dimension: 4 + query_axes,
+        numbers: Numbers::Local(PhotonFormat {
+            position_bits: 7,
+            query_extra_bits: 0,
+            power: PowerFormat {
+                channels: Channels::Rgb,
+                mantissa_bits: 6,
+                exponent: Exponent::None,
+                rounding: Rounding::Dithered,
+            },
+            max_photons: 1 << 12,
+        }),
+        squarer: Squarer::Digits,
+        organisation: Organisation::Spatial(Spatial {
+            query_axes,
+            radius: Radius::Format,
+            cuts: COARSE,
+            squarers: &[],
+            memory_groups: 0,
+        }),
+    }
+}
+
+/// A tile with a photon memory that holds the most photons that a query may be given, twice.
+const fn with_memory(tile: Machine, squarers: &'static [(Squarer, usize)]) -> Machine {
+    let Organisation::Spatial(spatial) = tile.organisation else {
+        panic!("only spatial machines have a photon memory");
+    };
+    let Numbers::Local(format) = tile.numbers else {
+        panic!("spatial machines have photon formats");
+    };
+    let memory_groups = (format.max_photons / Spatial::LANES as u64) as u32;
+    Machine {
+        organisation: Organisation::Spatial(Spatial {
+            memory_groups,
+            squarers,
+            cuts: if squarers.is_empty() { COARSE } else { MIXED },
+            ..spatial
+        }),
+        ..tile
+    }
+}
+
+/// All named machines, the default first.
+pub const MACHINES: &[Machine] = &[
+    Machine {
+        name: "paper",
+        summary: "Ryu, Kim, Lee: 16 cells on a 4-D hypercube, squarers for LUTs",
+        organisation: Organisation::Sequential,
+        dimension: 4,
+        numbers: plain(8),
+        squarer: Squarer::Digits,
+    },
+    Machine {
+        name: "paper-dsp",
+        summary: "the same, squarers for DSP blocks",
+        organisation: Organisation::Sequential,
+        dimension: 4,
+        numbers: plain(8),
+        squarer: Squarer::Product,
+    },
+    Machine {
+        name: "paper-12",
+        summary: "the same with 12-bit coordinates",
+        organisation: Organisation::Sequential,
+        dimension: 4,
+        numbers: plain(12),
+        squarer: Squarer::Digits,
+    },
+    Machine {
+        name: "paper-5d",
+        summary: "32 cells on a 5-D hypercube: 8 photons an iteration",
+        organisation: Organisation::Sequential,
+        dimension: 5,
+        numbers: plain(8),
+        squarer: Squarer::Digits,
+    },
+    Machine {
+        name: "local",
+        summary: "16 cells, numbers relative to the search radius: the default photon format",
+        organisation: Organisation::Sequential,
+        dimension: 4,
+        numbers: Numbers::Local(PHOTON_FORMATS[0]),
+        squarer: Squarer::Digits,
+    },
+    Machine {
+        name: "local-half",
+        summary: "the same, queries on half steps: the widest photon format that is built",
+        organisation: Organisation::Sequential,
+        dimension: 4,
+        numbers: Numbers::Local(PhotonFormat {
+            query_extra_bits: 1,
+            ..PHOTON_FORMATS[0]
+        }),
+        squarer: Squarer::Digits,
+    },
+    Machine {
+        name: "fit-cornell",
+        summary: "16 cells, the photon format that `fit` finds for the scene cornell",
+        organisation: Organisation::Sequential,
+        dimension: 4,
+        numbers: Numbers::Local(PhotonFormat {
+            position_bits: 6,
+            query_extra_bits: 2,
+            power: PowerFormat {
+                channels: Channels::Rgb,
+                mantissa_bits: 6,
+                exponent: Exponent::None,
+                rounding: Rounding::Dithered,
+            },
+            max_photons: 1 << 12,
+        }),
+        squarer: Squarer::Digits,
+    },
+    Machine {
+        name: "fit-ring",
+        summary: "16 cells, the photon format that `fit` finds for the scene ring",
+        organisation: Organisation::Sequential,
+        dimension: 4,
+        numbers: Numbers::Local(PhotonFormat {
+            position_bits: 7,
+            query_extra_bits: 1,
+            power: PowerFormat {
+                channels: Channels::Mono,
+                mantissa_bits: 1,
+                exponent: Exponent::None,
+                rounding: Rounding::Nearest,
+            },
+            max_photons: 1 << 13,
+        }),
+        squarer: Squarer::Digits,
+    },
+    Machine {
+        name: "fit-range",
+        summary: "16 cells, the photon format that `fit` finds for the scene range",
+        organisation: Organisation::Sequential,
+        dimension: 4,
+        numbers: Numbers::Local(PhotonFormat {
+            position_bits: 6,
+            query_extra_bits: 1,
+            power: PowerFormat {
+                channels: Channels::Rgb,
+                mantissa_bits: 4,
+                exponent: Exponent::Photon { bits: 5 },
+                rounding: Rounding::Dithered,
+            },
+            max_photons: 1 << 14,
+        }),
+        squarer: Squarer::Digits,
+    },
+    Machine {
+        name: "stream",
+        summary: "one engine of 16 cells that keep their instructions: a group of 4 photons a clock",
+        dimension: 4,
+        numbers: Numbers::Local(PhotonFormat {
+            power: PowerFormat {
+                exponent: Exponent::None,
+                rounding: Rounding::Dithered,
+                ..PHOTON_FORMATS[0].power
+            },
+            max_photons: 1 << 14,
+            ..PHOTON_FORMATS[0]
+        }),
+        squarer: Squarer::Digits,
+        organisation: Organisation::Spatial(Spatial {
+            query_axes: 0,
+            radius: Radius::Query,
+            cuts: FINE,
+            squarers: &[],
+            memory_groups: 0,
+        }),
+    },
+    Machine {
+        name: "overlap",
+        summary: "the paper's 16 cells with all units at work: a modulo-scheduled kernel",
+        organisation: Organisation::Overlapped,
+        dimension: 4,
+        numbers: plain(8),
+        squarer: Squarer::Digits,
+    },
+    tile("tile-4", "one engine of a tile, to measure by", 0),
+    tile(
+        "tile-5",
+        "2 engines in a chain: every photon is read once for 2 queries",
+        1,
+    ),
+    tile(
+        "tile-6",
+        "4 engines in a chain: every photon is read once for 4 queries",
+        2,
+    ),
+    tile(
+        "tile-7",
+        "8 engines in a chain: every photon is read once for 8 queries",
+        3,
+    ),
+    tile(
+        "tile-8",
+        "16 engines in a chain: every photon is read once for 16 queries",
+        4,
+    ),
+    tile(
+        "tile-9",
+        "32 engines in a chain: every photon is read once for 32 queries",
+        5,
+    ),
+    tile(
+        "tile-10",
+        "64 engines in a chain: every photon is read once for 64 queries",
+        6,
+    ),
+    with_memory(
+        tile(
+            "tile-6-mixed",
+            "4 engines of three kinds of squarers, and the photon memory",
+            2,
+        ),
+        &[(Squarer::Table, 2), (Squarer::Product, 1)],
+    ),
+    with_memory(
+        tile(
+            "chip-lut",
+            "64 engines and the photon memory for one FPGA, squarers from LUTs",
+            6,
+        ),
+        &[],
+    ),
+    with_memory(
+        tile(
+            "chip-mixed",
+            "the same, squarers from block RAMs, DSP blocks and LUTs",
+            6,
+        ),
+        &[(Squarer::Table, 30), (Squarer::Product, 13)],
+    ),
+];
+
+/// No machine has that name.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[error("there is no machine `{found}`; the machines are {expected}")]
+pub struct UnknownMachine {
+    /// The name asked for.
+    pub found: String,
+    /// The names there are.
+    pub expected: String,
+}
+
+/// The machine of that name.
+///
+/// # Errors
+/// No machine has that name; the error lists those there are.
+pub fn find_machine(name: &str) -> Result<&'static Machine, UnknownMachine> {
+    let found = MACHINES.iter().find(|machine| machine.name == name);
+    found.ok_or_else(|| UnknownMachine {
+        found: name.to_owned(),
+        expected: MACHINES
+            .iter()
+            .map(|machine| machine.name)
+            .collect::<Vec<_>>()
+            .join(", "),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::format::Widths;
+    use crate::overlap;
+    use crate::schedule::check_schedule;
+
+    #[test]
+    fn every_named_machine_runs_a_legal_program_in_a_frame_that_holds_it() {
+        for machine in MACHINES {
+            assert_eq!(find_machine(machine.name), Ok(machine));
+            match &machine.organisation {
+                Organisation::Sequential => {
+                    let program = machine.microprogram().unwrap();
+                    let verdict = check_schedule(&program, machine.hypercube());
+                    assert_eq!(verdict, Ok(()), "{}", machine.name);
+                }
+                Organisation::Overlapped => {
+                    let program = machine.overlap_program().unwrap();
+                    let verdict = overlap::check_program(&program);
+                    assert_eq!(verdict, Ok(()), "{}", machine.name);
+                }
+                Organisation::Spatial(spatial) => {
+                    assert_eq!(spatial.check(machine), Ok(()), "{}", machine.name);
+                }
+            }
+            assert_eq!(
+                Machine::FRAME_BLOCKS << machine.position_bits(),
+                1 << Widths::of(machine).photon
+            );
+        }
+    }
+
+    #[test]
+    fn an_unknown_machine_is_named_with_those_there_are() {
+        let message = find_machine("pentium").unwrap_err().to_string();
+        assert!(message.contains("`pentium`") && message.contains("paper, paper-dsp"));
+    }
+}
