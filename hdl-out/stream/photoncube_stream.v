@@ -57,16 +57,132 @@ module photoncube_stream(clock, reset, query_valid, query_ready, query_x, query_
     output reg [21:0] result_blue;
     output reg [14:0] result_count;
     // Stub signals
+    reg entry_token_valid_clock;
+    reg entry_token_valid_clear;
+    reg entry_token_valid_d;
+    wire entry_token_valid_q;
+    reg [9:0] entry_token_0_d;
+    wire [9:0] entry_token_0_q;
+    reg entry_token_0_clock;
+    reg [9:0] entry_token_1_d;
+    wire [9:0] entry_token_1_q;
+    reg entry_token_1_clock;
+    reg [9:0] entry_token_2_d;
+    wire [9:0] entry_token_2_q;
+    reg entry_token_2_clock;
+    reg [15:0] entry_radius_0_d;
+    wire [15:0] entry_radius_0_q;
+    reg entry_radius_0_clock;
+    reg [9:0] entry_photon_0_d;
+    wire [9:0] entry_photon_0_q;
+    reg entry_photon_0_clock;
+    reg [9:0] entry_photon_1_d;
+    wire [9:0] entry_photon_1_q;
+    reg entry_photon_1_clock;
+    reg [9:0] entry_photon_2_d;
+    wire [9:0] entry_photon_2_q;
+    reg entry_photon_2_clock;
+    reg [9:0] entry_photon_3_d;
+    wire [9:0] entry_photon_3_q;
+    reg entry_photon_3_clock;
+    reg [9:0] entry_photon_4_d;
+    wire [9:0] entry_photon_4_q;
+    reg entry_photon_4_clock;
+    reg [9:0] entry_photon_5_d;
+    wire [9:0] entry_photon_5_q;
+    reg entry_photon_5_clock;
+    reg [9:0] entry_photon_6_d;
+    wire [9:0] entry_photon_6_q;
+    reg entry_photon_6_clock;
+    reg [9:0] entry_photon_7_d;
+    wire [9:0] entry_photon_7_q;
+    reg entry_photon_7_clock;
+    reg [9:0] entry_photon_8_d;
+    wire [9:0] entry_photon_8_q;
+    reg entry_photon_8_clock;
+    reg [9:0] entry_photon_9_d;
+    wire [9:0] entry_photon_9_q;
+    reg entry_photon_9_clock;
+    reg [9:0] entry_photon_10_d;
+    wire [9:0] entry_photon_10_q;
+    reg entry_photon_10_clock;
+    reg [9:0] entry_photon_11_d;
+    wire [9:0] entry_photon_11_q;
+    reg entry_photon_11_clock;
+    reg [7:0] entry_mantissa_0_d;
+    wire [7:0] entry_mantissa_0_q;
+    reg entry_mantissa_0_clock;
+    reg [7:0] entry_mantissa_1_d;
+    wire [7:0] entry_mantissa_1_q;
+    reg entry_mantissa_1_clock;
+    reg [7:0] entry_mantissa_2_d;
+    wire [7:0] entry_mantissa_2_q;
+    reg entry_mantissa_2_clock;
+    reg [7:0] entry_mantissa_3_d;
+    wire [7:0] entry_mantissa_3_q;
+    reg entry_mantissa_3_clock;
+    reg [7:0] entry_mantissa_4_d;
+    wire [7:0] entry_mantissa_4_q;
+    reg entry_mantissa_4_clock;
+    reg [7:0] entry_mantissa_5_d;
+    wire [7:0] entry_mantissa_5_q;
+    reg entry_mantissa_5_clock;
+    reg [7:0] entry_mantissa_6_d;
+    wire [7:0] entry_mantissa_6_q;
+    reg entry_mantissa_6_clock;
+    reg [7:0] entry_mantissa_7_d;
+    wire [7:0] entry_mantissa_7_q;
+    reg entry_mantissa_7_clock;
+    reg [7:0] entry_mantissa_8_d;
+    wire [7:0] entry_mantissa_8_q;
+    reg entry_mantissa_8_clock;
+    reg [7:0] entry_mantissa_9_d;
+    wire [7:0] entry_mantissa_9_q;
+    reg entry_mantissa_9_clock;
+    reg [7:0] entry_mantissa_10_d;
+    wire [7:0] entry_mantissa_10_q;
+    reg entry_mantissa_10_clock;
+    reg [7:0] entry_mantissa_11_d;
+    wire [7:0] entry_mantissa_11_q;
+    reg entry_mantissa_11_clock;
+    reg entry_presence_0_clock;
+    reg entry_presence_0_taken;
+    reg entry_presence_0_photon_present;
+    wire entry_presence_0_present;
+    wire entry_presence_0_absent;
+    reg entry_presence_1_clock;
+    reg entry_presence_1_taken;
+    reg entry_presence_1_photon_present;
+    wire entry_presence_1_present;
+    wire entry_presence_1_absent;
+    reg entry_presence_2_clock;
+    reg entry_presence_2_taken;
+    reg entry_presence_2_photon_present;
+    wire entry_presence_2_present;
+    wire entry_presence_2_absent;
+    reg entry_presence_3_clock;
+    reg entry_presence_3_taken;
+    reg entry_presence_3_photon_present;
+    wire entry_presence_3_present;
+    wire entry_presence_3_absent;
+    reg entry_first_clock;
+    reg entry_first_clear;
+    reg entry_first_d;
+    wire entry_first_q;
+    reg entry_last_clock;
+    reg entry_last_clear;
+    reg entry_last_d;
+    wire entry_last_q;
     reg head_clock;
     reg head_reset;
     reg head_query_valid;
     wire head_query_ready;
     reg head_group_valid;
     reg head_group_last;
-    reg head_present_0;
-    reg head_present_1;
-    reg head_present_2;
-    reg head_present_3;
+    wire head_group_ready;
+    wire head_taken;
+    wire head_first_taken;
+    wire head_last_taken;
     reg [7:0] head_red_0;
     reg [7:0] head_red_1;
     reg [7:0] head_red_2;
@@ -79,7 +195,16 @@ module photoncube_stream(clock, reset, query_valid, query_ready, query_x, query_
     reg [7:0] head_blue_1;
     reg [7:0] head_blue_2;
     reg [7:0] head_blue_3;
-    wire head_group_ready;
+    reg head_present_0;
+    reg head_present_1;
+    reg head_present_2;
+    reg head_present_3;
+    reg head_absent_0;
+    reg head_absent_1;
+    reg head_absent_2;
+    reg head_absent_3;
+    reg head_first_in;
+    reg head_last_in;
     wire head_result_valid;
     wire [21:0] head_result_red;
     wire [21:0] head_result_green;
@@ -87,7 +212,6 @@ module photoncube_stream(clock, reset, query_valid, query_ready, query_x, query_
     wire [14:0] head_result_count;
     reg head_result_ready;
     wire head_token_valid;
-    wire head_swap;
     wire head_is_full;
     wire head_has_room;
     wire [15:0] head_clocks_to_last;
@@ -200,6 +324,192 @@ module photoncube_stream(clock, reset, query_valid, query_ready, query_x, query_
     wire [21:0] engine_0_result_out_2;
     wire [14:0] engine_0_result_count_out;
     // Sub module instances
+    photoncube_stream_group_first entry_token_valid(
+        .clock(entry_token_valid_clock),
+        .clear(entry_token_valid_clear),
+        .d(entry_token_valid_d),
+        .q(entry_token_valid_q)
+    );
+    photoncube_stream_register_10 entry_token_0(
+        .d(entry_token_0_d),
+        .q(entry_token_0_q),
+        .clock(entry_token_0_clock)
+    );
+    photoncube_stream_register_10 entry_token_1(
+        .d(entry_token_1_d),
+        .q(entry_token_1_q),
+        .clock(entry_token_1_clock)
+    );
+    photoncube_stream_register_10 entry_token_2(
+        .d(entry_token_2_d),
+        .q(entry_token_2_q),
+        .clock(entry_token_2_clock)
+    );
+    photoncube_stream_register_16 entry_radius_0(
+        .d(entry_radius_0_d),
+        .q(entry_radius_0_q),
+        .clock(entry_radius_0_clock)
+    );
+    photoncube_stream_register_10 entry_photon_0(
+        .d(entry_photon_0_d),
+        .q(entry_photon_0_q),
+        .clock(entry_photon_0_clock)
+    );
+    photoncube_stream_register_10 entry_photon_1(
+        .d(entry_photon_1_d),
+        .q(entry_photon_1_q),
+        .clock(entry_photon_1_clock)
+    );
+    photoncube_stream_register_10 entry_photon_2(
+        .d(entry_photon_2_d),
+        .q(entry_photon_2_q),
+        .clock(entry_photon_2_clock)
+    );
+    photoncube_stream_register_10 entry_photon_3(
+        .d(entry_photon_3_d),
+        .q(entry_photon_3_q),
+        .clock(entry_photon_3_clock)
+    );
+    photoncube_stream_register_10 entry_photon_4(
+        .d(entry_photon_4_d),
+        .q(entry_photon_4_q),
+        .clock(entry_photon_4_clock)
+    );
+    photoncube_stream_register_10 entry_photon_5(
+        .d(entry_photon_5_d),
+        .q(entry_photon_5_q),
+        .clock(entry_photon_5_clock)
+    );
+    photoncube_stream_register_10 entry_photon_6(
+        .d(entry_photon_6_d),
+        .q(entry_photon_6_q),
+        .clock(entry_photon_6_clock)
+    );
+    photoncube_stream_register_10 entry_photon_7(
+        .d(entry_photon_7_d),
+        .q(entry_photon_7_q),
+        .clock(entry_photon_7_clock)
+    );
+    photoncube_stream_register_10 entry_photon_8(
+        .d(entry_photon_8_d),
+        .q(entry_photon_8_q),
+        .clock(entry_photon_8_clock)
+    );
+    photoncube_stream_register_10 entry_photon_9(
+        .d(entry_photon_9_d),
+        .q(entry_photon_9_q),
+        .clock(entry_photon_9_clock)
+    );
+    photoncube_stream_register_10 entry_photon_10(
+        .d(entry_photon_10_d),
+        .q(entry_photon_10_q),
+        .clock(entry_photon_10_clock)
+    );
+    photoncube_stream_register_10 entry_photon_11(
+        .d(entry_photon_11_d),
+        .q(entry_photon_11_q),
+        .clock(entry_photon_11_clock)
+    );
+    photoncube_stream_register_8 entry_mantissa_0(
+        .d(entry_mantissa_0_d),
+        .q(entry_mantissa_0_q),
+        .clock(entry_mantissa_0_clock)
+    );
+    photoncube_stream_register_8 entry_mantissa_1(
+        .d(entry_mantissa_1_d),
+        .q(entry_mantissa_1_q),
+        .clock(entry_mantissa_1_clock)
+    );
+    photoncube_stream_register_8 entry_mantissa_2(
+        .d(entry_mantissa_2_d),
+        .q(entry_mantissa_2_q),
+        .clock(entry_mantissa_2_clock)
+    );
+    photoncube_stream_register_8 entry_mantissa_3(
+        .d(entry_mantissa_3_d),
+        .q(entry_mantissa_3_q),
+        .clock(entry_mantissa_3_clock)
+    );
+    photoncube_stream_register_8 entry_mantissa_4(
+        .d(entry_mantissa_4_d),
+        .q(entry_mantissa_4_q),
+        .clock(entry_mantissa_4_clock)
+    );
+    photoncube_stream_register_8 entry_mantissa_5(
+        .d(entry_mantissa_5_d),
+        .q(entry_mantissa_5_q),
+        .clock(entry_mantissa_5_clock)
+    );
+    photoncube_stream_register_8 entry_mantissa_6(
+        .d(entry_mantissa_6_d),
+        .q(entry_mantissa_6_q),
+        .clock(entry_mantissa_6_clock)
+    );
+    photoncube_stream_register_8 entry_mantissa_7(
+        .d(entry_mantissa_7_d),
+        .q(entry_mantissa_7_q),
+        .clock(entry_mantissa_7_clock)
+    );
+    photoncube_stream_register_8 entry_mantissa_8(
+        .d(entry_mantissa_8_d),
+        .q(entry_mantissa_8_q),
+        .clock(entry_mantissa_8_clock)
+    );
+    photoncube_stream_register_8 entry_mantissa_9(
+        .d(entry_mantissa_9_d),
+        .q(entry_mantissa_9_q),
+        .clock(entry_mantissa_9_clock)
+    );
+    photoncube_stream_register_8 entry_mantissa_10(
+        .d(entry_mantissa_10_d),
+        .q(entry_mantissa_10_q),
+        .clock(entry_mantissa_10_clock)
+    );
+    photoncube_stream_register_8 entry_mantissa_11(
+        .d(entry_mantissa_11_d),
+        .q(entry_mantissa_11_q),
+        .clock(entry_mantissa_11_clock)
+    );
+    photoncube_stream_entry_presence entry_presence_0(
+        .clock(entry_presence_0_clock),
+        .taken(entry_presence_0_taken),
+        .photon_present(entry_presence_0_photon_present),
+        .present(entry_presence_0_present),
+        .absent(entry_presence_0_absent)
+    );
+    photoncube_stream_entry_presence entry_presence_1(
+        .clock(entry_presence_1_clock),
+        .taken(entry_presence_1_taken),
+        .photon_present(entry_presence_1_photon_present),
+        .present(entry_presence_1_present),
+        .absent(entry_presence_1_absent)
+    );
+    photoncube_stream_entry_presence entry_presence_2(
+        .clock(entry_presence_2_clock),
+        .taken(entry_presence_2_taken),
+        .photon_present(entry_presence_2_photon_present),
+        .present(entry_presence_2_present),
+        .absent(entry_presence_2_absent)
+    );
+    photoncube_stream_entry_presence entry_presence_3(
+        .clock(entry_presence_3_clock),
+        .taken(entry_presence_3_taken),
+        .photon_present(entry_presence_3_photon_present),
+        .present(entry_presence_3_present),
+        .absent(entry_presence_3_absent)
+    );
+    photoncube_stream_group_first entry_first(
+        .clock(entry_first_clock),
+        .clear(entry_first_clear),
+        .d(entry_first_d),
+        .q(entry_first_q)
+    );
+    photoncube_stream_group_first entry_last(
+        .clock(entry_last_clock),
+        .clear(entry_last_clear),
+        .d(entry_last_d),
+        .q(entry_last_q)
+    );
     photoncube_stream_head head(
         .clock(head_clock),
         .reset(head_reset),
@@ -207,10 +517,10 @@ module photoncube_stream(clock, reset, query_valid, query_ready, query_x, query_
         .query_ready(head_query_ready),
         .group_valid(head_group_valid),
         .group_last(head_group_last),
-        .present_0(head_present_0),
-        .present_1(head_present_1),
-        .present_2(head_present_2),
-        .present_3(head_present_3),
+        .group_ready(head_group_ready),
+        .taken(head_taken),
+        .first_taken(head_first_taken),
+        .last_taken(head_last_taken),
         .red_0(head_red_0),
         .red_1(head_red_1),
         .red_2(head_red_2),
@@ -223,7 +533,16 @@ module photoncube_stream(clock, reset, query_valid, query_ready, query_x, query_
         .blue_1(head_blue_1),
         .blue_2(head_blue_2),
         .blue_3(head_blue_3),
-        .group_ready(head_group_ready),
+        .present_0(head_present_0),
+        .present_1(head_present_1),
+        .present_2(head_present_2),
+        .present_3(head_present_3),
+        .absent_0(head_absent_0),
+        .absent_1(head_absent_1),
+        .absent_2(head_absent_2),
+        .absent_3(head_absent_3),
+        .first_in(head_first_in),
+        .last_in(head_last_in),
         .result_valid(head_result_valid),
         .result_red(head_result_red),
         .result_green(head_result_green),
@@ -231,7 +550,6 @@ module photoncube_stream(clock, reset, query_valid, query_ready, query_x, query_
         .result_count(head_result_count),
         .result_ready(head_result_ready),
         .token_valid(head_token_valid),
-        .swap(head_swap),
         .is_full(head_is_full),
         .has_room(head_has_room),
         .clocks_to_last(head_clocks_to_last),
@@ -366,44 +684,127 @@ module photoncube_stream(clock, reset, query_valid, query_ready, query_x, query_
         head_group_valid = group_valid;
         head_group_last = group_last;
         group_ready = head_group_ready;
-        head_present_0 = photon_present_0;
-        engine_0_photon_in_0 = photon_x_0;
-        engine_0_photon_in_1 = photon_y_0;
-        engine_0_photon_in_2 = photon_z_0;
-        head_present_1 = photon_present_1;
-        engine_0_photon_in_3 = photon_x_1;
-        engine_0_photon_in_4 = photon_y_1;
-        engine_0_photon_in_5 = photon_z_1;
-        head_present_2 = photon_present_2;
-        engine_0_photon_in_6 = photon_x_2;
-        engine_0_photon_in_7 = photon_y_2;
-        engine_0_photon_in_8 = photon_z_2;
-        head_present_3 = photon_present_3;
-        engine_0_photon_in_9 = photon_x_3;
-        engine_0_photon_in_10 = photon_y_3;
-        engine_0_photon_in_11 = photon_z_3;
-        head_red_0 = photon_red_0;
-        head_red_1 = photon_red_1;
-        head_red_2 = photon_red_2;
-        head_red_3 = photon_red_3;
-        head_green_0 = photon_green_0;
-        head_green_1 = photon_green_1;
-        head_green_2 = photon_green_2;
-        head_green_3 = photon_green_3;
-        head_blue_0 = photon_blue_0;
-        head_blue_1 = photon_blue_1;
-        head_blue_2 = photon_blue_2;
-        head_blue_3 = photon_blue_3;
+        entry_presence_0_photon_present = photon_present_0;
+        entry_photon_0_d = photon_x_0;
+        entry_photon_1_d = photon_y_0;
+        entry_photon_2_d = photon_z_0;
+        entry_presence_1_photon_present = photon_present_1;
+        entry_photon_3_d = photon_x_1;
+        entry_photon_4_d = photon_y_1;
+        entry_photon_5_d = photon_z_1;
+        entry_presence_2_photon_present = photon_present_2;
+        entry_photon_6_d = photon_x_2;
+        entry_photon_7_d = photon_y_2;
+        entry_photon_8_d = photon_z_2;
+        entry_presence_3_photon_present = photon_present_3;
+        entry_photon_9_d = photon_x_3;
+        entry_photon_10_d = photon_y_3;
+        entry_photon_11_d = photon_z_3;
+        entry_mantissa_0_d = photon_red_0;
+        entry_mantissa_1_d = photon_red_1;
+        entry_mantissa_2_d = photon_red_2;
+        entry_mantissa_3_d = photon_red_3;
+        entry_mantissa_4_d = photon_green_0;
+        entry_mantissa_5_d = photon_green_1;
+        entry_mantissa_6_d = photon_green_2;
+        entry_mantissa_7_d = photon_green_3;
+        entry_mantissa_8_d = photon_blue_0;
+        entry_mantissa_9_d = photon_blue_1;
+        entry_mantissa_10_d = photon_blue_2;
+        entry_mantissa_11_d = photon_blue_3;
+        entry_token_valid_clock = clock;
+        entry_token_valid_clear = reset;
+        entry_token_valid_d = head_token_valid;
+        entry_token_0_d = query_x;
+        entry_token_1_d = query_y;
+        entry_token_2_d = query_z;
+        entry_first_clock = clock;
+        entry_first_clear = reset;
+        entry_first_d = head_first_taken;
+        entry_last_clock = clock;
+        entry_last_clear = reset;
+        entry_last_d = head_last_taken;
+        head_first_in = entry_first_q;
+        head_last_in = entry_last_q;
+        entry_token_0_clock = clock;
+        entry_token_1_clock = clock;
+        entry_token_2_clock = clock;
+        entry_radius_0_clock = clock;
+        entry_radius_0_d = query_radius_sq;
+        entry_photon_0_clock = clock;
+        entry_photon_1_clock = clock;
+        entry_photon_2_clock = clock;
+        entry_photon_3_clock = clock;
+        entry_photon_4_clock = clock;
+        entry_photon_5_clock = clock;
+        entry_photon_6_clock = clock;
+        entry_photon_7_clock = clock;
+        entry_photon_8_clock = clock;
+        entry_photon_9_clock = clock;
+        entry_photon_10_clock = clock;
+        entry_photon_11_clock = clock;
+        entry_mantissa_0_clock = clock;
+        head_red_0 = entry_mantissa_0_q;
+        entry_mantissa_1_clock = clock;
+        head_red_1 = entry_mantissa_1_q;
+        entry_mantissa_2_clock = clock;
+        head_red_2 = entry_mantissa_2_q;
+        entry_mantissa_3_clock = clock;
+        head_red_3 = entry_mantissa_3_q;
+        entry_mantissa_4_clock = clock;
+        head_green_0 = entry_mantissa_4_q;
+        entry_mantissa_5_clock = clock;
+        head_green_1 = entry_mantissa_5_q;
+        entry_mantissa_6_clock = clock;
+        head_green_2 = entry_mantissa_6_q;
+        entry_mantissa_7_clock = clock;
+        head_green_3 = entry_mantissa_7_q;
+        entry_mantissa_8_clock = clock;
+        head_blue_0 = entry_mantissa_8_q;
+        entry_mantissa_9_clock = clock;
+        head_blue_1 = entry_mantissa_9_q;
+        entry_mantissa_10_clock = clock;
+        head_blue_2 = entry_mantissa_10_q;
+        entry_mantissa_11_clock = clock;
+        head_blue_3 = entry_mantissa_11_q;
+        entry_presence_0_clock = clock;
+        entry_presence_0_taken = head_taken;
+        head_present_0 = entry_presence_0_present;
+        head_absent_0 = entry_presence_0_absent;
+        entry_presence_1_clock = clock;
+        entry_presence_1_taken = head_taken;
+        head_present_1 = entry_presence_1_present;
+        head_absent_1 = entry_presence_1_absent;
+        entry_presence_2_clock = clock;
+        entry_presence_2_taken = head_taken;
+        head_present_2 = entry_presence_2_present;
+        head_absent_2 = entry_presence_2_absent;
+        entry_presence_3_clock = clock;
+        entry_presence_3_taken = head_taken;
+        head_present_3 = entry_presence_3_present;
+        head_absent_3 = entry_presence_3_absent;
         engine_0_clock = clock;
         engine_0_reset_in = reset;
-        engine_0_token_valid_in = head_token_valid;
-        engine_0_token_in_0 = query_x;
-        engine_0_token_in_1 = query_y;
-        engine_0_token_in_2 = query_z;
-        engine_0_swap_in = head_swap;
+        engine_0_token_valid_in = entry_token_valid_q;
+        engine_0_swap_in = entry_first_q;
         engine_0_first_in = head_first;
         engine_0_last_in = head_last;
-        engine_0_token_radius_sq_in_0 = query_radius_sq;
+        engine_0_token_radius_sq_in_0 = entry_radius_0_q;
+        engine_0_token_in_0 = entry_token_0_q;
+        engine_0_token_in_1 = entry_token_1_q;
+        engine_0_token_in_2 = entry_token_2_q;
+        engine_0_photon_in_0 = entry_photon_0_q;
+        engine_0_photon_in_1 = entry_photon_1_q;
+        engine_0_photon_in_2 = entry_photon_2_q;
+        engine_0_photon_in_3 = entry_photon_3_q;
+        engine_0_photon_in_4 = entry_photon_4_q;
+        engine_0_photon_in_5 = entry_photon_5_q;
+        engine_0_photon_in_6 = entry_photon_6_q;
+        engine_0_photon_in_7 = entry_photon_7_q;
+        engine_0_photon_in_8 = entry_photon_8_q;
+        engine_0_photon_in_9 = entry_photon_9_q;
+        engine_0_photon_in_10 = entry_photon_10_q;
+        engine_0_photon_in_11 = entry_photon_11_q;
         engine_0_present_in_0 = head_power_present_0;
         engine_0_present_in_1 = head_power_present_1;
         engine_0_present_in_2 = head_power_present_2;
@@ -429,11 +830,12 @@ module photoncube_stream(clock, reset, query_valid, query_ready, query_x, query_
 endmodule
 
 module photoncube_stream_head(clock, reset, query_valid, query_ready, group_valid,
-    group_last, present_0, present_1, present_2, present_3, red_0, red_1, red_2, red_3, green_0,
-    green_1, green_2, green_3, blue_0, blue_1, blue_2, blue_3, group_ready, result_valid,
-    result_red, result_green, result_blue, result_count, result_ready, token_valid, swap,
-    is_full, has_room, clocks_to_last, power_0, power_1, power_2, power_3, power_4, power_5,
-    power_6, power_7, power_8, power_9, power_10, power_11, power_present_0, power_present_1,
+    group_last, group_ready, taken, first_taken, last_taken, red_0, red_1, red_2, red_3, green_0,
+    green_1, green_2, green_3, blue_0, blue_1, blue_2, blue_3, present_0, present_1, present_2,
+    present_3, absent_0, absent_1, absent_2, absent_3, first_in, last_in, result_valid,
+    result_red, result_green, result_blue, result_count, result_ready, token_valid, is_full,
+    has_room, clocks_to_last, power_0, power_1, power_2, power_3, power_4, power_5, power_6,
+    power_7, power_8, power_9, power_10, power_11, power_present_0, power_present_1,
     power_present_2, power_present_3, first, last, result_valid_in, result_in_0, result_in_1,
     result_in_2, result_count_in);
     // Module arguments
@@ -443,10 +845,10 @@ module photoncube_stream_head(clock, reset, query_valid, query_ready, group_vali
     output reg query_ready;
     input wire group_valid;
     input wire group_last;
-    input wire present_0;
-    input wire present_1;
-    input wire present_2;
-    input wire present_3;
+    output reg group_ready;
+    output reg taken;
+    output reg first_taken;
+    output reg last_taken;
     input wire [7:0] red_0;
     input wire [7:0] red_1;
     input wire [7:0] red_2;
@@ -459,7 +861,16 @@ module photoncube_stream_head(clock, reset, query_valid, query_ready, group_vali
     input wire [7:0] blue_1;
     input wire [7:0] blue_2;
     input wire [7:0] blue_3;
-    output reg group_ready;
+    input wire present_0;
+    input wire present_1;
+    input wire present_2;
+    input wire present_3;
+    input wire absent_0;
+    input wire absent_1;
+    input wire absent_2;
+    input wire absent_3;
+    input wire first_in;
+    input wire last_in;
     output reg result_valid;
     output reg [21:0] result_red;
     output reg [21:0] result_green;
@@ -467,7 +878,6 @@ module photoncube_stream_head(clock, reset, query_valid, query_ready, group_vali
     output reg [14:0] result_count;
     input wire result_ready;
     output reg token_valid;
-    output reg swap;
     output reg is_full;
     output reg has_room;
     output reg [15:0] clocks_to_last;
@@ -500,81 +910,52 @@ module photoncube_stream_head(clock, reset, query_valid, query_ready, group_vali
     reg admission_query_valid;
     reg admission_group_valid;
     reg admission_group_last;
-    reg admission_result_taken;
+    reg admission_batch_taken;
     wire admission_query_ready;
     wire admission_group_ready;
     wire admission_taken;
     wire admission_first_taken;
     wire admission_last_taken;
     wire admission_token_valid;
-    wire admission_swap;
     wire admission_is_full;
     wire admission_has_room;
     wire [15:0] admission_clocks_to_last;
-    reg power_decoder_0_taken;
-    reg power_decoder_0_present;
+    reg power_decoder_0_absent;
     reg [7:0] power_decoder_0_mantissa;
     wire [7:0] power_decoder_0_power;
-    reg power_decoder_1_taken;
-    reg power_decoder_1_present;
+    reg power_decoder_1_absent;
     reg [7:0] power_decoder_1_mantissa;
     wire [7:0] power_decoder_1_power;
-    reg power_decoder_2_taken;
-    reg power_decoder_2_present;
+    reg power_decoder_2_absent;
     reg [7:0] power_decoder_2_mantissa;
     wire [7:0] power_decoder_2_power;
-    reg power_decoder_3_taken;
-    reg power_decoder_3_present;
+    reg power_decoder_3_absent;
     reg [7:0] power_decoder_3_mantissa;
     wire [7:0] power_decoder_3_power;
-    reg power_decoder_4_taken;
-    reg power_decoder_4_present;
+    reg power_decoder_4_absent;
     reg [7:0] power_decoder_4_mantissa;
     wire [7:0] power_decoder_4_power;
-    reg power_decoder_5_taken;
-    reg power_decoder_5_present;
+    reg power_decoder_5_absent;
     reg [7:0] power_decoder_5_mantissa;
     wire [7:0] power_decoder_5_power;
-    reg power_decoder_6_taken;
-    reg power_decoder_6_present;
+    reg power_decoder_6_absent;
     reg [7:0] power_decoder_6_mantissa;
     wire [7:0] power_decoder_6_power;
-    reg power_decoder_7_taken;
-    reg power_decoder_7_present;
+    reg power_decoder_7_absent;
     reg [7:0] power_decoder_7_mantissa;
     wire [7:0] power_decoder_7_power;
-    reg power_decoder_8_taken;
-    reg power_decoder_8_present;
+    reg power_decoder_8_absent;
     reg [7:0] power_decoder_8_mantissa;
     wire [7:0] power_decoder_8_power;
-    reg power_decoder_9_taken;
-    reg power_decoder_9_present;
+    reg power_decoder_9_absent;
     reg [7:0] power_decoder_9_mantissa;
     wire [7:0] power_decoder_9_power;
-    reg power_decoder_10_taken;
-    reg power_decoder_10_present;
+    reg power_decoder_10_absent;
     reg [7:0] power_decoder_10_mantissa;
     wire [7:0] power_decoder_10_power;
-    reg power_decoder_11_taken;
-    reg power_decoder_11_present;
+    reg power_decoder_11_absent;
     reg [7:0] power_decoder_11_mantissa;
     wire [7:0] power_decoder_11_power;
-    reg presence_decoder_0_taken;
-    reg presence_decoder_0_present;
-    reg presence_decoder_0_mantissa;
-    wire presence_decoder_0_power;
-    reg presence_decoder_1_taken;
-    reg presence_decoder_1_present;
-    reg presence_decoder_1_mantissa;
-    wire presence_decoder_1_power;
-    reg presence_decoder_2_taken;
-    reg presence_decoder_2_present;
-    reg presence_decoder_2_mantissa;
-    wire presence_decoder_2_power;
-    reg presence_decoder_3_taken;
-    reg presence_decoder_3_present;
-    reg presence_decoder_3_mantissa;
-    wire presence_decoder_3_power;
     reg power_delay_0_clock;
     reg [7:0] power_delay_0_word;
     wire [7:0] power_delay_0_delayed;
@@ -644,7 +1025,7 @@ module photoncube_stream_head(clock, reset, query_valid, query_ready, group_vali
     wire [21:0] queue_result_green;
     wire [21:0] queue_result_blue;
     wire [14:0] queue_result_count;
-    wire queue_result_taken;
+    wire queue_batch_taken;
     // Sub module instances
     photoncube_stream_admission admission(
         .clock(admission_clock),
@@ -652,113 +1033,76 @@ module photoncube_stream_head(clock, reset, query_valid, query_ready, group_vali
         .query_valid(admission_query_valid),
         .group_valid(admission_group_valid),
         .group_last(admission_group_last),
-        .result_taken(admission_result_taken),
+        .batch_taken(admission_batch_taken),
         .query_ready(admission_query_ready),
         .group_ready(admission_group_ready),
         .taken(admission_taken),
         .first_taken(admission_first_taken),
         .last_taken(admission_last_taken),
         .token_valid(admission_token_valid),
-        .swap(admission_swap),
         .is_full(admission_is_full),
         .has_room(admission_has_room),
         .clocks_to_last(admission_clocks_to_last)
     );
     photoncube_stream_power_decoder power_decoder_0(
-        .taken(power_decoder_0_taken),
-        .present(power_decoder_0_present),
+        .absent(power_decoder_0_absent),
         .mantissa(power_decoder_0_mantissa),
         .power(power_decoder_0_power)
     );
     photoncube_stream_power_decoder power_decoder_1(
-        .taken(power_decoder_1_taken),
-        .present(power_decoder_1_present),
+        .absent(power_decoder_1_absent),
         .mantissa(power_decoder_1_mantissa),
         .power(power_decoder_1_power)
     );
     photoncube_stream_power_decoder power_decoder_2(
-        .taken(power_decoder_2_taken),
-        .present(power_decoder_2_present),
+        .absent(power_decoder_2_absent),
         .mantissa(power_decoder_2_mantissa),
         .power(power_decoder_2_power)
     );
     photoncube_stream_power_decoder power_decoder_3(
-        .taken(power_decoder_3_taken),
-        .present(power_decoder_3_present),
+        .absent(power_decoder_3_absent),
         .mantissa(power_decoder_3_mantissa),
         .power(power_decoder_3_power)
     );
     photoncube_stream_power_decoder power_decoder_4(
-        .taken(power_decoder_4_taken),
-        .present(power_decoder_4_present),
+        .absent(power_decoder_4_absent),
         .mantissa(power_decoder_4_mantissa),
         .power(power_decoder_4_power)
     );
     photoncube_stream_power_decoder power_decoder_5(
-        .taken(power_decoder_5_taken),
-        .present(power_decoder_5_present),
+        .absent(power_decoder_5_absent),
         .mantissa(power_decoder_5_mantissa),
         .power(power_decoder_5_power)
     );
     photoncube_stream_power_decoder power_decoder_6(
-        .taken(power_decoder_6_taken),
-        .present(power_decoder_6_present),
+        .absent(power_decoder_6_absent),
         .mantissa(power_decoder_6_mantissa),
         .power(power_decoder_6_power)
     );
     photoncube_stream_power_decoder power_decoder_7(
-        .taken(power_decoder_7_taken),
-        .present(power_decoder_7_present),
+        .absent(power_decoder_7_absent),
         .mantissa(power_decoder_7_mantissa),
         .power(power_decoder_7_power)
     );
     photoncube_stream_power_decoder power_decoder_8(
-        .taken(power_decoder_8_taken),
-        .present(power_decoder_8_present),
+        .absent(power_decoder_8_absent),
         .mantissa(power_decoder_8_mantissa),
         .power(power_decoder_8_power)
     );
     photoncube_stream_power_decoder power_decoder_9(
-        .taken(power_decoder_9_taken),
-        .present(power_decoder_9_present),
+        .absent(power_decoder_9_absent),
         .mantissa(power_decoder_9_mantissa),
         .power(power_decoder_9_power)
     );
     photoncube_stream_power_decoder power_decoder_10(
-        .taken(power_decoder_10_taken),
-        .present(power_decoder_10_present),
+        .absent(power_decoder_10_absent),
         .mantissa(power_decoder_10_mantissa),
         .power(power_decoder_10_power)
     );
     photoncube_stream_power_decoder power_decoder_11(
-        .taken(power_decoder_11_taken),
-        .present(power_decoder_11_present),
+        .absent(power_decoder_11_absent),
         .mantissa(power_decoder_11_mantissa),
         .power(power_decoder_11_power)
-    );
-    photoncube_stream_presence_decoder presence_decoder_0(
-        .taken(presence_decoder_0_taken),
-        .present(presence_decoder_0_present),
-        .mantissa(presence_decoder_0_mantissa),
-        .power(presence_decoder_0_power)
-    );
-    photoncube_stream_presence_decoder presence_decoder_1(
-        .taken(presence_decoder_1_taken),
-        .present(presence_decoder_1_present),
-        .mantissa(presence_decoder_1_mantissa),
-        .power(presence_decoder_1_power)
-    );
-    photoncube_stream_presence_decoder presence_decoder_2(
-        .taken(presence_decoder_2_taken),
-        .present(presence_decoder_2_present),
-        .mantissa(presence_decoder_2_mantissa),
-        .power(presence_decoder_2_power)
-    );
-    photoncube_stream_presence_decoder presence_decoder_3(
-        .taken(presence_decoder_3_taken),
-        .present(presence_decoder_3_present),
-        .mantissa(presence_decoder_3_mantissa),
-        .power(presence_decoder_3_power)
     );
     photoncube_stream_power_delay power_delay_0(
         .clock(power_delay_0_clock),
@@ -866,7 +1210,7 @@ module photoncube_stream_head(clock, reset, query_valid, query_ready, group_vali
         .result_green(queue_result_green),
         .result_blue(queue_result_blue),
         .result_count(queue_result_count),
-        .result_taken(queue_result_taken)
+        .batch_taken(queue_batch_taken)
     );
     // Update code
     always @(*) begin
@@ -875,11 +1219,13 @@ module photoncube_stream_head(clock, reset, query_valid, query_ready, group_vali
         admission_query_valid = query_valid;
         admission_group_valid = group_valid;
         admission_group_last = group_last;
-        admission_result_taken = queue_result_taken;
+        admission_batch_taken = queue_batch_taken;
         query_ready = admission_query_ready;
         group_ready = admission_group_ready;
         token_valid = admission_token_valid;
-        swap = admission_swap;
+        taken = admission_taken;
+        first_taken = admission_first_taken;
+        last_taken = admission_last_taken;
         is_full = admission_is_full;
         has_room = admission_has_room;
         clocks_to_last = admission_clocks_to_last;
@@ -896,109 +1242,85 @@ module photoncube_stream_head(clock, reset, query_valid, query_ready, group_vali
         result_green = queue_result_green;
         queue_result_in_2 = result_in_2;
         result_blue = queue_result_blue;
-        presence_decoder_0_taken = admission_taken;
-        presence_decoder_0_present = present_0;
-        presence_decoder_0_mantissa = present_0;
         present_delay_0_clock = clock;
-        present_delay_0_word = presence_decoder_0_power;
+        present_delay_0_word = present_0;
         power_present_0 = present_delay_0_delayed;
-        power_decoder_0_taken = admission_taken;
-        power_decoder_0_present = present_0;
+        power_decoder_0_absent = absent_0;
         power_decoder_0_mantissa = red_0;
         power_delay_0_clock = clock;
         power_delay_0_word = power_decoder_0_power;
         power_0 = power_delay_0_delayed;
-        power_decoder_1_taken = admission_taken;
-        power_decoder_1_present = present_0;
+        power_decoder_1_absent = absent_0;
         power_decoder_1_mantissa = green_0;
         power_delay_1_clock = clock;
         power_delay_1_word = power_decoder_1_power;
         power_1 = power_delay_1_delayed;
-        power_decoder_2_taken = admission_taken;
-        power_decoder_2_present = present_0;
+        power_decoder_2_absent = absent_0;
         power_decoder_2_mantissa = blue_0;
         power_delay_2_clock = clock;
         power_delay_2_word = power_decoder_2_power;
         power_2 = power_delay_2_delayed;
-        presence_decoder_1_taken = admission_taken;
-        presence_decoder_1_present = present_1;
-        presence_decoder_1_mantissa = present_1;
         present_delay_1_clock = clock;
-        present_delay_1_word = presence_decoder_1_power;
+        present_delay_1_word = present_1;
         power_present_1 = present_delay_1_delayed;
-        power_decoder_3_taken = admission_taken;
-        power_decoder_3_present = present_1;
+        power_decoder_3_absent = absent_1;
         power_decoder_3_mantissa = red_1;
         power_delay_3_clock = clock;
         power_delay_3_word = power_decoder_3_power;
         power_3 = power_delay_3_delayed;
-        power_decoder_4_taken = admission_taken;
-        power_decoder_4_present = present_1;
+        power_decoder_4_absent = absent_1;
         power_decoder_4_mantissa = green_1;
         power_delay_4_clock = clock;
         power_delay_4_word = power_decoder_4_power;
         power_4 = power_delay_4_delayed;
-        power_decoder_5_taken = admission_taken;
-        power_decoder_5_present = present_1;
+        power_decoder_5_absent = absent_1;
         power_decoder_5_mantissa = blue_1;
         power_delay_5_clock = clock;
         power_delay_5_word = power_decoder_5_power;
         power_5 = power_delay_5_delayed;
-        presence_decoder_2_taken = admission_taken;
-        presence_decoder_2_present = present_2;
-        presence_decoder_2_mantissa = present_2;
         present_delay_2_clock = clock;
-        present_delay_2_word = presence_decoder_2_power;
+        present_delay_2_word = present_2;
         power_present_2 = present_delay_2_delayed;
-        power_decoder_6_taken = admission_taken;
-        power_decoder_6_present = present_2;
+        power_decoder_6_absent = absent_2;
         power_decoder_6_mantissa = red_2;
         power_delay_6_clock = clock;
         power_delay_6_word = power_decoder_6_power;
         power_6 = power_delay_6_delayed;
-        power_decoder_7_taken = admission_taken;
-        power_decoder_7_present = present_2;
+        power_decoder_7_absent = absent_2;
         power_decoder_7_mantissa = green_2;
         power_delay_7_clock = clock;
         power_delay_7_word = power_decoder_7_power;
         power_7 = power_delay_7_delayed;
-        power_decoder_8_taken = admission_taken;
-        power_decoder_8_present = present_2;
+        power_decoder_8_absent = absent_2;
         power_decoder_8_mantissa = blue_2;
         power_delay_8_clock = clock;
         power_delay_8_word = power_decoder_8_power;
         power_8 = power_delay_8_delayed;
-        presence_decoder_3_taken = admission_taken;
-        presence_decoder_3_present = present_3;
-        presence_decoder_3_mantissa = present_3;
         present_delay_3_clock = clock;
-        present_delay_3_word = presence_decoder_3_power;
+        present_delay_3_word = present_3;
         power_present_3 = present_delay_3_delayed;
-        power_decoder_9_taken = admission_taken;
-        power_decoder_9_present = present_3;
+        power_decoder_9_absent = absent_3;
         power_decoder_9_mantissa = red_3;
         power_delay_9_clock = clock;
         power_delay_9_word = power_decoder_9_power;
         power_9 = power_delay_9_delayed;
-        power_decoder_10_taken = admission_taken;
-        power_decoder_10_present = present_3;
+        power_decoder_10_absent = absent_3;
         power_decoder_10_mantissa = green_3;
         power_delay_10_clock = clock;
         power_delay_10_word = power_decoder_10_power;
         power_10 = power_delay_10_delayed;
-        power_decoder_11_taken = admission_taken;
-        power_decoder_11_present = present_3;
+        power_decoder_11_absent = absent_3;
         power_decoder_11_mantissa = blue_3;
         power_delay_11_clock = clock;
         power_delay_11_word = power_decoder_11_power;
         power_11 = power_delay_11_delayed;
         first_delay_clock = clock;
         first_delay_clear = reset;
-        first_delay_flag = admission_first_taken;
+        first_delay_flag = first_in;
         first = first_delay_delayed;
         last_delay_clock = clock;
         last_delay_clear = reset;
-        last_delay_flag = admission_last_taken;
+        last_delay_flag = last_in;
         last = last_delay_delayed;
     end
 endmodule
@@ -1904,7 +2226,7 @@ endmodule
 
 module photoncube_stream_queue(clock, reset, result_valid_in, result_in_0, result_in_1,
     result_in_2, result_count_in, result_ready, result_valid, result_red, result_green,
-    result_blue, result_count, result_taken);
+    result_blue, result_count, batch_taken);
     // Module arguments
     input wire clock;
     input wire reset;
@@ -1919,66 +2241,74 @@ module photoncube_stream_queue(clock, reset, result_valid_in, result_in_0, resul
     output reg [21:0] result_green;
     output reg [21:0] result_blue;
     output reg [14:0] result_count;
-    output reg result_taken;
+    output reg batch_taken;
     // Update code (custom)
     reg [80:0] results [0:15];
-    reg [4:0] write_place = 5'd0;
-    reg [4:0] read_place = 5'd0;
+    reg [3:0] write_place = 4'd0;
+    reg [3:0] newest_place = 4'd0;
+    reg [3:0] read_place = 4'd0;
+    reg has_result = 1'd0;
     integer place;
     initial for (place = 0; place <= 15; place = place + 1) results[place] = 81'd0;
-    wire [80:0] word = results[read_place[3:0]];
-    wire valid = write_place != read_place;
-    always @(*) result_valid = valid;
-    always @(*) result_taken = valid & result_ready;
+    wire [80:0] word = results[read_place];
+    wire takes_result = has_result & result_ready;
+    wire takes_newest = takes_result & (read_place == newest_place);
+    always @(*) result_valid = has_result;
+    always @(*) batch_taken = takes_result;
     always @(*) result_red = word[21:0];
     always @(*) result_green = word[43:22];
     always @(*) result_blue = word[65:44];
     always @(*) result_count = word[80:66];
     always @(posedge clock) begin
       if (result_valid_in) begin
-        results[write_place[3:0]] <= {result_count_in, result_in_2, result_in_1, result_in_0};
-        write_place <= write_place + 5'd1;
+        results[write_place] <= {result_count_in, result_in_2, result_in_1, result_in_0};
+        newest_place <= write_place;
+        write_place <= write_place + 4'd1;
       end
-      if (valid & result_ready) read_place <= read_place + 5'd1;
+      if (takes_result) read_place <= read_place + 4'd1;
+      has_result <= result_valid_in | (has_result & ~takes_newest);
       if (reset) begin
-        write_place <= 5'd0;
-        read_place <= 5'd0;
+        write_place <= 4'd0;
+        newest_place <= 4'd0;
+        read_place <= 4'd0;
+        has_result <= 1'd0;
       end
     end
 endmodule
 
 module photoncube_stream_admission(clock, reset, query_valid, group_valid, group_last,
-    result_taken, query_ready, group_ready, taken, first_taken, last_taken, token_valid, swap,
-    is_full, has_room, clocks_to_last);
+    batch_taken, query_ready, group_ready, taken, first_taken, last_taken, token_valid, is_full,
+    has_room, clocks_to_last);
     // Module arguments
     input wire clock;
     input wire reset;
     input wire query_valid;
     input wire group_valid;
     input wire group_last;
-    input wire result_taken;
+    input wire batch_taken;
     output reg query_ready;
     output reg group_ready;
     output reg taken;
     output reg first_taken;
     output reg last_taken;
     output reg token_valid;
-    output reg swap;
     output reg is_full;
     output reg has_room;
     output reg [15:0] clocks_to_last;
     // Update code (custom)
     reg [0:0] loaded = 1'd0;
     reg open = 1'd0;
+    reg has_batch = 1'd0;
     reg [0:0] spacing = 1'd0;
-    reg [4:0] promised = 5'd0;
+    reg [15:0] promised = 16'd0;
     wire full = loaded == 1'd1;
-    wire room = promised <= 5'd15;
+    wire fills = query_valid;
+    wire room = ~promised[15];
     wire fits = (spacing == 1'd0) & room;
-    wire admits_group = (open | full) & (~group_last | fits);
+    wire admits_group = has_batch & (~group_last | fits);
     wire takes_group = group_valid & admits_group;
-    wire takes_first = takes_group & ~open;
-    wire takes_last = takes_group & group_last;
+    wire takes_first = group_valid & full & ~open & (~group_last | fits);
+    wire takes_last = group_valid & has_batch & group_last & fits;
     wire admits_query = ~full | takes_first;
     wire takes_query = query_valid & admits_query;
     always @(*) query_ready = admits_query;
@@ -1987,21 +2317,22 @@ module photoncube_stream_admission(clock, reset, query_valid, group_valid, group
     always @(*) first_taken = takes_first;
     always @(*) last_taken = takes_last;
     always @(*) token_valid = takes_query & ~reset;
-    always @(*) swap = takes_first & ~reset;
     always @(*) is_full = full;
     always @(*) has_room = room;
     always @(*) clocks_to_last = {15'd0, spacing};
     always @(posedge clock) begin
-      loaded <= (takes_first ? 1'd0 : loaded) + takes_query;
-      if (takes_group) open <= ~group_last;
-      if (takes_last) spacing <= 1'd0;
-      else if (spacing != 1'd0) spacing <= spacing - 1'd1;
-      promised <= promised + (takes_last ? 5'd1 : 5'd0) - {4'd0, result_taken};
+      loaded <= query_valid | (loaded & ~takes_first);
+      open <= (takes_group & ~group_last) | (open & ~takes_last);
+      has_batch <= (open & full) | (has_batch & ~takes_last) | fills;
+      spacing <= 1'd0;
+      if (takes_last != batch_taken)
+        promised <= takes_last ? {promised[14:0], 1'd1} : {1'd0, promised[15:1]};
       if (reset) begin
         loaded <= 1'd0;
         open <= 1'd0;
+        has_batch <= 1'd0;
         spacing <= 1'd0;
-        promised <= 5'd0;
+        promised <= 16'd0;
       end
     end
 endmodule
@@ -2247,6 +2578,50 @@ module photoncube_stream_first_delay(clock, clear, flag, delayed);
         stage_7_clock = clock;
         stage_7_clear = clear;
         delayed = stage_7_q;
+    end
+endmodule
+
+module photoncube_stream_entry_presence(clock, taken, photon_present, present, absent);
+    // Module arguments
+    input wire clock;
+    input wire taken;
+    input wire photon_present;
+    output reg present;
+    output reg absent;
+    // Stub signals
+    reg is_present_d;
+    wire is_present_q;
+    reg is_present_clock;
+    reg is_absent_d;
+    wire is_absent_q;
+    reg is_absent_clock;
+    // Local signals
+    reg is_photon;
+    // Sub module instances
+    photoncube_stream_register_1 is_present(
+        .d(is_present_d),
+        .q(is_present_q),
+        .clock(is_present_clock)
+    );
+    photoncube_stream_register_1 is_absent(
+        .d(is_absent_d),
+        .q(is_absent_q),
+        .clock(is_absent_clock)
+    );
+    // Update code
+    always @(*) begin
+        is_present_clock = clock;
+        is_absent_clock = clock;
+        is_present_d = is_present_q;
+        is_absent_d = is_absent_q;
+        is_photon = taken & |photon_present;
+        is_absent_d = ~is_photon;
+        is_present_d = 32'h0;
+        if (is_photon) begin
+            is_present_d = 32'h1;
+        end
+        present = is_present_q;
+        absent = is_absent_q;
     end
 endmodule
 
@@ -2910,22 +3285,19 @@ module photoncube_stream_group_flags(clock, reset_in, reset, first_in, last_in, 
     end
 endmodule
 
-module photoncube_stream_power_decoder(taken, present, mantissa, power);
+module photoncube_stream_power_decoder(absent, mantissa, power);
     // Module arguments
-    input wire taken;
-    input wire present;
+    input wire absent;
     input wire [7:0] mantissa;
     output reg [7:0] power;
     // Local signals
-    reg is_photon;
     reg [7:0] decoded;
     // Update code
     always @(*) begin
-        is_photon = taken & |present;
         decoded = ((mantissa) & 8'hff);
-        power = 32'h0;
-        if (is_photon) begin
-            power = decoded;
+        power = decoded;
+        if (absent) begin
+            power = 32'h0;
         end
     end
 endmodule
@@ -3301,26 +3673,6 @@ module photoncube_stream_channel_sum(clock, power_in_0, power_in_1, power_in_2, 
     end
 endmodule
 
-module photoncube_stream_presence_decoder(taken, present, mantissa, power);
-    // Module arguments
-    input wire taken;
-    input wire present;
-    input wire mantissa;
-    output reg power;
-    // Local signals
-    reg is_photon;
-    reg decoded;
-    // Update code
-    always @(*) begin
-        is_photon = taken & |present;
-        decoded = ((mantissa) & 1'h1);
-        power = 32'h0;
-        if (is_photon) begin
-            power = decoded;
-        end
-    end
-endmodule
-
 module photoncube_stream_any_far(x, y, z, any);
     // Module arguments
     input wire x;
@@ -3451,20 +3803,6 @@ module photoncube_stream_group_sum_2(a, b, sum);
     end
 endmodule
 
-module photoncube_stream_register_10(d, q, clock);
-    // Module arguments
-    input wire [9:0] d;
-    output reg [9:0] q;
-    input wire clock;
-    // Update code (custom)
-    initial begin
-       q = 10'h0;
-    end
-    always @(posedge clock) begin
-       q <= d;
-    end
-endmodule
-
 module photoncube_stream_accumulate_2(group, sum, first, next_sum);
     // Module arguments
     input wire [2:0] group;
@@ -3560,14 +3898,13 @@ module photoncube_stream_digits(clock, difference, square, far);
     output reg far;
     // Stub signals
     reg [10:0] magnitude_of_difference;
-    wire [7:0] magnitude_of_magnitude;
-    wire magnitude_of_far;
-    reg [7:0] magnitude_d;
-    wire [7:0] magnitude_q;
+    wire [9:0] magnitude_of_magnitude;
+    reg [9:0] magnitude_d;
+    wire [9:0] magnitude_q;
     reg magnitude_clock;
-    reg magnitude_far_d;
-    wire magnitude_far_q;
-    reg magnitude_far_clock;
+    reg [9:0] split_magnitude_magnitude;
+    wire [7:0] split_magnitude_counted;
+    wire split_magnitude_far;
     reg [7:0] digit_products_magnitude;
     wire [5:0] digit_products_low_product;
     wire [5:0] digit_products_high_product;
@@ -3601,18 +3938,17 @@ module photoncube_stream_digits(clock, difference, square, far);
     // Sub module instances
     photoncube_stream_magnitude_of magnitude_of(
         .difference(magnitude_of_difference),
-        .magnitude(magnitude_of_magnitude),
-        .far(magnitude_of_far)
+        .magnitude(magnitude_of_magnitude)
     );
-    photoncube_stream_register_8 magnitude(
+    photoncube_stream_register_10 magnitude(
         .d(magnitude_d),
         .q(magnitude_q),
         .clock(magnitude_clock)
     );
-    photoncube_stream_register_1 magnitude_far(
-        .d(magnitude_far_d),
-        .q(magnitude_far_q),
-        .clock(magnitude_far_clock)
+    photoncube_stream_split_magnitude split_magnitude(
+        .magnitude(split_magnitude_magnitude),
+        .counted(split_magnitude_counted),
+        .far(split_magnitude_far)
     );
     photoncube_stream_digit_products digit_products(
         .magnitude(digit_products_magnitude),
@@ -3667,7 +4003,6 @@ module photoncube_stream_digits(clock, difference, square, far);
     // Update code
     always @(*) begin
         magnitude_clock = clock;
-        magnitude_far_clock = clock;
         products_magnitude_clock = clock;
         low_product_clock = clock;
         high_product_clock = clock;
@@ -3677,12 +4012,12 @@ module photoncube_stream_digits(clock, difference, square, far);
         cross_far_clock = clock;
         magnitude_of_difference = difference;
         magnitude_d = magnitude_of_magnitude;
-        magnitude_far_d = magnitude_of_far;
-        digit_products_magnitude = magnitude_q;
-        products_magnitude_d = magnitude_q;
+        split_magnitude_magnitude = magnitude_q;
+        digit_products_magnitude = split_magnitude_counted;
+        products_magnitude_d = split_magnitude_counted;
         low_product_d = digit_products_low_product;
         high_product_d = digit_products_high_product;
-        products_far_d = magnitude_far_q;
+        products_far_d = split_magnitude_far;
         cross_sum_low_product = low_product_q;
         cross_sum_high_product = high_product_q;
         cross_magnitude_d = products_magnitude_q;
@@ -3868,6 +4203,20 @@ module photoncube_stream_register_16(d, q, clock);
     end
 endmodule
 
+module photoncube_stream_register_10(d, q, clock);
+    // Module arguments
+    input wire [9:0] d;
+    output reg [9:0] q;
+    input wire clock;
+    // Update code (custom)
+    initial begin
+       q = 10'h0;
+    end
+    always @(posedge clock) begin
+       q <= d;
+    end
+endmodule
+
 module photoncube_stream_cross_sum(low_product, high_product, cross_product);
     // Module arguments
     input wire [5:0] low_product;
@@ -3931,17 +4280,28 @@ module photoncube_stream_square_sum(magnitude, cross_product, square);
     always @(*) square = {upper, squares[4:0]};
 endmodule
 
-module photoncube_stream_magnitude_of(difference, magnitude, far);
+module photoncube_stream_register_1(d, q, clock);
+    // Module arguments
+    input wire d;
+    output reg q;
+    input wire clock;
+    // Update code (custom)
+    initial begin
+       q = 1'h0;
+    end
+    always @(posedge clock) begin
+       q <= d;
+    end
+endmodule
+
+module photoncube_stream_magnitude_of(difference, magnitude);
     // Module arguments
     input wire [10:0] difference;
-    output reg [7:0] magnitude;
-    output reg far;
+    output reg [9:0] magnitude;
     // Update code (custom)
     wire negative = difference[10];
     wire [9:0] inverted = difference[9:0] ^ {10{negative}};
-    wire [9:0] whole = inverted + {9'd0, negative};
-    always @(*) magnitude = whole[7:0];
-    always @(*) far = |whole[9:8];
+    always @(*) magnitude = inverted + {9'd0, negative};
 endmodule
 
 module photoncube_stream_register_6(d, q, clock);
@@ -3958,20 +4318,6 @@ module photoncube_stream_register_6(d, q, clock);
     end
 endmodule
 
-module photoncube_stream_register_1(d, q, clock);
-    // Module arguments
-    input wire d;
-    output reg q;
-    input wire clock;
-    // Update code (custom)
-    initial begin
-       q = 1'h0;
-    end
-    always @(posedge clock) begin
-       q <= d;
-    end
-endmodule
-
 module photoncube_stream_digit_products(magnitude, low_product, high_product);
     // Module arguments
     input wire [7:0] magnitude;
@@ -3981,6 +4327,16 @@ module photoncube_stream_digit_products(magnitude, low_product, high_product);
     wire [3:0] high = magnitude[7:4];
     always @(*) low_product = {2'd0, high & {4{magnitude[0]}}} + {1'd0, high & {4{magnitude[1]}}, 1'd0};
     always @(*) high_product = {2'd0, high & {4{magnitude[2]}}} + {1'd0, high & {4{magnitude[3]}}, 1'd0};
+endmodule
+
+module photoncube_stream_split_magnitude(magnitude, counted, far);
+    // Module arguments
+    input wire [9:0] magnitude;
+    output reg [7:0] counted;
+    output reg far;
+    // Update code (custom)
+    always @(*) counted = magnitude[7:0];
+    always @(*) far = |magnitude[9:8];
 endmodule
 
 module photoncube_stream_register_8(d, q, clock);

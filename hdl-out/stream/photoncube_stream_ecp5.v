@@ -61,6 +61,53 @@ module photoncube_stream_gated_sum_2(a, b, a_in_range, b_in_range, sum);
     assign sum = chain[1:0];
 endmodule
 
+module photoncube_stream_range_of_query(distance, far, largest, in_range);
+    input wire [17:0] distance;
+    input wire far;
+    input wire [15:0] largest;
+    output wire in_range;
+    wire [17:0] chain;
+    wire [9:0] carry;
+    assign carry[0] = 1'b0;
+    CCU2C #(.INIT0(16'h000b), .INIT1(16'h9992), .INJECT1_0("NO"), .INJECT1_1("NO")) pair_0 (
+        .CIN(carry[0]), .A0(largest[0]), .B0(distance[0]), .C0(1'b1), .D0(1'b1),
+        .A1(largest[1]), .B1(distance[1]), .C1(1'b1), .D1(1'b1),
+        .S0(chain[0]), .S1(chain[1]), .COUT(carry[1]));
+    CCU2C #(.INIT0(16'h9992), .INIT1(16'h9992), .INJECT1_0("NO"), .INJECT1_1("NO")) pair_1 (
+        .CIN(carry[1]), .A0(largest[2]), .B0(distance[2]), .C0(1'b1), .D0(1'b1),
+        .A1(largest[3]), .B1(distance[3]), .C1(1'b1), .D1(1'b1),
+        .S0(chain[2]), .S1(chain[3]), .COUT(carry[2]));
+    CCU2C #(.INIT0(16'h9992), .INIT1(16'h9992), .INJECT1_0("NO"), .INJECT1_1("NO")) pair_2 (
+        .CIN(carry[2]), .A0(largest[4]), .B0(distance[4]), .C0(1'b1), .D0(1'b1),
+        .A1(largest[5]), .B1(distance[5]), .C1(1'b1), .D1(1'b1),
+        .S0(chain[4]), .S1(chain[5]), .COUT(carry[3]));
+    CCU2C #(.INIT0(16'h9992), .INIT1(16'h9992), .INJECT1_0("NO"), .INJECT1_1("NO")) pair_3 (
+        .CIN(carry[3]), .A0(largest[6]), .B0(distance[6]), .C0(1'b1), .D0(1'b1),
+        .A1(largest[7]), .B1(distance[7]), .C1(1'b1), .D1(1'b1),
+        .S0(chain[6]), .S1(chain[7]), .COUT(carry[4]));
+    CCU2C #(.INIT0(16'h9992), .INIT1(16'h9992), .INJECT1_0("NO"), .INJECT1_1("NO")) pair_4 (
+        .CIN(carry[4]), .A0(largest[8]), .B0(distance[8]), .C0(1'b1), .D0(1'b1),
+        .A1(largest[9]), .B1(distance[9]), .C1(1'b1), .D1(1'b1),
+        .S0(chain[8]), .S1(chain[9]), .COUT(carry[5]));
+    CCU2C #(.INIT0(16'h9992), .INIT1(16'h9992), .INJECT1_0("NO"), .INJECT1_1("NO")) pair_5 (
+        .CIN(carry[5]), .A0(largest[10]), .B0(distance[10]), .C0(1'b1), .D0(1'b1),
+        .A1(largest[11]), .B1(distance[11]), .C1(1'b1), .D1(1'b1),
+        .S0(chain[10]), .S1(chain[11]), .COUT(carry[6]));
+    CCU2C #(.INIT0(16'h9992), .INIT1(16'h9992), .INJECT1_0("NO"), .INJECT1_1("NO")) pair_6 (
+        .CIN(carry[6]), .A0(largest[12]), .B0(distance[12]), .C0(1'b1), .D0(1'b1),
+        .A1(largest[13]), .B1(distance[13]), .C1(1'b1), .D1(1'b1),
+        .S0(chain[12]), .S1(chain[13]), .COUT(carry[7]));
+    CCU2C #(.INIT0(16'h9992), .INIT1(16'h9992), .INJECT1_0("NO"), .INJECT1_1("NO")) pair_7 (
+        .CIN(carry[7]), .A0(largest[14]), .B0(distance[14]), .C0(1'b1), .D0(1'b1),
+        .A1(largest[15]), .B1(distance[15]), .C1(1'b1), .D1(1'b1),
+        .S0(chain[14]), .S1(chain[15]), .COUT(carry[8]));
+    CCU2C #(.INIT0(16'h0100), .INIT1(16'h0000), .INJECT1_0("NO"), .INJECT1_1("NO")) pair_8 (
+        .CIN(carry[8]), .A0(distance[16]), .B0(distance[17]), .C0(far), .D0(1'b1),
+        .A1(1'b1), .B1(1'b1), .C1(1'b1), .D1(1'b1),
+        .S0(chain[16]), .S1(chain[17]), .COUT(carry[9]));
+    assign in_range = chain[17];
+endmodule
+
 module photoncube_stream_subtract(a, b, difference);
     input wire [9:0] a;
     input wire [9:0] b;
@@ -232,10 +279,9 @@ module photoncube_stream_square_sum(magnitude, cross_product, square);
     assign square = {chain[10:0], table_4, table_3, table_2, table_1, table_0};
 endmodule
 
-module photoncube_stream_magnitude_of(difference, magnitude, far);
+module photoncube_stream_magnitude_of(difference, magnitude);
     input wire [10:0] difference;
-    output wire [7:0] magnitude;
-    output wire far;
+    output wire [9:0] magnitude;
     wire [9:0] chain;
     wire [5:0] carry;
     assign carry[0] = 1'b0;
@@ -259,8 +305,7 @@ module photoncube_stream_magnitude_of(difference, magnitude, far);
         .CIN(carry[4]), .A0(difference[8]), .B0(difference[10]), .C0(1'b1), .D0(1'b1),
         .A1(difference[9]), .B1(difference[10]), .C1(1'b1), .D1(1'b1),
         .S0(chain[8]), .S1(chain[9]), .COUT(carry[5]));
-    assign magnitude = {chain[7:1], difference[0]};
-    assign far = |chain[9:8];
+    assign magnitude = {chain[9:1], difference[0]};
 endmodule
 
 module photoncube_stream_digit_products(magnitude, low_product, high_product);

@@ -210,10 +210,9 @@ module photoncube_tile_5_square_sum(magnitude, cross_product, square);
     assign square = {chain[9:0], table_3, table_2, table_1, table_0};
 endmodule
 
-module photoncube_tile_5_magnitude_of(difference, magnitude, far);
+module photoncube_tile_5_magnitude_of(difference, magnitude);
     input wire [9:0] difference;
-    output wire [6:0] magnitude;
-    output wire far;
+    output wire [8:0] magnitude;
     wire [9:0] chain;
     wire [5:0] carry;
     assign carry[0] = 1'b0;
@@ -237,8 +236,7 @@ module photoncube_tile_5_magnitude_of(difference, magnitude, far);
         .CIN(carry[4]), .A0(difference[8]), .B0(difference[9]), .C0(1'b1), .D0(1'b1),
         .A1(1'b1), .B1(1'b1), .C1(1'b1), .D1(1'b1),
         .S0(chain[8]), .S1(chain[9]), .COUT(carry[5]));
-    assign magnitude = {chain[6:1], difference[0]};
-    assign far = |chain[8:7];
+    assign magnitude = {chain[8:1], difference[0]};
 endmodule
 
 module photoncube_tile_5_digit_products(magnitude, low_product, high_product);

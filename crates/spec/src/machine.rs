@@ -94,6 +94,12 @@ impl Machine {
             .is_some_and(|spatial| spatial.memory_groups > 0)
     }
 
+    /// Whether photons have an exponent beside their mantissas.
+    pub fn has_exponent(&self) -> bool {
+        let format = self.format();
+        format.is_some_and(|format| format.power.exponent_range() > 0)
+    }
+
     /// Photons of one iteration: the lanes of a group.
     pub fn photons_per_iteration(&self) -> usize {
         match self.spatial() {

@@ -35,6 +35,7 @@ fn chained(module: &Module) -> Option<String> {
         .or_else(|| named("_magnitude_of").map(|()| magnitude(&ports)))
         .or_else(|| named("_digit_products").map(|()| digit_products(&ports)))
         .or_else(|| named("_square_sum").map(|()| square_sum(&ports)))
+        .or_else(|| named("_range_of_query").map(|()| range_of_query(&ports)))
         .or_else(|| named("_gated_sum").map(|()| gated_sum(&ports)))
         .or_else(|| named("_accumulate").map(|()| accumulate(&ports)))?;
     Some(format!(
@@ -185,7 +186,7 @@ fn subtract(ports: &Ports) -> String {
 /// `(d ^ s) + s` with s the sign: bit 0 is that of d, and the carry from it is 1 where a negative d
 /// is even.
 fn magnitude(ports: &Ports) -> String {
-    let (sign, radius) = (ports.width("difference") - 1, ports.width("magnitude"));
+    let sign = ports.width("difference") - 1;
     let negative = bit("difference", sign);
     let lowest = bit("difference", 0);
     let mut bits = vec![Bit::new(
@@ -202,9 +203,7 @@ fn magnitude(ports: &Ports) -> String {
     }));
     cells(bits)
         + &format!(
-            "    assign magnitude = {{chain[{}:1], difference[0]}};\n    \
-             assign far = |chain[{}:{radius}];\n",
-            radius - 1,
+            "    assign magnitude = {{chain[{}:1], difference[0]}};\n",
             sign - 1
         )
 }
@@ -391,6 +390,26 @@ impl SquareBit {
         }
         self.value(&inputs)
     }
+}
+
+/// `in_range = distance <= largest, and not far`: whether largest + ~distance + 1 has a carry that
+/// nothing above stops. The last bit shows it.
+fn range_of_query(ports: &Ports) -> String {
+    let (largest, distance) = (ports.width("largest"), ports.width("distance"));
+    let digit = |i: usize| [bit("largest", i), bit("distance", i)];
+    let mut bits = vec![Bit::new(&digit(0), |_| false, |l, d| l | !d)];
+    bits.extend((1..largest).map(|i| Bit::new(&digit(i), |[l, d, ..]| l == d, |l, d| l & !d)));
+    let above = (largest..distance).map(|i| bit("distance", i));
+    let above: Vec<_> = above.chain(["far".to_owned()]).collect();
+    assert_eq!(
+        above.len(),
+        3,
+        "a carry bit's LUT has three inputs to spare"
+    );
+    bits.push(Bit::new(&above, |[a, b, c, _]| !(a | b | c), |_, _| false));
+    bits.push(Bit::carry());
+    let last = bits.len() - 1;
+    cells(bits) + &format!("    assign in_range = chain[{last}];\n")
 }
 
 /// `sum = (a & a_in_range) + (b & b_in_range)`.

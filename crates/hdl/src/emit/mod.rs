@@ -82,6 +82,7 @@ const HAND_WRITTEN: &[&str] = &[
     "difference",
     "squarer",
     "magnitude_of",
+    "split_magnitude",
     "memory",
     "digit_products",
     "cross_sum",

@@ -17,7 +17,8 @@ pub(crate) struct Admission {
     pub query_valid: Signal<In, Bit>,
     pub group_valid: Signal<In, Bit>,
     pub group_last: Signal<In, Bit>,
-    pub result_taken: Signal<In, Bit>,
+    /// The last result of a batch is taken.
+    pub batch_taken: Signal<In, Bit>,
     pub query_ready: Signal<Out, Bit>,
     pub group_ready: Signal<Out, Bit>,
     /// The group of this clock is taken.
@@ -26,9 +27,8 @@ pub(crate) struct Admission {
     pub first_taken: Signal<Out, Bit>,
     /// It is the last of its batch.
     pub last_taken: Signal<Out, Bit>,
-    /// What engine 0 sees of it: nothing in the clock of a reset.
+    /// A query is taken, and none in the clock of a reset.
     pub token_valid: Signal<Out, Bit>,
-    pub swap: Signal<Out, Bit>,
     /// What a photon memory goes by: all queries of a batch are taken; there is room for its results;
     /// the clocks until a last group may be taken.
     pub is_full: Signal<Out, Bit>,
@@ -36,6 +36,7 @@ pub(crate) struct Admission {
     pub clocks_to_last: Signal<Out, Bits<16>>,
     pub _loaded: Hidden,
     pub _open: Hidden,
+    pub _has_batch: Hidden,
     pub _spacing: Hidden,
     pub _promised: Hidden,
     _engines: u64,
@@ -60,19 +61,19 @@ impl Admission {
             query_valid: Default::default(),
             group_valid: Default::default(),
             group_last: Default::default(),
-            result_taken: Default::default(),
+            batch_taken: Default::default(),
             query_ready: Default::default(),
             group_ready: Default::default(),
             taken: Default::default(),
             first_taken: Default::default(),
             last_taken: Default::default(),
             token_valid: Default::default(),
-            swap: Default::default(),
             is_full: Default::default(),
             has_room: Default::default(),
             clocks_to_last: Default::default(),
             _loaded: Default::default(),
             _open: Default::default(),
+            _has_batch: Default::default(),
             _spacing: Default::default(),
             _promised: Default::default(),
             _engines: spatial.engines() as u64,
@@ -80,16 +81,16 @@ impl Admission {
         }
     }
 
-    /// The most promises that leave room for a batch.
-    fn most_promised(&self) -> u64 {
-        self._sizes.queue as u64 - self._engines
+    /// There is room for the results of a batch: the highest of the unary bits is free.
+    fn has_room(&self) -> bool {
+        self._promised.0 >> (self._sizes.promised_bits - 1) == 0
     }
 
     fn taken(&self) -> Taken {
         let open = self._open.0 != 0;
         let full = self._loaded.0 == self._engines;
-        let fits = self._spacing.0 == 0 && self._promised.0 <= self.most_promised();
-        let group_ready = (open || full) && (!self.group_last.val() || fits);
+        let fits = self._spacing.0 == 0 && self.has_room();
+        let group_ready = self._has_batch.0 != 0 && (!self.group_last.val() || fits);
         let group = self.group_valid.val() && group_ready;
         let first = group && !open;
         let query_ready = !full || first;
@@ -106,7 +107,6 @@ impl Admission {
     fn step(&mut self) {
         let taken = self.taken();
         let kept = if taken.first { 0 } else { self._loaded.0 };
-        let promised = self._promised.0 + if taken.last { self._engines } else { 0 };
         self._loaded.0 = kept + u64::from(taken.query);
         if taken.group {
             self._open.0 = u64::from(!taken.last);
@@ -115,9 +115,14 @@ impl Admission {
             true => u64::from(self._sizes.spacing) - 1,
             false => self._spacing.0.saturating_sub(1),
         };
-        self._promised.0 = promised - u64::from(self.result_taken.val());
+        self._promised.0 = match (taken.last, self.batch_taken.val()) {
+            (true, false) => self._promised.0 << 1 | 1,
+            (false, true) => self._promised.0 >> 1,
+            _ => self._promised.0,
+        };
+        self._has_batch.0 = u64::from(self._open.0 != 0 || self._loaded.0 == self._engines);
         if self.reset.val() {
-            (self._loaded, self._open) = Default::default();
+            (self._loaded, self._open, self._has_batch) = Default::default();
             (self._spacing, self._promised) = Default::default();
         }
     }
@@ -135,9 +140,8 @@ impl Logic for Admission {
         self.first_taken.next = taken.first;
         self.last_taken.next = taken.last;
         self.token_valid.next = taken.query && !self.reset.val();
-        self.swap.next = taken.first && !self.reset.val();
         self.is_full.next = self._loaded.0 == self._engines;
-        self.has_room.next = self._promised.0 <= self.most_promised();
+        self.has_room.next = self.has_room();
         self.clocks_to_last.next = self._spacing.0.to_bits();
     }
 
@@ -148,7 +152,6 @@ impl Logic for Admission {
         self.first_taken.connect();
         self.last_taken.connect();
         self.token_valid.connect();
-        self.swap.connect();
         self.is_full.connect();
         self.has_room.connect();
         self.clocks_to_last.connect();
@@ -166,15 +169,17 @@ impl Logic for Admission {
         Verilog::Custom(format!(
             "reg [{l}:0] loaded = {loaded_bits}'d0;\n\
              reg open = 1'd0;\n\
+             reg has_batch = 1'd0;\n\
              reg [{s}:0] spacing = {spacing_bits}'d0;\n\
              reg [{p}:0] promised = {promised_bits}'d0;\n\
              wire full = loaded == {loaded_bits}'d{engines};\n\
-             wire room = promised <= {promised_bits}'d{most_promised};\n\
+             wire fills = {fills};\n\
+             wire room = ~promised[{p}];\n\
              wire fits = (spacing == {spacing_bits}'d0) & room;\n\
-             wire admits_group = (open | full) & (~group_last | fits);\n\
+             wire admits_group = has_batch & (~group_last | fits);\n\
              wire takes_group = group_valid & admits_group;\n\
-             wire takes_first = takes_group & ~open;\n\
-             wire takes_last = takes_group & group_last;\n\
+             wire takes_first = group_valid & full & ~open & (~group_last | fits);\n\
+             wire takes_last = group_valid & has_batch & group_last & fits;\n\
              wire admits_query = ~full | takes_first;\n\
              wire takes_query = query_valid & admits_query;\n\
              always @(*) query_ready = admits_query;\n\
@@ -183,20 +188,20 @@ impl Logic for Admission {
              always @(*) first_taken = takes_first;\n\
              always @(*) last_taken = takes_last;\n\
              always @(*) token_valid = takes_query & ~reset;\n\
-             always @(*) swap = takes_first & ~reset;\n\
              always @(*) is_full = full;\n\
              always @(*) has_room = room;\n\
              always @(*) clocks_to_last = {{{pad}'d0, spacing}};\n\
              always @(posedge clock) begin\n\
-             \x20 loaded <= (takes_first ? {loaded_bits}'d0 : loaded) + {one_query};\n\
-             \x20 if (takes_group) open <= ~group_last;\n\
-             \x20 if (takes_last) spacing <= {spacing_bits}'d{start};\n\
-             \x20 else if (spacing != {spacing_bits}'d0) spacing <= spacing - {spacing_bits}'d1;\n\
-             \x20 promised <= promised + (takes_last ? {promised_bits}'d{engines} : {promised_bits}'d0) \
-             - {one_result};\n\
+             \x20 loaded <= {loaded};\n\
+             \x20 open <= (takes_group & ~group_last) | (open & ~takes_last);\n\
+             \x20 has_batch <= (open & full) | (has_batch & ~takes_last) | fills;\n\
+             \x20 {spacing_step}\n\
+             \x20 if (takes_last != batch_taken)\n\
+             \x20   promised <= takes_last ? {{promised[{p_1}:0], 1'd1}} : {{1'd0, promised[{p}:1]}};\n\
              \x20 if (reset) begin\n\
              \x20   loaded <= {loaded_bits}'d0;\n\
              \x20   open <= 1'd0;\n\
+             \x20   has_batch <= 1'd0;\n\
              \x20   spacing <= {spacing_bits}'d0;\n\
              \x20   promised <= {promised_bits}'d0;\n\
              \x20 end\n\
@@ -204,19 +209,28 @@ impl Logic for Admission {
             l = loaded_bits - 1,
             s = spacing_bits - 1,
             p = promised_bits - 1,
-            most_promised = self.most_promised(),
-            start = spacing - 1,
+            p_1 = promised_bits - 2,
+            // The query that completes a batch; with one engine any that is taken.
+            fills = match engines {
+                1 => "query_valid".to_owned(),
+                more => format!("query_valid & (loaded == {loaded_bits}'d{})", more - 1),
+            },
+            // One engine's results never meet, and nobody counts for it.
+            spacing_step = match spacing - 1 {
+                0 => format!("spacing <= {spacing_bits}'d0;"),
+                start => format!(
+                    "if (takes_last) spacing <= {spacing_bits}'d{start};\n  \
+                     else if (spacing != {spacing_bits}'d0) spacing <= spacing - {spacing_bits}'d1;"
+                ),
+            },
             pad = 16 - spacing_bits,
-            one_query = flag_as_number("takes_query", loaded_bits),
-            one_result = flag_as_number("result_taken", promised_bits),
+            loaded = match loaded_bits {
+                1 => "query_valid | (loaded & ~takes_first)".to_owned(),
+                more => format!(
+                    "(takes_first ? {more}'d0 : loaded) + {{{}'d0, takes_query}}",
+                    more - 1
+                ),
+            },
         ))
-    }
-}
-
-/// A flag as a number of so many bits.
-fn flag_as_number(flag: &str, bits: u32) -> String {
-    match bits {
-        1 => flag.to_owned(),
-        more => format!("{{{}'d0, {flag}}}", more - 1),
     }
 }

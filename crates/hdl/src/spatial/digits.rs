@@ -13,15 +13,14 @@ const HIGH: usize = SpatialWidths::HIGH_DIGIT as usize;
 /// Bits of the low digit that the first of the two products takes.
 const FIRST: usize = 2;
 
-/// `magnitude = |difference|` modulo 2^R, and whether it exceeds R bits; `D = C + 1`.
+/// `magnitude = |difference|`; `D = C + 1`.
 #[derive(LogicBlock, Default)]
-pub(crate) struct Magnitude<const C: usize, const D: usize, const R: usize> {
+pub(crate) struct Magnitude<const C: usize, const D: usize> {
     pub difference: Signal<In, Bits<D>>,
-    pub magnitude: Signal<Out, Bits<R>>,
-    pub far: Signal<Out, Bit>,
+    pub magnitude: Signal<Out, Bits<C>>,
 }
 
-impl<const C: usize, const D: usize, const R: usize> Logic for Magnitude<C, D, R> {
+impl<const C: usize, const D: usize> Logic for Magnitude<C, D> {
     fn update(&mut self) {
         let difference = self.difference.val().to_u64();
         let modulus = 1 << D;
@@ -31,14 +30,11 @@ impl<const C: usize, const D: usize, const R: usize> Logic for Magnitude<C, D, R
             difference
         };
         // The lowest number of D bits is no difference of two coordinates.
-        let magnitude = magnitude % (modulus / 2);
-        self.magnitude.next = (magnitude % (1 << R)).to_bits();
-        self.far.next = magnitude >> R != 0;
+        self.magnitude.next = (magnitude % (modulus / 2)).to_bits();
     }
 
     fn connect(&mut self) {
         self.magnitude.connect();
-        self.far.connect();
     }
 
     fn hdl(&self) -> Verilog {
@@ -46,11 +42,36 @@ impl<const C: usize, const D: usize, const R: usize> Logic for Magnitude<C, D, R
         Verilog::Custom(format!(
             "wire negative = difference[{sign}];\n\
              wire [{high}:0] inverted = difference[{high}:0] ^ {{{C}{{negative}}}};\n\
-             wire [{high}:0] whole = inverted + {{{C_1}'d0, negative}};\n\
-             always @(*) magnitude = whole[{}:0];\n\
-             always @(*) far = |whole[{high}:{R}];\n",
-            R - 1,
-            C_1 = C - 1,
+             always @(*) magnitude = inverted + {{{high}'d0, negative}};\n",
+        ))
+    }
+}
+
+/// `counted = magnitude` modulo 2^R, and whether it exceeds R bits.
+#[derive(LogicBlock, Default)]
+pub(crate) struct SplitMagnitude<const C: usize, const R: usize> {
+    pub magnitude: Signal<In, Bits<C>>,
+    pub counted: Signal<Out, Bits<R>>,
+    pub far: Signal<Out, Bit>,
+}
+
+impl<const C: usize, const R: usize> Logic for SplitMagnitude<C, R> {
+    fn update(&mut self) {
+        let magnitude = self.magnitude.val().to_u64();
+        self.counted.next = (magnitude % (1 << R)).to_bits();
+        self.far.next = magnitude >> R != 0;
+    }
+
+    fn connect(&mut self) {
+        self.counted.connect();
+        self.far.connect();
+    }
+
+    fn hdl(&self) -> Verilog {
+        let (top, high) = (C - 1, R - 1);
+        Verilog::Custom(format!(
+            "always @(*) counted = magnitude[{high}:0];\n\
+             always @(*) far = |magnitude[{top}:{R}];\n",
         ))
     }
 }

@@ -1,4 +1,4 @@
-//! The head: what stands between the machine's pins and the first engine.
+//! The head: what stands between the machine's pins and the first engine, but for the entry.
 
 use photoncube_spec::Spatial;
 use rust_hdl::prelude::*;
@@ -10,17 +10,15 @@ use super::wiring::{Wires, Wiring, logic_of_wires, wires, with_wires};
 
 const LANES: usize = Spatial::LANES;
 
-/// A power as the engines see it: mantissa << exponent, and 0 where no group is taken or the lane has
-/// no photon. Presence is a power of one bit. `B` mantissa, `E` exponent, `P` power bits.
+/// A power as the engines see it: mantissa << exponent, and 0 where the photon is absent. `B`
+/// mantissa, `E` exponent, `P` power bits.
 #[derive(LogicBlock)]
 pub(crate) struct PowerDecoder<const B: usize, const E: usize, const P: usize> {
-    pub taken: Signal<In, Bit>,
-    pub present: Signal<In, Bits<1>>,
+    pub absent: Signal<In, Bit>,
     pub mantissa: Signal<In, Bits<B>>,
     /// One, or none where powers have no exponent.
     pub exponent: Vec<Signal<In, Bits<E>>>,
     pub power: Signal<Out, Bits<P>>,
-    is_photon: Signal<Local, Bit>,
     decoded: Signal<Local, Bits<P>>,
 }
 
@@ -28,12 +26,10 @@ impl<const B: usize, const E: usize, const P: usize> Default for PowerDecoder<B,
     fn default() -> Self {
         let exponents = 0..usize::from(E > 0);
         Self {
-            taken: Default::default(),
-            present: Default::default(),
+            absent: Default::default(),
             mantissa: Default::default(),
             exponent: exponents.map(|_| Default::default()).collect(),
             power: Default::default(),
-            is_photon: Default::default(),
             decoded: Default::default(),
         }
     }
@@ -42,14 +38,13 @@ impl<const B: usize, const E: usize, const P: usize> Default for PowerDecoder<B,
 impl<const B: usize, const E: usize, const P: usize> Logic for PowerDecoder<B, E, P> {
     #[hdl_gen]
     fn update(&mut self) {
-        self.is_photon.next = self.taken.val() & self.present.val().any();
         self.decoded.next = bit_cast::<P, B>(self.mantissa.val());
         for e in 0..self.exponent.len() {
             self.decoded.next = self.decoded.val() << self.exponent[e].val();
         }
-        self.power.next = 0.into();
-        if self.is_photon.val() {
-            self.power.next = self.decoded.val();
+        self.power.next = self.decoded.val();
+        if self.absent.val() {
+            self.power.next = 0.into();
         }
     }
 }
@@ -69,23 +64,29 @@ pub(crate) struct Head<
     pub query_ready: Signal<Out, Bit>,
     pub group_valid: Signal<In, Bit>,
     pub group_last: Signal<In, Bit>,
-    pub present: [Signal<In, Bits<1>>; LANES],
-    /// Channel c of lane g is at 4 c + g.
+    pub group_ready: Signal<Out, Bit>,
+    /// A group is taken, a first one, a last one.
+    pub taken: Signal<Out, Bit>,
+    pub first_taken: Signal<Out, Bit>,
+    pub last_taken: Signal<Out, Bit>,
+    /// From the entry. Channel c of lane g is at 4 c + g.
     pub channel: Vec<Signal<In, Bits<B>>>,
     pub exponent: Vec<Signal<In, Bits<E>>>,
-    pub group_ready: Signal<Out, Bit>,
+    pub present: [Signal<In, Bits<1>>; LANES],
+    pub absent: [Signal<In, Bit>; LANES],
+    pub first_in: Signal<In, Bit>,
+    pub last_in: Signal<In, Bit>,
     pub result_valid: Signal<Out, Bit>,
     pub result: Vec<Signal<Out, Bits<S>>>,
     pub result_count: Signal<Out, Bits<N>>,
     pub result_ready: Signal<In, Bit>,
-    /// To engine 0 and from it.
+    /// A query is taken.
     pub token_valid: Signal<Out, Bit>,
-    pub swap: Signal<Out, Bit>,
     /// To the photon memory, as of [`Admission`].
     pub is_full: Signal<Out, Bit>,
     pub has_room: Signal<Out, Bit>,
     pub clocks_to_last: Signal<Out, Bits<16>>,
-    /// Channel c of lane g is at `channels` g + c.
+    /// To engine 0 and from it. Channel c of lane g is at `channels` g + c.
     pub power: Vec<Signal<Out, Bits<P>>>,
     pub power_present: [Signal<Out, Bits<1>>; LANES],
     pub first: Signal<Out, Bit>,
@@ -95,7 +96,6 @@ pub(crate) struct Head<
     pub result_count_in: Signal<In, Bits<N>>,
     pub(super) admission: Admission,
     power_decoder: Vec<PowerDecoder<B, E, P>>,
-    presence_decoder: Vec<PowerDecoder<1, 0, 1>>,
     pub(super) power_delay: Vec<WordDelay<P>>,
     pub(super) present_delay: Vec<WordDelay<1>>,
     pub(super) first_delay: FlagDelay,
@@ -120,16 +120,21 @@ impl<const B: usize, const E: usize, const P: usize, const S: usize, const N: us
             query_ready: Default::default(),
             group_valid: Default::default(),
             group_last: Default::default(),
-            present: Default::default(),
             channel: (0..words).map(|_| Default::default()).collect(),
             exponent: (0..exponents).map(|_| Default::default()).collect(),
             group_ready: Default::default(),
+            taken: Default::default(),
+            first_taken: Default::default(),
+            last_taken: Default::default(),
+            present: Default::default(),
+            absent: Default::default(),
+            first_in: Default::default(),
+            last_in: Default::default(),
             result_valid: Default::default(),
             result: (0..channels).map(|_| Default::default()).collect(),
             result_count: Default::default(),
             result_ready: Default::default(),
             token_valid: Default::default(),
-            swap: Default::default(),
             is_full: Default::default(),
             has_room: Default::default(),
             clocks_to_last: Default::default(),
@@ -142,7 +147,6 @@ impl<const B: usize, const E: usize, const P: usize, const S: usize, const N: us
             result_count_in: Default::default(),
             admission: Admission::new(spatial),
             power_decoder: (0..words).map(|_| Default::default()).collect(),
-            presence_decoder: (0..LANES).map(|_| Default::default()).collect(),
             power_delay: (0..words).map(|_| WordDelay::new(stages)).collect(),
             present_delay: (0..LANES).map(|_| WordDelay::new(stages)).collect(),
             first_delay: FlagDelay::new(stages),
@@ -165,11 +169,13 @@ impl<const B: usize, const E: usize, const P: usize, const S: usize, const N: us
             (admission.query_valid) = (query_valid);
             (admission.group_valid) = (group_valid);
             (admission.group_last) = (group_last);
-            (admission.result_taken) = (queue.result_taken);
+            (admission.batch_taken) = (queue.batch_taken);
             (query_ready) = (admission.query_ready);
             (group_ready) = (admission.group_ready);
             (token_valid) = (admission.token_valid);
-            (swap) = (admission.swap);
+            (taken) = (admission.taken);
+            (first_taken) = (admission.first_taken);
+            (last_taken) = (admission.last_taken);
             (is_full) = (admission.is_full);
             (has_room) = (admission.has_room);
             (clocks_to_last) = (admission.clocks_to_last);
@@ -193,18 +199,14 @@ impl<const B: usize, const E: usize, const P: usize, const S: usize, const N: us
         let channels = self._channels;
         for lane in 0..LANES {
             wires!(self, wiring:
-                (presence_decoder[lane].taken) = (admission.taken);
-                (presence_decoder[lane].present) = (present[lane]);
-                (presence_decoder[lane].mantissa) = (present[lane]);
                 (present_delay[lane].clock) = (clock);
-                (present_delay[lane].word) = (presence_decoder[lane].power);
+                (present_delay[lane].word) = (present[lane]);
                 (power_present[lane]) = (present_delay[lane].delayed);
             );
             for channel in 0..channels {
                 let place = channels * lane + channel;
                 wires!(self, wiring:
-                    (power_decoder[place].taken) = (admission.taken);
-                    (power_decoder[place].present) = (present[lane]);
+                    (power_decoder[place].absent) = (absent[lane]);
                     (power_decoder[place].mantissa) = (channel[LANES * channel + lane]);
                     (power_delay[place].clock) = (clock);
                     (power_delay[place].word) = (power_decoder[place].power);
@@ -220,11 +222,11 @@ impl<const B: usize, const E: usize, const P: usize, const S: usize, const N: us
         wires!(self, wiring:
             (first_delay.clock) = (clock);
             (first_delay.clear) = (reset);
-            (first_delay.flag) = (admission.first_taken);
+            (first_delay.flag) = (first_in);
             (first) = (first_delay.delayed);
             (last_delay.clock) = (clock);
             (last_delay.clear) = (reset);
-            (last_delay.flag) = (admission.last_taken);
+            (last_delay.flag) = (last_in);
             (last) = (last_delay.delayed);
         );
     }

@@ -1,11 +1,13 @@
-//! A spatial machine: the head and its chain of engines.
+//! A spatial machine: the entry, the head and its chain of engines.
 
 use photoncube_spec::{Machine, Pins, SignalPlace, Spatial};
 use rust_hdl::prelude::*;
 
 use super::engine::{Engine, EngineShape};
+use super::entry::EntryPresence;
 use super::head::Head;
 use super::memory::PhotonMemory;
+use super::stage::{FlagStage, Stage};
 use super::wiring::{Wires, Wiring, logic_of_wires, wires, with_wires, zeros};
 
 const LANES: usize = Spatial::LANES;
@@ -59,6 +61,20 @@ pub(crate) struct SpatialMachine<
     pub result_count: Signal<Out, Bits<N>>,
     /// One or none.
     pub(super) memory: Vec<PhotonMemory<C, B, E>>,
+    /// The entry: what comes on the pins, or from the memory, a clock later. So the ways from pins to
+    /// engines, and from what decides whether a group is taken, are ways from register to register.
+    pub(super) entry_token_valid: FlagStage,
+    pub(super) entry_token: Vec<Stage<Bits<C>>>,
+    /// One or none.
+    pub(super) entry_radius: Vec<Stage<Bits<Q>>>,
+    /// Axis a of lane g is at 3 g + a.
+    pub(super) entry_photon: Vec<Stage<Bits<C>>>,
+    /// Channel c of lane g is at 4 c + g.
+    pub(super) entry_mantissa: Vec<Stage<Bits<B>>>,
+    pub(super) entry_exponent: Vec<Stage<Bits<E>>>,
+    pub(super) entry_presence: Vec<EntryPresence>,
+    pub(super) entry_first: FlagStage,
+    pub(super) entry_last: FlagStage,
     pub(super) head: Head<B, E, P, S, N>,
     pub(super) engine: Vec<Engine<C, D, R, Q, L, LP, HP, PR, T, U, P, PP, GP, S, N>>,
     /// Where its registers are, in the order of its pins.
@@ -121,6 +137,15 @@ impl<
             memory: memories
                 .map(|_| PhotonMemory::new(spatial, names))
                 .collect(),
+            entry_token_valid: FlagStage::new(true),
+            entry_token: Stage::several(AXES, true),
+            entry_radius: Stage::several(radii, true),
+            entry_photon: Stage::several(AXES * LANES, true),
+            entry_mantissa: Stage::several(channels * LANES, true),
+            entry_exponent: Stage::several(exponents, true),
+            entry_presence: (0..LANES).map(|_| Default::default()).collect(),
+            entry_first: FlagStage::new(true),
+            entry_last: FlagStage::new(true),
             head: Head::new(spatial, channels),
             engine: (0..spatial.engines())
                 .map(|index| Engine::new(engine(index)))
@@ -142,6 +167,7 @@ impl<
             self.memory_wires(wiring, memory);
             self.played_wires(wiring, memory);
         }
+        self.entry_wires(wiring);
         self.first_engine_wires(wiring);
         for engine in 1..self.engine.len() {
             self.chain_wires(wiring, engine);
@@ -169,7 +195,7 @@ impl<
         }
     }
 
-    /// Without a memory, the groups go from the pins to the head and engine 0.
+    /// Without a memory, the groups go from the pins to the entry.
     fn stream_wires(&mut self, wiring: &mut Wiring) {
         wires!(self, wiring:
             (head.group_valid) = (group_valid);
@@ -178,17 +204,17 @@ impl<
         );
         for lane in 0..LANES {
             wires!(self, wiring:
-                (head.present[lane]) = (photon_present[lane]);
-                (engine[0].photon_in[AXES * lane]) = (photon_x[lane]);
-                (engine[0].photon_in[AXES * lane + 1]) = (photon_y[lane]);
-                (engine[0].photon_in[AXES * lane + 2]) = (photon_z[lane]);
+                (entry_presence[lane].photon_present) = (photon_present[lane]);
+                (entry_photon[AXES * lane].d) = (photon_x[lane]);
+                (entry_photon[AXES * lane + 1].d) = (photon_y[lane]);
+                (entry_photon[AXES * lane + 2].d) = (photon_z[lane]);
             );
         }
         for word in 0..self.photon_channel.len() {
-            wires!(self, wiring: (head.channel[word]) = (photon_channel[word]););
+            wires!(self, wiring: (entry_mantissa[word].d) = (photon_channel[word]););
         }
         for lane in 0..self.photon_exponent.len() {
-            wires!(self, wiring: (head.exponent[lane]) = (photon_exponent[lane]););
+            wires!(self, wiring: (entry_exponent[lane].d) = (photon_exponent[lane]););
         }
     }
 
@@ -222,7 +248,7 @@ impl<
         }
     }
 
-    /// From the memory to the head and engine 0.
+    /// From the memory to the entry.
     fn played_wires(&mut self, wiring: &mut Wiring, m: usize) {
         wires!(self, wiring:
             (head.group_valid) = (memory[m].word_valid);
@@ -230,17 +256,69 @@ impl<
         );
         for lane in 0..LANES {
             wires!(self, wiring:
-                (head.present[lane]) = (memory[m].word_present[lane]);
-                (engine[0].photon_in[AXES * lane]) = (memory[m].word_x[lane]);
-                (engine[0].photon_in[AXES * lane + 1]) = (memory[m].word_y[lane]);
-                (engine[0].photon_in[AXES * lane + 2]) = (memory[m].word_z[lane]);
+                (entry_presence[lane].photon_present) = (memory[m].word_present[lane]);
+                (entry_photon[AXES * lane].d) = (memory[m].word_x[lane]);
+                (entry_photon[AXES * lane + 1].d) = (memory[m].word_y[lane]);
+                (entry_photon[AXES * lane + 2].d) = (memory[m].word_z[lane]);
             );
         }
         for word in 0..self.photon_channel.len() {
-            wires!(self, wiring: (head.channel[word]) = (memory[m].word_channel[word]););
+            wires!(self, wiring: (entry_mantissa[word].d) = (memory[m].word_channel[word]););
         }
         for lane in 0..self.photon_exponent.len() {
-            wires!(self, wiring: (head.exponent[lane]) = (memory[m].word_exponent[lane]););
+            wires!(self, wiring: (entry_exponent[lane].d) = (memory[m].word_exponent[lane]););
+        }
+    }
+
+    /// The rest of the entry, and from it to the head's delay line.
+    fn entry_wires(&mut self, wiring: &mut Wiring) {
+        wires!(self, wiring:
+            (entry_token_valid.clock) = (clock);
+            (entry_token_valid.clear) = (reset);
+            (entry_token_valid.d) = (head.token_valid);
+            (entry_token[0].d) = (query_x);
+            (entry_token[1].d) = (query_y);
+            (entry_token[2].d) = (query_z);
+            (entry_first.clock) = (clock);
+            (entry_first.clear) = (reset);
+            (entry_first.d) = (head.first_taken);
+            (entry_last.clock) = (clock);
+            (entry_last.clear) = (reset);
+            (entry_last.d) = (head.last_taken);
+            (head.first_in) = (entry_first.q);
+            (head.last_in) = (entry_last.q);
+        );
+        for axis in 0..AXES {
+            wires!(self, wiring: (entry_token[axis].clock) = (clock););
+        }
+        for radius in 0..self.entry_radius.len() {
+            wires!(self, wiring:
+                (entry_radius[radius].clock) = (clock);
+                (entry_radius[radius].d) = (query_radius_sq[radius]);
+            );
+        }
+        for place in 0..AXES * LANES {
+            wires!(self, wiring: (entry_photon[place].clock) = (clock););
+        }
+        for word in 0..self.entry_mantissa.len() {
+            wires!(self, wiring:
+                (entry_mantissa[word].clock) = (clock);
+                (head.channel[word]) = (entry_mantissa[word].q);
+            );
+        }
+        for lane in 0..self.entry_exponent.len() {
+            wires!(self, wiring:
+                (entry_exponent[lane].clock) = (clock);
+                (head.exponent[lane]) = (entry_exponent[lane].q);
+            );
+        }
+        for lane in 0..LANES {
+            wires!(self, wiring:
+                (entry_presence[lane].clock) = (clock);
+                (entry_presence[lane].taken) = (head.taken);
+                (head.present[lane]) = (entry_presence[lane].present);
+                (head.absent[lane]) = (entry_presence[lane].absent);
+            );
         }
     }
 
@@ -248,18 +326,21 @@ impl<
         wires!(self, wiring:
             (engine[0].clock) = (clock);
             (engine[0].reset_in) = (reset);
-            (engine[0].token_valid_in) = (head.token_valid);
-            (engine[0].token_in[0]) = (query_x);
-            (engine[0].token_in[1]) = (query_y);
-            (engine[0].token_in[2]) = (query_z);
-            (engine[0].swap_in) = (head.swap);
+            (engine[0].token_valid_in) = (entry_token_valid.q);
+            (engine[0].swap_in) = (entry_first.q);
             (engine[0].first_in) = (head.first);
             (engine[0].last_in) = (head.last);
         );
         for radius in 0..self.query_radius_sq.len() {
             wires!(self, wiring:
-                (engine[0].token_radius_sq_in[radius]) = (query_radius_sq[radius]);
+                (engine[0].token_radius_sq_in[radius]) = (entry_radius[radius].q);
             );
+        }
+        for axis in 0..AXES {
+            wires!(self, wiring: (engine[0].token_in[axis]) = (entry_token[axis].q););
+        }
+        for place in 0..AXES * LANES {
+            wires!(self, wiring: (engine[0].photon_in[place]) = (entry_photon[place].q););
         }
         for lane in 0..LANES {
             wires!(self, wiring: (engine[0].present_in[lane]) = (head.power_present[lane]););

@@ -11,6 +11,7 @@ mod arithmetic;
 mod delay;
 mod digits;
 mod engine;
+mod entry;
 mod flags;
 mod head;
 mod hidden;

@@ -56,9 +56,7 @@ impl<
 {
     fn ask(&self, place: SignalPlace, ask: Ask) -> Answer {
         match place {
-            SignalPlace::Head { register, index } => {
-                registers::head(&self.head, register, index, ask)
-            }
+            SignalPlace::Head { register, index } => registers::head(self, register, index, ask),
             SignalPlace::Memory { register, index } => {
                 let memory = &self.memory[0];
                 match ask {
@@ -145,7 +143,7 @@ impl<
 
     fn register_path(&self, place: SignalPlace) -> Option<String> {
         let below = match place {
-            SignalPlace::Head { .. } => "head.".to_owned(),
+            SignalPlace::Head { .. } => String::new(),
             SignalPlace::Memory { .. } => "memory_0.".to_owned(),
             SignalPlace::Engine { engine, .. } => format!("engine_{engine}."),
             _ => return None,

@@ -1,7 +1,7 @@
 //! The queue of results.
 //!
 //! Its depth follows from the number of engines, as `admission`'s counters do; so its Verilog is
-//! written by hand too, with the memory and the two places inside.
+//! written by hand too, with the memory and the places inside.
 
 use photoncube_spec::{HeadSizes, Spatial};
 use rust_hdl::prelude::*;
@@ -21,18 +21,22 @@ pub(crate) struct ResultQueue<const S: usize, const N: usize> {
     pub result_valid: Signal<Out, Bit>,
     pub result: Vec<Signal<Out, Bits<S>>>,
     pub result_count: Signal<Out, Bits<N>>,
-    pub result_taken: Signal<Out, Bit>,
+    /// The last result of a batch is taken.
+    pub batch_taken: Signal<Out, Bit>,
     pub _write_place: Hidden,
+    pub _newest_place: Hidden,
     pub _read_place: Hidden,
+    pub _has_result: Hidden,
     /// The sums and the count of each place.
     _results: Vec<(Vec<u64>, u64)>,
     _place_bits: u32,
+    _engines: usize,
 }
 
 impl<const S: usize, const N: usize> ResultQueue<S, N> {
     pub fn new(spatial: &Spatial, channels: usize) -> Self {
         let sizes = HeadSizes::of(spatial);
-        assert_eq!(sizes.queue, 1 << (sizes.place_bits - 1));
+        assert_eq!(sizes.queue, 1 << sizes.place_bits);
         Self {
             clock: Default::default(),
             reset: Default::default(),
@@ -43,30 +47,41 @@ impl<const S: usize, const N: usize> ResultQueue<S, N> {
             result_valid: Default::default(),
             result: (0..channels).map(|_| Default::default()).collect(),
             result_count: Default::default(),
-            result_taken: Default::default(),
+            batch_taken: Default::default(),
             _write_place: Default::default(),
+            _newest_place: Default::default(),
             _read_place: Default::default(),
+            _has_result: Default::default(),
             _results: vec![(vec![0; channels], 0); sizes.queue],
             _place_bits: sizes.place_bits,
+            _engines: spatial.engines(),
         }
     }
 
     fn is_valid(&self) -> bool {
-        self._write_place.0 != self._read_place.0
+        self._has_result.0 != 0
+    }
+
+    fn is_taken(&self) -> bool {
+        self.is_valid() && self.result_ready.val()
     }
 
     fn step(&mut self) {
-        let (places, queue) = (1 << self._place_bits, self._results.len());
-        let taken = self.is_valid() && self.result_ready.val();
-        if self.result_valid_in.val() {
+        let places = self._results.len() as u64;
+        let (taken, written) = (self.is_taken(), self.result_valid_in.val());
+        let stays = self.is_valid() && !(taken && self._read_place.0 == self._newest_place.0);
+        self._has_result.0 = u64::from(written || stays);
+        if written {
             let sums = self.result_in.iter().map(|sum| sum.val().to_u64());
-            self._results[self._write_place.0 as usize % queue] =
+            self._results[self._write_place.0 as usize] =
                 (sums.collect(), self.result_count_in.val().to_u64());
+            self._newest_place = self._write_place;
             self._write_place.0 = (self._write_place.0 + 1) % places;
         }
         self._read_place.0 = (self._read_place.0 + u64::from(taken)) % places;
         if self.reset.val() {
-            (self._write_place, self._read_place) = Default::default();
+            (self._write_place, self._newest_place) = Default::default();
+            (self._read_place, self._has_result) = Default::default();
         }
     }
 }
@@ -77,8 +92,9 @@ impl<const S: usize, const N: usize> Logic for ResultQueue<S, N> {
             self.step();
         }
         self.result_valid.next = self.is_valid();
-        self.result_taken.next = self.is_valid() && self.result_ready.val();
-        let (sums, count) = &self._results[self._read_place.0 as usize % self._results.len()];
+        let of_batch = self._read_place.0 as usize % self._engines;
+        self.batch_taken.next = self.is_taken() && of_batch == self._engines - 1;
+        let (sums, count) = &self._results[self._read_place.0 as usize];
         for (result, sum) in self.result.iter_mut().zip(sums) {
             result.next = sum.to_bits();
         }
@@ -91,12 +107,17 @@ impl<const S: usize, const N: usize> Logic for ResultQueue<S, N> {
         }
         self.result_valid.connect();
         self.result_count.connect();
-        self.result_taken.connect();
+        self.batch_taken.connect();
     }
 
     fn hdl(&self) -> Verilog {
         let (bits, channels) = (self._place_bits, self.result.len());
         let (high, top, last) = (channels * S + N - 1, bits - 1, self._results.len() - 1);
+        // The last of a batch is where all bits that count within one are 1.
+        let batch_end = match self._engines.ilog2() {
+            0 => String::new(),
+            bits => format!(" & (&read_place[{}:0])", bits - 1),
+        };
         let sums: String = (0..channels)
             .rev()
             .map(|channel| format!(", result_in${channel}"))
@@ -111,29 +132,35 @@ impl<const S: usize, const N: usize> Logic for ResultQueue<S, N> {
         Verilog::Custom(format!(
             "reg [{high}:0] results [0:{last}];\n\
              reg [{top}:0] write_place = {bits}'d0;\n\
+             reg [{top}:0] newest_place = {bits}'d0;\n\
              reg [{top}:0] read_place = {bits}'d0;\n\
+             reg has_result = 1'd0;\n\
              integer place;\n\
              initial for (place = 0; place <= {last}; place = place + 1) \
              results[place] = {width}'d0;\n\
-             wire [{high}:0] word = results[read_place[{index}:0]];\n\
-             wire valid = write_place != read_place;\n\
-             always @(*) result_valid = valid;\n\
-             always @(*) result_taken = valid & result_ready;\n\
+             wire [{high}:0] word = results[read_place];\n\
+             wire takes_result = has_result & result_ready;\n\
+             wire takes_newest = takes_result & (read_place == newest_place);\n\
+             always @(*) result_valid = has_result;\n\
+             always @(*) batch_taken = takes_result{batch_end};\n\
              {outputs}\
              always @(*) result_count = word[{high}:{count_low}];\n\
              always @(posedge clock) begin\n\
              \x20 if (result_valid_in) begin\n\
-             \x20   results[write_place[{index}:0]] <= {{result_count_in{sums}}};\n\
+             \x20   results[write_place] <= {{result_count_in{sums}}};\n\
+             \x20   newest_place <= write_place;\n\
              \x20   write_place <= write_place + {bits}'d1;\n\
              \x20 end\n\
-             \x20 if (valid & result_ready) read_place <= read_place + {bits}'d1;\n\
+             \x20 if (takes_result) read_place <= read_place + {bits}'d1;\n\
+             \x20 has_result <= result_valid_in | (has_result & ~takes_newest);\n\
              \x20 if (reset) begin\n\
              \x20   write_place <= {bits}'d0;\n\
+             \x20   newest_place <= {bits}'d0;\n\
              \x20   read_place <= {bits}'d0;\n\
+             \x20   has_result <= 1'd0;\n\
              \x20 end\n\
              end\n",
             width = high + 1,
-            index = bits - 2,
             count_low = channels * S,
         ))
     }

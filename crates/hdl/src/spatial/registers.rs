@@ -1,10 +1,10 @@
-//! Where the registers of an engine and of the head are: each place is stated once, and read either
+//! Where the registers of an engine, of the head and of the entry are: each place is stated once, and read either
 //! as the value that stands there or as its path in the emitted text.
 
 use photoncube_spec::{EngineRegister, HeadRegister, Spatial};
 
 use super::engine::Engine;
-use super::head::Head;
+use super::machine::SpatialMachine;
 use crate::pinned::Word;
 
 /// What is asked of a register.
@@ -100,7 +100,6 @@ pub(super) fn engine<
         E::Photon => register!(ask, e, photon[i].q),
         E::Difference => register!(ask, e, square_pair[pair].difference[photon].q),
         E::Magnitude => register!(ask, e, square_pair[pair].digits[photon].magnitude.q),
-        E::MagnitudeFar => register!(ask, e, square_pair[pair].digits[photon].magnitude_far.q),
         E::ProductsMagnitude => {
             register!(
                 ask,
@@ -170,32 +169,60 @@ pub(super) fn engine<
     }
 }
 
-/// A register of the head, counted as the spec says.
+/// A register of the head or of the entry, counted as the spec says.
 pub(super) fn head<
+    const C: usize,
+    const D: usize,
+    const R: usize,
+    const Q: usize,
+    const L: usize,
+    const LP: usize,
+    const HP: usize,
+    const PR: usize,
+    const T: usize,
+    const U: usize,
     const B: usize,
     const E: usize,
     const P: usize,
+    const PP: usize,
+    const GP: usize,
     const S: usize,
     const N: usize,
 >(
-    h: &Head<B, E, P, S, N>,
+    m: &SpatialMachine<C, D, R, Q, L, LP, HP, PR, T, U, B, E, P, PP, GP, S, N>,
     register: HeadRegister,
     i: usize,
     ask: Ask,
 ) -> Answer {
-    let words = h._channels * LANES;
+    use HeadRegister as H;
+    let channels = m.head._channels;
+    let words = channels * LANES;
+    let channel = i % channels * LANES + i / channels;
     match register {
-        HeadRegister::Loaded => register!(ask, h, admission._loaded),
-        HeadRegister::Open => register!(ask, h, admission._open),
-        HeadRegister::Spacing => register!(ask, h, admission._spacing),
-        HeadRegister::Promised => register!(ask, h, admission._promised),
-        HeadRegister::WritePlace => register!(ask, h, queue._write_place),
-        HeadRegister::ReadPlace => register!(ask, h, queue._read_place),
-        HeadRegister::DelayPower => register!(ask, h, power_delay[i % words].stage[i / words].q),
-        HeadRegister::DelayPresent => {
-            register!(ask, h, present_delay[i % LANES].stage[i / LANES].q)
+        H::Loaded => register!(ask, m, head.admission._loaded),
+        H::Open => register!(ask, m, head.admission._open),
+        H::HasBatch => register!(ask, m, head.admission._has_batch),
+        H::Spacing => register!(ask, m, head.admission._spacing),
+        H::Promised => register!(ask, m, head.admission._promised),
+        H::WritePlace => register!(ask, m, head.queue._write_place),
+        H::NewestPlace => register!(ask, m, head.queue._newest_place),
+        H::ReadPlace => register!(ask, m, head.queue._read_place),
+        H::HasResult => register!(ask, m, head.queue._has_result),
+        H::EntryTokenValid => register!(ask, m, entry_token_valid.flag[0].q),
+        H::EntryToken => register!(ask, m, entry_token[i].q),
+        H::EntryRadius => register!(ask, m, entry_radius[i].q),
+        H::EntryPhoton => register!(ask, m, entry_photon[i].q),
+        H::EntryPower => register!(ask, m, entry_mantissa[channel].q),
+        H::EntryExponent => register!(ask, m, entry_exponent[i].q),
+        H::EntryPresent => register!(ask, m, entry_presence[i].is_present.q),
+        H::EntryAbsent => register!(ask, m, entry_presence[i].is_absent.q),
+        H::EntryFirst => register!(ask, m, entry_first.flag[0].q),
+        H::EntryLast => register!(ask, m, entry_last.flag[0].q),
+        H::DelayPower => register!(ask, m, head.power_delay[i % words].stage[i / words].q),
+        H::DelayPresent => {
+            register!(ask, m, head.present_delay[i % LANES].stage[i / LANES].q)
         }
-        HeadRegister::DelayFirst => register!(ask, h, first_delay.stage[i].flag[0].q),
-        HeadRegister::DelayLast => register!(ask, h, last_delay.stage[i].flag[0].q),
+        H::DelayFirst => register!(ask, m, head.first_delay.stage[i].flag[0].q),
+        H::DelayLast => register!(ask, m, head.last_delay.stage[i].flag[0].q),
     }
 }

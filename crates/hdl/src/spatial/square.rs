@@ -4,7 +4,7 @@ use photoncube_spec::{Cut, Cuts, Squarer};
 use rust_hdl::prelude::*;
 
 use super::arithmetic::Subtract;
-use super::digits::{CrossSum, DigitProducts, Magnitude, SquareSum};
+use super::digits::{CrossSum, DigitProducts, Magnitude, SplitMagnitude, SquareSum};
 use super::lookup::{DifferenceProduct, SplitLookup, SplitProduct, SquareTable};
 use super::stage::Stage;
 use super::wiring::{Wires, Wiring, logic_of_wires, wires, with_wires};
@@ -24,9 +24,9 @@ pub(crate) struct DigitSquarer<
     pub difference: Signal<In, Bits<D>>,
     pub square: Signal<Out, Bits<Q>>,
     pub far: Signal<Out, Bit>,
-    magnitude_of: Magnitude<C, D, R>,
-    pub magnitude: Stage<Bits<R>>,
-    pub magnitude_far: Stage<Bit>,
+    magnitude_of: Magnitude<C, D>,
+    pub magnitude: Stage<Bits<C>>,
+    split_magnitude: SplitMagnitude<C, R>,
     digit_products: DigitProducts<R, LP, HP>,
     pub products_magnitude: Stage<Bits<R>>,
     pub low_product: Stage<Bits<LP>>,
@@ -57,7 +57,7 @@ impl<
             far: Default::default(),
             magnitude_of: Default::default(),
             magnitude: Stage::new(cuts.has(Cut::Magnitude)),
-            magnitude_far: Stage::new(cuts.has(Cut::Magnitude)),
+            split_magnitude: Default::default(),
             digit_products: Default::default(),
             products_magnitude: Stage::new(cuts.has(Cut::Products)),
             low_product: Stage::new(cuts.has(Cut::Products)),
@@ -75,7 +75,6 @@ impl<
     fn wires(&mut self, wiring: &mut Wiring) {
         wires!(self, wiring:
             (magnitude.clock) = (clock);
-            (magnitude_far.clock) = (clock);
             (products_magnitude.clock) = (clock);
             (low_product.clock) = (clock);
             (high_product.clock) = (clock);
@@ -85,12 +84,12 @@ impl<
             (cross_far.clock) = (clock);
             (magnitude_of.difference) = (difference);
             (magnitude.d) = (magnitude_of.magnitude);
-            (magnitude_far.d) = (magnitude_of.far);
-            (digit_products.magnitude) = (magnitude.q);
-            (products_magnitude.d) = (magnitude.q);
+            (split_magnitude.magnitude) = (magnitude.q);
+            (digit_products.magnitude) = (split_magnitude.counted);
+            (products_magnitude.d) = (split_magnitude.counted);
             (low_product.d) = (digit_products.low_product);
             (high_product.d) = (digit_products.high_product);
-            (products_far.d) = (magnitude_far.q);
+            (products_far.d) = (split_magnitude.far);
             (cross_sum.low_product) = (low_product.q);
             (cross_sum.high_product) = (high_product.q);
             (cross_magnitude.d) = (products_magnitude.q);

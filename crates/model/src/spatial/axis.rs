@@ -39,7 +39,7 @@ pub(super) struct Crossed {
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Axis {
     pub(super) difference: i32,
-    pub(super) magnitude: Magnitude,
+    pub(super) magnitude: u32,
     pub(super) magnitude_delay: i32,
     pub(super) products: Products,
     pub(super) products_delay: i32,
@@ -63,8 +63,8 @@ impl Axis {
     }
 
     fn digits_square(&mut self, rules: &Rules, d: i32) -> Square {
-        let magnitude = Magnitude::of(rules, d);
-        let magnitude = rules.cut(Cut::Magnitude, &mut self.magnitude, magnitude);
+        let magnitude = rules.cut(Cut::Magnitude, &mut self.magnitude, d.unsigned_abs());
+        let magnitude = Magnitude::of(rules, magnitude);
         let [high, low] = digits(rules, magnitude);
         let products = Products {
             magnitude,
@@ -111,8 +111,7 @@ fn squared(d: i32) -> u64 {
 }
 
 impl Magnitude {
-    fn of(rules: &Rules, d: i32) -> Self {
-        let magnitude = d.unsigned_abs();
+    fn of(rules: &Rules, magnitude: u32) -> Self {
         let word = magnitude % (1 << rules.widths.radius);
         Self {
             word,

@@ -1,7 +1,10 @@
-//! The head: handshakes, the powers' delay line, the queue of results.
+//! The head: handshakes, the entry, the powers' delay line, the queue of results.
+
+use std::mem;
 
 use photoncube_spec::{HeadSizes, Inputs, Outputs, Spatial, Sums};
 
+use super::entry::Entry;
 use super::link::{Flags, Hop, Powers, ResultLink};
 use super::memory::HeadStatus;
 
@@ -13,20 +16,25 @@ pub(super) struct Head {
     pub(super) loaded: u32,
     pub(super) open: bool,
     pub(super) spacing: u32,
+    /// Batches whose results have places in the queue.
     pub(super) promised: u32,
-    pub(super) write_place: u32,
-    pub(super) read_place: u32,
-    /// Stage 0, nearest to the pins, first.
+    pub(super) write_place: usize,
+    pub(super) newest_place: usize,
+    pub(super) read_place: usize,
+    /// Results in the queue.
+    waiting: usize,
+    pub(super) entry: Entry,
+    /// Stage 0, nearest to the entry, first.
     pub(super) delay: Vec<Powers>,
     queue: Vec<Sums>,
 }
 
 /// What is taken in a clock.
 #[derive(Copy, Clone, Debug)]
-struct Taken {
-    query: bool,
-    group: bool,
-    flags: Flags,
+pub(super) struct Taken {
+    pub(super) query: bool,
+    pub(super) group: bool,
+    pub(super) flags: Flags,
     result: bool,
 }
 
@@ -41,7 +49,10 @@ impl Head {
             spacing: 0,
             promised: 0,
             write_place: 0,
+            newest_place: 0,
             read_place: 0,
+            waiting: 0,
+            entry: Entry::default(),
             delay: vec![Powers::default(); spatial.cuts.latency() as usize],
             queue: vec![Sums::default(); sizes.queue],
         }
@@ -51,13 +62,13 @@ impl Head {
     pub(super) fn outputs(&self, inputs: &Inputs) -> Outputs {
         let full = self.is_full();
         let fits = self.spacing == 0 && self.has_room();
-        let group_ready = (self.open || full) && (!inputs.group.last || fits);
+        let group_ready = self.has_batch() && (!inputs.group.last || fits);
         let first_taken = !self.open && group_ready && inputs.group_valid;
         Outputs {
             query_ready: !full || first_taken,
             group_ready,
-            result_valid: self.write_place != self.read_place,
-            result: self.queue[self.place(self.read_place)],
+            result_valid: self.has_result(),
+            result: self.queue[self.read_place],
         }
     }
 
@@ -66,9 +77,19 @@ impl Head {
         self.loaded == self.engines
     }
 
+    /// A batch is open or can be opened.
+    pub(super) fn has_batch(&self) -> bool {
+        self.open || self.is_full()
+    }
+
     /// The queue has room for the results of a batch.
     fn has_room(&self) -> bool {
-        self.promised as usize + self.engines as usize <= self.sizes.queue
+        (self.promised + 1) * self.engines <= self.sizes.queue as u32
+    }
+
+    /// The queue has a result.
+    pub(super) fn has_result(&self) -> bool {
+        self.waiting > 0
     }
 
     /// What the photon memory goes by in this clock.
@@ -81,13 +102,8 @@ impl Head {
         }
     }
 
-    /// The index of a place: without the bit that tells full from empty.
-    fn place(&self, place: u32) -> usize {
-        place as usize % self.sizes.queue
-    }
-
-    fn after(&self, place: u32) -> u32 {
-        (place + 1) % (2 * self.sizes.queue as u32)
+    fn after(&self, place: usize) -> usize {
+        (place + 1) % self.sizes.queue
     }
 
     fn taken(&self, inputs: &Inputs) -> Taken {
@@ -107,26 +123,14 @@ impl Head {
     /// One clock with engine 0's place on the result chain; gives what comes to engine 0.
     pub(super) fn clock(&mut self, inputs: &Inputs, result: ResultLink) -> Hop {
         let taken = self.taken(inputs);
-        let mut hop = Hop {
+        let entered = mem::replace(&mut self.entry, Entry::of(inputs, taken));
+        let hop = Hop {
             reset: inputs.reset,
-            token_valid: taken.query && !inputs.reset,
-            token: inputs.query,
-            swap: taken.flags.first && !inputs.reset,
-            ..Hop::default()
+            powers: self.delayed(entered.powers()),
+            ..entered.hop()
         };
-        for (photon, lane) in hop.photon.iter_mut().zip(&inputs.group.lanes) {
-            *photon = lane.photon.position;
-        }
-        let mut powers = Powers {
-            flags: taken.flags,
-            ..Powers::default()
-        };
-        if taken.group {
-            powers.decode(inputs);
-        }
-        hop.powers = self.delayed(powers);
-        self.write(result);
         self.count(taken);
+        self.write(result);
         if inputs.reset {
             self.clear();
         }
@@ -136,14 +140,15 @@ impl Head {
     /// A step of the delay line: what its last stage held.
     fn delayed(&mut self, powers: Powers) -> Powers {
         self.delay.rotate_right(1);
-        std::mem::replace(&mut self.delay[0], powers)
+        mem::replace(&mut self.delay[0], powers)
     }
 
     fn write(&mut self, result: ResultLink) {
         if result.valid {
-            let place = self.place(self.write_place);
-            self.queue[place] = result.sums;
+            self.queue[self.write_place] = result.sums;
+            self.newest_place = self.write_place;
             self.write_place = self.after(self.write_place);
+            self.waiting += 1;
         }
     }
 
@@ -158,36 +163,29 @@ impl Head {
         self.spacing = self.spacing.saturating_sub(1);
         if taken.flags.last {
             self.spacing = self.sizes.spacing - 1;
-            self.promised += self.engines;
+            self.promised += 1;
         }
         if taken.result {
-            self.promised -= 1;
+            let of_batch = self.read_place as u32 % self.engines;
+            self.promised -= u32::from(of_batch == self.engines - 1);
             self.read_place = self.after(self.read_place);
+            self.waiting -= 1;
         }
     }
 
-    /// All but the powers and presence in the delay line, and the queue's memory.
+    /// All but the words and presence in the entry and the delay line, and the queue's memory.
     fn clear(&mut self) {
         self.loaded = 0;
         self.open = false;
         self.spacing = 0;
         self.promised = 0;
         self.write_place = 0;
+        self.newest_place = 0;
         self.read_place = 0;
+        self.waiting = 0;
+        self.entry.clear_flags();
         for stage in &mut self.delay {
             stage.flags = Flags::default();
-        }
-    }
-}
-
-impl Powers {
-    fn decode(&mut self, inputs: &Inputs) {
-        for (index, lane) in inputs.group.lanes.iter().enumerate() {
-            if lane.present {
-                let photon = &lane.photon;
-                self.power[index] = photon.power.map(|p| u64::from(p) << photon.exponent);
-                self.present[index] = true;
-            }
         }
     }
 }

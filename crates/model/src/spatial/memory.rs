@@ -66,9 +66,7 @@ impl PhotonMemory {
             word_valid: false,
             word: nothing,
             channels: machine.channels().names().len(),
-            has_exponent: machine
-                .format()
-                .is_some_and(|f| f.power.exponent_range() > 0),
+            has_exponent: machine.has_exponent(),
         })
     }
 

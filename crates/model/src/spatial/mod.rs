@@ -7,6 +7,7 @@
 
 mod axis;
 mod engine;
+mod entry;
 mod head;
 mod lane;
 mod link;
@@ -67,7 +68,7 @@ impl GoldenMachine for SpatialMachine {
     fn observe(&self, inputs: &Inputs, row: &mut Vec<u64>) {
         row.extend(Pins::output_row(&self.machine, &self.outputs(inputs)));
         let channels = self.machine.channels().names().len();
-        self.head.observe(channels, row);
+        self.head.observe(&self.machine, row);
         if let Some(memory) = &self.memory {
             memory.observe(row);
         }

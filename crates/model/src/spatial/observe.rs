@@ -1,6 +1,6 @@
 //! All registers as numbers, in the order of [`photoncube_spec::Pins::observed`].
 
-use photoncube_spec::{ENGINE_REGISTERS, EngineRegister, HeadRegister, Spatial};
+use photoncube_spec::{ENGINE_REGISTERS, EngineRegister, HeadRegister, Machine, Spatial};
 
 use super::axis::{Axis, Square};
 use super::engine::Engine;
@@ -11,15 +11,45 @@ use super::rules::ones;
 
 impl Head {
     /// Appends the head's registers.
-    pub(super) fn observe(&self, channels: usize, row: &mut Vec<u64>) {
+    pub(super) fn observe(&self, machine: &Machine, row: &mut Vec<u64>) {
+        let channels = machine.channels().names().len();
+        let lanes = self.entry.lanes.iter();
         for register in HeadRegister::ALL {
             match register {
                 HeadRegister::Loaded => row.push(self.loaded.into()),
                 HeadRegister::Open => row.push(self.open.into()),
                 HeadRegister::Spacing => row.push(self.spacing.into()),
-                HeadRegister::Promised => row.push(self.promised.into()),
-                HeadRegister::WritePlace => row.push(self.write_place.into()),
-                HeadRegister::ReadPlace => row.push(self.read_place.into()),
+                HeadRegister::HasBatch => row.push(self.has_batch().into()),
+                HeadRegister::Promised => row.push((1 << self.promised) - 1),
+                HeadRegister::WritePlace => row.push(self.write_place as u64),
+                HeadRegister::NewestPlace => row.push(self.newest_place as u64),
+                HeadRegister::ReadPlace => row.push(self.read_place as u64),
+                HeadRegister::HasResult => row.push(self.has_result().into()),
+                HeadRegister::EntryTokenValid => row.push(self.entry.token_valid.into()),
+                HeadRegister::EntryToken => {
+                    row.extend(self.entry.token.position.map(u64::from));
+                }
+                HeadRegister::EntryRadius if machine.fixed_radius_sq().is_some() => {}
+                HeadRegister::EntryRadius => row.push(self.entry.token.radius_sq.into()),
+                HeadRegister::EntryPhoton => {
+                    row.extend(lanes.clone().flat_map(|lane| lane.photon.map(u64::from)));
+                }
+                HeadRegister::EntryPower => {
+                    let words = lanes.clone().flat_map(|lane| &lane.mantissa[..channels]);
+                    row.extend(words.map(|&mantissa| u64::from(mantissa)));
+                }
+                HeadRegister::EntryExponent if !machine.has_exponent() => {}
+                HeadRegister::EntryExponent => {
+                    row.extend(lanes.clone().map(|lane| u64::from(lane.exponent)));
+                }
+                HeadRegister::EntryPresent => {
+                    row.extend(lanes.clone().map(|lane| u64::from(lane.present)));
+                }
+                HeadRegister::EntryAbsent => {
+                    row.extend(lanes.clone().map(|lane| u64::from(lane.absent)));
+                }
+                HeadRegister::EntryFirst => row.push(self.entry.flags.first.into()),
+                HeadRegister::EntryLast => row.push(self.entry.flags.last.into()),
                 HeadRegister::DelayPower => {
                     let lanes = self.delay.iter().flat_map(|stage| &stage.power);
                     row.extend(lanes.flat_map(|power| &power[..channels]));
@@ -87,8 +117,7 @@ impl Writer<'_> {
             R::Swap => self.one(hop.swap),
             R::Photon => hop.photon.into_iter().for_each(|lane| self.axes(lane)),
             R::Difference => self.coordinates(|axis| signed(axis.difference)),
-            R::Magnitude => self.coordinates(|axis| axis.magnitude.word),
-            R::MagnitudeFar => self.coordinates(|axis| axis.magnitude.far),
+            R::Magnitude => self.coordinates(|axis| axis.magnitude),
             R::MagnitudeDelay => self.coordinates(|axis| signed(axis.magnitude_delay)),
             R::ProductsMagnitude => self.coordinates(|axis| axis.products.magnitude.word),
             R::LowProduct => self.coordinates(|axis| axis.products.low),

@@ -49,7 +49,7 @@ fn results_come_after_the_latency_and_two_clocks_apart() {
         }
     }
     let latency = |name| named(name).spatial().unwrap().latency_clocks();
-    assert_eq!((latency("stream"), latency("tile-10")), (14, 11));
+    assert_eq!((latency("stream"), latency("tile-10")), (15, 12));
 }
 
 #[test]

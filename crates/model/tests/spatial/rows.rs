@@ -41,21 +41,25 @@ fn is_cleared(register: EngineRegister) -> bool {
         || [R::GroupFirst, R::GroupLast, R::ResultValid].contains(&register)
 }
 
+/// A register of the head that does in a reset as in any clock.
+fn is_word(register: HeadRegister) -> bool {
+    use HeadRegister as H;
+    [H::EntryToken, H::EntryRadius, H::EntryPhoton].contains(&register)
+        || [H::EntryPower, H::EntryExponent, H::EntryPresent].contains(&register)
+        || [H::EntryAbsent, H::DelayPower, H::DelayPresent].contains(&register)
+}
+
 fn reset_in_flight(machine: &Machine, clocks: u64) {
     let mut driver = Driver::new(machine);
     driver.give(&Noise::seeded(machine, clocks).batches(20, 3));
     for _ in 0..clocks {
         driver.tick(Waits::default());
     }
-    let before = driver.registers();
     // A query, a group and a result stand ready in this clock, and are lost.
     driver.reset();
-    for (&(place, value), (_, before)) in driver.registers().iter().zip(before) {
+    for (place, value) in driver.registers() {
         match place {
-            SignalPlace::Head {
-                register: HeadRegister::DelayPower | HeadRegister::DelayPresent,
-                ..
-            } => {}
+            SignalPlace::Head { register, .. } if is_word(register) => {}
             SignalPlace::Head { .. } => assert_eq!(value, 0, "{place:?}"),
             SignalPlace::Engine {
                 engine: 0,
@@ -63,8 +67,6 @@ fn reset_in_flight(machine: &Machine, clocks: u64) {
                 ..
             } => match register {
                 EngineRegister::Reset => assert_eq!(value, 1),
-                EngineRegister::Next | EngineRegister::NextRadius => assert_eq!(value, before),
-                EngineRegister::Query | EngineRegister::QueryRadius => assert_eq!(value, before),
                 register => assert!(value == 0 || !is_cleared(register), "{place:?}"),
             },
             _ => {}

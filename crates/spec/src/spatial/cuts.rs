@@ -6,9 +6,9 @@
 /// | cut | what is there, for each photon |
 /// |---|---|
 /// | `Difference` | on each axis d = query - photon, signed |
-/// | `Magnitude` | on each axis |d| modulo 2^r, and whether it exceeds r bits; d once more for a squarer that needs no magnitude |
-/// | `Products` | on each axis |d| and the products of its digits, see [`super::EngineRegister::LowProduct`]; or d |
-/// | `Cross` | on each axis |d| and the product of its two digits; or the square from a table or as one product |
+/// | `Magnitude` | on each axis |d|; d once more for a squarer that needs no magnitude |
+/// | `Products` | on each axis |d| modulo 2^r, whether it exceeds r bits, and the products of its digits, see [`super::EngineRegister::LowProduct`]; or d |
+/// | `Cross` | on each axis |d| modulo 2^r, whether it exceeds r bits, and the product of its two digits; or the square from a table or as one product |
 /// | `Square` | on each axis d^2 in 2 r bits, and whether |d| exceeds r bits |
 /// | `Pair` | x^2 + y^2; z^2; whether any axis is far |
 /// | `Distance` | the sum of the three squares; whether any axis is far |

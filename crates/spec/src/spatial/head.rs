@@ -2,32 +2,40 @@
 //!
 //! With `valid`, `ready` and `last` those of this clock, N engines, and all registers as they stand
 //! before the clock edge:
-//! - `first` = not `open`. `full` = `loaded` is N. `fits` = `spacing` is 0 and
-//!   `promised` <= queue - N.
-//! - `group_ready` = (`open` or `full`) and (not `group_last` or `fits`). A group is *taken* where
-//!   `group_valid` and `group_ready`. Then `open` := not last. It enters engine 0 with this clock's
-//!   edge: the coordinates on the pins go into its `Photon` registers in every clock, taken or not.
-//!   Engine 0's swap (see below) happens where the taken group is `first`.
-//! - `query_ready` = not `full`, or a first group is taken. A query that is taken enters engine 0 as
-//!   its incoming token.
+//! - `first` = not `open`. `full` = `loaded` is N. `fits` = `spacing` is 0 and `promised` shows
+//!   fewer batches than the queue has room for.
+//! - `group_ready` = `has_batch` and (not `group_last` or `fits`). A group is *taken* where
+//!   `group_valid` and `group_ready`. Then `open` := not last.
+//! - `query_ready` = not `full`, or a first group is taken.
 //! - `loaded` := 0 if a first group is taken, else `loaded`; plus 1 if a query is taken.
+//! - `has_batch` := `open` or `full`, as they are after this clock: a batch is open or can be
+//!   opened.
 //! - `spacing` := [`HeadSizes::spacing`] - 1 if a last group is taken; else one less, but not below
 //!   0.
-//! - `promised` := `promised`, plus N if a last group is taken, less 1 if a result is taken.
-//! - Delay line: stage 0 gets, in every clock, each lane's decoded powers (mantissa << exponent) where
-//!   a group is taken and the lane present, else 0; presence where taken and present; the flags
-//!   `first` and `last` of a taken group. Stage i gets stage i - 1. The last stage is what engine
-//!   0's power hop registers get, so a group's powers are in that hop register
-//!   [`super::Cuts::latency`] clocks after its positions are in theirs.
+//! - `promised` holds the batches whose last group was taken and whose results were not all, in
+//!   unary: so many of its lowest bits are 1. One more if a last group is taken; one less if the
+//!   last result of a batch is, which is that at a `read_place` of N - 1 modulo N.
+//! - Entry: what came on the pins, a clock later. The coordinates of query and photons, the radius,
+//!   mantissas and exponents are taken over in every clock; `EntryPresent` is the presence of a
+//!   taken group's photons and `EntryAbsent` its inverse, `EntryTokenValid` that a query is taken, `EntryFirst` and `EntryLast` that
+//!   a first and that a last group is. Engine 0 gets these: its incoming token, its photons, and
+//!   `EntryFirst` as its incoming swap (see below).
+//! - Delay line: stage 0 gets, in every clock, from the entry each lane's decoded powers (mantissa <<
+//!   exponent) and 0 where `EntryAbsent`; `EntryPresent`; and the two flags. Stage i gets stage
+//!   i - 1. The last stage is what engine 0's power hop registers get, so a group's powers are in
+//!   that hop register [`super::Cuts::latency`] clocks after its positions are in theirs.
 //! - Queue: where engine 0's `ResultValid` is set, its result is written at `write_place`, which then
-//!   counts on. `result_valid` = the places differ: `write_place` is not `read_place`, with one bit
-//!   more than a place has, so that full and empty differ. The result pins show the word at
-//!   `read_place` in every clock; a result taken counts that on. The queue's memory starts as 0 and
-//!   is not reset.
-//! - Reset, at the end of the clock in which the pin is set: all registers of the head but
-//!   `DelayPower` and `DelayPresent` become 0, and these two and the queue's memory do as in any
-//!   clock. No group or query counts as taken by the engines: engine 0's incoming token is not
-//!   valid and its incoming swap is 0. The outputs do not look at the pin.
+//!   counts on, modulo the queue, and `newest_place` := that place. `result_valid` = `has_result`.
+//!   The result pins show the word at `read_place` in every clock; a result taken counts that on.
+//!   `has_result` := a result is written, or it is set and stays so: not where the result at
+//!   `newest_place` is taken. The queue's memory starts as 0 and is not reset.
+//! - Reset, at the end of the clock in which the pin is set: all registers of the head become 0, but
+//!   the words of the entry, `EntryPresent`, `EntryAbsent`, `DelayPower`, `DelayPresent` and the queue's memory do as
+//!   in any clock. The outputs do not look at the pin.
+//!
+//! `HasBatch`, `HasResult` and the unary `Promised` say what could be found from the others. They are
+//! there because each decides, in the same clock, whether a group is taken, and with it what they are
+//! in the next: as counters to be compared they were the slowest paths of `stream`.
 //!
 //! # An engine, each clock
 //! - `reset_in` is the pin for engine 0 and engine e - 1's `Reset` for engine e; `Reset` := it.
@@ -62,7 +70,9 @@ use crate::format::bits_for;
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct HeadSizes {
     /// Results that the queue holds, a power of two. A last group is taken only when the queue has
-    /// room for all results of its batch, beside those still on their way.
+    /// room for all results of its batch, beside those still on their way. So it holds as many as a
+    /// query of one group each clock needs to go on without a bubble, which is one more than the
+    /// latency; and two batches, so that one can be read while the next is summed.
     pub queue: usize,
     /// After a last group, the next is taken so many clocks later at the earliest, `2 engines - 1`:
     /// then their results do not meet on the chain.
@@ -71,30 +81,26 @@ pub struct HeadSizes {
     pub loaded_bits: u32,
     /// Bits of the counter of clocks until the next last group may come, 0 to `spacing - 1`.
     pub spacing_bits: u32,
-    /// Bits of the counter of places in the queue that are taken or promised, 0 to `queue`.
+    /// Bits of the unary number of batches whose results have places in the queue.
     pub promised_bits: u32,
-    /// Bits of a place in the queue, and one more that tells full from empty.
+    /// Bits of a place in the queue.
     pub place_bits: u32,
 }
 
 impl HeadSizes {
-    /// A queue of 16 lets queries of one group follow each other without a bubble, as a result is
-    /// taken less than 16 clocks after its last group; two batches let one be read while the next
-    /// is summed.
-    const SMALLEST_QUEUE: usize = 16;
-
     /// The sizes for a machine.
     pub fn of(spatial: &Spatial) -> Self {
         let engines = spatial.engines();
-        let queue = Self::SMALLEST_QUEUE.max(2 * engines);
+        let without_bubble = spatial.latency_clocks() as usize + 1;
+        let queue = without_bubble.next_power_of_two().max(2 * engines);
         let spacing = 2 * engines as u32 - 1;
         Self {
             queue,
             spacing,
             loaded_bits: bits_for(engines as u128),
             spacing_bits: bits_for(u128::from(spacing) - 1),
-            promised_bits: bits_for(queue as u128),
-            place_bits: queue.ilog2() + 1,
+            promised_bits: (queue / engines) as u32,
+            place_bits: queue.ilog2(),
         }
     }
 }

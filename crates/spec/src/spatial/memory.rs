@@ -12,8 +12,8 @@
 //!   as last): `Full` of the bank := 1, `End` of it := `FillPlace`, `FillPlace` := 0, `FillBank` := the
 //!   other; else `FillPlace` counts on.
 //! - Play: `reads` = `Playing` or `starts`. `starts` = not `Playing`, `Full` of `PlayBank`, `loaded` is N
-//!   (the head's), `promised` <= queue - N, `spacing` <= `End` of `PlayBank`, and not (`WordValid` and
-//!   the word is a last one). The place that is read is `PlayPlace`; the word read is in `Word` a
+//!   (the head's), `promised` leaves room for a batch, `spacing` <= `End` of `PlayBank`, and not
+//!   (`WordValid` and the word is a last one). The place that is read is `PlayPlace`; the word read is in `Word` a
 //!   clock later: `WordValid` := `reads`, `Word` := the memory's word at bank and place, in every
 //!   clock (the memory starts as 0), but its flag `last` := `reads` and the place is `End`, whatever
 //!   was written.

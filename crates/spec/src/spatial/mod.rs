@@ -86,10 +86,10 @@ impl Spatial {
     }
 
     /// Clocks from that in which a batch's last group is taken to the first in which its first
-    /// result can be: the hop register, the two flows, the result chain and the queue. Each further
-    /// engine's result comes two clocks later.
+    /// result can be: the entry, the hop register, the two flows, the result chain and the queue.
+    /// Each further engine's result comes two clocks later.
     pub fn latency_clocks(&self) -> u32 {
-        self.cuts.latency() + self.cuts.power_latency() + 3
+        self.cuts.latency() + self.cuts.power_latency() + 4
     }
 
     /// The kind of squarer of an engine of a machine whose own kind is `own`.

@@ -1,7 +1,8 @@
 //! The registers of a spatial machine as signals, in their order: head, photon memory, engines.
 
 use super::{
-    ENGINE_REGISTERS, HeadRegister, HeadSizes, Instances, MemoryRegister, Spatial, SpatialWidths,
+    ENGINE_REGISTERS, HeadRegister, HeadSizes, Instances, MemoryRegister, Radius, Spatial,
+    SpatialWidths,
 };
 use crate::machine::Machine;
 use crate::pins::{Pin, SignalPlace};
@@ -49,10 +50,27 @@ impl<'a> SpatialPins<'a> {
         let lanes = stages * Spatial::LANES;
         let (count, width) = match register {
             HeadRegister::Loaded => (1, sizes.loaded_bits),
-            HeadRegister::Open => (1, 1),
+            HeadRegister::Open
+            | HeadRegister::HasBatch
+            | HeadRegister::HasResult
+            | HeadRegister::EntryTokenValid
+            | HeadRegister::EntryFirst
+            | HeadRegister::EntryLast => (1, 1),
             HeadRegister::Spacing => (1, sizes.spacing_bits),
             HeadRegister::Promised => (1, sizes.promised_bits),
-            HeadRegister::WritePlace | HeadRegister::ReadPlace => (1, sizes.place_bits),
+            HeadRegister::WritePlace | HeadRegister::NewestPlace | HeadRegister::ReadPlace => {
+                (1, sizes.place_bits)
+            }
+            HeadRegister::EntryToken => (3, self.widths.coordinate),
+            HeadRegister::EntryRadius if self.spatial.radius == Radius::Format => (0, 0),
+            HeadRegister::EntryRadius => (1, self.widths.radius_sq),
+            HeadRegister::EntryPhoton => (3 * Spatial::LANES, self.widths.coordinate),
+            HeadRegister::EntryPower => {
+                (Spatial::LANES * self.channels.len(), self.widths.mantissa)
+            }
+            HeadRegister::EntryExponent if self.widths.exponent == 0 => (0, 0),
+            HeadRegister::EntryExponent => (Spatial::LANES, self.widths.exponent),
+            HeadRegister::EntryPresent | HeadRegister::EntryAbsent => (Spatial::LANES, 1),
             HeadRegister::DelayPower => (lanes * self.channels.len(), self.widths.power),
             HeadRegister::DelayPresent => (lanes, 1),
             HeadRegister::DelayFirst | HeadRegister::DelayLast => (stages, 1),

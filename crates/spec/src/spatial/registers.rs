@@ -35,27 +35,25 @@ pub enum EngineRegister {
     Photon,
     /// d = query - photon.
     Difference,
-    /// |d| modulo 2^r, for squares from digits.
+    /// |d|, for squares from digits.
     Magnitude,
-    /// |d| exceeds r bits.
-    MagnitudeFar,
     /// d once more, for other squares.
     MagnitudeDelay,
-    /// `Magnitude` once more.
+    /// |d| modulo 2^r.
     ProductsMagnitude,
     /// The high digit times the two lowest bits of the low one.
     LowProduct,
     /// The high digit times the other bits of the low one.
     HighProduct,
-    /// `MagnitudeFar` once more.
+    /// |d| exceeds r bits.
     ProductsFar,
     /// d once more, for other squares.
     ProductsDelay,
-    /// `Magnitude` once more.
+    /// |d| modulo 2^r.
     CrossMagnitude,
     /// The product of the digits.
     Cross,
-    /// `MagnitudeFar` once more.
+    /// |d| exceeds r bits.
     CrossFar,
     /// d^2 modulo 2^(2 r) from a table, and above it whether |d| exceeds r bits.
     Lookup,
@@ -239,16 +237,43 @@ pub enum HeadRegister {
     Loaded,
     /// A batch has begun and its last group is still to come.
     Open,
+    /// A batch is open or can be opened: what `Open` and `Loaded` say, as one bit.
+    HasBatch,
     /// Clocks until a last group may be taken.
     Spacing,
-    /// Places in the queue that are taken or promised.
+    /// Batches whose results have places in the queue and were not all taken, in unary.
     Promised,
     /// The place in the queue that the next result goes to.
     WritePlace,
+    /// The place that the newest result went to.
+    NewestPlace,
     /// The place in the queue of the result on the pins.
     ReadPlace,
+    /// The result on the pins is one.
+    HasResult,
+    /// A query was taken.
+    EntryTokenValid,
+    /// Its coordinates.
+    EntryToken,
+    /// Its squared search radius; where queries have one.
+    EntryRadius,
+    /// The coordinates of the photons: axis a of lane g is at 3 g + a.
+    EntryPhoton,
+    /// Their mantissas: channel c of lane g is at `channels` g + c.
+    EntryPower,
+    /// Their exponent, for each lane; where photons have one.
+    EntryExponent,
+    /// Whether there is a photon of a taken group, for each lane.
+    EntryPresent,
+    /// There is none, for each lane: the powers are cleared. At power-up, when there is nothing to
+    /// clear, 0 too.
+    EntryAbsent,
+    /// A first group was taken.
+    EntryFirst,
+    /// A last group was taken.
+    EntryLast,
     /// The delay line of the powers, one for each stage, lane and channel: channel c of lane g in
-    /// stage i is at (4 i + g) `channels` + c. Stage 0 is nearest to the pins; there are
+    /// stage i is at (4 i + g) `channels` + c. Stage 0 is nearest to the entry; there are
     /// [`super::Cuts::latency`] stages.
     DelayPower,
     /// The same for presence: lane g in stage i is at 4 i + g.
@@ -261,13 +286,26 @@ pub enum HeadRegister {
 
 impl HeadRegister {
     /// All of them, in order.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 23] = [
         Self::Loaded,
         Self::Open,
+        Self::HasBatch,
         Self::Spacing,
         Self::Promised,
         Self::WritePlace,
+        Self::NewestPlace,
         Self::ReadPlace,
+        Self::HasResult,
+        Self::EntryTokenValid,
+        Self::EntryToken,
+        Self::EntryRadius,
+        Self::EntryPhoton,
+        Self::EntryPower,
+        Self::EntryExponent,
+        Self::EntryPresent,
+        Self::EntryAbsent,
+        Self::EntryFirst,
+        Self::EntryLast,
         Self::DelayPower,
         Self::DelayPresent,
         Self::DelayFirst,
@@ -279,10 +317,23 @@ impl HeadRegister {
         match self {
             Self::Loaded => "loaded",
             Self::Open => "open",
+            Self::HasBatch => "has_batch",
             Self::Spacing => "spacing",
             Self::Promised => "promised",
             Self::WritePlace => "write_place",
+            Self::NewestPlace => "newest_place",
             Self::ReadPlace => "read_place",
+            Self::HasResult => "has_result",
+            Self::EntryTokenValid => "entry_token_valid",
+            Self::EntryToken => "entry_token",
+            Self::EntryRadius => "entry_radius_sq",
+            Self::EntryPhoton => "entry_photon",
+            Self::EntryPower => "entry_power",
+            Self::EntryExponent => "entry_exponent",
+            Self::EntryPresent => "entry_present",
+            Self::EntryAbsent => "entry_absent",
+            Self::EntryFirst => "entry_first",
+            Self::EntryLast => "entry_last",
             Self::DelayPower => "delay_power",
             Self::DelayPresent => "delay_present",
             Self::DelayFirst => "delay_first",
@@ -321,8 +372,7 @@ rows! {
     Swap "swap" One |_| 1, Always;
     Photon "photon" Coordinates |w| w.coordinate, Always;
     Difference "difference" Coordinates |w| w.difference, At(Cut::Difference);
-    Magnitude "magnitude" Coordinates |w| w.radius, Condition::Squarer(Cut::Magnitude, Digits);
-    MagnitudeFar "magnitude_far" Coordinates |_| 1, Condition::Squarer(Cut::Magnitude, Digits);
+    Magnitude "magnitude" Coordinates |w| w.coordinate, Condition::Squarer(Cut::Magnitude, Digits);
     MagnitudeDelay "magnitude_delay" Coordinates |w| w.difference,
         NotSquarer(Cut::Magnitude, Digits);
     ProductsMagnitude "products_magnitude" Coordinates |w| w.radius,

@@ -1,0 +1,33 @@
+//! What the entry of a machine has beside plain registers and flags.
+
+use rust_hdl::prelude::*;
+
+/// Whether there is a photon, of a group that is taken, and whether there is none: a register for
+/// each, as 24 registers of powers have only a clear, and an inverter before it would be their
+/// slowest way.
+#[derive(LogicBlock, Default)]
+pub(crate) struct EntryPresence {
+    pub clock: Signal<In, Clock>,
+    pub taken: Signal<In, Bit>,
+    pub photon_present: Signal<In, Bits<1>>,
+    pub present: Signal<Out, Bits<1>>,
+    pub absent: Signal<Out, Bit>,
+    pub is_present: DFF<Bits<1>>,
+    pub is_absent: DFF<Bit>,
+    is_photon: Signal<Local, Bit>,
+}
+
+impl Logic for EntryPresence {
+    #[hdl_gen]
+    fn update(&mut self) {
+        dff_setup!(self, clock, is_present, is_absent);
+        self.is_photon.next = self.taken.val() & self.photon_present.val().any();
+        self.is_absent.d.next = !self.is_photon.val();
+        self.is_present.d.next = 0.into();
+        if self.is_photon.val() {
+            self.is_present.d.next = 1.into();
+        }
+        self.present.next = self.is_present.q.val();
+        self.absent.next = self.is_absent.q.val();
+    }
+}

@@ -1,0 +1,90 @@
+//! The entry: what came on the pins, a clock later.
+
+use photoncube_spec::{Inputs, Lane, Query, Spatial};
+
+use super::head::Taken;
+use super::link::{Flags, Hop, Powers};
+
+/// The entry's registers.
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Entry {
+    pub(super) token_valid: bool,
+    pub(super) token: Query,
+    pub(super) lanes: [EntryLane; Spatial::LANES],
+    pub(super) flags: Flags,
+}
+
+/// A lane of it, as it was on the pins.
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct EntryLane {
+    pub(super) photon: [u32; 3],
+    pub(super) mantissa: [u32; 3],
+    pub(super) exponent: u32,
+    /// There is a photon, of a group that was taken.
+    pub(super) present: bool,
+    /// There is none; its powers are cleared.
+    pub(super) absent: bool,
+}
+
+impl Entry {
+    /// What it becomes with what is on the pins and is taken.
+    pub(super) fn of(inputs: &Inputs, taken: Taken) -> Self {
+        let mut lanes = [EntryLane::default(); Spatial::LANES];
+        for (entered, lane) in lanes.iter_mut().zip(&inputs.group.lanes) {
+            *entered = EntryLane::of(lane, taken.group);
+        }
+        Self {
+            token_valid: taken.query,
+            token: inputs.query,
+            lanes,
+            flags: taken.flags,
+        }
+    }
+
+    /// What engine 0 gets of it at once; its powers wait in the delay line.
+    pub(super) fn hop(&self) -> Hop {
+        Hop {
+            token_valid: self.token_valid,
+            token: self.token,
+            swap: self.flags.first,
+            photon: self.lanes.map(|lane| lane.photon),
+            ..Hop::default()
+        }
+    }
+
+    /// The group's decoded powers.
+    pub(super) fn powers(&self) -> Powers {
+        Powers {
+            power: self.lanes.map(EntryLane::power),
+            present: self.lanes.map(|lane| lane.present),
+            flags: self.flags,
+        }
+    }
+
+    /// What a reset clears.
+    pub(super) fn clear_flags(&mut self) {
+        self.token_valid = false;
+        self.flags = Flags::default();
+    }
+}
+
+impl EntryLane {
+    fn of(lane: &Lane, taken: bool) -> Self {
+        let present = taken && lane.present;
+        Self {
+            photon: lane.photon.position,
+            mantissa: lane.photon.power.map(Into::into),
+            exponent: lane.photon.exponent.into(),
+            present,
+            absent: !present,
+        }
+    }
+
+    fn power(self) -> [u64; 3] {
+        if self.absent {
+            [0; 3]
+        } else {
+            self.mantissa.map(|m| u64::from(m) << self.exponent)
+        }
+    }
+}
