@@ -105,10 +105,14 @@ pub fn measure(
 ) -> Result<PlaceRow> {
     let name = subject.machine.name;
     let report = format!("{speed_grade}-{seed}.json");
+    // To look into while a long run goes on.
+    let log = format!("{speed_grade}-{seed}.log");
     let (grade, seed_text) = (speed_grade.to_string(), seed.to_string());
     let target = TARGET_MHZ.to_string();
     let options = [
         "--quiet",
+        "--log",
+        &log,
         "--json",
         NETLIST,
         device.option,
