@@ -1,5 +1,5 @@
-// chip-lut: 64 engines and the photon memory for one FPGA, squarers from LUTs.
-// 1024 cells, photon format local7-rgb6d-n4096, 39 bits per photon, squarer: digits.
+// chip-lut: 32 engines and the photon memory for one FPGA, squarers from LUTs.
+// 512 cells, photon format local7-rgb6d-n4096, 39 bits per photon, squarer: digits.
 // Written by `photoncube generate --machine chip-lut`; do not edit.
 
 module photoncube_chip_lut_accumulate_2(group, sum, first, next_sum);

@@ -1100,8 +1100,6 @@ module photoncube_overlap_cell(clock, word, write_query, query_in, radius_sq_in,
     output reg [31:0] sum_out;
     output reg [17:0] z_out;
     output reg [17:0] w_out;
-    // Constant declarations
-    localparam high_bits = 32'hfffc0000;
     // Stub signals
     reg [7:0] query_d;
     wire [7:0] query_q;
@@ -1214,9 +1212,12 @@ module photoncube_overlap_cell(clock, word, write_query, query_in, radius_sq_in,
     wire [15:0] digits_squares;
     wire [5:0] digits_low_product;
     wire [5:0] digits_high_product;
-    reg [31:0] add_unit_a;
-    reg [31:0] add_unit_b;
-    wire [31:0] add_unit_sum;
+    reg [31:0] chosen_sum_sum;
+    reg [17:0] chosen_sum_sum_low;
+    reg [15:0] chosen_sum_addend;
+    reg [31:0] chosen_sum_operand;
+    reg chosen_sum_add_sum;
+    wire [31:0] chosen_sum_total;
     // Local signals
     reg [15:0] wide_low;
     reg [15:0] wide_high;
@@ -1239,9 +1240,6 @@ module photoncube_overlap_cell(clock, word, write_query, query_in, radius_sq_in,
     reg [31:0] from_photon_axes;
     reg [17:0] from_quad;
     reg [31:0] wide_from_quad;
-    reg [17:0] first_low;
-    reg [31:0] wide_first_low;
-    reg [31:0] first_high;
     // Sub module instances
     photoncube_overlap_register_8 query(
         .d(query_d),
@@ -1420,10 +1418,13 @@ module photoncube_overlap_cell(clock, word, write_query, query_in, radius_sq_in,
         .low_product(digits_low_product),
         .high_product(digits_high_product)
     );
-    photoncube_overlap_add_unit add_unit(
-        .a(add_unit_a),
-        .b(add_unit_b),
-        .sum(add_unit_sum)
+    photoncube_overlap_chosen_sum chosen_sum(
+        .sum(chosen_sum_sum),
+        .sum_low(chosen_sum_sum_low),
+        .addend(chosen_sum_addend),
+        .operand(chosen_sum_operand),
+        .add_sum(chosen_sum_add_sum),
+        .total(chosen_sum_total)
     );
     // Update code
     always @(*) begin
@@ -1537,19 +1538,16 @@ module photoncube_overlap_cell(clock, word, write_query, query_in, radius_sq_in,
         from_quad = from_role_axes | from_gate;
         wide_from_quad = ((from_quad) & 32'hffffffff);
         operand_d = from_photon_axes | wide_from_quad;
-        first_low = ((addend_q) & 18'h3ffff);
-        if (decoder_add_sum) begin
-            first_low = ((sum_q) & 18'h3ffff);
-        end
-        wide_first_low = ((first_low) & 32'hffffffff);
-        first_high = sum_q & high_bits;
-        add_unit_a = first_high | wide_first_low;
-        add_unit_b = operand_q;
+        chosen_sum_sum = sum_q;
+        chosen_sum_sum_low = ((sum_q) & 18'h3ffff);
+        chosen_sum_addend = addend_q;
+        chosen_sum_operand = operand_q;
+        chosen_sum_add_sum = decoder_add_sum;
         if (decoder_write_work) begin
-            work_d = ((add_unit_sum) & 18'h3ffff);
+            work_d = ((chosen_sum_total) & 18'h3ffff);
         end
         if (decoder_write_sum) begin
-            sum_d = add_unit_sum;
+            sum_d = chosen_sum_total;
         end
         if (decoder_write_distance) begin
             case (decoder_distance_source)
@@ -1956,17 +1954,6 @@ module photoncube_overlap_decoder(word, write_photon, write_power, move_power, w
     end
 endmodule
 
-module photoncube_overlap_add_unit(a, b, sum);
-    // Module arguments
-    input wire [31:0] a;
-    input wire [31:0] b;
-    output reg [31:0] sum;
-    // Update code
-    always @(*) begin
-        sum = a + b;
-    end
-endmodule
-
 module photoncube_overlap_register_18(d, q, clock);
     // Module arguments
     input wire [17:0] d;
@@ -2020,6 +2007,34 @@ module photoncube_overlap_difference(a, b, magnitude);
     wire below = a < b;
     wire [7:0] distance = below ? b_minus_a : a_minus_b;
     always @(*) magnitude = distance;
+endmodule
+
+module photoncube_overlap_chosen_sum(sum, sum_low, addend, operand, add_sum, total);
+    // Module arguments
+    input wire [31:0] sum;
+    input wire [17:0] sum_low;
+    input wire [15:0] addend;
+    input wire [31:0] operand;
+    input wire add_sum;
+    output reg [31:0] total;
+    // Constant declarations
+    localparam high_bits = 32'hfffc0000;
+    // Local signals
+    reg [17:0] low;
+    reg [31:0] wide_low;
+    reg [31:0] high;
+    reg [31:0] first;
+    // Update code
+    always @(*) begin
+        low = ((addend) & 18'h3ffff);
+        if (add_sum) begin
+            low = sum_low;
+        end
+        wide_low = ((low) & 32'hffffffff);
+        high = sum & high_bits;
+        first = high | wide_low;
+        total = first + operand;
+    end
 endmodule
 
 module photoncube_overlap_register_6(d, q, clock);

@@ -275,6 +275,14 @@ pub const MACHINES: &[Machine] = &[
     ),
     with_memory(
         tile(
+            "chip-mixed",
+            "the same, squarers from block RAMs, DSP blocks and LUTs",
+            6,
+        ),
+        &[(Squarer::Table, 30), (Squarer::Product, 13)],
+    ),
+    with_memory(
+        tile(
             "tile-6-mixed",
             "4 engines of three kinds of squarers, and the photon memory",
             2,
@@ -284,18 +292,10 @@ pub const MACHINES: &[Machine] = &[
     with_memory(
         tile(
             "chip-lut",
-            "64 engines and the photon memory for one FPGA, squarers from LUTs",
-            6,
+            "32 engines and the photon memory for one FPGA, squarers from LUTs",
+            5,
         ),
         &[],
-    ),
-    with_memory(
-        tile(
-            "chip-mixed",
-            "the same, squarers from block RAMs, DSP blocks and LUTs",
-            6,
-        ),
-        &[(Squarer::Table, 30), (Squarer::Product, 13)],
     ),
 ];
 

@@ -37,7 +37,8 @@ fn chained(module: &Module) -> Option<String> {
         .or_else(|| named("_square_sum").map(|()| square_sum(&ports)))
         .or_else(|| named("_range_of_query").map(|()| range_of_query(&ports)))
         .or_else(|| named("_gated_sum").map(|()| gated_sum(&ports)))
-        .or_else(|| named("_accumulate").map(|()| accumulate(&ports)))?;
+        .or_else(|| named("_accumulate").map(|()| accumulate(&ports)))
+        .or_else(|| named("_chosen_sum").map(|()| chosen_sum(&ports)))?;
     Some(format!(
         "\nmodule {}{}{}endmodule\n",
         module.name, ports.declaration, body
@@ -450,6 +451,33 @@ fn accumulate(ports: &Ports) -> String {
         }
     });
     cells(bits.collect()) + &format!("    assign next_sum = chain[{}:0];\n", sum - 1)
+}
+
+/// `total = (add_sum ? sum : addend) + operand`; above the bits that can be chosen with the sum alone.
+fn chosen_sum(ports: &Ports) -> String {
+    let (sum, chosen, addend) = (
+        ports.width("sum"),
+        ports.width("sum_low"),
+        ports.width("addend"),
+    );
+    let bits = (0..sum).map(|i| {
+        let operand = bit("operand", i);
+        let add_sum = || "add_sum".to_owned();
+        match i {
+            i if i < addend => Bit::new(
+                &[operand, bit("sum_low", i), add_sum(), bit("addend", i)],
+                |[o, s, add_sum, a]| o ^ if add_sum { s } else { a },
+                |o, _| o,
+            ),
+            i if i < chosen => Bit::new(
+                &[operand, bit("sum_low", i), add_sum()],
+                |[o, s, add_sum, _]| o ^ (s & add_sum),
+                |o, _| o,
+            ),
+            i => Bit::new(&[operand, bit("sum", i)], |[o, s, ..]| o ^ s, |o, _| o),
+        }
+    });
+    cells(bits.collect()) + &format!("    assign total = chain[{}:0];\n", sum - 1)
 }
 
 #[cfg(test)]

@@ -6,9 +6,10 @@
 
 use rust_hdl::prelude::*;
 
+use super::add::ChosenSum;
 use super::decoder::Decoder;
 use super::digits::Digits;
-use crate::units::{AddUnit, Difference};
+use crate::units::Difference;
 
 /// One cell. 8-bit coordinates; widths: `R` radius_sq, `P` power, `V` sums of squares, `S` sum, `W`
 /// control word.
@@ -55,7 +56,7 @@ pub(crate) struct Cell<
     decoder: Decoder<W>,
     difference: Difference<8, 8, 8>,
     digits: Digits,
-    add_unit: AddUnit<S>,
+    chosen_sum: ChosenSum<V, S>,
     wide_low: Signal<Local, Bits<16>>,
     wide_high: Signal<Local, Bits<16>>,
     shifted_low: Signal<Local, Bits<16>>,
@@ -77,11 +78,6 @@ pub(crate) struct Cell<
     from_photon_axes: Signal<Local, Bits<S>>,
     from_quad: Signal<Local, Bits<V>>,
     wide_from_quad: Signal<Local, Bits<S>>,
-    first_low: Signal<Local, Bits<V>>,
-    wide_first_low: Signal<Local, Bits<S>>,
-    first_high: Signal<Local, Bits<S>>,
-    /// Ones above the width of `work`.
-    high_bits: Constant<Bits<S>>,
 }
 
 impl<const R: usize, const P: usize, const V: usize, const S: usize, const W: usize> Default
@@ -89,7 +85,6 @@ impl<const R: usize, const P: usize, const V: usize, const S: usize, const W: us
 {
     fn default() -> Self {
         assert!(16 <= V && R <= V && P <= V && V <= S && S <= 64);
-        let high_bits = (u64::MAX >> (64 - S)) & !(u64::MAX >> (64 - V));
         Self {
             clock: Default::default(),
             word: Default::default(),
@@ -125,7 +120,7 @@ impl<const R: usize, const P: usize, const V: usize, const S: usize, const W: us
             decoder: Decoder::new(),
             difference: Default::default(),
             digits: Default::default(),
-            add_unit: Default::default(),
+            chosen_sum: Default::default(),
             wide_low: Default::default(),
             wide_high: Default::default(),
             shifted_low: Default::default(),
@@ -147,10 +142,6 @@ impl<const R: usize, const P: usize, const V: usize, const S: usize, const W: us
             from_photon_axes: Default::default(),
             from_quad: Default::default(),
             wide_from_quad: Default::default(),
-            first_low: Default::default(),
-            wide_first_low: Default::default(),
-            first_high: Default::default(),
-            high_bits: Constant::new(high_bits.to_bits()),
         }
     }
 }
@@ -242,21 +233,16 @@ impl<const R: usize, const P: usize, const V: usize, const S: usize, const W: us
         self.wide_from_quad.next = bit_cast::<S, V>(self.from_quad.val());
         self.operand.d.next = self.from_photon_axes.val() | self.wide_from_quad.val();
 
-        // Above the width of `work` the first operand is always the sum, because a result of that
-        // width goes to the sum alone.
-        self.first_low.next = bit_cast::<V, 16>(self.addend.q.val());
-        if self.decoder.add_sum.val() {
-            self.first_low.next = bit_cast::<V, S>(self.sum.q.val());
-        }
-        self.wide_first_low.next = bit_cast::<S, V>(self.first_low.val());
-        self.first_high.next = self.sum.q.val() & self.high_bits.val();
-        self.add_unit.a.next = self.first_high.val() | self.wide_first_low.val();
-        self.add_unit.b.next = self.operand.q.val();
+        self.chosen_sum.sum.next = self.sum.q.val();
+        self.chosen_sum.sum_low.next = bit_cast::<V, S>(self.sum.q.val());
+        self.chosen_sum.addend.next = self.addend.q.val();
+        self.chosen_sum.operand.next = self.operand.q.val();
+        self.chosen_sum.add_sum.next = self.decoder.add_sum.val();
         if self.decoder.write_work.val() {
-            self.work.d.next = bit_cast::<V, S>(self.add_unit.sum.val());
+            self.work.d.next = bit_cast::<V, S>(self.chosen_sum.total.val());
         }
         if self.decoder.write_sum.val() {
-            self.sum.d.next = self.add_unit.sum.val();
+            self.sum.d.next = self.chosen_sum.total.val();
         }
         if self.decoder.write_distance.val() {
             match self.decoder.distance_source.val().index() {

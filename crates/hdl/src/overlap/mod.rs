@@ -1,5 +1,6 @@
 //! The machine whose units work at the same time; see `photoncube_spec::overlap`.
 
+mod add;
 mod build;
 mod cell;
 mod control;

@@ -73,8 +73,8 @@ impl EntryLane {
         let present = taken && lane.present;
         Self {
             photon: lane.photon.position,
-            mantissa: lane.photon.power.map(Into::into),
-            exponent: lane.photon.exponent.into(),
+            mantissa: lane.photon.power,
+            exponent: lane.photon.exponent,
             present,
             absent: !present,
         }
