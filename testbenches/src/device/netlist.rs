@@ -3,22 +3,30 @@
 use std::process::Command;
 
 use photoncube_hdl::Emitted;
-use photoncube_spec::Pins;
+use photoncube_spec::{Pins, SignalPlace};
 
 use super::{DeviceError, scratch_folder, write_file};
 use crate::tools::{Tool, run};
 
+/// Yosys's `synth` but for its step `memory_map`: a photon memory stays a memory. As flip-flops it
+/// would be hundreds of thousands.
+const SYNTH_WITH_MEMORY: &str = "-run begin:fine; opt -fast -full; opt -undriven -fine; techmap; \
+                                 opt -fast; abc -fast; opt_clean";
+
 /// Synthesises the design to a flat netlist of generic gates and flip-flops. Its ports are the
-/// same; its registers are single
-/// bits without their names, so only the output pins remain observed.
+/// same; its registers are single bits without their names, so only the output pins remain observed.
 ///
 /// # Errors
 /// Yosys is missing or refuses the text.
 pub fn netlist(design: &Emitted) -> Result<Emitted, DeviceError> {
     let folder = scratch_folder()?;
     write_file(&folder.path().join("design.v"), &design.text)?;
+    let mut registers = design.pins.observed.iter();
+    let has_memory = registers.any(|pin| matches!(pin.place, SignalPlace::Memory { .. }));
+    let steps = if has_memory { SYNTH_WITH_MEMORY } else { "" };
     let script = format!(
-        "read_verilog design.v; synth -flatten -top {}; check -assert; write_verilog -noattr netlist.v",
+        "read_verilog design.v; synth -flatten -top {} {steps}; check -assert; \
+         write_verilog -noattr netlist.v",
         design.top
     );
     run(Command::new(Tool::Yosys.find()?)
