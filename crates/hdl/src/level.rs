@@ -33,7 +33,7 @@ impl Level {
                 Self::Square,
                 Self::Gate,
             ],
-            Organisation::Overlapped => &[Self::Machine, Self::Cell, Self::Add],
+            Organisation::Overlapped => &[Self::Machine, Self::Cell],
             Organisation::Spatial(_) => &[Self::Machine, Self::SquarePair],
         }
     }

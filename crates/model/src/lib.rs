@@ -24,6 +24,6 @@ pub use local::{
 };
 pub use machine::{ControlState, StepMachine};
 pub use overlap::{OverlapControl, OverlapMachine};
-pub use overlap_cell::OverlapCell;
+pub use overlap_cell::{CellPorts, OverlapCell};
 pub use range::{Limits, RangeError};
 pub use spatial::SpatialMachine;

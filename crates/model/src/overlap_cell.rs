@@ -60,7 +60,7 @@ pub struct CellPorts {
 impl OverlapCell {
     /// One clock with the ops that write at its end. `neighbour` gives the cell across an axis, as
     /// it was before the clock.
-    pub(crate) fn clock<'a>(
+    pub fn clock<'a>(
         &mut self,
         ops: &[Op],
         ports: &CellPorts,
@@ -106,7 +106,7 @@ impl OverlapCell {
 
     /// Takes what stands on the query's pins, whether or not it is one: what comes last is. Nothing
     /// that is still on its way belongs to it.
-    pub(crate) fn take_query(&mut self, ports: &CellPorts) {
+    pub fn take_query(&mut self, ports: &CellPorts) {
         self.query = ports.query;
         self.radius_sq = ports.radius_sq;
         self.sum = 0;
@@ -131,7 +131,7 @@ impl OverlapCell {
     }
 
     /// The registers as numbers, in the order of [`photoncube_spec::overlap::Register::all`].
-    pub(crate) fn registers(&self) -> impl Iterator<Item = u64> {
+    pub fn registers(&self) -> impl Iterator<Item = u64> {
         let fixed = [
             u64::from(self.query),
             u64::from(self.radius_sq),

@@ -87,7 +87,6 @@ mod tests {
             flow: Flow::Ecp5Nodsp,
             speed_grade,
             seed,
-            router: "router1".to_owned(),
             fmax_mhz,
             path: None,
         }

@@ -44,8 +44,6 @@ pub struct PlaceRow {
     pub speed_grade: u32,
     /// The seed of placement.
     pub seed: u32,
-    /// Which of nextpnr's routers: `router2` for the largest machines.
-    pub router: String,
     /// The highest clock.
     pub fmax_mhz: f64,
     /// What it is bound by; none where it was not read.

@@ -4,7 +4,6 @@ use std::fs;
 use std::path::Path;
 
 use anyhow::{Context, Result};
-use photoncube_spec::Machine;
 
 use super::figures::PlaceRow;
 use super::flow::Flow;
@@ -52,19 +51,6 @@ pub const DEFAULT_GRADES: [u32; 2] = [6, 8];
 pub const TARGET_MHZ: u32 = 400;
 
 const NETLIST: &str = "serial.json";
-
-/// The most engines whose nets nextpnr's own choice of router routes in less than an hour: where a
-/// device is nearly full it rips up as many as it routes.
-const MOST_ENGINES_OF_ROUTER_1: usize = 32;
-
-/// Which of nextpnr's routers a machine takes.
-fn router(machine: &Machine) -> &'static str {
-    if machine.queries_at_once() > MOST_ENGINES_OF_ROUTER_1 {
-        "router2"
-    } else {
-        "router1"
-    }
-}
 
 impl Device {
     /// The one that figures are committed for.
@@ -127,8 +113,6 @@ pub fn measure(
         "--quiet",
         "--log",
         &log,
-        "--router",
-        router(subject.machine),
         "--json",
         NETLIST,
         device.option,
@@ -156,7 +140,6 @@ pub fn measure(
         flow: Flow::to_place(subject.machine),
         speed_grade,
         seed,
-        router: router(subject.machine).to_owned(),
         fmax_mhz,
         path: Some(path),
     })

@@ -24,6 +24,7 @@ pub enum Others {
 pub struct Writer<R: Row> {
     folder: PathBuf,
     setting: R::Setting,
+    others: Others,
     rows_each: usize,
     state: Mutex<State<R>>,
 }
@@ -43,18 +44,14 @@ impl<R: Row> Writer<R> {
         subjects: &[Subject],
         rows_each: usize,
     ) -> Result<Self> {
-        let old = Figured::<R>::read(folder);
         let file = match others {
             Others::Keep => {
-                let mut file = old?.unwrap_or_else(|| Figured::new(setting.clone()));
-                // Rows of a machine that is gone are of no use to anyone.
-                file.rows
-                    .retain(|row| find_machine(&row.group().machine).is_ok());
+                let file = kept(folder, &setting)?;
                 file.check_update(&setting, groups, subjects)?;
                 file
             }
             // A file that cannot be read is one to write anew.
-            Others::Drop => match old {
+            Others::Drop => match Figured::<R>::read(folder) {
                 Ok(Some(mut file)) if file.setting == setting => {
                     file.rows.retain(|row| groups.contains(&row.group()));
                     file
@@ -66,6 +63,7 @@ impl<R: Row> Writer<R> {
         Ok(Self {
             folder: folder.to_owned(),
             setting,
+            others,
             rows_each,
             state: Mutex::new(State { file, pending }),
         })
@@ -80,6 +78,10 @@ impl<R: Row> Writer<R> {
         if rows.len() < self.rows_each {
             return Ok(());
         }
+        if self.others == Others::Keep {
+            // Another run may have written its machine's rows since.
+            *file = kept(&self.folder, &self.setting)?;
+        }
         file.update(self.setting.clone(), subject, rows);
         file.write(&self.folder)?;
         Ok(())
@@ -89,6 +91,15 @@ impl<R: Row> Writer<R> {
     pub fn path(&self) -> String {
         self.folder.join(R::FILE).display().to_string()
     }
+}
+
+/// The file with the rows of today's machines; those of a machine that is gone are of no use to anyone.
+fn kept<R: Row>(folder: &Path, setting: &R::Setting) -> Result<Figured<R>> {
+    let old = Figured::<R>::read(folder)?;
+    let mut file = old.unwrap_or_else(|| Figured::new(setting.clone()));
+    file.rows
+        .retain(|row| find_machine(&row.group().machine).is_ok());
+    Ok(file)
 }
 
 #[cfg(test)]
@@ -150,5 +161,24 @@ mod tests {
         assert_eq!(rows, by_order([of("local"), of("paper")].concat()));
         let rows = write(folder.path(), "paper", Others::Drop);
         assert_eq!(rows, by_order(of("paper")));
+    }
+
+    #[test]
+    fn runs_at_the_same_time_keep_each_others_rows() {
+        let folder = tempfile::tempdir().unwrap();
+        let setting = AreaSetting::new(&BTreeMap::new());
+        let machines = ["paper", "local"];
+        let writers = machines.map(|machine| {
+            let groups = [Group::area(machine, FLOWS[0])].into();
+            let (setting, subjects) = (setting.clone(), [subject(machine)]);
+            Writer::new(folder.path(), setting, Others::Keep, &groups, &subjects, 1).unwrap()
+        });
+        for (writer, machine) in writers.iter().zip(machines) {
+            let row = row(machine, FLOWS[0]);
+            writer.take(&subject(machine), &row).unwrap();
+        }
+        let rows = Figured::<AreaRow>::read(folder.path()).unwrap().unwrap();
+        let written: BTreeSet<_> = rows.rows.iter().map(|row| row.machine.as_str()).collect();
+        assert_eq!(written, machines.into());
     }
 }

@@ -6,11 +6,10 @@ use super::cell::Cell;
 use super::processor::Processor;
 use crate::level::Level;
 use crate::pinned::Pinned;
-use crate::units::AddUnit;
 
 /// What is built in, for messages.
 pub(crate) const BUILT_IN: &str = "overlapped: 16 cells, 8-bit coordinates, 16-bit powers, \
-                                   32-bit sums, squarers for LUTs; whole or by cell or adder";
+                                   32-bit sums, squarers for LUTs; whole or by cell";
 
 const WIDTHS: Widths = Widths {
     coordinate: 8,
@@ -38,7 +37,6 @@ pub(crate) fn build(machine: &Machine, level: Level) -> Option<Box<dyn Pinned>> 
             machine,
         ))),
         Level::Cell => Some(Box::new(Cell::<18, 16, 18, 32, 23>::default())),
-        Level::Add => Some(Box::new(AddUnit::<32>::default())),
-        Level::Network | Level::Square | Level::Gate | Level::SquarePair => None,
+        Level::Network | Level::Add | Level::Square | Level::Gate | Level::SquarePair => None,
     }
 }

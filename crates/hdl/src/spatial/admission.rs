@@ -157,6 +157,9 @@ impl Logic for Admission {
         self.clocks_to_last.connect();
     }
 
+    /// The next `open` and `has_batch` are written so that no more than two LUTs stand before a
+    /// register: which groups are taken decides them in the same clock. A batch with all its queries
+    /// that is open stays one when its last group is taken, as the queries are the next batch's.
     fn hdl(&self) -> Verilog {
         let HeadSizes {
             spacing,

@@ -1,5 +1,5 @@
-//! Where the registers of an engine, of the head and of the entry are: each place is stated once, and read either
-//! as the value that stands there or as its path in the emitted text.
+//! Where the registers of an engine, of the head and of the entry are: each place is stated once, and
+//! read either as the value that stands there or as its path in the emitted text.
 
 use photoncube_spec::{EngineRegister, HeadRegister, Spatial};
 

@@ -49,12 +49,63 @@ fn is_word(register: HeadRegister) -> bool {
         || [H::EntryAbsent, H::DelayPower, H::DelayPresent].contains(&register)
 }
 
+/// The registers before the clock of a reset.
+struct Before(Vec<(SignalPlace, u64)>);
+
+impl Before {
+    fn of(&self, place: SignalPlace) -> u64 {
+        let register = self.0.iter().find(|(other, _)| *other == place);
+        register.expect("the machine has the register").1
+    }
+
+    fn head(&self, register: HeadRegister, index: usize) -> u64 {
+        self.of(SignalPlace::Head { register, index })
+    }
+
+    fn engine(&self, register: EngineRegister, index: usize) -> u64 {
+        let engine = 0;
+        self.of(SignalPlace::Engine {
+            engine,
+            register,
+            index,
+        })
+    }
+
+    fn is_swapped(&self) -> bool {
+        self.head(HeadRegister::EntryFirst, 0) == 1
+    }
+
+    /// What engine 0's next query becomes: what waits in the entry, if it has room for it, and not
+    /// what is on the pins.
+    fn next(&self, register: EngineRegister, index: usize) -> u64 {
+        let has_room = self.is_swapped() || self.engine(EngineRegister::NextValid, 0) == 0;
+        if has_room && self.head(HeadRegister::EntryTokenValid, 0) == 1 {
+            let entry = match register {
+                EngineRegister::Next => HeadRegister::EntryToken,
+                _ => HeadRegister::EntryRadius,
+            };
+            return self.head(entry, index);
+        }
+        self.engine(register, index)
+    }
+
+    /// What its query becomes: the next one, if a first group waits in the entry.
+    fn query(&self, register: EngineRegister, index: usize) -> u64 {
+        let next = match register {
+            EngineRegister::Query => EngineRegister::Next,
+            _ => EngineRegister::NextRadius,
+        };
+        self.engine(if self.is_swapped() { next } else { register }, index)
+    }
+}
+
 fn reset_in_flight(machine: &Machine, clocks: u64) {
     let mut driver = Driver::new(machine);
     driver.give(&Noise::seeded(machine, clocks).batches(20, 3));
     for _ in 0..clocks {
         driver.tick(Waits::default());
     }
+    let before = Before(driver.registers());
     // A query, a group and a result stand ready in this clock, and are lost.
     driver.reset();
     for (place, value) in driver.registers() {
@@ -64,9 +115,15 @@ fn reset_in_flight(machine: &Machine, clocks: u64) {
             SignalPlace::Engine {
                 engine: 0,
                 register,
-                ..
+                index,
             } => match register {
                 EngineRegister::Reset => assert_eq!(value, 1),
+                EngineRegister::Next | EngineRegister::NextRadius => {
+                    assert_eq!(value, before.next(register, index), "{place:?}");
+                }
+                EngineRegister::Query | EngineRegister::QueryRadius => {
+                    assert_eq!(value, before.query(register, index), "{place:?}");
+                }
                 register => assert!(value == 0 || !is_cleared(register), "{place:?}"),
             },
             _ => {}

@@ -1,8 +1,8 @@
 //! The control words: what the control block stores for each role and clock.
 //!
 //! First come the clocks of the kernel, then those of the epilogue; past the end, the word is 0 and
-//! does nothing. A word has a field for each thing that a cell selects or writes in that clock. What an op writes later
-//! than in its first clock is written by the word of that later clock.
+//! does nothing. A word has a field for each thing that a cell selects or writes in that clock. What
+//! an op writes later than in its first clock is written by the word of that later clock.
 
 use super::op::Op;
 use super::program::Program;
@@ -118,17 +118,18 @@ impl Program {
         let mut words = vec![0; self.end_address() as usize];
         for op in &self.kernel {
             let written = op.clock + op.op.row().latency - 1;
-            words[(written % self.interval) as usize] |= fields(op.op, op.role, role);
+            words[(written % self.interval) as usize] |= asked_of(op.op, op.role, role);
         }
         for op in &self.epilogue {
-            words[(self.epilogue_address() + op.clock) as usize] |= fields(op.op, role, role);
+            words[(self.epilogue_address() + op.clock) as usize] |= asked_of(op.op, role, role);
         }
         words
     }
 }
 
-/// What an op of `doer` asks of the cell `role`: of the doer itself, and of whom it hears.
-fn fields(op: Op, doer: Role, role: Role) -> ControlWord {
+/// What an op of `doer` asks of the cell `role`, in the clock in which it writes: of the doer itself,
+/// and of whom it hears.
+pub fn asked_of(op: Op, doer: Role, role: Role) -> ControlWord {
     let mut word = 0;
     if doer == role {
         word |= own_fields(op);
@@ -198,7 +199,7 @@ mod tests {
         words.dedup();
         assert_eq!(words.len(), ops.len());
         // The two that hear w differ in what the neighbour sends.
-        let sent = |op| fields(op, Role::X, Role::Z);
+        let sent = |op| asked_of(op, Role::X, Role::Z);
         assert_ne!(sent(Op::Keep(Some(Axis::W))), sent(Op::Relay));
     }
 

@@ -26,7 +26,7 @@ mod schedule;
 pub use bound::{Resource, UnitBound, recurrence_bound, resource_bound, unit_bounds};
 pub use check::check_program;
 pub use content::{AxisSet, Content};
-pub use control::{ControlWord, FIELDS, Field, FieldRow, control_word_bits};
+pub use control::{ControlWord, FIELDS, Field, FieldRow, asked_of, control_word_bits};
 pub use error::{Place, ProgramError};
 pub use graph::{Adders, Bundle, Edge, FIXED, Graph, Part, ROTATED};
 pub use op::{OPS, Op, OpRow, Read, Unit};

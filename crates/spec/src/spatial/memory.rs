@@ -13,10 +13,10 @@
 //!   other; else `FillPlace` counts on.
 //! - Play: `reads` = `Playing` or `starts`. `starts` = not `Playing`, `Full` of `PlayBank`, `loaded` is N
 //!   (the head's), `promised` leaves room for a batch, `spacing` <= `End` of `PlayBank`, and not
-//!   (`WordValid` and the word is a last one). The place that is read is `PlayPlace`; the word read is in `Word` a
-//!   clock later: `WordValid` := `reads`, `Word` := the memory's word at bank and place, in every
-//!   clock (the memory starts as 0), but its flag `last` := `reads` and the place is `End`, whatever
-//!   was written.
+//!   (`WordValid` and the word is a last one). The place that is read is `PlayPlace`; the word read is
+//!   in `Word` a clock later: `WordValid` := `reads`, `Word` := the memory's word at bank and place,
+//!   in every clock (the memory starts as 0), but its flag `last` := `reads` and the place is `End`,
+//!   whatever was written.
 //! - Where `reads` and the place is `End` of the bank: `Playing` := 0, `PlayPlace` := 0, and if the
 //!   batch releases the set (`Releases`, or at `starts` `ReleaseNext`): `Full` of the bank := 0 and
 //!   `PlayBank` := the other. Where `reads` and it is not: `Playing` := 1 and `PlayPlace` counts on.

@@ -7,11 +7,12 @@
 //! Each clock an engine tests the four photons of a group.
 //!
 //! # Waves
-//! A group enters at the *head* and passes from engine to engine, one a clock, through *hop*
-//! registers, so that every net is short and every photon is read once. Positions go first. Powers
-//! follow as a second wave, [`Cuts::latency`] clocks later, which is when an engine has decided
-//! which of the photons are in range; so only the head delays them, once for all engines. The head
-//! also decodes powers and clears those of absent photons.
+//! A group enters at the *head*, waits a clock in the *entry*, a row of registers before engine 0,
+//! and passes from engine to engine, one a clock, through *hop* registers, so that every net is
+//! short and every photon is read once. Positions go first. Powers follow as a second wave,
+//! [`Cuts::latency`] clocks later, which is when an engine has decided which of the photons are in
+//! range; so only the head delays them, once for all engines. The head also decodes powers and
+//! clears those of absent photons.
 //!
 //! Queries travel as *tokens* in the same direction: an engine without a next query keeps the first
 //! token that comes and passes on the later ones. The first group of a batch makes each engine take

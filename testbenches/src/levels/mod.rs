@@ -4,12 +4,15 @@
 //! A part is small enough to be driven into corners that the whole machine reaches rarely, and a
 //! difference here names the part.
 
+mod overlap;
+
 use photoncube_hdl::{Level, level_pins};
 use photoncube_model::{CellInputs, CellRules, CellState};
 use std::collections::VecDeque;
 
 use photoncube_spec::{
-    Cut, Field, Machine, OPS, Op, Pin, Pins, SpatialWidths, Squarer, Step, Widths, encode,
+    Cut, Field, Machine, OPS, Op, Organisation, Pin, Pins, SpatialWidths, Squarer, Step, Widths,
+    encode,
 };
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
@@ -76,7 +79,7 @@ pub fn verify_part_device(
     let mut observed = Observed::default();
     device.replay(&trace.inputs, &mut observed)?;
     let visible = device.visible();
-    let rows = trace.steps.len();
+    let rows = trace.activities.len();
     if observed.values.len() != rows * visible {
         return Err(wrong_count(device, rows, &observed).into());
     }
@@ -104,7 +107,7 @@ struct Trace {
     inputs: Vec<u64>,
     expected: Vec<u64>,
     /// What each row asks for.
-    steps: Vec<Step>,
+    activities: Vec<Activity>,
 }
 
 impl Trace {
@@ -113,12 +116,15 @@ impl Trace {
             pins,
             inputs: Vec::new(),
             expected: Vec::new(),
-            steps: Vec::new(),
+            activities: Vec::new(),
         };
         let rng = &mut Pcg64::seed_from_u64(seed);
         match part {
             Level::Machine => panic!("the whole machine is not a part"),
-            Level::Cell => trace.cell(machine, vectors, rng),
+            Level::Cell => match machine.organisation {
+                Organisation::Overlapped => trace.overlap_cell(machine, vectors, rng),
+                _ => trace.cell(machine, vectors, rng),
+            },
             Level::Network => trace.network(machine, vectors, rng),
             Level::Add => trace.add(machine, vectors, rng),
             Level::Square => trace.square(machine, vectors, rng),
@@ -129,11 +135,11 @@ impl Trace {
     }
 
     /// One row: a value for each pin, by its name.
-    fn push(&mut self, step: Step, value: impl Fn(&str) -> u64, expected: &[u64]) {
+    fn push(&mut self, activity: Activity, value: impl Fn(&str) -> u64, expected: &[u64]) {
         let value = |pin: &Pin| value(&pin.name) & (u64::MAX >> (u64::BITS - pin.width));
         self.inputs.extend(self.pins.inputs.iter().map(value));
         self.expected.extend(expected);
-        self.steps.push(step);
+        self.activities.push(activity);
     }
 
     fn add(&mut self, machine: &Machine, vectors: usize, rng: &mut Pcg64) {
@@ -155,7 +161,7 @@ impl Trace {
             };
             cell.execute(Op::Accumulate, &CellInputs::default(), &rules);
             let operands = |name: &str| if name == "a" { a } else { b };
-            self.push(Step::new(Op::Accumulate), operands, &[cell.sum]);
+            self.push(done(Op::Accumulate), operands, &[cell.sum]);
         }
     }
 
@@ -188,7 +194,7 @@ impl Trace {
             };
             cell.execute(Op::SquareDifference, &CellInputs::default(), &rules);
             let operands = |name: &str| u64::from(if name == "a" { a } else { b });
-            let step = Step::new(Op::SquareDifference);
+            let step = done(Op::SquareDifference);
             self.push(step, operands, &[cell.work]);
         }
     }
@@ -228,7 +234,7 @@ impl Trace {
                 "photon_a" => photon_a,
                 _ => photon_b,
             };
-            self.push(Step::new(Op::SquareDifference), value, &expected);
+            self.push(done(Op::SquareDifference), value, &expected);
         }
     }
 
@@ -257,7 +263,7 @@ impl Trace {
                 "b" => u64::from(radius_sq),
                 _ => power,
             };
-            self.push(Step::new(Op::Gate), operands, &[cell.work]);
+            self.push(done(Op::Gate), operands, &[cell.work]);
         }
     }
 
@@ -294,7 +300,7 @@ impl Trace {
             };
             let mut expected = vec![cell.work, cell.sum];
             expected.extend(cell.registers());
-            self.push(step, fields, &expected);
+            self.push(Activity::Step(step), fields, &expected);
             cell.execute(step.op, &inputs, &rules);
         }
     }
@@ -319,7 +325,7 @@ impl Trace {
                 None => axis.map_or(0, |axis| 1 << axis.bit()),
             };
             let step = axis.map_or(Step::new(Op::Nop), Step::exchange_add);
-            self.push(step, inputs, &expected);
+            self.push(Activity::Step(step), inputs, &expected);
         }
     }
 
@@ -361,7 +367,7 @@ impl Trace {
             expected: expected(index),
             actual: observed.at(index),
             differing: in_row.filter(differs).count(),
-            activity: cause.map_or(Activity::PowerUp, |row| Activity::Step(self.steps[row])),
+            activity: cause.map_or(Activity::PowerUp, |row| self.activities[row]),
             operands,
             vectors_compared: row as u64,
             repeat: format!(
@@ -371,6 +377,11 @@ impl Trace {
             ),
         })
     }
+}
+
+/// A step of its own.
+fn done(op: Op) -> Activity {
+    Activity::Step(Step::new(op))
 }
 
 /// What the spec says of a spatial machine's `Square` and `SquareFar`.

@@ -1,0 +1,119 @@
+//! The cell whose units work at the same time, on random ops.
+
+use photoncube_model::{CellPorts, OverlapCell};
+use photoncube_spec::overlap::{Op, POWER_WORDS, asked_of};
+use photoncube_spec::{Axis, Machine, Role, Widths};
+use rand::RngExt;
+use rand::seq::IndexedRandom;
+use rand_pcg::Pcg64;
+
+use super::Trace;
+use crate::compare::Activity;
+use crate::stimulus::corner;
+
+/// The role of the cell; every role is the same hardware.
+const ROLE: Role = Role::X;
+
+impl Trace {
+    /// A cell on random ops, as many in one clock as its units allow, between random neighbours.
+    pub(super) fn overlap_cell(&mut self, machine: &Machine, vectors: usize, rng: &mut Pcg64) {
+        let widths = Widths::of(machine);
+        let mut cell = OverlapCell::default();
+        for _ in 0..vectors {
+            let (own, heard) = (own_ops(rng), heard_ops(rng));
+            let neighbour = OverlapCell {
+                square: corner(rng, widths.square),
+                work: corner(rng, widths.work),
+                distance: corner(rng, widths.work),
+                sum: corner(rng, widths.sum),
+                ..OverlapCell::default()
+            };
+            let ports = CellPorts {
+                query: corner(rng, widths.coordinate) as u32,
+                radius_sq: corner(rng, widths.radius_sq) as u32,
+                photon: corner(rng, widths.photon) as u32,
+                power: corner(rng, widths.power),
+                present: rng.random(),
+            };
+            let write_query = rng.random_ratio(1, 16);
+            let of_own = own.iter().map(|&op| asked_of(op, ROLE, ROLE));
+            let of_heard = heard.iter().map(|&op| asked_of(op, across(op), ROLE));
+            let word = of_own.chain(of_heard).fold(0, |word, fields| word | fields);
+            let value = |name: &str| match name {
+                "word" => word.into(),
+                "write_query" => write_query.into(),
+                "query_in" => ports.query.into(),
+                "radius_sq_in" => ports.radius_sq.into(),
+                "photon_in" => ports.photon.into(),
+                "present_in" => ports.present.into(),
+                "power_in" => ports.power,
+                "link_x" | "link_y" => neighbour.sum,
+                "link_z" => word_on_z(&neighbour, &own),
+                "link_w" => word_on_w(&neighbour, &own),
+                other => panic!("a cell whose units overlap has no pin {other}"),
+            };
+            let (z, w) = (word_on_z(&cell, &heard), word_on_w(&cell, &heard));
+            let mut expected = vec![cell.sum, z, w];
+            expected.extend(cell.registers());
+            self.push(Activity::Flows, value, &expected);
+            cell.clock(&own, &ports, |_| &neighbour, &widths);
+            if write_query {
+                cell.take_query(&ports);
+            }
+        }
+    }
+}
+
+/// Ops that write in one clock: for each register no more than one, for each axis one word.
+fn own_ops(rng: &mut Pcg64) -> Vec<Op> {
+    use Op::*;
+    let mut ops = Vec::new();
+    let alone = [LoadPhoton, LoadPower, SquareDifference];
+    for op in alone.into_iter().chain((1..POWER_WORDS).map(MovePower)) {
+        ops.extend(rng.random::<bool>().then_some(op));
+    }
+    let receives = [Axis::X, Axis::Y, Axis::Z, Axis::W].map(|axis| Some(Receive(axis)));
+    let operands = [&receives[..], &[Some(Gate), Some(Gate), None]].concat();
+    let operand = *operands.choose(rng).expect("a choice");
+    let adds = [Some(Add), Some(Accumulate), None];
+    let keeps = [None, Some(Axis::Z), Some(Axis::W)].map(|axis| Some(Keep(axis)));
+    let mut distances = [&keeps[..], &[Some(Relay), None]].concat();
+    // A neighbour sends one word.
+    distances.retain(|&distance| {
+        let pair = (operand, distance);
+        pair != (Some(Receive(Axis::Z)), Some(Keep(Some(Axis::Z))))
+            && pair != (Some(Receive(Axis::W)), Some(Relay))
+    });
+    ops.extend(operand);
+    ops.extend(*adds.choose(rng).expect("a choice"));
+    ops.extend(*distances.choose(rng).expect("a choice"));
+    ops
+}
+
+/// Ops of neighbours, for which the cell sends something else than for the others.
+fn heard_ops(rng: &mut Pcg64) -> Vec<Op> {
+    let mut ops = vec![Op::Keep(Some(Axis::Z)), Op::Relay];
+    ops.retain(|_| rng.random());
+    ops
+}
+
+/// The role that hears the cell in an op.
+fn across(op: Op) -> Role {
+    ROLE.across(op.axis().expect("an op that hears"))
+}
+
+/// What a cell sends on z for its neighbours' ops.
+fn word_on_z(cell: &OverlapCell, heard: &[Op]) -> u64 {
+    match heard.contains(&Op::Keep(Some(Axis::Z))) {
+        true => cell.work,
+        false => cell.square,
+    }
+}
+
+/// What a cell sends on w.
+fn word_on_w(cell: &OverlapCell, heard: &[Op]) -> u64 {
+    match heard.contains(&Op::Relay) {
+        true => cell.distance,
+        false => cell.work,
+    }
+}
