@@ -55,7 +55,10 @@ struct State {
     full: [bool; 2],
     end: [usize; 2],
     play_bank: usize,
+    play_full: bool,
+    play_end: usize,
     play_place: usize,
+    may_start: bool,
     playing: bool,
     releases: bool,
     release_next: bool,
@@ -167,22 +170,24 @@ impl<const C: usize, const B: usize, const E: usize> PhotonMemory<C, B, E> {
         self.group_ready.next = !self._state.full[self._state.fill_bank];
     }
 
-    fn starts(&self) -> bool {
+    fn may_start(&self) -> bool {
         let state = &self._state;
-        let ends = state.word_valid && state.word_last;
-        let waits = self.clocks_to_last.val().to_u64() > state.end[state.play_bank] as u64;
-        let ready = self.is_full.val() && self.has_room.val() && !waits;
-        !state.playing && state.full[state.play_bank] && ready && !ends
+        let busy = state.playing || state.may_start || (state.word_valid && state.word_last);
+        let in_time = self.clocks_to_last.val().to_u64() <= state.play_end as u64;
+        !busy && state.play_full && self.is_full.val() && self.has_room.val() && in_time
     }
 
     fn step(&mut self) {
         let before = self._state;
-        let starts = self.starts();
+        let starts = before.may_start;
         let reads = before.playing || starts;
-        let at_end = before.play_place == before.end[before.play_bank];
+        let at_end = before.play_place == before.play_end;
         let read = before.play_bank * self._bank_groups + before.play_place;
         self._word.clone_from(&self._groups[read]);
         let mut state = before;
+        state.may_start = self.may_start();
+        state.play_full = before.full[before.play_bank];
+        state.play_end = before.end[before.play_bank];
         state.word_valid = reads;
         state.word_last = reads && at_end;
         if reads {
@@ -232,7 +237,10 @@ impl<const C: usize, const B: usize, const E: usize> PhotonMemory<C, B, E> {
             MemoryRegister::Full => state.full[index].into(),
             MemoryRegister::End => state.end[index] as u64,
             MemoryRegister::PlayBank => state.play_bank as u64,
+            MemoryRegister::PlayFull => state.play_full.into(),
+            MemoryRegister::PlayEnd => state.play_end as u64,
             MemoryRegister::PlayPlace => state.play_place as u64,
+            MemoryRegister::MayStart => state.may_start.into(),
             MemoryRegister::Playing => state.playing.into(),
             MemoryRegister::Releases => state.releases.into(),
             MemoryRegister::ReleaseNext => state.release_next.into(),
@@ -352,7 +360,10 @@ fn state_text(bits: usize) -> String {
          reg [{top}:0] end_place_0 = {bits}'d0;\n\
          reg [{top}:0] end_place_1 = {bits}'d0;\n\
          reg play_bank = 1'd0;\n\
+         reg play_full = 1'd0;\n\
+         reg [{top}:0] play_end = {bits}'d0;\n\
          reg [{top}:0] play_place = {bits}'d0;\n\
+         reg may_start = 1'd0;\n\
          reg playing = 1'd0;\n\
          reg releases = 1'd0;\n\
          reg release_next = 1'd0;\n\
@@ -360,18 +371,19 @@ fn state_text(bits: usize) -> String {
          reg last = 1'd0;\n\
          wire takes_group = group_valid & ~(fill_bank ? full_1 : full_0);\n\
          wire set_ends = group_last | (&fill_place);\n\
-         wire play_full = play_bank ? full_1 : full_0;\n\
-         wire [{top}:0] play_end = play_bank ? end_place_1 : end_place_0;\n\
          wire [15:0] wide_end = {{{pad}play_end}};\n\
          wire in_time = clocks_to_last <= wide_end;\n\
-         wire starts = ~playing & play_full & is_full & has_room & in_time & ~(valid & last);\n\
-         wire reads = playing | starts;\n\
+         wire busy = playing | may_start | (valid & last);\n\
+         wire reads = playing | may_start;\n\
          wire at_end = play_place == play_end;\n\
-         wire ends_set = reads & at_end & (starts ? release_next : releases);\n\
+         wire ends_set = reads & at_end & (may_start ? release_next : releases);\n\
          always @(*) group_ready = ~(fill_bank ? full_1 : full_0);\n\
          always @(*) word_valid = valid;\n\
          always @(*) word_last = last;\n\
          always @(posedge clock) begin\n\
+         \x20 may_start <= ~busy & play_full & is_full & has_room & in_time;\n\
+         \x20 play_full <= play_bank ? full_1 : full_0;\n\
+         \x20 play_end <= play_bank ? end_place_1 : end_place_0;\n\
          \x20 valid <= reads;\n\
          \x20 last <= reads & at_end;\n\
          \x20 if (reads) begin\n\
@@ -383,7 +395,7 @@ fn state_text(bits: usize) -> String {
          \x20   if (play_bank) full_1 <= 1'd0;\n\
          \x20   else full_0 <= 1'd0;\n\
          \x20 end\n\
-         \x20 if (starts) begin\n\
+         \x20 if (may_start) begin\n\
          \x20   releases <= release_next;\n\
          \x20   release_next <= 1'd0;\n\
          \x20 end\n\
@@ -407,7 +419,10 @@ fn state_text(bits: usize) -> String {
          \x20   end_place_0 <= {bits}'d0;\n\
          \x20   end_place_1 <= {bits}'d0;\n\
          \x20   play_bank <= 1'd0;\n\
+         \x20   play_full <= 1'd0;\n\
+         \x20   play_end <= {bits}'d0;\n\
          \x20   play_place <= {bits}'d0;\n\
+         \x20   may_start <= 1'd0;\n\
          \x20   playing <= 1'd0;\n\
          \x20   releases <= 1'd0;\n\
          \x20   release_next <= 1'd0;\n\

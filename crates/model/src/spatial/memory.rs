@@ -22,7 +22,10 @@ pub(super) struct PhotonMemory {
     fill_bank: usize,
     fill_place: usize,
     play_bank: usize,
+    play_full: bool,
+    play_end: usize,
     play_place: usize,
+    may_start: bool,
     playing: bool,
     releases: bool,
     release_next: bool,
@@ -59,7 +62,10 @@ impl PhotonMemory {
             fill_bank: 0,
             fill_place: 0,
             play_bank: 0,
+            play_full: false,
+            play_end: 0,
             play_place: 0,
+            may_start: false,
             playing: false,
             releases: false,
             release_next: false,
@@ -86,12 +92,17 @@ impl PhotonMemory {
 
     /// One rising clock edge.
     pub fn clock(&mut self, inputs: &Inputs, head: HeadStatus) {
-        let starts = self.starts(head);
+        let starts = self.may_start;
+        self.may_start = self.may_start_next(head);
         let reads = self.playing || starts;
         let read = self.banks[self.play_bank].groups[self.play_place].clone();
-        let at_end = self.play_place == self.banks[self.play_bank].end;
+        let at_end = self.play_place == self.play_end;
         let takes = inputs.group_valid && self.group_ready();
 
+        (self.play_full, self.play_end) = {
+            let bank = &self.banks[self.play_bank];
+            (bank.full, bank.end)
+        };
         self.word_valid = reads;
         self.word = Group {
             last: reads && at_end,
@@ -115,14 +126,15 @@ impl PhotonMemory {
         }
     }
 
-    fn starts(&self, head: HeadStatus) -> bool {
-        let bank = &self.banks[self.play_bank];
+    /// Whether a batch begins in the next clock.
+    fn may_start_next(&self, head: HeadStatus) -> bool {
         let ends = self.word_valid && self.word.last;
         !self.playing
-            && bank.full
+            && !self.may_start
+            && self.play_full
             && head.full
             && head.has_room
-            && head.spacing as usize <= bank.end
+            && head.spacing as usize <= self.play_end
             && !ends
     }
 
@@ -164,6 +176,7 @@ impl PhotonMemory {
         }
         (self.fill_bank, self.fill_place) = (0, 0);
         (self.play_bank, self.play_place) = (0, 0);
+        (self.play_full, self.play_end, self.may_start) = (false, 0, false);
         (self.playing, self.releases, self.release_next) = (false, false, false);
         self.word_valid = false;
         self.word.last = false;
@@ -184,7 +197,10 @@ impl PhotonMemory {
             MemoryRegister::Full => row.extend(self.banks.iter().map(|b| u64::from(b.full))),
             MemoryRegister::End => row.extend(self.banks.iter().map(|b| b.end as u64)),
             MemoryRegister::PlayBank => row.push(self.play_bank as u64),
+            MemoryRegister::PlayFull => row.push(self.play_full.into()),
+            MemoryRegister::PlayEnd => row.push(self.play_end as u64),
             MemoryRegister::PlayPlace => row.push(self.play_place as u64),
+            MemoryRegister::MayStart => row.push(self.may_start.into()),
             MemoryRegister::Playing => row.push(self.playing.into()),
             MemoryRegister::Releases => row.push(self.releases.into()),
             MemoryRegister::ReleaseNext => row.push(self.release_next.into()),

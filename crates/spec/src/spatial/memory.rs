@@ -11,13 +11,15 @@
 //!   `FillPlace` of that bank. Where it is a last group (or `FillPlace` is G - 1, which then counts
 //!   as last): `Full` of the bank := 1, `End` of it := `FillPlace`, `FillPlace` := 0, `FillBank` := the
 //!   other; else `FillPlace` counts on.
-//! - Play: `reads` = `Playing` or `starts`. `starts` = not `Playing`, `Full` of `PlayBank`, `loaded` is N
-//!   (the head's), `promised` leaves room for a batch, `spacing` <= `End` of `PlayBank`, and not
-//!   (`WordValid` and the word is a last one). The place that is read is `PlayPlace`; the word read is
-//!   in `Word` a clock later: `WordValid` := `reads`, `Word` := the memory's word at bank and place,
-//!   in every clock (the memory starts as 0), but its flag `last` := `reads` and the place is `End`,
-//!   whatever was written.
-//! - Where `reads` and the place is `End` of the bank: `Playing` := 0, `PlayPlace` := 0, and if the
+//! - Play: `reads` = `Playing` or `starts`, and `starts` = `MayStart`. `MayStart` := neither `Playing`
+//!   nor `starts`, `PlayFull`, `loaded` is N (the head's), `promised` leaves room for a batch,
+//!   `spacing` <= `PlayEnd`, and not (`WordValid` and the word is a last one). What it asks for once
+//!   holds until the start, so it may say it a clock later. `PlayFull` and `PlayEnd` := `Full` and
+//!   `End` of `PlayBank`, in every clock; they are looked at when that bank has been played from for a
+//!   clock at least. The place that is read is `PlayPlace`; the word read is in `Word` a clock later:
+//!   `WordValid` := `reads`, `Word` := the memory's word at bank and place, in every clock (the memory
+//!   starts as 0), but its flag `last` := `reads` and the place is `PlayEnd`, whatever was written.
+//! - Where `reads` and the place is `PlayEnd`: `Playing` := 0, `PlayPlace` := 0, and if the
 //!   batch releases the set (`Releases`, or at `starts` `ReleaseNext`): `Full` of the bank := 0 and
 //!   `PlayBank` := the other. Where `reads` and it is not: `Playing` := 1 and `PlayPlace` counts on.
 //! - `starts`: `Releases` := `ReleaseNext`, `ReleaseNext` := 0. A query that is taken with `query_release`:
@@ -39,8 +41,14 @@ pub enum MemoryRegister {
     End,
     /// The bank that is played.
     PlayBank,
+    /// Whether it has a whole set, a clock late.
+    PlayFull,
+    /// The place of its last group, a clock late.
+    PlayEnd,
     /// The place in it that is read next.
     PlayPlace,
+    /// The next batch begins.
+    MayStart,
     /// A batch has begun and its last group is still to be read.
     Playing,
     /// The batch that is played is the last on its set.
@@ -63,13 +71,16 @@ pub enum MemoryRegister {
 
 impl MemoryRegister {
     /// All of them, in order.
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 18] = [
         Self::FillBank,
         Self::FillPlace,
         Self::Full,
         Self::End,
         Self::PlayBank,
+        Self::PlayFull,
+        Self::PlayEnd,
         Self::PlayPlace,
+        Self::MayStart,
         Self::Playing,
         Self::Releases,
         Self::ReleaseNext,
@@ -89,7 +100,10 @@ impl MemoryRegister {
             Self::Full => "full",
             Self::End => "end_place",
             Self::PlayBank => "play_bank",
+            Self::PlayFull => "play_full",
+            Self::PlayEnd => "play_end",
             Self::PlayPlace => "play_place",
+            Self::MayStart => "may_start",
             Self::Playing => "playing",
             Self::Releases => "releases",
             Self::ReleaseNext => "release_next",

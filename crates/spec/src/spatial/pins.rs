@@ -86,7 +86,9 @@ impl<'a> SpatialPins<'a> {
         let place = self.spatial.memory_groups.ilog2();
         let lanes = Spatial::LANES;
         let (count, width) = match register {
-            MemoryRegister::FillPlace | MemoryRegister::PlayPlace => (1, place),
+            MemoryRegister::FillPlace | MemoryRegister::PlayPlace | MemoryRegister::PlayEnd => {
+                (1, place)
+            }
             MemoryRegister::Full => (2, 1),
             MemoryRegister::End => (2, place),
             MemoryRegister::WordPresent => (lanes, 1),
