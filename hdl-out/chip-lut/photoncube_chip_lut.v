@@ -8120,7 +8120,10 @@ module photoncube_chip_lut_memory(clock, reset, group_valid, group_ready, group_
     reg [9:0] end_place_0 = 10'd0;
     reg [9:0] end_place_1 = 10'd0;
     reg play_bank = 1'd0;
+    reg play_full = 1'd0;
+    reg [9:0] play_end = 10'd0;
     reg [9:0] play_place = 10'd0;
+    reg may_start = 1'd0;
     reg playing = 1'd0;
     reg releases = 1'd0;
     reg release_next = 1'd0;
@@ -8128,18 +8131,19 @@ module photoncube_chip_lut_memory(clock, reset, group_valid, group_ready, group_
     reg last = 1'd0;
     wire takes_group = group_valid & ~(fill_bank ? full_1 : full_0);
     wire set_ends = group_last | (&fill_place);
-    wire play_full = play_bank ? full_1 : full_0;
-    wire [9:0] play_end = play_bank ? end_place_1 : end_place_0;
     wire [15:0] wide_end = {6'd0, play_end};
     wire in_time = clocks_to_last <= wide_end;
-    wire starts = ~playing & play_full & is_full & has_room & in_time & ~(valid & last);
-    wire reads = playing | starts;
+    wire busy = playing | may_start | (valid & last);
+    wire reads = playing | may_start;
     wire at_end = play_place == play_end;
-    wire ends_set = reads & at_end & (starts ? release_next : releases);
+    wire ends_set = reads & at_end & (may_start ? release_next : releases);
     always @(*) group_ready = ~(fill_bank ? full_1 : full_0);
     always @(*) word_valid = valid;
     always @(*) word_last = last;
     always @(posedge clock) begin
+      may_start <= ~busy & play_full & is_full & has_room & in_time;
+      play_full <= play_bank ? full_1 : full_0;
+      play_end <= play_bank ? end_place_1 : end_place_0;
       valid <= reads;
       last <= reads & at_end;
       if (reads) begin
@@ -8151,7 +8155,7 @@ module photoncube_chip_lut_memory(clock, reset, group_valid, group_ready, group_
         if (play_bank) full_1 <= 1'd0;
         else full_0 <= 1'd0;
       end
-      if (starts) begin
+      if (may_start) begin
         releases <= release_next;
         release_next <= 1'd0;
       end
@@ -8175,7 +8179,10 @@ module photoncube_chip_lut_memory(clock, reset, group_valid, group_ready, group_
         end_place_0 <= 10'd0;
         end_place_1 <= 10'd0;
         play_bank <= 1'd0;
+        play_full <= 1'd0;
+        play_end <= 10'd0;
         play_place <= 10'd0;
+        may_start <= 1'd0;
         playing <= 1'd0;
         releases <= 1'd0;
         release_next <= 1'd0;
@@ -9057,8 +9064,8 @@ module photoncube_chip_lut_admission(clock, reset, query_valid, group_valid, gro
     reg has_batch = 1'd0;
     reg [5:0] spacing = 6'd0;
     reg [1:0] promised = 2'd0;
-    wire full = loaded == 6'd32;
-    wire fills = query_valid & (loaded == 6'd31);
+    wire full = loaded[5];
+    wire fills = query_valid & (&loaded[4:0]);
     wire room = ~promised[1];
     wire fits = (spacing == 6'd0) & room;
     wire admits_group = has_batch & (~group_last | fits);

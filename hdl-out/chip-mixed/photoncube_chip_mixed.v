@@ -6019,7 +6019,7 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
         .result_out_2(engine_0_result_out_2),
         .result_count_out(engine_0_result_count_out)
     );
-    photoncube_chip_mixed_engine engine_1(
+    photoncube_chip_mixed_engine_2 engine_1(
         .clock(engine_1_clock),
         .reset_in(engine_1_reset_in),
         .token_valid_in(engine_1_token_valid_in),
@@ -6104,7 +6104,7 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
         .result_out_2(engine_1_result_out_2),
         .result_count_out(engine_1_result_count_out)
     );
-    photoncube_chip_mixed_engine engine_2(
+    photoncube_chip_mixed_engine_3 engine_2(
         .clock(engine_2_clock),
         .reset_in(engine_2_reset_in),
         .token_valid_in(engine_2_token_valid_in),
@@ -6274,7 +6274,7 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
         .result_out_2(engine_3_result_out_2),
         .result_count_out(engine_3_result_count_out)
     );
-    photoncube_chip_mixed_engine engine_4(
+    photoncube_chip_mixed_engine_2 engine_4(
         .clock(engine_4_clock),
         .reset_in(engine_4_reset_in),
         .token_valid_in(engine_4_token_valid_in),
@@ -6444,7 +6444,7 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
         .result_out_2(engine_5_result_out_2),
         .result_count_out(engine_5_result_count_out)
     );
-    photoncube_chip_mixed_engine engine_6(
+    photoncube_chip_mixed_engine_2 engine_6(
         .clock(engine_6_clock),
         .reset_in(engine_6_reset_in),
         .token_valid_in(engine_6_token_valid_in),
@@ -6614,7 +6614,7 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
         .result_out_2(engine_7_result_out_2),
         .result_count_out(engine_7_result_count_out)
     );
-    photoncube_chip_mixed_engine engine_8(
+    photoncube_chip_mixed_engine_3 engine_8(
         .clock(engine_8_clock),
         .reset_in(engine_8_reset_in),
         .token_valid_in(engine_8_token_valid_in),
@@ -6699,7 +6699,7 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
         .result_out_2(engine_8_result_out_2),
         .result_count_out(engine_8_result_count_out)
     );
-    photoncube_chip_mixed_engine engine_9(
+    photoncube_chip_mixed_engine_2 engine_9(
         .clock(engine_9_clock),
         .reset_in(engine_9_reset_in),
         .token_valid_in(engine_9_token_valid_in),
@@ -6954,7 +6954,7 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
         .result_out_2(engine_11_result_out_2),
         .result_count_out(engine_11_result_count_out)
     );
-    photoncube_chip_mixed_engine engine_12(
+    photoncube_chip_mixed_engine_2 engine_12(
         .clock(engine_12_clock),
         .reset_in(engine_12_reset_in),
         .token_valid_in(engine_12_token_valid_in),
@@ -7124,7 +7124,7 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
         .result_out_2(engine_13_result_out_2),
         .result_count_out(engine_13_result_count_out)
     );
-    photoncube_chip_mixed_engine engine_14(
+    photoncube_chip_mixed_engine_2 engine_14(
         .clock(engine_14_clock),
         .reset_in(engine_14_reset_in),
         .token_valid_in(engine_14_token_valid_in),
@@ -7209,7 +7209,7 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
         .result_out_2(engine_14_result_out_2),
         .result_count_out(engine_14_result_count_out)
     );
-    photoncube_chip_mixed_engine engine_15(
+    photoncube_chip_mixed_engine_3 engine_15(
         .clock(engine_15_clock),
         .reset_in(engine_15_reset_in),
         .token_valid_in(engine_15_token_valid_in),
@@ -7379,7 +7379,7 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
         .result_out_2(engine_16_result_out_2),
         .result_count_out(engine_16_result_count_out)
     );
-    photoncube_chip_mixed_engine engine_17(
+    photoncube_chip_mixed_engine_2 engine_17(
         .clock(engine_17_clock),
         .reset_in(engine_17_reset_in),
         .token_valid_in(engine_17_token_valid_in),
@@ -7549,7 +7549,7 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
         .result_out_2(engine_18_result_out_2),
         .result_count_out(engine_18_result_count_out)
     );
-    photoncube_chip_mixed_engine engine_19(
+    photoncube_chip_mixed_engine_2 engine_19(
         .clock(engine_19_clock),
         .reset_in(engine_19_reset_in),
         .token_valid_in(engine_19_token_valid_in),
@@ -7719,7 +7719,7 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
         .result_out_2(engine_20_result_out_2),
         .result_count_out(engine_20_result_count_out)
     );
-    photoncube_chip_mixed_engine engine_21(
+    photoncube_chip_mixed_engine_3 engine_21(
         .clock(engine_21_clock),
         .reset_in(engine_21_reset_in),
         .token_valid_in(engine_21_token_valid_in),
@@ -7889,7 +7889,7 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
         .result_out_2(engine_22_result_out_2),
         .result_count_out(engine_22_result_count_out)
     );
-    photoncube_chip_mixed_engine engine_23(
+    photoncube_chip_mixed_engine_2 engine_23(
         .clock(engine_23_clock),
         .reset_in(engine_23_reset_in),
         .token_valid_in(engine_23_token_valid_in),
@@ -8059,7 +8059,7 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
         .result_out_2(engine_24_result_out_2),
         .result_count_out(engine_24_result_count_out)
     );
-    photoncube_chip_mixed_engine engine_25(
+    photoncube_chip_mixed_engine_2 engine_25(
         .clock(engine_25_clock),
         .reset_in(engine_25_reset_in),
         .token_valid_in(engine_25_token_valid_in),
@@ -8229,7 +8229,7 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
         .result_out_2(engine_26_result_out_2),
         .result_count_out(engine_26_result_count_out)
     );
-    photoncube_chip_mixed_engine engine_27(
+    photoncube_chip_mixed_engine_2 engine_27(
         .clock(engine_27_clock),
         .reset_in(engine_27_reset_in),
         .token_valid_in(engine_27_token_valid_in),
@@ -8399,7 +8399,7 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
         .result_out_2(engine_28_result_out_2),
         .result_count_out(engine_28_result_count_out)
     );
-    photoncube_chip_mixed_engine engine_29(
+    photoncube_chip_mixed_engine_3 engine_29(
         .clock(engine_29_clock),
         .reset_in(engine_29_reset_in),
         .token_valid_in(engine_29_token_valid_in),
@@ -8569,7 +8569,7 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
         .result_out_2(engine_30_result_out_2),
         .result_count_out(engine_30_result_count_out)
     );
-    photoncube_chip_mixed_engine_2 engine_31(
+    photoncube_chip_mixed_engine engine_31(
         .clock(engine_31_clock),
         .reset_in(engine_31_reset_in),
         .token_valid_in(engine_31_token_valid_in),
@@ -8654,7 +8654,7 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
         .result_out_2(engine_31_result_out_2),
         .result_count_out(engine_31_result_count_out)
     );
-    photoncube_chip_mixed_engine_2 engine_32(
+    photoncube_chip_mixed_engine engine_32(
         .clock(engine_32_clock),
         .reset_in(engine_32_reset_in),
         .token_valid_in(engine_32_token_valid_in),
@@ -8824,7 +8824,7 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
         .result_out_2(engine_33_result_out_2),
         .result_count_out(engine_33_result_count_out)
     );
-    photoncube_chip_mixed_engine_2 engine_34(
+    photoncube_chip_mixed_engine_3 engine_34(
         .clock(engine_34_clock),
         .reset_in(engine_34_reset_in),
         .token_valid_in(engine_34_token_valid_in),
@@ -8909,7 +8909,7 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
         .result_out_2(engine_34_result_out_2),
         .result_count_out(engine_34_result_count_out)
     );
-    photoncube_chip_mixed_engine_2 engine_35(
+    photoncube_chip_mixed_engine engine_35(
         .clock(engine_35_clock),
         .reset_in(engine_35_reset_in),
         .token_valid_in(engine_35_token_valid_in),
@@ -9079,7 +9079,7 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
         .result_out_2(engine_36_result_out_2),
         .result_count_out(engine_36_result_count_out)
     );
-    photoncube_chip_mixed_engine_2 engine_37(
+    photoncube_chip_mixed_engine engine_37(
         .clock(engine_37_clock),
         .reset_in(engine_37_reset_in),
         .token_valid_in(engine_37_token_valid_in),
@@ -9249,7 +9249,7 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
         .result_out_2(engine_38_result_out_2),
         .result_count_out(engine_38_result_count_out)
     );
-    photoncube_chip_mixed_engine_2 engine_39(
+    photoncube_chip_mixed_engine engine_39(
         .clock(engine_39_clock),
         .reset_in(engine_39_reset_in),
         .token_valid_in(engine_39_token_valid_in),
@@ -9334,7 +9334,7 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
         .result_out_2(engine_39_result_out_2),
         .result_count_out(engine_39_result_count_out)
     );
-    photoncube_chip_mixed_engine_2 engine_40(
+    photoncube_chip_mixed_engine_3 engine_40(
         .clock(engine_40_clock),
         .reset_in(engine_40_reset_in),
         .token_valid_in(engine_40_token_valid_in),
@@ -9504,7 +9504,7 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
         .result_out_2(engine_41_result_out_2),
         .result_count_out(engine_41_result_count_out)
     );
-    photoncube_chip_mixed_engine_2 engine_42(
+    photoncube_chip_mixed_engine engine_42(
         .clock(engine_42_clock),
         .reset_in(engine_42_reset_in),
         .token_valid_in(engine_42_token_valid_in),
@@ -9589,7 +9589,7 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
         .result_out_2(engine_42_result_out_2),
         .result_count_out(engine_42_result_count_out)
     );
-    photoncube_chip_mixed_engine_3 engine_43(
+    photoncube_chip_mixed_engine engine_43(
         .clock(engine_43_clock),
         .reset_in(engine_43_reset_in),
         .token_valid_in(engine_43_token_valid_in),
@@ -9674,7 +9674,7 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
         .result_out_2(engine_43_result_out_2),
         .result_count_out(engine_43_result_count_out)
     );
-    photoncube_chip_mixed_engine_3 engine_44(
+    photoncube_chip_mixed_engine_2 engine_44(
         .clock(engine_44_clock),
         .reset_in(engine_44_reset_in),
         .token_valid_in(engine_44_token_valid_in),
@@ -9759,7 +9759,7 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
         .result_out_2(engine_44_result_out_2),
         .result_count_out(engine_44_result_count_out)
     );
-    photoncube_chip_mixed_engine_3 engine_45(
+    photoncube_chip_mixed_engine engine_45(
         .clock(engine_45_clock),
         .reset_in(engine_45_reset_in),
         .token_valid_in(engine_45_token_valid_in),
@@ -9844,7 +9844,7 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
         .result_out_2(engine_45_result_out_2),
         .result_count_out(engine_45_result_count_out)
     );
-    photoncube_chip_mixed_engine_3 engine_46(
+    photoncube_chip_mixed_engine_2 engine_46(
         .clock(engine_46_clock),
         .reset_in(engine_46_reset_in),
         .token_valid_in(engine_46_token_valid_in),
@@ -10014,7 +10014,7 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
         .result_out_2(engine_47_result_out_2),
         .result_count_out(engine_47_result_count_out)
     );
-    photoncube_chip_mixed_engine_3 engine_48(
+    photoncube_chip_mixed_engine engine_48(
         .clock(engine_48_clock),
         .reset_in(engine_48_reset_in),
         .token_valid_in(engine_48_token_valid_in),
@@ -10099,7 +10099,7 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
         .result_out_2(engine_48_result_out_2),
         .result_count_out(engine_48_result_count_out)
     );
-    photoncube_chip_mixed_engine_3 engine_49(
+    photoncube_chip_mixed_engine_2 engine_49(
         .clock(engine_49_clock),
         .reset_in(engine_49_reset_in),
         .token_valid_in(engine_49_token_valid_in),
@@ -10184,7 +10184,7 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
         .result_out_2(engine_49_result_out_2),
         .result_count_out(engine_49_result_count_out)
     );
-    photoncube_chip_mixed_engine_3 engine_50(
+    photoncube_chip_mixed_engine engine_50(
         .clock(engine_50_clock),
         .reset_in(engine_50_reset_in),
         .token_valid_in(engine_50_token_valid_in),
@@ -10269,7 +10269,7 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
         .result_out_2(engine_50_result_out_2),
         .result_count_out(engine_50_result_count_out)
     );
-    photoncube_chip_mixed_engine_3 engine_51(
+    photoncube_chip_mixed_engine_2 engine_51(
         .clock(engine_51_clock),
         .reset_in(engine_51_reset_in),
         .token_valid_in(engine_51_token_valid_in),
@@ -10354,7 +10354,7 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
         .result_out_2(engine_51_result_out_2),
         .result_count_out(engine_51_result_count_out)
     );
-    photoncube_chip_mixed_engine_3 engine_52(
+    photoncube_chip_mixed_engine engine_52(
         .clock(engine_52_clock),
         .reset_in(engine_52_reset_in),
         .token_valid_in(engine_52_token_valid_in),
@@ -10524,7 +10524,7 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
         .result_out_2(engine_53_result_out_2),
         .result_count_out(engine_53_result_count_out)
     );
-    photoncube_chip_mixed_engine_3 engine_54(
+    photoncube_chip_mixed_engine engine_54(
         .clock(engine_54_clock),
         .reset_in(engine_54_reset_in),
         .token_valid_in(engine_54_token_valid_in),
@@ -10609,7 +10609,7 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
         .result_out_2(engine_54_result_out_2),
         .result_count_out(engine_54_result_count_out)
     );
-    photoncube_chip_mixed_engine_3 engine_55(
+    photoncube_chip_mixed_engine_2 engine_55(
         .clock(engine_55_clock),
         .reset_in(engine_55_reset_in),
         .token_valid_in(engine_55_token_valid_in),
@@ -10694,7 +10694,7 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
         .result_out_2(engine_55_result_out_2),
         .result_count_out(engine_55_result_count_out)
     );
-    photoncube_chip_mixed_engine_3 engine_56(
+    photoncube_chip_mixed_engine engine_56(
         .clock(engine_56_clock),
         .reset_in(engine_56_reset_in),
         .token_valid_in(engine_56_token_valid_in),
@@ -10779,7 +10779,7 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
         .result_out_2(engine_56_result_out_2),
         .result_count_out(engine_56_result_count_out)
     );
-    photoncube_chip_mixed_engine_3 engine_57(
+    photoncube_chip_mixed_engine_2 engine_57(
         .clock(engine_57_clock),
         .reset_in(engine_57_reset_in),
         .token_valid_in(engine_57_token_valid_in),
@@ -10864,7 +10864,7 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
         .result_out_2(engine_57_result_out_2),
         .result_count_out(engine_57_result_count_out)
     );
-    photoncube_chip_mixed_engine_3 engine_58(
+    photoncube_chip_mixed_engine engine_58(
         .clock(engine_58_clock),
         .reset_in(engine_58_reset_in),
         .token_valid_in(engine_58_token_valid_in),
@@ -10949,7 +10949,7 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
         .result_out_2(engine_58_result_out_2),
         .result_count_out(engine_58_result_count_out)
     );
-    photoncube_chip_mixed_engine_3 engine_59(
+    photoncube_chip_mixed_engine_2 engine_59(
         .clock(engine_59_clock),
         .reset_in(engine_59_reset_in),
         .token_valid_in(engine_59_token_valid_in),
@@ -11034,7 +11034,7 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
         .result_out_2(engine_59_result_out_2),
         .result_count_out(engine_59_result_count_out)
     );
-    photoncube_chip_mixed_engine_3 engine_60(
+    photoncube_chip_mixed_engine engine_60(
         .clock(engine_60_clock),
         .reset_in(engine_60_reset_in),
         .token_valid_in(engine_60_token_valid_in),
@@ -11204,7 +11204,7 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
         .result_out_2(engine_61_result_out_2),
         .result_count_out(engine_61_result_count_out)
     );
-    photoncube_chip_mixed_engine_3 engine_62(
+    photoncube_chip_mixed_engine_2 engine_62(
         .clock(engine_62_clock),
         .reset_in(engine_62_reset_in),
         .token_valid_in(engine_62_token_valid_in),
@@ -11289,7 +11289,7 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
         .result_out_2(engine_62_result_out_2),
         .result_count_out(engine_62_result_count_out)
     );
-    photoncube_chip_mixed_engine_3 engine_63(
+    photoncube_chip_mixed_engine engine_63(
         .clock(engine_63_clock),
         .reset_in(engine_63_reset_in),
         .token_valid_in(engine_63_token_valid_in),
@@ -14840,7 +14840,10 @@ module photoncube_chip_mixed_memory(clock, reset, group_valid, group_ready, grou
     reg [9:0] end_place_0 = 10'd0;
     reg [9:0] end_place_1 = 10'd0;
     reg play_bank = 1'd0;
+    reg play_full = 1'd0;
+    reg [9:0] play_end = 10'd0;
     reg [9:0] play_place = 10'd0;
+    reg may_start = 1'd0;
     reg playing = 1'd0;
     reg releases = 1'd0;
     reg release_next = 1'd0;
@@ -14848,18 +14851,19 @@ module photoncube_chip_mixed_memory(clock, reset, group_valid, group_ready, grou
     reg last = 1'd0;
     wire takes_group = group_valid & ~(fill_bank ? full_1 : full_0);
     wire set_ends = group_last | (&fill_place);
-    wire play_full = play_bank ? full_1 : full_0;
-    wire [9:0] play_end = play_bank ? end_place_1 : end_place_0;
     wire [15:0] wide_end = {6'd0, play_end};
     wire in_time = clocks_to_last <= wide_end;
-    wire starts = ~playing & play_full & is_full & has_room & in_time & ~(valid & last);
-    wire reads = playing | starts;
+    wire busy = playing | may_start | (valid & last);
+    wire reads = playing | may_start;
     wire at_end = play_place == play_end;
-    wire ends_set = reads & at_end & (starts ? release_next : releases);
+    wire ends_set = reads & at_end & (may_start ? release_next : releases);
     always @(*) group_ready = ~(fill_bank ? full_1 : full_0);
     always @(*) word_valid = valid;
     always @(*) word_last = last;
     always @(posedge clock) begin
+      may_start <= ~busy & play_full & is_full & has_room & in_time;
+      play_full <= play_bank ? full_1 : full_0;
+      play_end <= play_bank ? end_place_1 : end_place_0;
       valid <= reads;
       last <= reads & at_end;
       if (reads) begin
@@ -14871,7 +14875,7 @@ module photoncube_chip_mixed_memory(clock, reset, group_valid, group_ready, grou
         if (play_bank) full_1 <= 1'd0;
         else full_0 <= 1'd0;
       end
-      if (starts) begin
+      if (may_start) begin
         releases <= release_next;
         release_next <= 1'd0;
       end
@@ -14895,7 +14899,10 @@ module photoncube_chip_mixed_memory(clock, reset, group_valid, group_ready, grou
         end_place_0 <= 10'd0;
         end_place_1 <= 10'd0;
         play_bank <= 1'd0;
+        play_full <= 1'd0;
+        play_end <= 10'd0;
         play_place <= 10'd0;
+        may_start <= 1'd0;
         playing <= 1'd0;
         releases <= 1'd0;
         release_next <= 1'd0;
@@ -17367,8 +17374,8 @@ module photoncube_chip_mixed_admission(clock, reset, query_valid, group_valid, g
     reg has_batch = 1'd0;
     reg [6:0] spacing = 7'd0;
     reg [1:0] promised = 2'd0;
-    wire full = loaded == 7'd64;
-    wire fills = query_valid & (loaded == 7'd63);
+    wire full = loaded[6];
+    wire fills = query_valid & (&loaded[5:0]);
     wire room = ~promised[1];
     wire fits = (spacing == 7'd0) & room;
     wire admits_group = has_batch & (~group_last | fits);
@@ -18323,132 +18330,6 @@ module photoncube_chip_mixed_square_pair_3(clock, query, photon_a, photon_b, squ
     reg [9:0] difference_1_d;
     wire [9:0] difference_1_q;
     reg difference_1_clock;
-    reg digits_0_clock;
-    reg [9:0] digits_0_difference;
-    wire [13:0] digits_0_square;
-    wire digits_0_far;
-    reg digits_1_clock;
-    reg [9:0] digits_1_difference;
-    wire [13:0] digits_1_square;
-    wire digits_1_far;
-    reg [13:0] square_stage_0_d;
-    wire [13:0] square_stage_0_q;
-    reg square_stage_0_clock;
-    reg [13:0] square_stage_1_d;
-    wire [13:0] square_stage_1_q;
-    reg square_stage_1_clock;
-    reg far_stage_0_d;
-    wire far_stage_0_q;
-    reg far_stage_0_clock;
-    reg far_stage_1_d;
-    wire far_stage_1_q;
-    reg far_stage_1_clock;
-    // Sub module instances
-    photoncube_chip_mixed_subtract subtract_0(
-        .a(subtract_0_a),
-        .b(subtract_0_b),
-        .difference(subtract_0_difference)
-    );
-    photoncube_chip_mixed_subtract subtract_1(
-        .a(subtract_1_a),
-        .b(subtract_1_b),
-        .difference(subtract_1_difference)
-    );
-    photoncube_chip_mixed_products_delay difference_0(
-        .d(difference_0_d),
-        .q(difference_0_q),
-        .clock(difference_0_clock)
-    );
-    photoncube_chip_mixed_products_delay difference_1(
-        .d(difference_1_d),
-        .q(difference_1_q),
-        .clock(difference_1_clock)
-    );
-    photoncube_chip_mixed_digits digits_0(
-        .clock(digits_0_clock),
-        .difference(digits_0_difference),
-        .square(digits_0_square),
-        .far(digits_0_far)
-    );
-    photoncube_chip_mixed_digits digits_1(
-        .clock(digits_1_clock),
-        .difference(digits_1_difference),
-        .square(digits_1_square),
-        .far(digits_1_far)
-    );
-    photoncube_chip_mixed_register_14 square_stage_0(
-        .d(square_stage_0_d),
-        .q(square_stage_0_q),
-        .clock(square_stage_0_clock)
-    );
-    photoncube_chip_mixed_register_14 square_stage_1(
-        .d(square_stage_1_d),
-        .q(square_stage_1_q),
-        .clock(square_stage_1_clock)
-    );
-    photoncube_chip_mixed_register_1 far_stage_0(
-        .d(far_stage_0_d),
-        .q(far_stage_0_q),
-        .clock(far_stage_0_clock)
-    );
-    photoncube_chip_mixed_register_1 far_stage_1(
-        .d(far_stage_1_d),
-        .q(far_stage_1_q),
-        .clock(far_stage_1_clock)
-    );
-    // Update code
-    always @(*) begin
-        subtract_0_b = photon_a;
-        subtract_1_b = photon_b;
-        subtract_0_a = query;
-        difference_0_clock = clock;
-        difference_0_d = subtract_0_difference;
-        square_stage_0_clock = clock;
-        far_stage_0_clock = clock;
-        subtract_1_a = query;
-        difference_1_clock = clock;
-        difference_1_d = subtract_1_difference;
-        square_stage_1_clock = clock;
-        far_stage_1_clock = clock;
-        digits_0_clock = clock;
-        digits_0_difference = difference_0_q;
-        square_stage_0_d = digits_0_square;
-        far_stage_0_d = digits_0_far;
-        digits_1_clock = clock;
-        digits_1_difference = difference_1_q;
-        square_stage_1_d = digits_1_square;
-        far_stage_1_d = digits_1_far;
-        square_a = square_stage_0_q;
-        square_b = square_stage_1_q;
-        far_a = far_stage_0_q;
-        far_b = far_stage_1_q;
-    end
-endmodule
-
-module photoncube_chip_mixed_square_pair_2(clock, query, photon_a, photon_b, square_a, square_b, far_a,
-    far_b);
-    // Module arguments
-    input wire clock;
-    input wire [8:0] query;
-    input wire [8:0] photon_a;
-    input wire [8:0] photon_b;
-    output reg [13:0] square_a;
-    output reg [13:0] square_b;
-    output reg far_a;
-    output reg far_b;
-    // Stub signals
-    reg [8:0] subtract_0_a;
-    reg [8:0] subtract_0_b;
-    wire [9:0] subtract_0_difference;
-    reg [8:0] subtract_1_a;
-    reg [8:0] subtract_1_b;
-    wire [9:0] subtract_1_difference;
-    reg [9:0] difference_0_d;
-    wire [9:0] difference_0_q;
-    reg difference_0_clock;
-    reg [9:0] difference_1_d;
-    wire [9:0] difference_1_q;
-    reg difference_1_clock;
     reg product_0_clock;
     reg [9:0] product_0_difference;
     wire [13:0] product_0_square;
@@ -18551,7 +18432,7 @@ module photoncube_chip_mixed_square_pair_2(clock, query, photon_a, photon_b, squ
     end
 endmodule
 
-module photoncube_chip_mixed_square_pair(clock, query, photon_a, photon_b, square_a, square_b, far_a,
+module photoncube_chip_mixed_square_pair_2(clock, query, photon_a, photon_b, square_a, square_b, far_a,
     far_b);
     // Module arguments
     input wire clock;
@@ -18665,6 +18546,132 @@ module photoncube_chip_mixed_square_pair(clock, query, photon_a, photon_b, squar
         square_stage_1_d = lookup_0_square_b;
         far_stage_0_d = lookup_0_far_a;
         far_stage_1_d = lookup_0_far_b;
+        square_a = square_stage_0_q;
+        square_b = square_stage_1_q;
+        far_a = far_stage_0_q;
+        far_b = far_stage_1_q;
+    end
+endmodule
+
+module photoncube_chip_mixed_square_pair(clock, query, photon_a, photon_b, square_a, square_b, far_a,
+    far_b);
+    // Module arguments
+    input wire clock;
+    input wire [8:0] query;
+    input wire [8:0] photon_a;
+    input wire [8:0] photon_b;
+    output reg [13:0] square_a;
+    output reg [13:0] square_b;
+    output reg far_a;
+    output reg far_b;
+    // Stub signals
+    reg [8:0] subtract_0_a;
+    reg [8:0] subtract_0_b;
+    wire [9:0] subtract_0_difference;
+    reg [8:0] subtract_1_a;
+    reg [8:0] subtract_1_b;
+    wire [9:0] subtract_1_difference;
+    reg [9:0] difference_0_d;
+    wire [9:0] difference_0_q;
+    reg difference_0_clock;
+    reg [9:0] difference_1_d;
+    wire [9:0] difference_1_q;
+    reg difference_1_clock;
+    reg digits_0_clock;
+    reg [9:0] digits_0_difference;
+    wire [13:0] digits_0_square;
+    wire digits_0_far;
+    reg digits_1_clock;
+    reg [9:0] digits_1_difference;
+    wire [13:0] digits_1_square;
+    wire digits_1_far;
+    reg [13:0] square_stage_0_d;
+    wire [13:0] square_stage_0_q;
+    reg square_stage_0_clock;
+    reg [13:0] square_stage_1_d;
+    wire [13:0] square_stage_1_q;
+    reg square_stage_1_clock;
+    reg far_stage_0_d;
+    wire far_stage_0_q;
+    reg far_stage_0_clock;
+    reg far_stage_1_d;
+    wire far_stage_1_q;
+    reg far_stage_1_clock;
+    // Sub module instances
+    photoncube_chip_mixed_subtract subtract_0(
+        .a(subtract_0_a),
+        .b(subtract_0_b),
+        .difference(subtract_0_difference)
+    );
+    photoncube_chip_mixed_subtract subtract_1(
+        .a(subtract_1_a),
+        .b(subtract_1_b),
+        .difference(subtract_1_difference)
+    );
+    photoncube_chip_mixed_products_delay difference_0(
+        .d(difference_0_d),
+        .q(difference_0_q),
+        .clock(difference_0_clock)
+    );
+    photoncube_chip_mixed_products_delay difference_1(
+        .d(difference_1_d),
+        .q(difference_1_q),
+        .clock(difference_1_clock)
+    );
+    photoncube_chip_mixed_digits digits_0(
+        .clock(digits_0_clock),
+        .difference(digits_0_difference),
+        .square(digits_0_square),
+        .far(digits_0_far)
+    );
+    photoncube_chip_mixed_digits digits_1(
+        .clock(digits_1_clock),
+        .difference(digits_1_difference),
+        .square(digits_1_square),
+        .far(digits_1_far)
+    );
+    photoncube_chip_mixed_register_14 square_stage_0(
+        .d(square_stage_0_d),
+        .q(square_stage_0_q),
+        .clock(square_stage_0_clock)
+    );
+    photoncube_chip_mixed_register_14 square_stage_1(
+        .d(square_stage_1_d),
+        .q(square_stage_1_q),
+        .clock(square_stage_1_clock)
+    );
+    photoncube_chip_mixed_register_1 far_stage_0(
+        .d(far_stage_0_d),
+        .q(far_stage_0_q),
+        .clock(far_stage_0_clock)
+    );
+    photoncube_chip_mixed_register_1 far_stage_1(
+        .d(far_stage_1_d),
+        .q(far_stage_1_q),
+        .clock(far_stage_1_clock)
+    );
+    // Update code
+    always @(*) begin
+        subtract_0_b = photon_a;
+        subtract_1_b = photon_b;
+        subtract_0_a = query;
+        difference_0_clock = clock;
+        difference_0_d = subtract_0_difference;
+        square_stage_0_clock = clock;
+        far_stage_0_clock = clock;
+        subtract_1_a = query;
+        difference_1_clock = clock;
+        difference_1_d = subtract_1_difference;
+        square_stage_1_clock = clock;
+        far_stage_1_clock = clock;
+        digits_0_clock = clock;
+        digits_0_difference = difference_0_q;
+        square_stage_0_d = digits_0_square;
+        far_stage_0_d = digits_0_far;
+        digits_1_clock = clock;
+        digits_1_difference = difference_1_q;
+        square_stage_1_d = digits_1_square;
+        far_stage_1_d = digits_1_far;
         square_a = square_stage_0_q;
         square_b = square_stage_1_q;
         far_a = far_stage_0_q;
@@ -19080,6 +19087,100 @@ module photoncube_chip_mixed_gated_sum_2(a, b, a_in_range, b_in_range, sum);
     end
 endmodule
 
+module photoncube_chip_mixed_lookup(clock, difference_a, difference_b, square_a, square_b,
+    far_a, far_b);
+    // Module arguments
+    input wire clock;
+    input wire [9:0] difference_a;
+    input wire [9:0] difference_b;
+    output reg [13:0] square_a;
+    output reg [13:0] square_b;
+    output reg far_a;
+    output reg far_b;
+    // Stub signals
+    reg [9:0] magnitude_delay_0_d;
+    wire [9:0] magnitude_delay_0_q;
+    reg magnitude_delay_0_clock;
+    reg [9:0] magnitude_delay_1_d;
+    wire [9:0] magnitude_delay_1_q;
+    reg magnitude_delay_1_clock;
+    reg [9:0] products_delay_0_d;
+    wire [9:0] products_delay_0_q;
+    reg products_delay_0_clock;
+    reg [9:0] products_delay_1_d;
+    wire [9:0] products_delay_1_q;
+    reg products_delay_1_clock;
+    reg square_table_clock;
+    reg [9:0] square_table_difference_a;
+    reg [9:0] square_table_difference_b;
+    wire [14:0] square_table_lookup_a;
+    wire [14:0] square_table_lookup_b;
+    reg [14:0] split_0_lookup;
+    wire [13:0] split_0_square;
+    wire split_0_far;
+    reg [14:0] split_1_lookup;
+    wire [13:0] split_1_square;
+    wire split_1_far;
+    // Sub module instances
+    photoncube_chip_mixed_register_10 magnitude_delay_0(
+        .d(magnitude_delay_0_d),
+        .q(magnitude_delay_0_q),
+        .clock(magnitude_delay_0_clock)
+    );
+    photoncube_chip_mixed_register_10 magnitude_delay_1(
+        .d(magnitude_delay_1_d),
+        .q(magnitude_delay_1_q),
+        .clock(magnitude_delay_1_clock)
+    );
+    photoncube_chip_mixed_products_delay products_delay_0(
+        .d(products_delay_0_d),
+        .q(products_delay_0_q),
+        .clock(products_delay_0_clock)
+    );
+    photoncube_chip_mixed_products_delay products_delay_1(
+        .d(products_delay_1_d),
+        .q(products_delay_1_q),
+        .clock(products_delay_1_clock)
+    );
+    photoncube_chip_mixed_square_table square_table(
+        .clock(square_table_clock),
+        .difference_a(square_table_difference_a),
+        .difference_b(square_table_difference_b),
+        .lookup_a(square_table_lookup_a),
+        .lookup_b(square_table_lookup_b)
+    );
+    photoncube_chip_mixed_split_0 split_0(
+        .lookup(split_0_lookup),
+        .square(split_0_square),
+        .far(split_0_far)
+    );
+    photoncube_chip_mixed_split_0 split_1(
+        .lookup(split_1_lookup),
+        .square(split_1_square),
+        .far(split_1_far)
+    );
+    // Update code
+    always @(*) begin
+        magnitude_delay_0_clock = clock;
+        products_delay_0_clock = clock;
+        products_delay_0_d = magnitude_delay_0_q;
+        magnitude_delay_1_clock = clock;
+        products_delay_1_clock = clock;
+        products_delay_1_d = magnitude_delay_1_q;
+        square_table_clock = clock;
+        magnitude_delay_0_d = difference_a;
+        magnitude_delay_1_d = difference_b;
+        square_table_difference_a = products_delay_0_q;
+        square_table_difference_b = products_delay_1_q;
+        split_0_lookup = square_table_lookup_a;
+        split_1_lookup = square_table_lookup_b;
+        square_a = split_0_square;
+        square_b = split_1_square;
+        far_a = split_0_far;
+        far_b = split_1_far;
+    end
+endmodule
+
 module photoncube_chip_mixed_digits(clock, difference, square, far);
     // Module arguments
     input wire clock;
@@ -19217,100 +19318,6 @@ module photoncube_chip_mixed_digits(clock, difference, square, far);
         square_sum_cross_product = cross_product_q;
         square = square_sum_square;
         far = cross_far_q;
-    end
-endmodule
-
-module photoncube_chip_mixed_lookup(clock, difference_a, difference_b, square_a, square_b,
-    far_a, far_b);
-    // Module arguments
-    input wire clock;
-    input wire [9:0] difference_a;
-    input wire [9:0] difference_b;
-    output reg [13:0] square_a;
-    output reg [13:0] square_b;
-    output reg far_a;
-    output reg far_b;
-    // Stub signals
-    reg [9:0] magnitude_delay_0_d;
-    wire [9:0] magnitude_delay_0_q;
-    reg magnitude_delay_0_clock;
-    reg [9:0] magnitude_delay_1_d;
-    wire [9:0] magnitude_delay_1_q;
-    reg magnitude_delay_1_clock;
-    reg [9:0] products_delay_0_d;
-    wire [9:0] products_delay_0_q;
-    reg products_delay_0_clock;
-    reg [9:0] products_delay_1_d;
-    wire [9:0] products_delay_1_q;
-    reg products_delay_1_clock;
-    reg square_table_clock;
-    reg [9:0] square_table_difference_a;
-    reg [9:0] square_table_difference_b;
-    wire [14:0] square_table_lookup_a;
-    wire [14:0] square_table_lookup_b;
-    reg [14:0] split_0_lookup;
-    wire [13:0] split_0_square;
-    wire split_0_far;
-    reg [14:0] split_1_lookup;
-    wire [13:0] split_1_square;
-    wire split_1_far;
-    // Sub module instances
-    photoncube_chip_mixed_register_10 magnitude_delay_0(
-        .d(magnitude_delay_0_d),
-        .q(magnitude_delay_0_q),
-        .clock(magnitude_delay_0_clock)
-    );
-    photoncube_chip_mixed_register_10 magnitude_delay_1(
-        .d(magnitude_delay_1_d),
-        .q(magnitude_delay_1_q),
-        .clock(magnitude_delay_1_clock)
-    );
-    photoncube_chip_mixed_products_delay products_delay_0(
-        .d(products_delay_0_d),
-        .q(products_delay_0_q),
-        .clock(products_delay_0_clock)
-    );
-    photoncube_chip_mixed_products_delay products_delay_1(
-        .d(products_delay_1_d),
-        .q(products_delay_1_q),
-        .clock(products_delay_1_clock)
-    );
-    photoncube_chip_mixed_square_table square_table(
-        .clock(square_table_clock),
-        .difference_a(square_table_difference_a),
-        .difference_b(square_table_difference_b),
-        .lookup_a(square_table_lookup_a),
-        .lookup_b(square_table_lookup_b)
-    );
-    photoncube_chip_mixed_split_0 split_0(
-        .lookup(split_0_lookup),
-        .square(split_0_square),
-        .far(split_0_far)
-    );
-    photoncube_chip_mixed_split_0 split_1(
-        .lookup(split_1_lookup),
-        .square(split_1_square),
-        .far(split_1_far)
-    );
-    // Update code
-    always @(*) begin
-        magnitude_delay_0_clock = clock;
-        products_delay_0_clock = clock;
-        products_delay_0_d = magnitude_delay_0_q;
-        magnitude_delay_1_clock = clock;
-        products_delay_1_clock = clock;
-        products_delay_1_d = magnitude_delay_1_q;
-        square_table_clock = clock;
-        magnitude_delay_0_d = difference_a;
-        magnitude_delay_1_d = difference_b;
-        square_table_difference_a = products_delay_0_q;
-        square_table_difference_b = products_delay_1_q;
-        split_0_lookup = square_table_lookup_a;
-        split_1_lookup = square_table_lookup_b;
-        square_a = split_0_square;
-        square_b = split_1_square;
-        far_a = split_0_far;
-        far_b = split_1_far;
     end
 endmodule
 
@@ -19644,38 +19651,6 @@ module photoncube_chip_mixed_low_product(d, q, clock);
     // Module arguments
     input wire [5:0] d;
     output reg [5:0] q;
-    input wire clock;
-    // Update code
-    always @(*) begin
-        q = d;
-    end
-endmodule
-
-module photoncube_chip_mixed_products_far(d, q, clock);
-    // Module arguments
-    input wire d;
-    output reg q;
-    input wire clock;
-    // Update code
-    always @(*) begin
-        q = d;
-    end
-endmodule
-
-module photoncube_chip_mixed_magnitude_of(difference, magnitude);
-    // Module arguments
-    input wire [9:0] difference;
-    output reg [8:0] magnitude;
-    // Update code (custom)
-    wire negative = difference[9];
-    wire [8:0] inverted = difference[8:0] ^ {9{negative}};
-    always @(*) magnitude = inverted + {8'd0, negative};
-endmodule
-
-module photoncube_chip_mixed_high_product(d, q, clock);
-    // Module arguments
-    input wire [3:0] d;
-    output reg [3:0] q;
     input wire clock;
     // Update code
     always @(*) begin
@@ -20724,15 +20699,36 @@ module photoncube_chip_mixed_square_table(clock, difference_a, difference_b, loo
     always @(posedge clock) lookup_b <= squares[difference_b];
 endmodule
 
-module photoncube_chip_mixed_digit_products(magnitude, low_product, high_product);
+module photoncube_chip_mixed_products_far(d, q, clock);
     // Module arguments
-    input wire [6:0] magnitude;
-    output reg [5:0] low_product;
-    output reg [3:0] high_product;
+    input wire d;
+    output reg q;
+    input wire clock;
+    // Update code
+    always @(*) begin
+        q = d;
+    end
+endmodule
+
+module photoncube_chip_mixed_magnitude_of(difference, magnitude);
+    // Module arguments
+    input wire [9:0] difference;
+    output reg [8:0] magnitude;
     // Update code (custom)
-    wire [3:0] high = magnitude[6:3];
-    always @(*) low_product = {2'd0, high & {4{magnitude[0]}}} + {1'd0, high & {4{magnitude[1]}}, 1'd0};
-    always @(*) high_product = {high & {4{magnitude[2]}}};
+    wire negative = difference[9];
+    wire [8:0] inverted = difference[8:0] ^ {9{negative}};
+    always @(*) magnitude = inverted + {8'd0, negative};
+endmodule
+
+module photoncube_chip_mixed_high_product(d, q, clock);
+    // Module arguments
+    input wire [3:0] d;
+    output reg [3:0] q;
+    input wire clock;
+    // Update code
+    always @(*) begin
+        q = d;
+    end
 endmodule
 
 module photoncube_chip_mixed_split_product(product, square, far);
@@ -20743,6 +20739,17 @@ module photoncube_chip_mixed_split_product(product, square, far);
     // Update code (custom)
     always @(*) square = product[13:0];
     always @(*) far = |product[17:14];
+endmodule
+
+module photoncube_chip_mixed_digit_products(magnitude, low_product, high_product);
+    // Module arguments
+    input wire [6:0] magnitude;
+    output reg [5:0] low_product;
+    output reg [3:0] high_product;
+    // Update code (custom)
+    wire [3:0] high = magnitude[6:3];
+    always @(*) low_product = {2'd0, high & {4{magnitude[0]}}} + {1'd0, high & {4{magnitude[1]}}, 1'd0};
+    always @(*) high_product = {high & {4{magnitude[2]}}};
 endmodule
 
 module photoncube_chip_mixed_split_magnitude(magnitude, counted, far);

@@ -15411,8 +15411,8 @@ module photoncube_tile_10_admission(clock, reset, query_valid, group_valid, grou
     reg has_batch = 1'd0;
     reg [6:0] spacing = 7'd0;
     reg [1:0] promised = 2'd0;
-    wire full = loaded == 7'd64;
-    wire fills = query_valid & (loaded == 7'd63);
+    wire full = loaded[6];
+    wire fills = query_valid & (&loaded[5:0]);
     wire room = ~promised[1];
     wire fits = (spacing == 7'd0) & room;
     wire admits_group = has_batch & (~group_last | fits);

@@ -2181,7 +2181,7 @@ module photoncube_tile_4_admission(clock, reset, query_valid, group_valid, group
     reg has_batch = 1'd0;
     reg [0:0] spacing = 1'd0;
     reg [15:0] promised = 16'd0;
-    wire full = loaded == 1'd1;
+    wire full = loaded[0];
     wire fills = query_valid;
     wire room = ~promised[15];
     wire fits = (spacing == 1'd0) & room;

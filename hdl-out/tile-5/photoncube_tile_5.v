@@ -2391,8 +2391,8 @@ module photoncube_tile_5_admission(clock, reset, query_valid, group_valid, group
     reg has_batch = 1'd0;
     reg [1:0] spacing = 2'd0;
     reg [7:0] promised = 8'd0;
-    wire full = loaded == 2'd2;
-    wire fills = query_valid & (loaded == 2'd1);
+    wire full = loaded[1];
+    wire fills = query_valid & (&loaded[0:0]);
     wire room = ~promised[7];
     wire fits = (spacing == 2'd0) & room;
     wire admits_group = has_batch & (~group_last | fits);

@@ -1039,7 +1039,7 @@ module photoncube_tile_6_mixed(clock, reset, query_valid, query_ready, query_x, 
         .result_out_2(engine_0_result_out_2),
         .result_count_out(engine_0_result_count_out)
     );
-    photoncube_tile_6_mixed_engine engine_1(
+    photoncube_tile_6_mixed_engine_2 engine_1(
         .clock(engine_1_clock),
         .reset_in(engine_1_reset_in),
         .token_valid_in(engine_1_token_valid_in),
@@ -1124,7 +1124,7 @@ module photoncube_tile_6_mixed(clock, reset, query_valid, query_ready, query_x, 
         .result_out_2(engine_1_result_out_2),
         .result_count_out(engine_1_result_count_out)
     );
-    photoncube_tile_6_mixed_engine_2 engine_2(
+    photoncube_tile_6_mixed_engine_3 engine_2(
         .clock(engine_2_clock),
         .reset_in(engine_2_reset_in),
         .token_valid_in(engine_2_token_valid_in),
@@ -1209,7 +1209,7 @@ module photoncube_tile_6_mixed(clock, reset, query_valid, query_ready, query_x, 
         .result_out_2(engine_2_result_out_2),
         .result_count_out(engine_2_result_count_out)
     );
-    photoncube_tile_6_mixed_engine_3 engine_3(
+    photoncube_tile_6_mixed_engine engine_3(
         .clock(engine_3_clock),
         .reset_in(engine_3_reset_in),
         .token_valid_in(engine_3_token_valid_in),
@@ -2240,7 +2240,10 @@ module photoncube_tile_6_mixed_memory(clock, reset, group_valid, group_ready, gr
     reg [9:0] end_place_0 = 10'd0;
     reg [9:0] end_place_1 = 10'd0;
     reg play_bank = 1'd0;
+    reg play_full = 1'd0;
+    reg [9:0] play_end = 10'd0;
     reg [9:0] play_place = 10'd0;
+    reg may_start = 1'd0;
     reg playing = 1'd0;
     reg releases = 1'd0;
     reg release_next = 1'd0;
@@ -2248,18 +2251,19 @@ module photoncube_tile_6_mixed_memory(clock, reset, group_valid, group_ready, gr
     reg last = 1'd0;
     wire takes_group = group_valid & ~(fill_bank ? full_1 : full_0);
     wire set_ends = group_last | (&fill_place);
-    wire play_full = play_bank ? full_1 : full_0;
-    wire [9:0] play_end = play_bank ? end_place_1 : end_place_0;
     wire [15:0] wide_end = {6'd0, play_end};
     wire in_time = clocks_to_last <= wide_end;
-    wire starts = ~playing & play_full & is_full & has_room & in_time & ~(valid & last);
-    wire reads = playing | starts;
+    wire busy = playing | may_start | (valid & last);
+    wire reads = playing | may_start;
     wire at_end = play_place == play_end;
-    wire ends_set = reads & at_end & (starts ? release_next : releases);
+    wire ends_set = reads & at_end & (may_start ? release_next : releases);
     always @(*) group_ready = ~(fill_bank ? full_1 : full_0);
     always @(*) word_valid = valid;
     always @(*) word_last = last;
     always @(posedge clock) begin
+      may_start <= ~busy & play_full & is_full & has_room & in_time;
+      play_full <= play_bank ? full_1 : full_0;
+      play_end <= play_bank ? end_place_1 : end_place_0;
       valid <= reads;
       last <= reads & at_end;
       if (reads) begin
@@ -2271,7 +2275,7 @@ module photoncube_tile_6_mixed_memory(clock, reset, group_valid, group_ready, gr
         if (play_bank) full_1 <= 1'd0;
         else full_0 <= 1'd0;
       end
-      if (starts) begin
+      if (may_start) begin
         releases <= release_next;
         release_next <= 1'd0;
       end
@@ -2295,7 +2299,10 @@ module photoncube_tile_6_mixed_memory(clock, reset, group_valid, group_ready, gr
         end_place_0 <= 10'd0;
         end_place_1 <= 10'd0;
         play_bank <= 1'd0;
+        play_full <= 1'd0;
+        play_end <= 10'd0;
         play_place <= 10'd0;
+        may_start <= 1'd0;
         playing <= 1'd0;
         releases <= 1'd0;
         release_next <= 1'd0;
@@ -4767,8 +4774,8 @@ module photoncube_tile_6_mixed_admission(clock, reset, query_valid, group_valid,
     reg has_batch = 1'd0;
     reg [2:0] spacing = 3'd0;
     reg [3:0] promised = 4'd0;
-    wire full = loaded == 3'd4;
-    wire fills = query_valid & (loaded == 3'd3);
+    wire full = loaded[2];
+    wire fills = query_valid & (&loaded[1:0]);
     wire room = ~promised[3];
     wire fits = (spacing == 3'd0) & room;
     wire admits_group = has_batch & (~group_last | fits);

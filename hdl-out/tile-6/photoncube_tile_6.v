@@ -2811,8 +2811,8 @@ module photoncube_tile_6_admission(clock, reset, query_valid, group_valid, group
     reg has_batch = 1'd0;
     reg [2:0] spacing = 3'd0;
     reg [3:0] promised = 4'd0;
-    wire full = loaded == 3'd4;
-    wire fills = query_valid & (loaded == 3'd3);
+    wire full = loaded[2];
+    wire fills = query_valid & (&loaded[1:0]);
     wire room = ~promised[3];
     wire fits = (spacing == 3'd0) & room;
     wire admits_group = has_batch & (~group_last | fits);

@@ -3651,8 +3651,8 @@ module photoncube_tile_7_admission(clock, reset, query_valid, group_valid, group
     reg has_batch = 1'd0;
     reg [3:0] spacing = 4'd0;
     reg [1:0] promised = 2'd0;
-    wire full = loaded == 4'd8;
-    wire fills = query_valid & (loaded == 4'd7);
+    wire full = loaded[3];
+    wire fills = query_valid & (&loaded[2:0]);
     wire room = ~promised[1];
     wire fits = (spacing == 4'd0) & room;
     wire admits_group = has_batch & (~group_last | fits);

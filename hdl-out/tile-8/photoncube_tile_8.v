@@ -5331,8 +5331,8 @@ module photoncube_tile_8_admission(clock, reset, query_valid, group_valid, group
     reg has_batch = 1'd0;
     reg [4:0] spacing = 5'd0;
     reg [1:0] promised = 2'd0;
-    wire full = loaded == 5'd16;
-    wire fills = query_valid & (loaded == 5'd15);
+    wire full = loaded[4];
+    wire fills = query_valid & (&loaded[3:0]);
     wire room = ~promised[1];
     wire fits = (spacing == 5'd0) & room;
     wire admits_group = has_batch & (~group_last | fits);

@@ -8691,8 +8691,8 @@ module photoncube_tile_9_admission(clock, reset, query_valid, group_valid, group
     reg has_batch = 1'd0;
     reg [5:0] spacing = 6'd0;
     reg [1:0] promised = 2'd0;
-    wire full = loaded == 6'd32;
-    wire fills = query_valid & (loaded == 6'd31);
+    wire full = loaded[5];
+    wire fills = query_valid & (&loaded[4:0]);
     wire room = ~promised[1];
     wire fits = (spacing == 6'd0) & room;
     wire admits_group = has_batch & (~group_last | fits);

@@ -279,7 +279,7 @@ pub const MACHINES: &[Machine] = &[
             "the same, squarers from block RAMs, DSP blocks and LUTs",
             6,
         ),
-        &[(Squarer::Table, 30), (Squarer::Product, 13)],
+        &[(Squarer::Table, 24), (Squarer::Product, 10)],
     ),
     with_memory(
         tile(

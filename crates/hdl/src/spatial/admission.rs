@@ -168,14 +168,16 @@ impl Logic for Admission {
             promised_bits,
             ..
         } = self._sizes;
+        // A power of two, and as many as can be loaded: that is where the highest bit is set.
         let engines = self._engines;
+        assert_eq!(engines, 1 << (loaded_bits - 1));
         Verilog::Custom(format!(
             "reg [{l}:0] loaded = {loaded_bits}'d0;\n\
              reg open = 1'd0;\n\
              reg has_batch = 1'd0;\n\
              reg [{s}:0] spacing = {spacing_bits}'d0;\n\
              reg [{p}:0] promised = {promised_bits}'d0;\n\
-             wire full = loaded == {loaded_bits}'d{engines};\n\
+             wire full = loaded[{l}];\n\
              wire fills = {fills};\n\
              wire room = ~promised[{p}];\n\
              wire fits = (spacing == {spacing_bits}'d0) & room;\n\
@@ -216,7 +218,7 @@ impl Logic for Admission {
             // The query that completes a batch; with one engine any that is taken.
             fills = match engines {
                 1 => "query_valid".to_owned(),
-                more => format!("query_valid & (loaded == {loaded_bits}'d{})", more - 1),
+                _ => format!("query_valid & (&loaded[{}:0])", loaded_bits - 2),
             },
             // One engine's results never meet, and nobody counts for it.
             spacing_step = match spacing - 1 {

@@ -58,8 +58,9 @@ pub struct Spatial {
     pub radius: Radius,
     /// Where the pipeline has registers.
     pub cuts: Cuts,
-    /// Squarers of other kinds than the machine's own: this many engines of each kind, from engine
-    /// 0 on. A device has tables (block RAMs), products (DSP blocks) and LUTs to make squares of.
+    /// Squarers of other kinds than the machine's own: this many engines of each kind, spread evenly
+    /// over the chain. A device has tables (block RAMs), products (DSP blocks) and LUTs to make
+    /// squares of, each in columns all over it, so engines of all kinds stand side by side.
     pub squarers: &'static [(Squarer, usize)],
     /// Groups that each of the two banks of the photon memory holds, a power of two; 0: no memory,
     /// the group stream goes straight to the head. See [`MemoryRegister`].
@@ -93,15 +94,63 @@ impl Spatial {
         self.cuts.latency() + self.cuts.power_latency() + 4
     }
 
-    /// The kind of squarer of an engine of a machine whose own kind is `own`.
+    /// The kind of squarer of an engine of a machine whose own kind is `own`: that which is furthest
+    /// behind its share of the engines up to this one, the first of several.
     pub fn squarer(&self, own: Squarer, engine: usize) -> Squarer {
-        let mut first = 0;
-        for &(kind, engines) in self.squarers {
-            first += engines;
-            if engine < first {
-                return kind;
+        let others: usize = self.squarers.iter().map(|&(_, engines)| engines).sum();
+        let own = (own, self.engines().saturating_sub(others));
+        let kinds: Vec<_> = self.squarers.iter().copied().chain([own]).collect();
+        let mut given = vec![0; kinds.len()];
+        let mut latest = 0;
+        for count in 1..=engine + 1 {
+            let behind = |&kind: &usize| {
+                let (share, given) = (count * kinds[kind].1, given[kind] * self.engines());
+                share as i64 - given as i64
+            };
+            // `max_by_key` takes the last of several.
+            latest = (0..kinds.len()).rev().max_by_key(behind).unwrap_or(latest);
+            given[latest] += 1;
+        }
+        kinds[latest].0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::machines::{MACHINES, find_machine};
+
+    fn squarers(name: &str) -> Vec<Squarer> {
+        let machine = find_machine(name).unwrap();
+        let spatial = machine.spatial().unwrap();
+        let squarer = |engine| spatial.squarer(machine.squarer, engine);
+        (0..spatial.engines()).map(squarer).collect()
+    }
+
+    #[test]
+    fn every_kind_of_squarer_has_its_engines() {
+        let mut checked = 0;
+        for machine in MACHINES {
+            let Some(spatial) = machine.spatial() else {
+                continue;
+            };
+            let all = squarers(machine.name);
+            for &(kind, engines) in spatial.squarers {
+                assert_eq!(all.iter().filter(|&&other| other == kind).count(), engines);
+                checked += 1;
             }
         }
-        own
+        assert!(checked > 0);
+    }
+
+    #[test]
+    fn kinds_of_squarers_are_mixed() {
+        use Squarer::{Digits, Product, Table};
+        assert_eq!(squarers("tile-6-mixed"), [Table, Product, Digits, Table]);
+        let longest = squarers("chip-mixed")
+            .chunk_by(|a, b| a == b)
+            .map(<[_]>::len)
+            .max();
+        assert!(longest <= Some(2), "{longest:?}");
     }
 }
