@@ -17373,11 +17373,12 @@ module photoncube_chip_mixed_admission(clock, reset, query_valid, group_valid, g
     reg open = 1'd0;
     reg has_batch = 1'd0;
     reg [6:0] spacing = 7'd0;
+    reg waits = 1'd0;
     reg [1:0] promised = 2'd0;
     wire full = loaded[6];
     wire fills = query_valid & (&loaded[5:0]);
     wire room = ~promised[1];
-    wire fits = (spacing == 7'd0) & room;
+    wire fits = ~waits & room;
     wire admits_group = has_batch & (~group_last | fits);
     wire takes_group = group_valid & admits_group;
     wire takes_first = group_valid & full & ~open & (~group_last | fits);
@@ -17394,11 +17395,12 @@ module photoncube_chip_mixed_admission(clock, reset, query_valid, group_valid, g
     always @(*) has_room = room;
     always @(*) clocks_to_last = {9'd0, spacing};
     always @(posedge clock) begin
-      loaded <= (takes_first ? 7'd0 : loaded) + {6'd0, takes_query};
+      loaded <= takes_first ? {6'd0, query_valid} : loaded + {6'd0, query_valid & ~full};
       open <= (takes_group & ~group_last) | (open & ~takes_last);
       has_batch <= (open & full) | (has_batch & ~takes_last) | fills;
       if (takes_last) spacing <= 7'd126;
-      else if (spacing != 7'd0) spacing <= spacing - 7'd1;
+      else if (waits) spacing <= spacing - 7'd1;
+      waits <= takes_last | (|spacing[6:1]);
       if (takes_last != batch_taken)
         promised <= takes_last ? {promised[0:0], 1'd1} : {1'd0, promised[1:1]};
       if (reset) begin
@@ -17406,6 +17408,7 @@ module photoncube_chip_mixed_admission(clock, reset, query_valid, group_valid, g
         open <= 1'd0;
         has_batch <= 1'd0;
         spacing <= 7'd0;
+        waits <= 1'd0;
         promised <= 2'd0;
       end
     end

@@ -2390,11 +2390,12 @@ module photoncube_tile_5_admission(clock, reset, query_valid, group_valid, group
     reg open = 1'd0;
     reg has_batch = 1'd0;
     reg [1:0] spacing = 2'd0;
+    reg waits = 1'd0;
     reg [7:0] promised = 8'd0;
     wire full = loaded[1];
     wire fills = query_valid & (&loaded[0:0]);
     wire room = ~promised[7];
-    wire fits = (spacing == 2'd0) & room;
+    wire fits = ~waits & room;
     wire admits_group = has_batch & (~group_last | fits);
     wire takes_group = group_valid & admits_group;
     wire takes_first = group_valid & full & ~open & (~group_last | fits);
@@ -2411,11 +2412,12 @@ module photoncube_tile_5_admission(clock, reset, query_valid, group_valid, group
     always @(*) has_room = room;
     always @(*) clocks_to_last = {14'd0, spacing};
     always @(posedge clock) begin
-      loaded <= (takes_first ? 2'd0 : loaded) + {1'd0, takes_query};
+      loaded <= takes_first ? {1'd0, query_valid} : loaded + {1'd0, query_valid & ~full};
       open <= (takes_group & ~group_last) | (open & ~takes_last);
       has_batch <= (open & full) | (has_batch & ~takes_last) | fills;
       if (takes_last) spacing <= 2'd2;
-      else if (spacing != 2'd0) spacing <= spacing - 2'd1;
+      else if (waits) spacing <= spacing - 2'd1;
+      waits <= takes_last | (|spacing[1:1]);
       if (takes_last != batch_taken)
         promised <= takes_last ? {promised[6:0], 1'd1} : {1'd0, promised[7:1]};
       if (reset) begin
@@ -2423,6 +2425,7 @@ module photoncube_tile_5_admission(clock, reset, query_valid, group_valid, group
         open <= 1'd0;
         has_batch <= 1'd0;
         spacing <= 2'd0;
+        waits <= 1'd0;
         promised <= 8'd0;
       end
     end

@@ -2810,11 +2810,12 @@ module photoncube_tile_6_admission(clock, reset, query_valid, group_valid, group
     reg open = 1'd0;
     reg has_batch = 1'd0;
     reg [2:0] spacing = 3'd0;
+    reg waits = 1'd0;
     reg [3:0] promised = 4'd0;
     wire full = loaded[2];
     wire fills = query_valid & (&loaded[1:0]);
     wire room = ~promised[3];
-    wire fits = (spacing == 3'd0) & room;
+    wire fits = ~waits & room;
     wire admits_group = has_batch & (~group_last | fits);
     wire takes_group = group_valid & admits_group;
     wire takes_first = group_valid & full & ~open & (~group_last | fits);
@@ -2831,11 +2832,12 @@ module photoncube_tile_6_admission(clock, reset, query_valid, group_valid, group
     always @(*) has_room = room;
     always @(*) clocks_to_last = {13'd0, spacing};
     always @(posedge clock) begin
-      loaded <= (takes_first ? 3'd0 : loaded) + {2'd0, takes_query};
+      loaded <= takes_first ? {2'd0, query_valid} : loaded + {2'd0, query_valid & ~full};
       open <= (takes_group & ~group_last) | (open & ~takes_last);
       has_batch <= (open & full) | (has_batch & ~takes_last) | fills;
       if (takes_last) spacing <= 3'd6;
-      else if (spacing != 3'd0) spacing <= spacing - 3'd1;
+      else if (waits) spacing <= spacing - 3'd1;
+      waits <= takes_last | (|spacing[2:1]);
       if (takes_last != batch_taken)
         promised <= takes_last ? {promised[2:0], 1'd1} : {1'd0, promised[3:1]};
       if (reset) begin
@@ -2843,6 +2845,7 @@ module photoncube_tile_6_admission(clock, reset, query_valid, group_valid, group
         open <= 1'd0;
         has_batch <= 1'd0;
         spacing <= 3'd0;
+        waits <= 1'd0;
         promised <= 4'd0;
       end
     end

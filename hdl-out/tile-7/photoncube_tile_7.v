@@ -3650,11 +3650,12 @@ module photoncube_tile_7_admission(clock, reset, query_valid, group_valid, group
     reg open = 1'd0;
     reg has_batch = 1'd0;
     reg [3:0] spacing = 4'd0;
+    reg waits = 1'd0;
     reg [1:0] promised = 2'd0;
     wire full = loaded[3];
     wire fills = query_valid & (&loaded[2:0]);
     wire room = ~promised[1];
-    wire fits = (spacing == 4'd0) & room;
+    wire fits = ~waits & room;
     wire admits_group = has_batch & (~group_last | fits);
     wire takes_group = group_valid & admits_group;
     wire takes_first = group_valid & full & ~open & (~group_last | fits);
@@ -3671,11 +3672,12 @@ module photoncube_tile_7_admission(clock, reset, query_valid, group_valid, group
     always @(*) has_room = room;
     always @(*) clocks_to_last = {12'd0, spacing};
     always @(posedge clock) begin
-      loaded <= (takes_first ? 4'd0 : loaded) + {3'd0, takes_query};
+      loaded <= takes_first ? {3'd0, query_valid} : loaded + {3'd0, query_valid & ~full};
       open <= (takes_group & ~group_last) | (open & ~takes_last);
       has_batch <= (open & full) | (has_batch & ~takes_last) | fills;
       if (takes_last) spacing <= 4'd14;
-      else if (spacing != 4'd0) spacing <= spacing - 4'd1;
+      else if (waits) spacing <= spacing - 4'd1;
+      waits <= takes_last | (|spacing[3:1]);
       if (takes_last != batch_taken)
         promised <= takes_last ? {promised[0:0], 1'd1} : {1'd0, promised[1:1]};
       if (reset) begin
@@ -3683,6 +3685,7 @@ module photoncube_tile_7_admission(clock, reset, query_valid, group_valid, group
         open <= 1'd0;
         has_batch <= 1'd0;
         spacing <= 4'd0;
+        waits <= 1'd0;
         promised <= 2'd0;
       end
     end

@@ -8690,11 +8690,12 @@ module photoncube_tile_9_admission(clock, reset, query_valid, group_valid, group
     reg open = 1'd0;
     reg has_batch = 1'd0;
     reg [5:0] spacing = 6'd0;
+    reg waits = 1'd0;
     reg [1:0] promised = 2'd0;
     wire full = loaded[5];
     wire fills = query_valid & (&loaded[4:0]);
     wire room = ~promised[1];
-    wire fits = (spacing == 6'd0) & room;
+    wire fits = ~waits & room;
     wire admits_group = has_batch & (~group_last | fits);
     wire takes_group = group_valid & admits_group;
     wire takes_first = group_valid & full & ~open & (~group_last | fits);
@@ -8711,11 +8712,12 @@ module photoncube_tile_9_admission(clock, reset, query_valid, group_valid, group
     always @(*) has_room = room;
     always @(*) clocks_to_last = {10'd0, spacing};
     always @(posedge clock) begin
-      loaded <= (takes_first ? 6'd0 : loaded) + {5'd0, takes_query};
+      loaded <= takes_first ? {5'd0, query_valid} : loaded + {5'd0, query_valid & ~full};
       open <= (takes_group & ~group_last) | (open & ~takes_last);
       has_batch <= (open & full) | (has_batch & ~takes_last) | fills;
       if (takes_last) spacing <= 6'd62;
-      else if (spacing != 6'd0) spacing <= spacing - 6'd1;
+      else if (waits) spacing <= spacing - 6'd1;
+      waits <= takes_last | (|spacing[5:1]);
       if (takes_last != batch_taken)
         promised <= takes_last ? {promised[0:0], 1'd1} : {1'd0, promised[1:1]};
       if (reset) begin
@@ -8723,6 +8725,7 @@ module photoncube_tile_9_admission(clock, reset, query_valid, group_valid, group
         open <= 1'd0;
         has_batch <= 1'd0;
         spacing <= 6'd0;
+        waits <= 1'd0;
         promised <= 2'd0;
       end
     end

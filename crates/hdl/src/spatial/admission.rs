@@ -38,6 +38,7 @@ pub(crate) struct Admission {
     pub _open: Hidden,
     pub _has_batch: Hidden,
     pub _spacing: Hidden,
+    pub _waits: Hidden,
     pub _promised: Hidden,
     _engines: u64,
     _sizes: HeadSizes,
@@ -75,6 +76,7 @@ impl Admission {
             _open: Default::default(),
             _has_batch: Default::default(),
             _spacing: Default::default(),
+            _waits: Default::default(),
             _promised: Default::default(),
             _engines: spatial.engines() as u64,
             _sizes: HeadSizes::of(spatial),
@@ -89,7 +91,7 @@ impl Admission {
     fn taken(&self) -> Taken {
         let open = self._open.0 != 0;
         let full = self._loaded.0 == self._engines;
-        let fits = self._spacing.0 == 0 && self.has_room();
+        let fits = self._waits.0 == 0 && self.has_room();
         let group_ready = self._has_batch.0 != 0 && (!self.group_last.val() || fits);
         let group = self.group_valid.val() && group_ready;
         let first = group && !open;
@@ -115,6 +117,7 @@ impl Admission {
             true => u64::from(self._sizes.spacing) - 1,
             false => self._spacing.0.saturating_sub(1),
         };
+        self._waits.0 = u64::from(self._spacing.0 != 0);
         self._promised.0 = match (taken.last, self.batch_taken.val()) {
             (true, false) => self._promised.0 << 1 | 1,
             (false, true) => self._promised.0 >> 1,
@@ -123,7 +126,7 @@ impl Admission {
         self._has_batch.0 = u64::from(self._open.0 != 0 || self._loaded.0 == self._engines);
         if self.reset.val() {
             (self._loaded, self._open, self._has_batch) = Default::default();
-            (self._spacing, self._promised) = Default::default();
+            (self._spacing, self._waits, self._promised) = Default::default();
         }
     }
 }
@@ -157,7 +160,7 @@ impl Logic for Admission {
         self.clocks_to_last.connect();
     }
 
-    /// The next `open` and `has_batch` are written so that no more than two LUTs stand before a
+    /// The next `open`, `has_batch` and `loaded` are written so that no more than two LUTs stand before a
     /// register: which groups are taken decides them in the same clock. A batch with all its queries
     /// that is open stays one when its last group is taken, as the queries are the next batch's.
     fn hdl(&self) -> Verilog {
@@ -176,11 +179,12 @@ impl Logic for Admission {
              reg open = 1'd0;\n\
              reg has_batch = 1'd0;\n\
              reg [{s}:0] spacing = {spacing_bits}'d0;\n\
+             reg waits = 1'd0;\n\
              reg [{p}:0] promised = {promised_bits}'d0;\n\
              wire full = loaded[{l}];\n\
              wire fills = {fills};\n\
              wire room = ~promised[{p}];\n\
-             wire fits = (spacing == {spacing_bits}'d0) & room;\n\
+             wire fits = ~waits & room;\n\
              wire admits_group = has_batch & (~group_last | fits);\n\
              wire takes_group = group_valid & admits_group;\n\
              wire takes_first = group_valid & full & ~open & (~group_last | fits);\n\
@@ -208,6 +212,7 @@ impl Logic for Admission {
              \x20   open <= 1'd0;\n\
              \x20   has_batch <= 1'd0;\n\
              \x20   spacing <= {spacing_bits}'d0;\n\
+             \x20   waits <= 1'd0;\n\
              \x20   promised <= {promised_bits}'d0;\n\
              \x20 end\n\
              end\n",
@@ -222,18 +227,21 @@ impl Logic for Admission {
             },
             // One engine's results never meet, and nobody counts for it.
             spacing_step = match spacing - 1 {
-                0 => format!("spacing <= {spacing_bits}'d0;"),
+                0 => format!("spacing <= {spacing_bits}'d0;\n  waits <= 1'd0;"),
                 start => format!(
                     "if (takes_last) spacing <= {spacing_bits}'d{start};\n  \
-                     else if (spacing != {spacing_bits}'d0) spacing <= spacing - {spacing_bits}'d1;"
+                     else if (waits) spacing <= spacing - {spacing_bits}'d1;\n  \
+                     waits <= takes_last | (|spacing[{s}:1]);",
+                    s = spacing_bits - 1,
                 ),
             },
             pad = 16 - spacing_bits,
             loaded = match loaded_bits {
                 1 => "query_valid | (loaded & ~takes_first)".to_owned(),
                 more => format!(
-                    "(takes_first ? {more}'d0 : loaded) + {{{}'d0, takes_query}}",
-                    more - 1
+                    "takes_first ? {{{rest}'d0, query_valid}} : \
+                     loaded + {{{rest}'d0, query_valid & ~full}}",
+                    rest = more - 1
                 ),
             },
         ))

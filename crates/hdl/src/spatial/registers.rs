@@ -203,6 +203,7 @@ pub(super) fn head<
         H::Open => register!(ask, m, head.admission._open),
         H::HasBatch => register!(ask, m, head.admission._has_batch),
         H::Spacing => register!(ask, m, head.admission._spacing),
+        H::Waits => register!(ask, m, head.admission._waits),
         H::Promised => register!(ask, m, head.admission._promised),
         H::WritePlace => register!(ask, m, head.queue._write_place),
         H::NewestPlace => register!(ask, m, head.queue._newest_place),

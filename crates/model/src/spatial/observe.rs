@@ -19,6 +19,7 @@ impl Head {
                 HeadRegister::Loaded => row.push(self.loaded.into()),
                 HeadRegister::Open => row.push(self.open.into()),
                 HeadRegister::Spacing => row.push(self.spacing.into()),
+                HeadRegister::Waits => row.push((self.spacing != 0).into()),
                 HeadRegister::HasBatch => row.push(self.has_batch().into()),
                 HeadRegister::Promised => row.push((1 << self.promised) - 1),
                 HeadRegister::WritePlace => row.push(self.write_place as u64),

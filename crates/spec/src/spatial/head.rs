@@ -2,7 +2,7 @@
 //!
 //! With `valid`, `ready` and `last` those of this clock, N engines, and all registers as they stand
 //! before the clock edge:
-//! - `first` = not `open`. `full` = `loaded` is N. `fits` = `spacing` is 0 and `promised` shows
+//! - `first` = not `open`. `full` = `loaded` is N. `fits` = not `waits` and `promised` shows
 //!   fewer batches than the queue has room for.
 //! - `group_ready` = `has_batch` and (not `group_last` or `fits`). A group is *taken* where
 //!   `group_valid` and `group_ready`. Then `open` := not last.
@@ -11,14 +11,14 @@
 //! - `has_batch` := `open` or `full`, as they are after this clock: a batch is open or can be
 //!   opened.
 //! - `spacing` := [`HeadSizes::spacing`] - 1 if a last group is taken; else one less, but not below
-//!   0.
+//!   0. `waits` := `spacing`, as it is after this clock, is not 0.
 //! - `promised` holds the batches whose last group was taken and whose results were not all, in
 //!   unary: so many of its lowest bits are 1. One more if a last group is taken; one less if the
 //!   last result of a batch is, which is that at a `read_place` of N - 1 modulo N.
 //! - Entry: what came on the pins, a clock later. The coordinates of query and photons, the radius,
 //!   mantissas and exponents are taken over in every clock; `EntryPresent` is the presence of a
-//!   taken group's photons and `EntryAbsent` its inverse, `EntryTokenValid` that a query is taken, `EntryFirst` and `EntryLast` that
-//!   a first and that a last group is. Engine 0 gets these: its incoming token, its photons, and
+//!   taken group's photons and `EntryAbsent` its inverse, `EntryTokenValid` that a query is taken,
+//!   `EntryFirst` and `EntryLast` that a first and that a last group is. Engine 0 gets these: its incoming token, its photons, and
 //!   `EntryFirst` as its incoming swap (see below).
 //! - Delay line: stage 0 gets, in every clock, from the entry each lane's decoded powers (mantissa <<
 //!   exponent) and 0 where `EntryAbsent`; `EntryPresent`; and the two flags. Stage i gets stage
@@ -30,12 +30,13 @@
 //!   `has_result` := a result is written, or it is set and stays so: not where the result at
 //!   `newest_place` is taken. The queue's memory starts as 0 and is not reset.
 //! - Reset, at the end of the clock in which the pin is set: all registers of the head become 0, but
-//!   the words of the entry, `EntryPresent`, `EntryAbsent`, `DelayPower`, `DelayPresent` and the queue's memory do as
-//!   in any clock. The outputs do not look at the pin.
+//!   the words of the entry, `EntryPresent`, `EntryAbsent`, `DelayPower`, `DelayPresent` and the
+//!   queue's memory do as in any clock. The outputs do not look at the pin.
 //!
-//! `HasBatch`, `HasResult` and the unary `Promised` say what could be found from the others. They are
-//! there because each decides, in the same clock, whether a group is taken, and with it what they are
-//! in the next: as counters to be compared they were the slowest paths of `stream`.
+//! `HasBatch`, `HasResult`, `Waits` and the unary `Promised` say what could be found from the others.
+//! They are there because each decides, in the same clock, whether a group is taken, and with it what
+//! they are in the next: as counters to be compared they were the slowest paths of `stream` and of
+//! `tile-8`.
 //!
 //! # An engine, each clock
 //! - `reset_in` is the pin for engine 0 and engine e - 1's `Reset` for engine e; `Reset` := it.

@@ -52,6 +52,7 @@ impl<'a> SpatialPins<'a> {
             HeadRegister::Loaded => (1, sizes.loaded_bits),
             HeadRegister::Open
             | HeadRegister::HasBatch
+            | HeadRegister::Waits
             | HeadRegister::HasResult
             | HeadRegister::EntryTokenValid
             | HeadRegister::EntryFirst

@@ -241,6 +241,8 @@ pub enum HeadRegister {
     HasBatch,
     /// Clocks until a last group may be taken.
     Spacing,
+    /// They are not 0: what `Spacing` says, as one bit.
+    Waits,
     /// Batches whose results have places in the queue and were not all taken, in unary.
     Promised,
     /// The place in the queue that the next result goes to.
@@ -286,11 +288,12 @@ pub enum HeadRegister {
 
 impl HeadRegister {
     /// All of them, in order.
-    pub const ALL: [Self; 23] = [
+    pub const ALL: [Self; 24] = [
         Self::Loaded,
         Self::Open,
         Self::HasBatch,
         Self::Spacing,
+        Self::Waits,
         Self::Promised,
         Self::WritePlace,
         Self::NewestPlace,
@@ -319,6 +322,7 @@ impl HeadRegister {
             Self::Open => "open",
             Self::HasBatch => "has_batch",
             Self::Spacing => "spacing",
+            Self::Waits => "waits",
             Self::Promised => "promised",
             Self::WritePlace => "write_place",
             Self::NewestPlace => "newest_place",
