@@ -15386,7 +15386,7 @@ module photoncube_chip_mixed_engine_3(clock, reset_in, token_valid_in, token_in_
         .far_a(square_pair_5_far_a),
         .far_b(square_pair_5_far_b)
     );
-    photoncube_chip_mixed_lane lane_0(
+    photoncube_chip_mixed_lane_3 lane_0(
         .clock(lane_0_clock),
         .axis_square_0(lane_0_axis_square_0),
         .axis_square_1(lane_0_axis_square_1),
@@ -15396,7 +15396,7 @@ module photoncube_chip_mixed_engine_3(clock, reset_in, token_valid_in, token_in_
         .axis_far_2(lane_0_axis_far_2),
         .photon_in_range(lane_0_photon_in_range)
     );
-    photoncube_chip_mixed_lane lane_1(
+    photoncube_chip_mixed_lane_3 lane_1(
         .clock(lane_1_clock),
         .axis_square_0(lane_1_axis_square_0),
         .axis_square_1(lane_1_axis_square_1),
@@ -15406,7 +15406,7 @@ module photoncube_chip_mixed_engine_3(clock, reset_in, token_valid_in, token_in_
         .axis_far_2(lane_1_axis_far_2),
         .photon_in_range(lane_1_photon_in_range)
     );
-    photoncube_chip_mixed_lane lane_2(
+    photoncube_chip_mixed_lane_3 lane_2(
         .clock(lane_2_clock),
         .axis_square_0(lane_2_axis_square_0),
         .axis_square_1(lane_2_axis_square_1),
@@ -15416,7 +15416,7 @@ module photoncube_chip_mixed_engine_3(clock, reset_in, token_valid_in, token_in_
         .axis_far_2(lane_2_axis_far_2),
         .photon_in_range(lane_2_photon_in_range)
     );
-    photoncube_chip_mixed_lane lane_3(
+    photoncube_chip_mixed_lane_3 lane_3(
         .clock(lane_3_clock),
         .axis_square_0(lane_3_axis_square_0),
         .axis_square_1(lane_3_axis_square_1),
@@ -16181,7 +16181,7 @@ module photoncube_chip_mixed_engine_2(clock, reset_in, token_valid_in, token_in_
         .far_a(square_pair_5_far_a),
         .far_b(square_pair_5_far_b)
     );
-    photoncube_chip_mixed_lane lane_0(
+    photoncube_chip_mixed_lane_2 lane_0(
         .clock(lane_0_clock),
         .axis_square_0(lane_0_axis_square_0),
         .axis_square_1(lane_0_axis_square_1),
@@ -16191,7 +16191,7 @@ module photoncube_chip_mixed_engine_2(clock, reset_in, token_valid_in, token_in_
         .axis_far_2(lane_0_axis_far_2),
         .photon_in_range(lane_0_photon_in_range)
     );
-    photoncube_chip_mixed_lane lane_1(
+    photoncube_chip_mixed_lane_2 lane_1(
         .clock(lane_1_clock),
         .axis_square_0(lane_1_axis_square_0),
         .axis_square_1(lane_1_axis_square_1),
@@ -16201,7 +16201,7 @@ module photoncube_chip_mixed_engine_2(clock, reset_in, token_valid_in, token_in_
         .axis_far_2(lane_1_axis_far_2),
         .photon_in_range(lane_1_photon_in_range)
     );
-    photoncube_chip_mixed_lane lane_2(
+    photoncube_chip_mixed_lane_2 lane_2(
         .clock(lane_2_clock),
         .axis_square_0(lane_2_axis_square_0),
         .axis_square_1(lane_2_axis_square_1),
@@ -16211,7 +16211,7 @@ module photoncube_chip_mixed_engine_2(clock, reset_in, token_valid_in, token_in_
         .axis_far_2(lane_2_axis_far_2),
         .photon_in_range(lane_2_photon_in_range)
     );
-    photoncube_chip_mixed_lane lane_3(
+    photoncube_chip_mixed_lane_2 lane_3(
         .clock(lane_3_clock),
         .axis_square_0(lane_3_axis_square_0),
         .axis_square_1(lane_3_axis_square_1),
@@ -17445,6 +17445,10 @@ module photoncube_chip_mixed_first_delay(clock, clear, flag, delayed);
     reg stage_5_clear;
     reg stage_5_d;
     wire stage_5_q;
+    reg stage_6_clock;
+    reg stage_6_clear;
+    reg stage_6_d;
+    wire stage_6_q;
     // Sub module instances
     photoncube_chip_mixed_group_first stage_0(
         .clock(stage_0_clock),
@@ -17482,6 +17486,12 @@ module photoncube_chip_mixed_first_delay(clock, clear, flag, delayed);
         .d(stage_5_d),
         .q(stage_5_q)
     );
+    photoncube_chip_mixed_group_first stage_6(
+        .clock(stage_6_clock),
+        .clear(stage_6_clear),
+        .d(stage_6_d),
+        .q(stage_6_q)
+    );
     // Update code
     always @(*) begin
         stage_0_d = flag;
@@ -17490,6 +17500,7 @@ module photoncube_chip_mixed_first_delay(clock, clear, flag, delayed);
         stage_3_d = stage_2_q;
         stage_4_d = stage_3_q;
         stage_5_d = stage_4_q;
+        stage_6_d = stage_5_q;
         stage_0_clock = clock;
         stage_0_clear = clear;
         stage_1_clock = clock;
@@ -17502,7 +17513,9 @@ module photoncube_chip_mixed_first_delay(clock, clear, flag, delayed);
         stage_4_clear = clear;
         stage_5_clock = clock;
         stage_5_clear = clear;
-        delayed = stage_5_q;
+        stage_6_clock = clock;
+        stage_6_clear = clear;
+        delayed = stage_6_q;
     end
 endmodule
 
@@ -17550,7 +17563,7 @@ module photoncube_chip_mixed_entry_presence(clock, taken, photon_present, presen
     end
 endmodule
 
-module photoncube_chip_mixed_lane(clock, axis_square_0, axis_square_1, axis_square_2,
+module photoncube_chip_mixed_lane_3(clock, axis_square_0, axis_square_1, axis_square_2,
     axis_far_0, axis_far_1, axis_far_2, photon_in_range);
     // Module arguments
     input wire clock;
@@ -17672,6 +17685,280 @@ module photoncube_chip_mixed_lane(clock, axis_square_0, axis_square_1, axis_squa
     end
 endmodule
 
+module photoncube_chip_mixed_lane_2(clock, axis_square_0, axis_square_1, axis_square_2,
+    axis_far_0, axis_far_1, axis_far_2, photon_in_range);
+    // Module arguments
+    input wire clock;
+    input wire [13:0] axis_square_0;
+    input wire [13:0] axis_square_1;
+    input wire [13:0] axis_square_2;
+    input wire axis_far_0;
+    input wire axis_far_1;
+    input wire axis_far_2;
+    output reg photon_in_range;
+    // Stub signals
+    reg any_far_x;
+    reg any_far_y;
+    reg any_far_z;
+    wire any_far_any;
+    reg [13:0] pair_sum_a;
+    reg [13:0] pair_sum_b;
+    wire [14:0] pair_sum_sum;
+    reg [14:0] pair_square_d;
+    wire [14:0] pair_square_q;
+    reg pair_square_clock;
+    reg [13:0] pair_z_d;
+    wire [13:0] pair_z_q;
+    reg pair_z_clock;
+    reg pair_far_d;
+    wire pair_far_q;
+    reg pair_far_clock;
+    reg [14:0] distance_sum_a;
+    reg [13:0] distance_sum_b;
+    wire [15:0] distance_sum_sum;
+    reg [15:0] distance_d;
+    wire [15:0] distance_q;
+    reg distance_clock;
+    reg distance_far_d;
+    wire distance_far_q;
+    reg distance_far_clock;
+    reg [15:0] range_of_format_0_distance;
+    reg range_of_format_0_far;
+    wire range_of_format_0_in_range;
+    reg in_range_d;
+    wire in_range_q;
+    reg in_range_clock;
+    reg range_wait_0_d;
+    wire range_wait_0_q;
+    reg range_wait_0_clock;
+    // Sub module instances
+    photoncube_chip_mixed_any_far any_far(
+        .x(any_far_x),
+        .y(any_far_y),
+        .z(any_far_z),
+        .any(any_far_any)
+    );
+    photoncube_chip_mixed_pair_sum pair_sum(
+        .a(pair_sum_a),
+        .b(pair_sum_b),
+        .sum(pair_sum_sum)
+    );
+    photoncube_chip_mixed_register_15 pair_square(
+        .d(pair_square_d),
+        .q(pair_square_q),
+        .clock(pair_square_clock)
+    );
+    photoncube_chip_mixed_register_14 pair_z(
+        .d(pair_z_d),
+        .q(pair_z_q),
+        .clock(pair_z_clock)
+    );
+    photoncube_chip_mixed_register_1 pair_far(
+        .d(pair_far_d),
+        .q(pair_far_q),
+        .clock(pair_far_clock)
+    );
+    photoncube_chip_mixed_distance_sum distance_sum(
+        .a(distance_sum_a),
+        .b(distance_sum_b),
+        .sum(distance_sum_sum)
+    );
+    photoncube_chip_mixed_register_16 distance(
+        .d(distance_d),
+        .q(distance_q),
+        .clock(distance_clock)
+    );
+    photoncube_chip_mixed_register_1 distance_far(
+        .d(distance_far_d),
+        .q(distance_far_q),
+        .clock(distance_far_clock)
+    );
+    photoncube_chip_mixed_range_of_format range_of_format_0(
+        .distance(range_of_format_0_distance),
+        .far(range_of_format_0_far),
+        .in_range(range_of_format_0_in_range)
+    );
+    photoncube_chip_mixed_register_1 in_range(
+        .d(in_range_d),
+        .q(in_range_q),
+        .clock(in_range_clock)
+    );
+    photoncube_chip_mixed_register_1 range_wait_0(
+        .d(range_wait_0_d),
+        .q(range_wait_0_q),
+        .clock(range_wait_0_clock)
+    );
+    // Update code
+    always @(*) begin
+        pair_square_clock = clock;
+        pair_z_clock = clock;
+        pair_far_clock = clock;
+        distance_clock = clock;
+        distance_far_clock = clock;
+        in_range_clock = clock;
+        any_far_x = axis_far_0;
+        any_far_y = axis_far_1;
+        any_far_z = axis_far_2;
+        pair_sum_a = axis_square_0;
+        pair_sum_b = axis_square_1;
+        pair_square_d = pair_sum_sum;
+        pair_z_d = axis_square_2;
+        pair_far_d = any_far_any;
+        distance_sum_a = pair_square_q;
+        distance_sum_b = pair_z_q;
+        distance_d = distance_sum_sum;
+        distance_far_d = pair_far_q;
+        range_of_format_0_distance = distance_q;
+        range_of_format_0_far = distance_far_q;
+        in_range_d = range_of_format_0_in_range;
+        range_wait_0_clock = clock;
+        range_wait_0_d = in_range_q;
+        photon_in_range = range_wait_0_q;
+    end
+endmodule
+
+module photoncube_chip_mixed_lane(clock, axis_square_0, axis_square_1, axis_square_2,
+    axis_far_0, axis_far_1, axis_far_2, photon_in_range);
+    // Module arguments
+    input wire clock;
+    input wire [13:0] axis_square_0;
+    input wire [13:0] axis_square_1;
+    input wire [13:0] axis_square_2;
+    input wire axis_far_0;
+    input wire axis_far_1;
+    input wire axis_far_2;
+    output reg photon_in_range;
+    // Stub signals
+    reg any_far_x;
+    reg any_far_y;
+    reg any_far_z;
+    wire any_far_any;
+    reg [13:0] pair_sum_a;
+    reg [13:0] pair_sum_b;
+    wire [14:0] pair_sum_sum;
+    reg [14:0] pair_square_d;
+    wire [14:0] pair_square_q;
+    reg pair_square_clock;
+    reg [13:0] pair_z_d;
+    wire [13:0] pair_z_q;
+    reg pair_z_clock;
+    reg pair_far_d;
+    wire pair_far_q;
+    reg pair_far_clock;
+    reg [14:0] distance_sum_a;
+    reg [13:0] distance_sum_b;
+    wire [15:0] distance_sum_sum;
+    reg [15:0] distance_d;
+    wire [15:0] distance_q;
+    reg distance_clock;
+    reg distance_far_d;
+    wire distance_far_q;
+    reg distance_far_clock;
+    reg [15:0] range_of_format_0_distance;
+    reg range_of_format_0_far;
+    wire range_of_format_0_in_range;
+    reg in_range_d;
+    wire in_range_q;
+    reg in_range_clock;
+    reg range_wait_0_d;
+    wire range_wait_0_q;
+    reg range_wait_0_clock;
+    reg range_wait_1_d;
+    wire range_wait_1_q;
+    reg range_wait_1_clock;
+    // Sub module instances
+    photoncube_chip_mixed_any_far any_far(
+        .x(any_far_x),
+        .y(any_far_y),
+        .z(any_far_z),
+        .any(any_far_any)
+    );
+    photoncube_chip_mixed_pair_sum pair_sum(
+        .a(pair_sum_a),
+        .b(pair_sum_b),
+        .sum(pair_sum_sum)
+    );
+    photoncube_chip_mixed_register_15 pair_square(
+        .d(pair_square_d),
+        .q(pair_square_q),
+        .clock(pair_square_clock)
+    );
+    photoncube_chip_mixed_register_14 pair_z(
+        .d(pair_z_d),
+        .q(pair_z_q),
+        .clock(pair_z_clock)
+    );
+    photoncube_chip_mixed_register_1 pair_far(
+        .d(pair_far_d),
+        .q(pair_far_q),
+        .clock(pair_far_clock)
+    );
+    photoncube_chip_mixed_distance_sum distance_sum(
+        .a(distance_sum_a),
+        .b(distance_sum_b),
+        .sum(distance_sum_sum)
+    );
+    photoncube_chip_mixed_register_16 distance(
+        .d(distance_d),
+        .q(distance_q),
+        .clock(distance_clock)
+    );
+    photoncube_chip_mixed_register_1 distance_far(
+        .d(distance_far_d),
+        .q(distance_far_q),
+        .clock(distance_far_clock)
+    );
+    photoncube_chip_mixed_range_of_format range_of_format_0(
+        .distance(range_of_format_0_distance),
+        .far(range_of_format_0_far),
+        .in_range(range_of_format_0_in_range)
+    );
+    photoncube_chip_mixed_register_1 in_range(
+        .d(in_range_d),
+        .q(in_range_q),
+        .clock(in_range_clock)
+    );
+    photoncube_chip_mixed_register_1 range_wait_0(
+        .d(range_wait_0_d),
+        .q(range_wait_0_q),
+        .clock(range_wait_0_clock)
+    );
+    photoncube_chip_mixed_register_1 range_wait_1(
+        .d(range_wait_1_d),
+        .q(range_wait_1_q),
+        .clock(range_wait_1_clock)
+    );
+    // Update code
+    always @(*) begin
+        pair_square_clock = clock;
+        pair_z_clock = clock;
+        pair_far_clock = clock;
+        distance_clock = clock;
+        distance_far_clock = clock;
+        in_range_clock = clock;
+        any_far_x = axis_far_0;
+        any_far_y = axis_far_1;
+        any_far_z = axis_far_2;
+        pair_sum_a = axis_square_0;
+        pair_sum_b = axis_square_1;
+        pair_square_d = pair_sum_sum;
+        pair_z_d = axis_square_2;
+        pair_far_d = any_far_any;
+        distance_sum_a = pair_square_q;
+        distance_sum_b = pair_z_q;
+        distance_d = distance_sum_sum;
+        distance_far_d = pair_far_q;
+        range_of_format_0_distance = distance_q;
+        range_of_format_0_far = distance_far_q;
+        in_range_d = range_of_format_0_in_range;
+        range_wait_0_clock = clock;
+        range_wait_0_d = in_range_q;
+        range_wait_1_clock = clock;
+        range_wait_1_d = range_wait_0_q;
+        photon_in_range = range_wait_1_q;
+    end
+endmodule
+
 module photoncube_chip_mixed_query(clock, token_in, keep, swap_in, token_out, query_out);
     // Module arguments
     input wire clock;
@@ -17750,6 +18037,9 @@ module photoncube_chip_mixed_power_delay(clock, word, delayed);
     reg [5:0] stage_5_d;
     wire [5:0] stage_5_q;
     reg stage_5_clock;
+    reg [5:0] stage_6_d;
+    wire [5:0] stage_6_q;
+    reg stage_6_clock;
     // Sub module instances
     photoncube_chip_mixed_register_6 stage_0(
         .d(stage_0_d),
@@ -17781,6 +18071,11 @@ module photoncube_chip_mixed_power_delay(clock, word, delayed);
         .q(stage_5_q),
         .clock(stage_5_clock)
     );
+    photoncube_chip_mixed_register_6 stage_6(
+        .d(stage_6_d),
+        .q(stage_6_q),
+        .clock(stage_6_clock)
+    );
     // Update code
     always @(*) begin
         stage_0_d = word;
@@ -17789,13 +18084,15 @@ module photoncube_chip_mixed_power_delay(clock, word, delayed);
         stage_3_d = stage_2_q;
         stage_4_d = stage_3_q;
         stage_5_d = stage_4_q;
+        stage_6_d = stage_5_q;
         stage_0_clock = clock;
         stage_1_clock = clock;
         stage_2_clock = clock;
         stage_3_clock = clock;
         stage_4_clock = clock;
         stage_5_clock = clock;
-        delayed = stage_5_q;
+        stage_6_clock = clock;
+        delayed = stage_6_q;
     end
 endmodule
 
@@ -18014,6 +18311,9 @@ module photoncube_chip_mixed_present_delay(clock, word, delayed);
     reg stage_5_d;
     wire stage_5_q;
     reg stage_5_clock;
+    reg stage_6_d;
+    wire stage_6_q;
+    reg stage_6_clock;
     // Sub module instances
     photoncube_chip_mixed_register_1 stage_0(
         .d(stage_0_d),
@@ -18045,6 +18345,11 @@ module photoncube_chip_mixed_present_delay(clock, word, delayed);
         .q(stage_5_q),
         .clock(stage_5_clock)
     );
+    photoncube_chip_mixed_register_1 stage_6(
+        .d(stage_6_d),
+        .q(stage_6_q),
+        .clock(stage_6_clock)
+    );
     // Update code
     always @(*) begin
         stage_0_d = word;
@@ -18053,13 +18358,15 @@ module photoncube_chip_mixed_present_delay(clock, word, delayed);
         stage_3_d = stage_2_q;
         stage_4_d = stage_3_q;
         stage_5_d = stage_4_q;
+        stage_6_d = stage_5_q;
         stage_0_clock = clock;
         stage_1_clock = clock;
         stage_2_clock = clock;
         stage_3_clock = clock;
         stage_4_clock = clock;
         stage_5_clock = clock;
-        delayed = stage_5_q;
+        stage_6_clock = clock;
+        delayed = stage_6_q;
     end
 endmodule
 
@@ -18633,22 +18940,22 @@ module photoncube_chip_mixed_square_pair(clock, query, photon_a, photon_b, squar
         .square(digits_1_square),
         .far(digits_1_far)
     );
-    photoncube_chip_mixed_register_14 square_stage_0(
+    photoncube_chip_mixed_square_stage square_stage_0(
         .d(square_stage_0_d),
         .q(square_stage_0_q),
         .clock(square_stage_0_clock)
     );
-    photoncube_chip_mixed_register_14 square_stage_1(
+    photoncube_chip_mixed_square_stage square_stage_1(
         .d(square_stage_1_d),
         .q(square_stage_1_q),
         .clock(square_stage_1_clock)
     );
-    photoncube_chip_mixed_register_1 far_stage_0(
+    photoncube_chip_mixed_products_far far_stage_0(
         .d(far_stage_0_d),
         .q(far_stage_0_q),
         .clock(far_stage_0_clock)
     );
-    photoncube_chip_mixed_register_1 far_stage_1(
+    photoncube_chip_mixed_products_far far_stage_1(
         .d(far_stage_1_d),
         .q(far_stage_1_q),
         .clock(far_stage_1_clock)
@@ -19363,7 +19670,7 @@ module photoncube_chip_mixed_product(clock, difference, square, far);
         .q(magnitude_delay_q),
         .clock(magnitude_delay_clock)
     );
-    photoncube_chip_mixed_products_delay products_delay(
+    photoncube_chip_mixed_register_10 products_delay(
         .d(products_delay_d),
         .q(products_delay_q),
         .clock(products_delay_clock)
@@ -19540,6 +19847,17 @@ module photoncube_chip_mixed_register_14(d, q, clock);
     end
     always @(posedge clock) begin
        q <= d;
+    end
+endmodule
+
+module photoncube_chip_mixed_square_stage(d, q, clock);
+    // Module arguments
+    input wire [13:0] d;
+    output reg [13:0] q;
+    input wire clock;
+    // Update code
+    always @(*) begin
+        q = d;
     end
 endmodule
 

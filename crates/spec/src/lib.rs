@@ -46,7 +46,8 @@ pub use schedule::{
     Content, ScheduleError, ScheduleReport, UnitUse, check_schedule, schedule_report,
 };
 pub use spatial::{
-    Cut, Cuts, ENGINE_REGISTERS, EngineRegister, EngineRow, EngineUnits, FlowRow, HeadRegister,
-    HeadSizes, Instances, MemoryRegister, Radius, Spatial, SpatialError, SpatialWidths,
+    Cut, Cuts, ENGINE_REGISTERS, EngineKind, EngineRegister, EngineRow, EngineUnits, FlowRow,
+    HeadRegister, HeadSizes, Instances, MemoryRegister, Radius, Spatial, SpatialError,
+    SpatialWidths,
 };
 pub use stream::{Group, Inputs, Lane, Outputs, Photon, Query, Sums};

@@ -7,7 +7,7 @@ use crate::machine::{Machine, Numbers, PlainFormat};
 use crate::organisation::Organisation;
 use crate::photon_format::{Channels, Exponent, PhotonFormat, PowerFormat, Rounding};
 use crate::photon_formats::PHOTON_FORMATS;
-use crate::spatial::{Cut, Cuts, Radius, Spatial};
+use crate::spatial::{Cut, Cuts, EngineKind, Radius, Spatial};
 
 /// 16-bit powers; 65,537 of full scale sum to 32 bits exactly.
 const fn plain(coordinate_bits: u32) -> Numbers {
@@ -44,17 +44,17 @@ const COARSE: Cuts = Cuts::of(&[
     Cut::GroupPower,
 ]);
 
-/// The same with a register behind a block RAM or DSP block, both slow.
-const MIXED: Cuts = Cuts::of(&[
-    Cut::Magnitude,
-    Cut::Cross,
-    Cut::Square,
-    Cut::Pair,
-    Cut::Distance,
-    Cut::Range,
-    Cut::PairPower,
-    Cut::GroupPower,
-]);
+/// The same with a register behind the block RAM, which is slow and stands in a row of its own.
+const TABLE: EngineKind = EngineKind {
+    squarer: Squarer::Table,
+    cuts: COARSE.and(Cut::Square),
+};
+
+/// The same with a register before the DSP block too, since its own are not used.
+const PRODUCT: EngineKind = EngineKind {
+    squarer: Squarer::Product,
+    cuts: COARSE.and(Cut::Products).and(Cut::Square),
+};
 
 /// A tile of `2^query_axes` engines, in a format of one scale for all powers and seven bits for the
 /// radius; `photoncube report SCENE` measures what it costs in accuracy.
@@ -79,14 +79,14 @@ const fn tile(name: &'static str, summary: &'static str, query_axes: u32) -> Mac
             query_axes,
             radius: Radius::Format,
             cuts: COARSE,
-            squarers: &[],
+            others: &[],
             memory_groups: 0,
         }),
     }
 }
 
 /// A tile with a photon memory that holds the most photons that a query may be given, twice.
-const fn with_memory(tile: Machine, squarers: &'static [(Squarer, usize)]) -> Machine {
+const fn with_memory(tile: Machine, others: &'static [(EngineKind, usize)]) -> Machine {
     let Organisation::Spatial(spatial) = tile.organisation else {
         panic!("only spatial machines have a photon memory");
     };
@@ -97,8 +97,7 @@ const fn with_memory(tile: Machine, squarers: &'static [(Squarer, usize)]) -> Ma
     Machine {
         organisation: Organisation::Spatial(Spatial {
             memory_groups,
-            squarers,
-            cuts: if squarers.is_empty() { COARSE } else { MIXED },
+            others,
             ..spatial
         }),
         ..tile
@@ -230,7 +229,7 @@ pub const MACHINES: &[Machine] = &[
             query_axes: 0,
             radius: Radius::Query,
             cuts: FINE,
-            squarers: &[],
+            others: &[],
             memory_groups: 0,
         }),
     },
@@ -279,7 +278,7 @@ pub const MACHINES: &[Machine] = &[
             "the same, squarers from block RAMs, DSP blocks and LUTs",
             6,
         ),
-        &[(Squarer::Table, 24), (Squarer::Product, 10)],
+        &[(TABLE, 24), (PRODUCT, 10)],
     ),
     with_memory(
         tile(
@@ -287,7 +286,7 @@ pub const MACHINES: &[Machine] = &[
             "4 engines of three kinds of squarers, and the photon memory",
             2,
         ),
-        &[(Squarer::Table, 2), (Squarer::Product, 1)],
+        &[(TABLE, 2), (PRODUCT, 1)],
     ),
     with_memory(
         tile(

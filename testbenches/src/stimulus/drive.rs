@@ -244,7 +244,7 @@ impl<'a> Driver<'a> {
             return (vec![Case::empty(self.machine)], 0);
         };
         let cases = HeadSizes::of(spatial).queue / spatial.engines();
-        let pipeline = (spatial.cuts.latency() + spatial.cuts.power_latency()) as usize;
+        let pipeline = (spatial.latency() + spatial.cuts.power_latency()) as usize;
         let clocks = 2 * spatial.engines() + 2 * pipeline;
         (vec![Case::empty(self.machine); cases], clocks)
     }

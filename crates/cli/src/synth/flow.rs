@@ -108,14 +108,12 @@ impl Flow {
     /// The flow that a machine is placed in: with DSP blocks only where its squarer is made for them.
     /// Elsewhere the synthesiser finds a product in other places, and what is measured is its choice.
     pub fn to_place(machine: &Machine) -> Self {
-        let others = machine
-            .spatial()
-            .map_or(&[][..], |spatial| spatial.squarers);
-        let kinds = others
-            .iter()
-            .map(|&(kind, _)| kind)
-            .chain([machine.squarer]);
-        match kinds.into_iter().any(|kind| kind == Squarer::Product) {
+        let others = machine.spatial().map_or(&[][..], |spatial| spatial.others);
+        let others = others.iter().map(|(kind, _)| kind.squarer);
+        match others
+            .chain([machine.squarer])
+            .any(|kind| kind == Squarer::Product)
+        {
             true => Self::Ecp5,
             false => Self::Ecp5Nodsp,
         }

@@ -1,6 +1,6 @@
 //! An engine: the 16 cells that hold one query.
 
-use photoncube_spec::{Cut, Cuts, Machine, Spatial, SpatialWidths, Squarer};
+use photoncube_spec::{Cut, EngineKind, Machine, Spatial, SpatialWidths};
 use rust_hdl::prelude::*;
 
 use super::flags::{GroupFlags, QueryFlags, QueryWord};
@@ -21,8 +21,9 @@ const GROUP_COUNT: usize = SpatialWidths::GROUP_COUNT as usize;
 /// What an engine is built from.
 #[derive(Copy, Clone)]
 pub(crate) struct EngineShape {
-    pub cuts: Cuts,
-    pub squarer: Squarer,
+    pub kind: EngineKind,
+    /// Clocks that a decision waits.
+    pub range_waits: usize,
     pub channels: usize,
     /// The format's, where queries have none.
     pub fixed_radius_sq: Option<u32>,
@@ -31,9 +32,10 @@ pub(crate) struct EngineShape {
 impl EngineShape {
     /// What that engine of a machine is built from.
     pub fn of(machine: &Machine, spatial: &Spatial, engine: usize) -> Self {
+        let kind = spatial.kind(machine.squarer, engine);
         Self {
-            cuts: spatial.cuts,
-            squarer: spatial.squarer(machine.squarer, engine),
+            kind,
+            range_waits: spatial.range_waits(kind) as usize,
             channels: machine.channels().names().len(),
             fixed_radius_sq: machine.fixed_radius_sq(),
         }
@@ -129,8 +131,8 @@ impl<
 {
     pub fn new(shape: EngineShape) -> Self {
         let EngineShape {
-            cuts,
-            squarer,
+            kind: EngineKind { squarer, cuts },
+            range_waits,
             channels,
             fixed_radius_sq,
         } = shape;
@@ -173,7 +175,7 @@ impl<
             photon: Stage::several(COORDINATES, true),
             square_pair: pairs.map(|_| SquarePair::new(cuts, squarer)).collect(),
             lane: (0..LANES)
-                .map(|_| Lane::new(cuts, fixed_radius_sq))
+                .map(|_| Lane::new(cuts, range_waits, fixed_radius_sq))
                 .collect(),
             group_flags: GroupFlags::new(cuts),
             channel_sum: (0..channels).map(|_| ChannelSum::new(cuts)).collect(),

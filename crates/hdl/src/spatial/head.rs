@@ -110,7 +110,7 @@ impl<const B: usize, const E: usize, const P: usize, const S: usize, const N: us
 {
     pub fn new(spatial: &Spatial, channels: usize) -> Self {
         assert!(B == P || E > 0, "only an exponent makes a power wider");
-        let stages = spatial.cuts.latency() as usize;
+        let stages = spatial.latency() as usize;
         let exponents = if E > 0 { LANES } else { 0 };
         let words = channels * LANES;
         with_wires!(Self {

@@ -144,6 +144,7 @@ pub(super) fn engine<
         E::Distance => register!(ask, e, lane[i].distance.q),
         E::DistanceFar => register!(ask, e, lane[i].distance_far.q),
         E::InRange => register!(ask, e, lane[i].in_range.q),
+        E::RangeWait => register!(ask, e, lane[i % LANES].range_wait[i / LANES].q),
         E::Power => register!(ask, e, channel_sum[channel].hop[of_lane].q),
         E::Present => register!(ask, e, count_sum.hop[i].q),
         E::First => register!(ask, e, group_flags.first.flag[0].q),

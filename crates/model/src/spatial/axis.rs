@@ -54,7 +54,7 @@ impl Axis {
     pub(super) fn clock(&mut self, rules: &Rules, query: u32, photon: u32) -> Square {
         let d = query as i32 - photon as i32;
         let d = rules.cut(Cut::Difference, &mut self.difference, d);
-        let square = match rules.squarer {
+        let square = match rules.kind.squarer {
             Squarer::Digits => self.digits_square(rules, d),
             Squarer::Product => self.product_square(rules, d),
             Squarer::Table => self.table_square(rules, d),

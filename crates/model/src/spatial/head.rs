@@ -53,7 +53,7 @@ impl Head {
             read_place: 0,
             waiting: 0,
             entry: Entry::default(),
-            delay: vec![Powers::default(); spatial.cuts.latency() as usize],
+            delay: vec![Powers::default(); spatial.latency() as usize],
             queue: vec![Sums::default(); sizes.queue],
         }
     }

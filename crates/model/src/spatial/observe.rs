@@ -86,7 +86,7 @@ impl Engine {
             row,
         };
         for table_row in ENGINE_REGISTERS {
-            if table_row.is_in(spatial, self.rules.squarer) {
+            if table_row.is_in(spatial, self.rules.kind) {
                 writer.register(table_row.register);
             }
         }
@@ -138,6 +138,11 @@ impl Writer<'_> {
             R::Distance => self.lanes(|lane| lane.distance.word),
             R::DistanceFar => self.lanes(|lane| lane.distance.far),
             R::InRange => self.lanes(|lane| lane.in_range),
+            R::RangeWait => {
+                for wait in 0..engine.rules.range_waits {
+                    self.lanes(|lane| lane.range_wait[wait]);
+                }
+            }
             R::Power => self.channels(&hop.powers.power),
             R::Present => self.row.extend(hop.powers.present.map(u64::from)),
             R::First | R::Last => self.flag(hop.powers.flags, register == R::First),

@@ -2,37 +2,39 @@
 
 use std::mem;
 
-use photoncube_spec::{Cut, Cuts, EngineRegister, Machine, Spatial, SpatialWidths, Squarer};
+use photoncube_spec::{Cut, EngineKind, EngineRegister, Machine, Spatial, SpatialWidths};
 
 /// How an engine computes.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub(super) struct Rules {
-    pub(super) cuts: Cuts,
-    pub(super) squarer: Squarer,
+    pub(super) kind: EngineKind,
     pub(super) widths: SpatialWidths,
     /// The radius, where it is the same for all queries.
     pub(super) fixed_radius_sq: Option<u32>,
     /// Registers that a query's radius passes on its way to the compare.
     pub(super) radius_delays: usize,
+    /// Clocks that a decision waits.
+    pub(super) range_waits: usize,
 }
 
 impl Rules {
     pub(super) fn of(machine: &Machine, spatial: &Spatial, engine: usize) -> Self {
         let format = machine.format();
+        let kind = spatial.kind(machine.squarer, engine);
         let delays = EngineRegister::RadiusDelay.row().instances;
         Self {
-            cuts: spatial.cuts,
-            squarer: spatial.squarer(machine.squarer, engine),
+            kind,
             widths: SpatialWidths::of(format.expect("a legal spatial machine has a photon format")),
             fixed_radius_sq: machine.fixed_radius_sq(),
-            radius_delays: delays.count(spatial, machine.channels().names().len()),
+            radius_delays: delays.count(spatial, kind, machine.channels().names().len()),
+            range_waits: spatial.range_waits(kind) as usize,
         }
     }
 
     /// What is seen behind a cut in this clock: where a register stands there, what it held, and it
     /// takes `value` with the clock edge; elsewhere `value` itself.
     pub(super) fn cut<T>(&self, cut: Cut, register: &mut T, value: T) -> T {
-        if self.cuts.has(cut) {
+        if self.kind.cuts.has(cut) {
             mem::replace(register, value)
         } else {
             value

@@ -1,8 +1,8 @@
 //! Spatial machines: the named ones, and others in every legal shape.
 
 use photoncube_spec::{
-    Cut, Cuts, MACHINES, Machine, Numbers, Organisation, Radius, Spatial, Squarer, find_machine,
-    find_photon_format,
+    Cut, Cuts, EngineKind, MACHINES, Machine, Numbers, Organisation, Radius, Spatial, Squarer,
+    find_machine, find_photon_format,
 };
 use proptest::prelude::*;
 
@@ -49,6 +49,16 @@ pub fn all_cuts(squarer: Squarer) -> impl Iterator<Item = Cuts> {
     })
 }
 
+/// The cuts of `machine` in the flow of powers, and others in that of positions.
+fn with_positions(machine: Cuts, positions: Cuts) -> Cuts {
+    let has = |cut: &Cut| match cut.is_of_positions() {
+        true => positions.has(*cut),
+        false => machine.has(*cut),
+    };
+    let all = Cut::ALL.into_iter().filter(has);
+    Cuts::of(&all.collect::<Vec<_>>())
+}
+
 /// Named cuts, the extremes, and any.
 fn cuts() -> impl Strategy<Value = Cuts> {
     let of = |name| named(name).spatial().unwrap().cuts;
@@ -86,9 +96,16 @@ fn built() -> impl Strategy<Value = Machine> {
         cuts(),
         prop::sample::select(SQUARERS.to_vec()),
         prop::sample::select(others.to_vec()),
+        prop::array::uniform2(cuts()),
     )
         .prop_map(
-            |(format, query_axes, own_radius, cuts, squarer, squarers)| {
+            |(format, query_axes, own_radius, cuts, squarer, others, of_others)| {
+                let kind = |(&(squarer, engines), positions)| {
+                    let cuts = with_positions(cuts, positions);
+                    (EngineKind { squarer, cuts }, engines)
+                };
+                let most = others.len().min((1 << query_axes) as usize);
+                let others: Vec<_> = others[..most].iter().zip(of_others).map(kind).collect();
                 let machine = Machine {
                     numbers: Numbers::Local(find_photon_format(format).unwrap()),
                     squarer,
@@ -102,11 +119,8 @@ fn built() -> impl Strategy<Value = Machine> {
                         Radius::Format
                     },
                     cuts,
-                    squarers: if query_axes == 0 {
-                        &squarers[..squarers.len().min(1)]
-                    } else {
-                        squarers
-                    },
+                    // A machine lives as long as the program, as the named ones do.
+                    others: others.leak(),
                     memory_groups: 0,
                 };
                 with_spatial(&machine, spatial)

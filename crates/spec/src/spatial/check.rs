@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use super::{Cut, Spatial, SpatialWidths};
+use super::{Cut, EngineKind, Spatial, SpatialWidths};
 use crate::format::Squarer;
 use crate::hypercube::Hypercube;
 use crate::machine::Machine;
@@ -77,7 +77,7 @@ impl Spatial {
             ],
         )?;
         let dimension = u64::from(Hypercube::MIN_DIMENSION + self.query_axes);
-        let other_squarers: usize = self.squarers.iter().map(|&(_, engines)| engines).sum();
+        let other_squarers: usize = self.others.iter().map(|&(_, engines)| engines).sum();
         self.check_fields(
             name,
             [
@@ -132,31 +132,33 @@ impl Spatial {
     }
 
     fn check_cuts(&self, machine: &Machine) -> Result<(), SpatialError> {
-        let has_tables =
-            (0..self.engines()).any(|e| self.squarer(machine.squarer, e) == Squarer::Table);
-        let needed = [
-            (
-                Cut::Range,
-                true,
-                "the decision needs beside the power hop's register",
-            ),
-            (
-                Cut::Cross,
-                has_tables,
-                "a table needs, as a block RAM has one",
-            ),
-        ];
-        match needed
-            .into_iter()
-            .find(|&(cut, needed, _)| needed && !self.cuts.has(cut))
-        {
-            None => Ok(()),
-            Some((cut, _, needed_by)) => Err(SpatialError::Cut {
-                machine: machine.name,
-                cut,
-                needed_by,
-            }),
-        }
+        (0..self.engines()).try_for_each(|engine| {
+            let EngineKind { squarer, cuts } = self.kind(machine.squarer, engine);
+            let of_powers = Cut::ALL.into_iter().filter(|cut| !cut.is_of_positions());
+            let missing = of_powers
+                .map(|cut| (cut, self.cuts.has(cut), "the machine's own engines have"))
+                .chain([
+                    (
+                        Cut::Range,
+                        true,
+                        "the decision needs beside the power hop's register",
+                    ),
+                    (
+                        Cut::Cross,
+                        squarer == Squarer::Table,
+                        "a table needs, as a block RAM has one",
+                    ),
+                ])
+                .find(|&(cut, needed, _)| needed && !cuts.has(cut));
+            match missing {
+                None => Ok(()),
+                Some((cut, _, needed_by)) => Err(SpatialError::Cut {
+                    machine: machine.name,
+                    cut,
+                    needed_by,
+                }),
+            }
+        })
     }
 }
 
@@ -203,11 +205,25 @@ mod tests {
             power_bits: 16,
             max_photons: 1,
         });
-        let tables = Spatial {
-            squarers: &[(Squarer::Table, 1)],
-            cuts: Cuts::of(&[Cut::Range]),
-            ..spatial
-        };
+        const fn kind(squarer: Squarer, cuts: &[Cut]) -> EngineKind {
+            let cuts = Cuts::of(cuts);
+            EngineKind { squarer, cuts }
+        }
+        const ENOUGH: &[Cut] = &[Cut::Cross, Cut::Range, Cut::PairPower, Cut::GroupPower];
+        const THREE: &[(EngineKind, usize)] = &[
+            (kind(Squarer::Table, ENOUGH), 1),
+            (kind(Squarer::Product, ENOUGH), 2),
+        ];
+        const NO_LOOKUP: &[(EngineKind, usize)] = &[(
+            kind(
+                Squarer::Table,
+                &[Cut::Range, Cut::PairPower, Cut::GroupPower],
+            ),
+            1,
+        )];
+        const NO_SUM: &[(EngineKind, usize)] =
+            &[(kind(Squarer::Product, &[Cut::Range, Cut::PairPower]), 1)];
+        let others = |others| with_spatial(Spatial { others, ..spatial });
         #[rustfmt::skip]
         let wrong = [
             (with_format(PhotonFormat { query_extra_bits: 1, ..format }), "query_extra_bits is 1, expected 0 to 0"),
@@ -217,9 +233,10 @@ mod tests {
             (with_spatial(Spatial { memory_groups: 1, ..spatial }), "memory_groups, a power of two, is 1, expected 1024 to 65536"),
             (with_spatial(Spatial { query_axes: 64, ..spatial }), "query_axes is 64, expected 0 to 6"),
             (with_spatial(Spatial { query_axes: 2, ..spatial }), "dimension is 5, expected 6 to 6"),
-            (with_spatial(Spatial { squarers: &[(Squarer::Table, 1), (Squarer::Product, 2)], ..spatial }), "squarers of other kinds is 3, expected 0 to 2"),
+            (others(THREE), "squarers of other kinds is 3, expected 0 to 2"),
             (with_spatial(Spatial { cuts: Cuts::of(&[Cut::Products]), ..spatial }), "the cut Range, which the decision needs beside the power hop's register"),
-            (with_spatial(tables), "the cut Cross, which a table needs, as a block RAM has one"),
+            (others(NO_LOOKUP), "the cut Cross, which a table needs, as a block RAM has one"),
+            (others(NO_SUM), "the cut GroupPower, which the machine's own engines have"),
             (Machine { numbers: plain, ..machine }, "`tile-5` has plain numbers, and an engine needs a photon format"),
         ];
         for (machine, expected) in wrong {

@@ -75,13 +75,18 @@ impl Cuts {
         Self(set)
     }
 
+    /// These and that one.
+    pub const fn and(self, cut: Cut) -> Self {
+        Self(self.0 | 1 << cut as u16)
+    }
+
     /// Whether a register stands at the cut.
     pub const fn has(self, cut: Cut) -> bool {
         self.0 >> cut as u16 & 1 == 1
     }
 
     /// Clocks from a position in an engine's hop register to the decision whether it is in range:
-    /// the registers of the flow of positions. Powers enter their hop register so much later.
+    /// the registers of the flow of positions.
     pub fn latency(self) -> u32 {
         let registers = Cut::ALL.into_iter().filter(|cut| cut.is_of_positions());
         registers.filter(|&cut| self.has(cut)).count() as u32

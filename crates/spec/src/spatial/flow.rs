@@ -1,7 +1,8 @@
 //! What happens to a group, clock by clock: the listing of a machine without a program.
 
 use super::cuts::Cut;
-use super::{Radius, Spatial};
+use super::{EngineKind, Radius, Spatial};
+use crate::format::Squarer;
 
 /// A register, or a step without one, on a group's way through an engine.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -73,13 +74,22 @@ fn step(cut: Cut) -> (&'static str, &'static str, &'static str) {
 }
 
 impl Spatial {
-    /// A group's way through an engine.
-    pub fn flow(&self) -> Vec<FlowRow> {
+    /// A group's way through an engine with the machine's own kind of squarer, `own`.
+    pub fn flow(&self, own: Squarer) -> Vec<FlowRow> {
+        let kind = EngineKind {
+            squarer: own,
+            cuts: self.cuts,
+        };
         let mut clock = 0;
         let mut rows = vec![row(0, "X Y Z", "", "the photons' coordinates arrive", true)];
         for cut in Cut::ALL {
             let registered = self.cuts.has(cut);
             if cut == Cut::Gate {
+                let wait = "the decision waits for engines with slower squarers";
+                for _ in 0..self.range_waits(kind) {
+                    clock += 1;
+                    rows.push(row(clock, "D", "", wait, true));
+                }
                 let arrive = "the photons' powers arrive, with them whether each is in range";
                 rows.push(row(clock, "X Y Z D", "", arrive, true));
             }
@@ -127,10 +137,10 @@ mod tests {
             let Some(spatial) = machine.spatial() else {
                 continue;
             };
-            let flow = spatial.flow();
+            let flow = spatial.flow(machine.squarer);
             let sums = flow.last().unwrap();
-            let cuts = spatial.cuts;
-            assert_eq!(sums.clock, cuts.latency() + cuts.power_latency());
+            let latency = spatial.latency() + spatial.cuts.power_latency();
+            assert_eq!(sums.clock, latency);
             assert!(flow.windows(2).all(|pair| pair[0].clock <= pair[1].clock));
         }
     }

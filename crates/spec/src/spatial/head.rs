@@ -23,7 +23,7 @@
 //! - Delay line: stage 0 gets, in every clock, from the entry each lane's decoded powers (mantissa <<
 //!   exponent) and 0 where `EntryAbsent`; `EntryPresent`; and the two flags. Stage i gets stage
 //!   i - 1. The last stage is what engine 0's power hop registers get, so a group's powers are in
-//!   that hop register [`super::Cuts::latency`] clocks after its positions are in theirs.
+//!   that hop register [`Spatial::latency`] clocks after its positions are in theirs.
 //! - Queue: where engine 0's `ResultValid` is set, its result is written at `write_place`, which then
 //!   counts on, modulo the queue, and `newest_place` := that place. `result_valid` = `has_result`.
 //!   The result pins show the word at `read_place` in every clock; a result taken counts that on.

@@ -10,7 +10,7 @@
 //! A group enters at the *head*, waits a clock in the *entry*, a row of registers before engine 0,
 //! and passes from engine to engine, one a clock, through *hop* registers, so that every net is
 //! short and every photon is read once. Positions go first. Powers follow as a second wave,
-//! [`Cuts::latency`] clocks later, which is when an engine has decided which of the photons are in
+//! [`Spatial::latency`] clocks later, which is when an engine has decided which of the photons are in
 //! range; so only the head delays them, once for all engines. The head also decodes powers and
 //! clears those of absent photons.
 //!
@@ -56,15 +56,27 @@ pub struct Spatial {
     pub query_axes: u32,
     /// Where the search radius comes from.
     pub radius: Radius,
-    /// Where the pipeline has registers.
+    /// Where the pipeline of an engine with the machine's own kind of squarer has registers.
     pub cuts: Cuts,
-    /// Squarers of other kinds than the machine's own: this many engines of each kind, spread evenly
-    /// over the chain. A device has tables (block RAMs), products (DSP blocks) and LUTs to make
-    /// squares of, each in columns all over it, so engines of all kinds stand side by side.
-    pub squarers: &'static [(Squarer, usize)],
+    /// Engines with squarers of other kinds: so many of each, spread evenly over the chain. A device
+    /// has tables (block RAMs), products (DSP blocks) and LUTs to make squares of, each in columns
+    /// all over it, so engines of all kinds stand side by side.
+    pub others: &'static [(EngineKind, usize)],
     /// Groups that each of the two banks of the photon memory holds, a power of two; 0: no memory,
     /// the group stream goes straight to the head. See [`MemoryRegister`].
     pub memory_groups: u32,
+}
+
+/// What an engine's squares are made of, and where its pipeline has registers. Kinds may differ in
+/// the cuts of the flow of positions, since a block RAM or DSP block wants registers around it that
+/// an adder does not need; where an engine decides sooner than the slowest kind, its decisions wait.
+/// From the powers on, the cuts of all kinds are the machine's.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub struct EngineKind {
+    /// What squares are made of.
+    pub squarer: Squarer,
+    /// Where registers are.
+    pub cuts: Cuts,
 }
 
 /// Where the search radius comes from.
@@ -91,15 +103,31 @@ impl Spatial {
     /// result can be: the entry, the hop register, the two flows, the result chain and the queue.
     /// Each further engine's result comes two clocks later.
     pub fn latency_clocks(&self) -> u32 {
-        self.cuts.latency() + self.cuts.power_latency() + 4
+        self.latency() + self.cuts.power_latency() + 4
     }
 
-    /// The kind of squarer of an engine of a machine whose own kind is `own`: that which is furthest
-    /// behind its share of the engines up to this one, the first of several.
-    pub fn squarer(&self, own: Squarer, engine: usize) -> Squarer {
-        let others: usize = self.squarers.iter().map(|&(_, engines)| engines).sum();
+    /// Clocks from a position in an engine's hop register to the decision whether it is in range, in
+    /// every engine: those of the slowest kind. Powers enter their hop register so much later.
+    pub fn latency(&self) -> u32 {
+        let others = self.others.iter().map(|(kind, _)| kind.cuts.latency());
+        others.fold(self.cuts.latency(), u32::max)
+    }
+
+    /// Clocks that the decisions of an engine of that kind wait for those of the slowest.
+    pub fn range_waits(&self, kind: EngineKind) -> u32 {
+        self.latency() - kind.cuts.latency()
+    }
+
+    /// The kind of an engine of a machine whose own squarers are `own`: that which is furthest behind
+    /// its share of the engines up to this one, the first of several.
+    pub fn kind(&self, own: Squarer, engine: usize) -> EngineKind {
+        let others: usize = self.others.iter().map(|&(_, engines)| engines).sum();
+        let own = EngineKind {
+            squarer: own,
+            cuts: self.cuts,
+        };
         let own = (own, self.engines().saturating_sub(others));
-        let kinds: Vec<_> = self.squarers.iter().copied().chain([own]).collect();
+        let kinds: Vec<_> = self.others.iter().copied().chain([own]).collect();
         let mut given = vec![0; kinds.len()];
         let mut latest = 0;
         for count in 1..=engine + 1 {
@@ -123,7 +151,7 @@ mod tests {
     fn squarers(name: &str) -> Vec<Squarer> {
         let machine = find_machine(name).unwrap();
         let spatial = machine.spatial().unwrap();
-        let squarer = |engine| spatial.squarer(machine.squarer, engine);
+        let squarer = |engine| spatial.kind(machine.squarer, engine).squarer;
         (0..spatial.engines()).map(squarer).collect()
     }
 
@@ -135,8 +163,9 @@ mod tests {
                 continue;
             };
             let all = squarers(machine.name);
-            for &(kind, engines) in spatial.squarers {
-                assert_eq!(all.iter().filter(|&&other| other == kind).count(), engines);
+            for &(kind, engines) in spatial.others {
+                let found = all.iter().filter(|&&squarer| squarer == kind.squarer);
+                assert_eq!(found.count(), engines);
                 checked += 1;
             }
         }

@@ -46,7 +46,7 @@ impl<'a> SpatialPins<'a> {
 
     fn head_register(&self, register: HeadRegister, pins: &mut Vec<Pin>) {
         let sizes = HeadSizes::of(self.spatial);
-        let stages = self.spatial.cuts.latency() as usize;
+        let stages = self.spatial.latency() as usize;
         let lanes = stages * Spatial::LANES;
         let (count, width) = match register {
             HeadRegister::Loaded => (1, sizes.loaded_bits),
@@ -107,12 +107,12 @@ impl<'a> SpatialPins<'a> {
     }
 
     fn engine_registers(&self, engine: usize, pins: &mut Vec<Pin>) {
-        let squarer = self.spatial.squarer(self.machine.squarer, engine);
+        let kind = self.spatial.kind(self.machine.squarer, engine);
         for row in ENGINE_REGISTERS {
-            if !row.is_in(self.spatial, squarer) {
+            if !row.is_in(self.spatial, kind) {
                 continue;
             }
-            let count = row.instances.count(self.spatial, self.channels.len());
+            let count = row.instances.count(self.spatial, kind, self.channels.len());
             pins.extend((0..count).map(|index| Pin {
                 name: self.engine_pin(engine, row.name, row.instances, index),
                 width: (row.width)(&self.widths),

@@ -2,7 +2,7 @@
 
 use super::cuts::Cut;
 use super::widths::SpatialWidths;
-use super::{Radius, Spatial};
+use super::{EngineKind, Radius, Spatial};
 use crate::format::Squarer;
 
 /// A register of an engine.
@@ -76,6 +76,9 @@ pub enum EngineRegister {
     DistanceFar,
     /// The photon is in range: no axis far and distance <= `radius_sq`.
     InRange,
+    /// The same, while it waits for the slowest kind of engine: of lane g after i + 1 clocks at
+    /// 4 i + g.
+    RangeWait,
     /// Hop: the decoded powers of the photons, 0 for an absent one.
     Power,
     /// Hop: whether there is a photon.
@@ -141,8 +144,10 @@ pub enum Instances {
     PairChannels,
     /// One for each channel.
     Channels,
-    /// One for each cut from `Difference` to `Distance` that the machine has.
+    /// One for each cut from `Difference` to `Distance` that the engine has.
     RadiusDelays,
+    /// One for each lane and clock of [`Spatial::range_waits`].
+    RangeWaits,
 }
 
 /// One row of the table of an engine's registers.
@@ -173,9 +178,10 @@ enum Condition {
 }
 
 impl EngineRow {
-    /// Whether an engine with that kind of squarer has the register.
-    pub fn is_in(&self, spatial: &Spatial, squarer: Squarer) -> bool {
-        let has = |cut| spatial.cuts.has(cut);
+    /// Whether an engine of that kind has the register.
+    pub fn is_in(&self, spatial: &Spatial, kind: EngineKind) -> bool {
+        let EngineKind { squarer, cuts } = kind;
+        let has = |cut| cuts.has(cut);
         match self.condition {
             Condition::Always => true,
             Condition::QueryRadius => spatial.radius == Radius::Query,
@@ -194,8 +200,8 @@ impl EngineRegister {
 }
 
 impl Instances {
-    /// How many there are in an engine, with so many channels.
-    pub fn count(self, spatial: &Spatial, channels: usize) -> usize {
+    /// How many there are in an engine of that kind, with so many channels.
+    pub fn count(self, spatial: &Spatial, kind: EngineKind, channels: usize) -> usize {
         match self {
             Self::One => 1,
             Self::Axes => 3,
@@ -207,8 +213,9 @@ impl Instances {
             Self::Channels => channels,
             Self::RadiusDelays => {
                 let before_range = Cut::ALL.into_iter().take_while(|&cut| cut < Cut::Range);
-                before_range.filter(|&cut| spatial.cuts.has(cut)).count()
+                before_range.filter(|&cut| kind.cuts.has(cut)).count()
             }
+            Self::RangeWaits => spatial.range_waits(kind) as usize * Spatial::LANES,
         }
     }
 
@@ -220,7 +227,9 @@ impl Instances {
             Self::One => String::new(),
             Self::Axes => format!("_{}", AXES[index]),
             Self::Coordinates => format!("_{}_{}", AXES[index % 3], index / 3),
-            Self::Lanes | Self::Pairs | Self::RadiusDelays => format!("_{index}"),
+            Self::Lanes | Self::Pairs | Self::RadiusDelays | Self::RangeWaits => {
+                format!("_{index}")
+            }
             Self::LaneChannels | Self::PairChannels => {
                 let count = channels.len();
                 format!("_{}_{}", channels[index % count], index / count)
@@ -276,7 +285,7 @@ pub enum HeadRegister {
     EntryLast,
     /// The delay line of the powers, one for each stage, lane and channel: channel c of lane g in
     /// stage i is at (4 i + g) `channels` + c. Stage 0 is nearest to the entry; there are
-    /// [`super::Cuts::latency`] stages.
+    /// [`Spatial::latency`] stages.
     DelayPower,
     /// The same for presence: lane g in stage i is at 4 i + g.
     DelayPresent,
@@ -401,6 +410,7 @@ rows! {
     Distance "distance" Lanes |w| w.distance, At(Cut::Distance);
     DistanceFar "distance_far" Lanes |_| 1, At(Cut::Distance);
     InRange "in_range" Lanes |_| 1, At(Cut::Range);
+    RangeWait "range_wait" RangeWaits |_| 1, Always;
     Power "power" LaneChannels |w| w.power, Always;
     Present "present" Lanes |_| 1, Always;
     First "first" One |_| 1, Always;
