@@ -2180,12 +2180,11 @@ module photoncube_tile_4_admission(clock, reset, query_valid, group_valid, group
     reg open = 1'd0;
     reg has_batch = 1'd0;
     reg [0:0] spacing = 1'd0;
-    reg waits = 1'd0;
     reg [15:0] promised = 16'd0;
     wire full = loaded[0];
     wire fills = query_valid;
     wire room = ~promised[15];
-    wire fits = ~waits & room;
+    wire fits = room;
     wire admits_group = has_batch & (~group_last | fits);
     wire takes_group = group_valid & admits_group;
     wire takes_first = group_valid & full & ~open & (~group_last | fits);
@@ -2206,7 +2205,6 @@ module photoncube_tile_4_admission(clock, reset, query_valid, group_valid, group
       open <= (takes_group & ~group_last) | (open & ~takes_last);
       has_batch <= (open & full) | (has_batch & ~takes_last) | fills;
       spacing <= 1'd0;
-      waits <= 1'd0;
       if (takes_last != batch_taken)
         promised <= takes_last ? {promised[14:0], 1'd1} : {1'd0, promised[15:1]};
       if (reset) begin
@@ -2214,7 +2212,6 @@ module photoncube_tile_4_admission(clock, reset, query_valid, group_valid, group
         open <= 1'd0;
         has_batch <= 1'd0;
         spacing <= 1'd0;
-        waits <= 1'd0;
         promised <= 16'd0;
       end
     end

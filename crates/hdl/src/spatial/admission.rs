@@ -174,17 +174,33 @@ impl Logic for Admission {
         // A power of two, and as many as can be loaded: that is where the highest bit is set.
         let engines = self._engines;
         assert_eq!(engines, 1 << (loaded_bits - 1));
+        let start = spacing - 1;
+        // One engine's results never meet, and nobody counts for it.
+        let [waits, fits, spacing_step, waits_reset] = match self._sizes.has_waits() {
+            false => ["", "room", &format!("spacing <= {spacing_bits}'d0;"), ""],
+            true => [
+                "reg waits = 1'd0;\n",
+                "~waits & room",
+                &format!(
+                    "if (takes_last) spacing <= {spacing_bits}'d{start};\n  \
+                     else if (waits) spacing <= spacing - {spacing_bits}'d1;\n  \
+                     waits <= takes_last | (|spacing[{}:1]);",
+                    spacing_bits - 1
+                ),
+                "    waits <= 1'd0;\n",
+            ],
+        };
         Verilog::Custom(format!(
             "reg [{l}:0] loaded = {loaded_bits}'d0;\n\
              reg open = 1'd0;\n\
              reg has_batch = 1'd0;\n\
              reg [{s}:0] spacing = {spacing_bits}'d0;\n\
-             reg waits = 1'd0;\n\
+             {waits}\
              reg [{p}:0] promised = {promised_bits}'d0;\n\
              wire full = loaded[{l}];\n\
              wire fills = {fills};\n\
              wire room = ~promised[{p}];\n\
-             wire fits = ~waits & room;\n\
+             wire fits = {fits};\n\
              wire admits_group = has_batch & (~group_last | fits);\n\
              wire takes_group = group_valid & admits_group;\n\
              wire takes_first = group_valid & full & ~open & (~group_last | fits);\n\
@@ -212,7 +228,7 @@ impl Logic for Admission {
              \x20   open <= 1'd0;\n\
              \x20   has_batch <= 1'd0;\n\
              \x20   spacing <= {spacing_bits}'d0;\n\
-             \x20   waits <= 1'd0;\n\
+             {waits_reset}\
              \x20   promised <= {promised_bits}'d0;\n\
              \x20 end\n\
              end\n",
@@ -224,16 +240,6 @@ impl Logic for Admission {
             fills = match engines {
                 1 => "query_valid".to_owned(),
                 _ => format!("query_valid & (&loaded[{}:0])", loaded_bits - 2),
-            },
-            // One engine's results never meet, and nobody counts for it.
-            spacing_step = match spacing - 1 {
-                0 => format!("spacing <= {spacing_bits}'d0;\n  waits <= 1'd0;"),
-                start => format!(
-                    "if (takes_last) spacing <= {spacing_bits}'d{start};\n  \
-                     else if (waits) spacing <= spacing - {spacing_bits}'d1;\n  \
-                     waits <= takes_last | (|spacing[{s}:1]);",
-                    s = spacing_bits - 1,
-                ),
             },
             pad = 16 - spacing_bits,
             loaded = match loaded_bits {

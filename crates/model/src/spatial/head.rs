@@ -11,7 +11,7 @@ use super::memory::HeadStatus;
 /// The head with its registers.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Head {
-    sizes: HeadSizes,
+    pub(super) sizes: HeadSizes,
     engines: u32,
     pub(super) loaded: u32,
     pub(super) open: bool,

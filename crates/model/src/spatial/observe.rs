@@ -19,6 +19,7 @@ impl Head {
                 HeadRegister::Loaded => row.push(self.loaded.into()),
                 HeadRegister::Open => row.push(self.open.into()),
                 HeadRegister::Spacing => row.push(self.spacing.into()),
+                HeadRegister::Waits if !self.sizes.has_waits() => {}
                 HeadRegister::Waits => row.push((self.spacing != 0).into()),
                 HeadRegister::HasBatch => row.push(self.has_batch().into()),
                 HeadRegister::Promised => row.push((1 << self.promised) - 1),

@@ -11,7 +11,8 @@
 //! - `has_batch` := `open` or `full`, as they are after this clock: a batch is open or can be
 //!   opened.
 //! - `spacing` := [`HeadSizes::spacing`] - 1 if a last group is taken; else one less, but not below
-//!   0. `waits` := `spacing`, as it is after this clock, is not 0.
+//!   0. `waits` := `spacing`, as it is after this clock, is not 0; without [`HeadSizes::has_waits`] it
+//!   never is, and there is no such register.
 //! - `promised` holds the batches whose last group was taken and whose results were not all, in
 //!   unary: so many of its lowest bits are 1. One more if a last group is taken; one less if the
 //!   last result of a batch is, which is that at a `read_place` of N - 1 modulo N.
@@ -89,6 +90,12 @@ pub struct HeadSizes {
 }
 
 impl HeadSizes {
+    /// Whether a last group may have to wait for the results of the batch before: those of one engine
+    /// never meet.
+    pub fn has_waits(&self) -> bool {
+        self.spacing > 1
+    }
+
     /// The sizes for a machine.
     pub fn of(spatial: &Spatial) -> Self {
         let engines = spatial.engines();
