@@ -1,6 +1,7 @@
 //! The arguments of `synth`.
 
 use std::num::NonZeroUsize;
+use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
 use clap::builder::PossibleValue;
@@ -39,6 +40,9 @@ pub struct SynthArgs {
     /// Place and route with the seeds 1 to N
     #[arg(long, default_value_t = 3, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
     pub seeds: u32,
+    /// Place and route with this seed alone: where one takes an hour, or does not route
+    #[arg(long, conflicts_with = "seeds", value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pub seed: Option<u32>,
     /// Runs at the same time [default: one for each core]
     #[arg(long, value_name = "N")]
     pub jobs: Option<NonZeroUsize>,
@@ -52,7 +56,7 @@ pub struct SynthArgs {
     #[arg(long)]
     pub update: bool,
     /// Measure nothing; fail if the files are not about these machines' Verilog, all of it
-    #[arg(long, conflicts_with_all = ["update", "flows", "device", "grades", "seeds", "jobs", "tools"])]
+    #[arg(long, conflicts_with_all = ["update", "flows", "device", "grades", "seeds", "seed", "jobs", "tools"])]
     pub check: bool,
 }
 
@@ -100,8 +104,14 @@ impl SynthArgs {
         self.flows.is_empty() || self.flows.contains(&Measurement::Place)
     }
 
+    /// The seeds to place with.
+    pub fn all_seeds(&self) -> RangeInclusive<u32> {
+        self.seed.map_or(1..=self.seeds, |seed| seed..=seed)
+    }
+
     /// Whether nothing is left out.
     pub fn is_complete(&self) -> bool {
-        self.machines.is_empty() && self.flows.is_empty() && self.grades.is_empty()
+        let everything = self.machines.is_empty() && self.flows.is_empty();
+        everything && self.grades.is_empty() && self.seed.is_none()
     }
 }

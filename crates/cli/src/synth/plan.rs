@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 use std::fs;
+use std::ops::RangeInclusive;
 use std::path::Path;
 use std::thread::available_parallelism;
 
@@ -31,7 +32,7 @@ pub struct Plan {
     /// The FPGA to place in.
     pub device: &'static Device,
     grades: Vec<u32>,
-    seeds: u32,
+    seeds: RangeInclusive<u32>,
     jobs: usize,
 }
 
@@ -49,7 +50,7 @@ impl Plan {
             places: args.places(),
             device: args.device,
             grades: grades.into_iter().collect(),
-            seeds: args.seeds,
+            seeds: args.all_seeds(),
             jobs: args.jobs.map_or_else(cores, usize::from),
         }
     }
@@ -67,7 +68,7 @@ impl Plan {
     pub fn tries(&self) -> Vec<(u32, u32)> {
         let grades = self.grades.iter().filter(|_| self.places);
         grades
-            .flat_map(|&grade| (1..=self.seeds).map(move |seed| (grade, seed)))
+            .flat_map(|&grade| self.seeds.clone().map(move |seed| (grade, seed)))
             .collect()
     }
 

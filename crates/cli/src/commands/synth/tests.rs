@@ -55,6 +55,8 @@ fn what_is_named_is_measured_alone_and_once() {
     ]);
     assert!(placed.flows.is_empty() && placed.groups().0.is_empty());
     assert_eq!(placed.tries(), [(7, 1), (7, 2), (8, 1), (8, 2)]);
+    let one_seed = plan(&["--flow", "place", "--grade", "8", "--seed", "2"]);
+    assert_eq!(one_seed.tries(), [(8, 2)]);
 }
 
 /// As `--json` prints it, from the committed figures.
