@@ -22,7 +22,7 @@ pub(super) struct Distance {
     pub(super) far: bool,
 }
 
-/// Cuts of the flow of positions.
+/// No flow of positions has more registers, so none is that much faster than another.
 const MOST_WAITS: usize = 8;
 
 /// The registers of one lane.
@@ -36,8 +36,8 @@ pub(super) struct Lane {
 }
 
 impl Lane {
-    /// One clock; gives what is behind the cut `Range` and the wait. `radius_sq` is that which stands at the
-    /// compare in this clock.
+    /// One clock; gives what is behind the cut `Range` and the wait. `radius_sq` is that which stands
+    /// at the compare in this clock.
     pub(super) fn clock(
         &mut self,
         rules: &Rules,
