@@ -27,7 +27,7 @@ measure_area_and_clock() {
     case $1 in
         # The median that the project names is of five.
         stream) seeds=(--seeds 5) ;;
-        # With seed 1 nextpnr does not find its way through this full device.
+        # With seed 1 nextpnr found no route through this full device before it was stopped.
         chip-mixed) flows=(--flow ecp5) chain_seeds=(--seed 2) ;;
         tile-6-mixed) flows=(--flow ecp5 --flow ecp5-nodsp) ;;
         tile-4 | tile-5) ;;

@@ -21,13 +21,14 @@ impl Trace {
         let mut cell = OverlapCell::default();
         for _ in 0..vectors {
             let (own, heard) = (own_ops(rng), heard_ops(rng));
-            let neighbour = OverlapCell {
+            let neighbours = [(); 4].map(|()| OverlapCell {
                 square: corner(rng, widths.square),
                 work: corner(rng, widths.work),
                 distance: corner(rng, widths.work),
                 sum: corner(rng, widths.sum),
                 ..OverlapCell::default()
-            };
+            });
+            let neighbour = |axis: Axis| &neighbours[axis.bit() as usize];
             let ports = CellPorts {
                 query: corner(rng, widths.coordinate) as u32,
                 radius_sq: corner(rng, widths.radius_sq) as u32,
@@ -47,16 +48,17 @@ impl Trace {
                 "photon_in" => ports.photon.into(),
                 "present_in" => ports.present.into(),
                 "power_in" => ports.power,
-                "link_x" | "link_y" => neighbour.sum,
-                "link_z" => word_on_z(&neighbour, &own),
-                "link_w" => word_on_w(&neighbour, &own),
+                "link_x" => neighbour(Axis::X).sum,
+                "link_y" => neighbour(Axis::Y).sum,
+                "link_z" => word_on_z(neighbour(Axis::Z), &own),
+                "link_w" => word_on_w(neighbour(Axis::W), &own),
                 other => panic!("a cell whose units overlap has no pin {other}"),
             };
             let (z, w) = (word_on_z(&cell, &heard), word_on_w(&cell, &heard));
             let mut expected = vec![cell.sum, z, w];
             expected.extend(cell.registers());
             self.push(Activity::Flows, value, &expected);
-            cell.clock(&own, &ports, |_| &neighbour, &widths);
+            cell.clock(&own, &ports, neighbour, &widths);
             if write_query {
                 cell.take_query(&ports);
             }

@@ -93,7 +93,8 @@ impl<R: Row> Writer<R> {
     }
 }
 
-/// The file with the rows of today's machines; those of a machine that is gone are of no use to anyone.
+/// The file with the rows of today's machines; those of a machine that is gone are of no use to
+/// anyone.
 fn kept<R: Row>(folder: &Path, setting: &R::Setting) -> Result<Figured<R>> {
     let old = Figured::<R>::read(folder)?;
     let mut file = old.unwrap_or_else(|| Figured::new(setting.clone()));

@@ -35,6 +35,20 @@ pub enum SpatialError {
         /// What needs it.
         needed_by: &'static str,
     },
+    /// Kinds of engines differ in the flow of powers, whose clocks all engines share.
+    #[error(
+        "machine `{machine}`: engines with other squarers have {} at the cut {cut:?}, expected {}, \
+         as the machine's own have from the powers on",
+        register(*.has), register(!*.has)
+    )]
+    PowerCut {
+        /// The machine.
+        machine: &'static str,
+        /// Where they differ.
+        cut: Cut,
+        /// Whether those with other squarers have a register there.
+        has: bool,
+    },
     /// Plain numbers have no radius bits, which engines cut differences to.
     #[error("machine `{0}` has plain numbers, and an engine needs a photon format")]
     PlainNumbers(&'static str),
@@ -46,6 +60,10 @@ pub enum SpatialError {
         /// What is wrong with its format.
         error: FormatError,
     },
+}
+
+fn register(has: bool) -> &'static str {
+    if has { "a register" } else { "no register" }
 }
 
 impl Spatial {
@@ -132,33 +150,47 @@ impl Spatial {
     }
 
     fn check_cuts(&self, machine: &Machine) -> Result<(), SpatialError> {
-        (0..self.engines()).try_for_each(|engine| {
-            let EngineKind { squarer, cuts } = self.kind(machine.squarer, engine);
-            let of_powers = Cut::ALL.into_iter().filter(|cut| !cut.is_of_positions());
-            let missing = of_powers
-                .map(|cut| (cut, self.cuts.has(cut), "the machine's own engines have"))
-                .chain([
-                    (
-                        Cut::Range,
-                        true,
-                        "the decision needs beside the power hop's register",
-                    ),
-                    (
-                        Cut::Cross,
-                        squarer == Squarer::Table,
-                        "a table needs, as a block RAM has one",
-                    ),
-                ])
-                .find(|&(cut, needed, _)| needed && !cuts.has(cut));
-            match missing {
-                None => Ok(()),
-                Some((cut, _, needed_by)) => Err(SpatialError::Cut {
-                    machine: machine.name,
-                    cut,
-                    needed_by,
-                }),
-            }
+        let mut kinds = (0..self.engines()).map(|engine| self.kind(machine.squarer, engine));
+        kinds.try_for_each(|kind| {
+            self.check_power_cuts(machine, kind)?;
+            Self::check_needed_cuts(machine, kind)
         })
+    }
+
+    fn check_power_cuts(&self, machine: &Machine, kind: EngineKind) -> Result<(), SpatialError> {
+        let mut of_powers = Cut::ALL.into_iter().filter(|cut| !cut.is_of_positions());
+        match of_powers.find(|&cut| kind.cuts.has(cut) != self.cuts.has(cut)) {
+            None => Ok(()),
+            Some(cut) => Err(SpatialError::PowerCut {
+                machine: machine.name,
+                cut,
+                has: kind.cuts.has(cut),
+            }),
+        }
+    }
+
+    fn check_needed_cuts(machine: &Machine, kind: EngineKind) -> Result<(), SpatialError> {
+        let needed = [
+            (
+                Cut::Range,
+                true,
+                "the decision needs beside the power hop's register",
+            ),
+            (
+                Cut::Cross,
+                kind.squarer == Squarer::Table,
+                "a table needs, as a block RAM has one",
+            ),
+        ];
+        let missing = |&(cut, needed, _): &(Cut, bool, _)| needed && !kind.cuts.has(cut);
+        match needed.into_iter().find(missing) {
+            None => Ok(()),
+            Some((cut, _, needed_by)) => Err(SpatialError::Cut {
+                machine: machine.name,
+                cut,
+                needed_by,
+            }),
+        }
     }
 }
 
@@ -223,6 +255,13 @@ mod tests {
         )];
         const NO_SUM: &[(EngineKind, usize)] =
             &[(kind(Squarer::Product, &[Cut::Range, Cut::PairPower]), 1)];
+        const MORE_SUMS: &[(EngineKind, usize)] = &[(
+            kind(
+                Squarer::Product,
+                &[Cut::Gate, Cut::Range, Cut::PairPower, Cut::GroupPower],
+            ),
+            1,
+        )];
         let others = |others| with_spatial(Spatial { others, ..spatial });
         #[rustfmt::skip]
         let wrong = [
@@ -236,7 +275,8 @@ mod tests {
             (others(THREE), "squarers of other kinds is 3, expected 0 to 2"),
             (with_spatial(Spatial { cuts: Cuts::of(&[Cut::Products]), ..spatial }), "the cut Range, which the decision needs beside the power hop's register"),
             (others(NO_LOOKUP), "the cut Cross, which a table needs, as a block RAM has one"),
-            (others(NO_SUM), "the cut GroupPower, which the machine's own engines have"),
+            (others(NO_SUM), "no register at the cut GroupPower, expected a register, as the machine's own have from the powers on"),
+            (others(MORE_SUMS), "a register at the cut Gate, expected no register, as the machine's own have from the powers on"),
             (Machine { numbers: plain, ..machine }, "`tile-5` has plain numbers, and an engine needs a photon format"),
         ];
         for (machine, expected) in wrong {

@@ -16,11 +16,12 @@
 //! - `promised` holds the batches whose last group was taken and whose results were not all, in
 //!   unary: so many of its lowest bits are 1. One more if a last group is taken; one less if the
 //!   last result of a batch is, which is that at a `read_place` of N - 1 modulo N.
-//! - Entry: what came on the pins, a clock later. The coordinates of query and photons, the radius,
-//!   mantissas and exponents are taken over in every clock; `EntryPresent` is the presence of a
-//!   taken group's photons and `EntryAbsent` its inverse, `EntryTokenValid` that a query is taken,
-//!   `EntryFirst` and `EntryLast` that a first and that a last group is. Engine 0 gets these: its incoming token, its photons, and
-//!   `EntryFirst` as its incoming swap (see below).
+//! - Entry: what came on the pins, a clock later. The coordinates of query and photons, the
+//!   radius, mantissas and exponents are taken over in every clock; `EntryPresent` is the
+//!   presence of a taken group's photons and `EntryAbsent` its inverse, `EntryTokenValid`
+//!   that a query is taken, `EntryFirst` and `EntryLast` that a first and that a last group
+//!   is. Engine 0 gets these: its incoming token, its photons, and `EntryFirst` as its
+//!   incoming swap (see below).
 //! - Delay line: stage 0 gets, in every clock, from the entry each lane's decoded powers (mantissa <<
 //!   exponent) and 0 where `EntryAbsent`; `EntryPresent`; and the two flags. Stage i gets stage
 //!   i - 1. The last stage is what engine 0's power hop registers get, so a group's powers are in
