@@ -210,26 +210,21 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
     reg [5:0] entry_mantissa_11_d;
     wire [5:0] entry_mantissa_11_q;
     reg entry_mantissa_11_clock;
-    reg entry_presence_0_clock;
-    reg entry_presence_0_taken;
-    reg entry_presence_0_photon_present;
-    wire entry_presence_0_present;
-    wire entry_presence_0_absent;
-    reg entry_presence_1_clock;
-    reg entry_presence_1_taken;
-    reg entry_presence_1_photon_present;
-    wire entry_presence_1_present;
-    wire entry_presence_1_absent;
-    reg entry_presence_2_clock;
-    reg entry_presence_2_taken;
-    reg entry_presence_2_photon_present;
-    wire entry_presence_2_present;
-    wire entry_presence_2_absent;
-    reg entry_presence_3_clock;
-    reg entry_presence_3_taken;
-    reg entry_presence_3_photon_present;
-    wire entry_presence_3_present;
-    wire entry_presence_3_absent;
+    reg entry_present_0_d;
+    wire entry_present_0_q;
+    reg entry_present_0_clock;
+    reg entry_present_1_d;
+    wire entry_present_1_q;
+    reg entry_present_1_clock;
+    reg entry_present_2_d;
+    wire entry_present_2_q;
+    reg entry_present_2_clock;
+    reg entry_present_3_d;
+    wire entry_present_3_q;
+    reg entry_present_3_clock;
+    reg entry_taken_d;
+    wire entry_taken_q;
+    reg entry_taken_clock;
     reg entry_first_clock;
     reg entry_first_clear;
     reg entry_first_d;
@@ -264,10 +259,7 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
     reg head_present_1;
     reg head_present_2;
     reg head_present_3;
-    reg head_absent_0;
-    reg head_absent_1;
-    reg head_absent_2;
-    reg head_absent_3;
+    reg head_taken_in;
     reg head_first_in;
     reg head_last_in;
     wire head_result_valid;
@@ -5827,33 +5819,30 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
         .q(entry_mantissa_11_q),
         .clock(entry_mantissa_11_clock)
     );
-    photoncube_chip_mixed_entry_presence entry_presence_0(
-        .clock(entry_presence_0_clock),
-        .taken(entry_presence_0_taken),
-        .photon_present(entry_presence_0_photon_present),
-        .present(entry_presence_0_present),
-        .absent(entry_presence_0_absent)
+    photoncube_chip_mixed_register_1 entry_present_0(
+        .d(entry_present_0_d),
+        .q(entry_present_0_q),
+        .clock(entry_present_0_clock)
     );
-    photoncube_chip_mixed_entry_presence entry_presence_1(
-        .clock(entry_presence_1_clock),
-        .taken(entry_presence_1_taken),
-        .photon_present(entry_presence_1_photon_present),
-        .present(entry_presence_1_present),
-        .absent(entry_presence_1_absent)
+    photoncube_chip_mixed_register_1 entry_present_1(
+        .d(entry_present_1_d),
+        .q(entry_present_1_q),
+        .clock(entry_present_1_clock)
     );
-    photoncube_chip_mixed_entry_presence entry_presence_2(
-        .clock(entry_presence_2_clock),
-        .taken(entry_presence_2_taken),
-        .photon_present(entry_presence_2_photon_present),
-        .present(entry_presence_2_present),
-        .absent(entry_presence_2_absent)
+    photoncube_chip_mixed_register_1 entry_present_2(
+        .d(entry_present_2_d),
+        .q(entry_present_2_q),
+        .clock(entry_present_2_clock)
     );
-    photoncube_chip_mixed_entry_presence entry_presence_3(
-        .clock(entry_presence_3_clock),
-        .taken(entry_presence_3_taken),
-        .photon_present(entry_presence_3_photon_present),
-        .present(entry_presence_3_present),
-        .absent(entry_presence_3_absent)
+    photoncube_chip_mixed_register_1 entry_present_3(
+        .d(entry_present_3_d),
+        .q(entry_present_3_q),
+        .clock(entry_present_3_clock)
+    );
+    photoncube_chip_mixed_register_1 entry_taken(
+        .d(entry_taken_d),
+        .q(entry_taken_q),
+        .clock(entry_taken_clock)
     );
     photoncube_chip_mixed_group_first entry_first(
         .clock(entry_first_clock),
@@ -5894,10 +5883,7 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
         .present_1(head_present_1),
         .present_2(head_present_2),
         .present_3(head_present_3),
-        .absent_0(head_absent_0),
-        .absent_1(head_absent_1),
-        .absent_2(head_absent_2),
-        .absent_3(head_absent_3),
+        .taken_in(head_taken_in),
         .first_in(head_first_in),
         .last_in(head_last_in),
         .result_valid(head_result_valid),
@@ -11431,19 +11417,19 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
         memory_0_blue_3 = photon_blue_3;
         head_group_valid = memory_0_word_valid;
         head_group_last = memory_0_word_last;
-        entry_presence_0_photon_present = memory_0_word_present_0;
+        entry_present_0_d = memory_0_word_present_0;
         entry_photon_0_d = memory_0_word_x_0;
         entry_photon_1_d = memory_0_word_y_0;
         entry_photon_2_d = memory_0_word_z_0;
-        entry_presence_1_photon_present = memory_0_word_present_1;
+        entry_present_1_d = memory_0_word_present_1;
         entry_photon_3_d = memory_0_word_x_1;
         entry_photon_4_d = memory_0_word_y_1;
         entry_photon_5_d = memory_0_word_z_1;
-        entry_presence_2_photon_present = memory_0_word_present_2;
+        entry_present_2_d = memory_0_word_present_2;
         entry_photon_6_d = memory_0_word_x_2;
         entry_photon_7_d = memory_0_word_y_2;
         entry_photon_8_d = memory_0_word_z_2;
-        entry_presence_3_photon_present = memory_0_word_present_3;
+        entry_present_3_d = memory_0_word_present_3;
         entry_photon_9_d = memory_0_word_x_3;
         entry_photon_10_d = memory_0_word_y_3;
         entry_photon_11_d = memory_0_word_z_3;
@@ -11471,6 +11457,9 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
         entry_last_clock = clock;
         entry_last_clear = reset;
         entry_last_d = head_last_taken;
+        entry_taken_clock = clock;
+        entry_taken_d = head_taken;
+        head_taken_in = entry_taken_q;
         head_first_in = entry_first_q;
         head_last_in = entry_last_q;
         entry_token_0_clock = clock;
@@ -11512,22 +11501,14 @@ module photoncube_chip_mixed(clock, reset, query_valid, query_ready, query_x, qu
         head_blue_2 = entry_mantissa_10_q;
         entry_mantissa_11_clock = clock;
         head_blue_3 = entry_mantissa_11_q;
-        entry_presence_0_clock = clock;
-        entry_presence_0_taken = head_taken;
-        head_present_0 = entry_presence_0_present;
-        head_absent_0 = entry_presence_0_absent;
-        entry_presence_1_clock = clock;
-        entry_presence_1_taken = head_taken;
-        head_present_1 = entry_presence_1_present;
-        head_absent_1 = entry_presence_1_absent;
-        entry_presence_2_clock = clock;
-        entry_presence_2_taken = head_taken;
-        head_present_2 = entry_presence_2_present;
-        head_absent_2 = entry_presence_2_absent;
-        entry_presence_3_clock = clock;
-        entry_presence_3_taken = head_taken;
-        head_present_3 = entry_presence_3_present;
-        head_absent_3 = entry_presence_3_absent;
+        entry_present_0_clock = clock;
+        head_present_0 = entry_present_0_q;
+        entry_present_1_clock = clock;
+        head_present_1 = entry_present_1_q;
+        entry_present_2_clock = clock;
+        head_present_2 = entry_present_2_q;
+        entry_present_3_clock = clock;
+        head_present_3 = entry_present_3_q;
         engine_0_clock = clock;
         engine_0_reset_in = reset;
         engine_0_token_valid_in = entry_token_valid_q;
@@ -14222,12 +14203,11 @@ endmodule
 module photoncube_chip_mixed_head(clock, reset, query_valid, query_ready, group_valid,
     group_last, group_ready, taken, first_taken, last_taken, red_0, red_1, red_2, red_3, green_0,
     green_1, green_2, green_3, blue_0, blue_1, blue_2, blue_3, present_0, present_1, present_2,
-    present_3, absent_0, absent_1, absent_2, absent_3, first_in, last_in, result_valid,
-    result_red, result_green, result_blue, result_count, result_ready, token_valid, is_full,
-    has_room, clocks_to_last, power_0, power_1, power_2, power_3, power_4, power_5, power_6,
-    power_7, power_8, power_9, power_10, power_11, power_present_0, power_present_1,
-    power_present_2, power_present_3, first, last, result_valid_in, result_in_0, result_in_1,
-    result_in_2, result_count_in);
+    present_3, taken_in, first_in, last_in, result_valid, result_red, result_green, result_blue,
+    result_count, result_ready, token_valid, is_full, has_room, clocks_to_last, power_0, power_1,
+    power_2, power_3, power_4, power_5, power_6, power_7, power_8, power_9, power_10, power_11,
+    power_present_0, power_present_1, power_present_2, power_present_3, first, last,
+    result_valid_in, result_in_0, result_in_1, result_in_2, result_count_in);
     // Module arguments
     input wire clock;
     input wire reset;
@@ -14255,10 +14235,7 @@ module photoncube_chip_mixed_head(clock, reset, query_valid, query_ready, group_
     input wire present_1;
     input wire present_2;
     input wire present_3;
-    input wire absent_0;
-    input wire absent_1;
-    input wire absent_2;
-    input wire absent_3;
+    input wire taken_in;
     input wire first_in;
     input wire last_in;
     output reg result_valid;
@@ -14310,42 +14287,122 @@ module photoncube_chip_mixed_head(clock, reset, query_valid, query_ready, group_
     wire admission_is_full;
     wire admission_has_room;
     wire [15:0] admission_clocks_to_last;
-    reg power_decoder_0_absent;
     reg [5:0] power_decoder_0_mantissa;
     wire [5:0] power_decoder_0_power;
-    reg power_decoder_1_absent;
     reg [5:0] power_decoder_1_mantissa;
     wire [5:0] power_decoder_1_power;
-    reg power_decoder_2_absent;
     reg [5:0] power_decoder_2_mantissa;
     wire [5:0] power_decoder_2_power;
-    reg power_decoder_3_absent;
     reg [5:0] power_decoder_3_mantissa;
     wire [5:0] power_decoder_3_power;
-    reg power_decoder_4_absent;
     reg [5:0] power_decoder_4_mantissa;
     wire [5:0] power_decoder_4_power;
-    reg power_decoder_5_absent;
     reg [5:0] power_decoder_5_mantissa;
     wire [5:0] power_decoder_5_power;
-    reg power_decoder_6_absent;
     reg [5:0] power_decoder_6_mantissa;
     wire [5:0] power_decoder_6_power;
-    reg power_decoder_7_absent;
     reg [5:0] power_decoder_7_mantissa;
     wire [5:0] power_decoder_7_power;
-    reg power_decoder_8_absent;
     reg [5:0] power_decoder_8_mantissa;
     wire [5:0] power_decoder_8_power;
-    reg power_decoder_9_absent;
     reg [5:0] power_decoder_9_mantissa;
     wire [5:0] power_decoder_9_power;
-    reg power_decoder_10_absent;
     reg [5:0] power_decoder_10_mantissa;
     wire [5:0] power_decoder_10_power;
-    reg power_decoder_11_absent;
     reg [5:0] power_decoder_11_mantissa;
     wire [5:0] power_decoder_11_power;
+    reg [5:0] decoded_0_d;
+    wire [5:0] decoded_0_q;
+    reg decoded_0_clock;
+    reg [5:0] decoded_1_d;
+    wire [5:0] decoded_1_q;
+    reg decoded_1_clock;
+    reg [5:0] decoded_2_d;
+    wire [5:0] decoded_2_q;
+    reg decoded_2_clock;
+    reg [5:0] decoded_3_d;
+    wire [5:0] decoded_3_q;
+    reg decoded_3_clock;
+    reg [5:0] decoded_4_d;
+    wire [5:0] decoded_4_q;
+    reg decoded_4_clock;
+    reg [5:0] decoded_5_d;
+    wire [5:0] decoded_5_q;
+    reg decoded_5_clock;
+    reg [5:0] decoded_6_d;
+    wire [5:0] decoded_6_q;
+    reg decoded_6_clock;
+    reg [5:0] decoded_7_d;
+    wire [5:0] decoded_7_q;
+    reg decoded_7_clock;
+    reg [5:0] decoded_8_d;
+    wire [5:0] decoded_8_q;
+    reg decoded_8_clock;
+    reg [5:0] decoded_9_d;
+    wire [5:0] decoded_9_q;
+    reg decoded_9_clock;
+    reg [5:0] decoded_10_d;
+    wire [5:0] decoded_10_q;
+    reg decoded_10_clock;
+    reg [5:0] decoded_11_d;
+    wire [5:0] decoded_11_q;
+    reg decoded_11_clock;
+    reg presence_0_clock;
+    reg presence_0_taken;
+    reg presence_0_photon_present;
+    wire presence_0_present;
+    wire presence_0_absent;
+    reg presence_1_clock;
+    reg presence_1_taken;
+    reg presence_1_photon_present;
+    wire presence_1_present;
+    wire presence_1_absent;
+    reg presence_2_clock;
+    reg presence_2_taken;
+    reg presence_2_photon_present;
+    wire presence_2_present;
+    wire presence_2_absent;
+    reg presence_3_clock;
+    reg presence_3_taken;
+    reg presence_3_photon_present;
+    wire presence_3_present;
+    wire presence_3_absent;
+    reg power_of_present_0_absent;
+    reg [5:0] power_of_present_0_word;
+    wire [5:0] power_of_present_0_power;
+    reg power_of_present_1_absent;
+    reg [5:0] power_of_present_1_word;
+    wire [5:0] power_of_present_1_power;
+    reg power_of_present_2_absent;
+    reg [5:0] power_of_present_2_word;
+    wire [5:0] power_of_present_2_power;
+    reg power_of_present_3_absent;
+    reg [5:0] power_of_present_3_word;
+    wire [5:0] power_of_present_3_power;
+    reg power_of_present_4_absent;
+    reg [5:0] power_of_present_4_word;
+    wire [5:0] power_of_present_4_power;
+    reg power_of_present_5_absent;
+    reg [5:0] power_of_present_5_word;
+    wire [5:0] power_of_present_5_power;
+    reg power_of_present_6_absent;
+    reg [5:0] power_of_present_6_word;
+    wire [5:0] power_of_present_6_power;
+    reg power_of_present_7_absent;
+    reg [5:0] power_of_present_7_word;
+    wire [5:0] power_of_present_7_power;
+    reg power_of_present_8_absent;
+    reg [5:0] power_of_present_8_word;
+    wire [5:0] power_of_present_8_power;
+    reg power_of_present_9_absent;
+    reg [5:0] power_of_present_9_word;
+    wire [5:0] power_of_present_9_power;
+    reg power_of_present_10_absent;
+    reg [5:0] power_of_present_10_word;
+    wire [5:0] power_of_present_10_power;
+    reg power_of_present_11_absent;
+    reg [5:0] power_of_present_11_word;
+    wire [5:0] power_of_present_11_power;
     reg power_delay_0_clock;
     reg [5:0] power_delay_0_word;
     wire [5:0] power_delay_0_delayed;
@@ -14435,64 +14492,200 @@ module photoncube_chip_mixed_head(clock, reset, query_valid, query_ready, group_
         .clocks_to_last(admission_clocks_to_last)
     );
     photoncube_chip_mixed_power_decoder power_decoder_0(
-        .absent(power_decoder_0_absent),
         .mantissa(power_decoder_0_mantissa),
         .power(power_decoder_0_power)
     );
     photoncube_chip_mixed_power_decoder power_decoder_1(
-        .absent(power_decoder_1_absent),
         .mantissa(power_decoder_1_mantissa),
         .power(power_decoder_1_power)
     );
     photoncube_chip_mixed_power_decoder power_decoder_2(
-        .absent(power_decoder_2_absent),
         .mantissa(power_decoder_2_mantissa),
         .power(power_decoder_2_power)
     );
     photoncube_chip_mixed_power_decoder power_decoder_3(
-        .absent(power_decoder_3_absent),
         .mantissa(power_decoder_3_mantissa),
         .power(power_decoder_3_power)
     );
     photoncube_chip_mixed_power_decoder power_decoder_4(
-        .absent(power_decoder_4_absent),
         .mantissa(power_decoder_4_mantissa),
         .power(power_decoder_4_power)
     );
     photoncube_chip_mixed_power_decoder power_decoder_5(
-        .absent(power_decoder_5_absent),
         .mantissa(power_decoder_5_mantissa),
         .power(power_decoder_5_power)
     );
     photoncube_chip_mixed_power_decoder power_decoder_6(
-        .absent(power_decoder_6_absent),
         .mantissa(power_decoder_6_mantissa),
         .power(power_decoder_6_power)
     );
     photoncube_chip_mixed_power_decoder power_decoder_7(
-        .absent(power_decoder_7_absent),
         .mantissa(power_decoder_7_mantissa),
         .power(power_decoder_7_power)
     );
     photoncube_chip_mixed_power_decoder power_decoder_8(
-        .absent(power_decoder_8_absent),
         .mantissa(power_decoder_8_mantissa),
         .power(power_decoder_8_power)
     );
     photoncube_chip_mixed_power_decoder power_decoder_9(
-        .absent(power_decoder_9_absent),
         .mantissa(power_decoder_9_mantissa),
         .power(power_decoder_9_power)
     );
     photoncube_chip_mixed_power_decoder power_decoder_10(
-        .absent(power_decoder_10_absent),
         .mantissa(power_decoder_10_mantissa),
         .power(power_decoder_10_power)
     );
     photoncube_chip_mixed_power_decoder power_decoder_11(
-        .absent(power_decoder_11_absent),
         .mantissa(power_decoder_11_mantissa),
         .power(power_decoder_11_power)
+    );
+    photoncube_chip_mixed_register_6 decoded_0(
+        .d(decoded_0_d),
+        .q(decoded_0_q),
+        .clock(decoded_0_clock)
+    );
+    photoncube_chip_mixed_register_6 decoded_1(
+        .d(decoded_1_d),
+        .q(decoded_1_q),
+        .clock(decoded_1_clock)
+    );
+    photoncube_chip_mixed_register_6 decoded_2(
+        .d(decoded_2_d),
+        .q(decoded_2_q),
+        .clock(decoded_2_clock)
+    );
+    photoncube_chip_mixed_register_6 decoded_3(
+        .d(decoded_3_d),
+        .q(decoded_3_q),
+        .clock(decoded_3_clock)
+    );
+    photoncube_chip_mixed_register_6 decoded_4(
+        .d(decoded_4_d),
+        .q(decoded_4_q),
+        .clock(decoded_4_clock)
+    );
+    photoncube_chip_mixed_register_6 decoded_5(
+        .d(decoded_5_d),
+        .q(decoded_5_q),
+        .clock(decoded_5_clock)
+    );
+    photoncube_chip_mixed_register_6 decoded_6(
+        .d(decoded_6_d),
+        .q(decoded_6_q),
+        .clock(decoded_6_clock)
+    );
+    photoncube_chip_mixed_register_6 decoded_7(
+        .d(decoded_7_d),
+        .q(decoded_7_q),
+        .clock(decoded_7_clock)
+    );
+    photoncube_chip_mixed_register_6 decoded_8(
+        .d(decoded_8_d),
+        .q(decoded_8_q),
+        .clock(decoded_8_clock)
+    );
+    photoncube_chip_mixed_register_6 decoded_9(
+        .d(decoded_9_d),
+        .q(decoded_9_q),
+        .clock(decoded_9_clock)
+    );
+    photoncube_chip_mixed_register_6 decoded_10(
+        .d(decoded_10_d),
+        .q(decoded_10_q),
+        .clock(decoded_10_clock)
+    );
+    photoncube_chip_mixed_register_6 decoded_11(
+        .d(decoded_11_d),
+        .q(decoded_11_q),
+        .clock(decoded_11_clock)
+    );
+    photoncube_chip_mixed_presence presence_0(
+        .clock(presence_0_clock),
+        .taken(presence_0_taken),
+        .photon_present(presence_0_photon_present),
+        .present(presence_0_present),
+        .absent(presence_0_absent)
+    );
+    photoncube_chip_mixed_presence presence_1(
+        .clock(presence_1_clock),
+        .taken(presence_1_taken),
+        .photon_present(presence_1_photon_present),
+        .present(presence_1_present),
+        .absent(presence_1_absent)
+    );
+    photoncube_chip_mixed_presence presence_2(
+        .clock(presence_2_clock),
+        .taken(presence_2_taken),
+        .photon_present(presence_2_photon_present),
+        .present(presence_2_present),
+        .absent(presence_2_absent)
+    );
+    photoncube_chip_mixed_presence presence_3(
+        .clock(presence_3_clock),
+        .taken(presence_3_taken),
+        .photon_present(presence_3_photon_present),
+        .present(presence_3_present),
+        .absent(presence_3_absent)
+    );
+    photoncube_chip_mixed_power_of_present power_of_present_0(
+        .absent(power_of_present_0_absent),
+        .word(power_of_present_0_word),
+        .power(power_of_present_0_power)
+    );
+    photoncube_chip_mixed_power_of_present power_of_present_1(
+        .absent(power_of_present_1_absent),
+        .word(power_of_present_1_word),
+        .power(power_of_present_1_power)
+    );
+    photoncube_chip_mixed_power_of_present power_of_present_2(
+        .absent(power_of_present_2_absent),
+        .word(power_of_present_2_word),
+        .power(power_of_present_2_power)
+    );
+    photoncube_chip_mixed_power_of_present power_of_present_3(
+        .absent(power_of_present_3_absent),
+        .word(power_of_present_3_word),
+        .power(power_of_present_3_power)
+    );
+    photoncube_chip_mixed_power_of_present power_of_present_4(
+        .absent(power_of_present_4_absent),
+        .word(power_of_present_4_word),
+        .power(power_of_present_4_power)
+    );
+    photoncube_chip_mixed_power_of_present power_of_present_5(
+        .absent(power_of_present_5_absent),
+        .word(power_of_present_5_word),
+        .power(power_of_present_5_power)
+    );
+    photoncube_chip_mixed_power_of_present power_of_present_6(
+        .absent(power_of_present_6_absent),
+        .word(power_of_present_6_word),
+        .power(power_of_present_6_power)
+    );
+    photoncube_chip_mixed_power_of_present power_of_present_7(
+        .absent(power_of_present_7_absent),
+        .word(power_of_present_7_word),
+        .power(power_of_present_7_power)
+    );
+    photoncube_chip_mixed_power_of_present power_of_present_8(
+        .absent(power_of_present_8_absent),
+        .word(power_of_present_8_word),
+        .power(power_of_present_8_power)
+    );
+    photoncube_chip_mixed_power_of_present power_of_present_9(
+        .absent(power_of_present_9_absent),
+        .word(power_of_present_9_word),
+        .power(power_of_present_9_power)
+    );
+    photoncube_chip_mixed_power_of_present power_of_present_10(
+        .absent(power_of_present_10_absent),
+        .word(power_of_present_10_word),
+        .power(power_of_present_10_power)
+    );
+    photoncube_chip_mixed_power_of_present power_of_present_11(
+        .absent(power_of_present_11_absent),
+        .word(power_of_present_11_word),
+        .power(power_of_present_11_power)
     );
     photoncube_chip_mixed_power_delay power_delay_0(
         .clock(power_delay_0_clock),
@@ -14632,77 +14825,125 @@ module photoncube_chip_mixed_head(clock, reset, query_valid, query_ready, group_
         result_green = queue_result_green;
         queue_result_in_2 = result_in_2;
         result_blue = queue_result_blue;
+        presence_0_clock = clock;
+        presence_0_photon_present = present_0;
+        presence_0_taken = taken_in;
         present_delay_0_clock = clock;
-        present_delay_0_word = present_0;
+        present_delay_0_word = presence_0_present;
         power_present_0 = present_delay_0_delayed;
-        power_decoder_0_absent = absent_0;
         power_decoder_0_mantissa = red_0;
+        decoded_0_clock = clock;
+        decoded_0_d = power_decoder_0_power;
+        power_of_present_0_absent = presence_0_absent;
+        power_of_present_0_word = decoded_0_q;
         power_delay_0_clock = clock;
-        power_delay_0_word = power_decoder_0_power;
+        power_delay_0_word = power_of_present_0_power;
         power_0 = power_delay_0_delayed;
-        power_decoder_1_absent = absent_0;
         power_decoder_1_mantissa = green_0;
+        decoded_1_clock = clock;
+        decoded_1_d = power_decoder_1_power;
+        power_of_present_1_absent = presence_0_absent;
+        power_of_present_1_word = decoded_1_q;
         power_delay_1_clock = clock;
-        power_delay_1_word = power_decoder_1_power;
+        power_delay_1_word = power_of_present_1_power;
         power_1 = power_delay_1_delayed;
-        power_decoder_2_absent = absent_0;
         power_decoder_2_mantissa = blue_0;
+        decoded_2_clock = clock;
+        decoded_2_d = power_decoder_2_power;
+        power_of_present_2_absent = presence_0_absent;
+        power_of_present_2_word = decoded_2_q;
         power_delay_2_clock = clock;
-        power_delay_2_word = power_decoder_2_power;
+        power_delay_2_word = power_of_present_2_power;
         power_2 = power_delay_2_delayed;
+        presence_1_clock = clock;
+        presence_1_photon_present = present_1;
+        presence_1_taken = taken_in;
         present_delay_1_clock = clock;
-        present_delay_1_word = present_1;
+        present_delay_1_word = presence_1_present;
         power_present_1 = present_delay_1_delayed;
-        power_decoder_3_absent = absent_1;
         power_decoder_3_mantissa = red_1;
+        decoded_3_clock = clock;
+        decoded_3_d = power_decoder_3_power;
+        power_of_present_3_absent = presence_1_absent;
+        power_of_present_3_word = decoded_3_q;
         power_delay_3_clock = clock;
-        power_delay_3_word = power_decoder_3_power;
+        power_delay_3_word = power_of_present_3_power;
         power_3 = power_delay_3_delayed;
-        power_decoder_4_absent = absent_1;
         power_decoder_4_mantissa = green_1;
+        decoded_4_clock = clock;
+        decoded_4_d = power_decoder_4_power;
+        power_of_present_4_absent = presence_1_absent;
+        power_of_present_4_word = decoded_4_q;
         power_delay_4_clock = clock;
-        power_delay_4_word = power_decoder_4_power;
+        power_delay_4_word = power_of_present_4_power;
         power_4 = power_delay_4_delayed;
-        power_decoder_5_absent = absent_1;
         power_decoder_5_mantissa = blue_1;
+        decoded_5_clock = clock;
+        decoded_5_d = power_decoder_5_power;
+        power_of_present_5_absent = presence_1_absent;
+        power_of_present_5_word = decoded_5_q;
         power_delay_5_clock = clock;
-        power_delay_5_word = power_decoder_5_power;
+        power_delay_5_word = power_of_present_5_power;
         power_5 = power_delay_5_delayed;
+        presence_2_clock = clock;
+        presence_2_photon_present = present_2;
+        presence_2_taken = taken_in;
         present_delay_2_clock = clock;
-        present_delay_2_word = present_2;
+        present_delay_2_word = presence_2_present;
         power_present_2 = present_delay_2_delayed;
-        power_decoder_6_absent = absent_2;
         power_decoder_6_mantissa = red_2;
+        decoded_6_clock = clock;
+        decoded_6_d = power_decoder_6_power;
+        power_of_present_6_absent = presence_2_absent;
+        power_of_present_6_word = decoded_6_q;
         power_delay_6_clock = clock;
-        power_delay_6_word = power_decoder_6_power;
+        power_delay_6_word = power_of_present_6_power;
         power_6 = power_delay_6_delayed;
-        power_decoder_7_absent = absent_2;
         power_decoder_7_mantissa = green_2;
+        decoded_7_clock = clock;
+        decoded_7_d = power_decoder_7_power;
+        power_of_present_7_absent = presence_2_absent;
+        power_of_present_7_word = decoded_7_q;
         power_delay_7_clock = clock;
-        power_delay_7_word = power_decoder_7_power;
+        power_delay_7_word = power_of_present_7_power;
         power_7 = power_delay_7_delayed;
-        power_decoder_8_absent = absent_2;
         power_decoder_8_mantissa = blue_2;
+        decoded_8_clock = clock;
+        decoded_8_d = power_decoder_8_power;
+        power_of_present_8_absent = presence_2_absent;
+        power_of_present_8_word = decoded_8_q;
         power_delay_8_clock = clock;
-        power_delay_8_word = power_decoder_8_power;
+        power_delay_8_word = power_of_present_8_power;
         power_8 = power_delay_8_delayed;
+        presence_3_clock = clock;
+        presence_3_photon_present = present_3;
+        presence_3_taken = taken_in;
         present_delay_3_clock = clock;
-        present_delay_3_word = present_3;
+        present_delay_3_word = presence_3_present;
         power_present_3 = present_delay_3_delayed;
-        power_decoder_9_absent = absent_3;
         power_decoder_9_mantissa = red_3;
+        decoded_9_clock = clock;
+        decoded_9_d = power_decoder_9_power;
+        power_of_present_9_absent = presence_3_absent;
+        power_of_present_9_word = decoded_9_q;
         power_delay_9_clock = clock;
-        power_delay_9_word = power_decoder_9_power;
+        power_delay_9_word = power_of_present_9_power;
         power_9 = power_delay_9_delayed;
-        power_decoder_10_absent = absent_3;
         power_decoder_10_mantissa = green_3;
+        decoded_10_clock = clock;
+        decoded_10_d = power_decoder_10_power;
+        power_of_present_10_absent = presence_3_absent;
+        power_of_present_10_word = decoded_10_q;
         power_delay_10_clock = clock;
-        power_delay_10_word = power_decoder_10_power;
+        power_delay_10_word = power_of_present_10_power;
         power_10 = power_delay_10_delayed;
-        power_decoder_11_absent = absent_3;
         power_decoder_11_mantissa = blue_3;
+        decoded_11_clock = clock;
+        decoded_11_d = power_decoder_11_power;
+        power_of_present_11_absent = presence_3_absent;
+        power_of_present_11_word = decoded_11_q;
         power_delay_11_clock = clock;
-        power_delay_11_word = power_decoder_11_power;
+        power_delay_11_word = power_of_present_11_power;
         power_11 = power_delay_11_delayed;
         first_delay_clock = clock;
         first_delay_clear = reset;
@@ -14835,6 +15076,7 @@ module photoncube_chip_mixed_memory(clock, reset, group_valid, group_ready, grou
     always @(*) word_blue_3 = word[183:178];
     reg fill_bank = 1'd0;
     reg [9:0] fill_place = 10'd0;
+    reg fill_ready = 1'd0;
     reg full_0 = 1'd0;
     reg full_1 = 1'd0;
     reg [9:0] end_place_0 = 10'd0;
@@ -14842,28 +15084,33 @@ module photoncube_chip_mixed_memory(clock, reset, group_valid, group_ready, grou
     reg play_bank = 1'd0;
     reg play_full = 1'd0;
     reg [9:0] play_end = 10'd0;
+    reg [9:0] before_end = 10'd0;
     reg [9:0] play_place = 10'd0;
+    reg at_end = 1'd0;
     reg may_start = 1'd0;
     reg playing = 1'd0;
     reg releases = 1'd0;
+    reg release_taken = 1'd0;
     reg release_next = 1'd0;
     reg valid = 1'd0;
     reg last = 1'd0;
-    wire takes_group = group_valid & ~(fill_bank ? full_1 : full_0);
+    wire takes_group = group_valid & fill_ready;
     wire set_ends = group_last | (&fill_place);
     wire [15:0] wide_end = {6'd0, play_end};
     wire in_time = clocks_to_last <= wide_end;
     wire busy = playing | may_start | (valid & last);
     wire reads = playing | may_start;
-    wire at_end = play_place == play_end;
+    wire [9:0] set_end = play_bank ? end_place_1 : end_place_0;
     wire ends_set = reads & at_end & (may_start ? release_next : releases);
-    always @(*) group_ready = ~(fill_bank ? full_1 : full_0);
+    always @(*) group_ready = fill_ready;
     always @(*) word_valid = valid;
     always @(*) word_last = last;
     always @(posedge clock) begin
       may_start <= ~busy & play_full & is_full & has_room & in_time;
       play_full <= play_bank ? full_1 : full_0;
-      play_end <= play_bank ? end_place_1 : end_place_0;
+      play_end <= set_end;
+      before_end <= set_end - 10'd1;
+      at_end <= reads ? ~at_end & (play_place == before_end) : ~|play_end;
       valid <= reads;
       last <= reads & at_end;
       if (reads) begin
@@ -14879,21 +15126,21 @@ module photoncube_chip_mixed_memory(clock, reset, group_valid, group_ready, grou
         releases <= release_next;
         release_next <= 1'd0;
       end
-      if (query_taken & release_in) release_next <= 1'd1;
+      release_taken <= query_taken & release_in;
+      if (release_taken) release_next <= 1'd1;
+      fill_ready <= ~(fill_bank ? full_1 : full_0) & ~(takes_group & set_ends);
+      if (fill_ready & ~fill_bank) end_place_0 <= fill_place;
+      if (fill_ready & fill_bank) end_place_1 <= fill_place;
       if (takes_group) fill_place <= set_ends ? 10'd0 : fill_place + 10'd1;
       if (takes_group & set_ends) begin
         fill_bank <= ~fill_bank;
-        if (fill_bank) begin
-          full_1 <= 1'd1;
-          end_place_1 <= fill_place;
-        end else begin
-          full_0 <= 1'd1;
-          end_place_0 <= fill_place;
-        end
+        if (fill_bank) full_1 <= 1'd1;
+        else full_0 <= 1'd1;
       end
       if (reset) begin
         fill_bank <= 1'd0;
         fill_place <= 10'd0;
+        fill_ready <= 1'd0;
         full_0 <= 1'd0;
         full_1 <= 1'd0;
         end_place_0 <= 10'd0;
@@ -14901,10 +15148,13 @@ module photoncube_chip_mixed_memory(clock, reset, group_valid, group_ready, grou
         play_bank <= 1'd0;
         play_full <= 1'd0;
         play_end <= 10'd0;
+        before_end <= 10'd0;
         play_place <= 10'd0;
+        at_end <= 1'd0;
         may_start <= 1'd0;
         playing <= 1'd0;
         releases <= 1'd0;
+        release_taken <= 1'd0;
         release_next <= 1'd0;
         valid <= 1'd0;
         last <= 1'd0;
@@ -15014,25 +15264,25 @@ module photoncube_chip_mixed_engine_3(clock, reset_in, token_valid_in, token_in_
     reg query_flags_reset_in;
     reg query_flags_token_valid_in;
     reg query_flags_swap_in;
-    wire query_flags_keep;
+    wire query_flags_keeps;
     wire query_flags_reset_out;
     wire query_flags_token_valid_out;
     wire query_flags_swap_out;
     reg query_0_clock;
     reg [8:0] query_0_token_in;
-    reg query_0_keep;
+    reg query_0_keeps;
     reg query_0_swap_in;
     wire [8:0] query_0_token_out;
     wire [8:0] query_0_query_out;
     reg query_1_clock;
     reg [8:0] query_1_token_in;
-    reg query_1_keep;
+    reg query_1_keeps;
     reg query_1_swap_in;
     wire [8:0] query_1_token_out;
     wire [8:0] query_1_query_out;
     reg query_2_clock;
     reg [8:0] query_2_token_in;
-    reg query_2_keep;
+    reg query_2_keeps;
     reg query_2_swap_in;
     wire [8:0] query_2_token_out;
     wire [8:0] query_2_query_out;
@@ -15237,7 +15487,7 @@ module photoncube_chip_mixed_engine_3(clock, reset_in, token_valid_in, token_in_
         .reset_in(query_flags_reset_in),
         .token_valid_in(query_flags_token_valid_in),
         .swap_in(query_flags_swap_in),
-        .keep(query_flags_keep),
+        .keeps(query_flags_keeps),
         .reset_out(query_flags_reset_out),
         .token_valid_out(query_flags_token_valid_out),
         .swap_out(query_flags_swap_out)
@@ -15245,7 +15495,7 @@ module photoncube_chip_mixed_engine_3(clock, reset_in, token_valid_in, token_in_
     photoncube_chip_mixed_query query_0(
         .clock(query_0_clock),
         .token_in(query_0_token_in),
-        .keep(query_0_keep),
+        .keeps(query_0_keeps),
         .swap_in(query_0_swap_in),
         .token_out(query_0_token_out),
         .query_out(query_0_query_out)
@@ -15253,7 +15503,7 @@ module photoncube_chip_mixed_engine_3(clock, reset_in, token_valid_in, token_in_
     photoncube_chip_mixed_query query_1(
         .clock(query_1_clock),
         .token_in(query_1_token_in),
-        .keep(query_1_keep),
+        .keeps(query_1_keeps),
         .swap_in(query_1_swap_in),
         .token_out(query_1_token_out),
         .query_out(query_1_query_out)
@@ -15261,7 +15511,7 @@ module photoncube_chip_mixed_engine_3(clock, reset_in, token_valid_in, token_in_
     photoncube_chip_mixed_query query_2(
         .clock(query_2_clock),
         .token_in(query_2_token_in),
-        .keep(query_2_keep),
+        .keeps(query_2_keeps),
         .swap_in(query_2_swap_in),
         .token_out(query_2_token_out),
         .query_out(query_2_query_out)
@@ -15386,7 +15636,7 @@ module photoncube_chip_mixed_engine_3(clock, reset_in, token_valid_in, token_in_
         .far_a(square_pair_5_far_a),
         .far_b(square_pair_5_far_b)
     );
-    photoncube_chip_mixed_lane_3 lane_0(
+    photoncube_chip_mixed_lane lane_0(
         .clock(lane_0_clock),
         .axis_square_0(lane_0_axis_square_0),
         .axis_square_1(lane_0_axis_square_1),
@@ -15396,7 +15646,7 @@ module photoncube_chip_mixed_engine_3(clock, reset_in, token_valid_in, token_in_
         .axis_far_2(lane_0_axis_far_2),
         .photon_in_range(lane_0_photon_in_range)
     );
-    photoncube_chip_mixed_lane_3 lane_1(
+    photoncube_chip_mixed_lane lane_1(
         .clock(lane_1_clock),
         .axis_square_0(lane_1_axis_square_0),
         .axis_square_1(lane_1_axis_square_1),
@@ -15406,7 +15656,7 @@ module photoncube_chip_mixed_engine_3(clock, reset_in, token_valid_in, token_in_
         .axis_far_2(lane_1_axis_far_2),
         .photon_in_range(lane_1_photon_in_range)
     );
-    photoncube_chip_mixed_lane_3 lane_2(
+    photoncube_chip_mixed_lane lane_2(
         .clock(lane_2_clock),
         .axis_square_0(lane_2_axis_square_0),
         .axis_square_1(lane_2_axis_square_1),
@@ -15416,7 +15666,7 @@ module photoncube_chip_mixed_engine_3(clock, reset_in, token_valid_in, token_in_
         .axis_far_2(lane_2_axis_far_2),
         .photon_in_range(lane_2_photon_in_range)
     );
-    photoncube_chip_mixed_lane_3 lane_3(
+    photoncube_chip_mixed_lane lane_3(
         .clock(lane_3_clock),
         .axis_square_0(lane_3_axis_square_0),
         .axis_square_1(lane_3_axis_square_1),
@@ -15525,17 +15775,17 @@ module photoncube_chip_mixed_engine_3(clock, reset_in, token_valid_in, token_in_
         token_valid_out = query_flags_token_valid_out;
         swap_out = query_flags_swap_out;
         query_0_clock = clock;
-        query_0_keep = query_flags_keep;
+        query_0_keeps = query_flags_keeps;
         query_0_swap_in = swap_in;
         query_0_token_in = token_in_0;
         token_out_0 = query_0_token_out;
         query_1_clock = clock;
-        query_1_keep = query_flags_keep;
+        query_1_keeps = query_flags_keeps;
         query_1_swap_in = swap_in;
         query_1_token_in = token_in_1;
         token_out_1 = query_1_token_out;
         query_2_clock = clock;
-        query_2_keep = query_flags_keep;
+        query_2_keeps = query_flags_keeps;
         query_2_swap_in = swap_in;
         query_2_token_in = token_in_2;
         token_out_2 = query_2_token_out;
@@ -15809,25 +16059,25 @@ module photoncube_chip_mixed_engine_2(clock, reset_in, token_valid_in, token_in_
     reg query_flags_reset_in;
     reg query_flags_token_valid_in;
     reg query_flags_swap_in;
-    wire query_flags_keep;
+    wire query_flags_keeps;
     wire query_flags_reset_out;
     wire query_flags_token_valid_out;
     wire query_flags_swap_out;
     reg query_0_clock;
     reg [8:0] query_0_token_in;
-    reg query_0_keep;
+    reg query_0_keeps;
     reg query_0_swap_in;
     wire [8:0] query_0_token_out;
     wire [8:0] query_0_query_out;
     reg query_1_clock;
     reg [8:0] query_1_token_in;
-    reg query_1_keep;
+    reg query_1_keeps;
     reg query_1_swap_in;
     wire [8:0] query_1_token_out;
     wire [8:0] query_1_query_out;
     reg query_2_clock;
     reg [8:0] query_2_token_in;
-    reg query_2_keep;
+    reg query_2_keeps;
     reg query_2_swap_in;
     wire [8:0] query_2_token_out;
     wire [8:0] query_2_query_out;
@@ -16032,7 +16282,7 @@ module photoncube_chip_mixed_engine_2(clock, reset_in, token_valid_in, token_in_
         .reset_in(query_flags_reset_in),
         .token_valid_in(query_flags_token_valid_in),
         .swap_in(query_flags_swap_in),
-        .keep(query_flags_keep),
+        .keeps(query_flags_keeps),
         .reset_out(query_flags_reset_out),
         .token_valid_out(query_flags_token_valid_out),
         .swap_out(query_flags_swap_out)
@@ -16040,7 +16290,7 @@ module photoncube_chip_mixed_engine_2(clock, reset_in, token_valid_in, token_in_
     photoncube_chip_mixed_query query_0(
         .clock(query_0_clock),
         .token_in(query_0_token_in),
-        .keep(query_0_keep),
+        .keeps(query_0_keeps),
         .swap_in(query_0_swap_in),
         .token_out(query_0_token_out),
         .query_out(query_0_query_out)
@@ -16048,7 +16298,7 @@ module photoncube_chip_mixed_engine_2(clock, reset_in, token_valid_in, token_in_
     photoncube_chip_mixed_query query_1(
         .clock(query_1_clock),
         .token_in(query_1_token_in),
-        .keep(query_1_keep),
+        .keeps(query_1_keeps),
         .swap_in(query_1_swap_in),
         .token_out(query_1_token_out),
         .query_out(query_1_query_out)
@@ -16056,7 +16306,7 @@ module photoncube_chip_mixed_engine_2(clock, reset_in, token_valid_in, token_in_
     photoncube_chip_mixed_query query_2(
         .clock(query_2_clock),
         .token_in(query_2_token_in),
-        .keep(query_2_keep),
+        .keeps(query_2_keeps),
         .swap_in(query_2_swap_in),
         .token_out(query_2_token_out),
         .query_out(query_2_query_out)
@@ -16181,7 +16431,7 @@ module photoncube_chip_mixed_engine_2(clock, reset_in, token_valid_in, token_in_
         .far_a(square_pair_5_far_a),
         .far_b(square_pair_5_far_b)
     );
-    photoncube_chip_mixed_lane_2 lane_0(
+    photoncube_chip_mixed_lane lane_0(
         .clock(lane_0_clock),
         .axis_square_0(lane_0_axis_square_0),
         .axis_square_1(lane_0_axis_square_1),
@@ -16191,7 +16441,7 @@ module photoncube_chip_mixed_engine_2(clock, reset_in, token_valid_in, token_in_
         .axis_far_2(lane_0_axis_far_2),
         .photon_in_range(lane_0_photon_in_range)
     );
-    photoncube_chip_mixed_lane_2 lane_1(
+    photoncube_chip_mixed_lane lane_1(
         .clock(lane_1_clock),
         .axis_square_0(lane_1_axis_square_0),
         .axis_square_1(lane_1_axis_square_1),
@@ -16201,7 +16451,7 @@ module photoncube_chip_mixed_engine_2(clock, reset_in, token_valid_in, token_in_
         .axis_far_2(lane_1_axis_far_2),
         .photon_in_range(lane_1_photon_in_range)
     );
-    photoncube_chip_mixed_lane_2 lane_2(
+    photoncube_chip_mixed_lane lane_2(
         .clock(lane_2_clock),
         .axis_square_0(lane_2_axis_square_0),
         .axis_square_1(lane_2_axis_square_1),
@@ -16211,7 +16461,7 @@ module photoncube_chip_mixed_engine_2(clock, reset_in, token_valid_in, token_in_
         .axis_far_2(lane_2_axis_far_2),
         .photon_in_range(lane_2_photon_in_range)
     );
-    photoncube_chip_mixed_lane_2 lane_3(
+    photoncube_chip_mixed_lane lane_3(
         .clock(lane_3_clock),
         .axis_square_0(lane_3_axis_square_0),
         .axis_square_1(lane_3_axis_square_1),
@@ -16320,17 +16570,17 @@ module photoncube_chip_mixed_engine_2(clock, reset_in, token_valid_in, token_in_
         token_valid_out = query_flags_token_valid_out;
         swap_out = query_flags_swap_out;
         query_0_clock = clock;
-        query_0_keep = query_flags_keep;
+        query_0_keeps = query_flags_keeps;
         query_0_swap_in = swap_in;
         query_0_token_in = token_in_0;
         token_out_0 = query_0_token_out;
         query_1_clock = clock;
-        query_1_keep = query_flags_keep;
+        query_1_keeps = query_flags_keeps;
         query_1_swap_in = swap_in;
         query_1_token_in = token_in_1;
         token_out_1 = query_1_token_out;
         query_2_clock = clock;
-        query_2_keep = query_flags_keep;
+        query_2_keeps = query_flags_keeps;
         query_2_swap_in = swap_in;
         query_2_token_in = token_in_2;
         token_out_2 = query_2_token_out;
@@ -16604,25 +16854,25 @@ module photoncube_chip_mixed_engine(clock, reset_in, token_valid_in, token_in_0,
     reg query_flags_reset_in;
     reg query_flags_token_valid_in;
     reg query_flags_swap_in;
-    wire query_flags_keep;
+    wire query_flags_keeps;
     wire query_flags_reset_out;
     wire query_flags_token_valid_out;
     wire query_flags_swap_out;
     reg query_0_clock;
     reg [8:0] query_0_token_in;
-    reg query_0_keep;
+    reg query_0_keeps;
     reg query_0_swap_in;
     wire [8:0] query_0_token_out;
     wire [8:0] query_0_query_out;
     reg query_1_clock;
     reg [8:0] query_1_token_in;
-    reg query_1_keep;
+    reg query_1_keeps;
     reg query_1_swap_in;
     wire [8:0] query_1_token_out;
     wire [8:0] query_1_query_out;
     reg query_2_clock;
     reg [8:0] query_2_token_in;
-    reg query_2_keep;
+    reg query_2_keeps;
     reg query_2_swap_in;
     wire [8:0] query_2_token_out;
     wire [8:0] query_2_query_out;
@@ -16827,7 +17077,7 @@ module photoncube_chip_mixed_engine(clock, reset_in, token_valid_in, token_in_0,
         .reset_in(query_flags_reset_in),
         .token_valid_in(query_flags_token_valid_in),
         .swap_in(query_flags_swap_in),
-        .keep(query_flags_keep),
+        .keeps(query_flags_keeps),
         .reset_out(query_flags_reset_out),
         .token_valid_out(query_flags_token_valid_out),
         .swap_out(query_flags_swap_out)
@@ -16835,7 +17085,7 @@ module photoncube_chip_mixed_engine(clock, reset_in, token_valid_in, token_in_0,
     photoncube_chip_mixed_query query_0(
         .clock(query_0_clock),
         .token_in(query_0_token_in),
-        .keep(query_0_keep),
+        .keeps(query_0_keeps),
         .swap_in(query_0_swap_in),
         .token_out(query_0_token_out),
         .query_out(query_0_query_out)
@@ -16843,7 +17093,7 @@ module photoncube_chip_mixed_engine(clock, reset_in, token_valid_in, token_in_0,
     photoncube_chip_mixed_query query_1(
         .clock(query_1_clock),
         .token_in(query_1_token_in),
-        .keep(query_1_keep),
+        .keeps(query_1_keeps),
         .swap_in(query_1_swap_in),
         .token_out(query_1_token_out),
         .query_out(query_1_query_out)
@@ -16851,7 +17101,7 @@ module photoncube_chip_mixed_engine(clock, reset_in, token_valid_in, token_in_0,
     photoncube_chip_mixed_query query_2(
         .clock(query_2_clock),
         .token_in(query_2_token_in),
-        .keep(query_2_keep),
+        .keeps(query_2_keeps),
         .swap_in(query_2_swap_in),
         .token_out(query_2_token_out),
         .query_out(query_2_query_out)
@@ -17115,17 +17365,17 @@ module photoncube_chip_mixed_engine(clock, reset_in, token_valid_in, token_in_0,
         token_valid_out = query_flags_token_valid_out;
         swap_out = query_flags_swap_out;
         query_0_clock = clock;
-        query_0_keep = query_flags_keep;
+        query_0_keeps = query_flags_keeps;
         query_0_swap_in = swap_in;
         query_0_token_in = token_in_0;
         token_out_0 = query_0_token_out;
         query_1_clock = clock;
-        query_1_keep = query_flags_keep;
+        query_1_keeps = query_flags_keeps;
         query_1_swap_in = swap_in;
         query_1_token_in = token_in_1;
         token_out_1 = query_1_token_out;
         query_2_clock = clock;
-        query_2_keep = query_flags_keep;
+        query_2_keeps = query_flags_keeps;
         query_2_swap_in = swap_in;
         query_2_token_in = token_in_2;
         token_out_2 = query_2_token_out;
@@ -17325,7 +17575,8 @@ module photoncube_chip_mixed_queue(clock, reset, result_valid_in, result_in_0, r
     initial for (place = 0; place <= 127; place = place + 1) results[place] = 67'd0;
     wire [66:0] word = results[read_place];
     wire takes_result = has_result & result_ready;
-    wire takes_newest = takes_result & (read_place == newest_place);
+    (* keep *) wire is_newest = read_place == newest_place;
+    wire takes_newest = takes_result & is_newest;
     always @(*) result_valid = has_result;
     always @(*) batch_taken = takes_result & (&read_place[5:0]);
     always @(*) result_red = word[17:0];
@@ -17374,6 +17625,7 @@ module photoncube_chip_mixed_admission(clock, reset, query_valid, group_valid, g
     reg has_batch = 1'd0;
     reg [6:0] spacing = 7'd0;
     reg waits = 1'd0;
+    reg gives_back = 1'd0;
     reg [1:0] promised = 2'd0;
     wire full = loaded[6];
     wire fills = query_valid & (&loaded[5:0]);
@@ -17401,7 +17653,8 @@ module photoncube_chip_mixed_admission(clock, reset, query_valid, group_valid, g
       if (takes_last) spacing <= 7'd126;
       else if (waits) spacing <= spacing - 7'd1;
       waits <= takes_last | (|spacing[6:1]);
-      if (takes_last != batch_taken)
+      gives_back <= batch_taken;
+      if (takes_last != gives_back)
         promised <= takes_last ? {promised[0:0], 1'd1} : {1'd0, promised[1:1]};
       if (reset) begin
         loaded <= 7'd0;
@@ -17409,117 +17662,13 @@ module photoncube_chip_mixed_admission(clock, reset, query_valid, group_valid, g
         has_batch <= 1'd0;
         spacing <= 7'd0;
         waits <= 1'd0;
+        gives_back <= 1'd0;
         promised <= 2'd0;
       end
     end
 endmodule
 
-module photoncube_chip_mixed_first_delay(clock, clear, flag, delayed);
-    // Module arguments
-    input wire clock;
-    input wire clear;
-    input wire flag;
-    output reg delayed;
-    // Stub signals
-    reg stage_0_clock;
-    reg stage_0_clear;
-    reg stage_0_d;
-    wire stage_0_q;
-    reg stage_1_clock;
-    reg stage_1_clear;
-    reg stage_1_d;
-    wire stage_1_q;
-    reg stage_2_clock;
-    reg stage_2_clear;
-    reg stage_2_d;
-    wire stage_2_q;
-    reg stage_3_clock;
-    reg stage_3_clear;
-    reg stage_3_d;
-    wire stage_3_q;
-    reg stage_4_clock;
-    reg stage_4_clear;
-    reg stage_4_d;
-    wire stage_4_q;
-    reg stage_5_clock;
-    reg stage_5_clear;
-    reg stage_5_d;
-    wire stage_5_q;
-    reg stage_6_clock;
-    reg stage_6_clear;
-    reg stage_6_d;
-    wire stage_6_q;
-    // Sub module instances
-    photoncube_chip_mixed_group_first stage_0(
-        .clock(stage_0_clock),
-        .clear(stage_0_clear),
-        .d(stage_0_d),
-        .q(stage_0_q)
-    );
-    photoncube_chip_mixed_group_first stage_1(
-        .clock(stage_1_clock),
-        .clear(stage_1_clear),
-        .d(stage_1_d),
-        .q(stage_1_q)
-    );
-    photoncube_chip_mixed_group_first stage_2(
-        .clock(stage_2_clock),
-        .clear(stage_2_clear),
-        .d(stage_2_d),
-        .q(stage_2_q)
-    );
-    photoncube_chip_mixed_group_first stage_3(
-        .clock(stage_3_clock),
-        .clear(stage_3_clear),
-        .d(stage_3_d),
-        .q(stage_3_q)
-    );
-    photoncube_chip_mixed_group_first stage_4(
-        .clock(stage_4_clock),
-        .clear(stage_4_clear),
-        .d(stage_4_d),
-        .q(stage_4_q)
-    );
-    photoncube_chip_mixed_group_first stage_5(
-        .clock(stage_5_clock),
-        .clear(stage_5_clear),
-        .d(stage_5_d),
-        .q(stage_5_q)
-    );
-    photoncube_chip_mixed_group_first stage_6(
-        .clock(stage_6_clock),
-        .clear(stage_6_clear),
-        .d(stage_6_d),
-        .q(stage_6_q)
-    );
-    // Update code
-    always @(*) begin
-        stage_0_d = flag;
-        stage_1_d = stage_0_q;
-        stage_2_d = stage_1_q;
-        stage_3_d = stage_2_q;
-        stage_4_d = stage_3_q;
-        stage_5_d = stage_4_q;
-        stage_6_d = stage_5_q;
-        stage_0_clock = clock;
-        stage_0_clear = clear;
-        stage_1_clock = clock;
-        stage_1_clear = clear;
-        stage_2_clock = clock;
-        stage_2_clear = clear;
-        stage_3_clock = clock;
-        stage_3_clear = clear;
-        stage_4_clock = clock;
-        stage_4_clear = clear;
-        stage_5_clock = clock;
-        stage_5_clear = clear;
-        stage_6_clock = clock;
-        stage_6_clear = clear;
-        delayed = stage_6_q;
-    end
-endmodule
-
-module photoncube_chip_mixed_entry_presence(clock, taken, photon_present, present, absent);
+module photoncube_chip_mixed_presence(clock, taken, photon_present, present, absent);
     // Module arguments
     input wire clock;
     input wire taken;
@@ -17563,7 +17712,99 @@ module photoncube_chip_mixed_entry_presence(clock, taken, photon_present, presen
     end
 endmodule
 
-module photoncube_chip_mixed_lane_3(clock, axis_square_0, axis_square_1, axis_square_2,
+module photoncube_chip_mixed_first_delay(clock, clear, flag, delayed);
+    // Module arguments
+    input wire clock;
+    input wire clear;
+    input wire flag;
+    output reg delayed;
+    // Stub signals
+    reg stage_0_clock;
+    reg stage_0_clear;
+    reg stage_0_d;
+    wire stage_0_q;
+    reg stage_1_clock;
+    reg stage_1_clear;
+    reg stage_1_d;
+    wire stage_1_q;
+    reg stage_2_clock;
+    reg stage_2_clear;
+    reg stage_2_d;
+    wire stage_2_q;
+    reg stage_3_clock;
+    reg stage_3_clear;
+    reg stage_3_d;
+    wire stage_3_q;
+    reg stage_4_clock;
+    reg stage_4_clear;
+    reg stage_4_d;
+    wire stage_4_q;
+    reg stage_5_clock;
+    reg stage_5_clear;
+    reg stage_5_d;
+    wire stage_5_q;
+    // Sub module instances
+    photoncube_chip_mixed_group_first stage_0(
+        .clock(stage_0_clock),
+        .clear(stage_0_clear),
+        .d(stage_0_d),
+        .q(stage_0_q)
+    );
+    photoncube_chip_mixed_group_first stage_1(
+        .clock(stage_1_clock),
+        .clear(stage_1_clear),
+        .d(stage_1_d),
+        .q(stage_1_q)
+    );
+    photoncube_chip_mixed_group_first stage_2(
+        .clock(stage_2_clock),
+        .clear(stage_2_clear),
+        .d(stage_2_d),
+        .q(stage_2_q)
+    );
+    photoncube_chip_mixed_group_first stage_3(
+        .clock(stage_3_clock),
+        .clear(stage_3_clear),
+        .d(stage_3_d),
+        .q(stage_3_q)
+    );
+    photoncube_chip_mixed_group_first stage_4(
+        .clock(stage_4_clock),
+        .clear(stage_4_clear),
+        .d(stage_4_d),
+        .q(stage_4_q)
+    );
+    photoncube_chip_mixed_group_first stage_5(
+        .clock(stage_5_clock),
+        .clear(stage_5_clear),
+        .d(stage_5_d),
+        .q(stage_5_q)
+    );
+    // Update code
+    always @(*) begin
+        stage_0_d = flag;
+        stage_1_d = stage_0_q;
+        stage_2_d = stage_1_q;
+        stage_3_d = stage_2_q;
+        stage_4_d = stage_3_q;
+        stage_5_d = stage_4_q;
+        stage_0_clock = clock;
+        stage_0_clear = clear;
+        stage_1_clock = clock;
+        stage_1_clear = clear;
+        stage_2_clock = clock;
+        stage_2_clear = clear;
+        stage_3_clock = clock;
+        stage_3_clear = clear;
+        stage_4_clock = clock;
+        stage_4_clear = clear;
+        stage_5_clock = clock;
+        stage_5_clear = clear;
+        delayed = stage_5_q;
+    end
+endmodule
+
+module photoncube_chip_mixed_lane(clock, axis_square_0, axis_square_1, axis_square_2,
     axis_far_0, axis_far_1, axis_far_2, photon_in_range);
     // Module arguments
     input wire clock;
@@ -17685,285 +17926,11 @@ module photoncube_chip_mixed_lane_3(clock, axis_square_0, axis_square_1, axis_sq
     end
 endmodule
 
-module photoncube_chip_mixed_lane_2(clock, axis_square_0, axis_square_1, axis_square_2,
-    axis_far_0, axis_far_1, axis_far_2, photon_in_range);
-    // Module arguments
-    input wire clock;
-    input wire [13:0] axis_square_0;
-    input wire [13:0] axis_square_1;
-    input wire [13:0] axis_square_2;
-    input wire axis_far_0;
-    input wire axis_far_1;
-    input wire axis_far_2;
-    output reg photon_in_range;
-    // Stub signals
-    reg any_far_x;
-    reg any_far_y;
-    reg any_far_z;
-    wire any_far_any;
-    reg [13:0] pair_sum_a;
-    reg [13:0] pair_sum_b;
-    wire [14:0] pair_sum_sum;
-    reg [14:0] pair_square_d;
-    wire [14:0] pair_square_q;
-    reg pair_square_clock;
-    reg [13:0] pair_z_d;
-    wire [13:0] pair_z_q;
-    reg pair_z_clock;
-    reg pair_far_d;
-    wire pair_far_q;
-    reg pair_far_clock;
-    reg [14:0] distance_sum_a;
-    reg [13:0] distance_sum_b;
-    wire [15:0] distance_sum_sum;
-    reg [15:0] distance_d;
-    wire [15:0] distance_q;
-    reg distance_clock;
-    reg distance_far_d;
-    wire distance_far_q;
-    reg distance_far_clock;
-    reg [15:0] range_of_format_0_distance;
-    reg range_of_format_0_far;
-    wire range_of_format_0_in_range;
-    reg in_range_d;
-    wire in_range_q;
-    reg in_range_clock;
-    reg range_wait_0_d;
-    wire range_wait_0_q;
-    reg range_wait_0_clock;
-    // Sub module instances
-    photoncube_chip_mixed_any_far any_far(
-        .x(any_far_x),
-        .y(any_far_y),
-        .z(any_far_z),
-        .any(any_far_any)
-    );
-    photoncube_chip_mixed_pair_sum pair_sum(
-        .a(pair_sum_a),
-        .b(pair_sum_b),
-        .sum(pair_sum_sum)
-    );
-    photoncube_chip_mixed_register_15 pair_square(
-        .d(pair_square_d),
-        .q(pair_square_q),
-        .clock(pair_square_clock)
-    );
-    photoncube_chip_mixed_register_14 pair_z(
-        .d(pair_z_d),
-        .q(pair_z_q),
-        .clock(pair_z_clock)
-    );
-    photoncube_chip_mixed_register_1 pair_far(
-        .d(pair_far_d),
-        .q(pair_far_q),
-        .clock(pair_far_clock)
-    );
-    photoncube_chip_mixed_distance_sum distance_sum(
-        .a(distance_sum_a),
-        .b(distance_sum_b),
-        .sum(distance_sum_sum)
-    );
-    photoncube_chip_mixed_register_16 distance(
-        .d(distance_d),
-        .q(distance_q),
-        .clock(distance_clock)
-    );
-    photoncube_chip_mixed_register_1 distance_far(
-        .d(distance_far_d),
-        .q(distance_far_q),
-        .clock(distance_far_clock)
-    );
-    photoncube_chip_mixed_range_of_format range_of_format_0(
-        .distance(range_of_format_0_distance),
-        .far(range_of_format_0_far),
-        .in_range(range_of_format_0_in_range)
-    );
-    photoncube_chip_mixed_register_1 in_range(
-        .d(in_range_d),
-        .q(in_range_q),
-        .clock(in_range_clock)
-    );
-    photoncube_chip_mixed_register_1 range_wait_0(
-        .d(range_wait_0_d),
-        .q(range_wait_0_q),
-        .clock(range_wait_0_clock)
-    );
-    // Update code
-    always @(*) begin
-        pair_square_clock = clock;
-        pair_z_clock = clock;
-        pair_far_clock = clock;
-        distance_clock = clock;
-        distance_far_clock = clock;
-        in_range_clock = clock;
-        any_far_x = axis_far_0;
-        any_far_y = axis_far_1;
-        any_far_z = axis_far_2;
-        pair_sum_a = axis_square_0;
-        pair_sum_b = axis_square_1;
-        pair_square_d = pair_sum_sum;
-        pair_z_d = axis_square_2;
-        pair_far_d = any_far_any;
-        distance_sum_a = pair_square_q;
-        distance_sum_b = pair_z_q;
-        distance_d = distance_sum_sum;
-        distance_far_d = pair_far_q;
-        range_of_format_0_distance = distance_q;
-        range_of_format_0_far = distance_far_q;
-        in_range_d = range_of_format_0_in_range;
-        range_wait_0_clock = clock;
-        range_wait_0_d = in_range_q;
-        photon_in_range = range_wait_0_q;
-    end
-endmodule
-
-module photoncube_chip_mixed_lane(clock, axis_square_0, axis_square_1, axis_square_2,
-    axis_far_0, axis_far_1, axis_far_2, photon_in_range);
-    // Module arguments
-    input wire clock;
-    input wire [13:0] axis_square_0;
-    input wire [13:0] axis_square_1;
-    input wire [13:0] axis_square_2;
-    input wire axis_far_0;
-    input wire axis_far_1;
-    input wire axis_far_2;
-    output reg photon_in_range;
-    // Stub signals
-    reg any_far_x;
-    reg any_far_y;
-    reg any_far_z;
-    wire any_far_any;
-    reg [13:0] pair_sum_a;
-    reg [13:0] pair_sum_b;
-    wire [14:0] pair_sum_sum;
-    reg [14:0] pair_square_d;
-    wire [14:0] pair_square_q;
-    reg pair_square_clock;
-    reg [13:0] pair_z_d;
-    wire [13:0] pair_z_q;
-    reg pair_z_clock;
-    reg pair_far_d;
-    wire pair_far_q;
-    reg pair_far_clock;
-    reg [14:0] distance_sum_a;
-    reg [13:0] distance_sum_b;
-    wire [15:0] distance_sum_sum;
-    reg [15:0] distance_d;
-    wire [15:0] distance_q;
-    reg distance_clock;
-    reg distance_far_d;
-    wire distance_far_q;
-    reg distance_far_clock;
-    reg [15:0] range_of_format_0_distance;
-    reg range_of_format_0_far;
-    wire range_of_format_0_in_range;
-    reg in_range_d;
-    wire in_range_q;
-    reg in_range_clock;
-    reg range_wait_0_d;
-    wire range_wait_0_q;
-    reg range_wait_0_clock;
-    reg range_wait_1_d;
-    wire range_wait_1_q;
-    reg range_wait_1_clock;
-    // Sub module instances
-    photoncube_chip_mixed_any_far any_far(
-        .x(any_far_x),
-        .y(any_far_y),
-        .z(any_far_z),
-        .any(any_far_any)
-    );
-    photoncube_chip_mixed_pair_sum pair_sum(
-        .a(pair_sum_a),
-        .b(pair_sum_b),
-        .sum(pair_sum_sum)
-    );
-    photoncube_chip_mixed_register_15 pair_square(
-        .d(pair_square_d),
-        .q(pair_square_q),
-        .clock(pair_square_clock)
-    );
-    photoncube_chip_mixed_register_14 pair_z(
-        .d(pair_z_d),
-        .q(pair_z_q),
-        .clock(pair_z_clock)
-    );
-    photoncube_chip_mixed_register_1 pair_far(
-        .d(pair_far_d),
-        .q(pair_far_q),
-        .clock(pair_far_clock)
-    );
-    photoncube_chip_mixed_distance_sum distance_sum(
-        .a(distance_sum_a),
-        .b(distance_sum_b),
-        .sum(distance_sum_sum)
-    );
-    photoncube_chip_mixed_register_16 distance(
-        .d(distance_d),
-        .q(distance_q),
-        .clock(distance_clock)
-    );
-    photoncube_chip_mixed_register_1 distance_far(
-        .d(distance_far_d),
-        .q(distance_far_q),
-        .clock(distance_far_clock)
-    );
-    photoncube_chip_mixed_range_of_format range_of_format_0(
-        .distance(range_of_format_0_distance),
-        .far(range_of_format_0_far),
-        .in_range(range_of_format_0_in_range)
-    );
-    photoncube_chip_mixed_register_1 in_range(
-        .d(in_range_d),
-        .q(in_range_q),
-        .clock(in_range_clock)
-    );
-    photoncube_chip_mixed_register_1 range_wait_0(
-        .d(range_wait_0_d),
-        .q(range_wait_0_q),
-        .clock(range_wait_0_clock)
-    );
-    photoncube_chip_mixed_register_1 range_wait_1(
-        .d(range_wait_1_d),
-        .q(range_wait_1_q),
-        .clock(range_wait_1_clock)
-    );
-    // Update code
-    always @(*) begin
-        pair_square_clock = clock;
-        pair_z_clock = clock;
-        pair_far_clock = clock;
-        distance_clock = clock;
-        distance_far_clock = clock;
-        in_range_clock = clock;
-        any_far_x = axis_far_0;
-        any_far_y = axis_far_1;
-        any_far_z = axis_far_2;
-        pair_sum_a = axis_square_0;
-        pair_sum_b = axis_square_1;
-        pair_square_d = pair_sum_sum;
-        pair_z_d = axis_square_2;
-        pair_far_d = any_far_any;
-        distance_sum_a = pair_square_q;
-        distance_sum_b = pair_z_q;
-        distance_d = distance_sum_sum;
-        distance_far_d = pair_far_q;
-        range_of_format_0_distance = distance_q;
-        range_of_format_0_far = distance_far_q;
-        in_range_d = range_of_format_0_in_range;
-        range_wait_0_clock = clock;
-        range_wait_0_d = in_range_q;
-        range_wait_1_clock = clock;
-        range_wait_1_d = range_wait_0_q;
-        photon_in_range = range_wait_1_q;
-    end
-endmodule
-
-module photoncube_chip_mixed_query(clock, token_in, keep, swap_in, token_out, query_out);
+module photoncube_chip_mixed_query(clock, token_in, keeps, swap_in, token_out, query_out);
     // Module arguments
     input wire clock;
     input wire [8:0] token_in;
-    input wire keep;
+    input wire keeps;
     input wire swap_in;
     output reg [8:0] token_out;
     output reg [8:0] query_out;
@@ -17977,6 +17944,8 @@ module photoncube_chip_mixed_query(clock, token_in, keep, swap_in, token_out, qu
     reg [8:0] query_d;
     wire [8:0] query_q;
     reg query_clock;
+    // Local signals
+    reg [8:0] newest;
     // Sub module instances
     photoncube_chip_mixed_register_9 token(
         .d(token_d),
@@ -18002,11 +17971,13 @@ module photoncube_chip_mixed_query(clock, token_in, keep, swap_in, token_out, qu
         waiting_d = waiting_q;
         query_d = query_q;
         token_d = token_in;
-        if (keep) begin
-            waiting_d = token_in;
+        newest = waiting_q;
+        if (keeps) begin
+            newest = token_q;
+            waiting_d = token_q;
         end
         if (swap_in) begin
-            query_d = waiting_q;
+            query_d = newest;
         end
         token_out = token_q;
         query_out = query_q;
@@ -18034,12 +18005,6 @@ module photoncube_chip_mixed_power_delay(clock, word, delayed);
     reg [5:0] stage_4_d;
     wire [5:0] stage_4_q;
     reg stage_4_clock;
-    reg [5:0] stage_5_d;
-    wire [5:0] stage_5_q;
-    reg stage_5_clock;
-    reg [5:0] stage_6_d;
-    wire [5:0] stage_6_q;
-    reg stage_6_clock;
     // Sub module instances
     photoncube_chip_mixed_register_6 stage_0(
         .d(stage_0_d),
@@ -18066,16 +18031,6 @@ module photoncube_chip_mixed_power_delay(clock, word, delayed);
         .q(stage_4_q),
         .clock(stage_4_clock)
     );
-    photoncube_chip_mixed_register_6 stage_5(
-        .d(stage_5_d),
-        .q(stage_5_q),
-        .clock(stage_5_clock)
-    );
-    photoncube_chip_mixed_register_6 stage_6(
-        .d(stage_6_d),
-        .q(stage_6_q),
-        .clock(stage_6_clock)
-    );
     // Update code
     always @(*) begin
         stage_0_d = word;
@@ -18083,16 +18038,12 @@ module photoncube_chip_mixed_power_delay(clock, word, delayed);
         stage_2_d = stage_1_q;
         stage_3_d = stage_2_q;
         stage_4_d = stage_3_q;
-        stage_5_d = stage_4_q;
-        stage_6_d = stage_5_q;
         stage_0_clock = clock;
         stage_1_clock = clock;
         stage_2_clock = clock;
         stage_3_clock = clock;
         stage_4_clock = clock;
-        stage_5_clock = clock;
-        stage_6_clock = clock;
-        delayed = stage_6_q;
+        delayed = stage_4_q;
     end
 endmodule
 
@@ -18308,12 +18259,6 @@ module photoncube_chip_mixed_present_delay(clock, word, delayed);
     reg stage_4_d;
     wire stage_4_q;
     reg stage_4_clock;
-    reg stage_5_d;
-    wire stage_5_q;
-    reg stage_5_clock;
-    reg stage_6_d;
-    wire stage_6_q;
-    reg stage_6_clock;
     // Sub module instances
     photoncube_chip_mixed_register_1 stage_0(
         .d(stage_0_d),
@@ -18340,16 +18285,6 @@ module photoncube_chip_mixed_present_delay(clock, word, delayed);
         .q(stage_4_q),
         .clock(stage_4_clock)
     );
-    photoncube_chip_mixed_register_1 stage_5(
-        .d(stage_5_d),
-        .q(stage_5_q),
-        .clock(stage_5_clock)
-    );
-    photoncube_chip_mixed_register_1 stage_6(
-        .d(stage_6_d),
-        .q(stage_6_q),
-        .clock(stage_6_clock)
-    );
     // Update code
     always @(*) begin
         stage_0_d = word;
@@ -18357,22 +18292,17 @@ module photoncube_chip_mixed_present_delay(clock, word, delayed);
         stage_2_d = stage_1_q;
         stage_3_d = stage_2_q;
         stage_4_d = stage_3_q;
-        stage_5_d = stage_4_q;
-        stage_6_d = stage_5_q;
         stage_0_clock = clock;
         stage_1_clock = clock;
         stage_2_clock = clock;
         stage_3_clock = clock;
         stage_4_clock = clock;
-        stage_5_clock = clock;
-        stage_6_clock = clock;
-        delayed = stage_6_q;
+        delayed = stage_4_q;
     end
 endmodule
 
-module photoncube_chip_mixed_power_decoder(absent, mantissa, power);
+module photoncube_chip_mixed_power_decoder(mantissa, power);
     // Module arguments
-    input wire absent;
     input wire [5:0] mantissa;
     output reg [5:0] power;
     // Local signals
@@ -18381,20 +18311,17 @@ module photoncube_chip_mixed_power_decoder(absent, mantissa, power);
     always @(*) begin
         decoded = ((mantissa) & 6'h3f);
         power = decoded;
-        if (absent) begin
-            power = 32'h0;
-        end
     end
 endmodule
 
-module photoncube_chip_mixed_query_flags(clock, reset_in, token_valid_in, swap_in, keep, reset_out,
+module photoncube_chip_mixed_query_flags(clock, reset_in, token_valid_in, swap_in, keeps, reset_out,
     token_valid_out, swap_out);
     // Module arguments
     input wire clock;
     input wire reset_in;
     input wire token_valid_in;
     input wire swap_in;
-    output reg keep;
+    output reg keeps;
     output reg reset_out;
     output reg token_valid_out;
     output reg swap_out;
@@ -18408,6 +18335,9 @@ module photoncube_chip_mixed_query_flags(clock, reset_in, token_valid_in, swap_i
     reg next_valid_d;
     wire next_valid_q;
     reg next_valid_clock;
+    reg keep_d;
+    wire keep_q;
+    reg keep_clock;
     reg swap_d;
     wire swap_q;
     reg swap_clock;
@@ -18429,6 +18359,11 @@ module photoncube_chip_mixed_query_flags(clock, reset_in, token_valid_in, swap_i
         .q(next_valid_q),
         .clock(next_valid_clock)
     );
+    photoncube_chip_mixed_register_1 keep(
+        .d(keep_d),
+        .q(keep_q),
+        .clock(keep_clock)
+    );
     photoncube_chip_mixed_register_1 swap(
         .d(swap_d),
         .q(swap_q),
@@ -18439,13 +18374,16 @@ module photoncube_chip_mixed_query_flags(clock, reset_in, token_valid_in, swap_i
         reset_clock = clock;
         token_valid_clock = clock;
         next_valid_clock = clock;
+        keep_clock = clock;
         swap_clock = clock;
         reset_d = reset_q;
         token_valid_d = token_valid_q;
         next_valid_d = next_valid_q;
+        keep_d = keep_q;
         swap_d = swap_q;
         is_free = ~next_valid_q | swap_in;
-        keep = token_valid_in & is_free;
+        keep_d = token_valid_in & is_free;
+        keeps = keep_q;
         reset_d = reset_in;
         token_valid_d = token_valid_in & ~is_free;
         next_valid_d = ~is_free | token_valid_in;
@@ -18693,22 +18631,22 @@ module photoncube_chip_mixed_square_pair_3(clock, query, photon_a, photon_b, squ
         .square(product_1_square),
         .far(product_1_far)
     );
-    photoncube_chip_mixed_register_14 square_stage_0(
+    photoncube_chip_mixed_square_stage square_stage_0(
         .d(square_stage_0_d),
         .q(square_stage_0_q),
         .clock(square_stage_0_clock)
     );
-    photoncube_chip_mixed_register_14 square_stage_1(
+    photoncube_chip_mixed_square_stage square_stage_1(
         .d(square_stage_1_d),
         .q(square_stage_1_q),
         .clock(square_stage_1_clock)
     );
-    photoncube_chip_mixed_register_1 far_stage_0(
+    photoncube_chip_mixed_products_far far_stage_0(
         .d(far_stage_0_d),
         .q(far_stage_0_q),
         .clock(far_stage_0_clock)
     );
-    photoncube_chip_mixed_register_1 far_stage_1(
+    photoncube_chip_mixed_products_far far_stage_1(
         .d(far_stage_1_d),
         .q(far_stage_1_q),
         .clock(far_stage_1_clock)
@@ -18815,22 +18753,22 @@ module photoncube_chip_mixed_square_pair_2(clock, query, photon_a, photon_b, squ
         .far_a(lookup_0_far_a),
         .far_b(lookup_0_far_b)
     );
-    photoncube_chip_mixed_register_14 square_stage_0(
+    photoncube_chip_mixed_square_stage square_stage_0(
         .d(square_stage_0_d),
         .q(square_stage_0_q),
         .clock(square_stage_0_clock)
     );
-    photoncube_chip_mixed_register_14 square_stage_1(
+    photoncube_chip_mixed_square_stage square_stage_1(
         .d(square_stage_1_d),
         .q(square_stage_1_q),
         .clock(square_stage_1_clock)
     );
-    photoncube_chip_mixed_register_1 far_stage_0(
+    photoncube_chip_mixed_products_far far_stage_0(
         .d(far_stage_0_d),
         .q(far_stage_0_q),
         .clock(far_stage_0_clock)
     );
-    photoncube_chip_mixed_register_1 far_stage_1(
+    photoncube_chip_mixed_products_far far_stage_1(
         .d(far_stage_1_d),
         .q(far_stage_1_q),
         .clock(far_stage_1_clock)
@@ -18918,12 +18856,12 @@ module photoncube_chip_mixed_square_pair(clock, query, photon_a, photon_b, squar
         .b(subtract_1_b),
         .difference(subtract_1_difference)
     );
-    photoncube_chip_mixed_products_delay difference_0(
+    photoncube_chip_mixed_register_10 difference_0(
         .d(difference_0_d),
         .q(difference_0_q),
         .clock(difference_0_clock)
     );
-    photoncube_chip_mixed_products_delay difference_1(
+    photoncube_chip_mixed_register_10 difference_1(
         .d(difference_1_d),
         .q(difference_1_q),
         .clock(difference_1_clock)
@@ -19180,6 +19118,20 @@ module photoncube_chip_mixed_channel_sum(clock, power_in_0, power_in_1, power_in
     end
 endmodule
 
+module photoncube_chip_mixed_power_of_present(absent, word, power);
+    // Module arguments
+    input wire absent;
+    input wire [5:0] word;
+    output reg [5:0] power;
+    // Update code
+    always @(*) begin
+        power = word;
+        if (absent) begin
+            power = 32'h0;
+        end
+    end
+endmodule
+
 module photoncube_chip_mixed_any_far(x, y, z, any);
     // Module arguments
     input wire x;
@@ -19431,6 +19383,18 @@ module photoncube_chip_mixed_lookup(clock, difference_a, difference_b, square_a,
     reg [14:0] split_1_lookup;
     wire [13:0] split_1_square;
     wire split_1_far;
+    reg [13:0] square_stage_0_d;
+    wire [13:0] square_stage_0_q;
+    reg square_stage_0_clock;
+    reg [13:0] square_stage_1_d;
+    wire [13:0] square_stage_1_q;
+    reg square_stage_1_clock;
+    reg far_stage_0_d;
+    wire far_stage_0_q;
+    reg far_stage_0_clock;
+    reg far_stage_1_d;
+    wire far_stage_1_q;
+    reg far_stage_1_clock;
     // Sub module instances
     photoncube_chip_mixed_register_10 magnitude_delay_0(
         .d(magnitude_delay_0_d),
@@ -19469,14 +19433,38 @@ module photoncube_chip_mixed_lookup(clock, difference_a, difference_b, square_a,
         .square(split_1_square),
         .far(split_1_far)
     );
+    photoncube_chip_mixed_register_14 square_stage_0(
+        .d(square_stage_0_d),
+        .q(square_stage_0_q),
+        .clock(square_stage_0_clock)
+    );
+    photoncube_chip_mixed_register_14 square_stage_1(
+        .d(square_stage_1_d),
+        .q(square_stage_1_q),
+        .clock(square_stage_1_clock)
+    );
+    photoncube_chip_mixed_register_1 far_stage_0(
+        .d(far_stage_0_d),
+        .q(far_stage_0_q),
+        .clock(far_stage_0_clock)
+    );
+    photoncube_chip_mixed_register_1 far_stage_1(
+        .d(far_stage_1_d),
+        .q(far_stage_1_q),
+        .clock(far_stage_1_clock)
+    );
     // Update code
     always @(*) begin
         magnitude_delay_0_clock = clock;
         products_delay_0_clock = clock;
         products_delay_0_d = magnitude_delay_0_q;
+        square_stage_0_clock = clock;
+        far_stage_0_clock = clock;
         magnitude_delay_1_clock = clock;
         products_delay_1_clock = clock;
         products_delay_1_d = magnitude_delay_1_q;
+        square_stage_1_clock = clock;
+        far_stage_1_clock = clock;
         square_table_clock = clock;
         magnitude_delay_0_d = difference_a;
         magnitude_delay_1_d = difference_b;
@@ -19484,10 +19472,14 @@ module photoncube_chip_mixed_lookup(clock, difference_a, difference_b, square_a,
         square_table_difference_b = products_delay_1_q;
         split_0_lookup = square_table_lookup_a;
         split_1_lookup = square_table_lookup_b;
-        square_a = split_0_square;
-        square_b = split_1_square;
-        far_a = split_0_far;
-        far_b = split_1_far;
+        square_stage_0_d = split_0_square;
+        square_stage_1_d = split_1_square;
+        far_stage_0_d = split_0_far;
+        far_stage_1_d = split_1_far;
+        square_a = square_stage_0_q;
+        square_b = square_stage_1_q;
+        far_a = far_stage_0_q;
+        far_b = far_stage_1_q;
     end
 endmodule
 
@@ -19836,20 +19828,6 @@ module photoncube_chip_mixed_gated_sum(a, b, a_in_range, b_in_range, sum);
     end
 endmodule
 
-module photoncube_chip_mixed_register_14(d, q, clock);
-    // Module arguments
-    input wire [13:0] d;
-    output reg [13:0] q;
-    input wire clock;
-    // Update code (custom)
-    initial begin
-       q = 14'h0;
-    end
-    always @(posedge clock) begin
-       q <= d;
-    end
-endmodule
-
 module photoncube_chip_mixed_square_stage(d, q, clock);
     // Module arguments
     input wire [13:0] d;
@@ -19909,20 +19887,6 @@ module photoncube_chip_mixed_cross_sum(low_product, high_product, cross_product)
     always @(*) cross_product = {upper, low_product[1:0]};
 endmodule
 
-module photoncube_chip_mixed_register_1(d, q, clock);
-    // Module arguments
-    input wire d;
-    output reg q;
-    input wire clock;
-    // Update code (custom)
-    initial begin
-       q = 1'h0;
-    end
-    always @(posedge clock) begin
-       q <= d;
-    end
-endmodule
-
 module photoncube_chip_mixed_square_sum(magnitude, cross_product, square);
     // Module arguments
     input wire [6:0] magnitude;
@@ -19966,6 +19930,20 @@ module photoncube_chip_mixed_square_sum(magnitude, cross_product, square);
     wire [13:0] squares = {high_square(magnitude[6:3]), low_square(magnitude[2:0])};
     wire [9:0] upper = squares[13:4] + {3'd0, cross_product};
     always @(*) square = {upper, squares[3:0]};
+endmodule
+
+module photoncube_chip_mixed_register_1(d, q, clock);
+    // Module arguments
+    input wire d;
+    output reg q;
+    input wire clock;
+    // Update code (custom)
+    initial begin
+       q = 1'h0;
+    end
+    always @(posedge clock) begin
+       q <= d;
+    end
 endmodule
 
 module photoncube_chip_mixed_low_product(d, q, clock);
@@ -21060,6 +21038,20 @@ module photoncube_chip_mixed_split_product(product, square, far);
     // Update code (custom)
     always @(*) square = product[13:0];
     always @(*) far = |product[17:14];
+endmodule
+
+module photoncube_chip_mixed_register_14(d, q, clock);
+    // Module arguments
+    input wire [13:0] d;
+    output reg [13:0] q;
+    input wire clock;
+    // Update code (custom)
+    initial begin
+       q = 14'h0;
+    end
+    always @(posedge clock) begin
+       q <= d;
+    end
 endmodule
 
 module photoncube_chip_mixed_digit_products(magnitude, low_product, high_product);

@@ -141,26 +141,21 @@ module photoncube_tile_4(clock, reset, query_valid, query_ready, query_x, query_
     reg [5:0] entry_mantissa_11_d;
     wire [5:0] entry_mantissa_11_q;
     reg entry_mantissa_11_clock;
-    reg entry_presence_0_clock;
-    reg entry_presence_0_taken;
-    reg entry_presence_0_photon_present;
-    wire entry_presence_0_present;
-    wire entry_presence_0_absent;
-    reg entry_presence_1_clock;
-    reg entry_presence_1_taken;
-    reg entry_presence_1_photon_present;
-    wire entry_presence_1_present;
-    wire entry_presence_1_absent;
-    reg entry_presence_2_clock;
-    reg entry_presence_2_taken;
-    reg entry_presence_2_photon_present;
-    wire entry_presence_2_present;
-    wire entry_presence_2_absent;
-    reg entry_presence_3_clock;
-    reg entry_presence_3_taken;
-    reg entry_presence_3_photon_present;
-    wire entry_presence_3_present;
-    wire entry_presence_3_absent;
+    reg entry_present_0_d;
+    wire entry_present_0_q;
+    reg entry_present_0_clock;
+    reg entry_present_1_d;
+    wire entry_present_1_q;
+    reg entry_present_1_clock;
+    reg entry_present_2_d;
+    wire entry_present_2_q;
+    reg entry_present_2_clock;
+    reg entry_present_3_d;
+    wire entry_present_3_q;
+    reg entry_present_3_clock;
+    reg entry_taken_d;
+    wire entry_taken_q;
+    reg entry_taken_clock;
     reg entry_first_clock;
     reg entry_first_clear;
     reg entry_first_d;
@@ -195,10 +190,7 @@ module photoncube_tile_4(clock, reset, query_valid, query_ready, query_x, query_
     reg head_present_1;
     reg head_present_2;
     reg head_present_3;
-    reg head_absent_0;
-    reg head_absent_1;
-    reg head_absent_2;
-    reg head_absent_3;
+    reg head_taken_in;
     reg head_first_in;
     reg head_last_in;
     wire head_result_valid;
@@ -459,33 +451,30 @@ module photoncube_tile_4(clock, reset, query_valid, query_ready, query_x, query_
         .q(entry_mantissa_11_q),
         .clock(entry_mantissa_11_clock)
     );
-    photoncube_tile_4_entry_presence entry_presence_0(
-        .clock(entry_presence_0_clock),
-        .taken(entry_presence_0_taken),
-        .photon_present(entry_presence_0_photon_present),
-        .present(entry_presence_0_present),
-        .absent(entry_presence_0_absent)
+    photoncube_tile_4_register_1 entry_present_0(
+        .d(entry_present_0_d),
+        .q(entry_present_0_q),
+        .clock(entry_present_0_clock)
     );
-    photoncube_tile_4_entry_presence entry_presence_1(
-        .clock(entry_presence_1_clock),
-        .taken(entry_presence_1_taken),
-        .photon_present(entry_presence_1_photon_present),
-        .present(entry_presence_1_present),
-        .absent(entry_presence_1_absent)
+    photoncube_tile_4_register_1 entry_present_1(
+        .d(entry_present_1_d),
+        .q(entry_present_1_q),
+        .clock(entry_present_1_clock)
     );
-    photoncube_tile_4_entry_presence entry_presence_2(
-        .clock(entry_presence_2_clock),
-        .taken(entry_presence_2_taken),
-        .photon_present(entry_presence_2_photon_present),
-        .present(entry_presence_2_present),
-        .absent(entry_presence_2_absent)
+    photoncube_tile_4_register_1 entry_present_2(
+        .d(entry_present_2_d),
+        .q(entry_present_2_q),
+        .clock(entry_present_2_clock)
     );
-    photoncube_tile_4_entry_presence entry_presence_3(
-        .clock(entry_presence_3_clock),
-        .taken(entry_presence_3_taken),
-        .photon_present(entry_presence_3_photon_present),
-        .present(entry_presence_3_present),
-        .absent(entry_presence_3_absent)
+    photoncube_tile_4_register_1 entry_present_3(
+        .d(entry_present_3_d),
+        .q(entry_present_3_q),
+        .clock(entry_present_3_clock)
+    );
+    photoncube_tile_4_register_1 entry_taken(
+        .d(entry_taken_d),
+        .q(entry_taken_q),
+        .clock(entry_taken_clock)
     );
     photoncube_tile_4_group_first entry_first(
         .clock(entry_first_clock),
@@ -526,10 +515,7 @@ module photoncube_tile_4(clock, reset, query_valid, query_ready, query_x, query_
         .present_1(head_present_1),
         .present_2(head_present_2),
         .present_3(head_present_3),
-        .absent_0(head_absent_0),
-        .absent_1(head_absent_1),
-        .absent_2(head_absent_2),
-        .absent_3(head_absent_3),
+        .taken_in(head_taken_in),
         .first_in(head_first_in),
         .last_in(head_last_in),
         .result_valid(head_result_valid),
@@ -671,19 +657,19 @@ module photoncube_tile_4(clock, reset, query_valid, query_ready, query_x, query_
         head_group_valid = group_valid;
         head_group_last = group_last;
         group_ready = head_group_ready;
-        entry_presence_0_photon_present = photon_present_0;
+        entry_present_0_d = photon_present_0;
         entry_photon_0_d = photon_x_0;
         entry_photon_1_d = photon_y_0;
         entry_photon_2_d = photon_z_0;
-        entry_presence_1_photon_present = photon_present_1;
+        entry_present_1_d = photon_present_1;
         entry_photon_3_d = photon_x_1;
         entry_photon_4_d = photon_y_1;
         entry_photon_5_d = photon_z_1;
-        entry_presence_2_photon_present = photon_present_2;
+        entry_present_2_d = photon_present_2;
         entry_photon_6_d = photon_x_2;
         entry_photon_7_d = photon_y_2;
         entry_photon_8_d = photon_z_2;
-        entry_presence_3_photon_present = photon_present_3;
+        entry_present_3_d = photon_present_3;
         entry_photon_9_d = photon_x_3;
         entry_photon_10_d = photon_y_3;
         entry_photon_11_d = photon_z_3;
@@ -711,6 +697,9 @@ module photoncube_tile_4(clock, reset, query_valid, query_ready, query_x, query_
         entry_last_clock = clock;
         entry_last_clear = reset;
         entry_last_d = head_last_taken;
+        entry_taken_clock = clock;
+        entry_taken_d = head_taken;
+        head_taken_in = entry_taken_q;
         head_first_in = entry_first_q;
         head_last_in = entry_last_q;
         entry_token_0_clock = clock;
@@ -752,22 +741,14 @@ module photoncube_tile_4(clock, reset, query_valid, query_ready, query_x, query_
         head_blue_2 = entry_mantissa_10_q;
         entry_mantissa_11_clock = clock;
         head_blue_3 = entry_mantissa_11_q;
-        entry_presence_0_clock = clock;
-        entry_presence_0_taken = head_taken;
-        head_present_0 = entry_presence_0_present;
-        head_absent_0 = entry_presence_0_absent;
-        entry_presence_1_clock = clock;
-        entry_presence_1_taken = head_taken;
-        head_present_1 = entry_presence_1_present;
-        head_absent_1 = entry_presence_1_absent;
-        entry_presence_2_clock = clock;
-        entry_presence_2_taken = head_taken;
-        head_present_2 = entry_presence_2_present;
-        head_absent_2 = entry_presence_2_absent;
-        entry_presence_3_clock = clock;
-        entry_presence_3_taken = head_taken;
-        head_present_3 = entry_presence_3_present;
-        head_absent_3 = entry_presence_3_absent;
+        entry_present_0_clock = clock;
+        head_present_0 = entry_present_0_q;
+        entry_present_1_clock = clock;
+        head_present_1 = entry_present_1_q;
+        entry_present_2_clock = clock;
+        head_present_2 = entry_present_2_q;
+        entry_present_3_clock = clock;
+        head_present_3 = entry_present_3_q;
         engine_0_clock = clock;
         engine_0_reset_in = reset;
         engine_0_token_valid_in = entry_token_valid_q;
@@ -816,12 +797,11 @@ endmodule
 module photoncube_tile_4_head(clock, reset, query_valid, query_ready, group_valid,
     group_last, group_ready, taken, first_taken, last_taken, red_0, red_1, red_2, red_3, green_0,
     green_1, green_2, green_3, blue_0, blue_1, blue_2, blue_3, present_0, present_1, present_2,
-    present_3, absent_0, absent_1, absent_2, absent_3, first_in, last_in, result_valid,
-    result_red, result_green, result_blue, result_count, result_ready, token_valid, is_full,
-    has_room, clocks_to_last, power_0, power_1, power_2, power_3, power_4, power_5, power_6,
-    power_7, power_8, power_9, power_10, power_11, power_present_0, power_present_1,
-    power_present_2, power_present_3, first, last, result_valid_in, result_in_0, result_in_1,
-    result_in_2, result_count_in);
+    present_3, taken_in, first_in, last_in, result_valid, result_red, result_green, result_blue,
+    result_count, result_ready, token_valid, is_full, has_room, clocks_to_last, power_0, power_1,
+    power_2, power_3, power_4, power_5, power_6, power_7, power_8, power_9, power_10, power_11,
+    power_present_0, power_present_1, power_present_2, power_present_3, first, last,
+    result_valid_in, result_in_0, result_in_1, result_in_2, result_count_in);
     // Module arguments
     input wire clock;
     input wire reset;
@@ -849,10 +829,7 @@ module photoncube_tile_4_head(clock, reset, query_valid, query_ready, group_vali
     input wire present_1;
     input wire present_2;
     input wire present_3;
-    input wire absent_0;
-    input wire absent_1;
-    input wire absent_2;
-    input wire absent_3;
+    input wire taken_in;
     input wire first_in;
     input wire last_in;
     output reg result_valid;
@@ -904,42 +881,122 @@ module photoncube_tile_4_head(clock, reset, query_valid, query_ready, group_vali
     wire admission_is_full;
     wire admission_has_room;
     wire [15:0] admission_clocks_to_last;
-    reg power_decoder_0_absent;
     reg [5:0] power_decoder_0_mantissa;
     wire [5:0] power_decoder_0_power;
-    reg power_decoder_1_absent;
     reg [5:0] power_decoder_1_mantissa;
     wire [5:0] power_decoder_1_power;
-    reg power_decoder_2_absent;
     reg [5:0] power_decoder_2_mantissa;
     wire [5:0] power_decoder_2_power;
-    reg power_decoder_3_absent;
     reg [5:0] power_decoder_3_mantissa;
     wire [5:0] power_decoder_3_power;
-    reg power_decoder_4_absent;
     reg [5:0] power_decoder_4_mantissa;
     wire [5:0] power_decoder_4_power;
-    reg power_decoder_5_absent;
     reg [5:0] power_decoder_5_mantissa;
     wire [5:0] power_decoder_5_power;
-    reg power_decoder_6_absent;
     reg [5:0] power_decoder_6_mantissa;
     wire [5:0] power_decoder_6_power;
-    reg power_decoder_7_absent;
     reg [5:0] power_decoder_7_mantissa;
     wire [5:0] power_decoder_7_power;
-    reg power_decoder_8_absent;
     reg [5:0] power_decoder_8_mantissa;
     wire [5:0] power_decoder_8_power;
-    reg power_decoder_9_absent;
     reg [5:0] power_decoder_9_mantissa;
     wire [5:0] power_decoder_9_power;
-    reg power_decoder_10_absent;
     reg [5:0] power_decoder_10_mantissa;
     wire [5:0] power_decoder_10_power;
-    reg power_decoder_11_absent;
     reg [5:0] power_decoder_11_mantissa;
     wire [5:0] power_decoder_11_power;
+    reg [5:0] decoded_0_d;
+    wire [5:0] decoded_0_q;
+    reg decoded_0_clock;
+    reg [5:0] decoded_1_d;
+    wire [5:0] decoded_1_q;
+    reg decoded_1_clock;
+    reg [5:0] decoded_2_d;
+    wire [5:0] decoded_2_q;
+    reg decoded_2_clock;
+    reg [5:0] decoded_3_d;
+    wire [5:0] decoded_3_q;
+    reg decoded_3_clock;
+    reg [5:0] decoded_4_d;
+    wire [5:0] decoded_4_q;
+    reg decoded_4_clock;
+    reg [5:0] decoded_5_d;
+    wire [5:0] decoded_5_q;
+    reg decoded_5_clock;
+    reg [5:0] decoded_6_d;
+    wire [5:0] decoded_6_q;
+    reg decoded_6_clock;
+    reg [5:0] decoded_7_d;
+    wire [5:0] decoded_7_q;
+    reg decoded_7_clock;
+    reg [5:0] decoded_8_d;
+    wire [5:0] decoded_8_q;
+    reg decoded_8_clock;
+    reg [5:0] decoded_9_d;
+    wire [5:0] decoded_9_q;
+    reg decoded_9_clock;
+    reg [5:0] decoded_10_d;
+    wire [5:0] decoded_10_q;
+    reg decoded_10_clock;
+    reg [5:0] decoded_11_d;
+    wire [5:0] decoded_11_q;
+    reg decoded_11_clock;
+    reg presence_0_clock;
+    reg presence_0_taken;
+    reg presence_0_photon_present;
+    wire presence_0_present;
+    wire presence_0_absent;
+    reg presence_1_clock;
+    reg presence_1_taken;
+    reg presence_1_photon_present;
+    wire presence_1_present;
+    wire presence_1_absent;
+    reg presence_2_clock;
+    reg presence_2_taken;
+    reg presence_2_photon_present;
+    wire presence_2_present;
+    wire presence_2_absent;
+    reg presence_3_clock;
+    reg presence_3_taken;
+    reg presence_3_photon_present;
+    wire presence_3_present;
+    wire presence_3_absent;
+    reg power_of_present_0_absent;
+    reg [5:0] power_of_present_0_word;
+    wire [5:0] power_of_present_0_power;
+    reg power_of_present_1_absent;
+    reg [5:0] power_of_present_1_word;
+    wire [5:0] power_of_present_1_power;
+    reg power_of_present_2_absent;
+    reg [5:0] power_of_present_2_word;
+    wire [5:0] power_of_present_2_power;
+    reg power_of_present_3_absent;
+    reg [5:0] power_of_present_3_word;
+    wire [5:0] power_of_present_3_power;
+    reg power_of_present_4_absent;
+    reg [5:0] power_of_present_4_word;
+    wire [5:0] power_of_present_4_power;
+    reg power_of_present_5_absent;
+    reg [5:0] power_of_present_5_word;
+    wire [5:0] power_of_present_5_power;
+    reg power_of_present_6_absent;
+    reg [5:0] power_of_present_6_word;
+    wire [5:0] power_of_present_6_power;
+    reg power_of_present_7_absent;
+    reg [5:0] power_of_present_7_word;
+    wire [5:0] power_of_present_7_power;
+    reg power_of_present_8_absent;
+    reg [5:0] power_of_present_8_word;
+    wire [5:0] power_of_present_8_power;
+    reg power_of_present_9_absent;
+    reg [5:0] power_of_present_9_word;
+    wire [5:0] power_of_present_9_power;
+    reg power_of_present_10_absent;
+    reg [5:0] power_of_present_10_word;
+    wire [5:0] power_of_present_10_power;
+    reg power_of_present_11_absent;
+    reg [5:0] power_of_present_11_word;
+    wire [5:0] power_of_present_11_power;
     reg power_delay_0_clock;
     reg [5:0] power_delay_0_word;
     wire [5:0] power_delay_0_delayed;
@@ -1029,64 +1086,200 @@ module photoncube_tile_4_head(clock, reset, query_valid, query_ready, group_vali
         .clocks_to_last(admission_clocks_to_last)
     );
     photoncube_tile_4_power_decoder power_decoder_0(
-        .absent(power_decoder_0_absent),
         .mantissa(power_decoder_0_mantissa),
         .power(power_decoder_0_power)
     );
     photoncube_tile_4_power_decoder power_decoder_1(
-        .absent(power_decoder_1_absent),
         .mantissa(power_decoder_1_mantissa),
         .power(power_decoder_1_power)
     );
     photoncube_tile_4_power_decoder power_decoder_2(
-        .absent(power_decoder_2_absent),
         .mantissa(power_decoder_2_mantissa),
         .power(power_decoder_2_power)
     );
     photoncube_tile_4_power_decoder power_decoder_3(
-        .absent(power_decoder_3_absent),
         .mantissa(power_decoder_3_mantissa),
         .power(power_decoder_3_power)
     );
     photoncube_tile_4_power_decoder power_decoder_4(
-        .absent(power_decoder_4_absent),
         .mantissa(power_decoder_4_mantissa),
         .power(power_decoder_4_power)
     );
     photoncube_tile_4_power_decoder power_decoder_5(
-        .absent(power_decoder_5_absent),
         .mantissa(power_decoder_5_mantissa),
         .power(power_decoder_5_power)
     );
     photoncube_tile_4_power_decoder power_decoder_6(
-        .absent(power_decoder_6_absent),
         .mantissa(power_decoder_6_mantissa),
         .power(power_decoder_6_power)
     );
     photoncube_tile_4_power_decoder power_decoder_7(
-        .absent(power_decoder_7_absent),
         .mantissa(power_decoder_7_mantissa),
         .power(power_decoder_7_power)
     );
     photoncube_tile_4_power_decoder power_decoder_8(
-        .absent(power_decoder_8_absent),
         .mantissa(power_decoder_8_mantissa),
         .power(power_decoder_8_power)
     );
     photoncube_tile_4_power_decoder power_decoder_9(
-        .absent(power_decoder_9_absent),
         .mantissa(power_decoder_9_mantissa),
         .power(power_decoder_9_power)
     );
     photoncube_tile_4_power_decoder power_decoder_10(
-        .absent(power_decoder_10_absent),
         .mantissa(power_decoder_10_mantissa),
         .power(power_decoder_10_power)
     );
     photoncube_tile_4_power_decoder power_decoder_11(
-        .absent(power_decoder_11_absent),
         .mantissa(power_decoder_11_mantissa),
         .power(power_decoder_11_power)
+    );
+    photoncube_tile_4_register_6 decoded_0(
+        .d(decoded_0_d),
+        .q(decoded_0_q),
+        .clock(decoded_0_clock)
+    );
+    photoncube_tile_4_register_6 decoded_1(
+        .d(decoded_1_d),
+        .q(decoded_1_q),
+        .clock(decoded_1_clock)
+    );
+    photoncube_tile_4_register_6 decoded_2(
+        .d(decoded_2_d),
+        .q(decoded_2_q),
+        .clock(decoded_2_clock)
+    );
+    photoncube_tile_4_register_6 decoded_3(
+        .d(decoded_3_d),
+        .q(decoded_3_q),
+        .clock(decoded_3_clock)
+    );
+    photoncube_tile_4_register_6 decoded_4(
+        .d(decoded_4_d),
+        .q(decoded_4_q),
+        .clock(decoded_4_clock)
+    );
+    photoncube_tile_4_register_6 decoded_5(
+        .d(decoded_5_d),
+        .q(decoded_5_q),
+        .clock(decoded_5_clock)
+    );
+    photoncube_tile_4_register_6 decoded_6(
+        .d(decoded_6_d),
+        .q(decoded_6_q),
+        .clock(decoded_6_clock)
+    );
+    photoncube_tile_4_register_6 decoded_7(
+        .d(decoded_7_d),
+        .q(decoded_7_q),
+        .clock(decoded_7_clock)
+    );
+    photoncube_tile_4_register_6 decoded_8(
+        .d(decoded_8_d),
+        .q(decoded_8_q),
+        .clock(decoded_8_clock)
+    );
+    photoncube_tile_4_register_6 decoded_9(
+        .d(decoded_9_d),
+        .q(decoded_9_q),
+        .clock(decoded_9_clock)
+    );
+    photoncube_tile_4_register_6 decoded_10(
+        .d(decoded_10_d),
+        .q(decoded_10_q),
+        .clock(decoded_10_clock)
+    );
+    photoncube_tile_4_register_6 decoded_11(
+        .d(decoded_11_d),
+        .q(decoded_11_q),
+        .clock(decoded_11_clock)
+    );
+    photoncube_tile_4_presence presence_0(
+        .clock(presence_0_clock),
+        .taken(presence_0_taken),
+        .photon_present(presence_0_photon_present),
+        .present(presence_0_present),
+        .absent(presence_0_absent)
+    );
+    photoncube_tile_4_presence presence_1(
+        .clock(presence_1_clock),
+        .taken(presence_1_taken),
+        .photon_present(presence_1_photon_present),
+        .present(presence_1_present),
+        .absent(presence_1_absent)
+    );
+    photoncube_tile_4_presence presence_2(
+        .clock(presence_2_clock),
+        .taken(presence_2_taken),
+        .photon_present(presence_2_photon_present),
+        .present(presence_2_present),
+        .absent(presence_2_absent)
+    );
+    photoncube_tile_4_presence presence_3(
+        .clock(presence_3_clock),
+        .taken(presence_3_taken),
+        .photon_present(presence_3_photon_present),
+        .present(presence_3_present),
+        .absent(presence_3_absent)
+    );
+    photoncube_tile_4_power_of_present power_of_present_0(
+        .absent(power_of_present_0_absent),
+        .word(power_of_present_0_word),
+        .power(power_of_present_0_power)
+    );
+    photoncube_tile_4_power_of_present power_of_present_1(
+        .absent(power_of_present_1_absent),
+        .word(power_of_present_1_word),
+        .power(power_of_present_1_power)
+    );
+    photoncube_tile_4_power_of_present power_of_present_2(
+        .absent(power_of_present_2_absent),
+        .word(power_of_present_2_word),
+        .power(power_of_present_2_power)
+    );
+    photoncube_tile_4_power_of_present power_of_present_3(
+        .absent(power_of_present_3_absent),
+        .word(power_of_present_3_word),
+        .power(power_of_present_3_power)
+    );
+    photoncube_tile_4_power_of_present power_of_present_4(
+        .absent(power_of_present_4_absent),
+        .word(power_of_present_4_word),
+        .power(power_of_present_4_power)
+    );
+    photoncube_tile_4_power_of_present power_of_present_5(
+        .absent(power_of_present_5_absent),
+        .word(power_of_present_5_word),
+        .power(power_of_present_5_power)
+    );
+    photoncube_tile_4_power_of_present power_of_present_6(
+        .absent(power_of_present_6_absent),
+        .word(power_of_present_6_word),
+        .power(power_of_present_6_power)
+    );
+    photoncube_tile_4_power_of_present power_of_present_7(
+        .absent(power_of_present_7_absent),
+        .word(power_of_present_7_word),
+        .power(power_of_present_7_power)
+    );
+    photoncube_tile_4_power_of_present power_of_present_8(
+        .absent(power_of_present_8_absent),
+        .word(power_of_present_8_word),
+        .power(power_of_present_8_power)
+    );
+    photoncube_tile_4_power_of_present power_of_present_9(
+        .absent(power_of_present_9_absent),
+        .word(power_of_present_9_word),
+        .power(power_of_present_9_power)
+    );
+    photoncube_tile_4_power_of_present power_of_present_10(
+        .absent(power_of_present_10_absent),
+        .word(power_of_present_10_word),
+        .power(power_of_present_10_power)
+    );
+    photoncube_tile_4_power_of_present power_of_present_11(
+        .absent(power_of_present_11_absent),
+        .word(power_of_present_11_word),
+        .power(power_of_present_11_power)
     );
     photoncube_tile_4_power_delay power_delay_0(
         .clock(power_delay_0_clock),
@@ -1226,77 +1419,125 @@ module photoncube_tile_4_head(clock, reset, query_valid, query_ready, group_vali
         result_green = queue_result_green;
         queue_result_in_2 = result_in_2;
         result_blue = queue_result_blue;
+        presence_0_clock = clock;
+        presence_0_photon_present = present_0;
+        presence_0_taken = taken_in;
         present_delay_0_clock = clock;
-        present_delay_0_word = present_0;
+        present_delay_0_word = presence_0_present;
         power_present_0 = present_delay_0_delayed;
-        power_decoder_0_absent = absent_0;
         power_decoder_0_mantissa = red_0;
+        decoded_0_clock = clock;
+        decoded_0_d = power_decoder_0_power;
+        power_of_present_0_absent = presence_0_absent;
+        power_of_present_0_word = decoded_0_q;
         power_delay_0_clock = clock;
-        power_delay_0_word = power_decoder_0_power;
+        power_delay_0_word = power_of_present_0_power;
         power_0 = power_delay_0_delayed;
-        power_decoder_1_absent = absent_0;
         power_decoder_1_mantissa = green_0;
+        decoded_1_clock = clock;
+        decoded_1_d = power_decoder_1_power;
+        power_of_present_1_absent = presence_0_absent;
+        power_of_present_1_word = decoded_1_q;
         power_delay_1_clock = clock;
-        power_delay_1_word = power_decoder_1_power;
+        power_delay_1_word = power_of_present_1_power;
         power_1 = power_delay_1_delayed;
-        power_decoder_2_absent = absent_0;
         power_decoder_2_mantissa = blue_0;
+        decoded_2_clock = clock;
+        decoded_2_d = power_decoder_2_power;
+        power_of_present_2_absent = presence_0_absent;
+        power_of_present_2_word = decoded_2_q;
         power_delay_2_clock = clock;
-        power_delay_2_word = power_decoder_2_power;
+        power_delay_2_word = power_of_present_2_power;
         power_2 = power_delay_2_delayed;
+        presence_1_clock = clock;
+        presence_1_photon_present = present_1;
+        presence_1_taken = taken_in;
         present_delay_1_clock = clock;
-        present_delay_1_word = present_1;
+        present_delay_1_word = presence_1_present;
         power_present_1 = present_delay_1_delayed;
-        power_decoder_3_absent = absent_1;
         power_decoder_3_mantissa = red_1;
+        decoded_3_clock = clock;
+        decoded_3_d = power_decoder_3_power;
+        power_of_present_3_absent = presence_1_absent;
+        power_of_present_3_word = decoded_3_q;
         power_delay_3_clock = clock;
-        power_delay_3_word = power_decoder_3_power;
+        power_delay_3_word = power_of_present_3_power;
         power_3 = power_delay_3_delayed;
-        power_decoder_4_absent = absent_1;
         power_decoder_4_mantissa = green_1;
+        decoded_4_clock = clock;
+        decoded_4_d = power_decoder_4_power;
+        power_of_present_4_absent = presence_1_absent;
+        power_of_present_4_word = decoded_4_q;
         power_delay_4_clock = clock;
-        power_delay_4_word = power_decoder_4_power;
+        power_delay_4_word = power_of_present_4_power;
         power_4 = power_delay_4_delayed;
-        power_decoder_5_absent = absent_1;
         power_decoder_5_mantissa = blue_1;
+        decoded_5_clock = clock;
+        decoded_5_d = power_decoder_5_power;
+        power_of_present_5_absent = presence_1_absent;
+        power_of_present_5_word = decoded_5_q;
         power_delay_5_clock = clock;
-        power_delay_5_word = power_decoder_5_power;
+        power_delay_5_word = power_of_present_5_power;
         power_5 = power_delay_5_delayed;
+        presence_2_clock = clock;
+        presence_2_photon_present = present_2;
+        presence_2_taken = taken_in;
         present_delay_2_clock = clock;
-        present_delay_2_word = present_2;
+        present_delay_2_word = presence_2_present;
         power_present_2 = present_delay_2_delayed;
-        power_decoder_6_absent = absent_2;
         power_decoder_6_mantissa = red_2;
+        decoded_6_clock = clock;
+        decoded_6_d = power_decoder_6_power;
+        power_of_present_6_absent = presence_2_absent;
+        power_of_present_6_word = decoded_6_q;
         power_delay_6_clock = clock;
-        power_delay_6_word = power_decoder_6_power;
+        power_delay_6_word = power_of_present_6_power;
         power_6 = power_delay_6_delayed;
-        power_decoder_7_absent = absent_2;
         power_decoder_7_mantissa = green_2;
+        decoded_7_clock = clock;
+        decoded_7_d = power_decoder_7_power;
+        power_of_present_7_absent = presence_2_absent;
+        power_of_present_7_word = decoded_7_q;
         power_delay_7_clock = clock;
-        power_delay_7_word = power_decoder_7_power;
+        power_delay_7_word = power_of_present_7_power;
         power_7 = power_delay_7_delayed;
-        power_decoder_8_absent = absent_2;
         power_decoder_8_mantissa = blue_2;
+        decoded_8_clock = clock;
+        decoded_8_d = power_decoder_8_power;
+        power_of_present_8_absent = presence_2_absent;
+        power_of_present_8_word = decoded_8_q;
         power_delay_8_clock = clock;
-        power_delay_8_word = power_decoder_8_power;
+        power_delay_8_word = power_of_present_8_power;
         power_8 = power_delay_8_delayed;
+        presence_3_clock = clock;
+        presence_3_photon_present = present_3;
+        presence_3_taken = taken_in;
         present_delay_3_clock = clock;
-        present_delay_3_word = present_3;
+        present_delay_3_word = presence_3_present;
         power_present_3 = present_delay_3_delayed;
-        power_decoder_9_absent = absent_3;
         power_decoder_9_mantissa = red_3;
+        decoded_9_clock = clock;
+        decoded_9_d = power_decoder_9_power;
+        power_of_present_9_absent = presence_3_absent;
+        power_of_present_9_word = decoded_9_q;
         power_delay_9_clock = clock;
-        power_delay_9_word = power_decoder_9_power;
+        power_delay_9_word = power_of_present_9_power;
         power_9 = power_delay_9_delayed;
-        power_decoder_10_absent = absent_3;
         power_decoder_10_mantissa = green_3;
+        decoded_10_clock = clock;
+        decoded_10_d = power_decoder_10_power;
+        power_of_present_10_absent = presence_3_absent;
+        power_of_present_10_word = decoded_10_q;
         power_delay_10_clock = clock;
-        power_delay_10_word = power_decoder_10_power;
+        power_delay_10_word = power_of_present_10_power;
         power_10 = power_delay_10_delayed;
-        power_decoder_11_absent = absent_3;
         power_decoder_11_mantissa = blue_3;
+        decoded_11_clock = clock;
+        decoded_11_d = power_decoder_11_power;
+        power_of_present_11_absent = presence_3_absent;
+        power_of_present_11_word = decoded_11_q;
         power_delay_11_clock = clock;
-        power_delay_11_word = power_decoder_11_power;
+        power_delay_11_word = power_of_present_11_power;
         power_11 = power_delay_11_delayed;
         first_delay_clock = clock;
         first_delay_clear = reset;
@@ -1411,25 +1652,25 @@ module photoncube_tile_4_engine(clock, reset_in, token_valid_in, token_in_0, tok
     reg query_flags_reset_in;
     reg query_flags_token_valid_in;
     reg query_flags_swap_in;
-    wire query_flags_keep;
+    wire query_flags_keeps;
     wire query_flags_reset_out;
     wire query_flags_token_valid_out;
     wire query_flags_swap_out;
     reg query_0_clock;
     reg [8:0] query_0_token_in;
-    reg query_0_keep;
+    reg query_0_keeps;
     reg query_0_swap_in;
     wire [8:0] query_0_token_out;
     wire [8:0] query_0_query_out;
     reg query_1_clock;
     reg [8:0] query_1_token_in;
-    reg query_1_keep;
+    reg query_1_keeps;
     reg query_1_swap_in;
     wire [8:0] query_1_token_out;
     wire [8:0] query_1_query_out;
     reg query_2_clock;
     reg [8:0] query_2_token_in;
-    reg query_2_keep;
+    reg query_2_keeps;
     reg query_2_swap_in;
     wire [8:0] query_2_token_out;
     wire [8:0] query_2_query_out;
@@ -1634,7 +1875,7 @@ module photoncube_tile_4_engine(clock, reset_in, token_valid_in, token_in_0, tok
         .reset_in(query_flags_reset_in),
         .token_valid_in(query_flags_token_valid_in),
         .swap_in(query_flags_swap_in),
-        .keep(query_flags_keep),
+        .keeps(query_flags_keeps),
         .reset_out(query_flags_reset_out),
         .token_valid_out(query_flags_token_valid_out),
         .swap_out(query_flags_swap_out)
@@ -1642,7 +1883,7 @@ module photoncube_tile_4_engine(clock, reset_in, token_valid_in, token_in_0, tok
     photoncube_tile_4_query query_0(
         .clock(query_0_clock),
         .token_in(query_0_token_in),
-        .keep(query_0_keep),
+        .keeps(query_0_keeps),
         .swap_in(query_0_swap_in),
         .token_out(query_0_token_out),
         .query_out(query_0_query_out)
@@ -1650,7 +1891,7 @@ module photoncube_tile_4_engine(clock, reset_in, token_valid_in, token_in_0, tok
     photoncube_tile_4_query query_1(
         .clock(query_1_clock),
         .token_in(query_1_token_in),
-        .keep(query_1_keep),
+        .keeps(query_1_keeps),
         .swap_in(query_1_swap_in),
         .token_out(query_1_token_out),
         .query_out(query_1_query_out)
@@ -1658,7 +1899,7 @@ module photoncube_tile_4_engine(clock, reset_in, token_valid_in, token_in_0, tok
     photoncube_tile_4_query query_2(
         .clock(query_2_clock),
         .token_in(query_2_token_in),
-        .keep(query_2_keep),
+        .keeps(query_2_keeps),
         .swap_in(query_2_swap_in),
         .token_out(query_2_token_out),
         .query_out(query_2_query_out)
@@ -1922,17 +2163,17 @@ module photoncube_tile_4_engine(clock, reset_in, token_valid_in, token_in_0, tok
         token_valid_out = query_flags_token_valid_out;
         swap_out = query_flags_swap_out;
         query_0_clock = clock;
-        query_0_keep = query_flags_keep;
+        query_0_keeps = query_flags_keeps;
         query_0_swap_in = swap_in;
         query_0_token_in = token_in_0;
         token_out_0 = query_0_token_out;
         query_1_clock = clock;
-        query_1_keep = query_flags_keep;
+        query_1_keeps = query_flags_keeps;
         query_1_swap_in = swap_in;
         query_1_token_in = token_in_1;
         token_out_1 = query_1_token_out;
         query_2_clock = clock;
-        query_2_keep = query_flags_keep;
+        query_2_keeps = query_flags_keeps;
         query_2_swap_in = swap_in;
         query_2_token_in = token_in_2;
         token_out_2 = query_2_token_out;
@@ -2132,7 +2373,8 @@ module photoncube_tile_4_queue(clock, reset, result_valid_in, result_in_0, resul
     initial for (place = 0; place <= 15; place = place + 1) results[place] = 67'd0;
     wire [66:0] word = results[read_place];
     wire takes_result = has_result & result_ready;
-    wire takes_newest = takes_result & (read_place == newest_place);
+    (* keep *) wire is_newest = read_place == newest_place;
+    wire takes_newest = takes_result & is_newest;
     always @(*) result_valid = has_result;
     always @(*) batch_taken = takes_result;
     always @(*) result_red = word[17:0];
@@ -2214,6 +2456,50 @@ module photoncube_tile_4_admission(clock, reset, query_valid, group_valid, group
         spacing <= 1'd0;
         promised <= 16'd0;
       end
+    end
+endmodule
+
+module photoncube_tile_4_presence(clock, taken, photon_present, present, absent);
+    // Module arguments
+    input wire clock;
+    input wire taken;
+    input wire photon_present;
+    output reg present;
+    output reg absent;
+    // Stub signals
+    reg is_present_d;
+    wire is_present_q;
+    reg is_present_clock;
+    reg is_absent_d;
+    wire is_absent_q;
+    reg is_absent_clock;
+    // Local signals
+    reg is_photon;
+    // Sub module instances
+    photoncube_tile_4_register_1 is_present(
+        .d(is_present_d),
+        .q(is_present_q),
+        .clock(is_present_clock)
+    );
+    photoncube_tile_4_register_1 is_absent(
+        .d(is_absent_d),
+        .q(is_absent_q),
+        .clock(is_absent_clock)
+    );
+    // Update code
+    always @(*) begin
+        is_present_clock = clock;
+        is_absent_clock = clock;
+        is_present_d = is_present_q;
+        is_absent_d = is_absent_q;
+        is_photon = taken & |photon_present;
+        is_absent_d = ~is_photon;
+        is_present_d = 32'h0;
+        if (is_photon) begin
+            is_present_d = 32'h1;
+        end
+        present = is_present_q;
+        absent = is_absent_q;
     end
 endmodule
 
@@ -2366,6 +2652,10 @@ module photoncube_tile_4_first_delay(clock, clear, flag, delayed);
     reg stage_4_clear;
     reg stage_4_d;
     wire stage_4_q;
+    reg stage_5_clock;
+    reg stage_5_clear;
+    reg stage_5_d;
+    wire stage_5_q;
     // Sub module instances
     photoncube_tile_4_group_first stage_0(
         .clock(stage_0_clock),
@@ -2397,6 +2687,12 @@ module photoncube_tile_4_first_delay(clock, clear, flag, delayed);
         .d(stage_4_d),
         .q(stage_4_q)
     );
+    photoncube_tile_4_group_first stage_5(
+        .clock(stage_5_clock),
+        .clear(stage_5_clear),
+        .d(stage_5_d),
+        .q(stage_5_q)
+    );
     // Update code
     always @(*) begin
         stage_0_d = flag;
@@ -2404,6 +2700,7 @@ module photoncube_tile_4_first_delay(clock, clear, flag, delayed);
         stage_2_d = stage_1_q;
         stage_3_d = stage_2_q;
         stage_4_d = stage_3_q;
+        stage_5_d = stage_4_q;
         stage_0_clock = clock;
         stage_0_clear = clear;
         stage_1_clock = clock;
@@ -2414,59 +2711,17 @@ module photoncube_tile_4_first_delay(clock, clear, flag, delayed);
         stage_3_clear = clear;
         stage_4_clock = clock;
         stage_4_clear = clear;
-        delayed = stage_4_q;
+        stage_5_clock = clock;
+        stage_5_clear = clear;
+        delayed = stage_5_q;
     end
 endmodule
 
-module photoncube_tile_4_entry_presence(clock, taken, photon_present, present, absent);
-    // Module arguments
-    input wire clock;
-    input wire taken;
-    input wire photon_present;
-    output reg present;
-    output reg absent;
-    // Stub signals
-    reg is_present_d;
-    wire is_present_q;
-    reg is_present_clock;
-    reg is_absent_d;
-    wire is_absent_q;
-    reg is_absent_clock;
-    // Local signals
-    reg is_photon;
-    // Sub module instances
-    photoncube_tile_4_register_1 is_present(
-        .d(is_present_d),
-        .q(is_present_q),
-        .clock(is_present_clock)
-    );
-    photoncube_tile_4_register_1 is_absent(
-        .d(is_absent_d),
-        .q(is_absent_q),
-        .clock(is_absent_clock)
-    );
-    // Update code
-    always @(*) begin
-        is_present_clock = clock;
-        is_absent_clock = clock;
-        is_present_d = is_present_q;
-        is_absent_d = is_absent_q;
-        is_photon = taken & |photon_present;
-        is_absent_d = ~is_photon;
-        is_present_d = 32'h0;
-        if (is_photon) begin
-            is_present_d = 32'h1;
-        end
-        present = is_present_q;
-        absent = is_absent_q;
-    end
-endmodule
-
-module photoncube_tile_4_query(clock, token_in, keep, swap_in, token_out, query_out);
+module photoncube_tile_4_query(clock, token_in, keeps, swap_in, token_out, query_out);
     // Module arguments
     input wire clock;
     input wire [8:0] token_in;
-    input wire keep;
+    input wire keeps;
     input wire swap_in;
     output reg [8:0] token_out;
     output reg [8:0] query_out;
@@ -2480,6 +2735,8 @@ module photoncube_tile_4_query(clock, token_in, keep, swap_in, token_out, query_
     reg [8:0] query_d;
     wire [8:0] query_q;
     reg query_clock;
+    // Local signals
+    reg [8:0] newest;
     // Sub module instances
     photoncube_tile_4_register_9 token(
         .d(token_d),
@@ -2505,11 +2762,13 @@ module photoncube_tile_4_query(clock, token_in, keep, swap_in, token_out, query_
         waiting_d = waiting_q;
         query_d = query_q;
         token_d = token_in;
-        if (keep) begin
-            waiting_d = token_in;
+        newest = waiting_q;
+        if (keeps) begin
+            newest = token_q;
+            waiting_d = token_q;
         end
         if (swap_in) begin
-            query_d = waiting_q;
+            query_d = newest;
         end
         token_out = token_q;
         query_out = query_q;
@@ -2833,14 +3092,14 @@ module photoncube_tile_4_present_delay(clock, word, delayed);
     end
 endmodule
 
-module photoncube_tile_4_query_flags(clock, reset_in, token_valid_in, swap_in, keep, reset_out,
+module photoncube_tile_4_query_flags(clock, reset_in, token_valid_in, swap_in, keeps, reset_out,
     token_valid_out, swap_out);
     // Module arguments
     input wire clock;
     input wire reset_in;
     input wire token_valid_in;
     input wire swap_in;
-    output reg keep;
+    output reg keeps;
     output reg reset_out;
     output reg token_valid_out;
     output reg swap_out;
@@ -2854,6 +3113,9 @@ module photoncube_tile_4_query_flags(clock, reset_in, token_valid_in, swap_in, k
     reg next_valid_d;
     wire next_valid_q;
     reg next_valid_clock;
+    reg keep_d;
+    wire keep_q;
+    reg keep_clock;
     reg swap_d;
     wire swap_q;
     reg swap_clock;
@@ -2875,6 +3137,11 @@ module photoncube_tile_4_query_flags(clock, reset_in, token_valid_in, swap_in, k
         .q(next_valid_q),
         .clock(next_valid_clock)
     );
+    photoncube_tile_4_register_1 keep(
+        .d(keep_d),
+        .q(keep_q),
+        .clock(keep_clock)
+    );
     photoncube_tile_4_register_1 swap(
         .d(swap_d),
         .q(swap_q),
@@ -2885,13 +3152,16 @@ module photoncube_tile_4_query_flags(clock, reset_in, token_valid_in, swap_in, k
         reset_clock = clock;
         token_valid_clock = clock;
         next_valid_clock = clock;
+        keep_clock = clock;
         swap_clock = clock;
         reset_d = reset_q;
         token_valid_d = token_valid_q;
         next_valid_d = next_valid_q;
+        keep_d = keep_q;
         swap_d = swap_q;
         is_free = ~next_valid_q | swap_in;
-        keep = token_valid_in & is_free;
+        keep_d = token_valid_in & is_free;
+        keeps = keep_q;
         reset_d = reset_in;
         token_valid_d = token_valid_in & ~is_free;
         next_valid_d = ~is_free | token_valid_in;
@@ -3062,9 +3332,8 @@ module photoncube_tile_4_group_flags(clock, reset_in, reset, first_in, last_in, 
     end
 endmodule
 
-module photoncube_tile_4_power_decoder(absent, mantissa, power);
+module photoncube_tile_4_power_decoder(mantissa, power);
     // Module arguments
-    input wire absent;
     input wire [5:0] mantissa;
     output reg [5:0] power;
     // Local signals
@@ -3073,9 +3342,6 @@ module photoncube_tile_4_power_decoder(absent, mantissa, power);
     always @(*) begin
         decoded = ((mantissa) & 6'h3f);
         power = decoded;
-        if (absent) begin
-            power = 32'h0;
-        end
     end
 endmodule
 
@@ -3134,12 +3400,12 @@ module photoncube_tile_4_square_pair(clock, query, photon_a, photon_b, square_a,
         .b(subtract_1_b),
         .difference(subtract_1_difference)
     );
-    photoncube_tile_4_difference difference_0(
+    photoncube_tile_4_register_10 difference_0(
         .d(difference_0_d),
         .q(difference_0_q),
         .clock(difference_0_clock)
     );
-    photoncube_tile_4_difference difference_1(
+    photoncube_tile_4_register_10 difference_1(
         .d(difference_1_d),
         .q(difference_1_q),
         .clock(difference_1_clock)
@@ -3419,6 +3685,20 @@ module photoncube_tile_4_any_far(x, y, z, any);
     // Update code
     always @(*) begin
         any = x | y | z;
+    end
+endmodule
+
+module photoncube_tile_4_power_of_present(absent, word, power);
+    // Module arguments
+    input wire absent;
+    input wire [5:0] word;
+    output reg [5:0] power;
+    // Update code
+    always @(*) begin
+        power = word;
+        if (absent) begin
+            power = 32'h0;
+        end
     end
 endmodule
 
@@ -3925,14 +4205,17 @@ module photoncube_tile_4_gated_sum(a, b, a_in_range, b_in_range, sum);
     end
 endmodule
 
-module photoncube_tile_4_difference(d, q, clock);
+module photoncube_tile_4_register_10(d, q, clock);
     // Module arguments
     input wire [9:0] d;
     output reg [9:0] q;
     input wire clock;
-    // Update code
-    always @(*) begin
-        q = d;
+    // Update code (custom)
+    initial begin
+       q = 10'h0;
+    end
+    always @(posedge clock) begin
+       q <= d;
     end
 endmodule
 

@@ -33,7 +33,7 @@ const FINE: Cuts = Cuts::of(&[
 ]);
 
 /// Registers where they are worth it on a chip of many engines, which has no more flip-flops than
-/// LUTs: between two stand at most two adders.
+/// LUTs, whatever squares are made of: between two stand at most two adders.
 const COARSE: Cuts = Cuts::of(&[
     Cut::Magnitude,
     Cut::Cross,
@@ -44,16 +44,19 @@ const COARSE: Cuts = Cuts::of(&[
     Cut::GroupPower,
 ]);
 
-/// The same with a register behind the block RAM, which is slow and stands in a row of its own.
+/// The same with a register between the two chains that make a magnitude.
+const DIGITS: Cuts = COARSE.and(Cut::Difference);
+
+/// The same with the block RAM's own register behind it.
 const TABLE: EngineKind = EngineKind {
     squarer: Squarer::Table,
     cuts: COARSE.and(Cut::Square),
 };
 
-/// The same with a register before the DSP block too, since its own are not used.
+/// The same with the DSP block's own register before the product; that behind it is at the cut `Cross`.
 const PRODUCT: EngineKind = EngineKind {
     squarer: Squarer::Product,
-    cuts: COARSE.and(Cut::Products).and(Cut::Square),
+    cuts: COARSE.and(Cut::Products),
 };
 
 /// A tile of `2^query_axes` engines, in a format of one scale for all powers and seven bits for the
@@ -78,7 +81,7 @@ const fn tile(name: &'static str, summary: &'static str, query_axes: u32) -> Mac
         organisation: Organisation::Spatial(Spatial {
             query_axes,
             radius: Radius::Format,
-            cuts: COARSE,
+            cuts: DIGITS,
             others: &[],
             memory_groups: 0,
         }),

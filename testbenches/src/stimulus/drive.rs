@@ -76,8 +76,10 @@ impl Traffic {
     }
 }
 
-/// A block is handed on when it has this many clocks: small enough for the caches.
-const BLOCK_CLOCKS: usize = 2048;
+/// A block is handed on when it has about this many signals, 4 MiB: small enough for the caches.
+const BLOCK_SIGNALS: usize = 1 << 19;
+/// But not before so many clocks, as each block has its price too.
+const FEWEST_BLOCK_CLOCKS: usize = 32;
 
 /// What becomes of the blocks; `Break` ends the generation.
 pub(crate) type Sink<'a> = dyn FnMut(Block) -> ControlFlow<()> + 'a;
@@ -90,6 +92,10 @@ pub(crate) struct Driver<'a> {
     model: Box<dyn GoldenMachine>,
     rng: Pcg64,
     block: Block,
+    /// Clocks of a block.
+    block_clocks: usize,
+    /// A chunk begins, and the block holds all of it so far.
+    scrubs: bool,
     sink: &'a mut Sink<'a>,
     /// Of the chunk so far.
     clocks: u64,
@@ -173,12 +179,15 @@ impl<'a> Batch<'a> {
 
 impl<'a> Driver<'a> {
     pub fn new(machine: &'a Machine, sink: &'a mut Sink<'a>) -> Self {
+        let signals = Pins::of(machine).observed.len();
         Self {
             machine,
             program: machine.microprogram(),
             model: golden_machine(machine),
             rng: Pcg64::seed_from_u64(0),
             block: Block::default(),
+            scrubs: false,
+            block_clocks: FEWEST_BLOCK_CLOCKS.max(BLOCK_SIGNALS / signals),
             sink,
             clocks: 0,
             iterations: 0,
@@ -213,6 +222,7 @@ impl<'a> Driver<'a> {
             ..self.idle_inputs()
         };
         let (cases, flushing) = self.scrubbing();
+        self.scrubs = true;
         if self.step(&reset).is_break()
             || self.run(&cases, Traffic::STREAMING)?.is_break()
             || self.flush_pipeline(flushing).is_break()
@@ -231,6 +241,7 @@ impl<'a> Driver<'a> {
                 machine: self.machine.name,
             });
         }
+        self.scrubs = false;
         // None of this is what anyone asked for.
         self.iterations = 0;
         (self.block.iterations, self.block.results) = (0, 0);
@@ -412,7 +423,8 @@ impl<'a> Driver<'a> {
     /// One clock: writes down the inputs and what the machine shows, then the rising edge.
     fn step(&mut self, inputs: &Inputs) -> ControlFlow<()> {
         // Before the clock, not after it: what is taken in a clock counts in its block.
-        if self.block.clocks >= BLOCK_CLOCKS && self.flush().is_break() {
+        let is_whole = self.block.clocks >= self.block_clocks && !self.scrubs;
+        if is_whole && self.flush().is_break() {
             return ControlFlow::Break(());
         }
         self.block

@@ -28,8 +28,9 @@ pub struct Emitted {
     pub text: String,
     /// The name of the top module.
     pub top: String,
-    /// Second texts of some of its modules, made of an ECP5's carry cells, which Yosys does not find by
-    /// itself; none where no module has one. Proven equal by `scripts/yosys/ecp5.sh`.
+    /// Second texts of some of its modules, made of an ECP5's carry cells, DSP blocks and block RAMs, which
+    /// Yosys does not use so by itself; none where no module has one. Proven equal by
+    /// `scripts/yosys/ecp5.sh`.
     pub ecp5_text: Option<String>,
     /// Whether the top has a `clock` pin.
     pub clocked: bool,
@@ -113,7 +114,7 @@ pub fn emit(machine: &Machine, level: Level) -> Result<Emitted, EmitError> {
     let merged = merge::merge(modules, TOP, &prefix, &ChannelNames::of(machine))?;
     let pins = level_pins(machine, level)?;
     Ok(Emitted {
-        ecp5_text: ecp5::carry_chains(&merged).map(|chains| header(machine, level) + &chains),
+        ecp5_text: ecp5::second_texts(&merged).map(|texts| header(machine, level) + &texts),
         text: header(machine, level) + &merged,
         top: prefix,
         clocked: level.is_clocked(),

@@ -39,6 +39,8 @@ pub(crate) struct Admission {
     pub _has_batch: Hidden,
     pub _spacing: Hidden,
     pub _waits: Hidden,
+    /// Places of a batch's results are given back: `BatchTaken`.
+    pub _gives_back: Hidden,
     pub _promised: Hidden,
     _engines: u64,
     _sizes: HeadSizes,
@@ -77,6 +79,7 @@ impl Admission {
             _has_batch: Default::default(),
             _spacing: Default::default(),
             _waits: Default::default(),
+            _gives_back: Default::default(),
             _promised: Default::default(),
             _engines: spatial.engines() as u64,
             _sizes: HeadSizes::of(spatial),
@@ -118,7 +121,12 @@ impl Admission {
             false => self._spacing.0.saturating_sub(1),
         };
         self._waits.0 = u64::from(self._spacing.0 != 0);
-        self._promised.0 = match (taken.last, self.batch_taken.val()) {
+        let gives_back = match self._sizes.has_waits() {
+            true => self._gives_back.0 != 0,
+            false => self.batch_taken.val(),
+        };
+        self._gives_back.0 = self.batch_taken.val().into();
+        self._promised.0 = match (taken.last, gives_back) {
             (true, false) => self._promised.0 << 1 | 1,
             (false, true) => self._promised.0 >> 1,
             _ => self._promised.0,
@@ -126,7 +134,8 @@ impl Admission {
         self._has_batch.0 = u64::from(self._open.0 != 0 || self._loaded.0 == self._engines);
         if self.reset.val() {
             (self._loaded, self._open, self._has_batch) = Default::default();
-            (self._spacing, self._waits, self._promised) = Default::default();
+            (self._spacing, self._waits) = Default::default();
+            (self._gives_back, self._promised) = Default::default();
         }
     }
 }
@@ -176,18 +185,26 @@ impl Logic for Admission {
         assert_eq!(engines, 1 << (loaded_bits - 1));
         let start = spacing - 1;
         // One engine's results never meet, and nobody counts for it.
-        let [waits, fits, spacing_step, waits_reset] = match self._sizes.has_waits() {
-            false => ["", "room", &format!("spacing <= {spacing_bits}'d0;"), ""],
+        let [waits, fits, spacing_step, waits_reset, gives_back] = match self._sizes.has_waits() {
+            false => [
+                "",
+                "room",
+                &format!("spacing <= {spacing_bits}'d0;"),
+                "",
+                "batch_taken",
+            ],
             true => [
-                "reg waits = 1'd0;\n",
+                "reg waits = 1'd0;\nreg gives_back = 1'd0;\n",
                 "~waits & room",
                 &format!(
                     "if (takes_last) spacing <= {spacing_bits}'d{start};\n  \
                      else if (waits) spacing <= spacing - {spacing_bits}'d1;\n  \
-                     waits <= takes_last | (|spacing[{}:1]);",
+                     waits <= takes_last | (|spacing[{}:1]);\n  \
+                     gives_back <= batch_taken;",
                     spacing_bits - 1
                 ),
-                "    waits <= 1'd0;\n",
+                "    waits <= 1'd0;\n    gives_back <= 1'd0;\n",
+                "gives_back",
             ],
         };
         Verilog::Custom(format!(
@@ -221,7 +238,7 @@ impl Logic for Admission {
              \x20 open <= (takes_group & ~group_last) | (open & ~takes_last);\n\
              \x20 has_batch <= (open & full) | (has_batch & ~takes_last) | fills;\n\
              \x20 {spacing_step}\n\
-             \x20 if (takes_last != batch_taken)\n\
+             \x20 if (takes_last != {gives_back})\n\
              \x20   promised <= takes_last ? {{promised[{p_1}:0], 1'd1}} : {{1'd0, promised[{p}:1]}};\n\
              \x20 if (reset) begin\n\
              \x20   loaded <= {loaded_bits}'d0;\n\

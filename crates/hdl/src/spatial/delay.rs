@@ -18,7 +18,7 @@ pub(crate) struct WordDelay<const W: usize> {
 
 impl<const W: usize> WordDelay<W> {
     pub fn new(stages: usize) -> Self {
-        assert!(stages > 0, "a decision takes a clock at least");
+        assert!(stages > 0, "a decision takes two clocks at least");
         with_wires!(Self {
             clock: Default::default(),
             word: Default::default(),

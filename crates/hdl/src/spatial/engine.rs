@@ -22,8 +22,6 @@ const GROUP_COUNT: usize = SpatialWidths::GROUP_COUNT as usize;
 #[derive(Copy, Clone)]
 pub(crate) struct EngineShape {
     pub kind: EngineKind,
-    /// Clocks that a decision waits.
-    pub range_waits: usize,
     pub channels: usize,
     /// The format's, where queries have none.
     pub fixed_radius_sq: Option<u32>,
@@ -35,7 +33,6 @@ impl EngineShape {
         let kind = spatial.kind(machine.squarer, engine);
         Self {
             kind,
-            range_waits: spatial.range_waits(kind) as usize,
             channels: machine.channels().names().len(),
             fixed_radius_sq: machine.fixed_radius_sq(),
         }
@@ -132,7 +129,6 @@ impl<
     pub fn new(shape: EngineShape) -> Self {
         let EngineShape {
             kind: EngineKind { squarer, cuts },
-            range_waits,
             channels,
             fixed_radius_sq,
         } = shape;
@@ -175,7 +171,7 @@ impl<
             photon: Stage::several(COORDINATES, true),
             square_pair: pairs.map(|_| SquarePair::new(cuts, squarer)).collect(),
             lane: (0..LANES)
-                .map(|_| Lane::new(cuts, range_waits, fixed_radius_sq))
+                .map(|_| Lane::new(cuts, fixed_radius_sq))
                 .collect(),
             group_flags: GroupFlags::new(cuts),
             channel_sum: (0..channels).map(|_| ChannelSum::new(cuts)).collect(),
@@ -204,7 +200,7 @@ impl<
         for axis in 0..AXES {
             wires!(self, wiring:
                 (query[axis].clock) = (clock);
-                (query[axis].keep) = (query_flags.keep);
+                (query[axis].keeps) = (query_flags.keeps);
                 (query[axis].swap_in) = (swap_in);
                 (query[axis].token_in) = (token_in[axis]);
                 (token_out[axis]) = (query[axis].token_out);
@@ -213,7 +209,7 @@ impl<
         for radius in 0..self.radius_word.len() {
             wires!(self, wiring:
                 (radius_word[radius].clock) = (clock);
-                (radius_word[radius].keep) = (query_flags.keep);
+                (radius_word[radius].keeps) = (query_flags.keeps);
                 (radius_word[radius].swap_in) = (swap_in);
                 (radius_word[radius].token_in) = (token_radius_sq_in[radius]);
                 (token_radius_sq_out[radius]) = (radius_word[radius].token_out);

@@ -12,14 +12,15 @@ pub(crate) struct QueryFlags {
     pub reset_in: Signal<In, Bit>,
     pub token_valid_in: Signal<In, Bit>,
     pub swap_in: Signal<In, Bit>,
-    /// The token that comes is kept as the next query.
-    pub keep: Signal<Out, Bit>,
+    /// The token that came is kept as the next query.
+    pub keeps: Signal<Out, Bit>,
     pub reset_out: Signal<Out, Bit>,
     pub token_valid_out: Signal<Out, Bit>,
     pub swap_out: Signal<Out, Bit>,
     pub reset: DFF<Bit>,
     pub token_valid: DFF<Bit>,
     pub next_valid: DFF<Bit>,
+    pub keep: DFF<Bit>,
     pub swap: DFF<Bit>,
     is_free: Signal<Local, Bit>,
 }
@@ -27,9 +28,10 @@ pub(crate) struct QueryFlags {
 impl Logic for QueryFlags {
     #[hdl_gen]
     fn update(&mut self) {
-        dff_setup!(self, clock, reset, token_valid, next_valid, swap);
+        dff_setup!(self, clock, reset, token_valid, next_valid, keep, swap);
         self.is_free.next = !self.next_valid.q.val() | self.swap_in.val();
-        self.keep.next = self.token_valid_in.val() & self.is_free.val();
+        self.keep.d.next = self.token_valid_in.val() & self.is_free.val();
+        self.keeps.next = self.keep.q.val();
         self.reset.d.next = self.reset_in.val();
         self.token_valid.d.next = self.token_valid_in.val() & !self.is_free.val();
         self.next_valid.d.next = !self.is_free.val() | self.token_valid_in.val();
@@ -45,18 +47,21 @@ impl Logic for QueryFlags {
     }
 }
 
-/// A word of the queries: that which passes by, the next one and the present one; `W` bits.
+/// A word of the queries: that which passes by, the next one and the present one; `W` bits. The next
+/// one is taken over from that which passed by a clock before; so it may still be there when it
+/// becomes the present one.
 #[derive(LogicBlock, Default)]
 pub(crate) struct QueryWord<const W: usize> {
     pub clock: Signal<In, Clock>,
     pub token_in: Signal<In, Bits<W>>,
-    pub keep: Signal<In, Bit>,
+    pub keeps: Signal<In, Bit>,
     pub swap_in: Signal<In, Bit>,
     pub token: DFF<Bits<W>>,
     pub waiting: DFF<Bits<W>>,
     pub query: DFF<Bits<W>>,
     pub token_out: Signal<Out, Bits<W>>,
     pub query_out: Signal<Out, Bits<W>>,
+    newest: Signal<Local, Bits<W>>,
 }
 
 impl<const W: usize> Logic for QueryWord<W> {
@@ -64,11 +69,13 @@ impl<const W: usize> Logic for QueryWord<W> {
     fn update(&mut self) {
         dff_setup!(self, clock, token, waiting, query);
         self.token.d.next = self.token_in.val();
-        if self.keep.val() {
-            self.waiting.d.next = self.token_in.val();
+        self.newest.next = self.waiting.q.val();
+        if self.keeps.val() {
+            self.newest.next = self.token.q.val();
+            self.waiting.d.next = self.token.q.val();
         }
         if self.swap_in.val() {
-            self.query.d.next = self.waiting.q.val();
+            self.query.d.next = self.newest.val();
         }
         self.token_out.next = self.token.q.val();
         self.query_out.next = self.query.q.val();

@@ -5,16 +5,16 @@ use rust_hdl::prelude::*;
 
 use super::admission::Admission;
 use super::delay::{FlagDelay, WordDelay};
+use super::presence::{PowerOfPresent, Presence};
 use super::queue::ResultQueue;
+use super::stage::Stage;
 use super::wiring::{Wires, Wiring, logic_of_wires, wires, with_wires};
 
 const LANES: usize = Spatial::LANES;
 
-/// A power as the engines see it: mantissa << exponent, and 0 where the photon is absent. `B`
-/// mantissa, `E` exponent, `P` power bits.
+/// A power as the engines see it: mantissa << exponent. `B` mantissa, `E` exponent, `P` power bits.
 #[derive(LogicBlock)]
 pub(crate) struct PowerDecoder<const B: usize, const E: usize, const P: usize> {
-    pub absent: Signal<In, Bit>,
     pub mantissa: Signal<In, Bits<B>>,
     /// One, or none where powers have no exponent.
     pub exponent: Vec<Signal<In, Bits<E>>>,
@@ -26,7 +26,6 @@ impl<const B: usize, const E: usize, const P: usize> Default for PowerDecoder<B,
     fn default() -> Self {
         let exponents = 0..usize::from(E > 0);
         Self {
-            absent: Default::default(),
             mantissa: Default::default(),
             exponent: exponents.map(|_| Default::default()).collect(),
             power: Default::default(),
@@ -43,9 +42,6 @@ impl<const B: usize, const E: usize, const P: usize> Logic for PowerDecoder<B, E
             self.decoded.next = self.decoded.val() << self.exponent[e].val();
         }
         self.power.next = self.decoded.val();
-        if self.absent.val() {
-            self.power.next = 0.into();
-        }
     }
 }
 
@@ -73,7 +69,7 @@ pub(crate) struct Head<
     pub channel: Vec<Signal<In, Bits<B>>>,
     pub exponent: Vec<Signal<In, Bits<E>>>,
     pub present: [Signal<In, Bits<1>>; LANES],
-    pub absent: [Signal<In, Bit>; LANES],
+    pub taken_in: Signal<In, Bit>,
     pub first_in: Signal<In, Bit>,
     pub last_in: Signal<In, Bit>,
     pub result_valid: Signal<Out, Bit>,
@@ -96,6 +92,10 @@ pub(crate) struct Head<
     pub result_count_in: Signal<In, Bits<N>>,
     pub(super) admission: Admission,
     power_decoder: Vec<PowerDecoder<B, E, P>>,
+    /// Stage 0 of the delay lines of powers and of presence; the others are in the lines below.
+    pub(super) decoded: Vec<Stage<Bits<P>>>,
+    pub(super) presence: [Presence; LANES],
+    power_of_present: Vec<PowerOfPresent<P>>,
     pub(super) power_delay: Vec<WordDelay<P>>,
     pub(super) present_delay: Vec<WordDelay<1>>,
     pub(super) first_delay: FlagDelay,
@@ -127,7 +127,7 @@ impl<const B: usize, const E: usize, const P: usize, const S: usize, const N: us
             first_taken: Default::default(),
             last_taken: Default::default(),
             present: Default::default(),
-            absent: Default::default(),
+            taken_in: Default::default(),
             first_in: Default::default(),
             last_in: Default::default(),
             result_valid: Default::default(),
@@ -147,8 +147,11 @@ impl<const B: usize, const E: usize, const P: usize, const S: usize, const N: us
             result_count_in: Default::default(),
             admission: Admission::new(spatial),
             power_decoder: (0..words).map(|_| Default::default()).collect(),
-            power_delay: (0..words).map(|_| WordDelay::new(stages)).collect(),
-            present_delay: (0..LANES).map(|_| WordDelay::new(stages)).collect(),
+            decoded: Stage::several(words, true),
+            presence: Default::default(),
+            power_of_present: (0..words).map(|_| Default::default()).collect(),
+            power_delay: (0..words).map(|_| WordDelay::new(stages - 1)).collect(),
+            present_delay: (0..LANES).map(|_| WordDelay::new(stages - 1)).collect(),
             first_delay: FlagDelay::new(stages),
             last_delay: FlagDelay::new(stages),
             queue: ResultQueue::new(spatial, channels),
@@ -199,17 +202,23 @@ impl<const B: usize, const E: usize, const P: usize, const S: usize, const N: us
         let channels = self._channels;
         for lane in 0..LANES {
             wires!(self, wiring:
+                (presence[lane].clock) = (clock);
+                (presence[lane].photon_present) = (present[lane]);
+                (presence[lane].taken) = (taken_in);
                 (present_delay[lane].clock) = (clock);
-                (present_delay[lane].word) = (present[lane]);
+                (present_delay[lane].word) = (presence[lane].present);
                 (power_present[lane]) = (present_delay[lane].delayed);
             );
             for channel in 0..channels {
                 let place = channels * lane + channel;
                 wires!(self, wiring:
-                    (power_decoder[place].absent) = (absent[lane]);
                     (power_decoder[place].mantissa) = (channel[LANES * channel + lane]);
+                    (decoded[place].clock) = (clock);
+                    (decoded[place].d) = (power_decoder[place].power);
+                    (power_of_present[place].absent) = (presence[lane].absent);
+                    (power_of_present[place].word) = (decoded[place].q);
                     (power_delay[place].clock) = (clock);
-                    (power_delay[place].word) = (power_decoder[place].power);
+                    (power_delay[place].word) = (power_of_present[place].power);
                     (power[place]) = (power_delay[place].delayed);
                 );
             }

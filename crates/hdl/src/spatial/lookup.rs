@@ -15,6 +15,14 @@ pub(crate) struct SquareTable<const D: usize, const L: usize> {
     _register: bool,
 }
 
+/// A word of the table, `{far, |d|^2}`: of a difference of `difference_bits`, the square modulo
+/// `2^square_bits`, and whether |d| exceeds half of these.
+pub(crate) fn square_word(difference: u64, difference_bits: usize, square_bits: usize) -> u64 {
+    let magnitude = difference.min((1 << difference_bits) - difference);
+    let far = u64::from(magnitude >> (square_bits / 2) != 0);
+    (far << square_bits) | (magnitude * magnitude % (1 << square_bits))
+}
+
 impl<const D: usize, const L: usize> SquareTable<D, L> {
     pub fn new(register: bool) -> Self {
         Self {
@@ -28,10 +36,7 @@ impl<const D: usize, const L: usize> SquareTable<D, L> {
     }
 
     fn word(difference: u64) -> u64 {
-        let modulus = 1 << D;
-        let magnitude = difference.min(modulus - difference);
-        let far = u64::from(magnitude >> ((L - 1) / 2) != 0);
-        (far << (L - 1)) | (magnitude * magnitude % (1 << (L - 1)))
+        square_word(difference, D, L - 1)
     }
 }
 

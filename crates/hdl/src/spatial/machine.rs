@@ -4,7 +4,6 @@ use photoncube_spec::{Machine, Pins, SignalPlace, Spatial};
 use rust_hdl::prelude::*;
 
 use super::engine::{Engine, EngineShape};
-use super::entry::EntryPresence;
 use super::head::Head;
 use super::memory::PhotonMemory;
 use super::stage::{FlagStage, Stage};
@@ -72,7 +71,8 @@ pub(crate) struct SpatialMachine<
     /// Channel c of lane g is at 4 c + g.
     pub(super) entry_mantissa: Vec<Stage<Bits<B>>>,
     pub(super) entry_exponent: Vec<Stage<Bits<E>>>,
-    pub(super) entry_presence: Vec<EntryPresence>,
+    pub(super) entry_present: Vec<Stage<Bits<1>>>,
+    pub(super) entry_taken: Stage<Bit>,
     pub(super) entry_first: FlagStage,
     pub(super) entry_last: FlagStage,
     pub(super) head: Head<B, E, P, S, N>,
@@ -143,7 +143,8 @@ impl<
             entry_photon: Stage::several(AXES * LANES, true),
             entry_mantissa: Stage::several(channels * LANES, true),
             entry_exponent: Stage::several(exponents, true),
-            entry_presence: (0..LANES).map(|_| Default::default()).collect(),
+            entry_present: Stage::several(LANES, true),
+            entry_taken: Stage::new(true),
             entry_first: FlagStage::new(true),
             entry_last: FlagStage::new(true),
             head: Head::new(spatial, channels),
@@ -204,7 +205,7 @@ impl<
         );
         for lane in 0..LANES {
             wires!(self, wiring:
-                (entry_presence[lane].photon_present) = (photon_present[lane]);
+                (entry_present[lane].d) = (photon_present[lane]);
                 (entry_photon[AXES * lane].d) = (photon_x[lane]);
                 (entry_photon[AXES * lane + 1].d) = (photon_y[lane]);
                 (entry_photon[AXES * lane + 2].d) = (photon_z[lane]);
@@ -256,7 +257,7 @@ impl<
         );
         for lane in 0..LANES {
             wires!(self, wiring:
-                (entry_presence[lane].photon_present) = (memory[m].word_present[lane]);
+                (entry_present[lane].d) = (memory[m].word_present[lane]);
                 (entry_photon[AXES * lane].d) = (memory[m].word_x[lane]);
                 (entry_photon[AXES * lane + 1].d) = (memory[m].word_y[lane]);
                 (entry_photon[AXES * lane + 2].d) = (memory[m].word_z[lane]);
@@ -285,6 +286,9 @@ impl<
             (entry_last.clock) = (clock);
             (entry_last.clear) = (reset);
             (entry_last.d) = (head.last_taken);
+            (entry_taken.clock) = (clock);
+            (entry_taken.d) = (head.taken);
+            (head.taken_in) = (entry_taken.q);
             (head.first_in) = (entry_first.q);
             (head.last_in) = (entry_last.q);
         );
@@ -314,10 +318,8 @@ impl<
         }
         for lane in 0..LANES {
             wires!(self, wiring:
-                (entry_presence[lane].clock) = (clock);
-                (entry_presence[lane].taken) = (head.taken);
-                (head.present[lane]) = (entry_presence[lane].present);
-                (head.absent[lane]) = (entry_presence[lane].absent);
+                (entry_present[lane].clock) = (clock);
+                (head.present[lane]) = (entry_present[lane].q);
             );
         }
     }

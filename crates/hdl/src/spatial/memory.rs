@@ -52,15 +52,19 @@ pub(crate) struct PhotonMemory<const C: usize, const B: usize, const E: usize> {
 struct State {
     fill_bank: usize,
     fill_place: usize,
+    fill_ready: bool,
     full: [bool; 2],
     end: [usize; 2],
     play_bank: usize,
     play_full: bool,
     play_end: usize,
+    before_end: usize,
     play_place: usize,
+    at_end: bool,
     may_start: bool,
     playing: bool,
     releases: bool,
+    release_taken: bool,
     release_next: bool,
     word_valid: bool,
     word_last: bool,
@@ -167,7 +171,7 @@ impl<const C: usize, const B: usize, const E: usize> PhotonMemory<C, B, E> {
         }
         self.word_valid.next = self._state.word_valid;
         self.word_last.next = self._state.word_last;
-        self.group_ready.next = !self._state.full[self._state.fill_bank];
+        self.group_ready.next = self._state.fill_ready;
     }
 
     fn may_start(&self) -> bool {
@@ -181,13 +185,19 @@ impl<const C: usize, const B: usize, const E: usize> PhotonMemory<C, B, E> {
         let before = self._state;
         let starts = before.may_start;
         let reads = before.playing || starts;
-        let at_end = before.play_place == before.play_end;
+        let at_end = before.at_end;
         let read = before.play_bank * self._bank_groups + before.play_place;
         self._word.clone_from(&self._groups[read]);
         let mut state = before;
         state.may_start = self.may_start();
         state.play_full = before.full[before.play_bank];
         state.play_end = before.end[before.play_bank];
+        let places = self._bank_groups;
+        state.before_end = (before.end[before.play_bank] + places - 1) % places;
+        state.at_end = match reads {
+            true => !at_end && before.play_place == before.before_end,
+            false => before.play_end == 0,
+        };
         state.word_valid = reads;
         state.word_last = reads && at_end;
         if reads {
@@ -207,17 +217,22 @@ impl<const C: usize, const B: usize, const E: usize> PhotonMemory<C, B, E> {
             state.releases = before.release_next;
             state.release_next = false;
         }
-        if self.query_taken.val() && self.release_in.val() {
+        state.release_taken = self.query_taken.val() && self.release_in.val();
+        if before.release_taken {
             state.release_next = true;
         }
-        if self.group_valid.val() && !before.full[before.fill_bank] {
+        state.fill_ready = !before.full[before.fill_bank];
+        if before.fill_ready {
+            state.end[before.fill_bank] = before.fill_place;
+        }
+        if self.group_valid.val() && before.fill_ready {
             let place = before.fill_bank * self._bank_groups + before.fill_place;
             self._groups[place] = self.group();
             let is_last = self.group_last.val() || before.fill_place + 1 == self._bank_groups;
             state.fill_place = if is_last { 0 } else { before.fill_place + 1 };
             if is_last {
                 state.full[before.fill_bank] = true;
-                state.end[before.fill_bank] = before.fill_place;
+                state.fill_ready = false;
                 state.fill_bank = 1 - before.fill_bank;
             }
         }
@@ -234,15 +249,19 @@ impl<const C: usize, const B: usize, const E: usize> PhotonMemory<C, B, E> {
         match register {
             MemoryRegister::FillBank => state.fill_bank as u64,
             MemoryRegister::FillPlace => state.fill_place as u64,
+            MemoryRegister::FillReady => state.fill_ready.into(),
             MemoryRegister::Full => state.full[index].into(),
             MemoryRegister::End => state.end[index] as u64,
             MemoryRegister::PlayBank => state.play_bank as u64,
             MemoryRegister::PlayFull => state.play_full.into(),
             MemoryRegister::PlayEnd => state.play_end as u64,
+            MemoryRegister::BeforeEnd => state.before_end as u64,
             MemoryRegister::PlayPlace => state.play_place as u64,
+            MemoryRegister::AtEnd => state.at_end.into(),
             MemoryRegister::MayStart => state.may_start.into(),
             MemoryRegister::Playing => state.playing.into(),
             MemoryRegister::Releases => state.releases.into(),
+            MemoryRegister::ReleaseTaken => state.release_taken.into(),
             MemoryRegister::ReleaseNext => state.release_next.into(),
             MemoryRegister::WordValid => state.word_valid.into(),
             MemoryRegister::WordLast => state.word_last.into(),
@@ -355,6 +374,7 @@ fn state_text(bits: usize) -> String {
     format!(
         "reg fill_bank = 1'd0;\n\
          reg [{top}:0] fill_place = {bits}'d0;\n\
+         reg fill_ready = 1'd0;\n\
          reg full_0 = 1'd0;\n\
          reg full_1 = 1'd0;\n\
          reg [{top}:0] end_place_0 = {bits}'d0;\n\
@@ -362,28 +382,33 @@ fn state_text(bits: usize) -> String {
          reg play_bank = 1'd0;\n\
          reg play_full = 1'd0;\n\
          reg [{top}:0] play_end = {bits}'d0;\n\
+         reg [{top}:0] before_end = {bits}'d0;\n\
          reg [{top}:0] play_place = {bits}'d0;\n\
+         reg at_end = 1'd0;\n\
          reg may_start = 1'd0;\n\
          reg playing = 1'd0;\n\
          reg releases = 1'd0;\n\
+         reg release_taken = 1'd0;\n\
          reg release_next = 1'd0;\n\
          reg valid = 1'd0;\n\
          reg last = 1'd0;\n\
-         wire takes_group = group_valid & ~(fill_bank ? full_1 : full_0);\n\
+         wire takes_group = group_valid & fill_ready;\n\
          wire set_ends = group_last | (&fill_place);\n\
          wire [15:0] wide_end = {{{pad}play_end}};\n\
          wire in_time = clocks_to_last <= wide_end;\n\
          wire busy = playing | may_start | (valid & last);\n\
          wire reads = playing | may_start;\n\
-         wire at_end = play_place == play_end;\n\
+         wire [{top}:0] set_end = play_bank ? end_place_1 : end_place_0;\n\
          wire ends_set = reads & at_end & (may_start ? release_next : releases);\n\
-         always @(*) group_ready = ~(fill_bank ? full_1 : full_0);\n\
+         always @(*) group_ready = fill_ready;\n\
          always @(*) word_valid = valid;\n\
          always @(*) word_last = last;\n\
          always @(posedge clock) begin\n\
          \x20 may_start <= ~busy & play_full & is_full & has_room & in_time;\n\
          \x20 play_full <= play_bank ? full_1 : full_0;\n\
-         \x20 play_end <= play_bank ? end_place_1 : end_place_0;\n\
+         \x20 play_end <= set_end;\n\
+         \x20 before_end <= set_end - {bits}'d1;\n\
+         \x20 at_end <= reads ? ~at_end & (play_place == before_end) : ~|play_end;\n\
          \x20 valid <= reads;\n\
          \x20 last <= reads & at_end;\n\
          \x20 if (reads) begin\n\
@@ -399,21 +424,21 @@ fn state_text(bits: usize) -> String {
          \x20   releases <= release_next;\n\
          \x20   release_next <= 1'd0;\n\
          \x20 end\n\
-         \x20 if (query_taken & release_in) release_next <= 1'd1;\n\
+         \x20 release_taken <= query_taken & release_in;\n\
+         \x20 if (release_taken) release_next <= 1'd1;\n\
+         \x20 fill_ready <= ~(fill_bank ? full_1 : full_0) & ~(takes_group & set_ends);\n\
+         \x20 if (fill_ready & ~fill_bank) end_place_0 <= fill_place;\n\
+         \x20 if (fill_ready & fill_bank) end_place_1 <= fill_place;\n\
          \x20 if (takes_group) fill_place <= set_ends ? {bits}'d0 : fill_place + {bits}'d1;\n\
          \x20 if (takes_group & set_ends) begin\n\
          \x20   fill_bank <= ~fill_bank;\n\
-         \x20   if (fill_bank) begin\n\
-         \x20     full_1 <= 1'd1;\n\
-         \x20     end_place_1 <= fill_place;\n\
-         \x20   end else begin\n\
-         \x20     full_0 <= 1'd1;\n\
-         \x20     end_place_0 <= fill_place;\n\
-         \x20   end\n\
+         \x20   if (fill_bank) full_1 <= 1'd1;\n\
+         \x20   else full_0 <= 1'd1;\n\
          \x20 end\n\
          \x20 if (reset) begin\n\
          \x20   fill_bank <= 1'd0;\n\
          \x20   fill_place <= {bits}'d0;\n\
+         \x20   fill_ready <= 1'd0;\n\
          \x20   full_0 <= 1'd0;\n\
          \x20   full_1 <= 1'd0;\n\
          \x20   end_place_0 <= {bits}'d0;\n\
@@ -421,10 +446,13 @@ fn state_text(bits: usize) -> String {
          \x20   play_bank <= 1'd0;\n\
          \x20   play_full <= 1'd0;\n\
          \x20   play_end <= {bits}'d0;\n\
+         \x20   before_end <= {bits}'d0;\n\
          \x20   play_place <= {bits}'d0;\n\
+         \x20   at_end <= 1'd0;\n\
          \x20   may_start <= 1'd0;\n\
          \x20   playing <= 1'd0;\n\
          \x20   releases <= 1'd0;\n\
+         \x20   release_taken <= 1'd0;\n\
          \x20   release_next <= 1'd0;\n\
          \x20   valid <= 1'd0;\n\
          \x20   last <= 1'd0;\n\

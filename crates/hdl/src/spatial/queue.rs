@@ -129,6 +129,8 @@ impl<const S: usize, const N: usize> Logic for ResultQueue<S, N> {
                 format!("always @(*) result${channel} = word[{high}:{low}];\n")
             })
             .collect();
+        // Which result is the newest is found from registers alone, beside what it is and-ed with: kept, so
+        // that Yosys does not lay the bits that come late through the comparison.
         Verilog::Custom(format!(
             "reg [{high}:0] results [0:{last}];\n\
              reg [{top}:0] write_place = {bits}'d0;\n\
@@ -140,7 +142,8 @@ impl<const S: usize, const N: usize> Logic for ResultQueue<S, N> {
              results[place] = {width}'d0;\n\
              wire [{high}:0] word = results[read_place];\n\
              wire takes_result = has_result & result_ready;\n\
-             wire takes_newest = takes_result & (read_place == newest_place);\n\
+             (* keep *) wire is_newest = read_place == newest_place;\n\
+             wire takes_newest = takes_result & is_newest;\n\
              always @(*) result_valid = has_result;\n\
              always @(*) batch_taken = takes_result{batch_end};\n\
              {outputs}\

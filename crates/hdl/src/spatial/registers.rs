@@ -89,6 +89,7 @@ pub(super) fn engine<
         E::Reset => register!(ask, e, query_flags.reset.q),
         E::TokenValid => register!(ask, e, query_flags.token_valid.q),
         E::NextValid => register!(ask, e, query_flags.next_valid.q),
+        E::Keep => register!(ask, e, query_flags.keep.q),
         E::Swap => register!(ask, e, query_flags.swap.q),
         E::Token => register!(ask, e, query[i].token.q),
         E::Next => register!(ask, e, query[i].waiting.q),
@@ -136,15 +137,20 @@ pub(super) fn engine<
             register!(ask, e, square_pair[pair].lookup[0].products_delay[photon].q)
         }
         E::Product => register!(ask, e, square_pair[pair].product[photon].product.q),
-        E::Square => register!(ask, e, square_pair[pair].square_stage[photon].q),
-        E::SquareFar => register!(ask, e, square_pair[pair].far_stage[photon].q),
+        E::Square if e.square_pair[pair].lookup.is_empty() => {
+            register!(ask, e, square_pair[pair].square_stage[photon].q)
+        }
+        E::Square => register!(ask, e, square_pair[pair].lookup[0].square_stage[photon].q),
+        E::SquareFar if e.square_pair[pair].lookup.is_empty() => {
+            register!(ask, e, square_pair[pair].far_stage[photon].q)
+        }
+        E::SquareFar => register!(ask, e, square_pair[pair].lookup[0].far_stage[photon].q),
         E::PairSquare => register!(ask, e, lane[i].pair_square.q),
         E::PairZ => register!(ask, e, lane[i].pair_z.q),
         E::PairFar => register!(ask, e, lane[i].pair_far.q),
         E::Distance => register!(ask, e, lane[i].distance.q),
         E::DistanceFar => register!(ask, e, lane[i].distance_far.q),
         E::InRange => register!(ask, e, lane[i].in_range.q),
-        E::RangeWait => register!(ask, e, lane[i % LANES].range_wait[i / LANES].q),
         E::Power => register!(ask, e, channel_sum[channel].hop[of_lane].q),
         E::Present => register!(ask, e, count_sum.hop[i].q),
         E::First => register!(ask, e, group_flags.first.flag[0].q),
@@ -205,6 +211,7 @@ pub(super) fn head<
         H::HasBatch => register!(ask, m, head.admission._has_batch),
         H::Spacing => register!(ask, m, head.admission._spacing),
         H::Waits => register!(ask, m, head.admission._waits),
+        H::BatchTaken => register!(ask, m, head.admission._gives_back),
         H::Promised => register!(ask, m, head.admission._promised),
         H::WritePlace => register!(ask, m, head.queue._write_place),
         H::NewestPlace => register!(ask, m, head.queue._newest_place),
@@ -216,14 +223,19 @@ pub(super) fn head<
         H::EntryPhoton => register!(ask, m, entry_photon[i].q),
         H::EntryPower => register!(ask, m, entry_mantissa[channel].q),
         H::EntryExponent => register!(ask, m, entry_exponent[i].q),
-        H::EntryPresent => register!(ask, m, entry_presence[i].is_present.q),
-        H::EntryAbsent => register!(ask, m, entry_presence[i].is_absent.q),
+        H::EntryPresent => register!(ask, m, entry_present[i].q),
+        H::EntryTaken => register!(ask, m, entry_taken.q),
         H::EntryFirst => register!(ask, m, entry_first.flag[0].q),
         H::EntryLast => register!(ask, m, entry_last.flag[0].q),
-        H::DelayPower => register!(ask, m, head.power_delay[i % words].stage[i / words].q),
-        H::DelayPresent => {
-            register!(ask, m, head.present_delay[i % LANES].stage[i / LANES].q)
+        H::DelayPower if i < words => register!(ask, m, head.decoded[i].q),
+        H::DelayPower => {
+            register!(ask, m, head.power_delay[i % words].stage[i / words - 1].q)
         }
+        H::DelayPresent if i < LANES => register!(ask, m, head.presence[i].is_present.q),
+        H::DelayPresent => {
+            register!(ask, m, head.present_delay[i % LANES].stage[i / LANES - 1].q)
+        }
+        H::DelayAbsent => register!(ask, m, head.presence[i].is_absent.q),
         H::DelayFirst => register!(ask, m, head.first_delay.stage[i].flag[0].q),
         H::DelayLast => register!(ask, m, head.last_delay.stage[i].flag[0].q),
     }

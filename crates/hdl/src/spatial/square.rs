@@ -130,6 +130,8 @@ pub(crate) struct TableSquarer<const D: usize, const Q: usize, const L: usize> {
     pub square_table: SquareTable<D, L>,
     split_0: SplitLookup<Q, L>,
     split_1: SplitLookup<Q, L>,
+    pub square_stage: Vec<Stage<Bits<Q>>>,
+    pub far_stage: Vec<Stage<Bit>>,
     _wires: Wires,
 }
 
@@ -148,6 +150,8 @@ impl<const D: usize, const Q: usize, const L: usize> TableSquarer<D, Q, L> {
             square_table: SquareTable::new(cuts.has(Cut::Cross)),
             split_0: Default::default(),
             split_1: Default::default(),
+            square_stage: Stage::several(2, cuts.has(Cut::Square)),
+            far_stage: Stage::several(2, cuts.has(Cut::Square)),
             _wires: Default::default(),
         })
     }
@@ -158,6 +162,8 @@ impl<const D: usize, const Q: usize, const L: usize> TableSquarer<D, Q, L> {
                 (magnitude_delay[photon].clock) = (clock);
                 (products_delay[photon].clock) = (clock);
                 (products_delay[photon].d) = (magnitude_delay[photon].q);
+                (square_stage[photon].clock) = (clock);
+                (far_stage[photon].clock) = (clock);
             );
         }
         wires!(self, wiring:
@@ -168,10 +174,14 @@ impl<const D: usize, const Q: usize, const L: usize> TableSquarer<D, Q, L> {
             (square_table.difference_b) = (products_delay[1].q);
             (split_0.lookup) = (square_table.lookup_a);
             (split_1.lookup) = (square_table.lookup_b);
-            (square_a) = (split_0.square);
-            (square_b) = (split_1.square);
-            (far_a) = (split_0.far);
-            (far_b) = (split_1.far);
+            (square_stage[0].d) = (split_0.square);
+            (square_stage[1].d) = (split_1.square);
+            (far_stage[0].d) = (split_0.far);
+            (far_stage[1].d) = (split_1.far);
+            (square_a) = (square_stage[0].q);
+            (square_b) = (square_stage[1].q);
+            (far_a) = (far_stage[0].q);
+            (far_b) = (far_stage[1].q);
         );
     }
 }
@@ -260,6 +270,7 @@ pub(crate) struct SquarePair<
     pub lookup: Vec<TableSquarer<D, Q, L>>,
     /// Two or none.
     pub product: Vec<ProductSquarer<D, Q, PR>>,
+    /// Registers at the cut `Square`, but for a table's, which are in the block RAM.
     pub square_stage: Vec<Stage<Bits<Q>>>,
     pub far_stage: Vec<Stage<Bit>>,
     _wires: Wires,
@@ -282,6 +293,7 @@ impl<
         let digits = 0..count(Squarer::Digits, 2);
         let lookup = 0..count(Squarer::Table, 1);
         let product = 0..count(Squarer::Product, 2);
+        let behind = cuts.has(Cut::Square) && squarer != Squarer::Table;
         with_wires!(Self {
             clock: Default::default(),
             query: Default::default(),
@@ -296,8 +308,8 @@ impl<
             digits: digits.map(|_| DigitSquarer::new(cuts)).collect(),
             lookup: lookup.map(|_| TableSquarer::new(cuts)).collect(),
             product: product.map(|_| ProductSquarer::new(cuts)).collect(),
-            square_stage: Stage::several(2, cuts.has(Cut::Square)),
-            far_stage: Stage::several(2, cuts.has(Cut::Square)),
+            square_stage: Stage::several(2, behind),
+            far_stage: Stage::several(2, behind),
             _wires: Default::default(),
         })
     }

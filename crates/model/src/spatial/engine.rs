@@ -18,6 +18,8 @@ pub(super) struct Engine {
     pub(super) rules: Rules,
     pub(super) hop: Hop,
     pub(super) next_valid: bool,
+    /// The token in the hop is the next query.
+    pub(super) keep: bool,
     pub(super) next: Query,
     pub(super) query: Query,
     pub(super) radius_delay: [u32; CUTS_BEFORE_RANGE],
@@ -31,6 +33,7 @@ impl Engine {
             rules: Rules::of(machine, spatial, engine),
             hop: Hop::default(),
             next_valid: false,
+            keep: false,
             next: Query::default(),
             query: Query::default(),
             radius_delay: Default::default(),
@@ -89,15 +92,15 @@ impl Engine {
     /// The query changes where a first group arrives, and a token is kept where there is room;
     /// gives whether the incoming token goes on.
     fn take_query(&mut self, incoming: &Hop) -> bool {
+        if self.keep {
+            self.next = self.hop.token;
+        }
         if incoming.swap {
             self.query = self.next;
             self.next_valid = false;
         }
-        if !incoming.token_valid || self.next_valid {
-            return incoming.token_valid;
-        }
-        self.next = incoming.token;
-        self.next_valid = true;
-        false
+        self.keep = incoming.token_valid && !self.next_valid;
+        self.next_valid |= self.keep;
+        incoming.token_valid && !self.keep
     }
 }

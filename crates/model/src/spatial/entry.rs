@@ -11,6 +11,8 @@ pub(super) struct Entry {
     pub(super) token_valid: bool,
     pub(super) token: Query,
     pub(super) lanes: [EntryLane; Spatial::LANES],
+    /// The group was taken.
+    pub(super) taken: bool,
     pub(super) flags: Flags,
 }
 
@@ -20,10 +22,8 @@ pub(super) struct EntryLane {
     pub(super) photon: [u32; 3],
     pub(super) mantissa: [u32; 3],
     pub(super) exponent: u32,
-    /// There is a photon, of a group that was taken.
+    /// There is a photon.
     pub(super) present: bool,
-    /// There is none; its powers are cleared.
-    pub(super) absent: bool,
 }
 
 impl Entry {
@@ -31,12 +31,13 @@ impl Entry {
     pub(super) fn of(inputs: &Inputs, taken: Taken) -> Self {
         let mut lanes = [EntryLane::default(); Spatial::LANES];
         for (entered, lane) in lanes.iter_mut().zip(&inputs.group.lanes) {
-            *entered = EntryLane::of(lane, taken.group);
+            *entered = EntryLane::of(lane);
         }
         Self {
             token_valid: taken.query,
             token: inputs.query,
             lanes,
+            taken: taken.group,
             flags: taken.flags,
         }
     }
@@ -52,11 +53,11 @@ impl Entry {
         }
     }
 
-    /// The group's decoded powers.
+    /// The group's decoded powers, those of absent photons too.
     pub(super) fn powers(&self) -> Powers {
         Powers {
             power: self.lanes.map(EntryLane::power),
-            present: self.lanes.map(|lane| lane.present),
+            present: self.lanes.map(|lane| self.taken && lane.present),
             flags: self.flags,
         }
     }
@@ -69,22 +70,16 @@ impl Entry {
 }
 
 impl EntryLane {
-    fn of(lane: &Lane, taken: bool) -> Self {
-        let present = taken && lane.present;
+    fn of(lane: &Lane) -> Self {
         Self {
             photon: lane.photon.position,
             mantissa: lane.photon.power,
             exponent: lane.photon.exponent,
-            present,
-            absent: !present,
+            present: lane.present,
         }
     }
 
     fn power(self) -> [u64; 3] {
-        if self.absent {
-            [0; 3]
-        } else {
-            self.mantissa.map(|m| u64::from(m) << self.exponent)
-        }
+        self.mantissa.map(|m| u64::from(m) << self.exponent)
     }
 }

@@ -16,6 +16,8 @@ pub(super) struct Head {
     pub(super) loaded: u32,
     pub(super) open: bool,
     pub(super) spacing: u32,
+    /// The last result of a batch was taken, and `promised` is to hear of it.
+    pub(super) batch_taken: bool,
     /// Batches whose results have places in the queue.
     pub(super) promised: u32,
     pub(super) write_place: usize,
@@ -26,6 +28,8 @@ pub(super) struct Head {
     pub(super) entry: Entry,
     /// Stage 0, nearest to the entry, first.
     pub(super) delay: Vec<Powers>,
+    /// There is no photon in the lanes of stage 0.
+    pub(super) absent: [bool; Spatial::LANES],
     queue: Vec<Sums>,
 }
 
@@ -47,6 +51,7 @@ impl Head {
             loaded: 0,
             open: false,
             spacing: 0,
+            batch_taken: false,
             promised: 0,
             write_place: 0,
             newest_place: 0,
@@ -54,6 +59,7 @@ impl Head {
             waiting: 0,
             entry: Entry::default(),
             delay: vec![Powers::default(); spatial.latency() as usize],
+            absent: Default::default(),
             queue: vec![Sums::default(); sizes.queue],
         }
     }
@@ -139,6 +145,15 @@ impl Head {
 
     /// A step of the delay line: what its last stage held.
     fn delayed(&mut self, powers: Powers) -> Powers {
+        for (power, _) in self.delay[0]
+            .power
+            .iter_mut()
+            .zip(self.absent)
+            .filter(|(_, absent)| *absent)
+        {
+            *power = [0; 3];
+        }
+        self.absent = powers.present.map(|present| !present);
         self.delay.rotate_right(1);
         mem::replace(&mut self.delay[0], powers)
     }
@@ -165,9 +180,16 @@ impl Head {
             self.spacing = self.sizes.spacing - 1;
             self.promised += 1;
         }
+        let of_batch = self.read_place as u32 % self.engines;
+        let ends_batch = taken.result && of_batch == self.engines - 1;
+        let heard = mem::replace(&mut self.batch_taken, ends_batch);
+        let gives_back = if self.sizes.has_waits() {
+            heard
+        } else {
+            ends_batch
+        };
+        self.promised -= u32::from(gives_back);
         if taken.result {
-            let of_batch = self.read_place as u32 % self.engines;
-            self.promised -= u32::from(of_batch == self.engines - 1);
             self.read_place = self.after(self.read_place);
             self.waiting -= 1;
         }
@@ -178,6 +200,7 @@ impl Head {
         self.loaded = 0;
         self.open = false;
         self.spacing = 0;
+        self.batch_taken = false;
         self.promised = 0;
         self.write_place = 0;
         self.newest_place = 0;

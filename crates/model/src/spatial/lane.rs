@@ -1,7 +1,5 @@
 //! One lane of an engine: the photon's distance, and whether it is in range.
 
-use std::mem;
-
 use photoncube_spec::Cut;
 
 use super::axis::Axis;
@@ -22,9 +20,6 @@ pub(super) struct Distance {
     pub(super) far: bool,
 }
 
-/// No flow of positions has more registers, so none is that much faster than another.
-const MOST_WAITS: usize = 8;
-
 /// The registers of one lane.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Lane {
@@ -32,11 +27,10 @@ pub(super) struct Lane {
     pub(super) pair: Pair,
     pub(super) distance: Distance,
     pub(super) in_range: bool,
-    pub(super) range_wait: [bool; MOST_WAITS],
 }
 
 impl Lane {
-    /// One clock; gives what is behind the cut `Range` and the wait. `radius_sq` is that which stands
+    /// One clock; gives what is behind the cut `Range`. `radius_sq` is that which stands
     /// at the compare in this clock.
     pub(super) fn clock(
         &mut self,
@@ -59,10 +53,6 @@ impl Lane {
         };
         let distance = rules.cut(Cut::Distance, &mut self.distance, distance);
         let in_range = !distance.far && distance.word <= u64::from(radius_sq);
-        let decided = rules.cut(Cut::Range, &mut self.in_range, in_range);
-        let waits = &mut self.range_wait[..rules.range_waits];
-        waits
-            .iter_mut()
-            .fold(decided, |newer, wait| mem::replace(wait, newer))
+        rules.cut(Cut::Range, &mut self.in_range, in_range)
     }
 }

@@ -9,7 +9,7 @@ pub(super) struct Flags {
     pub(super) last: bool,
 }
 
-/// The powers of a group: decoded, 0 for an absent photon.
+/// The powers of a group, decoded; from stage 1 of the delay line on 0 for an absent photon.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Powers {
     /// By lane, then channel.

@@ -21,13 +21,17 @@ pub(super) struct PhotonMemory {
     banks: [Bank; 2],
     fill_bank: usize,
     fill_place: usize,
+    fill_ready: bool,
     play_bank: usize,
     play_full: bool,
     play_end: usize,
+    before_end: usize,
     play_place: usize,
+    at_end: bool,
     may_start: bool,
     playing: bool,
     releases: bool,
+    release_taken: bool,
     release_next: bool,
     word_valid: bool,
     word: Group,
@@ -61,13 +65,17 @@ impl PhotonMemory {
             banks: [bank.clone(), bank],
             fill_bank: 0,
             fill_place: 0,
+            fill_ready: false,
             play_bank: 0,
             play_full: false,
             play_end: 0,
+            before_end: 0,
             play_place: 0,
+            at_end: false,
             may_start: false,
             playing: false,
             releases: false,
+            release_taken: false,
             release_next: false,
             word_valid: false,
             word: nothing,
@@ -78,7 +86,7 @@ impl PhotonMemory {
 
     /// Whether a group is taken from the stream in this clock, if there is one.
     pub fn group_ready(&self) -> bool {
-        !self.banks[self.fill_bank].full
+        self.fill_ready
     }
 
     /// The pins as the head sees them: its group is the word that was read.
@@ -96,13 +104,14 @@ impl PhotonMemory {
         self.may_start = self.may_start_next(head);
         let reads = self.playing || starts;
         let read = self.banks[self.play_bank].groups[self.play_place].clone();
-        let at_end = self.play_place == self.play_end;
+        let at_end = self.at_end;
+        self.at_end = self.at_end_next(reads);
         let takes = inputs.group_valid && self.group_ready();
+        let was_full = self.banks[self.fill_bank].full;
 
-        (self.play_full, self.play_end) = {
-            let bank = &self.banks[self.play_bank];
-            (bank.full, bank.end)
-        };
+        let bank = &self.banks[self.play_bank];
+        (self.play_full, self.play_end) = (bank.full, bank.end);
+        self.before_end = bank.end.checked_sub(1).unwrap_or(bank.groups.len() - 1);
         self.word_valid = reads;
         self.word = Group {
             last: reads && at_end,
@@ -115,12 +124,9 @@ impl PhotonMemory {
             self.releases = self.release_next;
             self.release_next = false;
         }
-        if head.takes_query && inputs.query_release {
-            self.release_next = true;
-        }
-        if takes {
-            self.fill(&inputs.group);
-        }
+        self.release_next |= self.release_taken;
+        self.release_taken = head.takes_query && inputs.query_release;
+        self.fill(takes.then_some(&inputs.group), was_full);
         if inputs.reset {
             self.reset();
         }
@@ -136,6 +142,15 @@ impl PhotonMemory {
             && head.has_room
             && head.spacing as usize <= self.play_end
             && !ends
+    }
+
+    /// Whether the place that is read in the next clock is the last of its set.
+    fn at_end_next(&self, reads: bool) -> bool {
+        if reads {
+            !self.at_end && self.play_place == self.before_end
+        } else {
+            self.play_end == 0
+        }
     }
 
     fn advance(&mut self, starts: bool, at_end: bool) {
@@ -156,13 +171,21 @@ impl PhotonMemory {
         }
     }
 
-    fn fill(&mut self, group: &Group) {
+    /// With the group that is taken, and whether the bank was full before this clock.
+    fn fill(&mut self, group: Option<&Group>, was_full: bool) {
         let bank = &mut self.banks[self.fill_bank];
         let place = self.fill_place;
+        if self.fill_ready {
+            bank.end = place;
+        }
+        self.fill_ready = !was_full;
+        let Some(group) = group else {
+            return;
+        };
         bank.groups[place].clone_from(group);
         if group.last || place + 1 == bank.groups.len() {
             bank.full = true;
-            bank.end = place;
+            self.fill_ready = false;
             self.fill_place = 0;
             self.fill_bank = 1 - self.fill_bank;
         } else {
@@ -174,10 +197,12 @@ impl PhotonMemory {
         for bank in &mut self.banks {
             (bank.full, bank.end) = (false, 0);
         }
-        (self.fill_bank, self.fill_place) = (0, 0);
+        (self.fill_bank, self.fill_place, self.fill_ready) = (0, 0, false);
         (self.play_bank, self.play_place) = (0, 0);
         (self.play_full, self.play_end, self.may_start) = (false, 0, false);
-        (self.playing, self.releases, self.release_next) = (false, false, false);
+        (self.before_end, self.at_end) = (0, false);
+        (self.playing, self.releases) = (false, false);
+        (self.release_taken, self.release_next) = (false, false);
         self.word_valid = false;
         self.word.last = false;
     }
@@ -194,15 +219,19 @@ impl PhotonMemory {
         match register {
             MemoryRegister::FillBank => row.push(self.fill_bank as u64),
             MemoryRegister::FillPlace => row.push(self.fill_place as u64),
+            MemoryRegister::FillReady => row.push(self.fill_ready.into()),
             MemoryRegister::Full => row.extend(self.banks.iter().map(|b| u64::from(b.full))),
             MemoryRegister::End => row.extend(self.banks.iter().map(|b| b.end as u64)),
             MemoryRegister::PlayBank => row.push(self.play_bank as u64),
             MemoryRegister::PlayFull => row.push(self.play_full.into()),
             MemoryRegister::PlayEnd => row.push(self.play_end as u64),
+            MemoryRegister::BeforeEnd => row.push(self.before_end as u64),
             MemoryRegister::PlayPlace => row.push(self.play_place as u64),
+            MemoryRegister::AtEnd => row.push(self.at_end.into()),
             MemoryRegister::MayStart => row.push(self.may_start.into()),
             MemoryRegister::Playing => row.push(self.playing.into()),
             MemoryRegister::Releases => row.push(self.releases.into()),
+            MemoryRegister::ReleaseTaken => row.push(self.release_taken.into()),
             MemoryRegister::ReleaseNext => row.push(self.release_next.into()),
             MemoryRegister::WordValid => row.push(self.word_valid.into()),
             MemoryRegister::WordLast => row.push(self.word.last.into()),

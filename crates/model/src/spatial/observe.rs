@@ -22,6 +22,8 @@ impl Head {
                 HeadRegister::Waits if !self.sizes.has_waits() => {}
                 HeadRegister::Waits => row.push((self.spacing != 0).into()),
                 HeadRegister::HasBatch => row.push(self.has_batch().into()),
+                HeadRegister::BatchTaken if !self.sizes.has_waits() => {}
+                HeadRegister::BatchTaken => row.push(self.batch_taken.into()),
                 HeadRegister::Promised => row.push((1 << self.promised) - 1),
                 HeadRegister::WritePlace => row.push(self.write_place as u64),
                 HeadRegister::NewestPlace => row.push(self.newest_place as u64),
@@ -47,9 +49,7 @@ impl Head {
                 HeadRegister::EntryPresent => {
                     row.extend(lanes.clone().map(|lane| u64::from(lane.present)));
                 }
-                HeadRegister::EntryAbsent => {
-                    row.extend(lanes.clone().map(|lane| u64::from(lane.absent)));
-                }
+                HeadRegister::EntryTaken => row.push(self.entry.taken.into()),
                 HeadRegister::EntryFirst => row.push(self.entry.flags.first.into()),
                 HeadRegister::EntryLast => row.push(self.entry.flags.last.into()),
                 HeadRegister::DelayPower => {
@@ -60,6 +60,7 @@ impl Head {
                     let lanes = self.delay.iter().flat_map(|stage| stage.present);
                     row.extend(lanes.map(u64::from));
                 }
+                HeadRegister::DelayAbsent => row.extend(self.absent.map(u64::from)),
                 HeadRegister::DelayFirst => {
                     row.extend(self.delay.iter().map(|stage| u64::from(stage.flags.first)));
                 }
@@ -108,6 +109,7 @@ impl Writer<'_> {
             R::Token => self.axes(hop.token.position),
             R::TokenRadius => self.one(hop.token.radius_sq),
             R::NextValid => self.one(engine.next_valid),
+            R::Keep => self.one(engine.keep),
             R::Next => self.axes(engine.next.position),
             R::NextRadius => self.one(engine.next.radius_sq),
             R::Query => self.axes(engine.query.position),
@@ -139,11 +141,6 @@ impl Writer<'_> {
             R::Distance => self.lanes(|lane| lane.distance.word),
             R::DistanceFar => self.lanes(|lane| lane.distance.far),
             R::InRange => self.lanes(|lane| lane.in_range),
-            R::RangeWait => {
-                for wait in 0..engine.rules.range_waits {
-                    self.lanes(|lane| lane.range_wait[wait]);
-                }
-            }
             R::Power => self.channels(&hop.powers.power),
             R::Present => self.row.extend(hop.powers.present.map(u64::from)),
             R::First | R::Last => self.flag(hop.powers.flags, register == R::First),

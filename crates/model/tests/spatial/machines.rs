@@ -49,14 +49,20 @@ pub fn all_cuts(squarer: Squarer) -> impl Iterator<Item = Cuts> {
     })
 }
 
-/// The cuts of `machine` in the flow of powers, and others in that of positions.
+/// The cuts of `machine` in the flow of powers, and in that of positions as many, of `positions` first.
 fn with_positions(machine: Cuts, positions: Cuts) -> Cuts {
-    let has = |cut: &Cut| match cut.is_of_positions() {
-        true => positions.has(*cut),
-        false => machine.has(*cut),
-    };
-    let all = Cut::ALL.into_iter().filter(has);
-    Cuts::of(&all.collect::<Vec<_>>())
+    let (mut all, powers): (Vec<_>, Vec<_>) =
+        Cut::ALL.into_iter().partition(|cut| cut.is_of_positions());
+    // Where the rules ask for a register, there is one in both.
+    all.sort_by_key(|&cut| {
+        (
+            ![Cut::Cross, Cut::Range].contains(&cut),
+            !positions.has(cut),
+        )
+    });
+    all.truncate(machine.latency() as usize);
+    all.extend(powers.into_iter().filter(|&cut| machine.has(cut)));
+    Cuts::of(&all)
 }
 
 /// Named cuts, the extremes, and any.

@@ -49,7 +49,7 @@ fn results_come_after_the_latency_and_two_clocks_apart() {
         }
     }
     let latency = |name| named(name).spatial().unwrap().latency_clocks();
-    assert_eq!((latency("stream"), latency("tile-10")), (15, 12));
+    assert_eq!((latency("stream"), latency("tile-10")), (15, 13));
 }
 
 #[test]
@@ -153,15 +153,19 @@ fn a_full_queue_stops_at_the_last_group_that_has_no_room() {
         // Of the batch that does not fit all groups but the last, and the queries of the next.
         assert_eq!(driver.groups_left(), 3 * groups - (groups - 1), "{name}");
         assert_eq!(driver.queries_left(), engines, "{name}");
-        // Room for the results of one batch lets one more last group in.
+        // Room for the results of one batch lets one more last group in, with several engines a clock
+        // later.
+        let has_waits = HeadSizes::of(machine.spatial().unwrap()).has_waits();
         let mut lasts = 0;
         for taken in 1..=engines {
             lasts += usize::from(driver.tick(Waits::default()).last);
             assert_eq!(driver.results.len(), taken);
             assert_eq!(lasts, 0);
         }
-        lasts += usize::from(driver.tick(stopped).last);
-        assert_eq!(lasts, 1, "{name}");
+        for expected in if has_waits { 0..2 } else { 1..2 } {
+            lasts += usize::from(driver.tick(stopped).last);
+            assert_eq!(lasts, expected, "{name}");
+        }
         driver.finish(batches.len() * engines);
         assert_eq!(driver.results, expected(&machine, &batches));
     }

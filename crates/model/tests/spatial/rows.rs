@@ -15,9 +15,7 @@ fn power_up_is_all_zero_and_ready_for_a_query() {
         golden_machine(machine).observe(&Inputs::default(), &mut row);
         assert_eq!(row.len(), pins.observed.len());
         for (value, pin) in row.iter().zip(&pins.observed) {
-            // A memory takes groups before there are queries.
-            let ready =
-                pin.name == "query_ready" || (machine.has_memory() && pin.name == "group_ready");
+            let ready = pin.name == "query_ready";
             assert_eq!(*value, u64::from(ready), "{}", pin.name);
         }
     }
@@ -46,7 +44,13 @@ fn is_word(register: HeadRegister) -> bool {
     use HeadRegister as H;
     [H::EntryToken, H::EntryRadius, H::EntryPhoton].contains(&register)
         || [H::EntryPower, H::EntryExponent, H::EntryPresent].contains(&register)
-        || [H::EntryAbsent, H::DelayPower, H::DelayPresent].contains(&register)
+        || [
+            H::EntryTaken,
+            H::DelayPower,
+            H::DelayPresent,
+            H::DelayAbsent,
+        ]
+        .contains(&register)
 }
 
 /// The registers before the clock of a reset.
@@ -75,18 +79,20 @@ impl Before {
         self.head(HeadRegister::EntryFirst, 0) == 1
     }
 
-    /// What engine 0's next query becomes: what waits in the entry, if it has room for it, and not
-    /// what is on the pins.
-    fn next(&self, register: EngineRegister, index: usize) -> u64 {
+    /// Engine 0 keeps what waits in the entry, if it has room for it, and not what is on the pins.
+    fn keeps(&self) -> bool {
         let has_room = self.is_swapped() || self.engine(EngineRegister::NextValid, 0) == 0;
-        if has_room && self.head(HeadRegister::EntryTokenValid, 0) == 1 {
-            let entry = match register {
-                EngineRegister::Next => HeadRegister::EntryToken,
-                _ => HeadRegister::EntryRadius,
-            };
-            return self.head(entry, index);
-        }
-        self.engine(register, index)
+        has_room && self.head(HeadRegister::EntryTokenValid, 0) == 1
+    }
+
+    /// What its next query becomes: what it kept in the clock before.
+    fn next(&self, register: EngineRegister, index: usize) -> u64 {
+        let token = match register {
+            EngineRegister::Next => EngineRegister::Token,
+            _ => EngineRegister::TokenRadius,
+        };
+        let keeps = self.engine(EngineRegister::Keep, 0) == 1;
+        self.engine(if keeps { token } else { register }, index)
     }
 
     /// What its query becomes: the next one, if a first group waits in the entry.
@@ -95,7 +101,10 @@ impl Before {
             EngineRegister::Query => EngineRegister::Next,
             _ => EngineRegister::NextRadius,
         };
-        self.engine(if self.is_swapped() { next } else { register }, index)
+        match self.is_swapped() {
+            true => self.next(next, index),
+            false => self.engine(register, index),
+        }
     }
 }
 
@@ -118,6 +127,7 @@ fn reset_in_flight(machine: &Machine, clocks: u64) {
                 index,
             } => match register {
                 EngineRegister::Reset => assert_eq!(value, 1),
+                EngineRegister::Keep => assert_eq!(value, before.keeps().into()),
                 EngineRegister::Next | EngineRegister::NextRadius => {
                     assert_eq!(value, before.next(register, index), "{place:?}");
                 }

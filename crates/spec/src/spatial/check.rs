@@ -49,6 +49,19 @@ pub enum SpatialError {
         /// Whether those with other squarers have a register there.
         has: bool,
     },
+    /// Kinds of engines differ in when they decide, and the powers come to all of them alike.
+    #[error(
+        "machine `{machine}`: engines with other squarers have {found} cuts from `Difference` to \
+         `Range`, expected {expected}, as the machine's own have"
+    )]
+    Latency {
+        /// The machine.
+        machine: &'static str,
+        /// Those that engines with other squarers have.
+        found: u32,
+        /// Those that its own have.
+        expected: u32,
+    },
     /// Plain numbers have no radius bits, which engines cut differences to.
     #[error("machine `{0}` has plain numbers, and an engine needs a photon format")]
     PlainNumbers(&'static str),
@@ -153,6 +166,7 @@ impl Spatial {
         let mut kinds = (0..self.engines()).map(|engine| self.kind(machine.squarer, engine));
         kinds.try_for_each(|kind| {
             self.check_power_cuts(machine, kind)?;
+            self.check_latency(machine, kind)?;
             Self::check_needed_cuts(machine, kind)
         })
     }
@@ -167,6 +181,18 @@ impl Spatial {
                 has: kind.cuts.has(cut),
             }),
         }
+    }
+
+    fn check_latency(&self, machine: &Machine, kind: EngineKind) -> Result<(), SpatialError> {
+        let (found, expected) = (kind.cuts.latency(), self.latency());
+        if found == expected {
+            return Ok(());
+        }
+        Err(SpatialError::Latency {
+            machine: machine.name,
+            found,
+            expected,
+        })
     }
 
     fn check_needed_cuts(machine: &Machine, kind: EngineKind) -> Result<(), SpatialError> {
@@ -241,7 +267,16 @@ mod tests {
             let cuts = Cuts::of(cuts);
             EngineKind { squarer, cuts }
         }
-        const ENOUGH: &[Cut] = &[Cut::Cross, Cut::Range, Cut::PairPower, Cut::GroupPower];
+        const ENOUGH: &[Cut] = &[
+            Cut::Magnitude,
+            Cut::Products,
+            Cut::Cross,
+            Cut::Pair,
+            Cut::Distance,
+            Cut::Range,
+            Cut::PairPower,
+            Cut::GroupPower,
+        ];
         const THREE: &[(EngineKind, usize)] = &[
             (kind(Squarer::Table, ENOUGH), 1),
             (kind(Squarer::Product, ENOUGH), 2),
@@ -249,7 +284,23 @@ mod tests {
         const NO_LOOKUP: &[(EngineKind, usize)] = &[(
             kind(
                 Squarer::Table,
-                &[Cut::Range, Cut::PairPower, Cut::GroupPower],
+                &[
+                    Cut::Difference,
+                    Cut::Magnitude,
+                    Cut::Products,
+                    Cut::Pair,
+                    Cut::Distance,
+                    Cut::Range,
+                    Cut::PairPower,
+                    Cut::GroupPower,
+                ],
+            ),
+            1,
+        )];
+        const EARLY: &[(EngineKind, usize)] = &[(
+            kind(
+                Squarer::Table,
+                &[Cut::Cross, Cut::Range, Cut::PairPower, Cut::GroupPower],
             ),
             1,
         )];
@@ -277,6 +328,7 @@ mod tests {
             (others(NO_LOOKUP), "the cut Cross, which a table needs, as a block RAM has one"),
             (others(NO_SUM), "no register at the cut GroupPower, expected a register, as the machine's own have from the powers on"),
             (others(MORE_SUMS), "a register at the cut Gate, expected no register, as the machine's own have from the powers on"),
+            (others(EARLY), "engines with other squarers have 2 cuts from `Difference` to `Range`, expected 6, as the machine's own have"),
             (Machine { numbers: plain, ..machine }, "`tile-5` has plain numbers, and an engine needs a photon format"),
         ];
         for (machine, expected) in wrong {

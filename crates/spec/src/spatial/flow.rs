@@ -1,8 +1,7 @@
 //! What happens to a group, clock by clock: the listing of a machine without a program.
 
 use super::cuts::Cut;
-use super::{EngineKind, Radius, Spatial};
-use crate::format::Squarer;
+use super::{Radius, Spatial};
 
 /// A register, or a step without one, on a group's way through an engine.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -74,22 +73,13 @@ fn step(cut: Cut) -> (&'static str, &'static str, &'static str) {
 }
 
 impl Spatial {
-    /// A group's way through an engine with the machine's own kind of squarer, `own`.
-    pub fn flow(&self, own: Squarer) -> Vec<FlowRow> {
-        let kind = EngineKind {
-            squarer: own,
-            cuts: self.cuts,
-        };
+    /// A group's way through an engine with the machine's own kind of squarer.
+    pub fn flow(&self) -> Vec<FlowRow> {
         let mut clock = 0;
         let mut rows = vec![row(0, "X Y Z", "", "the photons' coordinates arrive", true)];
         for cut in Cut::ALL {
             let registered = self.cuts.has(cut);
             if cut == Cut::Gate {
-                let wait = "the decision waits for engines with slower squarers";
-                for _ in 0..self.range_waits(kind) {
-                    clock += 1;
-                    rows.push(row(clock, "D", "", wait, true));
-                }
                 let arrive = "the photons' powers arrive, with them whether each is in range";
                 rows.push(row(clock, "X Y Z D", "", arrive, true));
             }
@@ -137,7 +127,7 @@ mod tests {
             let Some(spatial) = machine.spatial() else {
                 continue;
             };
-            let flow = spatial.flow(machine.squarer);
+            let flow = spatial.flow();
             let sums = flow.last().unwrap();
             let latency = spatial.latency() + spatial.cuts.power_latency();
             assert_eq!(sums.clock, latency);

@@ -15,25 +15,28 @@
 //!   never is, and there is no such register.
 //! - `promised` holds the batches whose last group was taken and whose results were not all, in
 //!   unary: so many of its lowest bits are 1. One more if a last group is taken; one less if the
-//!   last result of a batch is, which is that at a `read_place` of N - 1 modulo N.
+//!   last result of a batch is, which is that at a `read_place` of N - 1 modulo N. Where a last group
+//!   may have to wait ([`HeadSizes::has_waits`]), one less a clock later: `batch_taken` := that result
+//!   is taken, and one less if it is set. A single engine has no such register, because a query of one
+//!   group each clock would need a place more in the queue.
 //! - Entry: what came on the pins, a clock later. The coordinates of query and photons, the
-//!   radius, mantissas and exponents are taken over in every clock; `EntryPresent` is the
-//!   presence of a taken group's photons and `EntryAbsent` its inverse, `EntryTokenValid`
-//!   that a query is taken, `EntryFirst` and `EntryLast` that a first and that a last group
-//!   is. Engine 0 gets these: its incoming token, its photons, and `EntryFirst` as its
-//!   incoming swap (see below).
+//!   radius, mantissas, exponents and presence (`EntryPresent`) are taken over in every clock;
+//!   `EntryTaken` is that a group is taken, `EntryTokenValid` that a query is, `EntryFirst` and
+//!   `EntryLast` that a first and that a last group is. Engine 0 gets these: its incoming token,
+//!   its photons, and `EntryFirst` as its incoming swap (see below).
 //! - Delay line: stage 0 gets, in every clock, from the entry each lane's decoded powers (mantissa <<
-//!   exponent) and 0 where `EntryAbsent`; `EntryPresent`; and the two flags. Stage i gets stage
-//!   i - 1. The last stage is what engine 0's power hop registers get, so a group's powers are in
-//!   that hop register [`Spatial::latency`] clocks after its positions are in theirs.
+//!   exponent); whether its photon is present and the group taken, and beside it, as `DelayAbsent`,
+//!   the inverse; and the two flags. Stage i gets stage i - 1, but stage 1 gets powers of 0 where
+//!   `DelayAbsent`. The last stage is what engine 0's power hop registers get, so a group's powers are
+//!   in that hop register [`Spatial::latency`] clocks after its positions are in theirs.
 //! - Queue: where engine 0's `ResultValid` is set, its result is written at `write_place`, which then
 //!   counts on, modulo the queue, and `newest_place` := that place. `result_valid` = `has_result`.
 //!   The result pins show the word at `read_place` in every clock; a result taken counts that on.
 //!   `has_result` := a result is written, or it is set and stays so: not where the result at
 //!   `newest_place` is taken. The queue's memory starts as 0 and is not reset.
 //! - Reset, at the end of the clock in which the pin is set: all registers of the head become 0, but
-//!   the words of the entry, `EntryPresent`, `EntryAbsent`, `DelayPower`, `DelayPresent` and the
-//!   queue's memory do as in any clock. The outputs do not look at the pin.
+//!   the words of the entry, `EntryPresent`, `EntryTaken`, `DelayPower`, `DelayPresent`, `DelayAbsent`
+//!   and the queue's memory do as in any clock. The outputs do not look at the pin.
 //!
 //! `HasBatch`, `HasResult`, `Waits` and the unary `Promised` say what could be found from the others.
 //! They are there because each decides, in the same clock, whether a group is taken, and with it what
@@ -49,11 +52,14 @@
 //! - The incoming token is the query that the head takes for engine 0, and engine e - 1's `Token`
 //!   for engine e; the incoming `swap` likewise: a first group taken, or engine e - 1's `Swap`;
 //!   `Swap` := incoming swap (cleared as above).
-//! - On an incoming swap: `Query` := `Next`, and `Next` is free.
-//! - An incoming valid token is kept where `Next` is free or is freed in this clock: `Next` :=
-//!   token, `NextValid` := 1, `TokenValid` := 0. Otherwise it passes: `Token` := token, `TokenValid`
-//!   := 1. Without a valid token `TokenValid` := 0; `Token` (and its radius) take the incoming words
-//!   in every clock. `NextValid` stays, or becomes 0 where it is freed and no token is kept.
+//! - On an incoming swap: `Query` := `Token` where `Keep`, else `Next`; and `Next` is free.
+//! - An incoming valid token is kept where `Next` is free or is freed in this clock: `Keep` := 1,
+//!   `NextValid` := 1, `TokenValid` := 0. Otherwise it passes: `Keep` := 0, `TokenValid` := 1. Without
+//!   a valid token both := 0; `Token` (and its radius) take the incoming words in every clock.
+//!   `NextValid` stays, or becomes 0 where it is freed and no token is kept. A reset does not change
+//!   what `Keep` becomes.
+//! - Where `Keep`, `Next` := `Token`. So what decides whether a token is kept needs only to reach one
+//!   register in time, and not all of `Next`.
 //! - `Photon`, `Power`, `Present`, `First`, `Last` take the incoming words in every clock.
 //! - The radius of a query (with [`super::Radius::Query`]) is compared at the `Range` step: it
 //!   follows the photons through `RadiusDelay`, whose register 0 gets `QueryRadius`, each clock, and

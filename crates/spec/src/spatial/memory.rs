@@ -7,10 +7,12 @@
 //! # Each clock
 //! With all registers as they stand before the clock edge, `G` the groups of a bank, N engines, and
 //! `bank` meaning bank `FillBank` or `PlayBank`:
-//! - Fill: `group_ready` = not `Full` of `FillBank`. A group that is taken is written to place
-//!   `FillPlace` of that bank. Where it is a last group (or `FillPlace` is G - 1, which then counts
-//!   as last): `Full` of the bank := 1, `End` of it := `FillPlace`, `FillPlace` := 0, `FillBank` := the
-//!   other; else `FillPlace` counts on.
+//! - Fill: `group_ready` = `FillReady`. A group that is taken is written to place `FillPlace` of
+//!   `FillBank`. Where it is a last group (or `FillPlace` is G - 1, which then counts as last): `Full`
+//!   of the bank := 1, `FillPlace` := 0, `FillBank` := the other; else `FillPlace` counts on. Where
+//!   `FillReady`, `End` of `FillBank` := `FillPlace`, whether a group is taken or not: what is there
+//!   when the set is complete stays. `FillReady` := not `Full` of `FillBank`, and no set is completed
+//!   in this clock; so after a set it takes a clock at least until the next one.
 //! - Play: `reads` = `Playing` or `starts`, and `starts` = `MayStart`. `MayStart` := neither `Playing`
 //!   nor `starts`, `PlayFull`, `loaded` is N (the head's), `promised` leaves room for a batch,
 //!   `spacing` <= `PlayEnd`, and not (`WordValid` and the word is a last one). What it asks for once
@@ -18,12 +20,16 @@
 //!   `End` of `PlayBank`, in every clock; they are looked at when that bank has been played from for a
 //!   clock at least. The place that is read is `PlayPlace`; the word read is in `Word` a clock later:
 //!   `WordValid` := `reads`, `Word` := the memory's word at bank and place, in every clock (the memory
-//!   starts as 0), but its flag `last` := `reads` and the place is `PlayEnd`, whatever was written.
-//! - Where `reads` and the place is `PlayEnd`: `Playing` := 0, `PlayPlace` := 0, and if the
+//!   starts as 0), but its flag `last` := `reads` and `AtEnd`, whatever was written.
+//!   The place that is read is the last where `AtEnd`, which is found a clock before: `AtEnd` := where
+//!   `reads`, not `AtEnd` and `PlayPlace` is `BeforeEnd`; else whether `PlayEnd` is 0, as a batch
+//!   begins at place 0. `BeforeEnd` := `End` of `PlayBank` less 1, modulo G, in every clock.
+//! - Where `reads` and `AtEnd`: `Playing` := 0, `PlayPlace` := 0, and if the
 //!   batch releases the set (`Releases`, or at `starts` `ReleaseNext`): `Full` of the bank := 0 and
 //!   `PlayBank` := the other. Where `reads` and it is not: `Playing` := 1 and `PlayPlace` counts on.
-//! - `starts`: `Releases` := `ReleaseNext`, `ReleaseNext` := 0. A query that is taken with `query_release`:
-//!   `ReleaseNext` := 1. (Queries are not taken in a clock with `starts`: the head is full.)
+//! - `starts`: `Releases` := `ReleaseNext`, `ReleaseNext` := 0. `ReleaseTaken` := a query is taken with
+//!   `query_release`; where it is set, `ReleaseNext` := 1. (No query is taken in a clock with `starts`
+//!   nor in that before: the head is full.)
 //! - The head takes `Word` as its group: valid is `WordValid`. Its conditions hold then by what
 //!   `starts` asks for, so the head never makes the memory wait.
 //! - Reset: all registers but `Word` become 0; the memory's words stay.
@@ -35,9 +41,11 @@ pub enum MemoryRegister {
     FillBank,
     /// The place in it that the next group goes to.
     FillPlace,
+    /// A group is taken if there is one.
+    FillReady,
     /// Whether each bank has a whole set.
     Full,
-    /// The place of each bank's last group.
+    /// The place of each bank's last group; while it is filled, of the newest or the next one.
     End,
     /// The bank that is played.
     PlayBank,
@@ -45,15 +53,21 @@ pub enum MemoryRegister {
     PlayFull,
     /// The place of its last group, a clock late.
     PlayEnd,
+    /// The place before that.
+    BeforeEnd,
     /// The place in it that is read next.
     PlayPlace,
+    /// That is the last place of the set.
+    AtEnd,
     /// The next batch begins.
     MayStart,
     /// A batch has begun and its last group is still to be read.
     Playing,
     /// The batch that is played is the last on its set.
     Releases,
-    /// A query that waits for the next batch says that this will be.
+    /// A query that says that this will be, of the next batch, was taken.
+    ReleaseTaken,
+    /// A query that waits for the next batch says so.
     ReleaseNext,
     /// A word was read.
     WordValid,
@@ -71,18 +85,22 @@ pub enum MemoryRegister {
 
 impl MemoryRegister {
     /// All of them, in order.
-    pub const ALL: [Self; 18] = [
+    pub const ALL: [Self; 22] = [
         Self::FillBank,
         Self::FillPlace,
+        Self::FillReady,
         Self::Full,
         Self::End,
         Self::PlayBank,
         Self::PlayFull,
         Self::PlayEnd,
+        Self::BeforeEnd,
         Self::PlayPlace,
+        Self::AtEnd,
         Self::MayStart,
         Self::Playing,
         Self::Releases,
+        Self::ReleaseTaken,
         Self::ReleaseNext,
         Self::WordValid,
         Self::WordLast,
@@ -97,15 +115,19 @@ impl MemoryRegister {
         match self {
             Self::FillBank => "fill_bank",
             Self::FillPlace => "fill_place",
+            Self::FillReady => "fill_ready",
             Self::Full => "full",
             Self::End => "end_place",
             Self::PlayBank => "play_bank",
             Self::PlayFull => "play_full",
             Self::PlayEnd => "play_end",
+            Self::BeforeEnd => "before_end",
             Self::PlayPlace => "play_place",
+            Self::AtEnd => "at_end",
             Self::MayStart => "may_start",
             Self::Playing => "playing",
             Self::Releases => "releases",
+            Self::ReleaseTaken => "release_taken",
             Self::ReleaseNext => "release_next",
             Self::WordValid => "word_valid",
             Self::WordLast => "word_last",

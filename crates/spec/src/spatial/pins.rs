@@ -54,10 +54,11 @@ impl<'a> SpatialPins<'a> {
             | HeadRegister::HasBatch
             | HeadRegister::HasResult
             | HeadRegister::EntryTokenValid
+            | HeadRegister::EntryTaken
             | HeadRegister::EntryFirst
             | HeadRegister::EntryLast => (1, 1),
             HeadRegister::Spacing => (1, sizes.spacing_bits),
-            HeadRegister::Waits => (usize::from(sizes.has_waits()), 1),
+            HeadRegister::Waits | HeadRegister::BatchTaken => (usize::from(sizes.has_waits()), 1),
             HeadRegister::Promised => (1, sizes.promised_bits),
             HeadRegister::WritePlace | HeadRegister::NewestPlace | HeadRegister::ReadPlace => {
                 (1, sizes.place_bits)
@@ -71,7 +72,7 @@ impl<'a> SpatialPins<'a> {
             }
             HeadRegister::EntryExponent if self.widths.exponent == 0 => (0, 0),
             HeadRegister::EntryExponent => (Spatial::LANES, self.widths.exponent),
-            HeadRegister::EntryPresent | HeadRegister::EntryAbsent => (Spatial::LANES, 1),
+            HeadRegister::EntryPresent | HeadRegister::DelayAbsent => (Spatial::LANES, 1),
             HeadRegister::DelayPower => (lanes * self.channels.len(), self.widths.power),
             HeadRegister::DelayPresent => (lanes, 1),
             HeadRegister::DelayFirst | HeadRegister::DelayLast => (stages, 1),
@@ -87,9 +88,10 @@ impl<'a> SpatialPins<'a> {
         let place = self.spatial.memory_groups.ilog2();
         let lanes = Spatial::LANES;
         let (count, width) = match register {
-            MemoryRegister::FillPlace | MemoryRegister::PlayPlace | MemoryRegister::PlayEnd => {
-                (1, place)
-            }
+            MemoryRegister::FillPlace
+            | MemoryRegister::PlayPlace
+            | MemoryRegister::PlayEnd
+            | MemoryRegister::BeforeEnd => (1, place),
             MemoryRegister::Full => (2, 1),
             MemoryRegister::End => (2, place),
             MemoryRegister::WordPresent => (lanes, 1),
@@ -112,7 +114,7 @@ impl<'a> SpatialPins<'a> {
             if !row.is_in(self.spatial, kind) {
                 continue;
             }
-            let count = row.instances.count(self.spatial, kind, self.channels.len());
+            let count = row.instances.count(kind, self.channels.len());
             pins.extend((0..count).map(|index| Pin {
                 name: self.engine_pin(engine, row.name, row.instances, index),
                 width: (row.width)(&self.widths),

@@ -18,7 +18,9 @@ pub enum EngineRegister {
     TokenRadius,
     /// There is a query for the next batch.
     NextValid,
-    /// Its coordinates.
+    /// It came in the clock before: it is the token that stands in `Token`.
+    Keep,
+    /// Its coordinates, a clock after it came.
     Next,
     /// Its squared search radius.
     NextRadius,
@@ -76,9 +78,6 @@ pub enum EngineRegister {
     DistanceFar,
     /// The photon is in range: no axis far and distance <= `radius_sq`.
     InRange,
-    /// The same, while it waits for the slowest kind of engine: of lane g after i + 1 clocks at
-    /// 4 i + g.
-    RangeWait,
     /// Hop: the decoded powers of the photons, 0 for an absent one.
     Power,
     /// Hop: whether there is a photon.
@@ -146,8 +145,6 @@ pub enum Instances {
     Channels,
     /// One for each cut from `Difference` to `Distance` that the engine has.
     RadiusDelays,
-    /// One for each lane and clock of [`Spatial::range_waits`].
-    RangeWaits,
 }
 
 /// One row of the table of an engine's registers.
@@ -201,7 +198,7 @@ impl EngineRegister {
 
 impl Instances {
     /// How many there are in an engine of that kind, with so many channels.
-    pub fn count(self, spatial: &Spatial, kind: EngineKind, channels: usize) -> usize {
+    pub fn count(self, kind: EngineKind, channels: usize) -> usize {
         match self {
             Self::One => 1,
             Self::Axes => 3,
@@ -215,7 +212,6 @@ impl Instances {
                 let before_range = Cut::ALL.into_iter().take_while(|&cut| cut < Cut::Range);
                 before_range.filter(|&cut| kind.cuts.has(cut)).count()
             }
-            Self::RangeWaits => spatial.range_waits(kind) as usize * Spatial::LANES,
         }
     }
 
@@ -227,7 +223,7 @@ impl Instances {
             Self::One => String::new(),
             Self::Axes => format!("_{}", AXES[index]),
             Self::Coordinates => format!("_{}_{}", AXES[index % 3], index / 3),
-            Self::Lanes | Self::Pairs | Self::RadiusDelays | Self::RangeWaits => {
+            Self::Lanes | Self::Pairs | Self::RadiusDelays => {
                 format!("_{index}")
             }
             Self::LaneChannels | Self::PairChannels => {
@@ -252,6 +248,8 @@ pub enum HeadRegister {
     Spacing,
     /// They are not 0: what `Spacing` says, as one bit.
     Waits,
+    /// The last result of a batch was taken.
+    BatchTaken,
     /// Batches whose results have places in the queue and were not all taken, in unary.
     Promised,
     /// The place in the queue that the next result goes to.
@@ -274,11 +272,10 @@ pub enum HeadRegister {
     EntryPower,
     /// Their exponent, for each lane; where photons have one.
     EntryExponent,
-    /// Whether there is a photon of a taken group, for each lane.
+    /// Whether there is a photon on the pins, for each lane.
     EntryPresent,
-    /// There is none, for each lane: the powers are cleared. At power-up, when there is nothing to
-    /// clear, 0 too.
-    EntryAbsent,
+    /// It is of a group that was taken.
+    EntryTaken,
     /// A first group was taken.
     EntryFirst,
     /// A last group was taken.
@@ -287,8 +284,11 @@ pub enum HeadRegister {
     /// stage i is at (4 i + g) `channels` + c. Stage 0 is nearest to the entry; there are
     /// [`Spatial::latency`] stages.
     DelayPower,
-    /// The same for presence: lane g in stage i is at 4 i + g.
+    /// Whether there is a photon of a taken group: lane g in stage i is at 4 i + g.
     DelayPresent,
+    /// There is none, beside stage 0, for each lane: its powers are cleared. At power-up, when there
+    /// is nothing to clear, 0 too.
+    DelayAbsent,
     /// The same for the first group's flag, one for each stage.
     DelayFirst,
     /// The same for the last group's flag.
@@ -297,12 +297,13 @@ pub enum HeadRegister {
 
 impl HeadRegister {
     /// All of them, in order.
-    pub const ALL: [Self; 24] = [
+    pub const ALL: [Self; 26] = [
         Self::Loaded,
         Self::Open,
         Self::HasBatch,
         Self::Spacing,
         Self::Waits,
+        Self::BatchTaken,
         Self::Promised,
         Self::WritePlace,
         Self::NewestPlace,
@@ -315,11 +316,12 @@ impl HeadRegister {
         Self::EntryPower,
         Self::EntryExponent,
         Self::EntryPresent,
-        Self::EntryAbsent,
+        Self::EntryTaken,
         Self::EntryFirst,
         Self::EntryLast,
         Self::DelayPower,
         Self::DelayPresent,
+        Self::DelayAbsent,
         Self::DelayFirst,
         Self::DelayLast,
     ];
@@ -332,6 +334,7 @@ impl HeadRegister {
             Self::HasBatch => "has_batch",
             Self::Spacing => "spacing",
             Self::Waits => "waits",
+            Self::BatchTaken => "batch_taken",
             Self::Promised => "promised",
             Self::WritePlace => "write_place",
             Self::NewestPlace => "newest_place",
@@ -344,11 +347,12 @@ impl HeadRegister {
             Self::EntryPower => "entry_power",
             Self::EntryExponent => "entry_exponent",
             Self::EntryPresent => "entry_present",
-            Self::EntryAbsent => "entry_absent",
+            Self::EntryTaken => "entry_taken",
             Self::EntryFirst => "entry_first",
             Self::EntryLast => "entry_last",
             Self::DelayPower => "delay_power",
             Self::DelayPresent => "delay_present",
+            Self::DelayAbsent => "delay_absent",
             Self::DelayFirst => "delay_first",
             Self::DelayLast => "delay_last",
         }
@@ -377,6 +381,7 @@ rows! {
     Token "token" Axes |w| w.coordinate, Always;
     TokenRadius "token_radius_sq" One |w| w.radius_sq, QueryRadius;
     NextValid "next_valid" One |_| 1, Always;
+    Keep "keep" One |_| 1, Always;
     Next "next" Axes |w| w.coordinate, Always;
     NextRadius "next_radius_sq" One |w| w.radius_sq, QueryRadius;
     Query "query" Axes |w| w.coordinate, Always;
@@ -410,7 +415,6 @@ rows! {
     Distance "distance" Lanes |w| w.distance, At(Cut::Distance);
     DistanceFar "distance_far" Lanes |_| 1, At(Cut::Distance);
     InRange "in_range" Lanes |_| 1, At(Cut::Range);
-    RangeWait "range_wait" RangeWaits |_| 1, Always;
     Power "power" LaneChannels |w| w.power, Always;
     Present "present" Lanes |_| 1, Always;
     First "first" One |_| 1, Always;

@@ -1,4 +1,5 @@
-//! Carry chains for the ECP5, in place of the emitted modules that add words of simple functions.
+//! Second texts of emitted modules for the ECP5, made of its own cells: carry chains in place of modules
+//! that add words of simple functions, and squarers in blocks with registers (`blocks`).
 //!
 //! A carry cell of an ECP5, CCU2C, has a LUT before each of its two adder bits. Yosys puts only plain
 //! words there and spends LUTs on what stands before an adder: the AND of a gate, the inversion
@@ -6,6 +7,7 @@
 //! the carry cells. The first is what is simulated and what other devices are built from; that both
 //! are the same function is proven for every module by `scripts/yosys/ecp5.sh`.
 
+mod blocks;
 mod chain;
 mod ports;
 mod squares;
@@ -15,36 +17,46 @@ use super::modules::{Module, split};
 use ports::Ports;
 
 /// What makes a second text's body.
-type Body = fn(&Ports) -> String;
+#[derive(Copy, Clone)]
+enum Body {
+    /// Of a module without registers and other modules in it.
+    Chain(fn(&Ports) -> String),
+    /// Of a squarer, where it has the registers of a block.
+    Block(fn(&Module, &Ports) -> Option<String>),
+}
 
 /// The end of a module's name, and the body of its second text.
-const CHAINS: &[(&str, Body)] = &[
-    ("_subtract", sums::subtract),
-    ("_magnitude_of", sums::magnitude),
-    ("_digit_products", squares::digit_products),
-    ("_square_sum", squares::square_sum),
-    ("_range_of_query", sums::range_of_query),
-    ("_gated_sum", sums::gated_sum),
-    ("_accumulate", sums::accumulate),
-    ("_chosen_sum", sums::chosen_sum),
+const BODIES: &[(&str, Body)] = &[
+    ("_subtract", Body::Chain(sums::subtract)),
+    ("_magnitude_of", Body::Chain(sums::magnitude)),
+    ("_digit_products", Body::Chain(squares::digit_products)),
+    ("_square_sum", Body::Chain(squares::square_sum)),
+    ("_range_of_query", Body::Chain(sums::range_of_query)),
+    ("_gated_sum", Body::Chain(sums::gated_sum)),
+    ("_accumulate", Body::Chain(sums::accumulate)),
+    ("_chosen_sum", Body::Chain(sums::chosen_sum)),
+    ("_lookup", Body::Block(blocks::lookup)),
+    ("_product", Body::Block(blocks::product)),
 ];
 
 /// The second text of all modules that have one; none if no module has.
-pub(super) fn carry_chains(text: &str) -> Option<String> {
+pub(super) fn second_texts(text: &str) -> Option<String> {
     let modules = split(text);
-    let chained: Vec<_> = modules.iter().filter_map(chained).collect();
-    (!chained.is_empty()).then(|| chained.concat())
+    let texts: Vec<_> = modules.iter().filter_map(second_text).collect();
+    (!texts.is_empty()).then(|| texts.concat())
 }
 
-/// A module's second text: the same ports, and a carry chain.
-fn chained(module: &Module) -> Option<String> {
-    let (_, body) = CHAINS.iter().find(|(base, _)| is_named(module, base))?;
+/// A module's second text, with the same ports.
+fn second_text(module: &Module) -> Option<String> {
+    let (_, body) = BODIES.iter().find(|(base, _)| is_named(module, base))?;
     let ports = Ports::of(module);
+    let body = match body {
+        Body::Chain(body) => body(&ports),
+        Body::Block(body) => body(module, &ports)?,
+    };
     Some(format!(
         "\nmodule {}{}{}endmodule\n",
-        module.name,
-        ports.declaration,
-        body(&ports)
+        module.name, ports.declaration, body
     ))
 }
 
@@ -66,12 +78,12 @@ mod tests {
         let text = "module m_accumulate(group, sum, first, next_sum);\n  input wire [7:0] group;\n  \
                     input wire [9:0] sum;\n  input wire first;\n  output reg [9:0] next_sum;\n  \
                     x\nendmodule\nmodule m_other(a);\n  input wire a;\nendmodule\n";
-        let chained = carry_chains(text).unwrap();
+        let chained = second_texts(text).unwrap();
         assert_eq!(chained.matches("CCU2C").count(), 5);
         assert!(chained.contains("output wire [9:0] next_sum;"), "{chained}");
         assert!(!chained.contains("m_other"));
         assert_eq!(
-            carry_chains("module m_other(a);\n  input wire a;\nendmodule\n"),
+            second_texts("module m_other(a);\n  input wire a;\nendmodule\n"),
             None
         );
     }

@@ -1,4 +1,4 @@
-//! What the entry of a machine has beside plain registers and flags.
+//! Whether there is a photon in a lane, and what becomes of its powers.
 
 use rust_hdl::prelude::*;
 
@@ -6,7 +6,7 @@ use rust_hdl::prelude::*;
 /// each, as 24 registers of powers have only a clear, and an inverter before it would be their
 /// slowest way.
 #[derive(LogicBlock, Default)]
-pub(crate) struct EntryPresence {
+pub(crate) struct Presence {
     pub clock: Signal<In, Clock>,
     pub taken: Signal<In, Bit>,
     pub photon_present: Signal<In, Bits<1>>,
@@ -17,7 +17,7 @@ pub(crate) struct EntryPresence {
     is_photon: Signal<Local, Bit>,
 }
 
-impl Logic for EntryPresence {
+impl Logic for Presence {
     #[hdl_gen]
     fn update(&mut self) {
         dff_setup!(self, clock, is_present, is_absent);
@@ -29,5 +29,23 @@ impl Logic for EntryPresence {
         }
         self.present.next = self.is_present.q.val();
         self.absent.next = self.is_absent.q.val();
+    }
+}
+
+/// A power, and 0 where the photon is absent. `P` bits.
+#[derive(LogicBlock, Default)]
+pub(crate) struct PowerOfPresent<const P: usize> {
+    pub absent: Signal<In, Bit>,
+    pub word: Signal<In, Bits<P>>,
+    pub power: Signal<Out, Bits<P>>,
+}
+
+impl<const P: usize> Logic for PowerOfPresent<P> {
+    #[hdl_gen]
+    fn update(&mut self) {
+        self.power.next = self.word.val();
+        if self.absent.val() {
+            self.power.next = 0.into();
+        }
     }
 }
