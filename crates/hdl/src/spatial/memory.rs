@@ -42,6 +42,8 @@ pub(crate) struct PhotonMemory<const C: usize, const B: usize, const E: usize> {
     _state: State,
     /// Both banks; a word has a number for each of its fields.
     _groups: Vec<Vec<u64>>,
+    /// What was read, and that a clock later.
+    _read: Vec<u64>,
     _word: Vec<u64>,
     _bank_groups: usize,
     _channels: &'static [&'static str],
@@ -66,6 +68,8 @@ struct State {
     releases: bool,
     release_taken: bool,
     release_next: bool,
+    read_valid: bool,
+    read_last: bool,
     word_valid: bool,
     word_last: bool,
 }
@@ -108,11 +112,13 @@ impl<const C: usize, const B: usize, const E: usize> PhotonMemory<C, B, E> {
             word_exponent: (0..exponents).map(|_| Default::default()).collect(),
             _state: State::default(),
             _groups: Vec::new(),
+            _read: Vec::new(),
             _word: Vec::new(),
             _bank_groups: bank_groups,
             _channels: channels,
         };
         memory._word = vec![0; memory.fields().len()];
+        memory._read = memory._word.clone();
         memory._groups = vec![memory._word.clone(); 2 * bank_groups];
         memory
     }
@@ -176,7 +182,8 @@ impl<const C: usize, const B: usize, const E: usize> PhotonMemory<C, B, E> {
 
     fn may_start(&self) -> bool {
         let state = &self._state;
-        let busy = state.playing || state.may_start || (state.word_valid && state.word_last);
+        let ends = (state.read_valid && state.read_last) || (state.word_valid && state.word_last);
+        let busy = state.playing || state.may_start || ends;
         let in_time = self.clocks_to_last.val().to_u64() <= state.play_end as u64;
         !busy && state.play_full && self.is_full.val() && self.has_room.val() && in_time
     }
@@ -187,7 +194,8 @@ impl<const C: usize, const B: usize, const E: usize> PhotonMemory<C, B, E> {
         let reads = before.playing || starts;
         let at_end = before.at_end;
         let read = before.play_bank * self._bank_groups + before.play_place;
-        self._word.clone_from(&self._groups[read]);
+        self._word.clone_from(&self._read);
+        self._read.clone_from(&self._groups[read]);
         let mut state = before;
         state.may_start = self.may_start();
         state.play_full = before.full[before.play_bank];
@@ -198,8 +206,9 @@ impl<const C: usize, const B: usize, const E: usize> PhotonMemory<C, B, E> {
             true => !at_end && before.play_place == before.before_end,
             false => before.play_end == 0,
         };
-        state.word_valid = reads;
-        state.word_last = reads && at_end;
+        (state.word_valid, state.word_last) = (before.read_valid, before.read_last);
+        state.read_valid = reads;
+        state.read_last = reads && at_end;
         if reads {
             state.playing = !at_end;
             state.play_place = if at_end { 0 } else { before.play_place + 1 };
@@ -263,6 +272,17 @@ impl<const C: usize, const B: usize, const E: usize> PhotonMemory<C, B, E> {
             MemoryRegister::Releases => state.releases.into(),
             MemoryRegister::ReleaseTaken => state.release_taken.into(),
             MemoryRegister::ReleaseNext => state.release_next.into(),
+            MemoryRegister::ReadValid => state.read_valid.into(),
+            MemoryRegister::ReadLast => state.read_last.into(),
+            MemoryRegister::ReadPresent => self._read[self.field_place(index, 0)],
+            MemoryRegister::ReadPosition => self._read[self.field_place(index / 3, 1 + index % 3)],
+            MemoryRegister::ReadPower => {
+                let channels = self._channels.len();
+                self._read[self.field_place(index / channels, 4 + index % channels)]
+            }
+            MemoryRegister::ReadExponent => {
+                self._read[self.field_place(index, 4 + self._channels.len())]
+            }
             MemoryRegister::WordValid => state.word_valid.into(),
             MemoryRegister::WordLast => state.word_last.into(),
             MemoryRegister::WordPresent => self.word_present[index].val().to_u64(),
@@ -281,16 +301,38 @@ impl<const C: usize, const B: usize, const E: usize> PhotonMemory<C, B, E> {
     pub fn path(&self, register: MemoryRegister, index: usize) -> String {
         match register {
             MemoryRegister::Full | MemoryRegister::End => format!("{}_{index}", register.name()),
-            MemoryRegister::WordPresent => format!("word_present_{index}"),
-            MemoryRegister::WordPosition => format!("word_{}_{}", AXES[index % 3], index / 3),
-            MemoryRegister::WordPower => {
-                let channels = self._channels;
-                let channel = channels[index % channels.len()];
-                format!("word_{channel}_{}", index / channels.len())
+            MemoryRegister::ReadPresent | MemoryRegister::WordPresent => {
+                format!("{}_{index}", register.name())
             }
-            MemoryRegister::WordExponent => format!("word_exponent_{index}"),
+            MemoryRegister::ReadPosition => format!("read_{}", self.position(index)),
+            MemoryRegister::WordPosition => format!("word_{}", self.position(index)),
+            MemoryRegister::ReadPower => format!("read_{}", self.power(index)),
+            MemoryRegister::WordPower => format!("word_{}", self.power(index)),
+            MemoryRegister::ReadExponent | MemoryRegister::WordExponent => {
+                format!("{}_{index}", register.name())
+            }
             _ => register.name().to_owned(),
         }
+    }
+
+    /// The end of a coordinate's name.
+    fn position(&self, index: usize) -> String {
+        format!("{}_{}", AXES[index % 3], index / 3)
+    }
+
+    /// The end of a power's name.
+    fn power(&self, index: usize) -> String {
+        let channels = self._channels;
+        format!(
+            "{}_{}",
+            channels[index % channels.len()],
+            index / channels.len()
+        )
+    }
+
+    /// Where a lane's field is in a word, counted as `fields` does.
+    fn field_place(&self, lane: usize, field: usize) -> usize {
+        lane * self._word.len() / LANES + field
     }
 
     /// From channel c of lane g at `channels` g + c to the port's 4 c + g.
@@ -337,7 +379,12 @@ impl<const C: usize, const B: usize, const E: usize> Logic for PhotonMemory<C, B
             .map(|Field { name, width }| {
                 let first = low;
                 low += width;
-                format!("always @(*) word_{name} = word[{}:{first}];\n", low - 1)
+                format!(
+                    "always @(*) word_{name} = word[{high}:{first}];\n\
+                     wire [{top}:0] read_{name} = read_word[{high}:{first}];\n",
+                    high = low - 1,
+                    top = width - 1,
+                )
             })
             .collect();
         Verilog::Custom(format!(
@@ -348,11 +395,12 @@ impl<const C: usize, const B: usize, const E: usize> Logic for PhotonMemory<C, B
     }
 }
 
-/// The block RAM: what is read stands in `word` a clock later. Where a word is read and written in
-/// one clock nobody looks at it, so no logic needs to tell old from new.
+/// The block RAM: what is read stands in `read_word` a clock later and in `word` after two. Where a word
+/// is read and written in one clock nobody looks at it, so no logic needs to tell old from new.
 fn memory_text(width: usize, bank_groups: usize, bits: usize, group: &str) -> String {
     format!(
         "(* no_rw_check *) reg [{high}:0] groups [0:{last}];\n\
+         reg [{high}:0] read_word = {width}'d0;\n\
          reg [{high}:0] word = {width}'d0;\n\
          integer place;\n\
          initial for (place = 0; place <= {last}; place = place + 1) groups[place] = {width}'d0;\n\
@@ -360,7 +408,8 @@ fn memory_text(width: usize, bank_groups: usize, bits: usize, group: &str) -> St
          wire [{bits}:0] write_address = {{fill_bank, fill_place}};\n\
          wire [{bits}:0] read_address = {{play_bank, play_place}};\n\
          always @(posedge clock) begin\n\
-         \x20 word <= groups[read_address];\n\
+         \x20 read_word <= groups[read_address];\n\
+         \x20 word <= read_word;\n\
          \x20 if (takes_group) groups[write_address] <= group;\n\
          end\n",
         high = width - 1,
@@ -390,13 +439,15 @@ fn state_text(bits: usize) -> String {
          reg releases = 1'd0;\n\
          reg release_taken = 1'd0;\n\
          reg release_next = 1'd0;\n\
+         reg read_valid = 1'd0;\n\
+         reg read_last = 1'd0;\n\
          reg valid = 1'd0;\n\
          reg last = 1'd0;\n\
          wire takes_group = group_valid & fill_ready;\n\
          wire set_ends = group_last | (&fill_place);\n\
          wire [15:0] wide_end = {{{pad}play_end}};\n\
          wire in_time = clocks_to_last <= wide_end;\n\
-         wire busy = playing | may_start | (valid & last);\n\
+         wire busy = playing | may_start | (read_valid & read_last) | (valid & last);\n\
          wire reads = playing | may_start;\n\
          wire [{top}:0] set_end = play_bank ? end_place_1 : end_place_0;\n\
          wire ends_set = reads & at_end & (may_start ? release_next : releases);\n\
@@ -409,8 +460,10 @@ fn state_text(bits: usize) -> String {
          \x20 play_end <= set_end;\n\
          \x20 before_end <= set_end - {bits}'d1;\n\
          \x20 at_end <= reads ? ~at_end & (play_place == before_end) : ~|play_end;\n\
-         \x20 valid <= reads;\n\
-         \x20 last <= reads & at_end;\n\
+         \x20 valid <= read_valid;\n\
+         \x20 last <= read_last;\n\
+         \x20 read_valid <= reads;\n\
+         \x20 read_last <= reads & at_end;\n\
          \x20 if (reads) begin\n\
          \x20   playing <= ~at_end;\n\
          \x20   play_place <= at_end ? {bits}'d0 : play_place + {bits}'d1;\n\
@@ -454,6 +507,8 @@ fn state_text(bits: usize) -> String {
          \x20   releases <= 1'd0;\n\
          \x20   release_taken <= 1'd0;\n\
          \x20   release_next <= 1'd0;\n\
+         \x20   read_valid <= 1'd0;\n\
+         \x20   read_last <= 1'd0;\n\
          \x20   valid <= 1'd0;\n\
          \x20   last <= 1'd0;\n\
          \x20 end\n\

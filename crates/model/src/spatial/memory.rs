@@ -1,5 +1,7 @@
 //! The photon memory, see [`photoncube_spec::MemoryRegister`].
 
+use std::mem;
+
 use photoncube_spec::{Group, Inputs, Lane, Machine, MemoryRegister, Spatial};
 
 /// What the head says in a clock, before its edge.
@@ -33,10 +35,53 @@ pub(super) struct PhotonMemory {
     releases: bool,
     release_taken: bool,
     release_next: bool,
-    word_valid: bool,
-    word: Group,
+    read: Word,
+    word: Word,
     channels: usize,
     has_exponent: bool,
+}
+
+/// A word on its way to the head.
+#[derive(Clone, Debug)]
+struct Word {
+    valid: bool,
+    group: Group,
+}
+
+impl Word {
+    /// The last of its batch.
+    fn ends(&self) -> bool {
+        self.valid && self.group.last
+    }
+
+    fn reset(&mut self) {
+        self.valid = false;
+        self.group.last = false;
+    }
+
+    fn observe_presence(&self, row: &mut Vec<u64>) {
+        row.extend(self.group.lanes.iter().map(|lane| u64::from(lane.present)));
+    }
+
+    fn observe_positions(&self, row: &mut Vec<u64>) {
+        let positions = self
+            .group
+            .lanes
+            .iter()
+            .flat_map(|lane| lane.photon.position);
+        row.extend(positions.map(u64::from));
+    }
+
+    fn observe_powers(&self, channels: usize, row: &mut Vec<u64>) {
+        let lanes = self.group.lanes.iter();
+        let powers = lanes.flat_map(|lane| &lane.photon.power[..channels]);
+        row.extend(powers.map(|&power| u64::from(power)));
+    }
+
+    fn observe_exponents(&self, row: &mut Vec<u64>) {
+        let lanes = self.group.lanes.iter();
+        row.extend(lanes.map(|lane| u64::from(lane.photon.exponent)));
+    }
 }
 
 #[derive(Clone, Debug)]
@@ -61,6 +106,10 @@ impl PhotonMemory {
             full: false,
             end: 0,
         };
+        let word = Word {
+            valid: false,
+            group: nothing,
+        };
         Some(Self {
             banks: [bank.clone(), bank],
             fill_bank: 0,
@@ -77,8 +126,8 @@ impl PhotonMemory {
             releases: false,
             release_taken: false,
             release_next: false,
-            word_valid: false,
-            word: nothing,
+            read: word.clone(),
+            word,
             channels: machine.channels().names().len(),
             has_exponent: machine.has_exponent(),
         })
@@ -92,8 +141,8 @@ impl PhotonMemory {
     /// The pins as the head sees them: its group is the word that was read.
     pub fn head_inputs(&self, inputs: &Inputs) -> Inputs {
         Inputs {
-            group_valid: self.word_valid,
-            group: self.word.clone(),
+            group_valid: self.word.valid,
+            group: self.word.group.clone(),
             ..inputs.clone()
         }
     }
@@ -112,11 +161,14 @@ impl PhotonMemory {
         let bank = &self.banks[self.play_bank];
         (self.play_full, self.play_end) = (bank.full, bank.end);
         self.before_end = bank.end.checked_sub(1).unwrap_or(bank.groups.len() - 1);
-        self.word_valid = reads;
-        self.word = Group {
-            last: reads && at_end,
-            ..read
+        let read = Word {
+            valid: reads,
+            group: Group {
+                last: reads && at_end,
+                ..read
+            },
         };
+        self.word = mem::replace(&mut self.read, read);
         if reads {
             self.advance(starts, at_end);
         }
@@ -134,7 +186,7 @@ impl PhotonMemory {
 
     /// Whether a batch begins in the next clock.
     fn may_start_next(&self, head: HeadStatus) -> bool {
-        let ends = self.word_valid && self.word.last;
+        let ends = self.read.ends() || self.word.ends();
         !self.playing
             && !self.may_start
             && self.play_full
@@ -203,8 +255,8 @@ impl PhotonMemory {
         (self.before_end, self.at_end) = (0, false);
         (self.playing, self.releases) = (false, false);
         (self.release_taken, self.release_next) = (false, false);
-        self.word_valid = false;
-        self.word.last = false;
+        self.read.reset();
+        self.word.reset();
     }
 
     /// Appends the registers in the order of [`photoncube_spec::Pins`].
@@ -215,7 +267,6 @@ impl PhotonMemory {
     }
 
     fn observe_register(&self, register: MemoryRegister, row: &mut Vec<u64>) {
-        let lanes = &self.word.lanes;
         match register {
             MemoryRegister::FillBank => row.push(self.fill_bank as u64),
             MemoryRegister::FillPlace => row.push(self.fill_place as u64),
@@ -233,25 +284,19 @@ impl PhotonMemory {
             MemoryRegister::Releases => row.push(self.releases.into()),
             MemoryRegister::ReleaseTaken => row.push(self.release_taken.into()),
             MemoryRegister::ReleaseNext => row.push(self.release_next.into()),
-            MemoryRegister::WordValid => row.push(self.word_valid.into()),
-            MemoryRegister::WordLast => row.push(self.word.last.into()),
-            MemoryRegister::WordPresent => {
-                row.extend(lanes.iter().map(|lane| u64::from(lane.present)));
-            }
-            MemoryRegister::WordPosition => {
-                let positions = lanes.iter().flat_map(|lane| lane.photon.position);
-                row.extend(positions.map(u64::from));
-            }
-            MemoryRegister::WordPower => {
-                let powers = lanes
-                    .iter()
-                    .flat_map(|lane| &lane.photon.power[..self.channels]);
-                row.extend(powers.map(|&power| u64::from(power)));
-            }
-            MemoryRegister::WordExponent if !self.has_exponent => {}
-            MemoryRegister::WordExponent => {
-                row.extend(lanes.iter().map(|lane| u64::from(lane.photon.exponent)));
-            }
+            MemoryRegister::ReadValid => row.push(self.read.valid.into()),
+            MemoryRegister::ReadLast => row.push(self.read.group.last.into()),
+            MemoryRegister::ReadPresent => self.read.observe_presence(row),
+            MemoryRegister::ReadPosition => self.read.observe_positions(row),
+            MemoryRegister::ReadPower => self.read.observe_powers(self.channels, row),
+            MemoryRegister::WordValid => row.push(self.word.valid.into()),
+            MemoryRegister::WordLast => row.push(self.word.group.last.into()),
+            MemoryRegister::WordPresent => self.word.observe_presence(row),
+            MemoryRegister::WordPosition => self.word.observe_positions(row),
+            MemoryRegister::WordPower => self.word.observe_powers(self.channels, row),
+            MemoryRegister::ReadExponent | MemoryRegister::WordExponent if !self.has_exponent => {}
+            MemoryRegister::ReadExponent => self.read.observe_exponents(row),
+            MemoryRegister::WordExponent => self.word.observe_exponents(row),
         }
     }
 }

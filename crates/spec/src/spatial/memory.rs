@@ -15,12 +15,14 @@
 //!   in this clock; so after a set it takes a clock at least until the next one.
 //! - Play: `reads` = `Playing` or `starts`, and `starts` = `MayStart`. `MayStart` := neither `Playing`
 //!   nor `starts`, `PlayFull`, `loaded` is N (the head's), `promised` leaves room for a batch,
-//!   `spacing` <= `PlayEnd`, and not (`WordValid` and the word is a last one). What it asks for once
+//!   `spacing` <= `PlayEnd`, and neither of the two words below is a last one that is valid. What it asks for once
 //!   holds until the start, so it may say it a clock later. `PlayFull` and `PlayEnd` := `Full` and
 //!   `End` of `PlayBank`, in every clock; they are looked at when that bank has been played from for a
-//!   clock at least. The place that is read is `PlayPlace`; the word read is in `Word` a clock later:
-//!   `WordValid` := `reads`, `Word` := the memory's word at bank and place, in every clock (the memory
-//!   starts as 0), but its flag `last` := `reads` and `AtEnd`, whatever was written.
+//!   clock at least. The place that is read is `PlayPlace`; the word read is in `Read` a clock later:
+//!   `ReadValid` := `reads`, `Read` := the memory's word at bank and place, in every clock (the memory
+//!   starts as 0), but its flag `last` := `reads` and `AtEnd`, whatever was written. `Word` with its flags
+//!   := `Read` with its, in every clock: a block RAM has a register for each of the two, and the way from
+//!   the second is short.
 //!   The place that is read is the last where `AtEnd`, which is found a clock before: `AtEnd` := where
 //!   `reads`, not `AtEnd` and `PlayPlace` is `BeforeEnd`; else whether `PlayEnd` is 0, as a batch
 //!   begins at place 0. `BeforeEnd` := `End` of `PlayBank` less 1, modulo G, in every clock.
@@ -32,7 +34,7 @@
 //!   nor in that before: the head is full.)
 //! - The head takes `Word` as its group: valid is `WordValid`. Its conditions hold then by what
 //!   `starts` asks for, so the head never makes the memory wait.
-//! - Reset: all registers but `Word` become 0; the memory's words stay.
+//! - Reset: all registers but the words `Read` and `Word` become 0; the memory's words stay.
 
 /// A register of the photon memory.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -70,10 +72,22 @@ pub enum MemoryRegister {
     /// A query that waits for the next batch says so.
     ReleaseNext,
     /// A word was read.
+    ReadValid,
+    /// It is the last of its batch.
+    ReadLast,
+    /// Whether there is a photon, for each lane of it.
+    ReadPresent,
+    /// Its coordinates: axis a of lane g is at 3 g + a.
+    ReadPosition,
+    /// Its mantissas: channel c of lane g is at `channels` g + c.
+    ReadPower,
+    /// Its exponent, for each lane; where photons have one.
+    ReadExponent,
+    /// The same a clock later, for the head.
     WordValid,
     /// It is the last of its batch.
     WordLast,
-    /// Whether there is a photon, for each lane of the word.
+    /// Whether there is a photon, for each lane of it.
     WordPresent,
     /// Its coordinates: axis a of lane g is at 3 g + a.
     WordPosition,
@@ -85,7 +99,7 @@ pub enum MemoryRegister {
 
 impl MemoryRegister {
     /// All of them, in order.
-    pub const ALL: [Self; 22] = [
+    pub const ALL: [Self; 28] = [
         Self::FillBank,
         Self::FillPlace,
         Self::FillReady,
@@ -102,6 +116,12 @@ impl MemoryRegister {
         Self::Releases,
         Self::ReleaseTaken,
         Self::ReleaseNext,
+        Self::ReadValid,
+        Self::ReadLast,
+        Self::ReadPresent,
+        Self::ReadPosition,
+        Self::ReadPower,
+        Self::ReadExponent,
         Self::WordValid,
         Self::WordLast,
         Self::WordPresent,
@@ -129,6 +149,12 @@ impl MemoryRegister {
             Self::Releases => "releases",
             Self::ReleaseTaken => "release_taken",
             Self::ReleaseNext => "release_next",
+            Self::ReadValid => "read_valid",
+            Self::ReadLast => "read_last",
+            Self::ReadPresent => "read_present",
+            Self::ReadPosition => "read_position",
+            Self::ReadPower => "read_power",
+            Self::ReadExponent => "read_exponent",
             Self::WordValid => "word_valid",
             Self::WordLast => "word_last",
             Self::WordPresent => "word_present",

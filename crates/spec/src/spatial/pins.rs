@@ -94,11 +94,17 @@ impl<'a> SpatialPins<'a> {
             | MemoryRegister::BeforeEnd => (1, place),
             MemoryRegister::Full => (2, 1),
             MemoryRegister::End => (2, place),
-            MemoryRegister::WordPresent => (lanes, 1),
-            MemoryRegister::WordPosition => (3 * lanes, self.widths.coordinate),
-            MemoryRegister::WordPower => (lanes * self.channels.len(), self.widths.mantissa),
-            MemoryRegister::WordExponent if self.widths.exponent == 0 => (0, 0),
-            MemoryRegister::WordExponent => (lanes, self.widths.exponent),
+            MemoryRegister::ReadPresent | MemoryRegister::WordPresent => (lanes, 1),
+            MemoryRegister::ReadPosition | MemoryRegister::WordPosition => {
+                (3 * lanes, self.widths.coordinate)
+            }
+            MemoryRegister::ReadPower | MemoryRegister::WordPower => {
+                (lanes * self.channels.len(), self.widths.mantissa)
+            }
+            MemoryRegister::ReadExponent | MemoryRegister::WordExponent => (
+                if self.widths.exponent == 0 { 0 } else { lanes },
+                self.widths.exponent,
+            ),
             _ => (1, 1),
         };
         pins.extend((0..count).map(|index| Pin {
