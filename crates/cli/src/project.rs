@@ -43,18 +43,19 @@ pub fn files(machine: &Machine) -> Result<Vec<ProjectFile>> {
     Ok(files)
 }
 
-fn yosys(top: &str, has_carry_chains: bool) -> String {
-    let carry_chains = match has_carry_chains {
+fn yosys(top: &str, has_second_texts: bool) -> String {
+    let second_texts = match has_second_texts {
         false => String::new(),
         true => format!(
-            "# Carry cells where Yosys would spend LUTs, proven equal by scripts/yosys/ecp5.sh.\n\
+            "# The ECP5's own cells where Yosys would spend LUTs and flip-flops, proven equal by\n\
+             # scripts/yosys/ecp5.sh.\n\
              read_verilog -overwrite {top}_ecp5.v\n"
         ),
     };
     format!(
         "# yosys {top}.ys: checks the design, then maps it to ECP5.\n\
          read_verilog {top}.v\n\
-         {carry_chains}\
+         {second_texts}\
          # ABC9 trades area for speed only where a path is longer than this, in ps.\n\
          scratchpad -set abc9.D {ABC9_TARGET_PS}\n\
          hierarchy -check -top {top}\n\

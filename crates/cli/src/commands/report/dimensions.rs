@@ -1,4 +1,5 @@
-//! The tiles from dimension 4 to 10: what every further axis of queries gives and costs.
+//! The tiles from dimension 4 to 10: what every further axis of queries gives and costs. Beside them the
+//! machines of the same engines with a photon memory, whose squares may come from blocks.
 
 use std::error::Error;
 
@@ -8,17 +9,23 @@ use plotters::prelude::*;
 use serde::Serialize;
 
 use crate::measured::Measured;
+use crate::synth::flow::Flow;
 use crate::table;
 
-/// A tile of one dimension.
+/// A machine of one dimension.
 #[derive(Serialize)]
 pub struct Row {
     machine: &'static str,
+    /// One of the tiles that differ in nothing but the dimension.
+    #[serde(skip)]
+    is_tile: bool,
     dimension: u32,
     queries_at_once: usize,
     cells: usize,
     photon_tests_per_clock: f64,
     lut4_equivalents: Option<u64>,
+    dsp: Option<u64>,
+    block_ram: Option<u64>,
     ff: Option<u64>,
     fmax_mhz: Option<f64>,
     speed_grade: u32,
@@ -28,10 +35,11 @@ pub struct Row {
 /// The speed grade of the clock: the fastest, as for the chips that tiles are made for.
 const SPEED_GRADE: u32 = 8;
 
-/// The tiles in the order of their dimensions: the machines that differ in nothing else.
+/// The tiles in the order of their dimensions, then the machines with a photon memory.
 pub fn rows() -> Result<Vec<Row>> {
     let tiles = MACHINES.iter().filter(|machine| is_tile(machine));
-    tiles.map(row).collect()
+    let chips = MACHINES.iter().filter(|machine| machine.has_memory());
+    tiles.chain(chips).map(row).collect()
 }
 
 fn is_tile(machine: &Machine) -> bool {
@@ -40,18 +48,25 @@ fn is_tile(machine: &Machine) -> bool {
 
 fn row(machine: &'static Machine) -> Result<Row> {
     let measured = Measured::of(machine)?;
-    let area = measured.area_without_dsp.as_ref();
+    // Of what is placed: without DSP blocks where the machine has no use for them.
+    let area = match Flow::to_place(machine) {
+        Flow::Ecp5 => measured.area_with_dsp.as_ref(),
+        _ => measured.area_without_dsp.as_ref(),
+    };
     let mut clocks = measured.fmax_by_grade.iter();
     let clock = clocks.find(|clock| clock.speed_grade == SPEED_GRADE);
     let fmax_mhz = clock.map(|clock| clock.fmax_mhz);
     let rate = machine.photon_tests_per_clock();
     Ok(Row {
         machine: machine.name,
+        is_tile: is_tile(machine),
         dimension: machine.dimension,
         queries_at_once: machine.queries_at_once(),
         cells: machine.hypercube().nodes(),
         photon_tests_per_clock: rate,
         lut4_equivalents: area.map(|area| area.lut4_equivalents),
+        dsp: area.map(|area| area.dsp),
+        block_ram: area.map(|area| area.block_ram),
         ff: area.map(|area| area.ff),
         fmax_mhz,
         speed_grade: SPEED_GRADE,
@@ -70,6 +85,8 @@ pub fn text(rows: &[Row]) -> String {
             row.cells.to_string(),
             row.photon_tests_per_clock.to_string(),
             number(row.lut4_equivalents),
+            number(row.dsp),
+            number(row.block_ram),
             number(row.ff),
             (row.fmax_mhz).map_or_else(|| "-".to_owned(), |mhz| format!("{mhz:.0} MHz")),
             (row.photon_tests_per_second_at_fmax)
@@ -77,12 +94,14 @@ pub fn text(rows: &[Row]) -> String {
         ]
     };
     let header = [
-        "tile",
+        "machine",
         "dimension",
         "queries at once",
         "cells",
         "tests/clock",
-        "LUT4 equivalents, no DSP",
+        "LUT4 equivalents",
+        "DSP",
+        "block RAMs",
         "FF",
         "Fmax, grade 8",
         "G tests/s",
@@ -133,7 +152,7 @@ fn draw(svg: &mut String, rows: &[Row]) -> Result<(), Box<dyn Error>> {
     area.fill(&WHITE)?;
     let mut chart = ChartBuilder::on(&area)
         .caption(
-            "tiles: one axis more, twice the queries",
+            "tiles: one axis more, twice the queries; crosses: with a photon memory",
             ("sans-serif", 20),
         )
         .margin(12)
@@ -150,13 +169,21 @@ fn draw(svg: &mut String, rows: &[Row]) -> Result<(), Box<dyn Error>> {
         .light_line_style(WHITE)
         .draw()?;
     for line in &LINES {
+        let colour = line.colour;
         let point = |row: &Row| Some((f64::from(row.dimension), (line.of)(row)?));
-        let points: Vec<_> = rows.iter().filter_map(point).collect();
+        let (tiles, chips): (Vec<_>, Vec<_>) = rows.iter().partition(|row| row.is_tile);
+        let [points, of_chips] =
+            [tiles, chips].map(|rows| rows.into_iter().filter_map(point).collect::<Vec<_>>());
         let dots = points
             .iter()
-            .map(|&place| Circle::new(place, 4, line.colour.filled()));
+            .map(|&place| Circle::new(place, 4, colour.filled()));
         chart.draw_series(dots)?;
-        let colour = line.colour;
+        // Those with a photon memory: crosses, and no line.
+        chart.draw_series(
+            of_chips
+                .iter()
+                .map(|&place| Cross::new(place, 5, colour.stroke_width(2))),
+        )?;
         chart
             .draw_series(LineSeries::new(points, colour.stroke_width(2)))?
             .label(line.name)
@@ -178,7 +205,8 @@ mod tests {
 
     #[test]
     fn every_axis_doubles_the_tests_of_a_clock() {
-        let rows = rows().unwrap();
+        let mut rows = rows().unwrap();
+        rows.retain(|row| row.is_tile);
         let dimensions: Vec<_> = rows.iter().map(|row| row.dimension).collect();
         assert_eq!(dimensions, (4..=10).collect::<Vec<_>>());
         for pair in rows.windows(2) {
