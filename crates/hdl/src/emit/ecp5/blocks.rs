@@ -171,3 +171,54 @@ fn initial_values(difference: usize, square: usize) -> String {
     }
     text
 }
+
+#[cfg(test)]
+mod tests {
+    use photoncube_spec::find_machine;
+
+    use super::*;
+    use crate::level::Level;
+
+    /// A squarer's module with a register at each of these places.
+    fn module(places: &[&str]) -> Module {
+        let instances: String = ["products_delay", "product"]
+            .map(|place| match places.contains(&place) {
+                true => format!("    m_register_10 {place}(\n    );\n"),
+                false => format!("    m_products_delay {place}(\n    );\n"),
+            })
+            .concat();
+        Module {
+            name: "m_product".to_owned(),
+            body: format!(
+                "(clock, difference, square, far);\n    input wire clock;\n    \
+                 input wire [9:0] difference;\n    output reg [13:0] square;\n    \
+                 output reg far;\n{instances}"
+            ),
+        }
+    }
+
+    #[test]
+    fn a_product_is_a_block_only_with_both_of_its_registers() {
+        let text = |places: &[&str]| {
+            let module = module(places);
+            product(&module, &Ports::of(&module))
+        };
+        let both = text(&["products_delay", "product"]).unwrap();
+        assert!(both.contains(".A7(1'b0), .A8(operand[0])"), "{both}");
+        assert!(both.contains("assign square = product[29:16];"));
+        assert!(both.contains("assign far = |product[33:30];"));
+        assert_eq!(text(&["products_delay"]), None);
+        assert_eq!(text(&["product"]), None);
+    }
+
+    #[test]
+    fn a_machine_of_all_kinds_has_one_text_of_each_block() {
+        let blocks = |machine: &str| {
+            let emitted = crate::emit(find_machine(machine).unwrap(), Level::Machine).unwrap();
+            let text = emitted.ecp5_text.unwrap();
+            ["MULT18X18D #", "DP16KD #"].map(|block| text.matches(block).count())
+        };
+        assert_eq!(blocks("tile-6-mixed"), [1, 1]);
+        assert_eq!(blocks("tile-6"), [0, 0]);
+    }
+}
