@@ -6,18 +6,24 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-place_chains=0
-case ${1-} in
-    '') ;;
-    --place-chains) place_chains=1 ;;
-    *)
-        printf 'Usage: scripts/measure.sh [--place-chains]\nWrites docs/measured/*.json and docs/cornell.png.\n'
-        printf '  --place-chains  also place the machines of several engines: hours\n'
-        [[ $1 == -h || $1 == --help ]] && exit 0
-        exit 2
-        ;;
-esac
+place_chains=0 random_groups=0
+for option; do
+    case $option in
+        --place-chains) place_chains=1 ;;
+        --random-groups) random_groups=1 ;;
+        *)
+            printf 'Usage: scripts/measure.sh [--place-chains] [--random-groups]\n'
+            printf 'Writes docs/measured/*.json and docs/cornell.png.\n'
+            printf '  --place-chains   also place the machines of several engines: hours\n'
+            printf '  --random-groups  also compare each machine of less than 9 clocks in Verilator, on a\n'
+            printf '                   million random groups: an hour\n'
+            [[ $option == -h || $option == --help ]] && exit 0
+            exit 2
+            ;;
+    esac
+done
 
+mkdir -p target/measured
 scripts/setup.sh --synthesis
 cargo build --locked --release
 synth=(target/release/photoncube synth --update)
@@ -42,6 +48,15 @@ for folder in hdl-out/*/; do
     machine=$(basename "$folder")
     printf '\n=== %s\n' "$machine"
     measure_area_and_clock "$machine"
+    case $machine in
+        stream | overlap | tile-* | chip-*)
+            if ((random_groups)); then
+                target/release/photoncube verify --machine "$machine" --against verilator \
+                    --iterations 1000000 --json >"target/measured/verify-$machine.json"
+                cp "target/measured/verify-$machine.json" docs/measured/
+            fi
+            ;;
+    esac
     # The engines of longer chains are those of `tile-6`.
     case $machine in
         tile-4 | tile-5 | tile-[7-9] | tile-10 | tile-6-mixed | chip-*) continue ;;

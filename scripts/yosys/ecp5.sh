@@ -10,7 +10,8 @@ FILE (default: hdl-out/*/*_ecp5.v) holds second texts of some modules of the Ver
 cells of the ECP5. For each module Yosys's SAT solver proves that both texts are the same function: of
 carry chains, with Yosys's own model of the carry cell; of squarers in DSP blocks and block RAMs, with
 the models in scripts/yosys/ecp5_blocks.v, from power-up and from any state. That the proofs can fail is
-shown on a chain with one wrong LUT, a table with one wrong word and a product with one wrong operand.
+shown on a chain and a comparison with one wrong LUT each, a table with one wrong word and a product with
+one wrong operand.
 
 Exit codes: 0 all are proven; 1 one is not; 2 bad usage, a missing file or a missing tool.
 USAGE
@@ -82,6 +83,7 @@ wrong() {
     case $1 in
         *DP16KD*) echo "s/\\(INITVAL_05(320'h[0-9a-f]*\\)[0-9a-f])/\\1f)/" ;;
         *MULT18X18D*) echo 's/\.B17(operand\[9\])/.B17(operand[8])/' ;;
+        *LUT4*) echo "0,/INIT(16'h\([0-9a-f]*\)[0-9a-f])/s//INIT(16'h\15)/" ;;
         *) echo "0,/INIT1(16'h\([0-9a-f]*\)[0-9a-f])/s//INIT1(16'h\15)/" ;;
     esac
 }

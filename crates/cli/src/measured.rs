@@ -3,7 +3,8 @@
 //! They are read here and nowhere typed in: `list` and the README's table show them.
 
 use anyhow::{Context, Result};
-use photoncube_spec::Machine;
+use photoncube_spec::{MACHINES, Machine};
+use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use crate::synth::cells::Figure;
@@ -73,14 +74,18 @@ pub struct Measured {
 const SYNTHESIS: &str = include_str!("../../../docs/measured/synthesis.json");
 const PLACEMENT: &str = include_str!("../../../docs/measured/place.json");
 
-macro_rules! runs {
-    ($($machine:literal),+ $(,)?) => {
-        &[$(($machine, include_str!(concat!("../../../docs/measured/run-", $machine, ".json")))),+]
+macro_rules! of_machines {
+    ($kind:literal: $($machine:literal),+ $(,)?) => {
+        &[$((
+            $machine,
+            include_str!(concat!("../../../docs/measured/", $kind, "-", $machine, ".json"))
+        )),+]
     };
 }
 
 /// The summary of `photoncube run --machine M`, by machine.
-const RUNS: &[(&str, &str)] = runs![
+const RUNS: &[(&str, &str)] = of_machines![
+    "run":
     "paper",
     "paper-dsp",
     "paper-12",
@@ -95,9 +100,33 @@ const RUNS: &[(&str, &str)] = runs![
     "tile-6",
 ];
 
+/// The report of `photoncube verify --machine M` on a million random groups, by machine.
+const VERIFICATIONS: &[(&str, &str)] = of_machines![
+    "verify":
+    "stream",
+    "overlap",
+    "tile-4",
+    "tile-5",
+    "tile-6",
+    "tile-7",
+    "tile-8",
+    "tile-9",
+    "tile-10",
+    "tile-6-mixed",
+    "chip-lut",
+    "chip-mixed",
+];
+
 #[derive(Deserialize)]
 struct Run {
     rms_relative_error: f64,
+    #[serde(flatten)]
+    proof: Proof,
+}
+
+/// What was compared in a run or a verification.
+#[derive(Deserialize)]
+struct Proof {
     vectors_compared: u64,
     mismatches: u64,
     devices: Vec<Device>,
@@ -106,6 +135,8 @@ struct Run {
 #[derive(Deserialize)]
 struct Device {
     device: String,
+    iterations: u64,
+    signals_per_vector: usize,
     vectors_compared: u64,
 }
 
@@ -117,7 +148,16 @@ impl Measured {
             .into_iter()
             .filter(|row| row.machine == machine.name)
             .collect();
-        let run = run(machine)?;
+        let run: Option<Run> = of_machine("run", RUNS, machine)?;
+        let random: Option<Proof> = of_machine("verify", VERIFICATIONS, machine)?;
+        let proofs = [
+            ("groups of a scene", run.as_ref().map(|run| &run.proof)),
+            ("random groups", random.as_ref()),
+        ];
+        let proofs: Vec<_> = proofs
+            .into_iter()
+            .filter_map(|(what, proof)| Some((what, proof?)))
+            .collect();
         let fmax_by_grade = clocks_of(machine.name)?;
         Ok(Self {
             area_without_dsp: Area::of(&areas, Flow::Ecp5Nodsp),
@@ -125,9 +165,17 @@ impl Measured {
             fmax: Fmax::of(&fmax_by_grade),
             areas,
             fmax_by_grade,
-            rms_relative_error: run.as_ref().map(|run| run.rms_relative_error),
-            vectors_compared: run.as_ref().map(|run| run.vectors_compared),
-            verified_against: run.map_or("not measured".to_owned(), |run| run.verified()),
+            rms_relative_error: rms_relative_error(machine)?,
+            vectors_compared: (!proofs.is_empty())
+                .then(|| proofs.iter().map(|(_, proof)| proof.vectors_compared).sum()),
+            verified_against: match &proofs[..] {
+                [] => "not measured".to_owned(),
+                some => some
+                    .iter()
+                    .map(|(what, proof)| proof.text(what))
+                    .collect::<Vec<_>>()
+                    .join("; "),
+            },
         })
     }
 }
@@ -225,22 +273,45 @@ fn source(placement: &Figured<PlaceRow>) -> Result<String> {
     ))
 }
 
-fn run(machine: &Machine) -> Result<Option<Run>> {
-    let Some((name, text)) = RUNS.iter().find(|(name, _)| *name == machine.name) else {
+/// What is committed of a machine, if anything is.
+fn of_machine<T: DeserializeOwned>(
+    kind: &str,
+    files: &[(&str, &'static str)],
+    machine: &Machine,
+) -> Result<Option<T>> {
+    let Some((name, text)) = files.iter().find(|(name, _)| *name == machine.name) else {
         return Ok(None);
     };
-    let run = serde_json::from_str(text);
-    run.with_context(|| format!("docs/measured/run-{name}.json"))
+    let read = serde_json::from_str(text);
+    read.with_context(|| format!("docs/measured/{kind}-{name}.json"))
         .map(Some)
 }
 
-impl Run {
-    fn verified(&self) -> String {
+/// Of a picture by the golden model, whose integers are those of the numbers alone: of the machine's own
+/// run, or that of a machine with the same numbers.
+fn rms_relative_error(machine: &Machine) -> Result<Option<f64>> {
+    let same_numbers = MACHINES
+        .iter()
+        .filter(|other| other.numbers == machine.numbers);
+    for machine in [machine].into_iter().chain(same_numbers) {
+        if let Some(run) = of_machine::<Run>("run", RUNS, machine)? {
+            return Ok(Some(run.rms_relative_error));
+        }
+    }
+    Ok(None)
+}
+
+impl Proof {
+    /// What was compared, of those groups, where, and what came of it.
+    fn text(&self, groups: &str) -> String {
         let devices: Vec<_> = self.devices.iter().map(|d| d.device.as_str()).collect();
+        let iterations: u64 = self.devices.iter().map(|d| d.iterations).sum();
         let clocks: u64 = self.devices.iter().map(|d| d.vectors_compared).sum();
+        let signals = self.devices.iter().map(|d| d.signals_per_vector).max();
         format!(
-            "{}: {clocks} clocks, {} mismatches",
+            "{}: {iterations} {groups}, {clocks} clocks of {} signals, {} mismatches",
             devices.join(", "),
+            signals.unwrap_or(0),
             self.mismatches
         )
     }
@@ -248,6 +319,8 @@ impl Run {
 
 #[cfg(test)]
 mod tests {
+    use photoncube_spec::Pins;
+
     use super::*;
 
     #[test]
@@ -277,6 +350,22 @@ mod tests {
         assert_eq!(fmax.device, None);
         assert_eq!(fmax.speed_grade, None);
         assert_eq!(lut4_equivalents("pentium").unwrap(), None);
+    }
+
+    /// All signals that the machine has today, so that a verification of another one is noticed.
+    #[test]
+    fn a_verification_is_of_a_million_groups_and_all_signals() {
+        for (name, text) in VERIFICATIONS {
+            let machine = MACHINES.iter().find(|machine| machine.name == *name);
+            let signals = Pins::of(machine.unwrap()).observed.len();
+            let proof: Proof = serde_json::from_str(text).unwrap();
+            assert_eq!(proof.mismatches, 0, "{name}");
+            assert!(!proof.devices.is_empty(), "{name}");
+            for device in proof.devices {
+                assert!(device.iterations >= 1_000_000, "{name}");
+                assert_eq!(device.signals_per_vector, signals, "{name}");
+            }
+        }
     }
 
     #[test]

@@ -10,6 +10,7 @@
 mod blocks;
 mod chain;
 mod ports;
+mod range;
 mod squares;
 mod sums;
 
@@ -23,6 +24,9 @@ enum Body {
     Chain(fn(&Ports) -> String),
     /// Of a squarer, where it has the registers of a block.
     Block(fn(&Module, &Ports) -> Option<String>),
+    /// Of a module of LUTs, where they are worth it: in machines that are to fill a chip, as their placer
+    /// finds no short nets.
+    FullChip(fn(&Module, &Ports) -> Option<String>),
 }
 
 /// The end of a module's name, and the body of its second text.
@@ -37,22 +41,27 @@ const BODIES: &[(&str, Body)] = &[
     ("_chosen_sum", Body::Chain(sums::chosen_sum)),
     ("_lookup", Body::Block(blocks::lookup)),
     ("_product", Body::Block(blocks::product)),
+    ("_range_of_format", Body::FullChip(range::range_of_format)),
 ];
 
-/// The second text of all modules that have one; none if no module has.
-pub(super) fn second_texts(text: &str) -> Option<String> {
+/// The second text of all modules that have one; none if no module has. `fills_chip`: of a machine with
+/// all that a chip needs.
+pub(super) fn second_texts(text: &str, fills_chip: bool) -> Option<String> {
     let modules = split(text);
+    let second_text = |module| second_text(module, fills_chip);
     let texts: Vec<_> = modules.iter().filter_map(second_text).collect();
     (!texts.is_empty()).then(|| texts.concat())
 }
 
 /// A module's second text, with the same ports.
-fn second_text(module: &Module) -> Option<String> {
+fn second_text(module: &Module, fills_chip: bool) -> Option<String> {
     let (_, body) = BODIES.iter().find(|(base, _)| is_named(module, base))?;
     let ports = Ports::of(module);
     let body = match body {
         Body::Chain(body) => body(&ports),
         Body::Block(body) => body(module, &ports)?,
+        Body::FullChip(body) if fills_chip => body(module, &ports)?,
+        Body::FullChip(_) => return None,
     };
     Some(format!(
         "\nmodule {}{}{}endmodule\n",
@@ -78,12 +87,12 @@ mod tests {
         let text = "module m_accumulate(group, sum, first, next_sum);\n  input wire [7:0] group;\n  \
                     input wire [9:0] sum;\n  input wire first;\n  output reg [9:0] next_sum;\n  \
                     x\nendmodule\nmodule m_other(a);\n  input wire a;\nendmodule\n";
-        let chained = second_texts(text).unwrap();
+        let chained = second_texts(text, false).unwrap();
         assert_eq!(chained.matches("CCU2C").count(), 5);
         assert!(chained.contains("output wire [9:0] next_sum;"), "{chained}");
         assert!(!chained.contains("m_other"));
         assert_eq!(
-            second_texts("module m_other(a);\n  input wire a;\nendmodule\n"),
+            second_texts("module m_other(a);\n  input wire a;\nendmodule\n", true),
             None
         );
     }
