@@ -110,11 +110,7 @@ const VERIFICATIONS: &[(&str, &str)] = of_machines![
     "tile-6",
     "tile-7",
     "tile-8",
-    "tile-9",
-    "tile-10",
     "tile-6-mixed",
-    "chip-lut",
-    "chip-mixed",
 ];
 
 #[derive(Deserialize)]

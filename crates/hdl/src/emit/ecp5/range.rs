@@ -1,7 +1,7 @@
 //! The comparison with the format's radius, in two levels of LUTs.
 //!
-//! Yosys makes it of the fewest LUTs, three or four of them one behind the other. Their nets are long where
-//! a chip is full, and bind its clock.
+//! Yosys makes a carry chain of it and three or four levels of LUTs. Their nets are long where a chip is
+//! full, and bind its clock.
 
 use super::super::modules::Module;
 use super::ports::Ports;
