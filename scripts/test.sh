@@ -47,7 +47,7 @@ stage "tests" cargo test --locked --workspace
 stage "hard cases" photoncube hard-cases
 stage "committed Verilog" photoncube generate --check
 stage "Verilog checks" scripts/yosys/check.sh
-stage "carry chains" scripts/yosys/ecp5.sh
+stage "second texts" scripts/yosys/ecp5.sh
 stage "area and clock" photoncube synth --check
 
 printf '\nall stages passed\n'

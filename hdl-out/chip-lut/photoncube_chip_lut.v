@@ -7557,7 +7557,7 @@ module photoncube_chip_lut_head(clock, reset, query_valid, query_ready, group_va
     reg admission_query_valid;
     reg admission_group_valid;
     reg admission_group_last;
-    reg admission_batch_taken;
+    reg admission_batch_read;
     wire admission_query_ready;
     wire admission_group_ready;
     wire admission_taken;
@@ -7752,7 +7752,7 @@ module photoncube_chip_lut_head(clock, reset, query_valid, query_ready, group_va
     wire [17:0] queue_result_green;
     wire [17:0] queue_result_blue;
     wire [12:0] queue_result_count;
-    wire queue_batch_taken;
+    wire queue_batch_read;
     // Sub module instances
     photoncube_chip_lut_admission admission(
         .clock(admission_clock),
@@ -7760,7 +7760,7 @@ module photoncube_chip_lut_head(clock, reset, query_valid, query_ready, group_va
         .query_valid(admission_query_valid),
         .group_valid(admission_group_valid),
         .group_last(admission_group_last),
-        .batch_taken(admission_batch_taken),
+        .batch_read(admission_batch_read),
         .query_ready(admission_query_ready),
         .group_ready(admission_group_ready),
         .taken(admission_taken),
@@ -8073,7 +8073,7 @@ module photoncube_chip_lut_head(clock, reset, query_valid, query_ready, group_va
         .result_green(queue_result_green),
         .result_blue(queue_result_blue),
         .result_count(queue_result_count),
-        .batch_taken(queue_batch_taken)
+        .batch_read(queue_batch_read)
     );
     // Update code
     always @(*) begin
@@ -8082,7 +8082,7 @@ module photoncube_chip_lut_head(clock, reset, query_valid, query_ready, group_va
         admission_query_valid = query_valid;
         admission_group_valid = group_valid;
         admission_group_last = group_last;
-        admission_batch_taken = queue_batch_taken;
+        admission_batch_read = queue_batch_read;
         query_ready = admission_query_ready;
         group_ready = admission_group_ready;
         token_valid = admission_token_valid;
@@ -9275,7 +9275,7 @@ endmodule
 
 module photoncube_chip_lut_queue(clock, reset, result_valid_in, result_in_0, result_in_1,
     result_in_2, result_count_in, result_ready, result_valid, result_red, result_green,
-    result_blue, result_count, batch_taken);
+    result_blue, result_count, batch_read);
     // Module arguments
     input wire clock;
     input wire reset;
@@ -9290,21 +9290,23 @@ module photoncube_chip_lut_queue(clock, reset, result_valid_in, result_in_0, res
     output reg [17:0] result_green;
     output reg [17:0] result_blue;
     output reg [12:0] result_count;
-    output reg batch_taken;
+    output reg batch_read;
     // Update code (custom)
-    reg [66:0] results [0:63];
+    (* no_rw_check *) reg [66:0] results [0:63];
+    reg [66:0] word = 67'd0;
     reg [5:0] write_place = 6'd0;
     reg [5:0] newest_place = 6'd0;
     reg [5:0] read_place = 6'd0;
+    reg has_waiting = 1'd0;
     reg has_result = 1'd0;
     integer place;
     initial for (place = 0; place <= 63; place = place + 1) results[place] = 67'd0;
-    wire [66:0] word = results[read_place];
-    wire takes_result = has_result & result_ready;
-    (* keep *) wire is_newest = read_place == newest_place;
-    wire takes_newest = takes_result & is_newest;
+    wire reads = has_waiting & (~has_result | result_ready);
+    (* keep *) wire is_newest;
+    assign is_newest = read_place == newest_place;
+    wire reads_newest = reads & is_newest;
     always @(*) result_valid = has_result;
-    always @(*) batch_taken = takes_result & (&read_place[4:0]);
+    always @(*) batch_read = reads & (&read_place[4:0]);
     always @(*) result_red = word[17:0];
     always @(*) result_green = word[35:18];
     always @(*) result_blue = word[53:36];
@@ -9315,19 +9317,24 @@ module photoncube_chip_lut_queue(clock, reset, result_valid_in, result_in_0, res
         newest_place <= write_place;
         write_place <= write_place + 6'd1;
       end
-      if (takes_result) read_place <= read_place + 6'd1;
-      has_result <= result_valid_in | (has_result & ~takes_newest);
+      if (reads) begin
+        word <= results[read_place];
+        read_place <= read_place + 6'd1;
+      end
+      has_waiting <= result_valid_in | (has_waiting & ~reads_newest);
+      has_result <= reads | (has_result & ~result_ready);
       if (reset) begin
         write_place <= 6'd0;
         newest_place <= 6'd0;
         read_place <= 6'd0;
+        has_waiting <= 1'd0;
         has_result <= 1'd0;
       end
     end
 endmodule
 
 module photoncube_chip_lut_admission(clock, reset, query_valid, group_valid, group_last,
-    batch_taken, query_ready, group_ready, taken, first_taken, last_taken, token_valid, is_full,
+    batch_read, query_ready, group_ready, taken, first_taken, last_taken, token_valid, is_full,
     has_room, clocks_to_last);
     // Module arguments
     input wire clock;
@@ -9335,7 +9342,7 @@ module photoncube_chip_lut_admission(clock, reset, query_valid, group_valid, gro
     input wire query_valid;
     input wire group_valid;
     input wire group_last;
-    input wire batch_taken;
+    input wire batch_read;
     output reg query_ready;
     output reg group_ready;
     output reg taken;
@@ -9379,7 +9386,7 @@ module photoncube_chip_lut_admission(clock, reset, query_valid, group_valid, gro
       if (takes_last) spacing <= 6'd62;
       else if (waits) spacing <= spacing - 6'd1;
       waits <= takes_last | (|spacing[5:1]);
-      gives_back <= batch_taken;
+      gives_back <= batch_read;
       if (takes_last != gives_back)
         promised <= takes_last ? {promised[0:0], 1'd1} : {1'd0, promised[1:1]};
       if (reset) begin
@@ -9759,16 +9766,16 @@ module photoncube_chip_lut_power_delay(clock, word, delayed);
     );
     // Update code
     always @(*) begin
-        stage_0_d = word;
-        stage_1_d = stage_0_q;
-        stage_2_d = stage_1_q;
-        stage_3_d = stage_2_q;
-        stage_4_d = stage_3_q;
         stage_0_clock = clock;
+        stage_0_d = word;
         stage_1_clock = clock;
+        stage_1_d = stage_0_q;
         stage_2_clock = clock;
+        stage_2_d = stage_1_q;
         stage_3_clock = clock;
+        stage_3_d = stage_2_q;
         stage_4_clock = clock;
+        stage_4_d = stage_3_q;
         delayed = stage_4_q;
     end
 endmodule
@@ -10013,16 +10020,16 @@ module photoncube_chip_lut_present_delay(clock, word, delayed);
     );
     // Update code
     always @(*) begin
-        stage_0_d = word;
-        stage_1_d = stage_0_q;
-        stage_2_d = stage_1_q;
-        stage_3_d = stage_2_q;
-        stage_4_d = stage_3_q;
         stage_0_clock = clock;
+        stage_0_d = word;
         stage_1_clock = clock;
+        stage_1_d = stage_0_q;
         stage_2_clock = clock;
+        stage_2_d = stage_1_q;
         stage_3_clock = clock;
+        stage_3_d = stage_2_q;
         stage_4_clock = clock;
+        stage_4_d = stage_3_q;
         delayed = stage_4_q;
     end
 endmodule

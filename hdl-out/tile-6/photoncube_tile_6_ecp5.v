@@ -91,6 +91,31 @@ module photoncube_tile_6_subtract(a, b, difference);
     assign difference = chain[10:1];
 endmodule
 
+module photoncube_tile_6_range_of_format(distance, far, in_range);
+    input wire [15:0] distance;
+    input wire far;
+    output wire in_range;
+    wire above;
+    LUT4 #(.INIT(16'hfefe)) lut_above (.A(far), .B(distance[14]), .C(distance[15]), .D(1'b0), .Z(above));
+    wire all_without;
+    LUT4 #(.INIT(16'h0000)) lut_all_without (.A(distance[9]), .B(distance[10]), .C(distance[11]), .D(distance[12]), .Z(all_without));
+    wire all_with;
+    LUT4 #(.INIT(16'h8000)) lut_all_with (.A(distance[9]), .B(distance[10]), .C(distance[11]), .D(distance[12]), .Z(all_with));
+    wire all;
+    PFUMX mux_all (.ALUT(all_with), .BLUT(all_without), .C0(distance[13]), .Z(all));
+    wire middle;
+    LUT4 #(.INIT(16'hfffe)) lut_middle (.A(distance[5]), .B(distance[6]), .C(distance[7]), .D(distance[8]), .Z(middle));
+    wire low_without;
+    LUT4 #(.INIT(16'hffe0)) lut_low_without (.A(distance[0]), .B(distance[1]), .C(distance[2]), .D(distance[3]), .Z(low_without));
+    wire low_with;
+    LUT4 #(.INIT(16'hffff)) lut_low_with (.A(distance[0]), .B(distance[1]), .C(distance[2]), .D(distance[3]), .Z(low_with));
+    wire low;
+    PFUMX mux_low (.ALUT(low_with), .BLUT(low_without), .C0(distance[4]), .Z(low));
+    wire near;
+    LUT4 #(.INIT(16'h1115)) lut_near (.A(above), .B(all), .C(middle), .D(low), .Z(near));
+    assign in_range = near;
+endmodule
+
 module photoncube_tile_6_accumulate(group, sum, first, next_sum);
     input wire [7:0] group;
     input wire [17:0] sum;

@@ -58,26 +58,46 @@ for tool in yosys iverilog verilator; do
     }
 done
 
-failed=0
 for file in "${files[@]}"; do
     if [[ ! -f $file || ! $file =~ ^[[:alnum:]_./-]+\.v$ ]]; then
         echo "check: found no file $file, expected Verilog: *.v with only letters, digits and _./- in its path" >&2
         exit 2
     fi
-    top=$(basename "$file" .v) bad=()
+done
+
+# What the three say of a file; fails if one complains.
+check_file() {
+    local file=$1 top said tool bad=()
+    top=$(basename "$file" .v)
     for tool in yosys iverilog verilator; do
         # A tool that says anything has complained, whatever it returns.
         if ! said=$("by_$tool" "$file" "$top" 2>&1) || [[ -n $said ]]; then
             bad+=("$tool")
-            head -n 40 <<<"${said:-(no message)}" | sed "s/^/    $tool: /" >&2
+            head -n 40 <<<"${said:-(no message)}" | sed "s/^/    $tool: /"
         fi
     done
     if ((${#bad[@]} == 0)); then
         printf 'pass  %s (yosys, iverilog, verilator)\n' "$file"
     else
         printf 'FAIL  %s (%s)\n' "$file" "${bad[*]}"
-        failed=$((failed + 1))
+        return 1
     fi
+}
+
+# A file for each core at a time, each with what is said of it in a file.
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cores=$(nproc)
+pids=()
+for i in "${!files[@]}"; do
+    ((i < cores)) || wait "${pids[i - cores]}" || true
+    check_file "${files[i]}" >"$scratch/$i" &
+    pids+=($!)
+done
+failed=0
+for i in "${!files[@]}"; do
+    wait "${pids[i]}" || failed=$((failed + 1))
+    cat "$scratch/$i"
 done
 if ((failed > 0)); then
     printf 'check: %d of %d files fail\n' "$failed" "${#files[@]}" >&2

@@ -6,7 +6,6 @@ pub mod clock;
 pub mod figures;
 pub mod flow;
 mod netlist;
-mod output_registers;
 pub mod path;
 pub mod place;
 pub mod plan;

@@ -8,7 +8,7 @@ use anyhow::{Context, Result};
 use super::figures::PlaceRow;
 use super::flow::Flow;
 use super::tools::Tools;
-use super::{Subject, netlist, output_registers, path, wrapper};
+use super::{Subject, netlist, path, wrapper};
 
 /// An FPGA that nextpnr knows.
 #[derive(Debug, PartialEq, Eq)]
@@ -78,17 +78,14 @@ pub fn map(tools: &Tools, folder: &Path, subject: &Subject) -> Result<()> {
             folder,
             &format!("read_verilog -lib {top}.v; write_json {ports}"),
         )?;
-        // The results of machines with a photon memory are in a block RAM.
-        let registers = if subject.machine.has_memory() { 2 } else { 1 };
-        let wrapper = wrapper::around(top, &fs::read_to_string(folder.join(ports))?, registers)?;
+        let wrapper = wrapper::around(top, &fs::read_to_string(folder.join(ports))?)?;
         fs::write(folder.join("serial.v"), wrapper)?;
         let flow = Flow::to_place(subject.machine);
         let (read, map) = (subject.read(flow), flow.script(wrapper::TOP));
         let script = format!("{read}; read_verilog serial.v; {map} -json {NETLIST}");
         tools.yosys(folder, &script)?;
         let netlist = folder.join(NETLIST);
-        let opened = netlist::open_ends(&fs::read_to_string(&netlist)?)?;
-        fs::write(&netlist, output_registers::fill(&opened)?)?;
+        fs::write(&netlist, netlist::finish(&fs::read_to_string(&netlist)?)?)?;
         Ok(())
     };
     attempt().with_context(|| format!("machine {} in its wrapper", subject.machine.name))

@@ -3,9 +3,6 @@
 //! A machine has more ports than a package has pins. A shift register drives all its inputs, reset
 //! too, and a register takes all its outputs, which are folded into a second shift register. Each path
 //! of the machine then runs from register to register, and counts; no pin is on any of them.
-//!
-//! Where the queue of results is a block RAM, Yosys makes the register that takes them the block's own, so
-//! that what is folded comes out of the block; a second register behind it keeps the two apart.
 
 use std::collections::BTreeMap;
 
@@ -52,9 +49,8 @@ impl Bus {
     }
 }
 
-/// The wrapper of a machine whose netlist, as `read_verilog -lib; write_json` writes it, has its ports;
-/// with so many registers in a row, one or two, that take its outputs.
-pub fn around(top: &str, netlist: &str, registers: usize) -> Result<String> {
+/// The wrapper of a machine whose netlist, as `read_verilog -lib; write_json` writes it, has its ports.
+pub fn around(top: &str, netlist: &str) -> Result<String> {
     let mut netlist: Netlist =
         serde_json::from_str(netlist).context("what Yosys's `write_json` writes")?;
     let module = netlist.modules.remove(top);
@@ -82,24 +78,16 @@ pub fn around(top: &str, netlist: &str, registers: usize) -> Result<String> {
     if driven.width == 0 || shown.width == 0 {
         bail!("found no inputs or no outputs in {top}, expected both");
     }
-    Ok(text(top, &driven, &shown, registers))
+    Ok(text(top, &driven, &shown))
 }
 
-fn text(top: &str, driven: &Bus, shown: &Bus, registers: usize) -> String {
+fn text(top: &str, driven: &Bus, shown: &Bus) -> String {
     let clock = format!(".{CLOCK}({CLOCK})");
     let mut connections = vec![clock];
     connections.extend_from_slice(&driven.connections);
     connections.extend_from_slice(&shown.connections);
     let connections = connections.join(", ");
     let (driven, shown) = (driven.width - 1, shown.width - 1);
-    let (second, taken_again, folds) = match registers {
-        1 => (String::new(), "", "taken"),
-        _ => (
-            format!("    reg [{shown}:0] taken_again;\n"),
-            "        taken_again <= taken;\n",
-            "taken_again",
-        ),
-    };
     format!(
         "module {TOP}({CLOCK}, serial_in, serial_out);
     input wire {CLOCK};
@@ -108,14 +96,14 @@ fn text(top: &str, driven: &Bus, shown: &Bus, registers: usize) -> String {
     reg [{driven}:0] driven;
     wire [{shown}:0] shown;
     reg [{shown}:0] taken;
-{second}    // Each bit that was taken reaches the pin, so none may be optimised away.
+    // Each bit that was taken reaches the pin, so none may be optimised away.
     reg [{shown}:0] folded;
     {top} {INSTANCE}({connections});
     assign serial_out = folded[{shown}];
     always @(posedge {CLOCK}) begin
         driven <= {{driven, serial_in}};
         taken <= shown;
-{taken_again}        folded <= {{folded, 1'b0}} ^ {folds};
+        folded <= {{folded, 1'b0}} ^ taken;
     end
 endmodule
 "
@@ -135,22 +123,15 @@ mod tests {
 
     #[test]
     fn each_port_has_bits_of_its_own() {
-        let text = around("the_top", NETLIST, 1).unwrap();
+        let text = around("the_top", NETLIST).unwrap();
         let instance = "the_top machine(.clock(clock), .reset(driven[0:0]), .power(driven[4:1]), .sum(shown[4:0]));";
         assert!(text.contains(instance), "{text}");
         assert!(text.contains("reg [4:0] driven;") && text.contains("reg [4:0] taken;"));
     }
 
     #[test]
-    fn a_second_register_stands_between_the_first_and_what_is_folded() {
-        let text = around("the_top", NETLIST, 2).unwrap();
-        assert!(text.contains("taken_again <= taken;\n"), "{text}");
-        assert!(text.contains("folded <= {folded, 1'b0} ^ taken_again;"));
-    }
-
-    #[test]
     fn a_machine_without_a_clock_is_refused() {
-        let error = |netlist: &str| around("the_top", netlist, 1).unwrap_err().to_string();
+        let error = |netlist: &str| around("the_top", netlist).unwrap_err().to_string();
         assert!(error(&NETLIST.replace("clock", "clk")).contains("no input clock"));
         assert!(error(&NETLIST.replace("the_top", "other")).contains("no module the_top"));
         assert!(error(&NETLIST.replace("output", "inout")).contains("found the inout sum"));

@@ -114,8 +114,7 @@ pub fn emit(machine: &Machine, level: Level) -> Result<Emitted, EmitError> {
     let merged = merge::merge(modules, TOP, &prefix, &ChannelNames::of(machine))?;
     let pins = level_pins(machine, level)?;
     Ok(Emitted {
-        ecp5_text: ecp5::second_texts(&merged, machine.has_memory())
-            .map(|texts| header(machine, level) + &texts),
+        ecp5_text: ecp5::second_texts(&merged).map(|texts| header(machine, level) + &texts),
         text: header(machine, level) + &merged,
         top: prefix,
         clocked: level.is_clocked(),

@@ -17,8 +17,8 @@ pub(crate) struct Admission {
     pub query_valid: Signal<In, Bit>,
     pub group_valid: Signal<In, Bit>,
     pub group_last: Signal<In, Bit>,
-    /// The last result of a batch is taken.
-    pub batch_taken: Signal<In, Bit>,
+    /// The last result of a batch is read from the queue's memory.
+    pub batch_read: Signal<In, Bit>,
     pub query_ready: Signal<Out, Bit>,
     pub group_ready: Signal<Out, Bit>,
     /// The group of this clock is taken.
@@ -39,7 +39,7 @@ pub(crate) struct Admission {
     pub _has_batch: Hidden,
     pub _spacing: Hidden,
     pub _waits: Hidden,
-    /// Places of a batch's results are given back: `BatchTaken`.
+    /// Places of a batch's results are given back: `BatchRead`.
     pub _gives_back: Hidden,
     pub _promised: Hidden,
     _engines: u64,
@@ -64,7 +64,7 @@ impl Admission {
             query_valid: Default::default(),
             group_valid: Default::default(),
             group_last: Default::default(),
-            batch_taken: Default::default(),
+            batch_read: Default::default(),
             query_ready: Default::default(),
             group_ready: Default::default(),
             taken: Default::default(),
@@ -123,9 +123,9 @@ impl Admission {
         self._waits.0 = u64::from(self._spacing.0 != 0);
         let gives_back = match self._sizes.has_waits() {
             true => self._gives_back.0 != 0,
-            false => self.batch_taken.val(),
+            false => self.batch_read.val(),
         };
-        self._gives_back.0 = self.batch_taken.val().into();
+        self._gives_back.0 = self.batch_read.val().into();
         self._promised.0 = match (taken.last, gives_back) {
             (true, false) => self._promised.0 << 1 | 1,
             (false, true) => self._promised.0 >> 1,
@@ -191,7 +191,7 @@ impl Logic for Admission {
                 "room",
                 &format!("spacing <= {spacing_bits}'d0;"),
                 "",
-                "batch_taken",
+                "batch_read",
             ],
             true => [
                 "reg waits = 1'd0;\nreg gives_back = 1'd0;\n",
@@ -200,7 +200,7 @@ impl Logic for Admission {
                     "if (takes_last) spacing <= {spacing_bits}'d{start};\n  \
                      else if (waits) spacing <= spacing - {spacing_bits}'d1;\n  \
                      waits <= takes_last | (|spacing[{}:1]);\n  \
-                     gives_back <= batch_taken;",
+                     gives_back <= batch_read;",
                     spacing_bits - 1
                 ),
                 "    waits <= 1'd0;\n    gives_back <= 1'd0;\n",

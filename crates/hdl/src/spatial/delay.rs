@@ -5,7 +5,7 @@ use rust_hdl::prelude::*;
 use super::stage::{FlagStage, Stage};
 use super::wiring::{Wires, Wiring, logic_of_wires, wires, with_wires};
 
-/// A word's delay line, a clock a stage.
+/// A word's delay line, a clock a stage; a wire without stages.
 #[derive(LogicBlock)]
 pub(crate) struct WordDelay<const W: usize> {
     pub clock: Signal<In, Clock>,
@@ -18,7 +18,6 @@ pub(crate) struct WordDelay<const W: usize> {
 
 impl<const W: usize> WordDelay<W> {
     pub fn new(stages: usize) -> Self {
-        assert!(stages > 0, "a decision takes two clocks at least");
         with_wires!(Self {
             clock: Default::default(),
             word: Default::default(),
@@ -30,14 +29,17 @@ impl<const W: usize> WordDelay<W> {
 
     fn wires(&mut self, wiring: &mut Wiring) {
         let stages = self.stage.len();
-        wires!(self, wiring: (stage[0].d) = (word););
-        for index in 1..stages {
-            wires!(self, wiring: (stage[index].d) = (stage[index - 1].q););
-        }
         for index in 0..stages {
             wires!(self, wiring: (stage[index].clock) = (clock););
+            match index {
+                0 => wires!(self, wiring: (stage[0].d) = (word);),
+                _ => wires!(self, wiring: (stage[index].d) = (stage[index - 1].q);),
+            }
         }
-        wires!(self, wiring: (delayed) = (stage[stages - 1].q););
+        match stages {
+            0 => wires!(self, wiring: (delayed) = (word);),
+            _ => wires!(self, wiring: (delayed) = (stage[stages - 1].q);),
+        }
     }
 }
 

@@ -172,7 +172,7 @@ impl<const B: usize, const E: usize, const P: usize, const S: usize, const N: us
             (admission.query_valid) = (query_valid);
             (admission.group_valid) = (group_valid);
             (admission.group_last) = (group_last);
-            (admission.batch_taken) = (queue.batch_taken);
+            (admission.batch_read) = (queue.batch_read);
             (query_ready) = (admission.query_ready);
             (group_ready) = (admission.group_ready);
             (token_valid) = (admission.token_valid);

@@ -1,15 +1,15 @@
 //! The queue of results.
 //!
 //! Its depth follows from the number of engines, as `admission`'s counters do; so its Verilog is
-//! written by hand too, with the memory and the places inside.
+//! written by hand too, with the memory, the places and the word on the pins inside.
 
 use photoncube_spec::{HeadSizes, Spatial};
 use rust_hdl::prelude::*;
 
 use super::hidden::Hidden;
 
-/// Results go in with `result_valid_in`, and out where valid and ready. `S` bits of a sum, `N` of
-/// the count. The memory is read without a clock, so that it fits the LUTs' RAM.
+/// Results go in with `result_valid_in`, are read from the memory into a register, and go out where valid
+/// and ready. `S` bits of a sum, `N` of the count.
 #[derive(LogicBlock)]
 pub(crate) struct ResultQueue<const S: usize, const N: usize> {
     pub clock: Signal<In, Clock>,
@@ -21,14 +21,17 @@ pub(crate) struct ResultQueue<const S: usize, const N: usize> {
     pub result_valid: Signal<Out, Bit>,
     pub result: Vec<Signal<Out, Bits<S>>>,
     pub result_count: Signal<Out, Bits<N>>,
-    /// The last result of a batch is taken.
-    pub batch_taken: Signal<Out, Bit>,
+    /// The last result of a batch is read from the memory.
+    pub batch_read: Signal<Out, Bit>,
     pub _write_place: Hidden,
     pub _newest_place: Hidden,
     pub _read_place: Hidden,
+    pub _has_waiting: Hidden,
     pub _has_result: Hidden,
     /// The sums and the count of each place.
     _results: Vec<(Vec<u64>, u64)>,
+    /// Those on the pins.
+    _word: (Vec<u64>, u64),
     _place_bits: u32,
     _engines: usize,
 }
@@ -47,12 +50,14 @@ impl<const S: usize, const N: usize> ResultQueue<S, N> {
             result_valid: Default::default(),
             result: (0..channels).map(|_| Default::default()).collect(),
             result_count: Default::default(),
-            batch_taken: Default::default(),
+            batch_read: Default::default(),
             _write_place: Default::default(),
             _newest_place: Default::default(),
             _read_place: Default::default(),
+            _has_waiting: Default::default(),
             _has_result: Default::default(),
             _results: vec![(vec![0; channels], 0); sizes.queue],
+            _word: (vec![0; channels], 0),
             _place_bits: sizes.place_bits,
             _engines: spatial.engines(),
         }
@@ -62,15 +67,21 @@ impl<const S: usize, const N: usize> ResultQueue<S, N> {
         self._has_result.0 != 0
     }
 
-    fn is_taken(&self) -> bool {
-        self.is_valid() && self.result_ready.val()
+    /// A result goes from the memory to the pins.
+    fn reads(&self) -> bool {
+        self._has_waiting.0 != 0 && (!self.is_valid() || self.result_ready.val())
     }
 
     fn step(&mut self) {
         let places = self._results.len() as u64;
-        let (taken, written) = (self.is_taken(), self.result_valid_in.val());
-        let stays = self.is_valid() && !(taken && self._read_place.0 == self._newest_place.0);
-        self._has_result.0 = u64::from(written || stays);
+        let (reads, written) = (self.reads(), self.result_valid_in.val());
+        let reads_newest = reads && self._read_place.0 == self._newest_place.0;
+        let stays = self._has_waiting.0 != 0 && !reads_newest;
+        self._has_result.0 = u64::from(reads || (self.is_valid() && !self.result_ready.val()));
+        self._has_waiting.0 = u64::from(written || stays);
+        if reads {
+            self._word = self._results[self._read_place.0 as usize].clone();
+        }
         if written {
             let sums = self.result_in.iter().map(|sum| sum.val().to_u64());
             self._results[self._write_place.0 as usize] =
@@ -78,10 +89,10 @@ impl<const S: usize, const N: usize> ResultQueue<S, N> {
             self._newest_place = self._write_place;
             self._write_place.0 = (self._write_place.0 + 1) % places;
         }
-        self._read_place.0 = (self._read_place.0 + u64::from(taken)) % places;
+        self._read_place.0 = (self._read_place.0 + u64::from(reads)) % places;
         if self.reset.val() {
             (self._write_place, self._newest_place) = Default::default();
-            (self._read_place, self._has_result) = Default::default();
+            (self._read_place, self._has_waiting, self._has_result) = Default::default();
         }
     }
 }
@@ -93,8 +104,8 @@ impl<const S: usize, const N: usize> Logic for ResultQueue<S, N> {
         }
         self.result_valid.next = self.is_valid();
         let of_batch = self._read_place.0 as usize % self._engines;
-        self.batch_taken.next = self.is_taken() && of_batch == self._engines - 1;
-        let (sums, count) = &self._results[self._read_place.0 as usize];
+        self.batch_read.next = self.reads() && of_batch == self._engines - 1;
+        let (sums, count) = &self._word;
         for (result, sum) in self.result.iter_mut().zip(sums) {
             result.next = sum.to_bits();
         }
@@ -107,7 +118,7 @@ impl<const S: usize, const N: usize> Logic for ResultQueue<S, N> {
         }
         self.result_valid.connect();
         self.result_count.connect();
-        self.batch_taken.connect();
+        self.batch_read.connect();
     }
 
     fn hdl(&self) -> Verilog {
@@ -129,23 +140,26 @@ impl<const S: usize, const N: usize> Logic for ResultQueue<S, N> {
                 format!("always @(*) result${channel} = word[{high}:{low}];\n")
             })
             .collect();
-        // Which result is the newest is found from registers alone, beside what it is and-ed with: kept, so
+        // Nothing is read in the clock in which it is written, so no logic needs to tell old from new. Which
+        // result is the newest is found from registers alone, beside what it is and-ed with: kept, so
         // that Yosys does not lay the bits that come late through the comparison.
         Verilog::Custom(format!(
-            "reg [{high}:0] results [0:{last}];\n\
+            "(* no_rw_check *) reg [{high}:0] results [0:{last}];\n\
+             reg [{high}:0] word = {width}'d0;\n\
              reg [{top}:0] write_place = {bits}'d0;\n\
              reg [{top}:0] newest_place = {bits}'d0;\n\
              reg [{top}:0] read_place = {bits}'d0;\n\
+             reg has_waiting = 1'd0;\n\
              reg has_result = 1'd0;\n\
              integer place;\n\
              initial for (place = 0; place <= {last}; place = place + 1) \
              results[place] = {width}'d0;\n\
-             wire [{high}:0] word = results[read_place];\n\
-             wire takes_result = has_result & result_ready;\n\
-             (* keep *) wire is_newest = read_place == newest_place;\n\
-             wire takes_newest = takes_result & is_newest;\n\
+             wire reads = has_waiting & (~has_result | result_ready);\n\
+             (* keep *) wire is_newest;\n\
+             assign is_newest = read_place == newest_place;\n\
+             wire reads_newest = reads & is_newest;\n\
              always @(*) result_valid = has_result;\n\
-             always @(*) batch_taken = takes_result{batch_end};\n\
+             always @(*) batch_read = reads{batch_end};\n\
              {outputs}\
              always @(*) result_count = word[{high}:{count_low}];\n\
              always @(posedge clock) begin\n\
@@ -154,12 +168,17 @@ impl<const S: usize, const N: usize> Logic for ResultQueue<S, N> {
              \x20   newest_place <= write_place;\n\
              \x20   write_place <= write_place + {bits}'d1;\n\
              \x20 end\n\
-             \x20 if (takes_result) read_place <= read_place + {bits}'d1;\n\
-             \x20 has_result <= result_valid_in | (has_result & ~takes_newest);\n\
+             \x20 if (reads) begin\n\
+             \x20   word <= results[read_place];\n\
+             \x20   read_place <= read_place + {bits}'d1;\n\
+             \x20 end\n\
+             \x20 has_waiting <= result_valid_in | (has_waiting & ~reads_newest);\n\
+             \x20 has_result <= reads | (has_result & ~result_ready);\n\
              \x20 if (reset) begin\n\
              \x20   write_place <= {bits}'d0;\n\
              \x20   newest_place <= {bits}'d0;\n\
              \x20   read_place <= {bits}'d0;\n\
+             \x20   has_waiting <= 1'd0;\n\
              \x20   has_result <= 1'd0;\n\
              \x20 end\n\
              end\n",

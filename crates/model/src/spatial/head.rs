@@ -16,21 +16,24 @@ pub(super) struct Head {
     pub(super) loaded: u32,
     pub(super) open: bool,
     pub(super) spacing: u32,
-    /// The last result of a batch was taken, and `promised` is to hear of it.
-    pub(super) batch_taken: bool,
-    /// Batches whose results have places in the queue.
+    /// The last result of a batch was read, and `promised` is to hear of it.
+    pub(super) batch_read: bool,
+    /// Batches whose results have places in the queue's memory.
     pub(super) promised: u32,
     pub(super) write_place: usize,
     pub(super) newest_place: usize,
     pub(super) read_place: usize,
-    /// Results in the queue.
-    waiting: usize,
+    /// Results in the queue's memory.
+    pub(super) waiting: usize,
+    pub(super) has_result: bool,
     pub(super) entry: Entry,
     /// Stage 0, nearest to the entry, first.
     pub(super) delay: Vec<Powers>,
     /// There is no photon in the lanes of stage 0.
     pub(super) absent: [bool; Spatial::LANES],
     queue: Vec<Sums>,
+    /// On the result pins.
+    word: Sums,
 }
 
 /// What is taken in a clock.
@@ -51,16 +54,18 @@ impl Head {
             loaded: 0,
             open: false,
             spacing: 0,
-            batch_taken: false,
+            batch_read: false,
             promised: 0,
             write_place: 0,
             newest_place: 0,
             read_place: 0,
             waiting: 0,
+            has_result: false,
             entry: Entry::default(),
             delay: vec![Powers::default(); spatial.latency() as usize],
             absent: Default::default(),
             queue: vec![Sums::default(); sizes.queue],
+            word: Sums::default(),
         }
     }
 
@@ -73,8 +78,8 @@ impl Head {
         Outputs {
             query_ready: !full || first_taken,
             group_ready,
-            result_valid: self.has_result(),
-            result: self.queue[self.read_place],
+            result_valid: self.has_result,
+            result: self.word,
         }
     }
 
@@ -91,11 +96,6 @@ impl Head {
     /// The queue has room for the results of a batch.
     fn has_room(&self) -> bool {
         (self.promised + 1) * self.engines <= self.sizes.queue as u32
-    }
-
-    /// The queue has a result.
-    pub(super) fn has_result(&self) -> bool {
-        self.waiting > 0
     }
 
     /// What the photon memory goes by in this clock.
@@ -135,7 +135,8 @@ impl Head {
             powers: self.delayed(entered.powers()),
             ..entered.hop()
         };
-        self.count(taken);
+        let ends_batch = self.read(taken);
+        self.count(taken, ends_batch);
         self.write(result);
         if inputs.reset {
             self.clear();
@@ -158,6 +159,21 @@ impl Head {
         mem::replace(&mut self.delay[0], powers)
     }
 
+    /// Brings a result from the queue's memory to the pins where there is room; whether it is the last
+    /// of its batch.
+    fn read(&mut self, taken: Taken) -> bool {
+        self.has_result &= !taken.result;
+        if self.has_result || self.waiting == 0 {
+            return false;
+        }
+        let of_batch = self.read_place as u32 % self.engines;
+        self.word = self.queue[self.read_place];
+        self.read_place = self.after(self.read_place);
+        self.waiting -= 1;
+        self.has_result = true;
+        of_batch == self.engines - 1
+    }
+
     fn write(&mut self, result: ResultLink) {
         if result.valid {
             self.queue[self.write_place] = result.sums;
@@ -167,7 +183,7 @@ impl Head {
         }
     }
 
-    fn count(&mut self, taken: Taken) {
+    fn count(&mut self, taken: Taken, ends_batch: bool) {
         if taken.group {
             self.open = !taken.flags.last;
         }
@@ -180,32 +196,27 @@ impl Head {
             self.spacing = self.sizes.spacing - 1;
             self.promised += 1;
         }
-        let of_batch = self.read_place as u32 % self.engines;
-        let ends_batch = taken.result && of_batch == self.engines - 1;
-        let heard = mem::replace(&mut self.batch_taken, ends_batch);
+        let heard = mem::replace(&mut self.batch_read, ends_batch);
         let gives_back = if self.sizes.has_waits() {
             heard
         } else {
             ends_batch
         };
         self.promised -= u32::from(gives_back);
-        if taken.result {
-            self.read_place = self.after(self.read_place);
-            self.waiting -= 1;
-        }
     }
 
-    /// All but the words and presence in the entry and the delay line, and the queue's memory.
+    /// All but the words and presence in the entry and the delay line, and the queue's memory and word.
     fn clear(&mut self) {
         self.loaded = 0;
         self.open = false;
         self.spacing = 0;
-        self.batch_taken = false;
+        self.batch_read = false;
         self.promised = 0;
         self.write_place = 0;
         self.newest_place = 0;
         self.read_place = 0;
         self.waiting = 0;
+        self.has_result = false;
         self.entry.clear_flags();
         for stage in &mut self.delay {
             stage.flags = Flags::default();

@@ -22,13 +22,14 @@ impl Head {
                 HeadRegister::Waits if !self.sizes.has_waits() => {}
                 HeadRegister::Waits => row.push((self.spacing != 0).into()),
                 HeadRegister::HasBatch => row.push(self.has_batch().into()),
-                HeadRegister::BatchTaken if !self.sizes.has_waits() => {}
-                HeadRegister::BatchTaken => row.push(self.batch_taken.into()),
+                HeadRegister::BatchRead if !self.sizes.has_waits() => {}
+                HeadRegister::BatchRead => row.push(self.batch_read.into()),
                 HeadRegister::Promised => row.push((1 << self.promised) - 1),
                 HeadRegister::WritePlace => row.push(self.write_place as u64),
                 HeadRegister::NewestPlace => row.push(self.newest_place as u64),
                 HeadRegister::ReadPlace => row.push(self.read_place as u64),
-                HeadRegister::HasResult => row.push(self.has_result().into()),
+                HeadRegister::HasWaiting => row.push((self.waiting > 0).into()),
+                HeadRegister::HasResult => row.push(self.has_result.into()),
                 HeadRegister::EntryTokenValid => row.push(self.entry.token_valid.into()),
                 HeadRegister::EntryToken => {
                     row.extend(self.entry.token.position.map(u64::from));

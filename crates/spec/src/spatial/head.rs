@@ -13,12 +13,12 @@
 //! - `spacing` := [`HeadSizes::spacing`] - 1 if a last group is taken; else one less, but not below
 //!   0. `waits` := `spacing`, as it is after this clock, is not 0; without [`HeadSizes::has_waits`] it
 //!   never is, and there is no such register.
-//! - `promised` holds the batches whose last group was taken and whose results were not all, in
-//!   unary: so many of its lowest bits are 1. One more if a last group is taken; one less if the
-//!   last result of a batch is, which is that at a `read_place` of N - 1 modulo N. Where a last group
-//!   may have to wait ([`HeadSizes::has_waits`]), one less a clock later: `batch_taken` := that result
-//!   is taken, and one less if it is set. A single engine has no such register, because a query of one
-//!   group each clock would need a place more in the queue.
+//! - `promised` holds the batches whose last group was taken and whose results were not all read from
+//!   the queue's memory, in unary: so many of its lowest bits are 1. One more if a last group is taken;
+//!   one less if the last result of a batch is read, which is that at a `read_place` of N - 1 modulo N.
+//!   Where a last group may have to wait ([`HeadSizes::has_waits`]), one less a clock later:
+//!   `batch_read` := that result is read, and one less if it is set. A single engine has no such
+//!   register, because a query of one group each clock would need a place more in the queue.
 //! - Entry: what came on the pins, a clock later. The coordinates of query and photons, the
 //!   radius, mantissas, exponents and presence (`EntryPresent`) are taken over in every clock;
 //!   `EntryTaken` is that a group is taken, `EntryTokenValid` that a query is, `EntryFirst` and
@@ -30,15 +30,17 @@
 //!   `DelayAbsent`. The last stage is what engine 0's power hop registers get, so a group's powers are
 //!   in that hop register [`Spatial::latency`] clocks after its positions are in theirs.
 //! - Queue: where engine 0's `ResultValid` is set, its result is written at `write_place`, which then
-//!   counts on, modulo the queue, and `newest_place` := that place. `result_valid` = `has_result`.
-//!   The result pins show the word at `read_place` in every clock; a result taken counts that on.
-//!   `has_result` := a result is written, or it is set and stays so: not where the result at
-//!   `newest_place` is taken. The queue's memory starts as 0 and is not reset.
+//!   counts on, modulo the queue, and `newest_place` := that place. A result is *read* where
+//!   `has_waiting` and (not `has_result` or `result_ready`): the word at `read_place` goes to the result
+//!   pins, which else stay as they are, and `read_place` counts on. `has_waiting` := a result is
+//!   written, or it is set and stays so: not where the result at `newest_place` is read. `has_result` :=
+//!   one is read, or it is set and not `result_ready`; `result_valid` = `has_result`. The queue's memory
+//!   and the result pins start as 0 and are not reset.
 //! - Reset, at the end of the clock in which the pin is set: all registers of the head become 0, but
 //!   the words of the entry, `EntryPresent`, `EntryTaken`, `DelayPower`, `DelayPresent`, `DelayAbsent`
-//!   and the queue's memory do as in any clock. The outputs do not look at the pin.
+//!   and the queue's memory and word do as in any clock. The outputs do not look at the pin.
 //!
-//! `HasBatch`, `HasResult`, `Waits` and the unary `Promised` say what could be found from the others.
+//! `HasBatch`, `HasWaiting`, `Waits` and the unary `Promised` say what could be found from the others.
 //! They are there because each decides, in the same clock, whether a group is taken, and with it what
 //! they are in the next: as counters to be compared they were the slowest paths of `stream` and of
 //! `tile-8`.
@@ -80,8 +82,9 @@ use crate::format::bits_for;
 pub struct HeadSizes {
     /// Results that the queue holds, a power of two. A last group is taken only when the queue has
     /// room for all results of its batch, beside those still on their way. So it holds as many as a
-    /// query of one group each clock needs to go on without a bubble, which is one more than the
-    /// latency; and two batches, so that one can be read while the next is summed.
+    /// query of one group each clock needs to go on without a bubble, which is the latency, since the
+    /// result on the pins has left its place; and two batches, so that one can be read while the next
+    /// is summed.
     pub queue: usize,
     /// After a last group, the next is taken so many clocks later at the earliest, `2 engines - 1`:
     /// then their results do not meet on the chain.
@@ -90,7 +93,7 @@ pub struct HeadSizes {
     pub loaded_bits: u32,
     /// Bits of the counter of clocks until the next last group may come, 0 to `spacing - 1`.
     pub spacing_bits: u32,
-    /// Bits of the unary number of batches whose results have places in the queue.
+    /// Bits of the unary number of batches whose results have places in the queue's memory.
     pub promised_bits: u32,
     /// Bits of a place in the queue.
     pub place_bits: u32,
@@ -106,7 +109,7 @@ impl HeadSizes {
     /// The sizes for a machine.
     pub fn of(spatial: &Spatial) -> Self {
         let engines = spatial.engines();
-        let without_bubble = spatial.latency_clocks() as usize + 1;
+        let without_bubble = spatial.latency_clocks() as usize;
         let queue = without_bubble.next_power_of_two().max(2 * engines);
         let spacing = 2 * engines as u32 - 1;
         Self {

@@ -15,10 +15,11 @@
 //!   in this clock; so after a set it takes a clock at least until the next one.
 //! - Play: `reads` = `Playing` or `starts`, and `starts` = `MayStart`. `MayStart` := neither `Playing`
 //!   nor `starts`, `PlayFull`, `loaded` is N (the head's), `promised` leaves room for a batch,
-//!   `spacing` <= `PlayEnd`, and neither of the two words below is a last one that is valid. What it asks for once
-//!   holds until the start, so it may say it a clock later. `PlayFull` and `PlayEnd` := `Full` and
-//!   `End` of `PlayBank`, in every clock; they are looked at when that bank has been played from for a
-//!   clock at least. The place that is read is `PlayPlace`; the word read is in `Read` a clock later:
+//!   `spacing` <= `PlayEnd`, and neither of the two words below is a last one that is valid. What it
+//!   asks for once holds until the start, so it may say it a clock later. `PlayFull` and `PlayEnd` :=
+//!   `Full` and `End` of `PlayBank`, in every clock; they are looked at when that bank has been played
+//!   from for a clock at least. The place that is read is `PlayPlace`; the word read is in `Read` a
+//!   clock later:
 //!   `ReadValid` := `reads`, `Read` := the memory's word at bank and place, in every clock (the memory
 //!   starts as 0), but its flag `last` := `reads` and `AtEnd`, whatever was written. `Word` with its flags
 //!   := `Read` with its, in every clock: a block RAM has a register for each of the two, and the way from

@@ -100,10 +100,11 @@ impl Spatial {
     }
 
     /// Clocks from that in which a batch's last group is taken to the first in which its first
-    /// result can be: the entry, the hop register, the two flows, the result chain and the queue.
+    /// result can be: the entry, the hop register, the two flows, the result chain, the queue's memory
+    /// and the pins.
     /// Each further engine's result comes two clocks later.
     pub fn latency_clocks(&self) -> u32 {
-        self.latency() + self.cuts.power_latency() + 4
+        self.latency() + self.cuts.power_latency() + 5
     }
 
     /// Clocks from a position in an engine's hop register to the decision whether it is in range, in

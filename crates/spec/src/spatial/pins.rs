@@ -52,13 +52,14 @@ impl<'a> SpatialPins<'a> {
             HeadRegister::Loaded => (1, sizes.loaded_bits),
             HeadRegister::Open
             | HeadRegister::HasBatch
+            | HeadRegister::HasWaiting
             | HeadRegister::HasResult
             | HeadRegister::EntryTokenValid
             | HeadRegister::EntryTaken
             | HeadRegister::EntryFirst
             | HeadRegister::EntryLast => (1, 1),
             HeadRegister::Spacing => (1, sizes.spacing_bits),
-            HeadRegister::Waits | HeadRegister::BatchTaken => (usize::from(sizes.has_waits()), 1),
+            HeadRegister::Waits | HeadRegister::BatchRead => (usize::from(sizes.has_waits()), 1),
             HeadRegister::Promised => (1, sizes.promised_bits),
             HeadRegister::WritePlace | HeadRegister::NewestPlace | HeadRegister::ReadPlace => {
                 (1, sizes.place_bits)

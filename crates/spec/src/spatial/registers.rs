@@ -248,16 +248,18 @@ pub enum HeadRegister {
     Spacing,
     /// They are not 0: what `Spacing` says, as one bit.
     Waits,
-    /// The last result of a batch was taken.
-    BatchTaken,
-    /// Batches whose results have places in the queue and were not all taken, in unary.
+    /// The last result of a batch was read from the queue's memory.
+    BatchRead,
+    /// Batches whose results have places in the queue's memory and were not all read, in unary.
     Promised,
     /// The place in the queue that the next result goes to.
     WritePlace,
     /// The place that the newest result went to.
     NewestPlace,
-    /// The place in the queue of the result on the pins.
+    /// The place in the queue of the result that is read next.
     ReadPlace,
+    /// The queue's memory holds results that were not read.
+    HasWaiting,
     /// The result on the pins is one.
     HasResult,
     /// A query was taken.
@@ -297,17 +299,18 @@ pub enum HeadRegister {
 
 impl HeadRegister {
     /// All of them, in order.
-    pub const ALL: [Self; 26] = [
+    pub const ALL: [Self; 27] = [
         Self::Loaded,
         Self::Open,
         Self::HasBatch,
         Self::Spacing,
         Self::Waits,
-        Self::BatchTaken,
+        Self::BatchRead,
         Self::Promised,
         Self::WritePlace,
         Self::NewestPlace,
         Self::ReadPlace,
+        Self::HasWaiting,
         Self::HasResult,
         Self::EntryTokenValid,
         Self::EntryToken,
@@ -334,11 +337,12 @@ impl HeadRegister {
             Self::HasBatch => "has_batch",
             Self::Spacing => "spacing",
             Self::Waits => "waits",
-            Self::BatchTaken => "batch_taken",
+            Self::BatchRead => "batch_read",
             Self::Promised => "promised",
             Self::WritePlace => "write_place",
             Self::NewestPlace => "newest_place",
             Self::ReadPlace => "read_place",
+            Self::HasWaiting => "has_waiting",
             Self::HasResult => "has_result",
             Self::EntryTokenValid => "entry_token_valid",
             Self::EntryToken => "entry_token",

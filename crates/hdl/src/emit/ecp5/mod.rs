@@ -1,5 +1,6 @@
 //! Second texts of emitted modules for the ECP5, made of its own cells: carry chains in place of modules
-//! that add words of simple functions, and squarers in blocks with registers (`blocks`).
+//! that add words of simple functions, squarers in blocks with registers (`blocks`), and a comparison in
+//! few levels of LUTs (`range`).
 //!
 //! A carry cell of an ECP5, CCU2C, has a LUT before each of its two adder bits. Yosys puts only plain
 //! words there and spends LUTs on what stands before an adder: the AND of a gate, the inversion
@@ -22,11 +23,9 @@ use ports::Ports;
 enum Body {
     /// Of a module without registers and other modules in it.
     Chain(fn(&Ports) -> String),
-    /// Of a squarer, where it has the registers of a block.
-    Block(fn(&Module, &Ports) -> Option<String>),
-    /// Of a module of LUTs, where they are worth it: in machines that are to fill a chip, as their placer
-    /// finds no short nets.
-    FullChip(fn(&Module, &Ports) -> Option<String>),
+    /// Of a module that has to look a certain way: a squarer with the registers of a block, or a
+    /// comparison with a limit of the right shape.
+    Shaped(fn(&Module, &Ports) -> Option<String>),
 }
 
 /// The end of a module's name, and the body of its second text.
@@ -39,29 +38,25 @@ const BODIES: &[(&str, Body)] = &[
     ("_gated_sum", Body::Chain(sums::gated_sum)),
     ("_accumulate", Body::Chain(sums::accumulate)),
     ("_chosen_sum", Body::Chain(sums::chosen_sum)),
-    ("_lookup", Body::Block(blocks::lookup)),
-    ("_product", Body::Block(blocks::product)),
-    ("_range_of_format", Body::FullChip(range::range_of_format)),
+    ("_lookup", Body::Shaped(blocks::lookup)),
+    ("_product", Body::Shaped(blocks::product)),
+    ("_range_of_format", Body::Shaped(range::range_of_format)),
 ];
 
-/// The second text of all modules that have one; none if no module has. `fills_chip`: of a machine with
-/// all that a chip needs.
-pub(super) fn second_texts(text: &str, fills_chip: bool) -> Option<String> {
+/// The second text of all modules that have one; none if no module has.
+pub(super) fn second_texts(text: &str) -> Option<String> {
     let modules = split(text);
-    let second_text = |module| second_text(module, fills_chip);
     let texts: Vec<_> = modules.iter().filter_map(second_text).collect();
     (!texts.is_empty()).then(|| texts.concat())
 }
 
 /// A module's second text, with the same ports.
-fn second_text(module: &Module, fills_chip: bool) -> Option<String> {
+fn second_text(module: &Module) -> Option<String> {
     let (_, body) = BODIES.iter().find(|(base, _)| is_named(module, base))?;
     let ports = Ports::of(module);
     let body = match body {
         Body::Chain(body) => body(&ports),
-        Body::Block(body) => body(module, &ports)?,
-        Body::FullChip(body) if fills_chip => body(module, &ports)?,
-        Body::FullChip(_) => return None,
+        Body::Shaped(body) => body(module, &ports)?,
     };
     Some(format!(
         "\nmodule {}{}{}endmodule\n",
@@ -87,12 +82,12 @@ mod tests {
         let text = "module m_accumulate(group, sum, first, next_sum);\n  input wire [7:0] group;\n  \
                     input wire [9:0] sum;\n  input wire first;\n  output reg [9:0] next_sum;\n  \
                     x\nendmodule\nmodule m_other(a);\n  input wire a;\nendmodule\n";
-        let chained = second_texts(text, false).unwrap();
+        let chained = second_texts(text).unwrap();
         assert_eq!(chained.matches("CCU2C").count(), 5);
         assert!(chained.contains("output wire [9:0] next_sum;"), "{chained}");
         assert!(!chained.contains("m_other"));
         assert_eq!(
-            second_texts("module m_other(a);\n  input wire a;\nendmodule\n", true),
+            second_texts("module m_other(a);\n  input wire a;\nendmodule\n"),
             None
         );
     }

@@ -5,85 +5,73 @@
 //! word takes most of a clock to come out of the block. Where all that a port shows goes to
 //! flip-flops that do nothing but take it over, they are the block's own register.
 
-use std::collections::HashMap;
+use serde_json::{Value, json};
 
-use anyhow::{Context, Result};
-use serde_json::{Map, Value, json};
+use super::{Cells, Readers};
 
-/// What reads a net: a cell and its port, or a port of the module.
-type Readers = HashMap<u64, Vec<(String, String)>>;
-
-/// The netlist that Yosys's `write_json` wrote, with such flip-flops in their blocks.
-pub fn fill(netlist: &str) -> Result<String> {
-    let mut netlist: Value = serde_json::from_str(netlist).context("what `write_json` writes")?;
-    let modules = netlist["modules"].as_object_mut();
-    for module in modules.context("a netlist has modules")?.values_mut() {
-        let readers = readers(module);
-        let Some(cells) = module["cells"].as_object_mut() else {
-            continue;
-        };
-        let blocks = cells.iter().filter(|(_, cell)| cell["type"] == "DP16KD");
-        let blocks: Vec<_> = blocks.map(|(name, _)| name.clone()).collect();
-        for block in blocks {
-            for port in ['A', 'B'] {
-                if let Some(taken_over) = taken_over(cells, &readers, &block, port) {
-                    fill_port(cells, &block, port, &taken_over);
-                }
+/// Puts such flip-flops into their blocks.
+pub(super) fn fill(cells: &mut Cells, readers: &Readers) {
+    let blocks = cells.iter().filter(|(_, cell)| cell["type"] == "DP16KD");
+    let blocks: Vec<_> = blocks.map(|(name, _)| name.clone()).collect();
+    for block in blocks {
+        for &word in words(&cells[&block]) {
+            if let Some(taken_over) = taken_over(cells, readers, &block, word) {
+                fill_word(cells, &block, word, &taken_over);
             }
         }
     }
-    Ok(netlist.to_string())
 }
 
-fn readers(module: &Value) -> Readers {
-    let mut readers = Readers::new();
-    for (name, cell) in module["cells"].as_object().into_iter().flatten() {
-        for (port, bits) in cell["connections"].as_object().into_iter().flatten() {
-            if cell["port_directions"][port] != "output" {
-                for bit in numbers(bits) {
-                    readers
-                        .entry(bit)
-                        .or_default()
-                        .push((name.clone(), port.clone()));
-                }
-            }
-        }
+/// A word that is read from a block.
+#[derive(Copy, Clone)]
+struct Word {
+    /// The ports on whose pins it is.
+    pins: &'static [char],
+    /// The port whose clock and enables its registers have.
+    control: char,
+}
+
+/// A word of 36 bits is read by port B on the pins of both; others each on the pins of its port.
+fn words(block: &Value) -> &'static [Word] {
+    const BOTH: &[Word] = &[Word {
+        pins: &['A', 'B'],
+        control: 'B',
+    }];
+    const EACH: &[Word] = &[
+        Word {
+            pins: &['A'],
+            control: 'A',
+        },
+        Word {
+            pins: &['B'],
+            control: 'B',
+        },
+    ];
+    let width = block["parameters"]["DATA_WIDTH_B"].as_str();
+    match width.map(|bits| u32::from_str_radix(bits, 2)) {
+        Some(Ok(36)) => BOTH,
+        _ => EACH,
     }
-    for (name, port) in module["ports"].as_object().into_iter().flatten() {
-        for bit in numbers(&port["bits"]) {
-            readers
-                .entry(bit)
-                .or_default()
-                .push((String::new(), name.clone()));
-        }
-    }
-    readers
 }
 
-fn numbers(bits: &Value) -> impl Iterator<Item = u64> {
-    let bits = bits.as_array().into_iter().flatten();
-    bits.filter_map(Value::as_u64)
-}
-
-/// The output pins of a port that are read, each with the flip-flop that takes it over; none where
+/// The output pins of a word that are read, each with the flip-flop that takes it over; none where
 /// anything else reads one, or where nothing is read.
 fn taken_over(
-    cells: &Map<String, Value>,
+    cells: &Cells,
     readers: &Readers,
     block: &str,
-    port: char,
+    word: Word,
 ) -> Option<Vec<(String, String)>> {
     let block = &cells[block];
     let ends = &block["connections"];
-    let end = |name: &str| &ends[&format!("{name}{port}")][0];
-    let is_free = block["parameters"][&format!("REGMODE_{port}")] == "NOREG"
-        && end("OCE") == "1"
-        && end("RST") == "0";
-    if !is_free {
+    let end = |name: &str| &ends[&format!("{name}{}", word.control)][0];
+    let has_no_register = |port: &char| block["parameters"][&format!("REGMODE_{port}")] == "NOREG";
+    if !word.pins.iter().all(has_no_register) || end("OCE") != "1" || end("RST") != "0" {
         return None;
     }
     let mut taken_over = Vec::new();
-    for pin in (0..18).map(|bit| format!("DO{port}{bit}")) {
+    let pins = word.pins.iter();
+    for pin in pins.flat_map(|port| (0..18).map(move |bit| format!("DO{port}{bit}"))) {
         let of_pin = ends[&pin][0].as_u64().and_then(|bit| readers.get(&bit));
         match of_pin.map_or(&[][..], Vec::as_slice) {
             [] => {}
@@ -109,12 +97,7 @@ fn is_plain(cell: &Value, clock: &Value) -> bool {
         && cell["connections"]["CLK"][0] == *clock
 }
 
-fn fill_port(
-    cells: &mut Map<String, Value>,
-    block: &str,
-    port: char,
-    taken_over: &[(String, String)],
-) {
+fn fill_word(cells: &mut Cells, block: &str, word: Word, taken_over: &[(String, String)]) {
     let mut shown = Vec::new();
     for (pin, register) in taken_over {
         if let Some(register) = cells.remove(register) {
@@ -125,11 +108,14 @@ fn fill_port(
     for (pin, bits) in shown {
         block["connections"][pin] = bits;
     }
-    block["parameters"][format!("REGMODE_{port}")] = json!("OUTREG");
+    for port in word.pins {
+        block["parameters"][format!("REGMODE_{port}")] = json!("OUTREG");
+    }
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::finish;
     use super::*;
 
     fn register(d: u64, q: u64, enable: &str) -> Value {
@@ -149,40 +135,60 @@ mod tests {
         })
     }
 
-    /// A block whose port B shows nets 10 and 11; what else there is, and what becomes of it.
-    fn filled(others: &[(&str, Value)]) -> Value {
+    /// A block whose port B shows nets 10 and 11, and port A net 9; its width, what else there is, and what
+    /// becomes of it.
+    fn filled(width: u32, others: &[(&str, Value)]) -> Value {
         let output = json!("output");
         let mut cells = json!({ "block": {
             "type": "DP16KD",
-            "parameters": { "REGMODE_A": "NOREG", "REGMODE_B": "NOREG" },
-            "port_directions": { "DOB0": output, "DOB1": output, "DOB2": output },
+            "parameters": {
+                "REGMODE_A": "NOREG", "REGMODE_B": "NOREG", "DATA_WIDTH_B": format!("{width:032b}"),
+            },
+            "port_directions": { "DOA0": output, "DOB0": output, "DOB1": output, "DOB2": output },
             "connections": {
-                "CLKA": [1], "CLKB": [1], "OCEA": ["1"], "OCEB": ["1"], "RSTA": ["0"], "RSTB": ["0"],
-                "DOB0": [10], "DOB1": [11], "DOB2": [12],
+                "CLKA": [1], "CLKB": [1], "OCEA": ["0"], "OCEB": ["1"], "RSTA": ["0"], "RSTB": ["0"],
+                "DOA0": [9], "DOB0": [10], "DOB1": [11], "DOB2": [12],
             },
         } });
         for (name, cell) in others {
             cells[*name] = cell.clone();
         }
         let netlist = json!({ "modules": { "top": { "ports": {}, "cells": cells } } });
-        let netlist = fill(&netlist.to_string()).unwrap();
+        let netlist = finish(&netlist.to_string()).unwrap();
         let mut netlist: Value = serde_json::from_str(&netlist).unwrap();
         netlist["modules"]["top"]["cells"].take()
     }
 
     #[test]
     fn flip_flops_that_only_take_over_are_the_blocks_own() {
-        let cells = filled(&[
-            ("low", register(10, 20, "1 ")),
-            ("high", register(11, 21, "1 ")),
-            ("reader", reader(20)),
-        ]);
+        let cells = filled(
+            18,
+            &[
+                ("low", register(10, 20, "1 ")),
+                ("high", register(11, 21, "1 ")),
+                ("reader", reader(20)),
+            ],
+        );
         assert_eq!(cells["block"]["parameters"]["REGMODE_B"], "OUTREG");
         // Nothing is read from the other port.
         assert_eq!(cells["block"]["parameters"]["REGMODE_A"], "NOREG");
         assert_eq!(cells["block"]["connections"]["DOB0"], json!([20]));
         assert_eq!(cells["block"]["connections"]["DOB1"], json!([21]));
         assert_eq!(cells.as_object().unwrap().len(), 2);
+    }
+
+    #[test]
+    fn a_wide_word_has_all_its_registers_or_none() {
+        let half = [
+            ("low", register(10, 20, "1 ")),
+            ("high", register(11, 21, "1 ")),
+        ];
+        for (top, expected) in [(register(9, 19, "1 "), "OUTREG"), (reader(9), "NOREG")] {
+            let cells = filled(36, &[half.as_slice(), &[("top", top)]].concat());
+            for port in ["REGMODE_A", "REGMODE_B"] {
+                assert_eq!(cells["block"]["parameters"][port], expected, "{port}");
+            }
+        }
     }
 
     #[test]
@@ -195,7 +201,7 @@ mod tests {
             register(10, 21, "1 "),
         ] {
             let before = [low.clone(), ("other", other)];
-            let cells = filled(&before);
+            let cells = filled(18, &before);
             assert_eq!(cells["block"]["parameters"]["REGMODE_B"], "NOREG");
             assert_eq!(cells["low"], before[0].1);
         }

@@ -5,62 +5,31 @@
 //! some chains overrides the other. With tens of chains of ten bits in an engine that is a third
 //! more cells. Said to be unconnected, such ends cost nothing, and the logic is the same.
 
-use std::collections::HashSet;
-
-use anyhow::{Context, Result};
 use serde_json::{Value, json};
 
-/// The netlist that Yosys's `write_json` wrote, with these ends open.
-pub fn open_ends(netlist: &str) -> Result<String> {
-    let mut netlist: Value = serde_json::from_str(netlist).context("what `write_json` writes")?;
-    let modules = netlist["modules"].as_object_mut();
-    for module in modules.context("a netlist has modules")?.values_mut() {
-        let read = bits_read(module);
-        let Some(cells) = module["cells"].as_object_mut() else {
-            continue;
-        };
-        for cell in cells.values_mut().filter(|cell| cell["type"] == "CCU2C") {
-            open(cell, &read);
-        }
-    }
-    Ok(netlist.to_string())
-}
+use super::{Cells, Readers};
 
-/// The numbers of all nets that a cell or a port reads.
-fn bits_read(module: &Value) -> HashSet<u64> {
-    let numbers = |bits: &Value| -> Vec<u64> {
-        let bits = bits.as_array().into_iter().flatten();
-        bits.filter_map(Value::as_u64).collect()
-    };
-    let mut read = HashSet::new();
-    for cell in module["cells"]
-        .as_object()
-        .into_iter()
-        .flat_map(|cells| cells.values())
-    {
-        let directions = &cell["port_directions"];
-        for (port, bits) in cell["connections"].as_object().into_iter().flatten() {
-            if directions[port] != "output" {
-                read.extend(numbers(bits));
-            }
-        }
+/// Opens these ends.
+pub(super) fn open(cells: &mut Cells, readers: &Readers) {
+    for cell in cells.values_mut().filter(|cell| cell["type"] == "CCU2C") {
+        open_cell(cell, readers);
     }
-    for (_, port) in module["ports"].as_object().into_iter().flatten() {
-        read.extend(numbers(&port["bits"]));
-    }
-    read
 }
 
 /// Opens a carry cell's output that nobody reads, and its constant input where its first LUT is 0
 /// for every C and D but the lowest, which are then the carry.
-fn open(cell: &mut Value, read: &HashSet<u64>) {
+fn open_cell(cell: &mut Value, readers: &Readers) {
     let first_lut = cell["parameters"]["INIT0"].as_str().map(str::to_owned);
     let overrides =
         first_lut.is_some_and(|bits| bits.len() == 16 && bits[..12].bytes().all(|bit| bit == b'0'));
     let Some(ends) = cell["connections"].as_object_mut() else {
         return;
     };
-    let unread = |end: &Value| end[0].as_u64().is_some_and(|bit| !read.contains(&bit));
+    let unread = |end: &Value| {
+        end[0]
+            .as_u64()
+            .is_some_and(|bit| !readers.contains_key(&bit))
+    };
     if ends.get("COUT").is_some_and(unread) {
         ends.insert("COUT".to_owned(), json!(["x"]));
     }
@@ -71,6 +40,7 @@ fn open(cell: &mut Value, read: &HashSet<u64>) {
 
 #[cfg(test)]
 mod tests {
+    use super::super::finish;
     use super::*;
 
     fn carry_cell(first_lut: &str, cin: Value, cout: u64) -> Value {
@@ -92,8 +62,7 @@ mod tests {
                 "plain": carry_cell("0110000000000110", json!("0"), 9),
             },
         } } });
-        let opened: Value =
-            serde_json::from_str(&open_ends(&netlist.to_string()).unwrap()).unwrap();
+        let opened: Value = serde_json::from_str(&finish(&netlist.to_string()).unwrap()).unwrap();
         let ends = |cell: &str| {
             let ends = &opened["modules"]["top"]["cells"][cell]["connections"];
             (ends["CIN"][0].clone(), ends["COUT"][0].clone())
