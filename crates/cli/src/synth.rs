@@ -20,11 +20,18 @@ use std::fs;
 use std::path::Path;
 
 use anyhow::Result;
+use clap::ValueEnum;
 use photoncube_hdl::{Level, emit};
 use photoncube_spec::Machine;
 use sha2::{Digest, Sha256};
 
 use flow::Flow;
+
+/// An enum's value as on the command line.
+fn option_name(value: impl ValueEnum) -> String {
+    let value = value.to_possible_value();
+    value.map_or_else(String::new, |value| value.get_name().to_owned())
+}
 
 /// A machine as it is measured: its emitted Verilog.
 pub struct Subject {

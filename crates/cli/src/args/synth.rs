@@ -8,7 +8,7 @@ use clap::builder::PossibleValue;
 use clap::{Args as ClapArgs, ValueEnum};
 
 use crate::synth::flow::Flow;
-use crate::synth::place::{DEVICES, Device};
+use crate::synth::place::{DEVICES, Device, Placer, Router};
 
 /// `synth`
 #[derive(ClapArgs, Debug)]
@@ -43,6 +43,12 @@ pub struct SynthArgs {
     /// Place and route with this seed alone: where one takes an hour, or does not route
     #[arg(long, conflicts_with = "seeds", value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
     pub seed: Option<u32>,
+    /// How to place
+    #[arg(long, value_enum, default_value_t, value_name = "P")]
+    pub placer: Placer,
+    /// How to route
+    #[arg(long, value_enum, default_value_t, value_name = "R")]
+    pub router: Router,
     /// Runs at the same time [default: one for each core]
     #[arg(long, value_name = "N")]
     pub jobs: Option<NonZeroUsize>,
@@ -56,7 +62,7 @@ pub struct SynthArgs {
     #[arg(long)]
     pub update: bool,
     /// Measure nothing; fail if the files are not about these machines' Verilog, all of it
-    #[arg(long, conflicts_with_all = ["update", "flows", "device", "grades", "seeds", "seed", "jobs", "tools"])]
+    #[arg(long, conflicts_with_all = ["update", "flows", "device", "grades", "seeds", "seed", "placer", "router", "jobs", "tools"])]
     pub check: bool,
 }
 

@@ -5,6 +5,7 @@ use serde::Serialize;
 use super::figures::PlaceRow;
 use super::flow::Flow;
 use super::path::CriticalPath;
+use super::place::{Placer, Router};
 
 /// The clock of a machine in a speed grade.
 #[derive(Clone, Debug, Serialize)]
@@ -15,6 +16,10 @@ pub struct Clock {
     pub flow: Flow,
     /// The speed grade of the device.
     pub speed_grade: u32,
+    /// How the machine was placed.
+    pub placer: Placer,
+    /// How it was routed.
+    pub router: Router,
     /// Seeds of placement that were tried.
     pub seeds: usize,
     /// Median over the seeds.
@@ -58,6 +63,8 @@ fn clock(rows: &[&PlaceRow]) -> Option<Clock> {
         machine: first.machine.clone(),
         flow: first.flow,
         speed_grade: first.speed_grade,
+        placer: first.placer,
+        router: first.router,
         seeds: rows.len(),
         fmax_mhz,
         fmax_mhz_low: mhz.iter().copied().fold(f64::INFINITY, f64::min),
@@ -87,6 +94,8 @@ mod tests {
             flow: Flow::Ecp5Nodsp,
             speed_grade,
             seed,
+            placer: Placer::default(),
+            router: Router::default(),
             fmax_mhz,
             path: None,
         }

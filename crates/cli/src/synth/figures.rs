@@ -14,7 +14,7 @@ use super::Subject;
 use super::cells::Figures;
 use super::flow::Flow;
 use super::path::CriticalPath;
-use super::place::{DEFAULT_GRADES, Device, TARGET_MHZ};
+use super::place::{DEFAULT_GRADES, Device, Placer, Router, TARGET_MHZ};
 use crate::files;
 use crate::project::ABC9_TARGET_PS;
 
@@ -44,6 +44,12 @@ pub struct PlaceRow {
     pub speed_grade: u32,
     /// The seed of placement.
     pub seed: u32,
+    /// How it was placed.
+    #[serde(default)]
+    pub placer: Placer,
+    /// How it was routed.
+    #[serde(default)]
+    pub router: Router,
     /// The highest clock.
     pub fmax_mhz: f64,
     /// What it is bound by; none where it was not read.

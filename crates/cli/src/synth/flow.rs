@@ -5,6 +5,7 @@ use photoncube_spec::{Machine, Squarer};
 use serde::{Deserialize, Serialize};
 
 use super::cells::Figure;
+use super::option_name;
 use crate::project::ABC9_TARGET_PS;
 
 /// What a machine is mapped to.
@@ -86,10 +87,12 @@ const ROWS: &[Row] = &[
             Figure::LutRam,
         ],
     },
+    // Without block RAMs: Yosys's own map to them names a parameter that its model of them lacks, and stops
+    // at the queue of results.
     Row {
         flow: Flow::Max10,
         heading: "MAX 10",
-        script: "synth_intel -family max10 -top TOP",
+        script: "synth_intel -family max10 -nobram -top TOP",
         figures: &[
             Figure::LogicCells,
             Figure::Ff,
@@ -136,8 +139,7 @@ impl Flow {
 
     /// Its name on the command line.
     pub fn name(self) -> String {
-        let value = self.to_possible_value();
-        value.map_or_else(String::new, |value| value.get_name().to_owned())
+        option_name(self)
     }
 
     /// The Yosys commands between reading and counting.

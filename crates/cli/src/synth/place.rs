@@ -4,11 +4,13 @@ use std::fs;
 use std::path::Path;
 
 use anyhow::{Context, Result};
+use clap::ValueEnum;
+use serde::{Deserialize, Serialize};
 
 use super::figures::PlaceRow;
 use super::flow::Flow;
 use super::tools::Tools;
-use super::{Subject, netlist, path, wrapper};
+use super::{Subject, netlist, option_name, path, wrapper};
 
 /// An FPGA that nextpnr knows.
 #[derive(Debug, PartialEq, Eq)]
@@ -91,21 +93,60 @@ pub fn map(tools: &Tools, folder: &Path, subject: &Subject) -> Result<()> {
     attempt().with_context(|| format!("machine {} in its wrapper", subject.machine.name))
 }
 
+/// How nextpnr places.
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq, ValueEnum, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Placer {
+    /// Analytically, with slow paths first: nextpnr's default
+    #[default]
+    Heap,
+    /// By forces between cells: shorter nets, but slow paths are not first; finds places in full devices
+    Static,
+}
+
+/// How nextpnr routes.
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq, ValueEnum, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Router {
+    /// Net by net, with slow paths first: nextpnr's default
+    #[default]
+    Router1,
+    /// All nets at once, dearer where they meet; finds routes in full devices
+    Router2,
+}
+
+/// What a machine is placed and routed in, and how.
+#[derive(Copy, Clone, Debug)]
+pub struct Try {
+    /// The FPGA.
+    pub device: &'static Device,
+    /// Its speed grade.
+    pub speed_grade: u32,
+    /// The seed of placement.
+    pub seed: u32,
+    /// How it is placed.
+    pub placer: Placer,
+    /// How it is routed.
+    pub router: Router,
+}
+
 /// Places and routes what [`map`] has left in the folder.
-pub fn measure(
-    tools: &Tools,
-    folder: &Path,
-    subject: &Subject,
-    device: &Device,
-    speed_grade: u32,
-    seed: u32,
-) -> Result<PlaceRow> {
-    let name = subject.machine.name;
+pub fn measure(tools: &Tools, folder: &Path, subject: &Subject, what: Try) -> Result<PlaceRow> {
+    let machine = subject.machine.name;
+    let Try {
+        device,
+        speed_grade,
+        seed,
+        placer,
+        router,
+    } = what;
     let report = format!("{speed_grade}-{seed}.json");
     // To look into while a long run goes on.
     let log = format!("{speed_grade}-{seed}.log");
     let (grade, seed_text) = (speed_grade.to_string(), seed.to_string());
     let target = TARGET_MHZ.to_string();
+    // As on our own command line.
+    let (placer_name, router_name) = (option_name(placer), option_name(router));
     let options = [
         "--quiet",
         "--log",
@@ -121,6 +162,10 @@ pub fn measure(
         &target,
         "--seed",
         &seed_text,
+        "--placer",
+        &placer_name,
+        "--router",
+        &router_name,
         "--report",
         &report,
         // The target is out of reach by intent, and a missed one is no failure.
@@ -131,12 +176,14 @@ pub fn measure(
         path::parse(&fs::read_to_string(folder.join(&report))?)
     });
     let (fmax_mhz, path) = figures
-        .with_context(|| format!("machine {name}, speed grade {speed_grade}, seed {seed}"))?;
+        .with_context(|| format!("machine {machine}, speed grade {speed_grade}, seed {seed}"))?;
     Ok(PlaceRow {
-        machine: name.to_owned(),
+        machine: machine.to_owned(),
         flow: Flow::to_place(subject.machine),
         speed_grade,
         seed,
+        placer,
+        router,
         fmax_mhz,
         path: Some(path),
     })

@@ -14,7 +14,7 @@ use rayon::prelude::*;
 
 use super::figures::{AreaRow, Group, PlaceRow, Row};
 use super::flow::Flow;
-use super::place::{DEFAULT_GRADES, Device};
+use super::place::{DEFAULT_GRADES, Device, Placer, Router, Try};
 use super::tools::Tools;
 use super::writer::{Others, Writer};
 use super::{Subject, area, place};
@@ -33,6 +33,8 @@ pub struct Plan {
     pub device: &'static Device,
     grades: Vec<u32>,
     seeds: RangeInclusive<u32>,
+    placer: Placer,
+    router: Router,
     jobs: usize,
 }
 
@@ -51,6 +53,8 @@ impl Plan {
             device: args.device,
             grades: grades.into_iter().collect(),
             seeds: args.all_seeds(),
+            placer: args.placer,
+            router: args.router,
             jobs: args.jobs.map_or_else(cores, usize::from),
         }
     }
@@ -64,11 +68,18 @@ impl Plan {
         (areas.collect(), places.collect())
     }
 
-    /// Placements of one machine: speed grade and seed.
-    pub fn tries(&self) -> Vec<(u32, u32)> {
+    /// Placements of one machine.
+    pub fn tries(&self) -> Vec<Try> {
         let grades = self.grades.iter().filter(|_| self.places);
+        let with = |speed_grade, seed| Try {
+            device: self.device,
+            speed_grade,
+            seed,
+            placer: self.placer,
+            router: self.router,
+        };
         grades
-            .flat_map(|&grade| self.seeds.clone().map(move |seed| (grade, seed)))
+            .flat_map(|&grade| self.seeds.clone().map(move |seed| with(grade, seed)))
             .collect()
     }
 
@@ -141,9 +152,9 @@ impl Plan {
         let work = work
             .into_iter()
             .map(|(subject, what)| (subject, Size::of(subject.machine).place_ms(), what));
-        self.in_parallel("placements", work.collect(), |subject, (grade, seed)| {
+        self.in_parallel("placements", work.collect(), |subject, what| {
             let folder = scratch.join(subject.machine.name);
-            let row = place::measure(tools, &folder, subject, self.device, grade, seed)?;
+            let row = place::measure(tools, &folder, subject, what)?;
             writer.map_or(Ok(()), |writer| writer.take(subject, &row))?;
             Ok(row)
         })

@@ -4,6 +4,7 @@ use super::cells::Figure;
 use super::clock::Clock;
 use super::figures::AreaRow;
 use super::flow::Flow;
+use super::option_name;
 use super::path::CriticalPath;
 use crate::table;
 
@@ -100,6 +101,7 @@ pub fn clocks(clocks: &[Clock]) -> String {
         "grade",
         "Fmax, MHz",
         "seeds",
+        "placer, router",
         "critical path",
         "logic + nets, ns",
         "through",
@@ -120,6 +122,11 @@ pub fn clocks(clocks: &[Clock]) -> String {
                     clock.fmax_mhz_low, clock.fmax_mhz_high
                 ),
             },
+            format!(
+                "{}, {}",
+                option_name(clock.placer),
+                option_name(clock.router)
+            ),
             of_path(|path| format!("{} to {}", path.from, path.to)),
             of_path(|path| format!("{:.1} + {:.1}", path.logic_ns, path.routing_ns)),
             of_path(levels),

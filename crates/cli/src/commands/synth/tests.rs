@@ -4,6 +4,7 @@ use serde_json::Value;
 use super::*;
 use crate::args::{Args, Command};
 use crate::measured;
+use crate::synth::place::{Placer, Router};
 
 fn plan(arguments: &[&str]) -> Plan {
     let arguments = [&["photoncube", "synth"][..], arguments].concat();
@@ -21,13 +22,19 @@ fn plan(arguments: &[&str]) -> Plan {
     Plan::new(&args, subjects.collect())
 }
 
+/// Speed grades and seeds.
+fn tries(plan: &Plan) -> Vec<(u32, u32)> {
+    let tries = plan.tries().into_iter();
+    tries.map(|what| (what.speed_grade, what.seed)).collect()
+}
+
 #[test]
 fn without_a_word_everything_is_measured() {
     let plan = plan(&[]);
     assert_eq!(plan.subjects.len(), MACHINES.len());
     assert_eq!(plan.flows.len(), 6);
     assert_eq!(
-        plan.tries(),
+        tries(&plan),
         [(6, 1), (6, 2), (6, 3), (8, 1), (8, 2), (8, 3)]
     );
     let (areas, places) = plan.groups();
@@ -49,14 +56,22 @@ fn what_is_named_is_measured_alone_and_once() {
     ]);
     assert_eq!(named.subjects.len(), 1);
     assert_eq!(named.flows, [Flow::Gates]);
-    assert!(named.tries().is_empty());
+    assert!(tries(&named).is_empty());
     let placed = plan(&[
         "--flow", "place", "--grade", "8", "--grade", "7", "--seeds", "2",
     ]);
     assert!(placed.flows.is_empty() && placed.groups().0.is_empty());
-    assert_eq!(placed.tries(), [(7, 1), (7, 2), (8, 1), (8, 2)]);
-    let one_seed = plan(&["--flow", "place", "--grade", "8", "--seed", "2"]);
-    assert_eq!(one_seed.tries(), [(8, 2)]);
+    assert_eq!(tries(&placed), [(7, 1), (7, 2), (8, 1), (8, 2)]);
+    let one_seed = plan(&[
+        "--flow", "place", "--grade", "8", "--seed", "2", "--placer", "static",
+    ]);
+    assert_eq!(tries(&one_seed), [(8, 2)]);
+    let how: Vec<_> = one_seed
+        .tries()
+        .iter()
+        .map(|t| (t.placer, t.router))
+        .collect();
+    assert_eq!(how, [(Placer::Static, Router::Router1)]);
 }
 
 /// As `--json` prints it, from the committed figures.
