@@ -2436,77 +2436,110 @@ module photoncube_tile_6_mixed_memory(clock, reset, group_valid, group_ready, gr
     output reg [5:0] word_blue_3;
     // Update code (custom)
     (* no_rw_check *) reg [183:0] groups [0:2047];
+    reg [183:0] write_word = 184'd0;
     reg [183:0] read_word = 184'd0;
     reg [183:0] word = 184'd0;
     integer place;
     initial for (place = 0; place <= 2047; place = place + 1) groups[place] = 184'd0;
     wire [183:0] group = {blue_3, green_3, red_3, z_3, y_3, x_3, present_3, blue_2, green_2, red_2, z_2, y_2, x_2, present_2, blue_1, green_1, red_1, z_1, y_1, x_1, present_1, blue_0, green_0, red_0, z_0, y_0, x_0, present_0};
-    wire [10:0] write_address = {fill_bank, fill_place};
+    wire [10:0] write_address = {write_bank, write_place};
     wire [10:0] read_address = {play_bank, play_place};
     always @(posedge clock) begin
       read_word <= groups[read_address];
       word <= read_word;
-      if (takes_group) groups[write_address] <= group;
+      write_word <= group;
+      if (write_valid) groups[write_address] <= write_word;
     end
     always @(*) word_present_0 = word[0:0];
     wire [0:0] read_present_0 = read_word[0:0];
+    wire [0:0] write_present_0 = write_word[0:0];
     always @(*) word_x_0 = word[9:1];
     wire [8:0] read_x_0 = read_word[9:1];
+    wire [8:0] write_x_0 = write_word[9:1];
     always @(*) word_y_0 = word[18:10];
     wire [8:0] read_y_0 = read_word[18:10];
+    wire [8:0] write_y_0 = write_word[18:10];
     always @(*) word_z_0 = word[27:19];
     wire [8:0] read_z_0 = read_word[27:19];
+    wire [8:0] write_z_0 = write_word[27:19];
     always @(*) word_red_0 = word[33:28];
     wire [5:0] read_red_0 = read_word[33:28];
+    wire [5:0] write_red_0 = write_word[33:28];
     always @(*) word_green_0 = word[39:34];
     wire [5:0] read_green_0 = read_word[39:34];
+    wire [5:0] write_green_0 = write_word[39:34];
     always @(*) word_blue_0 = word[45:40];
     wire [5:0] read_blue_0 = read_word[45:40];
+    wire [5:0] write_blue_0 = write_word[45:40];
     always @(*) word_present_1 = word[46:46];
     wire [0:0] read_present_1 = read_word[46:46];
+    wire [0:0] write_present_1 = write_word[46:46];
     always @(*) word_x_1 = word[55:47];
     wire [8:0] read_x_1 = read_word[55:47];
+    wire [8:0] write_x_1 = write_word[55:47];
     always @(*) word_y_1 = word[64:56];
     wire [8:0] read_y_1 = read_word[64:56];
+    wire [8:0] write_y_1 = write_word[64:56];
     always @(*) word_z_1 = word[73:65];
     wire [8:0] read_z_1 = read_word[73:65];
+    wire [8:0] write_z_1 = write_word[73:65];
     always @(*) word_red_1 = word[79:74];
     wire [5:0] read_red_1 = read_word[79:74];
+    wire [5:0] write_red_1 = write_word[79:74];
     always @(*) word_green_1 = word[85:80];
     wire [5:0] read_green_1 = read_word[85:80];
+    wire [5:0] write_green_1 = write_word[85:80];
     always @(*) word_blue_1 = word[91:86];
     wire [5:0] read_blue_1 = read_word[91:86];
+    wire [5:0] write_blue_1 = write_word[91:86];
     always @(*) word_present_2 = word[92:92];
     wire [0:0] read_present_2 = read_word[92:92];
+    wire [0:0] write_present_2 = write_word[92:92];
     always @(*) word_x_2 = word[101:93];
     wire [8:0] read_x_2 = read_word[101:93];
+    wire [8:0] write_x_2 = write_word[101:93];
     always @(*) word_y_2 = word[110:102];
     wire [8:0] read_y_2 = read_word[110:102];
+    wire [8:0] write_y_2 = write_word[110:102];
     always @(*) word_z_2 = word[119:111];
     wire [8:0] read_z_2 = read_word[119:111];
+    wire [8:0] write_z_2 = write_word[119:111];
     always @(*) word_red_2 = word[125:120];
     wire [5:0] read_red_2 = read_word[125:120];
+    wire [5:0] write_red_2 = write_word[125:120];
     always @(*) word_green_2 = word[131:126];
     wire [5:0] read_green_2 = read_word[131:126];
+    wire [5:0] write_green_2 = write_word[131:126];
     always @(*) word_blue_2 = word[137:132];
     wire [5:0] read_blue_2 = read_word[137:132];
+    wire [5:0] write_blue_2 = write_word[137:132];
     always @(*) word_present_3 = word[138:138];
     wire [0:0] read_present_3 = read_word[138:138];
+    wire [0:0] write_present_3 = write_word[138:138];
     always @(*) word_x_3 = word[147:139];
     wire [8:0] read_x_3 = read_word[147:139];
+    wire [8:0] write_x_3 = write_word[147:139];
     always @(*) word_y_3 = word[156:148];
     wire [8:0] read_y_3 = read_word[156:148];
+    wire [8:0] write_y_3 = write_word[156:148];
     always @(*) word_z_3 = word[165:157];
     wire [8:0] read_z_3 = read_word[165:157];
+    wire [8:0] write_z_3 = write_word[165:157];
     always @(*) word_red_3 = word[171:166];
     wire [5:0] read_red_3 = read_word[171:166];
+    wire [5:0] write_red_3 = write_word[171:166];
     always @(*) word_green_3 = word[177:172];
     wire [5:0] read_green_3 = read_word[177:172];
+    wire [5:0] write_green_3 = write_word[177:172];
     always @(*) word_blue_3 = word[183:178];
     wire [5:0] read_blue_3 = read_word[183:178];
+    wire [5:0] write_blue_3 = write_word[183:178];
     reg fill_bank = 1'd0;
     reg [9:0] fill_place = 10'd0;
     reg fill_ready = 1'd0;
+    reg write_valid = 1'd0;
+    reg write_bank = 1'd0;
+    reg [9:0] write_place = 10'd0;
     reg full_0 = 1'd0;
     reg full_1 = 1'd0;
     reg [9:0] end_place_0 = 10'd0;
@@ -2562,6 +2595,9 @@ module photoncube_tile_6_mixed_memory(clock, reset, group_valid, group_ready, gr
       end
       release_taken <= query_taken & release_in;
       if (release_taken) release_next <= 1'd1;
+      write_valid <= takes_group;
+      write_bank <= fill_bank;
+      write_place <= fill_place;
       fill_ready <= ~(fill_bank ? full_1 : full_0) & ~(takes_group & set_ends);
       if (fill_ready & ~fill_bank) end_place_0 <= fill_place;
       if (fill_ready & fill_bank) end_place_1 <= fill_place;
@@ -2575,6 +2611,9 @@ module photoncube_tile_6_mixed_memory(clock, reset, group_valid, group_ready, gr
         fill_bank <= 1'd0;
         fill_place <= 10'd0;
         fill_ready <= 1'd0;
+        write_valid <= 1'd0;
+        write_bank <= 1'd0;
+        write_place <= 10'd0;
         full_0 <= 1'd0;
         full_1 <= 1'd0;
         end_place_0 <= 10'd0;
@@ -2848,6 +2887,12 @@ module photoncube_tile_6_mixed_engine_3(clock, reset_in, token_valid_in, token_i
     wire group_flags_last_out;
     wire group_flags_replace;
     wire group_flags_sums_done;
+    wire group_flags_replace_copy_0;
+    wire group_flags_replace_copy_1;
+    wire group_flags_replace_copy_2;
+    wire group_flags_sums_done_copy_0;
+    wire group_flags_sums_done_copy_1;
+    wire group_flags_sums_done_copy_2;
     wire group_flags_result_valid_out;
     reg channel_sum_0_clock;
     reg [5:0] channel_sum_0_power_in_0;
@@ -3123,6 +3168,12 @@ module photoncube_tile_6_mixed_engine_3(clock, reset_in, token_valid_in, token_i
         .last_out(group_flags_last_out),
         .replace(group_flags_replace),
         .sums_done(group_flags_sums_done),
+        .replace_copy_0(group_flags_replace_copy_0),
+        .replace_copy_1(group_flags_replace_copy_1),
+        .replace_copy_2(group_flags_replace_copy_2),
+        .sums_done_copy_0(group_flags_sums_done_copy_0),
+        .sums_done_copy_1(group_flags_sums_done_copy_1),
+        .sums_done_copy_2(group_flags_sums_done_copy_2),
         .result_valid_out(group_flags_result_valid_out)
     );
     photoncube_tile_6_mixed_channel_sum channel_sum_0(
@@ -3340,8 +3391,8 @@ module photoncube_tile_6_mixed_engine_3(clock, reset_in, token_valid_in, token_i
         count_sum_in_range_3 = lane_3_photon_in_range;
         present_out_3 = count_sum_power_3;
         channel_sum_0_clock = clock;
-        channel_sum_0_first = group_flags_replace;
-        channel_sum_0_done = group_flags_sums_done;
+        channel_sum_0_first = group_flags_replace_copy_0;
+        channel_sum_0_done = group_flags_sums_done_copy_0;
         channel_sum_0_result_in = result_in_0;
         result_out_0 = channel_sum_0_result_out;
         channel_sum_0_power_in_0 = power_in_0;
@@ -3357,8 +3408,8 @@ module photoncube_tile_6_mixed_engine_3(clock, reset_in, token_valid_in, token_i
         channel_sum_0_in_range_3 = lane_3_photon_in_range;
         power_out_9 = channel_sum_0_power_3;
         channel_sum_1_clock = clock;
-        channel_sum_1_first = group_flags_replace;
-        channel_sum_1_done = group_flags_sums_done;
+        channel_sum_1_first = group_flags_replace_copy_1;
+        channel_sum_1_done = group_flags_sums_done_copy_1;
         channel_sum_1_result_in = result_in_1;
         result_out_1 = channel_sum_1_result_out;
         channel_sum_1_power_in_0 = power_in_1;
@@ -3374,8 +3425,8 @@ module photoncube_tile_6_mixed_engine_3(clock, reset_in, token_valid_in, token_i
         channel_sum_1_in_range_3 = lane_3_photon_in_range;
         power_out_10 = channel_sum_1_power_3;
         channel_sum_2_clock = clock;
-        channel_sum_2_first = group_flags_replace;
-        channel_sum_2_done = group_flags_sums_done;
+        channel_sum_2_first = group_flags_replace_copy_2;
+        channel_sum_2_done = group_flags_sums_done_copy_2;
         channel_sum_2_result_in = result_in_2;
         result_out_2 = channel_sum_2_result_out;
         channel_sum_2_power_in_0 = power_in_2;
@@ -3643,6 +3694,12 @@ module photoncube_tile_6_mixed_engine_2(clock, reset_in, token_valid_in, token_i
     wire group_flags_last_out;
     wire group_flags_replace;
     wire group_flags_sums_done;
+    wire group_flags_replace_copy_0;
+    wire group_flags_replace_copy_1;
+    wire group_flags_replace_copy_2;
+    wire group_flags_sums_done_copy_0;
+    wire group_flags_sums_done_copy_1;
+    wire group_flags_sums_done_copy_2;
     wire group_flags_result_valid_out;
     reg channel_sum_0_clock;
     reg [5:0] channel_sum_0_power_in_0;
@@ -3867,7 +3924,7 @@ module photoncube_tile_6_mixed_engine_2(clock, reset_in, token_valid_in, token_i
         .far_a(square_pair_5_far_a),
         .far_b(square_pair_5_far_b)
     );
-    photoncube_tile_6_mixed_lane lane_0(
+    photoncube_tile_6_mixed_lane_2 lane_0(
         .clock(lane_0_clock),
         .axis_square_0(lane_0_axis_square_0),
         .axis_square_1(lane_0_axis_square_1),
@@ -3877,7 +3934,7 @@ module photoncube_tile_6_mixed_engine_2(clock, reset_in, token_valid_in, token_i
         .axis_far_2(lane_0_axis_far_2),
         .photon_in_range(lane_0_photon_in_range)
     );
-    photoncube_tile_6_mixed_lane lane_1(
+    photoncube_tile_6_mixed_lane_2 lane_1(
         .clock(lane_1_clock),
         .axis_square_0(lane_1_axis_square_0),
         .axis_square_1(lane_1_axis_square_1),
@@ -3887,7 +3944,7 @@ module photoncube_tile_6_mixed_engine_2(clock, reset_in, token_valid_in, token_i
         .axis_far_2(lane_1_axis_far_2),
         .photon_in_range(lane_1_photon_in_range)
     );
-    photoncube_tile_6_mixed_lane lane_2(
+    photoncube_tile_6_mixed_lane_2 lane_2(
         .clock(lane_2_clock),
         .axis_square_0(lane_2_axis_square_0),
         .axis_square_1(lane_2_axis_square_1),
@@ -3897,7 +3954,7 @@ module photoncube_tile_6_mixed_engine_2(clock, reset_in, token_valid_in, token_i
         .axis_far_2(lane_2_axis_far_2),
         .photon_in_range(lane_2_photon_in_range)
     );
-    photoncube_tile_6_mixed_lane lane_3(
+    photoncube_tile_6_mixed_lane_2 lane_3(
         .clock(lane_3_clock),
         .axis_square_0(lane_3_axis_square_0),
         .axis_square_1(lane_3_axis_square_1),
@@ -3918,6 +3975,12 @@ module photoncube_tile_6_mixed_engine_2(clock, reset_in, token_valid_in, token_i
         .last_out(group_flags_last_out),
         .replace(group_flags_replace),
         .sums_done(group_flags_sums_done),
+        .replace_copy_0(group_flags_replace_copy_0),
+        .replace_copy_1(group_flags_replace_copy_1),
+        .replace_copy_2(group_flags_replace_copy_2),
+        .sums_done_copy_0(group_flags_sums_done_copy_0),
+        .sums_done_copy_1(group_flags_sums_done_copy_1),
+        .sums_done_copy_2(group_flags_sums_done_copy_2),
         .result_valid_out(group_flags_result_valid_out)
     );
     photoncube_tile_6_mixed_channel_sum channel_sum_0(
@@ -4135,8 +4198,8 @@ module photoncube_tile_6_mixed_engine_2(clock, reset_in, token_valid_in, token_i
         count_sum_in_range_3 = lane_3_photon_in_range;
         present_out_3 = count_sum_power_3;
         channel_sum_0_clock = clock;
-        channel_sum_0_first = group_flags_replace;
-        channel_sum_0_done = group_flags_sums_done;
+        channel_sum_0_first = group_flags_replace_copy_0;
+        channel_sum_0_done = group_flags_sums_done_copy_0;
         channel_sum_0_result_in = result_in_0;
         result_out_0 = channel_sum_0_result_out;
         channel_sum_0_power_in_0 = power_in_0;
@@ -4152,8 +4215,8 @@ module photoncube_tile_6_mixed_engine_2(clock, reset_in, token_valid_in, token_i
         channel_sum_0_in_range_3 = lane_3_photon_in_range;
         power_out_9 = channel_sum_0_power_3;
         channel_sum_1_clock = clock;
-        channel_sum_1_first = group_flags_replace;
-        channel_sum_1_done = group_flags_sums_done;
+        channel_sum_1_first = group_flags_replace_copy_1;
+        channel_sum_1_done = group_flags_sums_done_copy_1;
         channel_sum_1_result_in = result_in_1;
         result_out_1 = channel_sum_1_result_out;
         channel_sum_1_power_in_0 = power_in_1;
@@ -4169,8 +4232,8 @@ module photoncube_tile_6_mixed_engine_2(clock, reset_in, token_valid_in, token_i
         channel_sum_1_in_range_3 = lane_3_photon_in_range;
         power_out_10 = channel_sum_1_power_3;
         channel_sum_2_clock = clock;
-        channel_sum_2_first = group_flags_replace;
-        channel_sum_2_done = group_flags_sums_done;
+        channel_sum_2_first = group_flags_replace_copy_2;
+        channel_sum_2_done = group_flags_sums_done_copy_2;
         channel_sum_2_result_in = result_in_2;
         result_out_2 = channel_sum_2_result_out;
         channel_sum_2_power_in_0 = power_in_2;
@@ -4438,6 +4501,12 @@ module photoncube_tile_6_mixed_engine(clock, reset_in, token_valid_in, token_in_
     wire group_flags_last_out;
     wire group_flags_replace;
     wire group_flags_sums_done;
+    wire group_flags_replace_copy_0;
+    wire group_flags_replace_copy_1;
+    wire group_flags_replace_copy_2;
+    wire group_flags_sums_done_copy_0;
+    wire group_flags_sums_done_copy_1;
+    wire group_flags_sums_done_copy_2;
     wire group_flags_result_valid_out;
     reg channel_sum_0_clock;
     reg [5:0] channel_sum_0_power_in_0;
@@ -4713,6 +4782,12 @@ module photoncube_tile_6_mixed_engine(clock, reset_in, token_valid_in, token_in_
         .last_out(group_flags_last_out),
         .replace(group_flags_replace),
         .sums_done(group_flags_sums_done),
+        .replace_copy_0(group_flags_replace_copy_0),
+        .replace_copy_1(group_flags_replace_copy_1),
+        .replace_copy_2(group_flags_replace_copy_2),
+        .sums_done_copy_0(group_flags_sums_done_copy_0),
+        .sums_done_copy_1(group_flags_sums_done_copy_1),
+        .sums_done_copy_2(group_flags_sums_done_copy_2),
         .result_valid_out(group_flags_result_valid_out)
     );
     photoncube_tile_6_mixed_channel_sum channel_sum_0(
@@ -4930,8 +5005,8 @@ module photoncube_tile_6_mixed_engine(clock, reset_in, token_valid_in, token_in_
         count_sum_in_range_3 = lane_3_photon_in_range;
         present_out_3 = count_sum_power_3;
         channel_sum_0_clock = clock;
-        channel_sum_0_first = group_flags_replace;
-        channel_sum_0_done = group_flags_sums_done;
+        channel_sum_0_first = group_flags_replace_copy_0;
+        channel_sum_0_done = group_flags_sums_done_copy_0;
         channel_sum_0_result_in = result_in_0;
         result_out_0 = channel_sum_0_result_out;
         channel_sum_0_power_in_0 = power_in_0;
@@ -4947,8 +5022,8 @@ module photoncube_tile_6_mixed_engine(clock, reset_in, token_valid_in, token_in_
         channel_sum_0_in_range_3 = lane_3_photon_in_range;
         power_out_9 = channel_sum_0_power_3;
         channel_sum_1_clock = clock;
-        channel_sum_1_first = group_flags_replace;
-        channel_sum_1_done = group_flags_sums_done;
+        channel_sum_1_first = group_flags_replace_copy_1;
+        channel_sum_1_done = group_flags_sums_done_copy_1;
         channel_sum_1_result_in = result_in_1;
         result_out_1 = channel_sum_1_result_out;
         channel_sum_1_power_in_0 = power_in_1;
@@ -4964,8 +5039,8 @@ module photoncube_tile_6_mixed_engine(clock, reset_in, token_valid_in, token_in_
         channel_sum_1_in_range_3 = lane_3_photon_in_range;
         power_out_10 = channel_sum_1_power_3;
         channel_sum_2_clock = clock;
-        channel_sum_2_first = group_flags_replace;
-        channel_sum_2_done = group_flags_sums_done;
+        channel_sum_2_first = group_flags_replace_copy_2;
+        channel_sum_2_done = group_flags_sums_done_copy_2;
         channel_sum_2_result_in = result_in_2;
         result_out_2 = channel_sum_2_result_out;
         channel_sum_2_power_in_0 = power_in_2;
@@ -5002,15 +5077,15 @@ module photoncube_tile_6_mixed_queue(clock, reset, result_valid_in, result_in_0,
     output reg [12:0] result_count;
     output reg batch_read;
     // Update code (custom)
-    (* no_rw_check *) reg [66:0] results [0:15];
+    (* no_rw_check *) reg [66:0] results [0:31];
     reg [66:0] word = 67'd0;
-    reg [3:0] write_place = 4'd0;
-    reg [3:0] newest_place = 4'd0;
-    reg [3:0] read_place = 4'd0;
+    reg [4:0] write_place = 5'd0;
+    reg [4:0] newest_place = 5'd0;
+    reg [4:0] read_place = 5'd0;
     reg has_waiting = 1'd0;
     reg has_result = 1'd0;
     integer place;
-    initial for (place = 0; place <= 15; place = place + 1) results[place] = 67'd0;
+    initial for (place = 0; place <= 31; place = place + 1) results[place] = 67'd0;
     wire reads = has_waiting & (~has_result | result_ready);
     (* keep *) wire is_newest;
     assign is_newest = read_place == newest_place;
@@ -5025,18 +5100,18 @@ module photoncube_tile_6_mixed_queue(clock, reset, result_valid_in, result_in_0,
       if (result_valid_in) begin
         results[write_place] <= {result_count_in, result_in_2, result_in_1, result_in_0};
         newest_place <= write_place;
-        write_place <= write_place + 4'd1;
+        write_place <= write_place + 5'd1;
       end
       if (reads) begin
         word <= results[read_place];
-        read_place <= read_place + 4'd1;
+        read_place <= read_place + 5'd1;
       end
       has_waiting <= result_valid_in | (has_waiting & ~reads_newest);
       has_result <= reads | (has_result & ~result_ready);
       if (reset) begin
-        write_place <= 4'd0;
-        newest_place <= 4'd0;
-        read_place <= 4'd0;
+        write_place <= 5'd0;
+        newest_place <= 5'd0;
+        read_place <= 5'd0;
         has_waiting <= 1'd0;
         has_result <= 1'd0;
       end
@@ -5069,10 +5144,10 @@ module photoncube_tile_6_mixed_admission(clock, reset, query_valid, group_valid,
     reg [2:0] spacing = 3'd0;
     reg waits = 1'd0;
     reg gives_back = 1'd0;
-    reg [3:0] promised = 4'd0;
+    reg [7:0] promised = 8'd0;
     wire full = loaded[2];
     wire fills = query_valid & (&loaded[1:0]);
-    wire room = ~promised[3];
+    wire room = ~promised[7];
     wire fits = ~waits & room;
     wire admits_group = has_batch & (~group_last | fits);
     wire takes_group = group_valid & admits_group;
@@ -5098,7 +5173,7 @@ module photoncube_tile_6_mixed_admission(clock, reset, query_valid, group_valid,
       waits <= takes_last | (|spacing[2:1]);
       gives_back <= batch_read;
       if (takes_last != gives_back)
-        promised <= takes_last ? {promised[2:0], 1'd1} : {1'd0, promised[3:1]};
+        promised <= takes_last ? {promised[6:0], 1'd1} : {1'd0, promised[7:1]};
       if (reset) begin
         loaded <= 3'd0;
         open <= 1'd0;
@@ -5106,7 +5181,7 @@ module photoncube_tile_6_mixed_admission(clock, reset, query_valid, group_valid,
         spacing <= 3'd0;
         waits <= 1'd0;
         gives_back <= 1'd0;
-        promised <= 4'd0;
+        promised <= 8'd0;
       end
     end
 endmodule
@@ -5155,7 +5230,7 @@ module photoncube_tile_6_mixed_presence(clock, taken, photon_present, present, a
     end
 endmodule
 
-module photoncube_tile_6_mixed_lane(clock, axis_square_0, axis_square_1, axis_square_2,
+module photoncube_tile_6_mixed_lane_2(clock, axis_square_0, axis_square_1, axis_square_2,
     axis_far_0, axis_far_1, axis_far_2, photon_in_range);
     // Module arguments
     input wire clock;
@@ -5277,6 +5352,148 @@ module photoncube_tile_6_mixed_lane(clock, axis_square_0, axis_square_1, axis_sq
     end
 endmodule
 
+module photoncube_tile_6_mixed_lane(clock, axis_square_0, axis_square_1, axis_square_2,
+    axis_far_0, axis_far_1, axis_far_2, photon_in_range);
+    // Module arguments
+    input wire clock;
+    input wire [13:0] axis_square_0;
+    input wire [13:0] axis_square_1;
+    input wire [13:0] axis_square_2;
+    input wire axis_far_0;
+    input wire axis_far_1;
+    input wire axis_far_2;
+    output reg photon_in_range;
+    // Stub signals
+    reg any_far_x;
+    reg any_far_y;
+    reg any_far_z;
+    wire any_far_any;
+    reg [13:0] pair_sum_a;
+    reg [13:0] pair_sum_b;
+    wire [14:0] pair_sum_sum;
+    reg [14:0] pair_square_d;
+    wire [14:0] pair_square_q;
+    reg pair_square_clock;
+    reg [13:0] pair_z_d;
+    wire [13:0] pair_z_q;
+    reg pair_z_clock;
+    reg pair_far_d;
+    wire pair_far_q;
+    reg pair_far_clock;
+    reg [14:0] distance_sum_a;
+    reg [13:0] distance_sum_b;
+    wire [15:0] distance_sum_sum;
+    reg [15:0] distance_d;
+    wire [15:0] distance_q;
+    reg distance_clock;
+    reg distance_far_d;
+    wire distance_far_q;
+    reg distance_far_clock;
+    reg [15:0] range_of_format_0_distance;
+    reg range_of_format_0_far;
+    wire range_of_format_0_in_range;
+    reg in_range_d;
+    wire in_range_q;
+    reg in_range_clock;
+    reg range_wait_0_d;
+    wire range_wait_0_q;
+    reg range_wait_0_clock;
+    reg range_wait_1_d;
+    wire range_wait_1_q;
+    reg range_wait_1_clock;
+    // Sub module instances
+    photoncube_tile_6_mixed_any_far any_far(
+        .x(any_far_x),
+        .y(any_far_y),
+        .z(any_far_z),
+        .any(any_far_any)
+    );
+    photoncube_tile_6_mixed_pair_sum pair_sum(
+        .a(pair_sum_a),
+        .b(pair_sum_b),
+        .sum(pair_sum_sum)
+    );
+    photoncube_tile_6_mixed_register_15 pair_square(
+        .d(pair_square_d),
+        .q(pair_square_q),
+        .clock(pair_square_clock)
+    );
+    photoncube_tile_6_mixed_register_14 pair_z(
+        .d(pair_z_d),
+        .q(pair_z_q),
+        .clock(pair_z_clock)
+    );
+    photoncube_tile_6_mixed_register_1 pair_far(
+        .d(pair_far_d),
+        .q(pair_far_q),
+        .clock(pair_far_clock)
+    );
+    photoncube_tile_6_mixed_distance_sum distance_sum(
+        .a(distance_sum_a),
+        .b(distance_sum_b),
+        .sum(distance_sum_sum)
+    );
+    photoncube_tile_6_mixed_register_16 distance(
+        .d(distance_d),
+        .q(distance_q),
+        .clock(distance_clock)
+    );
+    photoncube_tile_6_mixed_register_1 distance_far(
+        .d(distance_far_d),
+        .q(distance_far_q),
+        .clock(distance_far_clock)
+    );
+    photoncube_tile_6_mixed_range_of_format range_of_format_0(
+        .distance(range_of_format_0_distance),
+        .far(range_of_format_0_far),
+        .in_range(range_of_format_0_in_range)
+    );
+    photoncube_tile_6_mixed_register_1 in_range(
+        .d(in_range_d),
+        .q(in_range_q),
+        .clock(in_range_clock)
+    );
+    photoncube_tile_6_mixed_register_1 range_wait_0(
+        .d(range_wait_0_d),
+        .q(range_wait_0_q),
+        .clock(range_wait_0_clock)
+    );
+    photoncube_tile_6_mixed_register_1 range_wait_1(
+        .d(range_wait_1_d),
+        .q(range_wait_1_q),
+        .clock(range_wait_1_clock)
+    );
+    // Update code
+    always @(*) begin
+        pair_square_clock = clock;
+        pair_z_clock = clock;
+        pair_far_clock = clock;
+        distance_clock = clock;
+        distance_far_clock = clock;
+        in_range_clock = clock;
+        any_far_x = axis_far_0;
+        any_far_y = axis_far_1;
+        any_far_z = axis_far_2;
+        pair_sum_a = axis_square_0;
+        pair_sum_b = axis_square_1;
+        pair_square_d = pair_sum_sum;
+        pair_z_d = axis_square_2;
+        pair_far_d = any_far_any;
+        distance_sum_a = pair_square_q;
+        distance_sum_b = pair_z_q;
+        distance_d = distance_sum_sum;
+        distance_far_d = pair_far_q;
+        range_of_format_0_distance = distance_q;
+        range_of_format_0_far = distance_far_q;
+        in_range_d = range_of_format_0_in_range;
+        range_wait_0_clock = clock;
+        range_wait_0_d = in_range_q;
+        range_wait_1_clock = clock;
+        range_wait_1_d = range_wait_0_q;
+        photon_in_range = range_wait_1_q;
+    end
+endmodule
+
 module photoncube_tile_6_mixed_first_delay(clock, clear, flag, delayed);
     // Module arguments
     input wire clock;
@@ -5308,6 +5525,18 @@ module photoncube_tile_6_mixed_first_delay(clock, clear, flag, delayed);
     reg stage_5_clear;
     reg stage_5_d;
     wire stage_5_q;
+    reg stage_6_clock;
+    reg stage_6_clear;
+    reg stage_6_d;
+    wire stage_6_q;
+    reg stage_7_clock;
+    reg stage_7_clear;
+    reg stage_7_d;
+    wire stage_7_q;
+    reg stage_8_clock;
+    reg stage_8_clear;
+    reg stage_8_d;
+    wire stage_8_q;
     // Sub module instances
     photoncube_tile_6_mixed_group_first stage_0(
         .clock(stage_0_clock),
@@ -5345,6 +5574,24 @@ module photoncube_tile_6_mixed_first_delay(clock, clear, flag, delayed);
         .d(stage_5_d),
         .q(stage_5_q)
     );
+    photoncube_tile_6_mixed_group_first stage_6(
+        .clock(stage_6_clock),
+        .clear(stage_6_clear),
+        .d(stage_6_d),
+        .q(stage_6_q)
+    );
+    photoncube_tile_6_mixed_group_first stage_7(
+        .clock(stage_7_clock),
+        .clear(stage_7_clear),
+        .d(stage_7_d),
+        .q(stage_7_q)
+    );
+    photoncube_tile_6_mixed_group_first stage_8(
+        .clock(stage_8_clock),
+        .clear(stage_8_clear),
+        .d(stage_8_d),
+        .q(stage_8_q)
+    );
     // Update code
     always @(*) begin
         stage_0_d = flag;
@@ -5353,6 +5600,9 @@ module photoncube_tile_6_mixed_first_delay(clock, clear, flag, delayed);
         stage_3_d = stage_2_q;
         stage_4_d = stage_3_q;
         stage_5_d = stage_4_q;
+        stage_6_d = stage_5_q;
+        stage_7_d = stage_6_q;
+        stage_8_d = stage_7_q;
         stage_0_clock = clock;
         stage_0_clear = clear;
         stage_1_clock = clock;
@@ -5365,7 +5615,13 @@ module photoncube_tile_6_mixed_first_delay(clock, clear, flag, delayed);
         stage_4_clear = clear;
         stage_5_clock = clock;
         stage_5_clear = clear;
-        delayed = stage_5_q;
+        stage_6_clock = clock;
+        stage_6_clear = clear;
+        stage_7_clock = clock;
+        stage_7_clear = clear;
+        stage_8_clock = clock;
+        stage_8_clear = clear;
+        delayed = stage_8_q;
     end
 endmodule
 
@@ -5461,6 +5717,18 @@ module photoncube_tile_6_mixed_count_sum(clock, power_in_0, power_in_1, power_in
     reg hop_3_d;
     wire hop_3_q;
     reg hop_3_clock;
+    reg decision_0_d;
+    wire decision_0_q;
+    reg decision_0_clock;
+    reg decision_1_d;
+    wire decision_1_q;
+    reg decision_1_clock;
+    reg decision_2_d;
+    wire decision_2_q;
+    reg decision_2_clock;
+    reg decision_3_d;
+    wire decision_3_q;
+    reg decision_3_clock;
     reg gated_sum_0_a;
     reg gated_sum_0_b;
     reg gated_sum_0_a_in_range;
@@ -5517,6 +5785,26 @@ module photoncube_tile_6_mixed_count_sum(clock, power_in_0, power_in_1, power_in
         .d(hop_3_d),
         .q(hop_3_q),
         .clock(hop_3_clock)
+    );
+    photoncube_tile_6_mixed_copy_1 decision_0(
+        .d(decision_0_d),
+        .q(decision_0_q),
+        .clock(decision_0_clock)
+    );
+    photoncube_tile_6_mixed_copy_1 decision_1(
+        .d(decision_1_d),
+        .q(decision_1_q),
+        .clock(decision_1_clock)
+    );
+    photoncube_tile_6_mixed_copy_1 decision_2(
+        .d(decision_2_d),
+        .q(decision_2_q),
+        .clock(decision_2_clock)
+    );
+    photoncube_tile_6_mixed_copy_1 decision_3(
+        .d(decision_3_d),
+        .q(decision_3_q),
+        .clock(decision_3_clock)
     );
     photoncube_tile_6_mixed_gated_sum_2 gated_sum_0(
         .a(gated_sum_0_a),
@@ -5588,15 +5876,23 @@ module photoncube_tile_6_mixed_count_sum(clock, power_in_0, power_in_1, power_in
         hop_3_clock = clock;
         hop_3_d = power_in_3;
         power_3 = hop_3_q;
+        decision_0_clock = clock;
+        decision_0_d = in_range_0;
+        decision_1_clock = clock;
+        decision_1_d = in_range_1;
+        decision_2_clock = clock;
+        decision_2_d = in_range_2;
+        decision_3_clock = clock;
+        decision_3_d = in_range_3;
         gated_sum_0_a = hop_0_q;
         gated_sum_0_b = hop_1_q;
-        gated_sum_0_a_in_range = in_range_0;
-        gated_sum_0_b_in_range = in_range_1;
+        gated_sum_0_a_in_range = decision_0_q;
+        gated_sum_0_b_in_range = decision_1_q;
         pair_0_d = gated_sum_0_sum;
         gated_sum_1_a = hop_2_q;
         gated_sum_1_b = hop_3_q;
-        gated_sum_1_a_in_range = in_range_2;
-        gated_sum_1_b_in_range = in_range_3;
+        gated_sum_1_a_in_range = decision_2_q;
+        gated_sum_1_b_in_range = decision_3_q;
         pair_1_d = gated_sum_1_sum;
         pair_0_clock = clock;
         pair_1_clock = clock;
@@ -5639,6 +5935,15 @@ module photoncube_tile_6_mixed_power_delay(clock, word, delayed);
     reg [5:0] stage_4_d;
     wire [5:0] stage_4_q;
     reg stage_4_clock;
+    reg [5:0] stage_5_d;
+    wire [5:0] stage_5_q;
+    reg stage_5_clock;
+    reg [5:0] stage_6_d;
+    wire [5:0] stage_6_q;
+    reg stage_6_clock;
+    reg [5:0] stage_7_d;
+    wire [5:0] stage_7_q;
+    reg stage_7_clock;
     // Sub module instances
     photoncube_tile_6_mixed_register_6 stage_0(
         .d(stage_0_d),
@@ -5665,6 +5970,21 @@ module photoncube_tile_6_mixed_power_delay(clock, word, delayed);
         .q(stage_4_q),
         .clock(stage_4_clock)
     );
+    photoncube_tile_6_mixed_register_6 stage_5(
+        .d(stage_5_d),
+        .q(stage_5_q),
+        .clock(stage_5_clock)
+    );
+    photoncube_tile_6_mixed_register_6 stage_6(
+        .d(stage_6_d),
+        .q(stage_6_q),
+        .clock(stage_6_clock)
+    );
+    photoncube_tile_6_mixed_register_6 stage_7(
+        .d(stage_7_d),
+        .q(stage_7_q),
+        .clock(stage_7_clock)
+    );
     // Update code
     always @(*) begin
         stage_0_clock = clock;
@@ -5677,7 +5997,13 @@ module photoncube_tile_6_mixed_power_delay(clock, word, delayed);
         stage_3_d = stage_2_q;
         stage_4_clock = clock;
         stage_4_d = stage_3_q;
-        delayed = stage_4_q;
+        stage_5_clock = clock;
+        stage_5_d = stage_4_q;
+        stage_6_clock = clock;
+        stage_6_d = stage_5_q;
+        stage_7_clock = clock;
+        stage_7_d = stage_6_q;
+        delayed = stage_7_q;
     end
 endmodule
 
@@ -5702,6 +6028,15 @@ module photoncube_tile_6_mixed_present_delay(clock, word, delayed);
     reg stage_4_d;
     wire stage_4_q;
     reg stage_4_clock;
+    reg stage_5_d;
+    wire stage_5_q;
+    reg stage_5_clock;
+    reg stage_6_d;
+    wire stage_6_q;
+    reg stage_6_clock;
+    reg stage_7_d;
+    wire stage_7_q;
+    reg stage_7_clock;
     // Sub module instances
     photoncube_tile_6_mixed_register_1 stage_0(
         .d(stage_0_d),
@@ -5728,6 +6063,21 @@ module photoncube_tile_6_mixed_present_delay(clock, word, delayed);
         .q(stage_4_q),
         .clock(stage_4_clock)
     );
+    photoncube_tile_6_mixed_register_1 stage_5(
+        .d(stage_5_d),
+        .q(stage_5_q),
+        .clock(stage_5_clock)
+    );
+    photoncube_tile_6_mixed_register_1 stage_6(
+        .d(stage_6_d),
+        .q(stage_6_q),
+        .clock(stage_6_clock)
+    );
+    photoncube_tile_6_mixed_register_1 stage_7(
+        .d(stage_7_d),
+        .q(stage_7_q),
+        .clock(stage_7_clock)
+    );
     // Update code
     always @(*) begin
         stage_0_clock = clock;
@@ -5740,7 +6090,13 @@ module photoncube_tile_6_mixed_present_delay(clock, word, delayed);
         stage_3_d = stage_2_q;
         stage_4_clock = clock;
         stage_4_d = stage_3_q;
-        delayed = stage_4_q;
+        stage_5_clock = clock;
+        stage_5_d = stage_4_q;
+        stage_6_clock = clock;
+        stage_6_d = stage_5_q;
+        stage_7_clock = clock;
+        stage_7_d = stage_6_q;
+        delayed = stage_7_q;
     end
 endmodule
 
@@ -5830,7 +6186,8 @@ module photoncube_tile_6_mixed_query_flags(clock, reset_in, token_valid_in, swap
 endmodule
 
 module photoncube_tile_6_mixed_group_flags(clock, reset_in, reset, first_in, last_in, result_valid_in,
-    first_out, last_out, replace, sums_done, result_valid_out);
+    first_out, last_out, replace, sums_done, replace_copy_0, replace_copy_1, replace_copy_2,
+    sums_done_copy_0, sums_done_copy_1, sums_done_copy_2, result_valid_out);
     // Module arguments
     input wire clock;
     input wire reset_in;
@@ -5842,6 +6199,12 @@ module photoncube_tile_6_mixed_group_flags(clock, reset_in, reset, first_in, las
     output reg last_out;
     output reg replace;
     output reg sums_done;
+    output reg replace_copy_0;
+    output reg replace_copy_1;
+    output reg replace_copy_2;
+    output reg sums_done_copy_0;
+    output reg sums_done_copy_1;
+    output reg sums_done_copy_2;
     output reg result_valid_out;
     // Stub signals
     reg first_clock;
@@ -5879,6 +6242,24 @@ module photoncube_tile_6_mixed_group_flags(clock, reset_in, reset, first_in, las
     reg done_d;
     wire done_q;
     reg done_clock;
+    reg first_copy_0_d;
+    wire first_copy_0_q;
+    reg first_copy_0_clock;
+    reg first_copy_1_d;
+    wire first_copy_1_q;
+    reg first_copy_1_clock;
+    reg first_copy_2_d;
+    wire first_copy_2_q;
+    reg first_copy_2_clock;
+    reg done_copy_0_d;
+    wire done_copy_0_q;
+    reg done_copy_0_clock;
+    reg done_copy_1_d;
+    wire done_copy_1_q;
+    reg done_copy_1_clock;
+    reg done_copy_2_d;
+    wire done_copy_2_q;
+    reg done_copy_2_clock;
     reg result_valid_d;
     wire result_valid_q;
     reg result_valid_clock;
@@ -5936,6 +6317,36 @@ module photoncube_tile_6_mixed_group_flags(clock, reset_in, reset, first_in, las
         .q(done_q),
         .clock(done_clock)
     );
+    photoncube_tile_6_mixed_copy_1 first_copy_0(
+        .d(first_copy_0_d),
+        .q(first_copy_0_q),
+        .clock(first_copy_0_clock)
+    );
+    photoncube_tile_6_mixed_copy_1 first_copy_1(
+        .d(first_copy_1_d),
+        .q(first_copy_1_q),
+        .clock(first_copy_1_clock)
+    );
+    photoncube_tile_6_mixed_copy_1 first_copy_2(
+        .d(first_copy_2_d),
+        .q(first_copy_2_q),
+        .clock(first_copy_2_clock)
+    );
+    photoncube_tile_6_mixed_copy_1 done_copy_0(
+        .d(done_copy_0_d),
+        .q(done_copy_0_q),
+        .clock(done_copy_0_clock)
+    );
+    photoncube_tile_6_mixed_copy_1 done_copy_1(
+        .d(done_copy_1_d),
+        .q(done_copy_1_q),
+        .clock(done_copy_1_clock)
+    );
+    photoncube_tile_6_mixed_copy_1 done_copy_2(
+        .d(done_copy_2_d),
+        .q(done_copy_2_q),
+        .clock(done_copy_2_clock)
+    );
     photoncube_tile_6_mixed_register_1 result_valid(
         .d(result_valid_d),
         .q(result_valid_q),
@@ -5976,6 +6387,24 @@ module photoncube_tile_6_mixed_group_flags(clock, reset_in, reset, first_in, las
         replace = group_first_q;
         done_d = group_last_q & ~reset_in;
         sums_done = done_q;
+        first_copy_0_clock = clock;
+        first_copy_0_d = pair_first_q & ~reset_in;
+        replace_copy_0 = first_copy_0_q;
+        first_copy_1_clock = clock;
+        first_copy_1_d = pair_first_q & ~reset_in;
+        replace_copy_1 = first_copy_1_q;
+        first_copy_2_clock = clock;
+        first_copy_2_d = pair_first_q & ~reset_in;
+        replace_copy_2 = first_copy_2_q;
+        done_copy_0_clock = clock;
+        done_copy_0_d = group_last_q & ~reset_in;
+        sums_done_copy_0 = done_copy_0_q;
+        done_copy_1_clock = clock;
+        done_copy_1_d = group_last_q & ~reset_in;
+        sums_done_copy_1 = done_copy_1_q;
+        done_copy_2_clock = clock;
+        done_copy_2_d = group_last_q & ~reset_in;
+        sums_done_copy_2 = done_copy_2_q;
         result_valid_d = done_q | result_valid_in;
         if (reset_in | reset) begin
             result_valid_d = 1'b0;
@@ -6178,12 +6607,12 @@ module photoncube_tile_6_mixed_square_pair_2(clock, query, photon_a, photon_b, s
         .b(subtract_1_b),
         .difference(subtract_1_difference)
     );
-    photoncube_tile_6_mixed_products_delay difference_0(
+    photoncube_tile_6_mixed_register_10 difference_0(
         .d(difference_0_d),
         .q(difference_0_q),
         .clock(difference_0_clock)
     );
-    photoncube_tile_6_mixed_products_delay difference_1(
+    photoncube_tile_6_mixed_register_10 difference_1(
         .d(difference_1_d),
         .q(difference_1_q),
         .clock(difference_1_clock)
@@ -6200,22 +6629,22 @@ module photoncube_tile_6_mixed_square_pair_2(clock, query, photon_a, photon_b, s
         .square(product_1_square),
         .far(product_1_far)
     );
-    photoncube_tile_6_mixed_square_stage square_stage_0(
+    photoncube_tile_6_mixed_register_14 square_stage_0(
         .d(square_stage_0_d),
         .q(square_stage_0_q),
         .clock(square_stage_0_clock)
     );
-    photoncube_tile_6_mixed_square_stage square_stage_1(
+    photoncube_tile_6_mixed_register_14 square_stage_1(
         .d(square_stage_1_d),
         .q(square_stage_1_q),
         .clock(square_stage_1_clock)
     );
-    photoncube_tile_6_mixed_products_far far_stage_0(
+    photoncube_tile_6_mixed_register_1 far_stage_0(
         .d(far_stage_0_d),
         .q(far_stage_0_q),
         .clock(far_stage_0_clock)
     );
-    photoncube_tile_6_mixed_products_far far_stage_1(
+    photoncube_tile_6_mixed_register_1 far_stage_1(
         .d(far_stage_1_d),
         .q(far_stage_1_q),
         .clock(far_stage_1_clock)
@@ -6404,6 +6833,18 @@ module photoncube_tile_6_mixed_channel_sum(clock, power_in_0, power_in_1, power_
     reg [5:0] hop_3_d;
     wire [5:0] hop_3_q;
     reg hop_3_clock;
+    reg decision_0_d;
+    wire decision_0_q;
+    reg decision_0_clock;
+    reg decision_1_d;
+    wire decision_1_q;
+    reg decision_1_clock;
+    reg decision_2_d;
+    wire decision_2_q;
+    reg decision_2_clock;
+    reg decision_3_d;
+    wire decision_3_q;
+    reg decision_3_clock;
     reg [5:0] gated_sum_0_a;
     reg [5:0] gated_sum_0_b;
     reg gated_sum_0_a_in_range;
@@ -6460,6 +6901,26 @@ module photoncube_tile_6_mixed_channel_sum(clock, power_in_0, power_in_1, power_
         .d(hop_3_d),
         .q(hop_3_q),
         .clock(hop_3_clock)
+    );
+    photoncube_tile_6_mixed_copy_1 decision_0(
+        .d(decision_0_d),
+        .q(decision_0_q),
+        .clock(decision_0_clock)
+    );
+    photoncube_tile_6_mixed_copy_1 decision_1(
+        .d(decision_1_d),
+        .q(decision_1_q),
+        .clock(decision_1_clock)
+    );
+    photoncube_tile_6_mixed_copy_1 decision_2(
+        .d(decision_2_d),
+        .q(decision_2_q),
+        .clock(decision_2_clock)
+    );
+    photoncube_tile_6_mixed_copy_1 decision_3(
+        .d(decision_3_d),
+        .q(decision_3_q),
+        .clock(decision_3_clock)
     );
     photoncube_tile_6_mixed_gated_sum gated_sum_0(
         .a(gated_sum_0_a),
@@ -6531,15 +6992,23 @@ module photoncube_tile_6_mixed_channel_sum(clock, power_in_0, power_in_1, power_
         hop_3_clock = clock;
         hop_3_d = power_in_3;
         power_3 = hop_3_q;
+        decision_0_clock = clock;
+        decision_0_d = in_range_0;
+        decision_1_clock = clock;
+        decision_1_d = in_range_1;
+        decision_2_clock = clock;
+        decision_2_d = in_range_2;
+        decision_3_clock = clock;
+        decision_3_d = in_range_3;
         gated_sum_0_a = hop_0_q;
         gated_sum_0_b = hop_1_q;
-        gated_sum_0_a_in_range = in_range_0;
-        gated_sum_0_b_in_range = in_range_1;
+        gated_sum_0_a_in_range = decision_0_q;
+        gated_sum_0_b_in_range = decision_1_q;
         pair_0_d = gated_sum_0_sum;
         gated_sum_1_a = hop_2_q;
         gated_sum_1_b = hop_3_q;
-        gated_sum_1_a_in_range = in_range_2;
-        gated_sum_1_b_in_range = in_range_3;
+        gated_sum_1_a_in_range = decision_2_q;
+        gated_sum_1_b_in_range = decision_3_q;
         pair_1_d = gated_sum_1_sum;
         pair_0_clock = clock;
         pair_1_clock = clock;
@@ -7210,6 +7679,16 @@ module photoncube_tile_6_mixed_range_of_format(distance, far, in_range);
         near = distance <= limit;
         in_range = near & ~far;
     end
+endmodule
+
+module photoncube_tile_6_mixed_copy_1(d, q, clock);
+    // Module arguments
+    input wire d;
+    output reg q;
+    input wire clock;
+    // Update code (custom)
+    initial q = 1'd0;
+    (* keep *) always @(posedge clock) q <= d;
 endmodule
 
 module photoncube_tile_6_mixed_accumulate(group, sum, first, next_sum);

@@ -47,16 +47,21 @@ const COARSE: Cuts = Cuts::of(&[
 /// The same with a register between the two chains that make a magnitude.
 const DIGITS: Cuts = COARSE.and(Cut::Difference);
 
+/// The same with a decision beside each sum: on a full chip the sums of an engine stand where their
+/// chains of powers and results are, which may be far from its lanes.
+const DECISIONS: Cuts = DIGITS.and(Cut::Decision);
+
 /// The same with the block RAM's own register behind it.
 const TABLE: EngineKind = EngineKind {
     squarer: Squarer::Table,
-    cuts: COARSE.and(Cut::Square),
+    cuts: COARSE.and(Cut::Decision).and(Cut::Square),
 };
 
-/// The same with the DSP block's own register before the product; that behind it is at the cut `Cross`.
+/// The same with the DSP block's own registers before the product and behind it, the latter at the cut
+/// `Cross`, and one more on each way to the block and from it, which are long.
 const PRODUCT: EngineKind = EngineKind {
     squarer: Squarer::Product,
-    cuts: COARSE.and(Cut::Products),
+    cuts: DECISIONS.and(Cut::Products).and(Cut::Square),
 };
 
 /// A tile of `2^query_axes` engines, in a format of one scale for all powers and seven bits for the
@@ -88,8 +93,9 @@ const fn tile(name: &'static str, summary: &'static str, query_axes: u32) -> Mac
     }
 }
 
-/// A tile with a photon memory that holds the most photons that a query may be given, twice.
-const fn with_memory(tile: Machine, others: &'static [(EngineKind, usize)]) -> Machine {
+/// A tile with a photon memory that holds the most photons that a query may be given, twice; with these
+/// cuts, and engines of other kinds.
+const fn with_memory(tile: Machine, cuts: Cuts, others: &'static [(EngineKind, usize)]) -> Machine {
     let Organisation::Spatial(spatial) = tile.organisation else {
         panic!("only spatial machines have a photon memory");
     };
@@ -99,8 +105,9 @@ const fn with_memory(tile: Machine, others: &'static [(EngineKind, usize)]) -> M
     let memory_groups = (format.max_photons / Spatial::LANES as u64) as u32;
     Machine {
         organisation: Organisation::Spatial(Spatial {
-            memory_groups,
+            cuts,
             others,
+            memory_groups,
             ..spatial
         }),
         ..tile
@@ -281,6 +288,7 @@ pub const MACHINES: &[Machine] = &[
             "the same, squarers from block RAMs, DSP blocks and LUTs",
             6,
         ),
+        DECISIONS,
         &[(TABLE, 24), (PRODUCT, 10)],
     ),
     with_memory(
@@ -289,6 +297,7 @@ pub const MACHINES: &[Machine] = &[
             "4 engines of three kinds of squarers, and the photon memory",
             2,
         ),
+        DECISIONS,
         &[(TABLE, 2), (PRODUCT, 1)],
     ),
     with_memory(
@@ -297,6 +306,7 @@ pub const MACHINES: &[Machine] = &[
             "32 engines and the photon memory for one FPGA, squarers from LUTs",
             5,
         ),
+        DIGITS,
         &[],
     ),
 ];

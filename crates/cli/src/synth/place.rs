@@ -100,7 +100,7 @@ pub enum Placer {
     /// Analytically, with slow paths first: nextpnr's default
     #[default]
     Heap,
-    /// By forces between cells: shorter nets, but slow paths are not first; finds places in full devices
+    /// By forces between cells: shorter nets, slow paths first only at the end; finds places in full devices
     Static,
 }
 

@@ -108,10 +108,15 @@ impl<'a> Merged<'a> {
 }
 
 /// The instance's name without array index: what stands after the parent's path. A register is
-/// named by its width, because equal ones in many places are one module.
+/// named by its width, because equal ones in many places are one module; so is a copy, which
+/// synthesis keeps.
 fn base_name(module: &Module, names: &HashSet<String>) -> String {
     if let Some(width) = register_width(&module.body) {
-        return format!("register_{width}");
+        let kind = match module.body.contains("(* keep *)") {
+            true => "copy",
+            false => "register",
+        };
+        return format!("{kind}_{width}");
     }
     let parent = module
         .name
@@ -211,6 +216,21 @@ mod tests {
             "\nmodule p();\n p_a a_0();\n p_a a_1();\nendmodule\n\
              \nmodule p_a();\n p_register_8 r();\nendmodule\n\
              \nmodule p_register_8(d, q, clock);\n input wire [7:0] d;\n q <= d;\nendmodule\n"
+        );
+    }
+
+    #[test]
+    fn a_register_that_synthesis_keeps_is_another_module() {
+        let kept = REGISTER.replace(" q <= d;", " (* keep *) q <= d;");
+        let modules = text(&[
+            ("top", "();\n top$a a();\n top$b b();\n"),
+            ("top$a", REGISTER),
+            ("top$b", &kept),
+        ]);
+        let merged = merge_as_p(modules).unwrap();
+        assert!(
+            merged.contains(" p_register_8 a();\n p_copy_8 b();\n"),
+            "{merged}"
         );
     }
 

@@ -95,6 +95,9 @@ const HAND_WRITTEN: &[&str] = &[
     "split_product",
     "admission",
     "queue",
+    "decision",
+    "first_copy",
+    "done_copy",
 ];
 
 /// Emits the Verilog of a machine at a level.

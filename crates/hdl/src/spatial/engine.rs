@@ -22,6 +22,8 @@ const GROUP_COUNT: usize = SpatialWidths::GROUP_COUNT as usize;
 #[derive(Copy, Clone)]
 pub(crate) struct EngineShape {
     pub kind: EngineKind,
+    /// Clocks that a decision waits.
+    pub range_waits: usize,
     pub channels: usize,
     /// The format's, where queries have none.
     pub fixed_radius_sq: Option<u32>,
@@ -33,6 +35,7 @@ impl EngineShape {
         let kind = spatial.kind(machine.squarer, engine);
         Self {
             kind,
+            range_waits: spatial.range_waits(kind) as usize,
             channels: machine.channels().names().len(),
             fixed_radius_sq: machine.fixed_radius_sq(),
         }
@@ -129,6 +132,7 @@ impl<
     pub fn new(shape: EngineShape) -> Self {
         let EngineShape {
             kind: EngineKind { squarer, cuts },
+            range_waits,
             channels,
             fixed_radius_sq,
         } = shape;
@@ -171,9 +175,9 @@ impl<
             photon: Stage::several(COORDINATES, true),
             square_pair: pairs.map(|_| SquarePair::new(cuts, squarer)).collect(),
             lane: (0..LANES)
-                .map(|_| Lane::new(cuts, fixed_radius_sq))
+                .map(|_| Lane::new(cuts, range_waits, fixed_radius_sq))
                 .collect(),
-            group_flags: GroupFlags::new(cuts),
+            group_flags: GroupFlags::new(cuts, channels),
             channel_sum: (0..channels).map(|_| ChannelSum::new(cuts)).collect(),
             count_sum: ChannelSum::new(cuts),
             _channels: channels,
@@ -289,10 +293,19 @@ impl<
         }
         let channels = self._channels;
         for channel in 0..channels {
+            wires!(self, wiring: (channel_sum[channel].clock) = (clock););
+            if self.group_flags.done_copy.is_empty() {
+                wires!(self, wiring:
+                    (channel_sum[channel].first) = (group_flags.replace);
+                    (channel_sum[channel].done) = (group_flags.sums_done);
+                );
+            } else {
+                wires!(self, wiring:
+                    (channel_sum[channel].first) = (group_flags.replace_copy[channel]);
+                    (channel_sum[channel].done) = (group_flags.sums_done_copy[channel]);
+                );
+            }
             wires!(self, wiring:
-                (channel_sum[channel].clock) = (clock);
-                (channel_sum[channel].first) = (group_flags.replace);
-                (channel_sum[channel].done) = (group_flags.sums_done);
                 (channel_sum[channel].result_in) = (result_in[channel]);
                 (result_out[channel]) = (channel_sum[channel].result_out);
             );

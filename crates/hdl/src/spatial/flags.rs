@@ -3,6 +3,7 @@
 use photoncube_spec::{Cut, Cuts};
 use rust_hdl::prelude::*;
 
+use super::copy::Copy;
 use super::stage::FlagStage;
 
 /// What becomes of queries that pass by, and the waves of reset and of a batch's first positions.
@@ -98,6 +99,9 @@ pub(crate) struct GroupFlags {
     /// The group whose sums are beside the accumulators is a first one.
     pub replace: Signal<Out, Bit>,
     pub sums_done: Signal<Out, Bit>,
+    /// The same two beside each channel's sum, where there are copies.
+    pub replace_copy: Vec<Signal<Out, Bit>>,
+    pub sums_done_copy: Vec<Signal<Out, Bit>>,
     pub result_valid_out: Signal<Out, Bit>,
     pub first: FlagStage,
     pub last: FlagStage,
@@ -108,12 +112,16 @@ pub(crate) struct GroupFlags {
     pub group_first: FlagStage,
     pub group_last: FlagStage,
     pub done: DFF<Bit>,
+    pub first_copy: Vec<Copy>,
+    pub done_copy: Vec<Copy>,
     pub result_valid: DFF<Bit>,
 }
 
 impl GroupFlags {
-    pub fn new(cuts: Cuts) -> Self {
+    /// With copies of the flags beside the sums of so many channels, where the decisions have some.
+    pub fn new(cuts: Cuts, channels: usize) -> Self {
         let stage = |cut| FlagStage::new(cuts.has(cut));
+        let copies = channels * usize::from(cuts.has(Cut::Decision));
         Self {
             clock: Default::default(),
             reset_in: Default::default(),
@@ -125,6 +133,8 @@ impl GroupFlags {
             last_out: Default::default(),
             replace: Default::default(),
             sums_done: Default::default(),
+            replace_copy: (0..copies).map(|_| Default::default()).collect(),
+            sums_done_copy: (0..copies).map(|_| Default::default()).collect(),
             result_valid_out: Default::default(),
             first: FlagStage::new(true),
             last: FlagStage::new(true),
@@ -135,6 +145,8 @@ impl GroupFlags {
             group_first: stage(Cut::GroupPower),
             group_last: stage(Cut::GroupPower),
             done: Default::default(),
+            first_copy: (0..copies).map(|_| Default::default()).collect(),
+            done_copy: (0..copies).map(|_| Default::default()).collect(),
             result_valid: Default::default(),
         }
     }
@@ -175,6 +187,16 @@ impl Logic for GroupFlags {
 
         self.done.d.next = self.group_last.q.val() & !self.reset_in.val();
         self.sums_done.next = self.done.q.val();
+        for i in 0..self.first_copy.len() {
+            self.first_copy[i].clock.next = self.clock.val();
+            self.first_copy[i].d.next = self.pair_first.q.val() & !self.reset_in.val();
+            self.replace_copy[i].next = self.first_copy[i].q.val();
+        }
+        for i in 0..self.done_copy.len() {
+            self.done_copy[i].clock.next = self.clock.val();
+            self.done_copy[i].d.next = self.group_last.q.val() & !self.reset_in.val();
+            self.sums_done_copy[i].next = self.done_copy[i].q.val();
+        }
         self.result_valid.d.next = self.done.q.val() | self.result_valid_in.val();
         // A result of the next engine, which the wave reaches a clock later, is on its way back.
         if self.reset_in.val() | self.reset.val() {

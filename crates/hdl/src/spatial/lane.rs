@@ -28,12 +28,14 @@ pub(crate) struct Lane<const Q: usize, const T: usize, const U: usize> {
     range_of_query: Vec<RangeOfQuery<Q, U>>,
     range_of_format: Vec<RangeOfFormat<U>>,
     pub in_range: Stage<Bit>,
+    pub range_wait: Vec<Stage<Bit>>,
     _wires: Wires,
 }
 
 impl<const Q: usize, const T: usize, const U: usize> Lane<Q, T, U> {
-    /// `fixed_radius_sq` is the format's, where queries have none.
-    pub fn new(cuts: Cuts, fixed_radius_sq: Option<u32>) -> Self {
+    /// A decision waits `range_waits` clocks; `fixed_radius_sq` is the format's, where queries have
+    /// none.
+    pub fn new(cuts: Cuts, range_waits: usize, fixed_radius_sq: Option<u32>) -> Self {
         assert!(T == Q + 1 && U == Q + 2);
         let own_radius = 0..usize::from(fixed_radius_sq.is_none());
         with_wires!(Self {
@@ -56,6 +58,7 @@ impl<const Q: usize, const T: usize, const U: usize> Lane<Q, T, U> {
                 .into_iter()
                 .collect(),
             in_range: Stage::new(cuts.has(Cut::Range)),
+            range_wait: Stage::several(range_waits, true),
             _wires: Default::default(),
         })
     }
@@ -96,7 +99,17 @@ impl<const Q: usize, const T: usize, const U: usize> Lane<Q, T, U> {
                 (in_range.d) = (range_of_format[range].in_range);
             );
         }
-        wires!(self, wiring: (photon_in_range) = (in_range.q););
+        for wait in 0..self.range_wait.len() {
+            wires!(self, wiring: (range_wait[wait].clock) = (clock););
+            match wait {
+                0 => wires!(self, wiring: (range_wait[wait].d) = (in_range.q);),
+                _ => wires!(self, wiring: (range_wait[wait].d) = (range_wait[wait - 1].q);),
+            }
+        }
+        match self.range_wait.len() {
+            0 => wires!(self, wiring: (photon_in_range) = (in_range.q);),
+            waits => wires!(self, wiring: (photon_in_range) = (range_wait[waits - 1].q);),
+        }
     }
 }
 

@@ -8,6 +8,7 @@
 
 mod admission;
 mod arithmetic;
+mod copy;
 mod delay;
 mod digits;
 mod engine;

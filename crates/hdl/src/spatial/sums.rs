@@ -4,6 +4,7 @@ use photoncube_spec::{Cut, Cuts, Spatial};
 use rust_hdl::prelude::*;
 
 use super::arithmetic::{Accumulate, GateStage, GatedSum, ResultLink, Sum};
+use super::copy::Copy;
 use super::stage::Stage;
 use super::wiring::{Wires, Wiring, logic_of_wires, wires, with_wires};
 
@@ -25,6 +26,8 @@ pub(crate) struct ChannelSum<const P: usize, const PP: usize, const GP: usize, c
     pub result_in: Signal<In, Bits<S>>,
     pub result_out: Signal<Out, Bits<S>>,
     pub hop: Vec<Stage<Bits<P>>>,
+    /// The decisions once more, beside this sum.
+    pub decision: Vec<Copy>,
     /// The gate with registers behind it and its adders, or the gate with the adders in it.
     pub gate: Vec<GateStage<P>>,
     pair_sum: Vec<Sum<P, P, PP>>,
@@ -43,6 +46,7 @@ impl<const P: usize, const PP: usize, const GP: usize, const S: usize> ChannelSu
     pub fn new(cuts: Cuts) -> Self {
         assert!(PP == P + 1 && GP == P + 2 && S >= GP);
         let gate_stages = if cuts.has(Cut::Gate) { LANES } else { 0 };
+        let decisions = if cuts.has(Cut::Decision) { LANES } else { 0 };
         let behind_gate = if cuts.has(Cut::Gate) { PAIRS } else { 0 };
         with_wires!(Self {
             clock: Default::default(),
@@ -54,6 +58,7 @@ impl<const P: usize, const PP: usize, const GP: usize, const S: usize> ChannelSu
             result_in: Default::default(),
             result_out: Default::default(),
             hop: Stage::several(LANES, true),
+            decision: (0..decisions).map(|_| Default::default()).collect(),
             gate: (0..gate_stages).map(|_| Default::default()).collect(),
             pair_sum: (0..behind_gate).map(|_| Default::default()).collect(),
             gated_sum: (behind_gate..PAIRS).map(|_| Default::default()).collect(),
@@ -76,12 +81,21 @@ impl<const P: usize, const PP: usize, const GP: usize, const S: usize> ChannelSu
                 (power[lane]) = (hop[lane].q);
             );
         }
+        for lane in 0..self.decision.len() {
+            wires!(self, wiring:
+                (decision[lane].clock) = (clock);
+                (decision[lane].d) = (in_range[lane]);
+            );
+        }
         for lane in 0..self.gate.len() {
             wires!(self, wiring:
                 (gate[lane].clock) = (clock);
                 (gate[lane].power) = (hop[lane].q);
-                (gate[lane].in_range) = (in_range[lane]);
             );
+            match self.decision.is_empty() {
+                true => wires!(self, wiring: (gate[lane].in_range) = (in_range[lane]);),
+                false => wires!(self, wiring: (gate[lane].in_range) = (decision[lane].q);),
+            }
         }
         for pair in 0..self.pair_sum.len() {
             wires!(self, wiring:
@@ -94,10 +108,19 @@ impl<const P: usize, const PP: usize, const GP: usize, const S: usize> ChannelSu
             wires!(self, wiring:
                 (gated_sum[pair].a) = (hop[2 * pair].q);
                 (gated_sum[pair].b) = (hop[2 * pair + 1].q);
-                (gated_sum[pair].a_in_range) = (in_range[2 * pair]);
-                (gated_sum[pair].b_in_range) = (in_range[2 * pair + 1]);
-                (pair[pair].d) = (gated_sum[pair].sum);
             );
+            if self.decision.is_empty() {
+                wires!(self, wiring:
+                    (gated_sum[pair].a_in_range) = (in_range[2 * pair]);
+                    (gated_sum[pair].b_in_range) = (in_range[2 * pair + 1]);
+                );
+            } else {
+                wires!(self, wiring:
+                    (gated_sum[pair].a_in_range) = (decision[2 * pair].q);
+                    (gated_sum[pair].b_in_range) = (decision[2 * pair + 1].q);
+                );
+            }
+            wires!(self, wiring: (pair[pair].d) = (gated_sum[pair].sum););
         }
         wires!(self, wiring:
             (pair[0].clock) = (clock);

@@ -1,9 +1,14 @@
 //! One lane of an engine: the photon's distance, and whether it is in range.
 
+use std::mem;
+
 use photoncube_spec::Cut;
 
 use super::axis::Axis;
 use super::rules::Rules;
+
+/// More than the cuts of the flow of positions, by which kinds of engines may differ.
+const MOST_WAITS: usize = 8;
 
 /// The sum of two squares, and the third.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
@@ -27,11 +32,13 @@ pub(super) struct Lane {
     pub(super) pair: Pair,
     pub(super) distance: Distance,
     pub(super) in_range: bool,
+    pub(super) range_wait: [bool; MOST_WAITS],
+    pub(super) decision: bool,
 }
 
 impl Lane {
-    /// One clock; gives what is behind the cut `Range`. `radius_sq` is that which stands
-    /// at the compare in this clock.
+    /// One clock; gives what is behind the cut `Decision`. `radius_sq` is that which
+    /// stands at the compare in this clock.
     pub(super) fn clock(
         &mut self,
         rules: &Rules,
@@ -53,6 +60,11 @@ impl Lane {
         };
         let distance = rules.cut(Cut::Distance, &mut self.distance, distance);
         let in_range = !distance.far && distance.word <= u64::from(radius_sq);
-        rules.cut(Cut::Range, &mut self.in_range, in_range)
+        let in_range = rules.cut(Cut::Range, &mut self.in_range, in_range);
+        let waits = &mut self.range_wait[..rules.range_waits];
+        let waited = waits
+            .iter_mut()
+            .fold(in_range, |newer, wait| mem::replace(wait, newer));
+        rules.cut(Cut::Decision, &mut self.decision, waited)
     }
 }

@@ -24,6 +24,7 @@ pub(super) struct PhotonMemory {
     fill_bank: usize,
     fill_place: usize,
     fill_ready: bool,
+    write: Write,
     play_bank: usize,
     play_full: bool,
     play_end: usize,
@@ -41,7 +42,15 @@ pub(super) struct PhotonMemory {
     has_exponent: bool,
 }
 
-/// A word on its way to the head.
+/// A group on its way to its place.
+#[derive(Clone, Debug)]
+struct Write {
+    bank: usize,
+    place: usize,
+    word: Word,
+}
+
+/// A group on its way to its place or to the head.
 #[derive(Clone, Debug)]
 struct Word {
     valid: bool,
@@ -115,6 +124,11 @@ impl PhotonMemory {
             fill_bank: 0,
             fill_place: 0,
             fill_ready: false,
+            write: Write {
+                bank: 0,
+                place: 0,
+                word: word.clone(),
+            },
             play_bank: 0,
             play_full: false,
             play_end: 0,
@@ -178,7 +192,8 @@ impl PhotonMemory {
         }
         self.release_next |= self.release_taken;
         self.release_taken = head.takes_query && inputs.query_release;
-        self.fill(takes.then_some(&inputs.group), was_full);
+        self.write_and_take(takes, &inputs.group);
+        self.fill(takes, inputs.group.last, was_full);
         if inputs.reset {
             self.reset();
         }
@@ -223,19 +238,30 @@ impl PhotonMemory {
         }
     }
 
-    /// With the group that is taken, and whether the bank was full before this clock.
-    fn fill(&mut self, group: Option<&Group>, was_full: bool) {
+    /// Writes the group that was taken a clock before, and takes over that on the pins.
+    fn write_and_take(&mut self, takes: bool, group: &Group) {
+        let Write { bank, place, word } = &mut self.write;
+        if word.valid {
+            self.banks[*bank].groups[*place].clone_from(&word.group);
+        }
+        (*bank, *place) = (self.fill_bank, self.fill_place);
+        word.valid = takes;
+        word.group.clone_from(group);
+    }
+
+    /// With whether a group is taken, and whether it is a last one, and whether the bank was full
+    /// before this clock.
+    fn fill(&mut self, takes: bool, last: bool, was_full: bool) {
         let bank = &mut self.banks[self.fill_bank];
         let place = self.fill_place;
         if self.fill_ready {
             bank.end = place;
         }
         self.fill_ready = !was_full;
-        let Some(group) = group else {
+        if !takes {
             return;
-        };
-        bank.groups[place].clone_from(group);
-        if group.last || place + 1 == bank.groups.len() {
+        }
+        if last || place + 1 == bank.groups.len() {
             bank.full = true;
             self.fill_ready = false;
             self.fill_place = 0;
@@ -255,6 +281,8 @@ impl PhotonMemory {
         (self.before_end, self.at_end) = (0, false);
         (self.playing, self.releases) = (false, false);
         (self.release_taken, self.release_next) = (false, false);
+        (self.write.bank, self.write.place) = (0, 0);
+        self.write.word.reset();
         self.read.reset();
         self.word.reset();
     }
@@ -271,6 +299,12 @@ impl PhotonMemory {
             MemoryRegister::FillBank => row.push(self.fill_bank as u64),
             MemoryRegister::FillPlace => row.push(self.fill_place as u64),
             MemoryRegister::FillReady => row.push(self.fill_ready.into()),
+            MemoryRegister::WriteValid => row.push(self.write.word.valid.into()),
+            MemoryRegister::WriteBank => row.push(self.write.bank as u64),
+            MemoryRegister::WritePlace => row.push(self.write.place as u64),
+            MemoryRegister::WritePresent => self.write.word.observe_presence(row),
+            MemoryRegister::WritePosition => self.write.word.observe_positions(row),
+            MemoryRegister::WritePower => self.write.word.observe_powers(self.channels, row),
             MemoryRegister::Full => row.extend(self.banks.iter().map(|b| u64::from(b.full))),
             MemoryRegister::End => row.extend(self.banks.iter().map(|b| b.end as u64)),
             MemoryRegister::PlayBank => row.push(self.play_bank as u64),
@@ -294,7 +328,11 @@ impl PhotonMemory {
             MemoryRegister::WordPresent => self.word.observe_presence(row),
             MemoryRegister::WordPosition => self.word.observe_positions(row),
             MemoryRegister::WordPower => self.word.observe_powers(self.channels, row),
-            MemoryRegister::ReadExponent | MemoryRegister::WordExponent if !self.has_exponent => {}
+            MemoryRegister::WriteExponent
+            | MemoryRegister::ReadExponent
+            | MemoryRegister::WordExponent
+                if !self.has_exponent => {}
+            MemoryRegister::WriteExponent => self.write.word.observe_exponents(row),
             MemoryRegister::ReadExponent => self.read.observe_exponents(row),
             MemoryRegister::WordExponent => self.word.observe_exponents(row),
         }

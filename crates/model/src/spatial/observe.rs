@@ -142,6 +142,13 @@ impl Writer<'_> {
             R::Distance => self.lanes(|lane| lane.distance.word),
             R::DistanceFar => self.lanes(|lane| lane.distance.far),
             R::InRange => self.lanes(|lane| lane.in_range),
+            R::RangeWait => {
+                for wait in 0..engine.rules.range_waits {
+                    self.lanes(|lane| lane.range_wait[wait]);
+                }
+            }
+            R::Decision => self.channels(&engine.lanes.map(|lane| [lane.decision.into(); 3])),
+            R::PresenceDecision => self.lanes(|lane| lane.decision),
             R::Power => self.channels(&hop.powers.power),
             R::Present => self.row.extend(hop.powers.present.map(u64::from)),
             R::First | R::Last => self.flag(hop.powers.flags, register == R::First),
@@ -154,9 +161,11 @@ impl Writer<'_> {
             R::GroupPower => self.channels(&[sums.group.sums.power]),
             R::GroupCount => self.one(sums.group.sums.count),
             R::GroupFirst | R::GroupLast => self.flag(sums.group.flags, register == R::GroupFirst),
+            R::SumFirst => self.channels(&[[sums.group.flags.first.into(); 3]]),
             R::Sum => self.channels(&[sums.sum.power]),
             R::Count => self.one(sums.sum.count),
             R::Done => self.one(sums.done),
+            R::SumDone => self.channels(&[[sums.done.into(); 3]]),
             R::ResultValid => self.one(sums.result.valid),
             R::Result => self.channels(&[sums.result.sums.power]),
             R::ResultCount => self.one(sums.result.sums.count),

@@ -13,6 +13,8 @@ pub(super) struct Rules {
     pub(super) fixed_radius_sq: Option<u32>,
     /// Registers that a query's radius passes on its way to the compare.
     pub(super) radius_delays: usize,
+    /// Clocks that a decision waits for those of slower engines.
+    pub(super) range_waits: usize,
 }
 
 impl Rules {
@@ -24,7 +26,8 @@ impl Rules {
             kind,
             widths: SpatialWidths::of(format.expect("a legal spatial machine has a photon format")),
             fixed_radius_sq: machine.fixed_radius_sq(),
-            radius_delays: delays.count(kind, machine.channels().names().len()),
+            range_waits: spatial.range_waits(kind) as usize,
+            radius_delays: delays.count(spatial, kind, machine.channels().names().len()),
         }
     }
 

@@ -45,24 +45,30 @@ pub fn all_cuts(squarer: Squarer) -> impl Iterator<Item = Cuts> {
         Cuts::of(&chosen.map(|(_, cut)| cut).collect::<Vec<_>>())
     });
     sets.filter(move |cuts| {
-        cuts.has(Cut::Range) && (squarer != Squarer::Table || cuts.has(Cut::Cross))
+        cuts.has(Cut::Range)
+            && (squarer != Squarer::Table || cuts.has(Cut::Cross))
+            && (!cuts.has(Cut::Decision) || cuts.has(Cut::GroupPower))
     })
 }
 
-/// The cuts of `machine` in the flow of powers, and in that of positions as many, of `positions` first.
+/// The cuts of `machine` from the decisions on, and before them those of `positions`.
 fn with_positions(machine: Cuts, positions: Cuts) -> Cuts {
-    let (mut all, powers): (Vec<_>, Vec<_>) =
-        Cut::ALL.into_iter().partition(|cut| cut.is_of_positions());
-    // Where the rules ask for a register, there is one in both.
-    all.sort_by_key(|&cut| {
-        (
-            ![Cut::Cross, Cut::Range].contains(&cut),
-            !positions.has(cut),
-        )
-    });
-    all.truncate(machine.latency() as usize);
-    all.extend(powers.into_iter().filter(|&cut| machine.has(cut)));
-    Cuts::of(&all)
+    let of = |cut| {
+        if cut < Cut::Decision {
+            positions
+        } else {
+            machine
+        }
+    };
+    let all = Cut::ALL.into_iter().filter(|&cut| of(cut).has(cut));
+    Cuts::of(&all.collect::<Vec<_>>())
+}
+
+/// What the rules ask for beside some cuts.
+fn needed_beside(cuts: &[Cut]) -> Vec<Cut> {
+    let beside_decisions = cuts.contains(&Cut::Decision).then_some(Cut::GroupPower);
+    let always = [Cut::Cross, Cut::Range];
+    always.into_iter().chain(beside_decisions).collect()
 }
 
 /// Named cuts, the extremes, and any.
@@ -75,7 +81,7 @@ fn cuts() -> impl Strategy<Value = Cuts> {
         Just(of("stream")),
         Just(of("tile-5")),
         prop::sample::subsequence(Cut::ALL.to_vec(), 0..=Cut::ALL.len()).prop_map(|mut cuts| {
-            cuts.extend([Cut::Cross, Cut::Range]);
+            cuts.extend(needed_beside(&cuts));
             Cuts::of(&cuts)
         }),
     ]

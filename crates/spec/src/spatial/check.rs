@@ -35,32 +35,19 @@ pub enum SpatialError {
         /// What needs it.
         needed_by: &'static str,
     },
-    /// Kinds of engines differ in the flow of powers, whose clocks all engines share.
+    /// Kinds of engines differ from the decisions on, where all engines share the clocks.
     #[error(
         "machine `{machine}`: engines with other squarers have {} at the cut {cut:?}, expected {}, \
-         as the machine's own have from the powers on",
+         as the machine's own have from the decisions on",
         register(*.has), register(!*.has)
     )]
-    PowerCut {
+    SharedCut {
         /// The machine.
         machine: &'static str,
         /// Where they differ.
         cut: Cut,
         /// Whether those with other squarers have a register there.
         has: bool,
-    },
-    /// Kinds of engines differ in when they decide, and the powers come to all of them alike.
-    #[error(
-        "machine `{machine}`: engines with other squarers have {found} cuts from `Difference` to \
-         `Range`, expected {expected}, as the machine's own have"
-    )]
-    Latency {
-        /// The machine.
-        machine: &'static str,
-        /// Those that engines with other squarers have.
-        found: u32,
-        /// Those that its own have.
-        expected: u32,
     },
     /// Plain numbers have no radius bits, which engines cut differences to.
     #[error("machine `{0}` has plain numbers, and an engine needs a photon format")]
@@ -165,34 +152,21 @@ impl Spatial {
     fn check_cuts(&self, machine: &Machine) -> Result<(), SpatialError> {
         let mut kinds = (0..self.engines()).map(|engine| self.kind(machine.squarer, engine));
         kinds.try_for_each(|kind| {
-            self.check_power_cuts(machine, kind)?;
-            self.check_latency(machine, kind)?;
+            self.check_shared_cuts(machine, kind)?;
             Self::check_needed_cuts(machine, kind)
         })
     }
 
-    fn check_power_cuts(&self, machine: &Machine, kind: EngineKind) -> Result<(), SpatialError> {
-        let mut of_powers = Cut::ALL.into_iter().filter(|cut| !cut.is_of_positions());
-        match of_powers.find(|&cut| kind.cuts.has(cut) != self.cuts.has(cut)) {
+    fn check_shared_cuts(&self, machine: &Machine, kind: EngineKind) -> Result<(), SpatialError> {
+        let mut shared = Cut::ALL.into_iter().filter(|&cut| cut >= Cut::Decision);
+        match shared.find(|&cut| kind.cuts.has(cut) != self.cuts.has(cut)) {
             None => Ok(()),
-            Some(cut) => Err(SpatialError::PowerCut {
+            Some(cut) => Err(SpatialError::SharedCut {
                 machine: machine.name,
                 cut,
                 has: kind.cuts.has(cut),
             }),
         }
-    }
-
-    fn check_latency(&self, machine: &Machine, kind: EngineKind) -> Result<(), SpatialError> {
-        let (found, expected) = (kind.cuts.latency(), self.latency());
-        if found == expected {
-            return Ok(());
-        }
-        Err(SpatialError::Latency {
-            machine: machine.name,
-            found,
-            expected,
-        })
     }
 
     fn check_needed_cuts(machine: &Machine, kind: EngineKind) -> Result<(), SpatialError> {
@@ -206,6 +180,11 @@ impl Spatial {
                 Cut::Cross,
                 kind.squarer == Squarer::Table,
                 "a table needs, as a block RAM has one",
+            ),
+            (
+                Cut::GroupPower,
+                kind.cuts.has(Cut::Decision),
+                "the flags need that stand beside each sum, as the decisions do",
             ),
         ];
         let missing = |&(cut, needed, _): &(Cut, bool, _)| needed && !kind.cuts.has(cut);
@@ -297,13 +276,6 @@ mod tests {
             ),
             1,
         )];
-        const EARLY: &[(EngineKind, usize)] = &[(
-            kind(
-                Squarer::Table,
-                &[Cut::Cross, Cut::Range, Cut::PairPower, Cut::GroupPower],
-            ),
-            1,
-        )];
         const NO_SUM: &[(EngineKind, usize)] =
             &[(kind(Squarer::Product, &[Cut::Range, Cut::PairPower]), 1)];
         const MORE_SUMS: &[(EngineKind, usize)] = &[(
@@ -326,9 +298,9 @@ mod tests {
             (others(THREE), "squarers of other kinds is 3, expected 0 to 2"),
             (with_spatial(Spatial { cuts: Cuts::of(&[Cut::Products]), ..spatial }), "the cut Range, which the decision needs beside the power hop's register"),
             (others(NO_LOOKUP), "the cut Cross, which a table needs, as a block RAM has one"),
-            (others(NO_SUM), "no register at the cut GroupPower, expected a register, as the machine's own have from the powers on"),
-            (others(MORE_SUMS), "a register at the cut Gate, expected no register, as the machine's own have from the powers on"),
-            (others(EARLY), "engines with other squarers have 2 cuts from `Difference` to `Range`, expected 6, as the machine's own have"),
+            (with_spatial(Spatial { cuts: Cuts::of(&[Cut::Range, Cut::Decision]), ..spatial }), "the cut GroupPower, which the flags need that stand beside each sum, as the decisions do"),
+            (others(NO_SUM), "no register at the cut GroupPower, expected a register, as the machine's own have from the decisions on"),
+            (others(MORE_SUMS), "a register at the cut Gate, expected no register, as the machine's own have from the decisions on"),
             (Machine { numbers: plain, ..machine }, "`tile-5` has plain numbers, and an engine needs a photon format"),
         ];
         for (machine, expected) in wrong {

@@ -13,6 +13,7 @@
 /// | `Pair` | x^2 + y^2; z^2; whether any axis is far |
 /// | `Distance` | the sum of the three squares; whether any axis is far |
 /// | `Range` | whether the photon is in range |
+/// | `Decision` | the same once more, for each word that is summed: one beside each of its sums |
 ///
 /// and from the powers of a group on:
 ///
@@ -32,6 +33,7 @@ pub enum Cut {
     Pair,
     Distance,
     Range,
+    Decision,
     Gate,
     PairPower,
     GroupPower,
@@ -39,7 +41,7 @@ pub enum Cut {
 
 impl Cut {
     /// All cuts, in the order of the flow.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::Difference,
         Self::Magnitude,
         Self::Products,
@@ -48,6 +50,7 @@ impl Cut {
         Self::Pair,
         Self::Distance,
         Self::Range,
+        Self::Decision,
         Self::Gate,
         Self::PairPower,
         Self::GroupPower,
@@ -55,7 +58,7 @@ impl Cut {
 
     /// Whether the cut is in the flow of positions, whose latency the powers wait for.
     pub fn is_of_positions(self) -> bool {
-        self <= Self::Range
+        self <= Self::Decision
     }
 }
 
@@ -85,8 +88,8 @@ impl Cuts {
         self.0 >> cut as u16 & 1 == 1
     }
 
-    /// Clocks from a position in an engine's hop register to the decision whether it is in range:
-    /// the registers of the flow of positions.
+    /// Clocks from a position in an engine's hop register to the decision whether it is in range, if
+    /// it waits for no other engine's: the registers of the flow of positions.
     pub fn latency(self) -> u32 {
         let registers = Cut::ALL.into_iter().filter(|cut| cut.is_of_positions());
         registers.filter(|&cut| self.has(cut)).count() as u32

@@ -1,7 +1,8 @@
 //! What happens to a group, clock by clock: the listing of a machine without a program.
 
 use super::cuts::Cut;
-use super::{Radius, Spatial};
+use super::{EngineKind, Radius, Spatial};
+use crate::format::Squarer;
 
 /// A register, or a step without one, on a group's way through an engine.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -66,6 +67,7 @@ fn step(cut: Cut) -> (&'static str, &'static str, &'static str) {
         Cut::Pair => ("Y", "add", "x^2 + y^2, across z"),
         Cut::Distance => ("D", "add", "x^2 + y^2 + z^2, across w and z"),
         Cut::Range => ("D", "gate", "distance <= radius_sq"),
+        Cut::Decision => ("X Y Z D", "", "whether it is in range, beside each sum"),
         Cut::Gate => ("X Y Z D", "gate", "the power, or 0 out of range"),
         Cut::PairPower => ("X Y Z D", "gate, add", "the sum of two photons, across x"),
         Cut::GroupPower => ("X Y Z D", "add", "the sum of four, across y"),
@@ -73,12 +75,27 @@ fn step(cut: Cut) -> (&'static str, &'static str, &'static str) {
 }
 
 impl Spatial {
-    /// A group's way through an engine with the machine's own kind of squarer.
-    pub fn flow(&self) -> Vec<FlowRow> {
+    /// A group's way through an engine with the machine's own kind of squarer, `own`.
+    pub fn flow(&self, own: Squarer) -> Vec<FlowRow> {
+        let kind = EngineKind {
+            squarer: own,
+            cuts: self.cuts,
+        };
         let mut clock = 0;
         let mut rows = vec![row(0, "X Y Z", "", "the photons' coordinates arrive", true)];
         for cut in Cut::ALL {
             let registered = self.cuts.has(cut);
+            if cut == Cut::Decision {
+                let wait = "the decision waits for engines with slower squarers";
+                for _ in 0..self.range_waits(kind) {
+                    clock += 1;
+                    rows.push(row(clock, "D", "", wait, true));
+                }
+                // Without a register there it is no step.
+                if !registered {
+                    continue;
+                }
+            }
             if cut == Cut::Gate {
                 let arrive = "the photons' powers arrive, with them whether each is in range";
                 rows.push(row(clock, "X Y Z D", "", arrive, true));
@@ -127,7 +144,7 @@ mod tests {
             let Some(spatial) = machine.spatial() else {
                 continue;
             };
-            let flow = spatial.flow();
+            let flow = spatial.flow(machine.squarer);
             let sums = flow.last().unwrap();
             let latency = spatial.latency() + spatial.cuts.power_latency();
             assert_eq!(sums.clock, latency);

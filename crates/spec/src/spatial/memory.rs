@@ -8,7 +8,10 @@
 //! With all registers as they stand before the clock edge, `G` the groups of a bank, N engines, and
 //! `bank` meaning bank `FillBank` or `PlayBank`:
 //! - Fill: `group_ready` = `FillReady`. A group that is taken is written to place `FillPlace` of
-//!   `FillBank`. Where it is a last group (or `FillPlace` is G - 1, which then counts as last): `Full`
+//!   `FillBank` a clock later: `WriteValid` := one is taken, `WriteBank` := `FillBank`, `WritePlace` :=
+//!   `FillPlace`, and the words `Write` := the group on the pins, in every clock; and where `WriteValid`,
+//!   these words go to that place. So the ways to the block RAMs start at registers that may stand near
+//!   them; the first place is read two clocks later at the earliest. Where it is a last group (or `FillPlace` is G - 1, which then counts as last): `Full`
 //!   of the bank := 1, `FillPlace` := 0, `FillBank` := the other; else `FillPlace` counts on. Where
 //!   `FillReady`, `End` of `FillBank` := `FillPlace`, whether a group is taken or not: what is there
 //!   when the set is complete stays. `FillReady` := not `Full` of `FillBank`, and no set is completed
@@ -35,7 +38,8 @@
 //!   nor in that before: the head is full.)
 //! - The head takes `Word` as its group: valid is `WordValid`. Its conditions hold then by what
 //!   `starts` asks for, so the head never makes the memory wait.
-//! - Reset: all registers but the words `Read` and `Word` become 0; the memory's words stay.
+//! - Reset: all registers but the words `Write`, `Read` and `Word` become 0; the memory's words stay,
+//!   but that which is written in this clock.
 
 /// A register of the photon memory.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -46,6 +50,20 @@ pub enum MemoryRegister {
     FillPlace,
     /// A group is taken if there is one.
     FillReady,
+    /// A group was taken, and is written.
+    WriteValid,
+    /// The bank that it is written to.
+    WriteBank,
+    /// The place in it.
+    WritePlace,
+    /// Whether there is a photon, for each lane of it.
+    WritePresent,
+    /// Its coordinates: axis a of lane g is at 3 g + a.
+    WritePosition,
+    /// Its mantissas: channel c of lane g is at `channels` g + c.
+    WritePower,
+    /// Its exponent, for each lane; where photons have one.
+    WriteExponent,
     /// Whether each bank has a whole set.
     Full,
     /// The place of each bank's last group; while it is filled, of the newest or the next one.
@@ -100,10 +118,17 @@ pub enum MemoryRegister {
 
 impl MemoryRegister {
     /// All of them, in order.
-    pub const ALL: [Self; 28] = [
+    pub const ALL: [Self; 35] = [
         Self::FillBank,
         Self::FillPlace,
         Self::FillReady,
+        Self::WriteValid,
+        Self::WriteBank,
+        Self::WritePlace,
+        Self::WritePresent,
+        Self::WritePosition,
+        Self::WritePower,
+        Self::WriteExponent,
         Self::Full,
         Self::End,
         Self::PlayBank,
@@ -137,6 +162,13 @@ impl MemoryRegister {
             Self::FillBank => "fill_bank",
             Self::FillPlace => "fill_place",
             Self::FillReady => "fill_ready",
+            Self::WriteValid => "write_valid",
+            Self::WriteBank => "write_bank",
+            Self::WritePlace => "write_place",
+            Self::WritePresent => "write_present",
+            Self::WritePosition => "write_position",
+            Self::WritePower => "write_power",
+            Self::WriteExponent => "write_exponent",
             Self::Full => "full",
             Self::End => "end_place",
             Self::PlayBank => "play_bank",

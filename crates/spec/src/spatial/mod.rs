@@ -68,9 +68,9 @@ pub struct Spatial {
 }
 
 /// What an engine's squares are made of, and where its pipeline has registers. Kinds may differ in
-/// where they have cuts in the flow of positions, since a block RAM and a DSP block have registers of
-/// their own, but not in how many: all engines decide after as many clocks. From the powers on, the cuts
-/// of all kinds are the machine's.
+/// the cuts of the flow of positions, since a block RAM and a DSP block want registers around them that
+/// an adder does not need; where an engine decides sooner than the slowest kind, its decisions wait.
+/// From the decisions on, the cuts of all kinds are the machine's.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct EngineKind {
     /// What squares are made of.
@@ -108,9 +108,15 @@ impl Spatial {
     }
 
     /// Clocks from a position in an engine's hop register to the decision whether it is in range, in
-    /// every engine. Powers enter their hop register so much later.
+    /// every engine: those of the slowest kind. Powers enter their hop register so much later.
     pub fn latency(&self) -> u32 {
-        self.cuts.latency()
+        let others = self.others.iter().map(|(kind, _)| kind.cuts.latency());
+        others.fold(self.cuts.latency(), u32::max)
+    }
+
+    /// Clocks that the decisions of an engine of that kind wait for those of the slowest.
+    pub fn range_waits(&self, kind: EngineKind) -> u32 {
+        self.latency() - kind.cuts.latency()
     }
 
     /// The kind of an engine of a machine whose own squarers are `own`: that which is furthest behind
@@ -165,6 +171,18 @@ mod tests {
             }
         }
         assert!(checked > 0);
+    }
+
+    #[test]
+    fn engines_decide_with_the_slowest_kind() {
+        let machine = find_machine("tile-6-mixed").unwrap();
+        let spatial = machine.spatial().unwrap();
+        for engine in 0..spatial.engines() {
+            let kind = spatial.kind(machine.squarer, engine);
+            let waits = spatial.range_waits(kind);
+            assert_eq!(kind.cuts.latency() + waits, spatial.latency());
+            assert_eq!(waits == 0, kind.squarer == Squarer::Product);
+        }
     }
 
     #[test]

@@ -90,19 +90,24 @@ impl<'a> SpatialPins<'a> {
         let lanes = Spatial::LANES;
         let (count, width) = match register {
             MemoryRegister::FillPlace
+            | MemoryRegister::WritePlace
             | MemoryRegister::PlayPlace
             | MemoryRegister::PlayEnd
             | MemoryRegister::BeforeEnd => (1, place),
             MemoryRegister::Full => (2, 1),
             MemoryRegister::End => (2, place),
-            MemoryRegister::ReadPresent | MemoryRegister::WordPresent => (lanes, 1),
-            MemoryRegister::ReadPosition | MemoryRegister::WordPosition => {
-                (3 * lanes, self.widths.coordinate)
-            }
-            MemoryRegister::ReadPower | MemoryRegister::WordPower => {
+            MemoryRegister::WritePresent
+            | MemoryRegister::ReadPresent
+            | MemoryRegister::WordPresent => (lanes, 1),
+            MemoryRegister::WritePosition
+            | MemoryRegister::ReadPosition
+            | MemoryRegister::WordPosition => (3 * lanes, self.widths.coordinate),
+            MemoryRegister::WritePower | MemoryRegister::ReadPower | MemoryRegister::WordPower => {
                 (lanes * self.channels.len(), self.widths.mantissa)
             }
-            MemoryRegister::ReadExponent | MemoryRegister::WordExponent => (
+            MemoryRegister::WriteExponent
+            | MemoryRegister::ReadExponent
+            | MemoryRegister::WordExponent => (
                 if self.widths.exponent == 0 { 0 } else { lanes },
                 self.widths.exponent,
             ),
@@ -121,7 +126,7 @@ impl<'a> SpatialPins<'a> {
             if !row.is_in(self.spatial, kind) {
                 continue;
             }
-            let count = row.instances.count(kind, self.channels.len());
+            let count = row.instances.count(self.spatial, kind, self.channels.len());
             pins.extend((0..count).map(|index| Pin {
                 name: self.engine_pin(engine, row.name, row.instances, index),
                 width: (row.width)(&self.widths),

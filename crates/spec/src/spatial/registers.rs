@@ -78,6 +78,13 @@ pub enum EngineRegister {
     DistanceFar,
     /// The photon is in range: no axis far and distance <= `radius_sq`.
     InRange,
+    /// The same, while it waits for the slowest kind of engine: of lane g after i + 1 clocks at
+    /// 4 i + g.
+    RangeWait,
+    /// The same once more, for each power.
+    Decision,
+    /// The same for each photon's presence.
+    PresenceDecision,
     /// Hop: the decoded powers of the photons, 0 for an absent one.
     Power,
     /// Hop: whether there is a photon.
@@ -110,12 +117,16 @@ pub enum EngineRegister {
     GroupFirst,
     /// `Last` once more.
     GroupLast,
+    /// `GroupFirst` once more for each channel's sum.
+    SumFirst,
     /// The sums of the query so far; a first group replaces them.
     Sum,
     /// The photons in range so far.
     Count,
     /// The sums are complete.
     Done,
+    /// The same once more for each channel's sum.
+    SumDone,
     /// The result chain has a result here: this engine's, or one from further on.
     ResultValid,
     /// Its sums.
@@ -145,6 +156,8 @@ pub enum Instances {
     Channels,
     /// One for each cut from `Difference` to `Distance` that the engine has.
     RadiusDelays,
+    /// One for each lane and clock of [`Spatial::range_waits`].
+    RangeWaits,
 }
 
 /// One row of the table of an engine's registers.
@@ -198,7 +211,7 @@ impl EngineRegister {
 
 impl Instances {
     /// How many there are in an engine of that kind, with so many channels.
-    pub fn count(self, kind: EngineKind, channels: usize) -> usize {
+    pub fn count(self, spatial: &Spatial, kind: EngineKind, channels: usize) -> usize {
         match self {
             Self::One => 1,
             Self::Axes => 3,
@@ -212,6 +225,7 @@ impl Instances {
                 let before_range = Cut::ALL.into_iter().take_while(|&cut| cut < Cut::Range);
                 before_range.filter(|&cut| kind.cuts.has(cut)).count()
             }
+            Self::RangeWaits => spatial.range_waits(kind) as usize * Spatial::LANES,
         }
     }
 
@@ -223,7 +237,7 @@ impl Instances {
             Self::One => String::new(),
             Self::Axes => format!("_{}", AXES[index]),
             Self::Coordinates => format!("_{}_{}", AXES[index % 3], index / 3),
-            Self::Lanes | Self::Pairs | Self::RadiusDelays => {
+            Self::Lanes | Self::Pairs | Self::RadiusDelays | Self::RangeWaits => {
                 format!("_{index}")
             }
             Self::LaneChannels | Self::PairChannels => {
@@ -419,6 +433,9 @@ rows! {
     Distance "distance" Lanes |w| w.distance, At(Cut::Distance);
     DistanceFar "distance_far" Lanes |_| 1, At(Cut::Distance);
     InRange "in_range" Lanes |_| 1, At(Cut::Range);
+    RangeWait "range_wait" RangeWaits |_| 1, Always;
+    Decision "decision" LaneChannels |_| 1, At(Cut::Decision);
+    PresenceDecision "presence_decision" Lanes |_| 1, At(Cut::Decision);
     Power "power" LaneChannels |w| w.power, Always;
     Present "present" Lanes |_| 1, Always;
     First "first" One |_| 1, Always;
@@ -435,9 +452,11 @@ rows! {
     GroupCount "group_count" One |_| SpatialWidths::GROUP_COUNT, At(Cut::GroupPower);
     GroupFirst "group_first" One |_| 1, At(Cut::GroupPower);
     GroupLast "group_last" One |_| 1, At(Cut::GroupPower);
+    SumFirst "sum_first" Channels |_| 1, At(Cut::Decision);
     Sum "sum" Channels |w| w.sum, Always;
     Count "count" One |w| w.count, Always;
     Done "done" One |_| 1, Always;
+    SumDone "sum_done" Channels |_| 1, At(Cut::Decision);
     ResultValid "result_valid" One |_| 1, Always;
     Result "result" Channels |w| w.sum, Always;
     ResultCount "result_count" One |w| w.count, Always;

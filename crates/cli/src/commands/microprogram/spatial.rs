@@ -49,7 +49,7 @@ fn report(machine: &'static Machine, spatial: &Spatial) -> Report {
         squares_per_engine: units.squares,
         gates_per_engine: units.gates,
         adders_per_engine: units.adds(),
-        steps: (spatial.flow().into_iter())
+        steps: (spatial.flow(machine.squarer).into_iter())
             .map(|row| Step {
                 clock: row.clock,
                 cells: row.cells,

@@ -44,7 +44,8 @@ pub(crate) struct PhotonMemory<const C: usize, const B: usize, const E: usize> {
     _state: State,
     /// Both banks; a word has a number for each of its fields.
     _groups: Vec<Vec<u64>>,
-    /// What was read, and that a clock later.
+    /// What is written; what was read, and that a clock later.
+    _write: Vec<u64>,
     _read: Vec<u64>,
     _word: Vec<u64>,
     _bank_groups: usize,
@@ -57,6 +58,9 @@ struct State {
     fill_bank: usize,
     fill_place: usize,
     fill_ready: bool,
+    write_valid: bool,
+    write_bank: usize,
+    write_place: usize,
     full: [bool; 2],
     end: [usize; 2],
     play_bank: usize,
@@ -114,6 +118,7 @@ impl<const C: usize, const B: usize, const E: usize> PhotonMemory<C, B, E> {
             word_exponent: (0..exponents).map(|_| Default::default()).collect(),
             _state: State::default(),
             _groups: Vec::new(),
+            _write: Vec::new(),
             _read: Vec::new(),
             _word: Vec::new(),
             _bank_groups: bank_groups,
@@ -121,6 +126,7 @@ impl<const C: usize, const B: usize, const E: usize> PhotonMemory<C, B, E> {
         };
         memory._word = vec![0; memory.fields().len()];
         memory._read = memory._word.clone();
+        memory._write = memory._word.clone();
         memory._groups = vec![memory._word.clone(); 2 * bank_groups];
         memory
     }
@@ -198,6 +204,11 @@ impl<const C: usize, const B: usize, const E: usize> PhotonMemory<C, B, E> {
         let read = before.play_bank * self._bank_groups + before.play_place;
         self._word.clone_from(&self._read);
         self._read.clone_from(&self._groups[read]);
+        if before.write_valid {
+            let write = before.write_bank * self._bank_groups + before.write_place;
+            self._groups[write].clone_from(&self._write);
+        }
+        self._write = self.group();
         let mut state = before;
         state.may_start = self.may_start();
         state.play_full = before.full[before.play_bank];
@@ -236,9 +247,10 @@ impl<const C: usize, const B: usize, const E: usize> PhotonMemory<C, B, E> {
         if before.fill_ready {
             state.end[before.fill_bank] = before.fill_place;
         }
-        if self.group_valid.val() && before.fill_ready {
-            let place = before.fill_bank * self._bank_groups + before.fill_place;
-            self._groups[place] = self.group();
+        let takes_group = self.group_valid.val() && before.fill_ready;
+        (state.write_bank, state.write_place) = (before.fill_bank, before.fill_place);
+        state.write_valid = takes_group;
+        if takes_group {
             let is_last = self.group_last.val() || before.fill_place + 1 == self._bank_groups;
             state.fill_place = if is_last { 0 } else { before.fill_place + 1 };
             if is_last {
@@ -261,6 +273,20 @@ impl<const C: usize, const B: usize, const E: usize> PhotonMemory<C, B, E> {
             MemoryRegister::FillBank => state.fill_bank as u64,
             MemoryRegister::FillPlace => state.fill_place as u64,
             MemoryRegister::FillReady => state.fill_ready.into(),
+            MemoryRegister::WriteValid => state.write_valid.into(),
+            MemoryRegister::WriteBank => state.write_bank as u64,
+            MemoryRegister::WritePlace => state.write_place as u64,
+            MemoryRegister::WritePresent => self._write[self.field_place(index, 0)],
+            MemoryRegister::WritePosition => {
+                self._write[self.field_place(index / 3, 1 + index % 3)]
+            }
+            MemoryRegister::WritePower => {
+                let channels = self._channels.len();
+                self._write[self.field_place(index / channels, 4 + index % channels)]
+            }
+            MemoryRegister::WriteExponent => {
+                self._write[self.field_place(index, 4 + self._channels.len())]
+            }
             MemoryRegister::Full => state.full[index].into(),
             MemoryRegister::End => state.end[index] as u64,
             MemoryRegister::PlayBank => state.play_bank as u64,
@@ -303,14 +329,20 @@ impl<const C: usize, const B: usize, const E: usize> PhotonMemory<C, B, E> {
     pub fn path(&self, register: MemoryRegister, index: usize) -> String {
         match register {
             MemoryRegister::Full | MemoryRegister::End => format!("{}_{index}", register.name()),
-            MemoryRegister::ReadPresent | MemoryRegister::WordPresent => {
+            MemoryRegister::WritePresent
+            | MemoryRegister::ReadPresent
+            | MemoryRegister::WordPresent => {
                 format!("{}_{index}", register.name())
             }
+            MemoryRegister::WritePosition => format!("write_{}", self.position(index)),
             MemoryRegister::ReadPosition => format!("read_{}", self.position(index)),
             MemoryRegister::WordPosition => format!("word_{}", self.position(index)),
+            MemoryRegister::WritePower => format!("write_{}", self.power(index)),
             MemoryRegister::ReadPower => format!("read_{}", self.power(index)),
             MemoryRegister::WordPower => format!("word_{}", self.power(index)),
-            MemoryRegister::ReadExponent | MemoryRegister::WordExponent => {
+            MemoryRegister::WriteExponent
+            | MemoryRegister::ReadExponent
+            | MemoryRegister::WordExponent => {
                 format!("{}_{index}", register.name())
             }
             _ => register.name().to_owned(),
@@ -383,7 +415,8 @@ impl<const C: usize, const B: usize, const E: usize> Logic for PhotonMemory<C, B
                 low += width;
                 format!(
                     "always @(*) word_{name} = word[{high}:{first}];\n\
-                     wire [{top}:0] read_{name} = read_word[{high}:{first}];\n",
+                     wire [{top}:0] read_{name} = read_word[{high}:{first}];\n\
+                     wire [{top}:0] write_{name} = write_word[{high}:{first}];\n",
                     high = low - 1,
                     top = width - 1,
                 )

@@ -5,17 +5,19 @@
 pub(super) fn block_ram(width: usize, bank_groups: usize, bits: usize, group: &str) -> String {
     format!(
         "(* no_rw_check *) reg [{high}:0] groups [0:{last}];\n\
+         reg [{high}:0] write_word = {width}'d0;\n\
          reg [{high}:0] read_word = {width}'d0;\n\
          reg [{high}:0] word = {width}'d0;\n\
          integer place;\n\
          initial for (place = 0; place <= {last}; place = place + 1) groups[place] = {width}'d0;\n\
          wire [{high}:0] group = {{{group}}};\n\
-         wire [{bits}:0] write_address = {{fill_bank, fill_place}};\n\
+         wire [{bits}:0] write_address = {{write_bank, write_place}};\n\
          wire [{bits}:0] read_address = {{play_bank, play_place}};\n\
          always @(posedge clock) begin\n\
          \x20 read_word <= groups[read_address];\n\
          \x20 word <= read_word;\n\
-         \x20 if (takes_group) groups[write_address] <= group;\n\
+         \x20 write_word <= group;\n\
+         \x20 if (write_valid) groups[write_address] <= write_word;\n\
          end\n",
         high = width - 1,
         last = 2 * bank_groups - 1,
@@ -29,6 +31,9 @@ pub(super) fn state(bits: usize) -> String {
         "reg fill_bank = 1'd0;\n\
          reg [{top}:0] fill_place = {bits}'d0;\n\
          reg fill_ready = 1'd0;\n\
+         reg write_valid = 1'd0;\n\
+         reg write_bank = 1'd0;\n\
+         reg [{top}:0] write_place = {bits}'d0;\n\
          reg full_0 = 1'd0;\n\
          reg full_1 = 1'd0;\n\
          reg [{top}:0] end_place_0 = {bits}'d0;\n\
@@ -84,6 +89,9 @@ pub(super) fn state(bits: usize) -> String {
          \x20 end\n\
          \x20 release_taken <= query_taken & release_in;\n\
          \x20 if (release_taken) release_next <= 1'd1;\n\
+         \x20 write_valid <= takes_group;\n\
+         \x20 write_bank <= fill_bank;\n\
+         \x20 write_place <= fill_place;\n\
          \x20 fill_ready <= ~(fill_bank ? full_1 : full_0) & ~(takes_group & set_ends);\n\
          \x20 if (fill_ready & ~fill_bank) end_place_0 <= fill_place;\n\
          \x20 if (fill_ready & fill_bank) end_place_1 <= fill_place;\n\
@@ -97,6 +105,9 @@ pub(super) fn state(bits: usize) -> String {
          \x20   fill_bank <= 1'd0;\n\
          \x20   fill_place <= {bits}'d0;\n\
          \x20   fill_ready <= 1'd0;\n\
+         \x20   write_valid <= 1'd0;\n\
+         \x20   write_bank <= 1'd0;\n\
+         \x20   write_place <= {bits}'d0;\n\
          \x20   full_0 <= 1'd0;\n\
          \x20   full_1 <= 1'd0;\n\
          \x20   end_place_0 <= {bits}'d0;\n\
