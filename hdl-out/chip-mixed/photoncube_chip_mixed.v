@@ -15717,7 +15717,7 @@ module photoncube_chip_mixed_engine_3(clock, reset_in, token_valid_in, token_in_
         .far_a(square_pair_5_far_a),
         .far_b(square_pair_5_far_b)
     );
-    photoncube_chip_mixed_lane_2 lane_0(
+    photoncube_chip_mixed_lane_3 lane_0(
         .clock(lane_0_clock),
         .axis_square_0(lane_0_axis_square_0),
         .axis_square_1(lane_0_axis_square_1),
@@ -15727,7 +15727,7 @@ module photoncube_chip_mixed_engine_3(clock, reset_in, token_valid_in, token_in_
         .axis_far_2(lane_0_axis_far_2),
         .photon_in_range(lane_0_photon_in_range)
     );
-    photoncube_chip_mixed_lane_2 lane_1(
+    photoncube_chip_mixed_lane_3 lane_1(
         .clock(lane_1_clock),
         .axis_square_0(lane_1_axis_square_0),
         .axis_square_1(lane_1_axis_square_1),
@@ -15737,7 +15737,7 @@ module photoncube_chip_mixed_engine_3(clock, reset_in, token_valid_in, token_in_
         .axis_far_2(lane_1_axis_far_2),
         .photon_in_range(lane_1_photon_in_range)
     );
-    photoncube_chip_mixed_lane_2 lane_2(
+    photoncube_chip_mixed_lane_3 lane_2(
         .clock(lane_2_clock),
         .axis_square_0(lane_2_axis_square_0),
         .axis_square_1(lane_2_axis_square_1),
@@ -15747,7 +15747,7 @@ module photoncube_chip_mixed_engine_3(clock, reset_in, token_valid_in, token_in_
         .axis_far_2(lane_2_axis_far_2),
         .photon_in_range(lane_2_photon_in_range)
     );
-    photoncube_chip_mixed_lane_2 lane_3(
+    photoncube_chip_mixed_lane_3 lane_3(
         .clock(lane_3_clock),
         .axis_square_0(lane_3_axis_square_0),
         .axis_square_1(lane_3_axis_square_1),
@@ -16524,7 +16524,7 @@ module photoncube_chip_mixed_engine_2(clock, reset_in, token_valid_in, token_in_
         .far_a(square_pair_5_far_a),
         .far_b(square_pair_5_far_b)
     );
-    photoncube_chip_mixed_lane lane_0(
+    photoncube_chip_mixed_lane_2 lane_0(
         .clock(lane_0_clock),
         .axis_square_0(lane_0_axis_square_0),
         .axis_square_1(lane_0_axis_square_1),
@@ -16534,7 +16534,7 @@ module photoncube_chip_mixed_engine_2(clock, reset_in, token_valid_in, token_in_
         .axis_far_2(lane_0_axis_far_2),
         .photon_in_range(lane_0_photon_in_range)
     );
-    photoncube_chip_mixed_lane lane_1(
+    photoncube_chip_mixed_lane_2 lane_1(
         .clock(lane_1_clock),
         .axis_square_0(lane_1_axis_square_0),
         .axis_square_1(lane_1_axis_square_1),
@@ -16544,7 +16544,7 @@ module photoncube_chip_mixed_engine_2(clock, reset_in, token_valid_in, token_in_
         .axis_far_2(lane_1_axis_far_2),
         .photon_in_range(lane_1_photon_in_range)
     );
-    photoncube_chip_mixed_lane lane_2(
+    photoncube_chip_mixed_lane_2 lane_2(
         .clock(lane_2_clock),
         .axis_square_0(lane_2_axis_square_0),
         .axis_square_1(lane_2_axis_square_1),
@@ -16554,7 +16554,7 @@ module photoncube_chip_mixed_engine_2(clock, reset_in, token_valid_in, token_in_
         .axis_far_2(lane_2_axis_far_2),
         .photon_in_range(lane_2_photon_in_range)
     );
-    photoncube_chip_mixed_lane lane_3(
+    photoncube_chip_mixed_lane_2 lane_3(
         .clock(lane_3_clock),
         .axis_square_0(lane_3_axis_square_0),
         .axis_square_1(lane_3_axis_square_1),
@@ -17961,7 +17961,7 @@ module photoncube_chip_mixed_first_delay(clock, clear, flag, delayed);
     end
 endmodule
 
-module photoncube_chip_mixed_lane_2(clock, axis_square_0, axis_square_1, axis_square_2,
+module photoncube_chip_mixed_lane_3(clock, axis_square_0, axis_square_1, axis_square_2,
     axis_far_0, axis_far_1, axis_far_2, photon_in_range);
     // Module arguments
     input wire clock;
@@ -18080,6 +18080,138 @@ module photoncube_chip_mixed_lane_2(clock, axis_square_0, axis_square_1, axis_sq
         range_of_format_0_far = distance_far_q;
         in_range_d = range_of_format_0_in_range;
         photon_in_range = in_range_q;
+    end
+endmodule
+
+module photoncube_chip_mixed_lane_2(clock, axis_square_0, axis_square_1, axis_square_2,
+    axis_far_0, axis_far_1, axis_far_2, photon_in_range);
+    // Module arguments
+    input wire clock;
+    input wire [13:0] axis_square_0;
+    input wire [13:0] axis_square_1;
+    input wire [13:0] axis_square_2;
+    input wire axis_far_0;
+    input wire axis_far_1;
+    input wire axis_far_2;
+    output reg photon_in_range;
+    // Stub signals
+    reg any_far_x;
+    reg any_far_y;
+    reg any_far_z;
+    wire any_far_any;
+    reg [13:0] pair_sum_a;
+    reg [13:0] pair_sum_b;
+    wire [14:0] pair_sum_sum;
+    reg [14:0] pair_square_d;
+    wire [14:0] pair_square_q;
+    reg pair_square_clock;
+    reg [13:0] pair_z_d;
+    wire [13:0] pair_z_q;
+    reg pair_z_clock;
+    reg pair_far_d;
+    wire pair_far_q;
+    reg pair_far_clock;
+    reg [14:0] distance_sum_a;
+    reg [13:0] distance_sum_b;
+    wire [15:0] distance_sum_sum;
+    reg [15:0] distance_d;
+    wire [15:0] distance_q;
+    reg distance_clock;
+    reg distance_far_d;
+    wire distance_far_q;
+    reg distance_far_clock;
+    reg [15:0] range_of_format_0_distance;
+    reg range_of_format_0_far;
+    wire range_of_format_0_in_range;
+    reg in_range_d;
+    wire in_range_q;
+    reg in_range_clock;
+    reg range_wait_0_d;
+    wire range_wait_0_q;
+    reg range_wait_0_clock;
+    // Sub module instances
+    photoncube_chip_mixed_any_far any_far(
+        .x(any_far_x),
+        .y(any_far_y),
+        .z(any_far_z),
+        .any(any_far_any)
+    );
+    photoncube_chip_mixed_pair_sum pair_sum(
+        .a(pair_sum_a),
+        .b(pair_sum_b),
+        .sum(pair_sum_sum)
+    );
+    photoncube_chip_mixed_register_15 pair_square(
+        .d(pair_square_d),
+        .q(pair_square_q),
+        .clock(pair_square_clock)
+    );
+    photoncube_chip_mixed_register_14 pair_z(
+        .d(pair_z_d),
+        .q(pair_z_q),
+        .clock(pair_z_clock)
+    );
+    photoncube_chip_mixed_register_1 pair_far(
+        .d(pair_far_d),
+        .q(pair_far_q),
+        .clock(pair_far_clock)
+    );
+    photoncube_chip_mixed_distance_sum distance_sum(
+        .a(distance_sum_a),
+        .b(distance_sum_b),
+        .sum(distance_sum_sum)
+    );
+    photoncube_chip_mixed_register_16 distance(
+        .d(distance_d),
+        .q(distance_q),
+        .clock(distance_clock)
+    );
+    photoncube_chip_mixed_register_1 distance_far(
+        .d(distance_far_d),
+        .q(distance_far_q),
+        .clock(distance_far_clock)
+    );
+    photoncube_chip_mixed_range_of_format range_of_format_0(
+        .distance(range_of_format_0_distance),
+        .far(range_of_format_0_far),
+        .in_range(range_of_format_0_in_range)
+    );
+    photoncube_chip_mixed_register_1 in_range(
+        .d(in_range_d),
+        .q(in_range_q),
+        .clock(in_range_clock)
+    );
+    photoncube_chip_mixed_register_1 range_wait_0(
+        .d(range_wait_0_d),
+        .q(range_wait_0_q),
+        .clock(range_wait_0_clock)
+    );
+    // Update code
+    always @(*) begin
+        pair_square_clock = clock;
+        pair_z_clock = clock;
+        pair_far_clock = clock;
+        distance_clock = clock;
+        distance_far_clock = clock;
+        in_range_clock = clock;
+        any_far_x = axis_far_0;
+        any_far_y = axis_far_1;
+        any_far_z = axis_far_2;
+        pair_sum_a = axis_square_0;
+        pair_sum_b = axis_square_1;
+        pair_square_d = pair_sum_sum;
+        pair_z_d = axis_square_2;
+        pair_far_d = any_far_any;
+        distance_sum_a = pair_square_q;
+        distance_sum_b = pair_z_q;
+        distance_d = distance_sum_sum;
+        distance_far_d = pair_far_q;
+        range_of_format_0_distance = distance_q;
+        range_of_format_0_far = distance_far_q;
+        in_range_d = range_of_format_0_in_range;
+        range_wait_0_clock = clock;
+        range_wait_0_d = in_range_q;
+        photon_in_range = range_wait_0_q;
     end
 endmodule
 
@@ -19195,6 +19327,18 @@ module photoncube_chip_mixed_square_pair_2(clock, query, photon_a, photon_b, squ
     reg far_stage_1_d;
     wire far_stage_1_q;
     reg far_stage_1_clock;
+    reg [13:0] square_delay_0_d;
+    wire [13:0] square_delay_0_q;
+    reg square_delay_0_clock;
+    reg [13:0] square_delay_1_d;
+    wire [13:0] square_delay_1_q;
+    reg square_delay_1_clock;
+    reg far_delay_0_d;
+    wire far_delay_0_q;
+    reg far_delay_0_clock;
+    reg far_delay_1_d;
+    wire far_delay_1_q;
+    reg far_delay_1_clock;
     // Sub module instances
     photoncube_chip_mixed_subtract subtract_0(
         .a(subtract_0_a),
@@ -19245,6 +19389,26 @@ module photoncube_chip_mixed_square_pair_2(clock, query, photon_a, photon_b, squ
         .q(far_stage_1_q),
         .clock(far_stage_1_clock)
     );
+    photoncube_chip_mixed_register_14 square_delay_0(
+        .d(square_delay_0_d),
+        .q(square_delay_0_q),
+        .clock(square_delay_0_clock)
+    );
+    photoncube_chip_mixed_register_14 square_delay_1(
+        .d(square_delay_1_d),
+        .q(square_delay_1_q),
+        .clock(square_delay_1_clock)
+    );
+    photoncube_chip_mixed_register_1 far_delay_0(
+        .d(far_delay_0_d),
+        .q(far_delay_0_q),
+        .clock(far_delay_0_clock)
+    );
+    photoncube_chip_mixed_register_1 far_delay_1(
+        .d(far_delay_1_d),
+        .q(far_delay_1_q),
+        .clock(far_delay_1_clock)
+    );
     // Update code
     always @(*) begin
         subtract_0_b = photon_a;
@@ -19266,10 +19430,18 @@ module photoncube_chip_mixed_square_pair_2(clock, query, photon_a, photon_b, squ
         square_stage_1_d = lookup_0_square_b;
         far_stage_0_d = lookup_0_far_a;
         far_stage_1_d = lookup_0_far_b;
-        square_a = square_stage_0_q;
-        square_b = square_stage_1_q;
-        far_a = far_stage_0_q;
-        far_b = far_stage_1_q;
+        square_delay_0_clock = clock;
+        square_delay_0_d = square_stage_0_q;
+        far_delay_0_clock = clock;
+        far_delay_0_d = far_stage_0_q;
+        square_delay_1_clock = clock;
+        square_delay_1_d = square_stage_1_q;
+        far_delay_1_clock = clock;
+        far_delay_1_d = far_stage_1_q;
+        square_a = square_delay_0_q;
+        square_b = square_delay_1_q;
+        far_a = far_delay_0_q;
+        far_b = far_delay_1_q;
     end
 endmodule
 

@@ -51,14 +51,18 @@ const DIGITS: Cuts = COARSE.and(Cut::Difference);
 /// chains of powers and results are, which may be far from its lanes.
 const DECISIONS: Cuts = DIGITS.and(Cut::Decision);
 
-/// The same with the block RAM's own register behind it.
+/// The same with the block RAM's own register behind it, and one more on the way from it, which is
+/// long: block RAMs stand in a few columns, and two meet at an adder.
 const TABLE: EngineKind = EngineKind {
     squarer: Squarer::Table,
-    cuts: COARSE.and(Cut::Decision).and(Cut::Square),
+    cuts: COARSE
+        .and(Cut::Decision)
+        .and(Cut::Square)
+        .and(Cut::SquareDelay),
 };
 
 /// The same with the DSP block's own registers before the product and behind it, the latter at the cut
-/// `Cross`, and one more on each way to the block and from it, which are long.
+/// `Cross`, and one more on each way to the block and from it, for the same reason.
 const PRODUCT: EngineKind = EngineKind {
     squarer: Squarer::Product,
     cuts: DECISIONS.and(Cut::Products).and(Cut::Square),

@@ -206,7 +206,7 @@ impl Trace {
             panic!("only spatial machines have pairs of squares");
         };
         let widths = SpatialWidths::of(format);
-        let of_squares = |cut: &Cut| *cut <= Cut::Square && spatial.cuts.has(*cut);
+        let of_squares = |cut: &Cut| *cut < Cut::Pair && spatial.cuts.has(*cut);
         let latency = Cut::ALL.iter().filter(|cut| of_squares(cut)).count();
         let mask = (1 << widths.coordinate) - 1;
         let all_pairs = 1 << (2 * widths.coordinate);

@@ -10,7 +10,7 @@ use super::rules::Rules;
 use super::sums::SumFlow;
 
 /// Cuts from `Difference` to `Distance`.
-const CUTS_BEFORE_RANGE: usize = 7;
+const CUTS_BEFORE_RANGE: usize = 8;
 
 /// An engine with its registers.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -10,6 +10,7 @@
 /// | `Products` | on each axis |d| modulo 2^r, whether it exceeds r bits, and the products of its digits, see [`super::EngineRegister::LowProduct`]; or d |
 /// | `Cross` | on each axis |d| modulo 2^r, whether it exceeds r bits, and the product of its two digits; or the square from a table or as one product |
 /// | `Square` | on each axis d^2 in 2 r bits, and whether |d| exceeds r bits |
+/// | `SquareDelay` | the same once more: near the adders, where a block RAM or DSP block is not |
 /// | `Pair` | x^2 + y^2; z^2; whether any axis is far |
 /// | `Distance` | the sum of the three squares; whether any axis is far |
 /// | `Range` | whether the photon is in range |
@@ -30,6 +31,7 @@ pub enum Cut {
     Products,
     Cross,
     Square,
+    SquareDelay,
     Pair,
     Distance,
     Range,
@@ -41,12 +43,13 @@ pub enum Cut {
 
 impl Cut {
     /// All cuts, in the order of the flow.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 13] = [
         Self::Difference,
         Self::Magnitude,
         Self::Products,
         Self::Cross,
         Self::Square,
+        Self::SquareDelay,
         Self::Pair,
         Self::Distance,
         Self::Range,

@@ -64,6 +64,7 @@ fn step(cut: Cut) -> (&'static str, &'static str, &'static str) {
             "the product of the two digits; from a table, d^2",
         ),
         Cut::Square => ("X Y Z", "square", "d^2"),
+        Cut::SquareDelay => ("X Y Z", "", "d^2, near the adders"),
         Cut::Pair => ("Y", "add", "x^2 + y^2, across z"),
         Cut::Distance => ("D", "add", "x^2 + y^2 + z^2, across w and z"),
         Cut::Range => ("D", "gate", "distance <= radius_sq"),
@@ -91,10 +92,10 @@ impl Spatial {
                     clock += 1;
                     rows.push(row(clock, "D", "", wait, true));
                 }
-                // Without a register there it is no step.
-                if !registered {
-                    continue;
-                }
+            }
+            // These are no steps where they have no register.
+            if [Cut::SquareDelay, Cut::Decision].contains(&cut) && !registered {
+                continue;
             }
             if cut == Cut::Gate {
                 let arrive = "the photons' powers arrive, with them whether each is in range";
