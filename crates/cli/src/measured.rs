@@ -110,6 +110,7 @@ const VERIFICATIONS: &[(&str, &str)] = of_machines![
     "tile-6",
     "tile-7",
     "tile-8",
+    "tile-9",
     "tile-6-mixed",
 ];
 
