@@ -5,13 +5,13 @@ use rust_hdl::prelude::*;
 /// A register of one bit that synthesis must not merge with those that hold the same: `keep` on the
 /// statement that makes it is kept on the flip-flop.
 #[derive(LogicBlock, Default)]
-pub(crate) struct Copy {
+pub(crate) struct RegisterCopy {
     pub d: Signal<In, Bit>,
     pub q: Signal<Out, Bit>,
     pub clock: Signal<In, Clock>,
 }
 
-impl Logic for Copy {
+impl Logic for RegisterCopy {
     fn update(&mut self) {
         if self.clock.pos_edge() {
             self.q.next = self.d.val();

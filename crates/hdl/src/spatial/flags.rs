@@ -3,7 +3,7 @@
 use photoncube_spec::{Cut, Cuts};
 use rust_hdl::prelude::*;
 
-use super::copy::Copy;
+use super::copy::RegisterCopy;
 use super::stage::FlagStage;
 
 /// What becomes of queries that pass by, and the waves of reset and of a batch's first positions.
@@ -112,8 +112,8 @@ pub(crate) struct GroupFlags {
     pub group_first: FlagStage,
     pub group_last: FlagStage,
     pub done: DFF<Bit>,
-    pub first_copy: Vec<Copy>,
-    pub done_copy: Vec<Copy>,
+    pub first_copy: Vec<RegisterCopy>,
+    pub done_copy: Vec<RegisterCopy>,
     pub result_valid: DFF<Bit>,
 }
 

@@ -4,7 +4,7 @@ use photoncube_spec::{Cut, Cuts, Spatial};
 use rust_hdl::prelude::*;
 
 use super::arithmetic::{Accumulate, GateStage, GatedSum, ResultLink, Sum};
-use super::copy::Copy;
+use super::copy::RegisterCopy;
 use super::stage::Stage;
 use super::wiring::{Wires, Wiring, logic_of_wires, wires, with_wires};
 
@@ -27,7 +27,7 @@ pub(crate) struct ChannelSum<const P: usize, const PP: usize, const GP: usize, c
     pub result_out: Signal<Out, Bits<S>>,
     pub hop: Vec<Stage<Bits<P>>>,
     /// The decisions once more, beside this sum.
-    pub decision: Vec<Copy>,
+    pub decision: Vec<RegisterCopy>,
     /// The gate with registers behind it and its adders, or the gate with the adders in it.
     pub gate: Vec<GateStage<P>>,
     pair_sum: Vec<Sum<P, P, PP>>,
