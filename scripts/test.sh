@@ -48,6 +48,7 @@ stage "hard cases" photoncube hard-cases
 stage "committed Verilog" photoncube generate --check
 stage "Verilog checks" scripts/yosys/check.sh
 stage "second texts" scripts/yosys/ecp5.sh
+stage "copies of registers" scripts/yosys/copies.sh
 stage "area and clock" photoncube synth --check
 
 printf '\nall stages passed\n'

@@ -6,11 +6,8 @@ use photoncube_spec::{Machine, Query, Spatial};
 
 use super::lane::Lane;
 use super::link::{Flags, Hop, ResultLink};
-use super::rules::Rules;
+use super::rules::{CUTS_BEFORE_RANGE, Rules};
 use super::sums::SumFlow;
-
-/// Cuts from `Difference` to `Distance`.
-const CUTS_BEFORE_RANGE: usize = 8;
 
 /// An engine with its registers.
 #[derive(Clone, Debug, PartialEq, Eq)]

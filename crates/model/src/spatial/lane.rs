@@ -5,10 +5,7 @@ use std::mem;
 use photoncube_spec::Cut;
 
 use super::axis::Axis;
-use super::rules::Rules;
-
-/// More than the cuts of the flow of positions, by which kinds of engines may differ.
-const MOST_WAITS: usize = 8;
+use super::rules::{CUTS_BEFORE_RANGE, Rules};
 
 /// The sum of two squares, and the third.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
@@ -32,7 +29,7 @@ pub(super) struct Lane {
     pub(super) pair: Pair,
     pub(super) distance: Distance,
     pub(super) in_range: bool,
-    pub(super) range_wait: [bool; MOST_WAITS],
+    pub(super) range_wait: [bool; CUTS_BEFORE_RANGE],
     pub(super) decision: bool,
 }
 

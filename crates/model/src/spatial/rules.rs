@@ -4,6 +4,10 @@ use std::mem;
 
 use photoncube_spec::{Cut, EngineKind, EngineRegister, Machine, Spatial, SpatialWidths};
 
+/// Cuts from `Difference` to `Distance`: as many delays of a radius can there be, and by as many can
+/// kinds of engines differ, as all have a register at `Range`.
+pub(super) const CUTS_BEFORE_RANGE: usize = Cut::Range as usize;
+
 /// How an engine computes.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub(super) struct Rules {

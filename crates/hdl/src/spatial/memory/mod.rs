@@ -277,16 +277,9 @@ impl<const C: usize, const B: usize, const E: usize> PhotonMemory<C, B, E> {
             MemoryRegister::WriteBank => state.write_bank as u64,
             MemoryRegister::WritePlace => state.write_place as u64,
             MemoryRegister::WritePresent => self._write[self.field_place(index, 0)],
-            MemoryRegister::WritePosition => {
-                self._write[self.field_place(index / 3, 1 + index % 3)]
-            }
-            MemoryRegister::WritePower => {
-                let channels = self._channels.len();
-                self._write[self.field_place(index / channels, 4 + index % channels)]
-            }
-            MemoryRegister::WriteExponent => {
-                self._write[self.field_place(index, 4 + self._channels.len())]
-            }
+            MemoryRegister::WritePosition => self._write[self.position_place(index)],
+            MemoryRegister::WritePower => self._write[self.power_place(index)],
+            MemoryRegister::WriteExponent => self._write[self.exponent_place(index)],
             MemoryRegister::Full => state.full[index].into(),
             MemoryRegister::End => state.end[index] as u64,
             MemoryRegister::PlayBank => state.play_bank as u64,
@@ -303,14 +296,9 @@ impl<const C: usize, const B: usize, const E: usize> PhotonMemory<C, B, E> {
             MemoryRegister::ReadValid => state.read_valid.into(),
             MemoryRegister::ReadLast => state.read_last.into(),
             MemoryRegister::ReadPresent => self._read[self.field_place(index, 0)],
-            MemoryRegister::ReadPosition => self._read[self.field_place(index / 3, 1 + index % 3)],
-            MemoryRegister::ReadPower => {
-                let channels = self._channels.len();
-                self._read[self.field_place(index / channels, 4 + index % channels)]
-            }
-            MemoryRegister::ReadExponent => {
-                self._read[self.field_place(index, 4 + self._channels.len())]
-            }
+            MemoryRegister::ReadPosition => self._read[self.position_place(index)],
+            MemoryRegister::ReadPower => self._read[self.power_place(index)],
+            MemoryRegister::ReadExponent => self._read[self.exponent_place(index)],
             MemoryRegister::WordValid => state.word_valid.into(),
             MemoryRegister::WordLast => state.word_last.into(),
             MemoryRegister::WordPresent => self.word_present[index].val().to_u64(),
@@ -327,25 +315,25 @@ impl<const C: usize, const B: usize, const E: usize> PhotonMemory<C, B, E> {
 
     /// Its path in the block's text.
     pub fn path(&self, register: MemoryRegister, index: usize) -> String {
+        // Of a word's registers: `write`, `read` or `word`.
+        let name = register.name();
+        let word = name.split('_').next().unwrap_or_default();
         match register {
-            MemoryRegister::Full | MemoryRegister::End => format!("{}_{index}", register.name()),
-            MemoryRegister::WritePresent
+            MemoryRegister::WritePosition
+            | MemoryRegister::ReadPosition
+            | MemoryRegister::WordPosition => format!("{word}_{}", self.position(index)),
+            MemoryRegister::WritePower | MemoryRegister::ReadPower | MemoryRegister::WordPower => {
+                format!("{word}_{}", self.power(index))
+            }
+            MemoryRegister::Full
+            | MemoryRegister::End
+            | MemoryRegister::WritePresent
             | MemoryRegister::ReadPresent
-            | MemoryRegister::WordPresent => {
-                format!("{}_{index}", register.name())
-            }
-            MemoryRegister::WritePosition => format!("write_{}", self.position(index)),
-            MemoryRegister::ReadPosition => format!("read_{}", self.position(index)),
-            MemoryRegister::WordPosition => format!("word_{}", self.position(index)),
-            MemoryRegister::WritePower => format!("write_{}", self.power(index)),
-            MemoryRegister::ReadPower => format!("read_{}", self.power(index)),
-            MemoryRegister::WordPower => format!("word_{}", self.power(index)),
-            MemoryRegister::WriteExponent
+            | MemoryRegister::WordPresent
+            | MemoryRegister::WriteExponent
             | MemoryRegister::ReadExponent
-            | MemoryRegister::WordExponent => {
-                format!("{}_{index}", register.name())
-            }
-            _ => register.name().to_owned(),
+            | MemoryRegister::WordExponent => format!("{name}_{index}"),
+            _ => name.to_owned(),
         }
     }
 
@@ -367,6 +355,20 @@ impl<const C: usize, const B: usize, const E: usize> PhotonMemory<C, B, E> {
     /// Where a lane's field is in a word, counted as `fields` does.
     fn field_place(&self, lane: usize, field: usize) -> usize {
         lane * self._word.len() / LANES + field
+    }
+
+    /// The same for a coordinate, a power and an exponent, counted as the spec does.
+    fn position_place(&self, index: usize) -> usize {
+        self.field_place(index / 3, 1 + index % 3)
+    }
+
+    fn power_place(&self, index: usize) -> usize {
+        let channels = self._channels.len();
+        self.field_place(index / channels, 4 + index % channels)
+    }
+
+    fn exponent_place(&self, lane: usize) -> usize {
+        self.field_place(lane, 4 + self._channels.len())
     }
 
     /// From channel c of lane g at `channels` g + c to the port's 4 c + g.
