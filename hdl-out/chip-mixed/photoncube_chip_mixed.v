@@ -17873,6 +17873,10 @@ module photoncube_chip_mixed_first_delay(clock, clear, flag, delayed);
     reg stage_8_clear;
     reg stage_8_d;
     wire stage_8_q;
+    reg stage_9_clock;
+    reg stage_9_clear;
+    reg stage_9_d;
+    wire stage_9_q;
     // Sub module instances
     photoncube_chip_mixed_group_first stage_0(
         .clock(stage_0_clock),
@@ -17928,6 +17932,12 @@ module photoncube_chip_mixed_first_delay(clock, clear, flag, delayed);
         .d(stage_8_d),
         .q(stage_8_q)
     );
+    photoncube_chip_mixed_group_first stage_9(
+        .clock(stage_9_clock),
+        .clear(stage_9_clear),
+        .d(stage_9_d),
+        .q(stage_9_q)
+    );
     // Update code
     always @(*) begin
         stage_0_d = flag;
@@ -17939,6 +17949,7 @@ module photoncube_chip_mixed_first_delay(clock, clear, flag, delayed);
         stage_6_d = stage_5_q;
         stage_7_d = stage_6_q;
         stage_8_d = stage_7_q;
+        stage_9_d = stage_8_q;
         stage_0_clock = clock;
         stage_0_clear = clear;
         stage_1_clock = clock;
@@ -17957,7 +17968,9 @@ module photoncube_chip_mixed_first_delay(clock, clear, flag, delayed);
         stage_7_clear = clear;
         stage_8_clock = clock;
         stage_8_clear = clear;
-        delayed = stage_8_q;
+        stage_9_clock = clock;
+        stage_9_clear = clear;
+        delayed = stage_9_q;
     end
 endmodule
 
@@ -18004,6 +18017,9 @@ module photoncube_chip_mixed_lane_3(clock, axis_square_0, axis_square_1, axis_sq
     reg in_range_d;
     wire in_range_q;
     reg in_range_clock;
+    reg range_delay_0_d;
+    wire range_delay_0_q;
+    reg range_delay_0_clock;
     // Sub module instances
     photoncube_chip_mixed_any_far any_far(
         .x(any_far_x),
@@ -18056,6 +18072,11 @@ module photoncube_chip_mixed_lane_3(clock, axis_square_0, axis_square_1, axis_sq
         .q(in_range_q),
         .clock(in_range_clock)
     );
+    photoncube_chip_mixed_register_1 range_delay_0(
+        .d(range_delay_0_d),
+        .q(range_delay_0_q),
+        .clock(range_delay_0_clock)
+    );
     // Update code
     always @(*) begin
         pair_square_clock = clock;
@@ -18079,7 +18100,9 @@ module photoncube_chip_mixed_lane_3(clock, axis_square_0, axis_square_1, axis_sq
         range_of_format_0_distance = distance_q;
         range_of_format_0_far = distance_far_q;
         in_range_d = range_of_format_0_in_range;
-        photon_in_range = in_range_q;
+        range_delay_0_clock = clock;
+        range_delay_0_d = in_range_q;
+        photon_in_range = range_delay_0_q;
     end
 endmodule
 
@@ -18129,6 +18152,9 @@ module photoncube_chip_mixed_lane_2(clock, axis_square_0, axis_square_1, axis_sq
     reg range_wait_0_d;
     wire range_wait_0_q;
     reg range_wait_0_clock;
+    reg range_delay_0_d;
+    wire range_delay_0_q;
+    reg range_delay_0_clock;
     // Sub module instances
     photoncube_chip_mixed_any_far any_far(
         .x(any_far_x),
@@ -18186,6 +18212,11 @@ module photoncube_chip_mixed_lane_2(clock, axis_square_0, axis_square_1, axis_sq
         .q(range_wait_0_q),
         .clock(range_wait_0_clock)
     );
+    photoncube_chip_mixed_register_1 range_delay_0(
+        .d(range_delay_0_d),
+        .q(range_delay_0_q),
+        .clock(range_delay_0_clock)
+    );
     // Update code
     always @(*) begin
         pair_square_clock = clock;
@@ -18211,7 +18242,9 @@ module photoncube_chip_mixed_lane_2(clock, axis_square_0, axis_square_1, axis_sq
         in_range_d = range_of_format_0_in_range;
         range_wait_0_clock = clock;
         range_wait_0_d = in_range_q;
-        photon_in_range = range_wait_0_q;
+        range_delay_0_clock = clock;
+        range_delay_0_d = range_wait_0_q;
+        photon_in_range = range_delay_0_q;
     end
 endmodule
 
@@ -18264,6 +18297,9 @@ module photoncube_chip_mixed_lane(clock, axis_square_0, axis_square_1, axis_squa
     reg range_wait_1_d;
     wire range_wait_1_q;
     reg range_wait_1_clock;
+    reg range_delay_0_d;
+    wire range_delay_0_q;
+    reg range_delay_0_clock;
     // Sub module instances
     photoncube_chip_mixed_any_far any_far(
         .x(any_far_x),
@@ -18326,6 +18362,11 @@ module photoncube_chip_mixed_lane(clock, axis_square_0, axis_square_1, axis_squa
         .q(range_wait_1_q),
         .clock(range_wait_1_clock)
     );
+    photoncube_chip_mixed_register_1 range_delay_0(
+        .d(range_delay_0_d),
+        .q(range_delay_0_q),
+        .clock(range_delay_0_clock)
+    );
     // Update code
     always @(*) begin
         pair_square_clock = clock;
@@ -18353,7 +18394,9 @@ module photoncube_chip_mixed_lane(clock, axis_square_0, axis_square_1, axis_squa
         range_wait_0_d = in_range_q;
         range_wait_1_clock = clock;
         range_wait_1_d = range_wait_0_q;
-        photon_in_range = range_wait_1_q;
+        range_delay_0_clock = clock;
+        range_delay_0_d = range_wait_1_q;
+        photon_in_range = range_delay_0_q;
     end
 endmodule
 
@@ -18445,6 +18488,9 @@ module photoncube_chip_mixed_power_delay(clock, word, delayed);
     reg [5:0] stage_7_d;
     wire [5:0] stage_7_q;
     reg stage_7_clock;
+    reg [5:0] stage_8_d;
+    wire [5:0] stage_8_q;
+    reg stage_8_clock;
     // Sub module instances
     photoncube_chip_mixed_register_6 stage_0(
         .d(stage_0_d),
@@ -18486,6 +18532,11 @@ module photoncube_chip_mixed_power_delay(clock, word, delayed);
         .q(stage_7_q),
         .clock(stage_7_clock)
     );
+    photoncube_chip_mixed_register_6 stage_8(
+        .d(stage_8_d),
+        .q(stage_8_q),
+        .clock(stage_8_clock)
+    );
     // Update code
     always @(*) begin
         stage_0_clock = clock;
@@ -18504,7 +18555,9 @@ module photoncube_chip_mixed_power_delay(clock, word, delayed);
         stage_6_d = stage_5_q;
         stage_7_clock = clock;
         stage_7_d = stage_6_q;
-        delayed = stage_7_q;
+        stage_8_clock = clock;
+        stage_8_d = stage_7_q;
+        delayed = stage_8_q;
     end
 endmodule
 
@@ -18769,6 +18822,9 @@ module photoncube_chip_mixed_present_delay(clock, word, delayed);
     reg stage_7_d;
     wire stage_7_q;
     reg stage_7_clock;
+    reg stage_8_d;
+    wire stage_8_q;
+    reg stage_8_clock;
     // Sub module instances
     photoncube_chip_mixed_register_1 stage_0(
         .d(stage_0_d),
@@ -18810,6 +18866,11 @@ module photoncube_chip_mixed_present_delay(clock, word, delayed);
         .q(stage_7_q),
         .clock(stage_7_clock)
     );
+    photoncube_chip_mixed_register_1 stage_8(
+        .d(stage_8_d),
+        .q(stage_8_q),
+        .clock(stage_8_clock)
+    );
     // Update code
     always @(*) begin
         stage_0_clock = clock;
@@ -18828,7 +18889,9 @@ module photoncube_chip_mixed_present_delay(clock, word, delayed);
         stage_6_d = stage_5_q;
         stage_7_clock = clock;
         stage_7_d = stage_6_q;
-        delayed = stage_7_q;
+        stage_8_clock = clock;
+        stage_8_d = stage_7_q;
+        delayed = stage_8_q;
     end
 endmodule
 
@@ -18987,6 +19050,24 @@ module photoncube_chip_mixed_group_flags(clock, reset_in, reset, first_in, last_
     reg done_d;
     wire done_q;
     reg done_clock;
+    reg pair_first_delay_0_d;
+    wire pair_first_delay_0_q;
+    reg pair_first_delay_0_clock;
+    reg pair_first_delay_1_d;
+    wire pair_first_delay_1_q;
+    reg pair_first_delay_1_clock;
+    reg pair_first_delay_2_d;
+    wire pair_first_delay_2_q;
+    reg pair_first_delay_2_clock;
+    reg group_last_delay_0_d;
+    wire group_last_delay_0_q;
+    reg group_last_delay_0_clock;
+    reg group_last_delay_1_d;
+    wire group_last_delay_1_q;
+    reg group_last_delay_1_clock;
+    reg group_last_delay_2_d;
+    wire group_last_delay_2_q;
+    reg group_last_delay_2_clock;
     reg first_copy_0_d;
     wire first_copy_0_q;
     reg first_copy_0_clock;
@@ -19061,6 +19142,36 @@ module photoncube_chip_mixed_group_flags(clock, reset_in, reset, first_in, last_
         .d(done_d),
         .q(done_q),
         .clock(done_clock)
+    );
+    photoncube_chip_mixed_copy_1 pair_first_delay_0(
+        .d(pair_first_delay_0_d),
+        .q(pair_first_delay_0_q),
+        .clock(pair_first_delay_0_clock)
+    );
+    photoncube_chip_mixed_copy_1 pair_first_delay_1(
+        .d(pair_first_delay_1_d),
+        .q(pair_first_delay_1_q),
+        .clock(pair_first_delay_1_clock)
+    );
+    photoncube_chip_mixed_copy_1 pair_first_delay_2(
+        .d(pair_first_delay_2_d),
+        .q(pair_first_delay_2_q),
+        .clock(pair_first_delay_2_clock)
+    );
+    photoncube_chip_mixed_copy_1 group_last_delay_0(
+        .d(group_last_delay_0_d),
+        .q(group_last_delay_0_q),
+        .clock(group_last_delay_0_clock)
+    );
+    photoncube_chip_mixed_copy_1 group_last_delay_1(
+        .d(group_last_delay_1_d),
+        .q(group_last_delay_1_q),
+        .clock(group_last_delay_1_clock)
+    );
+    photoncube_chip_mixed_copy_1 group_last_delay_2(
+        .d(group_last_delay_2_d),
+        .q(group_last_delay_2_q),
+        .clock(group_last_delay_2_clock)
     );
     photoncube_chip_mixed_copy_1 first_copy_0(
         .d(first_copy_0_d),
@@ -19150,6 +19261,24 @@ module photoncube_chip_mixed_group_flags(clock, reset_in, reset, first_in, last_
         done_copy_2_clock = clock;
         done_copy_2_d = group_last_q & ~reset_in;
         sums_done_copy_2 = done_copy_2_q;
+        pair_first_delay_0_clock = clock;
+        pair_first_delay_0_d = gate_first_q & ~reset_in;
+        first_copy_0_d = pair_first_delay_0_q & ~reset_in;
+        pair_first_delay_1_clock = clock;
+        pair_first_delay_1_d = gate_first_q & ~reset_in;
+        first_copy_1_d = pair_first_delay_1_q & ~reset_in;
+        pair_first_delay_2_clock = clock;
+        pair_first_delay_2_d = gate_first_q & ~reset_in;
+        first_copy_2_d = pair_first_delay_2_q & ~reset_in;
+        group_last_delay_0_clock = clock;
+        group_last_delay_0_d = pair_last_q & ~reset_in;
+        done_copy_0_d = group_last_delay_0_q & ~reset_in;
+        group_last_delay_1_clock = clock;
+        group_last_delay_1_d = pair_last_q & ~reset_in;
+        done_copy_1_d = group_last_delay_1_q & ~reset_in;
+        group_last_delay_2_clock = clock;
+        group_last_delay_2_d = pair_last_q & ~reset_in;
+        done_copy_2_d = group_last_delay_2_q & ~reset_in;
         result_valid_d = done_q | result_valid_in;
         if (reset_in | reset) begin
             result_valid_d = 1'b0;
@@ -19327,18 +19456,6 @@ module photoncube_chip_mixed_square_pair_2(clock, query, photon_a, photon_b, squ
     reg far_stage_1_d;
     wire far_stage_1_q;
     reg far_stage_1_clock;
-    reg [13:0] square_delay_0_d;
-    wire [13:0] square_delay_0_q;
-    reg square_delay_0_clock;
-    reg [13:0] square_delay_1_d;
-    wire [13:0] square_delay_1_q;
-    reg square_delay_1_clock;
-    reg far_delay_0_d;
-    wire far_delay_0_q;
-    reg far_delay_0_clock;
-    reg far_delay_1_d;
-    wire far_delay_1_q;
-    reg far_delay_1_clock;
     // Sub module instances
     photoncube_chip_mixed_subtract subtract_0(
         .a(subtract_0_a),
@@ -19350,12 +19467,12 @@ module photoncube_chip_mixed_square_pair_2(clock, query, photon_a, photon_b, squ
         .b(subtract_1_b),
         .difference(subtract_1_difference)
     );
-    photoncube_chip_mixed_products_delay difference_0(
+    photoncube_chip_mixed_register_10 difference_0(
         .d(difference_0_d),
         .q(difference_0_q),
         .clock(difference_0_clock)
     );
-    photoncube_chip_mixed_products_delay difference_1(
+    photoncube_chip_mixed_register_10 difference_1(
         .d(difference_1_d),
         .q(difference_1_q),
         .clock(difference_1_clock)
@@ -19389,26 +19506,6 @@ module photoncube_chip_mixed_square_pair_2(clock, query, photon_a, photon_b, squ
         .q(far_stage_1_q),
         .clock(far_stage_1_clock)
     );
-    photoncube_chip_mixed_register_14 square_delay_0(
-        .d(square_delay_0_d),
-        .q(square_delay_0_q),
-        .clock(square_delay_0_clock)
-    );
-    photoncube_chip_mixed_register_14 square_delay_1(
-        .d(square_delay_1_d),
-        .q(square_delay_1_q),
-        .clock(square_delay_1_clock)
-    );
-    photoncube_chip_mixed_register_1 far_delay_0(
-        .d(far_delay_0_d),
-        .q(far_delay_0_q),
-        .clock(far_delay_0_clock)
-    );
-    photoncube_chip_mixed_register_1 far_delay_1(
-        .d(far_delay_1_d),
-        .q(far_delay_1_q),
-        .clock(far_delay_1_clock)
-    );
     // Update code
     always @(*) begin
         subtract_0_b = photon_a;
@@ -19430,18 +19527,10 @@ module photoncube_chip_mixed_square_pair_2(clock, query, photon_a, photon_b, squ
         square_stage_1_d = lookup_0_square_b;
         far_stage_0_d = lookup_0_far_a;
         far_stage_1_d = lookup_0_far_b;
-        square_delay_0_clock = clock;
-        square_delay_0_d = square_stage_0_q;
-        far_delay_0_clock = clock;
-        far_delay_0_d = far_stage_0_q;
-        square_delay_1_clock = clock;
-        square_delay_1_d = square_stage_1_q;
-        far_delay_1_clock = clock;
-        far_delay_1_d = far_stage_1_q;
-        square_a = square_delay_0_q;
-        square_b = square_delay_1_q;
-        far_a = far_delay_0_q;
-        far_b = far_delay_1_q;
+        square_a = square_stage_0_q;
+        square_b = square_stage_1_q;
+        far_a = far_stage_0_q;
+        far_b = far_stage_1_q;
     end
 endmodule
 
@@ -20453,16 +20542,6 @@ module photoncube_chip_mixed_range_of_format(distance, far, in_range);
     end
 endmodule
 
-module photoncube_chip_mixed_copy_1(d, q, clock);
-    // Module arguments
-    input wire d;
-    output reg q;
-    input wire clock;
-    // Update code (custom)
-    initial q = 1'd0;
-    (* keep *) always @(posedge clock) q <= d;
-endmodule
-
 module photoncube_chip_mixed_accumulate(group, sum, first, next_sum);
     // Module arguments
     input wire [7:0] group;
@@ -20541,6 +20620,16 @@ module photoncube_chip_mixed_split_0(lookup, square, far);
     // Update code (custom)
     always @(*) square = lookup[13:0];
     always @(*) far = lookup[14];
+endmodule
+
+module photoncube_chip_mixed_copy_1(d, q, clock);
+    // Module arguments
+    input wire d;
+    output reg q;
+    input wire clock;
+    // Update code (custom)
+    initial q = 1'd0;
+    (* keep *) always @(posedge clock) q <= d;
 endmodule
 
 module photoncube_chip_mixed_register_18(d, q, clock);

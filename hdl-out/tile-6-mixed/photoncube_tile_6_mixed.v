@@ -5279,6 +5279,9 @@ module photoncube_tile_6_mixed_lane_3(clock, axis_square_0, axis_square_1, axis_
     reg range_wait_1_d;
     wire range_wait_1_q;
     reg range_wait_1_clock;
+    reg range_delay_0_d;
+    wire range_delay_0_q;
+    reg range_delay_0_clock;
     // Sub module instances
     photoncube_tile_6_mixed_any_far any_far(
         .x(any_far_x),
@@ -5341,6 +5344,11 @@ module photoncube_tile_6_mixed_lane_3(clock, axis_square_0, axis_square_1, axis_
         .q(range_wait_1_q),
         .clock(range_wait_1_clock)
     );
+    photoncube_tile_6_mixed_register_1 range_delay_0(
+        .d(range_delay_0_d),
+        .q(range_delay_0_q),
+        .clock(range_delay_0_clock)
+    );
     // Update code
     always @(*) begin
         pair_square_clock = clock;
@@ -5368,7 +5376,9 @@ module photoncube_tile_6_mixed_lane_3(clock, axis_square_0, axis_square_1, axis_
         range_wait_0_d = in_range_q;
         range_wait_1_clock = clock;
         range_wait_1_d = range_wait_0_q;
-        photon_in_range = range_wait_1_q;
+        range_delay_0_clock = clock;
+        range_delay_0_d = range_wait_1_q;
+        photon_in_range = range_delay_0_q;
     end
 endmodule
 
@@ -5415,6 +5425,9 @@ module photoncube_tile_6_mixed_lane_2(clock, axis_square_0, axis_square_1, axis_
     reg in_range_d;
     wire in_range_q;
     reg in_range_clock;
+    reg range_delay_0_d;
+    wire range_delay_0_q;
+    reg range_delay_0_clock;
     // Sub module instances
     photoncube_tile_6_mixed_any_far any_far(
         .x(any_far_x),
@@ -5467,6 +5480,11 @@ module photoncube_tile_6_mixed_lane_2(clock, axis_square_0, axis_square_1, axis_
         .q(in_range_q),
         .clock(in_range_clock)
     );
+    photoncube_tile_6_mixed_register_1 range_delay_0(
+        .d(range_delay_0_d),
+        .q(range_delay_0_q),
+        .clock(range_delay_0_clock)
+    );
     // Update code
     always @(*) begin
         pair_square_clock = clock;
@@ -5490,7 +5508,9 @@ module photoncube_tile_6_mixed_lane_2(clock, axis_square_0, axis_square_1, axis_
         range_of_format_0_distance = distance_q;
         range_of_format_0_far = distance_far_q;
         in_range_d = range_of_format_0_in_range;
-        photon_in_range = in_range_q;
+        range_delay_0_clock = clock;
+        range_delay_0_d = in_range_q;
+        photon_in_range = range_delay_0_q;
     end
 endmodule
 
@@ -5540,6 +5560,9 @@ module photoncube_tile_6_mixed_lane(clock, axis_square_0, axis_square_1, axis_sq
     reg range_wait_0_d;
     wire range_wait_0_q;
     reg range_wait_0_clock;
+    reg range_delay_0_d;
+    wire range_delay_0_q;
+    reg range_delay_0_clock;
     // Sub module instances
     photoncube_tile_6_mixed_any_far any_far(
         .x(any_far_x),
@@ -5597,6 +5620,11 @@ module photoncube_tile_6_mixed_lane(clock, axis_square_0, axis_square_1, axis_sq
         .q(range_wait_0_q),
         .clock(range_wait_0_clock)
     );
+    photoncube_tile_6_mixed_register_1 range_delay_0(
+        .d(range_delay_0_d),
+        .q(range_delay_0_q),
+        .clock(range_delay_0_clock)
+    );
     // Update code
     always @(*) begin
         pair_square_clock = clock;
@@ -5622,7 +5650,9 @@ module photoncube_tile_6_mixed_lane(clock, axis_square_0, axis_square_1, axis_sq
         in_range_d = range_of_format_0_in_range;
         range_wait_0_clock = clock;
         range_wait_0_d = in_range_q;
-        photon_in_range = range_wait_0_q;
+        range_delay_0_clock = clock;
+        range_delay_0_d = range_wait_0_q;
+        photon_in_range = range_delay_0_q;
     end
 endmodule
 
@@ -5669,6 +5699,10 @@ module photoncube_tile_6_mixed_first_delay(clock, clear, flag, delayed);
     reg stage_8_clear;
     reg stage_8_d;
     wire stage_8_q;
+    reg stage_9_clock;
+    reg stage_9_clear;
+    reg stage_9_d;
+    wire stage_9_q;
     // Sub module instances
     photoncube_tile_6_mixed_group_first stage_0(
         .clock(stage_0_clock),
@@ -5724,6 +5758,12 @@ module photoncube_tile_6_mixed_first_delay(clock, clear, flag, delayed);
         .d(stage_8_d),
         .q(stage_8_q)
     );
+    photoncube_tile_6_mixed_group_first stage_9(
+        .clock(stage_9_clock),
+        .clear(stage_9_clear),
+        .d(stage_9_d),
+        .q(stage_9_q)
+    );
     // Update code
     always @(*) begin
         stage_0_d = flag;
@@ -5735,6 +5775,7 @@ module photoncube_tile_6_mixed_first_delay(clock, clear, flag, delayed);
         stage_6_d = stage_5_q;
         stage_7_d = stage_6_q;
         stage_8_d = stage_7_q;
+        stage_9_d = stage_8_q;
         stage_0_clock = clock;
         stage_0_clear = clear;
         stage_1_clock = clock;
@@ -5753,7 +5794,9 @@ module photoncube_tile_6_mixed_first_delay(clock, clear, flag, delayed);
         stage_7_clear = clear;
         stage_8_clock = clock;
         stage_8_clear = clear;
-        delayed = stage_8_q;
+        stage_9_clock = clock;
+        stage_9_clear = clear;
+        delayed = stage_9_q;
     end
 endmodule
 
@@ -6076,6 +6119,9 @@ module photoncube_tile_6_mixed_power_delay(clock, word, delayed);
     reg [5:0] stage_7_d;
     wire [5:0] stage_7_q;
     reg stage_7_clock;
+    reg [5:0] stage_8_d;
+    wire [5:0] stage_8_q;
+    reg stage_8_clock;
     // Sub module instances
     photoncube_tile_6_mixed_register_6 stage_0(
         .d(stage_0_d),
@@ -6117,6 +6163,11 @@ module photoncube_tile_6_mixed_power_delay(clock, word, delayed);
         .q(stage_7_q),
         .clock(stage_7_clock)
     );
+    photoncube_tile_6_mixed_register_6 stage_8(
+        .d(stage_8_d),
+        .q(stage_8_q),
+        .clock(stage_8_clock)
+    );
     // Update code
     always @(*) begin
         stage_0_clock = clock;
@@ -6135,7 +6186,9 @@ module photoncube_tile_6_mixed_power_delay(clock, word, delayed);
         stage_6_d = stage_5_q;
         stage_7_clock = clock;
         stage_7_d = stage_6_q;
-        delayed = stage_7_q;
+        stage_8_clock = clock;
+        stage_8_d = stage_7_q;
+        delayed = stage_8_q;
     end
 endmodule
 
@@ -6169,6 +6222,9 @@ module photoncube_tile_6_mixed_present_delay(clock, word, delayed);
     reg stage_7_d;
     wire stage_7_q;
     reg stage_7_clock;
+    reg stage_8_d;
+    wire stage_8_q;
+    reg stage_8_clock;
     // Sub module instances
     photoncube_tile_6_mixed_register_1 stage_0(
         .d(stage_0_d),
@@ -6210,6 +6266,11 @@ module photoncube_tile_6_mixed_present_delay(clock, word, delayed);
         .q(stage_7_q),
         .clock(stage_7_clock)
     );
+    photoncube_tile_6_mixed_register_1 stage_8(
+        .d(stage_8_d),
+        .q(stage_8_q),
+        .clock(stage_8_clock)
+    );
     // Update code
     always @(*) begin
         stage_0_clock = clock;
@@ -6228,7 +6289,9 @@ module photoncube_tile_6_mixed_present_delay(clock, word, delayed);
         stage_6_d = stage_5_q;
         stage_7_clock = clock;
         stage_7_d = stage_6_q;
-        delayed = stage_7_q;
+        stage_8_clock = clock;
+        stage_8_d = stage_7_q;
+        delayed = stage_8_q;
     end
 endmodule
 
@@ -6374,6 +6437,24 @@ module photoncube_tile_6_mixed_group_flags(clock, reset_in, reset, first_in, las
     reg done_d;
     wire done_q;
     reg done_clock;
+    reg pair_first_delay_0_d;
+    wire pair_first_delay_0_q;
+    reg pair_first_delay_0_clock;
+    reg pair_first_delay_1_d;
+    wire pair_first_delay_1_q;
+    reg pair_first_delay_1_clock;
+    reg pair_first_delay_2_d;
+    wire pair_first_delay_2_q;
+    reg pair_first_delay_2_clock;
+    reg group_last_delay_0_d;
+    wire group_last_delay_0_q;
+    reg group_last_delay_0_clock;
+    reg group_last_delay_1_d;
+    wire group_last_delay_1_q;
+    reg group_last_delay_1_clock;
+    reg group_last_delay_2_d;
+    wire group_last_delay_2_q;
+    reg group_last_delay_2_clock;
     reg first_copy_0_d;
     wire first_copy_0_q;
     reg first_copy_0_clock;
@@ -6448,6 +6529,36 @@ module photoncube_tile_6_mixed_group_flags(clock, reset_in, reset, first_in, las
         .d(done_d),
         .q(done_q),
         .clock(done_clock)
+    );
+    photoncube_tile_6_mixed_copy_1 pair_first_delay_0(
+        .d(pair_first_delay_0_d),
+        .q(pair_first_delay_0_q),
+        .clock(pair_first_delay_0_clock)
+    );
+    photoncube_tile_6_mixed_copy_1 pair_first_delay_1(
+        .d(pair_first_delay_1_d),
+        .q(pair_first_delay_1_q),
+        .clock(pair_first_delay_1_clock)
+    );
+    photoncube_tile_6_mixed_copy_1 pair_first_delay_2(
+        .d(pair_first_delay_2_d),
+        .q(pair_first_delay_2_q),
+        .clock(pair_first_delay_2_clock)
+    );
+    photoncube_tile_6_mixed_copy_1 group_last_delay_0(
+        .d(group_last_delay_0_d),
+        .q(group_last_delay_0_q),
+        .clock(group_last_delay_0_clock)
+    );
+    photoncube_tile_6_mixed_copy_1 group_last_delay_1(
+        .d(group_last_delay_1_d),
+        .q(group_last_delay_1_q),
+        .clock(group_last_delay_1_clock)
+    );
+    photoncube_tile_6_mixed_copy_1 group_last_delay_2(
+        .d(group_last_delay_2_d),
+        .q(group_last_delay_2_q),
+        .clock(group_last_delay_2_clock)
     );
     photoncube_tile_6_mixed_copy_1 first_copy_0(
         .d(first_copy_0_d),
@@ -6537,6 +6648,24 @@ module photoncube_tile_6_mixed_group_flags(clock, reset_in, reset, first_in, las
         done_copy_2_clock = clock;
         done_copy_2_d = group_last_q & ~reset_in;
         sums_done_copy_2 = done_copy_2_q;
+        pair_first_delay_0_clock = clock;
+        pair_first_delay_0_d = gate_first_q & ~reset_in;
+        first_copy_0_d = pair_first_delay_0_q & ~reset_in;
+        pair_first_delay_1_clock = clock;
+        pair_first_delay_1_d = gate_first_q & ~reset_in;
+        first_copy_1_d = pair_first_delay_1_q & ~reset_in;
+        pair_first_delay_2_clock = clock;
+        pair_first_delay_2_d = gate_first_q & ~reset_in;
+        first_copy_2_d = pair_first_delay_2_q & ~reset_in;
+        group_last_delay_0_clock = clock;
+        group_last_delay_0_d = pair_last_q & ~reset_in;
+        done_copy_0_d = group_last_delay_0_q & ~reset_in;
+        group_last_delay_1_clock = clock;
+        group_last_delay_1_d = pair_last_q & ~reset_in;
+        done_copy_1_d = group_last_delay_1_q & ~reset_in;
+        group_last_delay_2_clock = clock;
+        group_last_delay_2_d = pair_last_q & ~reset_in;
+        done_copy_2_d = group_last_delay_2_q & ~reset_in;
         result_valid_d = done_q | result_valid_in;
         if (reset_in | reset) begin
             result_valid_d = 1'b0;
@@ -6853,18 +6982,6 @@ module photoncube_tile_6_mixed_square_pair(clock, query, photon_a, photon_b, squ
     reg far_stage_1_d;
     wire far_stage_1_q;
     reg far_stage_1_clock;
-    reg [13:0] square_delay_0_d;
-    wire [13:0] square_delay_0_q;
-    reg square_delay_0_clock;
-    reg [13:0] square_delay_1_d;
-    wire [13:0] square_delay_1_q;
-    reg square_delay_1_clock;
-    reg far_delay_0_d;
-    wire far_delay_0_q;
-    reg far_delay_0_clock;
-    reg far_delay_1_d;
-    wire far_delay_1_q;
-    reg far_delay_1_clock;
     // Sub module instances
     photoncube_tile_6_mixed_subtract subtract_0(
         .a(subtract_0_a),
@@ -6876,12 +6993,12 @@ module photoncube_tile_6_mixed_square_pair(clock, query, photon_a, photon_b, squ
         .b(subtract_1_b),
         .difference(subtract_1_difference)
     );
-    photoncube_tile_6_mixed_products_delay difference_0(
+    photoncube_tile_6_mixed_register_10 difference_0(
         .d(difference_0_d),
         .q(difference_0_q),
         .clock(difference_0_clock)
     );
-    photoncube_tile_6_mixed_products_delay difference_1(
+    photoncube_tile_6_mixed_register_10 difference_1(
         .d(difference_1_d),
         .q(difference_1_q),
         .clock(difference_1_clock)
@@ -6915,26 +7032,6 @@ module photoncube_tile_6_mixed_square_pair(clock, query, photon_a, photon_b, squ
         .q(far_stage_1_q),
         .clock(far_stage_1_clock)
     );
-    photoncube_tile_6_mixed_register_14 square_delay_0(
-        .d(square_delay_0_d),
-        .q(square_delay_0_q),
-        .clock(square_delay_0_clock)
-    );
-    photoncube_tile_6_mixed_register_14 square_delay_1(
-        .d(square_delay_1_d),
-        .q(square_delay_1_q),
-        .clock(square_delay_1_clock)
-    );
-    photoncube_tile_6_mixed_register_1 far_delay_0(
-        .d(far_delay_0_d),
-        .q(far_delay_0_q),
-        .clock(far_delay_0_clock)
-    );
-    photoncube_tile_6_mixed_register_1 far_delay_1(
-        .d(far_delay_1_d),
-        .q(far_delay_1_q),
-        .clock(far_delay_1_clock)
-    );
     // Update code
     always @(*) begin
         subtract_0_b = photon_a;
@@ -6956,18 +7053,10 @@ module photoncube_tile_6_mixed_square_pair(clock, query, photon_a, photon_b, squ
         square_stage_1_d = lookup_0_square_b;
         far_stage_0_d = lookup_0_far_a;
         far_stage_1_d = lookup_0_far_b;
-        square_delay_0_clock = clock;
-        square_delay_0_d = square_stage_0_q;
-        far_delay_0_clock = clock;
-        far_delay_0_d = far_stage_0_q;
-        square_delay_1_clock = clock;
-        square_delay_1_d = square_stage_1_q;
-        far_delay_1_clock = clock;
-        far_delay_1_d = far_stage_1_q;
-        square_a = square_delay_0_q;
-        square_b = square_delay_1_q;
-        far_a = far_delay_0_q;
-        far_b = far_delay_1_q;
+        square_a = square_stage_0_q;
+        square_b = square_stage_1_q;
+        far_a = far_stage_0_q;
+        far_b = far_stage_1_q;
     end
 endmodule
 
@@ -7853,16 +7942,6 @@ module photoncube_tile_6_mixed_range_of_format(distance, far, in_range);
     end
 endmodule
 
-module photoncube_tile_6_mixed_copy_1(d, q, clock);
-    // Module arguments
-    input wire d;
-    output reg q;
-    input wire clock;
-    // Update code (custom)
-    initial q = 1'd0;
-    (* keep *) always @(posedge clock) q <= d;
-endmodule
-
 module photoncube_tile_6_mixed_accumulate(group, sum, first, next_sum);
     // Module arguments
     input wire [7:0] group;
@@ -7941,6 +8020,16 @@ module photoncube_tile_6_mixed_split_0(lookup, square, far);
     // Update code (custom)
     always @(*) square = lookup[13:0];
     always @(*) far = lookup[14];
+endmodule
+
+module photoncube_tile_6_mixed_copy_1(d, q, clock);
+    // Module arguments
+    input wire d;
+    output reg q;
+    input wire clock;
+    // Update code (custom)
+    initial q = 1'd0;
+    (* keep *) always @(posedge clock) q <= d;
 endmodule
 
 module photoncube_tile_6_mixed_register_18(d, q, clock);

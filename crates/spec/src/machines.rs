@@ -47,22 +47,19 @@ const COARSE: Cuts = Cuts::of(&[
 /// The same with a register between the two chains that make a magnitude.
 const DIGITS: Cuts = COARSE.and(Cut::Difference);
 
-/// The same with a decision beside each sum: on a full chip the sums of an engine stand where their
-/// chains of powers and results are, which may be far from its lanes.
-const DECISIONS: Cuts = DIGITS.and(Cut::Decision);
+/// The same with a decision beside each sum, and a register on the way there: on a full chip the sums of
+/// an engine stand where their chains of powers and results are, which may be far from its lanes.
+const DECISIONS: Cuts = DIGITS.and(Cut::RangeDelay).and(Cut::Decision);
 
-/// The same with the block RAM's own register behind it, and one more on the way from it, which is
-/// long: block RAMs stand in a few columns, and two meet at an adder.
+/// The same with the block RAM's own register behind it.
 const TABLE: EngineKind = EngineKind {
     squarer: Squarer::Table,
-    cuts: COARSE
-        .and(Cut::Decision)
-        .and(Cut::Square)
-        .and(Cut::SquareDelay),
+    cuts: DECISIONS.and(Cut::Square),
 };
 
 /// The same with the DSP block's own registers before the product and behind it, the latter at the cut
-/// `Cross`, and one more on each way to the block and from it, for the same reason.
+/// `Cross`, and one more on each way to the block and from it: DSP blocks stand in a few rows, and two
+/// meet at an adder.
 const PRODUCT: EngineKind = EngineKind {
     squarer: Squarer::Product,
     cuts: DECISIONS.and(Cut::Products).and(Cut::Square),

@@ -96,6 +96,8 @@ const HAND_WRITTEN: &[&str] = &[
     "admission",
     "queue",
     "decision",
+    "pair_first_delay",
+    "group_last_delay",
     "first_copy",
     "done_copy",
 ];

@@ -112,6 +112,9 @@ pub(crate) struct GroupFlags {
     pub group_first: FlagStage,
     pub group_last: FlagStage,
     pub done: DFF<Bit>,
+    /// The flags that the copies copy, on their way to them.
+    pub pair_first_delay: Vec<RegisterCopy>,
+    pub group_last_delay: Vec<RegisterCopy>,
     pub first_copy: Vec<RegisterCopy>,
     pub done_copy: Vec<RegisterCopy>,
     pub result_valid: DFF<Bit>,
@@ -122,6 +125,7 @@ impl GroupFlags {
     pub fn new(cuts: Cuts, channels: usize) -> Self {
         let stage = |cut| FlagStage::new(cuts.has(cut));
         let copies = channels * usize::from(cuts.has(Cut::Decision));
+        let delays = channels * usize::from(cuts.has(Cut::RangeDelay));
         Self {
             clock: Default::default(),
             reset_in: Default::default(),
@@ -145,6 +149,8 @@ impl GroupFlags {
             group_first: stage(Cut::GroupPower),
             group_last: stage(Cut::GroupPower),
             done: Default::default(),
+            pair_first_delay: (0..delays).map(|_| Default::default()).collect(),
+            group_last_delay: (0..delays).map(|_| Default::default()).collect(),
             first_copy: (0..copies).map(|_| Default::default()).collect(),
             done_copy: (0..copies).map(|_| Default::default()).collect(),
             result_valid: Default::default(),
@@ -196,6 +202,16 @@ impl Logic for GroupFlags {
             self.done_copy[i].clock.next = self.clock.val();
             self.done_copy[i].d.next = self.group_last.q.val() & !self.reset_in.val();
             self.sums_done_copy[i].next = self.done_copy[i].q.val();
+        }
+        for i in 0..self.pair_first_delay.len() {
+            self.pair_first_delay[i].clock.next = self.clock.val();
+            self.pair_first_delay[i].d.next = self.gate_first.q.val() & !self.reset_in.val();
+            self.first_copy[i].d.next = self.pair_first_delay[i].q.val() & !self.reset_in.val();
+        }
+        for i in 0..self.group_last_delay.len() {
+            self.group_last_delay[i].clock.next = self.clock.val();
+            self.group_last_delay[i].d.next = self.pair_last.q.val() & !self.reset_in.val();
+            self.done_copy[i].d.next = self.group_last_delay[i].q.val() & !self.reset_in.val();
         }
         self.result_valid.d.next = self.done.q.val() | self.result_valid_in.val();
         // A result of the next engine, which the wave reaches a clock later, is on its way back.

@@ -29,6 +29,7 @@ pub(crate) struct Lane<const Q: usize, const T: usize, const U: usize> {
     range_of_format: Vec<RangeOfFormat<U>>,
     pub in_range: Stage<Bit>,
     pub range_wait: Vec<Stage<Bit>>,
+    pub range_delay: Vec<Stage<Bit>>,
     _wires: Wires,
 }
 
@@ -59,6 +60,7 @@ impl<const Q: usize, const T: usize, const U: usize> Lane<Q, T, U> {
                 .collect(),
             in_range: Stage::new(cuts.has(Cut::Range)),
             range_wait: Stage::several(range_waits, true),
+            range_delay: Stage::several(cuts.has(Cut::RangeDelay).into(), true),
             _wires: Default::default(),
         })
     }
@@ -106,9 +108,17 @@ impl<const Q: usize, const T: usize, const U: usize> Lane<Q, T, U> {
                 _ => wires!(self, wiring: (range_wait[wait].d) = (range_wait[wait - 1].q);),
             }
         }
-        match self.range_wait.len() {
-            0 => wires!(self, wiring: (photon_in_range) = (in_range.q);),
-            waits => wires!(self, wiring: (photon_in_range) = (range_wait[waits - 1].q);),
+        for delay in 0..self.range_delay.len() {
+            wires!(self, wiring: (range_delay[delay].clock) = (clock););
+            match self.range_wait.len() {
+                0 => wires!(self, wiring: (range_delay[delay].d) = (in_range.q);),
+                waits => wires!(self, wiring: (range_delay[delay].d) = (range_wait[waits - 1].q);),
+            }
+        }
+        match (self.range_delay.len(), self.range_wait.len()) {
+            (0, 0) => wires!(self, wiring: (photon_in_range) = (in_range.q);),
+            (0, waits) => wires!(self, wiring: (photon_in_range) = (range_wait[waits - 1].q);),
+            _ => wires!(self, wiring: (photon_in_range) = (range_delay[0].q);),
         }
     }
 }

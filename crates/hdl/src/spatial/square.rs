@@ -273,9 +273,6 @@ pub(crate) struct SquarePair<
     /// Registers at the cut `Square`, but for a table's, which are in the block RAM.
     pub square_stage: Vec<Stage<Bits<Q>>>,
     pub far_stage: Vec<Stage<Bit>>,
-    /// Two of each, or none.
-    pub square_delay: Vec<Stage<Bits<Q>>>,
-    pub far_delay: Vec<Stage<Bit>>,
     _wires: Wires,
 }
 
@@ -296,7 +293,6 @@ impl<
         let digits = 0..count(Squarer::Digits, 2);
         let lookup = 0..count(Squarer::Table, 1);
         let product = 0..count(Squarer::Product, 2);
-        let delays = if cuts.has(Cut::SquareDelay) { 2 } else { 0 };
         let behind = cuts.has(Cut::Square) && squarer != Squarer::Table;
         with_wires!(Self {
             clock: Default::default(),
@@ -314,8 +310,6 @@ impl<
             product: product.map(|_| ProductSquarer::new(cuts)).collect(),
             square_stage: Stage::several(2, behind),
             far_stage: Stage::several(2, behind),
-            square_delay: Stage::several(delays, true),
-            far_delay: Stage::several(delays, true),
             _wires: Default::default(),
         })
     }
@@ -361,29 +355,12 @@ impl<
                 (far_stage[photon].d) = (product[photon].far);
             );
         }
-        for photon in 0..self.square_delay.len() {
-            wires!(self, wiring:
-                (square_delay[photon].clock) = (clock);
-                (square_delay[photon].d) = (square_stage[photon].q);
-                (far_delay[photon].clock) = (clock);
-                (far_delay[photon].d) = (far_stage[photon].q);
-            );
-        }
-        if self.square_delay.is_empty() {
-            wires!(self, wiring:
-                (square_a) = (square_stage[0].q);
-                (square_b) = (square_stage[1].q);
-                (far_a) = (far_stage[0].q);
-                (far_b) = (far_stage[1].q);
-            );
-        } else {
-            wires!(self, wiring:
-                (square_a) = (square_delay[0].q);
-                (square_b) = (square_delay[1].q);
-                (far_a) = (far_delay[0].q);
-                (far_b) = (far_delay[1].q);
-            );
-        }
+        wires!(self, wiring:
+            (square_a) = (square_stage[0].q);
+            (square_b) = (square_stage[1].q);
+            (far_a) = (far_stage[0].q);
+            (far_b) = (far_stage[1].q);
+        );
     }
 }
 

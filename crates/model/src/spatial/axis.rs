@@ -47,11 +47,10 @@ pub(super) struct Axis {
     pub(super) lookup: Square,
     pub(super) product: u64,
     pub(super) square: Square,
-    pub(super) square_delay: Square,
 }
 
 impl Axis {
-    /// One clock; gives what is behind the cut `SquareDelay`.
+    /// One clock; gives what is behind the cut `Square`.
     pub(super) fn clock(&mut self, rules: &Rules, query: u32, photon: u32) -> Square {
         let d = query as i32 - photon as i32;
         let d = rules.cut(Cut::Difference, &mut self.difference, d);
@@ -60,8 +59,7 @@ impl Axis {
             Squarer::Product => self.product_square(rules, d),
             Squarer::Table => self.table_square(rules, d),
         };
-        let square = rules.cut(Cut::Square, &mut self.square, square);
-        rules.cut(Cut::SquareDelay, &mut self.square_delay, square)
+        rules.cut(Cut::Square, &mut self.square, square)
     }
 
     fn digits_square(&mut self, rules: &Rules, d: i32) -> Square {
@@ -193,7 +191,6 @@ mod tests {
             Cut::Products,
             Cut::Cross,
             Cut::Square,
-            Cut::SquareDelay,
         ];
         for squarer in [Squarer::Digits, Squarer::Product, Squarer::Table] {
             for count in 0..=all.len() {

@@ -30,6 +30,7 @@ pub(super) struct Lane {
     pub(super) distance: Distance,
     pub(super) in_range: bool,
     pub(super) range_wait: [bool; CUTS_BEFORE_RANGE],
+    pub(super) range_delay: bool,
     pub(super) decision: bool,
 }
 
@@ -62,6 +63,7 @@ impl Lane {
         let waited = waits
             .iter_mut()
             .fold(in_range, |newer, wait| mem::replace(wait, newer));
-        rules.cut(Cut::Decision, &mut self.decision, waited)
+        let delayed = rules.cut(Cut::RangeDelay, &mut self.range_delay, waited);
+        rules.cut(Cut::Decision, &mut self.decision, delayed)
     }
 }

@@ -136,8 +136,6 @@ impl Writer<'_> {
             R::CrossFar => self.coordinates(|axis| axis.crossed.magnitude.far),
             R::Square => self.coordinates(|axis| axis.square.word),
             R::SquareFar => self.coordinates(|axis| axis.square.far),
-            R::SquareDelay => self.coordinates(|axis| axis.square_delay.word),
-            R::SquareFarDelay => self.coordinates(|axis| axis.square_delay.far),
             R::PairSquare => self.lanes(|lane| lane.pair.square),
             R::PairZ => self.lanes(|lane| lane.pair.z),
             R::PairFar => self.lanes(|lane| lane.pair.far),
@@ -149,6 +147,7 @@ impl Writer<'_> {
                     self.lanes(|lane| lane.range_wait[wait]);
                 }
             }
+            R::RangeDelay => self.lanes(|lane| lane.range_delay),
             R::Decision => self.channels(&engine.lanes.map(|lane| [lane.decision.into(); 3])),
             R::PresenceDecision => self.lanes(|lane| lane.decision),
             R::Power => self.channels(&hop.powers.power),
@@ -160,9 +159,11 @@ impl Writer<'_> {
             R::PairPower => self.channels(&sums.pairs.sums.map(|pair| pair.power)),
             R::PairCount => self.row.extend(sums.pairs.sums.map(|pair| pair.count)),
             R::PairFirst | R::PairLast => self.flag(sums.pairs.flags, register == R::PairFirst),
+            R::PairFirstDelay => self.channels(&[[sums.pairs.flags.first.into(); 3]]),
             R::GroupPower => self.channels(&[sums.group.sums.power]),
             R::GroupCount => self.one(sums.group.sums.count),
             R::GroupFirst | R::GroupLast => self.flag(sums.group.flags, register == R::GroupFirst),
+            R::GroupLastDelay => self.channels(&[[sums.group.flags.last.into(); 3]]),
             R::SumFirst => self.channels(&[[sums.group.flags.first.into(); 3]]),
             R::Sum => self.channels(&[sums.sum.power]),
             R::Count => self.one(sums.sum.count),

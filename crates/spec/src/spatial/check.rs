@@ -186,6 +186,16 @@ impl Spatial {
                 kind.cuts.has(Cut::Decision),
                 "the flags need that stand beside each sum, as the decisions do",
             ),
+            (
+                Cut::Decision,
+                kind.cuts.has(Cut::RangeDelay),
+                "the register RangeDelay needs, which is on the way there",
+            ),
+            (
+                Cut::PairPower,
+                kind.cuts.has(Cut::RangeDelay),
+                "the flags need that are on their ways to the sums with RangeDelay",
+            ),
         ];
         let missing = |&(cut, needed, _): &(Cut, bool, _)| needed && !kind.cuts.has(cut);
         match needed.into_iter().find(missing) {
@@ -299,6 +309,8 @@ mod tests {
             (with_spatial(Spatial { cuts: Cuts::of(&[Cut::Products]), ..spatial }), "the cut Range, which the decision needs beside the power hop's register"),
             (others(NO_LOOKUP), "the cut Cross, which a table needs, as a block RAM has one"),
             (with_spatial(Spatial { cuts: Cuts::of(&[Cut::Range, Cut::Decision]), ..spatial }), "the cut GroupPower, which the flags need that stand beside each sum, as the decisions do"),
+            (with_spatial(Spatial { cuts: Cuts::of(&[Cut::Range, Cut::RangeDelay]), ..spatial }), "the cut Decision, which the register RangeDelay needs, which is on the way there"),
+            (with_spatial(Spatial { cuts: Cuts::of(&[Cut::Range, Cut::RangeDelay, Cut::Decision, Cut::GroupPower]), ..spatial }), "the cut PairPower, which the flags need that are on their ways to the sums with RangeDelay"),
             (others(NO_SUM), "no register at the cut GroupPower, expected a register, as the machine's own have from the decisions on"),
             (others(MORE_SUMS), "a register at the cut Gate, expected no register, as the machine's own have from the decisions on"),
             (Machine { numbers: plain, ..machine }, "`tile-5` has plain numbers, and an engine needs a photon format"),

@@ -10,10 +10,10 @@
 /// | `Products` | on each axis |d| modulo 2^r, whether it exceeds r bits, and the products of its digits, see [`super::EngineRegister::LowProduct`]; or d |
 /// | `Cross` | on each axis |d| modulo 2^r, whether it exceeds r bits, and the product of its two digits; or the square from a table or as one product |
 /// | `Square` | on each axis d^2 in 2 r bits, and whether |d| exceeds r bits |
-/// | `SquareDelay` | the same once more: near the adders, where a block RAM or DSP block is not |
 /// | `Pair` | x^2 + y^2; z^2; whether any axis is far |
 /// | `Distance` | the sum of the three squares; whether any axis is far |
 /// | `Range` | whether the photon is in range |
+/// | `RangeDelay` | the same once more, on its way to the sums, as the flags of a group have on theirs |
 /// | `Decision` | the same once more, for each word that is summed: one beside each of its sums |
 ///
 /// and from the powers of a group on:
@@ -31,10 +31,10 @@ pub enum Cut {
     Products,
     Cross,
     Square,
-    SquareDelay,
     Pair,
     Distance,
     Range,
+    RangeDelay,
     Decision,
     Gate,
     PairPower,
@@ -49,10 +49,10 @@ impl Cut {
         Self::Products,
         Self::Cross,
         Self::Square,
-        Self::SquareDelay,
         Self::Pair,
         Self::Distance,
         Self::Range,
+        Self::RangeDelay,
         Self::Decision,
         Self::Gate,
         Self::PairPower,

@@ -64,10 +64,10 @@ fn step(cut: Cut) -> (&'static str, &'static str, &'static str) {
             "the product of the two digits; from a table, d^2",
         ),
         Cut::Square => ("X Y Z", "square", "d^2"),
-        Cut::SquareDelay => ("X Y Z", "", "d^2, near the adders"),
         Cut::Pair => ("Y", "add", "x^2 + y^2, across z"),
         Cut::Distance => ("D", "add", "x^2 + y^2 + z^2, across w and z"),
         Cut::Range => ("D", "gate", "distance <= radius_sq"),
+        Cut::RangeDelay => ("D", "", "the decision, on its way to the sums"),
         Cut::Decision => ("X Y Z D", "", "whether it is in range, beside each sum"),
         Cut::Gate => ("X Y Z D", "gate", "the power, or 0 out of range"),
         Cut::PairPower => ("X Y Z D", "gate, add", "the sum of two photons, across x"),
@@ -86,7 +86,7 @@ impl Spatial {
         let mut rows = vec![row(0, "X Y Z", "", "the photons' coordinates arrive", true)];
         for cut in Cut::ALL {
             let registered = self.cuts.has(cut);
-            if cut == Cut::Decision {
+            if cut == Cut::RangeDelay {
                 let wait = "the decision waits for engines with slower squarers";
                 for _ in 0..self.range_waits(kind) {
                     clock += 1;
@@ -94,7 +94,7 @@ impl Spatial {
                 }
             }
             // These are no steps where they have no register.
-            if [Cut::SquareDelay, Cut::Decision].contains(&cut) && !registered {
+            if [Cut::RangeDelay, Cut::Decision].contains(&cut) && !registered {
                 continue;
             }
             if cut == Cut::Gate {

@@ -66,10 +66,6 @@ pub enum EngineRegister {
     Square,
     /// |d| exceeds r bits.
     SquareFar,
-    /// The square once more.
-    SquareDelay,
-    /// Whether |d| exceeds r bits, once more.
-    SquareFarDelay,
     /// x^2 + y^2.
     PairSquare,
     /// z^2.
@@ -85,6 +81,8 @@ pub enum EngineRegister {
     /// The same, while it waits for the slowest kind of engine: of lane g after i + 1 clocks at
     /// 4 i + g.
     RangeWait,
+    /// The same once more, between the lane and the sums.
+    RangeDelay,
     /// The same once more, for each power.
     Decision,
     /// The same for each photon's presence.
@@ -113,6 +111,8 @@ pub enum EngineRegister {
     PairFirst,
     /// `Last` once more.
     PairLast,
+    /// `PairFirst` once more for each channel, on its way to `SumFirst`.
+    PairFirstDelay,
     /// Sums over the group.
     GroupPower,
     /// How many of the group are in range.
@@ -121,6 +121,8 @@ pub enum EngineRegister {
     GroupFirst,
     /// `Last` once more.
     GroupLast,
+    /// `GroupLast` once more for each channel, on its way to `SumDone`.
+    GroupLastDelay,
     /// `GroupFirst` once more for each channel's sum.
     SumFirst,
     /// The sums of the query so far; a first group replaces them.
@@ -431,8 +433,6 @@ rows! {
     Product "product" Coordinates |w| w.product, Condition::Squarer(Cut::Cross, Product);
     Square "square" Coordinates |w| w.square, At(Cut::Square);
     SquareFar "square_far" Coordinates |_| 1, At(Cut::Square);
-    SquareDelay "square_delay" Coordinates |w| w.square, At(Cut::SquareDelay);
-    SquareFarDelay "square_far_delay" Coordinates |_| 1, At(Cut::SquareDelay);
     PairSquare "pair_square" Lanes |w| w.pair, At(Cut::Pair);
     PairZ "pair_z" Lanes |w| w.square, At(Cut::Pair);
     PairFar "pair_far" Lanes |_| 1, At(Cut::Pair);
@@ -440,6 +440,7 @@ rows! {
     DistanceFar "distance_far" Lanes |_| 1, At(Cut::Distance);
     InRange "in_range" Lanes |_| 1, At(Cut::Range);
     RangeWait "range_wait" RangeWaits |_| 1, Always;
+    RangeDelay "range_delay" Lanes |_| 1, At(Cut::RangeDelay);
     Decision "decision" LaneChannels |_| 1, At(Cut::Decision);
     PresenceDecision "presence_decision" Lanes |_| 1, At(Cut::Decision);
     Power "power" LaneChannels |w| w.power, Always;
@@ -454,10 +455,12 @@ rows! {
     PairCount "pair_count" Pairs |_| SpatialWidths::PAIR_COUNT, At(Cut::PairPower);
     PairFirst "pair_first" One |_| 1, At(Cut::PairPower);
     PairLast "pair_last" One |_| 1, At(Cut::PairPower);
+    PairFirstDelay "pair_first_delay" Channels |_| 1, At(Cut::RangeDelay);
     GroupPower "group_power" Channels |w| w.group_power, At(Cut::GroupPower);
     GroupCount "group_count" One |_| SpatialWidths::GROUP_COUNT, At(Cut::GroupPower);
     GroupFirst "group_first" One |_| 1, At(Cut::GroupPower);
     GroupLast "group_last" One |_| 1, At(Cut::GroupPower);
+    GroupLastDelay "group_last_delay" Channels |_| 1, At(Cut::RangeDelay);
     SumFirst "sum_first" Channels |_| 1, At(Cut::Decision);
     Sum "sum" Channels |w| w.sum, Always;
     Count "count" One |w| w.count, Always;
