@@ -30,15 +30,15 @@ synth=(target/release/photoncube synth --update)
 # Area and clock: of single engines and cells in all flows; of chains of engines on their own device.
 measure_area_and_clock() {
     flows=() seeds=() chain_seeds=(--seeds 1)
-    full_device=("${chain_seeds[@]}" --placer static --router router2)
+    full_device=(--placer static --router router2)
     case $1 in
         # The median that the project names is of five.
         stream) seeds=(--seeds 5) ;;
         # Devices so full that nextpnr's default router does not come to an end with all seeds; its
         # default placer leaves some cells of the first far from theirs and finds no place for some of
         # the second.
-        chip-mixed) flows=(--flow ecp5) chain_seeds=("${full_device[@]}") ;;
-        tile-10) flows=(--flow ecp5-nodsp) chain_seeds=("${full_device[@]}") ;;
+        chip-mixed) flows=(--flow ecp5) chain_seeds=(--seed 2 "${full_device[@]}") ;;
+        tile-10) flows=(--flow ecp5-nodsp) chain_seeds=(--seeds 1 "${full_device[@]}") ;;
         tile-6-mixed) flows=(--flow ecp5 --flow ecp5-nodsp) ;;
         tile-4 | tile-5) ;;
         tile-* | chip-*) flows=(--flow ecp5-nodsp) ;;
