@@ -111,7 +111,9 @@ const VERIFICATIONS: &[(&str, &str)] = of_machines![
     "tile-7",
     "tile-8",
     "tile-9",
+    "chip-mixed",
     "tile-6-mixed",
+    "chip-lut",
 ];
 
 #[derive(Deserialize)]
