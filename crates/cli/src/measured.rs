@@ -111,6 +111,7 @@ const VERIFICATIONS: &[(&str, &str)] = of_machines![
     "tile-7",
     "tile-8",
     "tile-9",
+    "tile-10",
     "chip-mixed",
     "tile-6-mixed",
     "chip-lut",
