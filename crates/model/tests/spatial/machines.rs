@@ -48,13 +48,14 @@ pub fn all_cuts(squarer: Squarer) -> impl Iterator<Item = Cuts> {
         cuts.has(Cut::Range)
             && (squarer != Squarer::Table || cuts.has(Cut::Cross))
             && (!cuts.has(Cut::Decision) || cuts.has(Cut::GroupPower))
+            && (!cuts.has(Cut::RangeDelay) || cuts.has(Cut::Decision) && cuts.has(Cut::PairPower))
     })
 }
 
 /// The cuts of `machine` from the decisions on, and before them those of `positions`.
 fn with_positions(machine: Cuts, positions: Cuts) -> Cuts {
     let of = |cut| {
-        if cut < Cut::Decision {
+        if cut < Cut::RangeDelay {
             positions
         } else {
             machine
@@ -66,9 +67,14 @@ fn with_positions(machine: Cuts, positions: Cuts) -> Cuts {
 
 /// What the rules ask for beside some cuts.
 fn needed_beside(cuts: &[Cut]) -> Vec<Cut> {
-    let beside_decisions = cuts.contains(&Cut::Decision).then_some(Cut::GroupPower);
-    let always = [Cut::Cross, Cut::Range];
-    always.into_iter().chain(beside_decisions).collect()
+    let mut needed = vec![Cut::Cross, Cut::Range];
+    if cuts.contains(&Cut::Decision) {
+        needed.push(Cut::GroupPower);
+    }
+    if cuts.contains(&Cut::RangeDelay) {
+        needed.extend([Cut::Decision, Cut::PairPower, Cut::GroupPower]);
+    }
+    needed
 }
 
 /// Named cuts, the extremes, and any.

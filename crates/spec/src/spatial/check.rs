@@ -158,7 +158,7 @@ impl Spatial {
     }
 
     fn check_shared_cuts(&self, machine: &Machine, kind: EngineKind) -> Result<(), SpatialError> {
-        let mut shared = Cut::ALL.into_iter().filter(|&cut| cut >= Cut::Decision);
+        let mut shared = Cut::ALL.into_iter().filter(|&cut| cut >= Cut::RangeDelay);
         match shared.find(|&cut| kind.cuts.has(cut) != self.cuts.has(cut)) {
             None => Ok(()),
             Some(cut) => Err(SpatialError::SharedCut {
