@@ -27,16 +27,9 @@ by_yosys() {
 by_iverilog() { iverilog -g2001 -Wall -s "$2" -o /dev/null "$1"; }
 by_verilator() { verilator --lint-only -Wall "${WAIVED[@]}" --top-module "$2" "$1"; }
 
-case ${1-} in
-    -h | --help)
-        usage
-        exit 0
-        ;;
-    -*)
-        usage >&2
-        exit 2
-        ;;
-esac
+# shellcheck source=scripts/yosys/common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+read_options "$@"
 
 files=("$@")
 if (($# == 0)); then
@@ -51,12 +44,7 @@ if (($# == 0)); then
         exit 2
     fi
 fi
-for tool in yosys iverilog verilator; do
-    command -v "$tool" >/dev/null || {
-        echo "check: no $tool on the PATH; scripts/setup.sh installs it" >&2
-        exit 2
-    }
-done
+need yosys iverilog verilator
 
 for file in "${files[@]}"; do
     if [[ ! -f $file || ! $file =~ ^[[:alnum:]_./-]+\.v$ ]]; then

@@ -14,20 +14,10 @@ Exit codes: 0 copies are kept; 1 they are not, or registers are; 2 bad usage, a 
 USAGE
 }
 
-case ${1-} in
-    -h | --help)
-        usage
-        exit 0
-        ;;
-    -*)
-        usage >&2
-        exit 2
-        ;;
-esac
-command -v yosys >/dev/null || {
-    echo "copies: no yosys on the PATH; scripts/setup.sh installs it" >&2
-    exit 2
-}
+# shellcheck source=scripts/yosys/common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+read_options "$@"
+need yosys
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 file=${1:-$root/hdl-out/tile-6-mixed/photoncube_tile_6_mixed.v}
 prefix=$(basename "$file" .v)

@@ -17,16 +17,9 @@ Exit codes: 0 all are proven; 1 one is not; 2 bad usage, a missing file or a mis
 USAGE
 }
 
-case ${1-} in
-    -h | --help)
-        usage
-        exit 0
-        ;;
-    -*)
-        usage >&2
-        exit 2
-        ;;
-esac
+# shellcheck source=scripts/yosys/common.sh
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+read_options "$@"
 
 files=("$@")
 if (($# == 0)); then
@@ -34,10 +27,7 @@ if (($# == 0)); then
     shopt -s nullglob
     files=(hdl-out/*/*_ecp5.v)
 fi
-command -v yosys >/dev/null || {
-    echo "ecp5: no yosys on the PATH; scripts/setup.sh installs it" >&2
-    exit 2
-}
+need yosys
 if ((${#files[@]} == 0)); then
     echo "ecp5: found no hdl-out/*/*_ecp5.v; write them with \`cargo run --release -- generate\`" >&2
     exit 2

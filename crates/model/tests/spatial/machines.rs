@@ -1,8 +1,8 @@
 //! Spatial machines: the named ones, and others in every legal shape.
 
 use photoncube_spec::{
-    Cut, Cuts, EngineKind, MACHINES, Machine, Numbers, Organisation, Radius, Spatial, Squarer,
-    find_machine, find_photon_format,
+    Cut, Cuts, EngineKind, MACHINES, Machine, Numbers, Organisation, Radius, Spatial, SpatialError,
+    Squarer, find_machine, find_photon_format,
 };
 use proptest::prelude::*;
 
@@ -37,19 +37,29 @@ pub fn with_cuts(machine: &Machine, cuts: Cuts) -> Machine {
 
 pub const SQUARERS: [Squarer; 3] = [Squarer::Digits, Squarer::Product, Squarer::Table];
 
-/// Every set of cuts that engines with such squarers may have.
+/// Every set of cuts that engines with such squarers may have: those that the spec's check takes.
 pub fn all_cuts(squarer: Squarer) -> impl Iterator<Item = Cuts> {
     let sets = (0_u32..1 << Cut::ALL.len()).map(|set| {
         let chosen = Cut::ALL.into_iter().enumerate();
         let chosen = chosen.filter(|(bit, _)| set >> bit & 1 == 1);
         Cuts::of(&chosen.map(|(_, cut)| cut).collect::<Vec<_>>())
     });
-    sets.filter(move |cuts| {
-        cuts.has(Cut::Range)
-            && (squarer != Squarer::Table || cuts.has(Cut::Cross))
-            && (!cuts.has(Cut::Decision) || cuts.has(Cut::GroupPower))
-            && (!cuts.has(Cut::RangeDelay) || cuts.has(Cut::Decision) && cuts.has(Cut::PairPower))
-    })
+    sets.filter(move |&cuts| check_cuts(squarer, cuts).is_ok())
+}
+
+/// What the spec says of `stream` with such squarers and cuts.
+fn check_cuts(squarer: Squarer, cuts: Cuts) -> Result<(), SpatialError> {
+    let stream = named("stream");
+    let spatial = Spatial {
+        cuts,
+        ..*stream.spatial().unwrap()
+    };
+    let machine = Machine {
+        squarer,
+        organisation: Organisation::Spatial(spatial),
+        ..stream
+    };
+    spatial.check(&machine)
 }
 
 /// The cuts of `machine` from the decisions on, and before them those of `positions`.
@@ -65,16 +75,16 @@ fn with_positions(machine: Cuts, positions: Cuts) -> Cuts {
     Cuts::of(&all.collect::<Vec<_>>())
 }
 
-/// What the rules ask for beside some cuts.
-fn needed_beside(cuts: &[Cut]) -> Vec<Cut> {
-    let mut needed = vec![Cut::Cross, Cut::Range];
-    if cuts.contains(&Cut::Decision) {
-        needed.push(Cut::GroupPower);
+/// The cuts, and what the rules ask for beside them. All kinds of squarers may come, so the rules are
+/// those of the tables, which ask for the most.
+fn completed(mut cuts: Vec<Cut>) -> Cuts {
+    loop {
+        match check_cuts(Squarer::Table, Cuts::of(&cuts)) {
+            Ok(()) => return Cuts::of(&cuts),
+            Err(SpatialError::Cut { cut, .. }) => cuts.push(cut),
+            Err(other) => panic!("{other}"),
+        }
     }
-    if cuts.contains(&Cut::RangeDelay) {
-        needed.extend([Cut::Decision, Cut::PairPower, Cut::GroupPower]);
-    }
-    needed
 }
 
 /// Named cuts, the extremes, and any.
@@ -82,14 +92,10 @@ fn cuts() -> impl Strategy<Value = Cuts> {
     let of = |name| named(name).spatial().unwrap().cuts;
     prop_oneof![
         Just(Cuts::of(&Cut::ALL)),
-        // All kinds of squarers may come, so the tables' register is there too.
-        Just(Cuts::of(&[Cut::Cross, Cut::Range])),
+        Just(completed(Vec::new())),
         Just(of("stream")),
         Just(of("tile-5")),
-        prop::sample::subsequence(Cut::ALL.to_vec(), 0..=Cut::ALL.len()).prop_map(|mut cuts| {
-            cuts.extend(needed_beside(&cuts));
-            Cuts::of(&cuts)
-        }),
+        prop::sample::subsequence(Cut::ALL.to_vec(), 0..=Cut::ALL.len()).prop_map(completed),
     ]
 }
 

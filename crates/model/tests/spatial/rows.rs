@@ -24,19 +24,14 @@ fn power_up_is_all_zero_and_ready_for_a_query() {
 /// Whether the wave of a reset clears it in an engine.
 fn is_cleared(register: EngineRegister) -> bool {
     use EngineRegister as R;
-    [
-        [R::TokenValid, R::NextValid, R::Swap, R::First, R::Last],
-        [
-            R::GateFirst,
-            R::GateLast,
-            R::PairFirst,
-            R::PairLast,
-            R::Done,
-        ],
-    ]
-    .as_flattened()
-    .contains(&register)
-        || [R::GroupFirst, R::GroupLast, R::ResultValid].contains(&register)
+    let of_tokens = [R::TokenValid, R::NextValid, R::Swap, R::ResultValid];
+    let of_firsts = [R::First, R::GateFirst, R::PairFirst, R::PairFirstDelay];
+    let of_lasts = [R::Last, R::GateLast, R::PairLast, R::GroupLast];
+    let of_sums = [R::GroupFirst, R::GroupLastDelay, R::SumFirst, R::SumDone];
+    register == R::Done
+        || [of_tokens, of_firsts, of_lasts, of_sums]
+            .as_flattened()
+            .contains(&register)
 }
 
 /// A register of the head that does in a reset as in any clock.
@@ -159,7 +154,7 @@ fn reset_in_flight(machine: &Machine, clocks: u64) {
 
 #[test]
 fn a_reset_clears_the_head_at_once_and_the_engines_flags_as_a_wave() {
-    for name in ["stream", "tile-5", "tile-7"] {
+    for name in ["stream", "tile-5", "tile-7", "tile-6-mixed"] {
         for clocks in 0..120 {
             reset_in_flight(&named(name), clocks);
         }

@@ -48,9 +48,10 @@
 //! # An engine, each clock
 //! - `reset_in` is the pin for engine 0 and engine e - 1's `Reset` for engine e; `Reset` := it.
 //!   Where `reset_in` is set, `TokenValid`, `NextValid`, `Swap`, `First`, `Last`, `GateFirst`,
-//!   `GateLast`, `PairFirst`, `PairLast`, `GroupFirst`, `GroupLast`, `Done` and `ResultValid` become 0 with
-//!   the edge, whatever else is said below; `ResultValid` also where `Reset` is set, because a
-//!   result of engine e + 1, which the wave reaches a clock later, is on its way back.
+//!   `GateLast`, `PairFirst`, `PairLast`, `PairFirstDelay`, `GroupFirst`, `GroupLast`, `GroupLastDelay`,
+//!   `SumFirst`, `SumDone`, `Done` and `ResultValid` become 0 with the edge, whatever else is said
+//!   below; `ResultValid` also where `Reset` is set, because a result of engine e + 1, which the wave
+//!   reaches a clock later, is on its way back.
 //! - The incoming token is the query that the head takes for engine 0, and engine e - 1's `Token`
 //!   for engine e; the incoming `swap` likewise: a first group taken, or engine e - 1's `Swap`;
 //!   `Swap` := incoming swap (cleared as above).

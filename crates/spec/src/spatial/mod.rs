@@ -70,7 +70,7 @@ pub struct Spatial {
 /// What an engine's squares are made of, and where its pipeline has registers. Kinds may differ in
 /// the cuts of the flow of positions, since a block RAM and a DSP block want registers around them that
 /// an adder does not need; where an engine decides sooner than the slowest kind, its decisions wait.
-/// From the decisions on, the cuts of all kinds are the machine's.
+/// From [`Cut::RangeDelay`] on, where all engines share the clocks, the cuts of all kinds are the machine's.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct EngineKind {
     /// What squares are made of.
