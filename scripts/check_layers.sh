@@ -30,6 +30,7 @@ LAYERS = [
     ("crates/hdl", "photoncube-hdl", "spec", ""),
     ("crates/render", "photoncube-render", "spec model", ""),
     ("testbenches", "photoncube-testbench", "spec model hdl", "render"),
+    ("benches", "photoncube-benches", "", "spec model render"),
     ("crates/cli", "photoncube", "spec model hdl render testbench", ""),
 ]
 GENERATOR = re.compile(r"rust-hdl(-.+)?")

@@ -4,7 +4,7 @@
 //! clock, register by register ([`StepMachine`] runs programs, [`SpatialMachine`] is a pipeline);
 //! [`gather`] is the sum over photons that all of it is for. A property test holds them equal.
 //! [`LocalGather`] is the same sum over blocks of stored records in a photon format, with its
-//! radius. No I/O, no HDL, and no arithmetic shared with the HDL.
+//! radius; [`PhotonPlanes`] makes it fast, bit for bit. No I/O, no HDL, and no arithmetic shared with the HDL.
 
 mod cell;
 mod gather;
@@ -13,6 +13,7 @@ mod local;
 mod machine;
 mod overlap;
 mod overlap_cell;
+mod planes;
 mod range;
 mod spatial;
 
@@ -25,5 +26,6 @@ pub use local::{
 pub use machine::{ControlState, StepMachine};
 pub use overlap::{OverlapControl, OverlapMachine};
 pub use overlap_cell::{CellPorts, OverlapCell};
+pub use planes::{Gathered, Instructions, LEAF, PhotonPlanes, Surroundings};
 pub use range::{Limits, RangeError};
 pub use spatial::SpatialMachine;

@@ -13,9 +13,10 @@
 //! - up to the order of the records, after permuting the photons.
 
 use std::borrow::Cow;
+use std::ops::Range;
 
 use glam::DVec3;
-use photoncube_model::{LocalError, LocalGather};
+use photoncube_model::{LocalError, LocalGather, PhotonPlanes};
 use photoncube_spec::{
     Exponent, FormatError, LocalQuery, LocalSums, PhotonBlock, PhotonFormat, PhotonRecord,
 };
@@ -24,7 +25,7 @@ use thiserror::Error;
 
 use crate::photon_map::{Candidates, MapError, PhotonMap};
 use crate::power_scale::{PowerScale, power_of_two};
-use crate::quantise::fraction;
+use crate::quantise::{fraction, in_steps};
 use crate::trace::Photon;
 
 /// Why a photon map cannot be had in a format.
@@ -45,6 +46,8 @@ pub struct FormatMap<'a> {
     gather: LocalGather,
     /// In the map's order.
     records: Vec<PhotonRecord>,
+    /// The same, run by run, for the fast gather.
+    planes: PhotonPlanes,
     blocks: Vec<Block>,
     scale: PowerScale,
 }
@@ -92,8 +95,10 @@ impl<'a> FormatMap<'a> {
                     .iter()
                     .map(|p| record(&map, format, &scale, block.exponent, p))
             });
+        let records: Vec<_> = records.collect();
         Ok(Self {
-            records: records.collect(),
+            planes: planes(&map, gather, &records, &blocks),
+            records,
             gather,
             blocks,
             scale,
@@ -113,6 +118,12 @@ impl<'a> FormatMap<'a> {
         self.gather.format()
     }
 
+    /// The photons in the format, as the fast gather has them.
+    #[must_use]
+    pub fn planes(&self) -> &PhotonPlanes {
+        &self.planes
+    }
+
     /// The photons before rounding, in the format's blocks.
     #[must_use]
     pub fn map(&self) -> &PhotonMap {
@@ -128,16 +139,23 @@ impl<'a> FormatMap<'a> {
     /// The flux that sums of power stand for.
     #[must_use]
     pub fn flux(&self, power: [u128; 3]) -> DVec3 {
-        self.scale.flux(DVec3::from(power.map(|sum| sum as f64)))
+        // Most sums fit 64 bits, from which processors convert by themselves; to the same.
+        let float = |sum| u64::try_from(sum).map_or_else(|_| sum as f64, |sum| sum as f64);
+        self.scale.flux(DVec3::from(power.map(float)))
     }
 
     /// The query at `position`, in its frame.
     #[must_use]
     pub fn query(&self, position: DVec3) -> LocalQuery {
+        self.query_at(self.map.place(position).1)
+    }
+
+    /// The query that lies `fraction` of the edge into its block.
+    pub(crate) fn query_at(&self, fraction: DVec3) -> LocalQuery {
         let format = self.format();
-        let bits = format.position_bits + format.query_extra_bits;
+        let steps = in_steps(fraction, format.radius_bits());
         LocalQuery {
-            position: fraction(&self.map, position, bits).map(|f| format.edge_steps() + f),
+            position: steps.map(|step| format.edge_steps() + step),
         }
     }
 
@@ -145,11 +163,15 @@ impl<'a> FormatMap<'a> {
     /// rule of [`PhotonMap`].
     pub fn blocks(&self, position: DVec3, normal: DVec3) -> impl Iterator<Item = PhotonBlock<'_>> {
         let runs = self.map.candidates(position, normal);
-        runs.map(|Candidates { offset, photons }| PhotonBlock {
-            offset,
-            exponent: self.block_exponent(photons.start),
-            photons: &self.records[photons],
-        })
+        runs.map(
+            |Candidates {
+                 offset, photons, ..
+             }| PhotonBlock {
+                offset,
+                exponent: self.block_exponent(photons.start),
+                photons: &self.records[photons],
+            },
+        )
     }
 
     /// The sums of a query.
@@ -191,13 +213,17 @@ impl<'a> FormatMap<'a> {
     ) -> impl Iterator<Item = (&Photon, bool)> {
         let query = self.query(position);
         let runs = self.map.candidates(position, normal);
-        runs.flat_map(move |Candidates { offset, photons }| {
-            photons.map(move |index| {
-                let record = &self.records[index];
-                let in_range = self.gather.in_range(&query, offset, record);
-                (&self.map.photons()[index], in_range)
-            })
-        })
+        runs.flat_map(
+            move |Candidates {
+                      offset, photons, ..
+                  }| {
+                photons.map(move |index| {
+                    let record = &self.records[index];
+                    let in_range = self.gather.in_range(&query, offset, record);
+                    (&self.map.photons()[index], in_range)
+                })
+            },
+        )
     }
 
     /// The flux of a stored photon, as the format has it; `index` as in [`Self::records`].
@@ -218,9 +244,36 @@ impl<'a> FormatMap<'a> {
     }
 
     fn block_exponent(&self, photon: usize) -> u8 {
-        let next = self.blocks.partition_point(|block| block.start <= photon);
-        self.blocks[next - 1].exponent
+        exponent_of(&self.blocks, photon)
     }
+}
+
+fn exponent_of(blocks: &[Block], photon: usize) -> u8 {
+    let next = blocks.partition_point(|block| block.start <= photon);
+    blocks[next - 1].exponent
+}
+
+/// The planes of all runs, made by parts side by side.
+fn planes(
+    map: &PhotonMap,
+    gather: LocalGather,
+    records: &[PhotonRecord],
+    blocks: &[Block],
+) -> PhotonPlanes {
+    /// Some hundred thousand photons: the parts are joined one after the other.
+    const PART_RUNS: usize = 4096;
+    let runs: Vec<_> = map.runs().collect();
+    let part = |runs: &[Range<usize>]| {
+        let mut planes = PhotonPlanes::new(gather);
+        for run in runs {
+            let stored = planes.push_run(exponent_of(blocks, run.start), &records[run.clone()]);
+            stored.expect("rounded to the format");
+        }
+        planes
+    };
+    let parts: Vec<_> = runs.par_chunks(PART_RUNS).map(part).collect();
+    let none = PhotonPlanes::new(gather);
+    parts.iter().fold(none, PhotonPlanes::joined)
 }
 
 fn record(

@@ -26,6 +26,8 @@
 //! Not modelled: refraction and glossy surfaces, textures, media, lens effects, meshes (rays are
 //! tested against every quad, which suits a hundred of them).
 
+mod band;
+mod batch;
 mod camera;
 mod compare;
 mod estimate;

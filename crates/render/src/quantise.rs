@@ -134,14 +134,18 @@ impl<'a> QuantisedMap<'a> {
     /// its frame, as they stream to the machine.
     pub fn photons(&self, position: DVec3, normal: DVec3) -> impl Iterator<Item = spec::Photon> {
         let runs = self.map.candidates(position, normal);
-        runs.flat_map(|Candidates { offset, photons }| {
-            let base = offset.map(|blocks| blocks << self.format.position_bits());
-            self.photons[photons].iter().map(move |p| spec::Photon {
-                position: std::array::from_fn(|axis| base[axis] + u32::from(p.fraction[axis])),
-                power: p.power.map(u32::from),
-                exponent: 0,
-            })
-        })
+        runs.flat_map(
+            |Candidates {
+                 offset, photons, ..
+             }| {
+                let base = offset.map(|blocks| blocks << self.format.position_bits());
+                self.photons[photons].iter().map(move |p| spec::Photon {
+                    position: std::array::from_fn(|axis| base[axis] + u32::from(p.fraction[axis])),
+                    power: p.power.map(u32::from),
+                    exponent: 0,
+                })
+            },
+        )
     }
 }
 
@@ -176,9 +180,13 @@ fn power_step(map: &PhotonMap, bits: u32) -> f64 {
 /// floor(fraction * 2^bits) of a position in its block, below 2^bits also where rounding makes
 /// the fraction exactly 1.
 pub(crate) fn fraction(map: &PhotonMap, position: DVec3, bits: u32) -> [u32; 3] {
+    in_steps(map.place(position).1, bits)
+}
+
+/// A fraction of a block's edge in steps of 2^-`bits`.
+pub(crate) fn in_steps(fraction: DVec3, bits: u32) -> [u32; 3] {
     let steps = 1u32 << bits;
-    let place = map.in_blocks(position);
-    let fraction = (place - place.floor()) * f64::from(steps);
+    let fraction = fraction * f64::from(steps);
     // `as` saturates, and takes a NaN for 0.
     fraction.to_array().map(|f| (f as u32).min(steps - 1))
 }

@@ -9,6 +9,7 @@ use photoncube_spec::{Machine, PhotonFormat};
 use rayon::prelude::*;
 use thiserror::Error;
 
+use crate::band::{BAND_ROWS, Band};
 use crate::estimate::{Estimate, Refusal};
 use crate::estimators::{Estimator, EstimatorError, Method, UnfitEstimator};
 use crate::format_map::{FormatMap, FormatMapError};
@@ -98,6 +99,10 @@ pub struct RenderStats {
     pub gathers: u64,
     /// Photons tested against a query in a gather: distance, compare, accumulate.
     pub photon_tests: u64,
+    /// Those of them that the golden model decided by the block or leaf that they are in, which the query's
+    /// sphere cannot touch: a machine tests them one by one. 0 for the reference, and where
+    /// queries are gathered one at a time.
+    pub photons_skipped: u64,
     /// Those of them in range.
     pub photons_in_range: u64,
     /// Iterations of the machine: a gather's photons in groups of
@@ -113,6 +118,7 @@ impl AddAssign for RenderStats {
         self.query_points += other.query_points;
         self.gathers += other.gathers;
         self.photon_tests += other.photon_tests;
+        self.photons_skipped += other.photons_skipped;
         self.photons_in_range += other.photons_in_range;
         self.photon_groups += other.photon_groups;
         self.largest_query = self.largest_query.max(other.largest_query);
@@ -169,18 +175,20 @@ pub fn render_with(
         options,
     };
     let done = AtomicU64::new(0);
-    let row = |y| {
-        let row = renderer.row(y)?;
-        let width = u64::from(options.width);
-        progress(done.fetch_add(width, Ordering::Relaxed) + width);
-        Ok(row)
+    let band = |band: u32| {
+        let first = band * BAND_ROWS;
+        let (pixels, stats) = renderer.band(first, options.height.min(first + BAND_ROWS))?;
+        let count = pixels.len() as u64;
+        progress(done.fetch_add(count, Ordering::Relaxed) + count);
+        Ok((pixels, stats))
     };
-    let rows: Result<Vec<_>, RenderError> = (0..options.height).into_par_iter().map(row).collect();
+    let bands = (0..options.height.div_ceil(BAND_ROWS)).into_par_iter();
+    let bands: Result<Vec<_>, RenderError> = bands.map(band).collect();
     let mut pixels = Vec::new();
     let mut stats = RenderStats::default();
-    for (row, row_stats) in rows? {
-        pixels.extend(row);
-        stats += row_stats;
+    for (band, band_stats) in bands? {
+        pixels.extend(band);
+        stats += band_stats;
     }
     let image = Image::from_rows(options.width, pixels);
     Ok(Rendering { image, stats })
@@ -233,13 +241,27 @@ struct Renderer<'a> {
 }
 
 impl Renderer<'_> {
-    fn row(&self, y: u32) -> Result<(Vec<DVec3>, RenderStats), RenderError> {
+    /// The pixels of rows `first` to `end`.
+    fn band(&self, first: u32, end: u32) -> Result<(Vec<DVec3>, RenderStats), RenderError> {
+        if let (Prepared::Format(map, _), Method::FixedRadius) = (&self.engine, &self.method) {
+            let band = Band::new(self.scene, self.options, first, end);
+            if let Ok(found) = band.gather(map, |photons| self.engine.groups(photons)) {
+                return Ok((band.pixels(&found), found.stats));
+            }
+            // One query was refused: going on one at a time says which.
+        }
+        self.rows(first, end)
+    }
+
+    /// The same, query by query.
+    fn rows(&self, first: u32, end: u32) -> Result<(Vec<DVec3>, RenderStats), RenderError> {
         let mut stats = RenderStats::default();
-        let pixel = |x| {
+        let pixel = |(x, y)| {
             let pixel = self.pixel(x, y, &mut stats);
             pixel.map_err(|refusal| RenderError::of(refusal, x, y))
         };
-        let pixels: Result<Vec<_>, _> = (0..self.options.width).map(pixel).collect();
+        let pixels = (first..end).flat_map(|y| (0..self.options.width).map(move |x| (x, y)));
+        let pixels: Result<Vec<_>, _> = pixels.map(pixel).collect();
         Ok((pixels?, stats))
     }
 
@@ -262,6 +284,7 @@ impl Renderer<'_> {
             query_points: 1,
             gathers: estimate.gathers,
             photon_tests: estimate.gathers * estimate.tests,
+            photons_skipped: 0,
             photons_in_range: estimate.in_range,
             photon_groups: estimate.gathers * self.engine.groups(estimate.tests),
             largest_query: estimate.tests,
@@ -348,6 +371,42 @@ mod tests {
         // 0.26 % of the photons change sides, about half of them each way.
         let ratio = format.photons_in_range as f64 / f64.photons_in_range as f64;
         assert!((ratio - 1.0).abs() < 0.001, "{ratio}");
+    }
+
+    /// In bands by the fast gather, and query by query by the plain one: the same to the last bit.
+    #[test]
+    fn bands_are_what_single_queries_give() {
+        let (scene, map) = scene_and_map();
+        for format in PHOTON_FORMATS {
+            let renderer = Renderer {
+                scene: &scene,
+                map: &map,
+                method: Method::FixedRadius,
+                engine: Prepared::new(&map, Engine::Format(format)).unwrap(),
+                options: &OPTIONS,
+            };
+            let (band, stats) = renderer.band(3, 9).unwrap();
+            let (rows, expected) = renderer.rows(3, 9).unwrap();
+            assert_eq!(band, rows, "{format}");
+            assert!(stats.photons_skipped > 0, "{format}");
+            let stats = RenderStats {
+                photons_skipped: 0,
+                ..stats
+            };
+            assert_eq!(stats, expected, "{format}");
+        }
+    }
+
+    #[test]
+    fn a_format_too_small_for_a_query_says_which_pixel() {
+        let (scene, map) = scene_and_map();
+        let format = PhotonFormat {
+            max_photons: 3,
+            ..PHOTON_FORMATS[0]
+        };
+        let error = render(&scene, &map, Engine::Format(&format), &OPTIONS, &|_| ()).unwrap_err();
+        assert!(error.to_string().starts_with("pixel ("), "{error}");
+        assert!(matches!(error, RenderError::LocalGather { .. }));
     }
 
     #[test]

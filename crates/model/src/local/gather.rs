@@ -146,7 +146,8 @@ impl LocalGather {
         }
     }
 
-    fn check_count(&self, found: u64) -> Result<(), CountError> {
+    /// Checks that the sums are sized for that many photons.
+    pub(crate) fn check_count(&self, found: u64) -> Result<(), CountError> {
         if found <= self.format.max_photons {
             return Ok(());
         }

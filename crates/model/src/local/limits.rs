@@ -74,8 +74,15 @@ impl LocalLimits {
     /// The first value that does not fit, with the limit.
     pub fn check_block(&self, block: &PhotonBlock<'_>) -> Result<(), ValueError> {
         self.check_each(OFFSET, block.offset, [PhotonFormat::FRAME_BLOCKS - 1; 3])?;
-        let exponent = u32::from(block.exponent);
-        self.check("block exponent", exponent, self.block_exponent)
+        self.check_block_exponent(block.exponent)
+    }
+
+    /// Checks a block's exponent.
+    ///
+    /// # Errors
+    /// One that does not fit, with the limit.
+    pub fn check_block_exponent(&self, exponent: u8) -> Result<(), ValueError> {
+        self.check("block exponent", exponent.into(), self.block_exponent)
     }
 
     /// Checks that a record fits.

@@ -104,8 +104,8 @@ fn exactly_one(format: &PhotonFormat) -> Result<Outcome, HardCaseError> {
 
 /// Whether a fraction rounded to nearest loses its carry.
 fn is_carried(map: &PhotonMap, position: DVec3, bits: u32) -> bool {
-    let place = map.in_blocks(position).x;
-    let fraction = (place - place.floor()) * f64::from(1_u32 << bits);
+    let (_, fraction) = map.place(position);
+    let fraction = fraction.x * f64::from(1_u32 << bits);
     fraction.round() as u32 >> bits == 1
 }
 

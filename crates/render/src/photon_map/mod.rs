@@ -4,7 +4,7 @@
 //! photons in range of a query lie in the 27 blocks around it. Photons stand in the order of
 //! (block z, y, x, surface); a *run* is the slice of one surface in one block. Only blocks that
 //! hold photons take memory, and the three blocks of a row are neighbours in the order, so a
-//! query looks up nine places.
+//! query looks up three slices of the grid and a few rows in each.
 
 use std::ops::Range;
 
@@ -16,11 +16,14 @@ use crate::scene::Scene;
 use crate::trace::Photon;
 
 mod error;
+mod rows;
 
 pub use self::error::MapError;
+use self::rows::Rows;
 
 /// Bits of a block's index on one axis: three of them and a sign bit fit 64 bits.
 const INDEX_BITS: u32 = 21;
+const INDEX_MASK: u64 = (1 << INDEX_BITS) - 1;
 
 /// The photons of one surface in one block, a slice of the map's order.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -30,12 +33,29 @@ struct Run {
     photons: Range<u32>,
 }
 
+impl Run {
+    fn x(&self) -> u64 {
+        self.block & INDEX_MASK
+    }
+
+    /// What orders rows of blocks along x.
+    fn row(&self) -> u64 {
+        self.block >> INDEX_BITS
+    }
+
+    fn photons(&self) -> Range<usize> {
+        self.photons.start as usize..self.photons.end as usize
+    }
+}
+
 /// One run that a query gathers.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Candidates {
     /// Its block's place among the 27 around the query, 0 to 2 on every axis; the query's own
     /// is `[1, 1, 1]`.
     pub offset: [u32; 3],
+    /// Its place among [`PhotonMap::runs`].
+    pub run: usize,
     /// Its photons, as indices into [`PhotonMap::photons`].
     pub photons: Range<usize>,
 }
@@ -67,6 +87,7 @@ pub struct PhotonMap {
     low: DVec3,
     photons: Vec<Photon>,
     runs: Vec<Run>,
+    rows: Rows,
     /// The normal of every surface of the scene.
     normals: Vec<DVec3>,
 }
@@ -118,6 +139,7 @@ impl PhotonMap {
             low,
             photons: Vec::new(),
             runs: Vec::new(),
+            rows: Rows::default(),
             normals: scene.surfaces().iter().map(|s| s.quad.normal()).collect(),
         };
         map.check(&photons, high)?;
@@ -141,6 +163,7 @@ impl PhotonMap {
             low: self.low - shift * edge,
             photons: Vec::new(),
             runs: Vec::new(),
+            rows: Rows::default(),
             normals: self.normals.clone(),
             ..*self
         };
@@ -195,6 +218,7 @@ impl PhotonMap {
             });
             start = end;
         }
+        self.rows = Rows::of(&self.runs);
     }
 
     /// The search radius, in scene units.
@@ -236,60 +260,61 @@ impl PhotonMap {
         })
     }
 
+    /// Bytes that finding runs takes.
+    #[must_use]
+    pub fn index_bytes(&self) -> usize {
+        size_of_val(self.runs.as_slice()) + self.rows.bytes()
+    }
+
+    /// The photons of every run, as indices into [`Self::photons`], in its order.
+    pub fn runs(&self) -> impl ExactSizeIterator<Item = Range<usize>> {
+        self.runs.iter().map(Run::photons)
+    }
+
+    /// The block that `position` is in, by its place on each axis of the grid, and how far into it the
+    /// position lies, 0 to 1 of its edge.
+    pub(crate) fn place(&self, position: DVec3) -> (I64Vec3, DVec3) {
+        let place = self.in_blocks(position);
+        let block = I64Vec3::from_array(place.to_array().map(floor));
+        (block, place - block.as_dvec3())
+    }
+
     /// `position` in block edges from the grid's origin. First the difference from the scene, which
     /// is exact for a scene far from the origin: where moving it rounds no coordinate, all
     /// later results are bit-identical.
-    pub(crate) fn in_blocks(&self, position: DVec3) -> DVec3 {
+    fn in_blocks(&self, position: DVec3) -> DVec3 {
         (position - self.low + 0.5 * self.edge) / self.edge
     }
 
     fn block_key(&self, position: DVec3) -> u64 {
-        let block = self.in_blocks(position).floor().as_i64vec3();
-        key(block).expect("checked: inside the scene")
+        key(self.place(position).0).expect("checked: inside the scene")
     }
 
     /// The runs that a query at `position` on a surface of unit normal `normal` gathers, by
     /// the rule stated at [`PhotonMap`]: those of the 27 blocks around it that face its way. Always in
     /// the map's order.
     pub fn candidates(&self, position: DVec3, normal: DVec3) -> impl Iterator<Item = Candidates> {
-        let centre = self.in_blocks(position).floor().as_i64vec3();
-        let rows = (0..3).flat_map(|z| (0..3).map(move |y| I64Vec3::new(0, y, z)));
-        rows.flat_map(move |row| {
-            let first = centre.wrapping_add(row - I64Vec3::ONE);
-            self.row(first).iter().map(move |run| (row, first, run))
-        })
-        .filter(move |(.., run)| self.faces(run.surface, normal))
-        .map(|(row, first, run)| Candidates {
-            offset: [
-                (x_of(run.block) - first.x) as u32,
-                row.y as u32,
-                row.z as u32,
-            ],
-            photons: run.photons.start as usize..run.photons.end as usize,
-        })
+        let (centre, _) = self.place(position);
+        self.around(centre, normal)
+    }
+
+    /// The same for any query in the block `centre`.
+    pub(crate) fn around(
+        &self,
+        centre: I64Vec3,
+        normal: DVec3,
+    ) -> impl Iterator<Item = Candidates> {
+        let runs = self.rows.around(centre);
+        runs.filter(move |(_, run)| self.faces(self.runs[*run].surface, normal))
+            .map(|(offset, run)| Candidates {
+                offset,
+                run,
+                photons: self.runs[run].photons(),
+            })
     }
 
     fn faces(&self, surface: u32, normal: DVec3) -> bool {
         self.normals[surface as usize].dot(normal) > Self::MIN_FACING_COSINE
-    }
-
-    /// The runs of the three blocks from `first` along x.
-    fn row(&self, first: I64Vec3) -> &[Run] {
-        // A row outside the grid has no key, hence no runs; its x alone may start outside.
-        let limit = (1 << INDEX_BITS) - 1;
-        let Some(last) = first.x.checked_add(2).filter(|x| *x >= 0) else {
-            return &[];
-        };
-        let from = key(first.with_x(first.x.max(0)));
-        let to = key(first.with_x(last.min(limit)));
-        let (Some(from), Some(to)) = (from, to) else {
-            return &[];
-        };
-        let start = self.runs.partition_point(|run| run.block < from);
-        let tail = &self.runs[start..];
-        // A row holds few runs: counting them beats a second search.
-        let count = tail.iter().take_while(|run| run.block <= to).count();
-        &tail[..count]
     }
 }
 
@@ -303,8 +328,11 @@ fn key(block: I64Vec3) -> Option<u64> {
     })
 }
 
-fn x_of(key: u64) -> i64 {
-    (key & ((1 << INDEX_BITS) - 1)) as i64
+/// The largest integer not above `x`. Processors without an instruction for it would call a function;
+/// this is a conversion and a comparison. It saturates, and takes a NaN for 0.
+fn floor(x: f64) -> i64 {
+    let truncated = x as i64;
+    truncated.saturating_sub((truncated as f64 > x).into())
 }
 
 #[cfg(test)]

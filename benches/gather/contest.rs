@@ -1,0 +1,168 @@
+//! The contestants: each sums the power in range of all queries, in parallel on the pool that it runs on.
+
+use glam::DVec3;
+use photoncube_model::Instructions;
+use photoncube_render::{FormatMap, QueryPoint};
+use photoncube_spec::PhotonFormat;
+use rayon::prelude::*;
+
+use crate::data::Data;
+use crate::found::Found;
+use crate::tree::Tree;
+
+#[cfg(target_arch = "x86_64")]
+use {crate::grid::F32Grid, pulp::x86::V3};
+
+/// Queries that a thread takes at a time, as a tile of a picture.
+const TILE: usize = 1024;
+
+/// The tiles that all contestants gather to be held against each other, and that the slowest is measured on.
+pub const SOME: usize = 16;
+
+/// Something that gathers.
+pub trait Contestant {
+    /// Its name in the table.
+    fn name(&self) -> &'static str;
+
+    /// Bytes that its photons take, with what finds them.
+    fn bytes(&self) -> usize;
+
+    /// The sums over the queries of every `every`-th tile.
+    fn gather(&self, every: usize) -> Found;
+
+    /// Which tiles are measured: what is slow need not gather all of them.
+    fn every(&self) -> usize {
+        1
+    }
+}
+
+/// The contestants that this machine can run.
+pub fn contestants<'a>(
+    format: &PhotonFormat,
+    data: &'a Data,
+) -> Vec<Box<dyn Contestant + Sync + 'a>> {
+    let mut all: Vec<Box<dyn Contestant + Sync + 'a>> = Vec::new();
+    for instructions in Instructions::available() {
+        all.push(Box::new(FixedPoint::new(format, data, instructions)));
+    }
+    let positions: Vec<_> = data.queries.iter().map(|query| query.position).collect();
+    #[cfg(target_arch = "x86_64")]
+    match V3::try_new() {
+        Some(simd) => all.push(Box::new(Grid {
+            grid: F32Grid::new(&data.map),
+            simd,
+            queries: positions.clone(),
+        })),
+        None => println!("this processor has no AVX2: the f32 grid is left out"),
+    }
+    all.push(Box::new(KdTree {
+        tree: Tree::new(&data.map),
+        queries: positions,
+    }));
+    all
+}
+
+/// The sums of every `every`-th tile.
+fn sum<Q: Sync>(
+    queries: &[Q],
+    every: usize,
+    gather: impl Fn(&[Q]) -> Found + Sync + Send,
+) -> Found {
+    let tiles = queries.par_chunks(TILE).step_by(every).map(gather);
+    tiles.reduce(Found::default, |mut all, tile| {
+        all += tile;
+        all
+    })
+}
+
+struct FixedPoint<'a> {
+    map: FormatMap<'a>,
+    instructions: Instructions,
+    queries: &'a [QueryPoint],
+}
+
+impl<'a> FixedPoint<'a> {
+    fn new(format: &PhotonFormat, data: &'a Data, instructions: Instructions) -> Self {
+        Self {
+            map: FormatMap::new(&data.map, format).expect("a legal radius"),
+            instructions,
+            queries: &data.queries,
+        }
+    }
+}
+
+impl Contestant for FixedPoint<'_> {
+    fn name(&self) -> &'static str {
+        match self.instructions.name() {
+            "portable" => "fixed point, portable",
+            _ => "fixed point",
+        }
+    }
+
+    fn bytes(&self) -> usize {
+        self.map.planes().bytes() + self.map.map().index_bytes()
+    }
+
+    fn gather(&self, every: usize) -> Found {
+        sum(self.queries, every, |tile| {
+            let found = self.map.gather_all_by(self.instructions, tile);
+            let mut all = Found::default();
+            for query in found.expect("fewer photons than the format declares") {
+                all += Found {
+                    queries: 1,
+                    power: self.map.flux(query.sums.power),
+                    count: query.sums.count,
+                    tests: query.tests,
+                };
+            }
+            all
+        })
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+struct Grid {
+    grid: F32Grid,
+    simd: V3,
+    queries: Vec<DVec3>,
+}
+
+#[cfg(target_arch = "x86_64")]
+impl Contestant for Grid {
+    fn name(&self) -> &'static str {
+        "f32 grid"
+    }
+
+    fn bytes(&self) -> usize {
+        self.grid.bytes()
+    }
+
+    fn gather(&self, every: usize) -> Found {
+        sum(&self.queries, every, |tile| {
+            self.grid.gather_all(self.simd, tile)
+        })
+    }
+}
+
+struct KdTree {
+    tree: Tree,
+    queries: Vec<DVec3>,
+}
+
+impl Contestant for KdTree {
+    fn name(&self) -> &'static str {
+        "kiddo"
+    }
+
+    fn bytes(&self) -> usize {
+        self.tree.bytes()
+    }
+
+    fn every(&self) -> usize {
+        SOME
+    }
+
+    fn gather(&self, every: usize) -> Found {
+        sum(&self.queries, every, |tile| self.tree.gather_all(tile))
+    }
+}

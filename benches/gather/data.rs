@@ -1,0 +1,171 @@
+//! What is measured on: photons of equal power on a floor, and queries where they are.
+
+use glam::DVec3;
+use photoncube_render::{FormatMap, Photon, PhotonMap, QueryPoint, Scene};
+use photoncube_spec::PhotonFormat;
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+use serde_json::json;
+
+/// As many as view rays of a picture of 512x512 pixels, four for each.
+pub const QUERIES: usize = 1 << 20;
+
+/// How photons lie on the floor.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Light {
+    /// Anywhere, all places alike.
+    Uniform,
+    /// Half of them on a caustic: the nephroid that a round mirror makes, as thin as a hundredth of the
+    /// floor's edge.
+    Caustic,
+}
+
+impl Light {
+    pub const ALL: [Self; 2] = [Self::Uniform, Self::Caustic];
+
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Uniform => "uniform",
+            Self::Caustic => "caustic",
+        }
+    }
+
+    fn place(self, rng: &mut Pcg64Mcg) -> DVec3 {
+        let anywhere = DVec3::new(rng.random(), 0.0, rng.random());
+        if self == Self::Uniform || rng.random::<bool>() {
+            return anywhere;
+        }
+        // Nephroid of a unit circle's mirror, over 3 to fit the floor.
+        let t = rng.random::<f64>() * std::f64::consts::TAU;
+        let on = DVec3::new(
+            3.0 * t.cos() - (3.0 * t).cos(),
+            0.0,
+            3.0 * t.sin() - (3.0 * t).sin(),
+        );
+        let off = DVec3::new(rng.random::<f64>() - 0.5, 0.0, rng.random::<f64>() - 0.5);
+        0.1 * on + 0.01 * off + DVec3::new(0.5, 0.0, 0.5)
+    }
+}
+
+/// One set of photons and queries.
+pub struct Data {
+    light: Light,
+    /// Photons that a query has in range, on average, to be met within a twentieth.
+    in_range: f64,
+    pub map: PhotonMap,
+    /// Sorted by the map's blocks.
+    pub queries: Vec<QueryPoint>,
+}
+
+impl Data {
+    pub fn new(format: &PhotonFormat, light: Light, photons: usize, in_range: f64) -> Self {
+        let scene = floor();
+        let mut rng = Pcg64Mcg::seed_from_u64(1);
+        let floor = scene.surfaces().iter().position(|s| s.shape == "floor");
+        let surface = floor.expect("a floor") as u32;
+        let photon = |position| Photon {
+            position,
+            // As tracing leaves it: the strongest channel alike, others by what they met.
+            power: DVec3::new(1.0, 0.7, 0.4) / photons as f64,
+            surface,
+        };
+        let places: Vec<_> = (0..photons)
+            .map(|_| photon(light.place(&mut rng)))
+            .collect();
+        let mut queries: Vec<_> = (0..QUERIES)
+            .map(|_| QueryPoint {
+                position: light.place(&mut rng),
+                normal: DVec3::Y,
+                beta: DVec3::ONE,
+            })
+            .collect();
+        // Blocks of the format's edge: queries are sorted by them, for all contestants alike.
+        let map = |radius| {
+            let edge = FormatMap::edge_for(format, radius);
+            PhotonMap::with_edge(&scene, places.clone(), radius, edge).expect("a legal radius")
+        };
+        let radius = radius_for(&map, photons, &queries, in_range);
+        let map = map(radius);
+        map.sort_queries(&mut queries);
+        Self {
+            light,
+            in_range,
+            queries,
+            map,
+        }
+    }
+
+    pub fn name(&self) -> String {
+        let photons = self.map.photons().len();
+        format!(
+            "{} 1e{} {}",
+            self.light.name(),
+            photons.ilog10(),
+            self.in_range
+        )
+    }
+}
+
+/// The radius at which some of the queries have `in_range` photons in range on average.
+fn radius_for(
+    map: &dyn Fn(f64) -> PhotonMap,
+    photons: usize,
+    queries: &[QueryPoint],
+    in_range: f64,
+) -> f64 {
+    let some: Vec<_> = queries.iter().step_by(queries.len() / 512).collect();
+    // That of twice as many photons in range if all lay alike: no denser light asks for more.
+    let (mut low, mut high) = (
+        0.0,
+        (2.0 * in_range / (std::f64::consts::PI * photons as f64)).sqrt(),
+    );
+    let widest = map(high);
+    let mut mean = 0.0;
+    for _ in 0..30 {
+        let radius = f64::midpoint(low, high);
+        let count = |query: &&QueryPoint| {
+            let runs = widest.candidates(query.position, query.normal);
+            let photons = runs.flat_map(|run| &widest.photons()[run.photons]);
+            let near = photons.filter(|p| p.position.distance(query.position) <= radius);
+            near.count() as f64
+        };
+        mean = some.iter().map(count).sum::<f64>() / some.len() as f64;
+        if mean < in_range {
+            low = radius;
+        } else {
+            high = radius;
+        }
+    }
+    assert!(
+        (mean / in_range - 1.0).abs() < 0.05,
+        "found {mean} in range, expected {in_range}"
+    );
+    f64::midpoint(low, high)
+}
+
+/// A floor of one unit by one, and a light above it.
+fn floor() -> Scene {
+    let rgb = |value: f64| json!({"type": "rgb", "value": [value, value, value]});
+    let quad = |y: f64, order: [u32; 4]| {
+        json!({
+            "kind": "quads",
+            "vertices": [[0.0, y, 0.0], [1.0, y, 0.0], [1.0, y, 1.0], [0.0, y, 1.0]],
+            "quads_ccw_outward": [order],
+            "bsdf": {"type": "diffuse", "reflectance": rgb(0.5)},
+        })
+    };
+    let mut light = quad(1.0, [0, 1, 2, 3]);
+    light["emitter"] = json!({"type": "area", "radiance": rgb(1.0)});
+    let to_world = [
+        [1.0, 0.0, 0.0, 0.5],
+        [0.0, 1.0, 0.0, 0.5],
+        [0.0, 0.0, 1.0, -1.0],
+        [0.0, 0.0, 0.0, 1.0],
+    ];
+    let text = json!({
+        "name": "floor",
+        "camera": {"fov_deg": 60, "fov_axis": "smaller", "to_world": to_world},
+        "shapes": {"floor": quad(0.0, [0, 3, 2, 1]), "light": light},
+    });
+    Scene::from_json("floor", &text.to_string()).expect("a scene")
+}

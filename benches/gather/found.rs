@@ -1,0 +1,40 @@
+//! What all contestants find, so that they can be held to the same work.
+
+use std::ops::AddAssign;
+
+use glam::DVec3;
+
+/// Sums over queries.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Found {
+    pub queries: u64,
+    pub power: DVec3,
+    pub count: u64,
+    /// Photons whose distance was computed; of a tree that does not tell, those in range.
+    pub tests: u64,
+}
+
+impl Found {
+    /// Whether this is as much light: formats round, and f32 decides otherwise at the sphere's border, which
+    /// may move a few photons in a thousand.
+    pub fn is_near(&self, other: &Self) -> bool {
+        let near = |a: f64, b: f64| (a - b).abs() <= 0.005 * b;
+        let powers = self
+            .power
+            .to_array()
+            .into_iter()
+            .zip(other.power.to_array());
+        self.queries == other.queries
+            && near(self.count as f64, other.count as f64)
+            && powers.into_iter().all(|(a, b)| near(a, b))
+    }
+}
+
+impl AddAssign for Found {
+    fn add_assign(&mut self, other: Self) {
+        self.queries += other.queries;
+        self.power += other.power;
+        self.count += other.count;
+        self.tests += other.tests;
+    }
+}

@@ -1,0 +1,89 @@
+//! The gather beside its peers, on the same photons and queries, in one run: `scripts/bench.sh`.
+
+use std::hint::black_box;
+use std::path::Path;
+use std::time::{Duration, SystemTime};
+
+use criterion::{BenchmarkId, Criterion, SamplingMode, Throughput};
+use photoncube_spec::{PhotonFormat, find_photon_format};
+use rayon::ThreadPoolBuilder;
+
+use crate::contest::{SOME, contestants};
+use crate::data::{Data, Light};
+use crate::table::{Row, print};
+
+mod contest;
+mod data;
+mod found;
+#[cfg(target_arch = "x86_64")]
+mod grid;
+mod table;
+mod tree;
+
+/// The format of the gather: RGBE8 in 8 bits per radius, the project's default.
+const FORMAT: &str = "local8-rgb8e5";
+
+/// Threads of each round.
+const THREADS: [usize; 2] = [1, 2];
+
+fn main() {
+    let started = SystemTime::now();
+    let mut criterion = Criterion::default()
+        .sample_size(10)
+        .warm_up_time(Duration::from_millis(300))
+        .measurement_time(Duration::from_secs(2))
+        .configure_from_args();
+    let format = find_photon_format(FORMAT).expect("a listed format");
+    let mut rows = Vec::new();
+    for light in Light::ALL {
+        for photons in [100_000, 1_000_000] {
+            for in_range in [50.0, 200.0] {
+                let data = Data::new(&format, light, photons, in_range);
+                rows.extend(measure(&mut criterion, &format, &data));
+            }
+        }
+    }
+    criterion.final_summary();
+    match std::env::var_os("CRITERION_HOME") {
+        Some(home) => print(Path::new(&home), started, &rows),
+        None => println!("scripts/bench.sh prints a table of the ratios"),
+    }
+}
+
+/// All contestants on one set of photons and queries.
+fn measure(criterion: &mut Criterion, format: &PhotonFormat, data: &Data) -> Vec<Row> {
+    let mut rows = Vec::new();
+    let contestants = contestants(format, data);
+    let expected = contestants[0].gather(SOME);
+    for threads in THREADS {
+        let pool = ThreadPoolBuilder::new().num_threads(threads).build();
+        let pool = pool.expect("threads");
+        let mut group = criterion.benchmark_group(data.name());
+        group.sampling_mode(SamplingMode::Flat);
+        for contestant in &contestants {
+            let some = contestant.gather(SOME);
+            assert!(
+                some.is_near(&expected),
+                "{}: {some:?}, {expected:?}",
+                contestant.name()
+            );
+            let every = contestant.every();
+            let found = contestant.gather(every);
+            let id = format!("{} x{threads}", contestant.name());
+            group.throughput(Throughput::Elements(found.tests));
+            group.bench_function(BenchmarkId::from_parameter(&id), |bencher| {
+                pool.install(|| bencher.iter(|| black_box(contestant.gather(every))));
+            });
+            rows.push(Row {
+                data: data.name(),
+                contestant: contestant.name(),
+                threads,
+                id,
+                found,
+                bytes_per_photon: contestant.bytes() as f64 / data.map.photons().len() as f64,
+            });
+        }
+        group.finish();
+    }
+    rows
+}

@@ -1,0 +1,155 @@
+//! Leaves: up to [`LEAF`] photons near each other, and the box around them.
+
+use std::ops::Range;
+
+use photoncube_spec::PhotonRecord;
+
+/// The most photons of a leaf: as many as the kernel tests at a time.
+pub const LEAF: usize = 32;
+
+/// Bits of a box's bounds: positions of more are rounded outwards.
+const BOX_BITS: u32 = 8;
+
+/// A leaf among the planes.
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Leaf {
+    /// Where it starts, in photons.
+    pub start: u32,
+    /// Its photons.
+    pub photons: u8,
+    /// The exponent of all their mantissas.
+    pub exponent: u8,
+    /// The lowest and the highest cell on each axis, in 8 bits.
+    low: [u8; 3],
+    high: [u8; 3],
+}
+
+impl Leaf {
+    /// The leaf of `records`, whose photons start at `start`.
+    pub fn new(records: &[PhotonRecord], start: u32, exponent: u8, position_bits: u32) -> Self {
+        let shift = position_bits.saturating_sub(BOX_BITS);
+        let bound = |cell: u16| (cell >> shift) as u8;
+        Self {
+            start,
+            photons: records.len() as u8,
+            exponent,
+            low: std::array::from_fn(|axis| bound(bounds(records, axis)[0])),
+            high: std::array::from_fn(|axis| bound(bounds(records, axis)[1])),
+        }
+    }
+
+    /// The same leaf with `photons` more before it.
+    pub fn moved(self, photons: u32) -> Self {
+        Self {
+            start: self.start + photons,
+            ..self
+        }
+    }
+
+    /// The cells that the box spans on an axis; it holds all photons of the leaf.
+    pub fn cells(&self, axis: usize, position_bits: u32) -> [u32; 2] {
+        let shift = position_bits.saturating_sub(BOX_BITS);
+        let low = u32::from(self.low[axis]) << shift;
+        let high = u32::from(self.high[axis]) << shift | ((1 << shift) - 1);
+        [low, high]
+    }
+}
+
+fn bounds(records: &[PhotonRecord], axis: usize) -> [u16; 2] {
+    let cells = records.iter().map(|record| record.position[axis]);
+    cells.fold([u16::MAX, 0], |[low, high], cell| {
+        [low.min(cell), high.max(cell)]
+    })
+}
+
+/// Orders the records of a run so that leaves follow each other, and gives the place of each.
+///
+/// Records of one exponent stand together; where they are more than a leaf holds, they are
+/// parted across the axis on which they spread widest, into full leaves where they can be.
+pub(super) fn into_leaves(records: &mut [PhotonRecord]) -> Vec<Range<usize>> {
+    records.sort_unstable_by_key(|record| record.exponent);
+    let mut leaves = Vec::new();
+    let mut start = 0;
+    for group in records.chunk_by_mut(|a, b| a.exponent == b.exponent) {
+        part(group, start, &mut leaves);
+        start += group.len();
+    }
+    leaves
+}
+
+fn part(records: &mut [PhotonRecord], start: usize, leaves: &mut Vec<Range<usize>>) {
+    if records.len() <= LEAF {
+        leaves.push(start..start + records.len());
+        return;
+    }
+    let spread = |axis: &usize| {
+        let [low, high] = bounds(records, *axis);
+        high - low
+    };
+    let widest = (0..3).max_by_key(spread).expect("three axes");
+    // Half of them in whole leaves: over LEAF records, so there are some on either side.
+    let middle = (records.len() / 2).next_multiple_of(LEAF);
+    records.select_nth_unstable_by_key(middle, |record| record.position[widest]);
+    let (below, above) = records.split_at_mut(middle);
+    part(below, start, leaves);
+    part(above, start + middle, leaves);
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn records() -> impl Strategy<Value = Vec<PhotonRecord>> {
+        let record =
+            (prop::array::uniform3(0_u16..4096), 0_u8..3).prop_map(|(position, exponent)| {
+                PhotonRecord {
+                    position,
+                    mantissa: [1, 2, 3],
+                    exponent,
+                }
+            });
+        prop::collection::vec(record, 0..300)
+    }
+
+    fn sorted(mut records: Vec<PhotonRecord>) -> Vec<PhotonRecord> {
+        records.sort_unstable_by_key(|r| (r.exponent, r.position));
+        records
+    }
+
+    proptest! {
+        /// Leaves have every record once, of one exponent each, within their box.
+        #[test]
+        fn leaves_hold_every_record_once(given in records(), bits in 8_u32..=12) {
+            let mut ordered = given.clone();
+            ordered.iter_mut().for_each(|r| r.position = r.position.map(|cell| cell >> (12 - bits)));
+            let given = ordered.clone();
+            let leaves = into_leaves(&mut ordered);
+            let mut next = 0;
+            for place in leaves {
+                prop_assert_eq!(place.start, next);
+                next = place.end;
+                let held = &ordered[place];
+                prop_assert!((1..=LEAF).contains(&held.len()));
+                let leaf = Leaf::new(held, 0, held[0].exponent, bits);
+                for record in held {
+                    prop_assert_eq!(record.exponent, leaf.exponent);
+                    for axis in 0..3 {
+                        let [low, high] = leaf.cells(axis, bits);
+                        prop_assert!((low..=high).contains(&record.position[axis].into()));
+                    }
+                }
+            }
+            prop_assert_eq!(next, ordered.len());
+            prop_assert_eq!(sorted(ordered), sorted(given));
+        }
+    }
+
+    #[test]
+    fn photons_in_one_place_are_parted_too() {
+        let mut records = vec![PhotonRecord::default(); 100];
+        let sizes: Vec<_> = into_leaves(&mut records).iter().map(Range::len).collect();
+        assert_eq!(sizes, [32, 32, 32, 4]);
+    }
+}

@@ -1,0 +1,101 @@
+//! The leaves around a block, for all queries in it.
+
+use photoncube_spec::PhotonFormat;
+
+use super::axis::Side;
+use super::leaf::Leaf;
+use super::store::{PhotonPlanes, centre};
+
+/// A leaf as the queries of a block see it.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub(super) struct Seen {
+    pub leaf: Leaf,
+    /// The axes on which its block is in the middle, then the others.
+    pub axes: [u8; 3],
+    /// On how many its block is in the middle.
+    pub inside: u8,
+    /// How its block lies, in the order of `axes`.
+    pub sides: [Side; 3],
+    /// On each axis the lowest and the highest query, in fine steps of the frame, for which the
+    /// distance to a photon of the leaf may be 0.
+    pub low: [u16; 3],
+    pub high: [u16; 3],
+}
+
+impl Seen {
+    fn new(format: &PhotonFormat, offset: [u32; 3], leaf: Leaf) -> Self {
+        let (mut low, mut high) = ([0; 3], [0; 3]);
+        for (axis, blocks) in offset.into_iter().enumerate() {
+            // Three edges of at most 2^14.
+            let corner = (blocks * format.edge_steps()) as u16;
+            let [first, last] = leaf.cells(axis, format.position_bits);
+            // On half steps a photon above the query is at m = centre - query - 1.
+            low[axis] = corner + centre(format, first as u16) - u16::from(format.half_steps());
+            high[axis] = corner + centre(format, last as u16);
+        }
+        let sides = offset.map(Side::of);
+        let mut axes = [0_u8, 1, 2];
+        axes.sort_by_key(|&axis| sides[usize::from(axis)] != Side::Middle);
+        Self {
+            leaf,
+            axes,
+            inside: sides.iter().filter(|side| **side == Side::Middle).count() as u8,
+            sides: axes.map(|axis| sides[usize::from(axis)]),
+            low,
+            high,
+        }
+    }
+}
+
+/// The leaves that the queries of one block and one facing gather.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Surroundings {
+    pub(super) seen: Vec<Seen>,
+    photons: u64,
+}
+
+impl Surroundings {
+    /// Makes these the surroundings of a block: `runs` of `planes`, each with its block's place
+    /// in the frame, 0 to 2 on each axis.
+    ///
+    /// # Panics
+    /// Where there is no such place or run.
+    pub fn set(
+        &mut self,
+        planes: &PhotonPlanes,
+        runs: impl IntoIterator<Item = ([u32; 3], usize)>,
+    ) {
+        self.seen.clear();
+        let format = planes.format();
+        // Chained iterators are faster from within.
+        runs.into_iter().for_each(|(offset, run)| {
+            assert!(
+                offset
+                    .iter()
+                    .all(|&blocks| blocks < PhotonFormat::FRAME_BLOCKS)
+            );
+            let leaves = planes.leaves_of(run).iter();
+            self.seen
+                .extend(leaves.map(|leaf| Seen::new(format, offset, *leaf)));
+        });
+        // The kernel sums up each exponent by itself.
+        if self
+            .seen
+            .iter()
+            .any(|seen| seen.leaf.exponent != self.seen[0].leaf.exponent)
+        {
+            self.seen.sort_by_key(|seen| seen.leaf.exponent);
+        }
+        self.photons = self
+            .seen
+            .iter()
+            .map(|seen| u64::from(seen.leaf.photons))
+            .sum();
+    }
+
+    /// The photons of all leaves: what a machine would test.
+    #[must_use]
+    pub fn photons(&self) -> u64 {
+        self.photons
+    }
+}

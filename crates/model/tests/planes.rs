@@ -1,0 +1,388 @@
+//! The fast gather against the plain one: bit for bit, in every format, by all instructions.
+
+use photoncube_model::{
+    Gathered, Instructions, LEAF, LocalError, LocalGather, PhotonPlanes, Surroundings,
+};
+use photoncube_spec::{
+    Channels, Exponent, LocalQuery, LocalSums, PHOTON_FORMATS, PhotonBlock, PhotonFormat,
+    PhotonRecord, PowerFormat, Rounding,
+};
+use proptest::prelude::*;
+use proptest::sample::select;
+
+/// One run around a query.
+#[derive(Clone, Debug)]
+struct Run {
+    offset: [u32; 3],
+    exponent: u8,
+    records: Vec<PhotonRecord>,
+}
+
+/// Queries of one block in a format, and what they gather.
+#[derive(Clone, Debug)]
+struct Scene {
+    format: PhotonFormat,
+    radius_sq: u32,
+    queries: Vec<LocalQuery>,
+    runs: Vec<Run>,
+}
+
+fn exponents() -> impl Strategy<Value = Exponent> {
+    prop_oneof![
+        Just(Exponent::None),
+        (1_u32..=8).prop_map(|bits| Exponent::Block { bits }),
+        (1_u32..=8).prop_map(|bits| Exponent::Photon { bits }),
+    ]
+}
+
+/// Every legal format but for its `max_photons`, which no test here reaches.
+fn formats() -> impl Strategy<Value = PhotonFormat> {
+    let channels = select(vec![Channels::Mono, Channels::Rgb]);
+    let fields = (4_u32..=12, 0_u32..=2, channels, 1_u32..=16, exponents());
+    fields.prop_map(
+        |(position_bits, query_extra_bits, channels, mantissa_bits, exponent)| PhotonFormat {
+            position_bits,
+            query_extra_bits,
+            power: PowerFormat {
+                channels,
+                mantissa_bits,
+                exponent,
+                rounding: Rounding::Nearest,
+            },
+            ..PHOTON_FORMATS[0]
+        },
+    )
+}
+
+fn ones(bits: u32) -> u16 {
+    (u32::from(u16::MAX) >> (16 - bits)) as u16
+}
+
+fn record(format: PhotonFormat) -> impl Strategy<Value = PhotonRecord> {
+    let PowerFormat {
+        channels,
+        mantissa_bits,
+        exponent,
+        ..
+    } = format.power;
+    let largest = match exponent {
+        Exponent::Photon { .. } => format.power.exponent_range() as u8,
+        _ => 0,
+    };
+    // Near a border as likely as not: there distances are 0, saturate or change sign.
+    let cell = prop_oneof![
+        0..=ones(format.position_bits),
+        Just(0),
+        Just(ones(format.position_bits))
+    ];
+    let mantissa = prop_oneof![0..=ones(mantissa_bits), Just(ones(mantissa_bits))];
+    (
+        prop::array::uniform3(cell),
+        prop::array::uniform3(mantissa),
+        prop_oneof![0..=largest, Just(largest)],
+    )
+        .prop_map(
+            move |(position, [red, green, blue], exponent)| PhotonRecord {
+                position,
+                mantissa: match channels {
+                    Channels::Mono => [red, 0, 0],
+                    Channels::Rgb => [red, green, blue],
+                },
+                exponent,
+            },
+        )
+}
+
+fn run(format: PhotonFormat) -> impl Strategy<Value = Run> {
+    let largest = match format.power.exponent {
+        Exponent::Block { .. } => format.power.exponent_range() as u8,
+        _ => 0,
+    };
+    let records = prop::collection::vec(record(format), 0..3 * LEAF);
+    (prop::array::uniform3(0_u32..3), 0..=largest, records).prop_map(
+        |(offset, exponent, records)| Run {
+            offset,
+            exponent,
+            records,
+        },
+    )
+}
+
+fn scene() -> impl Strategy<Value = Scene> {
+    formats().prop_flat_map(|format| {
+        let edge = format.edge_steps();
+        let radius_sq = format.radius_steps().pow(2);
+        let coordinate = prop_oneof![edge..2 * edge, Just(edge), Just(2 * edge - 1)];
+        let query = prop::array::uniform3(coordinate).prop_map(|position| LocalQuery { position });
+        (
+            prop_oneof![Just(radius_sq), 0..=radius_sq, Just(0)],
+            prop::collection::vec(query, 1..6),
+            prop::collection::vec(run(format), 0..12),
+        )
+            .prop_map(move |(radius_sq, queries, runs)| Scene {
+                format,
+                radius_sq,
+                queries,
+                runs,
+            })
+    })
+}
+
+impl Scene {
+    fn gather(&self) -> LocalGather {
+        LocalGather::new(&self.format).unwrap()
+    }
+
+    fn planes(&self) -> PhotonPlanes {
+        let mut planes = PhotonPlanes::new(self.gather());
+        for run in &self.runs {
+            planes.push_run(run.exponent, &run.records).unwrap();
+        }
+        planes
+    }
+
+    fn surroundings(&self, planes: &PhotonPlanes) -> Surroundings {
+        let mut around = Surroundings::default();
+        around.set(planes, self.runs.iter().map(|run| run.offset).zip(0..));
+        around
+    }
+
+    /// The plain sums.
+    fn expected(&self) -> Vec<LocalSums> {
+        let blocks = self.runs.iter().map(|run| PhotonBlock {
+            offset: run.offset,
+            exponent: run.exponent,
+            photons: &run.records,
+        });
+        let gather = self.gather();
+        let sums = |query| {
+            gather
+                .gather_within(query, self.radius_sq, blocks.clone())
+                .unwrap()
+        };
+        self.queries.iter().map(sums).collect()
+    }
+}
+
+fn fast(scene: &Scene, planes: &PhotonPlanes, instructions: Instructions) -> Vec<LocalSums> {
+    let around = scene.surroundings(planes);
+    let mut found = vec![Gathered::default(); scene.queries.len()];
+    let done = planes.gather_by(
+        instructions,
+        &around,
+        &scene.queries,
+        scene.radius_sq,
+        &mut found,
+    );
+    done.unwrap();
+    assert!(
+        found
+            .iter()
+            .all(|f| (f.sums.count..=around.photons()).contains(&f.tests))
+    );
+    found.iter().map(|found| found.sums).collect()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 2000, ..ProptestConfig::default() })]
+
+    #[test]
+    fn all_instructions_give_the_plain_sums(scene in scene()) {
+        let planes = scene.planes();
+        let expected = scene.expected();
+        for instructions in Instructions::available() {
+            let found = fast(&scene, &planes, instructions);
+            prop_assert_eq!(&found, &expected, "{}", instructions.name());
+        }
+    }
+
+    #[test]
+    fn planes_made_in_parts_are_those_made_at_once(scene in scene(), at in 0_usize..12) {
+        let (first, rest) = scene.runs.split_at(at.min(scene.runs.len()));
+        let [first, rest] = [first, rest].map(|runs| Scene { runs: runs.to_vec(), ..scene.clone() }.planes());
+        let joined = first.joined(&rest);
+        prop_assert_eq!(joined.photons(), scene.planes().photons());
+        prop_assert_eq!(joined.bytes(), scene.planes().bytes());
+        prop_assert_eq!(fast(&scene, &joined, Instructions::fastest()), scene.expected());
+    }
+}
+
+/// Photons on both sides of the sphere, one step apart, along every axis and diagonal.
+#[test]
+fn the_border_of_the_sphere_is_decided_alike() {
+    for format in PHOTON_FORMATS {
+        let (edge, radius) = (format.edge_steps(), format.radius_steps());
+        let mut scene = Scene {
+            format: *format,
+            radius_sq: radius.pow(2),
+            queries: vec![LocalQuery {
+                position: [edge + edge / 2 + 1, edge, 2 * edge - 1],
+            }],
+            runs: Vec::new(),
+        };
+        for z in 0..3 {
+            let cells = 0..1_u16 << format.position_bits;
+            let on_axis = cells.clone().map(|x| [x, 0, ones(format.position_bits)]);
+            let on_diagonal = cells.map(|x| [x, x, x]);
+            for offset in [[0, 1, z], [1, 1, z], [2, 1, z], [1, 2, z]] {
+                let records =
+                    on_axis
+                        .clone()
+                        .chain(on_diagonal.clone())
+                        .map(|position| PhotonRecord {
+                            position,
+                            mantissa: [1, 1, 1],
+                            exponent: 0,
+                        });
+                scene.runs.push(Run {
+                    offset,
+                    exponent: 0,
+                    records: records.collect(),
+                });
+            }
+        }
+        let expected = scene.expected();
+        assert!(expected[0].count > 0, "{format}");
+        for instructions in Instructions::available() {
+            assert_eq!(
+                fast(&scene, &scene.planes(), instructions),
+                expected,
+                "{format}"
+            );
+        }
+    }
+}
+
+/// Power at the top of every field: the sums take more than 64 bits where they must.
+#[test]
+fn full_scale_sums_do_not_wrap() {
+    let format = PhotonFormat {
+        power: PowerFormat {
+            mantissa_bits: 16,
+            exponent: Exponent::Block { bits: 8 },
+            ..PHOTON_FORMATS[0].power
+        },
+        ..PHOTON_FORMATS[0]
+    };
+    let photon = PhotonRecord {
+        position: [7; 3],
+        mantissa: [u16::MAX; 3],
+        exponent: 0,
+    };
+    let scene = Scene {
+        format,
+        radius_sq: format.radius_steps().pow(2),
+        queries: vec![LocalQuery {
+            position: [256 + 7; 3],
+        }],
+        runs: vec![Run {
+            offset: [1; 3],
+            exponent: 24,
+            records: vec![photon; 1 << 20],
+        }],
+    };
+    let total = u128::from(u16::MAX) << (24 + 20);
+    for instructions in Instructions::available() {
+        let found = fast(&scene, &scene.planes(), instructions);
+        assert_eq!(
+            found,
+            [LocalSums {
+                power: [total; 3],
+                count: 1 << 20
+            }]
+        );
+    }
+}
+
+#[test]
+fn what_the_sphere_cannot_touch_is_not_tested() {
+    let far = PhotonRecord {
+        position: [255; 3],
+        mantissa: [1; 3],
+        exponent: 0,
+    };
+    let scene = Scene {
+        format: PHOTON_FORMATS[0],
+        radius_sq: 254 * 254,
+        queries: vec![LocalQuery { position: [256; 3] }],
+        runs: vec![
+            Run {
+                offset: [2; 3],
+                exponent: 0,
+                records: vec![far; 40],
+            },
+            Run {
+                offset: [0; 3],
+                exponent: 0,
+                records: vec![far; 3],
+            },
+        ],
+    };
+    let planes = scene.planes();
+    let mut found = [Gathered::default()];
+    planes
+        .gather(
+            &scene.surroundings(&planes),
+            &scene.queries,
+            scene.radius_sq,
+            &mut found,
+        )
+        .unwrap();
+    assert_eq!((found[0].tests, found[0].sums.count), (3, 3));
+}
+
+#[test]
+fn what_the_plain_gather_refuses_is_refused() {
+    let format = PhotonFormat {
+        max_photons: 3,
+        ..PHOTON_FORMATS[0]
+    };
+    let gather = LocalGather::new(&format).unwrap();
+    let photon = PhotonRecord {
+        position: [9; 3],
+        mantissa: [1; 3],
+        exponent: 0,
+    };
+    let refused = |records: &[PhotonRecord], position, radius_sq| {
+        let mut planes = PhotonPlanes::new(gather);
+        planes.push_run(0, records).unwrap();
+        let mut around = Surroundings::default();
+        around.set(&planes, [([1; 3], 0)]);
+        let query = LocalQuery { position };
+        let mut found = [Gathered::default()];
+        let fast = planes
+            .gather(&around, &[query], radius_sq, &mut found)
+            .unwrap_err();
+        assert_eq!(found, [Gathered::default()]);
+        let block = PhotonBlock {
+            offset: [1; 3],
+            exponent: 0,
+            photons: records,
+        };
+        let plain = gather
+            .gather_within(&query, radius_sq, [block])
+            .unwrap_err();
+        assert_eq!(fast, plain);
+        fast
+    };
+    assert!(matches!(
+        refused(&[photon; 4], [300; 3], 9),
+        LocalError::Count(_)
+    ));
+    assert!(matches!(
+        refused(&[photon; 2], [1024; 3], 9),
+        LocalError::Value(_)
+    ));
+    assert!(matches!(
+        refused(&[photon; 2], [300; 3], 254 * 254 + 1),
+        LocalError::Value(_)
+    ));
+    let mut planes = PhotonPlanes::new(gather);
+    let wrong = PhotonRecord {
+        position: [256, 0, 0],
+        ..photon
+    };
+    assert!(planes.push_run(0, &[wrong]).is_err());
+    assert!(planes.push_run(1, &[photon]).is_err());
+    assert_eq!((planes.photons(), planes.runs()), (0, 0));
+}

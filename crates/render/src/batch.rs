@@ -1,0 +1,93 @@
+//! Many queries at once, by the fast gather: what is looked up for a block serves all queries in it.
+
+use photoncube_model::{Gathered, Instructions, LocalError, Surroundings};
+use rayon::prelude::*;
+
+use crate::format_map::FormatMap;
+use crate::photon_map::PhotonMap;
+use crate::view::QueryPoint;
+
+/// Queries that one task of the thread pool gathers: many blocks of them, and what they find fits the
+/// caches.
+const TASK_QUERIES: usize = 1024;
+
+impl FormatMap<'_> {
+    /// The sums of all queries at the search radius, in their order: bit for bit those of [`Self::gather`].
+    ///
+    /// Queries that follow each other and are in one block, on surfaces that face alike, share the lookup
+    /// of the photons around them: see [`PhotonMap::sort_queries`].
+    ///
+    /// # Errors
+    /// As for [`Self::gather`], of one of the queries.
+    pub fn gather_all(&self, queries: &[QueryPoint]) -> Result<Vec<Gathered>, LocalError> {
+        self.gather_all_by(Instructions::fastest(), queries)
+    }
+
+    /// The same by these instructions.
+    ///
+    /// # Errors
+    /// As for [`Self::gather_all`].
+    pub fn gather_all_by(
+        &self,
+        instructions: Instructions,
+        queries: &[QueryPoint],
+    ) -> Result<Vec<Gathered>, LocalError> {
+        let mut found = vec![Gathered::default(); queries.len()];
+        let tasks = queries.par_chunks(TASK_QUERIES);
+        let places = found.par_chunks_mut(TASK_QUERIES);
+        tasks
+            .zip(places)
+            .try_for_each(|(queries, found)| self.gather_task(instructions, queries, found))?;
+        Ok(found)
+    }
+
+    fn gather_task(
+        &self,
+        instructions: Instructions,
+        queries: &[QueryPoint],
+        mut found: &mut [Gathered],
+    ) -> Result<(), LocalError> {
+        let (mut around, mut local) = (Surroundings::default(), Vec::new());
+        let placed = |query: &QueryPoint| {
+            let (block, fraction) = self.map().place(query.position);
+            (block, query.normal, self.query_at(fraction))
+        };
+        let placed: Vec<_> = queries.iter().map(placed).collect();
+        for together in placed.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
+            let (block, normal, _) = together[0];
+            let runs = self.map().around(block, normal);
+            around.set(self.planes(), runs.map(|run| (run.offset, run.run)));
+            local.clear();
+            local.extend(together.iter().map(|(.., query)| *query));
+            let (here, rest) = found.split_at_mut(together.len());
+            self.planes()
+                .gather_by(instructions, &around, &local, self.radius_sq(), here)?;
+            found = rest;
+        }
+        Ok(())
+    }
+}
+
+impl PhotonMap {
+    /// Puts queries of one block that face alike next to each other, and blocks in the order of a Morton
+    /// curve, so that photons are still in the caches when the next queries need them.
+    pub fn sort_queries(&self, queries: &mut [QueryPoint]) {
+        queries.sort_by_cached_key(|query| self.sort_key(query));
+    }
+
+    /// What puts queries into that order.
+    pub(crate) fn sort_key(&self, query: &QueryPoint) -> (u64, [u64; 3]) {
+        // Blocks outside the grid have nothing to share.
+        let block = self.place(query.position).0.to_array();
+        let [x, y, z] = block.map(|index| spread(index as u64));
+        (
+            x | y << 1 | z << 2,
+            query.normal.to_array().map(f64::to_bits),
+        )
+    }
+}
+
+/// The low 21 bits, each followed by two zeros.
+fn spread(index: u64) -> u64 {
+    (0..21).fold(0, |code, bit| code | (index >> bit & 1) << (3 * bit))
+}
