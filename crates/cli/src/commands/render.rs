@@ -28,6 +28,7 @@ struct Report {
     query_points: u64,
     gathers_per_query: f64,
     photon_tests: u64,
+    photons_skipped: u64,
     search_radius: f64,
     seed: u64,
     seconds: f64,
@@ -132,6 +133,7 @@ pub fn execute(args: &RenderArgs, json: bool) -> Result<()> {
         query_points: rendering.stats.query_points,
         gathers_per_query: mean(rendering.stats.gathers, rendering.stats.query_points),
         photon_tests: rendering.stats.photon_tests,
+        photons_skipped: rendering.stats.photons_skipped,
         search_radius: traced.map.radius(),
         seed: args.picture.seed,
         seconds: start.elapsed().as_secs_f64(),
@@ -146,11 +148,13 @@ fn mean(total: u64, count: u64) -> f64 {
 
 fn text(report: &Report) -> String {
     format!(
-        "{}: {} photons, {} query points, {} photon tests in {:.1} s; estimator {}, {:.1} gathers a query\n",
+        "{}: {} photons, {} query points, {} photon tests ({} skipped by their place) in {:.1} s; \
+         estimator {}, {:.1} gathers a query\n",
         report.output,
         report.photons,
         report.query_points,
         report.photon_tests,
+        report.photons_skipped,
         report.seconds,
         report.estimator,
         report.gathers_per_query,
