@@ -3,7 +3,7 @@
 //!
 //! The modules follow the six stages of a photon-mapping renderer, in their order:
 //! 1. [`Scene`]: surfaces, one area light or more, a camera;
-//! 2. [`trace`]: photons leave the lights, follow mirrors, and are stored at every diffuse hit;
+//! 2. [`trace`]: photons leave the lights, follow mirrors and refraction, and are stored at every diffuse hit;
 //! 3. [`PhotonMap`]: photons in blocks of a grid whose edge is at least the search radius;
 //! 4. [`ViewOptions`]: view rays, supersampled, end at [`QueryPoint`]s;
 //! 5. [`render`] with an [`Engine`] and an [`Estimator`]: the radiance estimate, by the f64 reference or by the
@@ -20,11 +20,12 @@
 //!
 //! # What is modelled
 //! Flat quads and boxes, diffuse (Lambertian) reflection on their front, perfect mirrors of one
-//! side or two, a black back, diffuse area lights, global illumination of any depth with its
-//! caustics, a pinhole camera with a box filter. Photons on the far side of a thin sheet, or
+//! side or two, smooth borders of clear media (Fresnel and Snell), spheres of either, a black back,
+//! diffuse area lights, global illumination of any depth with its caustics, a pinhole camera with a
+//! box filter. Photons on the far side of a thin sheet, or
 //! across a corner, are kept out of an estimate by the rule stated at [`PhotonMap`].
-//! Not modelled: refraction and glossy surfaces, textures, media, lens effects, meshes (rays are
-//! tested against every quad, which suits a hundred of them).
+//! Not modelled: diffuse spheres, glossy surfaces, colours of media and dispersion, textures, lens effects,
+//! meshes (rays are tested against every surface, which suits a hundred of them).
 
 mod band;
 mod batch;
@@ -63,7 +64,7 @@ pub use fit::{
     covering, covers, field_needs, fit, largest_query,
 };
 pub use format_map::{FormatMap, FormatMapError};
-pub use geometry::{Hit, Quad};
+pub use geometry::{Geometry, Hit, Quad, Sphere};
 pub use hard_cases::{
     Bound, Contrast, Grid, HARD_CASES, HardCase, HardCaseError, HardCaseReport, Outcome, Setting,
     hard_case_formats, run_hard_case,

@@ -91,7 +91,10 @@ mod tests {
             let words = MachineMap::Local(quantised.clone());
             let mut in_range = 0;
             for photon in map.photons().iter().step_by(97) {
-                let normal = scene.surfaces()[photon.surface as usize].quad.normal();
+                let normal = scene.surfaces()[photon.surface as usize]
+                    .geometry
+                    .flat_normal()
+                    .unwrap();
                 let streamed = words.photons(photon.position, normal);
                 let sums = gather(machine, &words.query(photon.position), streamed).unwrap();
                 let expected = quantised.gather(photon.position, normal).unwrap();

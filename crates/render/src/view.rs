@@ -120,7 +120,8 @@ impl ViewOptions {
             };
             let px = jittered(x, cell % cells);
             let py = jittered(y, cell / cells);
-            see(scene, &scene.camera().ray(px, py, self.width, self.height))
+            let ray = scene.camera().ray(px, py, self.width, self.height);
+            see(scene, &ray, &mut rng)
         })
     }
 }
@@ -129,8 +130,8 @@ fn random(rng: &mut Pcg64Mcg) -> f64 {
     rng.random()
 }
 
-/// Follows mirrors until a diffuse surface. No randomness: a ray is split nowhere.
-fn see(scene: &Scene, ray: &Ray) -> ViewSample {
+/// Follows mirrors, and at the borders of media one of both ways by chance, until a diffuse surface.
+fn see(scene: &Scene, ray: &Ray, rng: &mut Pcg64Mcg) -> ViewSample {
     let mut ray = *ray;
     let mut beta = DVec3::ONE;
     for _ in 0..=MAX_MIRRORS {
@@ -141,11 +142,12 @@ fn see(scene: &Scene, ray: &Ray) -> ViewSample {
         if !surface.is_lit(&hit) {
             break;
         }
-        if !surface.is_mirror() {
+        if !surface.is_specular() {
             return diffuse_sample(surface, &hit, beta);
         }
-        beta *= surface.reflectance();
-        ray = surface.mirrored(&ray, &hit);
+        let scattered = surface.scatter(&ray, &hit, rng);
+        beta *= scattered.radiance * surface.reflectance();
+        ray = scattered.ray;
     }
     ViewSample::default()
 }
@@ -155,7 +157,7 @@ fn diffuse_sample(surface: &Surface, hit: &Hit, beta: DVec3) -> ViewSample {
         emitted: beta * surface.radiance,
         query: Some(QueryPoint {
             position: hit.position,
-            normal: surface.quad.normal(),
+            normal: hit.normal,
             beta: beta * surface.reflectance() / std::f64::consts::PI,
         }),
     }
@@ -164,7 +166,7 @@ fn diffuse_sample(surface: &Surface, hit: &Hit, beta: DVec3) -> ViewSample {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::fixtures::{chamber, mirror_box, walls_met};
+    use crate::scene::fixtures::{chamber, glass_furnace, mirror_box, walls_met};
 
     const OPTIONS: ViewOptions = ViewOptions {
         width: 128,
@@ -212,6 +214,34 @@ mod tests {
         }
     }
 
+    /// Where every light has a radiance of 1, so has all that is seen through glass: what a border takes from
+    /// one ray by reflection it adds by refraction, and the factor of the medium is undone on the way out.
+    #[test]
+    fn a_furnace_looks_alike_through_glass() {
+        let scene = glass_furnace();
+        let mut through = 0;
+        for (x, y) in (0..64).flat_map(|x| (0..64).map(move |y| (x, y))) {
+            let options = ViewOptions {
+                width: 64,
+                height: 64,
+                ..OPTIONS
+            };
+            let ray = scene
+                .camera()
+                .ray(f64::from(x) + 0.5, f64::from(y) + 0.5, 64, 64);
+            let (index, _) = scene.intersect(&ray).unwrap();
+            through += usize::from(scene.surfaces()[index].shape == "ball");
+            for sample in options.samples(&scene, x, y) {
+                // 1e-12: a rounding for each border.
+                assert!(
+                    (sample.emitted - DVec3::ONE).abs().max_element() < 1e-12,
+                    "{x} {y}"
+                );
+            }
+        }
+        assert!(through > 500, "{through} pixels of the ball");
+    }
+
     /// The ceiling is seen once directly and again in the walls, darker with every mirror: by
     /// laying out the mirror images flat, a straight view ray says how many.
     #[test]
@@ -231,7 +261,11 @@ mod tests {
             } else {
                 DVec3::splat(0.5f64.powi(walls))
             };
-            assert_eq!(see(&scene, &ray).emitted, expected, "{x}, {y}: {walls}");
+            assert_eq!(
+                see(&scene, &ray, &mut stream(1, Purpose::View, 0)).emitted,
+                expected,
+                "{x}, {y}: {walls}"
+            );
         }
         assert!(most > MAX_MIRRORS as i32, "the bound is met: {most}");
     }

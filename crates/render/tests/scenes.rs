@@ -51,7 +51,7 @@ impl Traced {
     fn in_dim_room(&self, photon: &Photon) -> bool {
         let faces_right = || {
             let surface = &self.scene.surfaces()[photon.surface as usize];
-            surface.quad.normal().x > 0.5
+            surface.geometry.flat_normal().unwrap().x > 0.5
         };
         match self.shape(photon) {
             "partition" => faces_right(),
@@ -63,6 +63,32 @@ impl Traced {
         let map = PhotonMap::new(&self.scene, self.photons.clone(), self.radius).unwrap();
         render(&self.scene, &map, Engine::F64, &VIEW, &|_| ()).unwrap()
     }
+}
+
+/// The Cornell box with a ball of glass and one of metal: the glass gathers the lamp's light in a spot on
+/// the floor behind it, as seen from the lamp.
+#[test]
+fn glass_makes_a_caustic() {
+    let text = include_str!("../../../docs/scenes/spheres.json");
+    let traced = Traced::of(Scene::from_json("spheres.json", text).unwrap());
+    let on_balls = traced
+        .photons
+        .iter()
+        .filter(|p| traced.shape(p).ends_with("ball"));
+    assert_eq!(on_balls.count(), 0);
+    // 20 x 20 cells of a tenth.
+    let mut cells: HashMap<[i64; 2], f64> = HashMap::new();
+    for photon in traced.photons.iter().filter(|p| traced.shape(p) == "floor") {
+        let [x, _, z] = (photon.position * 10.0).floor().as_i64vec3().to_array();
+        *cells.entry([x, z]).or_default() += photon.power.element_sum();
+    }
+    let mean = cells.values().sum::<f64>() / 400.0;
+    let brightest = cells.iter().max_by(|a, b| a.1.total_cmp(b.1)).unwrap();
+    let ([x, z], flux) = brightest;
+    // The ball stands at (0.4, 0.4), the lamp over (0, 0).
+    assert!((3..=7).contains(x) && (3..=7).contains(z), "{x} {z}");
+    // Found: 11.5 times. The box as it comes, without glass, has 2.6.
+    assert!(*flux > 5.0 * mean, "{}", flux / mean);
 }
 
 /// Luminances of the pixels that are not black, rising.

@@ -74,7 +74,10 @@ impl Neighbourhood {
     #[must_use]
     pub fn brute_force(scene: &Scene, photons: &[Photon], query: &QueryPoint) -> Self {
         let faces = |photon: &&Photon| {
-            let normal = scene.surfaces()[photon.surface as usize].quad.normal();
+            let normal = scene.surfaces()[photon.surface as usize]
+                .geometry
+                .flat_normal()
+                .unwrap();
             normal.dot(query.normal) > PhotonMap::MIN_FACING_COSINE
         };
         let facing = photons.iter().filter(faces);

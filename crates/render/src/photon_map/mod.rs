@@ -12,7 +12,7 @@ use glam::{DVec3, I64Vec3};
 use rayon::prelude::*;
 
 use self::error::{check_edge, check_radius, outside};
-use crate::scene::Scene;
+use crate::scene::{Scene, Surface};
 use crate::trace::Photon;
 
 mod error;
@@ -102,8 +102,8 @@ impl PhotonMap {
     /// (scene units); 200 in range make a noise of about 7 %. Meant for any count over 0.
     #[must_use]
     pub fn radius_for(scene: &Scene, photons: u64, in_range: f64) -> f64 {
-        let diffuse = scene.surfaces().iter().filter(|s| !s.is_mirror());
-        let area: f64 = diffuse.map(|s| s.quad.area()).sum();
+        let diffuse = scene.surfaces().iter().filter(|s| !s.is_specular());
+        let area: f64 = diffuse.map(|s| s.geometry.area()).sum();
         (in_range * area / (std::f64::consts::PI * photons as f64)).sqrt()
     }
 
@@ -140,7 +140,7 @@ impl PhotonMap {
             photons: Vec::new(),
             runs: Vec::new(),
             rows: Rows::default(),
-            normals: scene.surfaces().iter().map(|s| s.quad.normal()).collect(),
+            normals: scene.surfaces().iter().map(facing).collect(),
         };
         map.check(&photons, high)?;
         map.sort(photons);
@@ -316,6 +316,11 @@ impl PhotonMap {
     fn faces(&self, surface: u32, normal: DVec3) -> bool {
         self.normals[surface as usize].dot(normal) > Self::MIN_FACING_COSINE
     }
+}
+
+/// What faces a query must have; of what stores no photons and is not flat it does not matter.
+fn facing(surface: &Surface) -> DVec3 {
+    surface.geometry.flat_normal().unwrap_or_default()
 }
 
 /// A block's key, which orders blocks by z, then y, then x; `None` outside the grid.

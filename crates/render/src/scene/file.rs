@@ -41,7 +41,10 @@ pub(super) enum FovAxis {
 #[serde(deny_unknown_fields)]
 pub(super) struct ShapeFile {
     pub kind: Kind,
+    #[serde(default)]
     pub vertices: Vec<[f64; 3]>,
+    pub center: Option<[f64; 3]>,
+    pub radius: Option<f64>,
     pub normal: Option<[f64; 3]>,
     pub quads_ccw_outward: Option<Vec<[usize; 4]>>,
     pub bsdf: BsdfFile,
@@ -54,6 +57,7 @@ pub(super) enum Kind {
     Quad,
     Box,
     Quads,
+    Sphere,
 }
 
 #[derive(Deserialize)]
@@ -61,6 +65,7 @@ pub(super) enum Kind {
 pub(super) enum BsdfFile {
     Diffuse { reflectance: Spectrum },
     Conductor(ConductorFile),
+    Dielectric(DielectricFile),
     TwoSided { bsdf: SheetFile },
 }
 
@@ -78,6 +83,14 @@ pub(super) struct ConductorFile {
     #[serde(rename = "material")]
     _material: Material,
     pub specular_reflectance: Spectrum,
+}
+
+/// The indices of refraction behind the surface and before it.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct DielectricFile {
+    pub int_ior: f64,
+    pub ext_ior: f64,
 }
 
 #[derive(Deserialize)]

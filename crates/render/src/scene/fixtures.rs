@@ -1,4 +1,4 @@
-//! Small scenes of mirrors for the tests of tracing and viewing.
+//! Small scenes of mirrors and glass for the tests of tracing and viewing.
 
 use serde_json::{Value, json};
 
@@ -75,4 +75,30 @@ pub(crate) fn mirror_box() -> Scene {
 /// where the walls' mirror images are laid out flat.
 pub(crate) fn walls_met(x: f64, z: f64) -> i32 {
     (x.floor().abs() + z.floor().abs()) as i32
+}
+
+/// The chamber of perfect mirrors with a ball of glass in its middle.
+pub(crate) fn chamber_with_glass() -> Scene {
+    let mut ceiling = quads(&[CEILING], black());
+    ceiling["emitter"] = json!({"type": "area", "radiance": rgb(1.0)});
+    scene(&json!({
+        "ball": ball(),
+        "ceiling": ceiling,
+        "floor": quads(&[FLOOR], black()),
+        "walls": quads(&WALLS, mirror(1.0)),
+    }))
+}
+
+/// A ball of glass in a cube whose faces all emit a radiance of 1 and absorb what arrives.
+pub(crate) fn glass_furnace() -> Scene {
+    let mut faces = WALLS.to_vec();
+    faces.extend([FLOOR, CEILING]);
+    let mut walls = quads(&faces, black());
+    walls["emitter"] = json!({"type": "area", "radiance": rgb(1.0)});
+    scene(&json!({"ball": ball(), "walls": walls}))
+}
+
+fn ball() -> Value {
+    let glass = json!({"type": "dielectric", "int_ior": 1.5, "ext_ior": 1.0});
+    json!({"kind": "sphere", "center": [0.5, 0.5, 0.4], "radius": 0.3, "bsdf": glass})
 }

@@ -3,12 +3,12 @@
 use glam::DVec3;
 
 use super::file::{
-    BsdfFile, CameraFile, ConductorFile, EmitterFile, Kind, LightChoiceFile, SceneFile, ShapeFile,
-    SheetFile, Spectrum,
+    BsdfFile, CameraFile, ConductorFile, DielectricFile, EmitterFile, Kind, LightChoiceFile,
+    SceneFile, ShapeFile, SheetFile, Spectrum,
 };
 use super::{Bsdf, LightChoice, Scene, SceneError, Surface};
 use crate::camera::Camera;
-use crate::geometry::Quad;
+use crate::geometry::{Geometry, Quad, Sphere};
 
 /// How far a stated normal may lie from the corners' own, as the cosine: a stated normal only
 /// serves to catch a wrong winding, so one degree is plenty.
@@ -89,21 +89,51 @@ impl Reader<'_> {
         };
         let at = format!("{place}.emitter.radiance.value");
         self.spectrum(&at, radiance, MAX_RADIANCE, "numbers from 0 to 1e30")?;
-        let mirror = matches!(bsdf, Bsdf::Mirror { .. });
-        if mirror && shape.emitter.is_some() {
-            return Err(self.error(&place, "a mirror with an emitter", "one or the other"));
+        if shape.emitter.is_some() {
+            let other = match bsdf {
+                Bsdf::Mirror { .. } => Some("a mirror with an emitter"),
+                Bsdf::Dielectric { .. } => Some("a dielectric with an emitter"),
+                Bsdf::Diffuse { .. } => None,
+            };
+            if let Some(found) = other {
+                return Err(self.error(&place, found, "one or the other"));
+            }
         }
-        let surface = |quad| Surface {
+        let surface = |geometry| Surface {
             shape: name.to_owned(),
-            quad,
+            geometry,
             bsdf,
             radiance: radiance.into(),
         };
-        Ok(self
-            .quads(&place, shape)?
-            .into_iter()
-            .map(surface)
-            .collect())
+        if shape.kind == Kind::Sphere {
+            if let Bsdf::Diffuse { .. } = bsdf {
+                let expected =
+                    "a conductor or a dielectric: photons are stored on flat surfaces only";
+                return Err(self.error(&format!("{place}.bsdf"), "a diffuse sphere", expected));
+            }
+            return Ok(vec![surface(Geometry::Sphere(self.sphere(&place, shape)?))]);
+        }
+        let quads = self.quads(&place, shape)?.into_iter();
+        Ok(quads.map(|quad| surface(Geometry::Quad(quad))).collect())
+    }
+
+    fn sphere(&self, place: &str, shape: &ShapeFile) -> Result<Sphere, SceneError> {
+        let expected = "a center and a radius over 0, and no vertices, normal or faces";
+        let no_corners = shape.vertices.is_empty()
+            && shape.normal.is_none()
+            && shape.quads_ccw_outward.is_none();
+        if let (Some(centre), Some(radius), true) = (shape.center, shape.radius, no_corners)
+            && let Some(sphere) = Sphere::new(centre.into(), radius)
+        {
+            return Ok(sphere);
+        }
+        let found = format!(
+            "center {:?}, radius {:?} and {} vertices",
+            shape.center,
+            shape.radius,
+            shape.vertices.len()
+        );
+        Err(self.error(place, found, expected))
     }
 
     fn bsdf(&self, place: &str, bsdf: &BsdfFile) -> Result<Bsdf, SceneError> {
@@ -113,10 +143,27 @@ impl Reader<'_> {
                 Ok(Bsdf::Diffuse { reflectance })
             }
             BsdfFile::Conductor(conductor) => self.mirror(place, conductor, false),
+            BsdfFile::Dielectric(dielectric) => self.dielectric(place, dielectric),
             BsdfFile::TwoSided {
                 bsdf: SheetFile::Conductor(conductor),
             } => self.mirror(&format!("{place}.bsdf"), conductor, true),
         }
+    }
+
+    fn dielectric(&self, place: &str, file: &DielectricFile) -> Result<Bsdf, SceneError> {
+        for (field, ior) in [("int_ior", file.int_ior), ("ext_ior", file.ext_ior)] {
+            // From an X-ray's in anything to past every crystal's.
+            if !(0.5..=10.0).contains(&ior) {
+                return Err(self.error(
+                    &format!("{place}.{field}"),
+                    ior,
+                    "a number from 0.5 to 10",
+                ));
+            }
+        }
+        Ok(Bsdf::Dielectric {
+            ratio: file.int_ior / file.ext_ior,
+        })
     }
 
     fn mirror(
@@ -156,6 +203,9 @@ impl Reader<'_> {
     }
 
     fn quads(&self, place: &str, shape: &ShapeFile) -> Result<Vec<Quad>, SceneError> {
+        if shape.center.is_some() || shape.radius.is_some() {
+            return Err(self.error(place, "center or radius", "those of a sphere only"));
+        }
         let faces: &[[usize; 4]] = match (shape.kind, &shape.quads_ccw_outward) {
             (Kind::Quad, None) => &[[0, 1, 2, 3]],
             (Kind::Box, Some(faces)) if faces.len() == 6 => faces,
@@ -167,7 +217,7 @@ impl Reader<'_> {
                     "a quad without it",
                 ));
             }
-            (Kind::Box | Kind::Quads, faces) => {
+            (_, faces) => {
                 let at = format!("{place}.quads_ccw_outward");
                 let found = format!("{} faces", faces.as_ref().map_or(0, Vec::len));
                 let expected = match shape.kind {
@@ -299,6 +349,36 @@ mod tests {
                 "shapes.floor.bsdf.specular_reflectance.value[1]: found 2",
             ),
             (
+                "/shapes/floor/kind",
+                json!("sphere"),
+                "shapes.floor.bsdf: found a diffuse sphere, expected a conductor or a dielectric",
+            ),
+            (
+                "/shapes/floor",
+                json!({"kind": "sphere", "bsdf": glass(1.5), "center": [0, 0, 0]}),
+                "shapes.floor: found center Some([0.0, 0.0, 0.0]), radius None and 0 vertices",
+            ),
+            (
+                "/shapes/floor",
+                json!({"kind": "sphere", "bsdf": glass(1.5), "center": [0, 0, 0], "radius": -1}),
+                "radius Some(-1.0) and 0 vertices, expected a center and a radius over 0",
+            ),
+            (
+                "/shapes/floor",
+                json!({"kind": "quad", "bsdf": glass(1.5), "radius": 1}),
+                "shapes.floor: found center or radius, expected those of a sphere only",
+            ),
+            (
+                "/shapes/floor/bsdf",
+                glass(0.0),
+                "shapes.floor.bsdf.int_ior: found 0, expected a number from 0.5 to 10",
+            ),
+            (
+                "/shapes/light/bsdf",
+                glass(1.5),
+                "shapes.light: found a dielectric with an emitter",
+            ),
+            (
                 "/camera/fov_deg",
                 json!(0),
                 "my.json, camera: found fov_deg 0",
@@ -316,6 +396,10 @@ mod tests {
 
     fn conductor(material: &str) -> Value {
         json!({"type": "conductor", "material": material, "specular_reflectance": grey()})
+    }
+
+    fn glass(ior: f64) -> Value {
+        json!({"type": "dielectric", "int_ior": ior, "ext_ior": 1.0})
     }
 
     fn two_sided(bsdf: Value) -> Value {
@@ -336,6 +420,32 @@ mod tests {
                 two_sided,
             };
             assert_eq!(floor.unwrap().bsdf, expected);
+        }
+    }
+
+    #[test]
+    fn spheres_are_of_glass_or_of_metal() {
+        for (bsdf, expected) in [
+            (glass(1.5), Bsdf::Dielectric { ratio: 1.5 }),
+            (
+                conductor("none"),
+                Bsdf::Mirror {
+                    reflectance: DVec3::splat(0.5),
+                    two_sided: false,
+                },
+            ),
+        ] {
+            let ball =
+                json!({"kind": "sphere", "center": [0.1, 0.2, 0.3], "radius": 0.25, "bsdf": bsdf});
+            let scene = Scene::from_json("my.json", &changed("/shapes/floor", ball)).unwrap();
+            let floor = scene
+                .surfaces()
+                .iter()
+                .find(|s| s.shape == "floor")
+                .unwrap();
+            assert_eq!(floor.bsdf, expected);
+            let sphere = Sphere::new(DVec3::new(0.1, 0.2, 0.3), 0.25).unwrap();
+            assert_eq!(floor.geometry, Geometry::Sphere(sphere));
         }
     }
 
@@ -368,7 +478,7 @@ mod tests {
         for (pointer, value) in [
             ("/camera/fov_axis", json!("x")),
             ("/shapes/floor/bsdf/type", json!("glass")),
-            ("/shapes/floor/kind", json!("sphere")),
+            ("/shapes/floor/kind", json!("cone")),
             (
                 "/shapes/floor/bsdf",
                 two_sided(json!({"type": "diffuse", "reflectance": grey()})),

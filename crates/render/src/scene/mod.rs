@@ -1,8 +1,9 @@
-//! Stage 1, the scene: named quads with their reflectance and emission, and a camera.
+//! Stage 1, the scene: named surfaces with their reflectance and emission, and a camera.
 
 mod file;
 #[cfg(test)]
 pub(crate) mod fixtures;
+mod fresnel;
 mod json;
 mod surface;
 
@@ -111,7 +112,9 @@ impl Scene {
     /// The scene that `text` describes, in the form of `scenes/cornell.json`; `file` is only
     /// for the errors' wording. `scenes/ring.json` shows a shape of many quads and mirrors (a
     /// `conductor` of material `none`, in `twosided` where its back is a mirror too),
-    /// `scenes/range.json` a `light_choice`, which is `flux` where it is left out.
+    /// `scenes/range.json` a `light_choice`, which is `flux` where it is left out, and
+    /// `docs/scenes/spheres.json` spheres of glass (a `dielectric`, in the words of the reference
+    /// renderer) and of metal.
     ///
     /// # Errors
     /// [`SceneError::Json`] or [`SceneError::Value`], with the place.
@@ -145,7 +148,7 @@ impl Scene {
         &self.camera
     }
 
-    /// All quads; photons and hits name one by its index here.
+    /// All surfaces; photons and hits name one by its index here.
     #[must_use]
     pub fn surfaces(&self) -> &[Surface] {
         &self.surfaces
@@ -160,7 +163,7 @@ impl Scene {
     /// The smallest and the largest corner of the box around all surfaces (scene units).
     #[must_use]
     pub fn bounds(&self) -> [DVec3; 2] {
-        let corners = self.surfaces.iter().flat_map(|s| s.quad.corners());
+        let corners = self.surfaces.iter().flat_map(|s| s.geometry.bounds());
         corners.fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[low, high], c| {
             [low.min(c), high.max(c)]
         })
@@ -173,7 +176,7 @@ impl Scene {
         let mut nearest: Option<(usize, Hit)> = None;
         for (index, surface) in self.surfaces.iter().enumerate() {
             let t_max = nearest.map_or(f64::INFINITY, |(_, hit)| hit.t);
-            if let Some(hit) = surface.quad.intersect(ray, self.leave_distance, t_max) {
+            if let Some(hit) = surface.geometry.intersect(ray, self.leave_distance, t_max) {
                 nearest = Some((index, hit));
             }
         }
@@ -197,10 +200,10 @@ mod tests {
             .collect();
         assert_eq!(lights.len(), 1);
         assert!(
-            (lights[0].quad.area() - 0.46 * 0.38).abs() < 1e-6,
+            (lights[0].geometry.area() - 0.46 * 0.38).abs() < 1e-6,
             "single-precision corners"
         );
-        assert!(lights[0].quad.normal().y < -0.999);
+        assert!(lights[0].geometry.flat_normal().unwrap().y < -0.999);
         let [low, high] = scene.bounds();
         // The bounds that the reference's own file states.
         assert!(low.distance(DVec3::new(-1.0, -1.01, -1.0)) < 1e-6);
@@ -216,11 +219,14 @@ mod tests {
                 .iter()
                 .filter(|s| s.shape == surface.shape)
                 .collect();
-            let centre =
-                same.iter().map(|s| s.quad.point(0.5, 0.5)).sum::<DVec3>() / same.len() as f64;
+            let middle = |s: &Surface| {
+                let [low, high] = s.geometry.bounds();
+                low.midpoint(high)
+            };
+            let centre = same.iter().map(|s| middle(s)).sum::<DVec3>() / same.len() as f64;
             let is_box = same.len() == 6;
             let inside = if is_box { centre } else { DVec3::ZERO };
-            let outward = (surface.quad.point(0.5, 0.5) - inside).dot(surface.quad.normal());
+            let outward = (middle(surface) - inside).dot(surface.geometry.flat_normal().unwrap());
             assert_eq!(outward > 0.0, is_box, "{}", surface.shape);
         }
     }

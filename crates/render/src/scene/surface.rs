@@ -1,10 +1,12 @@
-//! A quad and what it does with light.
+//! A surface and what it does with light.
 
 use glam::DVec3;
+use rand::RngExt;
 use rand_pcg::Pcg64Mcg;
 
+use super::fresnel::Border;
 use crate::camera::Ray;
-use crate::geometry::{Hit, Quad};
+use crate::geometry::{Geometry, Hit};
 use crate::sample::cosine_direction;
 
 /// How a surface scatters light; what it does not reflect it absorbs.
@@ -22,67 +24,96 @@ pub enum Bsdf {
         /// Whether its back is a mirror too, as of a thin sheet of metal, or black.
         two_sided: bool,
     },
+    /// The smooth border of a clear medium, which is behind the surface: what it does not reflect goes on,
+    /// refracted. It holds no photons, and view rays follow it.
+    Dielectric {
+        /// The index of refraction behind the surface, over that before it; over 0.
+        ratio: f64,
+    },
 }
 
-/// One quad and what it does with light. Only its front emits.
+/// One surface and what it does with light. Only the front of a quad emits.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Surface {
     /// The shape that it belongs to; a box gives six surfaces of one name.
     pub shape: String,
-    /// Where it is.
-    pub quad: Quad,
+    /// Its form and where it is.
+    pub geometry: Geometry,
     /// What it does with light that arrives.
     pub bsdf: Bsdf,
-    /// Emitted radiance of red, green, blue; zero for what is no light, as for every mirror.
+    /// Emitted radiance of red, green, blue; zero for what is no light, as for all that is not a diffuse quad.
     pub radiance: DVec3,
 }
 
 impl Surface {
-    /// The part of the light that it reflects, for red, green, blue.
+    /// The part of the light that it does not absorb, for red, green, blue.
     #[must_use]
     pub fn reflectance(&self) -> DVec3 {
         match self.bsdf {
             Bsdf::Diffuse { reflectance } | Bsdf::Mirror { reflectance, .. } => reflectance,
+            Bsdf::Dielectric { .. } => DVec3::ONE,
         }
     }
 
-    /// Whether it is a mirror, which stores no photons.
+    /// Whether light of one direction leaves it in one or two, so that it stores no photons.
     #[must_use]
-    pub fn is_mirror(&self) -> bool {
-        matches!(self.bsdf, Bsdf::Mirror { .. })
+    pub fn is_specular(&self) -> bool {
+        !matches!(self.bsdf, Bsdf::Diffuse { .. })
     }
 
     /// Whether the side that was hit does anything with light but absorb it.
     pub(crate) fn is_lit(&self, hit: &Hit) -> bool {
-        let two_sided = matches!(
-            self.bsdf,
-            Bsdf::Mirror {
-                two_sided: true,
-                ..
-            }
-        );
-        hit.front || two_sided
-    }
-
-    /// The ray on which light that arrived by `ray` leaves: for a diffuse surface a random one of
-    /// density cos / pi, for a mirror the one of the law of reflection.
-    pub(crate) fn scatter(&self, ray: &Ray, hit: &Hit, rng: &mut Pcg64Mcg) -> Ray {
         match self.bsdf {
-            Bsdf::Diffuse { .. } => Ray {
-                origin: hit.position,
-                direction: cosine_direction(self.quad.normal(), rng),
-            },
-            Bsdf::Mirror { .. } => self.mirrored(ray, hit),
+            Bsdf::Diffuse { .. } => hit.front,
+            Bsdf::Mirror { two_sided, .. } => hit.front || two_sided,
+            Bsdf::Dielectric { .. } => true,
         }
     }
 
-    /// d - 2 (d . n) n, which does not care for the side.
-    pub(crate) fn mirrored(&self, ray: &Ray, hit: &Hit) -> Ray {
-        Ray {
-            origin: hit.position,
-            direction: ray.direction.reflect(self.quad.normal()),
+    /// The way on which light that arrived by `ray` leaves: for a diffuse surface a random one of
+    /// density cos / pi, for a mirror that of the law of reflection, at the border of a medium by chance, as
+    /// Fresnel's equations share it, the one or the other.
+    pub(crate) fn scatter(&self, ray: &Ray, hit: &Hit, rng: &mut Pcg64Mcg) -> Scattered {
+        let on = |direction| Scattered {
+            ray: Ray {
+                origin: hit.position,
+                direction,
+            },
+            radiance: 1.0,
+        };
+        match self.bsdf {
+            Bsdf::Diffuse { .. } => on(cosine_direction(hit.normal, rng)),
+            // d - 2 (d . n) n, which does not care for the side.
+            Bsdf::Mirror { .. } => on(ray.direction.reflect(hit.normal)),
+            Bsdf::Dielectric { ratio } => {
+                let (normal, ratio) = if hit.front {
+                    (hit.normal, ratio)
+                } else {
+                    (-hit.normal, 1.0 / ratio)
+                };
+                let border = Border::new(ray.direction, normal, ratio);
+                let goes_on = rng.random::<f64>() >= border.reflected;
+                match border.refracted.filter(|_| goes_on) {
+                    None => on(ray.direction.reflect(normal)),
+                    Some(direction) => Scattered {
+                        radiance: 1.0 / (ratio * ratio),
+                        ..on(direction)
+                    },
+                }
+            }
         }
     }
+}
+
+/// How light leaves a surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Scattered {
+    /// Where to.
+    pub ray: Ray,
+    /// Where a view ray goes this way: the radiance that comes back by it, for that which is there. In a
+    /// medium of index n a bundle of rays is n^2 times as narrow, so that L / n^2 stays what it is. The flux of
+    /// photons knows no such factor.
+    pub radiance: f64,
 }
 
 #[cfg(test)]
@@ -90,6 +121,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
+    use crate::geometry::Quad;
     use crate::sample::{Purpose, stream};
 
     fn mirror(two_sided: bool) -> Surface {
@@ -100,7 +132,7 @@ mod tests {
         ];
         Surface {
             shape: "mirror".to_owned(),
-            quad: Quad::from_corners([a, a + u, a + u + v, a + v]).unwrap(),
+            geometry: Geometry::Quad(Quad::from_corners([a, a + u, a + u + v, a + v]).unwrap()),
             bsdf: Bsdf::Mirror {
                 reflectance: DVec3::ONE,
                 two_sided,
@@ -115,14 +147,15 @@ mod tests {
         #[test]
         fn mirrors_obey_the_law_of_reflection(x in -1.0..1.0f64, y in 0.1..1.0f64, back in prop::bool::ANY) {
             let mirror = mirror(true);
-            let n = mirror.quad.normal();
+            let Geometry::Quad(quad) = &mirror.geometry else { unreachable!("made of one") };
+            let n = quad.normal();
             let side = if back { -n } else { n };
-            let tangent = mirror.quad.corners()[1] - mirror.quad.corners()[0];
+            let tangent = quad.corners()[1] - quad.corners()[0];
             let direction = (x * tangent - y * side).normalize();
-            let target = mirror.quad.point(0.4, 0.6);
+            let target = quad.point(0.4, 0.6);
             let ray = Ray { origin: target - direction, direction };
-            let hit = mirror.quad.intersect(&ray, 0.0, f64::INFINITY).expect("aimed at it");
-            let out = mirror.scatter(&ray, &hit, &mut stream(1, Purpose::Path, 0));
+            let hit = quad.intersect(&ray, 0.0, f64::INFINITY).expect("aimed at it");
+            let out = mirror.scatter(&ray, &hit, &mut stream(1, Purpose::Path, 0)).ray;
             // 1e-12: a few roundings at coordinates of about 3.
             prop_assert!((out.direction.dot(n) + direction.dot(n)).abs() < 1e-12);
             prop_assert!(out.direction.dot(direction.cross(n)).abs() < 1e-12);
@@ -138,6 +171,7 @@ mod tests {
         let hit = |front| Hit {
             t: 1.0,
             position: DVec3::ZERO,
+            normal: DVec3::Y,
             front,
         };
         assert!(surface.is_lit(&hit(true)) && surface.is_lit(&hit(false)));

@@ -58,7 +58,12 @@ fn case(name: &str, in_range: f64) -> (PhotonMap, Vec<(DVec3, DVec3)>) {
     let photons = traced(&scene, 300_000, 1);
     let radius = PhotonMap::radius_for(&scene, photons.len() as u64, in_range);
     let map = PhotonMap::new(&scene, photons, radius).unwrap();
-    let normal = |surface: u32| scene.surfaces()[surface as usize].quad.normal();
+    let normal = |surface: u32| {
+        scene.surfaces()[surface as usize]
+            .geometry
+            .flat_normal()
+            .unwrap()
+    };
     let points = traced(&scene, 10_000, 2);
     let queries = points.iter().map(|p| (p.position, normal(p.surface)));
     (map, queries.collect())

@@ -1,7 +1,8 @@
-//! Quads, the only primitive: a parallelogram with a front, and where a ray meets it.
+//! Quads: parallelograms with a front.
 
 use glam::DVec3;
 
+use super::Hit;
 use crate::camera::Ray;
 
 /// How far, as a part of the quad's size, the fourth corner may lie from where the other three
@@ -17,17 +18,6 @@ pub struct Quad {
     area: f64,
     /// Vectors whose dot product with `position - origin` gives the coordinates along `edges`.
     dual: [DVec3; 2],
-}
-
-/// Where a ray meets a quad.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Hit {
-    /// Distance along the ray, in lengths of its direction.
-    pub t: f64,
-    /// The point, on the quad's plane (scene units).
-    pub position: DVec3,
-    /// Whether the ray comes from the quad's front.
-    pub front: bool,
 }
 
 impl Quad {
@@ -100,6 +90,7 @@ impl Quad {
         inside.then(|| Hit {
             t,
             position: self.point(u, v),
+            normal: self.normal,
             front: approach < 0.0,
         })
     }
