@@ -32,12 +32,33 @@ impl FormatMap<'_> {
         instructions: Instructions,
         queries: &[QueryPoint],
     ) -> Result<Vec<Gathered>, LocalError> {
+        self.gather_at(instructions, queries, self.radius_sq())
+    }
+
+    /// The sums of all queries with another search radius: bit for bit those of [`Self::gather_within`].
+    ///
+    /// # Errors
+    /// As for [`Self::gather_within`], of one of the queries.
+    pub fn gather_all_within(
+        &self,
+        queries: &[QueryPoint],
+        radius_sq: u32,
+    ) -> Result<Vec<Gathered>, LocalError> {
+        self.gather_at(Instructions::fastest(), queries, radius_sq)
+    }
+
+    fn gather_at(
+        &self,
+        instructions: Instructions,
+        queries: &[QueryPoint],
+        radius_sq: u32,
+    ) -> Result<Vec<Gathered>, LocalError> {
         let mut found = vec![Gathered::default(); queries.len()];
         let tasks = queries.par_chunks(TASK_QUERIES);
         let places = found.par_chunks_mut(TASK_QUERIES);
-        tasks
-            .zip(places)
-            .try_for_each(|(queries, found)| self.gather_task(instructions, queries, found))?;
+        tasks.zip(places).try_for_each(|(queries, found)| {
+            self.gather_task(instructions, queries, radius_sq, found)
+        })?;
         Ok(found)
     }
 
@@ -45,6 +66,7 @@ impl FormatMap<'_> {
         &self,
         instructions: Instructions,
         queries: &[QueryPoint],
+        radius_sq: u32,
         mut found: &mut [Gathered],
     ) -> Result<(), LocalError> {
         let (mut around, mut local) = (Surroundings::default(), Vec::new());
@@ -61,7 +83,7 @@ impl FormatMap<'_> {
             local.extend(together.iter().map(|(.., query)| *query));
             let (here, rest) = found.split_at_mut(together.len());
             self.planes()
-                .gather_by(instructions, &around, &local, self.radius_sq(), here)?;
+                .gather_by(instructions, &around, &local, radius_sq, here)?;
             found = rest;
         }
         Ok(())

@@ -23,6 +23,8 @@ pub(crate) struct Estimate {
     pub irradiance: DVec3,
     /// Photons that each gather tests.
     pub tests: u64,
+    /// Of all gathers, the photons that the fast gather decided by their place.
+    pub skipped: u64,
     /// Those of them in the widest disc that was summed.
     pub in_range: u64,
     /// Gathers made, each over the same photons.
@@ -85,6 +87,7 @@ pub(crate) fn gather_model(
     Ok(Disc {
         power: DVec3::from(sums.power.map(|p| p as f64)) * quantised.power_step(),
         tests,
+        skipped: 0,
         count: sums.count,
     })
 }
@@ -102,6 +105,7 @@ pub(crate) fn gather_format(
     Ok(Disc {
         power: quantised.flux(sums.power),
         tests,
+        skipped: 0,
         count: sums.count,
     })
 }

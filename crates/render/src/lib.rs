@@ -38,12 +38,15 @@ mod format_map;
 mod geometry;
 mod hard_cases;
 mod image;
+mod lighting;
+mod lights;
 mod machine_map;
 mod metrics;
 mod photon_map;
 mod power_scale;
 mod quantise;
 mod render;
+mod renderer;
 mod sample;
 mod scene;
 mod speed;
@@ -70,6 +73,9 @@ pub use hard_cases::{
     hard_case_formats, run_hard_case,
 };
 pub use image::{Image, ImageError};
+pub use lighting::{
+    Area, Caustics, DirectLight, Lighting, LightingError, PhotonMaps, Radii, UnknownLighting,
+};
 pub use machine_map::MachineMap;
 pub use metrics::{
     BenchError, BenchOptions, ErrorBench, ErrorReport, ErrorStudy, EstimatorReport, Interval,
@@ -78,9 +84,11 @@ pub use metrics::{
 };
 pub use photon_map::{Candidates, MapError, PhotonMap};
 pub use quantise::{QuantiseError, QuantisedMap};
-pub use render::{Engine, RenderError, RenderStats, Rendering, render, render_with};
+pub use render::{
+    Engine, Light, RenderError, RenderStats, Rendering, render, render_lit, render_with,
+};
 pub use scene::{Bsdf, LightChoice, Scene, SceneError, Surface};
 pub use speed::{f32_speed, gather_speed};
-pub use trace::{Photon, PhotonTrace, TraceError, TraceOptions, trace};
+pub use trace::{PathKind, Photon, PhotonTrace, TraceError, TraceOptions, trace};
 pub use view::{QueryPoint, ViewError, ViewOptions};
 pub use workload::{WorkloadError, workload};

@@ -1,22 +1,20 @@
 //! Stage 5 for a whole picture: every query point, by the engine asked for.
 
 use std::ops::AddAssign;
-use std::sync::atomic::{AtomicU64, Ordering};
 
-use glam::DVec3;
 use photoncube_model::{GatherError, LocalError};
 use photoncube_spec::{Machine, PhotonFormat};
-use rayon::prelude::*;
 use thiserror::Error;
 
-use crate::band::{BAND_ROWS, Band};
 use crate::estimate::{Estimate, Refusal};
 use crate::estimators::{Estimator, EstimatorError, Method, UnfitEstimator};
 use crate::format_map::{FormatMap, FormatMapError};
 use crate::image::Image;
+use crate::lighting::{Lighting, LightingError};
 use crate::machine_map::MachineMap;
 use crate::photon_map::PhotonMap;
 use crate::quantise::{QuantiseError, QuantisedMap};
+use crate::renderer::Renderer;
 use crate::scene::Scene;
 use crate::view::{QueryPoint, ViewError, ViewOptions};
 
@@ -43,6 +41,9 @@ pub enum RenderError {
     /// The photon format does not fit.
     #[error(transparent)]
     Format(#[from] FormatMapError),
+    /// The scene cannot be lit so.
+    #[error(transparent)]
+    Lighting(#[from] LightingError),
     /// The engine cannot make that estimate.
     #[error(transparent)]
     Estimator(#[from] UnfitEstimator),
@@ -150,14 +151,10 @@ pub fn render(
     render_with(scene, map, engine, estimator, options, progress)
 }
 
-/// Renders the scene's view from the photon map. All engines see the same query points.
-///
-/// `progress` gets the number of pixels done so far, from any thread, not always in order.
+/// Renders the scene's view from one photon map of all light. All engines see the same query points.
 ///
 /// # Errors
-/// Options without pixels, formats that do not fit the map, an estimate that the engine cannot make
-/// ([`Estimator::check`]), or a query that the golden model refuses (more photons than
-/// [`Machine::max_photons`] or [`PhotonFormat::max_photons`]).
+/// As for [`render_lit`].
 pub fn render_with(
     scene: &Scene,
     map: &PhotonMap,
@@ -166,31 +163,49 @@ pub fn render_with(
     options: &ViewOptions,
     progress: &(dyn Fn(u64) + Sync),
 ) -> Result<Rendering, RenderError> {
-    options.check()?;
-    let renderer = Renderer {
-        scene,
-        map,
-        method: Method::new(estimator, engine)?,
-        engine: Prepared::new(map, engine)?,
-        options,
+    let lighting = Lighting::default();
+    let light = Light {
+        lighting: &lighting,
+        global: map,
+        caustic: None,
+        estimator,
     };
-    let done = AtomicU64::new(0);
-    let band = |band: u32| {
-        let first = band * BAND_ROWS;
-        let (pixels, stats) = renderer.band(first, options.height.min(first + BAND_ROWS))?;
-        let count = pixels.len() as u64;
-        progress(done.fetch_add(count, Ordering::Relaxed) + count);
-        Ok((pixels, stats))
-    };
-    let bands = (0..options.height.div_ceil(BAND_ROWS)).into_par_iter();
-    let bands: Result<Vec<_>, RenderError> = bands.map(band).collect();
-    let mut pixels = Vec::new();
-    let mut stats = RenderStats::default();
-    for (band, band_stats) in bands? {
-        pixels.extend(band);
-        stats += band_stats;
-    }
-    let image = Image::from_rows(options.width, pixels);
+    render_lit(scene, light, engine, options, progress)
+}
+
+/// What gives the light of a picture.
+#[derive(Debug, Clone, Copy)]
+pub struct Light<'a> {
+    /// Which part comes from where.
+    pub lighting: &'a Lighting,
+    /// The photons that the lighting wants there: [`crate::PhotonMaps::global`].
+    pub global: &'a PhotonMap,
+    /// Those of the caustics: [`crate::PhotonMaps::caustic`].
+    pub caustic: Option<&'a PhotonMap>,
+    /// The form of the estimates in both.
+    pub estimator: Estimator,
+}
+
+/// Renders the scene's view. All engines see the same query points, shadow rays and gather rays.
+///
+/// `progress` gets the number of pixels done so far, from any thread, not always in order.
+///
+/// # Errors
+/// Options without pixels, a lighting that the scene or the estimator cannot have ([`Lighting::check`]), formats
+/// that do not fit the map, an estimate that the engine cannot make ([`Estimator::check`]), or a query that the
+/// golden model refuses (more photons than [`Machine::max_photons`] or [`PhotonFormat::max_photons`]).
+pub fn render_lit(
+    scene: &Scene,
+    light: Light<'_>,
+    engine: Engine<'_>,
+    options: &ViewOptions,
+    progress: &(dyn Fn(u64) + Sync),
+) -> Result<Rendering, RenderError> {
+    let method = Method::new(light.estimator, engine)?;
+    let renderer = Renderer::new(scene, light, engine, options)?;
+    let mut rendered = renderer.render(&[method], progress)?;
+    let image = rendered.images.pop().expect("one method");
+    let stats = rendered.stats;
     Ok(Rendering { image, stats })
 }
 
@@ -222,7 +237,8 @@ impl<'a> Prepared<'a> {
         Method::FixedRadius.estimate(self, map, query)
     }
 
-    fn groups(&self, photons: u64) -> u64 {
+    /// Iterations of a machine that so many photons are.
+    pub(crate) fn groups(&self, photons: u64) -> u64 {
         let machine = match self {
             Self::F64 => None,
             Self::Model(quantised) => Some(quantised.machine()),
@@ -232,68 +248,10 @@ impl<'a> Prepared<'a> {
     }
 }
 
-struct Renderer<'a> {
-    scene: &'a Scene,
-    map: &'a PhotonMap,
-    method: Method,
-    engine: Prepared<'a>,
-    options: &'a ViewOptions,
-}
-
-impl Renderer<'_> {
-    /// The pixels of rows `first` to `end`.
-    fn band(&self, first: u32, end: u32) -> Result<(Vec<DVec3>, RenderStats), RenderError> {
-        if let (Prepared::Format(map, _), Method::FixedRadius) = (&self.engine, &self.method) {
-            let band = Band::new(self.scene, self.options, first, end);
-            if let Ok(found) = band.gather(map, |photons| self.engine.groups(photons)) {
-                return Ok((band.pixels(&found), found.stats));
-            }
-            // One query was refused: going on one at a time says which.
-        }
-        self.rows(first, end)
-    }
-
-    /// The same, query by query.
-    fn rows(&self, first: u32, end: u32) -> Result<(Vec<DVec3>, RenderStats), RenderError> {
-        let mut stats = RenderStats::default();
-        let pixel = |(x, y)| {
-            let pixel = self.pixel(x, y, &mut stats);
-            pixel.map_err(|refusal| RenderError::of(refusal, x, y))
-        };
-        let pixels = (first..end).flat_map(|y| (0..self.options.width).map(move |x| (x, y)));
-        let pixels: Result<Vec<_>, _> = pixels.map(pixel).collect();
-        Ok((pixels?, stats))
-    }
-
-    /// The mean radiance of a pixel's view rays.
-    fn pixel(&self, x: u32, y: u32, stats: &mut RenderStats) -> Result<DVec3, Refusal> {
-        let mut radiance = DVec3::ZERO;
-        for sample in self.options.samples(self.scene, x, y) {
-            radiance += sample.emitted;
-            if let Some(query) = sample.query {
-                let estimate = self.method.estimate(&self.engine, self.map, &query)?;
-                radiance += query.beta * estimate.irradiance;
-                *stats += self.stats_of(&estimate);
-            }
-        }
-        Ok(radiance / f64::from(self.options.samples_per_pixel()))
-    }
-
-    fn stats_of(&self, estimate: &Estimate) -> RenderStats {
-        RenderStats {
-            query_points: 1,
-            gathers: estimate.gathers,
-            photon_tests: estimate.gathers * estimate.tests,
-            photons_skipped: 0,
-            photons_in_range: estimate.in_range,
-            photon_groups: estimate.gathers * self.engine.groups(estimate.tests),
-            largest_query: estimate.tests,
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
+    use std::sync::atomic::{AtomicU64, Ordering};
+
     use photoncube_spec::{Numbers, PHOTON_FORMATS, PlainFormat, find_machine};
 
     use super::*;
@@ -371,30 +329,6 @@ mod tests {
         // 0.26 % of the photons change sides, about half of them each way.
         let ratio = format.photons_in_range as f64 / f64.photons_in_range as f64;
         assert!((ratio - 1.0).abs() < 0.001, "{ratio}");
-    }
-
-    /// In bands by the fast gather, and query by query by the plain one: the same to the last bit.
-    #[test]
-    fn bands_are_what_single_queries_give() {
-        let (scene, map) = scene_and_map();
-        for format in PHOTON_FORMATS {
-            let renderer = Renderer {
-                scene: &scene,
-                map: &map,
-                method: Method::FixedRadius,
-                engine: Prepared::new(&map, Engine::Format(format)).unwrap(),
-                options: &OPTIONS,
-            };
-            let (band, stats) = renderer.band(3, 9).unwrap();
-            let (rows, expected) = renderer.rows(3, 9).unwrap();
-            assert_eq!(band, rows, "{format}");
-            assert!(stats.photons_skipped > 0, "{format}");
-            let stats = RenderStats {
-                photons_skipped: 0,
-                ..stats
-            };
-            assert_eq!(stats, expected, "{format}");
-        }
     }
 
     #[test]

@@ -13,6 +13,8 @@ pub(crate) enum Purpose {
     View = 2,
     /// The choice of queries for a workload.
     Workload = 3,
+    /// One pixel's shadow rays and gather rays.
+    Light = 4,
 }
 
 /// The stream of the `index`-th item of a purpose.

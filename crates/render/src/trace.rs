@@ -1,8 +1,8 @@
-//! Stage 2: photons leave the lights, follow mirrors and the borders of media, and are stored at every diffuse hit on a
-//! surface's front; never on those, whose light no estimate can gather.
+//! Stage 2: photons leave the lights, follow mirrors and the borders of media, and are stored at every
+//! diffuse hit on a surface's front; never on those, whose light no estimate can gather.
 //!
 //! Jensen, "Global Illumination using Photon Maps" (1996): emission in proportion to the
-//! lights' power (or by the scene's [`LightChoice`]), Russian roulette at every hit. A photon
+//! lights' power (or by the scene's [`crate::LightChoice`]), Russian roulette at every hit. A photon
 //! survives with the probability by which the surface scales its strongest channel, so that the
 //! strongest channel of every photon's power stays what the light gave it: powers are about
 //! equal, which is what a narrow linear power format and a low variance both need.
@@ -16,9 +16,9 @@ use rayon::prelude::*;
 use thiserror::Error;
 
 use crate::camera::Ray;
-use crate::geometry::{Geometry, Quad};
+use crate::lights::Lights;
 use crate::sample::{Purpose, cosine_direction, stream};
-use crate::scene::{LightChoice, Scene, Surface};
+use crate::scene::Scene;
 
 /// Paths are emitted in whole batches of this many; the last batch is never cut, because that
 /// would favour early paths.
@@ -46,6 +46,18 @@ pub struct Photon {
     pub surface: u32,
 }
 
+/// What a photon's path met before it was stored: L is the light, S mirrors and borders of media, D diffuse
+/// surfaces, in the notation of Heckbert (1990).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PathKind {
+    /// Nothing, LD: direct light.
+    Direct,
+    /// Only mirrors and borders of media, LS+D: a caustic.
+    Caustic,
+    /// A diffuse surface, L(S|D)*DS*D.
+    Indirect,
+}
+
 /// How to trace.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct TraceOptions {
@@ -71,8 +83,29 @@ impl Default for TraceOptions {
 pub struct PhotonTrace {
     /// The stored photons, in the order of their paths.
     pub photons: Vec<Photon>,
+    /// The path of each.
+    pub kinds: Vec<PathKind>,
     /// Paths emitted; the lights' power is shared among them.
     pub paths: u64,
+}
+
+impl PathKind {
+    fn after_specular(self) -> Self {
+        match self {
+            Self::Direct | Self::Caustic => Self::Caustic,
+            Self::Indirect => Self::Indirect,
+        }
+    }
+}
+
+impl PhotonTrace {
+    /// The photons of the kinds that are `wanted`, in their order.
+    #[must_use]
+    pub fn of(&self, wanted: impl Fn(PathKind) -> bool) -> Vec<Photon> {
+        let both = self.photons.iter().zip(&self.kinds);
+        both.filter_map(|(photon, kind)| wanted(*kind).then_some(*photon))
+            .collect()
+    }
 }
 
 /// Why tracing failed.
@@ -105,7 +138,7 @@ const MAX_PHOTONS: u64 = 1 << 27;
 /// Traces paths until at least `options.photons` photons are stored.
 ///
 /// A light of area A and radiance L emits the flux pi A L from its front; a path starts on a
-/// light by the scene's [`LightChoice`], at a uniform point, in a direction of density cos / pi.
+/// light by the scene's [`crate::LightChoice`], at a uniform point, in a direction of density cos / pi.
 /// `progress` gets the number of photons stored so far, from any thread, not always in order.
 ///
 /// # Errors
@@ -123,7 +156,7 @@ pub fn trace(
     }
     let lights = Lights::of(scene);
     let stored = AtomicU64::new(0);
-    let mut photons = Vec::new();
+    let (mut photons, mut kinds) = (Vec::new(), Vec::new());
     let mut paths = 0;
     while (photons.len() as u64) < options.photons {
         let task = |task: u64| {
@@ -138,7 +171,10 @@ pub fn trace(
             found
         };
         let tasks = (0..BATCH_PATHS / TASK_PATHS).into_par_iter().map(task);
-        photons.extend(tasks.collect::<Vec<_>>().into_iter().flatten());
+        for (photon, kind) in tasks.collect::<Vec<_>>().into_iter().flatten() {
+            photons.push(photon);
+            kinds.push(kind);
+        }
         paths += BATCH_PATHS;
         let count = photons.len() as u64;
         if count < paths / PATHS_PER_PHOTON_LIMIT {
@@ -149,65 +185,25 @@ pub fn trace(
         }
     }
     let share = 1.0 / paths as f64;
-    photons.iter_mut().for_each(|photon| photon.power *= share);
-    Ok(PhotonTrace { photons, paths })
-}
-
-/// The lights, to choose from in proportion to their weights.
-struct Lights<'a> {
-    /// A light, its form and the sum of the weights up to it.
-    cumulative: Vec<(&'a Surface, &'a Quad, f64)>,
-    total: f64,
-    choice: LightChoice,
-}
-
-/// What a light's chance to be chosen is proportional to: its flux, all channels added, or
-/// the same for all.
-fn weight(light: &Surface, choice: LightChoice) -> f64 {
-    match choice {
-        LightChoice::Flux => flux(light).element_sum(),
-        LightChoice::Uniform => 1.0,
-    }
-}
-
-impl<'a> Lights<'a> {
-    fn of(scene: &'a Scene) -> Self {
-        let mut total = 0.0;
-        let mut cumulative = Vec::new();
-        let choice = scene.light_choice();
-        for surface in scene.surfaces() {
-            if let Geometry::Quad(quad) = &surface.geometry
-                && flux(surface).element_sum() > 0.0
-            {
-                total += weight(surface, choice);
-                cumulative.push((surface, quad, total));
-            }
-        }
-        Self {
-            cumulative,
-            total,
-            choice,
-        }
-    }
-
-    /// A light, and the power of a path from it: its flux over the probability of its choice.
-    fn choose(&self, rng: &mut Pcg64Mcg) -> (&'a Quad, DVec3) {
-        let wanted = rng.random::<f64>() * self.total;
-        let index = self.cumulative.partition_point(|(.., sum)| *sum <= wanted);
-        let (light, quad, _) = self.cumulative[index.min(self.cumulative.len() - 1)];
-        let power = flux(light) * (self.total / weight(light, self.choice));
-        (quad, power)
-    }
-}
-
-/// Phi = pi A L.
-fn flux(light: &Surface) -> DVec3 {
-    std::f64::consts::PI * light.geometry.area() * light.radiance
+    photons
+        .iter_mut()
+        .for_each(|photon: &mut Photon| photon.power *= share);
+    Ok(PhotonTrace {
+        photons,
+        kinds,
+        paths,
+    })
 }
 
 /// Follows one path; the powers stored are still those of the only path.
-fn trace_path(scene: &Scene, lights: &Lights<'_>, rng: &mut Pcg64Mcg, found: &mut Vec<Photon>) {
+fn trace_path(
+    scene: &Scene,
+    lights: &Lights<'_>,
+    rng: &mut Pcg64Mcg,
+    found: &mut Vec<(Photon, PathKind)>,
+) {
     let (light, mut power) = lights.choose(rng);
+    let mut kind = PathKind::Direct;
     let mut ray = Ray {
         origin: light.point(rng.random(), rng.random()),
         direction: cosine_direction(light.normal(), rng),
@@ -217,12 +213,16 @@ fn trace_path(scene: &Scene, lights: &Lights<'_>, rng: &mut Pcg64Mcg, found: &mu
         if !surface.is_lit(&hit) {
             return;
         }
-        if !surface.is_specular() {
-            found.push(Photon {
+        if surface.is_specular() {
+            kind = kind.after_specular();
+        } else {
+            let photon = Photon {
                 position: hit.position,
                 power,
                 surface: index as u32,
-            });
+            };
+            found.push((photon, kind));
+            kind = PathKind::Indirect;
         }
         let Some(reflected) = reflect(power, surface.reflectance(), rng.random()) else {
             return;
@@ -310,7 +310,8 @@ mod tests {
             .find(|s| s.radiance != DVec3::ZERO)
             .unwrap();
         let trace = traced(50_000, 3);
-        let path_power = flux(light) / trace.paths as f64;
+        let path_power =
+            std::f64::consts::PI * light.geometry.area() * light.radiance / trace.paths as f64;
         let first = trace.photons[0].power;
         assert!((first / path_power - DVec3::ONE).abs().max_element() < 1e-12);
     }

@@ -104,6 +104,11 @@ impl ViewOptions {
         self.samples_per_axis * self.samples_per_axis
     }
 
+    /// The number of pixel `(x, y)`, row by row.
+    pub(crate) fn index(&self, x: u32, y: u32) -> u64 {
+        u64::from(y) * u64::from(self.width) + u64::from(x)
+    }
+
     /// What the view rays of pixel `(x, y)` see, cell by cell; row 0 is at the top.
     pub(crate) fn samples(
         &self,
@@ -111,8 +116,7 @@ impl ViewOptions {
         x: u32,
         y: u32,
     ) -> impl Iterator<Item = ViewSample> {
-        let index = u64::from(y) * u64::from(self.width) + u64::from(x);
-        let mut rng = stream(self.seed, Purpose::View, index);
+        let mut rng = stream(self.seed, Purpose::View, self.index(x, y));
         let cells = self.samples_per_axis;
         (0..self.samples_per_pixel()).map(move |cell| {
             let mut jittered = |pixel: u32, cell: u32| {
@@ -131,7 +135,7 @@ fn random(rng: &mut Pcg64Mcg) -> f64 {
 }
 
 /// Follows mirrors, and at the borders of media one of both ways by chance, until a diffuse surface.
-fn see(scene: &Scene, ray: &Ray, rng: &mut Pcg64Mcg) -> ViewSample {
+pub(crate) fn see(scene: &Scene, ray: &Ray, rng: &mut Pcg64Mcg) -> ViewSample {
     let mut ray = *ray;
     let mut beta = DVec3::ONE;
     for _ in 0..=MAX_MIRRORS {

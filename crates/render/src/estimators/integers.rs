@@ -16,6 +16,8 @@ pub(crate) struct Disc {
     pub power: DVec3,
     /// Photons tested.
     pub tests: u64,
+    /// Those of them that the fast gather decided by their place.
+    pub skipped: u64,
     /// Photons in range.
     pub count: u64,
 }
@@ -55,15 +57,23 @@ impl Steps {
     /// What `gather` returns.
     pub fn fixed_radius<E>(
         &self,
-        mut gather: impl FnMut(u32) -> Result<Disc, E>,
+        gather: impl FnMut(u32) -> Result<Disc, E>,
     ) -> Result<Estimate, E> {
-        let disc = gather(self.radius_sq)?;
-        Ok(Estimate {
-            irradiance: disc.power / self.disc_area,
-            tests: disc.tests,
-            in_range: disc.count,
-            gathers: 1,
-        })
+        at(self.radius_sq, self.disc_area, gather)
+    }
+
+    /// The estimate of one gather at half the squared search radius.
+    ///
+    /// # Errors
+    /// What `gather` returns.
+    pub fn inner<E>(&self, gather: impl FnMut(u32) -> Result<Disc, E>) -> Result<Estimate, E> {
+        let radius_sq = self.inner_radius_sq();
+        at(radius_sq, self.area_of(radius_sq), gather)
+    }
+
+    /// Half the squared search radius, in whole steps.
+    pub fn inner_radius_sq(&self) -> u32 {
+        self.radius_sq / 2
     }
 
     /// The estimate at the k-th photon.
@@ -79,6 +89,7 @@ impl Steps {
         Ok(Estimate {
             irradiance: found.disc.power / self.area_of(found.radius_sq),
             tests: found.disc.tests,
+            skipped: 0,
             in_range: found.disc.count,
             gathers: found.gathers,
         })
@@ -100,10 +111,27 @@ impl Steps {
             let disc = gather(radius_sq)?;
             sum.irradiance += rung.weight * (disc.power / self.area_of(radius_sq));
             (sum.tests, sum.in_range) = (disc.tests, disc.count);
+            sum.skipped += disc.skipped;
             sum.gathers += 1;
         }
         Ok(sum)
     }
+}
+
+/// The estimate of one gather, over `area`.
+fn at<E>(
+    radius_sq: u32,
+    area: f64,
+    mut gather: impl FnMut(u32) -> Result<Disc, E>,
+) -> Result<Estimate, E> {
+    let disc = gather(radius_sq)?;
+    Ok(Estimate {
+        irradiance: disc.power / area,
+        tests: disc.tests,
+        skipped: disc.skipped,
+        in_range: disc.count,
+        gathers: 1,
+    })
 }
 
 /// The k-th photon by bisection on the count, up to `max` (squared steps).
@@ -169,6 +197,7 @@ mod tests {
             Ok(Disc {
                 power: DVec3::splat(count as f64),
                 tests: distances.len() as u64,
+                skipped: 0,
                 count,
             })
         }

@@ -1,0 +1,76 @@
+//! Direct light by shadow rays.
+
+use glam::DVec3;
+use rand::RngExt;
+use rand_pcg::Pcg64Mcg;
+
+use crate::camera::Ray;
+use crate::geometry::{Geometry, Quad};
+use crate::scene::Scene;
+use crate::view::QueryPoint;
+
+/// The lights of a scene as shadow rays see them: each by itself, so that none is forgotten beside one
+/// a million times as strong.
+pub(super) struct Shadows<'a> {
+    scene: &'a Scene,
+    lights: Vec<Light<'a>>,
+}
+
+struct Light<'a> {
+    surface: usize,
+    quad: &'a Quad,
+    radiance: DVec3,
+}
+
+impl<'a> Shadows<'a> {
+    pub fn of(scene: &'a Scene) -> Self {
+        let surfaces = scene.surfaces().iter().enumerate();
+        let lights = surfaces.filter_map(|(surface, s)| match &s.geometry {
+            Geometry::Quad(quad) if s.radiance != DVec3::ZERO => Some(Light {
+                surface,
+                quad,
+                radiance: s.radiance,
+            }),
+            _ => None,
+        });
+        Self {
+            scene,
+            lights: lights.collect(),
+        }
+    }
+
+    /// What arrives at the query point straight from the lights, flux per area: the mean over `rays` uniform points of
+    /// each light of L A cos cos' / d^2, 0 where something is between. Without bias.
+    pub fn irradiance(&self, query: &QueryPoint, rays: u32, rng: &mut Pcg64Mcg) -> DVec3 {
+        let lights = self.lights.iter();
+        let sum = lights.map(|light| {
+            let rays = (0..rays).map(|_| {
+                let target = light.quad.point(rng.random(), rng.random());
+                self.form_factor(query, light, target)
+            });
+            light.radiance * rays.sum::<f64>()
+        });
+        sum.sum::<DVec3>() / f64::from(rays)
+    }
+
+    /// A cos cos' / d^2 of a light by its point `target`.
+    fn form_factor(&self, query: &QueryPoint, light: &Light<'_>, target: DVec3) -> f64 {
+        let way = target - query.position;
+        let distance_sq = way.length_squared();
+        let direction = way / distance_sq.sqrt();
+        let cosines =
+            query.normal.dot(direction).max(0.0) * -light.quad.normal().dot(direction).min(0.0);
+        // Also false where the point is on the light, which makes a NaN.
+        if cosines > 0.0 && self.sees(query.position, direction, light) {
+            cosines * light.quad.area() / distance_sq
+        } else {
+            0.0
+        }
+    }
+
+    /// Whether nothing is before the light. Glass casts a shadow: what comes through it is a caustic.
+    fn sees(&self, origin: DVec3, direction: DVec3, light: &Light<'_>) -> bool {
+        let hit = self.scene.intersect(&Ray { origin, direction });
+        hit.is_some_and(|(index, hit)| index == light.surface && hit.front)
+    }
+}

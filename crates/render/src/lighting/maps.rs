@@ -1,0 +1,157 @@
+//! The photon maps of a lighting.
+
+use std::collections::HashMap;
+
+use super::{Caustics, Lighting};
+use crate::photon_map::{MapError, PhotonMap};
+use crate::scene::Scene;
+use crate::trace::{PathKind, Photon, PhotonTrace};
+
+/// The search radii of the maps (scene units).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Radii {
+    /// Of the global map.
+    pub global: f64,
+    /// Of that of the caustics, where they have one and there are any.
+    pub caustic: Option<f64>,
+}
+
+impl Radii {
+    /// Those with which a query of the global map has `in_range` photons in range, on average over the scene
+    /// ([`PhotonMap::radius_for`]), and one of the caustics' map as many as the lighting says, on average over its
+    /// photons.
+    #[must_use]
+    pub fn of(scene: &Scene, trace: &PhotonTrace, lighting: &Lighting, in_range: f64) -> Self {
+        let mapped = trace.kinds.iter().filter(|kind| lighting.maps(**kind));
+        let global = PhotonMap::radius_for(scene, mapped.count().max(1) as u64, in_range);
+        let caustic = match lighting.caustics {
+            Caustics::Map => None,
+            Caustics::Own(in_range) => {
+                let photons = trace.of(|kind| kind == PathKind::Caustic);
+                radius_among(&photons, in_range, global)
+            }
+        };
+        Self { global, caustic }
+    }
+
+    /// Both times `factor`.
+    #[must_use]
+    pub fn scaled(self, factor: f64) -> Self {
+        Self {
+            global: factor * self.global,
+            caustic: self.caustic.map(|radius| factor * radius),
+        }
+    }
+}
+
+/// The radius, at most `widest`, at which about `in_range` photons are in range of one of them, on average. They are
+/// counted in cells: N photons, n of them in a photon's own cell of edge e, have a density of n / e^2. None
+/// of no photons.
+fn radius_among(photons: &[Photon], in_range: f64, widest: f64) -> Option<f64> {
+    /// From each radius the next follows; where the density is even, the first does not change.
+    const STEPS: usize = 8;
+    if photons.is_empty() {
+        return None;
+    }
+    let next = |radius: f64| {
+        let density = own_cell(photons, radius) / (radius * radius);
+        (in_range / (std::f64::consts::PI * density))
+            .sqrt()
+            .min(widest)
+    };
+    Some((0..STEPS).fold(widest, |radius, _| next(radius)))
+}
+
+/// The number of photons in the cell of a photon, itself among them, on average over all.
+fn own_cell(photons: &[Photon], edge: f64) -> f64 {
+    let mut cells: HashMap<_, u64> = HashMap::new();
+    for photon in photons {
+        let cell = (photon.position / edge).floor().as_i64vec3();
+        *cells.entry((cell, photon.surface)).or_default() += 1;
+    }
+    let squares: f64 = cells.values().map(|count| (count * count) as f64).sum();
+    squares / photons.len() as f64
+}
+
+/// The photon maps of a picture.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PhotonMaps {
+    /// What [`Lighting::maps`] says.
+    pub global: PhotonMap,
+    /// The caustics, where they have a map of their own and there are any.
+    pub caustic: Option<PhotonMap>,
+}
+
+impl PhotonMaps {
+    /// The maps of a trace.
+    ///
+    /// # Errors
+    /// As for [`PhotonMap::new`].
+    pub fn new(
+        scene: &Scene,
+        trace: PhotonTrace,
+        lighting: &Lighting,
+        radii: Radii,
+    ) -> Result<Self, MapError> {
+        let caustic = radii.caustic.map(|radius| {
+            let photons = trace.of(|kind| kind == PathKind::Caustic);
+            PhotonMap::new(scene, photons, radius)
+        });
+        let all = trace.kinds.iter().all(|kind| lighting.maps(*kind));
+        let photons = match all {
+            true => trace.photons,
+            false => trace.of(|kind| lighting.maps(kind)),
+        };
+        Ok(Self {
+            global: PhotonMap::new(scene, photons, radii.global)?,
+            caustic: caustic.transpose()?,
+        })
+    }
+
+    /// One map for all light.
+    #[must_use]
+    pub fn of_one(global: PhotonMap) -> Self {
+        Self {
+            global,
+            caustic: None,
+        }
+    }
+
+    /// Photons in both.
+    #[must_use]
+    pub fn photons(&self) -> usize {
+        let caustic = self.caustic.as_ref();
+        self.global.photons().len() + caustic.map_or(0, |map| map.photons().len())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+
+    use super::*;
+
+    fn lattice(side: u32, step: f64) -> Vec<Photon> {
+        let places = (0..side).flat_map(|x| (0..side).map(move |z| (x, z)));
+        let photon = |(x, z)| Photon {
+            position: step * DVec3::new(f64::from(x), 0.0, f64::from(z)),
+            power: DVec3::ONE,
+            surface: 0,
+        };
+        places.map(photon).collect()
+    }
+
+    #[test]
+    fn the_radius_among_even_photons_is_that_of_their_density() {
+        let radius = radius_among(&lattice(200, 0.01), 50.0, 1.0).unwrap();
+        let expected = (50.0 / std::f64::consts::PI).sqrt() * 0.01;
+        // Cells of some 16 photons end somewhere in the lattice.
+        assert!((radius / expected - 1.0).abs() < 0.1, "{radius} {expected}");
+    }
+
+    #[test]
+    fn few_photons_have_the_widest_radius_and_none_have_none() {
+        assert_eq!(radius_among(&lattice(3, 1.0), 50.0, 0.5), Some(0.5));
+        assert_eq!(radius_among(&[], 50.0, 0.5), None);
+    }
+}

@@ -1,0 +1,61 @@
+//! The scene's area lights: which emits the next photon, and where shadow rays go.
+
+use glam::DVec3;
+use rand::RngExt;
+use rand_pcg::Pcg64Mcg;
+
+use crate::geometry::{Geometry, Quad};
+use crate::scene::{LightChoice, Scene, Surface};
+
+/// The lights, to choose from in proportion to their weights.
+pub(crate) struct Lights<'a> {
+    /// A light, its form and the sum of the weights up to it.
+    cumulative: Vec<(&'a Surface, &'a Quad, f64)>,
+    total: f64,
+    choice: LightChoice,
+}
+
+/// What a light's chance to be chosen is proportional to: its flux, all channels added, or
+/// the same for all.
+fn weight(light: &Surface, choice: LightChoice) -> f64 {
+    match choice {
+        LightChoice::Flux => flux(light).element_sum(),
+        LightChoice::Uniform => 1.0,
+    }
+}
+
+impl<'a> Lights<'a> {
+    /// Those of a scene.
+    pub fn of(scene: &'a Scene) -> Self {
+        let mut total = 0.0;
+        let mut cumulative = Vec::new();
+        let choice = scene.light_choice();
+        for surface in scene.surfaces() {
+            if let Geometry::Quad(quad) = &surface.geometry
+                && flux(surface).element_sum() > 0.0
+            {
+                total += weight(surface, choice);
+                cumulative.push((surface, quad, total));
+            }
+        }
+        Self {
+            cumulative,
+            total,
+            choice,
+        }
+    }
+
+    /// A light, and the power of a path from it: its flux over the probability of its choice.
+    pub fn choose(&self, rng: &mut Pcg64Mcg) -> (&'a Quad, DVec3) {
+        let wanted = rng.random::<f64>() * self.total;
+        let index = self.cumulative.partition_point(|(.., sum)| *sum <= wanted);
+        let (light, quad, _) = self.cumulative[index.min(self.cumulative.len() - 1)];
+        let power = flux(light) * (self.total / weight(light, self.choice));
+        (quad, power)
+    }
+}
+
+/// Phi = pi A L.
+fn flux(light: &Surface) -> DVec3 {
+    std::f64::consts::PI * light.geometry.area() * light.radiance
+}

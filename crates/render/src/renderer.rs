@@ -1,0 +1,179 @@
+//! Stage 5 at work: bands of a picture, gathered from every map by every method asked for.
+
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use glam::DVec3;
+use rayon::prelude::*;
+
+use crate::band::{BAND_ROWS, Band, Queries};
+use crate::estimate::Estimate;
+use crate::estimators::Method;
+use crate::image::Image;
+use crate::lighting::{Area, Fronts, Lit};
+use crate::photon_map::PhotonMap;
+use crate::render::{Engine, Light, Prepared, RenderError, RenderStats};
+use crate::scene::Scene;
+use crate::view::ViewOptions;
+
+/// A photon map and what makes estimates in it.
+struct Source<'a> {
+    map: &'a PhotonMap,
+    engine: Prepared<'a>,
+}
+
+impl<'a> Source<'a> {
+    fn new(map: &'a PhotonMap, engine: Engine<'a>) -> Result<Self, RenderError> {
+        Ok(Self {
+            map,
+            engine: Prepared::new(map, engine)?,
+        })
+    }
+}
+
+/// All that a picture needs.
+pub(crate) struct Renderer<'a> {
+    lit: Lit<'a>,
+    /// What the covered area is made of, where the lighting divides by it.
+    fronts: Option<Fronts>,
+    global: Source<'a>,
+    caustic: Option<Source<'a>>,
+    options: &'a ViewOptions,
+}
+
+/// Pictures of the same view rays, one for each method.
+pub(crate) struct Rendered {
+    pub images: Vec<Image>,
+    pub stats: RenderStats,
+}
+
+/// The pixels of a band by each method.
+type Pixels = Vec<Vec<DVec3>>;
+
+impl<'a> Renderer<'a> {
+    /// # Errors
+    /// Options, a lighting or formats that do not fit.
+    pub fn new(
+        scene: &'a Scene,
+        light: Light<'a>,
+        engine: Engine<'a>,
+        options: &'a ViewOptions,
+    ) -> Result<Self, RenderError> {
+        options.check()?;
+        light.lighting.check(scene, light.estimator)?;
+        let caustic = light.caustic.map(|map| Source::new(map, engine));
+        let covered = light.lighting.area == Area::Covered;
+        Ok(Self {
+            lit: Lit::new(scene, *light.lighting),
+            fronts: covered.then(|| Fronts::of(scene)),
+            global: Source::new(light.global, engine)?,
+            caustic: caustic.transpose()?,
+            options,
+        })
+    }
+
+    /// The pictures by each of `methods`.
+    ///
+    /// # Errors
+    /// A query that an engine refuses.
+    pub fn render(
+        &self,
+        methods: &[Method],
+        progress: &(dyn Fn(u64) + Sync),
+    ) -> Result<Rendered, RenderError> {
+        let done = AtomicU64::new(0);
+        let band = |band: u32| {
+            let first = band * BAND_ROWS;
+            let end = self.options.height.min(first + BAND_ROWS);
+            let found = self.band(first, end, methods)?;
+            let count = u64::from(end - first) * u64::from(self.options.width);
+            progress(done.fetch_add(count, Ordering::Relaxed) + count);
+            Ok(found)
+        };
+        let bands = (0..self.options.height.div_ceil(BAND_ROWS)).into_par_iter();
+        let bands: Result<Vec<_>, RenderError> = bands.map(band).collect();
+        let mut pixels: Pixels = vec![Vec::new(); methods.len()];
+        let mut stats = RenderStats::default();
+        for (band, band_stats) in bands? {
+            for (all, band) in pixels.iter_mut().zip(band) {
+                all.extend(band);
+            }
+            stats += band_stats;
+        }
+        let images = pixels.into_iter();
+        let images = images.map(|pixels| Image::from_rows(self.options.width, pixels));
+        Ok(Rendered {
+            images: images.collect(),
+            stats,
+        })
+    }
+
+    /// Rows `first` to `end`.
+    fn band(
+        &self,
+        first: u32,
+        end: u32,
+        methods: &[Method],
+    ) -> Result<(Pixels, RenderStats), RenderError> {
+        let band = Band::new(&self.lit, self.options, first, end);
+        let mut stats = RenderStats {
+            query_points: band.query_points,
+            ..RenderStats::default()
+        };
+        let mut pixels = Vec::new();
+        for method in methods {
+            let mut radiance = band.known.clone();
+            let caustic = self
+                .caustic
+                .as_ref()
+                .map(|caustic| (caustic, &band.caustic));
+            for (source, queries) in [(&self.global, &band.global)].into_iter().chain(caustic) {
+                let found = method.estimate_all(&source.engine, source.map, queries.points());
+                let found = found.map_err(|(query, refusal)| {
+                    let pixel = queries.pixel(query);
+                    let (x, y) = (pixel % self.options.width, pixel / self.options.width);
+                    RenderError::of(refusal, x, first + y)
+                })?;
+                self.shade(method, source, queries, &found, &mut radiance);
+                found
+                    .iter()
+                    .for_each(|found| stats += stats_of(source, found));
+            }
+            let samples = f64::from(self.options.samples_per_pixel());
+            radiance.iter_mut().for_each(|pixel| *pixel /= samples);
+            pixels.push(radiance);
+        }
+        Ok((pixels, stats))
+    }
+
+    /// Adds what was found to the pixels, over the disc's area or over that which is covered.
+    fn shade(
+        &self,
+        method: &Method,
+        source: &Source<'_>,
+        queries: &Queries,
+        found: &[Estimate],
+        radiance: &mut [DVec3],
+    ) {
+        let radius = method.radius(source.map.radius());
+        match (&self.fronts, radius) {
+            (Some(fronts), Some(radius)) => queries.shade(
+                found,
+                |query| fronts.disc_over_covered(query.position, query.normal, radius),
+                radiance,
+            ),
+            _ => queries.shade(found, |_| 1.0, radiance),
+        }
+    }
+}
+
+fn stats_of(source: &Source<'_>, found: &Estimate) -> RenderStats {
+    RenderStats {
+        query_points: 0,
+        gathers: found.gathers,
+        photon_tests: found.gathers * found.tests,
+        photons_skipped: found.skipped,
+        photons_in_range: found.in_range,
+        photon_groups: found.gathers * source.engine.groups(found.tests),
+        largest_query: found.tests,
+    }
+}
