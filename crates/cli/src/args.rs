@@ -4,17 +4,22 @@ use std::fmt;
 use std::path::PathBuf;
 use std::str::FromStr;
 
-use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
+use clap::{Args as ClapArgs, Parser, Subcommand};
 use clap_complete::Shell;
-use photoncube_render::{BenchOptions, Estimator, TraceOptions, ViewOptions};
-use photoncube_spec::PHOTON_FORMATS;
+use photoncube_render::{BenchOptions, TraceOptions, ViewOptions};
 
 use crate::machines::{ChosenMachineArgs, MachineArgs};
 
+mod compare;
 mod fit;
+mod progressive;
+mod render;
 mod synth;
 
+pub use self::compare::CompareArgs;
 pub use self::fit::FitArgs;
+pub use self::progressive::ProgressiveArgs;
+pub use self::render::{EngineArgs, LightArgs, RenderArgs};
 pub use self::synth::SynthArgs;
 
 /// From a scene to a proven photon-mapping processor.
@@ -38,6 +43,7 @@ Examples:
   photoncube verify --against verilator --iterations 1000000
   photoncube generate --machine paper --out /tmp/verilog
   photoncube render cornell -o box.png --engine f64
+  photoncube progressive cornell -o box.png --error-target 0.1
   photoncube report ring                          formats by error and speed, with a plot
   photoncube hard-cases                           what breaks other arithmetic, and not this
   photoncube synth --machine paper                area and clock, by Yosys and nextpnr
@@ -60,6 +66,10 @@ pub enum Command {
     Verify(VerifyArgs),
     /// Render a scene to a picture
     Render(RenderArgs),
+    /// Render a picture that gets better pass by pass, until its error is as small as asked for
+    Progressive(ProgressiveArgs),
+    /// How far a picture is from another: relMSE, and a map of the error
+    Compare(CompareArgs),
     /// Speed against error: every photon format and machine on a scene, as a table and a plot
     Report(ReportArgs),
     /// Run the inputs at which some arithmetic is known to fail, in every photon format
@@ -177,57 +187,6 @@ pub struct VerifyArgs {
     /// Seed of the stimulus
     #[arg(long, default_value_t = 1, value_name = "S")]
     pub seed: u64,
-}
-
-/// `render`
-#[derive(ClapArgs, Debug)]
-#[command(after_help = "\
-Examples:
-  photoncube render cornell -o box.png
-  photoncube render cornell -o reference.png --engine f64 --photons 4000000
-  photoncube render cornell -o small.png --size 128x128 --machine paper-12
-  photoncube render range -o range.png --engine format --format local8-rgb8e5
-  photoncube render ring -o ring.png --engine format --estimator knn:50
-  photoncube render cornell -o smooth.png --engine f64 --estimator epanechnikov
-  photoncube render cornell -o ladder.png --estimator ladder:4:cone
-
-Estimators:
-  fixed                    all photons within the search radius count the same
-  knn:K                    the radius is that of the K-th nearest photon, at most the search radius;
-                           `model` and `format` find it by bisection, some 15 gathers a query
-  cone, epanechnikov       kernels that fall with the distance; only `f64` has them
-  ladder:RUNGS[:KERNEL]    such a kernel (epanechnikov unless named) as a mixture of discs, which
-                           every engine can gather, one gather for each")]
-pub struct RenderArgs {
-    /// A built-in scene (see `photoncube list`) or a scene file
-    pub scene: String,
-    /// The picture, a PNG file
-    #[arg(short, long, value_name = "FILE")]
-    pub output: PathBuf,
-    /// What makes the radiance estimates
-    #[arg(long, value_enum, default_value_t = EngineName::Model)]
-    pub engine: EngineName,
-    /// The photon format (see `photoncube list`) of the engine `format`
-    #[arg(long, default_value_t = PHOTON_FORMATS[0].name(), value_name = "F")]
-    pub format: String,
-    /// The form of the estimate: fixed, knn:K, cone, epanechnikov or `ladder:RUNGS[:KERNEL]`, see below
-    #[arg(long, default_value_t = Estimator::FixedRadius, value_name = "E")]
-    pub estimator: Estimator,
-    #[command(flatten)]
-    pub machine: MachineArgs,
-    #[command(flatten)]
-    pub picture: PictureArgs,
-}
-
-/// What makes the radiance estimates.
-#[derive(Copy, Clone, Debug, PartialEq, Eq, ValueEnum)]
-pub enum EngineName {
-    /// The reference, in f64
-    F64,
-    /// The golden model of the machine
-    Model,
-    /// The golden model of a photon format
-    Format,
 }
 
 /// `report`

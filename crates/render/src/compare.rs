@@ -52,6 +52,11 @@ pub fn light_mask(image: &Image, limit: f64) -> Vec<bool> {
     (0..width * height).map(keep).collect()
 }
 
+/// What an error at `value` is relative to in relMSE: sqrt(value^2 + 1e-4).
+pub(crate) fn relative_scale(value: f64) -> f64 {
+    (value * value + EPSILON).sqrt()
+}
+
 /// relMSE: the mean of (a - ref)^2 / (ref^2 + 1e-4) over the channels of the pixels that the
 /// mask keeps.
 ///

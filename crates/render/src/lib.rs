@@ -44,6 +44,7 @@ mod machine_map;
 mod metrics;
 mod photon_map;
 mod power_scale;
+mod progressive;
 mod quantise;
 mod render;
 mod renderer;
@@ -72,7 +73,7 @@ pub use hard_cases::{
     Bound, Contrast, Grid, HARD_CASES, HardCase, HardCaseError, HardCaseReport, Outcome, Setting,
     hard_case_formats, run_hard_case,
 };
-pub use image::{Image, ImageError};
+pub use image::{IMAGE_ENDINGS, Image, ImageError, check_image_path, error_map, relative_errors};
 pub use lighting::{
     Area, Caustics, DirectLight, Lighting, LightingError, PhotonMaps, Radii, UnknownLighting,
 };
@@ -83,6 +84,9 @@ pub use metrics::{
     NoiseMeter, RelativeErrors, RelativeSummary, luminance, view_queries,
 };
 pub use photon_map::{Candidates, MapError, PhotonMap};
+pub use progressive::{
+    ErrorEstimate, PixelBound, Progressive, ProgressiveError, ProgressiveOptions,
+};
 pub use quantise::{QuantiseError, QuantisedMap};
 pub use render::{
     Engine, Light, RenderError, RenderStats, Rendering, render, render_lit, render_with,

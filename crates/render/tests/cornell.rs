@@ -1,7 +1,7 @@
 //! The whole chain against an independent renderer: the built-in scene, photon-mapped through
 //! the golden model, beside Mitsuba's path-traced image of it.
 
-mod npy;
+use std::path::Path;
 
 use photoncube_render::{
     Engine, Image, LIGHT_RADIANCE, PhotonMap, Rendering, Scene, TraceOptions, ViewOptions,
@@ -27,13 +27,10 @@ fn rendered(scene: &Scene, map: &PhotonMap, engine: Engine<'_>, side: u32) -> Re
     render(scene, map, engine, &options, &|_| ()).unwrap()
 }
 
+/// 128 x 128 pixels of 8,192 paths, by Mitsuba 3.9.1.
 fn reference() -> Image {
-    let (shape, values) = npy::read_f32(include_bytes!("data/cornell.npy"));
-    assert_eq!(shape, [128, 128, 3]);
-    let pixels = values
-        .chunks_exact(3)
-        .map(|rgb| [rgb[0], rgb[1], rgb[2]].map(f64::from).into());
-    Image::new(128, 128, pixels.collect()).unwrap()
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    Image::read_exr(&root.join("../../docs/reference/cornell.exr")).unwrap()
 }
 
 /// The issue asks for 0.02. The default options measure 0.008, of which the reference's own noise

@@ -1,10 +1,12 @@
 //! The commands, one file each.
 
+mod compare;
 mod fit;
 mod generate;
 mod hard_cases;
 mod list;
 mod microprogram;
+mod progressive;
 mod render;
 mod report;
 mod run;
@@ -30,6 +32,8 @@ pub fn execute(args: Args) -> Result<()> {
         Command::Generate(options) => generate::execute(&options, json),
         Command::Verify(options) => verify::execute(&options, json),
         Command::Render(options) => render::execute(&options, json),
+        Command::Progressive(options) => progressive::execute(&options, json),
+        Command::Compare(options) => compare::execute(&options, json),
         Command::Report(options) => report::execute(&options, json),
         Command::HardCases(options) => hard_cases::execute(&options, json),
         Command::Synth(options) => synth::execute(&options, json),

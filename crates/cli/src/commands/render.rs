@@ -5,12 +5,12 @@ use std::time::Instant;
 
 use anyhow::Result;
 use photoncube_render::{
-    Engine, Estimator, PhotonMap, Rendering, Scene, TraceOptions, ViewOptions, render_with, trace,
+    Engine, Estimator, Light, Lighting, PhotonMap, PhotonMaps, Radii, Rendering, Scene,
+    TraceOptions, ViewOptions, check_image_path, render_lit, trace,
 };
-use photoncube_spec::{Machine, find_photon_format};
 use serde::Serialize;
 
-use crate::args::{EngineName, PictureArgs, RenderArgs};
+use crate::args::{PictureArgs, RenderArgs};
 use crate::{files, output, progress, scenes};
 
 /// The exposure of written pictures: radiance 1 is white.
@@ -23,6 +23,10 @@ struct Report {
     machine: Option<&'static str>,
     format: Option<String>,
     estimator: String,
+    direct: String,
+    caustics: String,
+    final_gather: u32,
+    area: String,
     output: String,
     photons: usize,
     query_points: u64,
@@ -30,6 +34,7 @@ struct Report {
     photon_tests: u64,
     photons_skipped: u64,
     search_radius: f64,
+    caustic_radius: Option<f64>,
     seed: u64,
     seconds: f64,
 }
@@ -38,14 +43,21 @@ struct Report {
 pub struct Traced {
     /// The scene.
     pub scene: Scene,
-    /// The photon map.
-    pub map: PhotonMap,
-    /// Paths that were emitted for it.
+    /// The photon maps.
+    pub maps: PhotonMaps,
+    /// Paths that were emitted for them.
     pub paths: u64,
 }
 
-/// Stages 1 to 3: the scene, its photons, the photon map.
-pub fn trace_scene(name: &str, picture: &PictureArgs) -> Result<Traced> {
+impl Traced {
+    /// The map of all light, or of what is not in that of the caustics.
+    pub fn map(&self) -> &PhotonMap {
+        &self.maps.global
+    }
+}
+
+/// Stages 1 to 3: the scene, its photons, the photon maps that the lighting wants.
+pub fn trace_scene(name: &str, picture: &PictureArgs, lighting: &Lighting) -> Result<Traced> {
     let scene = scenes::load(name)?;
     let options = TraceOptions {
         photons: picture.photons,
@@ -54,14 +66,10 @@ pub fn trace_scene(name: &str, picture: &PictureArgs) -> Result<Traced> {
     let bar = progress::bar("tracing photons", picture.photons);
     let traced = trace(&scene, &options, &|stored| bar.set_position(stored))?;
     bar.finish_and_clear();
-    let stored = traced.photons.len() as u64;
-    let radius = PhotonMap::radius_for(&scene, stored, picture.in_range);
-    let map = PhotonMap::new(&scene, traced.photons, radius)?;
-    Ok(Traced {
-        scene,
-        map,
-        paths: traced.paths,
-    })
+    let paths = traced.paths;
+    let radii = Radii::of(&scene, &traced, lighting, picture.in_range);
+    let maps = PhotonMaps::new(&scene, traced, lighting, radii)?;
+    Ok(Traced { scene, maps, paths })
 }
 
 /// The view that the picture's options ask for.
@@ -74,67 +82,80 @@ pub fn view(picture: &PictureArgs) -> ViewOptions {
     }
 }
 
-/// Stages 4 to 6 with the fixed search radius, without writing: view rays, estimates, the image.
+/// Stages 4 to 6 with the fixed search radius and light from the map alone, without writing: view rays, estimates,
+/// the image.
 pub fn picture(
     traced: &Traced,
     engine: Engine<'_>,
     view: &ViewOptions,
     what: &'static str,
 ) -> Result<Rendering> {
-    picture_with(traced, engine, Estimator::FixedRadius, view, what)
+    let (lighting, estimator) = (Lighting::default(), Estimator::FixedRadius);
+    picture_lit(traced, engine, &lighting, estimator, view, what)
 }
 
-fn picture_with(
+fn picture_lit(
     traced: &Traced,
     engine: Engine<'_>,
+    lighting: &Lighting,
     estimator: Estimator,
     view: &ViewOptions,
     what: &'static str,
 ) -> Result<Rendering> {
     let pixels = u64::from(view.width) * u64::from(view.height);
     let bar = progress::bar(what, pixels);
+    let light = Light {
+        lighting,
+        global: &traced.maps.global,
+        caustic: traced.maps.caustic.as_ref(),
+        estimator,
+    };
     let progress = |done| bar.set_position(done);
-    let (scene, map) = (&traced.scene, &traced.map);
-    let rendering = render_with(scene, map, engine, estimator, view, &progress)?;
+    let rendering = render_lit(&traced.scene, light, engine, view, &progress)?;
     bar.finish_and_clear();
     Ok(rendering)
 }
 
-/// Renders a scene to a PNG file.
+/// Renders a scene to a file.
 pub fn execute(args: &RenderArgs, json: bool) -> Result<()> {
-    let machine: &'static Machine = args.machine.find()?;
-    let format = &find_photon_format(&args.format)?;
-    let engine = match args.engine {
-        EngineName::F64 => Engine::F64,
-        EngineName::Model => Engine::Model(machine),
-        EngineName::Format => Engine::Format(format),
-    };
+    let found = args.engine.find()?;
+    let engine = found.engine();
     args.estimator.check(engine)?;
-    // Before the work, so that a folder that cannot be written is told at once.
+    // Before the work, so that a file that cannot be written is told at once.
+    check_image_path(&args.output)?;
     files::make_folder(args.output.parent().unwrap_or(Path::new(".")))?;
     let start = Instant::now();
-    let traced = trace_scene(&args.scene, &args.picture)?;
+    let lighting = args.light.lighting();
+    let traced = trace_scene(&args.scene, &args.picture, &lighting)?;
     let view = view(&args.picture);
-    let rendering = picture_with(&traced, engine, args.estimator, &view, "rendering")?;
-    rendering.image.write_png(&args.output, EXPOSURE)?;
-    let (engine, machine, format) = match args.engine {
-        EngineName::F64 => ("f64", None, None),
-        EngineName::Model => ("model", Some(machine.name), None),
-        EngineName::Format => ("format", None, Some(format.name())),
-    };
+    let rendering = picture_lit(
+        &traced,
+        engine,
+        &lighting,
+        args.estimator,
+        &view,
+        "rendering",
+    )?;
+    rendering.image.write(&args.output, EXPOSURE)?;
+    let caustic = traced.maps.caustic.as_ref();
     let report = Report {
         scene: args.scene.clone(),
-        engine,
-        machine,
-        format,
+        engine: found.kind(),
+        machine: found.machine(),
+        format: found.format(),
         estimator: args.estimator.to_string(),
+        direct: lighting.direct.to_string(),
+        caustics: lighting.caustics.to_string(),
+        final_gather: lighting.final_gather,
+        area: lighting.area.to_string(),
         output: args.output.display().to_string(),
-        photons: traced.map.photons().len(),
+        photons: traced.maps.photons(),
         query_points: rendering.stats.query_points,
         gathers_per_query: mean(rendering.stats.gathers, rendering.stats.query_points),
         photon_tests: rendering.stats.photon_tests,
         photons_skipped: rendering.stats.photons_skipped,
-        search_radius: traced.map.radius(),
+        search_radius: traced.map().radius(),
+        caustic_radius: caustic.map(PhotonMap::radius),
         seed: args.picture.seed,
         seconds: start.elapsed().as_secs_f64(),
     };

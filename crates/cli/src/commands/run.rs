@@ -5,16 +5,14 @@ mod sizing;
 use std::path::Path;
 use std::time::Instant;
 
-use anyhow::{Result, anyhow};
-use photoncube_render::{
-    Engine, Image, LIGHT_RADIANCE, Rendering, light_mask, rel_mse, rms_relative_difference, rmse,
-    workload,
-};
+use anyhow::Result;
+use photoncube_render::{Engine, Lighting, Rendering, workload};
 use photoncube_spec::Machine;
 use photoncube_testbench::{DeviceKind, Source, Verdict, VerifyError, VerifyOptions};
 use serde::Serialize;
 
 use self::sizing::Fitted;
+use super::compare::{Distance, map_of};
 use super::render::{EXPOSURE, Traced, picture, trace_scene, view};
 use super::verify::{verdict_table, verify_with_bar};
 use crate::args::RunArgs;
@@ -48,11 +46,11 @@ struct Report {
     devices: Vec<Verdict>,
     devices_not_found: Vec<NotFound>,
     /// The golden model's picture against the f64 reference's, rms over pixels and channels.
-    rms_relative_error: f64,
-    rel_mse: f64,
-    rmse: f64,
+    #[serde(flatten)]
+    distance: Distance,
     picture: String,
     reference_picture: String,
+    error_map: String,
     verilog: String,
     seconds: Seconds,
 }
@@ -82,7 +80,7 @@ pub fn execute(args: &RunArgs, json: bool) -> Result<()> {
     let mut seconds = Seconds::default();
 
     let traced = timed(&mut seconds.trace, || {
-        trace_scene(&args.scene, &args.picture)
+        trace_scene(&args.scene, &args.picture, &Lighting::default())
     })?;
     let (machine, fitted) = timed(&mut seconds.fit, || sizing::machine(args, &traced))?;
     let verilog = timed(&mut seconds.emit, || emit(machine, &args.out))?;
@@ -97,19 +95,23 @@ pub fn execute(args: &RunArgs, json: bool) -> Result<()> {
     let name = scenes::stem(&args.scene);
     let picture_path = args.out.join(format!("{name}.png"));
     let reference_path = args.out.join(format!("{name}-f64.png"));
-    rendering.image.write_png(&picture_path, EXPOSURE)?;
-    reference.image.write_png(&reference_path, EXPOSURE)?;
+    rendering.image.write(&picture_path, EXPOSURE)?;
+    reference.image.write(&reference_path, EXPOSURE)?;
 
-    let (rms_relative_error, rel_mse, rmse) = errors(&rendering.image, &reference.image)?;
+    let distance = Distance::between(&rendering.image, &reference.image)?;
+    let map_path = args.out.join(format!("{name}-error.svg"));
+    let title = format!("relative error: {} of {name} against f64", machine.name);
+    let map = map_of(&rendering.image, &reference.image, &title);
+    files::write(&map_path, map.as_bytes())?;
     let stats = rendering.stats;
     let report = Report {
         scene: args.scene.clone(),
         machine: machine.name,
         fitted,
         seed: args.picture.seed,
-        photons: traced.map.photons().len(),
+        photons: traced.map().photons().len(),
         photon_paths: traced.paths,
-        search_radius: traced.map.radius(),
+        search_radius: traced.map().radius(),
         photons_in_range_mean: mean_in_range(&rendering),
         query_points: stats.query_points,
         photon_tests: stats.photon_tests,
@@ -124,11 +126,10 @@ pub fn execute(args: &RunArgs, json: bool) -> Result<()> {
         mismatches: proof.verdicts.iter().map(|v| v.mismatches).sum(),
         devices: proof.verdicts,
         devices_not_found: proof.not_found,
-        rms_relative_error,
-        rel_mse,
-        rmse,
+        distance,
         picture: picture_path.display().to_string(),
         reference_picture: reference_path.display().to_string(),
+        error_map: map_path.display().to_string(),
         verilog,
         seconds,
     };
@@ -193,7 +194,7 @@ fn prove(args: &RunArgs, machine: &Machine, traced: &Traced) -> Result<Proof> {
             continue;
         }
         let iterations = args.iterations.unwrap_or(iterations);
-        let (scene, map) = (&traced.scene, &traced.map);
+        let (scene, map) = (&traced.scene, traced.map());
         let queries = workload(scene, map, machine, &view, iterations, args.picture.seed)?;
         let options = VerifyOptions {
             iterations,
@@ -214,17 +215,6 @@ fn prove(args: &RunArgs, machine: &Machine, traced: &Traced) -> Result<Proof> {
     Ok(proof)
 }
 
-/// The rms relative difference, the relMSE and the RMSE of two pictures; pixels that see the light, and those
-/// that touch them, are left out, as for the reference image.
-fn errors(image: &Image, reference: &Image) -> Result<(f64, f64, f64)> {
-    let mask = light_mask(reference, LIGHT_RADIANCE);
-    let explain = |error| anyhow!("the two pictures cannot be compared: {error}");
-    let rms = rms_relative_difference(image, reference, &mask).map_err(explain)?;
-    let rel_mse = rel_mse(image, reference, &mask).map_err(explain)?;
-    let rmse = rmse(image, reference, &mask).map_err(explain)?;
-    Ok((rms, rel_mse, rmse))
-}
-
 fn mean_in_range(rendering: &Rendering) -> f64 {
     let stats = rendering.stats;
     stats.photons_in_range as f64 / stats.query_points.max(1) as f64
@@ -239,7 +229,7 @@ fn text(report: &Report) -> String {
          \x20 photon tests      {} in {} groups\n\
          \x20 clocks            {} ({} for {} photons, {:.3} photon tests a clock)\n\
          \x20 model against f64 {:.3} % rms relative error of the picture, relMSE {:.2e}, RMSE {:.2e}\n\
-         \x20 pictures          {}, {}\n\
+         \x20 pictures          {}, {}, {}\n\
          \x20 Verilog           {}\n",
         r.scene,
         r.machine,
@@ -257,11 +247,12 @@ fn text(report: &Report) -> String {
         r.initiation_interval,
         r.photons_per_iteration,
         r.photon_tests_per_clock,
-        100.0 * r.rms_relative_error,
-        r.rel_mse,
-        r.rmse,
+        100.0 * r.distance.rms_relative_error,
+        r.distance.rel_mse,
+        r.distance.rmse,
         r.picture,
         r.reference_picture,
+        r.error_map,
         r.verilog,
     );
     text += &r.fitted.as_ref().map_or_else(String::new, fitted_line);

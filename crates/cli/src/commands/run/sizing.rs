@@ -40,7 +40,7 @@ fn options(args: &RunArgs, traced: &Traced) -> Result<FitOptions> {
     let options = FitOptions::default();
     let (bench, picture) = (options.bench, &args.picture);
     let queries = view_queries(&traced.scene, &view(picture))?;
-    let map = &traced.map;
+    let map = traced.map();
     let map = map.reblocked(FormatMap::edge_for(&coarsest(), map.radius()))?;
     let bench = BenchOptions {
         photons: bench.photons.min(picture.photons),

@@ -1,13 +1,15 @@
 //! Stage 6: the image, in linear light until it is written.
 
-use std::io::{BufWriter, Write};
+mod error_map;
+mod files;
+
 use std::path::{Path, PathBuf};
 
 use glam::DVec3;
-use image::codecs::png::PngEncoder;
-use image::{ExtendedColorType, ImageEncoder};
-use tempfile::NamedTempFile;
 use thiserror::Error;
+
+pub use self::error_map::{error_map, relative_errors};
+pub use self::files::{IMAGE_ENDINGS, check_image_path};
 
 /// Why an image could not be made or written.
 #[derive(Debug, Error)]
@@ -21,6 +23,22 @@ pub enum ImageError {
         height: u32,
         /// Pixels given.
         found: usize,
+    },
+    /// The name says no format that is known.
+    #[error("{}: found a name that ends in `{found}`, expected one of {}", path.display(), IMAGE_ENDINGS.join(", "))]
+    Ending {
+        /// The file.
+        path: PathBuf,
+        /// The ending, without its point.
+        found: String,
+    },
+    /// The file could not be read.
+    #[error("{}: {message}; expected an OpenEXR picture with red, green and blue", path.display())]
+    Read {
+        /// The file.
+        path: PathBuf,
+        /// What the system or the decoder said.
+        message: String,
     },
     /// The file could not be written; nothing half-written is left.
     #[error("{}: {source}", path.display())]
@@ -94,45 +112,23 @@ impl Image {
             .collect()
     }
 
-    /// Writes the image as an 8-bit sRGB PNG, with the tone mapping of [`Self::to_srgb8`]. The
+    /// Writes the image in the format that the name ends in: `.png`, 8 bits of sRGB with the tone mapping of
+    /// [`Self::to_srgb8`], or `.exr`, OpenEXR with three channels of f32, linear, without `exposure`. The
     /// file is written beside its place and renamed, so that it is whole or not there.
     ///
     /// # Errors
-    /// [`ImageError::Write`] with the path.
-    pub fn write_png(&self, path: &Path, exposure: f64) -> Result<(), ImageError> {
-        self.try_write_png(path, exposure)
-            .map_err(|source| ImageError::Write {
-                path: path.to_owned(),
-                source,
-            })
+    /// [`ImageError::Ending`] or [`ImageError::Write`], with the path.
+    pub fn write(&self, path: &Path, exposure: f64) -> Result<(), ImageError> {
+        files::write(self, path, exposure)
     }
 
-    fn try_write_png(&self, path: &Path, exposure: f64) -> std::io::Result<()> {
-        let folder = path.parent().filter(|p| !p.as_os_str().is_empty());
-        let file = NamedTempFile::new_in(folder.unwrap_or(Path::new(".")))?;
-        let mut writer = BufWriter::new(file);
-        let bytes = self.to_srgb8(exposure);
-        PngEncoder::new(&mut writer)
-            .write_image(&bytes, self.width, self.height(), ExtendedColorType::Rgb8)
-            .map_err(std::io::Error::other)?;
-        writer.flush()?;
-        let file = writer.into_inner().map_err(|error| error.into_error())?;
-        make_readable(file.path())?;
-        file.persist(path).map_err(|error| error.error)?;
-        Ok(())
+    /// Reads an OpenEXR file as [`Self::write`] writes it: the first layer's red, green and blue, as they are.
+    ///
+    /// # Errors
+    /// [`ImageError::Read`] with the path.
+    pub fn read_exr(path: &Path) -> Result<Self, ImageError> {
+        files::read_exr(path)
     }
-}
-
-/// Temporary files are the owner's alone; a picture is not a secret.
-#[cfg(unix)]
-fn make_readable(path: &Path) -> std::io::Result<()> {
-    use std::os::unix::fs::PermissionsExt;
-    std::fs::set_permissions(path, std::fs::Permissions::from_mode(0o644))
-}
-
-#[cfg(not(unix))]
-fn make_readable(_path: &Path) -> std::io::Result<()> {
-    Ok(())
 }
 
 /// The sRGB transfer curve for 0 to 1.
@@ -168,24 +164,5 @@ mod tests {
             "image of 3x2: found 5 pixels, expected 6"
         );
         assert!(Image::new(0, 2, vec![]).is_err());
-    }
-
-    #[test]
-    fn a_written_png_reads_back_and_nothing_else_is_left() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("two.png");
-        two_pixels().write_png(&path, 1.0).unwrap();
-        let read = image::open(&path).unwrap().into_rgb8();
-        assert_eq!(read.dimensions(), (2, 1));
-        assert_eq!(read.into_raw(), two_pixels().to_srgb8(1.0));
-        assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
-    }
-
-    #[test]
-    fn a_missing_folder_is_an_error_with_the_path() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("none").join("two.png");
-        let error = two_pixels().write_png(&path, 1.0).unwrap_err();
-        assert!(error.to_string().contains("two.png"), "{error}");
     }
 }

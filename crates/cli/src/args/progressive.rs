@@ -1,0 +1,80 @@
+//! The arguments of `progressive`.
+
+use std::path::PathBuf;
+
+use clap::Args as ClapArgs;
+use photoncube_render::{ProgressiveOptions, ViewOptions};
+
+use super::{EngineArgs, LightArgs, Size, parse_positive};
+
+/// `progressive`
+#[derive(ClapArgs, Debug)]
+#[command(after_help = "\
+Examples:
+  photoncube progressive cornell -o box.png
+  photoncube progressive cornell -o box.png --error-target 0.1 --confidence 0.9 --passes 1000
+  photoncube progressive ring -o ring.exr --engine format --snapshots --plot ring.svg
+  photoncube progressive cornell -o box.exr --size 128x128 --reference docs/reference/cornell.exr
+
+Each pass has photons of its own, and a smaller radius; the picture is the mean of the passes. Each
+pass gathers at the whole and at half the squared radius, which tells the bias; the spread of the
+passes tells the noise. A pixel's bound is |bias| + t s / sqrt n: its error is not above it, with the
+confidence asked for. --error-target stops when the bounds' root mean square, each over the pixel's
+luminance, is not above it: the root of the picture's relMSE is then smaller still.")]
+pub struct ProgressiveArgs {
+    /// A built-in scene (see `photoncube list`) or a scene file
+    pub scene: String,
+    /// The picture, a PNG or OpenEXR file
+    #[arg(short, long, value_name = "FILE")]
+    pub output: PathBuf,
+    /// Passes, at most
+    #[arg(long, default_value_t = 64, value_name = "N", value_parser = clap::value_parser!(u64).range(2..))]
+    pub passes: u64,
+    /// Stop when the picture's error is below this part of its luminance: 0.05 is 5 %
+    #[arg(long, value_name = "E", value_parser = parse_positive)]
+    pub error_target: Option<f64>,
+    /// With which probability a pixel's error is below its bound
+    #[arg(long, default_value_t = 0.9, value_name = "C", value_parser = parse_confidence)]
+    pub confidence: f64,
+    /// At least this many photons are stored in each pass
+    #[arg(long, default_value_t = ProgressiveOptions::default().photons, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    pub photons: u64,
+    /// Photons in range that the radius of the first pass aims at, on average
+    #[arg(long, default_value_t = ProgressiveOptions::default().in_range, value_name = "N", value_parser = parse_positive)]
+    pub in_range: f64,
+    /// How the radius falls: the squared radius of pass i + 1 is (i + A) / (i + 1) of that before
+    #[arg(long, default_value_t = ProgressiveOptions::default().alpha, value_name = "A")]
+    pub alpha: f64,
+    /// Picture size in pixels
+    #[arg(long, default_value_t = Size::of(&ViewOptions::default()), value_name = "WxH")]
+    pub size: Size,
+    /// Query points for each pixel and pass: N x N
+    #[arg(long, default_value_t = 1, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=64))]
+    pub samples: u32,
+    /// Seed of all random numbers; the same seed gives the same picture
+    #[arg(long, default_value_t = 1, value_name = "S")]
+    pub seed: u64,
+    #[command(flatten)]
+    pub engine: EngineArgs,
+    #[command(flatten)]
+    pub light: LightArgs,
+    /// What the picture should be, an OpenEXR file of the same size: says how far it is, and how many bounds hold
+    #[arg(long, value_name = "FILE")]
+    pub reference: Option<PathBuf>,
+    /// A plot of the error against passes, an SVG file
+    #[arg(long, value_name = "FILE")]
+    pub plot: Option<PathBuf>,
+    /// A map of the pixels' bounds, relative, with a legend, an SVG file
+    #[arg(long, value_name = "FILE")]
+    pub error_map: Option<PathBuf>,
+    /// Also write the picture after 1, 2, 4, 8, ... passes, with the number in its name
+    #[arg(long)]
+    pub snapshots: bool,
+}
+
+fn parse_confidence(text: &str) -> Result<f64, String> {
+    let number = text.parse::<f64>().ok();
+    number
+        .filter(|number| *number > 0.0 && *number < 1.0)
+        .ok_or_else(|| "expected a number over 0 and below 1".to_owned())
+}

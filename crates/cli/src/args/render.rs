@@ -1,0 +1,163 @@
+//! The arguments of `render`, and those that it shares.
+
+use std::path::PathBuf;
+
+use anyhow::Result;
+use clap::{Args as ClapArgs, ValueEnum};
+use photoncube_render::{Area, Caustics, DirectLight, Engine, Estimator, Lighting};
+use photoncube_spec::{Machine, PHOTON_FORMATS, PhotonFormat, find_photon_format};
+
+use super::PictureArgs;
+use crate::machines::MachineArgs;
+
+/// `render`
+#[derive(ClapArgs, Debug)]
+#[command(after_help = "\
+Examples:
+  photoncube render cornell -o box.png
+  photoncube render cornell -o reference.exr --engine f64 --photons 4000000
+  photoncube render cornell -o small.png --size 128x128 --machine paper-12
+  photoncube render range -o range.png --engine format --format local8-rgb8e5
+  photoncube render ring -o ring.png --engine format --estimator knn:50
+  photoncube render cornell -o smooth.png --engine f64 --estimator epanechnikov
+  photoncube render cornell -o ladder.png --estimator ladder:4:cone
+  photoncube render ring -o sharp.png --engine format --direct rays:4 --caustics own --final-gather 16
+
+Estimators:
+  fixed                    all photons within the search radius count the same
+  knn:K                    the radius is that of the K-th nearest photon, at most the search radius;
+                           `model` and `format` find it by bisection, some 15 gathers a query
+  cone, epanechnikov       kernels that fall with the distance; only `f64` has them
+  ladder:RUNGS[:KERNEL]    such a kernel (epanechnikov unless named) as a mixture of discs, which
+                           every engine can gather, one gather for each
+
+A picture ends in .png (8 bits, sRGB) or .exr (linear, to compute with: see `photoncube compare`).")]
+pub struct RenderArgs {
+    /// A built-in scene (see `photoncube list`) or a scene file
+    pub scene: String,
+    /// The picture, a PNG or OpenEXR file
+    #[arg(short, long, value_name = "FILE")]
+    pub output: PathBuf,
+    #[command(flatten)]
+    pub engine: EngineArgs,
+    /// The form of the estimate: fixed, knn:K, cone, epanechnikov or `ladder:RUNGS[:KERNEL]`, see below
+    #[arg(long, default_value_t = Estimator::FixedRadius, value_name = "E")]
+    pub estimator: Estimator,
+    #[command(flatten)]
+    pub light: LightArgs,
+    #[command(flatten)]
+    pub picture: PictureArgs,
+}
+
+/// Which engine.
+#[derive(ClapArgs, Clone, Debug)]
+pub struct EngineArgs {
+    /// What makes the radiance estimates
+    #[arg(long, value_enum, default_value_t = EngineName::Model)]
+    pub engine: EngineName,
+    /// The photon format (see `photoncube list`) of the engine `format`
+    #[arg(long, default_value_t = PHOTON_FORMATS[0].name(), value_name = "F")]
+    pub format: String,
+    #[command(flatten)]
+    pub machine: MachineArgs,
+}
+
+/// What makes the radiance estimates.
+#[derive(Copy, Clone, Debug, PartialEq, Eq, ValueEnum)]
+pub enum EngineName {
+    /// The reference, in f64
+    F64,
+    /// The golden model of the machine
+    Model,
+    /// The golden model of a photon format
+    Format,
+}
+
+/// An engine that was found.
+#[derive(Copy, Clone, Debug)]
+pub enum FoundEngine {
+    /// The reference.
+    F64,
+    /// The golden model of a machine.
+    Model(&'static Machine),
+    /// That of a photon format.
+    Format(PhotonFormat),
+}
+
+impl EngineArgs {
+    /// The engine asked for. A machine or a format that does not exist is an error, also where it is not used.
+    pub fn find(&self) -> Result<FoundEngine> {
+        let machine = self.machine.find()?;
+        let format = find_photon_format(&self.format)?;
+        Ok(match self.engine {
+            EngineName::F64 => FoundEngine::F64,
+            EngineName::Model => FoundEngine::Model(machine),
+            EngineName::Format => FoundEngine::Format(format),
+        })
+    }
+}
+
+impl FoundEngine {
+    /// The same for the library.
+    pub fn engine(&self) -> Engine<'_> {
+        match self {
+            Self::F64 => Engine::F64,
+            Self::Model(machine) => Engine::Model(machine),
+            Self::Format(format) => Engine::Format(format),
+        }
+    }
+
+    /// Its kind in reports.
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Self::F64 => "f64",
+            Self::Model(_) => "model",
+            Self::Format(_) => "format",
+        }
+    }
+
+    /// The machine's name, if it is one's.
+    pub fn machine(&self) -> Option<&'static str> {
+        match self {
+            Self::Model(machine) => Some(machine.name),
+            Self::F64 | Self::Format(_) => None,
+        }
+    }
+
+    /// The format's name, if it is one's.
+    pub fn format(&self) -> Option<String> {
+        match self {
+            Self::Format(format) => Some(format.name()),
+            Self::F64 | Self::Model(_) => None,
+        }
+    }
+}
+
+/// Where the light of a picture comes from.
+#[derive(ClapArgs, Copy, Clone, Debug)]
+pub struct LightArgs {
+    /// Direct light from the photon `map`, or by N shadow rays to each light: `rays[:N]`
+    #[arg(long, default_value_t = DirectLight::Map, value_name = "D")]
+    pub direct: DirectLight,
+    /// Caustics from the one photon `map`, or from one of their own with N photons in range: `own[:N]`
+    #[arg(long, default_value_t = Caustics::Map, value_name = "C")]
+    pub caustics: Caustics,
+    /// Rays of a final gather from each query point; 0 for none
+    #[arg(long, default_value_t = 0, value_name = "N", value_parser = clap::value_parser!(u32).range(..=65536))]
+    pub final_gather: u32,
+    /// What sums of power are divided by: the `disc`, or what it covers of surfaces, `covered`
+    #[arg(long, default_value_t = Area::Disc, value_name = "A")]
+    pub area: Area,
+}
+
+impl LightArgs {
+    /// The same for the library.
+    pub fn lighting(&self) -> Lighting {
+        Lighting {
+            direct: self.direct,
+            caustics: self.caustics,
+            final_gather: self.final_gather,
+            area: self.area,
+        }
+    }
+}

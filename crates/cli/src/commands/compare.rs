@@ -1,0 +1,98 @@
+//! `compare`: how far a picture is from another.
+
+use anyhow::{Result, anyhow};
+use photoncube_render::{
+    Image, LIGHT_RADIANCE, error_map, light_mask, rel_mse, relative_errors,
+    rms_relative_difference, rmse,
+};
+use serde::Serialize;
+
+use crate::args::CompareArgs;
+use crate::failure::CheckFailed;
+use crate::{files, output};
+
+/// How far two pictures are apart. Pixels that see the light, and those that touch them, are left out, as for the
+/// reference image.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Distance {
+    /// The rms relative difference.
+    pub rms_relative_error: f64,
+    /// See [`rel_mse`].
+    pub rel_mse: f64,
+    /// See [`rmse`].
+    pub rmse: f64,
+}
+
+impl Distance {
+    /// That of `image` from `reference`.
+    pub fn between(image: &Image, reference: &Image) -> Result<Self> {
+        let mask = light_mask(reference, LIGHT_RADIANCE);
+        let explain = |error| anyhow!("the two pictures cannot be compared: {error}");
+        let rms = rms_relative_difference(image, reference, &mask).map_err(explain)?;
+        Ok(Self {
+            rms_relative_error: rms,
+            rel_mse: rel_mse(image, reference, &mask).map_err(explain)?,
+            rmse: rmse(image, reference, &mask).map_err(explain)?,
+        })
+    }
+}
+
+/// The map of where `image` is from `reference` by how much; both of one size.
+pub fn map_of(image: &Image, reference: &Image, title: &str) -> String {
+    let mask = light_mask(reference, LIGHT_RADIANCE);
+    let errors = relative_errors(image.pixels(), reference.pixels(), &mask);
+    error_map(title, image.width(), &errors)
+}
+
+#[derive(Serialize)]
+struct Report {
+    picture: String,
+    reference_picture: String,
+    #[serde(flatten)]
+    distance: Distance,
+    error_map: Option<String>,
+}
+
+/// Compares two files.
+pub fn execute(args: &CompareArgs, json: bool) -> Result<()> {
+    let image = Image::read_exr(&args.picture)?;
+    let reference = Image::read_exr(&args.reference)?;
+    let distance = Distance::between(&image, &reference)?;
+    let [picture, reference_picture] =
+        [&args.picture, &args.reference].map(|path| path.display().to_string());
+    if let Some(path) = &args.error_map {
+        let title = format!("relative error: {picture} against {reference_picture}");
+        files::write(path, map_of(&image, &reference, &title).as_bytes())?;
+    }
+    let report = Report {
+        picture,
+        reference_picture,
+        distance,
+        error_map: args.error_map.as_ref().map(|p| p.display().to_string()),
+    };
+    output::print(json, &report, || text(&report))?;
+    match args.max_rel_mse {
+        Some(max) if distance.rel_mse > max => Err(CheckFailed(format!(
+            "{}: found a relMSE of {:.3e}, expected at most {max:.3e}",
+            report.picture, distance.rel_mse
+        ))
+        .into()),
+        _ => Ok(()),
+    }
+}
+
+fn text(report: &Report) -> String {
+    let d = report.distance;
+    let mut text = format!(
+        "{} against {}: relMSE {:.3e}, {:.3} % rms relative error, RMSE {:.3e}\n",
+        report.picture,
+        report.reference_picture,
+        d.rel_mse,
+        100.0 * d.rms_relative_error,
+        d.rmse,
+    );
+    if let Some(map) = &report.error_map {
+        text += &format!("error map: {map}\n");
+    }
+    text
+}

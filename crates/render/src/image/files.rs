@@ -1,0 +1,174 @@
+//! Images in files: PNG to look at, OpenEXR to compute with.
+
+use std::io::{BufWriter, Write};
+use std::path::Path;
+
+use glam::DVec3;
+use image::codecs::openexr::{OpenExrDecoder, OpenExrEncoder};
+use image::codecs::png::PngEncoder;
+use image::{DynamicImage, ExtendedColorType, ImageEncoder};
+use tempfile::NamedTempFile;
+
+use super::{Image, ImageError};
+
+/// What the name of a picture's file may end in.
+pub const IMAGE_ENDINGS: [&str; 2] = [".png", ".exr"];
+
+#[derive(Clone, Copy)]
+enum Format {
+    Png,
+    Exr,
+}
+
+/// Whether a picture can be written there, as far as the name says.
+///
+/// # Errors
+/// [`ImageError::Ending`].
+pub fn check_image_path(path: &Path) -> Result<(), ImageError> {
+    format_of(path).map(|_| ())
+}
+
+fn format_of(path: &Path) -> Result<Format, ImageError> {
+    let ending = path.extension().unwrap_or_default().to_string_lossy();
+    match ending.to_ascii_lowercase().as_str() {
+        "png" => Ok(Format::Png),
+        "exr" => Ok(Format::Exr),
+        _ => Err(ImageError::Ending {
+            path: path.to_owned(),
+            found: ending.into_owned(),
+        }),
+    }
+}
+
+pub(super) fn write(image: &Image, path: &Path, exposure: f64) -> Result<(), ImageError> {
+    let format = format_of(path)?;
+    write_beside(path, |writer| match format {
+        Format::Png => PngEncoder::new(writer).write_image(
+            &image.to_srgb8(exposure),
+            image.width,
+            image.height(),
+            ExtendedColorType::Rgb8,
+        ),
+        Format::Exr => OpenExrEncoder::new(writer).write_image(
+            &f32_bytes(image),
+            image.width,
+            image.height(),
+            ExtendedColorType::Rgb32F,
+        ),
+    })
+    .map_err(|source| ImageError::Write {
+        path: path.to_owned(),
+        source,
+    })
+}
+
+/// Three numbers a pixel, in this machine's order of bytes.
+fn f32_bytes(image: &Image) -> Vec<u8> {
+    let channels = image.pixels.iter().flat_map(|pixel| pixel.to_array());
+    channels.flat_map(|c| (c as f32).to_ne_bytes()).collect()
+}
+
+fn write_beside(
+    path: &Path,
+    encode: impl FnOnce(&mut BufWriter<NamedTempFile>) -> image::ImageResult<()>,
+) -> std::io::Result<()> {
+    let folder = path.parent().filter(|p| !p.as_os_str().is_empty());
+    let file = NamedTempFile::new_in(folder.unwrap_or(Path::new(".")))?;
+    let mut writer = BufWriter::new(file);
+    encode(&mut writer).map_err(std::io::Error::other)?;
+    writer.flush()?;
+    let file = writer.into_inner().map_err(|error| error.into_error())?;
+    make_readable(file.path())?;
+    file.persist(path).map_err(|error| error.error)?;
+    Ok(())
+}
+
+/// Temporary files are the owner's alone; a picture is not a secret.
+#[cfg(unix)]
+fn make_readable(path: &Path) -> std::io::Result<()> {
+    use std::os::unix::fs::PermissionsExt;
+    std::fs::set_permissions(path, std::fs::Permissions::from_mode(0o644))
+}
+
+#[cfg(not(unix))]
+fn make_readable(_path: &Path) -> std::io::Result<()> {
+    Ok(())
+}
+
+pub(super) fn read_exr(path: &Path) -> Result<Image, ImageError> {
+    let error = |message: String| ImageError::Read {
+        path: path.to_owned(),
+        message,
+    };
+    let bytes = std::fs::read(path).map_err(|e| error(e.to_string()))?;
+    let decoder = OpenExrDecoder::new(std::io::Cursor::new(bytes));
+    let read = decoder.and_then(DynamicImage::from_decoder);
+    let read = read.map_err(|e| error(e.to_string()))?.into_rgb32f();
+    let (width, height) = read.dimensions();
+    let pixels = read.pixels().map(|p| DVec3::from(p.0.map(f64::from)));
+    let pixels: Vec<_> = pixels.collect();
+    if pixels.iter().any(|pixel| !pixel.is_finite()) {
+        return Err(error("a pixel is not finite".to_owned()));
+    }
+    Image::new(width, pixels.len() as u32 / width.max(1), pixels).map_err(|_| {
+        let found = format!("{width}x{height} pixels");
+        error(found)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn two_pixels(last: f64) -> Image {
+        let pixels = vec![DVec3::new(0.0, 0.5, 1.0), DVec3::new(-1.0, 18.1, last)];
+        Image::new(2, 1, pixels).unwrap()
+    }
+
+    #[test]
+    fn a_written_png_reads_back_and_nothing_else_is_left() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("two.png");
+        let image = two_pixels(f64::NAN);
+        image.write(&path, 1.0).unwrap();
+        let read = image::open(&path).unwrap().into_rgb8();
+        assert_eq!(read.dimensions(), (2, 1));
+        assert_eq!(read.into_raw(), image.to_srgb8(1.0));
+        assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+
+    #[test]
+    fn a_written_exr_reads_back_to_single_precision() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("two.EXR");
+        let image = two_pixels(1e-9);
+        image.write(&path, 3.0).unwrap();
+        let read = Image::read_exr(&path).unwrap();
+        let rounded =
+            |image: &Image| -> Vec<_> { image.pixels().iter().map(|p| p.as_vec3()).collect() };
+        assert_eq!(rounded(&read), rounded(&image));
+        assert_eq!((read.width(), read.height()), (2, 1));
+    }
+
+    #[test]
+    fn what_is_no_picture_is_an_error_with_the_path() {
+        let folder = tempfile::tempdir().unwrap();
+        let at = |name: &str| folder.path().join(name);
+        let error = two_pixels(0.0).write(&at("none/two.png"), 1.0).unwrap_err();
+        assert!(error.to_string().contains("two.png"), "{error}");
+        let error = two_pixels(0.0).write(&at("two.jpg"), 1.0).unwrap_err();
+        assert!(
+            error
+                .to_string()
+                .contains("`jpg`, expected one of .png, .exr"),
+            "{error}"
+        );
+        assert!(Image::read_exr(&at("none.exr")).is_err());
+        std::fs::write(at("text.exr"), "no picture").unwrap();
+        let error = Image::read_exr(&at("text.exr")).unwrap_err();
+        assert!(error.to_string().contains("text.exr"), "{error}");
+        two_pixels(f64::NAN).write(&at("nan.exr"), 1.0).unwrap();
+        let error = Image::read_exr(&at("nan.exr")).unwrap_err();
+        assert!(error.to_string().contains("not finite"), "{error}");
+    }
+}

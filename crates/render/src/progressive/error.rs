@@ -1,0 +1,176 @@
+//! What the passes say about the error of their mean.
+
+use glam::DVec3;
+use statrs::distribution::{ContinuousCDF, StudentsT};
+
+use crate::compare::relative_scale;
+use crate::metrics::{Moments, luminance};
+
+/// A pixel over all passes.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(super) struct Pixel {
+    sum: DVec3,
+    /// Of the luminance at the search radius, x.
+    plain: Moments,
+    /// Of that without bias, c = 2 y - x.
+    corrected: Moments,
+}
+
+impl Pixel {
+    /// A pass: its radiance at the search radius and at half its square.
+    pub fn push(&mut self, whole: DVec3, inner: DVec3) {
+        self.sum += whole;
+        self.plain.push(luminance(whole));
+        self.corrected
+            .push(2.0 * luminance(inner) - luminance(whole));
+    }
+
+    /// The mean.
+    pub fn radiance(&self) -> DVec3 {
+        self.sum / self.plain.count().max(1) as f64
+    }
+
+    /// `quantile` is Student's.
+    fn bound(&self, quantile: f64) -> PixelBound {
+        let deviation = |moments: &Moments| {
+            (moments.variance().unwrap_or(f64::INFINITY) / moments.count() as f64).sqrt()
+        };
+        PixelBound {
+            luminance: self.plain.mean(),
+            bias: self.plain.mean() - self.corrected.mean(),
+            noise: deviation(&self.plain),
+            margin: quantile * deviation(&self.corrected),
+        }
+    }
+}
+
+/// What is known of a pixel's error, in luminance.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PixelBound {
+    /// Of the picture.
+    pub luminance: f64,
+    /// The estimated bias of that.
+    pub bias: f64,
+    /// Its standard deviation.
+    pub noise: f64,
+    /// How far the bias-corrected luminance may be from the truth, with the confidence asked for.
+    pub margin: f64,
+}
+
+impl PixelBound {
+    /// What the error is not above, with that confidence: |bias| + margin.
+    #[must_use]
+    pub fn error(&self) -> f64 {
+        self.bias.abs() + self.margin
+    }
+
+    /// The same over the luminance, as in relMSE.
+    #[must_use]
+    pub fn relative_error(&self) -> f64 {
+        self.error() / relative_scale(self.luminance)
+    }
+}
+
+/// What is known of a picture's error.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ErrorEstimate {
+    /// With which probability a pixel's error is below its bound.
+    pub confidence: f64,
+    /// Of each pixel, row by row.
+    pub pixels: Vec<PixelBound>,
+}
+
+impl ErrorEstimate {
+    pub(super) fn of(pixels: &[Pixel], passes: u64, confidence: f64) -> Option<Self> {
+        if passes < 2 || !(confidence > 0.0 && confidence < 1.0) {
+            return None;
+        }
+        let student = StudentsT::new(0.0, 1.0, (passes - 1) as f64).ok()?;
+        let quantile = student.inverse_cdf(0.5 + 0.5 * confidence);
+        Some(Self {
+            confidence,
+            pixels: pixels.iter().map(|pixel| pixel.bound(quantile)).collect(),
+        })
+    }
+
+    /// The bound of the picture: the root of the mean square of the pixels' bounds, each over its luminance, as in
+    /// relMSE ([`crate::rel_mse`]), of which it bounds the root.
+    #[must_use]
+    pub fn bound(&self) -> f64 {
+        self.rms(PixelBound::error)
+    }
+
+    /// The estimated bias, in the same measure.
+    #[must_use]
+    pub fn bias(&self) -> f64 {
+        self.rms(|pixel| pixel.bias)
+    }
+
+    /// The standard deviation, in the same measure.
+    #[must_use]
+    pub fn noise(&self) -> f64 {
+        self.rms(|pixel| pixel.noise)
+    }
+
+    fn rms(&self, of: impl Fn(&PixelBound) -> f64) -> f64 {
+        let relative = |pixel: &PixelBound| of(pixel) / relative_scale(pixel.luminance);
+        self.pixels.iter().map(relative).collect::<Moments>().rms()
+    }
+
+    /// The part of the pixels whose error against `reference` (luminance, row by row) is at most their bound. None
+    /// where there are not as many, or none at all.
+    #[must_use]
+    pub fn bounded(&self, reference: &[f64]) -> Option<f64> {
+        if reference.len() != self.pixels.len() || reference.is_empty() {
+            return None;
+        }
+        let pairs = self.pixels.iter().zip(reference);
+        let within =
+            pairs.filter(|(pixel, truth)| (pixel.luminance - *truth).abs() <= pixel.error());
+        Some(within.count() as f64 / reference.len() as f64)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn estimate(passes: &[(f64, f64)], confidence: f64) -> Option<ErrorEstimate> {
+        let mut pixel = Pixel::default();
+        for (whole, inner) in passes {
+            pixel.push(DVec3::splat(*whole), DVec3::splat(*inner));
+        }
+        ErrorEstimate::of(&[pixel], passes.len() as u64, confidence)
+    }
+
+    #[test]
+    fn a_bias_proportional_to_the_squared_radius_is_found_exactly() {
+        // Truth 2; at the whole disc 0.3 too much, at the half 0.15.
+        let found = estimate(&[(2.3, 2.15); 5], 0.9).unwrap();
+        let pixel = found.pixels[0];
+        // 1e-12: roundings; the luminance weights add up to 1.
+        assert!((pixel.bias - 0.3).abs() < 1e-12);
+        assert!(pixel.noise < 1e-12 && pixel.margin < 1e-12);
+        assert!((found.bias() - 0.3 / (2.3f64.powi(2) + 1e-4).sqrt()).abs() < 1e-12);
+        assert_eq!(found.bounded(&[2.0 + 1e-9]), Some(1.0));
+        assert_eq!(found.bounded(&[1.9]), Some(0.0));
+        assert_eq!(found.bounded(&[]), None);
+    }
+
+    #[test]
+    fn the_margin_is_students() {
+        let found = estimate(&[(1.0, 1.0), (3.0, 3.0)], 0.9).unwrap();
+        // One degree of freedom: t = tan(0.45 pi); s = sqrt 2, over sqrt 2.
+        let expected = (0.45 * std::f64::consts::PI).tan();
+        assert!((found.pixels[0].margin / expected - 1.0).abs() < 1e-6);
+        assert!((found.pixels[0].noise - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn one_pass_and_impossible_confidences_tell_nothing() {
+        assert_eq!(estimate(&[(1.0, 1.0)], 0.9), None);
+        for confidence in [0.0, 1.0, f64::NAN] {
+            assert_eq!(estimate(&[(1.0, 1.0); 3], confidence), None);
+        }
+    }
+}

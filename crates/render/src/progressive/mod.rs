@@ -1,0 +1,230 @@
+//! Progressive photon mapping: pictures of independent photon maps, of falling radius, whose mean has neither noise
+//! nor bias in the limit. Memory does not depend on the number of passes.
+//!
+//! Knaus and Zwicker, "Progressive Photon Mapping: A Probabilistic Approach" (2011): with radii by
+//! r_(i+1)^2 = r_i^2 (i + alpha) / (i + 1), 0 < alpha < 1, the variance of the mean of i pictures
+//! falls as i^-alpha and its bias as i^(alpha - 1). No pass needs to know what others found, so a pass is a picture as
+//! [`crate::render_lit`] makes it, by any engine.
+//!
+//! # The error's estimate
+//! After Hachisuka, Jarosz and Jensen, "A Progressive Error Estimation Framework for Photon Density Estimation" (2010):
+//! the error is the sum of a bias, which is estimated, and of noise, which the spread of bias-corrected pictures bounds
+//! with a stated confidence. Where they take the bias from derivatives of a smooth kernel, we take it from a second
+//! gather, at half the squared radius, of the same photons: the rectangle is the kernel that a machine has. The
+//! leading term of the bias is proportional to r^2 (of a smooth irradiance E, r^2 / 8 times its Laplacian), so with x the
+//! estimate at r and y that at r / sqrt 2,
+//!
+//! - b = 2 (x - y) estimates the bias of x, and c = x - b = 2 y - x has none (Richardson's extrapolation);
+//! - over n passes, the mean of x is in error by the mean of b, within t s / sqrt n with confidence C, where s^2 is the
+//!   variance of c and t the two-sided quantile of Student's distribution of n - 1 degrees.
+//!
+//! What a pixel's error is below, with confidence C, is thus |mean b| + t s / sqrt n.
+//!
+//! Where the irradiance jumps within the radius, as at the border of a shadow, the bias does not fall with r^2, and the
+//! estimate misses a part of it until the radius is smaller than the distance from there.
+
+mod error;
+
+use glam::DVec3;
+use thiserror::Error;
+
+pub use self::error::{ErrorEstimate, PixelBound};
+
+use self::error::Pixel;
+use crate::estimators::{Estimator, Method};
+use crate::image::Image;
+use crate::lighting::{Lighting, PhotonMaps, Radii};
+use crate::photon_map::MapError;
+use crate::render::{Engine, Light, RenderError, RenderStats};
+use crate::renderer::Renderer;
+use crate::scene::Scene;
+use crate::trace::{TraceError, TraceOptions, trace};
+use crate::view::ViewOptions;
+
+/// How radii fall, and what each pass has.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ProgressiveOptions {
+    /// Photons to store in each pass, at least.
+    pub photons: u64,
+    /// Photons in range that the first pass' radius aims at, on average.
+    pub in_range: f64,
+    /// How much of a pass' photons go into less noise rather than less bias: over 0, below 1.
+    pub alpha: f64,
+    /// Chooses the random numbers of the first pass; the next has those of the next seed.
+    pub seed: u64,
+}
+
+/// 200,000 photons a pass, 100 of them in range at first, alpha 2/3, with which noise and bias fall as i^(-1/3) each.
+impl Default for ProgressiveOptions {
+    fn default() -> Self {
+        Self {
+            photons: 200_000,
+            in_range: 100.0,
+            alpha: 2.0 / 3.0,
+            seed: 1,
+        }
+    }
+}
+
+/// Why a pass failed.
+#[derive(Debug, Error)]
+pub enum ProgressiveError {
+    /// A factor that lets the radius grow, or fall too soon.
+    #[error("alpha: found {found}, expected a number over 0 and below 1")]
+    Alpha {
+        /// The factor.
+        found: f64,
+    },
+    /// No photons.
+    #[error(transparent)]
+    Trace(#[from] TraceError),
+    /// No map of them.
+    #[error(transparent)]
+    Map(#[from] MapError),
+    /// No picture.
+    #[error(transparent)]
+    Render(#[from] RenderError),
+}
+
+/// A picture that gets better pass by pass.
+pub struct Progressive<'a> {
+    scene: &'a Scene,
+    engine: Engine<'a>,
+    lighting: Lighting,
+    view: ViewOptions,
+    options: ProgressiveOptions,
+    /// Those of the first pass.
+    radii: Option<Radii>,
+    /// The squared radius over that of the first pass.
+    shrunk_sq: f64,
+    passes: u64,
+    photons: u64,
+    stats: RenderStats,
+    pixels: Vec<Pixel>,
+}
+
+impl<'a> Progressive<'a> {
+    /// Nothing yet. The estimates are those of [`Estimator::FixedRadius`].
+    ///
+    /// # Errors
+    /// An alpha outside 0 to 1.
+    pub fn new(
+        scene: &'a Scene,
+        engine: Engine<'a>,
+        lighting: Lighting,
+        view: ViewOptions,
+        options: ProgressiveOptions,
+    ) -> Result<Self, ProgressiveError> {
+        if !(options.alpha > 0.0 && options.alpha < 1.0) {
+            let found = options.alpha;
+            return Err(ProgressiveError::Alpha { found });
+        }
+        Ok(Self {
+            scene,
+            engine,
+            lighting,
+            view,
+            options,
+            radii: None,
+            shrunk_sq: 1.0,
+            passes: 0,
+            photons: 0,
+            stats: RenderStats::default(),
+            pixels: Vec::new(),
+        })
+    }
+
+    /// One more pass: photons, maps, a picture; then the next radius.
+    ///
+    /// # Errors
+    /// What tracing, the maps and rendering refuse.
+    pub fn pass(&mut self) -> Result<(), ProgressiveError> {
+        let seed = self.options.seed.wrapping_add(self.passes);
+        let options = TraceOptions {
+            photons: self.options.photons,
+            seed,
+        };
+        let trace = trace(self.scene, &options, &|_| ())?;
+        let first = self.radii.get_or_insert_with(|| {
+            Radii::of(self.scene, &trace, &self.lighting, self.options.in_range)
+        });
+        if first.caustic.is_none() {
+            // No caustic photon was found before; there may be one now.
+            let now = Radii::of(self.scene, &trace, &self.lighting, self.options.in_range);
+            first.caustic = now.caustic;
+        }
+        let radii = first.scaled(self.shrunk_sq.sqrt());
+        let maps = PhotonMaps::new(self.scene, trace, &self.lighting, radii)?;
+        self.photons += maps.photons() as u64;
+        self.add(&maps, seed)?;
+        self.passes += 1;
+        let pass = self.passes as f64;
+        self.shrunk_sq *= (pass + self.options.alpha) / (pass + 1.0);
+        Ok(())
+    }
+
+    /// Renders a pass at both radii and adds it to the pixels.
+    fn add(&mut self, maps: &PhotonMaps, seed: u64) -> Result<(), RenderError> {
+        let light = Light {
+            lighting: &self.lighting,
+            global: &maps.global,
+            caustic: maps.caustic.as_ref(),
+            estimator: Estimator::FixedRadius,
+        };
+        let view = ViewOptions { seed, ..self.view };
+        let renderer = Renderer::new(self.scene, light, self.engine, &view)?;
+        let rendered = renderer.render(&[Method::FixedRadius, Method::Inner], &|_| ())?;
+        let [whole, inner] = [0, 1].map(|index| rendered.images[index].pixels());
+        self.pixels.resize(whole.len(), Pixel::default());
+        for ((pixel, whole), inner) in self.pixels.iter_mut().zip(whole).zip(inner) {
+            pixel.push(*whole, *inner);
+        }
+        self.stats += rendered.stats;
+        Ok(())
+    }
+
+    /// Passes made.
+    #[must_use]
+    pub fn passes(&self) -> u64 {
+        self.passes
+    }
+
+    /// Photons in the maps of all passes.
+    #[must_use]
+    pub fn photons(&self) -> u64 {
+        self.photons
+    }
+
+    /// The radius of the last pass, in scene units; none before the first.
+    #[must_use]
+    pub fn radius(&self) -> Option<f64> {
+        let next = self.radii?.global * self.shrunk_sq.sqrt();
+        let pass = self.passes as f64;
+        Some(next * ((pass + 1.0) / (pass + self.options.alpha)).sqrt())
+    }
+
+    /// The work of all passes.
+    #[must_use]
+    pub fn stats(&self) -> RenderStats {
+        self.stats
+    }
+
+    /// The picture, the mean of all passes; black before the first.
+    #[must_use]
+    pub fn image(&self) -> Image {
+        let pixels = match self.passes {
+            0 => vec![DVec3::ZERO; self.view.width as usize * self.view.height as usize],
+            _ => self.pixels.iter().map(Pixel::radiance).collect(),
+        };
+        Image::from_rows(self.view.width, pixels)
+    }
+
+    /// What is known of the picture's error, from two passes on; `confidence` is over 0 and below 1.
+    #[must_use]
+    pub fn error(&self, confidence: f64) -> Option<ErrorEstimate> {
+        ErrorEstimate::of(&self.pixels, self.passes, confidence)
+    }
+}
+
+#[cfg(test)]
+mod tests;

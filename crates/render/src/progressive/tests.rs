@@ -1,0 +1,99 @@
+use photoncube_spec::PHOTON_FORMATS;
+
+use super::*;
+use crate::compare::{light_mask, rel_mse};
+use crate::{Area, render};
+
+const VIEW: ViewOptions = ViewOptions {
+    width: 24,
+    height: 24,
+    samples_per_axis: 1,
+    seed: 0,
+};
+
+fn options(photons: u64, alpha: f64) -> ProgressiveOptions {
+    ProgressiveOptions {
+        photons,
+        alpha,
+        ..ProgressiveOptions::default()
+    }
+}
+
+#[test]
+fn the_first_pass_is_the_plain_picture() {
+    let scene = Scene::built_in("cornell").unwrap();
+    let engine = Engine::Format(&PHOTON_FORMATS[0]);
+    let lighting = Lighting::default();
+    let options = options(20_000, 0.5);
+    let mut progressive = Progressive::new(&scene, engine, lighting, VIEW, options).unwrap();
+    assert_eq!(progressive.radius(), None);
+    progressive.pass().unwrap();
+    let trace_options = TraceOptions {
+        photons: 20_000,
+        seed: 1,
+    };
+    let photons = trace(&scene, &trace_options, &|_| ()).unwrap().photons;
+    let radius = crate::PhotonMap::radius_for(&scene, photons.len() as u64, 100.0);
+    let map = crate::PhotonMap::new(&scene, photons, radius).unwrap();
+    let view = ViewOptions { seed: 1, ..VIEW };
+    let plain = render(&scene, &map, engine, &view, &|_| ()).unwrap();
+    assert_eq!(progressive.image(), plain.image);
+    // 1e-12: a division and a multiplication by the same number.
+    assert!((progressive.radius().unwrap() / radius - 1.0).abs() < 1e-12);
+    assert_eq!(progressive.error(0.9), None, "one pass tells nothing");
+}
+
+/// r_n^2 / r_1^2 is the product of (i + alpha) / (i + 1) over i below n.
+#[test]
+fn radii_fall_as_the_papers() {
+    let scene = Scene::built_in("cornell").unwrap();
+    let options = options(2_000, 0.6);
+    let lighting = Lighting::default();
+    let mut progressive = Progressive::new(&scene, Engine::F64, lighting, VIEW, options).unwrap();
+    progressive.pass().unwrap();
+    let first = progressive.radius().unwrap();
+    progressive.pass().unwrap();
+    progressive.pass().unwrap();
+    let ratio = (progressive.radius().unwrap() / first).powi(2);
+    assert!((ratio - 1.6 / 2.0 * 2.6 / 3.0).abs() < 1e-12, "{ratio}");
+    assert!(progressive.photons() >= 6_000);
+}
+
+#[test]
+fn the_error_falls_with_passes_and_its_bound_with_it() {
+    let scene = Scene::built_in("cornell").unwrap();
+    let lighting = Lighting {
+        area: Area::Covered,
+        ..Lighting::default()
+    };
+    let image = |seed, photons, passes| {
+        let options = ProgressiveOptions {
+            seed,
+            ..options(photons, 2.0 / 3.0)
+        };
+        let mut progressive =
+            Progressive::new(&scene, Engine::F64, lighting, VIEW, options).unwrap();
+        (0..passes).for_each(|_| progressive.pass().unwrap());
+        (progressive.image(), progressive.error(0.9).unwrap())
+    };
+    let (reference, _) = image(1000, 200_000, 24);
+    let mask = light_mask(&reference, crate::LIGHT_RADIANCE);
+    let [few, many] = [2, 24].map(|passes| {
+        let (image, error) = image(1, 5_000, passes);
+        (rel_mse(&image, &reference, &mask).unwrap().sqrt(), error)
+    });
+    // The root falls as i^(-1/3) or faster: by 2.3 from 2 to 24 passes.
+    assert!(many.0 < few.0 / 2.0, "{} {}", few.0, many.0);
+    assert!(many.1.bound() < few.1.bound() / 2.0);
+    assert!(many.1.noise() < few.1.noise());
+}
+
+#[test]
+fn a_factor_that_is_none_is_an_error() {
+    let scene = Scene::built_in("cornell").unwrap();
+    for alpha in [0.0, 1.0, f64::NAN] {
+        let lighting = Lighting::default();
+        let made = Progressive::new(&scene, Engine::F64, lighting, VIEW, options(1000, alpha));
+        assert!(matches!(made.err(), Some(ProgressiveError::Alpha { .. })));
+    }
+}
