@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use crate::estimate::Estimate;
-use crate::lighting::Lit;
+use crate::lighting::{Chances, Lit};
 use crate::sample::{Purpose, stream};
 use crate::view::{QueryPoint, ViewOptions};
 
@@ -70,11 +70,12 @@ impl Band {
 
     fn push_pixel(&mut self, lit: &Lit<'_>, options: &ViewOptions, x: u32, y: u32) {
         let pixel = self.known.len() as u32;
-        let mut rng = stream(options.seed, Purpose::Light, options.index(x, y));
+        let rng = stream(options.seed, Purpose::Light, options.index(x, y));
+        let mut chances = Chances::new(rng);
         let mut known = DVec3::ZERO;
         for sample in options.samples(lit.scene(), x, y) {
             self.query_points += u64::from(sample.query.is_some());
-            let parts = lit.ungathered(&sample, &mut rng);
+            let parts = lit.ungathered(&sample, &mut chances);
             known += parts.known;
             let (global, caustic) = (&mut self.global, &mut self.caustic);
             parts.global.iter().for_each(|q| global.push(pixel, *q));

@@ -34,11 +34,40 @@ pub(crate) fn mix(value: u64) -> u64 {
     z ^ (z >> 31)
 }
 
+/// Points of the unit square that keep apart from each other: Roberts' R2 sequence (2018), moved by a random vector (Cranley
+/// and Patterson, 1976), so that each alone is uniform and their mean has no bias.
+#[derive(Debug, Clone)]
+pub(crate) struct Apart {
+    point: [f64; 2],
+}
+
+impl Apart {
+    /// 1 / g and 1 / g^2 of the plastic number g, the root of g^3 = g + 1.
+    const STEP: [f64; 2] = [0.754_877_666_246_692_8, 0.569_840_290_998_053_3];
+
+    pub fn new(rng: &mut Pcg64Mcg) -> Self {
+        Self {
+            point: [rng.random(), rng.random()],
+        }
+    }
+
+    pub fn next(&mut self) -> [f64; 2] {
+        for (coordinate, step) in self.point.iter_mut().zip(Self::STEP) {
+            *coordinate = (*coordinate + step).fract();
+        }
+        self.point
+    }
+}
+
 /// A direction about `normal` with density cos / pi: by Malley's method, a uniform point of
 /// the unit disc lifted to the hemisphere.
 pub(crate) fn cosine_direction(normal: DVec3, rng: &mut Pcg64Mcg) -> DVec3 {
-    let radius_sq: f64 = rng.random();
-    let angle = std::f64::consts::TAU * rng.random::<f64>();
+    cosine_direction_at(normal, [rng.random(), rng.random()])
+}
+
+/// The same by a point of the unit square.
+pub(crate) fn cosine_direction_at(normal: DVec3, [radius_sq, turn]: [f64; 2]) -> DVec3 {
+    let angle = std::f64::consts::TAU * turn;
     let (x, y) = normal.any_orthonormal_pair();
     let disc = radius_sq.sqrt() * (angle.cos() * x + angle.sin() * y);
     disc + (1.0 - radius_sq).sqrt() * normal
@@ -47,6 +76,23 @@ pub(crate) fn cosine_direction(normal: DVec3, rng: &mut Pcg64Mcg) -> DVec3 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Of sixteen cells, sixteen random points are in 16 (1 - (15/16)^16) = 10.3 on average.
+    #[test]
+    fn points_keep_apart() {
+        let mut filled = 0;
+        for index in 0..100 {
+            let mut points = Apart::new(&mut stream(1, Purpose::Light, index));
+            let mut cells = std::collections::HashSet::new();
+            for _ in 0..16 {
+                let [x, y] = points.next();
+                assert!((0.0..1.0).contains(&x) && (0.0..1.0).contains(&y));
+                cells.insert(((4.0 * x) as u32, (4.0 * y) as u32));
+            }
+            filled += cells.len();
+        }
+        assert!(filled > 12 * 100, "{filled}");
+    }
 
     #[test]
     fn streams_differ_by_seed_purpose_and_index() {

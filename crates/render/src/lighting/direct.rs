@@ -1,11 +1,10 @@
 //! Direct light by shadow rays.
 
 use glam::DVec3;
-use rand::RngExt;
-use rand_pcg::Pcg64Mcg;
 
 use crate::camera::Ray;
 use crate::geometry::{Geometry, Quad};
+use crate::sample::Apart;
 use crate::scene::Scene;
 use crate::view::QueryPoint;
 
@@ -39,13 +38,14 @@ impl<'a> Shadows<'a> {
         }
     }
 
-    /// What arrives at the query point straight from the lights, flux per area: the mean over `rays` uniform points of
+    /// What arrives at the query point straight from the lights, flux per area: the mean over `rays` of the points on
     /// each light of L A cos cos' / d^2, 0 where something is between. Without bias.
-    pub fn irradiance(&self, query: &QueryPoint, rays: u32, rng: &mut Pcg64Mcg) -> DVec3 {
+    pub fn irradiance(&self, query: &QueryPoint, rays: u32, points: &mut Apart) -> DVec3 {
         let lights = self.lights.iter();
         let sum = lights.map(|light| {
             let rays = (0..rays).map(|_| {
-                let target = light.quad.point(rng.random(), rng.random());
+                let [u, v] = points.next();
+                let target = light.quad.point(u, v);
                 self.form_factor(query, light, target)
             });
             light.radiance * rays.sum::<f64>()

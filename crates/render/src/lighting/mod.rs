@@ -28,7 +28,7 @@ pub use self::named::UnknownLighting;
 use self::direct::Shadows;
 use crate::camera::Ray;
 use crate::estimators::Estimator;
-use crate::sample::cosine_direction;
+use crate::sample::{Apart, cosine_direction_at};
 use crate::scene::Scene;
 use crate::trace::PathKind;
 use crate::view::{QueryPoint, ViewSample, see};
@@ -140,6 +140,26 @@ pub(crate) struct Lit<'a> {
     shadows: Shadows<'a>,
 }
 
+/// The random numbers of a pixel's rays.
+pub(crate) struct Chances {
+    rng: Pcg64Mcg,
+    /// On the lights.
+    lights: Apart,
+    /// Of gather rays' directions.
+    directions: Apart,
+}
+
+impl Chances {
+    /// Those of a stream.
+    pub fn new(mut rng: Pcg64Mcg) -> Self {
+        Self {
+            lights: Apart::new(&mut rng),
+            directions: Apart::new(&mut rng),
+            rng,
+        }
+    }
+}
+
 /// What is left to gather of a query point's light.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct Ungathered {
@@ -165,7 +185,7 @@ impl<'a> Lit<'a> {
     }
 
     /// What a view ray sees, in parts.
-    pub fn ungathered(&self, sample: &ViewSample, rng: &mut Pcg64Mcg) -> Ungathered {
+    pub fn ungathered(&self, sample: &ViewSample, chances: &mut Chances) -> Ungathered {
         let mut found = Ungathered {
             known: sample.emitted,
             ..Ungathered::default()
@@ -174,11 +194,11 @@ impl<'a> Lit<'a> {
             return found;
         };
         if let DirectLight::Rays(rays) = self.lighting.direct {
-            found.known += query.beta * self.shadows.irradiance(&query, rays, rng);
+            found.known += query.beta * self.shadows.irradiance(&query, rays, &mut chances.lights);
         }
         match self.lighting.final_gather {
             0 => found.global.push(query),
-            rays => found.global.extend(self.gather_rays(&query, rays, rng)),
+            rays => found.global.extend(self.gather_rays(&query, rays, chances)),
         }
         found.caustic = matches!(self.lighting.caustics, Caustics::Own(_)).then_some(query);
         found
@@ -190,15 +210,15 @@ impl<'a> Lit<'a> {
         &self,
         query: &QueryPoint,
         rays: u32,
-        rng: &mut Pcg64Mcg,
+        chances: &mut Chances,
     ) -> impl Iterator<Item = QueryPoint> {
         let share = query.beta * std::f64::consts::PI / f64::from(rays);
         (0..rays).filter_map(move |_| {
             let ray = Ray {
                 origin: query.position,
-                direction: cosine_direction(query.normal, rng),
+                direction: cosine_direction_at(query.normal, chances.directions.next()),
             };
-            let end = see(self.scene, &ray, rng).query?;
+            let end = see(self.scene, &ray, &mut chances.rng).query?;
             Some(QueryPoint {
                 beta: share * end.beta,
                 ..end

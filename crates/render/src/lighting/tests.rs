@@ -56,8 +56,8 @@ fn shadow_rays_give_the_form_factor() {
     };
     let half = (high - low) / 2.0 / (centre.y + 1.0);
     let expected = PI * 4.0 * corner_form_factor(half.x, half.z) * light.radiance;
-    let mut rng = stream(1, Purpose::Light, 0);
-    let found = Shadows::of(&scene).irradiance(&query, 20_000, &mut rng);
+    let mut points = Apart::new(&mut stream(1, Purpose::Light, 0));
+    let found = Shadows::of(&scene).irradiance(&query, 20_000, &mut points);
     // The integrand varies by some 5 % over the light, so the mean of 20,000 by far less than 0.2 %.
     let error = ((found - expected) / expected).abs().max_element();
     assert!(error < 0.002, "{found} {expected}");
@@ -74,7 +74,8 @@ fn what_is_in_the_way_casts_a_shadow() {
             normal,
             beta: DVec3::ONE,
         };
-        shadows.irradiance(&query, 64, &mut stream(1, Purpose::Light, 0))
+        let mut points = Apart::new(&mut stream(1, Purpose::Light, 0));
+        shadows.irradiance(&query, 64, &mut points)
     };
     assert!(at([0.0, -1.0, 0.9], DVec3::Y).min_element() > 0.0);
     assert_eq!(at([0.0, -1.0, 0.9], DVec3::NEG_Y), DVec3::ZERO);
