@@ -1,6 +1,7 @@
 //! The commands as a user sees them: what they print, what they write, how they end.
 
 mod estimators;
+mod pictures;
 
 use std::fs;
 use std::path::Path;
@@ -99,7 +100,7 @@ fn bad_input_ends_2_says_what_was_expected_and_writes_nothing() {
     let out = folder.path().to_str().unwrap();
     let file = folder.path().join("file");
     fs::write(&file, "").unwrap();
-    let below_a_file = file.join("x");
+    let below_a_file = file.join("x.png");
     let below_a_file = below_a_file.to_str().unwrap();
     let picture = folder.path().join("x.png");
     let picture = picture.to_str().unwrap();
@@ -430,6 +431,8 @@ fn help_has_examples() {
         "generate",
         "verify",
         "render",
+        "progressive",
+        "compare",
         "report",
         "hard-cases",
         "synth",
@@ -474,9 +477,14 @@ fn every_json_key_is_documented() {
     let report = ["report", "--out", out];
     let tiny = ["--photons", "2000", "--size", "6x6", "--maps", "2"];
     let fit = ["fit", "ring"];
+    let exr = folder.path().join("x.exr");
+    let exr = exr.to_str().unwrap();
+    let progressive = ["progressive", "ring", "-o", exr, "--photons", "1000"];
     let mut found = Vec::new();
     for args in [
         &["list"][..],
+        &[&progressive[..], &["--size", "8x8", "--passes", "2"]].concat(),
+        &["compare", exr, exr],
         &["microprogram"],
         &["hard-cases", "--format", "local6-rgb8"],
         &[&report[..], &tiny[..]].concat(),

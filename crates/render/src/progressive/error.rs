@@ -14,15 +14,18 @@ pub(super) struct Pixel {
     plain: Moments,
     /// Of that without bias, c = 2 y - x.
     corrected: Moments,
+    /// Of the bias, b = 2 (x - y).
+    bias: Moments,
 }
 
 impl Pixel {
     /// A pass: its radiance at the search radius and at half its square.
     pub fn push(&mut self, whole: DVec3, inner: DVec3) {
         self.sum += whole;
-        self.plain.push(luminance(whole));
-        self.corrected
-            .push(2.0 * luminance(inner) - luminance(whole));
+        let [x, y] = [whole, inner].map(luminance);
+        self.plain.push(x);
+        self.corrected.push(2.0 * y - x);
+        self.bias.push(2.0 * (x - y));
     }
 
     /// The mean.
@@ -37,7 +40,8 @@ impl Pixel {
         };
         PixelBound {
             luminance: self.plain.mean(),
-            bias: self.plain.mean() - self.corrected.mean(),
+            bias: self.bias.mean(),
+            bias_noise: deviation(&self.bias),
             noise: deviation(&self.plain),
             margin: quantile * deviation(&self.corrected),
         }
@@ -51,7 +55,9 @@ pub struct PixelBound {
     pub luminance: f64,
     /// The estimated bias of that.
     pub bias: f64,
-    /// Its standard deviation.
+    /// The standard deviation of that estimate: twice the picture's, where light is even.
+    pub bias_noise: f64,
+    /// The standard deviation of the luminance.
     pub noise: f64,
     /// How far the bias-corrected luminance may be from the truth, with the confidence asked for.
     pub margin: f64,
@@ -100,10 +106,13 @@ impl ErrorEstimate {
         self.rms(PixelBound::error)
     }
 
-    /// The estimated bias, in the same measure.
+    /// The estimated bias, in the same measure: without what the noise of its own estimates adds to the mean square,
+    /// and 0 where that is all.
     #[must_use]
     pub fn bias(&self) -> f64 {
-        self.rms(|pixel| pixel.bias)
+        let found = self.rms(|pixel| pixel.bias);
+        let noise = self.rms(|pixel| pixel.bias_noise);
+        (found * found - noise * noise).max(0.0).sqrt()
     }
 
     /// The standard deviation, in the same measure.

@@ -1,0 +1,137 @@
+//! Pictures that are compared, lit in other ways, and rendered in passes.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use super::{error, files_in, json};
+
+const SMALL: [&str; 4] = ["--photons", "20000", "--samples", "2"];
+
+/// A picture of the Cornell box, 16 x 16 pixels; its path.
+fn rendered(folder: &Path, name: &str, options: &[&str]) -> PathBuf {
+    rendered_in(folder, name, "16x16", options)
+}
+
+fn rendered_in(folder: &Path, name: &str, size: &str, options: &[&str]) -> PathBuf {
+    let path = folder.join(name);
+    let render = [
+        "render",
+        "cornell",
+        "-o",
+        path.to_str().unwrap(),
+        "--size",
+        size,
+    ];
+    json(&[&render[..], &SMALL[..], options].concat());
+    path
+}
+
+fn compare(a: &Path, b: &Path, options: &[&str]) -> serde_json::Value {
+    let files = ["compare", a.to_str().unwrap(), b.to_str().unwrap()];
+    json(&[&files[..], options].concat())
+}
+
+#[test]
+fn a_picture_is_compared_with_another() {
+    let folder = tempfile::tempdir().unwrap();
+    let f64 = rendered(folder.path(), "f64.exr", &["--engine", "f64"]);
+    let format = rendered(folder.path(), "format.exr", &["--engine", "format"]);
+    let other = rendered(folder.path(), "other.exr", &["--seed", "2"]);
+    let rel_mse = |a, b| compare(a, b, &[])["rel_mse"].as_f64().unwrap();
+    assert_eq!(rel_mse(&f64, &f64), 0.0);
+    // The format costs less than a tenth of the noise, by relMSE a hundredth of it: two seeds differ by the noise, twice.
+    assert!(rel_mse(&format, &f64) > 0.0);
+    assert!(rel_mse(&format, &f64) < rel_mse(&other, &f64) / 100.0);
+
+    let map = folder.path().join("map.svg");
+    compare(&other, &f64, &["--error-map", map.to_str().unwrap()]);
+    let svg = fs::read_to_string(map).unwrap();
+    assert!(
+        svg.contains("data:image/png") && svg.contains("left out"),
+        "light"
+    );
+    let names = [&other, &f64].map(|path| path.to_str().unwrap());
+    let message = error(&["compare", names[0], names[1], "--max-rel-mse", "1e-9"], 1);
+    assert!(message.contains("expected at most 1.000e-9"), "{message}");
+}
+
+#[test]
+fn pictures_that_cannot_be_compared_are_errors() {
+    let folder = tempfile::tempdir().unwrap();
+    let a = rendered(folder.path(), "a.exr", &[]);
+    let b = rendered_in(folder.path(), "b.exr", "8x8", &[]);
+    let png = rendered(folder.path(), "c.png", &[]);
+    let name = |path: &Path| path.to_str().unwrap().to_owned();
+    let message = error(&["compare", &name(&a), &name(&b)], 2);
+    assert!(message.contains("expected (8, 8)"), "{message}");
+    let message = error(&["compare", &name(&a), &name(&png)], 2);
+    assert!(
+        message.contains("c.png") && message.contains("OpenEXR"),
+        "{message}"
+    );
+    let jpg = name(&folder.path().join("d.jpg"));
+    let message = error(&["render", "cornell", "-o", &jpg], 2);
+    assert!(
+        message.contains("`jpg`, expected one of .png, .exr"),
+        "{message}"
+    );
+    assert_eq!(files_in(folder.path()), 3);
+}
+
+#[test]
+fn light_that_does_not_fit_together_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("x.png");
+    for (options, expected) in [
+        (&["--final-gather", "4"][..], "by shadow rays (`rays`)"),
+        (
+            &["--final-gather", "4", "--direct", "rays"],
+            "a map of their own (`own`)",
+        ),
+        (
+            &["--area", "covered", "--estimator", "knn:50"],
+            "the estimator knn:50",
+        ),
+        (&["--direct", "rays:0"], "map or rays[:N]"),
+        (&["--caustics", "own:x"], "map or own[:N]"),
+    ] {
+        let render = ["render", "ring", "-o", path.to_str().unwrap()];
+        let message = error(&[&render[..], &SMALL[..], options].concat(), 2);
+        assert!(message.contains(expected), "{options:?}: {message}");
+    }
+    assert_eq!(files_in(folder.path()), 0);
+}
+
+#[test]
+fn passes_go_on_until_the_error_is_small_enough() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let reference = rendered(folder.path(), "reference.exr", &["--engine", "f64"]);
+    let (picture, plot, map) = (at("p.png"), at("plot.svg"), at("map.svg"));
+    let start = ["progressive", "cornell", "-o", &picture, "--size", "16x16"];
+    let start = [&start[..], &["--photons", "20000", "--engine", "format"]].concat();
+    let files = ["--plot", &plot, "--error-map", &map, "--snapshots"];
+    let files = [&files[..], &["--reference", reference.to_str().unwrap()]].concat();
+    let target = ["--error-target", "0.8", "--passes", "100"];
+    let report = json(&[&start[..], &files, &target].concat());
+    let rows = report["progress"].as_array().unwrap();
+    let last = rows.last().unwrap();
+    assert!(last["error_bound"].as_f64().unwrap() <= 0.8, "{last}");
+    assert!(last["passes"].as_u64().unwrap() < 100, "{last}");
+    assert!(last["bounded_share"].as_f64().unwrap() >= 0.9, "{last}");
+    assert!(last["rel_mse"].as_f64() < rows[0]["rel_mse"].as_f64());
+    assert!(rows[0]["error_bound"].is_null(), "one pass tells nothing");
+    for file in ["p.png", "p-0001.png", "p-0002.png", "plot.svg", "map.svg"] {
+        assert!(folder.path().join(file).exists(), "{file}");
+    }
+
+    let never = ["--error-target", "1e-6", "--passes", "3"];
+    let message = error(&[&start[..], &never].concat(), 1);
+    assert!(
+        message.contains("1e-6 is not reached") || message.contains("0.000001 is not reached"),
+        "{message}"
+    );
+    let wrong = ["--alpha", "1", "--passes", "2"];
+    let message = error(&[&start[..], &wrong].concat(), 2);
+    assert!(message.contains("alpha: found 1, expected"), "{message}");
+}
