@@ -34,6 +34,11 @@ impl Camera {
         })
     }
 
+    /// Where it stands (scene units).
+    pub(crate) fn position(&self) -> DVec3 {
+        self.to_world.transform_point3(DVec3::ZERO)
+    }
+
     /// The view ray through the point `(x, y)` of a `width` x `height` image, in pixels from
     /// the top left corner; the centre of the first pixel is (0.5, 0.5).
     ///
@@ -45,7 +50,7 @@ impl Camera {
         let t = self.tan_half_fov / w.min(h);
         let local = DVec3::new((w - 2.0 * x) * t, (h - 2.0 * y) * t, 1.0);
         Ray {
-            origin: self.to_world.transform_point3(DVec3::ZERO),
+            origin: self.position(),
             direction: self.to_world.transform_vector3(local).normalize(),
         }
     }

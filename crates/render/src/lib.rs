@@ -64,7 +64,7 @@ pub use fit::{
     covering, covers, field_needs, fit, largest_query,
 };
 pub use format_map::{FormatMap, FormatMapError};
-pub use geometry::{Geometry, Hit, Quad, Sphere};
+pub use geometry::{Geometry, Hit, Mesh, MeshError, Quad, Sphere};
 pub use hard_cases::{
     Bound, Contrast, Grid, HARD_CASES, HardCase, HardCaseError, HardCaseReport, Outcome, Setting,
     hard_case_formats, run_hard_case,

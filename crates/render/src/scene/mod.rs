@@ -4,6 +4,7 @@ mod file;
 #[cfg(test)]
 pub(crate) mod fixtures;
 mod fresnel;
+mod hierarchy;
 mod json;
 mod surface;
 
@@ -11,6 +12,8 @@ use glam::DVec3;
 use thiserror::Error;
 
 pub use surface::{Bsdf, Surface};
+
+use self::hierarchy::Hierarchy;
 
 use crate::camera::{Camera, Ray};
 use crate::geometry::Hit;
@@ -82,6 +85,7 @@ pub struct Scene {
     surfaces: Vec<Surface>,
     light_choice: LightChoice,
     leave_distance: f64,
+    hierarchy: Hierarchy,
 }
 
 impl Scene {
@@ -126,6 +130,7 @@ impl Scene {
     fn new(name: String, camera: Camera, surfaces: Vec<Surface>) -> Self {
         let mut scene = Self {
             name,
+            hierarchy: Hierarchy::new(&surfaces, camera.position()),
             camera,
             surfaces,
             light_choice: LightChoice::default(),
@@ -173,14 +178,8 @@ impl Scene {
     /// passed over, so that a ray can leave a surface.
     #[must_use]
     pub fn intersect(&self, ray: &Ray) -> Option<(usize, Hit)> {
-        let mut nearest: Option<(usize, Hit)> = None;
-        for (index, surface) in self.surfaces.iter().enumerate() {
-            let t_max = nearest.map_or(f64::INFINITY, |(_, hit)| hit.t);
-            if let Some(hit) = surface.geometry.intersect(ray, self.leave_distance, t_max) {
-                nearest = Some((index, hit));
-            }
-        }
-        nearest
+        self.hierarchy
+            .nearest(&self.surfaces, ray, self.leave_distance)
     }
 }
 
