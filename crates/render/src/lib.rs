@@ -33,6 +33,7 @@ mod camera;
 mod compare;
 mod estimate;
 mod estimators;
+mod facing;
 mod fit;
 mod format_map;
 mod geometry;
@@ -59,6 +60,7 @@ pub use estimators::{
     Bisection, Estimator, EstimatorError, Kernel, KernelEstimate, Ladder, LadderError, MAX_RUNGS,
     MIN_K, Near, Neighbourhood, Rung, UnfitEstimator, UnknownEstimator, smallest_radius_sq,
 };
+pub use facing::Facing;
 pub use fit::{
     FieldNeed, Fit, FitError, FitOptions, Measurement, Prediction, Removal, SceneFacts, Trial,
     covering, covers, field_needs, fit, largest_query,

@@ -16,6 +16,7 @@ use rayon::prelude::*;
 use thiserror::Error;
 
 use crate::camera::Ray;
+use crate::facing::Facing;
 use crate::geometry::{Geometry, Quad};
 use crate::sample::{Purpose, cosine_direction, stream};
 use crate::scene::{LightChoice, Scene, Surface};
@@ -44,6 +45,8 @@ pub struct Photon {
     pub power: DVec3,
     /// The index of the surface that it hit, on the front.
     pub surface: u32,
+    /// Where that front faces.
+    pub facing: Facing,
 }
 
 /// How to trace.
@@ -222,6 +225,7 @@ fn trace_path(scene: &Scene, lights: &Lights<'_>, rng: &mut Pcg64Mcg, found: &mu
                 position: hit.position,
                 power,
                 surface: index as u32,
+                facing: surface.facing(&hit),
             });
         }
         let Some(reflected) = reflect(power, surface.reflectance(), rng.random()) else {
