@@ -52,7 +52,7 @@ mod trace;
 mod view;
 mod workload;
 
-pub use camera::{Camera, Ray};
+pub use camera::{Camera, FovAxis, Ray};
 pub use compare::{
     CompareError, LIGHT_RADIANCE, light_mask, rel_mse, rms_relative_difference, rmse,
 };
@@ -81,7 +81,7 @@ pub use metrics::{
 pub use photon_map::{Candidates, MapError, PhotonMap};
 pub use quantise::{QuantiseError, QuantisedMap};
 pub use render::{Engine, RenderError, RenderStats, Rendering, render, render_with};
-pub use scene::{Bsdf, LightChoice, Scene, SceneError, Surface};
+pub use scene::{Bsdf, LightChoice, ObjError, Scene, SceneError, Surface};
 pub use speed::{f32_speed, gather_speed};
 pub use trace::{Photon, PhotonTrace, TraceError, TraceOptions, trace};
 pub use view::{QueryPoint, ViewError, ViewOptions};

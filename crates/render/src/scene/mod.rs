@@ -6,11 +6,18 @@ pub(crate) mod fixtures;
 mod fresnel;
 mod hierarchy;
 mod json;
+mod obj;
 mod surface;
+mod toml;
+mod transform;
+
+use std::path::{Path, PathBuf};
+use std::{fs, io};
 
 use glam::DVec3;
 use thiserror::Error;
 
+pub use obj::ObjError;
 pub use surface::{Bsdf, Surface};
 
 use self::hierarchy::Hierarchy;
@@ -29,6 +36,9 @@ const BUILT_IN: [(&str, &str); 3] = [
 /// 25 times the tilt of the reference scene's single-precision geometry (4e-8), and far below
 /// its smallest gap (0.01 between light and ceiling).
 const LEAVE_DISTANCE: f64 = 1e-6;
+
+/// Far above any light, and no sum of squares of such numbers overflows.
+const MAX_RADIANCE: f64 = 1e30;
 
 /// Why a scene could not be had.
 #[derive(Debug, Error)]
@@ -50,6 +60,52 @@ pub enum SceneError {
         column: usize,
         /// What was found and expected there.
         message: String,
+    },
+    /// The text is no TOML.
+    #[error("{file}, line {line}, column {column}: {message}")]
+    Toml {
+        /// The file's name, as given.
+        file: String,
+        /// Counted from 1.
+        line: usize,
+        /// Counted from 1.
+        column: usize,
+        /// What was found and expected there.
+        message: String,
+    },
+    /// A field of a TOML text that no scene can have, or must have.
+    #[error("{file}, line {line}, {place}: found {found}, expected {expected}")]
+    Field {
+        /// The file's name, as given.
+        file: String,
+        /// Counted from 1.
+        line: usize,
+        /// The field's path, such as `shapes[2].corners[0]`.
+        place: String,
+        /// What stands there.
+        found: String,
+        /// What could stand there.
+        expected: String,
+    },
+    /// A mesh that cannot be had.
+    #[error("{file}, line {line}, {place}: {mesh}")]
+    Mesh {
+        /// The file's name, as given.
+        file: String,
+        /// Counted from 1.
+        line: usize,
+        /// The path of the field that names the mesh.
+        place: String,
+        /// What is wrong with it.
+        mesh: ObjError,
+    },
+    /// A file that cannot be read.
+    #[error("cannot read scene {}: {source}", file.display())]
+    Read {
+        /// The file.
+        file: PathBuf,
+        /// Why.
+        source: io::Error,
     },
     /// A value that no scene can have.
     #[error("{file}, {place}: found {found}, expected {expected}")]
@@ -124,6 +180,37 @@ impl Scene {
     /// [`SceneError::Json`] or [`SceneError::Value`], with the place.
     pub fn from_json(file: &str, text: &str) -> Result<Self, SceneError> {
         json::parse(file, text)
+    }
+
+    /// The scene in a file: of the extension `toml` by [`Self::from_toml`], of any other by
+    /// [`Self::from_json`].
+    ///
+    /// # Errors
+    /// [`SceneError::Read`], and those of either form.
+    pub fn from_file(file: &Path) -> Result<Self, SceneError> {
+        let text = fs::read_to_string(file).map_err(|source| SceneError::Read {
+            file: file.to_owned(),
+            source,
+        })?;
+        let name = file.display().to_string();
+        let is_toml = file
+            .extension()
+            .is_some_and(|e| e.eq_ignore_ascii_case("toml"));
+        if is_toml {
+            let folder = file.parent().unwrap_or(Path::new(""));
+            Self::from_toml(&name, &text, folder)
+        } else {
+            Self::from_json(&name, &text)
+        }
+    }
+
+    /// The scene that `text` describes, in the form that `docs/scenes.md` states; `file` is only for the
+    /// errors' wording, and the files of meshes are looked for from `folder`.
+    ///
+    /// # Errors
+    /// [`SceneError::Toml`], [`SceneError::Field`] or [`SceneError::Mesh`], with line and field.
+    pub fn from_toml(file: &str, text: &str, folder: &Path) -> Result<Self, SceneError> {
+        toml::parse(file, text, folder)
     }
 
     /// `surfaces` must not be empty.
