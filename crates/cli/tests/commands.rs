@@ -1,6 +1,7 @@
 //! The commands as a user sees them: what they print, what they write, how they end.
 
 mod estimators;
+mod scenes;
 
 use std::fs;
 use std::path::Path;

@@ -39,7 +39,7 @@ pub fn text(along: usize, around: usize) -> String {
         let index = |i: usize, j: usize| 1 + i % along * around + j % around;
         let [a, b] = [index(i, j), index(i + 1, j)];
         let [c, d] = [index(i + 1, j + 1), index(i, j + 1)];
-        writeln!(text, "f {a} {b} {c} {d}").expect("text grows");
+        writeln!(text, "f {a} {d} {c} {b}").expect("text grows");
     }
     text
 }

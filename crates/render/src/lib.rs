@@ -19,13 +19,13 @@
 //! never matters.
 //!
 //! # What is modelled
-//! Flat quads and boxes, diffuse (Lambertian) reflection on their front, perfect mirrors of one
-//! side or two, smooth borders of clear media (Fresnel and Snell), spheres of either, a black back,
-//! diffuse area lights, global illumination of any depth with its caustics, a pinhole camera with a
+//! Quads, boxes, spheres and meshes of triangles, each with diffuse (Lambertian) reflection on its front, as a
+//! perfect mirror of one side or two, or as the smooth border of a clear medium (Fresnel and Snell); a black back,
+//! diffuse area lights that are quads, global illumination of any depth with its caustics, a pinhole camera with a
 //! box filter. Photons on the far side of a thin sheet, or
 //! across a corner, are kept out of an estimate by the rule stated at [`PhotonMap`].
-//! Not modelled: diffuse spheres, glossy surfaces, colours of media and dispersion, textures, lens effects,
-//! meshes (rays are tested against every surface, which suits a hundred of them).
+//! Not modelled: glossy surfaces, colours of media and dispersion, textures, lens effects, smooth normals of
+//! meshes.
 
 mod band;
 mod batch;

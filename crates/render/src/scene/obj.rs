@@ -92,8 +92,12 @@ fn kept(line: &str) -> String {
     match words.next() {
         Some("v") => format!("v {}", words.take(3).collect::<Vec<_>>().join(" ")),
         Some("f") => {
-            let vertex = |word: &str| word.split('/').next().map(|index| format!(" {index}"));
-            format!("f{}", words.filter_map(vertex).collect::<String>())
+            let index = |word: &str| match word.split('/').next() {
+                // No vertex has this number.
+                None | Some("") => " 0".to_owned(),
+                Some(index) => format!(" {index}"),
+            };
+            format!("f{}", words.map(index).collect::<String>())
         }
         _ => String::new(),
     }
@@ -197,5 +201,121 @@ impl BufRead for Lines<'_> {
         // Readers of lines take them whole.
         self.begun += usize::from(!read.is_empty());
         self.rest = rest;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn parsed(text: &str) -> Result<Mesh, ObjError> {
+        read(Path::new("my.obj"), text, &Transform::default())
+    }
+
+    fn message(text: &str) -> String {
+        parsed(text).unwrap_err().to_string()
+    }
+
+    const SQUARE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+    #[test]
+    fn faces_become_triangles_with_their_fronts() {
+        for face in [
+            "f 1 2 3 4",
+            "f 1/7 2/8/9 3//1 4",
+            "f -4 -3 -2 -1",
+            "f 1 2 3\nf 1 3 4",
+        ] {
+            let mesh = parsed(&format!("{SQUARE}{face}\n")).unwrap();
+            assert_eq!((mesh.triangles(), mesh.area()), (2, 1.0), "{face}");
+            let [a, b, c] = mesh.corners(1);
+            assert_eq!((b - a).cross(c - a), DVec3::Z, "{face}");
+        }
+    }
+
+    #[test]
+    fn what_means_nothing_here_is_passed_over() {
+        let text = format!(
+            "#!\nmtllib none.mtl\no a\n{SQUARE}vn x\nvt\nusemtl\ng\nl 1 2 3\np 1\ns off\nf 1 2 3 # front\nf 1 2\nf 3 4 1\n"
+        );
+        assert_eq!(parsed(&text).unwrap().triangles(), 2);
+        let coloured = SQUARE.replace("0 0\n", "0 0 0.5 0.5 0.5\n");
+        assert_eq!(
+            parsed(&format!("{coloured}f 1 2 3")).unwrap().triangles(),
+            1
+        );
+    }
+
+    #[test]
+    fn errors_name_file_line_and_what_stands_there() {
+        for (text, expected) in [
+            (
+                "v 0 0\n",
+                "my.obj, line 1: found \"v 0 0\", expected three numbers after v",
+            ),
+            (
+                "\n# x\nv 0 a 0\n",
+                "my.obj, line 3: found \"v 0 a 0\", expected three numbers",
+            ),
+            (
+                "v 0 0 0\nv 1 nan 0\nf 1 2 2",
+                "my.obj, line 2: found \"v 1 nan 0\", expected finite numbers",
+            ),
+            (
+                "v 0 0 0\nv 1 0 -inf",
+                "my.obj, line 2: found \"v 1 0 -inf\", expected finite numbers",
+            ),
+            (
+                "",
+                "my.obj, triangles: found 0, none with an area, expected at least one with an area",
+            ),
+            (SQUARE, "my.obj, triangles: found 0, none with an area"),
+            (
+                "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3",
+                "my.obj, triangles: found 1, none with an area",
+            ),
+        ] {
+            assert!(message(text).starts_with(expected), "{}", message(text));
+        }
+        for face in [
+            "f 1 2 9",
+            "f 1 0 2",
+            "f 1 2 -9",
+            "f 1 2 /3",
+            "f 1 2 -9223372036854775808",
+        ] {
+            let text = message(&format!("f 1 2 3\n{SQUARE}\n{face}\n"));
+            let line = format!("my.obj, line 7: found {face:?}, expected indices from 1 to 4");
+            assert!(text.starts_with(&line), "{text}");
+        }
+        let text = message(&format!("{SQUARE}f 1 2 x\n{SQUARE}"));
+        assert!(
+            text.starts_with("my.obj, line 5: found \"f 1 2 x\", expected indices"),
+            "{text}"
+        );
+        let missing = load(Path::new("no/such.obj"), &Transform::default());
+        assert!(
+            missing
+                .unwrap_err()
+                .to_string()
+                .starts_with("no/such.obj: ")
+        );
+    }
+
+    proptest! {
+        /// Words that OBJ knows in any order are read or refused; nothing panics.
+        #[test]
+        fn any_words_are_read_or_refused(words in prop::collection::vec(
+            prop::sample::select(vec![
+                "v ", "f ", "l ", "o ", "vn ", "vt ", "usemtl ", "mtllib ", "\n", "\n", "\n", "1 ", "2 ", "-1 ", "0.5 ",
+                "1//2 ", "1/2 ", "/", "#", "\\", "1e999 ", "99999999999999999999 ", "\u{e9} ", "\r\n",
+            ]), 0..60,
+        )) {
+            if let Err(error) = parsed(&words.concat()) {
+                prop_assert!(error.to_string().starts_with("my.obj, "), "{error}");
+            }
+        }
     }
 }
