@@ -9,6 +9,7 @@ use super::{error, files_in, json};
 fn scenes_in_toml_are_rendered_or_refused() {
     let folder = tempfile::tempdir().unwrap();
     let examples = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/scenes");
+    let out = folder.path().to_str().unwrap();
     let picture = folder.path().join("knots.png");
     let picture = picture.to_str().unwrap();
     let few = ["--photons", "5000", "--size", "16x16", "--engine", "f64"];
@@ -56,7 +57,7 @@ fn scenes_in_toml_are_rendered_or_refused() {
             match command {
                 "render" => args.extend(["-o", picture]),
                 "fit" => (),
-                _ => args.extend(["--out", picture]),
+                _ => args.extend(["--out", out]),
             }
             let message = error(&args, 2);
             assert!(message.contains(expected), "{command}: {message}");
