@@ -85,7 +85,7 @@ fn larger_blocks_hold_the_same_photons_in_range() {
     assert_eq!((larger.radius(), larger.edge()), (radius, edge));
     let count = |map: &PhotonMap, query: &Photon| {
         let near = |p: &&Photon| p.position.distance(query.position) <= radius;
-        let runs = map.candidates(query.position, faced(&map, query));
+        let runs = map.candidates(query.position, faced(map, query));
         let photons = runs.flat_map(|c| &map.photons()[c.photons]);
         photons.filter(near).count()
     };

@@ -195,6 +195,6 @@ fn mesh(fields: &Fields<'_>, transform: &Transform, folder: &Path) -> Result<Mes
         file: fields.source.file.to_owned(),
         line: field.line(),
         place: field.path.clone(),
-        mesh,
+        mesh: Box::new(mesh),
     })
 }
