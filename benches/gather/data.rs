@@ -1,7 +1,7 @@
 //! What is measured on: photons of equal power on a floor, and queries where they are.
 
 use glam::DVec3;
-use photoncube_render::{FormatMap, Photon, PhotonMap, QueryPoint, Scene};
+use photoncube_render::{Facing, FormatMap, Photon, PhotonMap, QueryPoint, Scene};
 use photoncube_spec::PhotonFormat;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
@@ -68,6 +68,7 @@ impl Data {
             // As tracing leaves it: the strongest channel alike, others by what they met.
             power: DVec3::new(1.0, 0.7, 0.4) / photons as f64,
             surface,
+            facing: Facing::FLAT,
         };
         let places: Vec<_> = (0..photons)
             .map(|_| photon(light.place(&mut rng)))

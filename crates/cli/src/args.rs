@@ -102,7 +102,7 @@ Without --machine the scene is fitted first, as by `photoncube fit`.
 The Verilog is proven in every simulator that is found (Icarus, Verilator); those that are not
 are named, with the command that installs them.")]
 pub struct RunArgs {
-    /// A built-in scene (see `photoncube list`) or a scene file
+    /// A built-in scene (see `photoncube list`) or a scene file, TOML (see docs/scenes.md) or JSON
     #[arg(default_value = "cornell")]
     pub scene: String,
     #[command(flatten)]
@@ -199,7 +199,7 @@ Examples:
 The error is over the scene's own Monte-Carlo noise, from independent photon maps. Speed is the
 golden model's here, one thread, beside plain f64 and f32 loops of the same run.")]
 pub struct ReportArgs {
-    /// A built-in scene (see `photoncube list`) or a scene file
+    /// A built-in scene (see `photoncube list`) or a scene file, TOML (see docs/scenes.md) or JSON
     #[arg(default_value = "cornell")]
     pub scene: String,
     /// The folder for the plot (SVG) and the table's data (JSON)

@@ -1,12 +1,11 @@
 //! A scene by name or by file.
 
-use std::fs;
 use std::path::Path;
 
-use anyhow::{Context, Result, bail};
-use photoncube_render::Scene;
+use anyhow::{Result, bail};
+use photoncube_render::{Geometry, Scene};
 
-/// The built-in scene of that name, or the scene in that file.
+/// The built-in scene of that name, or the scene in that file: TOML by its extension, else JSON.
 pub fn load(name: &str) -> Result<Scene> {
     let names: Vec<_> = Scene::names().collect();
     if names.contains(&name) {
@@ -18,8 +17,22 @@ pub fn load(name: &str) -> Result<Scene> {
             names.join(", ")
         );
     }
-    let text = fs::read_to_string(name).with_context(|| format!("cannot read scene {name}"))?;
-    Ok(Scene::from_json(name, &text)?)
+    let scene = Scene::from_file(Path::new(name))?;
+    warn_of_dropped(&scene);
+    Ok(scene)
+}
+
+/// Says on standard error which meshes have triangles that no ray can meet.
+fn warn_of_dropped(scene: &Scene) {
+    for surface in scene.surfaces() {
+        if let Geometry::Mesh(mesh) = &surface.geometry
+            && mesh.dropped() > 0
+        {
+            let (shape, dropped) = (&surface.shape, mesh.dropped());
+            let all = dropped + mesh.triangles();
+            eprintln!("scene: {shape}: {dropped} of {all} triangles have no area and are left out");
+        }
+    }
 }
 
 /// The scene's name for files: a built-in scene's own, or a file's without folder and extension.

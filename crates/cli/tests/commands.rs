@@ -2,6 +2,7 @@
 
 mod estimators;
 mod pictures;
+mod scenes;
 
 use std::fs;
 use std::path::Path;

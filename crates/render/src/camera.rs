@@ -11,12 +11,39 @@ pub struct Ray {
     pub direction: DVec3,
 }
 
+/// Which side of the image the angle of view spans.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum FovAxis {
+    /// The smaller side.
+    #[default]
+    Smaller,
+    /// The larger side.
+    Larger,
+    /// The width.
+    X,
+    /// The height.
+    Y,
+}
+
+impl FovAxis {
+    /// The length of that side of a `w` x `h` image.
+    fn side(self, w: f64, h: f64) -> f64 {
+        match self {
+            Self::Smaller => w.min(h),
+            Self::Larger => w.max(h),
+            Self::X => w,
+            Self::Y => h,
+        }
+    }
+}
+
 /// A pinhole camera that looks along its local +z, with +x to the left and +y up in the image.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Camera {
     to_world: DMat4,
-    /// tan of half the angle that the smaller side of the image spans.
+    /// tan of half the angle of view.
     tan_half_fov: f64,
+    fov_axis: FovAxis,
 }
 
 impl Camera {
@@ -31,21 +58,48 @@ impl Camera {
         (affine && invertible && open).then(|| Self {
             to_world,
             tan_half_fov: (fov_deg.to_radians() / 2.0).tan(),
+            fov_axis: FovAxis::Smaller,
         })
+    }
+
+    /// A camera at `position` that has `target` in the middle of its image and `up` pointing upwards, and
+    /// whose angle of view is `fov_deg` degrees (over 0, below 180) on the side `fov_axis`; `None` where
+    /// position and target are one, or in a line along `up`, or for other numbers.
+    #[must_use]
+    pub fn look_at(
+        position: DVec3,
+        target: DVec3,
+        up: DVec3,
+        fov_deg: f64,
+        fov_axis: FovAxis,
+    ) -> Option<Self> {
+        let ahead = (target - position).try_normalize()?;
+        let across = up.try_normalize()?.cross(ahead);
+        // Below this the picture's turn would be a matter of rounding.
+        let left = (across.length() > 1e-6).then(|| across.normalize())?;
+        let columns = [left, ahead.cross(left), ahead, position];
+        let row = |axis: usize| columns.map(|column| column[axis]);
+        let camera = Self::new(fov_deg, [row(0), row(1), row(2), [0.0, 0.0, 0.0, 1.0]])?;
+        Some(Self { fov_axis, ..camera })
+    }
+
+    /// Where it stands (scene units).
+    pub(crate) fn position(&self) -> DVec3 {
+        self.to_world.transform_point3(DVec3::ZERO)
     }
 
     /// The view ray through the point `(x, y)` of a `width` x `height` image, in pixels from
     /// the top left corner; the centre of the first pixel is (0.5, 0.5).
     ///
     /// Local direction = normalise((1 - 2x/W) t, (1 - 2y/H) t, 1) with t = tan(fov/2); where the
-    /// image is not square, the longer side's coordinate is scaled by the aspect ratio.
+    /// image is not square, the coordinate of the side without the angle is scaled by the aspect ratio.
     #[must_use]
     pub fn ray(&self, x: f64, y: f64, width: u32, height: u32) -> Ray {
         let (w, h) = (f64::from(width), f64::from(height));
-        let t = self.tan_half_fov / w.min(h);
+        let t = self.tan_half_fov / self.fov_axis.side(w, h);
         let local = DVec3::new((w - 2.0 * x) * t, (h - 2.0 * y) * t, 1.0);
         Ray {
-            origin: self.to_world.transform_point3(DVec3::ZERO),
+            origin: self.position(),
             direction: self.to_world.transform_vector3(local).normalize(),
         }
     }
@@ -144,6 +198,48 @@ mod tests {
         let wide = camera.ray(32.0, 0.0, 128, 64).direction;
         // 1e-15: the same numbers up to the last bit.
         assert!(square.distance(wide) < 1e-15);
+    }
+
+    #[test]
+    fn a_look_at_camera_sees_its_target_and_up() {
+        let position = DVec3::new(1.0, 2.0, 3.0);
+        let target = DVec3::new(4.0, 2.5, 1.0);
+        let look = |axis| Camera::look_at(position, target, DVec3::Z, 60.0, axis).unwrap();
+        let camera = look(FovAxis::Smaller);
+        let ahead = camera.ray(32.0, 32.0, 64, 64);
+        assert_eq!(ahead.origin, position);
+        // 1e-15: a few roundings of numbers below 1.
+        let towards = (target - position).normalize();
+        assert!(ahead.direction.distance(towards) < 1e-15);
+        let edge =
+            |camera: &Camera, x, y| camera.ray(x, y, 128, 64).direction.angle_between(towards);
+        let above = camera.ray(32.0, 0.0, 64, 64).direction;
+        assert!(above.z > towards.z && above.angle_between(towards).to_degrees() - 30.0 < 1e-12);
+        for (axis, x, y) in [
+            (FovAxis::Smaller, 64.0, 0.0),
+            (FovAxis::Y, 64.0, 0.0),
+            (FovAxis::Larger, 0.0, 32.0),
+            (FovAxis::X, 0.0, 32.0),
+        ] {
+            let angle = edge(&look(axis), x, y).to_degrees();
+            assert!((angle - 30.0).abs() < 1e-12, "{axis:?}: {angle}");
+        }
+        let none = |target, up| Camera::look_at(position, target, up, 60.0, FovAxis::X).is_none();
+        assert!(none(position, DVec3::Z) && none(position + DVec3::Z, DVec3::Z));
+        assert!(none(target, DVec3::ZERO) && none(DVec3::NAN, DVec3::Z));
+    }
+
+    /// The reference's camera, of a matrix that mirrors nothing, is the one that looks along -z.
+    #[test]
+    fn a_look_at_camera_is_not_mirrored() {
+        let position = DVec3::new(0.0, 0.0, 3.9);
+        let camera = Camera::look_at(position, DVec3::ZERO, DVec3::Y, 39.3077, FovAxis::Smaller);
+        let reference = Scene::built_in("cornell").unwrap().camera().clone();
+        for ([x, y], ..) in CHECK_RAYS {
+            let [ours, theirs] =
+                [camera.as_ref().unwrap(), &reference].map(|c| c.ray(x, y, 128, 128));
+            assert!(ours.direction.distance(theirs.direction) < 1.2e-7);
+        }
     }
 
     #[test]

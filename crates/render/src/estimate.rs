@@ -135,6 +135,7 @@ mod tests {
             position: DVec3::new(0.0, -1.0, 0.0),
             power: DVec3::new(4.0, 2.0, 1.0),
             surface: floor as u32,
+            facing: crate::Facing::FLAT,
         };
         PhotonMap::new(&scene, vec![photon], 0.5).unwrap()
     }

@@ -19,13 +19,13 @@
 //! never matters.
 //!
 //! # What is modelled
-//! Flat quads and boxes, diffuse (Lambertian) reflection on their front, perfect mirrors of one
-//! side or two, smooth borders of clear media (Fresnel and Snell), spheres of either, a black back,
-//! diffuse area lights, global illumination of any depth with its caustics, a pinhole camera with a
+//! Quads, boxes, spheres and meshes of triangles, each with diffuse (Lambertian) reflection on its front, as a
+//! perfect mirror of one side or two, or as the smooth border of a clear medium (Fresnel and Snell); a black back,
+//! diffuse area lights that are quads, global illumination of any depth with its caustics, a pinhole camera with a
 //! box filter. Photons on the far side of a thin sheet, or
 //! across a corner, are kept out of an estimate by the rule stated at [`PhotonMap`].
-//! Not modelled: diffuse spheres, glossy surfaces, colours of media and dispersion, textures, lens effects,
-//! meshes (rays are tested against every surface, which suits a hundred of them).
+//! Not modelled: glossy surfaces, colours of media and dispersion, textures, lens effects, smooth normals of
+//! meshes.
 
 mod band;
 mod batch;
@@ -33,6 +33,7 @@ mod camera;
 mod compare;
 mod estimate;
 mod estimators;
+mod facing;
 mod fit;
 mod format_map;
 mod geometry;
@@ -55,7 +56,7 @@ mod trace;
 mod view;
 mod workload;
 
-pub use camera::{Camera, Ray};
+pub use camera::{Camera, FovAxis, Ray};
 pub use compare::{
     CompareError, LIGHT_RADIANCE, light_mask, rel_mse, rms_relative_difference, rmse,
 };
@@ -63,12 +64,13 @@ pub use estimators::{
     Bisection, Estimator, EstimatorError, Kernel, KernelEstimate, Ladder, LadderError, MAX_RUNGS,
     MIN_K, Near, Neighbourhood, Rung, UnfitEstimator, UnknownEstimator, smallest_radius_sq,
 };
+pub use facing::Facing;
 pub use fit::{
     FieldNeed, Fit, FitError, FitOptions, Measurement, Prediction, Removal, SceneFacts, Trial,
     covering, covers, field_needs, fit, largest_query,
 };
 pub use format_map::{FormatMap, FormatMapError};
-pub use geometry::{Geometry, Hit, Quad, Sphere};
+pub use geometry::{Geometry, Hit, Mesh, MeshError, Quad, Sphere};
 pub use hard_cases::{
     Bound, Contrast, Grid, HARD_CASES, HardCase, HardCaseError, HardCaseReport, Outcome, Setting,
     hard_case_formats, run_hard_case,
@@ -91,7 +93,7 @@ pub use quantise::{QuantiseError, QuantisedMap};
 pub use render::{
     Engine, Light, RenderError, RenderStats, Rendering, render, render_lit, render_with,
 };
-pub use scene::{Bsdf, LightChoice, Scene, SceneError, Surface};
+pub use scene::{Bsdf, LightChoice, ObjError, Scene, SceneError, Surface};
 pub use speed::{f32_speed, gather_speed};
 pub use trace::{PathKind, Photon, PhotonTrace, TraceError, TraceOptions, trace};
 pub use view::{QueryPoint, ViewError, ViewOptions};

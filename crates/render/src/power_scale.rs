@@ -125,6 +125,7 @@ mod tests {
             position: DVec3::ZERO,
             power,
             surface: 0,
+            facing: crate::Facing::FLAT,
         });
         PhotonMap::new(&scene, photons.collect(), 0.2).unwrap()
     }

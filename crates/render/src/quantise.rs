@@ -269,6 +269,7 @@ mod tests {
             position: DVec3::ZERO,
             power: DVec3::ZERO,
             surface: 0,
+            facing: crate::Facing::FLAT,
         };
         let map = PhotonMap::new(&scene, vec![dark], RADIUS).unwrap();
         let quantised = QuantisedMap::new(&map, find_machine("paper").unwrap()).unwrap();

@@ -16,6 +16,7 @@ use rayon::prelude::*;
 use thiserror::Error;
 
 use crate::camera::Ray;
+use crate::facing::Facing;
 use crate::lights::Lights;
 use crate::sample::{Purpose, cosine_direction, stream};
 use crate::scene::Scene;
@@ -44,6 +45,8 @@ pub struct Photon {
     pub power: DVec3,
     /// The index of the surface that it hit, on the front.
     pub surface: u32,
+    /// Where that front faces.
+    pub facing: Facing,
 }
 
 /// What a photon's path met before it was stored: L is the light, S mirrors and borders of media, D diffuse
@@ -220,6 +223,7 @@ fn trace_path(
                 position: hit.position,
                 power,
                 surface: index as u32,
+                facing: surface.facing(&hit),
             };
             found.push((photon, kind));
             kind = PathKind::Indirect;

@@ -16,7 +16,7 @@ Examples:
 Every format is predicted on a pilot, the smallest below the bound is measured on photon maps of
 its own, and so is each format with one bit less: exit code 0 says that it holds and they do not.")]
 pub struct FitArgs {
-    /// A built-in scene (see `photoncube list`) or a scene file
+    /// A built-in scene (see `photoncube list`) or a scene file, TOML (see docs/scenes.md) or JSON
     #[arg(default_value = "cornell")]
     pub scene: String,
     /// The error's bound, as a part of the scene's own Monte-Carlo noise

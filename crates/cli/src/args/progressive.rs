@@ -22,7 +22,7 @@ passes tells the noise. A pixel's bound is |bias| + t s / sqrt n: its error is n
 confidence asked for. --error-target stops when the bounds' root mean square, each over the pixel's
 luminance, is not above it: the root of the picture's relMSE is then smaller still.")]
 pub struct ProgressiveArgs {
-    /// A built-in scene (see `photoncube list`) or a scene file
+    /// A built-in scene (see `photoncube list`) or a scene file, TOML (see docs/scenes.md) or JSON
     pub scene: String,
     /// The picture, a PNG or OpenEXR file
     #[arg(short, long, value_name = "FILE")]

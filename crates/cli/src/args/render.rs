@@ -33,7 +33,7 @@ Estimators:
 
 A picture ends in .png (8 bits, sRGB) or .exr (linear, to compute with: see `photoncube compare`).")]
 pub struct RenderArgs {
-    /// A built-in scene (see `photoncube list`) or a scene file
+    /// A built-in scene (see `photoncube list`) or a scene file, TOML (see docs/scenes.md) or JSON
     pub scene: String,
     /// The picture, a PNG or OpenEXR file
     #[arg(short, long, value_name = "FILE")]

@@ -74,10 +74,8 @@ impl Neighbourhood {
     #[must_use]
     pub fn brute_force(scene: &Scene, photons: &[Photon], query: &QueryPoint) -> Self {
         let faces = |photon: &&Photon| {
-            let normal = scene.surfaces()[photon.surface as usize]
-                .geometry
-                .flat_normal()
-                .unwrap();
+            let surface = &scene.surfaces()[photon.surface as usize];
+            let normal = surface.facing_normal(photon.facing);
             normal.dot(query.normal) > PhotonMap::MIN_FACING_COSINE
         };
         let facing = photons.iter().filter(faces);

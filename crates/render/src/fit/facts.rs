@@ -84,6 +84,7 @@ mod tests {
             position: DVec3::ZERO,
             power,
             surface: 0,
+            facing: crate::Facing::FLAT,
         });
         let scene = Scene::built_in("cornell").unwrap();
         PhotonMap::new(&scene, photons.collect(), 0.2).unwrap()

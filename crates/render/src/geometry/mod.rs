@@ -1,10 +1,12 @@
 //! What surfaces are made of, and where a ray meets it.
 
+mod mesh;
 mod quad;
 mod sphere;
 
 use glam::DVec3;
 
+pub use mesh::{Mesh, MeshError};
 pub use quad::Quad;
 pub use sphere::Sphere;
 
@@ -30,6 +32,8 @@ pub enum Geometry {
     Quad(Quad),
     /// A sphere, whose front is its outside.
     Sphere(Sphere),
+    /// Triangles.
+    Mesh(Mesh),
 }
 
 impl Geometry {
@@ -39,6 +43,7 @@ impl Geometry {
         match self {
             Self::Quad(quad) => quad.area(),
             Self::Sphere(sphere) => sphere.area(),
+            Self::Mesh(mesh) => mesh.area(),
         }
     }
 
@@ -47,28 +52,63 @@ impl Geometry {
     pub fn flat_normal(&self) -> Option<DVec3> {
         match self {
             Self::Quad(quad) => Some(quad.normal()),
-            Self::Sphere(_) => None,
+            Self::Sphere(_) | Self::Mesh(_) => None,
         }
     }
 
     /// The smallest and the largest corner of the box around it (scene units).
     #[must_use]
     pub fn bounds(&self) -> [DVec3; 2] {
+        let parts = (0..self.parts()).map(|part| self.part_bounds(part));
+        parts.fold(
+            [DVec3::INFINITY, DVec3::NEG_INFINITY],
+            |[low, high], part| [low.min(part[0]), high.max(part[1])],
+        )
+    }
+
+    /// How many parts rays are tested against: the triangles of a mesh, else one.
+    pub(crate) fn parts(&self) -> usize {
         match self {
-            Self::Quad(quad) => {
-                let [a, b, c, d] = quad.corners();
-                [a.min(b).min(c).min(d), a.max(b).max(c).max(d)]
-            }
-            Self::Sphere(sphere) => sphere.bounds(),
+            Self::Quad(_) | Self::Sphere(_) => 1,
+            Self::Mesh(mesh) => mesh.triangles(),
         }
     }
 
-    /// Where `ray` meets it first at a distance over `t_min` and below `t_max`.
-    #[must_use]
-    pub fn intersect(&self, ray: &Ray, t_min: f64, t_max: f64) -> Option<Hit> {
+    /// The same as [`Self::bounds`] of one part.
+    pub(crate) fn part_bounds(&self, part: usize) -> [DVec3; 2] {
+        match self {
+            Self::Quad(quad) => around(&quad.corners()),
+            Self::Sphere(sphere) => sphere.bounds(),
+            Self::Mesh(mesh) => around(&mesh.corners(part)),
+        }
+    }
+
+    /// Where `ray` meets a part first at a distance over `t_min` and below `t_max`.
+    pub(crate) fn meet_part(&self, part: usize, ray: &Ray, t_min: f64, t_max: f64) -> Option<Hit> {
         match self {
             Self::Quad(quad) => quad.intersect(ray, t_min, t_max),
             Self::Sphere(sphere) => sphere.intersect(ray, t_min, t_max),
+            Self::Mesh(mesh) => mesh.meet(part, ray, t_min, t_max),
         }
     }
+
+    /// Where `ray` meets it first at a distance over `t_min` and below `t_max`; of a mesh every triangle is
+    /// tried.
+    #[must_use]
+    pub fn intersect(&self, ray: &Ray, t_min: f64, t_max: f64) -> Option<Hit> {
+        let mut nearest: Option<Hit> = None;
+        for part in 0..self.parts() {
+            let t_max = nearest.map_or(t_max, |hit| hit.t);
+            nearest = self.meet_part(part, ray, t_min, t_max).or(nearest);
+        }
+        nearest
+    }
+}
+
+/// The smallest and the largest corner of the box around some points.
+fn around(points: &[DVec3]) -> [DVec3; 2] {
+    let start = [points[0]; 2];
+    let rest = &points[1..];
+    rest.iter()
+        .fold(start, |[low, high], p| [low.min(*p), high.max(*p)])
 }

@@ -7,6 +7,7 @@ use serde_json::json;
 
 use super::case::HardCaseError;
 use super::grid::Grid;
+use crate::facing::Facing;
 use crate::photon_map::PhotonMap;
 use crate::scene::Scene;
 use crate::trace::Photon;
@@ -95,6 +96,7 @@ pub(super) fn photon(position: DVec3, power: DVec3) -> Photon {
         position,
         power,
         surface: 0,
+        facing: Facing::FLAT,
     }
 }
 

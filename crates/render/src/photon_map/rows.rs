@@ -105,7 +105,7 @@ mod tests {
         let [x, y, z] = block;
         Run {
             block: z << (2 * INDEX_BITS) | y << INDEX_BITS | x,
-            surface: 0,
+            group: 0,
             photons: 0..1,
         }
     }

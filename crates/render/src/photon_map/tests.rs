@@ -1,6 +1,7 @@
 use proptest::prelude::*;
 
 use super::*;
+use crate::facing::Facing;
 use crate::trace::{TraceOptions, trace};
 
 fn scene() -> Scene {
@@ -13,6 +14,10 @@ fn traced() -> Vec<Photon> {
         seed: 2,
     };
     trace(&scene(), &options, &|_| ()).unwrap().photons
+}
+
+fn faced(map: &PhotonMap, photon: &Photon) -> DVec3 {
+    map.groups.normal(map.groups.group(photon))
 }
 
 #[test]
@@ -29,8 +34,8 @@ fn nothing_is_lost_and_blocks_are_slices() {
         next = run.photons.end;
         for photon in &map.photons[run.photons.start as usize..next as usize] {
             assert_eq!(
-                (map.block_key(photon.position), photon.surface),
-                (run.block, run.surface)
+                (map.block_key(photon.position), map.groups.group(photon)),
+                (run.block, run.group)
             );
         }
     }
@@ -42,14 +47,13 @@ fn nothing_is_lost_and_blocks_are_slices() {
 fn candidates_hold_every_facing_photon_in_range_and_no_other_facing() {
     let map = PhotonMap::new(&scene(), traced(), 0.2).unwrap();
     for query in map.photons().iter().step_by(977) {
-        let normal = map.normals[query.surface as usize];
+        let normal = faced(&map, query);
         let gathered: Vec<usize> = map
             .candidates(query.position, normal)
             .flat_map(|c| c.photons)
             .collect();
         for (index, photon) in map.photons().iter().enumerate() {
-            let faces =
-                map.normals[photon.surface as usize].dot(normal) > PhotonMap::MIN_FACING_COSINE;
+            let faces = faced(&map, photon).dot(normal) > PhotonMap::MIN_FACING_COSINE;
             let in_range = photon.position.distance(query.position) <= 0.2;
             let is = gathered.binary_search(&index).is_ok();
             assert!(!(faces && in_range) || is, "photon {index} is missing");
@@ -62,7 +66,7 @@ fn candidates_hold_every_facing_photon_in_range_and_no_other_facing() {
 fn offsets_place_the_photon_in_the_query_frame() {
     let map = PhotonMap::new(&scene(), traced(), 0.3).unwrap();
     for query in map.photons().iter().step_by(1001) {
-        let normal = map.normals[query.surface as usize];
+        let normal = faced(&map, query);
         let centre = map.in_blocks(query.position).floor();
         for c in map.candidates(query.position, normal) {
             let place = centre + DVec3::from(c.offset.map(f64::from)) - DVec3::ONE;
@@ -81,7 +85,7 @@ fn larger_blocks_hold_the_same_photons_in_range() {
     assert_eq!((larger.radius(), larger.edge()), (radius, edge));
     let count = |map: &PhotonMap, query: &Photon| {
         let near = |p: &&Photon| p.position.distance(query.position) <= radius;
-        let runs = map.candidates(query.position, map.normals[query.surface as usize]);
+        let runs = map.candidates(query.position, faced(map, query));
         let photons = runs.flat_map(|c| &map.photons()[c.photons]);
         photons.filter(near).count()
     };
@@ -125,6 +129,10 @@ fn bad_radii_and_photons_are_errors() {
             surface: 99,
             ..good
         },
+        Photon {
+            facing: Facing::of(DVec3::NEG_Z),
+            ..good
+        },
     ];
     for photon in bad {
         let error = PhotonMap::new(&scene(), vec![good, photon], 0.1).unwrap_err();
@@ -142,7 +150,7 @@ fn the_radius_for_a_count_finds_about_that_many() {
     let map = PhotonMap::new(&scene, photons, radius).unwrap();
     let in_range = |query: &Photon| {
         let near = |p: &&Photon| p.position.distance(query.position) <= radius;
-        let facing = map.candidates(query.position, map.normals[query.surface as usize]);
+        let facing = map.candidates(query.position, faced(&map, query));
         facing
             .flat_map(|c| &map.photons()[c.photons])
             .filter(near)
@@ -165,7 +173,7 @@ proptest! {
     /// Queries anywhere, also far outside the grid, are answered.
     #[test]
     fn queries_anywhere_do_not_panic(x in prop::num::f64::ANY, y in -2.0..2.0f64, z in prop::num::f64::ANY) {
-        let photon = Photon { position: DVec3::ZERO, power: DVec3::ONE, surface: 0 };
+        let photon = Photon { position: DVec3::ZERO, power: DVec3::ONE, surface: 0, facing: Facing::FLAT };
         let map = PhotonMap::new(&scene(), vec![photon], 0.1).unwrap();
         let _ = map.candidates(DVec3::new(x, y, z), DVec3::Y).count();
     }

@@ -6,16 +6,13 @@ use super::file::{
     BsdfFile, CameraFile, ConductorFile, DielectricFile, EmitterFile, Kind, LightChoiceFile,
     SceneFile, ShapeFile, SheetFile, Spectrum,
 };
-use super::{Bsdf, LightChoice, Scene, SceneError, Surface};
+use super::{Bsdf, LightChoice, MAX_RADIANCE, Scene, SceneError, Surface};
 use crate::camera::Camera;
 use crate::geometry::{Geometry, Quad, Sphere};
 
 /// How far a stated normal may lie from the corners' own, as the cosine: a stated normal only
 /// serves to catch a wrong winding, so one degree is plenty.
 const NORMAL_COSINE: f64 = 0.9998;
-
-/// Far above any light, and no sum of squares of such numbers overflows.
-const MAX_RADIANCE: f64 = 1e30;
 
 pub(super) fn parse(file: &str, text: &str) -> Result<Scene, SceneError> {
     let parsed: SceneFile = serde_json::from_str(text).map_err(|error| json_error(file, &error))?;
@@ -108,7 +105,7 @@ impl Reader<'_> {
         if shape.kind == Kind::Sphere {
             if let Bsdf::Diffuse { .. } = bsdf {
                 let expected =
-                    "a conductor or a dielectric: photons are stored on flat surfaces only";
+                    "a conductor or a dielectric; scenes in TOML may have diffuse spheres";
                 return Err(self.error(&format!("{place}.bsdf"), "a diffuse sphere", expected));
             }
             return Ok(vec![surface(Geometry::Sphere(self.sphere(&place, shape)?))]);

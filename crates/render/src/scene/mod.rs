@@ -1,16 +1,27 @@
 //! Stage 1, the scene: named surfaces with their reflectance and emission, and a camera.
 
+mod error;
 mod file;
 #[cfg(test)]
 pub(crate) mod fixtures;
 mod fresnel;
+mod hierarchy;
 mod json;
+mod obj;
 mod surface;
+mod toml;
+mod transform;
+
+use std::fs;
+use std::path::Path;
 
 use glam::DVec3;
-use thiserror::Error;
 
+pub use error::SceneError;
+pub use obj::ObjError;
 pub use surface::{Bsdf, Surface};
+
+use self::hierarchy::Hierarchy;
 
 use crate::camera::{Camera, Ray};
 use crate::geometry::Hit;
@@ -27,40 +38,8 @@ const BUILT_IN: [(&str, &str); 3] = [
 /// its smallest gap (0.01 between light and ceiling).
 const LEAVE_DISTANCE: f64 = 1e-6;
 
-/// Why a scene could not be had.
-#[derive(Debug, Error)]
-pub enum SceneError {
-    /// No built-in scene has the name.
-    #[error("no built-in scene is named `{found}`; there are: {}", Scene::names().collect::<Vec<_>>().join(", "))]
-    Unknown {
-        /// The name asked for.
-        found: String,
-    },
-    /// The text is no JSON, or not of the scene's shape.
-    #[error("{file}, line {line}, column {column}: {message}")]
-    Json {
-        /// The file's name, as given.
-        file: String,
-        /// Counted from 1.
-        line: usize,
-        /// Counted from 1.
-        column: usize,
-        /// What was found and expected there.
-        message: String,
-    },
-    /// A value that no scene can have.
-    #[error("{file}, {place}: found {found}, expected {expected}")]
-    Value {
-        /// The file's name, as given.
-        file: String,
-        /// The field's path, such as `shapes.light.vertices`.
-        place: String,
-        /// What stands there.
-        found: String,
-        /// What could stand there.
-        expected: String,
-    },
-}
+/// Far above any light, and no sum of squares of such numbers overflows.
+const MAX_RADIANCE: f64 = 1e30;
 
 /// How often each light is chosen to emit a photon. The mean of what photons carry to a place is
 /// the same by either; their number there and their powers are not.
@@ -82,6 +61,7 @@ pub struct Scene {
     surfaces: Vec<Surface>,
     light_choice: LightChoice,
     leave_distance: f64,
+    hierarchy: Hierarchy,
 }
 
 impl Scene {
@@ -122,10 +102,42 @@ impl Scene {
         json::parse(file, text)
     }
 
+    /// The scene in a file: of the extension `toml` by [`Self::from_toml`], of any other by
+    /// [`Self::from_json`].
+    ///
+    /// # Errors
+    /// [`SceneError::Read`], and those of either form.
+    pub fn from_file(file: &Path) -> Result<Self, SceneError> {
+        let text = fs::read_to_string(file).map_err(|source| SceneError::Read {
+            file: file.to_owned(),
+            source,
+        })?;
+        let name = file.display().to_string();
+        let is_toml = file
+            .extension()
+            .is_some_and(|e| e.eq_ignore_ascii_case("toml"));
+        if is_toml {
+            let folder = file.parent().unwrap_or(Path::new(""));
+            Self::from_toml(&name, &text, folder)
+        } else {
+            Self::from_json(&name, &text)
+        }
+    }
+
+    /// The scene that `text` describes, in the form that `docs/scenes.md` states; `file` is only for the
+    /// errors' wording, and the files of meshes are looked for from `folder`.
+    ///
+    /// # Errors
+    /// [`SceneError::Toml`], [`SceneError::Field`] or [`SceneError::Mesh`], with line and field.
+    pub fn from_toml(file: &str, text: &str, folder: &Path) -> Result<Self, SceneError> {
+        toml::parse(file, text, folder)
+    }
+
     /// `surfaces` must not be empty.
     fn new(name: String, camera: Camera, surfaces: Vec<Surface>) -> Self {
         let mut scene = Self {
             name,
+            hierarchy: Hierarchy::new(&surfaces, camera.position()),
             camera,
             surfaces,
             light_choice: LightChoice::default(),
@@ -173,14 +185,8 @@ impl Scene {
     /// passed over, so that a ray can leave a surface.
     #[must_use]
     pub fn intersect(&self, ray: &Ray) -> Option<(usize, Hit)> {
-        let mut nearest: Option<(usize, Hit)> = None;
-        for (index, surface) in self.surfaces.iter().enumerate() {
-            let t_max = nearest.map_or(f64::INFINITY, |(_, hit)| hit.t);
-            if let Some(hit) = surface.geometry.intersect(ray, self.leave_distance, t_max) {
-                nearest = Some((index, hit));
-            }
-        }
-        nearest
+        self.hierarchy
+            .nearest(&self.surfaces, ray, self.leave_distance)
     }
 }
 

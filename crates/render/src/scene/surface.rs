@@ -6,6 +6,7 @@ use rand_pcg::Pcg64Mcg;
 
 use super::fresnel::Border;
 use crate::camera::Ray;
+use crate::facing::Facing;
 use crate::geometry::{Geometry, Hit};
 use crate::sample::cosine_direction;
 
@@ -59,6 +60,21 @@ impl Surface {
     #[must_use]
     pub fn is_specular(&self) -> bool {
         !matches!(self.bsdf, Bsdf::Diffuse { .. })
+    }
+
+    /// Where the front faces at a hit, as a photon remembers it.
+    pub(crate) fn facing(&self, hit: &Hit) -> Facing {
+        match self.geometry.flat_normal() {
+            Some(_) => Facing::FLAT,
+            None => Facing::of(hit.normal),
+        }
+    }
+
+    /// The unit normal by which photons of that facing are chosen for a query.
+    #[must_use]
+    pub fn facing_normal(&self, facing: Facing) -> DVec3 {
+        let flat = self.geometry.flat_normal();
+        flat.unwrap_or_else(|| facing.normal())
     }
 
     /// Whether the side that was hit does anything with light but absorb it.

@@ -1,0 +1,111 @@
+//! Which way a surface faces where a photon hit it, in one byte.
+
+use glam::DVec3;
+
+/// Cells along an edge of the cube's sides.
+const CELLS: usize = 4;
+
+/// Which way the front faces where a photon hit. Of a flat surface there is one, [`Self::FLAT`], and its normal
+/// is the surface's own, exactly; of a curved one there are [`Self::COUNT`], the cells of a cube of directions:
+/// six sides of 4 x 4, each cell a sixteenth of a right angle's square. Photons are grouped by it, so there must
+/// be few.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub struct Facing(u8);
+
+impl Facing {
+    /// The one facing of a flat surface.
+    pub const FLAT: Self = Self(0);
+
+    /// How many a curved surface has.
+    pub const COUNT: usize = 6 * CELLS * CELLS;
+
+    /// A cell's normal is nowhere further from the normals in the cell, in degrees: 15.71 from the middle of a
+    /// side to the normal of a cell there.
+    pub const MAX_OFF_DEG: f64 = 16.0;
+
+    /// The cell of a unit normal.
+    #[must_use]
+    pub fn of(normal: DVec3) -> Self {
+        let axis = normal.abs().max_position();
+        let major = normal[axis];
+        let cell = |minor: f64| {
+            // -1 to 1 over the side, in equal angles.
+            let place = (minor / major.abs()).atan() / std::f64::consts::FRAC_PI_4;
+            (((place + 1.0) * 0.5 * CELLS as f64) as usize).min(CELLS - 1)
+        };
+        let side = 2 * axis + usize::from(major < 0.0);
+        let [u, v] = [(axis + 1) % 3, (axis + 2) % 3].map(|minor| cell(normal[minor]));
+        Self(((side * CELLS + u) * CELLS + v) as u8)
+    }
+
+    /// The unit normal in the middle of the cell, of a curved surface.
+    #[must_use]
+    pub fn normal(self) -> DVec3 {
+        let cell = self.index();
+        let [side, u, v] = [cell / (CELLS * CELLS), cell / CELLS % CELLS, cell % CELLS];
+        let place = |cell: usize| {
+            let place = (2.0 * cell as f64 + 1.0) / CELLS as f64 - 1.0;
+            (place * std::f64::consts::FRAC_PI_4).tan()
+        };
+        let axis = side / 2;
+        let mut normal = DVec3::ZERO;
+        normal[axis] = if side.is_multiple_of(2) { 1.0 } else { -1.0 };
+        normal[(axis + 1) % 3] = place(u);
+        normal[(axis + 2) % 3] = place(v);
+        normal.normalize()
+    }
+
+    /// Its place among the surface's facings.
+    pub(crate) fn index(self) -> usize {
+        self.0.into()
+    }
+
+    /// All facings of a curved surface.
+    pub(crate) fn all() -> impl Iterator<Item = Self> {
+        (0..Self::COUNT).map(|cell| Self(cell as u8))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn off_deg(normal: DVec3) -> f64 {
+        Facing::of(normal)
+            .normal()
+            .angle_between(normal)
+            .to_degrees()
+    }
+
+    #[test]
+    fn cells_hold_their_own_normals() {
+        for facing in Facing::all() {
+            assert_eq!(Facing::of(facing.normal()), facing);
+        }
+    }
+
+    #[test]
+    fn the_middle_of_a_side_is_furthest_off() {
+        let worst = off_deg(DVec3::X);
+        assert!((15.7..15.72).contains(&worst), "{worst}");
+        assert!(worst < Facing::MAX_OFF_DEG);
+    }
+
+    proptest! {
+        #[test]
+        fn no_normal_is_further_from_its_cells(n in prop::array::uniform3(-1.0..1.0f64)) {
+            let normal = DVec3::from(n);
+            prop_assume!(normal.length() > 1e-3);
+            let off = off_deg(normal.normalize());
+            prop_assert!(off <= Facing::MAX_OFF_DEG, "{off}");
+        }
+
+        /// Whatever is asked, there is an answer.
+        #[test]
+        fn any_numbers_have_a_cell(n in prop::array::uniform3(prop::num::f64::ANY)) {
+            prop_assert!(Facing::of(DVec3::from(n)).index() < Facing::COUNT);
+        }
+    }
+}

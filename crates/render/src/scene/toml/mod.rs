@@ -1,0 +1,98 @@
+//! The scene file in TOML; docs/scenes.md is its description.
+
+mod field;
+mod materials;
+mod shapes;
+#[cfg(test)]
+mod tests;
+
+use std::path::Path;
+
+use glam::DVec3;
+use toml::de::DeTable;
+
+use self::field::{Fields, Source};
+use super::{LightChoice, Scene, SceneError};
+use crate::camera::{Camera, FovAxis};
+
+/// Reads the scene in `text`; meshes are looked for from `folder`.
+pub(super) fn parse(file: &str, text: &str, folder: &Path) -> Result<Scene, SceneError> {
+    let source = Source { file, text };
+    let table = DeTable::parse(text).map_err(|error| {
+        let (line, column) = source.place(error.span().map_or(0, |span| span.start));
+        SceneError::Toml {
+            file: file.to_owned(),
+            line,
+            column,
+            message: error.message().to_owned(),
+        }
+    })?;
+    let top = Fields {
+        source,
+        table: table.get_ref(),
+        start: 0,
+        path: String::new(),
+    };
+    scene(&top, folder)
+}
+
+fn scene(top: &Fields<'_>, folder: &Path) -> Result<Scene, SceneError> {
+    top.only(&["name", "light_choice", "camera", "materials", "shapes"])?;
+    let name = match top.get("name") {
+        Some(name) => name.text("the scene's name")?,
+        None => Path::new(top.source.file)
+            .file_stem()
+            .map_or("", |stem| stem.to_str().unwrap_or("")),
+    };
+    let camera = top.need("camera", "a table: where the picture is taken from")?;
+    let camera = camera_of(&camera.table("a table")?)?;
+    let materials = top.need("materials", "tables of materials by name")?;
+    let materials = materials::read(&materials.table("tables of materials by name")?)?;
+    let shapes = top.need("shapes", "tables of shapes, each under [[shapes]]")?;
+    let mut surfaces = Vec::new();
+    for shape in shapes.array("tables of shapes, each under [[shapes]]")? {
+        surfaces.extend(shapes::read(&shape, &materials, folder)?);
+    }
+    if !surfaces.iter().any(|s| s.radiance != DVec3::ZERO) {
+        let found = "no light".to_owned();
+        return Err(shapes.error(found, "at least one quad or box with an emission over 0"));
+    }
+    let mut scene = Scene::new(name.to_owned(), camera, surfaces);
+    if let Some(choice) = top.get("light_choice") {
+        let choices = [
+            ("flux", LightChoice::Flux),
+            ("uniform", LightChoice::Uniform),
+        ];
+        scene.light_choice = choice.choice(&choices)?;
+    }
+    Ok(scene)
+}
+
+fn camera_of(camera: &Fields<'_>) -> Result<Camera, SceneError> {
+    camera.only(&["position", "target", "up", "fov_deg", "fov_axis"])?;
+    let point = "an array of three numbers";
+    let position = camera.need("position", point)?.point()?;
+    let target_field = camera.need("target", point)?;
+    let target = target_field.point()?;
+    let up = match camera.get("up") {
+        Some(up) => up.point()?,
+        None => DVec3::Y,
+    };
+    let fov = camera.need("fov_deg", "an angle over 0 and below 180")?;
+    let open = |angle| angle > 0.0 && angle < 180.0;
+    let fov_deg = fov.number(open, "an angle over 0 and below 180")?;
+    let axes = [
+        ("smaller", FovAxis::Smaller),
+        ("larger", FovAxis::Larger),
+        ("x", FovAxis::X),
+        ("y", FovAxis::Y),
+    ];
+    let axis = match camera.get("fov_axis") {
+        Some(axis) => axis.choice(&axes)?,
+        None => FovAxis::Smaller,
+    };
+    Camera::look_at(position, target, up, fov_deg, axis).ok_or_else(|| {
+        let expected = "a place apart from the position, and not straight along up from it";
+        target_field.error(target.to_string(), expected)
+    })
+}
