@@ -9,7 +9,10 @@
 //! 5. [`render`] with an [`Engine`] and an [`Estimator`]: the radiance estimate, by the f64 reference or by the
 //!    golden model on photons that [`QuantisedMap`] turned into a machine's integers, or
 //!    [`FormatMap`] into those of a photon format;
-//! 6. [`Image`]: linear RGB, tone mapping, PNG.
+//! 6. [`Image`]: linear RGB, tone mapping, PNG and OpenEXR, maps of the error.
+//!
+//! [`Lighting`] says which light the maps give, and which shadow rays and gather rays: [`render_lit`].
+//! [`Progressive`] is the mean of many such pictures, and estimates its own error.
 //!
 //! [`fit`] finds the smallest photon format that a scene needs.
 //!
@@ -22,8 +25,8 @@
 //! Quads, boxes, spheres and meshes of triangles, each with diffuse (Lambertian) reflection on its front, as a
 //! perfect mirror of one side or two, or as the smooth border of a clear medium (Fresnel and Snell); a black back,
 //! diffuse area lights that are quads, global illumination of any depth with its caustics, a pinhole camera with a
-//! box filter. Photons on the far side of a thin sheet, or
-//! across a corner, are kept out of an estimate by the rule stated at [`PhotonMap`].
+//! box filter. Photons on the far side of a thin sheet, or across a corner, are kept out of an estimate by the rule
+//! stated at [`PhotonMap`].
 //! Not modelled: glossy surfaces, colours of media and dispersion, textures, lens effects, smooth normals of
 //! meshes.
 

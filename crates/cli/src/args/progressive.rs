@@ -20,7 +20,7 @@ Each pass has photons of its own, and a smaller radius; the picture is the mean 
 pass gathers at the whole and at half the squared radius, which tells the bias; the spread of the
 passes tells the noise. A pixel's bound is |bias| + t s / sqrt n: its error is not above it, with the
 confidence asked for. --error-target stops when the bounds' root mean square, each over the pixel's
-luminance, is not above it: the root of the picture's relMSE is then smaller still.")]
+luminance, is not above it. See docs/accuracy.md for how many bounds hold, and where they do not.")]
 pub struct ProgressiveArgs {
     /// A built-in scene (see `photoncube list`) or a scene file, TOML (see docs/scenes.md) or JSON
     pub scene: String,
