@@ -119,78 +119,6 @@ fn draw(
     Ok(())
 }
 
-/// A line of a plot against passes.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Curve {
-    /// What it shows.
-    pub name: &'static str,
-    /// Passes, and the relative error after them; both over 0.
-    pub points: Vec<(f64, f64)>,
-}
-
-const CURVES: [RGBColor; 4] = [FRONT, OTHER, RGBColor(60, 140, 90), RGBColor(30, 30, 30)];
-
-/// An SVG picture of errors against passes, both logarithmic. Curves without points are left out.
-pub fn against_passes(title: &str, curves: &[Curve]) -> Result<String> {
-    let mut svg = String::new();
-    draw_curves(&mut svg, title, curves)
-        .map_err(|error| anyhow!("the plot cannot be drawn: {error}"))?;
-    Ok(svg)
-}
-
-fn draw_curves(
-    svg: &mut String,
-    title: &str,
-    curves: &[Curve],
-) -> Result<(), Box<dyn std::error::Error>> {
-    let points = || curves.iter().flat_map(|curve| &curve.points);
-    let errors = points().map(|(_, error)| *error);
-    let (low, high) = errors.fold((f64::INFINITY, 0.0_f64), |(low, high), error| {
-        (low.min(error), high.max(error))
-    });
-    let passes = points().map(|(passes, _)| *passes).fold(2.0, f64::max);
-    let range = if high > 0.0 {
-        0.8 * low..1.25 * high
-    } else {
-        0.1..1.0
-    };
-    let area = SVGBackend::with_string(svg, SIZE).into_drawing_area();
-    area.fill(&WHITE)?;
-    let mut chart = ChartBuilder::on(&area)
-        .caption(title, ("sans-serif", 20))
-        .margin(12)
-        .x_label_area_size(44)
-        .y_label_area_size(84)
-        .build_cartesian_2d((1.0..passes).log_scale(), range.log_scale())?;
-    chart
-        .configure_mesh()
-        .x_desc("passes")
-        .y_desc("relative error")
-        .x_label_formatter(&|passes| format!("{passes:.0}"))
-        .y_label_formatter(&|error| format!("{:.1} %", 100.0 * error))
-        .light_line_style(WHITE)
-        .draw()?;
-    for (curve, colour) in curves.iter().zip(CURVES) {
-        if !curve.points.is_empty() {
-            let line = LineSeries::new(curve.points.iter().copied(), colour.stroke_width(2));
-            let swatch = move |(x, y)| PathElement::new(vec![(x, y), (x + 20, y)], colour);
-            chart
-                .draw_series(line.point_size(3))?
-                .label(curve.name)
-                .legend(swatch);
-        }
-    }
-    chart
-        .configure_series_labels()
-        .position(SeriesLabelPosition::UpperRight)
-        .border_style(BLACK)
-        .background_style(WHITE)
-        .draw()?;
-    area.present()?;
-    drop(chart);
-    Ok(())
-}
-
 /// Where points and labels stand already, in pixels, so that no label is written over another.
 struct Labels(Vec<Rectangle>);
 
@@ -277,21 +205,6 @@ mod tests {
     fn equal_points_are_both_on_the_front() {
         let points = [point("a", 0.1, 1.0), point("b", 0.1, 1.0)];
         assert_eq!(pareto_front(&points, Better::Larger), [true, true]);
-    }
-
-    #[test]
-    fn curves_are_named_and_empty_ones_are_not() {
-        let curve = |name, points: &[(f64, f64)]| Curve {
-            name,
-            points: points.to_vec(),
-        };
-        let curves = [
-            curve("bound", &[(2.0, 0.5), (4.0, 0.3)]),
-            curve("bias", &[]),
-        ];
-        let svg = against_passes("title", &curves).unwrap();
-        assert!(svg.contains("title") && svg.contains("bound") && !svg.contains("bias"));
-        assert!(against_passes("nothing", &[]).is_ok());
     }
 
     #[test]

@@ -61,7 +61,7 @@ pub struct ProgressiveArgs {
     /// What the picture should be, an OpenEXR file of the same size: says how far it is, and how many bounds hold
     #[arg(long, value_name = "FILE")]
     pub reference: Option<PathBuf>,
-    /// A plot of the error against passes, an SVG file
+    /// Plots of the error against passes and against photons, an SVG file
     #[arg(long, value_name = "FILE")]
     pub plot: Option<PathBuf>,
     /// A map of the pixels' bounds, relative, with a legend, an SVG file

@@ -13,8 +13,8 @@ use serde::Serialize;
 use super::compare::Distance;
 use super::render::EXPOSURE;
 use crate::args::ProgressiveArgs;
+use crate::convergence::{Curve, Reached, convergence_plot};
 use crate::failure::CheckFailed;
-use crate::plot::{Curve, against_passes};
 use crate::table::markdown;
 use crate::{files, output, progress, scenes};
 
@@ -32,6 +32,16 @@ struct Row {
     rel_mse: Option<f64>,
     bounded_share: Option<f64>,
     seconds: f64,
+}
+
+impl Row {
+    fn reached(&self, error: f64) -> Reached {
+        Reached {
+            passes: self.passes as f64,
+            photons: self.photons as f64,
+            error,
+        }
+    }
 }
 
 #[derive(Serialize)]
@@ -198,7 +208,9 @@ impl Work<'_> {
             points: self
                 .rows
                 .iter()
-                .filter_map(|row| Some((row.passes as f64, of(row)?)))
+                .filter_map(|row| Some(row.reached(of(row)?)))
+                // A logarithm of 0 has no place.
+                .filter(|reached| reached.error > 0.0)
                 .collect(),
         };
         let curves = [
@@ -209,8 +221,8 @@ impl Work<'_> {
                 row.rel_mse.map(f64::sqrt)
             }),
         ];
-        let title = format!("{}: error against passes", self.args.scene);
-        files::write(path, against_passes(&title, &curves)?.as_bytes())
+        let title = format!("{}: error against passes and photons", self.args.scene);
+        files::write(path, convergence_plot(&title, &curves)?.as_bytes())
     }
 
     fn write_error_map(&self) -> Result<()> {
