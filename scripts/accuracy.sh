@@ -8,7 +8,8 @@ Usage: scripts/accuracy.sh [lighting | passes | confidence]
 
 Prints tables (Markdown), all three unless one is named:
   lighting    the Cornell box lit in several ways, against the path-traced reference
-  passes      progressive photon mapping of it, by f64 and by integers of the default photon format
+  passes      progressive photon mapping of it, and of it with balls of glass and metal, by f64 and by integers of
+              the default photon format
   confidence  on each built-in scene, how many pixels' error is within its bound, against f64 at convergence
 About fifteen minutes on two cores, most of them for the last.
 USAGE
@@ -78,17 +79,25 @@ for a, b in zip(f64, integers):
 PY
 }
 
-passes() {
-    local light=(--direct rays --area covered) engine
+# A scene in passes, beside its path-traced picture.
+passes_of() {
+    local scene=$1 truth=$2 engine
+    shift 2
     for engine in f64 format; do
-        photoncube progressive cornell "${size[@]}" -o "$work/p-$engine.exr" --engine "$engine" "${light[@]}" \
-            --passes 64 --reference "$reference" --json >"$work/p-$engine.json"
+        photoncube progressive "$scene" "${size[@]}" -o "$work/p-$engine.exr" --engine "$engine" "$@" \
+            --passes 64 --reference "$truth" --json >"$work/p-$engine.json"
     done
-    printf '\n| passes | photons | radius | f64: relMSE | integers: relMSE | noise | bias | bound | in bounds |\n'
+    printf '\n`%s` with `%s`:\n\n' "$scene" "$*"
+    printf '| passes | photons | radius | f64: relMSE | integers: relMSE | noise | bias | bound | in bounds |\n'
     printf '| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n'
     rows "$work/p-f64.json" "$work/p-format.json"
     printf '\nAfter the last pass, integers against f64 on the same photons: relMSE %s.\n' \
         "$(compare "$work/p-format.exr" "$work/p-f64.exr" rel_mse)"
+}
+
+passes() {
+    passes_of cornell docs/reference/cornell.exr --direct rays --area covered
+    passes_of docs/scenes/spheres.toml docs/reference/spheres.exr --direct rays --caustics own --area covered
 }
 
 confidence() {
