@@ -2,10 +2,10 @@
 
 use photoncube_spec::{LocalQuery, LocalSums};
 
+use super::frame::Frame;
 use super::kernel::Work;
-use super::lanes::Lanes;
+use super::lanes::{Lanes, OfBytes, OfWords, Positions};
 use super::portable::Portable;
-use super::positions::{OfBytes, OfWords, Positions};
 use super::store::PhotonPlanes;
 use super::surroundings::Surroundings;
 use crate::local::LocalError;
@@ -113,8 +113,7 @@ impl PhotonPlanes {
         }
         self.gather.limits().check_radius_sq(radius_sq)?;
         self.gather.check_count(around.photons())?;
-        // On half steps d^2 is the sum and 3/4, so nothing is within 0.
-        let Some(largest) = radius_sq.checked_sub(self.format().half_steps().into()) else {
+        let Some(frame) = Frame::new(self.format(), radius_sq) else {
             found.fill(Gathered {
                 photons: around.photons(),
                 ..Gathered::default()
@@ -125,7 +124,7 @@ impl PhotonPlanes {
             planes: self,
             around,
             queries,
-            largest,
+            frame,
             found,
         };
         match instructions.0 {
@@ -142,7 +141,11 @@ impl PhotonPlanes {
 
 impl Work<'_> {
     #[inline(always)]
-    fn by<L: Lanes>(self, lanes: L) {
+    fn by<L: Lanes>(self, lanes: L)
+    where
+        OfBytes: Positions<L>,
+        OfWords: Positions<L>,
+    {
         if self.planes.layout.wide {
             self.with_positions::<L, OfWords>(lanes);
         } else {
@@ -152,20 +155,11 @@ impl Work<'_> {
 
     #[inline(always)]
     fn with_positions<L: Lanes, P: Positions<L>>(self, lanes: L) {
-        if self.planes.format().half_steps() {
-            self.with_steps::<L, P, true>(lanes);
-        } else {
-            self.with_steps::<L, P, false>(lanes);
-        }
-    }
-
-    #[inline(always)]
-    fn with_steps<L: Lanes, P: Positions<L>, const HALF_STEPS: bool>(self, lanes: L) {
         match self.planes.layout.mantissa_planes {
-            1 => self.run::<L, P, HALF_STEPS, 1>(lanes),
-            2 => self.run::<L, P, HALF_STEPS, 2>(lanes),
-            3 => self.run::<L, P, HALF_STEPS, 3>(lanes),
-            6 => self.run::<L, P, HALF_STEPS, 6>(lanes),
+            1 => self.run::<L, P, 1>(lanes),
+            2 => self.run::<L, P, 2>(lanes),
+            3 => self.run::<L, P, 3>(lanes),
+            6 => self.run::<L, P, 6>(lanes),
             planes => unreachable!("a channel or three of a byte or two, not {planes} planes"),
         }
     }

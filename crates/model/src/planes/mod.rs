@@ -14,15 +14,17 @@
 
 #[cfg(target_arch = "x86_64")]
 mod avx2;
-mod axis;
+#[cfg(target_arch = "x86_64")]
+mod avx2_positions;
+mod frame;
 mod gather;
 mod kernel;
 mod lanes;
 mod leaf;
 mod portable;
-mod positions;
 mod store;
 mod surroundings;
+mod tray;
 
 pub use gather::{Gathered, Instructions};
 pub use leaf::LEAF;
