@@ -7,7 +7,7 @@ use pulp::cast;
 use pulp::x86::V3;
 
 use super::frame::Frame;
-use super::lanes::{Bytes, OfBytes, OfWords, Positions, Words};
+use super::lanes::{Bytes, OfBytes, OfFlatBytes, OfWords, Positions, Words};
 use super::leaf::LEAF;
 use super::store::{Window, plane};
 
@@ -28,14 +28,6 @@ const PRESENT: [u8; 2 * LEAF] = {
     }
     present
 };
-
-/// The photons of a leaf, eight to a register, in the order in which packing puts masks back together:
-/// x and y of each in turn, and z and 0.
-#[derive(Copy, Clone, Debug)]
-pub(super) struct Pairs {
-    xy: [__m256i; 4],
-    z: [__m256i; 4],
-}
 
 /// The words of the bytes of the first, second half of either half of a register.
 #[inline(always)]
@@ -69,23 +61,34 @@ fn present(simd: V3, words: [__m256i; 2], photons: usize, nowhere: i16) -> [__m2
     ]
 }
 
-impl Pairs {
+/// Two words of each photon in turn, eight photons to a register, in the order in which packing puts
+/// masks back together.
+type Pairs = [__m256i; 4];
+
+#[inline(always)]
+fn pairs(simd: V3, a: [__m256i; 2], b: [__m256i; 2]) -> Pairs {
+    [
+        simd.avx2._mm256_unpacklo_epi16(a[0], b[0]),
+        simd.avx2._mm256_unpackhi_epi16(a[0], b[0]),
+        simd.avx2._mm256_unpacklo_epi16(a[1], b[1]),
+        simd.avx2._mm256_unpackhi_epi16(a[1], b[1]),
+    ]
+}
+
+/// The photons of a leaf: x and y, and z and 0.
+#[derive(Copy, Clone, Debug)]
+pub(super) struct Places {
+    xy: Pairs,
+    z: Pairs,
+}
+
+impl Places {
     #[inline(always)]
-    fn new(simd: V3, x: [__m256i; 2], y: [__m256i; 2], z: [__m256i; 2]) -> Self {
+    fn new(simd: V3, [x, y, z]: [[__m256i; 2]; 3]) -> Self {
         let zero = simd.avx._mm256_setzero_si256();
         Self {
-            xy: [
-                simd.avx2._mm256_unpacklo_epi16(x[0], y[0]),
-                simd.avx2._mm256_unpackhi_epi16(x[0], y[0]),
-                simd.avx2._mm256_unpacklo_epi16(x[1], y[1]),
-                simd.avx2._mm256_unpackhi_epi16(x[1], y[1]),
-            ],
-            z: [
-                simd.avx2._mm256_unpacklo_epi16(z[0], zero),
-                simd.avx2._mm256_unpackhi_epi16(z[0], zero),
-                simd.avx2._mm256_unpacklo_epi16(z[1], zero),
-                simd.avx2._mm256_unpackhi_epi16(z[1], zero),
-            ],
+            xy: pairs(simd, x, y),
+            z: pairs(simd, z, [zero; 2]),
         }
     }
 }
@@ -115,50 +118,68 @@ pub(super) struct ByteQuery {
     over: __m256i,
 }
 
-/// Photons and queries are counted in half fine steps, so that the distance is always a difference: the
-/// square is four times that of fine steps, or four times the sum of half squares, and 3.
+/// The places of bytes on an axis, in half fine steps from the middle of the frame.
+#[inline(always)]
+fn byte_places(simd: V3, bytes: &Bytes, corner: i16) -> [__m256i; 2] {
+    let [low, high] = words(simd, cast(*bytes));
+    let corner = simd.avx._mm256_set1_epi16(2 * corner);
+    let low = simd.avx2._mm256_add_epi16(low, low);
+    let high = simd.avx2._mm256_add_epi16(high, high);
+    [
+        simd.avx2._mm256_add_epi16(low, corner),
+        simd.avx2._mm256_add_epi16(high, corner),
+    ]
+}
+
+/// A query's place on an axis, in half fine steps.
+#[inline(always)]
+fn byte_place(frame: &Frame, place: i16) -> i16 {
+    2 * place + frame.half()
+}
+
+/// The smallest sum of squares that is out of range: in half fine steps they are four times those in fine
+/// steps, or four times the sum of half squares, and 3.
+#[inline(always)]
+fn byte_over(frame: &Frame) -> i32 {
+    4 * frame.largest as i32 + 4
+}
+
+/// Photons and queries are counted in half fine steps, so that the distance is always a difference.
 impl Positions<V3> for OfBytes {
     const BYTES: usize = 1;
 
-    type Photons = Pairs;
+    type Photons = Places;
     type Query = ByteQuery;
 
     #[inline(always)]
-    fn photons(simd: V3, window: &Window, photons: usize, corner: [i16; 3]) -> Pairs {
-        let zero = simd.avx._mm256_setzero_si256();
-        let mut places = [[zero; 2]; 3];
-        for axis in 0..3 {
-            let bytes: &Bytes = plane(window, axis, photons);
-            let [low, high] = words(simd, cast(*bytes));
-            let corner = simd.avx._mm256_set1_epi16(2 * corner[axis]);
-            let low = simd.avx2._mm256_add_epi16(low, low);
-            let high = simd.avx2._mm256_add_epi16(high, high);
-            places[axis] = [
-                simd.avx2._mm256_add_epi16(low, corner),
-                simd.avx2._mm256_add_epi16(high, corner),
-            ];
-        }
-        let [x, y, z] = places;
-        Pairs::new(simd, present(simd, x, photons, BYTES_NOWHERE), y, z)
+    fn photons(
+        simd: V3,
+        window: &Window,
+        photons: usize,
+        axes: [usize; 3],
+        corner: [i16; 3],
+    ) -> Places {
+        let x = byte_places(simd, plane(window, axes[0], photons), corner[0]);
+        let y = byte_places(simd, plane(window, axes[1], photons), corner[1]);
+        let z = byte_places(simd, plane(window, axes[2], photons), corner[2]);
+        Places::new(simd, [present(simd, x, photons, BYTES_NOWHERE), y, z])
     }
 
     #[inline(always)]
     fn query(simd: V3, frame: &Frame, place: [i16; 3]) -> ByteQuery {
-        let half = frame.half();
-        let [x, y, z] = [
-            2 * place[0] + half,
-            2 * place[1] + half,
-            2 * place[2] + half,
-        ];
         ByteQuery {
-            xy: pair(simd, x, y),
-            z: pair(simd, z, 0),
-            over: simd.avx._mm256_set1_epi32(4 * frame.largest as i32 + 4),
+            xy: pair(
+                simd,
+                byte_place(frame, place[0]),
+                byte_place(frame, place[1]),
+            ),
+            z: pair(simd, byte_place(frame, place[2]), 0),
+            over: simd.avx._mm256_set1_epi32(byte_over(frame)),
         }
     }
 
     #[inline(always)]
-    fn in_range(simd: V3, photons: &Pairs, query: &ByteQuery) -> __m256i {
+    fn in_range(simd: V3, photons: &Places, query: &ByteQuery) -> __m256i {
         let mut in_range = [query.over; 4];
         for eight in 0..4 {
             let xy = simd.avx2._mm256_sub_epi16(query.xy, photons.xy[eight]);
@@ -168,6 +189,72 @@ impl Positions<V3> for OfBytes {
                 simd.avx2._mm256_madd_epi16(z, z),
             );
             in_range[eight] = simd.avx2._mm256_cmpgt_epi32(query.over, sum);
+        }
+        packed(simd, in_range)
+    }
+}
+
+/// The photons of a flat leaf: x and y, and z of them all.
+#[derive(Copy, Clone, Debug)]
+pub(super) struct FlatPlaces {
+    xy: Pairs,
+    z: i32,
+}
+
+/// A query in half fine steps.
+#[derive(Copy, Clone, Debug)]
+pub(super) struct FlatQuery {
+    xy: __m256i,
+    z: i32,
+    /// The smallest sum of squares that is out of range.
+    over: i32,
+}
+
+impl Positions<V3> for OfFlatBytes {
+    const BYTES: usize = 1;
+
+    type Photons = FlatPlaces;
+    type Query = FlatQuery;
+
+    #[inline(always)]
+    fn photons(
+        simd: V3,
+        window: &Window,
+        photons: usize,
+        axes: [usize; 3],
+        corner: [i16; 3],
+    ) -> FlatPlaces {
+        let x = byte_places(simd, plane(window, axes[0], photons), corner[0]);
+        let y = byte_places(simd, plane(window, axes[1], photons), corner[1]);
+        let z: &Bytes = plane(window, axes[2], photons);
+        FlatPlaces {
+            xy: pairs(simd, present(simd, x, photons, BYTES_NOWHERE), y),
+            z: 2 * (i32::from(corner[2]) + i32::from(z[0])),
+        }
+    }
+
+    #[inline(always)]
+    fn query(simd: V3, frame: &Frame, place: [i16; 3]) -> FlatQuery {
+        FlatQuery {
+            xy: pair(
+                simd,
+                byte_place(frame, place[0]),
+                byte_place(frame, place[1]),
+            ),
+            z: byte_place(frame, place[2]).into(),
+            over: byte_over(frame),
+        }
+    }
+
+    #[inline(always)]
+    fn in_range(simd: V3, photons: &FlatPlaces, query: &FlatQuery) -> __m256i {
+        let z = query.z - photons.z;
+        let over = simd.avx._mm256_set1_epi32(query.over - z * z);
+        let mut in_range = [over; 4];
+        for eight in 0..4 {
+            let xy = simd.avx2._mm256_sub_epi16(query.xy, photons.xy[eight]);
+            let square = simd.avx2._mm256_madd_epi16(xy, xy);
+            in_range[eight] = simd.avx2._mm256_cmpgt_epi32(over, square);
         }
         packed(simd, in_range)
     }
@@ -210,15 +297,21 @@ fn squares(simd: V3, query: &WordQuery, m: __m256i) -> __m256i {
 impl Positions<V3> for OfWords {
     const BYTES: usize = 2;
 
-    type Photons = Pairs;
+    type Photons = Places;
     type Query = WordQuery;
 
     #[inline(always)]
-    fn photons(simd: V3, window: &Window, photons: usize, corner: [i16; 3]) -> Pairs {
+    fn photons(
+        simd: V3,
+        window: &Window,
+        photons: usize,
+        axes: [usize; 3],
+        corner: [i16; 3],
+    ) -> Places {
         let zero = simd.avx._mm256_setzero_si256();
         let mut places = [[zero; 2]; 3];
         for axis in 0..3 {
-            let words: &Words = plane(window, 2 * axis, photons);
+            let words: &Words = plane(window, 2 * axes[axis], photons);
             let [first, second]: [__m256i; 2] = cast(*words);
             // The order of bytes that are unpacked.
             let low = simd
@@ -233,8 +326,8 @@ impl Positions<V3> for OfWords {
                 simd.avx2._mm256_add_epi16(high, corner),
             ];
         }
-        let [x, y, z] = places;
-        Pairs::new(simd, present(simd, x, photons, WORDS_NOWHERE), y, z)
+        places[0] = present(simd, places[0], photons, WORDS_NOWHERE);
+        Places::new(simd, places)
     }
 
     #[inline(always)]
@@ -249,7 +342,7 @@ impl Positions<V3> for OfWords {
     }
 
     #[inline(always)]
-    fn in_range(simd: V3, photons: &Pairs, query: &WordQuery) -> __m256i {
+    fn in_range(simd: V3, photons: &Places, query: &WordQuery) -> __m256i {
         let mut in_range = [query.over; 4];
         for eight in 0..4 {
             let xy = distance(simd, query, query.xy, photons.xy[eight]);

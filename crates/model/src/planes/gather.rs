@@ -4,7 +4,7 @@ use photoncube_spec::{LocalQuery, LocalSums};
 
 use super::frame::Frame;
 use super::kernel::Work;
-use super::lanes::{Lanes, OfBytes, OfWords, Positions};
+use super::lanes::{Lanes, OfBytes, OfFlatBytes, OfWords, Positions};
 use super::portable::Portable;
 use super::store::PhotonPlanes;
 use super::surroundings::Surroundings;
@@ -144,22 +144,24 @@ impl Work<'_> {
     fn by<L: Lanes>(self, lanes: L)
     where
         OfBytes: Positions<L>,
+        OfFlatBytes: Positions<L>,
         OfWords: Positions<L>,
     {
         if self.planes.layout.wide {
-            self.with_positions::<L, OfWords>(lanes);
+            // Boxes of 8 bits do not tell what is flat.
+            self.with_positions::<L, OfWords, OfWords>(lanes);
         } else {
-            self.with_positions::<L, OfBytes>(lanes);
+            self.with_positions::<L, OfBytes, OfFlatBytes>(lanes);
         }
     }
 
     #[inline(always)]
-    fn with_positions<L: Lanes, P: Positions<L>>(self, lanes: L) {
+    fn with_positions<L: Lanes, P: Positions<L>, F: Positions<L>>(self, lanes: L) {
         match self.planes.layout.mantissa_planes {
-            1 => self.run::<L, P, 1>(lanes),
-            2 => self.run::<L, P, 2>(lanes),
-            3 => self.run::<L, P, 3>(lanes),
-            6 => self.run::<L, P, 6>(lanes),
+            1 => self.run::<L, P, F, 1>(lanes),
+            2 => self.run::<L, P, F, 2>(lanes),
+            3 => self.run::<L, P, F, 3>(lanes),
+            6 => self.run::<L, P, F, 6>(lanes),
             planes => unreachable!("a channel or three of a byte or two, not {planes} planes"),
         }
     }

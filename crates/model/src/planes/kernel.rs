@@ -7,7 +7,7 @@ use super::gather::Gathered;
 use super::lanes::{Lanes, Positions};
 use super::store::PhotonPlanes;
 use super::surroundings::{Seen, Surroundings};
-use super::tray::{TRAY, Tray};
+use super::tray::{TRAY, Tray, ordered};
 
 /// What is to be gathered.
 pub(super) struct Work<'a> {
@@ -20,9 +20,9 @@ pub(super) struct Work<'a> {
 }
 
 impl Work<'_> {
-    /// Gathers every query, by lanes that are known to be there.
+    /// Gathers every query, by lanes that are known to be there; leaves that are flat on one axis by `F`.
     #[inline(always)]
-    pub fn run<L: Lanes, P: Positions<L>, const PLANES: usize>(self, lanes: L) {
+    pub fn run<L: Lanes, P: Positions<L>, F: Positions<L>, const PLANES: usize>(self, lanes: L) {
         let nothing = Gathered {
             photons: self.around.photons(),
             ..Gathered::default()
@@ -30,25 +30,32 @@ impl Work<'_> {
         self.found.fill(nothing);
         let shift = self.planes.format().radius_bits().saturating_sub(u8::BITS);
         let mut tray = Tray::<L, P, PLANES>::new(shift, self.frame.largest);
+        let mut flat_tray = Tray::<L, F, PLANES>::new(shift, self.frame.largest);
         let mut rest = self.around.seen.as_slice();
         while !rest.is_empty() {
-            let here;
-            (here, rest) = rest.split_at(alike(rest));
-            tray.lay(lanes, self.planes, &self.frame, here);
-            let present = tray.present();
+            let (here, behind) = rest.split_at(alike(rest));
             let exponent = here[0].leaf.exponent;
-            for (query, found) in self.queries.iter().zip(self.found.iter_mut()) {
-                // Less than two edges of 2^14.
-                let position = [
-                    query.position[0] as u16,
-                    query.position[1] as u16,
-                    query.position[2] as u16,
-                ];
-                let touched = lanes.touched(&tray.boxes, position) & present;
-                let query = P::query(lanes, &self.frame, self.frame.place(query.position));
-                tray.gather(lanes, &query, touched, exponent, found);
+            // A photon or two are flat by chance, so leaves are not sorted by this.
+            let flat = here.iter().fold(u8::MAX, |flat, seen| flat & seen.flat);
+            let axes = flat_last(flat);
+            if flat == 0 {
+                tray.lay(lanes, self.planes, &self.frame, axes, here);
+                tray.gather_all(lanes, &self.frame, self.queries, exponent, self.found);
+            } else {
+                flat_tray.lay(lanes, self.planes, &self.frame, axes, here);
+                flat_tray.gather_all(lanes, &self.frame, self.queries, exponent, self.found);
             }
+            rest = behind;
         }
+    }
+}
+
+/// The axes, one of these last if there is any.
+fn flat_last(flat: u8) -> [usize; 3] {
+    match flat.trailing_zeros() {
+        0 => [1, 2, 0],
+        1 => [0, 2, 1],
+        _ => [0, 1, 2],
     }
 }
 
@@ -62,6 +69,30 @@ fn alike(seen: &[Seen]) -> usize {
 }
 
 impl<L: Lanes, P: Positions<L>, const PLANES: usize> Tray<L, P, PLANES> {
+    #[inline(always)]
+    fn gather_all(
+        &self,
+        lanes: L,
+        frame: &Frame,
+        queries: &[LocalQuery],
+        exponent: u8,
+        found: &mut [Gathered],
+    ) {
+        let present = self.present();
+        for (query, found) in queries.iter().zip(found) {
+            // Less than two edges of 2^14.
+            let position = [
+                query.position[0] as u16,
+                query.position[1] as u16,
+                query.position[2] as u16,
+            ];
+            let touched = lanes.touched(&self.boxes, position) & present;
+            let place = ordered(frame.place(query.position), self.axes);
+            let query = P::query(lanes, frame, place);
+            self.gather(lanes, &query, touched, exponent, found);
+        }
+    }
+
     /// Adds the photons in range of the leaves whose bits are set to what a query found.
     #[inline(always)]
     fn gather(

@@ -66,9 +66,17 @@ pub(super) trait Positions<L: Lanes> {
     /// A query.
     type Query: Copy;
 
-    /// The first `photons` of the leaf in `window`, whose block's lowest corner is `corner`.
-    fn photons(lanes: L, window: &Window, photons: usize, corner: [i16; 3]) -> Self::Photons;
+    /// The first `photons` of the leaf in `window`, on the axes in this order. On each, a block's lowest
+    /// corner is at `corner`.
+    fn photons(
+        lanes: L,
+        window: &Window,
+        photons: usize,
+        axes: [usize; 3],
+        corner: [i16; 3],
+    ) -> Self::Photons;
 
+    /// The query at `place`, by axis in the same order.
     fn query(lanes: L, frame: &Frame, place: [i16; 3]) -> Self::Query;
 
     fn in_range(lanes: L, photons: &Self::Photons, query: &Self::Query) -> L::Mask;
@@ -76,6 +84,10 @@ pub(super) trait Positions<L: Lanes> {
 
 /// Formats of up to 8 bits per radius.
 pub(super) struct OfBytes;
+
+/// The same where all photons of a leaf are alike on the last axis, as those on a wall along the other two: the
+/// distance on it is computed once for all of them.
+pub(super) struct OfFlatBytes;
 
 /// Formats of 9 to 14 bits per radius.
 pub(super) struct OfWords;

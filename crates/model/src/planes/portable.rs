@@ -1,7 +1,7 @@
 //! The lanes in plain loops over arrays, which compilers turn into what vector instructions there are.
 
 use super::frame::Frame;
-use super::lanes::{Boxes, Bytes, Lanes, OfBytes, OfWords, Positions, Words};
+use super::lanes::{Boxes, Bytes, Lanes, OfBytes, OfFlatBytes, OfWords, Positions, Words};
 use super::leaf::LEAF;
 use super::store::{Window, plane};
 use super::tray::TRAY;
@@ -142,8 +142,14 @@ impl Positions<Portable> for OfBytes {
     type Query = Query;
 
     #[inline(always)]
-    fn photons(_: Portable, window: &Window, photons: usize, corner: [i16; 3]) -> Places {
-        let planes: [&Bytes; 3] = std::array::from_fn(|axis| plane(window, axis, photons));
+    fn photons(
+        _: Portable,
+        window: &Window,
+        photons: usize,
+        axes: [usize; 3],
+        corner: [i16; 3],
+    ) -> Places {
+        let planes: [&Bytes; 3] = axes.map(|axis| plane(window, axis, photons));
         places(photons, BYTES_NOWHERE, corner, |axis, lane| {
             planes[axis][lane].into()
         })
@@ -157,25 +163,69 @@ impl Positions<Portable> for OfBytes {
         }
     }
 
-    /// Squares of words: a distance of 255 is out of range, and so are sums that saturate.
     #[inline(always)]
     fn in_range(_: Portable, photons: &Places, query: &Query) -> [u16; LEAF] {
-        let mut sums = [0_u16; LEAF];
-        for axis in 0..3 {
-            for lane in 0..LEAF {
-                let m = query.frame.distance(query.place[axis], photons[axis][lane]);
-                let m = (m as i16).min(255) as u16;
-                sums[lane] = sums[lane].saturating_add(m * (m + query.frame.half() as u16));
-            }
-        }
-        // At most 254^2.
-        let largest = query.frame.largest as u16;
-        let mut in_range = [0; LEAF];
-        for lane in 0..LEAF {
-            in_range[lane] = if sums[lane] <= largest { u16::MAX } else { 0 };
-        }
-        in_range
+        in_range::<3>(query, photons, [0; LEAF])
     }
+}
+
+impl Positions<Portable> for OfFlatBytes {
+    const BYTES: usize = 1;
+
+    type Photons = Places;
+    type Query = Query;
+
+    #[inline(always)]
+    fn photons(
+        portable: Portable,
+        window: &Window,
+        photons: usize,
+        axes: [usize; 3],
+        corner: [i16; 3],
+    ) -> Places {
+        <OfBytes as Positions<Portable>>::photons(portable, window, photons, axes, corner)
+    }
+
+    #[inline(always)]
+    fn query(portable: Portable, frame: &Frame, place: [i16; 3]) -> Query {
+        <OfBytes as Positions<Portable>>::query(portable, frame, place)
+    }
+
+    #[inline(always)]
+    fn in_range(_: Portable, photons: &Places, query: &Query) -> [u16; LEAF] {
+        let square = byte_square(query, 2, photons[2][0]);
+        in_range::<2>(query, photons, [square; LEAF])
+    }
+}
+
+/// m^2 or m (m + 1) of a word; a distance of 255 is out of range.
+#[inline(always)]
+fn byte_square(query: &Query, axis: usize, photon: i16) -> u16 {
+    let m = query.frame.distance(query.place[axis], photon);
+    let m = (m as i16).min(255) as u16;
+    m * (m + query.frame.half() as u16)
+}
+
+/// Those for which the sum of these squares and the first axes' is in range; one that saturates is not.
+#[inline(always)]
+fn in_range<const AXES: usize>(
+    query: &Query,
+    photons: &Places,
+    mut sums: [u16; LEAF],
+) -> [u16; LEAF] {
+    for axis in 0..AXES {
+        for lane in 0..LEAF {
+            let square = byte_square(query, axis, photons[axis][lane]);
+            sums[lane] = sums[lane].saturating_add(square);
+        }
+    }
+    // At most 254^2.
+    let largest = query.frame.largest as u16;
+    let mut in_range = [0; LEAF];
+    for lane in 0..LEAF {
+        in_range[lane] = if sums[lane] <= largest { u16::MAX } else { 0 };
+    }
+    in_range
 }
 
 impl Positions<Portable> for OfWords {
@@ -185,8 +235,14 @@ impl Positions<Portable> for OfWords {
     type Query = Query;
 
     #[inline(always)]
-    fn photons(_: Portable, window: &Window, photons: usize, corner: [i16; 3]) -> Places {
-        let planes: [&Words; 3] = std::array::from_fn(|axis| plane(window, 2 * axis, photons));
+    fn photons(
+        _: Portable,
+        window: &Window,
+        photons: usize,
+        axes: [usize; 3],
+        corner: [i16; 3],
+    ) -> Places {
+        let planes: [&Words; 3] = axes.map(|axis| plane(window, 2 * axis, photons));
         places(photons, WORDS_NOWHERE, corner, |axis, lane| {
             i16::from_le_bytes([planes[axis][2 * lane], planes[axis][2 * lane + 1]])
         })

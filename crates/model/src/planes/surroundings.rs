@@ -15,6 +15,8 @@ pub(super) struct Seen {
     /// distance to a photon of the leaf may be 0.
     pub low: [u16; 3],
     pub high: [u16; 3],
+    /// A bit for each axis on which all its photons are alike.
+    pub flat: u8,
 }
 
 impl Seen {
@@ -33,6 +35,7 @@ impl Seen {
             offset: offset.map(|blocks| blocks as u8),
             low,
             high,
+            flat: leaf.flat(format.position_bits),
         }
     }
 }

@@ -20,13 +20,15 @@ pub(super) struct Opened<L: Lanes, P: Positions<L>, const PLANES: usize> {
 pub(super) struct Tray<L: Lanes, P: Positions<L>, const PLANES: usize> {
     pub leaves: Vec<Opened<L, P, PLANES>>,
     pub boxes: Boxes,
+    /// The order of the axes.
+    pub axes: [usize; 3],
 }
 
 impl<L: Lanes, P: Positions<L>, const PLANES: usize> Tray<L, P, PLANES> {
     #[inline(always)]
     pub fn new(shift: u32, largest: u32) -> Self {
         Self {
-            leaves: Vec::with_capacity(TRAY),
+            leaves: Vec::new(),
             boxes: Boxes {
                 low: [[0; TRAY]; 3],
                 high: [[0; TRAY]; 3],
@@ -34,13 +36,23 @@ impl<L: Lanes, P: Positions<L>, const PLANES: usize> Tray<L, P, PLANES> {
                 // Less than 2^16: a radius has 8 bits after the shift.
                 largest: (largest >> (2 * shift)) as u16,
             },
+            axes: [0, 1, 2],
         }
     }
 
-    /// Lays out up to [`TRAY`] leaves in place of those that were there.
+    /// Lays out up to [`TRAY`] leaves in place of those that were there, with the axes in this order.
     #[inline(always)]
-    pub fn lay(&mut self, lanes: L, planes: &PhotonPlanes, frame: &Frame, seen: &[Seen]) {
+    pub fn lay(
+        &mut self,
+        lanes: L,
+        planes: &PhotonPlanes,
+        frame: &Frame,
+        axes: [usize; 3],
+        seen: &[Seen],
+    ) {
+        self.axes = axes;
         self.leaves.clear();
+        self.leaves.reserve(TRAY);
         for (index, seen) in seen.iter().enumerate().take(TRAY) {
             let photons = usize::from(seen.leaf.photons);
             let window = planes.window(&seen.leaf);
@@ -49,7 +61,13 @@ impl<L: Lanes, P: Positions<L>, const PLANES: usize> Tray<L, P, PLANES> {
                 *mantissas = lanes.mantissas(plane(window, 3 * P::BYTES + index, photons));
             }
             self.leaves.push(Opened {
-                positions: P::photons(lanes, window, photons, frame.corner(seen.offset)),
+                positions: P::photons(
+                    lanes,
+                    window,
+                    photons,
+                    axes,
+                    ordered(frame.corner(seen.offset), axes),
+                ),
                 mantissas,
                 photons: photons as u64,
             });
@@ -67,4 +85,10 @@ impl<L: Lanes, P: Positions<L>, const PLANES: usize> Tray<L, P, PLANES> {
             .checked_shr((TRAY - self.leaves.len()) as u32)
             .unwrap_or(0)
     }
+}
+
+/// What is on each axis, in this order.
+#[inline(always)]
+pub(super) fn ordered(on: [i16; 3], axes: [usize; 3]) -> [i16; 3] {
+    [on[axes[0]], on[axes[1]], on[axes[2]]]
 }
