@@ -97,6 +97,24 @@ impl Lanes for V3 {
     }
 
     #[inline(always)]
+    fn totals(self, [a, b, c]: [__m256i; 3], count: __m256i) -> ([u32; 3], u32) {
+        let (avx2, zero) = (self.avx2, self.avx._mm256_setzero_si256());
+        let ones = self.avx._mm256_set1_epi16(1);
+        let a = avx2._mm256_madd_epi16(a, ones);
+        let b = avx2._mm256_madd_epi16(b, ones);
+        let c = avx2._mm256_madd_epi16(c, ones);
+        let count = avx2._mm256_sad_epu8(count, zero);
+        // Neighbours are added twice; then both halves have one word of each.
+        let ab = avx2._mm256_hadd_epi32(a, b);
+        let cd = avx2._mm256_hadd_epi32(c, count);
+        let all = avx2._mm256_hadd_epi32(ab, cd);
+        let low = self.avx._mm256_castsi256_si128(all);
+        let high = avx2._mm256_extracti128_si256::<1>(all);
+        let [a, b, c, count]: [u32; 4] = cast(self.sse2._mm_add_epi32(low, high));
+        ([a, b, c], count)
+    }
+
+    #[inline(always)]
     fn touched(self, boxes: &Boxes, query: [u16; 3]) -> u32 {
         let zero = self.avx._mm256_setzero_si256();
         let (mut first, mut second) = ([zero; 3], [zero; 3]);

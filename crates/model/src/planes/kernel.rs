@@ -117,13 +117,33 @@ impl<L: Lanes, P: Positions<L>, const PLANES: usize> Tray<L, P, PLANES> {
             tests += leaf.photons;
         }
         found.tests += tests;
-        found.sums.count += u64::from(lanes.count(count));
+        let (totals, count) = totals(lanes, sums, count);
+        found.sums.count += u64::from(count);
         let bytes_each = if PLANES.is_multiple_of(2) { 2 } else { 1 };
-        for (index, sum) in sums.into_iter().enumerate() {
+        for (index, total) in totals.into_iter().enumerate() {
             let (channel, byte) = (index / bytes_each, index % bytes_each);
             // A tray's sum has 18 bits, and an exponent is 24 at most.
-            let total = u64::from(lanes.total(sum)) << (usize::from(exponent) + 8 * byte);
+            let total = u64::from(total) << (usize::from(exponent) + 8 * byte);
             found.sums.power[channel] += u128::from(total);
         }
     }
+}
+
+/// The totals of all sums, and the count.
+#[inline(always)]
+fn totals<L: Lanes, const PLANES: usize>(
+    lanes: L,
+    sums: [L::Sum; PLANES],
+    count: L::Count,
+) -> ([u32; PLANES], u32) {
+    let mut totals = [0; PLANES];
+    if let [a, b, c] = sums[..] {
+        let (three, count) = lanes.totals([a, b, c], count);
+        totals.copy_from_slice(&three);
+        return (totals, count);
+    }
+    for (total, sum) in totals.iter_mut().zip(sums) {
+        *total = lanes.total(sum);
+    }
+    (totals, lanes.count(count))
 }

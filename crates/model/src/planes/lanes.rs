@@ -49,6 +49,9 @@ pub(super) trait Lanes: Copy {
 
     fn total(self, sum: Self::Sum) -> u32;
 
+    /// Three totals and the count, for which there may be a shorter way.
+    fn totals(self, sums: [Self::Sum; 3], count: Self::Count) -> ([u32; 3], u32);
+
     /// A bit for each leaf of the tray that the sphere of the query at `query` in the frame may touch: for
     /// all that it does, and for few others.
     fn touched(self, boxes: &Boxes, query: [u16; 3]) -> u32;

@@ -86,6 +86,12 @@ impl Lanes for Portable {
     }
 
     #[inline(always)]
+    fn totals(self, [a, b, c]: [[u16; WORDS]; 3], count: [u16; WORDS]) -> ([u32; 3], u32) {
+        let sums = [self.total(a), self.total(b), self.total(c)];
+        (sums, self.count(count))
+    }
+
+    #[inline(always)]
     fn touched(self, boxes: &Boxes, query: [u16; 3]) -> u32 {
         let mut sums = [0_u16; TRAY];
         for axis in 0..3 {

@@ -273,6 +273,7 @@ impl PhotonMap {
 
     /// The block that `position` is in, by its place on each axis of the grid, and how far into it the
     /// position lies, 0 to 1 of its edge.
+    #[inline]
     pub(crate) fn place(&self, position: DVec3) -> (I64Vec3, DVec3) {
         let place = self.in_blocks(position);
         let (block, corner) = floors(place);
