@@ -52,7 +52,7 @@ impl<L: Lanes, P: Positions<L>, const PLANES: usize> Tray<L, P, PLANES> {
     ) {
         self.axes = axes;
         self.leaves.clear();
-        self.leaves.reserve(TRAY);
+        self.leaves.reserve(seen.len());
         for (index, seen) in seen.iter().enumerate().take(TRAY) {
             let photons = usize::from(seen.leaf.photons);
             let window = planes.window(&seen.leaf);
