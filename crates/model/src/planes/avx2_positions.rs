@@ -181,14 +181,15 @@ impl Positions<V3> for OfBytes {
     #[inline(always)]
     fn in_range(simd: V3, photons: &Places, query: &ByteQuery) -> __m256i {
         let mut in_range = [query.over; 4];
-        for eight in 0..4 {
-            let xy = simd.avx2._mm256_sub_epi16(query.xy, photons.xy[eight]);
-            let z = simd.avx2._mm256_sub_epi16(query.z, photons.z[eight]);
+        let eights = photons.xy.iter().zip(&photons.z);
+        for ((xy, z), in_range) in eights.zip(&mut in_range) {
+            let xy = simd.avx2._mm256_sub_epi16(query.xy, *xy);
+            let z = simd.avx2._mm256_sub_epi16(query.z, *z);
             let sum = simd.avx2._mm256_add_epi32(
                 simd.avx2._mm256_madd_epi16(xy, xy),
                 simd.avx2._mm256_madd_epi16(z, z),
             );
-            in_range[eight] = simd.avx2._mm256_cmpgt_epi32(query.over, sum);
+            *in_range = simd.avx2._mm256_cmpgt_epi32(query.over, sum);
         }
         packed(simd, in_range)
     }
@@ -251,10 +252,10 @@ impl Positions<V3> for OfFlatBytes {
         let z = query.z - photons.z;
         let over = simd.avx._mm256_set1_epi32(query.over - z * z);
         let mut in_range = [over; 4];
-        for eight in 0..4 {
-            let xy = simd.avx2._mm256_sub_epi16(query.xy, photons.xy[eight]);
+        for (xy, in_range) in photons.xy.iter().zip(&mut in_range) {
+            let xy = simd.avx2._mm256_sub_epi16(query.xy, *xy);
             let square = simd.avx2._mm256_madd_epi16(xy, xy);
-            in_range[eight] = simd.avx2._mm256_cmpgt_epi32(over, square);
+            *in_range = simd.avx2._mm256_cmpgt_epi32(over, square);
         }
         packed(simd, in_range)
     }
@@ -344,13 +345,14 @@ impl Positions<V3> for OfWords {
     #[inline(always)]
     fn in_range(simd: V3, photons: &Places, query: &WordQuery) -> __m256i {
         let mut in_range = [query.over; 4];
-        for eight in 0..4 {
-            let xy = distance(simd, query, query.xy, photons.xy[eight]);
-            let z = distance(simd, query, query.z, photons.z[eight]);
+        let eights = photons.xy.iter().zip(&photons.z);
+        for ((xy, z), in_range) in eights.zip(&mut in_range) {
+            let xy = distance(simd, query, query.xy, *xy);
+            let z = distance(simd, query, query.z, *z);
             let sum = simd
                 .avx2
                 ._mm256_add_epi32(squares(simd, query, xy), squares(simd, query, z));
-            in_range[eight] = simd.avx2._mm256_cmpgt_epi32(query.over, sum);
+            *in_range = simd.avx2._mm256_cmpgt_epi32(query.over, sum);
         }
         packed(simd, in_range)
     }

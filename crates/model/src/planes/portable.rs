@@ -94,13 +94,12 @@ impl Lanes for Portable {
     #[inline(always)]
     fn touched(self, boxes: &Boxes, query: [u16; 3]) -> u32 {
         let mut sums = [0_u16; TRAY];
-        for axis in 0..3 {
-            let (low, high) = (&boxes.low[axis], &boxes.high[axis]);
-            for leaf in 0..TRAY {
-                let outside =
-                    low[leaf].saturating_sub(query[axis]) | query[axis].saturating_sub(high[leaf]);
+        let bounds = boxes.low.iter().zip(&boxes.high);
+        for ((low, high), query) in bounds.zip(query) {
+            for ((low, high), sum) in low.iter().zip(high).zip(&mut sums) {
+                let outside = low.saturating_sub(query) | query.saturating_sub(*high);
                 let m = (outside >> boxes.shift).min(255);
-                sums[leaf] = sums[leaf].saturating_add(m * m);
+                *sum = sum.saturating_add(m * m);
             }
         }
         let mut touched = 0;
@@ -133,9 +132,9 @@ fn places(
     centre: impl Fn(usize, usize) -> i16,
 ) -> Places {
     let mut places = [[nowhere; LEAF]; 3];
-    for axis in 0..3 {
-        for lane in 0..photons.min(LEAF) {
-            places[axis][lane] = corner[axis] + centre(axis, lane);
+    for (axis, places) in places.iter_mut().enumerate() {
+        for (lane, place) in places.iter_mut().enumerate().take(photons) {
+            *place = corner[axis] + centre(axis, lane);
         }
     }
     places
@@ -219,17 +218,16 @@ fn in_range<const AXES: usize>(
     photons: &Places,
     mut sums: [u16; LEAF],
 ) -> [u16; LEAF] {
-    for axis in 0..AXES {
-        for lane in 0..LEAF {
-            let square = byte_square(query, axis, photons[axis][lane]);
-            sums[lane] = sums[lane].saturating_add(square);
+    for (axis, photons) in photons.iter().enumerate().take(AXES) {
+        for (sum, photon) in sums.iter_mut().zip(photons) {
+            *sum = sum.saturating_add(byte_square(query, axis, *photon));
         }
     }
     // At most 254^2.
     let largest = query.frame.largest as u16;
     let mut in_range = [0; LEAF];
-    for lane in 0..LEAF {
-        in_range[lane] = if sums[lane] <= largest { u16::MAX } else { 0 };
+    for (in_range, sum) in in_range.iter_mut().zip(sums) {
+        *in_range = if sum <= largest { u16::MAX } else { 0 };
     }
     in_range
 }
@@ -265,20 +263,16 @@ impl Positions<Portable> for OfWords {
     #[inline(always)]
     fn in_range(_: Portable, photons: &Places, query: &Query) -> [u16; LEAF] {
         let mut sums = [0_u32; LEAF];
-        for axis in 0..3 {
-            for lane in 0..LEAF {
-                let m = query.frame.distance(query.place[axis], photons[axis][lane]);
-                let m = u32::from(m.min(Frame::FURTHEST));
-                sums[lane] += m * (m + query.frame.half() as u32);
+        let frame = &query.frame;
+        for (photons, place) in photons.iter().zip(query.place) {
+            for (sum, photon) in sums.iter_mut().zip(photons) {
+                let m = u32::from(frame.distance(place, *photon).min(Frame::FURTHEST));
+                *sum += m * (m + frame.half() as u32);
             }
         }
         let mut in_range = [0; LEAF];
-        for lane in 0..LEAF {
-            in_range[lane] = if sums[lane] <= query.frame.largest {
-                u16::MAX
-            } else {
-                0
-            };
+        for (in_range, sum) in in_range.iter_mut().zip(sums) {
+            *in_range = if sum <= frame.largest { u16::MAX } else { 0 };
         }
         in_range
     }
