@@ -112,6 +112,7 @@ impl Contestant for FixedPoint<'_> {
                     queries: 1,
                     power: self.map.flux(query.sums.power),
                     count: query.sums.count,
+                    candidates: query.photons,
                     tests: query.tests,
                 };
             }

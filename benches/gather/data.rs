@@ -1,6 +1,6 @@
 //! What is measured on: photons of equal power on a floor, and queries where they are.
 
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 use photoncube_render::{Facing, FormatMap, Photon, PhotonMap, QueryPoint, Scene};
 use photoncube_spec::PhotonFormat;
 use rand::{RngExt, SeedableRng};
@@ -18,22 +18,32 @@ pub enum Light {
     /// Half of them on a caustic: the nephroid that a round mirror makes, as thin as a hundredth of the
     /// floor's edge.
     Caustic,
+    /// As uniform, on a floor that lies along no axis.
+    Tilted,
 }
 
 impl Light {
-    pub const ALL: [Self; 2] = [Self::Uniform, Self::Caustic];
-
     pub fn name(self) -> &'static str {
         match self {
             Self::Uniform => "uniform",
             Self::Caustic => "caustic",
+            Self::Tilted => "tilted",
+        }
+    }
+
+    /// How the floor lies.
+    fn tilt(self) -> DQuat {
+        match self {
+            Self::Uniform | Self::Caustic => DQuat::IDENTITY,
+            // Any direction and angle away from the axes.
+            Self::Tilted => DQuat::from_axis_angle(DVec3::new(1.0, 2.0, 3.0).normalize(), 0.6),
         }
     }
 
     fn place(self, rng: &mut Pcg64Mcg) -> DVec3 {
         let anywhere = DVec3::new(rng.random(), 0.0, rng.random());
-        if self == Self::Uniform || rng.random::<bool>() {
-            return anywhere;
+        if self != Self::Caustic || rng.random::<bool>() {
+            return self.tilt() * anywhere;
         }
         // Nephroid of a unit circle's mirror, over 3 to fit the floor.
         let t = rng.random::<f64>() * std::f64::consts::TAU;
@@ -47,19 +57,45 @@ impl Light {
     }
 }
 
-/// One set of photons and queries.
-pub struct Data {
-    light: Light,
+/// What is to be measured on.
+#[derive(Debug, Clone, Copy)]
+pub struct Workload {
+    /// What its name starts with.
+    pub title: &'static str,
+    pub light: Light,
+    pub photons: usize,
     /// Photons that a query has in range, on average, to be met within a twentieth.
-    in_range: f64,
+    pub in_range: f64,
+}
+
+impl Workload {
+    pub fn name(&self) -> String {
+        let Self {
+            title,
+            photons,
+            in_range,
+            ..
+        } = self;
+        format!("{title} 1e{} {in_range}", photons.ilog10())
+    }
+}
+
+/// Photons and queries.
+pub struct Data {
     pub map: PhotonMap,
     /// Sorted by the map's blocks.
     pub queries: Vec<QueryPoint>,
 }
 
 impl Data {
-    pub fn new(format: &PhotonFormat, light: Light, photons: usize, in_range: f64) -> Self {
-        let scene = floor();
+    pub fn new(format: &PhotonFormat, workload: &Workload) -> Self {
+        let Workload {
+            light,
+            photons,
+            in_range,
+            ..
+        } = *workload;
+        let scene = floor(light.tilt());
         let mut rng = Pcg64Mcg::seed_from_u64(1);
         let floor = scene.surfaces().iter().position(|s| s.shape == "floor");
         let surface = floor.expect("a floor") as u32;
@@ -76,7 +112,7 @@ impl Data {
         let mut queries: Vec<_> = (0..QUERIES)
             .map(|_| QueryPoint {
                 position: light.place(&mut rng),
-                normal: DVec3::Y,
+                normal: light.tilt() * DVec3::Y,
                 beta: DVec3::ONE,
             })
             .collect();
@@ -88,22 +124,7 @@ impl Data {
         let radius = radius_for(&map, photons, &queries, in_range);
         let map = map(radius);
         map.sort_queries(&mut queries);
-        Self {
-            light,
-            in_range,
-            queries,
-            map,
-        }
-    }
-
-    pub fn name(&self) -> String {
-        let photons = self.map.photons().len();
-        format!(
-            "{} 1e{} {}",
-            self.light.name(),
-            photons.ilog10(),
-            self.in_range
-        )
+        Self { map, queries }
     }
 }
 
@@ -145,12 +166,13 @@ fn radius_for(
 }
 
 /// A floor of one unit by one, and a light above it.
-fn floor() -> Scene {
+fn floor(tilt: DQuat) -> Scene {
     let rgb = |value: f64| json!({"type": "rgb", "value": [value, value, value]});
     let quad = |y: f64, order: [u32; 4]| {
+        let corners = [[0.0, y, 0.0], [1.0, y, 0.0], [1.0, y, 1.0], [0.0, y, 1.0]];
         json!({
             "kind": "quads",
-            "vertices": [[0.0, y, 0.0], [1.0, y, 0.0], [1.0, y, 1.0], [0.0, y, 1.0]],
+            "vertices": corners.map(|corner| (tilt * DVec3::from_array(corner)).to_array()),
             "quads_ccw_outward": [order],
             "bsdf": {"type": "diffuse", "reflectance": rgb(0.5)},
         })

@@ -10,7 +10,10 @@ pub struct Found {
     pub queries: u64,
     pub power: DVec3,
     pub count: u64,
-    /// Photons whose distance was computed; of a tree that does not tell, those in range.
+    /// Photons that were decided about: those of all blocks or cells around; of a tree that does not tell,
+    /// those in range.
+    pub candidates: u64,
+    /// Those whose distance was computed, as the others are known to be out of range.
     pub tests: u64,
 }
 
@@ -35,6 +38,7 @@ impl AddAssign for Found {
         self.queries += other.queries;
         self.power += other.power;
         self.count += other.count;
+        self.candidates += other.candidates;
         self.tests += other.tests;
     }
 }

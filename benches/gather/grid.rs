@@ -165,6 +165,7 @@ impl F32Grid {
             queries: 1,
             power: DVec3::new(total(red), total(green), total(blue)),
             count,
+            candidates: tests,
             tests,
         }
     }

@@ -9,7 +9,7 @@ use photoncube_spec::{PhotonFormat, find_photon_format};
 use rayon::ThreadPoolBuilder;
 
 use crate::contest::{SOME, contestants};
-use crate::data::{Data, Light};
+use crate::data::{Data, Light, Workload};
 use crate::table::{Row, print};
 
 mod contest;
@@ -26,6 +26,9 @@ const FORMAT: &str = "local8-rgb8e5";
 /// Threads of each round.
 const THREADS: [usize; 2] = [1, 2];
 
+/// The argument that measures how time and memory grow with the photons, and what is measured then.
+const SCALING: &str = "scaling";
+
 fn main() {
     let started = SystemTime::now();
     let mut criterion = Criterion::default()
@@ -34,14 +37,15 @@ fn main() {
         .measurement_time(Duration::from_secs(2))
         .configure_from_args();
     let format = find_photon_format(FORMAT).expect("a listed format");
+    let scales = std::env::args().any(|argument| argument.starts_with(SCALING));
+    let (workloads, threads) = if scales {
+        (scaling(), &THREADS[..1])
+    } else {
+        (side_by_side(), &THREADS[..])
+    };
     let mut rows = Vec::new();
-    for light in Light::ALL {
-        for photons in [100_000, 1_000_000] {
-            for in_range in [50.0, 200.0] {
-                let data = Data::new(&format, light, photons, in_range);
-                rows.extend(measure(&mut criterion, &format, &data));
-            }
-        }
+    for workload in &workloads {
+        rows.extend(measure(&mut criterion, &format, workload, threads));
     }
     criterion.final_summary();
     match std::env::var_os("CRITERION_HOME") {
@@ -50,15 +54,63 @@ fn main() {
     }
 }
 
+/// All lights in two sizes and densities; the tilted floor in the largest only.
+fn side_by_side() -> Vec<Workload> {
+    let mut workloads = Vec::new();
+    for light in [Light::Uniform, Light::Caustic] {
+        for photons in [100_000, 1_000_000] {
+            for in_range in [50.0, 200.0] {
+                workloads.push(Workload {
+                    title: light.name(),
+                    light,
+                    photons,
+                    in_range,
+                });
+            }
+        }
+    }
+    workloads.push(Workload {
+        title: Light::Tilted.name(),
+        light: Light::Tilted,
+        photons: 1_000_000,
+        in_range: 200.0,
+    });
+    workloads
+}
+
+/// A hundred times the photons: with as many in range, and with the radius of the one in the middle.
+fn scaling() -> Vec<Workload> {
+    let sizes = [
+        (100_000, 200.0),
+        (1_000_000, 200.0),
+        (10_000_000, 200.0),
+        (100_000, 20.0),
+        (10_000_000, 2000.0),
+    ];
+    let workload = |(photons, in_range)| Workload {
+        title: SCALING,
+        light: Light::Uniform,
+        photons,
+        in_range,
+    };
+    sizes.map(workload).into()
+}
+
 /// All contestants on one set of photons and queries.
-fn measure(criterion: &mut Criterion, format: &PhotonFormat, data: &Data) -> Vec<Row> {
+fn measure(
+    criterion: &mut Criterion,
+    format: &PhotonFormat,
+    workload: &Workload,
+    threads: &[usize],
+) -> Vec<Row> {
     let mut rows = Vec::new();
-    let contestants = contestants(format, data);
+    let data = Data::new(format, workload);
+    let contestants = contestants(format, &data);
     let expected = contestants[0].gather(SOME);
-    for threads in THREADS {
+    for &threads in threads {
         let pool = ThreadPoolBuilder::new().num_threads(threads).build();
         let pool = pool.expect("threads");
-        let mut group = criterion.benchmark_group(data.name());
+        let mut group = criterion.benchmark_group(workload.name());
         group.sampling_mode(SamplingMode::Flat);
         for contestant in &contestants {
             let some = contestant.gather(SOME);
@@ -75,7 +127,7 @@ fn measure(criterion: &mut Criterion, format: &PhotonFormat, data: &Data) -> Vec
                 pool.install(|| bencher.iter(|| black_box(contestant.gather(every))));
             });
             rows.push(Row {
-                data: data.name(),
+                data: workload.name(),
                 contestant: contestant.name(),
                 threads,
                 id,

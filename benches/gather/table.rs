@@ -22,45 +22,87 @@ pub struct Row {
 /// the same data and threads.
 pub fn print(home: &Path, started: SystemTime, rows: &[Row]) {
     println!(
-        "\n| photons, in range | gather | threads | M queries/s | G tests/s | G accepted/s | tests a query \
-         | bytes a photon | tests/s to best peer | queries/s to kiddo | to 1 thread |\n\
-         | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |"
+        "\n| photons, in range | gather | threads | M queries/s | ns a query | candidates a query | tests a query \
+         | G candidates/s | G tests/s | G in range/s | bytes a photon | queries/s to best peer \
+         | tests/s to best peer | queries/s to kiddo | to 1 thread |\n\
+         | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |"
     );
     let timed: Vec<_> = rows
         .iter()
-        .filter_map(|row| Some((row, seconds(home, started, row)?)))
+        .filter_map(|row| {
+            let seconds = seconds(home, started, row)?;
+            Some(Timed { row, seconds })
+        })
         .collect();
-    for (row, time) in &timed {
-        let like = |other: &Row| (&other.data, other.threads) == (&row.data, row.threads);
-        let alike = || timed.iter().filter(|(other, _)| like(other));
-        let tests = |(row, time): &(&Row, f64)| row.found.tests as f64 / time;
-        let peers = alike().filter(|(other, _)| !other.contestant.starts_with("fixed point"));
-        let best = peers.map(tests).reduce(f64::max);
-        let queries = |(row, time): &(&Row, f64)| row.found.queries as f64 / time;
-        let kiddo = alike().find(|(other, _)| other.contestant == "kiddo");
-        let one = timed.iter().find(|(other, _)| {
-            (&other.data, other.contestant, other.threads) == (&row.data, row.contestant, 1)
-        });
-        let rate = |count: f64| count / time;
-        println!(
-            "| {} | {} | {} | {:.2} | {:.2} | {:.3} | {:.0} | {:.2} | {} | {} | {} |",
-            row.data,
-            row.contestant,
-            row.threads,
-            rate(row.found.queries as f64) / 1e6,
-            rate(row.found.tests as f64) / 1e9,
-            rate(row.found.count as f64) / 1e9,
-            row.found.tests as f64 / row.found.queries as f64,
-            row.bytes_per_photon,
-            ratio(best.map(|best| rate(row.found.tests as f64) / best)),
-            ratio(kiddo.map(|other| queries(&(*row, *time)) / queries(other))),
-            ratio(one.map(|(_, other)| other / time)),
-        );
+    for row in &timed {
+        println!("{}", row.line(&timed));
     }
     assert!(
         !timed.is_empty(),
         "nothing was measured: does a filter leave anything?"
     );
+}
+
+/// A row, and the seconds of a gather.
+struct Timed<'a> {
+    row: &'a Row,
+    seconds: f64,
+}
+
+impl Timed<'_> {
+    fn rate(&self, count: u64) -> f64 {
+        count as f64 / self.seconds
+    }
+
+    fn queries(&self) -> f64 {
+        self.rate(self.row.found.queries)
+    }
+
+    fn tests(&self) -> f64 {
+        self.rate(self.row.found.tests)
+    }
+
+    /// Its line in the table, beside what else was measured.
+    fn line(&self, all: &[Self]) -> String {
+        let Row {
+            data,
+            contestant,
+            threads,
+            found,
+            bytes_per_photon,
+            ..
+        } = self.row;
+        let alike = || all.iter().filter(|other| other.row.is_beside(self.row));
+        let peers = || alike().filter(|other| !other.row.contestant.starts_with("fixed point"));
+        let best = |rate: fn(&Self) -> f64| peers().map(rate).reduce(f64::max);
+        let kiddo = peers().find(|other| other.row.contestant == "kiddo");
+        let one = all.iter().find(|other| {
+            (&other.row.data, other.row.contestant, other.row.threads) == (data, *contestant, 1)
+        });
+        let a_query = |count: u64| count as f64 / found.queries as f64;
+        format!(
+            "| {data} | {contestant} | {threads} | {:.2} | {:.0} | {:.0} | {:.0} | {:.2} | {:.2} | {:.3} \
+             | {bytes_per_photon:.2} | {} | {} | {} | {} |",
+            self.queries() / 1e6,
+            1e9 / self.queries(),
+            a_query(found.candidates),
+            a_query(found.tests),
+            self.rate(found.candidates) / 1e9,
+            self.tests() / 1e9,
+            self.rate(found.count) / 1e9,
+            ratio(best(Self::queries).map(|best| self.queries() / best)),
+            ratio(best(Self::tests).map(|best| self.tests() / best)),
+            ratio(kiddo.map(|other| self.queries() / other.queries())),
+            ratio(one.map(|one| self.queries() / one.queries())),
+        )
+    }
+}
+
+impl Row {
+    /// Whether both are on the same photons, queries and threads.
+    fn is_beside(&self, other: &Self) -> bool {
+        (&self.data, self.threads) == (&other.data, other.threads)
+    }
 }
 
 fn ratio(ratio: Option<f64>) -> String {

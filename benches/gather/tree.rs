@@ -53,6 +53,7 @@ impl Tree {
                 queries: 1,
                 power: power.as_dvec3(),
                 count,
+                candidates: count,
                 tests: count,
             };
         }

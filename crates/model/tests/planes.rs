@@ -99,13 +99,19 @@ fn run(format: PhotonFormat) -> impl Strategy<Value = Run> {
         _ => 0,
     };
     let records = prop::collection::vec(record(format), 0..3 * LEAF);
-    (prop::array::uniform3(0_u32..3), 0..=largest, records).prop_map(
-        |(offset, exponent, records)| Run {
+    // On a wall along two axes, or on none.
+    let wall = prop::option::of((0_usize..3, 0..=ones(format.position_bits)));
+    let offset = prop::array::uniform3(0_u32..3);
+    (offset, 0..=largest, records, wall).prop_map(|(offset, exponent, mut records, wall)| {
+        if let Some((axis, cell)) = wall {
+            records.iter_mut().for_each(|r| r.position[axis] = cell);
+        }
+        Run {
             offset,
             exponent,
             records,
-        },
-    )
+        }
+    })
 }
 
 fn scene() -> impl Strategy<Value = Scene> {

@@ -67,24 +67,27 @@ impl FormatMap<'_> {
         instructions: Instructions,
         queries: &[QueryPoint],
         radius_sq: u32,
-        mut found: &mut [Gathered],
+        found: &mut [Gathered],
     ) -> Result<(), LocalError> {
-        let (mut around, mut local) = (Surroundings::default(), Vec::new());
-        let placed = |query: &QueryPoint| {
+        let mut around = Surroundings::default();
+        let mut blocks = Vec::with_capacity(queries.len());
+        let mut local = Vec::with_capacity(queries.len());
+        for query in queries {
             let (block, fraction) = self.map().place(query.position);
-            (block, query.normal, self.query_at(fraction))
-        };
-        let placed: Vec<_> = queries.iter().map(placed).collect();
-        for together in placed.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
-            let (block, normal, _) = together[0];
+            blocks.push(block);
+            local.push(self.query_at(fraction));
+        }
+        let mut first = 0;
+        while first < queries.len() {
+            let (block, normal) = (blocks[first], queries[first].normal);
+            let alike = |place: &usize| blocks[*place] == block && queries[*place].normal == normal;
+            let end = first + (first..queries.len()).take_while(alike).count();
             let runs = self.map().around(block, normal);
             around.set(self.planes(), runs.map(|run| (run.offset, run.run)));
-            local.clear();
-            local.extend(together.iter().map(|(.., query)| *query));
-            let (here, rest) = found.split_at_mut(together.len());
+            let (here, found) = (&local[first..end], &mut found[first..end]);
             self.planes()
-                .gather_by(instructions, &around, &local, radius_sq, here)?;
-            found = rest;
+                .gather_by(instructions, &around, here, radius_sq, found)?;
+            first = end;
         }
         Ok(())
     }

@@ -137,10 +137,9 @@ impl<'a> FormatMap<'a> {
     }
 
     /// The flux that sums of power stand for.
+    #[inline]
     #[must_use]
     pub fn flux(&self, power: [u128; 3]) -> DVec3 {
-        // Most sums fit 64 bits, from which processors convert by themselves; to the same.
-        let float = |sum| u64::try_from(sum).map_or_else(|_| sum as f64, |sum| sum as f64);
         self.scale.flux(DVec3::from(power.map(float)))
     }
 
@@ -246,6 +245,19 @@ impl<'a> FormatMap<'a> {
     fn block_exponent(&self, photon: usize) -> u8 {
         exponent_of(&self.blocks, photon)
     }
+}
+
+/// The nearest number. Most sums fit 63 bits, from which processors convert by themselves, and to the same.
+#[inline]
+fn float(sum: u128) -> f64 {
+    i64::try_from(sum).map_or_else(|_| long_float(sum), |sum| sum as f64)
+}
+
+/// Out of line, or the compiler converts all sums so.
+#[cold]
+#[inline(never)]
+fn long_float(sum: u128) -> f64 {
+    sum as f64
 }
 
 fn exponent_of(blocks: &[Block], photon: usize) -> u8 {

@@ -2,10 +2,10 @@
 
 use photoncube_spec::{LocalQuery, LocalSums};
 
+use super::frame::Frame;
 use super::kernel::Work;
-use super::lanes::Lanes;
+use super::lanes::{Lanes, OfBytes, OfFlatBytes, OfWords, Positions};
 use super::portable::Portable;
-use super::positions::{OfBytes, OfWords, Positions};
 use super::store::PhotonPlanes;
 use super::surroundings::Surroundings;
 use crate::local::LocalError;
@@ -100,21 +100,17 @@ impl PhotonPlanes {
     ) -> Result<(), LocalError> {
         assert_eq!(found.len(), queries.len(), "a place for each query");
         let edge = self.format().edge_steps();
-        for query in queries {
+        let elsewhere = |query: &&LocalQuery| {
+            let [x, y, z] = query.position.map(|at| at.wrapping_sub(edge) < edge);
+            !(x && y && z)
+        };
+        if let Some(query) = queries.iter().find(elsewhere) {
             self.gather.limits().check_query(query)?;
-            let middle = query
-                .position
-                .iter()
-                .all(|at| (edge..2 * edge).contains(at));
-            assert!(
-                middle,
-                "{query:?} is not in the block that the surroundings are of"
-            );
+            panic!("{query:?} is not in the block that the surroundings are of");
         }
         self.gather.limits().check_radius_sq(radius_sq)?;
         self.gather.check_count(around.photons())?;
-        // On half steps d^2 is the sum and 3/4, so nothing is within 0.
-        let Some(largest) = radius_sq.checked_sub(self.format().half_steps().into()) else {
+        let Some(frame) = Frame::new(self.format(), radius_sq) else {
             found.fill(Gathered {
                 photons: around.photons(),
                 ..Gathered::default()
@@ -125,7 +121,7 @@ impl PhotonPlanes {
             planes: self,
             around,
             queries,
-            largest,
+            frame,
             found,
         };
         match instructions.0 {
@@ -142,30 +138,27 @@ impl PhotonPlanes {
 
 impl Work<'_> {
     #[inline(always)]
-    fn by<L: Lanes>(self, lanes: L) {
+    fn by<L: Lanes>(self, lanes: L)
+    where
+        OfBytes: Positions<L>,
+        OfFlatBytes: Positions<L>,
+        OfWords: Positions<L>,
+    {
         if self.planes.layout.wide {
-            self.with_positions::<L, OfWords>(lanes);
+            // Boxes of 8 bits do not tell what is flat.
+            self.with_positions::<L, OfWords, OfWords>(lanes);
         } else {
-            self.with_positions::<L, OfBytes>(lanes);
+            self.with_positions::<L, OfBytes, OfFlatBytes>(lanes);
         }
     }
 
     #[inline(always)]
-    fn with_positions<L: Lanes, P: Positions<L>>(self, lanes: L) {
-        if self.planes.format().half_steps() {
-            self.with_steps::<L, P, true>(lanes);
-        } else {
-            self.with_steps::<L, P, false>(lanes);
-        }
-    }
-
-    #[inline(always)]
-    fn with_steps<L: Lanes, P: Positions<L>, const HALF_STEPS: bool>(self, lanes: L) {
+    fn with_positions<L: Lanes, P: Positions<L>, F: Positions<L>>(self, lanes: L) {
         match self.planes.layout.mantissa_planes {
-            1 => self.run::<L, P, HALF_STEPS, 1>(lanes),
-            2 => self.run::<L, P, HALF_STEPS, 2>(lanes),
-            3 => self.run::<L, P, HALF_STEPS, 3>(lanes),
-            6 => self.run::<L, P, HALF_STEPS, 6>(lanes),
+            1 => self.run::<L, P, F, 1>(lanes),
+            2 => self.run::<L, P, F, 2>(lanes),
+            3 => self.run::<L, P, F, 3>(lanes),
+            6 => self.run::<L, P, F, 6>(lanes),
             planes => unreachable!("a channel or three of a byte or two, not {planes} planes"),
         }
     }

@@ -1,194 +1,149 @@
-//! The loop over leaves, queries and photons, for any lanes.
-//!
-//! As in the tile machine the queries stay and the photons come by: a leaf's planes are loaded once for
-//! a batch of queries of one block.
-
-use std::mem;
+//! The loop over leaves and queries, for any lanes.
 
 use photoncube_spec::LocalQuery;
 
+use super::frame::Frame;
 use super::gather::Gathered;
-use super::lanes::{BATCH, Lanes, Meeting};
-use super::leaf::LEAF;
-use super::positions::Positions;
-use super::store::{PhotonPlanes, plane};
+use super::lanes::{Lanes, Positions};
+use super::store::PhotonPlanes;
 use super::surroundings::{Seen, Surroundings};
+use super::tray::{TRAY, Tray, ordered};
 
 /// What is to be gathered.
 pub(super) struct Work<'a> {
     pub planes: &'a PhotonPlanes,
     pub around: &'a Surroundings,
     pub queries: &'a [LocalQuery],
-    /// The largest sum of squares, or half squares, in range.
-    pub largest: u32,
+    pub frame: Frame,
     /// One for each query.
     pub found: &'a mut [Gathered],
 }
 
 impl Work<'_> {
-    /// Gathers every query, by lanes that are known to be there.
+    /// Gathers every query, by lanes that are known to be there; leaves that are flat on one axis by `F`.
     #[inline(always)]
-    pub fn run<L: Lanes, P: Positions<L>, const HALF_STEPS: bool, const PLANES: usize>(
-        self,
-        lanes: L,
-    ) {
-        let edge = self.planes.format().edge_steps();
-        let shift = self.planes.format().radius_bits().saturating_sub(u8::BITS);
-        let mut batch = Batch::<L, P, PLANES> {
-            lanes,
-            axes: [[P::axis(lanes, 0, edge, HALF_STEPS); 3]; BATCH],
-            positions: [[0; BATCH]; 3],
-            sums: [[lanes.no_sum(); PLANES]; BATCH],
-            counts: [lanes.no_count(); BATCH],
-            tests: [0; BATCH],
+    pub fn run<L: Lanes, P: Positions<L>, F: Positions<L>, const PLANES: usize>(self, lanes: L) {
+        let nothing = Gathered {
+            photons: self.around.photons(),
+            ..Gathered::default()
         };
-        for (queries, found) in self.queries.chunks(BATCH).zip(self.found.chunks_mut(BATCH)) {
-            found.fill(Gathered {
-                photons: self.around.photons(),
-                ..Gathered::default()
-            });
-            for (index, query) in queries.iter().enumerate().take(BATCH) {
-                for (axis, position) in query.position.into_iter().enumerate() {
-                    batch.axes[index][axis] = P::axis(lanes, position - edge, edge, HALF_STEPS);
-                    // Less than two edges of 2^14.
-                    batch.positions[axis][index] = position as u16;
-                }
+        self.found.fill(nothing);
+        let shift = self.planes.format().radius_bits().saturating_sub(u8::BITS);
+        let mut tray = Tray::<L, P, PLANES>::new(shift, self.frame.largest);
+        let mut flat_tray = Tray::<L, F, PLANES>::new(shift, self.frame.largest);
+        let mut rest = self.around.seen.as_slice();
+        while !rest.is_empty() {
+            let (here, behind) = rest.split_at(alike(rest));
+            let exponent = here[0].leaf.exponent;
+            // A photon or two are flat by chance, so leaves are not sorted by this.
+            let flat = here.iter().fold(u8::MAX, |flat, seen| flat & seen.flat);
+            let axes = flat_last(flat);
+            if flat == 0 {
+                tray.lay(lanes, self.planes, &self.frame, axes, here);
+                tray.gather_all(lanes, &self.frame, self.queries, exponent, self.found);
+            } else {
+                flat_tray.lay(lanes, self.planes, &self.frame, axes, here);
+                flat_tray.gather_all(lanes, &self.frame, self.queries, exponent, self.found);
             }
-            let present = u32::MAX >> (BATCH - queries.len());
-            let (mut exponent, mut additions) = (0, 0);
-            for seen in &self.around.seen {
-                if seen.leaf.exponent != exponent || additions == L::ADDITIONS {
-                    batch.flush(exponent, found);
-                    (exponent, additions) = (seen.leaf.exponent, 0);
-                }
-                additions += 1;
-                let touched = lanes.touched(&Meeting {
-                    low: seen.low,
-                    high: seen.high,
-                    queries: &batch.positions,
-                    shift,
-                    // Less than 2^16: a radius has 8 bits after the shift.
-                    largest: (self.largest >> (2 * shift)) as u16,
-                });
-                let touched = touched & present;
-                if touched == 0 {
-                    continue;
-                }
-                let (planes, largest) = (self.planes, self.largest);
-                match seen.inside {
-                    0 => batch.meet::<HALF_STEPS, 0>(planes, seen, touched, largest),
-                    1 => batch.meet::<HALF_STEPS, 1>(planes, seen, touched, largest),
-                    2 => batch.meet::<HALF_STEPS, 2>(planes, seen, touched, largest),
-                    _ => batch.meet::<HALF_STEPS, 3>(planes, seen, touched, largest),
-                }
-            }
-            batch.flush(exponent, found);
+            rest = behind;
         }
     }
 }
 
-/// The queries that meet leaves together, by their place in the batch.
-struct Batch<L: Lanes, P: Positions<L>, const PLANES: usize> {
-    lanes: L,
-    axes: [[P::Axis; 3]; BATCH],
-    /// By axis.
-    positions: [[u16; BATCH]; 3],
-    /// Since the last flush.
-    sums: [[L::Sum; PLANES]; BATCH],
-    counts: [L::Count; BATCH],
-    tests: [u64; BATCH],
+/// The axes, one of these last if there is any.
+fn flat_last(flat: u8) -> [usize; 3] {
+    match flat.trailing_zeros() {
+        0 => [1, 2, 0],
+        1 => [0, 2, 1],
+        _ => [0, 1, 2],
+    }
 }
 
-impl<L: Lanes, P: Positions<L>, const PLANES: usize> Batch<L, P, PLANES> {
-    /// Tests the photons of a leaf, whose block is in the middle on `INSIDE` axes, against the queries whose
-    /// bits are set.
+/// How many of the first leaves go on one tray: those of one exponent, as each is summed up by itself.
+fn alike(seen: &[Seen]) -> usize {
+    let exponent = seen[0].leaf.exponent;
+    let alike = seen.iter().take(TRAY);
+    alike
+        .take_while(|seen| seen.leaf.exponent == exponent)
+        .count()
+}
+
+impl<L: Lanes, P: Positions<L>, const PLANES: usize> Tray<L, P, PLANES> {
     #[inline(always)]
-    fn meet<const HALF_STEPS: bool, const INSIDE: usize>(
-        &mut self,
-        planes: &PhotonPlanes,
-        seen: &Seen,
-        mut touched: u32,
-        largest: u32,
+    fn gather_all(
+        &self,
+        lanes: L,
+        frame: &Frame,
+        queries: &[LocalQuery],
+        exponent: u8,
+        found: &mut [Gathered],
     ) {
-        let lanes = self.lanes;
-        let photons = usize::from(seen.leaf.photons).min(LEAF);
-        let window = planes.window(&seen.leaf);
-        let edge = planes.format().edge_steps();
-        let order = [
-            usize::from(seen.axes[0]) % 3,
-            usize::from(seen.axes[1]) % 3,
-            usize::from(seen.axes[2]) % 3,
-        ];
-        let [a, b, c] = seen.sides;
-        let centres = [
-            P::centres(lanes, window, photons, order[0], a, edge),
-            P::centres(lanes, window, photons, order[1], b, edge),
-            P::centres(lanes, window, photons, order[2], c, edge),
-        ];
-        let ones = lanes.ones(photons);
-        let mut mantissas = [lanes.mantissas(plane(window, 3 * P::BYTES, photons)); PLANES];
-        for (index, mantissas) in mantissas.iter_mut().enumerate() {
-            *mantissas = lanes.mantissas(plane(window, 3 * P::BYTES + index, photons));
+        let present = self.present();
+        for (query, found) in queries.iter().zip(found) {
+            // Less than two edges of 2^14.
+            let position = [
+                query.position[0] as u16,
+                query.position[1] as u16,
+                query.position[2] as u16,
+            ];
+            let touched = lanes.touched(&self.boxes, position) & present;
+            let place = ordered(frame.place(query.position), self.axes);
+            let query = P::query(lanes, frame, place);
+            self.gather(lanes, &query, touched, exponent, found);
         }
+    }
+
+    /// Adds the photons in range of the leaves whose bits are set to what a query found.
+    #[inline(always)]
+    fn gather(
+        &self,
+        lanes: L,
+        query: &P::Query,
+        mut touched: u32,
+        exponent: u8,
+        found: &mut Gathered,
+    ) {
+        let mut sums = [lanes.no_sum(); PLANES];
+        let mut count = lanes.no_count();
+        let mut tests = 0;
         while touched != 0 {
-            let query = touched.trailing_zeros() as usize % BATCH;
+            let leaf = &self.leaves[touched.trailing_zeros() as usize];
             touched &= touched - 1;
-            let axes = &self.axes[query];
-            let mut m = centres;
-            for place in 0..3 {
-                let (axis, centres) = (&axes[order[place]], centres[place]);
-                m[place] = if place < INSIDE {
-                    P::inside(lanes, axis, centres)
-                } else {
-                    P::outside(lanes, axis, seen.sides[place], centres)
-                };
-            }
-            let in_range = P::in_range::<HALF_STEPS>(lanes, m, largest, ones);
-            self.counts[query] = lanes.add_count(self.counts[query], in_range);
-            for (sum, mantissas) in self.sums[query].iter_mut().zip(mantissas) {
+            let in_range = P::in_range(lanes, &leaf.positions, query);
+            count = lanes.add_count(count, in_range);
+            for (sum, mantissas) in sums.iter_mut().zip(&leaf.mantissas) {
                 *sum = lanes.add(*sum, in_range, mantissas);
             }
-            self.tests[query] += photons as u64;
+            tests += leaf.photons;
         }
-    }
-
-    /// Adds the sums of one exponent to what was found, and starts anew.
-    #[inline(always)]
-    fn flush(&mut self, exponent: u8, found: &mut [Gathered]) {
-        let lanes = self.lanes;
+        found.tests += tests;
+        let (totals, count) = totals(lanes, sums, count);
+        found.sums.count += u64::from(count);
         let bytes_each = if PLANES.is_multiple_of(2) { 2 } else { 1 };
-        let since = self
-            .sums
-            .iter_mut()
-            .zip(&mut self.counts)
-            .zip(&mut self.tests);
-        for (((sums, counts), tests), found) in since.zip(found) {
-            let count = lanes.count(*counts);
-            *counts = lanes.no_count();
-            found.sums.count += count;
-            found.tests += mem::take(tests);
-            for (index, sum) in sums.iter_mut().enumerate() {
-                let total = lanes.total(*sum, count);
-                let (channel, byte) = (index / bytes_each, index % bytes_each);
-                // An exponent is 24 at most, and sums are of so few leaves that this fits.
-                let total = total << (usize::from(exponent) + 8 * byte);
-                found.sums.power[channel] += u128::from(total);
-                *sum = lanes.no_sum();
-            }
+        for (index, total) in totals.into_iter().enumerate() {
+            let (channel, byte) = (index / bytes_each, index % bytes_each);
+            // A tray's sum has 18 bits, and an exponent is 24 at most.
+            let total = u64::from(total) << (usize::from(exponent) + 8 * byte);
+            found.sums.power[channel] += u128::from(total);
         }
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::super::store::Window;
-    use super::*;
-
-    /// What [`plane`] is given, at most, stays in a window.
-    #[test]
-    fn the_last_plane_is_in_the_window() {
-        let window: &Window = &std::array::from_fn(|byte| byte as u8);
-        let last: &[u8; LEAF] = plane(window, 11, LEAF);
-        assert_eq!(usize::from(last[0]), 11 * LEAF % 256);
+/// The totals of all sums, and the count.
+#[inline(always)]
+fn totals<L: Lanes, const PLANES: usize>(
+    lanes: L,
+    sums: [L::Sum; PLANES],
+    count: L::Count,
+) -> ([u32; PLANES], u32) {
+    let mut totals = [0; PLANES];
+    if let [a, b, c] = sums[..] {
+        let (three, count) = lanes.totals([a, b, c], count);
+        totals.copy_from_slice(&three);
+        return (totals, count);
     }
+    for (total, sum) in totals.iter_mut().zip(sums) {
+        *total = lanes.total(sum);
+    }
+    (totals, lanes.count(count))
 }

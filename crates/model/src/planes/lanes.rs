@@ -1,7 +1,9 @@
-//! What the kernel does with all photons of a leaf, or with all queries of a batch, at a time.
+//! What the kernel does with all photons of a leaf, or with all leaves of a tray, at a time.
 
-use super::axis::{Axis, Side};
+use super::frame::Frame;
 use super::leaf::LEAF;
+use super::store::Window;
+use super::tray::TRAY;
 
 /// A byte for each photon of a leaf.
 pub(super) type Bytes = [u8; LEAF];
@@ -9,105 +11,86 @@ pub(super) type Bytes = [u8; LEAF];
 /// Two bytes for each photon of a leaf, little end first.
 pub(super) type Words = [u8; 2 * LEAF];
 
-/// Queries that meet a leaf together.
-pub(super) const BATCH: usize = 32;
-
-/// A leaf's box against the queries of a batch, in fine steps of the frame.
+/// The boxes of a tray's leaves: on each axis the lowest and the highest query, in fine steps of the
+/// frame, for which the distance to a photon of the leaf may be 0.
 #[derive(Copy, Clone, Debug)]
-pub(super) struct Meeting<'a> {
-    /// On each axis the lowest and the highest query for which the distance to a photon may be 0.
-    pub low: [u16; 3],
-    pub high: [u16; 3],
-    pub queries: &'a [[u16; BATCH]; 3],
+pub(super) struct Boxes {
+    pub low: [[u16; TRAY]; 3],
+    pub high: [[u16; TRAY]; 3],
     /// Low bits of a distance that are left out, so that a square fits 16 bits.
     pub shift: u32,
     /// The largest sum of such squares that may be in range.
     pub largest: u16,
 }
 
-/// One set of instructions. In lanes past a leaf's photons there is anything, which [`Self::ones`] takes
-/// out.
+/// One set of instructions.
 pub(super) trait Lanes: Copy {
-    /// A byte for each photon.
-    type Bytes: Copy;
-    /// Two bytes for each photon.
-    type Words: Copy;
+    /// For each photon whether it is in range.
+    type Mask: Copy;
     /// A mantissa byte for each photon.
     type Mantissas: Copy;
-    /// An axis for centres of a byte.
-    type ByteAxis: Copy;
-    /// An axis for centres of two.
-    type WordAxis: Copy;
-    /// The mantissa bytes of those in range, of up to [`Self::ADDITIONS`] leaves.
+    /// The mantissa bytes of those in range, of up to a tray of leaves.
     type Sum: Copy;
-    /// How many are in range.
+    /// How many are in range, of up to a tray of leaves.
     type Count: Copy;
 
-    /// Leaves that a sum holds, so that it is below 2^32.
-    const ADDITIONS: usize;
-
-    fn byte_axis(self, axis: Axis<u8>) -> Self::ByteAxis;
-
-    fn word_axis(self, axis: Axis<u16>) -> Self::WordAxis;
-
-    fn bytes(self, bytes: &Bytes) -> Self::Bytes;
-
-    fn words(self, words: &Words) -> Self::Words;
-
     fn mantissas(self, bytes: &Bytes) -> Self::Mantissas;
-
-    /// 1 for each of the first `photons`.
-    fn ones(self, photons: usize) -> Self::Bytes;
-
-    /// `largest` less each byte.
-    fn bytes_from(self, largest: u8, bytes: Self::Bytes) -> Self::Bytes;
-
-    /// `largest` less each word.
-    fn words_from(self, largest: u16, words: Self::Words) -> Self::Words;
-
-    /// The m of centres in the middle block.
-    fn bytes_inside(self, axis: &Self::ByteAxis, centres: Self::Bytes) -> Self::Bytes;
-
-    /// The m of centres in another.
-    fn bytes_outside(self, axis: &Self::ByteAxis, side: Side, centres: Self::Bytes) -> Self::Bytes;
-
-    /// The m of centres in the middle block.
-    fn words_inside(self, axis: &Self::WordAxis, centres: Self::Words) -> Self::Words;
-
-    /// The m of centres in another.
-    fn words_outside(self, axis: &Self::WordAxis, side: Side, centres: Self::Words) -> Self::Words;
-
-    /// Those of `ones` whose sum of squares, or of half squares, is at most `largest`, which is
-    /// below 2^16 - 1; sums saturate there.
-    fn bytes_in_range<const HALF_STEPS: bool>(
-        self,
-        m: [Self::Bytes; 3],
-        largest: u16,
-        ones: Self::Bytes,
-    ) -> Self::Bytes;
-
-    /// The same in words: m saturates at 2^14 - 1, and sums are below 2^31.
-    fn words_in_range<const HALF_STEPS: bool>(
-        self,
-        m: [Self::Words; 3],
-        largest: u32,
-        ones: Self::Bytes,
-    ) -> Self::Bytes;
 
     fn no_sum(self) -> Self::Sum;
 
     fn no_count(self) -> Self::Count;
 
-    /// The sum and the mantissas where `in_range` is 1.
-    fn add(self, sum: Self::Sum, in_range: Self::Bytes, mantissas: Self::Mantissas) -> Self::Sum;
+    /// The sum and the mantissas of those in range.
+    fn add(self, sum: Self::Sum, in_range: Self::Mask, mantissas: &Self::Mantissas) -> Self::Sum;
 
-    fn add_count(self, count: Self::Count, in_range: Self::Bytes) -> Self::Count;
+    fn add_count(self, count: Self::Count, in_range: Self::Mask) -> Self::Count;
 
-    fn count(self, count: Self::Count) -> u64;
+    fn count(self, count: Self::Count) -> u32;
 
-    /// A sum, of `count` photons in range.
-    fn total(self, sum: Self::Sum, count: u64) -> u64;
+    fn total(self, sum: Self::Sum) -> u32;
 
-    /// A bit for each query whose sphere may touch the box: for all that do, and for few others.
-    fn touched(self, meeting: &Meeting<'_>) -> u32;
+    /// Three totals and the count, for which there may be a shorter way.
+    fn totals(self, sums: [Self::Sum; 3], count: Self::Count) -> ([u32; 3], u32);
+
+    /// A bit for each leaf of the tray that the sphere of the query at `query` in the frame may touch: for
+    /// all that it does, and for few others.
+    fn touched(self, boxes: &Boxes, query: [u16; 3]) -> u32;
 }
+
+/// How positions stand in the planes, one byte each or two, and how they are tested.
+pub(super) trait Positions<L: Lanes> {
+    /// Bytes of a centre on one axis.
+    const BYTES: usize;
+
+    /// The positions of a leaf's photons, in the frame; in lanes past the last photon what is never in
+    /// range.
+    type Photons: Copy;
+
+    /// A query.
+    type Query: Copy;
+
+    /// The first `photons` of the leaf in `window`, on the axes in this order. On each, a block's lowest
+    /// corner is at `corner`.
+    fn photons(
+        lanes: L,
+        window: &Window,
+        photons: usize,
+        axes: [usize; 3],
+        corner: [i16; 3],
+    ) -> Self::Photons;
+
+    /// The query at `place`, by axis in the same order.
+    fn query(lanes: L, frame: &Frame, place: [i16; 3]) -> Self::Query;
+
+    fn in_range(lanes: L, photons: &Self::Photons, query: &Self::Query) -> L::Mask;
+}
+
+/// Formats of up to 8 bits per radius.
+pub(super) struct OfBytes;
+
+/// The same where all photons of a leaf are alike on the last axis, as those on a wall along the other two: the
+/// distance on it is computed once for all of them.
+pub(super) struct OfFlatBytes;
+
+/// Formats of 9 to 14 bits per radius.
+pub(super) struct OfWords;

@@ -53,6 +53,16 @@ impl Leaf {
         let high = u32::from(self.high[axis]) << shift | ((1 << shift) - 1);
         [low, high]
     }
+
+    /// A bit for each axis on which all photons are in one cell; none where the box is too coarse to tell.
+    pub fn flat(&self, position_bits: u32) -> u8 {
+        if position_bits > BOX_BITS {
+            return 0;
+        }
+        (0..3).fold(0, |flat, axis| {
+            flat | u8::from(self.low[axis] == self.high[axis]) << axis
+        })
+    }
 }
 
 fn bounds(records: &[PhotonRecord], axis: usize) -> [u16; 2] {
@@ -138,6 +148,8 @@ mod tests {
                     for axis in 0..3 {
                         let [low, high] = leaf.cells(axis, bits);
                         prop_assert!((low..=high).contains(&record.position[axis].into()));
+                        let alike = record.position[axis] == held[0].position[axis];
+                        prop_assert!(alike || leaf.flat(bits) >> axis & 1 == 0);
                     }
                 }
             }

@@ -1,168 +1,279 @@
 //! The lanes in plain loops over arrays, which compilers turn into what vector instructions there are.
 
-use super::axis::{Axis, Side};
-use super::lanes::{BATCH, Bytes, Lanes, Meeting, Words};
+use super::frame::Frame;
+use super::lanes::{Boxes, Bytes, Lanes, OfBytes, OfFlatBytes, OfWords, Positions, Words};
 use super::leaf::LEAF;
+use super::store::{Window, plane};
+use super::tray::TRAY;
 
-/// Distances of words saturate here, so that three squares fit 31 bits.
-const LARGEST_WORD: u16 = (1 << 14) - 1;
+/// Where the lanes past the last photon of a format of bytes are: out of range of every query, and
+/// differences do not saturate.
+const BYTES_NOWHERE: i16 = 1 << 14;
+
+/// The same of a format of words, whose distances saturate.
+const WORDS_NOWHERE: i16 = i16::MAX;
+
+/// Sums have as many words as the registers of the processors that this is meant for.
+const WORDS: usize = 8;
 
 #[derive(Copy, Clone, Debug)]
 pub(super) struct Portable;
 
 impl Lanes for Portable {
-    type Bytes = Bytes;
-    type Words = [u16; LEAF];
-    type Mantissas = Bytes;
-    type ByteAxis = Axis<u8>;
-    type WordAxis = Axis<u16>;
-    type Sum = u64;
-    type Count = u64;
-
-    // 2^21 photons of 8 bits, which the kernel shifts up by 32 at most.
-    const ADDITIONS: usize = 1 << 16;
+    /// All ones where a photon is in range.
+    type Mask = [u16; LEAF];
+    type Mantissas = [u16; LEAF];
+    /// Each of the mantissas of every eighth photon.
+    type Sum = [u16; WORDS];
+    type Count = [u16; WORDS];
 
     #[inline(always)]
-    fn byte_axis(self, axis: Axis<u8>) -> Axis<u8> {
-        axis
+    fn mantissas(self, bytes: &Bytes) -> [u16; LEAF] {
+        let mut words = [0; LEAF];
+        for lane in 0..LEAF {
+            words[lane] = bytes[lane].into();
+        }
+        words
     }
 
     #[inline(always)]
-    fn word_axis(self, axis: Axis<u16>) -> Axis<u16> {
-        axis
+    fn no_sum(self) -> [u16; WORDS] {
+        [0; WORDS]
     }
 
     #[inline(always)]
-    fn bytes(self, bytes: &Bytes) -> Bytes {
-        *bytes
+    fn no_count(self) -> [u16; WORDS] {
+        [0; WORDS]
     }
 
     #[inline(always)]
-    fn words(self, words: &Words) -> [u16; LEAF] {
-        std::array::from_fn(|lane| u16::from_le_bytes([words[2 * lane], words[2 * lane + 1]]))
-    }
-
-    #[inline(always)]
-    fn mantissas(self, bytes: &Bytes) -> Bytes {
-        *bytes
-    }
-
-    #[inline(always)]
-    fn ones(self, photons: usize) -> Bytes {
-        std::array::from_fn(|lane| u8::from(lane < photons))
-    }
-
-    #[inline(always)]
-    fn bytes_from(self, largest: u8, bytes: Bytes) -> Bytes {
-        bytes.map(|byte| largest.wrapping_sub(byte))
-    }
-
-    #[inline(always)]
-    fn words_from(self, largest: u16, words: [u16; LEAF]) -> [u16; LEAF] {
-        words.map(|word| largest.wrapping_sub(word))
-    }
-
-    #[inline(always)]
-    fn bytes_inside(self, axis: &Axis<u8>, centres: Bytes) -> Bytes {
-        centres.map(|centre| axis.inside(centre))
-    }
-
-    #[inline(always)]
-    fn bytes_outside(self, axis: &Axis<u8>, side: Side, centres: Bytes) -> Bytes {
-        centres.map(|centre| axis.outside(side, centre))
-    }
-
-    #[inline(always)]
-    fn words_inside(self, axis: &Axis<u16>, centres: [u16; LEAF]) -> [u16; LEAF] {
-        centres.map(|centre| axis.inside(centre))
-    }
-
-    #[inline(always)]
-    fn words_outside(self, axis: &Axis<u16>, side: Side, centres: [u16; LEAF]) -> [u16; LEAF] {
-        centres.map(|centre| axis.outside(side, centre))
-    }
-
-    #[inline(always)]
-    fn bytes_in_range<const HALF_STEPS: bool>(
+    fn add(
         self,
-        m: [Bytes; 3],
-        largest: u16,
-        ones: Bytes,
-    ) -> Bytes {
-        let mut sums = [0_u16; LEAF];
-        for m in m {
-            for (sum, m) in sums.iter_mut().zip(m) {
-                // 255 * 256 at most.
-                let square = u16::from(m) * (u16::from(m) + u16::from(HALF_STEPS));
-                *sum = sum.saturating_add(square);
+        mut sum: [u16; WORDS],
+        in_range: [u16; LEAF],
+        mantissas: &[u16; LEAF],
+    ) -> [u16; WORDS] {
+        for first in (0..LEAF).step_by(WORDS) {
+            for word in 0..WORDS {
+                sum[word] += in_range[first + word] & mantissas[first + word];
             }
         }
-        std::array::from_fn(|lane| ones[lane] & u8::from(sums[lane] <= largest))
-    }
-
-    #[inline(always)]
-    fn words_in_range<const HALF_STEPS: bool>(
-        self,
-        m: [[u16; LEAF]; 3],
-        largest: u32,
-        ones: Bytes,
-    ) -> Bytes {
-        let mut sums = [0_u32; LEAF];
-        for m in m {
-            for (sum, m) in sums.iter_mut().zip(m) {
-                let m = u32::from(m.min(LARGEST_WORD));
-                *sum += m * (m + u32::from(HALF_STEPS));
-            }
-        }
-        std::array::from_fn(|lane| ones[lane] & u8::from(sums[lane] <= largest))
-    }
-
-    #[inline(always)]
-    fn no_sum(self) -> u64 {
-        0
-    }
-
-    #[inline(always)]
-    fn no_count(self) -> u64 {
-        0
-    }
-
-    #[inline(always)]
-    fn add(self, sum: u64, in_range: Bytes, mantissas: Bytes) -> u64 {
-        let added = in_range.iter().zip(mantissas);
-        // 32 bytes fit 16 bits.
-        let added: u16 = added.map(|(is, m)| u16::from(*is) * u16::from(m)).sum();
-        sum + u64::from(added)
-    }
-
-    #[inline(always)]
-    fn add_count(self, count: u64, in_range: Bytes) -> u64 {
-        count + u64::from(in_range.iter().sum::<u8>())
-    }
-
-    #[inline(always)]
-    fn count(self, count: u64) -> u64 {
-        count
-    }
-
-    #[inline(always)]
-    fn total(self, sum: u64, _count: u64) -> u64 {
         sum
     }
 
     #[inline(always)]
-    fn touched(self, meeting: &Meeting<'_>) -> u32 {
-        let mut sums = [0_u16; BATCH];
-        let bounds = meeting.low.into_iter().zip(meeting.high);
-        for ((low, high), queries) in bounds.zip(meeting.queries) {
-            for (sum, query) in sums.iter_mut().zip(queries) {
-                let outside = low.saturating_sub(*query) | query.saturating_sub(high);
-                let m = (outside >> meeting.shift).min(255);
+    fn add_count(self, mut count: [u16; WORDS], in_range: [u16; LEAF]) -> [u16; WORDS] {
+        for first in (0..LEAF).step_by(WORDS) {
+            for word in 0..WORDS {
+                count[word] = count[word].wrapping_sub(in_range[first + word]);
+            }
+        }
+        count
+    }
+
+    #[inline(always)]
+    fn count(self, count: [u16; WORDS]) -> u32 {
+        self.total(count)
+    }
+
+    #[inline(always)]
+    fn total(self, sum: [u16; WORDS]) -> u32 {
+        let mut total = 0;
+        for word in sum {
+            total += u32::from(word);
+        }
+        total
+    }
+
+    #[inline(always)]
+    fn totals(self, [a, b, c]: [[u16; WORDS]; 3], count: [u16; WORDS]) -> ([u32; 3], u32) {
+        let sums = [self.total(a), self.total(b), self.total(c)];
+        (sums, self.count(count))
+    }
+
+    #[inline(always)]
+    fn touched(self, boxes: &Boxes, query: [u16; 3]) -> u32 {
+        let mut sums = [0_u16; TRAY];
+        let bounds = boxes.low.iter().zip(&boxes.high);
+        for ((low, high), query) in bounds.zip(query) {
+            for ((low, high), sum) in low.iter().zip(high).zip(&mut sums) {
+                let outside = low.saturating_sub(query) | query.saturating_sub(*high);
+                let m = (outside >> boxes.shift).min(255);
                 *sum = sum.saturating_add(m * m);
             }
         }
-        let bits = sums.iter().zip(0..);
-        let bits = bits.map(|(sum, bit)| u32::from(*sum <= meeting.largest) << bit);
-        bits.fold(0, |all, bit| all | bit)
+        let mut touched = 0;
+        for (leaf, sum) in sums.iter().enumerate() {
+            touched |= u32::from(*sum <= boxes.largest) << leaf;
+        }
+        touched
+    }
+}
+
+// A word of a sum is that of so many mantissas.
+const _: () = assert!(255 * (LEAF / WORDS) * TRAY <= u16::MAX as usize);
+
+/// Photons by axis.
+type Places = [[i16; LEAF]; 3];
+
+/// A query of any format.
+#[derive(Copy, Clone, Debug)]
+pub(super) struct Query {
+    frame: Frame,
+    place: [i16; 3],
+}
+
+/// The photons of a leaf, `centre` steps from the corner of their block.
+#[inline(always)]
+fn places(
+    photons: usize,
+    nowhere: i16,
+    corner: [i16; 3],
+    centre: impl Fn(usize, usize) -> i16,
+) -> Places {
+    let mut places = [[nowhere; LEAF]; 3];
+    for (axis, places) in places.iter_mut().enumerate() {
+        for (lane, place) in places.iter_mut().enumerate().take(photons) {
+            *place = corner[axis] + centre(axis, lane);
+        }
+    }
+    places
+}
+
+impl Positions<Portable> for OfBytes {
+    const BYTES: usize = 1;
+
+    type Photons = Places;
+    type Query = Query;
+
+    #[inline(always)]
+    fn photons(
+        _: Portable,
+        window: &Window,
+        photons: usize,
+        axes: [usize; 3],
+        corner: [i16; 3],
+    ) -> Places {
+        let planes: [&Bytes; 3] = axes.map(|axis| plane(window, axis, photons));
+        places(photons, BYTES_NOWHERE, corner, |axis, lane| {
+            planes[axis][lane].into()
+        })
+    }
+
+    #[inline(always)]
+    fn query(_: Portable, frame: &Frame, place: [i16; 3]) -> Query {
+        Query {
+            frame: *frame,
+            place,
+        }
+    }
+
+    #[inline(always)]
+    fn in_range(_: Portable, photons: &Places, query: &Query) -> [u16; LEAF] {
+        in_range::<3>(query, photons, [0; LEAF])
+    }
+}
+
+impl Positions<Portable> for OfFlatBytes {
+    const BYTES: usize = 1;
+
+    type Photons = Places;
+    type Query = Query;
+
+    #[inline(always)]
+    fn photons(
+        portable: Portable,
+        window: &Window,
+        photons: usize,
+        axes: [usize; 3],
+        corner: [i16; 3],
+    ) -> Places {
+        <OfBytes as Positions<Portable>>::photons(portable, window, photons, axes, corner)
+    }
+
+    #[inline(always)]
+    fn query(portable: Portable, frame: &Frame, place: [i16; 3]) -> Query {
+        <OfBytes as Positions<Portable>>::query(portable, frame, place)
+    }
+
+    #[inline(always)]
+    fn in_range(_: Portable, photons: &Places, query: &Query) -> [u16; LEAF] {
+        let square = byte_square(query, 2, photons[2][0]);
+        in_range::<2>(query, photons, [square; LEAF])
+    }
+}
+
+/// m^2 or m (m + 1) of a word; a distance of 255 is out of range.
+#[inline(always)]
+fn byte_square(query: &Query, axis: usize, photon: i16) -> u16 {
+    let m = query.frame.distance(query.place[axis], photon);
+    let m = (m as i16).min(255) as u16;
+    m * (m + query.frame.half() as u16)
+}
+
+/// Those for which the sum of these squares and the first axes' is in range; one that saturates is not.
+#[inline(always)]
+fn in_range<const AXES: usize>(
+    query: &Query,
+    photons: &Places,
+    mut sums: [u16; LEAF],
+) -> [u16; LEAF] {
+    for (axis, photons) in photons.iter().enumerate().take(AXES) {
+        for (sum, photon) in sums.iter_mut().zip(photons) {
+            *sum = sum.saturating_add(byte_square(query, axis, *photon));
+        }
+    }
+    // At most 254^2.
+    let largest = query.frame.largest as u16;
+    let mut in_range = [0; LEAF];
+    for (in_range, sum) in in_range.iter_mut().zip(sums) {
+        *in_range = if sum <= largest { u16::MAX } else { 0 };
+    }
+    in_range
+}
+
+impl Positions<Portable> for OfWords {
+    const BYTES: usize = 2;
+
+    type Photons = Places;
+    type Query = Query;
+
+    #[inline(always)]
+    fn photons(
+        _: Portable,
+        window: &Window,
+        photons: usize,
+        axes: [usize; 3],
+        corner: [i16; 3],
+    ) -> Places {
+        let planes: [&Words; 3] = axes.map(|axis| plane(window, 2 * axis, photons));
+        places(photons, WORDS_NOWHERE, corner, |axis, lane| {
+            i16::from_le_bytes([planes[axis][2 * lane], planes[axis][2 * lane + 1]])
+        })
+    }
+
+    #[inline(always)]
+    fn query(_: Portable, frame: &Frame, place: [i16; 3]) -> Query {
+        Query {
+            frame: *frame,
+            place,
+        }
+    }
+
+    #[inline(always)]
+    fn in_range(_: Portable, photons: &Places, query: &Query) -> [u16; LEAF] {
+        let mut sums = [0_u32; LEAF];
+        let frame = &query.frame;
+        for (photons, place) in photons.iter().zip(query.place) {
+            for (sum, photon) in sums.iter_mut().zip(photons) {
+                let m = u32::from(frame.distance(place, *photon).min(Frame::FURTHEST));
+                *sum += m * (m + frame.half() as u32);
+            }
+        }
+        let mut in_range = [0; LEAF];
+        for (in_range, sum) in in_range.iter_mut().zip(sums) {
+            *in_range = if sum <= frame.largest { u16::MAX } else { 0 };
+        }
+        in_range
     }
 }

@@ -2,7 +2,6 @@
 
 use photoncube_spec::PhotonFormat;
 
-use super::axis::Side;
 use super::leaf::Leaf;
 use super::store::{PhotonPlanes, centre};
 
@@ -10,16 +9,14 @@ use super::store::{PhotonPlanes, centre};
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub(super) struct Seen {
     pub leaf: Leaf,
-    /// The axes on which its block is in the middle, then the others.
-    pub axes: [u8; 3],
-    /// On how many its block is in the middle.
-    pub inside: u8,
-    /// How its block lies, in the order of `axes`.
-    pub sides: [Side; 3],
+    /// Its block's place in the frame.
+    pub offset: [u8; 3],
     /// On each axis the lowest and the highest query, in fine steps of the frame, for which the
     /// distance to a photon of the leaf may be 0.
     pub low: [u16; 3],
     pub high: [u16; 3],
+    /// A bit for each axis on which all its photons are alike.
+    pub flat: u8,
 }
 
 impl Seen {
@@ -33,16 +30,12 @@ impl Seen {
             low[axis] = corner + centre(format, first as u16) - u16::from(format.half_steps());
             high[axis] = corner + centre(format, last as u16);
         }
-        let sides = offset.map(Side::of);
-        let mut axes = [0_u8, 1, 2];
-        axes.sort_by_key(|&axis| sides[usize::from(axis)] != Side::Middle);
         Self {
             leaf,
-            axes,
-            inside: sides.iter().filter(|side| **side == Side::Middle).count() as u8,
-            sides: axes.map(|axis| sides[usize::from(axis)]),
+            offset: offset.map(|blocks| blocks as u8),
             low,
             high,
+            flat: leaf.flat(format.position_bits),
         }
     }
 }

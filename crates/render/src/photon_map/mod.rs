@@ -300,10 +300,11 @@ impl PhotonMap {
 
     /// The block that `position` is in, by its place on each axis of the grid, and how far into it the
     /// position lies, 0 to 1 of its edge.
+    #[inline]
     pub(crate) fn place(&self, position: DVec3) -> (I64Vec3, DVec3) {
         let place = self.in_blocks(position);
-        let block = I64Vec3::from_array(place.to_array().map(floor));
-        (block, place - block.as_dvec3())
+        let (block, corner) = floors(place);
+        (block, place - corner)
     }
 
     /// `position` in block edges from the grid's origin. First the difference from the scene, which
@@ -355,8 +356,28 @@ fn key(block: I64Vec3) -> Option<u64> {
     })
 }
 
-/// The largest integer not above `x`. Processors without an instruction for it would call a function;
-/// this is a conversion and a comparison. It saturates, and takes a NaN for 0.
+/// The largest integers not above `x`, and the same as floats. They saturate, and a NaN is taken for 0.
+///
+/// Processors without an instruction for it would call a function, and conversions that saturate take several
+/// steps each; what any block of the grid is at takes neither.
+#[inline]
+fn floors(x: DVec3) -> (I64Vec3, DVec3) {
+    /// Next to it floats are whole numbers, so adding it rounds, and counts in the bits.
+    const SHIFT: f64 = (3_u64 << 51) as f64;
+    const NEAR: DVec3 = DVec3::splat((1_u64 << 50) as f64);
+    if !x.abs().cmplt(NEAR).all() {
+        let floors = I64Vec3::from_array(x.to_array().map(floor));
+        return (floors, floors.as_dvec3());
+    }
+    let nearest = (x + SHIFT) - SHIFT;
+    let above = DVec3::select(nearest.cmpgt(x), DVec3::ONE, DVec3::ZERO);
+    let floors = nearest - above;
+    let bits = (floors + SHIFT).to_array().map(f64::to_bits);
+    let count = |bits: u64| bits as i64 - SHIFT.to_bits() as i64;
+    (I64Vec3::from_array(bits.map(count)), floors)
+}
+
+/// One of [`floors`].
 fn floor(x: f64) -> i64 {
     let truncated = x as i64;
     truncated.saturating_sub((truncated as f64 > x).into())

@@ -18,6 +18,15 @@ pub(super) struct Rows {
     xs: Vec<u32>,
 }
 
+/// The runs of three blocks along x.
+#[derive(Debug, Clone, Default)]
+struct Row {
+    /// The blocks' offsets from the lowest of 27.
+    y: u32,
+    z: u32,
+    runs: Range<usize>,
+}
+
 impl Rows {
     /// The rows of runs in the map's order.
     pub fn of(runs: &[Run]) -> Self {
@@ -45,31 +54,39 @@ impl Rows {
         let last = INDEX_MASK as i64 + 1;
         let near = centre.cmpge(I64Vec3::NEG_ONE).all() && centre.cmple(I64Vec3::splat(last)).all();
         let corner = if near { centre - 1 } else { I64Vec3::MAX - 2 };
-        let slices = (0..3).map(move |z| corner.z + z);
-        slices.flat_map(move |z| self.slice(corner, z))
+        // One level of iterators: what is found for a row is found before.
+        let (rows, count) = self.rows_from(corner);
+        rows.into_iter().take(count).flat_map(move |row| {
+            let xs = &self.xs[row.runs.clone()];
+            let offset = move |x: u32| [(i64::from(x) - corner.x) as u32, row.y, row.z];
+            xs.iter().map(move |x| offset(*x)).zip(row.runs)
+        })
     }
 
-    /// The runs of nine blocks of one slice of the grid.
-    fn slice(&self, corner: I64Vec3, z: i64) -> impl Iterator<Item = ([u32; 3], usize)> {
+    /// The rows of the 27 blocks from `corner` on, and how many there are.
+    fn rows_from(&self, corner: I64Vec3) -> ([Row; 9], usize) {
+        let (mut rows, mut count) = (<[Row; 9]>::default(), 0);
         let [first, last] = within(corner.y);
-        let key = |y: u64| (z as u64) << INDEX_BITS | y;
-        let rows = if (0..=INDEX_MASK as i64).contains(&z) {
+        for z in 0..3 {
+            let at = corner.z.wrapping_add(z);
+            if !(0..=INDEX_MASK as i64).contains(&at) {
+                continue;
+            }
+            let key = |y: u64| (at as u64) << INDEX_BITS | y;
             let start = self.keys.partition_point(|row| *row < key(first));
-            let count = self.keys[start..]
-                .iter()
-                .take_while(|row| **row <= key(last));
-            start..start + count.count()
-        } else {
-            0..0
-        };
-        rows.flat_map(move |row| {
-            let y = (self.keys[row] & INDEX_MASK) as i64;
-            let runs = self.row(row, within(corner.x));
-            runs.map(move |run| {
-                let block = I64Vec3::new(self.xs[run].into(), y, z) - corner;
-                (block.to_array().map(|offset| offset as u32), run)
-            })
-        })
+            for (row, found) in (start..).zip(&self.keys[start..]) {
+                if *found > key(last) {
+                    break;
+                }
+                rows[count] = Row {
+                    y: ((found & INDEX_MASK) as i64 - corner.y) as u32,
+                    z: z as u32,
+                    runs: self.row(row, within(corner.x)),
+                };
+                count += 1;
+            }
+        }
+        (rows, count)
     }
 
     /// The runs of a row between two places on the x axis.

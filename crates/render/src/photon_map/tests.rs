@@ -178,3 +178,24 @@ proptest! {
         let _ = map.candidates(DVec3::new(x, y, z), DVec3::Y).count();
     }
 }
+
+proptest! {
+    /// The short way against the plain one, for every number that there is.
+    #[test]
+    fn floors_are_floors(
+        any in prop::array::uniform3(any::<f64>()),
+        near in prop::array::uniform3(-1e9..1e9),
+        whole in prop::array::uniform3(-1000..1000_i64),
+    ) {
+        let border = [2_f64.powi(50), -(2_f64.powi(50)), 2_f64.powi(50).next_down()];
+        let whole = whole.map(|index| index as f64);
+        let below = whole.map(f64::next_down);
+        for x in [any, near, whole, below, border, [-0.0, f64::NAN, f64::INFINITY]] {
+            for x in [x, [x[0]; 3], [x[1]; 3], [x[2]; 3]] {
+                let (floors, floats) = super::floors(DVec3::from_array(x));
+                prop_assert_eq!(floors.to_array(), x.map(|x| x.floor() as i64));
+                prop_assert_eq!(floats, floors.as_dvec3());
+            }
+        }
+    }
+}

@@ -1,0 +1,359 @@
+//! Distances in AVX2: four registers of eight photons each, as pairs of words that one instruction
+//! squares and adds.
+
+use core::arch::x86_64::__m256i;
+
+use pulp::cast;
+use pulp::x86::V3;
+
+use super::frame::Frame;
+use super::lanes::{Bytes, OfBytes, OfFlatBytes, OfWords, Positions, Words};
+use super::leaf::LEAF;
+use super::store::{Window, plane};
+
+/// Where the lanes past the last photon of a format of bytes are: out of range of every query, and the
+/// square fits.
+const BYTES_NOWHERE: i16 = 1 << 14;
+
+/// The same of a format of words, whose distances saturate.
+const WORDS_NOWHERE: i16 = i16::MAX;
+
+/// From 32 - n on: n times all ones, then none.
+const PRESENT: [u8; 2 * LEAF] = {
+    let mut present = [0; 2 * LEAF];
+    let mut lane = 0;
+    while lane < LEAF {
+        present[lane] = u8::MAX;
+        lane += 1;
+    }
+    present
+};
+
+/// The words of the bytes of the first, second half of either half of a register.
+#[inline(always)]
+fn words(simd: V3, bytes: __m256i) -> [__m256i; 2] {
+    let zero = simd.avx._mm256_setzero_si256();
+    [
+        simd.avx2._mm256_unpacklo_epi8(bytes, zero),
+        simd.avx2._mm256_unpackhi_epi8(bytes, zero),
+    ]
+}
+
+/// Words where photons are, `nowhere` elsewhere.
+#[inline(always)]
+fn present(simd: V3, words: [__m256i; 2], photons: usize, nowhere: i16) -> [__m256i; 2] {
+    let present: &Bytes = PRESENT[LEAF - photons.min(LEAF)..]
+        .first_chunk()
+        .expect("at most a leaf");
+    let present = cast(*present);
+    let nowhere = simd.avx._mm256_set1_epi16(nowhere);
+    [
+        simd.avx2._mm256_blendv_epi8(
+            nowhere,
+            words[0],
+            simd.avx2._mm256_unpacklo_epi8(present, present),
+        ),
+        simd.avx2._mm256_blendv_epi8(
+            nowhere,
+            words[1],
+            simd.avx2._mm256_unpackhi_epi8(present, present),
+        ),
+    ]
+}
+
+/// Two words of each photon in turn, eight photons to a register, in the order in which packing puts
+/// masks back together.
+type Pairs = [__m256i; 4];
+
+#[inline(always)]
+fn pairs(simd: V3, a: [__m256i; 2], b: [__m256i; 2]) -> Pairs {
+    [
+        simd.avx2._mm256_unpacklo_epi16(a[0], b[0]),
+        simd.avx2._mm256_unpackhi_epi16(a[0], b[0]),
+        simd.avx2._mm256_unpacklo_epi16(a[1], b[1]),
+        simd.avx2._mm256_unpackhi_epi16(a[1], b[1]),
+    ]
+}
+
+/// The photons of a leaf: x and y, and z and 0.
+#[derive(Copy, Clone, Debug)]
+pub(super) struct Places {
+    xy: Pairs,
+    z: Pairs,
+}
+
+impl Places {
+    #[inline(always)]
+    fn new(simd: V3, [x, y, z]: [[__m256i; 2]; 3]) -> Self {
+        let zero = simd.avx._mm256_setzero_si256();
+        Self {
+            xy: pairs(simd, x, y),
+            z: pairs(simd, z, [zero; 2]),
+        }
+    }
+}
+
+/// Two words in every pair.
+#[inline(always)]
+fn pair(simd: V3, first: i16, second: i16) -> __m256i {
+    let both = u32::from(first as u16) | u32::from(second as u16) << 16;
+    simd.avx._mm256_set1_epi32(both as i32)
+}
+
+/// The bytes of four masks.
+#[inline(always)]
+fn packed(simd: V3, masks: [__m256i; 4]) -> __m256i {
+    simd.avx2._mm256_packs_epi16(
+        simd.avx2._mm256_packs_epi32(masks[0], masks[1]),
+        simd.avx2._mm256_packs_epi32(masks[2], masks[3]),
+    )
+}
+
+/// A query in half fine steps.
+#[derive(Copy, Clone, Debug)]
+pub(super) struct ByteQuery {
+    xy: __m256i,
+    z: __m256i,
+    /// The smallest sum of squares that is out of range.
+    over: __m256i,
+}
+
+/// The places of bytes on an axis, in half fine steps from the middle of the frame.
+#[inline(always)]
+fn byte_places(simd: V3, bytes: &Bytes, corner: i16) -> [__m256i; 2] {
+    let [low, high] = words(simd, cast(*bytes));
+    let corner = simd.avx._mm256_set1_epi16(2 * corner);
+    let low = simd.avx2._mm256_add_epi16(low, low);
+    let high = simd.avx2._mm256_add_epi16(high, high);
+    [
+        simd.avx2._mm256_add_epi16(low, corner),
+        simd.avx2._mm256_add_epi16(high, corner),
+    ]
+}
+
+/// A query's place on an axis, in half fine steps.
+#[inline(always)]
+fn byte_place(frame: &Frame, place: i16) -> i16 {
+    2 * place + frame.half()
+}
+
+/// The smallest sum of squares that is out of range: in half fine steps they are four times those in fine
+/// steps, or four times the sum of half squares, and 3.
+#[inline(always)]
+fn byte_over(frame: &Frame) -> i32 {
+    4 * frame.largest as i32 + 4
+}
+
+/// Photons and queries are counted in half fine steps, so that the distance is always a difference.
+impl Positions<V3> for OfBytes {
+    const BYTES: usize = 1;
+
+    type Photons = Places;
+    type Query = ByteQuery;
+
+    #[inline(always)]
+    fn photons(
+        simd: V3,
+        window: &Window,
+        photons: usize,
+        axes: [usize; 3],
+        corner: [i16; 3],
+    ) -> Places {
+        let x = byte_places(simd, plane(window, axes[0], photons), corner[0]);
+        let y = byte_places(simd, plane(window, axes[1], photons), corner[1]);
+        let z = byte_places(simd, plane(window, axes[2], photons), corner[2]);
+        Places::new(simd, [present(simd, x, photons, BYTES_NOWHERE), y, z])
+    }
+
+    #[inline(always)]
+    fn query(simd: V3, frame: &Frame, place: [i16; 3]) -> ByteQuery {
+        ByteQuery {
+            xy: pair(
+                simd,
+                byte_place(frame, place[0]),
+                byte_place(frame, place[1]),
+            ),
+            z: pair(simd, byte_place(frame, place[2]), 0),
+            over: simd.avx._mm256_set1_epi32(byte_over(frame)),
+        }
+    }
+
+    #[inline(always)]
+    fn in_range(simd: V3, photons: &Places, query: &ByteQuery) -> __m256i {
+        let mut in_range = [query.over; 4];
+        let eights = photons.xy.iter().zip(&photons.z);
+        for ((xy, z), in_range) in eights.zip(&mut in_range) {
+            let xy = simd.avx2._mm256_sub_epi16(query.xy, *xy);
+            let z = simd.avx2._mm256_sub_epi16(query.z, *z);
+            let sum = simd.avx2._mm256_add_epi32(
+                simd.avx2._mm256_madd_epi16(xy, xy),
+                simd.avx2._mm256_madd_epi16(z, z),
+            );
+            *in_range = simd.avx2._mm256_cmpgt_epi32(query.over, sum);
+        }
+        packed(simd, in_range)
+    }
+}
+
+/// The photons of a flat leaf: x and y, and z of them all.
+#[derive(Copy, Clone, Debug)]
+pub(super) struct FlatPlaces {
+    xy: Pairs,
+    z: i32,
+}
+
+/// A query in half fine steps.
+#[derive(Copy, Clone, Debug)]
+pub(super) struct FlatQuery {
+    xy: __m256i,
+    z: i32,
+    /// The smallest sum of squares that is out of range.
+    over: i32,
+}
+
+impl Positions<V3> for OfFlatBytes {
+    const BYTES: usize = 1;
+
+    type Photons = FlatPlaces;
+    type Query = FlatQuery;
+
+    #[inline(always)]
+    fn photons(
+        simd: V3,
+        window: &Window,
+        photons: usize,
+        axes: [usize; 3],
+        corner: [i16; 3],
+    ) -> FlatPlaces {
+        let x = byte_places(simd, plane(window, axes[0], photons), corner[0]);
+        let y = byte_places(simd, plane(window, axes[1], photons), corner[1]);
+        let z: &Bytes = plane(window, axes[2], photons);
+        FlatPlaces {
+            xy: pairs(simd, present(simd, x, photons, BYTES_NOWHERE), y),
+            z: 2 * (i32::from(corner[2]) + i32::from(z[0])),
+        }
+    }
+
+    #[inline(always)]
+    fn query(simd: V3, frame: &Frame, place: [i16; 3]) -> FlatQuery {
+        FlatQuery {
+            xy: pair(
+                simd,
+                byte_place(frame, place[0]),
+                byte_place(frame, place[1]),
+            ),
+            z: byte_place(frame, place[2]).into(),
+            over: byte_over(frame),
+        }
+    }
+
+    #[inline(always)]
+    fn in_range(simd: V3, photons: &FlatPlaces, query: &FlatQuery) -> __m256i {
+        let z = query.z - photons.z;
+        let over = simd.avx._mm256_set1_epi32(query.over - z * z);
+        let mut in_range = [over; 4];
+        for (xy, in_range) in photons.xy.iter().zip(&mut in_range) {
+            let xy = simd.avx2._mm256_sub_epi16(query.xy, *xy);
+            let square = simd.avx2._mm256_madd_epi16(xy, xy);
+            *in_range = simd.avx2._mm256_cmpgt_epi32(over, square);
+        }
+        packed(simd, in_range)
+    }
+}
+
+/// A query in fine steps.
+#[derive(Copy, Clone, Debug)]
+pub(super) struct WordQuery {
+    xy: __m256i,
+    z: __m256i,
+    /// The smallest sum of squares, or of half squares, that is out of range.
+    over: __m256i,
+    /// 1 on half steps, otherwise 0.
+    half: __m256i,
+    /// All ones but on half steps.
+    whole: __m256i,
+}
+
+/// m of pairs, or [`Frame::FURTHEST`].
+#[inline(always)]
+fn distance(simd: V3, query: &WordQuery, at: __m256i, photons: __m256i) -> __m256i {
+    let d = simd.avx2._mm256_subs_epi16(at, photons);
+    let sign = simd.avx2._mm256_srai_epi16::<15>(d);
+    let m = simd.avx2._mm256_sub_epi16(
+        simd.avx2._mm256_xor_si256(d, sign),
+        simd.avx2._mm256_and_si256(sign, query.whole),
+    );
+    let furthest = simd.avx._mm256_set1_epi16(Frame::FURTHEST as i16);
+    simd.avx2._mm256_min_epu16(m, furthest)
+}
+
+/// The sums of the squares, or half squares, of pairs.
+#[inline(always)]
+fn squares(simd: V3, query: &WordQuery, m: __m256i) -> __m256i {
+    simd.avx2
+        ._mm256_madd_epi16(m, simd.avx2._mm256_add_epi16(m, query.half))
+}
+
+/// Photons and queries in fine steps, for which differences saturate.
+impl Positions<V3> for OfWords {
+    const BYTES: usize = 2;
+
+    type Photons = Places;
+    type Query = WordQuery;
+
+    #[inline(always)]
+    fn photons(
+        simd: V3,
+        window: &Window,
+        photons: usize,
+        axes: [usize; 3],
+        corner: [i16; 3],
+    ) -> Places {
+        let zero = simd.avx._mm256_setzero_si256();
+        let mut places = [[zero; 2]; 3];
+        for axis in 0..3 {
+            let words: &Words = plane(window, 2 * axes[axis], photons);
+            let [first, second]: [__m256i; 2] = cast(*words);
+            // The order of bytes that are unpacked.
+            let low = simd
+                .avx2
+                ._mm256_permute2x128_si256::<0b10_0000>(first, second);
+            let high = simd
+                .avx2
+                ._mm256_permute2x128_si256::<0b11_0001>(first, second);
+            let corner = simd.avx._mm256_set1_epi16(corner[axis]);
+            places[axis] = [
+                simd.avx2._mm256_add_epi16(low, corner),
+                simd.avx2._mm256_add_epi16(high, corner),
+            ];
+        }
+        places[0] = present(simd, places[0], photons, WORDS_NOWHERE);
+        Places::new(simd, places)
+    }
+
+    #[inline(always)]
+    fn query(simd: V3, frame: &Frame, place: [i16; 3]) -> WordQuery {
+        WordQuery {
+            xy: pair(simd, place[0], place[1]),
+            z: pair(simd, place[2], 0),
+            over: simd.avx._mm256_set1_epi32(frame.largest as i32 + 1),
+            half: simd.avx._mm256_set1_epi16(frame.half()),
+            whole: simd.avx._mm256_set1_epi16(frame.half() - 1),
+        }
+    }
+
+    #[inline(always)]
+    fn in_range(simd: V3, photons: &Places, query: &WordQuery) -> __m256i {
+        let mut in_range = [query.over; 4];
+        let eights = photons.xy.iter().zip(&photons.z);
+        for ((xy, z), in_range) in eights.zip(&mut in_range) {
+            let xy = distance(simd, query, query.xy, *xy);
+            let z = distance(simd, query, query.z, *z);
+            let sum = simd
+                .avx2
+                ._mm256_add_epi32(squares(simd, query, xy), squares(simd, query, z));
+            *in_range = simd.avx2._mm256_cmpgt_epi32(query.over, sum);
+        }
+        packed(simd, in_range)
+    }
+}

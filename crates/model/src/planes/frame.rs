@@ -1,0 +1,103 @@
+//! Where photons and queries stand: coordinates on one axis, as the kernel has them.
+
+use photoncube_spec::PhotonFormat;
+
+/// What all photons and queries of a gather share.
+///
+/// Coordinates are fine steps from the middle of the frame, which is also that of the queries' block:
+/// within 3 / 2 of 2^14 on either side. With d the difference of a query's and a photon's, the distance on
+/// the axis is d or, on half steps, d + 1/2.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub(super) struct Frame {
+    /// Fine steps of a block's edge.
+    edge: u32,
+    /// Whether queries stand half a step above their coordinates.
+    pub half_steps: bool,
+    /// The largest sum of squares, or half squares, in range.
+    pub largest: u32,
+}
+
+impl Frame {
+    /// Distances may saturate here: further than any radius, and three squares fit 31 bits.
+    pub const FURTHEST: u16 = (1 << 14) - 1;
+
+    /// The frame of a format; none where nothing is in range, as on half steps d^2 is the sum and 3/4.
+    pub fn new(format: &PhotonFormat, radius_sq: u32) -> Option<Self> {
+        let half_steps = format.half_steps();
+        Some(Self {
+            edge: format.edge_steps(),
+            half_steps,
+            largest: radius_sq.checked_sub(half_steps.into())?,
+        })
+    }
+
+    /// The lowest corner of the block at `offset`.
+    pub fn corner(&self, offset: [u8; 3]) -> [i16; 3] {
+        offset.map(|blocks| (i32::from(blocks) * self.edge as i32 - self.middle()) as i16)
+    }
+
+    /// The coordinates of a query `position` fine steps into the frame.
+    pub fn place(&self, position: [u32; 3]) -> [i16; 3] {
+        position.map(|at| (at as i32 - self.middle()) as i16)
+    }
+
+    fn middle(&self) -> i32 {
+        3 * self.edge as i32 / 2
+    }
+
+    /// 1 on half steps, otherwise 0.
+    pub fn half(&self) -> i16 {
+        self.half_steps.into()
+    }
+
+    /// m: |d|, or below 0 on half steps ~d.
+    #[inline(always)]
+    pub fn distance(&self, query: i16, photon: i16) -> u16 {
+        let d = query.saturating_sub(photon);
+        // All ones below 0. |-2^15| wraps to 2^15, as it should.
+        let sign = d >> 15;
+        (d ^ sign).wrapping_sub(sign & (self.half() - 1)) as u16
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use photoncube_spec::PHOTON_FORMATS;
+
+    use super::*;
+
+    /// Against the spec's words, over the whole frame of the smallest and the largest formats.
+    #[test]
+    fn distances_are_the_specs() {
+        for (position_bits, query_extra_bits) in [(4, 0), (4, 2), (8, 0), (7, 1), (12, 0), (12, 2)]
+        {
+            let format = PhotonFormat {
+                position_bits,
+                query_extra_bits,
+                ..PHOTON_FORMATS[0]
+            };
+            let frame = Frame::new(&format, 9).unwrap();
+            let edge = format.edge_steps();
+            let places = || {
+                (0..3 * edge)
+                    .step_by(1 + edge as usize / 50)
+                    .chain([3 * edge - 1])
+            };
+            for query in places().filter(|at| (edge..2 * edge).contains(at)) {
+                for photon in places() {
+                    let offset = [(photon / edge) as u8; 3];
+                    let [corner, ..] = frame.corner(offset);
+                    let photon_at = corner + (photon % edge) as i16;
+                    let d = query as i32 - photon as i32;
+                    let m = if query_extra_bits > 0 && d < 0 {
+                        !d
+                    } else {
+                        d.abs()
+                    };
+                    let found = frame.distance(frame.place([query; 3])[0], photon_at);
+                    assert_eq!(i32::from(found), m, "{format} {query} {photon}");
+                }
+            }
+        }
+    }
+}
