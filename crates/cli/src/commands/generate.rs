@@ -25,14 +25,17 @@ struct Report {
 /// Writes, or checks, the files of the machines.
 pub fn execute(args: &GenerateArgs, json: bool) -> Result<()> {
     let machines = machines(args)?;
+    // Before the work, which takes half a minute for all machines.
+    if !args.check {
+        files::make_folder(&args.out)?;
+    } else if !args.out.is_dir() {
+        bail!("{} is no folder: nothing to check", args.out.display());
+    }
     let mut project_files = Vec::new();
     for machine in &machines {
         project_files.extend(project::files(machine)?);
     }
     let stale = if args.check {
-        if !args.out.is_dir() {
-            bail!("{} is no folder: nothing to check", args.out.display());
-        }
         stale(&args.out, &machines, &project_files)
     } else {
         for file in &project_files {

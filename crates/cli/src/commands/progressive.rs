@@ -67,7 +67,6 @@ struct Report {
 /// Renders until the error is as small as asked for, or the passes are made.
 pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
     check_image_path(&args.output)?;
-    files::make_folder(args.output.parent().unwrap_or(Path::new(".")))?;
     let found = args.engine.find()?;
     let reference = args.reference.as_deref().map(Image::read_exr).transpose()?;
     let scene = scenes::load(&args.scene)?;
@@ -85,6 +84,7 @@ pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
             args.size
         );
     }
+    files::make_folder(args.output.parent().unwrap_or(Path::new(".")))?;
     let progressive = Progressive::new(&scene, found.engine(), lighting, view, options)?;
     let mut work = Work {
         args,

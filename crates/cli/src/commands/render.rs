@@ -56,9 +56,8 @@ impl Traced {
     }
 }
 
-/// Stages 1 to 3: the scene, its photons, the photon maps that the lighting wants.
-pub fn trace_scene(name: &str, picture: &PictureArgs, lighting: &Lighting) -> Result<Traced> {
-    let scene = scenes::load(name)?;
+/// Stages 2 and 3: the scene's photons, the photon maps that the lighting wants.
+pub fn trace_scene(scene: Scene, picture: &PictureArgs, lighting: &Lighting) -> Result<Traced> {
     let options = TraceOptions {
         photons: picture.photons,
         seed: picture.seed,
@@ -121,12 +120,14 @@ pub fn execute(args: &RenderArgs, json: bool) -> Result<()> {
     let found = args.engine.find()?;
     let engine = found.engine();
     args.estimator.check(engine)?;
+    let scene = scenes::load(&args.scene)?;
+    let lighting = args.light.lighting();
+    lighting.check(&scene, args.estimator)?;
     // Before the work, so that a file that cannot be written is told at once.
     check_image_path(&args.output)?;
     files::make_folder(args.output.parent().unwrap_or(Path::new(".")))?;
     let start = Instant::now();
-    let lighting = args.light.lighting();
-    let traced = trace_scene(&args.scene, &args.picture, &lighting)?;
+    let traced = trace_scene(scene, &args.picture, &lighting)?;
     let view = view(&args.picture);
     let rendering = picture_lit(
         &traced,

@@ -76,11 +76,12 @@ struct Seconds {
 pub fn execute(args: &RunArgs, json: bool) -> Result<()> {
     // Before the work, so that a wrong name is told at once.
     args.machine.find()?;
+    let scene = scenes::load(&args.scene)?;
     files::make_folder(&args.out)?;
     let mut seconds = Seconds::default();
 
     let traced = timed(&mut seconds.trace, || {
-        trace_scene(&args.scene, &args.picture, &Lighting::default())
+        trace_scene(scene, &args.picture, &Lighting::default())
     })?;
     let (machine, fitted) = timed(&mut seconds.fit, || sizing::machine(args, &traced))?;
     let verilog = timed(&mut seconds.emit, || emit(machine, &args.out))?;
