@@ -6,6 +6,7 @@ use anyhow::Result;
 use clap::{Args as ClapArgs, ValueEnum};
 use photoncube_render::{Area, Caustics, DirectLight, Engine, Estimator, Lighting};
 use photoncube_spec::{Machine, PHOTON_FORMATS, PhotonFormat, find_photon_format};
+use serde::Serialize;
 
 use super::PictureArgs;
 use crate::machines::MachineArgs;
@@ -107,28 +108,46 @@ impl FoundEngine {
         }
     }
 
-    /// Its kind in reports.
-    pub fn kind(&self) -> &'static str {
-        match self {
-            Self::F64 => "f64",
-            Self::Model(_) => "model",
-            Self::Format(_) => "format",
+    /// What reports say of it.
+    pub fn report(&self) -> EngineReport {
+        let (engine, machine, format) = match self {
+            Self::F64 => ("f64", None, None),
+            Self::Model(machine) => ("model", Some(machine.name), None),
+            Self::Format(format) => ("format", None, Some(format.name())),
+        };
+        EngineReport {
+            engine,
+            machine,
+            format,
         }
     }
+}
 
-    /// The machine's name, if it is one's.
-    pub fn machine(&self) -> Option<&'static str> {
-        match self {
-            Self::Model(machine) => Some(machine.name),
-            Self::F64 | Self::Format(_) => None,
-        }
-    }
+/// An engine in reports.
+#[derive(Debug, Serialize)]
+pub struct EngineReport {
+    engine: &'static str,
+    machine: Option<&'static str>,
+    format: Option<String>,
+}
 
-    /// The format's name, if it is one's.
-    pub fn format(&self) -> Option<String> {
-        match self {
-            Self::Format(format) => Some(format.name()),
-            Self::F64 | Self::Model(_) => None,
+/// A lighting in reports.
+#[derive(Debug, Serialize)]
+pub struct LightReport {
+    direct: String,
+    caustics: String,
+    final_gather: u32,
+    area: String,
+}
+
+impl LightReport {
+    /// That of a lighting.
+    pub fn of(lighting: &Lighting) -> Self {
+        Self {
+            direct: lighting.direct.to_string(),
+            caustics: lighting.caustics.to_string(),
+            final_gather: lighting.final_gather,
+            area: lighting.area.to_string(),
         }
     }
 }

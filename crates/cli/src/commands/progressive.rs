@@ -12,7 +12,7 @@ use serde::Serialize;
 
 use super::compare::Distance;
 use super::render::EXPOSURE;
-use crate::args::ProgressiveArgs;
+use crate::args::{EngineReport, LightReport, ProgressiveArgs};
 use crate::convergence::{Curve, Reached, convergence_plot};
 use crate::failure::CheckFailed;
 use crate::table::markdown;
@@ -47,13 +47,10 @@ impl Row {
 #[derive(Serialize)]
 struct Report {
     scene: String,
-    engine: &'static str,
-    machine: Option<&'static str>,
-    format: Option<String>,
-    direct: String,
-    caustics: String,
-    final_gather: u32,
-    area: String,
+    #[serde(flatten)]
+    engine: EngineReport,
+    #[serde(flatten)]
+    light: LightReport,
     output: String,
     seed: u64,
     alpha: f64,
@@ -100,13 +97,8 @@ pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
     let stats = work.progressive.stats();
     let report = Report {
         scene: args.scene.clone(),
-        engine: found.kind(),
-        machine: found.machine(),
-        format: found.format(),
-        direct: lighting.direct.to_string(),
-        caustics: lighting.caustics.to_string(),
-        final_gather: lighting.final_gather,
-        area: lighting.area.to_string(),
+        engine: found.report(),
+        light: LightReport::of(&lighting),
         output: args.output.display().to_string(),
         seed: args.seed,
         alpha: args.alpha,

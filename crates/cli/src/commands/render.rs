@@ -10,7 +10,7 @@ use photoncube_render::{
 };
 use serde::Serialize;
 
-use crate::args::{PictureArgs, RenderArgs};
+use crate::args::{EngineReport, LightReport, PictureArgs, RenderArgs};
 use crate::{files, output, progress, scenes};
 
 /// The exposure of written pictures: radiance 1 is white.
@@ -19,14 +19,11 @@ pub const EXPOSURE: f64 = 1.0;
 #[derive(Serialize)]
 struct Report {
     scene: String,
-    engine: &'static str,
-    machine: Option<&'static str>,
-    format: Option<String>,
+    #[serde(flatten)]
+    engine: EngineReport,
     estimator: String,
-    direct: String,
-    caustics: String,
-    final_gather: u32,
-    area: String,
+    #[serde(flatten)]
+    light: LightReport,
     output: String,
     photons: usize,
     query_points: u64,
@@ -141,14 +138,9 @@ pub fn execute(args: &RenderArgs, json: bool) -> Result<()> {
     let caustic = traced.maps.caustic.as_ref();
     let report = Report {
         scene: args.scene.clone(),
-        engine: found.kind(),
-        machine: found.machine(),
-        format: found.format(),
+        engine: found.report(),
         estimator: args.estimator.to_string(),
-        direct: lighting.direct.to_string(),
-        caustics: lighting.caustics.to_string(),
-        final_gather: lighting.final_gather,
-        area: lighting.area.to_string(),
+        light: LightReport::of(&lighting),
         output: args.output.display().to_string(),
         photons: traced.maps.photons(),
         query_points: rendering.stats.query_points,
