@@ -4,7 +4,7 @@ set -euo pipefail
 
 usage() {
     cat <<'USAGE'
-Usage: scripts/bench.sh [FILTER | scaling]
+Usage: scripts/bench.sh [FILTER | scaling | threads]
 
 Measures, in one run and on the same photons and queries, the fixed-point gather (with this processor's
 fastest instructions, and portably), a uniform grid of f32 photons in AVX2, and kiddo's kd-tree; on one
@@ -13,7 +13,10 @@ Criterion's measurements and a table of rates and ratios; docs/bench.md has one,
 are. Six to ten minutes; FILTER takes those measurements only whose names contain it.
 
 `scaling` measures on one thread how time and memory grow from 1e5 to 1e7 photons instead, with as many in
-range and with one radius. About five minutes and several GB of memory.
+range and with one radius. Three to five minutes and several GB of memory.
+
+`threads` measures what a second thread gives, one thread and two in turn, beside what it gives to
+work that touches no memory. About three minutes.
 USAGE
 }
 

@@ -18,9 +18,10 @@ mod found;
 #[cfg(target_arch = "x86_64")]
 mod grid;
 mod table;
+mod threads;
 mod tree;
 
-/// The format of the gather: RGBE8 in 8 bits per radius, the project's default.
+/// RGBE8 in 8 bits per radius, the project's default.
 const FORMAT: &str = "local8-rgb8e5";
 
 /// Threads of each round.
@@ -29,14 +30,21 @@ const THREADS: [usize; 2] = [1, 2];
 /// The argument that measures how time and memory grow with the photons, and what is measured then.
 const SCALING: &str = "scaling";
 
+/// The argument that measures what a second thread gives.
+const SECOND_THREAD: &str = "threads";
+
 fn main() {
+    if std::env::args().any(|argument| argument == SECOND_THREAD) {
+        threads::measure();
+        return;
+    }
     let started = SystemTime::now();
     let mut criterion = Criterion::default()
         .sample_size(10)
         .warm_up_time(Duration::from_millis(300))
         .measurement_time(Duration::from_secs(2))
         .configure_from_args();
-    let format = find_photon_format(FORMAT).expect("a listed format");
+    let format = format();
     let scales = std::env::args().any(|argument| argument.starts_with(SCALING));
     let (workloads, threads) = if scales {
         (scaling(), &THREADS[..1])
@@ -52,6 +60,11 @@ fn main() {
         Some(home) => print(Path::new(&home), started, &rows),
         None => println!("scripts/bench.sh prints a table of the ratios"),
     }
+}
+
+/// The format of the gather.
+fn format() -> PhotonFormat {
+    find_photon_format(FORMAT).expect("a listed format")
 }
 
 /// All lights in two sizes and densities; the tilted floor in the largest only.

@@ -19,7 +19,7 @@ mod synth;
 pub use self::compare::CompareArgs;
 pub use self::fit::FitArgs;
 pub use self::progressive::ProgressiveArgs;
-pub use self::render::{EngineArgs, EngineReport, LightArgs, LightReport, RenderArgs};
+pub use self::render::{EngineArgs, EngineReport, LightArgs, LightingReport, RenderArgs};
 pub use self::synth::SynthArgs;
 
 /// From a scene to a proven photon-mapping processor.

@@ -1,6 +1,7 @@
 //! The commands as a user sees them: what they print, what they write, how they end.
 
 mod estimators;
+mod json_keys;
 mod pictures;
 mod scenes;
 
@@ -447,59 +448,4 @@ fn help_has_examples() {
     let output = photoncube(&["--help"]).assert().success();
     let help = String::from_utf8(output.get_output().stdout.clone()).unwrap();
     insta::assert_snapshot!("help", help);
-}
-
-const COMMITTED_FIGURES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/measured");
-
-/// Every key of a JSON value, at any depth.
-fn keys(value: &Value, found: &mut Vec<String>) {
-    match value {
-        Value::Object(map) => {
-            for (key, value) in map {
-                found.push(key.clone());
-                keys(value, found);
-            }
-        }
-        Value::Array(values) => values.iter().for_each(|value| keys(value, found)),
-        _ => {}
-    }
-}
-
-#[test]
-fn every_json_key_is_documented() {
-    let folder = tempfile::tempdir().unwrap();
-    let out = folder.path().to_str().unwrap();
-    let picture = folder.path().join("x.png");
-    let picture = picture.to_str().unwrap();
-    let small = ["--photons", "1000", "--size", "8x8", "--samples", "1"];
-    let run = ["run", "--machine", "paper", "--out", out];
-    let run = [&run[..], &["--iterations", "5"]].concat();
-    let render = ["render", "cornell", "-o", picture];
-    let report = ["report", "--out", out];
-    let tiny = ["--photons", "2000", "--size", "6x6", "--maps", "2"];
-    let fit = ["fit", "ring"];
-    let exr = folder.path().join("x.exr");
-    let exr = exr.to_str().unwrap();
-    let progressive = ["progressive", "ring", "-o", exr, "--photons", "1000"];
-    let mut found = Vec::new();
-    for args in [
-        &["list"][..],
-        &[&progressive[..], &["--size", "8x8", "--passes", "2"]].concat(),
-        &["compare", exr, exr],
-        &["microprogram"],
-        &["hard-cases", "--format", "local6-rgb8"],
-        &[&report[..], &tiny[..]].concat(),
-        &[&fit[..], &SMALL_FIT[..]].concat(),
-        &["generate", "--machine", "paper", "--out", out],
-        &["synth", "--check", "--out", COMMITTED_FIGURES],
-        &["verify", "--iterations", "5"],
-        &[&render[..], &small[..]].concat(),
-        &[&run[..], &small[..]].concat(),
-    ] {
-        keys(&json(args), &mut found);
-    }
-    assert!(found.len() > 50, "the commands print keys: {found:?}");
-    let documented = include_str!("../../../docs/json.md");
-    found.retain(|key| !documented.contains(&format!("`{key}`")));
-    assert!(found.is_empty(), "docs/json.md does not explain {found:?}");
 }

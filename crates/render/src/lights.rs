@@ -15,6 +15,15 @@ pub(crate) struct Lights<'a> {
     choice: LightChoice,
 }
 
+/// The surfaces that emit, each with its place among the scene's and its form: quads alone do.
+pub(crate) fn emitters(scene: &Scene) -> impl Iterator<Item = (usize, &Surface, &Quad)> {
+    let surfaces = scene.surfaces().iter().enumerate();
+    surfaces.filter_map(|(index, surface)| match &surface.geometry {
+        Geometry::Quad(quad) if flux(surface).element_sum() > 0.0 => Some((index, surface, quad)),
+        _ => None,
+    })
+}
+
 /// What a light's chance to be chosen is proportional to: its flux, all channels added, or
 /// the same for all.
 fn weight(light: &Surface, choice: LightChoice) -> f64 {
@@ -30,13 +39,9 @@ impl<'a> Lights<'a> {
         let mut total = 0.0;
         let mut cumulative = Vec::new();
         let choice = scene.light_choice();
-        for surface in scene.surfaces() {
-            if let Geometry::Quad(quad) = &surface.geometry
-                && flux(surface).element_sum() > 0.0
-            {
-                total += weight(surface, choice);
-                cumulative.push((surface, quad, total));
-            }
+        for (_, surface, quad) in emitters(scene) {
+            total += weight(surface, choice);
+            cumulative.push((surface, quad, total));
         }
         Self {
             cumulative,

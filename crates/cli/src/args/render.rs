@@ -133,14 +133,14 @@ pub struct EngineReport {
 
 /// A lighting in reports.
 #[derive(Debug, Serialize)]
-pub struct LightReport {
+pub struct LightingReport {
     direct: String,
     caustics: String,
     final_gather: u32,
     area: String,
 }
 
-impl LightReport {
+impl LightingReport {
     /// That of a lighting.
     pub fn of(lighting: &Lighting) -> Self {
         Self {

@@ -12,7 +12,7 @@ use serde::Serialize;
 
 use super::compare::Distance;
 use super::render::EXPOSURE;
-use crate::args::{EngineReport, LightReport, ProgressiveArgs};
+use crate::args::{EngineReport, LightingReport, ProgressiveArgs};
 use crate::convergence::{Curve, Reached, convergence_plot};
 use crate::failure::CheckFailed;
 use crate::table::markdown;
@@ -50,7 +50,7 @@ struct Report {
     #[serde(flatten)]
     engine: EngineReport,
     #[serde(flatten)]
-    light: LightReport,
+    light: LightingReport,
     output: String,
     seed: u64,
     alpha: f64,
@@ -98,7 +98,7 @@ pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
     let report = Report {
         scene: args.scene.clone(),
         engine: found.report(),
-        light: LightReport::of(&lighting),
+        light: LightingReport::of(&lighting),
         output: args.output.display().to_string(),
         seed: args.seed,
         alpha: args.alpha,

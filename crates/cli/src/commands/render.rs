@@ -10,7 +10,7 @@ use photoncube_render::{
 };
 use serde::Serialize;
 
-use crate::args::{EngineReport, LightReport, PictureArgs, RenderArgs};
+use crate::args::{EngineReport, LightingReport, PictureArgs, RenderArgs};
 use crate::{files, output, progress, scenes};
 
 /// The exposure of written pictures: radiance 1 is white.
@@ -23,7 +23,7 @@ struct Report {
     engine: EngineReport,
     estimator: String,
     #[serde(flatten)]
-    light: LightReport,
+    light: LightingReport,
     output: String,
     photons: usize,
     query_points: u64,
@@ -140,7 +140,7 @@ pub fn execute(args: &RenderArgs, json: bool) -> Result<()> {
         scene: args.scene.clone(),
         engine: found.report(),
         estimator: args.estimator.to_string(),
-        light: LightReport::of(&lighting),
+        light: LightingReport::of(&lighting),
         output: args.output.display().to_string(),
         photons: traced.maps.photons(),
         query_points: rendering.stats.query_points,

@@ -7,16 +7,11 @@ use pulp::cast;
 use pulp::x86::V3;
 
 use super::frame::Frame;
-use super::lanes::{Bytes, OfBytes, OfFlatBytes, OfWords, Positions, Words};
+use super::lanes::{
+    BYTES_NOWHERE, Bytes, OfBytes, OfFlatBytes, OfWords, Positions, WORDS_NOWHERE, Words,
+};
 use super::leaf::LEAF;
 use super::store::{Window, plane};
-
-/// Where the lanes past the last photon of a format of bytes are: out of range of every query, and the
-/// square fits.
-const BYTES_NOWHERE: i16 = 1 << 14;
-
-/// The same of a format of words, whose distances saturate.
-const WORDS_NOWHERE: i16 = i16::MAX;
 
 /// From 32 - n on: n times all ones, then none.
 const PRESENT: [u8; 2 * LEAF] = {

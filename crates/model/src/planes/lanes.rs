@@ -11,6 +11,13 @@ pub(super) type Bytes = [u8; LEAF];
 /// Two bytes for each photon of a leaf, little end first.
 pub(super) type Words = [u8; 2 * LEAF];
 
+/// Where the lanes past the last photon of a format of bytes are, in steps or half steps: out of range of every
+/// query, and neither the difference nor its square overflows.
+pub(super) const BYTES_NOWHERE: i16 = 1 << 14;
+
+/// The same of a format of words, whose distances saturate.
+pub(super) const WORDS_NOWHERE: i16 = i16::MAX;
+
 /// The boxes of a tray's leaves: on each axis the lowest and the highest query, in fine steps of the
 /// frame, for which the distance to a photon of the leaf may be 0.
 #[derive(Copy, Clone, Debug)]

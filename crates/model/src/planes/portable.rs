@@ -1,17 +1,13 @@
 //! The lanes in plain loops over arrays, which compilers turn into what vector instructions there are.
 
 use super::frame::Frame;
-use super::lanes::{Boxes, Bytes, Lanes, OfBytes, OfFlatBytes, OfWords, Positions, Words};
+use super::lanes::{
+    BYTES_NOWHERE, Boxes, Bytes, Lanes, OfBytes, OfFlatBytes, OfWords, Positions, WORDS_NOWHERE,
+    Words,
+};
 use super::leaf::LEAF;
 use super::store::{Window, plane};
 use super::tray::TRAY;
-
-/// Where the lanes past the last photon of a format of bytes are: out of range of every query, and
-/// differences do not saturate.
-const BYTES_NOWHERE: i16 = 1 << 14;
-
-/// The same of a format of words, whose distances saturate.
-const WORDS_NOWHERE: i16 = i16::MAX;
 
 /// Sums have as many words as the registers of the processors that this is meant for.
 const WORDS: usize = 8;

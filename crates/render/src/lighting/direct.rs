@@ -3,7 +3,8 @@
 use glam::DVec3;
 
 use crate::camera::Ray;
-use crate::geometry::{Geometry, Quad};
+use crate::geometry::Quad;
+use crate::lights::emitters;
 use crate::sample::Apart;
 use crate::scene::Scene;
 use crate::view::QueryPoint;
@@ -23,14 +24,10 @@ struct Light<'a> {
 
 impl<'a> Shadows<'a> {
     pub fn of(scene: &'a Scene) -> Self {
-        let surfaces = scene.surfaces().iter().enumerate();
-        let lights = surfaces.filter_map(|(surface, s)| match &s.geometry {
-            Geometry::Quad(quad) if s.radiance != DVec3::ZERO => Some(Light {
-                surface,
-                quad,
-                radiance: s.radiance,
-            }),
-            _ => None,
+        let lights = emitters(scene).map(|(surface, light, quad)| Light {
+            surface,
+            quad,
+            radiance: light.radiance,
         });
         Self {
             scene,

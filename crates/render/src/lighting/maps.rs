@@ -24,14 +24,15 @@ impl Radii {
     pub fn of(scene: &Scene, trace: &PhotonTrace, lighting: &Lighting, in_range: f64) -> Self {
         let mapped = trace.kinds.iter().filter(|kind| lighting.maps(**kind));
         let global = PhotonMap::radius_for(scene, mapped.count().max(1) as u64, in_range);
-        let caustic = match lighting.caustics {
-            Caustics::Map => None,
-            Caustics::Own(in_range) => {
-                let photons = trace.of(|kind| kind == PathKind::Caustic);
-                radius_among(&photons, in_range, global)
-            }
-        };
+        let caustic = caustic_radius(trace, lighting, global);
         Self { global, caustic }
+    }
+
+    /// Finds the radius of the caustics, where they have a map of their own and none were found before.
+    pub(crate) fn find_caustic(&mut self, trace: &PhotonTrace, lighting: &Lighting) {
+        if self.caustic.is_none() {
+            self.caustic = caustic_radius(trace, lighting, self.global);
+        }
     }
 
     /// Both times `factor`.
@@ -40,6 +41,17 @@ impl Radii {
         Self {
             global: factor * self.global,
             caustic: self.caustic.map(|radius| factor * radius),
+        }
+    }
+}
+
+/// That of the caustics' own map; none where they have none, or there are none.
+fn caustic_radius(trace: &PhotonTrace, lighting: &Lighting, widest: f64) -> Option<f64> {
+    match lighting.caustics {
+        Caustics::Map => None,
+        Caustics::Own(in_range) => {
+            let photons = trace.of(|kind| kind == PathKind::Caustic);
+            radius_among(&photons, in_range, widest)
         }
     }
 }

@@ -148,11 +148,7 @@ impl<'a> Progressive<'a> {
         let first = self.radii.get_or_insert_with(|| {
             Radii::of(self.scene, &trace, &self.lighting, self.options.in_range)
         });
-        if first.caustic.is_none() {
-            // No caustic photon was found before; there may be one now.
-            let now = Radii::of(self.scene, &trace, &self.lighting, self.options.in_range);
-            first.caustic = now.caustic;
-        }
+        first.find_caustic(&trace, &self.lighting);
         let radii = first.scaled(self.shrunk_sq.sqrt());
         let maps = PhotonMaps::new(self.scene, trace, &self.lighting, radii)?;
         self.photons += maps.photons() as u64;
