@@ -1,6 +1,7 @@
 //! Every named machine in every device, on random stimulus and on the photons of the built-in
 //! scene.
 
+mod extent;
 mod support;
 
 use std::process::Command;
@@ -11,31 +12,7 @@ use photoncube_render::{PhotonMap, Scene, TraceOptions, ViewOptions, trace, work
 use photoncube_spec::{MACHINES, Machine};
 use photoncube_testbench::{DeviceKind, Source, Verdict, VerifyOptions, verify};
 
-/// How much of a machine's proof is done here; `photoncube verify` goes on for as long as one likes.
-#[derive(Copy, Clone)]
-enum Extent {
-    /// One machine of each organisation: a million iterations in the fastest device.
-    Full,
-    /// Others of as many cells or a few times that: they differ in numbers and sizes.
-    Brief,
-    /// Chains whose devices have many times the signals: that they are put together right, as their
-    /// engines are those of shorter chains.
-    Chain,
-    /// Chains that take minutes in any Verilog simulator: in rust-hdl alone; `photoncube
-    /// verify --machine M --against verilator` is for them.
-    LongChain,
-}
-
-impl Extent {
-    fn of(machine: &Machine) -> Self {
-        match machine.name {
-            "paper" | "overlap" | "stream" | "tile-6" => Self::Full,
-            _ if machine.queries_at_once() > 8 => Self::LongChain,
-            _ if machine.queries_at_once() > 4 => Self::Chain,
-            _ => Self::Brief,
-        }
-    }
-}
+use extent::Extent;
 
 /// Iterations on random stimulus.
 fn random_iterations(kind: DeviceKind, extent: Extent) -> Option<u64> {

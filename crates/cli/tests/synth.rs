@@ -50,20 +50,18 @@ fn figures_of_other_verilog_are_named_and_end_1() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().to_str().unwrap();
     copy_committed(folder.path());
-    synth(&["--check", "--out", out]).assert().success();
-
+    let check = |machine| ["--check", "--out", out, "--machine", machine];
+    synth(&check("paper")).assert().success();
     edit(folder.path(), "synthesis.json", |file| {
         file["verilog_sha256"]["paper"] = "00".into();
     });
-    let message = error(&["--check", "--out", out], 1);
+    let message = error(&check("paper"), 1);
     assert!(
         message.contains("synthesis.json: paper was measured with other Verilog"),
         "{message}"
     );
     assert!(message.contains("--update --machine"), "{message}");
-    synth(&["--check", "--out", out, "--machine", "local"])
-        .assert()
-        .success();
+    synth(&check("local")).assert().success();
 }
 
 #[test]
@@ -88,7 +86,7 @@ fn rows_too_many_or_too_few_end_1() {
         assert!(message.contains(expected), "{message}");
     }
     fs::remove_file(folder.path().join("place.json")).unwrap();
-    let message = error(&["--check", "--out", out], 1);
+    let message = error(&["--check", "--out", out, "--machine", "paper"], 1);
     assert!(message.contains("place.json is missing"), "{message}");
 }
 

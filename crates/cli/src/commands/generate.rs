@@ -5,6 +5,7 @@ use std::path::Path;
 
 use anyhow::{Result, bail};
 use photoncube_spec::{MACHINES, Machine};
+use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::args::GenerateArgs;
@@ -31,10 +32,9 @@ pub fn execute(args: &GenerateArgs, json: bool) -> Result<()> {
     } else if !args.out.is_dir() {
         bail!("{} is no folder: nothing to check", args.out.display());
     }
-    let mut project_files = Vec::new();
-    for machine in &machines {
-        project_files.extend(project::files(machine)?);
-    }
+    let files_of = |machine: &&Machine| project::files(machine);
+    let by_machine: Vec<_> = machines.par_iter().map(files_of).collect::<Result<_>>()?;
+    let project_files: Vec<_> = by_machine.into_iter().flatten().collect();
     let stale = if args.check {
         stale(&args.out, &machines, &project_files)
     } else {

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use anyhow::{Context, Result, bail};
 use photoncube_spec::{MACHINES, Machine, find_machine};
+use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::args::SynthArgs;
@@ -59,14 +60,36 @@ struct CheckReport {
 /// Measures, or checks what was measured.
 pub fn execute(args: &SynthArgs, json: bool) -> Result<()> {
     let machines = machines(&args.machines)?;
-    let subjects: Vec<_> = machines
-        .into_iter()
-        .map(Subject::of)
-        .collect::<Result<_>>()?;
+    // What cannot be done is told before the machines are emitted, which takes seconds.
     if args.check {
-        return check(args, &subjects, json);
+        if !args.out.is_dir() {
+            bail!("{} is no folder: nothing to check", args.out.display());
+        }
+        return check(args, &subjects(&machines)?, json);
     }
-    measure(args, subjects, json)
+    if writes(args) && *args.device != *Device::default_one() {
+        bail!(
+            "{} is for {}; `{COMMAND} --device {}` prints, if a machine, flow or grade is named and \
+             --update is not",
+            PlaceRow::FILE,
+            Device::default_one().name,
+            args.device.name
+        );
+    }
+    let tools = Tools::find(args.tools.as_deref())?;
+    measure(args, &tools, subjects(&machines)?, json)
+}
+
+/// Whether what is measured is written to the committed figures.
+fn writes(args: &SynthArgs) -> bool {
+    args.update || args.is_complete()
+}
+
+fn subjects(machines: &[&'static Machine]) -> Result<Vec<Subject>> {
+    machines
+        .par_iter()
+        .map(|machine| Subject::of(machine))
+        .collect()
 }
 
 /// Those named, or all, each once.
@@ -85,9 +108,6 @@ fn machines(names: &[String]) -> Result<Vec<&'static Machine>> {
 }
 
 fn check(args: &SynthArgs, subjects: &[Subject], json: bool) -> Result<()> {
-    if !args.out.is_dir() {
-        bail!("{} is no folder: nothing to check", args.out.display());
-    }
     let report = CheckReport {
         machines: subjects
             .iter()
@@ -129,19 +149,9 @@ fn named(machines: &[&str]) -> String {
     }
 }
 
-fn measure(args: &SynthArgs, subjects: Vec<Subject>, json: bool) -> Result<()> {
+fn measure(args: &SynthArgs, tools: &Tools, subjects: Vec<Subject>, json: bool) -> Result<()> {
     let plan = Plan::new(args, subjects);
-    let writes = args.update || args.is_complete();
-    if writes && *plan.device != *Device::default_one() {
-        bail!(
-            "{} is for {}; `{COMMAND} --device {}` prints, if a machine, flow or grade is named and \
-             --update is not",
-            PlaceRow::FILE,
-            Device::default_one().name,
-            plan.device.name
-        );
-    }
-    let tools = Tools::find(args.tools.as_deref())?;
+    let writes = writes(args);
     // The tools run in a sandbox that sees the current folder and below: each machine has one.
     let scratch = tempfile::tempdir().context("cannot make a scratch folder")?;
     let tool_versions = tools.versions(scratch.path())?;
@@ -163,8 +173,8 @@ fn measure(args: &SynthArgs, subjects: Vec<Subject>, json: bool) -> Result<()> {
     };
     plan.announce();
     plan.write_verilog(scratch.path())?;
-    let areas = plan.areas(&tools, scratch.path(), area_writer.as_ref())?;
-    let placements = plan.placements(&tools, scratch.path(), place_writer.as_ref())?;
+    let areas = plan.areas(tools, scratch.path(), area_writer.as_ref())?;
+    let placements = plan.placements(tools, scratch.path(), place_writer.as_ref())?;
     let written = [
         area_writer.map(|writer| writer.path()),
         place_writer.map(|writer| writer.path()),

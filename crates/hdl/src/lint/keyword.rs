@@ -1,5 +1,8 @@
 //! Words that cannot name anything in Verilog.
 
+use std::collections::HashSet;
+use std::sync::LazyLock;
+
 /// The keywords of IEEE 1364-2005, and below them those that 1800-2012 adds.
 const KEYWORDS: &str = "
 always and assign automatic begin buf bufif0 bufif1 case casex casez cell cmos config deassign
@@ -26,9 +29,10 @@ throughout timeprecision timeunit type typedef union unique unique0 until until_
 virtual void wait_order weak wildcard with within
 ";
 
-/// Whether `word` is a keyword of Verilog or SystemVerilog.
+/// Whether `word` is a keyword of Verilog or SystemVerilog. Every word of every name is asked about.
 pub(super) fn is_keyword(word: &str) -> bool {
-    KEYWORDS.split_whitespace().any(|keyword| keyword == word)
+    static WORDS: LazyLock<HashSet<&str>> = LazyLock::new(|| KEYWORDS.split_whitespace().collect());
+    WORDS.contains(word)
 }
 
 /// Whether `word` can name a signal: a simple identifier that is no keyword.
