@@ -1,0 +1,20 @@
+//! `verify`: a machine against the golden model, by one method after the other.
+
+mod equivalence;
+
+use anyhow::Result;
+
+use crate::args::VerifyArgs;
+use crate::output;
+use crate::verified;
+
+pub use self::equivalence::{verdict_table, verify_with_bar};
+
+/// Verifies by the method that was asked for.
+pub fn execute(args: &VerifyArgs, json: bool) -> Result<()> {
+    if args.table {
+        let lines = verified::committed()?;
+        return output::print(json, &lines, || verified::table(&lines));
+    }
+    equivalence::execute(args, json)
+}
