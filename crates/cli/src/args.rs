@@ -231,6 +231,9 @@ pub struct MicroprogramArgs {
 /// Pixels a picture may have in one direction; it bounds memory.
 const MAX_SIDE: u32 = 16_384;
 
+/// The most pixels of a picture: PIXELS_REASON
+const MAX_PIXELS: u64 = 1 << 26;
+
 /// A picture's size in pixels, written WxH.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct Size {
@@ -269,7 +272,12 @@ impl FromStr for Size {
                 height: side(height)?,
             })
         });
-        size.ok_or_else(|| format!("expected WxH, each from 1 to {MAX_SIDE}, such as 256x256"))
+        size.filter(|size| u64::from(size.width) * u64::from(size.height) <= MAX_PIXELS)
+            .ok_or_else(|| {
+                format!(
+                    "expected WxH, each from 1 to {MAX_SIDE} and at most {MAX_PIXELS} pixels, such as 256x256"
+                )
+            })
     }
 }
 

@@ -23,6 +23,7 @@ pub struct Line {
     /// What `volume` counts.
     pub unit: String,
     /// What was found.
+    #[serde(rename = "outcome")]
     pub result: String,
     /// The command that repeats it.
     pub command: String,
@@ -37,12 +38,21 @@ impl Line {
 
 const COMMITTED: &str = include_str!("../../../docs/measured/verification.json");
 
-/// The table that is committed.
-pub fn committed() -> Result<Vec<Line>> {
-    parse(COMMITTED).context("docs/measured/verification.json")
+/// All lines.
+#[derive(Debug, Serialize)]
+pub struct Table {
+    /// In order of machine and method.
+    pub lines: Vec<Line>,
 }
 
-fn parse(text: &str) -> Result<Vec<Line>> {
+/// The table that is committed.
+pub fn committed() -> Result<Table> {
+    let lines = parse(COMMITTED).context("docs/measured/verification.json")?;
+    Ok(Table { lines })
+}
+
+/// Reads a table.
+pub fn parse(text: &str) -> Result<Vec<Line>> {
     serde_json::from_str(text).context(
         "expected a list of lines as `verify --record` writes; remove the file to start anew",
     )
