@@ -15,12 +15,14 @@ mod fit;
 mod progressive;
 mod render;
 mod synth;
+mod verify;
 
 pub use self::compare::CompareArgs;
 pub use self::fit::FitArgs;
 pub use self::progressive::ProgressiveArgs;
 pub use self::render::{EngineArgs, EngineReport, LightArgs, LightingReport, RenderArgs};
 pub use self::synth::SynthArgs;
+pub use self::verify::VerifyArgs;
 
 /// From a scene to a proven photon-mapping processor.
 ///
@@ -162,33 +164,6 @@ pub struct GenerateArgs {
     pub check: bool,
 }
 
-/// `verify`
-#[derive(ClapArgs, Debug)]
-#[command(after_help = "\
-Examples:
-  photoncube verify                     in rust-hdl's simulation
-  photoncube verify --against icarus,verilator --iterations 2000
-  photoncube verify --against verilator --iterations 1000000 --json
-  photoncube verify --machine paper-5d --against all --seed 7")]
-pub struct VerifyArgs {
-    #[command(flatten)]
-    pub machine: MachineArgs,
-    /// What to compare the golden model with: rust-hdl, icarus, verilator, netlist; comma-separated, or all
-    #[arg(
-        long,
-        default_value = "rust-hdl",
-        value_name = "LIST",
-        value_delimiter = ','
-    )]
-    pub against: Vec<String>,
-    /// Iterations (groups of photons) to compare in each
-    #[arg(long, default_value_t = 20_000, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
-    pub iterations: u64,
-    /// Seed of the stimulus
-    #[arg(long, default_value_t = 1, value_name = "S")]
-    pub seed: u64,
-}
-
 /// `report`
 #[derive(ClapArgs, Debug)]
 #[command(after_help = "\
@@ -256,6 +231,9 @@ pub struct MicroprogramArgs {
 /// Pixels a picture may have in one direction; it bounds memory.
 const MAX_SIDE: u32 = 16_384;
 
+/// The most pixels of a picture: PIXELS_REASON
+const MAX_PIXELS: u64 = 1 << 26;
+
 /// A picture's size in pixels, written WxH.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct Size {
@@ -294,7 +272,12 @@ impl FromStr for Size {
                 height: side(height)?,
             })
         });
-        size.ok_or_else(|| format!("expected WxH, each from 1 to {MAX_SIDE}, such as 256x256"))
+        size.filter(|size| u64::from(size.width) * u64::from(size.height) <= MAX_PIXELS)
+            .ok_or_else(|| {
+                format!(
+                    "expected WxH, each from 1 to {MAX_SIDE} and at most {MAX_PIXELS} pixels, such as 256x256"
+                )
+            })
     }
 }
 

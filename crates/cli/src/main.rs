@@ -16,6 +16,7 @@ mod project;
 mod scenes;
 mod synth;
 mod table;
+mod verified;
 
 use std::process::ExitCode;
 

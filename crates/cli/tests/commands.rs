@@ -3,6 +3,7 @@
 mod estimators;
 mod json_keys;
 mod pictures;
+mod robustness;
 mod scenes;
 
 use std::fs;

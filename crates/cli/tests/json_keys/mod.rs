@@ -48,6 +48,7 @@ fn every_json_key_is_documented() {
         &["generate", "--machine", "paper", "--out", out],
         &["synth", "--check", "--out", COMMITTED_FIGURES],
         &["verify", "--iterations", "5"],
+        &["verify", "--fuzz", "5"],
         &[&render[..], &small[..]].concat(),
         &[&run[..], &small[..]].concat(),
     ] {

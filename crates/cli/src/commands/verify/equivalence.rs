@@ -1,4 +1,4 @@
-//! `verify`: a machine against the golden model.
+//! A machine against the golden model, every visible signal in every clock.
 
 use anyhow::Result;
 use photoncube_spec::Machine;
@@ -7,6 +7,7 @@ use serde::Serialize;
 
 use crate::args::VerifyArgs;
 use crate::failure::CheckFailed;
+use crate::verified::{Line, record};
 use crate::{output, progress, table};
 
 #[derive(Serialize)]
@@ -51,6 +52,23 @@ impl Report {
         Ok(())
     }
 
+    /// Its lines in the table of results.
+    fn lines(&self) -> Vec<Line> {
+        let line = |verdict: &Verdict| Line {
+            machine: self.machine.to_owned(),
+            method: "equivalence".to_owned(),
+            by: format!("{}: {}", verdict.device, verdict.tool_version),
+            volume: verdict.vectors_compared,
+            unit: format!("vectors of {} signals", verdict.signals_per_vector),
+            result: format!("{} mismatches", verdict.mismatches),
+            command: format!(
+                "photoncube verify --machine {} --against {} --iterations {} --seed {}",
+                self.machine, verdict.device, self.iterations, self.seed
+            ),
+        };
+        self.devices.iter().map(line).collect()
+    }
+
     fn conclusion(&self) -> Result<()> {
         match &self.divergence {
             None => Ok(()),
@@ -75,7 +93,11 @@ pub fn execute(args: &VerifyArgs, json: bool) -> Result<()> {
         }
     }
     output::print(json, &report, || verdict_table(&report.devices))?;
-    report.conclusion()
+    report.conclusion()?;
+    match &args.record {
+        Some(path) => record(path, &report.lines()),
+        None => Ok(()),
+    }
 }
 
 /// Verifies with a progress bar.

@@ -1,0 +1,290 @@
+//! Everything that reads what people give, on inputs that are nearly right: it reads or refuses, and never
+//! panics, hangs or takes memory without bound.
+//!
+//! Input number I of a reader is a function of the seed and I alone, so that any can be had again.
+
+mod memory;
+mod mutate;
+mod readers;
+mod watch;
+
+use std::any::Any;
+use std::panic::{self, AssertUnwindSafe};
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::thread;
+
+use anyhow::{Context, Result, bail};
+use rand::SeedableRng;
+use rand_pcg::Pcg64;
+use serde::Serialize;
+
+use self::readers::{Input, Open, READERS, Reader};
+use self::watch::Watch;
+use crate::args::VerifyArgs;
+use crate::failure::CheckFailed;
+use crate::verified::{Line, record};
+use crate::{output, progress, table};
+
+/// Inputs that a thread takes at a time.
+const BATCH: u64 = 100;
+
+/// What memory may grow by while a reader runs: the readers' own inputs and what is made of them are far below, and
+/// a size that an input asks for without having the data is far above.
+const MEMORY_BOUND_MIB: u64 = 512;
+
+/// The failures that are told of a reader; there may be many of one cause.
+const TOLD: usize = 5;
+
+/// What became of a reader's inputs.
+#[derive(Debug, Serialize)]
+struct Fuzzed {
+    reader: &'static str,
+    inputs: u64,
+    inputs_read: u64,
+    inputs_refused: u64,
+    /// What memory grew by, where the system tells.
+    memory_mib: Option<u64>,
+    failures: Vec<Failure>,
+}
+
+/// An input that broke a reader.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+struct Failure {
+    /// The input's number.
+    index: u64,
+    /// What happened.
+    message: String,
+    /// The command that repeats it, and prints the input.
+    command: String,
+}
+
+#[derive(Serialize)]
+struct Report {
+    seed: u64,
+    readers: Vec<Fuzzed>,
+}
+
+/// Gives each reader so many inputs.
+pub fn execute(args: &VerifyArgs, inputs: u64, json: bool) -> Result<()> {
+    let mut report = Report {
+        seed: args.seed,
+        readers: Vec::new(),
+    };
+    for reader in chosen(args.reader.as_deref())? {
+        report.readers.push(fuzz(reader, args, inputs)?);
+    }
+    output::print(json, &report, || text(&report))?;
+    let failures = report.readers.iter().flat_map(|fuzzed| &fuzzed.failures);
+    let told: Vec<_> = failures
+        .map(|f| format!("{}\n  repeat    {}", f.message, f.command))
+        .collect();
+    if !told.is_empty() {
+        return Err(CheckFailed(told.join("\n")).into());
+    }
+    match &args.record {
+        Some(path) => record(path, &lines(&report, args)),
+        None => Ok(()),
+    }
+}
+
+fn chosen(name: Option<&str>) -> Result<Vec<&'static Reader>> {
+    let chosen: Vec<_> = READERS
+        .iter()
+        .filter(|reader| name.is_none_or(|name| name == reader.name))
+        .collect();
+    if chosen.is_empty() {
+        let names: Vec<_> = READERS.iter().map(|reader| reader.name).collect();
+        bail!(
+            "there is no reader `{}`; the readers are {}",
+            name.unwrap_or_default(),
+            names.join(", ")
+        );
+    }
+    Ok(chosen)
+}
+
+/// One reader, on all cores.
+fn fuzz(reader: &'static Reader, args: &VerifyArgs, inputs: u64) -> Result<Fuzzed> {
+    let folders = (0..thread::available_parallelism()?.get())
+        .map(|_| tempfile::tempdir())
+        .collect::<std::io::Result<Vec<_>>>()
+        .context("the fuzzer's own folder")?;
+    let before = memory::peak_mib();
+    let bar = progress::bar(reader.name, inputs);
+    let (next, done) = (AtomicU64::new(0), AtomicU64::new(0));
+    let count = Mutex::new(Fuzzed {
+        reader: reader.name,
+        inputs,
+        inputs_read: 0,
+        inputs_refused: 0,
+        memory_mib: None,
+        failures: Vec::new(),
+    });
+    // One input is run to look at it, and where it panics is told then.
+    let quiet = (inputs > 1).then(Quiet::new);
+    thread::scope(|scope| {
+        let workers: Vec<_> = folders
+            .iter()
+            .map(|folder| {
+                let (next, done, count, bar) = (&next, &done, &count, &bar);
+                scope.spawn(move || -> Result<()> {
+                    let open = reader.open(folder.path())?;
+                    let watch = Watch::new(reader.name);
+                    loop {
+                        let first = next.fetch_add(BATCH, Ordering::Relaxed);
+                        if first >= inputs {
+                            return Ok(());
+                        }
+                        for number in first..inputs.min(first + BATCH) {
+                            let index = args.from + number;
+                            let found = watch.during(index, || one(&open, args, index));
+                            let mut count = count.lock().expect("no worker panics");
+                            match found {
+                                Ok(true) => count.inputs_read += 1,
+                                Ok(false) => count.inputs_refused += 1,
+                                Err(failure) => count.failures.push(failure),
+                            }
+                            done.fetch_add(1, Ordering::Relaxed);
+                        }
+                        bar.set_position(done.load(Ordering::Relaxed));
+                    }
+                })
+            })
+            .collect();
+        workers
+            .into_iter()
+            .try_for_each(|worker| worker.join().expect("a worker catches what it reads"))
+    })?;
+    drop(quiet);
+    bar.finish_and_clear();
+    let mut fuzzed = count.into_inner().expect("no worker panics");
+    fuzzed.failures.sort();
+    fuzzed.failures.truncate(TOLD);
+    fuzzed.check_memory(before, args)?;
+    Ok(fuzzed)
+}
+
+/// Whether the input of that number is accepted; a failure where the reader panics.
+fn one(open: &Open<'_>, args: &VerifyArgs, index: u64) -> Result<bool, Failure> {
+    let input = input(open, args.seed, index);
+    if args.fuzz == Some(1) {
+        eprintln!("{}: input {index}: {input:?}", open.name());
+    }
+    let read = panic::catch_unwind(AssertUnwindSafe(|| open.read(&input)));
+    read.map(|read| read.is_ok()).map_err(|panicked| Failure {
+        index,
+        message: format!(
+            "{}: input {index} panics: {}",
+            open.name(),
+            said(panicked.as_ref())
+        ),
+        command: repeat(args.seed, open.name(), index),
+    })
+}
+
+fn input(open: &Open<'_>, seed: u64, index: u64) -> Input {
+    // Two numbers that do not meet: seeds are small, and indices below 2^40.
+    open.input(&mut Pcg64::seed_from_u64(seed << 40 ^ index))
+}
+
+fn repeat(seed: u64, reader: &str, index: u64) -> String {
+    format!("photoncube verify --fuzz 1 --reader {reader} --from {index} --seed {seed}")
+}
+
+impl Fuzzed {
+    fn check_memory(&mut self, before: Option<u64>, args: &VerifyArgs) -> Result<()> {
+        let (Some(before), Some(after)) = (before, memory::peak_mib()) else {
+            return Ok(());
+        };
+        let grown = after - before;
+        self.memory_mib = Some(grown);
+        if grown > MEMORY_BOUND_MIB {
+            self.failures.push(Failure {
+                index: args.from,
+                message: format!(
+                    "{}: memory grew by {grown} MiB, expected at most {MEMORY_BOUND_MIB}",
+                    self.reader
+                ),
+                command: format!(
+                    "photoncube verify --fuzz {} --reader {} --from {} --seed {}",
+                    self.inputs, self.reader, args.from, args.seed
+                ),
+            });
+        }
+        Ok(())
+    }
+}
+
+/// Panics say nothing on standard error as long as this lives: each becomes a failure.
+struct Quiet(Option<PanicHook>);
+
+type PanicHook = Box<dyn Fn(&panic::PanicHookInfo<'_>) + Send + Sync>;
+
+impl Quiet {
+    fn new() -> Self {
+        let loud = panic::take_hook();
+        panic::set_hook(Box::new(|_| ()));
+        Self(Some(loud))
+    }
+}
+
+impl Drop for Quiet {
+    fn drop(&mut self) {
+        if let Some(loud) = self.0.take() {
+            panic::set_hook(loud);
+        }
+    }
+}
+
+/// What a panic says.
+fn said(panicked: &(dyn Any + Send)) -> String {
+    let text = panicked.downcast_ref::<&str>().map(ToString::to_string);
+    let text = text.or_else(|| panicked.downcast_ref::<String>().cloned());
+    text.unwrap_or_else(|| "a panic without words".to_owned())
+}
+
+fn lines(report: &Report, args: &VerifyArgs) -> Vec<Line> {
+    let line = |fuzzed: &Fuzzed| Line {
+        machine: format!("reader {}", fuzzed.reader),
+        method: "fuzz".to_owned(),
+        by: format!("photoncube {}", env!("CARGO_PKG_VERSION")),
+        volume: fuzzed.inputs,
+        unit: "inputs".to_owned(),
+        result: format!(
+            "{} read, {} refused, {} failures",
+            fuzzed.inputs_read,
+            fuzzed.inputs_refused,
+            fuzzed.failures.len()
+        ),
+        command: format!(
+            "photoncube verify --fuzz {} --reader {} --seed {}",
+            fuzzed.inputs, fuzzed.reader, args.seed
+        ),
+    };
+    report.readers.iter().map(line).collect()
+}
+
+fn text(report: &Report) -> String {
+    let header = [
+        "reader",
+        "inputs",
+        "read",
+        "refused",
+        "failures",
+        "memory, MiB",
+    ];
+    let row = |fuzzed: &Fuzzed| {
+        vec![
+            fuzzed.reader.to_owned(),
+            fuzzed.inputs.to_string(),
+            fuzzed.inputs_read.to_string(),
+            fuzzed.inputs_refused.to_string(),
+            fuzzed.failures.len().to_string(),
+            fuzzed
+                .memory_mib
+                .map_or("not told".to_owned(), |mib| mib.to_string()),
+        ]
+    };
+    table::markdown(&header, &report.readers.iter().map(row).collect::<Vec<_>>())
+}

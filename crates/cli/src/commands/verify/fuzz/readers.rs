@@ -1,0 +1,238 @@
+//! What reads files and texts that people give, each with good ones to start from.
+
+use std::path::Path;
+
+use anyhow::{Context, Result, anyhow};
+use clap::Parser;
+use photoncube_render::{
+    Engine, Image, PhotonMap, Scene, TraceOptions, ViewOptions, render, trace,
+};
+use photoncube_spec::{Hypercube, Microprogram, parse_listing};
+use rand::Rng;
+
+use super::mutate;
+use crate::args::Args;
+use crate::verified;
+
+/// One input.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Input {
+    Text(String),
+    Bytes(Vec<u8>),
+}
+
+/// Something that reads.
+pub struct Reader {
+    /// Its name on the command line.
+    pub name: &'static str,
+    /// What it reads, for people.
+    pub what: &'static str,
+    /// Good inputs; `folder` is one to work in.
+    good: fn(folder: &Path) -> Result<Vec<Input>>,
+    /// Reads an input; an error is a refusal.
+    read: fn(folder: &Path, input: &Input) -> Result<()>,
+}
+
+/// All readers.
+pub const READERS: [Reader; 7] = [
+    Reader {
+        name: "scene-toml",
+        what: "scenes in TOML",
+        good: |folder| {
+            std::fs::write(folder.join("knot.obj"), MESHES[0])?;
+            Ok(texts(&TOML_SCENES))
+        },
+        read: |folder, input| use_scene(&Scene::from_toml("fuzz.toml", text(input), folder)?),
+    },
+    Reader {
+        name: "scene-json",
+        what: "scenes in JSON",
+        good: |_| Ok(texts(&JSON_SCENES)),
+        read: |_, input| use_scene(&Scene::from_json("fuzz.json", text(input))?),
+    },
+    Reader {
+        name: "mesh",
+        what: "meshes in OBJ",
+        good: |_| Ok(texts(&MESHES)),
+        read: read_mesh,
+    },
+    Reader {
+        name: "listing",
+        what: "microprogram listings",
+        good: |_| Ok(listings()),
+        read: |_, input| Ok(parse_listing(text(input)).map(drop)?),
+    },
+    Reader {
+        name: "picture",
+        what: "pictures in OpenEXR",
+        good: good_picture,
+        read: read_picture,
+    },
+    Reader {
+        name: "results",
+        what: "tables of results in JSON",
+        good: |_| Ok(texts(&RESULTS)),
+        read: |_, input| verified::parse(text(input)).map(drop),
+    },
+    Reader {
+        name: "arguments",
+        what: "command lines",
+        good: |_| Ok(texts(&COMMANDS)),
+        read: |_, input| {
+            let words = text(input).split_whitespace();
+            Ok(Args::try_parse_from(words).map(drop)?)
+        },
+    },
+];
+
+const TOML_SCENES: [&str; 7] = [
+    include_str!("../../../../../../docs/scenes/balls.toml"),
+    include_str!("../../../../../../docs/scenes/boxes.toml"),
+    include_str!("../../../../../../docs/scenes/knots.toml"),
+    include_str!("../../../../../../docs/scenes/lights.toml"),
+    include_str!("../../../../../../docs/scenes/mirrors.toml"),
+    include_str!("../../../../../../docs/scenes/room.toml"),
+    include_str!("../../../../../../docs/scenes/spheres.toml"),
+];
+
+const JSON_SCENES: [&str; 2] = [
+    include_str!("../../../../../render/scenes/cornell.json"),
+    include_str!("../../../../../../docs/scenes/spheres.json"),
+];
+
+const MESHES: [&str; 2] = [
+    "# a tetrahedron\no t\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n",
+    "v 0 0 0 0.5 0.5 0.5\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\ng a\nusemtl b\nf 1/1/1 2//1 -2 -1\n",
+];
+
+/// The scene that a mesh is read for.
+const MESH_SCENE: &str = include_str!("mesh.toml");
+
+const RESULTS: [&str; 1] = [
+    r#"[{"machine": "paper", "method": "equivalence", "by": "icarus: 11.0",
+"volume": 12, "unit": "vectors", "outcome": "0 mismatches", "command": "photoncube verify"}]"#,
+];
+
+/// Commands with every kind of value.
+const COMMANDS: [&str; 8] = [
+    "photoncube run cornell --machine paper-12 --out out --photons 2000000 --size 64x48 --json",
+    "photoncube render cornell -o box.png --engine f64 --photons 100 --samples 3 --in-range 0.5",
+    "photoncube render ring -o x.exr --estimator ladder --direct rays:4 --caustics own:50 --area covered",
+    "photoncube progressive cornell -o b.png --error-target 0.1 --confidence 0.9 --passes 10 --alpha 0.7",
+    "photoncube fit ring --noise-ratio 0.1 --maps 8 --seed 3",
+    "photoncube verify --machine paper-5d --against icarus,verilator --iterations 20 --seed 7",
+    "photoncube generate --machine paper --coordinate-bits 12 --dimension 5 --check",
+    "photoncube synth --machine tile-4 --flow place --grade 8 --seed 2 --check",
+];
+
+fn texts(texts: &[&str]) -> Vec<Input> {
+    texts
+        .iter()
+        .map(|&text| Input::Text(text.to_owned()))
+        .collect()
+}
+
+fn listings() -> Vec<Input> {
+    let program = |dimension| Microprogram::all_reduce(Hypercube::new(dimension)).to_string();
+    [4, 5]
+        .map(|dimension| Input::Text(program(dimension)))
+        .into()
+}
+
+/// A picture of each form of block that is written here.
+fn good_picture(folder: &Path) -> Result<Vec<Input>> {
+    let path = folder.join("good.exr");
+    let pixels = (0..12).map(|i| glam::DVec3::splat(f64::from(i))).collect();
+    Image::new(4, 3, pixels)?.write(&path, 1.0)?;
+    Ok(vec![Input::Bytes(std::fs::read(&path)?)])
+}
+
+fn read_picture(folder: &Path, input: &Input) -> Result<()> {
+    let Input::Bytes(bytes) = input else {
+        return Err(anyhow!("a picture is bytes"));
+    };
+    let path = folder.join("fuzz.exr");
+    std::fs::write(&path, bytes).context("the fuzzer's own folder")?;
+    Ok(Image::read_exr(&path).map(drop)?)
+}
+
+fn read_mesh(folder: &Path, input: &Input) -> Result<()> {
+    std::fs::write(folder.join("fuzz.obj"), text(input)).context("the fuzzer's own folder")?;
+    use_scene(&Scene::from_toml("fuzz.toml", MESH_SCENE, folder)?)
+}
+
+/// What is accepted must also be of use: some photons and a small picture, in which nothing panics either.
+fn use_scene(scene: &Scene) -> Result<()> {
+    let options = TraceOptions {
+        photons: 20,
+        seed: 1,
+    };
+    let photons = trace(scene, &options, &|_| ())?.photons;
+    let radius = PhotonMap::radius_for(scene, photons.len() as u64, 10.0);
+    let map = PhotonMap::new(scene, photons, radius)?;
+    let view = ViewOptions {
+        width: 3,
+        height: 2,
+        samples_per_axis: 1,
+        seed: 1,
+    };
+    render(scene, &map, Engine::F64, &view, &|_| ())?;
+    Ok(())
+}
+
+fn text(input: &Input) -> &str {
+    match input {
+        Input::Text(text) => text,
+        Input::Bytes(_) => unreachable!("this reader's good inputs are texts"),
+    }
+}
+
+impl Reader {
+    /// The reader with its good inputs at hand.
+    pub fn open<'a>(&'a self, folder: &'a Path) -> Result<Open<'a>> {
+        let (mut texts, mut files) = (Vec::new(), Vec::new());
+        for input in (self.good)(folder)? {
+            (self.read)(folder, &input)
+                .with_context(|| format!("{}: a good input is refused: {input:?}", self.name))?;
+            match input {
+                Input::Text(text) => texts.push(text),
+                Input::Bytes(bytes) => files.push(bytes),
+            }
+        }
+        Ok(Open {
+            reader: self,
+            folder,
+            texts,
+            files,
+        })
+    }
+}
+
+/// A reader that runs.
+pub struct Open<'a> {
+    reader: &'a Reader,
+    folder: &'a Path,
+    texts: Vec<String>,
+    files: Vec<Vec<u8>>,
+}
+
+impl Open<'_> {
+    /// The reader's name.
+    pub fn name(&self) -> &'static str {
+        self.reader.name
+    }
+
+    /// A changed input.
+    pub fn input(&self, rng: &mut impl Rng) -> Input {
+        if self.files.is_empty() {
+            Input::Text(mutate::text(rng, &self.texts))
+        } else {
+            Input::Bytes(mutate::bytes(rng, &self.files))
+        }
+    }
+
+    /// Reads it; an error is a refusal.
+    pub fn read(&self, input: &Input) -> Result<()> {
+        (self.reader.read)(self.folder, input)
+    }
+}

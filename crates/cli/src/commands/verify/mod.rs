@@ -1,0 +1,24 @@
+//! `verify`: a machine against the golden model, by one method after the other.
+
+mod equivalence;
+mod fuzz;
+
+use anyhow::Result;
+
+use crate::args::VerifyArgs;
+use crate::output;
+use crate::verified;
+
+pub use self::equivalence::{verdict_table, verify_with_bar};
+
+/// Verifies by the method that was asked for.
+pub fn execute(args: &VerifyArgs, json: bool) -> Result<()> {
+    if args.table {
+        let table = verified::committed()?;
+        return output::print(json, &table, || verified::table(&table.lines));
+    }
+    if let Some(inputs) = args.fuzz {
+        return fuzz::execute(args, inputs, json);
+    }
+    equivalence::execute(args, json)
+}

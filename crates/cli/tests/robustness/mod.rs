@@ -1,0 +1,160 @@
+//! What a user's bad day does: wrong inputs, hostile sizes, a process killed while it writes.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Stdio};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use super::{json, photoncube};
+
+#[test]
+fn readers_read_or_refuse_wrong_inputs() {
+    const INPUTS: u64 = 3_000;
+    let report = json(&["verify", "--fuzz", "3000"]);
+    let readers = report["readers"].as_array().unwrap();
+    assert_eq!(readers.len(), 7);
+    for reader in readers {
+        let count = |key: &str| reader[key].as_u64().unwrap();
+        assert_eq!(count("inputs"), INPUTS, "{reader}");
+        assert_eq!(
+            count("inputs_read") + count("inputs_refused"),
+            INPUTS,
+            "{reader}"
+        );
+        // Inputs that are all right, or all far from right, would test little.
+        assert!(count("inputs_read") > INPUTS / 100, "{reader}");
+        assert!(count("inputs_refused") > INPUTS / 100, "{reader}");
+        assert_eq!(reader["failures"], serde_json::json!([]));
+    }
+}
+
+#[test]
+fn an_input_is_had_again_by_its_number() {
+    let one = [
+        "verify", "--fuzz", "1", "--reader", "listing", "--from", "7",
+    ];
+    let said = |args: &[&str]| {
+        let output = photoncube(args).assert().success();
+        String::from_utf8(output.get_output().stderr.clone()).unwrap()
+    };
+    let first = said(&one);
+    assert!(first.starts_with("listing: input 7: Text(\""), "{first}");
+    assert_eq!(first, said(&one));
+    assert_ne!(first, said(&[&one[..], &["--seed", "2"]].concat()));
+}
+
+#[test]
+fn hostile_sizes_are_refused_with_the_reason() {
+    for (args, expected) in [
+        (
+            &[
+                "render",
+                "cornell",
+                "-o",
+                "x.png",
+                "--photons",
+                "1000000000000",
+            ][..],
+            "photons: found 1000000000000, expected 1 to 134217728",
+        ),
+        (
+            &["render", "cornell", "-o", "x.png", "--size", "16384x16384"],
+            "expected WxH",
+        ),
+        (
+            &[
+                "render",
+                "cornell",
+                "-o",
+                "x.png",
+                "--size",
+                "99999999999x1",
+            ],
+            "expected WxH",
+        ),
+        (
+            &["verify", "--iterations", "99999999999999999999"],
+            "invalid value '99999999999999999999'",
+        ),
+    ] {
+        let folder = tempfile::tempdir().unwrap();
+        let output = photoncube(args).current_dir(&folder).assert().code(2);
+        let said = String::from_utf8_lossy(&output.get_output().stderr).into_owned();
+        assert!(said.contains(expected), "{args:?}: {said}");
+        assert_eq!(fs::read_dir(&folder).unwrap().count(), 0, "{args:?}");
+    }
+}
+
+/// The files of a folder, without what a killed process left of its own.
+fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
+    let mut found = BTreeMap::new();
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        let name = path.file_name().unwrap().to_string_lossy().into_owned();
+        if path.is_dir() {
+            let within = files(&path).into_iter();
+            found.extend(within.map(|(inner, bytes)| (format!("{name}/{inner}"), bytes)));
+        } else if !name.starts_with(".tmp") {
+            found.insert(name, fs::read(&path).unwrap());
+        }
+    }
+    found
+}
+
+/// Kills a command at moments all over its run; whatever was there is then what it was, or what the command writes.
+fn is_whole_whenever_killed(args: &[&str]) {
+    const KILLS: u32 = 12;
+    let finished = tempfile::tempdir().unwrap();
+    let run = |folder: &Path| {
+        Command::new(env!("CARGO_BIN_EXE_photoncube"))
+            .args(args)
+            .current_dir(folder)
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap()
+    };
+    let begun = Instant::now();
+    assert!(run(finished.path()).wait().unwrap().success());
+    let whole = begun.elapsed();
+    let new = files(finished.path());
+    assert!(!new.is_empty());
+    let (mut killed, mut written) = (0, 0);
+    for kill in 0..KILLS {
+        let folder = tempfile::tempdir().unwrap();
+        for name in new.keys() {
+            let path = folder.path().join(name);
+            fs::create_dir_all(path.parent().unwrap()).unwrap();
+            fs::write(path, "old").unwrap();
+        }
+        let mut child = run(folder.path());
+        thread::sleep(whole * (kill + 1) / (KILLS + 1) + Duration::from_millis(1));
+        child.kill().unwrap();
+        killed += u32::from(!child.wait().unwrap().success());
+        let left = files(folder.path());
+        assert!(left.keys().eq(new.keys()), "{:?}", left.keys());
+        for (name, bytes) in &left {
+            let is_new = *bytes == new[name];
+            assert!(is_new || bytes == b"old", "{name}: {} bytes", bytes.len());
+            written += u32::from(is_new);
+        }
+    }
+    assert!(
+        killed > 0,
+        "the command was killed in its work at least once"
+    );
+    println!("{args:?}: {killed} of {KILLS} were killed, {written} files were written before");
+}
+
+#[test]
+fn a_killed_generate_leaves_each_file_old_or_new() {
+    is_whole_whenever_killed(&["generate", "--out", "."]);
+}
+
+#[test]
+fn a_killed_render_leaves_the_picture_old_or_new() {
+    let small = ["--photons", "2000", "--size", "64x64", "--samples", "1"];
+    is_whole_whenever_killed(&[&["render", "cornell", "-o", "x.exr"], &small[..]].concat());
+}
