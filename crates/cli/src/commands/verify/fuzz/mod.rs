@@ -40,6 +40,8 @@ const TOLD: usize = 5;
 #[derive(Debug, Serialize)]
 struct Fuzzed {
     reader: &'static str,
+    #[serde(skip)]
+    what: &'static str,
     inputs: u64,
     inputs_read: u64,
     inputs_refused: u64,
@@ -115,6 +117,7 @@ fn fuzz(reader: &'static Reader, args: &VerifyArgs, inputs: u64) -> Result<Fuzze
     let (next, done) = (AtomicU64::new(0), AtomicU64::new(0));
     let count = Mutex::new(Fuzzed {
         reader: reader.name,
+        what: reader.what,
         inputs,
         inputs_read: 0,
         inputs_refused: 0,
@@ -268,6 +271,7 @@ fn lines(report: &Report, args: &VerifyArgs) -> Vec<Line> {
 fn text(report: &Report) -> String {
     let header = [
         "reader",
+        "reads",
         "inputs",
         "read",
         "refused",
@@ -277,6 +281,7 @@ fn text(report: &Report) -> String {
     let row = |fuzzed: &Fuzzed| {
         vec![
             fuzzed.reader.to_owned(),
+            fuzzed.what.to_owned(),
             fuzzed.inputs.to_string(),
             fuzzed.inputs_read.to_string(),
             fuzzed.inputs_refused.to_string(),
