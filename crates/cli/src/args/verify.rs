@@ -39,6 +39,9 @@ pub struct VerifyArgs {
     /// Put what was found into this table of results, a JSON file
     #[arg(long, value_name = "FILE")]
     pub record: Option<PathBuf>,
+    /// Show the lint every planted mistake, in which Rust and Verilog differ, and what replaces it
+    #[arg(long, group = "method")]
+    pub lint: bool,
     /// Give everything that reads scenes, meshes, listings, pictures, tables and command lines N inputs that are
     /// nearly right: it must read or refuse them, and never panic, hang or take memory without bound
     #[arg(long, group = "method", value_name = "N", value_parser = clap::value_parser!(u64).range(1..1 << 39))]

@@ -49,6 +49,7 @@ fn every_json_key_is_documented() {
         &["synth", "--check", "--out", COMMITTED_FIGURES],
         &["verify", "--iterations", "5"],
         &["verify", "--fuzz", "5"],
+        &["verify", "--lint"],
         &[&render[..], &small[..]].concat(),
         &[&run[..], &small[..]].concat(),
     ] {

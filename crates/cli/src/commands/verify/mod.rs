@@ -2,6 +2,7 @@
 
 mod equivalence;
 mod fuzz;
+mod lint;
 
 use anyhow::Result;
 
@@ -16,6 +17,9 @@ pub fn execute(args: &VerifyArgs, json: bool) -> Result<()> {
     if args.table {
         let table = verified::committed()?;
         return output::print(json, &table, || verified::table(&table.lines));
+    }
+    if args.lint {
+        return lint::execute(args, json);
     }
     if let Some(inputs) = args.fuzz {
         return fuzz::execute(args, inputs, json);

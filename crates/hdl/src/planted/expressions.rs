@@ -1,6 +1,6 @@
 //! Planted mistakes in expressions: the rows of the table of operators.
 
-use crate::blocks::*;
+use crate::planted::blocks::*;
 use rust_hdl::prelude::*;
 
 planted! {

@@ -1,7 +1,7 @@
 //! Blocks that are good as written: the lint must say nothing.
 
-use crate::blocks::*;
-use photoncube_hdl::Rule;
+use crate::Rule;
+use crate::planted::blocks::*;
 use rust_hdl::prelude::ast::{VerilogCase, VerilogExpression, VerilogMatch, VerilogStatement};
 use rust_hdl::prelude::*;
 use std::time::Duration;

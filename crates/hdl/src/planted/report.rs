@@ -1,7 +1,7 @@
 //! How findings and opaque blocks are reported.
 
-use crate::blocks::*;
-use photoncube_hdl::{OpaqueKind, Rule, lint, opaque_blocks};
+use crate::planted::blocks::*;
+use crate::{OpaqueKind, Rule, lint, opaque_blocks};
 use rust_hdl::prelude::*;
 
 block!(Inner { y: O<13>, z13: [O<13>; 3], clock: Signal<In, Clock>, hold: DFF<Bits<12>> }
