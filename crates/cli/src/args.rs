@@ -6,7 +6,7 @@ use std::str::FromStr;
 
 use clap::{Args as ClapArgs, Parser, Subcommand};
 use clap_complete::Shell;
-use photoncube_render::{BenchOptions, TraceOptions, ViewOptions};
+use photoncube_render::{BenchOptions, MAX_PIXELS, TraceOptions, ViewOptions};
 
 use crate::machines::{ChosenMachineArgs, MachineArgs};
 
@@ -230,9 +230,6 @@ pub struct MicroprogramArgs {
 
 /// Pixels a picture may have in one direction; it bounds memory.
 const MAX_SIDE: u32 = 16_384;
-
-/// The most pixels of a picture: PIXELS_REASON
-const MAX_PIXELS: u64 = 1 << 26;
 
 /// A picture's size in pixels, written WxH.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]

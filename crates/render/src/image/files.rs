@@ -6,10 +6,10 @@ use std::path::Path;
 use glam::DVec3;
 use image::codecs::openexr::{OpenExrDecoder, OpenExrEncoder};
 use image::codecs::png::PngEncoder;
-use image::{DynamicImage, ExtendedColorType, ImageEncoder};
+use image::{DynamicImage, ExtendedColorType, ImageDecoder, ImageEncoder};
 use tempfile::NamedTempFile;
 
-use super::{Image, ImageError};
+use super::{Image, ImageError, MAX_PIXELS};
 
 /// What the name of a picture's file may end in.
 pub const IMAGE_ENDINGS: [&str; 2] = [".png", ".exr"];
@@ -95,14 +95,28 @@ fn make_readable(_path: &Path) -> std::io::Result<()> {
     Ok(())
 }
 
+/// No file has more pixels: of OpenEXR's compressions deflate shrinks most, at most 1032 times, and a pixel is
+/// three numbers of two bytes at least.
+const PIXELS_A_BYTE: u64 = 1032 / 6;
+
 pub(super) fn read_exr(path: &Path) -> Result<Image, ImageError> {
     let error = |message: String| ImageError::Read {
         path: path.to_owned(),
         message,
     };
     let bytes = std::fs::read(path).map_err(|e| error(e.to_string()))?;
+    let length = bytes.len() as u64;
     let decoder = OpenExrDecoder::new(std::io::Cursor::new(bytes));
-    let read = decoder.and_then(DynamicImage::from_decoder);
+    let decoder = decoder.map_err(|e| error(e.to_string()))?;
+    // The decoder takes memory for as many pixels as the file says that it has.
+    let (width, height) = decoder.dimensions();
+    let most = MAX_PIXELS.min(length * PIXELS_A_BYTE);
+    if u64::from(width) * u64::from(height) > most {
+        return Err(error(format!(
+            "found {width}x{height} pixels, expected at most {most} in a file of {length} bytes"
+        )));
+    }
+    let read = DynamicImage::from_decoder(decoder);
     let read = read.map_err(|e| error(e.to_string()))?.into_rgb32f();
     let (width, height) = read.dimensions();
     let pixels = read.pixels().map(|p| DVec3::from(p.0.map(f64::from)));
@@ -170,5 +184,20 @@ mod tests {
         two_pixels(f64::NAN).write(&at("nan.exr"), 1.0).unwrap();
         let error = Image::read_exr(&at("nan.exr")).unwrap_err();
         assert!(error.to_string().contains("not finite"), "{error}");
+        // A header may say anything: here that the first row ends at 2^30.
+        two_pixels(0.0).write(&at("huge.exr"), 1.0).unwrap();
+        let mut bytes = std::fs::read(at("huge.exr")).unwrap();
+        for name in [&b"dataWindow\0box2i\0"[..], b"displayWindow\0box2i\0"] {
+            let start = bytes.windows(name.len()).position(|bytes| bytes == name);
+            // The attribute's size, then the corner of the first pixel.
+            let last = start.unwrap() + name.len() + 4 + 8;
+            bytes[last..last + 4].copy_from_slice(&(1_i32 << 30).to_le_bytes());
+        }
+        std::fs::write(at("huge.exr"), bytes).unwrap();
+        let error = Image::read_exr(&at("huge.exr")).unwrap_err().to_string();
+        assert!(
+            error.contains("1073741825x1 pixels, expected at most"),
+            "{error}"
+        );
     }
 }

@@ -11,6 +11,10 @@ use thiserror::Error;
 pub use self::error_map::{error_map, relative_errors};
 pub use self::files::{IMAGE_ENDINGS, check_image_path};
 
+/// The most pixels of a picture that is read or rendered: what bounds memory. A pixel takes 190 bytes at the peak of
+/// [`crate::Progressive`] and 60 elsewhere (measured with 4 million), so this many take 13 GB.
+pub const MAX_PIXELS: u64 = 1 << 26;
+
 /// Why an image could not be made or written.
 #[derive(Debug, Error)]
 pub enum ImageError {

@@ -117,12 +117,12 @@ const RESULTS: [&str; 1] = [
 const COMMANDS: [&str; 8] = [
     "photoncube run cornell --machine paper-12 --out out --photons 2000000 --size 64x48 --json",
     "photoncube render cornell -o box.png --engine f64 --photons 100 --samples 3 --in-range 0.5",
-    "photoncube render ring -o x.exr --estimator ladder --direct rays:4 --caustics own:50 --area covered",
+    "photoncube render ring -o x.exr --estimator ladder:8:cone --direct rays:4 --caustics own:50 --area covered",
     "photoncube progressive cornell -o b.png --error-target 0.1 --confidence 0.9 --passes 10 --alpha 0.7",
     "photoncube fit ring --noise-ratio 0.1 --maps 8 --seed 3",
     "photoncube verify --machine paper-5d --against icarus,verilator --iterations 20 --seed 7",
     "photoncube generate --machine paper --coordinate-bits 12 --dimension 5 --check",
-    "photoncube synth --machine tile-4 --flow place --grade 8 --seed 2 --check",
+    "photoncube synth --machine tile-4 --flow place --grade 8 --seed 2",
 ];
 
 fn texts(texts: &[&str]) -> Vec<Input> {
