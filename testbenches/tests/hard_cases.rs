@@ -16,6 +16,7 @@ type Workload = Vec<(Query, Vec<Photon>)>;
 fn iterations_of_a_case(kind: DeviceKind) -> usize {
     match kind {
         DeviceKind::RustHdl => 250,
+        DeviceKind::Text => 1_000,
         DeviceKind::Icarus => 70,
         DeviceKind::Verilator => usize::MAX,
         DeviceKind::Netlist => 0,
@@ -37,6 +38,7 @@ fn main() {
         }
         for kind in [
             DeviceKind::RustHdl,
+            DeviceKind::Text,
             DeviceKind::Icarus,
             DeviceKind::Verilator,
         ] {
