@@ -61,7 +61,9 @@ struct Blocks {
 impl Blocks {
     fn declare(&mut self, rng: &mut Pcg64, signal: &str, kind: &str) -> (u32, &'static str) {
         let width = rng.random_range(1..=40);
-        let sign = ["", "signed "][rng.random_range(0..2)];
+        // Icarus shifts by a signed bit of 1 as by -1; in IEEE 1364 an amount is unsigned.
+        let signs = if width > 1 { 2 } else { 1 };
+        let sign = ["", "signed "][rng.random_range(0..signs)];
         let high = width - 1;
         let _ = writeln!(self.items, "  output {kind} {sign}[{high}:0] {signal};");
         self.outputs.push((signal.to_owned(), width));
@@ -76,7 +78,11 @@ impl Blocks {
         let signal = format!("c{index}");
         let (width, sign) = self.declare(rng, &signal, "reg");
         let first = expression(rng, &self.names, 2);
-        let _ = writeln!(self.items, "  always @(*) begin\n    {signal} = {first};");
+        // It reads an input, so that it has run: see `waits.rs`.
+        let _ = writeln!(
+            self.items,
+            "  always @(*) begin\n    {signal} = i0;\n    {signal} = {first};"
+        );
         let count = rng.random_range(0..4);
         for _ in 0..count {
             self.items += &statement(rng, &self.names, &signal, width, "=", 3);
@@ -132,7 +138,7 @@ impl Blocks {
         let other = format!("a{index}");
         let _ = writeln!(
             self.items,
-            "  output wire [{high}:0] {other} = {memory}[{read}];"
+            "  output wire [{high}:0] {other};\n  assign {other} = {memory}[{read}];"
         );
         self.outputs.push((other, width));
     }
@@ -174,7 +180,8 @@ impl Blocks {
         let start = ["", " #(.start(8'd7))"][rng.random_range(0..2)];
         let _ = writeln!(
             self.items,
-            "  output wire [7:0] {signal};\n  held{start} held{index}(.clock(ck), .d({given}), .q({signal}));"
+            "  output wire [7:0] {signal};\n  wire [7:0] d{index} = {given};\n  \
+             held{start} held{index}(.clock(ck), .d(d{index}), .q({signal}));"
         );
         self.outputs.push((signal.clone(), 8));
         self.known(&signal, 8, "");

@@ -103,8 +103,10 @@ pub fn assert_as_in_icarus(design: &Emitted, rows: &[u64]) -> usize {
         let name = &design.pins.observed[index % outputs].name;
         let inputs = design.pins.inputs.len();
         let row = &rows[index / outputs * inputs..][..inputs];
-        let word =
-            |line: &&str| line.contains(&format!("{name} ")) || line.contains(&format!("{name};"));
+        let word = |line: &&str| {
+            let mut words = line.split(|c: char| !c.is_alphanumeric() && c != '_');
+            words.any(|word| word == name.as_str())
+        };
         let lines: Vec<_> = design.text.lines().filter(word).collect();
         panic!(
             "{name} in row {}: {ours}, in Icarus {theirs}; inputs {row:x?}\n{}\n",

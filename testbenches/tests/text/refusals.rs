@@ -4,6 +4,8 @@ use photoncube_testbench::Text;
 
 use crate::design::design;
 
+const OTHER: &str = "module other(i, o);\n  input wire i;\n  output wire o;\nendmodule\n";
+
 /// Items of a module, the line of what is refused, and a part of what is said.
 const REFUSED: &[(&str, u32, &str)] = &[
     ("wire a;\nassign a = b;", 5, "`b` is not declared"),
@@ -62,8 +64,13 @@ const REFUSED: &[(&str, u32, &str)] = &[
         "the clock `i` is not that of the top module",
     ),
     ("wire a = clock & i;", 1, "the clock is read as a value"),
-    ("other o(.a(i));", 4, "no module `other`"),
+    ("another o(.a(i));", 4, "no module `another`"),
     ("top t(.i(i));", 1, "`top` is in itself"),
+    (
+        "wire [3:0] a; wire o;\nother b(.i(a), .o(o));",
+        5,
+        "4 bits on `i`, which has 1",
+    ),
     ("initial $display(1);", 4, "`$display`"),
     ("generate\nendgenerate", 4, "`generate`; expected a name"),
     ("wire a;\nwire a;", 5, "`a` is declared twice"),
@@ -101,7 +108,7 @@ pub fn by_name_and_line() {
             false => "assign y = i;",
         };
         let items = format!("{items}\n  output wire y;\n  {driver}\n");
-        let design = design(&[("i".to_owned(), 1)], &outputs, true, &items, "");
+        let design = design(&[("i".to_owned(), 1)], &outputs, true, &items, OTHER);
         let Err(refusal) = Text::new(&design) else {
             panic!("not refused:\n{}", design.text);
         };

@@ -485,6 +485,7 @@ impl<'a> Elaboration<'a> {
             let Some(expression) = expression else {
                 continue;
             };
+            self.check_port_width(parent, port, expression)?;
             match direction {
                 Direction::Input => {
                     self.drive_whole(port, parent, expression, expression.line)?;
@@ -493,6 +494,27 @@ impl<'a> Elaboration<'a> {
             }
         }
         Ok(())
+    }
+
+    /// A port has the width of what stands on it: Icarus calculates an expression on a port by its
+    /// own width, others by the port's.
+    fn check_port_width(
+        &mut self,
+        parent: usize,
+        port: SignalId,
+        expression: &'a Expression,
+    ) -> Result<(), Refusal> {
+        let mut evaluator = self.evaluator(parent, Mode::Continuous);
+        let given = evaluator.shape(expression)?.width;
+        let signal = self.flat.signal(port);
+        let (name, width) = (signal.name, signal.width);
+        match given == width {
+            true => Ok(()),
+            false => refuse(
+                expression.line,
+                format!("{given} bits on `{name}`, which has {width}"),
+            ),
+        }
     }
 
     /// What an output drives outside.

@@ -1,5 +1,8 @@
 //! `always @(*)` waits for something to change; a block that reads nothing that ever does is never
 //! run, and what it assigns stays as it starts (IEEE 1364-2005, 9.7.5).
+//!
+//! A register that nothing initialises counts as something that changes. Until it does, a block that
+//! reads it alone shows unknown bits in a simulator, and here what its operators make of unknown ones.
 
 use super::flat::{Driver, Flat};
 use super::graph::{Known, SignalId};
