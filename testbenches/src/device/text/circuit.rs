@@ -8,6 +8,7 @@
 use std::collections::HashSet;
 
 use super::bits::Bits;
+use super::doubts::Doubts;
 use super::flat::{Driver, Flat};
 use super::four_state::{self, Pair};
 use super::graph::{Known, MemoryId, SignalId, Value, ValueId};
@@ -50,13 +51,6 @@ pub struct Question<'q> {
     pub observed: &'q [SignalId],
 }
 
-/// Registers and memories that may hold unknown bits, whatever they start with.
-#[derive(Clone, Default)]
-struct Doubts {
-    registers: HashSet<SignalId>,
-    memories: HashSet<MemoryId>,
-}
-
 /// Lowers what the observed signals hang on.
 pub fn circuit(flat: &Flat<'_>, question: &Question<'_>) -> Result<Circuit, Refusal> {
     let mut doubts = Doubts::default();
@@ -76,11 +70,11 @@ pub fn circuit(flat: &Flat<'_>, question: &Question<'_>) -> Result<Circuit, Refu
 /// The leaf of the clock; inputs and registers are numbered from 0.
 const CLOCK: u32 = u32::MAX;
 
-struct Lowering<'l> {
+pub struct Lowering<'l> {
     flat: &'l Flat<'l>,
     question: &'l Question<'l>,
-    doubts: &'l Doubts,
-    nodes: Nodes,
+    pub doubts: &'l Doubts,
+    pub nodes: Nodes,
     values: Vec<Option<Pair>>,
     signals: Vec<Option<Pair>>,
     /// What is being lowered: met again, it is a loop.
@@ -88,12 +82,12 @@ struct Lowering<'l> {
     leaves: u32,
     inputs: Vec<Option<NodeId>>,
     /// Registers that were reached, with their leaves.
-    registers: Vec<(SignalId, Pair)>,
+    pub registers: Vec<(SignalId, Pair)>,
     /// What they become.
-    next: Vec<Pair>,
+    pub next: Vec<Pair>,
     /// Memories that were reached: the number of the values, and of what is unknown of them.
-    memories: Vec<(MemoryId, u32, Option<u32>)>,
-    writes: Vec<Vec<[Pair; 3]>>,
+    pub memories: Vec<(MemoryId, u32, Option<u32>)>,
+    pub writes: Vec<Vec<[Pair; 3]>>,
     planes: u32,
 }
 
@@ -380,64 +374,6 @@ impl<'l> Lowering<'l> {
         };
         self.memories.push((id, values, unknowns));
         (values, unknowns)
-    }
-
-    /// The doubts with those that this lowering raises: what is known by assumption and is given
-    /// something unknown, and all that hangs on it.
-    fn doubts(&self) -> Doubts {
-        let mut doubts = self.doubts.clone();
-        let unknown = |pair: &Pair| !self.nodes.is_zero(pair.unknown);
-        for (&(id, leaf), next) in self.registers.iter().zip(&self.next) {
-            if unknown(next) && !unknown(&leaf) {
-                doubts.registers.insert(id);
-            }
-        }
-        for (&(id, _, unknowns), writes) in self.memories.iter().zip(&self.writes) {
-            if unknowns.is_none() && writes.iter().any(|[_, _, data]| unknown(data)) {
-                doubts.memories.insert(id);
-            }
-        }
-        if doubts.registers.len() > self.doubts.registers.len()
-            || doubts.memories.len() > self.doubts.memories.len()
-        {
-            while self.spread_doubts(&mut doubts) {}
-        }
-        doubts
-    }
-
-    /// Adds what reads something in doubt; whether anything was added.
-    fn spread_doubts(&self, doubts: &mut Doubts) -> bool {
-        let mut doubtful = vec![false; self.nodes.len()];
-        for (id, leaf) in &self.registers {
-            doubtful[leaf.value.index()] = doubts.registers.contains(id);
-        }
-        let planes: HashSet<u32> = self
-            .memories
-            .iter()
-            .filter(|(id, ..)| doubts.memories.contains(id))
-            .map(|&(_, values, _)| values)
-            .collect();
-        for index in 0..self.nodes.len() {
-            let operation = &self.nodes.at(index).operation;
-            let from_memory =
-                matches!(operation, Operation::Word(plane, _) if planes.contains(plane));
-            if from_memory
-                || operation
-                    .operands()
-                    .any(|operand| doubtful[operand.index()])
-            {
-                doubtful[index] = true;
-            }
-        }
-        let mut more = false;
-        for (&(id, _), next) in self.registers.iter().zip(&self.next) {
-            more |= doubtful[next.value.index()] && doubts.registers.insert(id);
-        }
-        for (&(id, ..), writes) in self.memories.iter().zip(&self.writes) {
-            let reached = |pairs: &[Pair; 3]| pairs.iter().any(|p| doubtful[p.value.index()]);
-            more |= writes.iter().any(reached) && doubts.memories.insert(id);
-        }
-        more
     }
 
     fn finish(mut self) -> Circuit {

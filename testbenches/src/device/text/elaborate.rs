@@ -7,9 +7,9 @@ use super::environment::{Environment, Layer, Mode};
 use super::expression::Evaluator;
 use super::flat::{Driver, Entity, Flat, Instance, Memory, Signal, Unit};
 use super::graph::{Known, SignalId, ValueId};
-use super::statement::{assigned_names, is_variable, target_names};
+use super::statement::{assigned_names, is_variable};
 use super::syntax::{
-    self, Always, Declaration, Direction, Expression, Function, Item, Kind, Line, Module, Statement,
+    Always, Declaration, Direction, Expression, Function, Item, Kind, Line, Module, Statement,
 };
 use super::{Refusal, refuse};
 
@@ -41,16 +41,16 @@ pub fn elaborate<'a>(modules: &'a [Module], top: &str) -> Result<Flat<'a>, Refus
     Ok(elaboration.flat)
 }
 
-struct Elaboration<'a> {
-    modules: HashMap<&'a str, &'a Module>,
-    flat: Flat<'a>,
+pub struct Elaboration<'a> {
+    pub modules: HashMap<&'a str, &'a Module>,
+    pub flat: Flat<'a>,
 }
 
 /// The values that an instance gives to parameters, and whether they are signed.
-type Parameters<'a> = HashMap<&'a str, (Known, bool)>;
+pub type Parameters<'a> = HashMap<&'a str, (Known, bool)>;
 
 impl<'a> Elaboration<'a> {
-    fn instance(
+    pub fn instance(
         &mut self,
         module: &'a Module,
         place: Option<(usize, &'a str)>,
@@ -91,7 +91,7 @@ impl<'a> Elaboration<'a> {
         Ok(id)
     }
 
-    fn evaluator(&mut self, instance: usize, mode: Mode) -> Evaluator<'_, 'a> {
+    pub fn evaluator(&mut self, instance: usize, mode: Mode) -> Evaluator<'_, 'a> {
         Evaluator::new(&mut self.flat, instance, mode)
     }
 
@@ -167,7 +167,6 @@ impl<'a> Elaboration<'a> {
                 return refuse(d.line, found);
             }
             let memory = self.flat.add_memory(Memory {
-                instance,
                 name: &d.name,
                 width,
                 words: vec![Known::nothing(width); last as usize + 1],
@@ -259,7 +258,7 @@ impl<'a> Elaboration<'a> {
         }
     }
 
-    fn own(&self, instance: usize, name: &str, line: Line) -> Result<SignalId, Refusal> {
+    pub fn own(&self, instance: usize, name: &str, line: Line) -> Result<SignalId, Refusal> {
         match self.flat.instances[instance].names.get(name) {
             Some(Entity::Signal(id)) => Ok(*id),
             _ => refuse(line, format!("`{name}` is no signal")),
@@ -267,7 +266,7 @@ impl<'a> Elaboration<'a> {
     }
 
     /// Drives a signal with an expression of an instance.
-    fn drive_whole(
+    pub fn drive_whole(
         &mut self,
         id: SignalId,
         instance: usize,
@@ -283,7 +282,7 @@ impl<'a> Elaboration<'a> {
         Ok(())
     }
 
-    fn unit(&mut self, environment: Environment, targets: Vec<SignalId>, waits: bool) {
+    pub fn unit(&mut self, environment: Environment, targets: Vec<SignalId>, waits: bool) {
         let mut reads = environment.reads;
         reads.sort_unstable();
         reads.dedup();
@@ -317,7 +316,7 @@ impl<'a> Elaboration<'a> {
         Ok(())
     }
 
-    fn drive_parts(
+    pub fn drive_parts(
         &mut self,
         parts: &[(SignalId, u32, u32)],
         value: ValueId,
@@ -431,118 +430,6 @@ impl<'a> Elaboration<'a> {
             };
             signal.initial = Some(known);
         }
-        Ok(())
-    }
-
-    /// A port's signal inside the instance.
-    fn port(
-        &self,
-        instance: usize,
-        module: &'a Module,
-        name: &str,
-    ) -> Result<(SignalId, Direction), Refusal> {
-        let declared = module.items.iter().find_map(|item| match item {
-            Item::Declaration(d) if d.name == name => d.direction,
-            _ => None,
-        });
-        match declared {
-            Some(direction) => Ok((self.own(instance, name, module.line)?, direction)),
-            None => refuse(module.line, format!("the port `{name}` has no direction")),
-        }
-    }
-
-    fn child(
-        &mut self,
-        parent: usize,
-        instance: &'a syntax::Instance,
-        depth: usize,
-    ) -> Result<(), Refusal> {
-        let Some(&module) = self.modules.get(instance.module.as_str()) else {
-            return refuse(instance.line, format!("no module `{}`", instance.module));
-        };
-        let mut parameters = HashMap::new();
-        for (name, value) in &instance.parameters {
-            let mut evaluator = self.evaluator(parent, Mode::Continuous);
-            let signed = evaluator.shape(value)?.signed;
-            let known = Known::new(evaluator.constant(value)?);
-            parameters.insert(name.as_str(), (known, signed));
-        }
-        let place = Some((parent, instance.name.as_str()));
-        let id = self.instance(module, place, parameters, depth + 1)?;
-        let children = &mut self.flat.instances[parent].children;
-        if children.insert(&instance.name, id).is_some() {
-            return refuse(instance.line, format!("`{}` is there twice", instance.name));
-        }
-        let mut ports: HashMap<&str, (SignalId, Direction)> = HashMap::new();
-        for name in &module.ports {
-            ports.insert(name, self.port(id, module, name)?);
-        }
-        for (name, expression) in &instance.connections {
-            let Some((port, direction)) = ports.remove(name.as_str()) else {
-                let found = format!("`{}` has no port `{name}`, or it is taken", instance.module);
-                return refuse(instance.line, found);
-            };
-            let Some(expression) = expression else {
-                continue;
-            };
-            self.check_port_width(parent, port, expression)?;
-            match direction {
-                Direction::Input => {
-                    self.drive_whole(port, parent, expression, expression.line)?;
-                }
-                Direction::Output => self.output(parent, port, expression)?,
-            }
-        }
-        Ok(())
-    }
-
-    /// A port has the width of what stands on it: Icarus calculates an expression on a port by its
-    /// own width, others by the port's.
-    fn check_port_width(
-        &mut self,
-        parent: usize,
-        port: SignalId,
-        expression: &'a Expression,
-    ) -> Result<(), Refusal> {
-        let mut evaluator = self.evaluator(parent, Mode::Continuous);
-        let given = evaluator.shape(expression)?.width;
-        let signal = self.flat.signal(port);
-        let (name, width) = (signal.name, signal.width);
-        match given == width {
-            true => Ok(()),
-            false => refuse(
-                expression.line,
-                format!("{given} bits on `{name}`, which has {width}"),
-            ),
-        }
-    }
-
-    /// What an output drives outside.
-    fn output(
-        &mut self,
-        parent: usize,
-        port: SignalId,
-        target: &'a Expression,
-    ) -> Result<(), Refusal> {
-        let mut names = Vec::new();
-        target_names(target, &mut names);
-        if names.is_empty() {
-            return refuse(target.line, "an output on no signal".to_owned());
-        }
-        let mut evaluator = self.evaluator(parent, Mode::Continuous);
-        let parts = evaluator.net_targets(target)?;
-        let width = parts.iter().map(|part| part.2).sum();
-        let value = self.flat.read(port);
-        let signed = self.flat.signal(port).signed;
-        let value = self.flat.graph.resize(value, width, signed);
-        self.drive_parts(&parts, value, target.line)?;
-        let mut environment = Environment::new(Mode::Continuous);
-        environment.reads.push(port);
-        self.unit(
-            environment,
-            parts.iter().map(|part| part.0).collect(),
-            false,
-        );
         Ok(())
     }
 }

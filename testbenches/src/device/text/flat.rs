@@ -67,7 +67,6 @@ pub enum Driver {
 }
 
 pub struct Memory<'a> {
-    pub instance: usize,
     pub name: &'a str,
     pub width: u32,
     /// What each word starts with.

@@ -2,22 +2,25 @@
 //! program.
 //!
 //! It knows the subset of Verilog that `generate` emits and refuses the rest by name and line. What
-//! Verilog makes of a text is decided in four places: widths and signs in [`expression`], statements
+//! Verilog makes of a text is decided in four places: widths and signs in [`expression`] and [`shape`], statements
 //! in [`statement`], unknown values in [`four_state`], blocks that never run in [`waits`]. None of it
 //! is to be believed by itself: `testbenches/tests/text/` holds it against Icarus.
 
 mod bits;
 mod circuit;
+mod doubts;
 mod elaborate;
 mod environment;
 mod expression;
 mod flat;
 mod four_state;
 mod graph;
+mod instance;
 mod node;
 mod program;
 mod read;
 mod run;
+mod shape;
 mod statement;
 mod syntax;
 mod waits;

@@ -3,9 +3,10 @@
 
 use super::bits::Bits;
 use super::environment::{Layer, Mode, Slot};
-use super::expression::{Evaluator, Part};
+use super::expression::Evaluator;
 use super::flat::{Entity, Write};
 use super::graph::{self, Known, MemoryId, SignalId, Value, ValueId};
+use super::shape::Part;
 use super::syntax::{Assignment, Expression, ExpressionKind, Kind, Line, Select, Statement};
 use super::{Refusal, refuse};
 
