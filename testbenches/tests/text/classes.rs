@@ -209,7 +209,7 @@ const CLASSES: &[Class] = &[
         // Icarus sees that this is 0, and would have nothing to wait for but for `t0`.
         bad: "reg t0; always @(*) begin t0 = m[0]; y = (((m * n) >> 32'h10) & 16'hffff); end",
         good: "reg [31:0] t0; always @(*) begin t0 = m * n; y = ((t0 >> 32'h10) & 16'hffff); end",
-        meaning: |r| r.m * r.n >> 16,
+        meaning: |r| (r.m * r.n) >> 16,
     },
     Class {
         name: "signed_narrowed_and_compared",

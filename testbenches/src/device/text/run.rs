@@ -189,3 +189,72 @@ fn wide(program: &Program, state: &mut [u64], step: &Wide) {
     };
     state[step.to.word as usize..][..result.words().len()].copy_from_slice(result.words());
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::circuit::Circuit;
+    use super::super::four_state::known;
+    use super::super::node::Nodes;
+    use super::*;
+    use rand::{RngExt, SeedableRng};
+    use rand_pcg::Pcg64;
+
+    const UNARY: [Unary; 5] = [
+        Unary::Not,
+        Unary::Negate,
+        Unary::All,
+        Unary::Any,
+        Unary::Parity,
+    ];
+    const BINARY: [Binary; 12] = [
+        Binary::And,
+        Binary::Or,
+        Binary::Xor,
+        Binary::Add,
+        Binary::Subtract,
+        Binary::Multiply,
+        Binary::Equal,
+        Binary::Less,
+        Binary::LessSigned,
+        Binary::ShiftLeft,
+        Binary::ShiftRight,
+        Binary::ArithmeticShiftRight,
+    ];
+
+    /// Every operator of two inputs, as a program and by way of wide numbers.
+    #[test]
+    fn words_are_calculated_with_as_wide_numbers_are() {
+        let rng = &mut Pcg64::seed_from_u64(1);
+        for width in 1..=u64::BITS {
+            let mut nodes = Nodes::default();
+            let [a, b] = [0, 1].map(|number| nodes.leaf(width, number));
+            let mut observed: Vec<_> = UNARY.map(|unary| nodes.unary(unary, a)).to_vec();
+            observed.extend(BINARY.map(|binary| nodes.binary(binary, a, b)));
+            let observed = observed.into_iter().map(|node| known(&mut nodes, node));
+            let mut running = Running::new(Program::new(&Circuit {
+                observed: observed.collect(),
+                inputs: vec![Some(a), Some(b)],
+                registers: Vec::new(),
+                memories: Vec::new(),
+                nodes,
+            }));
+            for _ in 0..50 {
+                let mut any = || rng.random::<u64>() >> rng.random_range(0..64) >> (64 - width);
+                let row = [any(), any()];
+                running.settle(&row);
+                let [a, b] = row.map(|value| Bits::of(width, value));
+                let unary = UNARY.iter().map(|unary| node::unary(*unary, &a));
+                let binary = BINARY.iter().map(|binary| node::binary(*binary, &a, &b));
+                let places = &running.program().observed;
+                assert_eq!(places.len(), UNARY.len() + BINARY.len());
+                for (expected, place) in unary.chain(binary).zip(places) {
+                    assert_eq!(
+                        Some(running.word(place.value)),
+                        expected.to_u64(),
+                        "{row:?}"
+                    );
+                }
+            }
+        }
+    }
+}

@@ -7,7 +7,7 @@ use super::expression::Evaluator;
 use super::flat::{Entity, Write};
 use super::graph::{self, Known, MemoryId, SignalId, Value, ValueId};
 use super::shape::Part;
-use super::syntax::{Assignment, Expression, ExpressionKind, Kind, Line, Select, Statement};
+use super::syntax::{Assignment, Expression, ExpressionKind, For, Kind, Line, Select, Statement};
 use super::{Refusal, refuse};
 
 /// A `for` of an initial block ends within so many turns.
@@ -58,27 +58,25 @@ impl<'a> Evaluator<'_, 'a> {
                 items,
                 default,
             } => self.case(selector, items, default.as_deref()),
-            Statement::For {
-                first,
-                condition,
-                next,
-                body,
-                line,
-            } => {
-                if self.environment.mode != Mode::Initial {
-                    return refuse(*line, "`for` outside an initial block".to_owned());
-                }
-                self.assign(first)?;
-                for _ in 0..TURNS {
-                    if self.constant(condition)?.is_zero() {
-                        return Ok(());
-                    }
-                    self.statement(body)?;
-                    self.assign(next)?;
-                }
-                refuse(*line, format!("`for` of more than {TURNS} turns"))
-            }
+            Statement::For(repeated) => self.repeat(repeated),
         }
+    }
+
+    /// A loop of an initial block, turn by turn.
+    fn repeat(&mut self, repeated: &'a For) -> Result<(), Refusal> {
+        if self.environment.mode != Mode::Initial {
+            return refuse(repeated.line, "`for` outside an initial block".to_owned());
+        }
+        self.assign(&repeated.first)?;
+        for _ in 0..TURNS {
+            if self.constant(&repeated.condition)?.is_zero() {
+                return Ok(());
+            }
+            self.statement(&repeated.body)?;
+            self.assign(&repeated.next)?;
+        }
+        let found = format!("`for` of more than {TURNS} turns");
+        refuse(repeated.line, found)
     }
 
     /// What a statement assigns where the condition holds.
@@ -425,12 +423,10 @@ pub fn assigned_names<'a>(statement: &'a Statement, names: &mut Vec<(&'a str, Li
                 assigned_names(default, names);
             }
         }
-        Statement::For {
-            first, next, body, ..
-        } => {
-            target_names(&first.target, names);
-            target_names(&next.target, names);
-            assigned_names(body, names);
+        Statement::For(repeated) => {
+            target_names(&repeated.first.target, names);
+            target_names(&repeated.next.target, names);
+            assigned_names(&repeated.body, names);
         }
     }
 }

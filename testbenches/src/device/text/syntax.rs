@@ -117,14 +117,17 @@ pub enum Statement {
         items: Vec<(Vec<Expression>, Statement)>,
         default: Option<Box<Statement>>,
     },
-    For {
-        first: Assignment,
-        condition: Expression,
-        next: Assignment,
-        body: Box<Statement>,
-        line: Line,
-    },
+    For(Box<For>),
     Nothing,
+}
+
+/// `for (first; condition; next) body`.
+pub struct For {
+    pub first: Assignment,
+    pub condition: Expression,
+    pub next: Assignment,
+    pub body: Statement,
+    pub line: Line,
 }
 
 pub struct Expression {

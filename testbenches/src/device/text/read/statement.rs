@@ -3,7 +3,7 @@
 use winnow::Parser;
 use winnow::combinator::{delimited, separated};
 
-use super::super::syntax::{Assignment, Expression, ExpressionKind, Statement};
+use super::super::syntax::{Assignment, Expression, ExpressionKind, For, Statement};
 use super::expression::{comma, expression, selects};
 use super::token::Kind;
 use super::{Parsed, Tokens, expect, is_next, line, mismatch, name, peek, take};
@@ -81,13 +81,13 @@ fn repetition(tokens: &mut Tokens<'_>) -> Parsed<Statement> {
     expect(";").parse_next(tokens)?;
     let next = plain(tokens)?;
     expect(")").parse_next(tokens)?;
-    Ok(Statement::For {
+    Ok(Statement::For(Box::new(For {
         first,
         condition,
         next,
-        body: Box::new(statement(tokens)?),
+        body: statement(tokens)?,
         line,
-    })
+    })))
 }
 
 /// `target = value`.
