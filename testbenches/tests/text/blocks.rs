@@ -59,7 +59,7 @@ struct Blocks {
 }
 
 impl Blocks {
-    fn declare(&mut self, rng: &mut Pcg64, signal: &str, kind: &str) -> (u32, &'static str) {
+    fn declare(&mut self, rng: &mut Pcg64, signal: &str, kind: &str) -> u32 {
         let width = rng.random_range(1..=40);
         // Icarus shifts by a signed bit of 1 as by -1; in IEEE 1364 an amount is unsigned.
         let signs = if width > 1 { 2 } else { 1 };
@@ -67,16 +67,16 @@ impl Blocks {
         let high = width - 1;
         let _ = writeln!(self.items, "  output {kind} {sign}[{high}:0] {signal};");
         self.outputs.push((signal.to_owned(), width));
-        (width, sign)
+        width
     }
 
-    fn known(&mut self, signal: &str, width: u32, sign: &str) {
-        self.names.push(name(signal, width, !sign.is_empty()));
+    fn known(&mut self, signal: &str, width: u32) {
+        self.names.push(name(signal, width));
     }
 
     fn combinational(&mut self, rng: &mut Pcg64, index: usize) {
         let signal = format!("c{index}");
-        let (width, sign) = self.declare(rng, &signal, "reg");
+        let width = self.declare(rng, &signal, "reg");
         let first = expression(rng, &self.names, 2);
         // It reads an input, so that it has run: see `waits.rs`.
         let _ = writeln!(
@@ -88,17 +88,17 @@ impl Blocks {
             self.items += &statement(rng, &self.names, &signal, width, "=", 3);
         }
         self.items += "  end\n";
-        self.known(&signal, width, sign);
+        self.known(&signal, width);
     }
 
     fn register(&mut self, rng: &mut Pcg64, index: usize) {
         let signal = format!("q{index}");
-        let (width, sign) = self.declare(rng, &signal, "reg");
+        let width = self.declare(rng, &signal, "reg");
         if rng.random_range(0..4) > 0 {
             let _ = writeln!(self.items, "  initial {signal} = {width}'h{:x};", index % 2);
         }
         // A register may read itself.
-        self.known(&signal, width, sign);
+        self.known(&signal, width);
         self.items += "  always @(posedge clock) begin\n";
         let count = rng.random_range(1..4);
         for _ in 0..count {
@@ -112,7 +112,7 @@ impl Blocks {
 
     fn memory(&mut self, rng: &mut Pcg64, index: usize) {
         let signal = format!("r{index}");
-        let (width, sign) = self.declare(rng, &signal, "reg");
+        let width = self.declare(rng, &signal, "reg");
         let (last, memory) = (rng.random_range(1..20), format!("m{index}"));
         let high = width - 1;
         let _ = writeln!(
@@ -134,7 +134,7 @@ impl Blocks {
             "  always @(posedge clock) begin\n    if ({enable}) {memory}[{write}] <= {data};\n    \
              if (i1) {memory}[{read}] <= {signal};\n    {signal} <= {memory}[{read}];\n  end"
         );
-        self.known(&signal, width, sign);
+        self.known(&signal, width);
         let other = format!("a{index}");
         let _ = writeln!(
             self.items,
@@ -145,14 +145,9 @@ impl Blocks {
 
     fn function(&mut self, rng: &mut Pcg64, index: usize) {
         let signal = format!("f{index}");
-        let (width, sign) = self.declare(rng, &signal, "wire");
+        let width = self.declare(rng, &signal, "wire");
         let (high, called) = (width - 1, format!("g{index}"));
-        let inner = [
-            name("first", 4, false),
-            name("second", 8, true),
-            name("i2", 3, false),
-        ];
-        let inner = &inner[..2];
+        let inner = &[name("first", 4), name("second", 8)];
         let mut body = format!("        {called} = {};\n", local(rng, inner));
         for _ in 0..rng.random_range(0..3) {
             let (condition, value) = (local(rng, inner), local(rng, inner));
@@ -171,7 +166,7 @@ impl Blocks {
             self.items,
             "  assign {signal} = {called}({a}, {b}) + {called}(i3, i4);"
         );
-        self.known(&signal, width, sign);
+        self.known(&signal, width);
     }
 
     fn instance(&mut self, rng: &mut Pcg64, index: usize) {
@@ -184,7 +179,7 @@ impl Blocks {
              held{start} held{index}(.clock(ck), .d(d{index}), .q({signal}));"
         );
         self.outputs.push((signal.clone(), 8));
-        self.known(&signal, 8, "");
+        self.known(&signal, 8);
     }
 }
 

@@ -17,14 +17,12 @@ const ROWS: usize = 24;
 pub struct Name {
     pub name: String,
     pub width: u32,
-    pub signed: bool,
 }
 
-pub fn name(name: impl Into<String>, width: u32, signed: bool) -> Name {
+pub fn name(name: impl Into<String>, width: u32) -> Name {
     Name {
         name: name.into(),
         width,
-        signed,
     }
 }
 
@@ -51,15 +49,15 @@ pub const SIGNALS: &str = "\
 pub fn names() -> Vec<Name> {
     let inputs = inputs()
         .into_iter()
-        .map(|(input, width)| name(input, width, false));
+        .map(|(input, width)| name(input, width));
     let more = [
-        name("s0", 12, true),
-        name("s1", 4, true),
-        name("s2", 33, true),
-        name("w0", 100, false),
-        name("w1", 70, true),
-        name("x0", 8, false),
-        name("x1", 12, false),
+        name("s0", 12),
+        name("s1", 4),
+        name("s2", 33),
+        name("w0", 100),
+        name("w1", 70),
+        name("x0", 8),
+        name("x1", 12),
     ];
     inputs.chain(more).collect()
 }

@@ -96,13 +96,6 @@ impl Text {
     }
 }
 
-impl Text {
-    /// Steps that a clock takes.
-    pub fn steps(&self) -> usize {
-        self.running.program().steps.len()
-    }
-}
-
 fn names(pins: &[Pin]) -> impl Iterator<Item = &str> {
     pins.iter().map(|pin| pin.name.as_str())
 }
