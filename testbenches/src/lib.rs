@@ -16,8 +16,8 @@ mod verify;
 
 pub use compare::{Activity, Actual, Divergence};
 pub use device::{
-    Device, DeviceError, DeviceKind, Icarus, Mutant, Observed, RustHdl, Unknown, UnknownDevice,
-    Verilator, netlist,
+    Device, DeviceError, DeviceKind, Icarus, Mutant, Observed, Refusal, RustHdl, Text, Unknown,
+    UnknownDevice, Verilator, netlist,
 };
 pub use levels::{PartVerdict, verify_part, verify_part_device};
 pub use stimulus::{Block, Source, StimulusError, chunk_seed, generate};

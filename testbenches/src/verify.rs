@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::thread;
+use std::time::{Duration, Instant};
 
 use photoncube_hdl::Level;
 use photoncube_spec::{Machine, Pins};
@@ -46,6 +47,8 @@ pub struct Verdict {
     pub signals_per_vector: usize,
     /// Whether these are all registers of all cells, or the output pins alone.
     pub registers_compared: bool,
+    /// Clocks that the device did in a second while it worked, model and comparison apart.
+    pub clocks_per_second: u64,
     /// Vectors that were not equal: 0, as the first one ends a verification with an error.
     pub mismatches: u64,
 }
@@ -154,9 +157,12 @@ fn consume(
     let mut comparer = Comparer::new(machine, device.visible());
     let mut observed = Observed::default();
     let (mut iterations, mut results) = (0, 0);
+    let mut busy = Duration::ZERO;
     for block in blocks {
         observed.clear();
+        let start = Instant::now();
         device.replay(&block.inputs, &mut observed)?;
+        busy += start.elapsed();
         if !comparer.is_complete(&block, &observed) {
             return Err(wrong_count(device, block.clocks, &observed).into());
         }
@@ -177,6 +183,7 @@ fn consume(
         vectors_compared: comparer.vectors,
         signals_per_vector: device.visible(),
         registers_compared: device.visible() == signals,
+        clocks_per_second: (comparer.vectors as f64 / busy.as_secs_f64()) as u64,
         mismatches: 0,
     })
 }

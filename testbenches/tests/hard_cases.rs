@@ -19,6 +19,7 @@ type Workload = Vec<(Query, Vec<Photon>)>;
 fn iterations_of_a_case(machine: &Machine, kind: DeviceKind) -> usize {
     match kind {
         DeviceKind::RustHdl => 250,
+        DeviceKind::Text => 1_000,
         DeviceKind::Icarus => 70,
         DeviceKind::Verilator if Extent::of(machine) == Extent::Full => usize::MAX,
         DeviceKind::Verilator => 2_000,
@@ -41,6 +42,7 @@ fn main() {
         }
         for kind in [
             DeviceKind::RustHdl,
+            DeviceKind::Text,
             DeviceKind::Icarus,
             DeviceKind::Verilator,
         ] {

@@ -18,6 +18,7 @@ use extent::Extent;
 fn random_iterations(kind: DeviceKind, extent: Extent) -> Option<u64> {
     let iterations = match kind {
         DeviceKind::RustHdl => [20_000, 2_000, 50, 10],
+        DeviceKind::Text => [50_000, 5_000, 500, 50],
         DeviceKind::Icarus => [2_000, 200, 50, 0],
         DeviceKind::Verilator => [1_000_000, 20_000, 2_000, 0],
         DeviceKind::Netlist => [200, 100, 0, 0],
@@ -30,6 +31,7 @@ fn random_iterations(kind: DeviceKind, extent: Extent) -> Option<u64> {
 fn scene_iterations(kind: DeviceKind, extent: Extent) -> Option<u64> {
     let iterations = match kind {
         DeviceKind::RustHdl => [2_000, 500, 0, 0],
+        DeviceKind::Text => [5_000, 1_000, 0, 0],
         DeviceKind::Icarus => [500, 100, 0, 0],
         DeviceKind::Verilator => [100_000, 10_000, 1_000, 0],
         DeviceKind::Netlist => [0; 4],
@@ -125,7 +127,9 @@ fn missing_tools() -> Result<(), Failed> {
         let named = format!("(sudo apt-get install -y {package})");
         assert!(listed.contains(&named), "{listed}");
     }
-    assert!(!listed.contains("rust-hdl"), "{listed}");
+    for built_in in ["rust-hdl", "text"] {
+        assert!(!listed.contains(built_in), "{listed}");
+    }
     let icarus = ["--exact", "random::paper::icarus"];
     let ignored = run(&icarus, "0")?;
     assert!(ignored.status.success());

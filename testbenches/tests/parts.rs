@@ -13,7 +13,7 @@ use photoncube_testbench::{DeviceKind, verify_part};
 fn vectors(kind: DeviceKind, part: Level) -> usize {
     match (kind, part) {
         (DeviceKind::Verilator, Level::Square | Level::SquarePair) => 1 << 21,
-        (DeviceKind::RustHdl | DeviceKind::Verilator, _) => 20_000,
+        (DeviceKind::RustHdl | DeviceKind::Text | DeviceKind::Verilator, _) => 20_000,
         (DeviceKind::Icarus | DeviceKind::Netlist, _) => 5_000,
     }
 }

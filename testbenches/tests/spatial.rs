@@ -21,7 +21,7 @@ fn fewest(squarer: Squarer) -> Cuts {
 const ALL: Cuts = Cuts::of(&Cut::ALL);
 
 /// Those that start at once: Verilator's would take longer to build than these run.
-const DEVICES: [DeviceKind; 2] = [DeviceKind::RustHdl, DeviceKind::Icarus];
+const DEVICES: [DeviceKind; 3] = [DeviceKind::RustHdl, DeviceKind::Text, DeviceKind::Icarus];
 
 const ITERATIONS: u64 = 1_000;
 /// Of two 10-bit coordinates.

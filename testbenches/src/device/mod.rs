@@ -6,6 +6,7 @@ mod netlist;
 mod packing;
 mod process;
 mod simulation;
+mod text;
 mod verilator;
 
 use std::fmt;
@@ -23,6 +24,7 @@ pub use mutant::Mutant;
 pub use netlist::netlist;
 pub use simulation::RustHdl;
 pub(crate) use simulation::hdl_error;
+pub use text::{Refusal, Text};
 pub use verilator::Verilator;
 
 /// Something that is compared with the golden model. It keeps its state between calls and starts
@@ -93,6 +95,9 @@ pub enum DeviceError {
         /// Why.
         source: Box<dyn std::error::Error + Send + Sync>,
     },
+    /// The emitted Verilog is outside the subset that the device `text` knows.
+    #[error(transparent)]
+    Refused(#[from] Refusal),
     /// A file cannot be written or read.
     #[error("cannot {action} {path}")]
     File {
@@ -124,6 +129,8 @@ impl From<MissingTool> for DeviceError {
 pub enum DeviceKind {
     /// rust-hdl's own simulation; it proves the Rust source, not the Verilog.
     RustHdl,
+    /// The emitted Verilog in the testbench's own evaluator; it needs no tool.
+    Text,
     /// The emitted Verilog in Icarus, 4-state.
     Icarus,
     /// The emitted Verilog in Verilator, 2-state and fast.
@@ -145,12 +152,19 @@ pub struct UnknownDevice {
 
 impl DeviceKind {
     /// All devices.
-    pub const ALL: [Self; 4] = [Self::RustHdl, Self::Icarus, Self::Verilator, Self::Netlist];
+    pub const ALL: [Self; 5] = [
+        Self::RustHdl,
+        Self::Text,
+        Self::Icarus,
+        Self::Verilator,
+        Self::Netlist,
+    ];
 
     /// The device's name on the command line and in reports.
     pub fn name(self) -> &'static str {
         match self {
             Self::RustHdl => "rust-hdl",
+            Self::Text => "text",
             Self::Icarus => "icarus",
             Self::Verilator => "verilator",
             Self::Netlist => "netlist",
@@ -172,7 +186,7 @@ impl DeviceKind {
     /// The tools that the device needs.
     pub fn tools(self) -> &'static [Tool] {
         match self {
-            Self::RustHdl => &[],
+            Self::RustHdl | Self::Text => &[],
             Self::Icarus => &[Tool::Iverilog, Tool::Vvp],
             Self::Verilator => &[Tool::Verilator, Tool::Make, Tool::Gxx],
             Self::Netlist => &[Tool::Yosys, Tool::Iverilog, Tool::Vvp],
@@ -197,6 +211,7 @@ impl DeviceKind {
         }
         let design = emit(machine, level).map_err(hdl_error(machine))?;
         Ok(match self {
+            Self::Text => Box::new(Text::new(&design)?),
             Self::Verilator => Box::new(Verilator::new(&design)?),
             Self::Netlist => Box::new(Icarus::of_netlist(&design)?),
             _ => Box::new(Icarus::new(&design)?),

@@ -12,8 +12,8 @@ pub enum Extent {
     /// Chains whose devices have many times the signals: that they are put together right, as their
     /// engines are those of shorter chains.
     Chain,
-    /// Chains that take minutes in any Verilog simulator: in rust-hdl alone; `photoncube
-    /// verify --machine M --against verilator` is for them.
+    /// Chains that take minutes in any Verilog simulator: in rust-hdl and the evaluator of the
+    /// emitted text alone; `photoncube verify --machine M --against verilator` is for them.
     LongChain,
 }
 

@@ -12,7 +12,7 @@ use crate::machines::MachineArgs;
     group = ArgGroup::new("method"),
     after_help = "\
 Examples:
-  photoncube verify                     in rust-hdl's simulation
+  photoncube verify                     in rust-hdl's simulation and on the emitted text; needs no tool
   photoncube verify --against icarus,verilator --iterations 2000
   photoncube verify --against verilator --iterations 1000000 --json
   photoncube verify --machine paper-5d --against all --seed 7
@@ -22,10 +22,10 @@ Examples:
 pub struct VerifyArgs {
     #[command(flatten)]
     pub machine: MachineArgs,
-    /// What to compare the golden model with: rust-hdl, icarus, verilator, netlist; comma-separated, or all
+    /// What to compare the golden model with: rust-hdl, text, icarus, verilator, netlist; comma-separated, or all
     #[arg(
         long,
-        default_value = "rust-hdl",
+        default_value = "rust-hdl,text",
         value_name = "LIST",
         value_delimiter = ','
     )]

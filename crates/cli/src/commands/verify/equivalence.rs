@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use crate::args::VerifyArgs;
 use crate::failure::CheckFailed;
-use crate::verified::{Line, record};
+use crate::verified::{Line, grouped, record};
 use crate::{output, progress, table};
 
 #[derive(Serialize)]
@@ -138,6 +138,7 @@ pub fn verdict_table(verdicts: &[Verdict]) -> String {
         "vectors",
         "signals each",
         "mismatches",
+        "clocks/s",
         "tool",
     ];
     let row = |verdict: &Verdict| {
@@ -152,6 +153,7 @@ pub fn verdict_table(verdicts: &[Verdict]) -> String {
             verdict.vectors_compared.to_string(),
             format!("{} ({scope})", verdict.signals_per_vector),
             verdict.mismatches.to_string(),
+            grouped(verdict.clocks_per_second),
             verdict.tool_version.clone(),
         ]
     };
