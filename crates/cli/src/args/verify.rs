@@ -12,7 +12,7 @@ use crate::machines::MachineArgs;
     group = ArgGroup::new("method"),
     after_help = "\
 Examples:
-  photoncube verify                     in rust-hdl's simulation and on the emitted text; needs no tool
+  photoncube verify                     in rust-hdl, and the emitted text; needs no tool
   photoncube verify --against icarus,verilator --iterations 2000
   photoncube verify --against verilator --iterations 1000000 --json
   photoncube verify --machine paper-5d --against all --seed 7
