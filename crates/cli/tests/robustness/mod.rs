@@ -150,7 +150,7 @@ fn is_whole_whenever_killed(args: &[&str]) {
 
 #[test]
 fn a_killed_generate_leaves_each_file_old_or_new() {
-    is_whole_whenever_killed(&["generate", "--out", "."]);
+    is_whole_whenever_killed(&["generate", "--machine", "tile-6", "--out", "."]);
 }
 
 #[test]

@@ -184,19 +184,23 @@ mod tests {
         two_pixels(f64::NAN).write(&at("nan.exr"), 1.0).unwrap();
         let error = Image::read_exr(&at("nan.exr")).unwrap_err();
         assert!(error.to_string().contains("not finite"), "{error}");
-        // A header may say anything: here that the first row ends at 2^20.
+        // A header may say anything: here that there are 2^20 pixels, in tiles of 64.
         two_pixels(0.0).write(&at("huge.exr"), 1.0).unwrap();
         let mut bytes = std::fs::read(at("huge.exr")).unwrap();
-        for name in [&b"dataWindow\0box2i\0"[..], b"displayWindow\0box2i\0"] {
+        for (name, offset, value) in [
+            (&b"chunkCount\0int\0"[..], 0, 1_i32 << 14),
+            (b"dataWindow\0box2i\0", 8, (1 << 20) - 1),
+            (b"displayWindow\0box2i\0", 8, (1 << 20) - 1),
+        ] {
             let start = bytes.windows(name.len()).position(|bytes| bytes == name);
-            // The attribute's size, then the corner of the first pixel.
-            let last = start.unwrap() + name.len() + 4 + 8;
-            bytes[last..last + 4].copy_from_slice(&(1_i32 << 20).to_le_bytes());
+            // The attribute's size stands before its value.
+            let place = start.unwrap() + name.len() + 4 + offset;
+            bytes[place..place + 4].copy_from_slice(&value.to_le_bytes());
         }
         std::fs::write(at("huge.exr"), bytes).unwrap();
         let error = Image::read_exr(&at("huge.exr")).unwrap_err().to_string();
         assert!(
-            error.contains("1048577x1 pixels, expected at most"),
+            error.contains("1048576x1 pixels, expected at most"),
             "{error}"
         );
     }
