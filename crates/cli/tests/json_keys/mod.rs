@@ -50,6 +50,7 @@ fn every_json_key_is_documented() {
         &["verify", "--iterations", "5"],
         &["verify", "--fuzz", "5"],
         &["verify", "--lint"],
+        &["verify", "--table"],
         &[&render[..], &small[..]].concat(),
         &[&run[..], &small[..]].concat(),
     ] {

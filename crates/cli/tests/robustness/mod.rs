@@ -11,8 +11,8 @@ use super::{json, photoncube};
 
 #[test]
 fn readers_read_or_refuse_wrong_inputs() {
-    const INPUTS: u64 = 3_000;
-    let report = json(&["verify", "--fuzz", "3000"]);
+    const INPUTS: u64 = 1_000;
+    let report = json(&["verify", "--fuzz", "1000"]);
     let readers = report["readers"].as_array().unwrap();
     assert_eq!(readers.len(), 7);
     for reader in readers {
