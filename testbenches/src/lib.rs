@@ -7,6 +7,7 @@
 //! look into it, and it never passes on nothing.
 
 mod compare;
+mod coverage;
 mod device;
 mod levels;
 mod stimulus;
@@ -15,6 +16,7 @@ mod trace;
 mod verify;
 
 pub use compare::{Activity, Actual, Divergence};
+pub use coverage::{Coverage, CoverageKind, Gap, ModuleCoverage, Share, coverage};
 pub use device::{
     Device, DeviceError, DeviceKind, Icarus, Mutant, Observed, Refusal, RustHdl, Text, Unknown,
     UnknownDevice, Verilator, netlist,

@@ -11,6 +11,11 @@ pub(crate) const TRACE: &str = "photoncube_trace";
 /// A module with the design inside, as `dut`, and a port for each of its pins and registers. It
 /// reads registers by hierarchical reference, so that the design's own text stays as it is.
 pub(crate) fn trace_module(design: &Emitted) -> String {
+    trace_module_with(design, "")
+}
+
+/// The same with more Verilog inside, which can name all ports.
+pub(crate) fn trace_module_with(design: &Emitted, inside: &str) -> String {
     let (outputs, registers) = design.pins.observed.split_at(design.pins.outputs);
     let mut ports: Vec<_> = design.clocked.then_some("clock").into_iter().collect();
     ports.extend(names(&design.pins.inputs));
@@ -30,8 +35,7 @@ pub(crate) fn trace_module(design: &Emitted) -> String {
     for (name, path) in names(registers).zip(&design.register_paths) {
         let _ = writeln!(text, "  assign {name} = dut.{path};");
     }
-    text += "endmodule\n";
-    text
+    text + inside + "endmodule\n"
 }
 
 /// The pins' names, in order.

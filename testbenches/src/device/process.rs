@@ -79,6 +79,16 @@ impl Process {
         read.and(written).map_err(|error| self.broke_off(&error))
     }
 
+    /// Ends its input and waits for its own end.
+    pub fn finish(&mut self) -> Result<(), DeviceError> {
+        drop(self.stdin.take());
+        let ended = self.child.wait().and_then(|status| match status.success() {
+            true => Ok(()),
+            false => Err(std::io::Error::other(status.to_string())),
+        });
+        ended.map_err(|error| self.broke_off(&error))
+    }
+
     fn broke_off(&self, error: &std::io::Error) -> DeviceError {
         let said = std::fs::read(&self.stderr).unwrap_or_default();
         let said = tail(&said);

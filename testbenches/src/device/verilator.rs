@@ -18,10 +18,13 @@ use super::packing::Packing;
 use super::process::Process;
 use super::{Device, DeviceError, Observed, scratch_folder, write_file};
 use crate::tools::{Tool, on_path, run};
-use crate::trace::{TRACE, trace_module};
+use crate::trace::{TRACE, trace_module, trace_module_with};
 
 /// Clocks in a frame: enough to make its cost small, few enough that both sides work at once.
 const FRAME_CLOCKS: usize = 512;
+
+/// What a simulation with coverage writes at its end, into its folder.
+const COVERAGE: &str = "coverage.dat";
 
 /// A design in Verilator.
 pub struct Verilator {
@@ -29,8 +32,8 @@ pub struct Verilator {
     inputs: Packing,
     observed: Packing,
     process: Process,
-    /// Holds the standard error of the simulation as long as it runs.
-    _folder: TempDir,
+    /// Holds the standard error of the simulation as long as it runs, and its coverage.
+    folder: TempDir,
 }
 
 impl Verilator {
@@ -39,20 +42,46 @@ impl Verilator {
     /// # Errors
     /// Verilator or a C++ compiler is missing or refuses the text.
     pub fn new(design: &Emitted) -> Result<Self, DeviceError> {
+        Self::start(design, trace_module(design), false)
+    }
+
+    /// The same, but it counts how often each line, branch and bit was used, and each of the `covers`: Verilog
+    /// that goes into the trace module.
+    pub(crate) fn with_coverage(design: &Emitted, covers: &str) -> Result<Self, DeviceError> {
+        Self::start(design, trace_module_with(design, covers), true)
+    }
+
+    fn start(design: &Emitted, trace: String, coverage: bool) -> Result<Self, DeviceError> {
         let version = Tool::Verilator.version()?;
         let folder = scratch_folder()?;
         let sources = Sources {
-            design: format!("{}\n{}", design.text, trace_module(design)),
-            harness: harness(design),
+            design: format!("{}\n{trace}", design.text),
+            harness: harness(design, coverage),
+            coverage,
         };
         let program = build_or_reuse(&sources, &version, folder.path())?;
-        let process = Process::start("verilator", &mut Command::new(program), folder.path())?;
+        let process = Process::start(
+            "verilator",
+            Command::new(program).current_dir(folder.path()),
+            folder.path(),
+        )?;
         Ok(Self {
             version,
             inputs: Packing::of(&design.pins.inputs),
             observed: Packing::of(&design.pins.observed),
             process,
-            _folder: folder,
+            folder,
+        })
+    }
+
+    /// Ends the simulation and reads the coverage that it wrote.
+    pub(crate) fn coverage(mut self) -> Result<String, DeviceError> {
+        self.process.finish()?;
+        let path = self.folder.path().join(COVERAGE);
+        fs::read_to_string(&path).map_err(|source| DeviceError::File {
+            action: "read",
+            path: path.display().to_string(),
+            source,
         })
     }
 }
@@ -107,6 +136,22 @@ impl Device for Verilator {
 struct Sources {
     design: String,
     harness: String,
+    coverage: bool,
+}
+
+impl Sources {
+    fn options(&self) -> impl Iterator<Item = &'static str> {
+        OPTIONS
+            .into_iter()
+            .chain(self.coverage.then_some("--coverage"))
+    }
+
+    fn make_variables(&self) -> &'static str {
+        match self.coverage {
+            true => MAKE_VARIABLES_OF_COVERAGE,
+            false => MAKE_VARIABLES,
+        }
+    }
 }
 
 /// The compiled simulation of these sources: from the cache, or built and put there.
@@ -120,7 +165,7 @@ fn build_or_reuse(
     };
     let text = [
         version,
-        &OPTIONS.join(" "),
+        &sources.options().collect::<Vec<_>>().join(" "),
         &sources.design,
         &sources.harness,
     ]
@@ -166,7 +211,7 @@ fn cache_folder() -> Option<PathBuf> {
 
 /// How the design is compiled. `unique`: what is not initialised starts with random bits. The
 /// optimisation of the generated code makes it two to three times faster than Verilator's `-Os`.
-const OPTIONS: [&str; 10] = [
+const OPTIONS: [&str; 9] = [
     "--cc",
     "--exe",
     "--build",
@@ -176,9 +221,10 @@ const OPTIONS: [&str; 10] = [
     "unique",
     "--x-initial",
     "unique",
-    "-MAKEFLAGS",
 ];
 const MAKE_VARIABLES: &str = "OPT_FAST=-O3 OPT_GLOBAL=-O3 OPT_SLOW=-O1";
+/// Thousands of counters take minutes to optimise, and a short run to fill.
+const MAKE_VARIABLES_OF_COVERAGE: &str = "OPT_FAST=-O1 OPT_GLOBAL=-O1 OPT_SLOW=-O0";
 
 fn build(sources: &Sources, folder: &Path) -> Result<PathBuf, DeviceError> {
     write_file(&folder.join("design.v"), &sources.design)?;
@@ -186,8 +232,8 @@ fn build(sources: &Sources, folder: &Path) -> Result<PathBuf, DeviceError> {
     let mut command = Command::new(Tool::Verilator.find()?);
     command
         .current_dir(folder)
-        .args(OPTIONS)
-        .arg(MAKE_VARIABLES)
+        .args(sources.options())
+        .args(["-MAKEFLAGS", sources.make_variables()])
         .args(["--top-module", TRACE, "--prefix", "Vtrace"])
         .args(["--Mdir", "built", "-o", "simulation"])
         .args(["design.v", "harness.cpp"]);
@@ -200,7 +246,15 @@ fn build(sources: &Sources, folder: &Path) -> Result<PathBuf, DeviceError> {
 
 /// The C++ around the simulation. A frame is the number of clocks, 4 bytes, and their rows; its
 /// answer is their rows. All in the machine's own byte order, as both ends are one machine.
-fn harness(design: &Emitted) -> String {
+fn harness(design: &Emitted, coverage: bool) -> String {
+    let at_end = match coverage {
+        true => format!(
+            "context.coveragep()->forcePerInstance(true);\n  context.coveragep()->write(\"{COVERAGE}\");"
+        ),
+        false => String::new(),
+    };
+    // A random start would be counted as a change of every bit.
+    let start = if coverage { 0 } else { 2 };
     let clock = |level| match design.clocked {
         true => format!("top.clock = {level}; "),
         false => String::new(),
@@ -218,6 +272,7 @@ fn harness(design: &Emitted) -> String {
     format!(
         r#"#include "Vtrace.h"
 #include "verilated.h"
+#include "verilated_cov.h"
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
@@ -237,7 +292,7 @@ double sc_time_stamp() {{ return 0; }}
 
 int main() {{
   VerilatedContext context;
-  context.randReset(2);
+  context.randReset({start});
   context.randSeed(1);
   Vtrace top{{&context}};
   std::vector<char> in, out;
@@ -256,6 +311,7 @@ int main() {{
     std::fflush(stdout);
   }}
   top.final();
+  {at_end}
   return 0;
 }}
 "#,

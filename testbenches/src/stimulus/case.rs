@@ -73,8 +73,12 @@ impl Case {
     /// As many photons of full power as the machine declares, all in range: the sums reach their
     /// largest value, and every one of their bits is used.
     pub fn fullest(machine: &Machine) -> Self {
-        let count = machine.max_photons();
-        let count = usize::try_from(count).expect("a test's photons fit the memory");
+        Self::full_scale(machine, machine.max_photons())
+    }
+
+    /// So many photons of full power, all in range.
+    pub fn full_scale(machine: &Machine, photons: u64) -> Self {
+        let count = usize::try_from(photons).expect("a test's photons fit the memory");
         let query = Query {
             radius_sq: largest_radius_sq(machine),
             ..Query::default()

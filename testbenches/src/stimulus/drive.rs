@@ -51,6 +51,8 @@ pub(crate) struct Traffic {
     group: Pace,
     result: Pace,
     resets: bool,
+    /// A result is taken only when nothing else has moved for a while: all that can wait for it fills up.
+    late_results: bool,
     /// Words that are not asked for are random, not the next ones.
     garbage: bool,
 }
@@ -62,6 +64,7 @@ impl Traffic {
         group: Pace::Always,
         result: Pace::Always,
         resets: false,
+        late_results: false,
         garbage: false,
     };
 
@@ -71,10 +74,14 @@ impl Traffic {
             group: Pace::any(rng),
             result: Pace::any(rng),
             resets: may_reset && rng.random_ratio(1, 4),
+            late_results: rng.random_ratio(1, 8),
             garbage: true,
         }
     }
 }
+
+/// So many clocks in which no query and no group moved are a while.
+const LATE_CLOCKS: u32 = 4;
 
 /// A block is handed on when it has about this many signals, 4 MiB: small enough for the caches.
 const BLOCK_SIGNALS: usize = 1 << 19;
@@ -115,6 +122,8 @@ struct Batch<'a> {
     next_group: (usize, usize),
     /// That group stands on the pins and stays until it is taken.
     offered: bool,
+    /// Clocks since a query or a group was taken.
+    still: u32,
     /// Clocks since the query was taken, its own included, without those spent waiting.
     occupied: u64,
 }
@@ -128,6 +137,7 @@ impl<'a> Batch<'a> {
             next_query: (0, 0),
             next_group: (0, 0),
             offered: false,
+            still: 0,
             occupied: 0,
         }
     }
@@ -160,9 +170,11 @@ impl<'a> Batch<'a> {
             (case + 1, 0)
         };
         self.occupied = 1;
+        self.still = 0;
     }
 
     fn take_group(&mut self) {
+        self.still = 0;
         let (case, index) = self.next_group;
         self.next_group = if index + 1 < self.cases[case].groups.len() {
             (case, index + 1)
@@ -301,7 +313,10 @@ impl<'a> Driver<'a> {
         let mut inputs = self.idle_inputs();
         while !batch.is_done() {
             inputs.reset = traffic.resets && self.rng.random_ratio(1, 100);
-            inputs.result_ready = traffic.result.draw(&mut self.rng);
+            inputs.result_ready = match traffic.late_results {
+                true => batch.still >= LATE_CLOCKS,
+                false => traffic.result.draw(&mut self.rng),
+            };
             self.offer_group(&mut inputs, &mut batch);
             // No output depends on the query, so the query may depend on the outputs.
             let outputs = self.model.outputs(&inputs);
@@ -359,6 +374,7 @@ impl<'a> Driver<'a> {
         outputs: Outputs,
         batch: &mut Batch<'_>,
     ) -> Result<(), StimulusError> {
+        batch.still += 1;
         if outputs.query_ready && inputs.query_valid {
             batch.take_query();
         }

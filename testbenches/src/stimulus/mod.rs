@@ -104,6 +104,11 @@ const CHUNK_ITERATIONS: u64 = 8192;
 
 /// Most queries in a batch; within a batch, streams run ahead of each other.
 const MAX_BATCH: usize = 16;
+/// Most random cases in a batch: more than the queue of results of any machine holds.
+const MAX_RANDOM_BATCH: usize = 24;
+
+/// Queries with many photons at the end of a chunk.
+const LONG_CASES: usize = 4;
 
 /// The seed of a chunk. The first chunk has the run's seed, so that any chunk can be run alone
 /// as the first of another run; a longer run only adds chunks.
@@ -173,7 +178,7 @@ fn random_chunk(
         let may_reset = driver.iterations() > 0;
         let rng = driver.rng();
         let traffic = Traffic::any(rng, may_reset);
-        let count = rng.random_range(1..=MAX_BATCH);
+        let count = rng.random_range(1..=MAX_RANDOM_BATCH);
         let idle = rng.random_range(0..4);
         let mut cases = Cases::new(machine, rng);
         let batch = cases.cases(count, machine.has_memory());
@@ -181,10 +186,27 @@ fn random_chunk(
             return Ok(ControlFlow::Break(()));
         }
     }
-    if wanted > CHUNK_ITERATIONS && driver.rng().random_ratio(1, 4) {
-        return driver.run(&[Case::fullest(machine)], Traffic::STREAMING);
+    if wanted <= CHUNK_ITERATIONS {
+        return Ok(ControlFlow::Continue(()));
     }
-    Ok(ControlFlow::Continue(()))
+    // Sums of every size: what is above is of a few groups only.
+    let most = machine.max_photons();
+    let mut long: Vec<_> = (0..LONG_CASES)
+        .map(|_| {
+            let shift = driver.rng().random_range(3..=8);
+            let photons = driver.rng().random_range(1..=(most >> shift).max(1));
+            Case::full_scale(machine, photons)
+        })
+        .collect();
+    long.extend(match driver.rng().random_range(0..4) {
+        0 => Some(Case::fullest(machine)),
+        1 | 2 => Some(Case::full_scale(
+            machine,
+            driver.rng().random_range(1..=most),
+        )),
+        _ => None,
+    });
+    driver.run(&long, Traffic::STREAMING)
 }
 
 fn workload(

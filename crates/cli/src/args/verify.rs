@@ -17,6 +17,7 @@ Examples:
   photoncube verify --against verilator --iterations 1000000 --json
   photoncube verify --machine paper-5d --against all --seed 7
   photoncube verify --fuzz 100000       everything that reads files, on wrong ones
+  photoncube verify --coverage --machine stream
   photoncube verify --table             what was verified so far, as docs/verification.md has it"
 )]
 pub struct VerifyArgs {
@@ -52,6 +53,9 @@ pub struct VerifyArgs {
     /// Begin with that input
     #[arg(long, requires = "fuzz", default_value_t = 0, value_name = "I", value_parser = clap::value_parser!(u64).range(..1 << 39))]
     pub from: u64,
+    /// Count what a verification in Verilator uses of the emitted lines, branches and bits, and list what it does not
+    #[arg(long, group = "method")]
+    pub coverage: bool,
     /// Print the committed table of results, and verify nothing
     #[arg(long, group = "method")]
     pub table: bool,

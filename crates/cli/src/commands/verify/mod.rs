@@ -1,5 +1,6 @@
 //! `verify`: a machine against the golden model, by one method after the other.
 
+mod coverage;
 mod equivalence;
 mod fuzz;
 mod lint;
@@ -20,6 +21,9 @@ pub fn execute(args: &VerifyArgs, json: bool) -> Result<()> {
     }
     if args.lint {
         return lint::execute(args, json);
+    }
+    if args.coverage {
+        return coverage::execute(args, json);
     }
     if let Some(inputs) = args.fuzz {
         return fuzz::execute(args, inputs, json);

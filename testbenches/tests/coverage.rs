@@ -1,0 +1,53 @@
+//! What a verification uses of the emitted Verilog: all of it, but for what has a reason.
+
+mod support;
+
+use libtest_mimic::{Arguments, Failed};
+use photoncube_spec::find_machine;
+use photoncube_testbench::{Coverage, CoverageKind, DeviceKind, Source, VerifyOptions, coverage};
+
+/// The spatial machine that is built fastest has all bits of its sums used after so many iterations, and the
+/// sequential one too.
+const ENOUGH: u64 = 200_000;
+
+fn main() {
+    let mut trials = Vec::new();
+    let kind = DeviceKind::Verilator;
+    for machine in ["paper", "stream"] {
+        let run = move || all_is_used_or_explained(machine);
+        trials.push(support::trial(format!("all::{machine}"), kind, run));
+    }
+    let name = "few::what_is_not_used_has_no_reason".to_owned();
+    trials.push(support::trial(name, kind, few_iterations_leave_gaps));
+    libtest_mimic::run(&Arguments::from_args(), trials).exit();
+}
+
+fn covered(machine: &str, iterations: u64) -> Result<Coverage, Failed> {
+    let options = VerifyOptions {
+        iterations,
+        seed: 1,
+        source: Source::Random,
+    };
+    Ok(coverage(find_machine(machine)?, &options, &|_| ())?)
+}
+
+fn all_is_used_or_explained(machine: &str) -> Result<(), Failed> {
+    let found = covered(machine, ENOUGH)?;
+    let unexplained: Vec<_> = found.unexplained().collect();
+    assert!(unexplained.is_empty(), "{unexplained:#?}");
+    for kind in CoverageKind::ALL {
+        assert!(found.total(kind).covered > 0, "{kind:?}");
+    }
+    assert!(found.verdict.vectors_compared >= ENOUGH);
+    Ok(())
+}
+
+fn few_iterations_leave_gaps() -> Result<(), Failed> {
+    let found = covered("paper", 3)?;
+    assert!(found.unexplained().count() > 0);
+    let sums = found
+        .unexplained()
+        .find(|gap| gap.what.starts_with("result_red["));
+    assert!(sums.is_some(), "three groups do not fill a sum");
+    Ok(())
+}
