@@ -6,6 +6,7 @@
 //! every clock. [`verify`] does it all; it fails on the first difference, with what is needed to
 //! look into it, and it never passes on nothing.
 
+mod campaign;
 mod compare;
 mod coverage;
 mod device;
@@ -15,6 +16,10 @@ mod tools;
 mod trace;
 mod verify;
 
+pub use campaign::{
+    Done, Failure, Keeper, Pair, Regression, RegressionError, State, StateError, Summary, campaign,
+    minimised, pairs,
+};
 pub use compare::{Activity, Actual, Divergence};
 pub use coverage::{Coverage, CoverageKind, Gap, ModuleCoverage, Share, coverage};
 pub use device::{

@@ -1,5 +1,6 @@
 //! The test of the tests: a fault planted in the emitted Verilog must be found.
 
+mod planted;
 mod support;
 
 use libtest_mimic::{Arguments, Failed};
@@ -9,6 +10,8 @@ use photoncube_testbench::{
     Actual, DeviceError, DeviceKind, Divergence, Icarus, Source, VerifyError, VerifyOptions,
     verify_device, verify_part_device,
 };
+
+use planted::edit;
 
 const PAPER: &Machine = &MACHINES[0];
 
@@ -194,16 +197,6 @@ fn caught(fault: &Fault) -> Result<(), Failed> {
     let account = diverges(machine, &design)?.to_string();
     assert!(account.contains(fault.names), "{account}");
     Ok(())
-}
-
-/// Replaces what stands once in the one module of that heading.
-fn edit(text: &str, module: &str, from: &str, to: &str) -> String {
-    assert_eq!(text.matches(module).count(), 1, "{module}");
-    let (before, rest) = text.split_at(text.find(module).expect("counted"));
-    let end = rest.find("endmodule").expect("a module ends");
-    let (body, after) = rest.split_at(end);
-    assert_eq!(body.matches(from).count(), 1, "`{from}` in {module}");
-    format!("{before}{}{after}", body.replace(from, to))
 }
 
 fn part_caught() -> Result<(), Failed> {

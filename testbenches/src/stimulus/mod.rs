@@ -15,8 +15,8 @@ mod drive;
 
 use std::ops::ControlFlow;
 
-use photoncube_model::GatherError;
-use photoncube_spec::{Machine, Photon, Query, Sums};
+use photoncube_model::{GatherError, golden_machine};
+use photoncube_spec::{Machine, Photon, Pins, Query, Sums};
 use rand::RngExt;
 use thiserror::Error;
 
@@ -162,6 +162,41 @@ fn random(
     Ok(driver.flush())
 }
 
+/// The rows of inputs with which every chunk begins: they bring each register to a value that depends on nothing
+/// before.
+pub(crate) fn scrub_rows(machine: &Machine) -> Vec<u64> {
+    let mut rows = Vec::new();
+    let mut sink = |block: Block| {
+        rows.extend(block.inputs);
+        ControlFlow::Continue(())
+    };
+    let mut driver = Driver::new(machine, &mut sink);
+    let begun = driver.begin_chunk(0, 0);
+    assert!(begun.is_ok(), "{begun:?}");
+    let _ = driver.flush();
+    rows
+}
+
+/// What the golden model shows on these rows of inputs, where they follow those of [`scrub_rows`].
+pub(crate) fn modelled(machine: &Machine, rows: &[u64]) -> Block {
+    let columns = Pins::of(machine).inputs.len();
+    let mut model = golden_machine(machine);
+    for row in scrub_rows(machine).chunks_exact(columns) {
+        model.clock(&Pins::inputs_of(machine, row));
+    }
+    let mut block = Block {
+        inputs: rows.to_vec(),
+        clocks: rows.len() / columns,
+        ..Block::default()
+    };
+    for row in rows.chunks_exact(columns) {
+        let inputs = Pins::inputs_of(machine, row);
+        model.observe(&inputs, &mut block.expected);
+        model.clock(&inputs);
+    }
+    block
+}
+
 /// What a chunk holds depends on its seed alone; `wanted` only cuts it short.
 fn random_chunk(
     driver: &mut Driver<'_>,
@@ -252,7 +287,7 @@ fn packed(machine: &Machine, together: &[(Query, Vec<Photon>)]) -> Result<Case, 
 
 #[cfg(test)]
 mod tests {
-    use photoncube_spec::{Group, MACHINES, Pins, Register, Role, SignalPlace};
+    use photoncube_spec::{Group, MACHINES, Register, Role, SignalPlace};
 
     use super::*;
 

@@ -18,6 +18,7 @@ Examples:
   photoncube verify --machine paper-5d --against all --seed 7
   photoncube verify --fuzz 100000       everything that reads files, on wrong ones
   photoncube verify --coverage --machine stream
+  photoncube verify --campaign --hours 8       all machines, on all cores; again goes on with it
   photoncube verify --table             what was verified so far, as docs/verification.md has it"
 )]
 pub struct VerifyArgs {
@@ -56,7 +57,39 @@ pub struct VerifyArgs {
     /// Count what a verification in Verilator uses of the emitted lines, branches and bits, and list what it does not
     #[arg(long, group = "method")]
     pub coverage: bool,
+    /// Verify all machines with seed after seed, on all cores; what is done stands in the file of --state, so that a
+    /// campaign that was stopped or killed goes on, and a difference becomes a regression case
+    #[arg(long, group = "method", requires = "hours", conflicts_with_all = ["machine", "against", "iterations", "seed"])]
+    pub campaign: bool,
+    /// Begin no job of about 20 seconds after so long; 0: print what the campaign has done
+    #[arg(long, requires = "campaign", value_name = "H", value_parser = hours)]
+    pub hours: Option<f64>,
+    /// The state of the campaign
+    #[arg(
+        long,
+        requires = "campaign",
+        value_name = "FILE",
+        default_value = "out/campaign.json"
+    )]
+    pub state: PathBuf,
+    /// Where regression cases are kept; `cargo test` replays those of this folder
+    #[arg(
+        long,
+        requires = "campaign",
+        value_name = "DIR",
+        default_value = "testbenches/regressions"
+    )]
+    pub regressions: PathBuf,
     /// Print the committed table of results, and verify nothing
     #[arg(long, group = "method")]
     pub table: bool,
+}
+
+/// A time that a clock can hold.
+fn hours(text: &str) -> Result<f64, String> {
+    let hours: f64 = text.parse().map_err(|_| "expected a number".to_owned())?;
+    match (0.0..=24.0 * 366.0).contains(&hours) {
+        true => Ok(hours),
+        false => Err("expected 0 up to a year".to_owned()),
+    }
 }

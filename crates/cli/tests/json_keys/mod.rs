@@ -6,6 +6,11 @@ use super::{SMALL_FIT, json};
 
 const COMMITTED_FIGURES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/measured");
 
+/// A campaign with a job.
+const CAMPAIGN: &str = r#"{"seed": 1, "jobs": [{"job": 0, "seconds": 1.5, "machine": "paper",
+    "device": "verilator", "tool_version": "5", "seed": 1, "iterations": 2, "results_compared": 1,
+    "vectors_compared": 9}], "failures": []}"#;
+
 /// Every key of a JSON value, at any depth.
 fn keys(value: &Value, found: &mut Vec<String>) {
     match value {
@@ -36,6 +41,9 @@ fn every_json_key_is_documented() {
     let exr = folder.path().join("x.exr");
     let exr = exr.to_str().unwrap();
     let progressive = ["progressive", "ring", "-o", exr, "--photons", "1000"];
+    let state = folder.path().join("state.json");
+    let state = state.to_str().unwrap();
+    std::fs::write(state, CAMPAIGN).unwrap();
     let mut found = Vec::new();
     for args in [
         &["list"][..],
@@ -51,6 +59,7 @@ fn every_json_key_is_documented() {
         &["verify", "--fuzz", "5"],
         &["verify", "--lint"],
         &["verify", "--table"],
+        &["verify", "--campaign", "--hours", "0", "--state", state],
         &[&render[..], &small[..]].concat(),
         &[&run[..], &small[..]].concat(),
     ] {

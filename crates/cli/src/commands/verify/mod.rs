@@ -1,5 +1,6 @@
 //! `verify`: a machine against the golden model, by one method after the other.
 
+mod campaign;
 mod coverage;
 mod equivalence;
 mod fuzz;
@@ -21,6 +22,9 @@ pub fn execute(args: &VerifyArgs, json: bool) -> Result<()> {
     }
     if args.lint {
         return lint::execute(args, json);
+    }
+    if let (true, Some(hours)) = (args.campaign, args.hours) {
+        return campaign::execute(args, hours, json);
     }
     if args.coverage {
         return coverage::execute(args, json);

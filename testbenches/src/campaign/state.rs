@@ -1,0 +1,221 @@
+//! What a campaign has done.
+
+use std::collections::BTreeMap;
+
+use photoncube_spec::Machine;
+use serde::{Deserialize, Serialize};
+use thiserror::Error;
+
+use super::{FIRST_ITERATIONS, GROWTH, JOB_SECONDS, Pair};
+use crate::device::DeviceKind;
+use crate::verify::Verdict;
+
+/// All that a campaign has done; it is kept as a JSON file.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct State {
+    /// The seed that those of the jobs come from.
+    pub seed: u64,
+    /// What was verified, each job once, in the order in which they ended.
+    pub jobs: Vec<Done>,
+    /// What was found.
+    pub failures: Vec<Failure>,
+}
+
+/// A job that ended without a difference.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Done {
+    /// Its place in the campaign.
+    pub job: u64,
+    /// How long it took.
+    pub seconds: f64,
+    /// What was compared.
+    #[serde(flatten)]
+    pub verdict: Summary,
+}
+
+/// A [`Verdict`] as it is kept: what repeats it, and how much it was.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Summary {
+    /// The machine.
+    pub machine: String,
+    /// The device.
+    pub device: String,
+    /// The tool behind it, with its version.
+    pub tool_version: String,
+    /// The seed of the stimulus.
+    pub seed: u64,
+    /// Groups whose sums were taken.
+    pub iterations: u64,
+    /// Results taken.
+    pub results_compared: u64,
+    /// Clocks, in each of which every visible signal was compared.
+    pub vectors_compared: u64,
+}
+
+impl From<Verdict> for Summary {
+    fn from(verdict: Verdict) -> Self {
+        Self {
+            machine: verdict.machine.to_owned(),
+            device: verdict.device,
+            tool_version: verdict.tool_version,
+            seed: verdict.seed,
+            iterations: verdict.iterations,
+            results_compared: verdict.results_compared,
+            vectors_compared: verdict.vectors_compared,
+        }
+    }
+}
+
+/// A machine that differed from its model in a device; the campaign goes on without the two.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Failure {
+    /// The machine.
+    pub machine: String,
+    /// The device.
+    pub device: String,
+    /// The seed of the job.
+    pub seed: u64,
+    /// All that is known of it.
+    pub divergence: String,
+    /// The regression case that was made of it.
+    pub file: String,
+}
+
+/// A text is no state of a campaign.
+#[derive(Debug, Error)]
+pub enum StateError {
+    /// It is not written as one.
+    #[error(
+        "it is not the state of a campaign; expected what `verify --campaign` writes: give another \
+         file with --state, or remove this one to start anew"
+    )]
+    Format(#[from] serde_json::Error),
+    /// A job is there twice.
+    #[error("job {0} is there twice; remove one of the two")]
+    Twice(u64),
+}
+
+impl State {
+    /// Nothing done yet.
+    pub fn new(seed: u64) -> Self {
+        Self {
+            seed,
+            jobs: Vec::new(),
+            failures: Vec::new(),
+        }
+    }
+
+    /// Reads what [`Self::text`] wrote.
+    ///
+    /// # Errors
+    /// The text is something else.
+    pub fn parse(text: &str) -> Result<Self, StateError> {
+        let state: Self = serde_json::from_str(text)?;
+        let mut jobs: Vec<_> = state.jobs.iter().map(|done| done.job).collect();
+        jobs.sort_unstable();
+        match jobs.windows(2).find(|pair| pair[0] == pair[1]) {
+            Some(pair) => Err(StateError::Twice(pair[0])),
+            None => Ok(state),
+        }
+    }
+
+    /// The state as JSON.
+    pub fn text(&self) -> String {
+        serde_json::to_string(self).expect("numbers and texts can be written") + "\n"
+    }
+
+    /// Vectors compared so far.
+    pub fn vectors(&self) -> u64 {
+        let vectors = self.jobs.iter().map(|done| done.verdict.vectors_compared);
+        vectors.sum()
+    }
+
+    /// For each machine and tool: its jobs together, with the first one's seed, and how many they were.
+    pub fn totals(&self) -> Vec<(Summary, usize)> {
+        let mut totals: BTreeMap<_, (Summary, usize)> = BTreeMap::new();
+        for Done { verdict, .. } in &self.jobs {
+            let key = (&verdict.machine, &verdict.device, &verdict.tool_version);
+            match totals.get_mut(&key) {
+                None => drop(totals.insert(key, (verdict.clone(), 1))),
+                Some((total, jobs)) => {
+                    total.iterations += verdict.iterations;
+                    total.results_compared += verdict.results_compared;
+                    total.vectors_compared += verdict.vectors_compared;
+                    *jobs += 1;
+                }
+            }
+        }
+        totals.into_values().collect()
+    }
+
+    pub(super) fn is_done(&self, job: u64) -> bool {
+        self.jobs.iter().any(|done| done.job == job)
+    }
+
+    pub(super) fn has_failed(&self, machine: &Machine, device: DeviceKind) -> bool {
+        let found = |f: &Failure| f.machine == machine.name && f.device == device.name();
+        self.failures.iter().any(found)
+    }
+
+    /// How many iterations are about [`JOB_SECONDS`], by the last job of the same machine and device.
+    pub(super) fn iterations(&self, (machine, device): Pair) -> u64 {
+        let same = |done: &&Done| {
+            done.verdict.machine == machine.name && done.verdict.device == device.name()
+        };
+        let Some(last) = self.jobs.iter().rev().find(same) else {
+            return FIRST_ITERATIONS;
+        };
+        let factor = (JOB_SECONDS / last.seconds.max(1e-3)).min(GROWTH);
+        ((last.verdict.iterations as f64 * factor) as u64).max(1)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn done(job: u64, seconds: f64) -> Done {
+        Done {
+            job,
+            seconds,
+            verdict: Summary {
+                machine: "paper".into(),
+                device: "verilator".into(),
+                tool_version: "5".into(),
+                seed: job,
+                iterations: 1_000,
+                results_compared: 10,
+                vectors_compared: 9_000,
+            },
+        }
+    }
+
+    #[test]
+    fn a_state_is_read_as_it_was_written_and_another_text_is_refused() {
+        let mut state = State::new(u64::MAX);
+        state.jobs = vec![done(1, 0.1), done(0, 2.5)];
+        assert_eq!(State::parse(&state.text()).unwrap(), state);
+        assert_eq!(state.vectors(), 18_000);
+        let (total, jobs) = &state.totals()[0];
+        assert_eq!((total.vectors_compared, *jobs), (18_000, 2));
+        state.jobs.push(done(1, 1.0));
+        let twice = State::parse(&state.text());
+        assert!(matches!(twice, Err(StateError::Twice(1))));
+        assert!(State::parse("[]").is_err());
+    }
+
+    #[test]
+    fn a_job_is_as_long_as_the_last_one_was_fast_and_grows_slowly() {
+        let pair = (
+            photoncube_spec::find_machine("paper").unwrap(),
+            DeviceKind::Verilator,
+        );
+        let mut state = State::new(1);
+        assert_eq!(state.iterations(pair), FIRST_ITERATIONS);
+        state.jobs.push(done(0, JOB_SECONDS * 2.0));
+        assert_eq!(state.iterations(pair), 500);
+        state.jobs.push(done(1, 1e-6));
+        assert_eq!(state.iterations(pair), 8_000);
+    }
+}
