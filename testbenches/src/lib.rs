@@ -11,6 +11,7 @@ mod compare;
 mod coverage;
 mod device;
 mod levels;
+mod mutants;
 mod stimulus;
 mod tools;
 mod trace;
@@ -27,6 +28,7 @@ pub use device::{
     UnknownDevice, Verilator, netlist,
 };
 pub use levels::{PartVerdict, verify_part, verify_part_device};
+pub use mutants::{Fate, Judged, MutantOptions, MutantReport, Mutation, mutants};
 pub use stimulus::{Block, Source, StimulusError, chunk_seed, generate};
 pub use tools::{MissingTool, Tool, ToolError};
 pub use verify::{Verdict, VerifyError, VerifyOptions, verify, verify_device};

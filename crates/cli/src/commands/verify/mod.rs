@@ -5,6 +5,7 @@ mod coverage;
 mod equivalence;
 mod fuzz;
 mod lint;
+mod mutants;
 
 use anyhow::Result;
 
@@ -28,6 +29,9 @@ pub fn execute(args: &VerifyArgs, json: bool) -> Result<()> {
     }
     if args.coverage {
         return coverage::execute(args, json);
+    }
+    if let Some(wanted) = args.mutants {
+        return mutants::execute(args, wanted, json);
     }
     if let Some(inputs) = args.fuzz {
         return fuzz::execute(args, inputs, json);

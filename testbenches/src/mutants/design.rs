@@ -1,0 +1,168 @@
+//! The mutations that Yosys draws, and the design that has them all.
+
+use std::collections::BTreeSet;
+use std::path::Path;
+use std::process::Command;
+
+use photoncube_hdl::Emitted;
+use photoncube_spec::{Machine, Pin, Pins, SignalPlace};
+use serde::Serialize;
+
+use crate::device::{DeviceError, scratch_folder, write_file};
+use crate::tools::{Tool, run};
+
+/// The pin that says which mutation is active; 0: none.
+const PIN: &str = "mutant";
+/// Its width.
+const PIN_WIDTH: u32 = 16;
+
+/// From the text to cells that can be mutated: processes become registers and multiplexers of two, which have a
+/// meaning whatever selects; tables stay.
+pub(super) const ELABORATION: &str = "proc -norom; pmuxtree; opt_clean";
+
+/// From the elaborated modules to one in which each net has one name, and no register is lost, whoever reads it.
+pub(super) const FLAT: &str =
+    "flatten\nsetattr -set keep 1 t:$dff\nopt_clean -purge\nsetattr -unset keep t:$dff";
+
+/// One thing that is wrong.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Mutation {
+    /// Its number, from 1.
+    pub mutant: u64,
+    /// The module, without the machine's prefix; in every instance of it.
+    pub module: String,
+    /// What Yosys's `mutate` is told: the kind, the cell, its port and bit, and the place in the text.
+    pub options: String,
+}
+
+/// Draws about so many mutations.
+pub(super) fn draw(
+    machine: &Machine,
+    design: &Emitted,
+    wanted: u64,
+    seed: u64,
+) -> Result<Vec<Mutation>, DeviceError> {
+    let list = format!("tee -q -o list.txt mutate -list {wanted} -seed {seed}");
+    let folder = scratch_folder()?;
+    yosys(folder.path(), design, &list)?;
+    let text = read(&folder.path().join("list.txt"))?;
+    let prefix = machine.module_prefix();
+    let mut seen = BTreeSet::new();
+    let lines = text.lines().filter_map(|line| line.strip_prefix("mutate "));
+    let lines = lines.filter(|options| seen.insert(options.to_string()));
+    let mutations: Vec<_> = lines
+        .filter(|options| !moves_an_edge(options) && !changes_an_initial_value(options))
+        .zip(1..)
+        .map(|(options, mutant)| Mutation {
+            mutant,
+            module: module_of(options, &prefix),
+            options: options.to_owned(),
+        })
+        .collect();
+    match mutations.is_empty() || mutations.len() >= 1 << PIN_WIDTH {
+        false => Ok(mutations),
+        true => Err(DeviceError::BrokeOff {
+            device: "yosys".to_owned(),
+            message: format!(
+                "it drew {} mutations; expected 1 up to {}",
+                mutations.len(),
+                (1 << PIN_WIDTH) - 1
+            ),
+        }),
+    }
+}
+
+/// Whether the mutation turns a clock round: what is compared clock by clock has no half clocks, so neither a
+/// simulation here nor a proof tells the two edges apart. A clock that stands still is another matter.
+fn moves_an_edge(options: &str) -> bool {
+    let words: Vec<_> = options.split_whitespace().collect();
+    let value = |name| {
+        let index = words.iter().position(|word| *word == name)?;
+        words.get(index + 1).copied()
+    };
+    let of_clock = [value("-port"), value("-wire")]
+        .into_iter()
+        .flatten()
+        .any(|name| name.ends_with("clock") || name == "CLK");
+    of_clock && !value("-mode").is_some_and(|mode| mode.starts_with("const"))
+}
+
+/// Whether the mutation lies in what a memory begins with, which no pin can change.
+fn changes_an_initial_value(options: &str) -> bool {
+    options.contains("-cell $meminit")
+}
+
+fn module_of(options: &str, prefix: &str) -> String {
+    let mut words = options.split_whitespace();
+    let module = words.find(|word| *word == "-module").and(words.next());
+    let module = module.unwrap_or_default();
+    match module.strip_prefix(prefix) {
+        Some("") => "top".to_owned(),
+        Some(rest) => rest.trim_start_matches('_').to_owned(),
+        None => module.to_owned(),
+    }
+}
+
+/// The design with every mutation, each active where the new input pin [`PIN`] has its number.
+pub(super) fn with_all(design: &Emitted, mutations: &[Mutation]) -> Result<Emitted, DeviceError> {
+    let mut script = vec![format!("add -global_input {PIN} {PIN_WIDTH}")];
+    script.extend(mutations.iter().map(|mutation| {
+        let (number, options) = (mutation.mutant, &mutation.options);
+        format!("mutate -ctrl {PIN} {PIN_WIDTH} {number} {options}")
+    }));
+    script.push("opt_clean".to_owned());
+    script.push("write_verilog -noattr mutated.v".to_owned());
+    let folder = scratch_folder()?;
+    yosys(folder.path(), design, &script.join("\n"))?;
+    let mut pins: Pins = design.pins.clone();
+    pins.inputs.push(Pin {
+        name: PIN.to_owned(),
+        width: PIN_WIDTH,
+        place: SignalPlace::Top,
+    });
+    Ok(Emitted {
+        text: read(&folder.path().join("mutated.v"))?,
+        pins,
+        ..design.clone()
+    })
+}
+
+/// Runs a script on the elaborated design, a command a line.
+pub(super) fn yosys(folder: &Path, design: &Emitted, script: &str) -> Result<(), DeviceError> {
+    write_file(&folder.join("design.v"), &design.text)?;
+    let top = &design.top;
+    let script = format!(
+        "read_verilog design.v\nhierarchy -top {top}\n{}\n{script}\n",
+        ELABORATION.replace("; ", "\n")
+    );
+    write_file(&folder.join("script.ys"), &script)?;
+    Ok(run(Command::new(Tool::Yosys.find()?)
+        .current_dir(folder)
+        .args(["-q", "script.ys"]))?)
+}
+
+pub(super) fn read(path: &Path) -> Result<String, DeviceError> {
+    std::fs::read_to_string(path).map_err(|source| DeviceError::File {
+        action: "read",
+        path: path.display().to_string(),
+        source,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_clock_may_stand_still_but_not_turn_round() {
+        let of = |mode: &str, port: &str| {
+            format!("-mode {mode} -module m_cell -cell c -port {port} -portbit 0 -wire a_clock")
+        };
+        assert!(moves_an_edge(&of("inv", "clock")));
+        assert!(moves_an_edge("-mode cnot0 -cell c -port CLK"));
+        assert!(!moves_an_edge(&of("const0", "clock")));
+        assert!(!moves_an_edge("-mode inv -cell c -port Q -wire q"));
+        assert_eq!(module_of(&of("inv", "A"), "m"), "cell");
+        assert_eq!(module_of("-mode inv -module m -cell c", "m"), "top");
+    }
+}

@@ -1,0 +1,297 @@
+//! What always holds of a machine's registers: the bits that are constant at an address of its program.
+//!
+//! Which these are is guessed from the golden model's run and then proven of the emitted Verilog by induction: they
+//! hold at power-up, and where they hold they hold one clock later. A guess that is refuted by a counterexample is
+//! weakened by it, until the rest is proven.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use std::process::Command;
+
+use photoncube_hdl::Emitted;
+use photoncube_spec::SignalPlace;
+use serde::Deserialize;
+
+use super::design::{FLAT, read, yosys};
+use crate::device::{DeviceError, scratch_folder, write_file};
+use crate::stimulus::Block;
+use crate::tools::{Tool, run};
+
+/// Counterexamples after which a guess is given up: each weakens it by a bit at least, most by many.
+const MOST_ROUNDS: usize = 300;
+
+/// From the modules to the flat wrapper, which stands in `wrapper.sv`.
+pub(super) const WRAPPED: &str = "read_verilog -formal -sv wrapper.sv\nhierarchy -top wrapper\nproc\n\
+                                  flatten\nopt -full";
+
+/// The values of a register at an address.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+struct Values {
+    /// All of them, or-ed.
+    any: u64,
+    /// All of them, and-ed.
+    all: u64,
+}
+
+/// Any value at all.
+const UNKNOWN: Values = Values {
+    any: u64::MAX,
+    all: 0,
+};
+
+/// A port of the design whose registers are ports.
+#[derive(Clone, Debug, Deserialize)]
+struct Port {
+    direction: String,
+    bits: Vec<serde_json::Value>,
+}
+
+/// The design whose registers are ports, and what is known of these.
+pub(super) struct Invariants {
+    /// The design in Yosys's own language, as module `gold`.
+    gold: String,
+    ports: BTreeMap<String, Port>,
+    /// The paths of the registers, and whether Yosys has a port for each.
+    registers: Vec<String>,
+    /// The register that says where the program is.
+    address: Option<usize>,
+    /// For each address what its registers hold.
+    known: BTreeMap<u64, Vec<Values>>,
+}
+
+impl Invariants {
+    /// Guesses and proves them.
+    ///
+    /// # Errors
+    /// Yosys does not run.
+    pub fn new(design: &Emitted, blocks: &[Block]) -> Result<Self, DeviceError> {
+        let folder = scratch_folder()?;
+        let script = format!(
+            "{FLAT}\nrename {} gold\nexpose -evert-dff -dff gold\nopt_clean\n\
+             write_ilang gold.il\nwrite_json gold.json",
+            design.top
+        );
+        yosys(folder.path(), design, &script)?;
+        let json = read(&folder.path().join("gold.json"))?;
+        let registers = design.pins.observed[design.pins.outputs..].iter();
+        let is_address = |place| {
+            matches!(
+                place,
+                SignalPlace::Control(0) | SignalPlace::OverlapControl(0)
+            )
+        };
+        let mut invariants = Self {
+            gold: read(&folder.path().join("gold.il"))?,
+            ports: ports(&json)?,
+            address: registers.clone().position(|pin| is_address(pin.place)),
+            registers: design.register_paths.clone(),
+            known: BTreeMap::new(),
+        };
+        invariants.guess(design, blocks);
+        invariants.settle()?;
+        Ok(invariants)
+    }
+
+    fn guess(&mut self, design: &Emitted, blocks: &[Block]) {
+        let (columns, outputs) = (design.pins.observed.len(), design.pins.outputs);
+        self.weaken(&vec![0; columns - outputs]);
+        for row in blocks.iter().flat_map(|b| b.expected.chunks_exact(columns)) {
+            self.weaken(&row[outputs..]);
+        }
+        self.join_after_reset();
+    }
+
+    /// A reset may come anywhere: at the first address is what may be at any.
+    fn join_after_reset(&mut self) {
+        let all = self.known.clone();
+        let Some(first) = self.known.get_mut(&0) else {
+            return;
+        };
+        for known in all.values() {
+            for (first, values) in first.iter_mut().zip(known) {
+                first.any |= values.any;
+                first.all &= values.all;
+            }
+        }
+        if let Some(address) = self.address {
+            first[address] = Values { any: 0, all: 0 };
+        }
+    }
+
+    /// Takes note of what the registers may hold; whether that is news.
+    fn weaken(&mut self, row: &[u64]) -> bool {
+        let address = self.address.map_or(0, |index| row[index]);
+        let fresh = row.iter().map(|&value| Values {
+            any: value,
+            all: value,
+        });
+        let Some(known) = self.known.get_mut(&address) else {
+            self.known.insert(address, fresh.collect());
+            return true;
+        };
+        let before = known.clone();
+        for (known, value) in known.iter_mut().zip(row) {
+            known.any |= value;
+            known.all &= value;
+        }
+        before != *known
+    }
+
+    /// Takes note of a counterexample; whether it is one. What it refutes is given up, not cut down bit by bit, and so
+    /// is the same guess of the same register at other addresses.
+    fn give_up(&mut self, row: &[u64]) -> bool {
+        let address = self.address.map_or(0, |index| row[index]);
+        let Some(before) = self.known.get(&address).cloned() else {
+            return self.weaken(row);
+        };
+        if !self.weaken(row) {
+            return false;
+        }
+        let refuted: Vec<_> = self.known[&address]
+            .iter()
+            .zip(&before)
+            .map(|(known, before)| known != before)
+            .collect();
+        for (at, known) in &mut self.known {
+            for (index, values) in known.iter_mut().enumerate() {
+                let is_same = *at == address || *values == before[index];
+                if refuted[index] && is_same {
+                    *values = UNKNOWN;
+                }
+            }
+        }
+        true
+    }
+
+    /// Weakens the guess until it is proven.
+    fn settle(&mut self) -> Result<(), DeviceError> {
+        for _ in 0..MOST_ROUNDS {
+            let Some(row) = self.counterexample()? else {
+                return Ok(());
+            };
+            if !self.give_up(&row) {
+                break;
+            }
+        }
+        Err(DeviceError::BrokeOff {
+            device: "yosys".to_owned(),
+            message: format!(
+                "no invariant of the registers was proven with {MOST_ROUNDS} counterexamples"
+            ),
+        })
+    }
+
+    /// Registers after a clock in which what is known held before and does not hold after it.
+    fn counterexample(&self) -> Result<Option<Vec<u64>>, DeviceError> {
+        let folder = scratch_folder()?;
+        write_file(&folder.path().join("gold.il"), &self.gold)?;
+        let mut text = self.wrapper("gold", "");
+        let _ = writeln!(text, "  always @* assert({});\nendmodule", self.holds("d"));
+        write_file(&folder.path().join("wrapper.sv"), &text)?;
+        let solve = "tee -o found.txt sat -set-assumes -prove-asserts -show-ports wrapper";
+        let script = format!("read_ilang gold.il\n{WRAPPED}\n{solve}\n");
+        write_file(&folder.path().join("script.ys"), &script)?;
+        run(Command::new(Tool::Yosys.find()?)
+            .current_dir(folder.path())
+            .args(["-q", "script.ys"]))?;
+        let found = read(&folder.path().join("found.txt"))?;
+        if found.contains("SAT proof finished - no model found: SUCCESS!") {
+            return Ok(None);
+        }
+        let row = (0..self.registers.len()).map(|index| {
+            let next = self.register(index, "d");
+            next.map_or(0, |(port, _)| shown_value(&found, &port))
+        });
+        Ok(Some(row.collect()))
+    }
+
+    /// The number of a port in the wrapper.
+    fn port_number(&self, name: &str) -> usize {
+        self.ports.keys().position(|port| port == name).unwrap_or(0)
+    }
+
+    /// A module `wrapper` up to its last lines, with all inputs of a module as ports, and what is known assumed.
+    pub fn wrapper(&self, module: &str, prefix: &str) -> String {
+        let ports = self.ports.iter().enumerate();
+        let inputs: Vec<_> = ports
+            .filter(|(_, (_, port))| port.direction == "input" || prefix.is_empty())
+            .collect();
+        let declared = inputs.iter().map(|(number, (_, port))| {
+            let (direction, high) = (&port.direction, port.bits.len() - 1);
+            format!("  {direction} [{high}:0] p{number}")
+        });
+        let connected = inputs
+            .iter()
+            .map(|(number, (name, _))| format!("    .\\{prefix}{name} (p{number})"));
+        format!(
+            "module wrapper(\n{}\n);\n  {module} inside(\n{}\n  );\n  always @* assume({});\n",
+            declared.collect::<Vec<_>>().join(",\n"),
+            connected.collect::<Vec<_>>().join(",\n"),
+            self.holds("q")
+        )
+    }
+
+    /// What is known, of the registers as they are (`q`) or as they will be (`d`).
+    fn holds(&self, when: &str) -> String {
+        let at = |(address, known): (&u64, &Vec<Values>)| {
+            let mut terms = Vec::new();
+            let address_port = self.address.and_then(|index| self.register(index, when));
+            if let Some((port, bits)) = address_port {
+                terms.push(format!("{port} == {bits}'d{address}"));
+            }
+            for (index, values) in known.iter().enumerate() {
+                let Some((port, bits)) = self.register(index, when) else {
+                    continue;
+                };
+                let never = !values.any & (u64::MAX >> (u64::BITS - bits));
+                if never != 0 {
+                    terms.push(format!("({port} & {bits}'d{never}) == 0"));
+                }
+                if values.all != 0 {
+                    terms.push(format!("(~{port} & {bits}'d{}) == 0", values.all));
+                }
+            }
+            format!("({})", terms.join(" && "))
+        };
+        let cases: Vec<_> = self.known.iter().map(at).collect();
+        cases.join(" || ")
+    }
+
+    /// The wrapper's name of a register, with its width.
+    fn register(&self, index: usize, when: &str) -> Option<(String, u32)> {
+        let name = format!("{}.{when}", self.registers[index]);
+        let port = self.ports.get(&name)?;
+        let bits = u32::try_from(port.bits.len()).ok()?;
+        Some((format!("p{}", self.port_number(&name)), bits))
+    }
+}
+
+fn ports(json: &str) -> Result<BTreeMap<String, Port>, DeviceError> {
+    #[derive(Deserialize)]
+    struct Netlist {
+        modules: BTreeMap<String, Module>,
+    }
+    #[derive(Deserialize)]
+    struct Module {
+        ports: BTreeMap<String, Port>,
+    }
+    let netlist: Result<Netlist, _> = serde_json::from_str(json);
+    let gold = netlist.ok().and_then(|mut n| n.modules.remove("gold"));
+    let gold = gold.ok_or_else(|| DeviceError::BrokeOff {
+        device: "yosys".to_owned(),
+        message: "its netlist has no module `gold`".to_owned(),
+    })?;
+    Ok(gold.ports)
+}
+
+/// The value of a port in Yosys's table: name, decimal, hexadecimal, binary; 0 where it is not shown.
+fn shown_value(table: &str, port: &str) -> u64 {
+    let name = format!("\\{port}");
+    let line = table
+        .lines()
+        .map(|line| line.split_whitespace().collect::<Vec<_>>())
+        .find(|words| words.first().is_some_and(|word| *word == name));
+    let bits = line.and_then(|words| words.last().copied());
+    bits.and_then(|bits| u64::from_str_radix(&bits.replace('x', "0"), 2).ok())
+        .unwrap_or(0)
+}

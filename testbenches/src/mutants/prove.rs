@@ -1,0 +1,74 @@
+//! Proofs that a mutant is the design: with the same values in all registers and on all input pins, all registers get
+//! the same next values, and all outputs have the same values.
+
+use photoncube_hdl::Emitted;
+
+use super::Mutation;
+use super::design::{FLAT, yosys};
+use super::invariants::{Invariants, WRAPPED};
+use crate::device::{DeviceError, scratch_folder, write_file};
+use crate::tools::ToolError;
+
+/// Solver seconds for a proof; what is not proven by then is not proven.
+const SECONDS: u32 = 60;
+
+/// Proves that mutants are the design.
+pub(super) struct Prover<'a> {
+    pub design: &'a Emitted,
+    pub invariants: &'a Invariants,
+}
+
+impl Prover<'_> {
+    /// The proof that no signal can differ, if there is one.
+    ///
+    /// # Errors
+    /// Yosys does not run.
+    pub fn proof(&self, mutation: &Mutation) -> Result<Option<String>, DeviceError> {
+        let plain = format!("hierarchy -top miter\nopt -full\n{}", solve("", "miter"));
+        if self.is_proven(mutation, &plain)? {
+            let proof = "the same next values of all registers, from any values, by sat";
+            return Ok(Some(proof.to_owned()));
+        }
+        let options = "-set-assumes";
+        let known = format!("{WRAPPED}\n{}", solve(options, "wrapper"));
+        if self.is_proven(mutation, &known)? {
+            let proof = "the same next values of all registers, from any values within the \
+                         invariants, by sat";
+            return Ok(Some(proof.to_owned()));
+        }
+        Ok(None)
+    }
+
+    fn is_proven(&self, mutation: &Mutation, last: &str) -> Result<bool, DeviceError> {
+        let (top, options) = (&self.design.top, &mutation.options);
+        let script = format!(
+            "design -save elaborated\n{FLAT}\nrename {top} gold\ndesign -stash gold\n\
+             design -load elaborated\nmutate {options}\n{FLAT}\nrename {top} gate\ndesign -stash gate\n\
+             design -copy-from gold -as gold gold\ndesign -copy-from gate -as gate gate\n\
+             expose -evert-dff -dff -shared gold gate\n\
+             miter -equiv -flatten -make_assert gold gate miter\n{last}"
+        );
+        let folder = scratch_folder()?;
+        let wrapper = self.invariants.wrapper("miter", "in_") + "endmodule\n";
+        write_file(&folder.path().join("wrapper.sv"), &wrapper)?;
+        match yosys(folder.path(), self.design, &script) {
+            Ok(()) => Ok(true),
+            Err(error) if is_not_proven(&error) => Ok(false),
+            Err(error) => Err(error),
+        }
+    }
+}
+
+fn solve(options: &str, module: &str) -> String {
+    format!("sat -verify -prove-asserts {options} -timeout {SECONDS} {module}")
+}
+
+/// Whether Yosys ended because the proof failed, or because a mutation lies on a register itself, so that the two
+/// designs have no such register in common.
+fn is_not_proven(error: &DeviceError) -> bool {
+    let DeviceError::Tool(ToolError::Failed { message, .. }) = error else {
+        return false;
+    };
+    let reasons = ["proof did fail", "timeout", "(type $dff) to SAT database"];
+    reasons.iter().any(|reason| message.contains(reason))
+}
