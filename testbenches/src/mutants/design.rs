@@ -21,8 +21,8 @@ const PIN_WIDTH: u32 = 16;
 pub(super) const ELABORATION: &str = "proc -norom; pmuxtree; opt_clean";
 
 /// From the elaborated modules to one in which each net has one name, and no register is lost, whoever reads it.
-pub(super) const FLAT: &str =
-    "flatten\nsetattr -set keep 1 t:$dff\nopt_clean -purge\nsetattr -unset keep t:$dff";
+pub(super) const FLAT: &str = "flatten\nmemory_collect\nmemory_map\nsetattr -set keep 1 t:$dff\nopt_clean -purge\n\
+     setattr -unset keep t:$dff";
 
 /// One thing that is wrong.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]

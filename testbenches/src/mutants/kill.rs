@@ -1,10 +1,7 @@
 //! Mutants against the stimulus.
 
-use std::num::NonZero;
 use std::ops::ControlFlow;
-use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
-use std::sync::{Mutex, PoisonError};
-use std::thread;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use photoncube_hdl::Emitted;
 use photoncube_spec::Machine;
@@ -52,7 +49,7 @@ pub(super) struct Kills<'a> {
     scrub: Vec<u64>,
     blocks: Vec<Block>,
     /// Vectors compared so far.
-    pub vectors: u64,
+    pub vectors: AtomicU64,
 }
 
 impl<'a> Kills<'a> {
@@ -69,7 +66,7 @@ impl<'a> Kills<'a> {
             options,
             scrub: scrub_rows(machine),
             blocks: Vec::new(),
-            vectors: 0,
+            vectors: AtomicU64::new(0),
         };
         let mut blocks = Vec::new();
         kills.stimulus(options.seed, options.iterations, &mut |block| {
@@ -138,53 +135,22 @@ impl<'a> Kills<'a> {
         })
     }
 
-    /// For each mutation whether it is alive after the first iterations.
-    pub fn alive(
-        &mut self,
-        mutations: &[Mutation],
-        progress: &(dyn Fn(u64) + Sync),
-    ) -> Result<Vec<bool>, VerifyError> {
-        let next = AtomicUsize::new(0);
-        let judged = AtomicU64::new(0);
-        let results = Mutex::new(Vec::new());
-        let workers = thread::available_parallelism().map_or(1, NonZero::get);
-        thread::scope(|scope| {
-            for _ in 0..workers {
-                scope.spawn(|| {
-                    while let Some(mutation) = mutations.get(next.fetch_add(1, Ordering::Relaxed)) {
-                        let result = self.judge(mutation);
-                        let failed = result.is_err();
-                        let mut results = results.lock().unwrap_or_else(PoisonError::into_inner);
-                        results.push(result.map(|found| (mutation.mutant, found)));
-                        progress(judged.fetch_add(1, Ordering::Relaxed) + 1);
-                        if failed {
-                            next.store(mutations.len(), Ordering::Relaxed);
-                        }
-                    }
-                });
-            }
-        });
-        let results = results.into_inner().unwrap_or_else(PoisonError::into_inner);
-        let mut results: Vec<_> = results.into_iter().collect::<Result<_, VerifyError>>()?;
-        results.sort_unstable();
-        let vectors: u64 = results.iter().map(|(_, (vectors, _))| vectors).sum();
-        self.vectors += vectors;
-        Ok(results.iter().map(|(_, (_, alive))| *alive).collect())
-    }
-
-    /// The vectors that were compared, and whether it is alive.
-    fn judge(&self, mutation: &Mutation) -> Result<(u64, bool), VerifyError> {
+    /// Whether the first iterations kill it.
+    pub fn dies(&self, mutation: &Mutation) -> Result<bool, VerifyError> {
         let mut compared = self.begin(mutation.mutant)?;
+        let mut dies = false;
         for block in &self.blocks {
-            if compared.difference(block)?.is_some() {
-                return Ok((compared.comparer.vectors + 1, false));
+            dies = compared.difference(block)?.is_some();
+            if dies {
+                break;
             }
         }
-        Ok((compared.comparer.vectors, true))
+        self.count(&compared, dies);
+        Ok(dies)
     }
 
     /// Whether longer stimulus kills it.
-    pub fn dies_later(&mut self, mutation: &Mutation) -> Result<bool, VerifyError> {
+    pub fn dies_later(&self, mutation: &Mutation) -> Result<bool, VerifyError> {
         let (seed, iterations) = (self.options.seed + 1, self.options.more_iterations);
         let mut compared = self.begin(mutation.mutant)?;
         let mut found = Ok(None);
@@ -196,8 +162,13 @@ impl<'a> Kills<'a> {
             }
         })?;
         let dies = found?.is_some();
-        self.vectors += compared.comparer.vectors + u64::from(dies);
+        self.count(&compared, dies);
         Ok(dies)
+    }
+
+    fn count(&self, compared: &Compared<'_>, dies: bool) {
+        let vectors = compared.comparer.vectors + u64::from(dies);
+        self.vectors.fetch_add(vectors, Ordering::Relaxed);
     }
 }
 

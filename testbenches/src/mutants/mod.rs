@@ -9,9 +9,11 @@ mod kill;
 mod prove;
 
 use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use photoncube_hdl::{Level, emit};
 use photoncube_spec::Machine;
+use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::device::{DeviceKind, hdl_error};
@@ -71,6 +73,8 @@ pub struct MutantReport {
     pub seed: u64,
     /// Vectors that were compared until each was killed or the stimulus ended, all together.
     pub vectors_compared: u64,
+    /// Killed mutants that the proofs were tried on too, and that none proved equal.
+    pub controls: usize,
     /// The mutants, in Yosys's order.
     pub mutants: Vec<Judged>,
 }
@@ -110,29 +114,43 @@ pub fn mutants(
     let design = emit(machine, Level::Machine).map_err(hdl_error(machine))?;
     let mutations = design::draw(machine, &design, options.mutants, options.seed)?;
     let mutated = design::with_all(&design, &mutations)?;
-    let mut kills = Kills::new(machine, &mutated, options)?;
-    let alive = kills.alive(&mutations, progress)?;
+    let kills = Kills::new(machine, &mutated, options)?;
+    let judged = AtomicU64::new(0);
+    let count = || progress(judged.fetch_add(1, Ordering::Relaxed) + 1);
+    let dies = |mutation| {
+        let dies = kills.dies(mutation)?;
+        if dies {
+            count();
+        }
+        Ok(dies)
+    };
+    let dead: Vec<bool> = mutations
+        .par_iter()
+        .map(dies)
+        .collect::<Result<_, VerifyError>>()?;
     let invariants = Invariants::new(&design, kills.blocks())?;
     let prover = Prover {
         design: &design,
         invariants: &invariants,
     };
-    let mut judged = Vec::new();
-    for (mutation, alive) in mutations.iter().zip(alive) {
-        let (fate, reason) = match alive {
-            false => (Fate::Killed, None),
-            true => match prover.proof(mutation)? {
-                Some(proof) => (Fate::Equivalent, Some(proof)),
-                None if kills.dies_later(mutation)? => (Fate::Killed, None),
-                None => (Fate::Survived, Some("no proof was found".to_owned())),
-            },
+    let controls = refuted_controls(&mutations, &dead, &prover)?;
+    let judge = |(mutation, dead): (&Mutation, &bool)| {
+        let (fate, reason) = match dead {
+            true => (Fate::Killed, None),
+            false => {
+                let judged = judge_closely(mutation, &prover, &kills)?;
+                count();
+                judged
+            }
         };
-        judged.push(Judged {
+        Ok(Judged {
             mutation: mutation.clone(),
             fate,
             reason,
-        });
-    }
+        })
+    };
+    let judged = mutations.par_iter().zip(&dead).map(judge);
+    let judged = judged.collect::<Result<_, VerifyError>>()?;
     Ok(MutantReport {
         machine: machine.name,
         tool_version: format!(
@@ -143,7 +161,60 @@ pub fn mutants(
                 .map_err(crate::DeviceError::from)?
         ),
         seed: options.seed,
-        vectors_compared: kills.vectors,
+        vectors_compared: kills.vectors.into_inner(),
+        controls,
         mutants: judged,
     })
+}
+
+/// So many killed mutants must not be proven equal, or no proof is worth anything.
+const CONTROLS: usize = 8;
+
+/// Tries the proofs on mutants that were killed, and counts them.
+fn refuted_controls(
+    mutations: &[Mutation],
+    dead: &[bool],
+    prover: &Prover<'_>,
+) -> Result<usize, VerifyError> {
+    let killed: Vec<_> = mutations
+        .iter()
+        .zip(dead)
+        .filter(|(_, dead)| **dead)
+        .collect();
+    let step = killed.len().div_ceil(CONTROLS).max(1);
+    let controls: Vec<_> = killed
+        .iter()
+        .step_by(step)
+        .map(|(control, _)| control)
+        .collect();
+    let proofs: Vec<_> = controls
+        .par_iter()
+        .map(|control| Ok((**control, prover.proof(control)?)))
+        .collect::<Result<_, VerifyError>>()?;
+    match proofs.iter().find(|(_, proof)| proof.is_some()) {
+        None => Ok(proofs.len()),
+        Some((control, _)) => Err(crate::DeviceError::BrokeOff {
+            device: "yosys".to_owned(),
+            message: format!(
+                "it proved a mutant equal that the stimulus killed, so its proofs are wrong: {}",
+                control.options
+            ),
+        }
+        .into()),
+    }
+}
+
+/// What becomes of a mutant that the first iterations did not kill.
+fn judge_closely(
+    mutation: &Mutation,
+    prover: &Prover<'_>,
+    kills: &Kills<'_>,
+) -> Result<(Fate, Option<String>), VerifyError> {
+    if let Some(proof) = prover.proof(mutation)? {
+        return Ok((Fate::Equivalent, Some(proof)));
+    }
+    if kills.dies_later(mutation)? {
+        return Ok((Fate::Killed, None));
+    }
+    Ok((Fate::Survived, Some("no proof was found".to_owned())))
 }

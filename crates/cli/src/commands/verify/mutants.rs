@@ -91,11 +91,13 @@ fn text(report: &MutantReport) -> String {
         })
         .collect();
     format!(
-        "{}\n{}\n{}: {} mutants, {} vectors compared\n",
+        "{}\n{}\n{}: {} mutants, {} vectors compared; the proofs were refuted on {} killed \
+         ones\n",
         table::markdown(&["module", "killed", "equivalent", "survived"], &rows),
         table::markdown(&["mutant", "module", "", "because", "`mutate`"], &left),
         report.machine,
         report.mutants.len(),
-        grouped(report.vectors_compared)
+        grouped(report.vectors_compared),
+        report.controls
     )
 }

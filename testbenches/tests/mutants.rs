@@ -1,0 +1,39 @@
+//! Mutants of the emitted Verilog: the stimulus kills each, or it is proven equal to the design.
+
+mod support;
+
+use libtest_mimic::{Arguments, Failed};
+use photoncube_spec::find_machine;
+use photoncube_testbench::{DeviceKind, Fate, MutantOptions, mutants};
+
+/// `photoncube verify --mutants` is for more, and for the other machines.
+const MUTANTS: u64 = 40;
+
+fn main() {
+    let name = "none_survives::paper".to_owned();
+    // Yosys and Verilator are what a netlist and Verilator need.
+    let trial = match DeviceKind::Netlist.missing_tool() {
+        Some(_) => support::trial(name, DeviceKind::Netlist, none_survives),
+        None => support::trial(name, DeviceKind::Verilator, none_survives),
+    };
+    libtest_mimic::run(&Arguments::from_args(), vec![trial]).exit();
+}
+
+fn none_survives() -> Result<(), Failed> {
+    let options = MutantOptions {
+        mutants: MUTANTS,
+        seed: 2,
+        iterations: 3_000,
+        more_iterations: 100_000,
+    };
+    let report = mutants(find_machine("paper")?, &options, &|_| ())?;
+    let survived = report.mutants.iter().filter(|m| m.fate == Fate::Survived);
+    let survived: Vec<_> = survived.collect();
+    assert!(survived.is_empty(), "{survived:#?}");
+    let killed = report.count(Fate::Killed);
+    assert!(killed > report.mutants.len() / 2, "{killed} killed");
+    assert!(report.mutants.len() as u64 >= MUTANTS / 2);
+    // Of both proofs each was refuted on what is known to differ.
+    assert!(report.controls > 0 && report.vectors_compared > 0);
+    Ok(())
+}
