@@ -12,6 +12,7 @@ mod coverage;
 mod device;
 mod levels;
 mod mutants;
+mod programs;
 mod stimulus;
 mod tools;
 mod trace;
@@ -29,6 +30,10 @@ pub use device::{
 };
 pub use levels::{PartVerdict, verify_part, verify_part_device};
 pub use mutants::{Fate, Judged, MutantOptions, MutantReport, Mutation, mutants};
+pub use programs::{
+    Open, ProgramFailure, ProgramOptions, ProgramVerdict, ProgramsError, draw_program, programmed,
+    verify_programs,
+};
 pub use stimulus::{Block, Source, StimulusError, chunk_seed, generate};
 pub use tools::{MissingTool, Tool, ToolError};
 pub use verify::{Verdict, VerifyError, VerifyOptions, verify, verify_device};

@@ -183,7 +183,7 @@ fn not_built_in(machine: &Machine, level: Level) -> NotBuiltIn {
 /// The block of a machine at a level, with all its signals claimed.
 pub(crate) fn build(machine: &Machine, level: Level) -> Result<Box<dyn Pinned>, NotBuiltIn> {
     let block = match &machine.organisation {
-        Organisation::Sequential => find(machine, level),
+        Organisation::Sequential | Organisation::Programmed(_) => find(machine, level),
         Organisation::Overlapped => overlap::build(machine, level),
         Organisation::Spatial(spatial) => find_spatial(machine, spatial, level),
     };

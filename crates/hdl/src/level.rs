@@ -25,7 +25,7 @@ impl Level {
     /// The levels of a machine, the whole first.
     pub fn of(machine: &Machine) -> &'static [Self] {
         match machine.organisation {
-            Organisation::Sequential => &[
+            Organisation::Sequential | Organisation::Programmed(_) => &[
                 Self::Machine,
                 Self::Cell,
                 Self::Network,

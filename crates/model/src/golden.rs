@@ -30,7 +30,9 @@ pub trait GoldenMachine: Send {
 /// Where a spatial machine is not legal, see [`photoncube_spec::Spatial::check`].
 pub fn golden_machine(machine: &Machine) -> Box<dyn GoldenMachine> {
     match &machine.organisation {
-        Organisation::Sequential => Box::new(StepMachine::new(machine)),
+        Organisation::Sequential | Organisation::Programmed(_) => {
+            Box::new(StepMachine::new(machine))
+        }
         Organisation::Overlapped => Box::new(OverlapMachine::new(machine)),
         Organisation::Spatial(_) => Box::new(SpatialMachine::new(machine)),
     }

@@ -67,6 +67,7 @@ impl Machine {
     pub fn microprogram(&self) -> Option<Microprogram> {
         match &self.organisation {
             Organisation::Sequential => Some(Microprogram::all_reduce(self.hypercube())),
+            Organisation::Programmed(program) => Some(program.microprogram()),
             Organisation::Overlapped | Organisation::Spatial(_) => None,
         }
     }
@@ -84,7 +85,9 @@ impl Machine {
     pub fn spatial(&self) -> Option<&Spatial> {
         match &self.organisation {
             Organisation::Spatial(spatial) => Some(spatial),
-            Organisation::Sequential | Organisation::Overlapped => None,
+            Organisation::Sequential | Organisation::Programmed(_) | Organisation::Overlapped => {
+                None
+            }
         }
     }
 

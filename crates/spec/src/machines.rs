@@ -350,7 +350,7 @@ mod tests {
         for machine in MACHINES {
             assert_eq!(find_machine(machine.name), Ok(machine));
             match &machine.organisation {
-                Organisation::Sequential => {
+                Organisation::Sequential | Organisation::Programmed(_) => {
                     let program = machine.microprogram().unwrap();
                     let verdict = check_schedule(&program, machine.hypercube());
                     assert_eq!(verdict, Ok(()), "{}", machine.name);

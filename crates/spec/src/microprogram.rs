@@ -90,6 +90,13 @@ impl Microprogram {
         phase_clocks(&self.query)
     }
 
+    /// Clocks from a query's first step to the one that takes the query, that one included.
+    pub fn clocks_up_to_the_query(&self) -> u64 {
+        let mut query = self.query.iter();
+        let taker = query.find(|scheduled| scheduled.step.op.row().reads_query);
+        taker.map_or(0, |taker| u64::from(taker.clock) + 1)
+    }
+
     /// Clocks from a query's first step to the first clock in which its result can be taken,
     /// with `groups` groups and no waiting.
     pub fn latency_clocks(&self, groups: u64) -> u64 {

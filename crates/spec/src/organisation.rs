@@ -1,5 +1,6 @@
 //! How a machine's work is laid out over its cells and clocks.
 
+use crate::own_program::OwnProgram;
 use crate::spatial::Spatial;
 
 /// How a machine's work is laid out over its cells and clocks.
@@ -7,6 +8,8 @@ use crate::spatial::Spatial;
 pub enum Organisation {
     /// The paper's: all cells do one instruction a clock, each one unit at a time.
     Sequential,
+    /// The same with a program of one's own.
+    Programmed(OwnProgram),
     /// All units at the same time, by a modulo schedule; see [`crate::overlap`].
     Overlapped,
     /// Every cell keeps its instruction, and data flows through registers.

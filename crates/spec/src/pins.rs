@@ -98,7 +98,7 @@ impl Pins {
         let mut observed = output_pins(machine, &widths);
         let outputs = observed.len();
         match &machine.organisation {
-            Organisation::Sequential => {
+            Organisation::Sequential | Organisation::Programmed(_) => {
                 observed.extend(control_pins(machine));
                 observed.extend(cell_pins(machine, &widths));
             }

@@ -267,7 +267,7 @@ impl Trace {
         }
     }
 
-    /// A cell under a program of random steps; the link is 0 where a step names no axis, as the
+    /// A cell under a program: the machine's own, over and over, or random steps; the link is 0 where a step names no axis, as the
     /// network makes it.
     fn cell(&mut self, machine: &Machine, vectors: usize, rng: &mut Pcg64) {
         let rules = CellRules::of(machine);
@@ -275,10 +275,20 @@ impl Trace {
         let dimension = machine.dimension;
         let axes: Vec<_> = machine.hypercube().axes().collect();
         let mut cell = CellState::default();
-        for _ in 0..vectors {
-            let row = &OPS[rng.random_range(0..OPS.len())];
-            let axis = row.uses_link.then(|| axes[rng.random_range(0..axes.len())]);
-            let step = Step { op: row.op, axis };
+        let own = match &machine.organisation {
+            Organisation::Programmed(program) => Some(program.microprogram().steps()),
+            _ => None,
+        };
+        for index in 0..vectors {
+            let step = match &own {
+                Some(steps) => steps[index % steps.len()],
+                None => {
+                    let row = &OPS[rng.random_range(0..OPS.len())];
+                    let axis = row.uses_link.then(|| axes[rng.random_range(0..axes.len())]);
+                    Step { op: row.op, axis }
+                }
+            };
+            let axis = step.axis;
             let mut any = |bits| corner(rng, bits);
             let inputs = CellInputs {
                 query: any(widths.coordinate) as u32,

@@ -124,7 +124,7 @@ struct Batch<'a> {
     offered: bool,
     /// Clocks since a query or a group was taken.
     still: u32,
-    /// Clocks since the query was taken, its own included, without those spent waiting.
+    /// Clocks of the query's program, those up to the one that takes it included, without those spent waiting.
     occupied: u64,
 }
 
@@ -161,7 +161,8 @@ impl<'a> Batch<'a> {
         self.offered = false;
     }
 
-    fn take_query(&mut self) {
+    /// `clocks`: those that the program takes up to the one that takes the query.
+    fn take_query(&mut self, clocks: u64) {
         let (case, index) = self.next_query;
         self.in_flight.push_back(self.next_query);
         self.next_query = if index + 1 < self.cases[case].queries.len() {
@@ -169,7 +170,7 @@ impl<'a> Batch<'a> {
         } else {
             (case + 1, 0)
         };
-        self.occupied = 1;
+        self.occupied = clocks;
         self.still = 0;
     }
 
@@ -376,7 +377,8 @@ impl<'a> Driver<'a> {
     ) -> Result<(), StimulusError> {
         batch.still += 1;
         if outputs.query_ready && inputs.query_valid {
-            batch.take_query();
+            let program = self.program.as_ref();
+            batch.take_query(program.map_or(1, Microprogram::clocks_up_to_the_query));
         }
         if outputs.group_ready && inputs.group_valid {
             batch.take_group();

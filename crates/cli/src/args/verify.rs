@@ -18,6 +18,7 @@ Examples:
   photoncube verify --machine paper-5d --against all --seed 7
   photoncube verify --fuzz 100000       everything that reads files, on wrong ones
   photoncube verify --coverage --machine stream
+  photoncube verify --programs 1000 --machine paper-5d --against text
   photoncube verify --mutants 700 --machine overlap
   photoncube verify --campaign --hours 8       all machines, on all cores; again goes on with it
   photoncube verify --table             what was verified so far, as docs/verification.md has it"
@@ -58,6 +59,10 @@ pub struct VerifyArgs {
     /// Count what a verification in Verilator uses of the emitted lines, branches and bits, and list what it does not
     #[arg(long, group = "method")]
     pub coverage: bool,
+    /// Draw N different legal microprograms, and compare each in one cell and in the machine; one that differs is
+    /// made as short as it can be
+    #[arg(long, group = "method", value_name = "N", value_parser = clap::value_parser!(u64).range(1..1 << 20))]
+    pub programs: Option<u64>,
     /// Plant about N mutations in the emitted Verilog, one at a time, and see whether the stimulus finds each; what it
     /// does not find in --iterations is proven to change nothing, or survives, which fails
     #[arg(long, group = "method", value_name = "N", value_parser = clap::value_parser!(u64).range(1..1 << 15))]

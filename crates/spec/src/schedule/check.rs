@@ -23,6 +23,7 @@ pub fn check_schedule(program: &Microprogram, cube: Hypercube) -> Result<(), Sch
         }
         check_resources(phase, steps, cube)?;
     }
+    check_streams(program)?;
     let mut cells = vec![[Content::Stale; REGISTERS.len()]; cube.nodes()];
     run_phase(QUERY, &program.query, cube, &mut cells)?;
     expect_all(QUERY, program.query_clocks(), &cells, Content::SumOf(0))?;
@@ -69,6 +70,28 @@ fn check_resources(
         }
     }
     Ok(())
+}
+
+/// A query is taken by each step that reads one, so there is one such step; a group by the last that reads it, and
+/// the machine looks in the iteration's last clock at whether the group that it has taken was the last.
+fn check_streams(program: &Microprogram) -> Result<(), ScheduleError> {
+    let mut queries = program.query.iter().filter(|s| s.step.op.row().reads_query);
+    if let (Some(first), Some(second)) = (queries.next(), queries.next()) {
+        return Err(ScheduleError::TakenTwice {
+            clock: second.clock,
+            first: first.clock,
+            step: second.step.to_string(),
+        });
+    }
+    let last_clock = program.initiation_interval() - 1;
+    let takes = |s: &&ScheduledStep| s.clock == last_clock && s.step.op.row().reads_group;
+    match program.iteration.iter().find(takes) {
+        Some(late) => Err(ScheduleError::TakenLate {
+            clock: late.clock,
+            step: late.step.to_string(),
+        }),
+        None => Ok(()),
+    }
 }
 
 /// What two steps of one clock compete for; if nothing else, for the one instruction.
@@ -291,6 +314,18 @@ mod tests {
     #[test]
     fn wrong_programs_are_rejected_with_the_clock_and_the_node() {
         let cases = [
+            (
+                "0 ldq",
+                "0 ldq\n1 nop\n2 ldq",
+                4,
+                "query clock 2: `ldq` takes a second query, as clock 0 has taken one",
+            ),
+            (
+                "8 acc",
+                "8 acc\n9 ldp",
+                4,
+                "iteration clock 9: `ldp` takes the group in the iteration's last clock",
+            ),
             (
                 "5 gate",
                 "5 nop",

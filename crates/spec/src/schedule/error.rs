@@ -31,6 +31,20 @@ pub enum ScheduleError {
         axis: Axis,
         dimension: u32,
     },
+    #[error(
+        "query clock {clock}: `{step}` takes a second query, as clock {first} has taken one; leave \
+         one of the two out"
+    )]
+    TakenTwice {
+        clock: u32,
+        first: u32,
+        step: String,
+    },
+    #[error(
+        "iteration clock {clock}: `{step}` takes the group in the iteration's last clock, in which \
+         the machine must know already whether it is the query's last; let another step follow"
+    )]
+    TakenLate { clock: u32, step: String },
     #[error("{phase} clock {clock}, node {node}: `{step}` does not belong to this phase")]
     WrongPhase {
         phase: &'static str,

@@ -113,7 +113,7 @@ pub fn verify_with_bar(
 }
 
 /// The devices of `--against`, each once, in the order given.
-fn devices(names: &[String]) -> Result<Vec<DeviceKind>> {
+pub(super) fn devices(names: &[String]) -> Result<Vec<DeviceKind>> {
     let mut devices = Vec::new();
     for name in names {
         let named = match name.as_str() {

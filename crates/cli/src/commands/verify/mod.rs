@@ -6,6 +6,7 @@ mod equivalence;
 mod fuzz;
 mod lint;
 mod mutants;
+mod programs;
 
 use anyhow::Result;
 
@@ -32,6 +33,9 @@ pub fn execute(args: &VerifyArgs, json: bool) -> Result<()> {
     }
     if let Some(wanted) = args.mutants {
         return mutants::execute(args, wanted, json);
+    }
+    if let Some(programs) = args.programs {
+        return programs::execute(args, programs, json);
     }
     if let Some(inputs) = args.fuzz {
         return fuzz::execute(args, inputs, json);

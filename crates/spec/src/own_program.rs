@@ -1,0 +1,60 @@
+//! A program of one's own, small enough to be a part of a machine.
+
+use crate::microprogram::{Microprogram, ScheduledStep, Step};
+use crate::op::Op;
+
+/// The most steps of such a program: what a program counter of 4 bits reaches, which the named machines have.
+pub const MOST_OWN_STEPS: usize = 16;
+
+/// The program of a machine that is not the all-reduce, a step for each clock.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub struct OwnProgram {
+    steps: [Step; MOST_OWN_STEPS],
+    query_clocks: usize,
+    clocks: usize,
+}
+
+impl OwnProgram {
+    /// The program, unless it is longer than [`MOST_OWN_STEPS`] clocks.
+    pub fn new(program: &Microprogram) -> Option<Self> {
+        let mut steps = [Step::new(Op::Nop); MOST_OWN_STEPS];
+        let all = program.steps();
+        steps.get_mut(..all.len())?.copy_from_slice(&all);
+        Some(Self {
+            steps,
+            query_clocks: program.query_clocks() as usize,
+            clocks: all.len(),
+        })
+    }
+
+    /// The program, with a nop in each clock that has no step.
+    pub fn microprogram(&self) -> Microprogram {
+        let (query, iteration) = self.steps[..self.clocks].split_at(self.query_clocks);
+        let phase = |steps: &[Step]| {
+            let clocks = (0..).zip(steps);
+            clocks
+                .map(|(clock, &step)| ScheduledStep { clock, step })
+                .collect()
+        };
+        Microprogram {
+            query: phase(query),
+            iteration: phase(iteration),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::hypercube::Hypercube;
+
+    #[test]
+    fn a_program_comes_back_as_it_was_unless_it_is_too_long() {
+        let program = Microprogram::all_reduce(Hypercube::new(5));
+        let own = OwnProgram::new(&program).unwrap();
+        assert_eq!(own.microprogram(), program);
+        let long = Microprogram::all_reduce(Hypercube::new(11));
+        assert_eq!(long.steps().len(), MOST_OWN_STEPS + 1);
+        assert_eq!(OwnProgram::new(&long), None);
+    }
+}
