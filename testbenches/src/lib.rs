@@ -9,6 +9,7 @@
 mod compare;
 mod coverage;
 mod device;
+mod exhaustive;
 mod levels;
 mod stimulus;
 mod tools;
@@ -20,6 +21,10 @@ pub use coverage::{Coverage, CoverageKind, Gap, ModuleCoverage, Share, coverage}
 pub use device::{
     Device, DeviceError, DeviceKind, Icarus, Mutant, Observed, Refusal, RustHdl, Text, Unknown,
     UnknownDevice, Verilator, netlist,
+};
+pub use exhaustive::{
+    LaneVerdict, UnitVerdict, exhaustive_lane, exhaustive_lane_device, exhaustive_unit,
+    exhaustive_unit_device,
 };
 pub use levels::{PartVerdict, verify_part, verify_part_device};
 pub use stimulus::{Block, Source, StimulusError, chunk_seed, generate};

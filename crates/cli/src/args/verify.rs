@@ -18,19 +18,16 @@ Examples:
   photoncube verify --machine paper-5d --against all --seed 7
   photoncube verify --fuzz 100000       everything that reads files, on wrong ones
   photoncube verify --coverage --machine stream
+  photoncube verify --exhaustive        every pair of inputs of every unit, every difference with every radius
   photoncube verify --table             what was verified so far, as docs/verification.md has it"
 )]
 pub struct VerifyArgs {
     #[command(flatten)]
     pub machine: MachineArgs,
     /// What to compare the golden model with: rust-hdl, text, icarus, verilator, netlist; comma-separated, or all
-    #[arg(
-        long,
-        default_value = "rust-hdl,text",
-        value_name = "LIST",
-        value_delimiter = ','
-    )]
-    pub against: Vec<String>,
+    /// [default: rust-hdl,text; with --exhaustive verilator, or text where that is missing]
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    pub against: Option<Vec<String>>,
     /// Iterations (groups of photons) to compare in each
     #[arg(long, default_value_t = 20_000, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub iterations: u64,
@@ -56,6 +53,10 @@ pub struct VerifyArgs {
     /// Count what a verification in Verilator uses of the emitted lines, branches and bits, and list what it does not
     #[arg(long, group = "method")]
     pub coverage: bool,
+    /// Every pair of inputs of every unit at 6 and at 8 bits, and every difference with every radius at 8 bits through
+    /// the lanes of a machine
+    #[arg(long, group = "method")]
+    pub exhaustive: bool,
     /// Print the committed table of results, and verify nothing
     #[arg(long, group = "method")]
     pub table: bool,
