@@ -11,6 +11,7 @@ mod coverage;
 mod device;
 mod exhaustive;
 mod levels;
+mod protocol;
 mod stimulus;
 mod tools;
 mod trace;
@@ -27,6 +28,9 @@ pub use exhaustive::{
     exhaustive_unit_device,
 };
 pub use levels::{PartVerdict, verify_part, verify_part_device};
-pub use stimulus::{Block, Source, StimulusError, chunk_seed, generate};
+pub use protocol::{
+    FaultClass, FaultVerdict, verify_fault, verify_fault_text, without_initial_values,
+};
+pub use stimulus::{Block, Protocol, Source, StimulusError, chunk_seed, generate};
 pub use tools::{MissingTool, Tool, ToolError};
 pub use verify::{Verdict, VerifyError, VerifyOptions, verify, verify_device};

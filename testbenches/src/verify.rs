@@ -59,6 +59,27 @@ pub enum VerifyError {
     /// The device differs from the golden model.
     #[error("{0}")]
     Diverged(Box<Divergence>),
+    /// With unknown values on its pins or in its registers, the device shows what it must not.
+    #[error(
+        "{device} with unknown values differs from the golden model of `{machine}` in clock {clock}\n  \
+         signal    {signal}\n  expected  {expected}\n  actual    {found}\n  repeat    {repeat}"
+    )]
+    Unknown {
+        /// The machine.
+        machine: &'static str,
+        /// The device.
+        device: String,
+        /// The clock, counted from power-up.
+        clock: u64,
+        /// The signal's name, as in [`Pins`].
+        signal: String,
+        /// What the golden model shows.
+        expected: u64,
+        /// What the device shows.
+        found: String,
+        /// The command that repeats it.
+        repeat: String,
+    },
     /// Nothing went through the machine, so nothing was proven.
     #[error(
         "nothing was compared in {device}: {iterations} iterations, {results} results, \
@@ -233,6 +254,10 @@ fn repeat_command(
 ) -> String {
     match options.source {
         Source::Workload { repeat, .. } => repeat.to_owned(),
+        Source::Protocol(_) => format!(
+            "photoncube verify --faults --machine {} --against {device} --seed {}",
+            machine.name, options.seed
+        ),
         Source::Random => format!(
             "photoncube verify --machine {} --against {device} --seed {} --iterations {}",
             machine.name,

@@ -12,6 +12,8 @@ mod aim;
 mod case;
 mod cases;
 mod drive;
+mod protocol;
+mod traffic;
 
 use std::ops::ControlFlow;
 
@@ -23,7 +25,9 @@ use thiserror::Error;
 use case::Case;
 use cases::Cases;
 pub(crate) use cases::corner;
-use drive::{Driver, Traffic};
+use drive::Driver;
+pub use protocol::Protocol;
+use traffic::Traffic;
 
 /// Where the queries come from.
 #[derive(Copy, Clone, Debug)]
@@ -38,6 +42,8 @@ pub enum Source<'a> {
         /// The command that repeats the run; only the caller knows where the queries came from.
         repeat: &'a str,
     },
+    /// What is hard on the protocol; it says itself how long it is.
+    Protocol(Protocol),
 }
 
 /// Some clocks in a row: what went into the machine, and all that it must show.
@@ -135,6 +141,7 @@ pub fn generate(
     let flow = match source {
         Source::Random => random(machine, seed, iterations, sink),
         Source::Workload { queries, .. } => workload(machine, queries, seed, iterations, sink),
+        Source::Protocol(protocol) => protocol::protocol(machine, protocol, seed, sink),
     };
     // Whether the sink has all or wants no more, this is the end.
     flow.map(drop)
@@ -160,6 +167,16 @@ fn random(
         done += driver.iterations();
     }
     Ok(driver.flush())
+}
+
+/// Clocks in which a chunk brings every register to a value that does not depend on what it held: two resets, the
+/// first queries, and a pipeline that runs empty.
+pub(crate) fn scrub_clocks(machine: &Machine, seed: u64) -> Result<u64, StimulusError> {
+    let mut sink = |_| ControlFlow::Continue(());
+    let mut driver = Driver::new(machine, &mut sink);
+    let begun = driver.begin_chunk(0, seed)?;
+    debug_assert!(begun.is_continue(), "the sink takes all");
+    Ok(driver.clocks())
 }
 
 /// What a chunk holds depends on its seed alone; `wanted` only cuts it short.

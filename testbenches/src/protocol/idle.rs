@@ -1,0 +1,300 @@
+//! Unknown words on pins that nobody may look at: those of a stream while it is not valid, and of a lane that has no
+//! photon.
+//!
+//! Some registers take such a word over, as the spec says, and may then be unknown too. Which they are in a clock the
+//! golden model says: it runs several times, on different words in those places. What comes out alike each time does
+//! not depend on them, so the device must show it, and nothing unknown.
+
+use std::ops::ControlFlow;
+
+use photoncube_hdl::Emitted;
+use photoncube_model::{GoldenMachine, golden_machine};
+use photoncube_spec::{Machine, Pins, Query};
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64;
+
+use super::{FaultClass, FaultVerdict};
+use crate::compare::Actual;
+use crate::device::{Device, Icarus, Observed};
+use crate::stimulus::{Block, Source, generate};
+use crate::verify::{VerifyError, nothing_compared, wrong_count};
+
+/// Random words in idle places; a flag that depends on them is the same in all of these once in 2^16.
+const RANDOM_FILLS: usize = 16;
+
+/// For each input column, those that all must be 1 for its word to count.
+pub(crate) fn governing(pins: &Pins) -> Vec<Vec<usize>> {
+    let named = |wanted: String| pins.inputs.iter().position(|pin| pin.name == wanted);
+    let column = |name: &str| -> Option<Vec<usize>> {
+        let stream = match name {
+            "query_valid" | "group_valid" => return None,
+            _ if name.starts_with("query_") => "query_valid",
+            _ if name.starts_with("group_") || name.starts_with("photon_") => "group_valid",
+            _ => return None,
+        };
+        let lane = name
+            .strip_prefix("photon_")
+            .filter(|n| !n.starts_with("present"));
+        let lane = lane.and_then(|name| name.rsplit_once('_'));
+        let present = lane.and_then(|(_, lane)| named(format!("photon_present_{lane}")));
+        Some(
+            named(stream.to_owned())
+                .into_iter()
+                .chain(present)
+                .collect(),
+        )
+    };
+    let columns = pins.inputs.iter().map(|pin| column(&pin.name));
+    columns.map(Option::unwrap_or_default).collect()
+}
+
+/// Whether the word in a column counts for nothing.
+pub(crate) fn is_idle(governing: &[usize], row: &[u64]) -> bool {
+    governing.iter().any(|&column| row[column] == 0)
+}
+
+/// What stands in idle places.
+#[derive(Copy, Clone)]
+enum Fill {
+    Zeros,
+    Ones,
+    /// A photon at the query that the photons are tested against, or at the one taken last: in range of it.
+    At(Whose),
+    Random,
+}
+
+#[derive(Copy, Clone)]
+enum Whose {
+    Current,
+    Newest,
+}
+
+/// A golden model with such words.
+struct Filled {
+    fill: Fill,
+    model: Box<dyn GoldenMachine>,
+    rng: Pcg64,
+}
+
+/// Verifies a text with unknown words in idle places.
+pub(super) fn verify_idle(
+    machine: &Machine,
+    design: &Emitted,
+    seed: u64,
+) -> Result<FaultVerdict, VerifyError> {
+    let pins = Pins::of(machine);
+    let governing = governing(&pins);
+    let block = all_rows(machine, FaultClass::IdleUnknown, seed)?;
+    let depends = depends(machine, &pins, &governing, &block, seed);
+    let mut device = Icarus::with_idle_unknown(design, governing.clone())?;
+    let mut observed = Observed::default();
+    device.replay(&block.inputs, &mut observed)?;
+    if observed.values.len() != block.expected.len() {
+        return Err(wrong_count(&device, block.clocks, &observed).into());
+    }
+    let visible = pins.observed.len();
+    let differs = |index: &usize| {
+        !depends[*index] && observed.at(*index) != Actual::Known(block.expected[*index])
+    };
+    // Looking an unknown value up takes long; only few rows have one that counts.
+    let suspects = observed.unknown.iter().map(|unknown| unknown.index);
+    let unequal = (0..depends.len()).filter(|&i| observed.values[i] != block.expected[i]);
+    if let Some(index) = suspects.chain(unequal).filter(differs).min() {
+        let what = Difference::of(&pins, &block, &observed, index);
+        return Err(what.error(machine, &device, seed));
+    }
+    let injections = unknown_words(&pins, &governing, &block.inputs);
+    let compared = depends.iter().filter(|&&depends| !depends).count();
+    if injections == 0 || compared == 0 || block.results == 0 {
+        return Err(nothing_compared(device.name(), 0, block.results, 0));
+    }
+    Ok(FaultVerdict {
+        machine: machine.name,
+        fault: FaultClass::IdleUnknown.name(),
+        device: device.name().to_owned(),
+        tool_version: device.tool_version().to_owned(),
+        injections,
+        injected: format!(
+            "unknown words; {compared} values do not depend on them and were known, {} do",
+            depends.len() - compared
+        ),
+        results_compared: block.results,
+        vectors_compared: block.clocks as u64,
+        signals_per_vector: visible,
+        mismatches: 0,
+    })
+}
+
+/// The stimulus of a class, in one block.
+pub(super) fn all_rows(
+    machine: &Machine,
+    class: FaultClass,
+    seed: u64,
+) -> Result<Block, VerifyError> {
+    let mut all = Block {
+        seed,
+        ..Block::default()
+    };
+    let source = Source::Protocol(class.protocol());
+    generate(machine, source, seed, u64::MAX, &mut |block| {
+        all.inputs.extend(block.inputs);
+        all.expected.extend(block.expected);
+        all.clocks += block.clocks;
+        all.iterations += block.iterations;
+        all.results += block.results;
+        ControlFlow::Continue(())
+    })?;
+    Ok(all)
+}
+
+fn unknown_words(pins: &Pins, governing: &[Vec<usize>], inputs: &[u64]) -> u64 {
+    let idle = |row: &[u64]| governing.iter().filter(|g| is_idle(g, row)).count() as u64;
+    inputs.chunks_exact(pins.inputs.len()).map(idle).sum()
+}
+
+/// For each value of each row, whether it depends on what stands in idle places.
+fn depends(
+    machine: &Machine,
+    pins: &Pins,
+    governing: &[Vec<usize>],
+    block: &Block,
+    seed: u64,
+) -> Vec<bool> {
+    let fixed = [
+        Fill::Zeros,
+        Fill::Ones,
+        Fill::At(Whose::Current),
+        Fill::At(Whose::Newest),
+    ];
+    let fills = fixed.into_iter().chain([Fill::Random; RANDOM_FILLS]);
+    let mut depends = vec![false; block.expected.len()];
+    for (index, fill) in fills.enumerate() {
+        let mut filled = Filled {
+            fill,
+            model: golden_machine(machine),
+            rng: Pcg64::seed_from_u64(seed ^ index as u64),
+        };
+        let mut queries = Queries::default();
+        let rows = block.inputs.chunks_exact(pins.inputs.len());
+        let expected = block.expected.chunks_exact(pins.observed.len());
+        let marks = depends.chunks_exact_mut(pins.observed.len());
+        let mut shown = Vec::new();
+        for ((row, expected), marks) in rows.zip(expected).zip(marks) {
+            let mut row = row.to_vec();
+            queries.clock(machine, &row, expected);
+            filled.put(machine, pins, governing, &queries, &mut row);
+            let inputs = Pins::inputs_of(machine, &row);
+            shown.clear();
+            filled.model.observe(&inputs, &mut shown);
+            filled.model.clock(&inputs);
+            for ((mark, shown), expected) in marks.iter_mut().zip(&shown).zip(expected) {
+                *mark |= shown != expected;
+            }
+        }
+    }
+    depends
+}
+
+/// The queries under way, by what is taken.
+#[derive(Default)]
+struct Queries {
+    waiting: Vec<Query>,
+    current: Query,
+    newest: Query,
+    open: bool,
+}
+
+impl Queries {
+    fn clock(&mut self, machine: &Machine, row: &[u64], shown: &[u64]) {
+        let inputs = Pins::inputs_of(machine, row);
+        let outputs = Pins::outputs_of(machine, shown);
+        if inputs.query_valid && outputs.query_ready {
+            self.newest = inputs.query;
+            self.waiting.push(inputs.query);
+        }
+        if inputs.group_valid && outputs.group_ready {
+            if !self.open && !self.waiting.is_empty() {
+                let batch = machine.queries_at_once().min(self.waiting.len());
+                self.current = self.waiting[0];
+                self.waiting.drain(..batch);
+            }
+            self.open = !inputs.group.last;
+        }
+        if inputs.reset {
+            (self.waiting, self.open) = Default::default();
+        }
+    }
+}
+
+impl Filled {
+    fn put(
+        &mut self,
+        machine: &Machine,
+        pins: &Pins,
+        governing: &[Vec<usize>],
+        queries: &Queries,
+        row: &mut [u64],
+    ) {
+        let idle: Vec<_> = governing.iter().map(|g| is_idle(g, row)).collect();
+        let extra = machine.format().map_or(0, |format| format.query_extra_bits);
+        for (column, pin) in pins.inputs.iter().enumerate() {
+            if !idle[column] {
+                continue;
+            }
+            let ones = u64::MAX >> (u64::BITS - pin.width);
+            row[column] = match self.fill {
+                Fill::Zeros => 0,
+                Fill::Ones => ones,
+                Fill::Random => self.rng.random::<u64>() & ones,
+                Fill::At(whose) => {
+                    let query = match whose {
+                        Whose::Current => queries.current,
+                        Whose::Newest => queries.newest,
+                    };
+                    let axis = ["photon_x", "photon_y", "photon_z"]
+                        .iter()
+                        .position(|axis| pin.name.starts_with(axis));
+                    axis.map_or(ones, |axis| u64::from(query.position[axis] >> extra))
+                }
+            };
+        }
+    }
+}
+
+/// A value that was not as it must be.
+pub(super) struct Difference {
+    clock: usize,
+    signal: String,
+    expected: u64,
+    found: String,
+}
+
+impl Difference {
+    pub fn of(pins: &Pins, block: &Block, observed: &Observed, index: usize) -> Self {
+        let visible = pins.observed.len();
+        Self {
+            clock: index / visible,
+            signal: pins.observed[index % visible].name.clone(),
+            expected: block.expected[index],
+            found: match observed.at(index) {
+                Actual::Known(value) => value.to_string(),
+                Actual::Unknown(text) => format!("{text} in hexadecimal, unknown bits"),
+            },
+        }
+    }
+
+    pub fn error(self, machine: &Machine, device: &dyn Device, seed: u64) -> VerifyError {
+        VerifyError::Unknown {
+            machine: machine.name,
+            device: device.name().to_owned(),
+            clock: self.clock as u64,
+            signal: self.signal,
+            expected: self.expected,
+            found: self.found,
+            repeat: format!(
+                "photoncube verify --faults --machine {} --seed {seed}",
+                machine.name
+            ),
+        }
+    }
+}
