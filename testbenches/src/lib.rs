@@ -31,6 +31,6 @@ pub use levels::{PartVerdict, verify_part, verify_part_device};
 pub use protocol::{
     FaultClass, FaultVerdict, verify_fault, verify_fault_text, without_initial_values,
 };
-pub use stimulus::{Block, Protocol, Source, StimulusError, chunk_seed, generate};
+pub use stimulus::{Block, Pressure, Protocol, Source, StimulusError, chunk_seed, generate};
 pub use tools::{MissingTool, Tool, ToolError};
 pub use verify::{Verdict, VerifyError, VerifyOptions, verify, verify_device};

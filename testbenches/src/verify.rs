@@ -12,7 +12,7 @@ use thiserror::Error;
 
 use crate::compare::{Comparer, Divergence};
 use crate::device::{Device, DeviceError, DeviceKind, Observed};
-use crate::stimulus::{Block, Source, StimulusError, generate};
+use crate::stimulus::{Block, Pressure, Source, StimulusError, generate};
 
 /// How much is verified, on what.
 #[derive(Copy, Clone, Debug)]
@@ -51,6 +51,9 @@ pub struct Verdict {
     pub clocks_per_second: u64,
     /// Vectors that were not equal: 0, as the first one ends a verification with an error.
     pub mismatches: u64,
+    /// What the stimulus did to the streams.
+    #[serde(skip)]
+    pub pressure: Pressure,
 }
 
 /// Why a verification did not end well.
@@ -178,6 +181,7 @@ fn consume(
     let mut comparer = Comparer::new(machine, device.visible());
     let mut observed = Observed::default();
     let (mut iterations, mut results) = (0, 0);
+    let mut pressure = Pressure::default();
     let mut busy = Duration::ZERO;
     for block in blocks {
         observed.clear();
@@ -192,6 +196,7 @@ fn consume(
         compared.map_err(VerifyError::Diverged)?;
         iterations += block.iterations;
         results += block.results;
+        pressure = block.pressure;
         progress(iterations);
     }
     Ok(Verdict {
@@ -206,6 +211,7 @@ fn consume(
         registers_compared: device.visible() == signals,
         clocks_per_second: (comparer.vectors as f64 / busy.as_secs_f64()) as u64,
         mismatches: 0,
+        pressure,
     })
 }
 

@@ -1,7 +1,9 @@
 //! The test of the tests: a fault planted in the emitted Verilog must be found.
 
+mod edit;
 mod support;
 
+use edit::edit;
 use libtest_mimic::{Arguments, Failed};
 use photoncube_hdl::{Emitted, Level, emit};
 use photoncube_spec::{MACHINES, Machine, find_machine};
@@ -194,16 +196,6 @@ fn caught(fault: &Fault) -> Result<(), Failed> {
     let account = diverges(machine, &design)?.to_string();
     assert!(account.contains(fault.names), "{account}");
     Ok(())
-}
-
-/// Replaces what stands once in the one module of that heading.
-fn edit(text: &str, module: &str, from: &str, to: &str) -> String {
-    assert_eq!(text.matches(module).count(), 1, "{module}");
-    let (before, rest) = text.split_at(text.find(module).expect("counted"));
-    let end = rest.find("endmodule").expect("a module ends");
-    let (body, after) = rest.split_at(end);
-    assert_eq!(body.matches(from).count(), 1, "`{from}` in {module}");
-    format!("{before}{}{after}", body.replace(from, to))
 }
 
 fn part_caught() -> Result<(), Failed> {

@@ -5,18 +5,16 @@
 
 mod idle;
 mod power_up;
-mod watch;
 
 use photoncube_hdl::{Emitted, Level, emit};
-use photoncube_spec::Machine;
+use photoncube_spec::{Machine, Pins};
 use serde::Serialize;
 
 use crate::device::{Device, DeviceError, DeviceKind, Icarus, hdl_error};
 use crate::stimulus::{Protocol, Source};
-use crate::verify::{VerifyError, VerifyOptions, nothing_compared, verify_device};
+use crate::verify::{Verdict, VerifyError, VerifyOptions, nothing_compared, verify_device};
 
 pub use power_up::without_initial_values;
-use watch::Watch;
 
 /// A class of faults.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -106,6 +104,9 @@ pub struct FaultVerdict {
     pub signals_per_vector: usize,
     /// Vectors that were not equal: 0, as the first one ends it with an error.
     pub mismatches: u64,
+    /// Of a power-up without initial values: the kinds of signals that are known a clock after the reset.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub known_after_reset: Vec<String>,
 }
 
 /// Verifies a machine under a class of faults: in the device asked for, or, where only unknown values show the
@@ -168,9 +169,8 @@ fn verify_pace(
         seed,
         source: Source::Protocol(class.protocol()),
     };
-    let mut watch = Watch::new(machine, device);
-    let verdict = verify_device(machine, &mut watch, &options, &|_| ())?;
-    let (injections, injected) = watch.seen(class, &verdict);
+    let verdict = verify_device(machine, device, &options, &|_| ())?;
+    let (injections, injected) = injected(machine, class, &verdict);
     if injections == 0 {
         return Err(nothing_compared(&verdict.device, 0, 0, 0));
     }
@@ -185,5 +185,40 @@ fn verify_pace(
         vectors_compared: verdict.vectors_compared,
         signals_per_vector: verdict.signals_per_vector,
         mismatches: verdict.mismatches,
+        known_after_reset: Vec::new(),
     })
+}
+
+/// How often the fault was there, and in which words that counts.
+fn injected(machine: &Machine, class: FaultClass, verdict: &Verdict) -> (u64, String) {
+    let pressure = verdict.pressure;
+    let withheld = pressure.withheld.iter().sum();
+    let each =
+        |[query, group, result]: [u64; 3]| format!("query {query}, group {group}, result {result}");
+    match class {
+        FaultClass::Resets => (
+            pressure.resets,
+            "resets, each before a whole query".to_owned(),
+        ),
+        FaultClass::NoReset => {
+            let pins = Pins::of(machine);
+            let registers = pins.observed.len() - pins.outputs;
+            let words = format!(
+                "registers as the text starts them, {} resets",
+                pressure.resets
+            );
+            (registers as u64, words)
+        }
+        FaultClass::Holds => (
+            withheld,
+            format!(
+                "clocks withheld, at most so long: {}",
+                each(pressure.longest)
+            ),
+        ),
+        _ => (
+            withheld,
+            format!("clocks withheld: {}", each(pressure.withheld)),
+        ),
+    }
 }

@@ -91,11 +91,12 @@ pub(super) fn verify_power_up(
         device: device.name().to_owned(),
         tool_version: device.tool_version().to_owned(),
         injections: found.at_power_up,
-        injected: found.words(settled),
+        injected: found.words(&pins, settled),
         results_compared: block.results,
         vectors_compared: block.clocks as u64,
         signals_per_vector: pins.observed.len(),
         mismatches: 0,
+        known_after_reset: found.known_after_reset.into_iter().collect(),
     })
 }
 
@@ -132,8 +133,8 @@ struct Unknowns {
     at_power_up: u64,
     /// Signals in the clock after the reset.
     after_reset: u64,
-    /// The names of what a reset makes known.
-    reset_sets: Vec<String>,
+    /// The names of what is known in it, by the reset or from the pins, without the numbers of cells and places.
+    known_after_reset: BTreeSet<String>,
     /// The first clock from which on nothing is unknown.
     known_from: usize,
 }
@@ -152,20 +153,51 @@ impl Unknowns {
         Self {
             at_power_up: before.len() as u64,
             after_reset: after.len() as u64,
-            reset_sets: set
-                .map(|&column| pins.observed[column].name.clone())
+            known_after_reset: set
+                .map(|&column| kind(&pins.observed[column].name))
                 .collect(),
             known_from: last.map_or(0, |unknown| unknown.index / visible + 1),
         }
     }
 
-    fn words(&self, settled: usize) -> String {
+    fn words(&self, pins: &Pins, settled: usize) -> String {
         format!(
-            "signals unknown at power-up; {} a clock after the reset, none from clock {} on (the first queries are \
-             through in clock {settled}); the reset sets {}",
+            "of {} signals unknown at power-up, {} a clock after the reset, none from clock {} on; the first queries are \
+             through in clock {settled}",
+            pins.observed.len(),
             self.after_reset,
             self.known_from,
-            self.reset_sets.join(", ")
         )
+    }
+}
+
+/// A signal's name without its numbers.
+fn kind(name: &str) -> String {
+    let is_word = |part: &&str| part.parse::<u32>().is_err();
+    Vec::from_iter(name.split('_').filter(is_word)).join("_")
+}
+
+#[cfg(test)]
+mod tests {
+    use photoncube_hdl::{Level, emit};
+    use photoncube_spec::MACHINES;
+
+    use super::*;
+
+    #[test]
+    fn only_tables_of_constants_keep_their_initial_values() {
+        for machine in MACHINES.iter().filter(|m| m.queries_at_once() <= 4) {
+            let design = emit(machine, Level::Machine).unwrap();
+            let (bare, removed) = without_initial_values(&design);
+            assert!(removed > 4, "{}", machine.name);
+            let tables = design.text.matches("squares[0] = ").count();
+            assert_eq!(
+                bare.text.matches("initial ").count(),
+                tables,
+                "{}",
+                machine.name
+            );
+            assert_eq!(bare.register_paths, design.register_paths);
+        }
     }
 }

@@ -13,7 +13,7 @@ use rand_pcg::Pcg64;
 
 use super::case::Case;
 use super::cases::Cases;
-use super::traffic::Traffic;
+use super::traffic::{Pressure, Traffic};
 use super::{Block, StimulusError};
 
 /// So many clocks in which no query and no group moved are a while.
@@ -40,6 +40,8 @@ pub(crate) struct Driver<'a> {
     /// A chunk begins, and the block holds all of it so far.
     scrubs: bool,
     sink: &'a mut Sink<'a>,
+    /// Of all so far.
+    pressure: Pressure,
     /// Of the chunk so far.
     clocks: u64,
     /// Of the chunk so far.
@@ -140,6 +142,7 @@ impl<'a> Driver<'a> {
             scrubs: false,
             block_clocks: FEWEST_BLOCK_CLOCKS.max(BLOCK_SIGNALS / signals),
             sink,
+            pressure: Pressure::default(),
             clocks: 0,
             iterations: 0,
         }
@@ -212,6 +215,7 @@ impl<'a> Driver<'a> {
 
     /// One clock with a reset and nothing else on the pins.
     pub fn reset(&mut self) -> ControlFlow<()> {
+        self.pressure.clock([false; 3], [false; 3], true);
         let idle = self.idle_inputs();
         self.step(&Inputs {
             reset: true,
@@ -282,6 +286,7 @@ impl<'a> Driver<'a> {
             let outputs = self.model.outputs(&inputs);
             self.offer_query(&mut inputs, outputs, &batch);
             let works = self.model.works(&inputs);
+            self.press(&inputs, outputs, works, &batch);
             if self.step(&inputs).is_break() {
                 return Ok(ControlFlow::Break(()));
             }
@@ -294,6 +299,24 @@ impl<'a> Driver<'a> {
             }
         }
         Ok(ControlFlow::Continue(()))
+    }
+
+    /// Takes note of what the stimulus holds back in this clock.
+    fn press(&mut self, inputs: &Inputs, outputs: Outputs, works: bool, batch: &Batch<'_>) {
+        let group_is_there = batch.next_group.0 < batch.cases.len();
+        let held = [
+            batch.query().is_some() && !inputs.query_valid,
+            group_is_there && !inputs.group_valid,
+            outputs.result_valid && !inputs.result_ready,
+        ];
+        // A machine that reads a group in several clocks is ready in the last of them alone.
+        let stands = !works && !outputs.query_ready && !outputs.result_valid;
+        let waits = [
+            outputs.query_ready,
+            outputs.group_ready || stands,
+            outputs.result_valid,
+        ];
+        self.pressure.clock(held, waits, inputs.reset);
     }
 
     /// A query may be withdrawn until it is taken, and before that any other word may stand in
@@ -427,7 +450,8 @@ impl<'a> Driver<'a> {
             expected: Vec::with_capacity(self.block.expected.len()),
             ..Block::default()
         };
-        let block = std::mem::replace(&mut self.block, next);
+        let mut block = std::mem::replace(&mut self.block, next);
+        block.pressure = self.pressure;
         if block.clocks == 0 {
             return ControlFlow::Continue(());
         }

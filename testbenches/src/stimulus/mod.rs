@@ -27,6 +27,7 @@ use cases::Cases;
 pub(crate) use cases::corner;
 use drive::Driver;
 pub use protocol::Protocol;
+pub use traffic::Pressure;
 use traffic::Traffic;
 
 /// Where the queries come from.
@@ -67,6 +68,8 @@ pub struct Block {
     pub iterations: u64,
     /// Results taken.
     pub results: u64,
+    /// What was done to the streams up to the last of these clocks.
+    pub pressure: Pressure,
 }
 
 /// Why there is no stimulus. All but `Gather` mean that the golden model or the spec is wrong.

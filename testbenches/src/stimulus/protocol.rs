@@ -18,7 +18,7 @@ pub enum Protocol {
     /// Each stream alone is withheld for long.
     Holds,
     /// Each stream alone, and all, move in a pattern: one clock in two, one in three, two in three, eight in
-    /// sixteen; and two streams only in turn.
+    /// sixteen, one in twenty; and two streams only in turn.
     Patterns,
     /// A reset in every clock of a query, its waiting included, and a whole query after each.
     Resets,
@@ -38,7 +38,11 @@ const HOLD: u64 = 300;
 /// Cases that are held: more than the queue of results of any machine but the largest holds.
 const HELD_CASES: usize = MAX_RANDOM_BATCH;
 /// Cases of each pattern.
-const PATTERN_CASES: usize = 12;
+const PATTERN_CASES: usize = 40;
+/// Clocks that a stream moves and does not, and again. The last is longer than an iteration of any machine.
+const PATTERNS: [(u64, u64); 5] = [(1, 1), (1, 2), (2, 1), (8, 8), (1, 19)];
+/// Queries that are reset in each of their clocks.
+const RESET_QUERIES: usize = 4;
 /// Groups of the query that is reset: a first one, one between, and a last one.
 const RESET_GROUPS: usize = 3;
 
@@ -133,7 +137,7 @@ fn alone(pace: Pace) -> Vec<Paces> {
 fn patterns() -> Vec<Paces> {
     let pattern = |high, low, phase| Pace::Pattern { high, low, phase };
     let mut all = Vec::new();
-    for (high, low) in [(1, 1), (1, 2), (2, 1), (8, 8)] {
+    for (high, low) in PATTERNS {
         all.extend(alone(pattern(high, low, 0)));
         all.push([pattern(high, low, 0); 3]);
     }
@@ -154,28 +158,42 @@ fn resets(driver: &mut Driver<'_>, machine: &Machine) -> Result<ControlFlow<()>,
     // Each stream is waited for, and the result waits.
     let waiting = [pattern(1, 2), pattern(2, 3), pattern(1, 4)];
     for paces in [flowing, waiting] {
-        let reset = of_groups(machine, driver, RESET_GROUPS);
-        for clock in 0.. {
-            let before = driver.clocks();
-            let traffic = Traffic {
-                reset_at: Some(clock),
-                ..traffic(paces)
-            };
-            if driver.run(&reset, traffic)?.is_break() {
+        for _ in 0..RESET_QUERIES {
+            let query = of_groups(machine, driver, RESET_GROUPS);
+            if reset_in_each_clock(driver, machine, &query, paces)?.is_break() {
                 return Ok(ControlFlow::Break(()));
             }
-            let ended_before = driver.clocks() - before <= clock;
-            // The machine has nothing to do when that reset comes.
-            if ended_before && driver.reset().is_break() {
-                return Ok(ControlFlow::Break(()));
-            }
-            let whole = Cases::new(machine, driver.rng()).cases(1, false);
-            if driver.run(&whole, self::traffic(paces))?.is_break() {
-                return Ok(ControlFlow::Break(()));
-            }
-            if ended_before {
-                break;
-            }
+        }
+    }
+    Ok(ControlFlow::Continue(()))
+}
+
+fn reset_in_each_clock(
+    driver: &mut Driver<'_>,
+    machine: &Machine,
+    query: &[Case],
+    paces: Paces,
+) -> Result<ControlFlow<()>, StimulusError> {
+    for clock in 0.. {
+        let before = driver.clocks();
+        let reset = Traffic {
+            reset_at: Some(clock),
+            ..traffic(paces)
+        };
+        if driver.run(query, reset)?.is_break() {
+            return Ok(ControlFlow::Break(()));
+        }
+        let ended_before = driver.clocks() - before <= clock;
+        // The machine has nothing to do when that reset comes.
+        if ended_before && driver.reset().is_break() {
+            return Ok(ControlFlow::Break(()));
+        }
+        let whole = Cases::new(machine, driver.rng()).cases(1, false);
+        if driver.run(&whole, traffic(paces))?.is_break() {
+            return Ok(ControlFlow::Break(()));
+        }
+        if ended_before {
+            break;
         }
     }
     Ok(ControlFlow::Continue(()))

@@ -79,3 +79,30 @@ impl Traffic {
         }
     }
 }
+
+/// What the stimulus did to the streams and the reset so far.
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+pub struct Pressure {
+    /// Clocks in which the machine waited for query, group, or the taking of a result, and the stimulus had it and held
+    /// it back.
+    pub withheld: [u64; 3],
+    /// The longest run of clocks in which the stimulus held each back.
+    pub longest: [u64; 3],
+    /// The run that lasts.
+    run: [u64; 3],
+    /// Clocks with a reset.
+    pub resets: u64,
+}
+
+impl Pressure {
+    /// One clock: which streams were held back, for which the machine waited, and whether there was a reset.
+    pub(super) fn clock(&mut self, held: [bool; 3], waits: [bool; 3], reset: bool) {
+        self.resets += u64::from(reset);
+        for stream in 0..3 {
+            let held = held[stream];
+            self.withheld[stream] += u64::from(held && waits[stream]);
+            self.run[stream] = if held { self.run[stream] + 1 } else { 0 };
+            self.longest[stream] = self.longest[stream].max(self.run[stream]);
+        }
+    }
+}
