@@ -143,6 +143,7 @@ const FAULTS: &[Fault] = &[
     Fault {
         class: FaultClass::IdleUnknown,
         machine: "overlap",
+        // `if (x)` takes the way of 0, so all ones find it.
         what: "a group that is not valid may be the last",
         module: "control",
         edits: &[("takes_group & group_last", "accepts_group & group_last")],

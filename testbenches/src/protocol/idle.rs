@@ -4,12 +4,13 @@
 //! Some registers take such a word over, as the spec says, and may then be unknown too. Which they are in a clock the
 //! golden model says: it runs several times, on different words in those places. What comes out alike each time does
 //! not depend on them, so the device must show it, and nothing unknown. One kind of value is left out: a comparison with
-//! an unknown operand is unknown in Verilog, even `0 <= x`.
+//! an unknown operand is unknown in Verilog, even `0 <= x`. And an `if` on an unknown value takes the way of 0, which may
+//! hide that it should not have looked; so the same words are then all zeros and all ones.
 
 use std::ops::ControlFlow;
 
 use photoncube_hdl::Emitted;
-use photoncube_model::{GoldenMachine, golden_machine};
+use photoncube_model::golden_machine;
 use photoncube_spec::{Machine, Pins, Query};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
@@ -70,13 +71,6 @@ enum Whose {
     Newest,
 }
 
-/// A golden model with such words.
-struct Filled {
-    fill: Fill,
-    model: Box<dyn GoldenMachine>,
-    rng: Pcg64,
-}
-
 /// Verifies a text with unknown words in idle places.
 pub(super) fn verify_idle(
     machine: &Machine,
@@ -86,24 +80,19 @@ pub(super) fn verify_idle(
     let pins = Pins::of(machine);
     let governing = governing(&pins);
     let block = all_rows(machine, FaultClass::IdleUnknown, seed)?;
-    let mut depends = depends(machine, &pins, &governing, &block, seed);
-    let pessimistic = excuse_comparisons(&pins, &mut depends);
     let mut device = Icarus::with_idle_unknown(design, governing.clone())?;
-    let mut observed = Observed::default();
-    device.replay(&block.inputs, &mut observed)?;
-    if observed.values.len() != block.expected.len() {
-        return Err(wrong_count(&device, block.clocks, &observed).into());
-    }
-    let visible = pins.observed.len();
-    let differs = |index: &usize| {
-        !depends[*index] && observed.at(*index) != Actual::Known(block.expected[*index])
+    let rows = Rows {
+        machine,
+        pins: &pins,
+        block: &block,
+        seed,
     };
-    // Looking an unknown value up takes long; only few rows have one that counts.
-    let suspects = observed.unknown.iter().map(|unknown| unknown.index);
-    let unequal = (0..depends.len()).filter(|&i| observed.values[i] != block.expected[i]);
-    if let Some(index) = suspects.chain(unequal).filter(differs).min() {
-        let what = Difference::of(&pins, &block, &observed, index);
-        return Err(what.error(machine, &device, seed));
+    let mut depends = rows.depends(&governing);
+    let pessimistic = excuse_comparisons(&pins, &mut depends);
+    rows.compare(&mut device, &block.inputs, &depends)?;
+    for fill in [Fill::Zeros, Fill::Ones] {
+        let inputs = rows.filled(&governing, fill, 0);
+        rows.compare(&mut Icarus::new(design)?, &inputs, &depends)?;
     }
     let injections = unknown_words(&pins, &governing, &block.inputs);
     let compared = depends.iter().filter(|&&depends| !depends).count();
@@ -121,8 +110,9 @@ pub(super) fn verify_idle(
             depends.len() - compared - pessimistic
         ),
         results_compared: block.results,
-        vectors_compared: block.clocks as u64,
-        signals_per_vector: visible,
+        // Unknown, zeros, ones.
+        vectors_compared: 3 * block.clocks as u64,
+        signals_per_vector: pins.observed.len(),
         mismatches: 0,
         known_after_reset: Vec::new(),
     })
@@ -155,47 +145,109 @@ fn unknown_words(pins: &Pins, governing: &[Vec<usize>], inputs: &[u64]) -> u64 {
     inputs.chunks_exact(pins.inputs.len()).map(idle).sum()
 }
 
-/// For each value of each row, whether it depends on what stands in idle places.
-fn depends(
-    machine: &Machine,
-    pins: &Pins,
-    governing: &[Vec<usize>],
-    block: &Block,
+/// The stimulus, and what the golden model shows under it.
+struct Rows<'a> {
+    machine: &'a Machine,
+    pins: &'a Pins,
+    block: &'a Block,
     seed: u64,
-) -> Vec<bool> {
-    let fixed = [
-        Fill::Zeros,
-        Fill::Ones,
-        Fill::At(Whose::Current),
-        Fill::At(Whose::Newest),
-    ];
-    let fills = fixed.into_iter().chain([Fill::Random; RANDOM_FILLS]);
-    let mut depends = vec![false; block.expected.len()];
-    for (index, fill) in fills.enumerate() {
-        let mut filled = Filled {
-            fill,
-            model: golden_machine(machine),
-            rng: Pcg64::seed_from_u64(seed ^ index as u64),
+}
+
+impl Rows<'_> {
+    /// Replays rows into a device; what does not depend on idle words must be as the golden model has it.
+    fn compare(
+        &self,
+        device: &mut dyn Device,
+        inputs: &[u64],
+        depends: &[bool],
+    ) -> Result<(), VerifyError> {
+        let (pins, block) = (self.pins, self.block);
+        let mut observed = Observed::default();
+        device.replay(inputs, &mut observed)?;
+        if observed.values.len() != block.expected.len() {
+            return Err(wrong_count(device, block.clocks, &observed).into());
+        }
+        let differs = |index: &usize| {
+            let expected = Actual::Known(block.expected[*index]);
+            !depends[*index] && observed.at(*index) != expected
         };
-        let mut queries = Queries::default();
-        let rows = block.inputs.chunks_exact(pins.inputs.len());
-        let expected = block.expected.chunks_exact(pins.observed.len());
-        let marks = depends.chunks_exact_mut(pins.observed.len());
-        let mut shown = Vec::new();
-        for ((row, expected), marks) in rows.zip(expected).zip(marks) {
-            let mut row = row.to_vec();
-            queries.clock(machine, &row, expected);
-            filled.put(machine, pins, governing, &queries, &mut row);
-            let inputs = Pins::inputs_of(machine, &row);
-            shown.clear();
-            filled.model.observe(&inputs, &mut shown);
-            filled.model.clock(&inputs);
-            for ((mark, shown), expected) in marks.iter_mut().zip(&shown).zip(expected) {
-                *mark |= shown != expected;
+        // Looking an unknown value up takes long; only few rows have one that counts.
+        let suspects = observed.unknown.iter().map(|unknown| unknown.index);
+        let unequal = (0..depends.len()).filter(|&i| observed.values[i] != block.expected[i]);
+        match suspects.chain(unequal).filter(differs).min() {
+            None => Ok(()),
+            Some(index) => {
+                let what = Difference::of(pins, block, &observed, index);
+                Err(what.error(self.machine, device, self.seed))
             }
         }
     }
-    depends
+
+    /// For each value of each row, whether it depends on what stands in idle places.
+    fn depends(&self, governing: &[Vec<usize>]) -> Vec<bool> {
+        let fixed = [
+            Fill::Zeros,
+            Fill::Ones,
+            Fill::At(Whose::Current),
+            Fill::At(Whose::Newest),
+        ];
+        let fills = fixed.into_iter().chain([Fill::Random; RANDOM_FILLS]);
+        let visible = self.pins.observed.len();
+        let mut depends = vec![false; self.block.expected.len()];
+        let mut shown = Vec::new();
+        for (index, fill) in fills.enumerate() {
+            let mut model = golden_machine(self.machine);
+            let filled = self.filled(governing, fill, index as u64);
+            let expected = self.block.expected.chunks_exact(visible);
+            let rows = filled.chunks_exact(self.pins.inputs.len()).zip(expected);
+            for ((row, expected), marks) in rows.zip(depends.chunks_exact_mut(visible)) {
+                let inputs = Pins::inputs_of(self.machine, row);
+                shown.clear();
+                model.observe(&inputs, &mut shown);
+                model.clock(&inputs);
+                for ((mark, shown), expected) in marks.iter_mut().zip(&shown).zip(expected) {
+                    *mark |= shown != expected;
+                }
+            }
+        }
+        depends
+    }
+
+    /// The rows of inputs with other words in idle places.
+    fn filled(&self, governing: &[Vec<usize>], fill: Fill, index: u64) -> Vec<u64> {
+        let mut rng = Pcg64::seed_from_u64(self.seed ^ index);
+        let mut queries = Queries::default();
+        let mut filled = Vec::with_capacity(self.block.inputs.len());
+        let rows = self.block.inputs.chunks_exact(self.pins.inputs.len());
+        let expected = self.block.expected.chunks_exact(self.pins.observed.len());
+        for (row, expected) in rows.zip(expected) {
+            queries.clock(self.machine, row, expected);
+            for (column, &word) in row.iter().enumerate() {
+                filled.push(match is_idle(&governing[column], row) {
+                    true => self.word(column, fill, &queries, &mut rng),
+                    false => word,
+                });
+            }
+        }
+        filled
+    }
+
+    fn word(&self, column: usize, fill: Fill, queries: &Queries, rng: &mut Pcg64) -> u64 {
+        let pin = &self.pins.inputs[column];
+        let ones = u64::MAX >> (u64::BITS - pin.width);
+        let query = match fill {
+            Fill::Zeros => return 0,
+            Fill::Ones => return ones,
+            Fill::Random => return rng.random::<u64>() & ones,
+            Fill::At(Whose::Current) => queries.current,
+            Fill::At(Whose::Newest) => queries.newest,
+        };
+        let format = self.machine.format();
+        let extra = format.map_or(0, |format| format.query_extra_bits);
+        let mut axes = ["photon_x", "photon_y", "photon_z"].iter();
+        let axis = axes.position(|axis| pin.name.starts_with(axis));
+        axis.map_or(ones, |axis| u64::from(query.position[axis] >> extra))
+    }
 }
 
 /// Marks the comparisons of which an operand depended on idle words in the clock before; how many did not themselves.
@@ -253,41 +305,6 @@ impl Queries {
         }
         if inputs.reset {
             (self.waiting, self.open) = Default::default();
-        }
-    }
-}
-
-impl Filled {
-    fn put(
-        &mut self,
-        machine: &Machine,
-        pins: &Pins,
-        governing: &[Vec<usize>],
-        queries: &Queries,
-        row: &mut [u64],
-    ) {
-        let idle: Vec<_> = governing.iter().map(|g| is_idle(g, row)).collect();
-        let extra = machine.format().map_or(0, |format| format.query_extra_bits);
-        for (column, pin) in pins.inputs.iter().enumerate() {
-            if !idle[column] {
-                continue;
-            }
-            let ones = u64::MAX >> (u64::BITS - pin.width);
-            row[column] = match self.fill {
-                Fill::Zeros => 0,
-                Fill::Ones => ones,
-                Fill::Random => self.rng.random::<u64>() & ones,
-                Fill::At(whose) => {
-                    let query = match whose {
-                        Whose::Current => queries.current,
-                        Whose::Newest => queries.newest,
-                    };
-                    let axis = ["photon_x", "photon_y", "photon_z"]
-                        .iter()
-                        .position(|axis| pin.name.starts_with(axis));
-                    axis.map_or(ones, |axis| u64::from(query.position[axis] >> extra))
-                }
-            };
         }
     }
 }
