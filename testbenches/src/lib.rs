@@ -24,7 +24,7 @@ pub use device::{
     UnknownDevice, Verilator, netlist,
 };
 pub use exhaustive::{
-    LaneVerdict, UnitVerdict, exhaustive_lane, exhaustive_lane_device, exhaustive_unit,
+    LaneVerdict, Radii, UnitVerdict, exhaustive_lane, exhaustive_lane_device, exhaustive_unit,
     exhaustive_unit_device,
 };
 pub use levels::{PartVerdict, verify_part, verify_part_device};

@@ -6,7 +6,7 @@ use libtest_mimic::{Arguments, Failed, Trial};
 use photoncube_hdl::{Emitted, Level, Unit, emit, emit_unit, has_unit};
 use photoncube_spec::find_machine;
 use photoncube_testbench::{
-    DeviceKind, Text, VerifyError, exhaustive_lane, exhaustive_lane_device, exhaustive_unit,
+    DeviceKind, Radii, Text, VerifyError, exhaustive_lane, exhaustive_lane_device, exhaustive_unit,
     exhaustive_unit_device,
 };
 
@@ -159,7 +159,7 @@ fn caught(fault: &Fault) -> Result<(), Failed> {
 }
 
 fn lane() -> Result<(), Failed> {
-    let verdict = exhaustive_lane(DeviceKind::Verilator, &|_| ())?;
+    let verdict = exhaustive_lane(DeviceKind::Verilator, Radii::Squares, &|_| ())?;
     assert_eq!(verdict.mismatches, 0);
     assert_eq!(verdict.pairs_compared, 256 * verdict.radii);
     assert!(verdict.vectors_compared * 4 >= verdict.photon_tests);
@@ -172,7 +172,7 @@ fn lane_caught() -> Result<(), Failed> {
     let design = emit(machine, Level::Machine)?;
     let design = edit(design, "distance <= limit", "distance < limit");
     let mut open = || Ok(Box::new(Text::new(&design)?) as Box<_>);
-    match exhaustive_lane_device(&mut open, &|_| ()) {
+    match exhaustive_lane_device(&mut open, Radii::Squares, &|_| ()) {
         Err(VerifyError::Diverged(divergence)) => {
             assert!(divergence.signal.contains("in_range"), "{divergence}");
             Ok(())

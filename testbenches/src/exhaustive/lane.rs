@@ -12,8 +12,58 @@ use crate::verify::{VerifyError, VerifyOptions, nothing_compared, verify_device}
 const MACHINE: &str = "stream";
 /// Bits of a difference and of a radius.
 const BITS: u32 = 8;
-/// Runs of a machine: on each axis, with the photon on either side of the query.
-const RUNS: u64 = 6;
+/// On each axis, with the photon on either side of the query.
+const DIRECTIONS: u64 = 6;
+/// Queries of a run; their photons are in memory at once.
+const QUERIES: usize = 4096;
+
+/// Which radii the lanes get.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub enum Radii {
+    /// The square of each radius, one less and one more, in each lane, on each axis, to either side.
+    Squares,
+    /// Every `radius_sq` that a query may have, each difference in one of the lanes, the axes and sides in turn.
+    All,
+}
+
+impl Radii {
+    /// All of them.
+    pub const ALL: [Self; 2] = [Self::Squares, Self::All];
+
+    fn words(self) -> &'static str {
+        match self {
+            Self::Squares => {
+                "radius_sq of each radius squared, less 1, plus 1; in each lane, on each axis, to either side"
+            }
+            Self::All => "every radius_sq; in one lane each, axes and sides in turn",
+        }
+    }
+
+    fn values(self, machine: &Machine) -> Vec<u32> {
+        match self {
+            Self::Squares => radii(machine),
+            Self::All => (0..=largest(machine)).collect(),
+        }
+    }
+
+    /// The queries of a run, and the direction of their photons.
+    fn runs(self, radii: &[u32]) -> Vec<(&[u32], u64)> {
+        match self {
+            Self::Squares => (0..DIRECTIONS)
+                .map(|direction| (radii, direction))
+                .collect(),
+            Self::All => radii.chunks(QUERIES).zip((0..DIRECTIONS).cycle()).collect(),
+        }
+    }
+
+    /// How often each difference is there, each time in another lane.
+    fn turns(self, machine: &Machine) -> u32 {
+        match self {
+            Self::Squares => machine.photons_per_iteration() as u32,
+            Self::All => 1,
+        }
+    }
+}
 
 /// What was compared of the lanes.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -26,9 +76,11 @@ pub struct LaneVerdict {
     pub tool_version: String,
     /// Bits of a difference, and of a radius.
     pub operand_bits: u32,
-    /// Values of `radius_sq`: of each radius the square, one less and one more.
+    /// Values of `radius_sq`.
     pub radii: u64,
-    /// Pairs of a difference and a `radius_sq`, all of them in each lane, on each axis, to either side.
+    /// Which these are, and where the pairs were.
+    pub scope: &'static str,
+    /// Different pairs of a difference and a `radius_sq`.
     pub pairs_compared: u64,
     /// Photon tests in which they were.
     pub photon_tests: u64,
@@ -40,13 +92,14 @@ pub struct LaneVerdict {
     pub mismatches: u64,
 }
 
-/// Compares the lanes of a machine in a device; `progress` is told the runs done, of six.
+/// Compares the lanes of a machine in a device; `progress` is told the part that is done.
 ///
 /// # Errors
 /// The first difference; or no verdict at all.
 pub fn exhaustive_lane(
     kind: DeviceKind,
-    progress: &dyn Fn(u64),
+    radii: Radii,
+    progress: &dyn Fn(f64),
 ) -> Result<LaneVerdict, VerifyError> {
     let machine = find_machine(MACHINE).expect("a named machine");
     if let Some(missing) = kind.missing_tool() {
@@ -57,7 +110,7 @@ pub fn exhaustive_lane(
         DeviceKind::RustHdl => Ok(Box::new(RustHdl::new(machine, Level::Machine)?) as Box<_>),
         _ => kind.open_text(&design),
     };
-    exhaustive_lane_device(&mut open, progress)
+    exhaustive_lane_device(&mut open, radii, progress)
 }
 
 /// Compares the lanes in devices that `open` opens, one for each run.
@@ -66,38 +119,47 @@ pub fn exhaustive_lane(
 /// The first difference; or no verdict at all.
 pub fn exhaustive_lane_device(
     open: &mut dyn FnMut() -> Result<Box<dyn Device>, DeviceError>,
-    progress: &dyn Fn(u64),
+    radii: Radii,
+    progress: &dyn Fn(f64),
 ) -> Result<LaneVerdict, VerifyError> {
     let machine = find_machine(MACHINE).expect("a named machine");
-    let radii = radii(machine);
+    let values = radii.values(machine);
+    let runs = radii.runs(&values);
     let mut verdict: Option<LaneVerdict> = None;
-    for run in 0..RUNS {
-        let found = compare_run(machine, &radii, run, open()?.as_mut())?;
+    for (run, &(some, direction)) in runs.iter().enumerate() {
+        let queries = queries(machine, some, direction, radii.turns(machine));
+        let found = compare_run(machine, &queries, open()?.as_mut())?;
         match &mut verdict {
-            None => verdict = Some(found),
+            None => {
+                verdict = Some(LaneVerdict {
+                    radii: values.len() as u64,
+                    scope: radii.words(),
+                    pairs_compared: (values.len() << BITS) as u64,
+                    ..found
+                });
+            }
             Some(all) => {
                 all.vectors_compared += found.vectors_compared;
                 all.photon_tests += found.photon_tests;
             }
         }
-        progress(run + 1);
+        progress((run + 1) as f64 / runs.len() as f64);
     }
     verdict.ok_or_else(|| nothing_compared(MACHINE, 0, 0, 0))
 }
 
+/// Compares queries with all their photons; which pairs these are, the caller knows.
 fn compare_run(
     machine: &Machine,
-    radii: &[u32],
-    run: u64,
+    queries: &[(Query, Vec<Photon>)],
     device: &mut dyn Device,
 ) -> Result<LaneVerdict, VerifyError> {
-    let queries = queries(machine, radii, run);
     let tests: usize = queries.iter().map(|(_, photons)| photons.len()).sum();
     let options = VerifyOptions {
         iterations: u64::MAX,
         seed: 0,
         source: Source::Workload {
-            queries: &queries,
+            queries,
             repeat: "photoncube verify --exhaustive",
         },
     };
@@ -112,8 +174,9 @@ fn compare_run(
         device: verdict.device,
         tool_version: verdict.tool_version,
         operand_bits: BITS,
-        radii: radii.len() as u64,
-        pairs_compared: (radii.len() << BITS) as u64,
+        radii: 0,
+        scope: "",
+        pairs_compared: 0,
         photon_tests: tests as u64,
         vectors_compared: verdict.vectors_compared,
         signals_per_vector: verdict.signals_per_vector,
@@ -121,21 +184,30 @@ fn compare_run(
     })
 }
 
+/// The largest `radius_sq` that a query may have.
+fn largest(machine: &Machine) -> u32 {
+    machine.format().map_or(0, PhotonFormat::largest_in_range)
+}
+
 /// The squares of all radii with their neighbours: between two of them, no difference changes sides.
 fn radii(machine: &Machine) -> Vec<u32> {
-    let limit = machine.format().map_or(0, PhotonFormat::largest_in_range);
     let around = |r: u32| [(r * r).saturating_sub(1), r * r, r * r + 1];
     let mut radii: Vec<_> = (0..1 << BITS).flat_map(around).collect();
-    radii.retain(|&radius_sq| radius_sq <= limit);
+    radii.retain(|&radius_sq| radius_sq <= largest(machine));
     radii.sort_unstable();
     radii.dedup();
     radii
 }
 
 /// A query for each radius, from the middle of the frame, with photons at every difference on one axis, to
-/// one side; each difference in each lane.
-fn queries(machine: &Machine, radii: &[u32], run: u64) -> Vec<(Query, Vec<Photon>)> {
-    let (axis, above) = ((run / 2) as usize, run % 2 == 0);
+/// one side; so many times, each time in another lane.
+fn queries(
+    machine: &Machine,
+    radii: &[u32],
+    direction: u64,
+    turns: u32,
+) -> Vec<(Query, Vec<Photon>)> {
+    let (axis, above) = ((direction / 2) as usize, direction % 2 == 0);
     let middle = 1 << (Widths::of(machine).coordinate - 1);
     let lanes = machine.photons_per_iteration() as u32;
     let full = (1 << Widths::of(machine).mantissa) - 1;
@@ -157,7 +229,7 @@ fn queries(machine: &Machine, radii: &[u32], run: u64) -> Vec<(Query, Vec<Photon
         let place = move |index: u32| index - index % lanes + (index + turn) % lanes;
         (0..1_u32 << BITS).map(move |index| photon(place(index)))
     };
-    let photons: Vec<_> = (0..lanes).flat_map(turned).collect();
+    let photons: Vec<_> = (0..turns).flat_map(turned).collect();
     let query = |&radius_sq| Query {
         position: [middle; 3],
         radius_sq,
@@ -180,17 +252,44 @@ mod tests {
         for r in 0..(1 << BITS) - 1 {
             assert!(radii.contains(&(r * r)), "{r}");
         }
-        for run in 0..RUNS {
-            let queries = queries(machine, &radii, run);
+        for direction in 0..DIRECTIONS {
+            let queries = queries(machine, &radii, direction, Radii::Squares.turns(machine));
             let asked: BTreeSet<_> = queries.iter().map(|(q, _)| q.radius_sq).collect();
             assert_eq!(asked.len(), radii.len());
             let (query, photons) = &queries[0];
             for lane in 0..4 {
                 let of_lane = photons.iter().skip(lane).step_by(4);
-                let axis = (run / 2) as usize;
-                let differences = of_lane.map(|p| p.position[axis].abs_diff(query.position[axis]));
-                assert_eq!(differences.collect::<BTreeSet<_>>().len(), 1 << BITS);
+                assert_eq!(differences(query, of_lane, direction).len(), 1 << BITS);
             }
         }
+    }
+
+    #[test]
+    fn every_radius_meets_every_difference() {
+        let machine = find_machine(MACHINE).unwrap();
+        let values = Radii::All.values(machine);
+        let runs = Radii::All.runs(&values);
+        let met: BTreeSet<_> = runs.iter().flat_map(|(some, _)| *some).collect();
+        assert_eq!(met.len(), largest(machine) as usize + 1);
+        assert!(largest(machine) >= 255 * 254, "{}", largest(machine));
+        for direction in 0..DIRECTIONS {
+            let queries = queries(machine, &values[..1], direction, 1);
+            let (query, photons) = &queries[0];
+            assert_eq!(
+                differences(query, photons.iter(), direction).len(),
+                1 << BITS
+            );
+        }
+    }
+
+    fn differences<'p>(
+        query: &Query,
+        photons: impl Iterator<Item = &'p Photon>,
+        direction: u64,
+    ) -> BTreeSet<u32> {
+        let axis = (direction / 2) as usize;
+        photons
+            .map(|p| p.position[axis].abs_diff(query.position[axis]))
+            .collect()
     }
 }

@@ -12,7 +12,7 @@ use crate::compare::Actual;
 use crate::device::{Device, DeviceKind, Observed, hdl_error_of};
 use crate::verify::{VerifyError, nothing_compared, wrong_count};
 
-pub use lane::{LaneVerdict, exhaustive_lane, exhaustive_lane_device};
+pub use lane::{LaneVerdict, Radii, exhaustive_lane, exhaustive_lane_device};
 use rows::Rows;
 
 /// What was compared of a unit.

@@ -19,13 +19,14 @@ Examples:
   photoncube verify --fuzz 100000       everything that reads files, on wrong ones
   photoncube verify --coverage --machine stream
   photoncube verify --exhaustive        every pair of inputs of every unit, every difference with every radius
+  photoncube verify --faults --machine overlap    waiting streams, resets, unknown words, power-up; needs Icarus
   photoncube verify --table             what was verified so far, as docs/verification.md has it"
 )]
 pub struct VerifyArgs {
     #[command(flatten)]
     pub machine: MachineArgs,
     /// What to compare the golden model with: rust-hdl, text, icarus, verilator, netlist; comma-separated, or all
-    /// [default: rust-hdl,text; with --exhaustive verilator, or text where that is missing]
+    /// [default: rust-hdl,text; with --exhaustive and --faults verilator, or text where that is missing]
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     pub against: Option<Vec<String>>,
     /// Iterations (groups of photons) to compare in each
@@ -57,6 +58,10 @@ pub struct VerifyArgs {
     /// the lanes of a machine
     #[arg(long, group = "method")]
     pub exhaustive: bool,
+    /// Faults from outside, by class: streams that wait at random, long and in patterns, a reset in every clock of a query;
+    /// and in Icarus, whatever --against says, unknown words on idle pins and power-up without reset
+    #[arg(long, group = "method")]
+    pub faults: bool,
     /// Print the committed table of results, and verify nothing
     #[arg(long, group = "method")]
     pub table: bool,

@@ -3,7 +3,7 @@
 use anyhow::{Result, bail};
 use photoncube_hdl::{Unit, has_unit};
 use photoncube_testbench::{
-    DeviceKind, LaneVerdict, UnitVerdict, VerifyError, exhaustive_lane, exhaustive_unit,
+    DeviceKind, LaneVerdict, Radii, UnitVerdict, VerifyError, exhaustive_lane, exhaustive_unit,
 };
 use serde::Serialize;
 
@@ -55,16 +55,19 @@ fn units(kind: DeviceKind, report: &mut Report) -> Result<()> {
 }
 
 fn lanes(kind: DeviceKind, report: &mut Report) -> Result<()> {
-    let bar = progress::bar("lanes", 6);
-    let found = match exhaustive_lane(kind, &|runs| bar.set_position(runs)) {
-        Ok(found) => found,
-        Err(VerifyError::Diverged(divergence)) => bail!(CheckFailed(divergence.to_string())),
-        Err(error) => return Err(error.into()),
-    };
-    bar.finish_and_clear();
-    report.vectors_compared += found.vectors_compared;
-    report.mismatches += found.mismatches;
-    report.lanes.push(found);
+    for radii in Radii::ALL {
+        let bar = progress::bar("lanes", 1000);
+        let position = |done: f64| bar.set_position((done * 1000.0) as u64);
+        let found = match exhaustive_lane(kind, radii, &position) {
+            Ok(found) => found,
+            Err(VerifyError::Diverged(divergence)) => bail!(CheckFailed(divergence.to_string())),
+            Err(error) => return Err(error.into()),
+        };
+        bar.finish_and_clear();
+        report.vectors_compared += found.vectors_compared;
+        report.mismatches += found.mismatches;
+        report.lanes.push(found);
+    }
     Ok(())
 }
 
@@ -109,13 +112,10 @@ fn lines(report: &Report) -> Vec<Line> {
     };
     let lane = |lane: &LaneVerdict| Line {
         machine: lane.machine.to_owned(),
-        method: "exhaustive".to_owned(),
+        method: format!("exhaustive: {}", lane.scope),
         by: format!("{}: {}", lane.device, lane.tool_version),
         volume: lane.pairs_compared,
-        unit: format!(
-            "pairs of {}-bit difference and radius, in each lane, on each axis, to either side",
-            lane.operand_bits
-        ),
+        unit: format!("pairs of {}-bit difference and radius", lane.operand_bits),
         result: format!(
             "{} mismatches in {} vectors of {} signals",
             lane.mismatches,
@@ -142,7 +142,7 @@ fn text(report: &Report) -> String {
     };
     let lane = |lane: &LaneVerdict| {
         vec![
-            format!("{}, its lanes: difference and radius", lane.machine),
+            format!("{}: difference and {}", lane.machine, lane.scope),
             lane.operand_bits.to_string(),
             grouped(lane.pairs_compared),
             grouped(lane.vectors_compared),
@@ -179,6 +179,7 @@ mod tests {
             tool_version: "1".into(),
             operand_bits: 8,
             radii: 1,
+            scope: "",
             pairs_compared: 256,
             photon_tests: 256,
             vectors_compared: 256,

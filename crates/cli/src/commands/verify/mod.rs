@@ -3,6 +3,7 @@
 mod coverage;
 mod equivalence;
 mod exhaustive;
+mod faults;
 mod fuzz;
 mod lint;
 
@@ -28,6 +29,9 @@ pub fn execute(args: &VerifyArgs, json: bool) -> Result<()> {
     }
     if args.exhaustive {
         return exhaustive::execute(args, json);
+    }
+    if args.faults {
+        return faults::execute(args, json);
     }
     if let Some(inputs) = args.fuzz {
         return fuzz::execute(args, inputs, json);
