@@ -24,8 +24,9 @@ use crate::verify::{VerifyError, nothing_compared, wrong_count};
 /// Random words in idle places; a flag that depends on them is the same in all of these once in 2^16.
 const RANDOM_FILLS: usize = 16;
 
-/// For each input column, those that all must be 1 for its word to count.
-pub(crate) fn governing(pins: &Pins) -> Vec<Vec<usize>> {
+/// For each input column, those that all must be 1 for its word to count. A photon memory keeps the words of absent
+/// photons for queries that nobody knows yet, so nothing could be aimed at these: there they are left as they are.
+pub(crate) fn governing(machine: &Machine, pins: &Pins) -> Vec<Vec<usize>> {
     let named = |wanted: String| pins.inputs.iter().position(|pin| pin.name == wanted);
     let column = |name: &str| -> Option<Vec<usize>> {
         let stream = match name {
@@ -38,6 +39,7 @@ pub(crate) fn governing(pins: &Pins) -> Vec<Vec<usize>> {
             .strip_prefix("photon_")
             .filter(|n| !n.starts_with("present"));
         let lane = lane.and_then(|name| name.rsplit_once('_'));
+        let lane = lane.filter(|_| !machine.has_memory());
         let present = lane.and_then(|(_, lane)| named(format!("photon_present_{lane}")));
         Some(
             named(stream.to_owned())
@@ -60,15 +62,9 @@ pub(crate) fn is_idle(governing: &[usize], row: &[u64]) -> bool {
 enum Fill {
     Zeros,
     Ones,
-    /// A photon at the query that the photons are tested against, or at the one taken last: in range of it.
-    At(Whose),
+    /// A photon at the query that the photons are tested against in that engine: in range of it.
+    At(usize),
     Random,
-}
-
-#[derive(Copy, Clone)]
-enum Whose {
-    Current,
-    Newest,
 }
 
 /// Verifies a text with unknown words in idle places.
@@ -78,7 +74,7 @@ pub(super) fn verify_idle(
     seed: u64,
 ) -> Result<FaultVerdict, VerifyError> {
     let pins = Pins::of(machine);
-    let governing = governing(&pins);
+    let governing = governing(machine, &pins);
     let block = all_rows(machine, FaultClass::IdleUnknown, seed)?;
     let mut device = Icarus::with_idle_unknown(design, governing.clone())?;
     let rows = Rows {
@@ -185,13 +181,10 @@ impl Rows<'_> {
 
     /// For each value of each row, whether it depends on what stands in idle places.
     fn depends(&self, governing: &[Vec<usize>]) -> Vec<bool> {
-        let fixed = [
-            Fill::Zeros,
-            Fill::Ones,
-            Fill::At(Whose::Current),
-            Fill::At(Whose::Newest),
-        ];
-        let fills = fixed.into_iter().chain([Fill::Random; RANDOM_FILLS]);
+        let fixed = [Fill::Zeros, Fill::Ones].into_iter();
+        let fills = fixed
+            .chain((0..self.machine.queries_at_once()).map(Fill::At))
+            .chain([Fill::Random; RANDOM_FILLS]);
         let visible = self.pins.observed.len();
         let mut depends = vec![false; self.block.expected.len()];
         let mut shown = Vec::new();
@@ -239,8 +232,7 @@ impl Rows<'_> {
             Fill::Zeros => return 0,
             Fill::Ones => return ones,
             Fill::Random => return rng.random::<u64>() & ones,
-            Fill::At(Whose::Current) => queries.current,
-            Fill::At(Whose::Newest) => queries.newest,
+            Fill::At(engine) => queries.current.get(engine).copied().unwrap_or_default(),
         };
         let format = self.machine.format();
         let extra = format.map_or(0, |format| format.query_extra_bits);
@@ -282,8 +274,8 @@ fn excuse_comparisons(pins: &Pins, depends: &mut [bool]) -> usize {
 #[derive(Default)]
 struct Queries {
     waiting: Vec<Query>,
-    current: Query,
-    newest: Query,
+    /// Those of the batch, one for each engine.
+    current: Vec<Query>,
     open: bool,
 }
 
@@ -292,14 +284,12 @@ impl Queries {
         let inputs = Pins::inputs_of(machine, row);
         let outputs = Pins::outputs_of(machine, shown);
         if inputs.query_valid && outputs.query_ready {
-            self.newest = inputs.query;
             self.waiting.push(inputs.query);
         }
         if inputs.group_valid && outputs.group_ready {
             if !self.open && !self.waiting.is_empty() {
                 let batch = machine.queries_at_once().min(self.waiting.len());
-                self.current = self.waiting[0];
-                self.waiting.drain(..batch);
+                self.current = self.waiting.drain(..batch).collect();
             }
             self.open = !inputs.group.last;
         }

@@ -31,7 +31,7 @@ pub enum Protocol {
 /// Batches of [`Protocol::Stalls`].
 const STALLED_BATCHES: usize = 300;
 /// Batches of stimulus for slow devices.
-const FEW_BATCHES: usize = 12;
+const FEW_BATCHES: usize = 8;
 /// Clocks that a stream is withheld in [`Protocol::Holds`] before each word: far longer than any latency, and
 /// than any queue takes to fill or to run empty.
 const HOLD: u64 = 300;
