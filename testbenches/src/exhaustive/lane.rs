@@ -271,7 +271,8 @@ mod tests {
         let runs = Radii::All.runs(&values);
         let met: BTreeSet<_> = runs.iter().flat_map(|(some, _)| *some).collect();
         assert_eq!(met.len(), largest(machine) as usize + 1);
-        assert!(largest(machine) >= 255 * 254, "{}", largest(machine));
+        // A clamped difference, all ones, is always out of range.
+        assert_eq!(largest(machine), 254 * 254);
         for direction in 0..DIRECTIONS {
             let queries = queries(machine, &values[..1], direction, 1);
             let (query, photons) = &queries[0];
