@@ -29,7 +29,8 @@ pub use exhaustive::{
 };
 pub use levels::{PartVerdict, verify_part, verify_part_device};
 pub use protocol::{
-    FaultClass, FaultVerdict, verify_fault, verify_fault_text, without_initial_values,
+    FaultClass, FaultVerdict, UnknownDifference, verify_fault, verify_fault_text,
+    without_initial_values,
 };
 pub use stimulus::{Block, Pressure, Protocol, Source, StimulusError, chunk_seed, generate};
 pub use tools::{MissingTool, Tool, ToolError};

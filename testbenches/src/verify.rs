@@ -12,6 +12,7 @@ use thiserror::Error;
 
 use crate::compare::{Comparer, Divergence};
 use crate::device::{Device, DeviceError, DeviceKind, Observed};
+use crate::protocol::UnknownDifference;
 use crate::stimulus::{Block, Pressure, Source, StimulusError, generate};
 
 /// How much is verified, on what.
@@ -63,26 +64,8 @@ pub enum VerifyError {
     #[error("{0}")]
     Diverged(Box<Divergence>),
     /// With unknown values on its pins or in its registers, the device shows what it must not.
-    #[error(
-        "{device} with unknown values differs from the golden model of `{machine}` in clock {clock}\n  \
-         signal    {signal}\n  expected  {expected}\n  actual    {found}\n  repeat    {repeat}"
-    )]
-    Unknown {
-        /// The machine.
-        machine: &'static str,
-        /// The device.
-        device: String,
-        /// The clock, counted from power-up.
-        clock: u64,
-        /// The signal's name, as in [`Pins`].
-        signal: String,
-        /// What the golden model shows.
-        expected: u64,
-        /// What the device shows.
-        found: String,
-        /// The command that repeats it.
-        repeat: String,
-    },
+    #[error("{0}")]
+    Unknown(Box<UnknownDifference>),
     /// Nothing went through the machine, so nothing was proven.
     #[error(
         "nothing was compared in {device}: {iterations} iterations, {results} results, \

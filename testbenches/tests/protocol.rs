@@ -252,7 +252,7 @@ fn caught(fault: &Fault) -> Result<(), Failed> {
         design.text = edit(&design.text, &module, from, to);
     }
     match verify_fault_text(machine, fault.class, device(fault.class), &design, 1) {
-        Err(VerifyError::Diverged(_) | VerifyError::Unknown { .. }) => Ok(()),
+        Err(VerifyError::Diverged(_) | VerifyError::Unknown(_)) => Ok(()),
         other => Err(format!("the fault was not found: {other:?}").into()),
     }
 }

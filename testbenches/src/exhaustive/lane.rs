@@ -207,7 +207,7 @@ fn queries(
     direction: u64,
     turns: u32,
 ) -> Vec<(Query, Vec<Photon>)> {
-    let (axis, above) = ((direction / 2) as usize, direction % 2 == 0);
+    let (axis, above) = ((direction / 2) as usize, direction.is_multiple_of(2));
     let middle = 1 << (Widths::of(machine).coordinate - 1);
     let lanes = machine.photons_per_iteration() as u32;
     let full = (1 << Widths::of(machine).mantissa) - 1;

@@ -15,6 +15,7 @@ use photoncube_spec::{Machine, Pins, Query};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
+use super::difference::difference;
 use super::{FaultClass, FaultVerdict};
 use crate::compare::Actual;
 use crate::device::{Device, Icarus, Observed};
@@ -173,8 +174,8 @@ impl Rows<'_> {
         match suspects.chain(unequal).filter(differs).min() {
             None => Ok(()),
             Some(index) => {
-                let what = Difference::of(pins, block, &observed, index);
-                Err(what.error(self.machine, device, self.seed))
+                let rows = (pins, block, &observed);
+                Err(difference(self.machine, rows, device, index))
             }
         }
     }
@@ -295,44 +296,6 @@ impl Queries {
         }
         if inputs.reset {
             (self.waiting, self.open) = Default::default();
-        }
-    }
-}
-
-/// A value that was not as it must be.
-pub(super) struct Difference {
-    clock: usize,
-    signal: String,
-    expected: u64,
-    found: String,
-}
-
-impl Difference {
-    pub fn of(pins: &Pins, block: &Block, observed: &Observed, index: usize) -> Self {
-        let visible = pins.observed.len();
-        Self {
-            clock: index / visible,
-            signal: pins.observed[index % visible].name.clone(),
-            expected: block.expected[index],
-            found: match observed.at(index) {
-                Actual::Known(value) => value.to_string(),
-                Actual::Unknown(text) => format!("{text} in hexadecimal, unknown bits"),
-            },
-        }
-    }
-
-    pub fn error(self, machine: &Machine, device: &dyn Device, seed: u64) -> VerifyError {
-        VerifyError::Unknown {
-            machine: machine.name,
-            device: device.name().to_owned(),
-            clock: self.clock as u64,
-            signal: self.signal,
-            expected: self.expected,
-            found: self.found,
-            repeat: format!(
-                "photoncube verify --faults --machine {} --seed {seed}",
-                machine.name
-            ),
         }
     }
 }

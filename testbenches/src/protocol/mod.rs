@@ -3,6 +3,7 @@
 //! A machine has no clock enable; what stands in its place are the streams' valid and ready, so patterns of these
 //! are what another design would get as patterns of its enable.
 
+mod difference;
 mod idle;
 mod power_up;
 
@@ -14,6 +15,7 @@ use crate::device::{Device, DeviceError, DeviceKind, Icarus, hdl_error};
 use crate::stimulus::{Protocol, Source};
 use crate::verify::{Verdict, VerifyError, VerifyOptions, nothing_compared, verify_device};
 
+pub use difference::UnknownDifference;
 pub use power_up::without_initial_values;
 
 /// A class of faults.

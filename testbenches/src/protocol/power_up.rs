@@ -6,7 +6,8 @@ use std::collections::BTreeSet;
 use photoncube_hdl::Emitted;
 use photoncube_spec::{Machine, Pins};
 
-use super::idle::{Difference, all_rows};
+use super::difference::difference;
+use super::idle::all_rows;
 use super::{FaultClass, FaultVerdict};
 use crate::device::{Device, Icarus, Observed};
 use crate::stimulus::scrub_clocks;
@@ -78,8 +79,8 @@ pub(super) fn verify_power_up(
         return Err(wrong_count(&device, block.clocks, &observed).into());
     }
     if let Some(index) = first_wrong(&pins, &block.expected, &observed, settled) {
-        let what = Difference::of(&pins, &block, &observed, index);
-        return Err(what.error(machine, &device, seed));
+        let rows = (&pins, &block, &observed);
+        return Err(difference(machine, rows, &device, index));
     }
     let found = Unknowns::of(&pins, &observed);
     if found.at_power_up == 0 || block.clocks <= settled || block.results == 0 {

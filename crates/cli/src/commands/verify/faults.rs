@@ -34,7 +34,7 @@ impl Report {
                 self.mismatches += verdict.mismatches;
                 self.faults.push(verdict);
             }
-            Err(error @ (VerifyError::Diverged(_) | VerifyError::Unknown { .. })) => {
+            Err(error @ (VerifyError::Diverged(_) | VerifyError::Unknown(_))) => {
                 self.mismatches += 1;
                 self.divergence = Some(format!("{}: {error}", class.name()));
             }
@@ -166,6 +166,8 @@ fn text(report: &Report) -> String {
 
 #[cfg(test)]
 mod tests {
+    use photoncube_testbench::UnknownDifference;
+
     use super::*;
 
     fn verdict(class: FaultClass, injections: u64) -> FaultVerdict {
@@ -213,7 +215,7 @@ mod tests {
     #[test]
     fn a_difference_is_told_with_its_class() {
         let mut report = report(Vec::new());
-        let unknown = VerifyError::Unknown {
+        let unknown = UnknownDifference {
             machine: "paper",
             device: "icarus".into(),
             clock: 7,
@@ -223,7 +225,10 @@ mod tests {
             repeat: "photoncube".into(),
         };
         report
-            .record(FaultClass::IdleUnknown, Err(unknown))
+            .record(
+                FaultClass::IdleUnknown,
+                Err(VerifyError::Unknown(Box::new(unknown))),
+            )
             .unwrap();
         let error = report.conclusion().unwrap_err().to_string();
         assert!(
