@@ -10,9 +10,11 @@ mod campaign;
 mod compare;
 mod coverage;
 mod device;
+mod exhaustive;
 mod levels;
 mod mutants;
 mod programs;
+mod protocol;
 mod stimulus;
 mod tools;
 mod trace;
@@ -28,12 +30,20 @@ pub use device::{
     Device, DeviceError, DeviceKind, Icarus, Mutant, Observed, Refusal, RustHdl, Text, Unknown,
     UnknownDevice, Verilator, netlist,
 };
+pub use exhaustive::{
+    LaneVerdict, Radii, UnitVerdict, exhaustive_lane, exhaustive_lane_device, exhaustive_unit,
+    exhaustive_unit_device,
+};
 pub use levels::{PartVerdict, verify_part, verify_part_device};
 pub use mutants::{Fate, Judged, MutantOptions, MutantReport, Mutation, mutants};
 pub use programs::{
     Open, ProgramFailure, ProgramOptions, ProgramVerdict, ProgramsError, draw_program, programmed,
     verify_programs,
 };
-pub use stimulus::{Block, Source, StimulusError, chunk_seed, generate};
+pub use protocol::{
+    FaultClass, FaultVerdict, UnknownDifference, verify_fault, verify_fault_text,
+    without_initial_values,
+};
+pub use stimulus::{Block, Pressure, Protocol, Source, StimulusError, chunk_seed, generate};
 pub use tools::{MissingTool, Tool, ToolError};
 pub use verify::{Verdict, VerifyError, VerifyOptions, verify, verify_device};

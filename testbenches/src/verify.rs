@@ -12,7 +12,8 @@ use thiserror::Error;
 
 use crate::compare::{Comparer, Divergence};
 use crate::device::{Device, DeviceError, DeviceKind, Observed};
-use crate::stimulus::{Block, Source, StimulusError, generate};
+use crate::protocol::UnknownDifference;
+use crate::stimulus::{Block, Pressure, Source, StimulusError, generate};
 
 /// How much is verified, on what.
 #[derive(Copy, Clone, Debug)]
@@ -51,6 +52,9 @@ pub struct Verdict {
     pub clocks_per_second: u64,
     /// Vectors that were not equal: 0, as the first one ends a verification with an error.
     pub mismatches: u64,
+    /// What the stimulus did to the streams.
+    #[serde(skip)]
+    pub pressure: Pressure,
 }
 
 /// Why a verification did not end well.
@@ -59,6 +63,9 @@ pub enum VerifyError {
     /// The device differs from the golden model.
     #[error("{0}")]
     Diverged(Box<Divergence>),
+    /// With unknown values on its pins or in its registers, the device shows what it must not.
+    #[error("{0}")]
+    Unknown(Box<UnknownDifference>),
     /// Nothing went through the machine, so nothing was proven.
     #[error(
         "nothing was compared in {device}: {iterations} iterations, {results} results, \
@@ -157,6 +164,7 @@ fn consume(
     let mut comparer = Comparer::new(machine, device.visible());
     let mut observed = Observed::default();
     let (mut iterations, mut results) = (0, 0);
+    let mut pressure = Pressure::default();
     let mut busy = Duration::ZERO;
     for block in blocks {
         observed.clear();
@@ -171,6 +179,7 @@ fn consume(
         compared.map_err(VerifyError::Diverged)?;
         iterations += block.iterations;
         results += block.results;
+        pressure = block.pressure;
         progress(iterations);
     }
     Ok(Verdict {
@@ -185,6 +194,7 @@ fn consume(
         registers_compared: device.visible() == signals,
         clocks_per_second: (comparer.vectors as f64 / busy.as_secs_f64()) as u64,
         mismatches: 0,
+        pressure,
     })
 }
 
@@ -233,6 +243,10 @@ fn repeat_command(
 ) -> String {
     match options.source {
         Source::Workload { repeat, .. } => repeat.to_owned(),
+        Source::Protocol(_) => format!(
+            "photoncube verify --faults --machine {} --against {device} --seed {}",
+            machine.name, options.seed
+        ),
         Source::Random => format!(
             "photoncube verify --machine {} --against {device} --seed {} --iterations {}",
             machine.name,

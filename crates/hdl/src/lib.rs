@@ -18,11 +18,13 @@ mod ports;
 mod processor;
 mod simulator;
 mod spatial;
+mod unit;
 mod units;
 
 pub use build::NotBuiltIn;
-pub use emit::{EmitError, Emitted, emit};
+pub use emit::{EmitError, Emitted, emit, emit_unit};
 pub use level::Level;
 pub use lint::{Finding, Opaque, OpaqueKind, Rule, lint, opaque_blocks};
 pub use planted::{Planted, lint_planted};
 pub use simulator::{NotSettled, Simulator, level_pins};
+pub use unit::{Unit, has_unit, unit_pins};

@@ -26,27 +26,32 @@ pub(crate) trait Pinned: Block {
     fn settle(&mut self) -> bool;
 }
 
-/// The pins of a part, as it declares them, then the registers of a cell if it is one.
-pub(crate) fn pins(block: &dyn Pinned, machine: &Machine, registers: bool) -> Pins {
+/// The pins of a block, as it declares them.
+pub(crate) fn block_pins(block: &dyn Pinned) -> Pins {
     let mut probe = TopPins::default();
     block.accept("top", &mut probe);
-    let outputs = probe.outputs.len();
-    let mut observed = probe.outputs;
+    Pins {
+        inputs: probe.inputs,
+        outputs: probe.outputs.len(),
+        observed: probe.outputs,
+    }
+}
+
+/// The pins of a part, as it declares them, then the registers of a cell if it is one.
+pub(crate) fn pins(block: &dyn Pinned, machine: &Machine, registers: bool) -> Pins {
+    let mut pins = block_pins(block);
     if registers {
         let widths = Widths::of(machine);
         if machine.organisation == Organisation::Overlapped {
-            observed.extend(overlap::Register::all().map(|register| Pin {
+            let registers = overlap::Register::all().map(|register| Pin {
                 name: format!("register_{}", register.name()),
                 width: register.width(&widths),
                 place: SignalPlace::OverlapCell { node: 0, register },
-            }));
-            return Pins {
-                inputs: probe.inputs,
-                observed,
-                outputs,
-            };
+            });
+            pins.observed.extend(registers);
+            return pins;
         }
-        observed.extend(REGISTERS.iter().map(|row| Pin {
+        pins.observed.extend(REGISTERS.iter().map(|row| Pin {
             name: format!("register_{}", row.name),
             width: (row.width)(&widths),
             place: SignalPlace::Cell {
@@ -55,11 +60,7 @@ pub(crate) fn pins(block: &dyn Pinned, machine: &Machine, registers: bool) -> Pi
             },
         }));
     }
-    Pins {
-        inputs: probe.inputs,
-        observed,
-        outputs,
-    }
+    pins
 }
 
 /// Collects the pins of the top block, without the clock.

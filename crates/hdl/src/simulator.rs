@@ -6,6 +6,7 @@ use thiserror::Error;
 use crate::build::{NotBuiltIn, build};
 use crate::level::Level;
 use crate::pinned::{Pinned, pins};
+use crate::unit::{Unit, build_unit};
 
 /// Passes of the settling loop before a design counts as unstable; legal ones need about 12.
 const MAX_PASSES: usize = 100;
@@ -28,6 +29,16 @@ impl Simulator {
     pub fn new(machine: &Machine, level: Level) -> Result<Self, NotBuiltIn> {
         Ok(Self {
             block: build(machine, level)?,
+        })
+    }
+
+    /// Builds a unit for itself, with operands of so many bits.
+    ///
+    /// # Errors
+    /// The unit is not built at that width.
+    pub fn of_unit(unit: Unit, bits: u32) -> Result<Self, NotBuiltIn> {
+        Ok(Self {
+            block: build_unit(unit, bits)?,
         })
     }
 

@@ -16,7 +16,10 @@ use crate::trace::{TRACE, declare, names, trace_module};
 pub struct Icarus {
     name: &'static str,
     version: String,
-    inputs: usize,
+    /// The width of each input.
+    widths: Vec<u32>,
+    /// For each input, those that must all be 1, else its word is unknown.
+    governing: Vec<Vec<usize>>,
     visible: usize,
     process: Process,
     /// Holds the compiled simulation as long as it runs.
@@ -30,6 +33,17 @@ impl Icarus {
     /// Icarus is missing or refuses the text.
     pub fn new(design: &Emitted) -> Result<Self, DeviceError> {
         Self::start("icarus", design, Tool::Iverilog.version()?)
+    }
+
+    /// The same, but the word of an input is unknown, all x, unless all inputs that it names are 1.
+    pub(crate) fn with_idle_unknown(
+        design: &Emitted,
+        governing: Vec<Vec<usize>>,
+    ) -> Result<Self, DeviceError> {
+        Ok(Self {
+            governing,
+            ..Self::new(design)?
+        })
     }
 
     /// Turns the design into gates first.
@@ -56,7 +70,8 @@ impl Icarus {
         Ok(Self {
             name,
             version,
-            inputs: design.pins.inputs.len(),
+            widths: design.pins.inputs.iter().map(|pin| pin.width).collect(),
+            governing: vec![Vec::new(); design.pins.inputs.len()],
             visible: design.pins.observed.len(),
             process,
             _folder: folder,
@@ -78,20 +93,32 @@ impl Device for Icarus {
     }
 
     fn replay(&mut self, inputs: &[u64], observed: &mut Observed) -> Result<(), DeviceError> {
-        let (columns, visible) = (self.inputs, self.visible);
-        let clocks = inputs.len() / columns;
+        let clocks = inputs.len() / self.widths.len();
+        let (widths, governing, visible) = (&self.widths, &self.governing, self.visible);
         self.process.converse(
-            |stdin| write_frame(stdin, inputs, columns),
+            |stdin| write_frame(stdin, inputs, widths, governing),
             |stdout| read_frame(stdout, clocks, visible, observed),
         )
     }
 }
 
-fn write_frame(stdin: &mut ChildStdin, inputs: &[u64], columns: usize) -> std::io::Result<()> {
+fn write_frame(
+    stdin: &mut ChildStdin,
+    inputs: &[u64],
+    widths: &[u32],
+    governing: &[Vec<usize>],
+) -> std::io::Result<()> {
+    let columns = widths.len();
     let mut text = format!("{}\n", inputs.len() / columns);
     for row in inputs.chunks_exact(columns) {
-        for value in row {
-            let _ = write!(text, "{value:x} ");
+        for (column, value) in row.iter().enumerate() {
+            let is_known = governing[column].iter().all(|&valid| row[valid] != 0);
+            if is_known {
+                let _ = write!(text, "{value:x} ");
+            } else {
+                text += &"x".repeat(widths[column].div_ceil(4) as usize);
+                text += " ";
+            }
         }
         text += "\n";
         if text.len() > 1 << 16 {

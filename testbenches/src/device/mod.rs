@@ -11,7 +11,7 @@ mod verilator;
 
 use std::fmt;
 
-use photoncube_hdl::{Level, emit};
+use photoncube_hdl::{Emitted, Level, Unit, emit, emit_unit};
 use photoncube_spec::Machine;
 use serde::{Serialize, Serializer};
 use thiserror::Error;
@@ -23,7 +23,7 @@ pub use icarus::Icarus;
 pub use mutant::Mutant;
 pub use netlist::netlist;
 pub use simulation::RustHdl;
-pub(crate) use simulation::hdl_error;
+pub(crate) use simulation::{hdl_error, hdl_error_of};
 pub use text::{Refusal, Text};
 pub use verilator::Verilator;
 
@@ -209,13 +209,44 @@ impl DeviceKind {
         if self == Self::RustHdl {
             return Ok(Box::new(RustHdl::new(machine, level)?));
         }
-        let design = emit(machine, level).map_err(hdl_error(machine))?;
+        self.open_text(&emit(machine, level).map_err(hdl_error(machine))?)
+    }
+
+    /// The device with a unit for itself in it.
+    ///
+    /// # Errors
+    /// A tool is missing or fails, or the unit is not built at that width.
+    pub fn open_unit(self, unit: Unit, bits: u32) -> Result<Box<dyn Device>, DeviceError> {
+        if let Some(missing) = self.missing_tool() {
+            return Err(missing.into());
+        }
+        if self == Self::RustHdl {
+            return Ok(Box::new(RustHdl::of_unit(unit, bits)?));
+        }
+        self.open_text(&emit_unit(unit, bits).map_err(hdl_error_of(unit.name()))?)
+    }
+
+    /// The device with an emitted text in it.
+    ///
+    /// # Panics
+    /// For rust-hdl, which simulates blocks and no text.
+    pub(crate) fn open_text(self, design: &Emitted) -> Result<Box<dyn Device>, DeviceError> {
         Ok(match self {
-            Self::Text => Box::new(Text::new(&design)?),
-            Self::Verilator => Box::new(Verilator::new(&design)?),
-            Self::Netlist => Box::new(Icarus::of_netlist(&design)?),
-            _ => Box::new(Icarus::new(&design)?),
+            Self::RustHdl => unreachable!("rust-hdl simulates blocks, not text"),
+            Self::Text => Box::new(Text::new(design)?),
+            Self::Verilator => Box::new(Verilator::new(design)?),
+            Self::Netlist => Box::new(Icarus::of_netlist(design)?),
+            Self::Icarus => Box::new(Icarus::new(design)?),
         })
+    }
+
+    /// The fastest device that runs the emitted text here: Verilator, or where it is missing the
+    /// testbench's own evaluator.
+    pub fn fastest() -> Self {
+        match Self::Verilator.missing_tool() {
+            None => Self::Verilator,
+            Some(_) => Self::Text,
+        }
     }
 }
 

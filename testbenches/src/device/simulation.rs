@@ -1,6 +1,6 @@
 //! rust-hdl's own simulation.
 
-use photoncube_hdl::{Level, Simulator, level_pins};
+use photoncube_hdl::{Level, Simulator, Unit, level_pins, unit_pins};
 use photoncube_spec::Machine;
 
 use super::{Device, DeviceError, Observed};
@@ -21,6 +21,19 @@ impl RustHdl {
         let pins = level_pins(machine, level).map_err(hdl_error(machine))?;
         Ok(Self {
             simulator: Simulator::new(machine, level).map_err(hdl_error(machine))?,
+            columns: pins.inputs.len(),
+            visible: pins.observed.len(),
+        })
+    }
+
+    /// A unit for itself, with operands of so many bits.
+    ///
+    /// # Errors
+    /// The unit is not built at that width.
+    pub fn of_unit(unit: Unit, bits: u32) -> Result<Self, DeviceError> {
+        let pins = unit_pins(unit, bits).map_err(hdl_error_of(unit.name()))?;
+        Ok(Self {
+            simulator: Simulator::of_unit(unit, bits).map_err(hdl_error_of(unit.name()))?,
             columns: pins.inputs.len(),
             visible: pins.observed.len(),
         })
@@ -57,7 +70,14 @@ pub(crate) fn hdl_error<E>(machine: &Machine) -> impl Fn(E) -> DeviceError
 where
     E: std::error::Error + Send + Sync + 'static,
 {
-    let machine = machine.name;
+    hdl_error_of(machine.name)
+}
+
+/// The same of a machine's or a unit's name.
+pub(crate) fn hdl_error_of<E>(machine: &'static str) -> impl Fn(E) -> DeviceError
+where
+    E: std::error::Error + Send + Sync + 'static,
+{
     move |source| DeviceError::Hdl {
         machine,
         source: Box::new(source),

@@ -395,7 +395,7 @@ fn done(op: Op) -> Activity {
 }
 
 /// What the spec says of a spatial machine's `Square` and `SquareFar`.
-fn square_of(query: u64, photon: u64, radius_bits: u32, squarer: Squarer) -> (u64, u64) {
+pub(crate) fn square_of(query: u64, photon: u64, radius_bits: u32, squarer: Squarer) -> (u64, u64) {
     let distance = query.abs_diff(photon);
     let modulus = 1 << radius_bits;
     let squared = match squarer {

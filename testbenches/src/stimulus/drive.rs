@@ -13,72 +13,8 @@ use rand_pcg::Pcg64;
 
 use super::case::Case;
 use super::cases::Cases;
+use super::traffic::{Pressure, Traffic};
 use super::{Block, StimulusError};
-
-/// How often a side of a stream is ready or valid.
-#[derive(Copy, Clone, Debug)]
-pub(crate) enum Pace {
-    Always,
-    Mostly,
-    Half,
-    Rarely,
-}
-
-impl Pace {
-    fn any(rng: &mut Pcg64) -> Self {
-        match rng.random_range(0..8) {
-            0..=3 => Self::Always,
-            4 | 5 => Self::Mostly,
-            6 => Self::Half,
-            _ => Self::Rarely,
-        }
-    }
-
-    fn draw(self, rng: &mut Pcg64) -> bool {
-        match self {
-            Self::Always => true,
-            Self::Mostly => rng.random_ratio(7, 8),
-            Self::Half => rng.random(),
-            Self::Rarely => rng.random_ratio(1, 12),
-        }
-    }
-}
-
-/// The paces of the three streams, and whether a reset may come at any time.
-#[derive(Copy, Clone, Debug)]
-pub(crate) struct Traffic {
-    query: Pace,
-    group: Pace,
-    result: Pace,
-    resets: bool,
-    /// A result is taken only when nothing else has moved for a while: all that can wait for it fills up.
-    late_results: bool,
-    /// Words that are not asked for are random, not the next ones.
-    garbage: bool,
-}
-
-impl Traffic {
-    /// No waiting, no reset, no garbage: the machine's own pace.
-    pub const STREAMING: Self = Self {
-        query: Pace::Always,
-        group: Pace::Always,
-        result: Pace::Always,
-        resets: false,
-        late_results: false,
-        garbage: false,
-    };
-
-    pub fn any(rng: &mut Pcg64, may_reset: bool) -> Self {
-        Self {
-            query: Pace::any(rng),
-            group: Pace::any(rng),
-            result: Pace::any(rng),
-            resets: may_reset && rng.random_ratio(1, 4),
-            late_results: rng.random_ratio(1, 8),
-            garbage: true,
-        }
-    }
-}
 
 /// So many clocks in which no query and no group moved are a while.
 const LATE_CLOCKS: u32 = 4;
@@ -104,6 +40,8 @@ pub(crate) struct Driver<'a> {
     /// A chunk begins, and the block holds all of it so far.
     scrubs: bool,
     sink: &'a mut Sink<'a>,
+    /// Of all so far.
+    pressure: Pressure,
     /// Of the chunk so far.
     clocks: u64,
     /// Of the chunk so far.
@@ -124,6 +62,8 @@ struct Batch<'a> {
     offered: bool,
     /// Clocks since a query or a group was taken.
     still: u32,
+    /// Clocks since the batch began.
+    clocks: u64,
     /// Clocks of the query's program, those up to the one that takes it included, without those spent waiting.
     occupied: u64,
 }
@@ -138,6 +78,7 @@ impl<'a> Batch<'a> {
             next_group: (0, 0),
             offered: false,
             still: 0,
+            clocks: 0,
             occupied: 0,
         }
     }
@@ -202,6 +143,7 @@ impl<'a> Driver<'a> {
             scrubs: false,
             block_clocks: FEWEST_BLOCK_CLOCKS.max(BLOCK_SIGNALS / signals),
             sink,
+            pressure: Pressure::default(),
             clocks: 0,
             iterations: 0,
         }
@@ -210,6 +152,11 @@ impl<'a> Driver<'a> {
     /// Iterations since the chunk began.
     pub fn iterations(&self) -> u64 {
         self.iterations
+    }
+
+    /// Clocks since the chunk began.
+    pub fn clocks(&self) -> u64 {
+        self.clocks
     }
 
     /// The chunk's source of random numbers.
@@ -259,6 +206,22 @@ impl<'a> Driver<'a> {
         self.iterations = 0;
         (self.block.iterations, self.block.results) = (0, 0);
         Ok(ControlFlow::Continue(()))
+    }
+
+    /// Begins the first chunk as the machine is after power-up, without a reset.
+    pub fn begin_at_power_up(&mut self, seed: u64) {
+        self.rng = Pcg64::seed_from_u64(seed);
+        self.block.seed = seed;
+    }
+
+    /// One clock with a reset and nothing else on the pins.
+    pub fn reset(&mut self) -> ControlFlow<()> {
+        self.pressure.clock([false; 3], [false; 3], true);
+        let idle = self.idle_inputs();
+        self.step(&Inputs {
+            reset: true,
+            ..idle
+        })
     }
 
     /// Cases without photons that set every word that holds a sum, and the clocks in which a
@@ -313,19 +276,22 @@ impl<'a> Driver<'a> {
         let mut batch = Batch::new(cases, traffic);
         let mut inputs = self.idle_inputs();
         while !batch.is_done() {
-            inputs.reset = traffic.resets && self.rng.random_ratio(1, 100);
+            let at_random = traffic.resets && self.rng.random_ratio(1, 100);
+            inputs.reset = at_random || traffic.reset_at == Some(batch.clocks);
             inputs.result_ready = match traffic.late_results {
                 true => batch.still >= LATE_CLOCKS,
-                false => traffic.result.draw(&mut self.rng),
+                false => traffic.result.draw(&mut self.rng, batch.clocks),
             };
             self.offer_group(&mut inputs, &mut batch);
             // No output depends on the query, so the query may depend on the outputs.
             let outputs = self.model.outputs(&inputs);
             self.offer_query(&mut inputs, outputs, &batch);
             let works = self.model.works(&inputs);
+            self.press(&inputs, outputs, works, &batch);
             if self.step(&inputs).is_break() {
                 return Ok(ControlFlow::Break(()));
             }
+            batch.clocks += 1;
             if inputs.reset {
                 batch.reset();
             } else {
@@ -336,13 +302,32 @@ impl<'a> Driver<'a> {
         Ok(ControlFlow::Continue(()))
     }
 
+    /// Takes note of what the stimulus holds back in this clock.
+    fn press(&mut self, inputs: &Inputs, outputs: Outputs, works: bool, batch: &Batch<'_>) {
+        let group_is_there = batch.next_group.0 < batch.cases.len();
+        let held = [
+            batch.query().is_some() && !inputs.query_valid,
+            group_is_there && !inputs.group_valid,
+            outputs.result_valid && !inputs.result_ready,
+        ];
+        // A machine that reads a group in several clocks is ready in the last of them alone.
+        let stands = !works && !outputs.query_ready && !outputs.result_valid;
+        let waits = [
+            outputs.query_ready,
+            outputs.group_ready || stands,
+            outputs.result_valid,
+        ];
+        self.pressure.clock(held, waits, inputs.reset);
+    }
+
     /// A query may be withdrawn until it is taken, and before that any other word may stand in
     /// its place.
     fn offer_query(&mut self, inputs: &mut Inputs, outputs: Outputs, batch: &Batch<'_>) {
         let traffic = batch.traffic;
         let next = batch.query();
         let feint = traffic.garbage && !outputs.query_ready;
-        inputs.query_valid = traffic.query.draw(&mut self.rng) && (next.is_some() || feint);
+        inputs.query_valid =
+            traffic.query.draw(&mut self.rng, batch.clocks) && (next.is_some() || feint);
         let wanted = inputs.query_valid && outputs.query_ready;
         // Every query of a batch says so, though one would do.
         inputs.query_release = match batch.cases.get(batch.next_query.0) {
@@ -359,7 +344,8 @@ impl<'a> Driver<'a> {
     fn offer_group(&mut self, inputs: &mut Inputs, batch: &mut Batch<'_>) {
         let (case, index) = batch.next_group;
         let there = case < batch.cases.len();
-        if !batch.offered && there && batch.traffic.group.draw(&mut self.rng) {
+        let pace = batch.traffic.group;
+        if !batch.offered && there && pace.draw(&mut self.rng, batch.clocks) {
             inputs.group.clone_from(&batch.cases[case].groups[index]);
             batch.offered = true;
         }
@@ -466,7 +452,8 @@ impl<'a> Driver<'a> {
             expected: Vec::with_capacity(self.block.expected.len()),
             ..Block::default()
         };
-        let block = std::mem::replace(&mut self.block, next);
+        let mut block = std::mem::replace(&mut self.block, next);
+        block.pressure = self.pressure;
         if block.clocks == 0 {
             return ControlFlow::Continue(());
         }

@@ -12,6 +12,8 @@ mod aim;
 mod case;
 mod cases;
 mod drive;
+mod protocol;
+mod traffic;
 
 use std::ops::ControlFlow;
 
@@ -23,7 +25,10 @@ use thiserror::Error;
 use case::Case;
 use cases::Cases;
 pub(crate) use cases::corner;
-use drive::{Driver, Traffic};
+use drive::Driver;
+pub use protocol::Protocol;
+pub use traffic::Pressure;
+use traffic::Traffic;
 
 /// Where the queries come from.
 #[derive(Copy, Clone, Debug)]
@@ -38,6 +43,8 @@ pub enum Source<'a> {
         /// The command that repeats the run; only the caller knows where the queries came from.
         repeat: &'a str,
     },
+    /// What is hard on the protocol; it says itself how long it is.
+    Protocol(Protocol),
 }
 
 /// Some clocks in a row: what went into the machine, and all that it must show.
@@ -61,6 +68,8 @@ pub struct Block {
     pub iterations: u64,
     /// Results taken.
     pub results: u64,
+    /// What was done to the streams up to the last of these clocks.
+    pub pressure: Pressure,
 }
 
 /// Why there is no stimulus. All but `Gather` mean that the golden model or the spec is wrong.
@@ -135,6 +144,7 @@ pub fn generate(
     let flow = match source {
         Source::Random => random(machine, seed, iterations, sink),
         Source::Workload { queries, .. } => workload(machine, queries, seed, iterations, sink),
+        Source::Protocol(protocol) => protocol::protocol(machine, protocol, seed, sink),
     };
     // Whether the sink has all or wants no more, this is the end.
     flow.map(drop)

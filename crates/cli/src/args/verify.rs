@@ -21,19 +21,17 @@ Examples:
   photoncube verify --programs 1000 --machine paper-5d --against text
   photoncube verify --mutants 700 --machine overlap
   photoncube verify --campaign --hours 8       all machines, on all cores; again goes on with it
+  photoncube verify --exhaustive        every pair of inputs of every unit, every difference with every radius
+  photoncube verify --faults --machine overlap    waiting streams, resets, unknown words, power-up; needs Icarus
   photoncube verify --table             what was verified so far, as docs/verification.md has it"
 )]
 pub struct VerifyArgs {
     #[command(flatten)]
     pub machine: MachineArgs,
     /// What to compare the golden model with: rust-hdl, text, icarus, verilator, netlist; comma-separated, or all
-    #[arg(
-        long,
-        default_value = "rust-hdl,text",
-        value_name = "LIST",
-        value_delimiter = ','
-    )]
-    pub against: Vec<String>,
+    /// [default: rust-hdl,text; with --exhaustive and --faults verilator, or text where that is missing]
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    pub against: Option<Vec<String>>,
     /// Iterations (groups of photons) to compare in each
     #[arg(long, default_value_t = 20_000, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub iterations: u64,
@@ -90,6 +88,14 @@ pub struct VerifyArgs {
         default_value = "testbenches/regressions"
     )]
     pub regressions: PathBuf,
+    /// Every pair of inputs of every unit at 6 and at 8 bits, and every difference with every radius at 8 bits through
+    /// the lanes of a machine
+    #[arg(long, group = "method")]
+    pub exhaustive: bool,
+    /// Faults from outside, by class: streams that wait at random, long and in patterns, a reset in every clock of a query;
+    /// and in Icarus, whatever --against says, unknown words on idle pins and power-up without reset
+    #[arg(long, group = "method")]
+    pub faults: bool,
     /// Print the committed table of results, and verify nothing
     #[arg(long, group = "method")]
     pub table: bool,

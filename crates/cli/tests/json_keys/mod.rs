@@ -66,8 +66,10 @@ fn every_json_key_is_documented() {
         keys(&json(args), &mut found);
     }
     assert!(found.len() > 50, "the commands print keys: {found:?}");
-    // It needs Verilator and Yosys.
+    // They need Verilator, Icarus and Yosys.
     if std::env::var_os("REQUIRE_EDA").is_some() {
+        keys(&json(&["verify", "--faults"]), &mut found);
+        keys(&json(&["verify", "--exhaustive"]), &mut found);
         let coverage = ["verify", "--coverage", "--iterations", "200000"];
         keys(&json(&coverage), &mut found);
     }

@@ -9,6 +9,11 @@ use photoncube_spec::Machine;
 pub(super) struct ChannelNames(Vec<(String, String)>);
 
 impl ChannelNames {
+    /// Those of a block that has no channels.
+    pub(super) fn none() -> Self {
+        Self(Vec::new())
+    }
+
     pub(super) fn of(machine: &Machine) -> Self {
         let channels = machine.channels().names();
         let lanes = machine.photons_per_iteration();

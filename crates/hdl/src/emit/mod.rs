@@ -18,6 +18,7 @@ use crate::level::Level;
 use crate::lint::{OpaqueKind, lint, opaque_blocks};
 use crate::pinned::Pinned;
 use crate::simulator::level_pins;
+use crate::unit::{Unit, build_unit, label, unit_pins};
 
 use channels::ChannelNames;
 
@@ -108,15 +109,12 @@ const HAND_WRITTEN: &[&str] = &[
 /// The widths are not built in, or the design does not pass the checks or the lint.
 pub fn emit(machine: &Machine, level: Level) -> Result<Emitted, EmitError> {
     let block = build(machine, level)?;
-    check(machine, block.as_ref())?;
-    let mut printed = ModuleDefines::default();
-    block.accept(TOP, &mut printed);
     let prefix = match level {
         Level::Machine => machine.module_prefix(),
         part => format!("{}_{}", machine.module_prefix(), part.name()),
     };
-    let modules = modules::split(&printed.defines());
-    let merged = merge::merge(modules, TOP, &prefix, &ChannelNames::of(machine))?;
+    let channels = ChannelNames::of(machine);
+    let merged = printed(machine.name, block.as_ref(), &prefix, &channels)?;
     let pins = level_pins(machine, level)?;
     Ok(Emitted {
         ecp5_text: ecp5::second_texts(&merged).map(|texts| header(machine, level) + &texts),
@@ -134,12 +132,45 @@ pub fn emit(machine: &Machine, level: Level) -> Result<Emitted, EmitError> {
     })
 }
 
+/// Emits the Verilog of a unit for itself, with operands of so many bits. Its outputs are all that is seen
+/// of it.
+///
+/// # Errors
+/// The unit is not built at that width, or does not pass the checks or the lint.
+pub fn emit_unit(unit: Unit, bits: u32) -> Result<Emitted, EmitError> {
+    let block = build_unit(unit, bits)?;
+    let name = label(unit, bits);
+    let top = format!("photoncube_{name}");
+    let merged = printed(&name, block.as_ref(), &top, &ChannelNames::none())?;
+    Ok(Emitted {
+        text: format!("// The unit {unit}, {bits}-bit operands.\n{merged}"),
+        top,
+        ecp5_text: None,
+        clocked: unit.is_clocked(),
+        pins: unit_pins(unit, bits)?,
+        register_paths: Vec::new(),
+    })
+}
+
+/// A block's text, after the checks and the lint: its modules merged, and named after the top.
+fn printed(
+    name: &str,
+    block: &dyn Pinned,
+    top: &str,
+    channels: &ChannelNames,
+) -> Result<String, EmitError> {
+    check(name, block)?;
+    let mut printed = ModuleDefines::default();
+    block.accept(TOP, &mut printed);
+    merge::merge(modules::split(&printed.defines()), TOP, top, channels)
+}
+
 /// The name under which rust-hdl prints the outermost block.
 const TOP: &str = "top";
 
-fn check(machine: &Machine, block: &dyn Pinned) -> Result<(), EmitError> {
+fn check(name: &str, block: &dyn Pinned) -> Result<(), EmitError> {
     check_all(block).map_err(|error| EmitError::Check {
-        machine: machine.name.to_owned(),
+        machine: name.to_owned(),
         reason: format!("{error:?}"),
     })?;
     let unknown = opaque_blocks(block).into_iter().filter(|opaque| {
@@ -157,7 +188,7 @@ fn check(machine: &Machine, block: &dyn Pinned) -> Result<(), EmitError> {
         return Ok(());
     }
     Err(EmitError::Lint {
-        machine: machine.name.to_owned(),
+        machine: name.to_owned(),
         findings: findings.join("\n"),
     })
 }
@@ -219,6 +250,7 @@ fn register_path(level: Level, place: SignalPlace) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::unit::has_unit;
     use photoncube_spec::MACHINES;
     use std::collections::BTreeSet;
 
@@ -232,6 +264,25 @@ mod tests {
                 assert!(!emitted.text.contains('$'), "{}", emitted.text);
             }
         }
+    }
+
+    #[test]
+    fn every_unit_at_every_width_is_emitted_alike_twice() {
+        let mut emitted = 0;
+        for unit in Unit::ALL {
+            for bits in Unit::BITS.into_iter().filter(|&bits| has_unit(unit, bits)) {
+                let design = emit_unit(unit, bits).unwrap();
+                assert_eq!(design, emit_unit(unit, bits).unwrap());
+                assert!(design.text.contains(&format!("module {}(", design.top)));
+                emitted += 1;
+            }
+        }
+        assert_eq!(emitted, 2 * Unit::ALL.len() - 1);
+        let error = emit_unit(Unit::Add, 7).unwrap_err().to_string();
+        assert!(
+            error.contains("add of 7 bits") && error.contains("[6, 8]"),
+            "{error}"
+        );
     }
 
     /// The ports that the first module declares, with their widths.

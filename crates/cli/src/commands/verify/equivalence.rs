@@ -86,7 +86,7 @@ pub fn execute(args: &VerifyArgs, json: bool) -> Result<()> {
         seed: args.seed,
         source: Source::Random,
     };
-    for device in devices(&args.against)? {
+    for device in devices(args, &[DeviceKind::RustHdl, DeviceKind::Text])? {
         report.record(verify_with_bar(machine, device, &options))?;
         if report.divergence.is_some() {
             break;
@@ -112,8 +112,11 @@ pub fn verify_with_bar(
     verdict
 }
 
-/// The devices of `--against`, each once, in the order given.
-pub(super) fn devices(names: &[String]) -> Result<Vec<DeviceKind>> {
+/// The devices of `--against`, each once, in the order given; those others where it is not given.
+pub fn devices(args: &VerifyArgs, default: &[DeviceKind]) -> Result<Vec<DeviceKind>> {
+    let Some(names) = &args.against else {
+        return Ok(default.to_vec());
+    };
     let mut devices = Vec::new();
     for name in names {
         let named = match name.as_str() {

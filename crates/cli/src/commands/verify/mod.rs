@@ -3,6 +3,8 @@
 mod campaign;
 mod coverage;
 mod equivalence;
+mod exhaustive;
+mod faults;
 mod fuzz;
 mod lint;
 mod mutants;
@@ -36,6 +38,12 @@ pub fn execute(args: &VerifyArgs, json: bool) -> Result<()> {
     }
     if let Some(programs) = args.programs {
         return programs::execute(args, programs, json);
+    }
+    if args.exhaustive {
+        return exhaustive::execute(args, json);
+    }
+    if args.faults {
+        return faults::execute(args, json);
     }
     if let Some(inputs) = args.fuzz {
         return fuzz::execute(args, inputs, json);

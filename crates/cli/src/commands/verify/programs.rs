@@ -1,7 +1,9 @@
 //! Random microprograms in a machine.
 
 use anyhow::{Result, bail};
-use photoncube_testbench::{ProgramOptions, ProgramVerdict, ProgramsError, verify_programs};
+use photoncube_testbench::{
+    DeviceKind, ProgramOptions, ProgramVerdict, ProgramsError, verify_programs,
+};
 use serde::Serialize;
 
 use super::equivalence::devices;
@@ -27,7 +29,7 @@ pub fn execute(args: &VerifyArgs, programs: u64, json: bool) -> Result<()> {
         iterations: ITERATIONS,
     };
     let mut verdicts = Vec::new();
-    for device in devices(&args.against)? {
+    for device in devices(args, &[DeviceKind::Text])? {
         let bar = progress::bar(device.name(), programs);
         let open = |machine: &_, level| device.open(machine, level);
         let verdict = verify_programs(machine, &options, &open, &|| bar.inc(1));

@@ -1,0 +1,122 @@
+//! What is finite, in full: each unit at widths at which every pair of inputs can be tried, and every
+//! difference with every radius through the lanes of a machine.
+
+mod lane;
+mod rows;
+
+use photoncube_hdl::{Unit, unit_pins};
+use photoncube_spec::Pins;
+use serde::Serialize;
+
+use crate::compare::Actual;
+use crate::device::{Device, DeviceKind, Observed, hdl_error_of};
+use crate::verify::{VerifyError, nothing_compared, wrong_count};
+
+pub use lane::{LaneVerdict, Radii, exhaustive_lane, exhaustive_lane_device};
+use rows::Rows;
+
+/// What was compared of a unit.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct UnitVerdict {
+    /// The unit.
+    #[serde(rename = "part")]
+    pub unit: &'static str,
+    /// Bits of each operand.
+    pub operand_bits: u32,
+    /// The device.
+    pub device: String,
+    /// The tool behind it, with its version.
+    pub tool_version: String,
+    /// Different pairs of operands: all that there are.
+    pub pairs_compared: u64,
+    /// Rows of inputs, after each of which every output was compared.
+    pub vectors_compared: u64,
+    /// Rows with an output that was not as expected.
+    pub mismatches: u64,
+    /// The first of them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub first_mismatch: Option<String>,
+}
+
+/// Compares a unit with operands of so many bits in a device, on every pair of them.
+///
+/// # Errors
+/// The device does not run, or nothing was compared. A mismatch is no error; it is counted.
+pub fn exhaustive_unit(
+    unit: Unit,
+    bits: u32,
+    kind: DeviceKind,
+) -> Result<UnitVerdict, VerifyError> {
+    let mut device = kind.open_unit(unit, bits)?;
+    exhaustive_unit_device(unit, bits, device.as_mut())
+}
+
+/// Compares a unit in a device that is open and has not run yet.
+///
+/// # Errors
+/// The device does not run, or nothing was compared. A mismatch is no error; it is counted.
+pub fn exhaustive_unit_device(
+    unit: Unit,
+    bits: u32,
+    device: &mut dyn Device,
+) -> Result<UnitVerdict, VerifyError> {
+    let pins = unit_pins(unit, bits).map_err(hdl_error_of(unit.name()))?;
+    let rows = rows::rows(unit, bits);
+    let mut observed = Observed::default();
+    device.replay(&rows.inputs, &mut observed)?;
+    let vectors = rows.expected.len() / pins.outputs;
+    if device.visible() == 0 || vectors == 0 || rows.pairs == 0 {
+        return Err(nothing_compared(device.name(), 0, 0, vectors as u64));
+    }
+    if device.visible() != pins.outputs || observed.values.len() != rows.expected.len() {
+        return Err(wrong_count(device, vectors, &observed).into());
+    }
+    let wrong = wrong_rows(&rows, &pins, &observed);
+    Ok(UnitVerdict {
+        unit: unit.name(),
+        operand_bits: bits,
+        device: device.name().to_owned(),
+        tool_version: device.tool_version().to_owned(),
+        pairs_compared: rows.pairs,
+        vectors_compared: vectors as u64,
+        mismatches: wrong.len() as u64,
+        first_mismatch: wrong
+            .first()
+            .map(|&row| account(&rows, &pins, &observed, row)),
+    })
+}
+
+fn wrong_rows(rows: &Rows, pins: &Pins, observed: &Observed) -> Vec<usize> {
+    let expected = rows.expected.chunks_exact(pins.outputs);
+    let found = observed.values.chunks_exact(pins.outputs);
+    let differ = expected.zip(found).enumerate();
+    let mut wrong: Vec<_> = differ
+        .filter_map(|(row, (expected, found))| (expected != found).then_some(row))
+        .collect();
+    // The value of an unknown is 0, which may be what was expected.
+    wrong.extend(observed.unknown.iter().map(|x| x.index / pins.outputs));
+    wrong.sort_unstable();
+    wrong.dedup();
+    wrong
+}
+
+/// A row with what it expected and found.
+fn account(rows: &Rows, pins: &Pins, observed: &Observed, row: usize) -> String {
+    // What comes out of registers went in some clocks before.
+    let cause = row.saturating_sub(rows.latency);
+    let inputs = &rows.inputs[cause * pins.inputs.len()..];
+    let named = pins.inputs.iter().zip(inputs);
+    let inputs: Vec<_> = named.map(|(pin, v)| format!("{}={v}", pin.name)).collect();
+    let first = row * pins.outputs;
+    let mut outputs = Vec::new();
+    for (column, pin) in pins.observed.iter().enumerate() {
+        let expected = rows.expected[first + column];
+        let found = match observed.at(first + column) {
+            Actual::Known(value) if value == expected => continue,
+            Actual::Known(value) => value.to_string(),
+            Actual::Unknown(text) => text,
+        };
+        outputs.push(format!("{}: expected {expected}, found {found}", pin.name));
+    }
+    format!("{}: {}", inputs.join(" "), outputs.join("; "))
+}

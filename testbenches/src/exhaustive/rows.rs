@@ -1,0 +1,200 @@
+//! Every pair of operands of a unit, with what must come out: by the golden model's ops, and for a spatial
+//! machine's squares by what the spec says of them.
+
+use std::collections::VecDeque;
+
+use photoncube_hdl::Unit;
+use photoncube_model::{CellInputs, CellRules, CellState};
+use photoncube_spec::{Cut, MACHINES, Machine, Numbers, Op, PlainFormat, Squarer};
+
+use crate::levels::square_of;
+
+/// Rows of inputs and of outputs.
+#[derive(Default)]
+pub(super) struct Rows {
+    pub inputs: Vec<u64>,
+    pub expected: Vec<u64>,
+    /// Different pairs of operands in them.
+    pub pairs: u64,
+    /// Clocks from operands to what they make.
+    pub latency: usize,
+}
+
+/// At so few bits, every power goes with every pair.
+const EVERY_POWER_BITS: u32 = 6;
+
+pub(super) fn rows(unit: Unit, bits: u32) -> Rows {
+    match unit {
+        Unit::Add => add(bits),
+        Unit::SquareDigits | Unit::SquareProduct => square(bits),
+        Unit::Gate => gate(bits),
+        Unit::PairDigits | Unit::PairProduct | Unit::PairTable => {
+            let squarer = unit.squarer().expect("a pair of squares has squarers");
+            square_pair(bits, squarer)
+        }
+    }
+}
+
+/// Every pair, in order.
+fn pairs(bits: u32) -> impl Iterator<Item = (u64, u64)> {
+    let all = move || 0..1_u64 << bits;
+    all().flat_map(move |a| all().map(move |b| (a, b)))
+}
+
+/// A machine like `paper` with other numbers, for the rules of its cells.
+fn rules(format: PlainFormat) -> CellRules {
+    CellRules::of(&Machine {
+        numbers: Numbers::Plain(format),
+        ..MACHINES[0]
+    })
+}
+
+fn add(bits: u32) -> Rows {
+    // Numbers whose sums have as many bits.
+    let rules = rules(PlainFormat {
+        coordinate_bits: (bits - 2) / 2,
+        power_bits: bits - 2,
+        max_photons: 4,
+    });
+    assert_eq!(rules.widths().sum, bits);
+    let mut rows = Rows::default();
+    for (a, b) in pairs(bits) {
+        let mut cell = CellState {
+            sum: a,
+            work: b,
+            ..CellState::default()
+        };
+        cell.execute(Op::Accumulate, &CellInputs::default(), &rules);
+        rows.push(&[a, b], &[cell.sum]);
+    }
+    rows
+}
+
+fn square(bits: u32) -> Rows {
+    let rules = rules(PlainFormat {
+        coordinate_bits: bits,
+        power_bits: 16,
+        max_photons: 4,
+    });
+    let mut rows = Rows::default();
+    for (a, b) in pairs(bits) {
+        let mut cell = CellState {
+            query: a as u32,
+            photon: b as u32,
+            ..CellState::default()
+        };
+        cell.execute(Op::SquareDifference, &CellInputs::default(), &rules);
+        rows.push(&[a, b], &[cell.work]);
+    }
+    rows
+}
+
+fn gate(bits: u32) -> Rows {
+    let rules = CellRules::of(&MACHINES[0]);
+    let powers = powers(bits);
+    let mut rows = Rows::default();
+    for (a, b) in pairs(bits) {
+        for (index, &power) in powers.iter().enumerate() {
+            let mut cell = CellState {
+                work: a,
+                radius_sq: b as u32,
+                power,
+                ..CellState::default()
+            };
+            cell.execute(Op::Gate, &CellInputs::default(), &rules);
+            rows.push(&[a, b, power], &[cell.work]);
+            rows.pairs -= u64::from(index > 0);
+        }
+    }
+    rows
+}
+
+/// Every power, or nothing, all ones, every other bit, and a bit that walks.
+fn powers(bits: u32) -> Vec<u64> {
+    let all = (1 << bits) - 1;
+    if bits <= EVERY_POWER_BITS {
+        return (0..=all).collect();
+    }
+    let alternating = 0x5555_5555_5555_5555 & all;
+    let corners = [0, all, alternating, alternating ^ all];
+    corners
+        .into_iter()
+        .chain((0..bits).map(|bit| 1 << bit))
+        .collect()
+}
+
+/// Two squares at once: the second photon runs through the pairs in another order, so both see all.
+fn square_pair(bits: u32, squarer: Squarer) -> Rows {
+    let half = (1 << (bits - 1)) - 1;
+    let radius = Unit::radius_bits(bits);
+    let of_squares = Cut::ALL.iter().filter(|&&cut| cut < Cut::Pair);
+    let mut rows = Rows {
+        latency: of_squares.count(),
+        ..Rows::default()
+    };
+    // The registers start as 0, and the last squares come out after the last operands.
+    let mut squares = VecDeque::from(vec![[0; 4]; rows.latency]);
+    let flush = std::iter::repeat_n((0, 0), rows.latency);
+    for (query, photon) in pairs(bits).chain(flush) {
+        let square = |photon| square_of(query, photon, radius, squarer);
+        let ((square_a, far_a), (square_b, far_b)) = (square(photon), square(photon ^ half));
+        squares.push_back([square_a, square_b, far_a, far_b]);
+        let out = squares.pop_front().expect("one was pushed");
+        rows.push(&[query, photon, photon ^ half], &out);
+    }
+    rows.pairs -= rows.latency as u64;
+    rows
+}
+
+impl Rows {
+    /// A row of a pair that is new.
+    fn push(&mut self, inputs: &[u64], expected: &[u64]) {
+        self.inputs.extend(inputs);
+        self.expected.extend(expected);
+        self.pairs += 1;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use photoncube_hdl::{has_unit, unit_pins};
+
+    use super::*;
+
+    /// The pairs are counted as they are made; here they are found in the rows.
+    #[test]
+    fn every_pair_is_there_and_counted_once() {
+        for unit in Unit::ALL {
+            for bits in Unit::BITS.into_iter().filter(|&bits| has_unit(unit, bits)) {
+                let columns = unit_pins(unit, bits).unwrap().inputs.len();
+                let rows = rows(unit, bits);
+                let chunks = || rows.inputs.chunks_exact(columns);
+                let first: BTreeSet<_> = chunks().map(|row| (row[0], row[1])).collect();
+                assert_eq!(first.len(), 1 << (2 * bits), "{unit}");
+                assert_eq!(rows.pairs, first.len() as u64, "{unit}");
+                if unit.is_clocked() {
+                    let second: BTreeSet<_> = chunks().map(|row| (row[0], row[2])).collect();
+                    assert_eq!(second.len(), first.len(), "{unit}");
+                }
+            }
+        }
+    }
+
+    /// The golden model's ops against the arithmetic in the paper's words.
+    #[test]
+    fn the_expected_values_are_the_papers_arithmetic() {
+        for row in pairs(6).zip(add(6).expected) {
+            let ((a, b), sum) = row;
+            assert_eq!(sum, (a + b) % 64);
+        }
+        for ((a, b), square) in pairs(8).zip(square(8).expected) {
+            assert_eq!(square, a.abs_diff(b).pow(2));
+        }
+        let gated = gate(6);
+        for (inputs, &out) in gated.inputs.chunks_exact(3).zip(&gated.expected) {
+            assert_eq!(out, if inputs[0] > inputs[1] { 0 } else { inputs[2] });
+        }
+    }
+}
