@@ -32,6 +32,7 @@ pub struct Mutation {
     /// The module, without the machine's prefix; in every instance of it.
     pub module: String,
     /// What Yosys's `mutate` is told: the kind, the cell, its port and bit, and the place in the text.
+    #[serde(rename = "mutation")]
     pub options: String,
 }
 

@@ -33,6 +33,19 @@ struct Values {
     all: u64,
 }
 
+/// Two registers of one bit, and what they never hold together.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+struct Never {
+    registers: [usize; 2],
+    values: [u64; 2],
+}
+
+impl Never {
+    fn is_refuted_by(&self, row: &[u64]) -> bool {
+        self.registers.map(|register| row[register]) == self.values
+    }
+}
+
 /// Any value at all.
 const UNKNOWN: Values = Values {
     any: u64::MAX,
@@ -57,6 +70,8 @@ pub(super) struct Invariants {
     address: Option<usize>,
     /// For each address what its registers hold.
     known: BTreeMap<u64, Vec<Values>>,
+    /// What pairs of flags never hold together; only of machines without a program, whose flags say where the work is.
+    never: Vec<Never>,
 }
 
 impl Invariants {
@@ -86,6 +101,7 @@ impl Invariants {
             address: registers.clone().position(|pin| is_address(pin.place)),
             registers: design.register_paths.clone(),
             known: BTreeMap::new(),
+            never: Vec::new(),
         };
         invariants.guess(design, blocks);
         invariants.settle()?;
@@ -94,6 +110,11 @@ impl Invariants {
 
     fn guess(&mut self, design: &Emitted, blocks: &[Block]) {
         let (columns, outputs) = (design.pins.observed.len(), design.pins.outputs);
+        if self.address.is_none() {
+            let flag = |index: &usize| design.pins.observed[outputs + index].width == 1;
+            let flags: Vec<_> = (0..columns - outputs).filter(flag).collect();
+            self.never = all_pairs(&flags);
+        }
         self.weaken(&vec![0; columns - outputs]);
         for row in blocks.iter().flat_map(|b| b.expected.chunks_exact(columns)) {
             self.weaken(&row[outputs..]);
@@ -120,6 +141,8 @@ impl Invariants {
 
     /// Takes note of what the registers may hold; whether that is news.
     fn weaken(&mut self, row: &[u64]) -> bool {
+        let pairs = self.never.len();
+        self.never.retain(|never| !never.is_refuted_by(row));
         let address = self.address.map_or(0, |index| row[index]);
         let fresh = row.iter().map(|&value| Values {
             any: value,
@@ -134,7 +157,7 @@ impl Invariants {
             known.any |= value;
             known.all &= value;
         }
-        before != *known
+        before != *known || pairs != self.never.len()
     }
 
     /// Takes note of a counterexample; whether it is one. What it refutes is given up, not cut down bit by bit, and so
@@ -169,6 +192,7 @@ impl Invariants {
             let Some(row) = self.counterexample()? else {
                 return Ok(());
             };
+            eprintln!("{} {}", self.never.len(), self.known.len());
             if !self.give_up(&row) {
                 break;
             }
@@ -254,7 +278,16 @@ impl Invariants {
             format!("({})", terms.join(" && "))
         };
         let cases: Vec<_> = self.known.iter().map(at).collect();
-        cases.join(" || ")
+        let mut all = vec![format!("({})", cases.join(" || "))];
+        all.extend(self.never.iter().filter_map(|never| {
+            let [(first, _), (second, _)] = [
+                self.register(never.registers[0], when)?,
+                self.register(never.registers[1], when)?,
+            ];
+            let [a, b] = never.values;
+            Some(format!("!({first} == 1'd{a} && {second} == 1'd{b})"))
+        }));
+        all.join(" && ")
     }
 
     /// The wrapper's name of a register, with its width.
@@ -264,6 +297,20 @@ impl Invariants {
         let bits = u32::try_from(port.bits.len()).ok()?;
         Some((format!("p{}", self.port_number(&name)), bits))
     }
+}
+
+/// All four pairs of values of each two registers.
+fn all_pairs(registers: &[usize]) -> Vec<Never> {
+    let mut pairs = Vec::new();
+    for (index, &first) in registers.iter().enumerate() {
+        for &second in &registers[..index] {
+            pairs.extend([[0, 0], [0, 1], [1, 0], [1, 1]].map(|values| Never {
+                registers: [first, second],
+                values,
+            }));
+        }
+    }
+    pairs
 }
 
 fn ports(json: &str) -> Result<BTreeMap<String, Port>, DeviceError> {

@@ -50,6 +50,7 @@ pub struct ProgramVerdict {
     /// Programs drawn for them; the others could not be made legal in the clocks that there are.
     pub drawn: u64,
     /// Steps of all programs.
+    #[serde(rename = "program_steps")]
     pub steps: u64,
     /// Clocks of one cell, in each of which every register was compared.
     pub cell_vectors: u64,

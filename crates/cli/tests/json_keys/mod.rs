@@ -58,6 +58,7 @@ fn every_json_key_is_documented() {
         &["verify", "--iterations", "5"],
         &["verify", "--fuzz", "5"],
         &["verify", "--lint"],
+        &["verify", "--programs", "1"],
         &["verify", "--table"],
         &["verify", "--campaign", "--hours", "0", "--state", state],
         &[&render[..], &small[..]].concat(),
@@ -72,6 +73,7 @@ fn every_json_key_is_documented() {
         keys(&json(&["verify", "--exhaustive"]), &mut found);
         let coverage = ["verify", "--coverage", "--iterations", "200000"];
         keys(&json(&coverage), &mut found);
+        keys(&json(&["verify", "--mutants", "3", "--seed", "2"]), &mut found);
     }
     let documented = include_str!("../../../../docs/json.md");
     found.retain(|key| !documented.contains(&format!("`{key}`")));
