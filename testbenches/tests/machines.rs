@@ -20,7 +20,7 @@ fn random_iterations(kind: DeviceKind, extent: Extent) -> Option<u64> {
         DeviceKind::RustHdl => [20_000, 2_000, 50, 10],
         DeviceKind::Text => [50_000, 5_000, 500, 50],
         DeviceKind::Icarus => [2_000, 200, 50, 0],
-        DeviceKind::Verilator => [1_000_000, 20_000, 2_000, 0],
+        DeviceKind::Verilator => [250_000, 0, 0, 0],
         DeviceKind::Netlist => [200, 100, 0, 0],
     };
     chosen(extent, iterations)
@@ -33,7 +33,7 @@ fn scene_iterations(kind: DeviceKind, extent: Extent) -> Option<u64> {
         DeviceKind::RustHdl => [2_000, 500, 0, 0],
         DeviceKind::Text => [5_000, 1_000, 0, 0],
         DeviceKind::Icarus => [500, 100, 0, 0],
-        DeviceKind::Verilator => [100_000, 10_000, 1_000, 0],
+        DeviceKind::Verilator => [50_000, 0, 0, 0],
         DeviceKind::Netlist => [0; 4],
     };
     chosen(extent, iterations)

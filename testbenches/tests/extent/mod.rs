@@ -5,15 +5,16 @@ use photoncube_spec::Machine;
 /// How much of a machine's proof is done here; `photoncube verify` goes on for as long as one likes.
 #[derive(Copy, Clone, PartialEq, Eq)]
 pub enum Extent {
-    /// One machine of each organisation: a million iterations in the fastest device.
+    /// One machine of each organisation, and a chain: in all devices, most in the fastest, which takes long to build.
     Full,
-    /// Others of as many cells or a few times that: they differ in numbers and sizes.
+    /// Others of as many cells or a few times that: they differ in numbers and sizes. In Verilator they are compared by
+    /// `photoncube verify --campaign`.
     Brief,
     /// Chains whose devices have many times the signals: that they are put together right, as their
     /// engines are those of shorter chains.
     Chain,
     /// Chains that take minutes in any Verilog simulator: in rust-hdl and the evaluator of the
-    /// emitted text alone; `photoncube verify --machine M --against verilator` is for them.
+    /// emitted text alone.
     LongChain,
 }
 

@@ -73,7 +73,10 @@ fn every_json_key_is_documented() {
         keys(&json(&["verify", "--exhaustive"]), &mut found);
         let coverage = ["verify", "--coverage", "--iterations", "200000"];
         keys(&json(&coverage), &mut found);
-        keys(&json(&["verify", "--mutants", "3", "--seed", "2"]), &mut found);
+        keys(
+            &json(&["verify", "--mutants", "3", "--seed", "2"]),
+            &mut found,
+        );
     }
     let documented = include_str!("../../../../docs/json.md");
     found.retain(|key| !documented.contains(&format!("`{key}`")));
