@@ -9,8 +9,8 @@ usage() {
     cat <<USAGE
 Usage: scripts/coverage.sh [--help]
 
-Runs the tests of photoncube-model and photoncube-spec under cargo llvm-cov $VERSION, which it installs with
-rustup's llvm-tools if they are not there (some minutes), and prints for each file its lines and those that no test
+Runs the tests of photoncube-model and photoncube-spec, and the unit tests of the testbench, under cargo llvm-cov
+$VERSION, which it installs with rustup's llvm-tools if they are not there (some minutes), and prints for each file its lines and those that no test
 used. The text of each such line stands behind it. What the emitted Verilog's coverage is, says
 \`photoncube verify --coverage\`.
 
@@ -31,5 +31,8 @@ fi
 
 report=$(mktemp)
 trap 'rm -f "$report"' EXIT
-cargo llvm-cov --locked -p photoncube-model -p photoncube-spec --json --output-path "$report" >&2
+# The testbench's unit tests drive the golden model as every verification does.
+cargo llvm-cov --locked -p photoncube-model -p photoncube-spec -p photoncube-testbench --lib \
+    --test machine_equals_gather --test planes --test local_gather --test snapshots --test comparison \
+    --ignore-filename-regex '/(testbenches|crates/hdl|crates/render)/' --json --output-path "$report" >&2
 python3 scripts/coverage.py "$report"
