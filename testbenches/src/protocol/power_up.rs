@@ -28,7 +28,11 @@ pub fn without_initial_values(design: &Emitted) -> (Emitted, usize) {
             index += 3;
             continue;
         }
-        if line.trim().starts_with("initial for ") {
+        let line_alone = ["initial for ", "initial q = "];
+        if line_alone
+            .iter()
+            .any(|start| line.trim().starts_with(start))
+        {
             removed += 1;
             index += 1;
             continue;
