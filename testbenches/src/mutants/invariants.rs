@@ -9,7 +9,7 @@ use std::fmt::Write as _;
 use std::process::Command;
 
 use photoncube_hdl::Emitted;
-use photoncube_spec::SignalPlace;
+use photoncube_spec::{Machine, SignalPlace};
 use serde::Deserialize;
 
 use super::design::{FLAT, read, yosys};
@@ -70,6 +70,8 @@ pub(super) struct Invariants {
     address: Option<usize>,
     /// For each address what its registers hold.
     known: BTreeMap<u64, Vec<Values>>,
+    /// The most photons that a query may have: whoever drives the machine keeps to it, so this is not proven.
+    max_photons: u64,
     /// What pairs of flags never hold together; only of machines without a program, whose flags say where the work is.
     never: Vec<Never>,
 }
@@ -79,7 +81,7 @@ impl Invariants {
     ///
     /// # Errors
     /// Yosys does not run.
-    pub fn new(design: &Emitted, blocks: &[Block]) -> Result<Self, DeviceError> {
+    pub fn new(machine: &Machine, design: &Emitted, blocks: &[Block]) -> Result<Self, DeviceError> {
         let folder = scratch_folder()?;
         let script = format!(
             "{FLAT}\nrename {} gold\nexpose -evert-dff -dff gold\nopt_clean\n\
@@ -101,6 +103,7 @@ impl Invariants {
             address: registers.clone().position(|pin| is_address(pin.place)),
             registers: design.register_paths.clone(),
             known: BTreeMap::new(),
+            max_photons: machine.max_photons(),
             never: Vec::new(),
         };
         invariants.guess(design, blocks);
@@ -192,7 +195,6 @@ impl Invariants {
             let Some(row) = self.counterexample()? else {
                 return Ok(());
             };
-            eprintln!("{} {}", self.never.len(), self.known.len());
             if !self.give_up(&row) {
                 break;
             }
@@ -248,11 +250,26 @@ impl Invariants {
             .iter()
             .map(|(number, (name, _))| format!("    .\\{prefix}{name} (p{number})"));
         format!(
-            "module wrapper(\n{}\n);\n  {module} inside(\n{}\n  );\n  always @* assume({});\n",
+            "module wrapper(\n{}\n);\n  {module} inside(\n{}\n  );\n  always @* assume({}{});\n",
             declared.collect::<Vec<_>>().join(",\n"),
             connected.collect::<Vec<_>>().join(",\n"),
-            self.holds("q")
+            self.holds("q"),
+            self.declared_count()
         )
+    }
+
+    /// That the register of the result's count has no bit above those of the most photons; Yosys names it as the pin
+    /// that it drives.
+    fn declared_count(&self) -> String {
+        let Some(port) = self.ports.get("result_count.q") else {
+            return String::new();
+        };
+        let above = (self.max_photons.ilog2() + 1) as usize;
+        let (number, bits) = (self.port_number("result_count.q"), port.bits.len());
+        match above < bits {
+            true => format!(" && p{number}[{}:{above}] == 0", bits - 1),
+            false => String::new(),
+        }
     }
 
     /// What is known, of the registers as they are (`q`) or as they will be (`d`).

@@ -128,7 +128,7 @@ pub fn mutants(
         .par_iter()
         .map(dies)
         .collect::<Result<_, VerifyError>>()?;
-    let invariants = Invariants::new(&design, kills.blocks())?;
+    let invariants = Invariants::new(machine, &design, kills.blocks())?;
     let prover = Prover {
         design: &design,
         invariants: &invariants,

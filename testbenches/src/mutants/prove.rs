@@ -33,7 +33,7 @@ impl Prover<'_> {
         let known = format!("{WRAPPED}\n{}", solve(options, "wrapper"));
         if self.is_proven(mutation, &known)? {
             let proof = "the same next values of all registers, from any values within the \
-                         invariants, by sat";
+                         invariants and the declared count, by sat";
             return Ok(Some(proof.to_owned()));
         }
         Ok(None)
