@@ -140,6 +140,18 @@ mod tests {
     }
 
     #[test]
+    fn the_docs_have_the_committed_table() {
+        let docs = include_str!("../../../docs/verification.md");
+        let lines = committed().unwrap().lines;
+        assert!(!lines.is_empty());
+        assert!(
+            docs.contains(&table(&lines)),
+            "docs/verification.md has another table than docs/measured/verification.json: put what \
+             `photoncube verify --table` prints in its place, under `## Results`"
+        );
+    }
+
+    #[test]
     fn digits_are_grouped() {
         let grouped = [0, 999, 1000, 1_234_567].map(grouped);
         assert_eq!(grouped, ["0", "999", "1,000", "1,234,567"]);

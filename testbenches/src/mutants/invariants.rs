@@ -4,21 +4,24 @@
 //! hold at power-up, and where they hold they hold one clock later. A guess that is refuted by a counterexample is
 //! weakened by it, until the rest is proven.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 use std::process::Command;
 
 use photoncube_hdl::Emitted;
 use photoncube_spec::{Machine, SignalPlace};
-use serde::Deserialize;
 
 use super::design::{FLAT, read, yosys};
+use super::netlist::Netlist;
 use crate::device::{DeviceError, scratch_folder, write_file};
 use crate::stimulus::Block;
 use crate::tools::{Tool, run};
 
 /// Counterexamples after which a guess is given up: each weakens it by a bit at least, most by many.
 const MOST_ROUNDS: usize = 300;
+
+/// The most flags whose triples are looked at: there are 8 for each.
+const MOST_NEAR: usize = 12;
 
 /// From the modules to the flat wrapper, which stands in `wrapper.sv`.
 pub(super) const WRAPPED: &str = "read_verilog -formal -sv wrapper.sv\nhierarchy -top wrapper\nproc\n\
@@ -33,16 +36,15 @@ struct Values {
     all: u64,
 }
 
-/// Two registers of one bit, and what they never hold together.
-#[derive(Copy, Clone, Debug, PartialEq, Eq)]
-struct Never {
-    registers: [usize; 2],
-    values: [u64; 2],
-}
+/// Registers of one bit, and what they never hold together.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Never(Vec<(usize, u64)>);
 
 impl Never {
     fn is_refuted_by(&self, row: &[u64]) -> bool {
-        self.registers.map(|register| row[register]) == self.values
+        self.0
+            .iter()
+            .all(|&(register, value)| row[register] == value)
     }
 }
 
@@ -52,18 +54,11 @@ const UNKNOWN: Values = Values {
     all: 0,
 };
 
-/// A port of the design whose registers are ports.
-#[derive(Clone, Debug, Deserialize)]
-struct Port {
-    direction: String,
-    bits: Vec<serde_json::Value>,
-}
-
 /// The design whose registers are ports, and what is known of these.
 pub(super) struct Invariants {
     /// The design in Yosys's own language, as module `gold`.
     gold: String,
-    ports: BTreeMap<String, Port>,
+    netlist: Netlist,
     /// The paths of the registers, and whether Yosys has a port for each.
     registers: Vec<String>,
     /// The register that says where the program is.
@@ -72,7 +67,7 @@ pub(super) struct Invariants {
     known: BTreeMap<u64, Vec<Values>>,
     /// The most photons that a query may have: whoever drives the machine keeps to it, so this is not proven.
     max_photons: u64,
-    /// What pairs of flags never hold together; only of machines without a program, whose flags say where the work is.
+    /// What flags never hold together; only of machines without a program, whose flags say where the work is.
     never: Vec<Never>,
 }
 
@@ -99,7 +94,7 @@ impl Invariants {
         };
         let mut invariants = Self {
             gold: read(&folder.path().join("gold.il"))?,
-            ports: ports(&json)?,
+            netlist: Netlist::parse(&json, "gold")?,
             address: registers.clone().position(|pin| is_address(pin.place)),
             registers: design.register_paths.clone(),
             known: BTreeMap::new(),
@@ -113,16 +108,56 @@ impl Invariants {
 
     fn guess(&mut self, design: &Emitted, blocks: &[Block]) {
         let (columns, outputs) = (design.pins.observed.len(), design.pins.outputs);
+        let flag = |index: &usize| design.pins.observed[outputs + index].width == 1;
+        let flags: Vec<_> = (0..columns - outputs).filter(flag).collect();
+        let start = vec![0; columns - outputs];
+        let rows = || {
+            let rows = blocks.iter().flat_map(|b| b.expected.chunks_exact(columns));
+            rows.map(|row| &row[outputs..]).chain([&start[..]])
+        };
         if self.address.is_none() {
-            let flag = |index: &usize| design.pins.observed[outputs + index].width == 1;
-            let flags: Vec<_> = (0..columns - outputs).filter(flag).collect();
-            self.never = all_pairs(&flags);
+            self.never = all_combinations(&flags, 2);
         }
-        self.weaken(&vec![0; columns - outputs]);
-        for row in blocks.iter().flat_map(|b| b.expected.chunks_exact(columns)) {
-            self.weaken(&row[outputs..]);
+        for row in rows() {
+            self.weaken(row);
+        }
+        if self.address.is_none() {
+            let mut near = self.near_constants(&flags);
+            for row in rows() {
+                near.retain(|never| !never.is_refuted_by(row));
+            }
+            self.never.extend(near);
         }
         self.join_after_reset();
+    }
+
+    /// Triples of the flags that those which stand still depend on, at one or two clocks' distance: what keeps them still.
+    fn near_constants(&self, flags: &[usize]) -> Vec<Never> {
+        let is_constant = |flag: &&usize| {
+            let mut values = self.known.values().map(|known| known[**flag]);
+            values.all(|values| values.any == values.all)
+        };
+        let mut near = Vec::new();
+        for &flag in flags.iter().filter(is_constant) {
+            let first = self.flags_before(flag, flags);
+            let second = first
+                .iter()
+                .flat_map(|&flag| self.flags_before(flag, flags));
+            let all: BTreeSet<_> = first.iter().copied().chain(second).collect();
+            let all: Vec<_> = all.into_iter().collect();
+            if all.len() <= MOST_NEAR {
+                near.extend(all_combinations(&all, 3));
+            }
+        }
+        near
+    }
+
+    /// The flags that a flag's next value depends on.
+    fn flags_before(&self, flag: usize, flags: &[usize]) -> Vec<usize> {
+        let inputs = self.netlist.fan_in(&format!("{}.d", self.registers[flag]));
+        let is_input =
+            |flag: &usize| inputs.contains(format!("{}.q", self.registers[*flag]).as_str());
+        flags.iter().copied().filter(is_input).collect()
     }
 
     /// A reset may come anywhere: at the first address is what may be at any.
@@ -233,17 +268,21 @@ impl Invariants {
 
     /// The number of a port in the wrapper.
     fn port_number(&self, name: &str) -> usize {
-        self.ports.keys().position(|port| port == name).unwrap_or(0)
+        self.netlist
+            .ports
+            .keys()
+            .position(|port| port == name)
+            .unwrap_or(0)
     }
 
     /// A module `wrapper` up to its last lines, with all inputs of a module as ports, and what is known assumed.
     pub fn wrapper(&self, module: &str, prefix: &str) -> String {
-        let ports = self.ports.iter().enumerate();
+        let ports = self.netlist.ports.iter().enumerate();
         let inputs: Vec<_> = ports
             .filter(|(_, (_, port))| port.direction == "input" || prefix.is_empty())
             .collect();
         let declared = inputs.iter().map(|(number, (_, port))| {
-            let (direction, high) = (&port.direction, port.bits.len() - 1);
+            let (direction, high) = (&port.direction, port.width() - 1);
             format!("  {direction} [{high}:0] p{number}")
         });
         let connected = inputs
@@ -261,11 +300,11 @@ impl Invariants {
     /// That the register of the result's count has no bit above those of the most photons; Yosys names it as the pin
     /// that it drives.
     fn declared_count(&self) -> String {
-        let Some(port) = self.ports.get("result_count.q") else {
+        let Some(port) = self.netlist.ports.get("result_count.q") else {
             return String::new();
         };
         let above = (self.max_photons.ilog2() + 1) as usize;
-        let (number, bits) = (self.port_number("result_count.q"), port.bits.len());
+        let (number, bits) = (self.port_number("result_count.q"), port.width());
         match above < bits {
             true => format!(" && p{number}[{}:{above}] == 0", bits - 1),
             false => String::new(),
@@ -297,12 +336,15 @@ impl Invariants {
         let cases: Vec<_> = self.known.iter().map(at).collect();
         let mut all = vec![format!("({})", cases.join(" || "))];
         all.extend(self.never.iter().filter_map(|never| {
-            let [(first, _), (second, _)] = [
-                self.register(never.registers[0], when)?,
-                self.register(never.registers[1], when)?,
-            ];
-            let [a, b] = never.values;
-            Some(format!("!({first} == 1'd{a} && {second} == 1'd{b})"))
+            let literals: Option<Vec<_>> = never
+                .0
+                .iter()
+                .map(|&(register, value)| {
+                    let (port, _) = self.register(register, when)?;
+                    Some(format!("{port} == 1'd{value}"))
+                })
+                .collect();
+            Some(format!("!({})", literals?.join(" && ")))
         }));
         all.join(" && ")
     }
@@ -310,42 +352,27 @@ impl Invariants {
     /// The wrapper's name of a register, with its width.
     fn register(&self, index: usize, when: &str) -> Option<(String, u32)> {
         let name = format!("{}.{when}", self.registers[index]);
-        let port = self.ports.get(&name)?;
-        let bits = u32::try_from(port.bits.len()).ok()?;
+        let port = self.netlist.ports.get(&name)?;
+        let bits = u32::try_from(port.width()).ok()?;
         Some((format!("p{}", self.port_number(&name)), bits))
     }
 }
 
-/// All four pairs of values of each two registers.
-fn all_pairs(registers: &[usize]) -> Vec<Never> {
-    let mut pairs = Vec::new();
-    for (index, &first) in registers.iter().enumerate() {
-        for &second in &registers[..index] {
-            pairs.extend([[0, 0], [0, 1], [1, 0], [1, 1]].map(|values| Never {
-                registers: [first, second],
-                values,
-            }));
+/// All values of each so many registers.
+fn all_combinations(registers: &[usize], count: usize) -> Vec<Never> {
+    if count == 0 {
+        return vec![Never(Vec::new())];
+    }
+    let mut all = Vec::new();
+    for (index, &register) in registers.iter().enumerate() {
+        for rest in all_combinations(&registers[..index], count - 1) {
+            for value in [0, 1] {
+                let literals = [&rest.0[..], &[(register, value)]].concat();
+                all.push(Never(literals));
+            }
         }
     }
-    pairs
-}
-
-fn ports(json: &str) -> Result<BTreeMap<String, Port>, DeviceError> {
-    #[derive(Deserialize)]
-    struct Netlist {
-        modules: BTreeMap<String, Module>,
-    }
-    #[derive(Deserialize)]
-    struct Module {
-        ports: BTreeMap<String, Port>,
-    }
-    let netlist: Result<Netlist, _> = serde_json::from_str(json);
-    let gold = netlist.ok().and_then(|mut n| n.modules.remove("gold"));
-    let gold = gold.ok_or_else(|| DeviceError::BrokeOff {
-        device: "yosys".to_owned(),
-        message: "its netlist has no module `gold`".to_owned(),
-    })?;
-    Ok(gold.ports)
+    all
 }
 
 /// The value of a port in Yosys's table: name, decimal, hexadecimal, binary; 0 where it is not shown.

@@ -6,6 +6,7 @@
 mod design;
 mod invariants;
 mod kill;
+mod netlist;
 mod prove;
 
 use std::collections::BTreeMap;
