@@ -9,6 +9,7 @@
 mod compare;
 mod coverage;
 mod device;
+mod formal;
 mod levels;
 mod stimulus;
 mod tools;
@@ -21,6 +22,7 @@ pub use device::{
     Device, DeviceError, DeviceKind, Icarus, Mutant, Observed, Refusal, RustHdl, Text, Unknown,
     UnknownDevice, Verilator, netlist,
 };
+pub use formal::{Formal, FormalError, Proof, formal};
 pub use levels::{PartVerdict, verify_part, verify_part_device};
 pub use stimulus::{Block, Source, StimulusError, chunk_seed, generate};
 pub use tools::{MissingTool, Tool, ToolError};
