@@ -6,6 +6,7 @@
 
 mod property;
 mod sequential;
+mod wires;
 mod yosys;
 
 use std::time::Instant;

@@ -154,3 +154,38 @@ fn question(options: String) -> Question {
         options: options + " harness",
     }
 }
+
+/// A property of logic without registers.
+pub(super) fn of_logic(
+    name: &'static str,
+    module: &'static str,
+    claim: &'static str,
+    harness: &'static str,
+    widths: &[(&'static str, u32)],
+) -> Property {
+    let width = |(name, value): &(&'static str, u32)| (*name, value.to_string());
+    Property {
+        name,
+        module,
+        claim,
+        harness,
+        macros: widths.iter().map(width).collect(),
+        open: Open::Ports,
+        method: Method::Sat,
+        faults: Vec::new(),
+        fault_clocks: 1,
+        covers: Vec::new(),
+    }
+}
+
+/// Outputs that must be 1 for some input.
+pub(super) fn covers<const N: usize>(outputs: [&'static str; N]) -> Vec<Cover> {
+    at(outputs.map(|output| (output, 1)))
+}
+
+/// Outputs that must be 1 in some run, each in a clock.
+pub(super) fn at<const N: usize>(outputs: [(&'static str, u32); N]) -> Vec<Cover> {
+    outputs
+        .map(|(output, clock)| Cover { output, clock })
+        .to_vec()
+}
