@@ -8,7 +8,11 @@ use photoncube_testbench::{DeviceKind, formal};
 
 fn main() {
     let mut trials = Vec::new();
-    for machine in ["paper"] {
+    for machine in std::env::var("FM")
+        .unwrap_or("paper".into())
+        .leak()
+        .split(',')
+    {
         let run = move || all_hold(machine);
         trials.push(support::trial(
             format!("quick::{machine}"),

@@ -4,6 +4,9 @@
 //! A property is a row of a table: a harness written by hand from the spec's words, with what it assumes. It passes
 //! if it is proven, if what it must not exclude is reachable, and if each planted fault is refuted, in the same run.
 
+mod exhaustive;
+mod modules;
+mod netlist;
 mod property;
 mod sequential;
 mod wires;
@@ -11,13 +14,14 @@ mod yosys;
 
 use std::time::Instant;
 
-use photoncube_hdl::{Level, emit};
+use photoncube_hdl::{Emitted, Level, emit};
 use photoncube_spec::{Machine, Organisation};
 use serde::Serialize;
 use thiserror::Error;
 
 use crate::device::{DeviceError, hdl_error};
 use crate::tools::{Tool, ToolError};
+use netlist::Netlist;
 use property::{Fault, Method, Property};
 use yosys::{Answer, ask};
 
@@ -97,12 +101,10 @@ pub enum FormalError {
         times: usize,
     },
     /// Nothing was asked for.
-    #[error("no property of machine `{machine}` is named like `{wanted}`; there are: {known}")]
+    #[error("machine `{machine}` has no property of such a name; it has: {known}")]
     Nothing {
         /// The machine.
         machine: &'static str,
-        /// What was asked for.
-        wanted: String,
         /// What there is.
         known: String,
     },
@@ -113,6 +115,35 @@ fn properties(machine: &Machine) -> Vec<Property> {
         Organisation::Sequential => sequential::properties(machine),
         Organisation::Overlapped | Organisation::Spatial(_) => Vec::new(),
     }
+}
+
+/// A row that is to be made.
+enum Task {
+    Property(Property),
+    Exhaustive,
+    /// A module against its netlist.
+    Netlist(String),
+}
+
+impl Task {
+    fn name(&self, prefix: &str) -> String {
+        match self {
+            Self::Property(property) => property.name.to_owned(),
+            Self::Exhaustive => exhaustive::NAME.to_owned(),
+            Self::Netlist(module) => format!("netlist::{}", netlist::name(module, prefix)),
+        }
+    }
+}
+
+/// All of a machine, in the order of the table.
+fn tasks(machine: &Machine, design: &Emitted) -> Vec<Task> {
+    let properties = properties(machine).into_iter().map(Task::Property);
+    let has_square = Level::of(machine)
+        .iter()
+        .any(|level| [Level::Square, Level::SquarePair].contains(level));
+    let exhaustive = has_square.then_some(Task::Exhaustive);
+    let modules = netlist::modules(design).into_iter().map(Task::Netlist);
+    properties.chain(exhaustive).chain(modules).collect()
 }
 
 /// Proves each property of a machine whose name is wanted. `progress` is told how many are done, of how many.
@@ -126,16 +157,33 @@ pub fn formal(
     progress: &dyn Fn(usize, usize),
 ) -> Result<Formal, FormalError> {
     let design = emit(machine, Level::Machine).map_err(hdl_error(machine))?;
-    let mut properties = properties(machine);
-    properties.retain(|property| wanted(property.name));
+    let tool_version = Tool::Yosys.version()?;
+    let all = tasks(machine, &design);
+    let is_wanted = |task: &&Task| wanted(&task.name(&design.top));
+    let tasks: Vec<_> = all.iter().filter(is_wanted).collect();
+    if tasks.is_empty() {
+        let known = all.iter().map(|task| task.name(&design.top));
+        return Err(FormalError::Nothing {
+            machine: machine.name,
+            known: known.collect::<Vec<_>>().join(", "),
+        });
+    }
+    let needs_netlist = tasks.iter().any(|task| matches!(task, Task::Netlist(_)));
+    let netlist = needs_netlist.then(|| Netlist::of(&design)).transpose()?;
     let mut proofs = Vec::new();
-    for (done, property) in properties.iter().enumerate() {
-        progress(done, properties.len());
-        proofs.push(prove(property, &design.text, &design.top)?);
+    for (done, task) in tasks.iter().enumerate() {
+        progress(done, tasks.len());
+        let proof = match (task, &netlist) {
+            (Task::Property(property), _) => prove(property, &design.text, &design.top)?,
+            (Task::Exhaustive, _) => exhaustive::prove(machine)?,
+            (Task::Netlist(module), Some(netlist)) => netlist.prove(module)?,
+            (Task::Netlist(_), None) => unreachable!("it was made for these"),
+        };
+        proofs.push(proof);
     }
     Ok(Formal {
         machine: machine.name,
-        tool_version: Tool::Yosys.version()?,
+        tool_version,
         proofs,
     })
 }

@@ -151,6 +151,7 @@ fn bounded(clocks: u32) -> String {
 
 fn question(options: String) -> Question {
     Question {
+        before: "",
         options: options + " harness",
     }
 }

@@ -19,6 +19,8 @@ const MARK: &str = "photoncube-question";
 /// What is asked.
 #[derive(Clone, Debug)]
 pub(super) struct Question {
+    /// Commands before it.
+    pub before: &'static str,
     /// The options of `sat`, and the module.
     pub options: String,
 }
@@ -70,8 +72,8 @@ pub(super) fn ask(
     let mut script = commands.to_owned();
     for (index, question) in questions.iter().enumerate() {
         script += &format!(
-            "\nlog {MARK} {index}\nsat -timeout {SECONDS_EACH} {}\n",
-            question.options
+            "\nlog {MARK} {index}\n{}sat -timeout {SECONDS_EACH} {}\n",
+            question.before, question.options
         );
     }
     let limit = Duration::from_secs(SECONDS_EACH * (questions.len() as u64 + 1));
