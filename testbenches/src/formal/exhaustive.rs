@@ -59,7 +59,7 @@ pub(super) fn prove(machine: &Machine) -> Result<Proof, FormalError> {
         cover_reached: None,
         control_refuted,
         seconds: started.elapsed().as_secs_f64(),
-        found,
+        not_proven_because: found,
     })
 }
 

@@ -7,8 +7,10 @@
 mod exhaustive;
 mod modules;
 mod netlist;
+mod overlap;
 mod property;
 mod sequential;
+mod spatial;
 mod wires;
 mod yosys;
 
@@ -46,8 +48,8 @@ pub struct Proof {
     pub control_refuted: bool,
     /// Wall time.
     pub seconds: f64,
-    /// What the tool said last of what failed.
-    pub found: Option<String>,
+    /// What the tool said last of what failed; `None` if nothing did.
+    pub not_proven_because: Option<String>,
 }
 
 impl Proof {
@@ -113,7 +115,8 @@ pub enum FormalError {
 fn properties(machine: &Machine) -> Vec<Property> {
     match machine.organisation {
         Organisation::Sequential => sequential::properties(machine),
-        Organisation::Overlapped | Organisation::Spatial(_) => Vec::new(),
+        Organisation::Overlapped => overlap::properties(machine),
+        Organisation::Spatial(_) => spatial::properties(machine),
     }
 }
 
@@ -222,7 +225,6 @@ fn prove(property: &Property, design: &str, prefix: &str) -> Result<Proof, Forma
     let (method, depth) = match property.method {
         Method::Sat => ("sat", 0),
         Method::Induction(depth) => ("induction", depth),
-        Method::Bounded(clocks) => ("bounded", clocks),
     };
     Ok(Proof {
         property: property.name.to_owned(),
@@ -234,7 +236,7 @@ fn prove(property: &Property, design: &str, prefix: &str) -> Result<Proof, Forma
         cover_reached: Some(cover_reached),
         control_refuted,
         seconds: started.elapsed().as_secs_f64(),
-        found: (!found.is_empty()).then(|| found.join("\n")),
+        not_proven_because: (!found.is_empty()).then(|| found.join("\n")),
     })
 }
 

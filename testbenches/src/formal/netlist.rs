@@ -75,7 +75,7 @@ impl<'a> Netlist<'a> {
             cover_reached: None,
             control_refuted,
             seconds: started.elapsed().as_secs_f64(),
-            found: (!found.is_empty()).then(|| found.join("\n")),
+            not_proven_because: (!found.is_empty()).then(|| found.join("\n")),
         })
     }
 }
@@ -141,7 +141,7 @@ fn refuted(module: &str, texts: &(String, String)) -> Result<bool, DeviceError> 
     Ok(false)
 }
 
-/// The netlist with one of its assignments inverted.
+/// The netlist with one of its assignments, or what one of its parts is given, inverted.
 fn mutants(netlist: &str, module: &str) -> Vec<String> {
     let lines: Vec<_> = netlist.lines().collect();
     let begin = format!("module {module}(");
@@ -159,22 +159,38 @@ fn mutants(netlist: &str, module: &str) -> Vec<String> {
         let (target, value) = line.split_once(" <= ")?;
         Some(format!("{target} <= ~({});", value.strip_suffix(';')?))
     };
-    let all: Vec<_> = inside
-        .filter_map(|index| {
-            Some((
-                index,
-                inverted(lines[index]).or_else(|| clocked(lines[index]))?,
-            ))
-        })
-        .collect();
-    // Some from all over the module.
-    let step = all.len().div_ceil(MUTANTS).max(1);
+    let connected = |line: &str| {
+        let (port, value) = line.trim().strip_prefix('.')?.split_once('(')?;
+        let end = value.rfind(')')?;
+        Some(format!(".{port}(~{}){}", &value[..end], &value[end + 1..]))
+    };
+    let changed = |index: usize| {
+        let line = lines[index];
+        Some((
+            index,
+            inverted(line)
+                .or_else(|| clocked(line))
+                .or_else(|| connected(line))?,
+        ))
+    };
+    let mut all: Vec<_> = inside.filter_map(changed).collect();
+    // Wires between parts last: where there is logic, it is logic that is changed. Some from all over the module.
+    all.sort_by_key(|(_, line)| line.starts_with('.'));
+    let logic = all
+        .iter()
+        .filter(|(_, line)| !line.starts_with('.'))
+        .count();
+    let (logic, wires) = all.split_at(logic);
     let mutant = |(index, line): &(usize, String)| {
         let mut lines = lines.clone();
         lines[*index] = line;
         lines.join("\n") + "\n"
     };
-    all.iter().step_by(step).map(mutant).collect()
+    let spread = |all: &[(usize, String)]| -> Vec<_> {
+        let step = all.len().div_ceil(MUTANTS).max(1);
+        all.iter().step_by(step).map(mutant).collect()
+    };
+    [spread(logic), spread(wires)].concat()
 }
 
 fn asked(

@@ -9,8 +9,6 @@ pub(super) enum Method {
     Sat,
     /// For all states that can be reached, by induction over so many clocks at most.
     Induction(u32),
-    /// For so many clocks from power-up.
-    Bounded(u32),
 }
 
 /// A change of the emitted text, which must make the property fail.
@@ -50,6 +48,8 @@ pub(super) enum Open {
     Ports,
     /// These signals too are outputs.
     Signals(&'static [&'static str]),
+    /// These signals too, and the words of a memory, each by its number.
+    Memory(&'static [&'static str], &'static str, usize),
     /// Its parts are taken out: their outputs are inputs, their inputs outputs, named `part.port`.
     Parts,
 }
@@ -93,15 +93,23 @@ impl Property {
             "" => prefix.to_owned(),
             module => format!("{prefix}_{module}"),
         };
+        let expose = |names: Vec<String>| {
+            let selected = names.join(" ");
+            format!(
+                "select -assert-count {} {selected}\nexpose {selected}\n",
+                names.len()
+            )
+        };
+        let signals = |names: &[&str]| -> Vec<_> {
+            names.iter().map(|name| format!("dut/w:{name}")).collect()
+        };
         let open = match self.open {
             Open::Ports => String::new(),
-            Open::Signals(signals) => {
-                let signals: Vec<_> = signals.iter().map(|name| format!("dut/w:{name}")).collect();
-                format!(
-                    "select -assert-count {} {1}\nexpose {1}\n",
-                    signals.len(),
-                    signals.join(" ")
-                )
+            Open::Signals(names) => expose(signals(names)),
+            Open::Memory(names, memory, words) => {
+                let mut names = signals(names);
+                names.extend((0..words).map(|word| format!("dut/w:{memory}?{word}?")));
+                "memory -nomap\nmemory_map\n".to_owned() + &expose(names)
             }
             Open::Parts => "expose -evert dut/c:*\n".to_owned(),
         };
@@ -119,7 +127,6 @@ impl Property {
             Method::Induction(depth) => {
                 format!("-tempinduct -prove-asserts -set-assumes -maxsteps {depth}")
             }
-            Method::Bounded(clocks) => bounded(clocks),
         };
         question(options)
     }
@@ -128,7 +135,7 @@ impl Property {
     pub fn refutation(&self) -> Question {
         match self.method {
             Method::Sat => self.proof(),
-            Method::Induction(_) | Method::Bounded(_) => question(bounded(self.fault_clocks)),
+            Method::Induction(_) => question(bounded(self.fault_clocks)),
         }
     }
 
@@ -137,7 +144,7 @@ impl Property {
         let output = cover.output;
         question(match self.method {
             Method::Sat => format!("-set-assumes -set {output} 1"),
-            Method::Induction(_) | Method::Bounded(_) => {
+            Method::Induction(_) => {
                 let clock = cover.clock;
                 format!("-set-assumes -seq {clock} -set-at {clock} {output} 1")
             }

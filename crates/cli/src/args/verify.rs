@@ -18,6 +18,7 @@ Examples:
   photoncube verify --machine paper-5d --against all --seed 7
   photoncube verify --fuzz 100000       everything that reads files, on wrong ones
   photoncube verify --coverage --machine stream
+  photoncube verify --formal --machine paper
   photoncube verify --table             what was verified so far, as docs/verification.md has it"
 )]
 pub struct VerifyArgs {
@@ -56,6 +57,13 @@ pub struct VerifyArgs {
     /// Count what a verification in Verilator uses of the emitted lines, branches and bits, and list what it does not
     #[arg(long, group = "method")]
     pub coverage: bool,
+    /// Prove properties of the emitted text for all inputs, by Yosys: units, control block, streams, sums, and each
+    /// module against its netlist; for `paper`, `overlap` and `stream`
+    #[arg(long, group = "method")]
+    pub formal: bool,
+    /// Only the properties whose names begin so
+    #[arg(long, requires = "formal", value_name = "NAME")]
+    pub property: Option<String>,
     /// Print the committed table of results, and verify nothing
     #[arg(long, group = "method")]
     pub table: bool,

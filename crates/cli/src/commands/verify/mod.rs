@@ -2,6 +2,7 @@
 
 mod coverage;
 mod equivalence;
+mod formal;
 mod fuzz;
 mod lint;
 
@@ -24,6 +25,9 @@ pub fn execute(args: &VerifyArgs, json: bool) -> Result<()> {
     }
     if args.coverage {
         return coverage::execute(args, json);
+    }
+    if args.formal {
+        return formal::execute(args, json);
     }
     if let Some(inputs) = args.fuzz {
         return fuzz::execute(args, inputs, json);
