@@ -22,7 +22,7 @@ pub use device::{
     Device, DeviceError, DeviceKind, Icarus, Mutant, Observed, Refusal, RustHdl, Text, Unknown,
     UnknownDevice, Verilator, netlist,
 };
-pub use formal::{Formal, FormalError, Proof, formal};
+pub use formal::{FORMAL_MACHINES, Formal, FormalError, Proof, formal};
 pub use levels::{PartVerdict, verify_part, verify_part_device};
 pub use stimulus::{Block, Source, StimulusError, chunk_seed, generate};
 pub use tools::{MissingTool, Tool, ToolError};

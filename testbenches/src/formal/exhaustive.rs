@@ -26,19 +26,21 @@ pub(super) fn prove(machine: &Machine) -> Result<Proof, FormalError> {
     };
     let widths = Widths::of(machine);
     let pairs = 1_usize << (widths.coordinate + widths.photon);
+    // What a pipeline still holds at the end is not seen: some more rows bring it out.
+    let rows = pairs + 16;
     let design = emit(machine, part).map_err(hdl_error(machine))?;
     let compared = |design: &Emitted| {
         let mut device = Text::new(design).map_err(DeviceError::from)?;
-        verify_part_device(machine, part, &mut device, pairs, 1)
+        verify_part_device(machine, part, &mut device, rows, 1)
     };
     let sound = compared(&design);
     let (proven, found) = match &sound {
-        Ok(verdict) if verdict.vectors_compared >= pairs as u64 => (true, None),
+        Ok(verdict) if verdict.vectors_compared >= rows as u64 => (true, None),
         Ok(verdict) => {
             let compared = verdict.vectors_compared;
             (
                 false,
-                Some(format!("{compared} pairs compared, {pairs} expected")),
+                Some(format!("{compared} rows compared, {rows} expected")),
             )
         }
         Err(error) => (false, Some(error.to_string())),

@@ -102,6 +102,12 @@ pub enum FormalError {
         /// How often it is there.
         times: usize,
     },
+    /// No properties are written for the machine.
+    #[error("no formal properties are written for machine `{machine}`; they are for {}", FORMAL_MACHINES.join(", "))]
+    Machine {
+        /// The machine.
+        machine: &'static str,
+    },
     /// Nothing was asked for.
     #[error("machine `{machine}` has no property of such a name; it has: {known}")]
     Nothing {
@@ -111,6 +117,9 @@ pub enum FormalError {
         known: String,
     },
 }
+
+/// The machines that properties are written for: one of each organisation.
+pub const FORMAL_MACHINES: [&str; 3] = ["paper", "overlap", "stream"];
 
 fn properties(machine: &Machine) -> Vec<Property> {
     match machine.organisation {
@@ -159,6 +168,10 @@ pub fn formal(
     wanted: &dyn Fn(&str) -> bool,
     progress: &dyn Fn(usize, usize),
 ) -> Result<Formal, FormalError> {
+    if !FORMAL_MACHINES.contains(&machine.name) {
+        let machine = machine.name;
+        return Err(FormalError::Machine { machine });
+    }
     let design = emit(machine, Level::Machine).map_err(hdl_error(machine))?;
     let tool_version = Tool::Yosys.version()?;
     let all = tasks(machine, &design);
@@ -288,4 +301,47 @@ fn module_text(design: &str, prefix: &str, module: &str) -> (String, std::ops::R
         begin..end.map_or(design.len(), |end| begin + end)
     });
     (name, place.unwrap_or(0..0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use photoncube_spec::find_machine;
+
+    /// Every fault of every table changes the text in one place, and no two properties have one name.
+    #[test]
+    fn every_fault_stands_in_its_module_once() {
+        for name in FORMAL_MACHINES {
+            let machine = find_machine(name).unwrap();
+            let design = emit(machine, Level::Machine).unwrap();
+            let properties = properties(machine);
+            for property in &properties {
+                assert!(!property.faults.is_empty() && !property.covers.is_empty());
+                for fault in &property.faults {
+                    let planted = plant(property, fault, &design.text, &design.top).unwrap();
+                    assert_ne!(planted, design.text);
+                }
+            }
+            let tasks = tasks(machine, &design);
+            let names: std::collections::BTreeSet<_> =
+                tasks.iter().map(|task| task.name(&design.top)).collect();
+            assert_eq!(names.len(), tasks.len());
+        }
+    }
+
+    #[test]
+    fn a_fault_that_is_not_there_is_an_error() {
+        let machine = find_machine("paper").unwrap();
+        let design = emit(machine, Level::Machine).unwrap();
+        let property = &properties(machine)[0];
+        for (module, find) in [
+            ("difference", "no such text"),
+            ("no_such_module", "a"),
+            ("difference", "a"),
+        ] {
+            let fault = Fault::new(module, find, "b");
+            let error = plant(property, &fault, &design.text, &design.top).unwrap_err();
+            assert!(error.to_string().contains("once"), "{error}");
+        }
+    }
 }

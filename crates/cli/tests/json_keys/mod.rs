@@ -61,6 +61,8 @@ fn every_json_key_is_documented() {
     if std::env::var_os("REQUIRE_EDA").is_some() {
         let coverage = ["verify", "--coverage", "--iterations", "200000"];
         keys(&json(&coverage), &mut found);
+        let formal = ["verify", "--formal", "--property", "units::"];
+        keys(&json(&formal), &mut found);
     }
     let documented = include_str!("../../../../docs/json.md");
     found.retain(|key| !documented.contains(&format!("`{key}`")));
