@@ -11,6 +11,7 @@ mod compare;
 mod coverage;
 mod device;
 mod exhaustive;
+mod formal;
 mod levels;
 mod mutants;
 mod programs;
@@ -34,6 +35,7 @@ pub use exhaustive::{
     LaneVerdict, Radii, UnitVerdict, exhaustive_lane, exhaustive_lane_device, exhaustive_unit,
     exhaustive_unit_device,
 };
+pub use formal::{FORMAL_MACHINES, Formal, FormalError, Proof, formal};
 pub use levels::{PartVerdict, verify_part, verify_part_device};
 pub use mutants::{Fate, Judged, MutantOptions, MutantReport, Mutation, mutants};
 pub use programs::{

@@ -19,25 +19,7 @@ const SYNTH_WITH_MEMORY: &str = "-run begin:fine; opt -fast -full; opt -undriven
 /// # Errors
 /// Yosys is missing or refuses the text.
 pub fn netlist(design: &Emitted) -> Result<Emitted, DeviceError> {
-    let folder = scratch_folder()?;
-    write_file(&folder.path().join("design.v"), &design.text)?;
-    let mut registers = design.pins.observed.iter();
-    let has_memory = registers.any(|pin| matches!(pin.place, SignalPlace::Memory { .. }));
-    let steps = if has_memory { SYNTH_WITH_MEMORY } else { "" };
-    let script = format!(
-        "read_verilog design.v; synth -flatten -top {} {steps}; check -assert; \
-         write_verilog -noattr netlist.v",
-        design.top
-    );
-    run(Command::new(Tool::Yosys.find()?)
-        .current_dir(folder.path())
-        .args(["-q", "-p", &script]))?;
-    let path = folder.path().join("netlist.v");
-    let text = std::fs::read_to_string(&path).map_err(|source| DeviceError::File {
-        action: "read",
-        path: path.display().to_string(),
-        source,
-    })?;
+    let text = netlist_text(design, true)?;
     let pins = &design.pins;
     Ok(Emitted {
         text,
@@ -47,5 +29,32 @@ pub fn netlist(design: &Emitted) -> Result<Emitted, DeviceError> {
             ..pins.clone()
         },
         ..design.clone()
+    })
+}
+
+/// The netlist's text: flat, or with the modules of the design, each synthesised for itself.
+///
+/// # Errors
+/// Yosys is missing or refuses the text.
+pub(crate) fn netlist_text(design: &Emitted, is_flat: bool) -> Result<String, DeviceError> {
+    let folder = scratch_folder()?;
+    write_file(&folder.path().join("design.v"), &design.text)?;
+    let mut registers = design.pins.observed.iter();
+    let has_memory = registers.any(|pin| matches!(pin.place, SignalPlace::Memory { .. }));
+    let steps = if has_memory { SYNTH_WITH_MEMORY } else { "" };
+    let flatten = if is_flat { "-flatten" } else { "" };
+    let script = format!(
+        "read_verilog design.v; synth {flatten} -top {} {steps}; check -assert; \
+         write_verilog -noattr netlist.v",
+        design.top
+    );
+    run(Command::new(Tool::Yosys.find()?)
+        .current_dir(folder.path())
+        .args(["-q", "-p", &script]))?;
+    let path = folder.path().join("netlist.v");
+    std::fs::read_to_string(&path).map_err(|source| DeviceError::File {
+        action: "read",
+        path: path.display().to_string(),
+        source,
     })
 }

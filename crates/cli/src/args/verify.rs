@@ -23,6 +23,7 @@ Examples:
   photoncube verify --campaign --hours 8       all machines, on all cores; again goes on with it
   photoncube verify --exhaustive        every pair of inputs of every unit, every difference with every radius
   photoncube verify --faults --machine overlap    waiting streams, resets, unknown words, power-up; needs Icarus
+  photoncube verify --formal --machine paper
   photoncube verify --table             what was verified so far, as docs/verification.md has it"
 )]
 pub struct VerifyArgs {
@@ -96,6 +97,13 @@ pub struct VerifyArgs {
     /// and in Icarus, whatever --against says, unknown words on idle pins and power-up without reset
     #[arg(long, group = "method")]
     pub faults: bool,
+    /// Prove properties of the emitted text for all inputs, by Yosys: units, control block, streams, sums, and each
+    /// module against its netlist; for `paper`, `overlap` and `stream`
+    #[arg(long, group = "method")]
+    pub formal: bool,
+    /// Only the properties whose names begin so
+    #[arg(long, requires = "formal", value_name = "NAME")]
+    pub property: Option<String>,
     /// Print the committed table of results, and verify nothing
     #[arg(long, group = "method")]
     pub table: bool,

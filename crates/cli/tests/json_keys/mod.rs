@@ -77,6 +77,8 @@ fn every_json_key_is_documented() {
             &json(&["verify", "--mutants", "3", "--seed", "2"]),
             &mut found,
         );
+        let formal = ["verify", "--formal", "--property", "units::"];
+        keys(&json(&formal), &mut found);
     }
     let documented = include_str!("../../../../docs/json.md");
     found.retain(|key| !documented.contains(&format!("`{key}`")));

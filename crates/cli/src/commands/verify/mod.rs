@@ -5,6 +5,7 @@ mod coverage;
 mod equivalence;
 mod exhaustive;
 mod faults;
+mod formal;
 mod fuzz;
 mod lint;
 mod mutants;
@@ -44,6 +45,9 @@ pub fn execute(args: &VerifyArgs, json: bool) -> Result<()> {
     }
     if args.faults {
         return faults::execute(args, json);
+    }
+    if args.formal {
+        return formal::execute(args, json);
     }
     if let Some(inputs) = args.fuzz {
         return fuzz::execute(args, inputs, json);

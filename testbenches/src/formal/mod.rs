@@ -1,0 +1,347 @@
+//! Formal proofs about the emitted Verilog, by Yosys: each unit is its formula, the control block runs the
+//! microprogram, streams lose and repeat nothing, sums do not overflow, and a netlist is its text.
+//!
+//! A property is a row of a table: a harness written by hand from the spec's words, with what it assumes. It passes
+//! if it is proven, if what it must not exclude is reachable, and if each planted fault is refuted, in the same run.
+
+mod exhaustive;
+mod modules;
+mod netlist;
+mod overlap;
+mod property;
+mod sequential;
+mod spatial;
+mod wires;
+mod yosys;
+
+use std::time::Instant;
+
+use photoncube_hdl::{Emitted, Level, emit};
+use photoncube_spec::{Machine, Organisation};
+use serde::Serialize;
+use thiserror::Error;
+
+use crate::device::{DeviceError, hdl_error};
+use crate::tools::{Tool, ToolError};
+use netlist::Netlist;
+use property::{Fault, Method, Property};
+use yosys::{Answer, ask};
+
+/// What became of a property.
+#[derive(Clone, Debug, Serialize)]
+pub struct Proof {
+    /// The property.
+    pub property: String,
+    /// The module that it is of, without the machine's prefix.
+    pub module: String,
+    /// What is claimed, and under which assumptions.
+    pub claim: String,
+    /// How it is proven.
+    pub method: &'static str,
+    /// Over how many clocks at most; 0 for logic without registers.
+    pub depth: u32,
+    /// It was proven.
+    pub proven: bool,
+    /// What its assumptions must not exclude was reached; `None` where nothing is assumed.
+    pub cover_reached: Option<bool>,
+    /// Every planted fault was refuted by a counter-example.
+    pub control_refuted: bool,
+    /// Wall time.
+    pub seconds: f64,
+    /// What the tool said last of what failed; `None` if nothing did.
+    pub not_proven_because: Option<String>,
+}
+
+impl Proof {
+    /// Whether all was as it must be.
+    pub fn holds(&self) -> bool {
+        self.proven && self.cover_reached != Some(false) && self.control_refuted
+    }
+}
+
+/// All proofs about a machine.
+#[derive(Clone, Debug, Serialize)]
+pub struct Formal {
+    /// The machine.
+    pub machine: &'static str,
+    /// The tool's version.
+    #[serde(skip)]
+    pub tool_version: String,
+    /// One row for each property.
+    pub proofs: Vec<Proof>,
+}
+
+impl Formal {
+    /// The rows of which something is not as it must be.
+    pub fn failed(&self) -> impl Iterator<Item = &Proof> {
+        self.proofs.iter().filter(|proof| !proof.holds())
+    }
+}
+
+/// No proof was tried, or a property does not fit the text.
+#[derive(Debug, Error)]
+pub enum FormalError {
+    /// The machine is not emitted, or Yosys does not run.
+    #[error(transparent)]
+    Device(#[from] DeviceError),
+    /// Yosys is missing.
+    #[error(transparent)]
+    Tool(#[from] ToolError),
+    /// A fault's text does not stand in its module once.
+    #[error(
+        "property `{property}`: the text of its fault, `{find}`, stands {times} times in module `{module}`, once \
+         expected; correct the row in testbenches/src/formal/"
+    )]
+    Fault {
+        /// The property.
+        property: &'static str,
+        /// The module.
+        module: String,
+        /// The text.
+        find: String,
+        /// How often it is there.
+        times: usize,
+    },
+    /// No properties are written for the machine.
+    #[error("no formal properties are written for machine `{machine}`; they are for {}", FORMAL_MACHINES.join(", "))]
+    Machine {
+        /// The machine.
+        machine: &'static str,
+    },
+    /// Nothing was asked for.
+    #[error("machine `{machine}` has no property of such a name; it has: {known}")]
+    Nothing {
+        /// The machine.
+        machine: &'static str,
+        /// What there is.
+        known: String,
+    },
+}
+
+/// The machines that properties are written for: one of each organisation.
+pub const FORMAL_MACHINES: [&str; 3] = ["paper", "overlap", "stream"];
+
+fn properties(machine: &Machine) -> Vec<Property> {
+    match machine.organisation {
+        Organisation::Sequential => sequential::properties(machine),
+        Organisation::Overlapped => overlap::properties(machine),
+        Organisation::Spatial(_) => spatial::properties(machine),
+    }
+}
+
+/// A row that is to be made.
+enum Task {
+    Property(Property),
+    Exhaustive,
+    /// A module against its netlist.
+    Netlist(String),
+}
+
+impl Task {
+    fn name(&self, prefix: &str) -> String {
+        match self {
+            Self::Property(property) => property.name.to_owned(),
+            Self::Exhaustive => exhaustive::NAME.to_owned(),
+            Self::Netlist(module) => format!("netlist::{}", netlist::name(module, prefix)),
+        }
+    }
+}
+
+/// All of a machine, in the order of the table.
+fn tasks(machine: &Machine, design: &Emitted) -> Vec<Task> {
+    let properties = properties(machine).into_iter().map(Task::Property);
+    let has_square = Level::of(machine)
+        .iter()
+        .any(|level| [Level::Square, Level::SquarePair].contains(level));
+    let exhaustive = has_square.then_some(Task::Exhaustive);
+    let modules = netlist::modules(design).into_iter().map(Task::Netlist);
+    properties.chain(exhaustive).chain(modules).collect()
+}
+
+/// Proves each property of a machine whose name is wanted. `progress` is told how many are done, of how many.
+///
+/// # Errors
+/// Nothing is wanted, Yosys is missing, or a property does not fit the emitted text. A property that is not proven
+/// is a row, and no error.
+pub fn formal(
+    machine: &Machine,
+    wanted: &dyn Fn(&str) -> bool,
+    progress: &dyn Fn(usize, usize),
+) -> Result<Formal, FormalError> {
+    if !FORMAL_MACHINES.contains(&machine.name) {
+        let machine = machine.name;
+        return Err(FormalError::Machine { machine });
+    }
+    let design = emit(machine, Level::Machine).map_err(hdl_error(machine))?;
+    let tool_version = Tool::Yosys.version()?;
+    let all = tasks(machine, &design);
+    let is_wanted = |task: &&Task| wanted(&task.name(&design.top));
+    let tasks: Vec<_> = all.iter().filter(is_wanted).collect();
+    if tasks.is_empty() {
+        let known = all.iter().map(|task| task.name(&design.top));
+        return Err(FormalError::Nothing {
+            machine: machine.name,
+            known: known.collect::<Vec<_>>().join(", "),
+        });
+    }
+    let needs_netlist = tasks.iter().any(|task| matches!(task, Task::Netlist(_)));
+    let netlist = needs_netlist.then(|| Netlist::of(&design)).transpose()?;
+    let mut proofs = Vec::new();
+    for (done, task) in tasks.iter().enumerate() {
+        progress(done, tasks.len());
+        let proof = match (task, &netlist) {
+            (Task::Property(property), _) => prove(property, &design.text, &design.top)?,
+            (Task::Exhaustive, _) => exhaustive::prove(machine)?,
+            (Task::Netlist(module), Some(netlist)) => netlist.prove(module)?,
+            (Task::Netlist(_), None) => unreachable!("it was made for these"),
+        };
+        proofs.push(proof);
+    }
+    Ok(Formal {
+        machine: machine.name,
+        tool_version,
+        proofs,
+    })
+}
+
+/// The proof, the covers and the faults of one property.
+fn prove(property: &Property, design: &str, prefix: &str) -> Result<Proof, FormalError> {
+    let started = Instant::now();
+    let mut questions = vec![property.proof()];
+    questions.extend(property.covers.iter().map(|cover| property.search(cover)));
+    let commands = property.commands(prefix);
+    let harness = property.text();
+    let put = |design: &str, questions: &[_]| {
+        let files = [("design.v", design), ("harness.sv", &harness)];
+        ask(&files, &commands, questions)
+    };
+    let answers = put(design, &questions)?;
+    let mut found: Vec<_> = answers[..1]
+        .iter()
+        .filter_map(|answer| wrong("the proof", answer, &Answer::Holds))
+        .collect();
+    let proven = found.is_empty();
+    let mut cover_reached = !property.covers.is_empty();
+    for (cover, answer) in property.covers.iter().zip(&answers[1..]) {
+        let missed = wrong(cover.output, answer, &Answer::Found);
+        cover_reached &= missed.is_none();
+        found.extend(missed);
+    }
+    let mut control_refuted = !property.faults.is_empty();
+    for fault in &property.faults {
+        let planted = plant(property, fault, design, prefix)?;
+        let answers = put(&planted, &[property.refutation()])?;
+        let missed = wrong(&fault.put, &answers[0], &Answer::Refuted);
+        control_refuted &= missed.is_none();
+        found.extend(missed);
+    }
+    let (method, depth) = match property.method {
+        Method::Sat => ("sat", 0),
+        Method::Induction(depth) => ("induction", depth),
+    };
+    Ok(Proof {
+        property: property.name.to_owned(),
+        module: name_of(property.module),
+        claim: property.claim.to_owned(),
+        method,
+        depth,
+        proven,
+        cover_reached: Some(cover_reached),
+        control_refuted,
+        seconds: started.elapsed().as_secs_f64(),
+        not_proven_because: (!found.is_empty()).then(|| found.join("\n")),
+    })
+}
+
+/// What is said where an answer is not the one that was expected.
+fn wrong(what: &str, answer: &Answer, expected: &Answer) -> Option<String> {
+    (answer != expected).then(|| match answer {
+        Answer::None(said) => {
+            format!("{what}: {expected:?} expected, no answer; last was said:\n{said}")
+        }
+        answer => format!("{what}: {expected:?} expected, {answer:?} found"),
+    })
+}
+
+fn name_of(module: &str) -> String {
+    let name = if module.is_empty() { "top" } else { module };
+    name.to_owned()
+}
+
+/// The design with a fault.
+fn plant(
+    property: &Property,
+    fault: &Fault,
+    design: &str,
+    prefix: &str,
+) -> Result<String, FormalError> {
+    let (module, place) = module_text(design, prefix, fault.module);
+    let times = design[place.clone()].matches(&fault.find).count();
+    if times != 1 {
+        return Err(FormalError::Fault {
+            property: property.name,
+            module,
+            find: fault.find.clone(),
+            times,
+        });
+    }
+    let changed = design[place.clone()].replace(&fault.find, &fault.put);
+    Ok(design[..place.start].to_owned() + &changed + &design[place.end..])
+}
+
+/// A module's full name and where its text stands; nothing where there is none.
+fn module_text(design: &str, prefix: &str, module: &str) -> (String, std::ops::Range<usize>) {
+    let name = match module {
+        "" => prefix.to_owned(),
+        module => format!("{prefix}_{module}"),
+    };
+    let begin = design.find(&format!("\nmodule {name}("));
+    let place = begin.map(|begin| {
+        let end = design[begin..].find("\nendmodule");
+        begin..end.map_or(design.len(), |end| begin + end)
+    });
+    (name, place.unwrap_or(0..0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use photoncube_spec::find_machine;
+
+    /// Every fault of every table changes the text in one place, and no two properties have one name.
+    #[test]
+    fn every_fault_stands_in_its_module_once() {
+        for name in FORMAL_MACHINES {
+            let machine = find_machine(name).unwrap();
+            let design = emit(machine, Level::Machine).unwrap();
+            let properties = properties(machine);
+            for property in &properties {
+                assert!(!property.faults.is_empty() && !property.covers.is_empty());
+                for fault in &property.faults {
+                    let planted = plant(property, fault, &design.text, &design.top).unwrap();
+                    assert_ne!(planted, design.text);
+                }
+            }
+            let tasks = tasks(machine, &design);
+            let names: std::collections::BTreeSet<_> =
+                tasks.iter().map(|task| task.name(&design.top)).collect();
+            assert_eq!(names.len(), tasks.len());
+        }
+    }
+
+    #[test]
+    fn a_fault_that_is_not_there_is_an_error() {
+        let machine = find_machine("paper").unwrap();
+        let design = emit(machine, Level::Machine).unwrap();
+        let property = &properties(machine)[0];
+        for (module, find) in [
+            ("difference", "no such text"),
+            ("no_such_module", "a"),
+            ("difference", "a"),
+        ] {
+            let fault = Fault::new(module, find, "b");
+            let error = plant(property, &fault, &design.text, &design.top).unwrap_err();
+            assert!(error.to_string().contains("once"), "{error}");
+        }
+    }
+}

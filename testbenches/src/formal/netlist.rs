@@ -1,0 +1,203 @@
+//! Each module of a machine against its own synthesised netlist, with its parts taken out.
+//!
+//! A part's outputs are free inputs of both, and what each gives a part, and each register, must be equal: in the
+//! state at power-up, and after any clock in which all was equal before it. Modules that are equal for any parts, and
+//! that have the same instances of the same modules, make equal machines.
+
+use std::time::Instant;
+
+use photoncube_hdl::Emitted;
+
+use super::modules::Modules;
+use super::yosys::{Answer, Question, ask};
+use super::{Proof, wrong};
+use crate::device::{DeviceError, netlist_text};
+
+/// So many mutants are tried before one must have been refuted: some mutants are equal to the module.
+const MUTANTS: usize = 6;
+
+/// Makes `gold` of the emitted text and `gate` of the netlist.
+const READ: &str = "proc -norom\nmemory -nomap\nmemory_map\nopt_clean\n";
+
+/// Both, with the registers that both name as outputs.
+const MITER: &str = "expose -shared -dff gold gate\nopt_clean\nmiter -equiv -flatten -make_outputs gold gate miter\n\
+                     opt_clean\n";
+
+/// The emitted text and the netlist of all modules.
+pub(super) struct Netlist<'a> {
+    prefix: &'a str,
+    emitted: Modules<'a>,
+    text: String,
+}
+
+impl<'a> Netlist<'a> {
+    /// Synthesises a design, each of its modules for itself.
+    ///
+    /// # Errors
+    /// Yosys is missing or refuses the text.
+    pub fn of(design: &'a Emitted) -> Result<Self, DeviceError> {
+        Ok(Self {
+            prefix: &design.top,
+            emitted: Modules::of(&design.text),
+            text: netlist_text(design, false)?,
+        })
+    }
+
+    /// Proves a module equal to its netlist.
+    ///
+    /// # Errors
+    /// Yosys is missing or does not start.
+    pub fn prove(&self, module: &str) -> Result<Proof, DeviceError> {
+        let started = Instant::now();
+        let netlist = Modules::of(&self.text);
+        let texts = (self.emitted.with_parts(module), netlist.with_parts(module));
+        let mut found = Vec::new();
+        let (ours, theirs) = (self.emitted.instances(module), netlist.instances(module));
+        if ours != theirs {
+            found.push(format!(
+                "instances: {ours:?} in the text, {theirs:?} in the netlist"
+            ));
+        }
+        let answer = prove_equal(module, &texts)?;
+        found.extend(wrong("the proof", &answer, &Answer::Holds));
+        let proven = found.is_empty();
+        let control_refuted = refuted(module, &texts)?;
+        if !control_refuted {
+            found.push("no change of the netlist was refuted".to_owned());
+        }
+        Ok(Proof {
+            property: format!("netlist::{}", name(module, self.prefix)),
+            module: name(module, self.prefix),
+            claim: "the module is its synthesised netlist, for any parts".to_owned(),
+            method: "equivalence",
+            depth: 1,
+            proven,
+            cover_reached: None,
+            control_refuted,
+            seconds: started.elapsed().as_secs_f64(),
+            not_proven_because: (!found.is_empty()).then(|| found.join("\n")),
+        })
+    }
+}
+
+/// The names of all modules of a design, the top last.
+pub(super) fn modules(design: &Emitted) -> Vec<String> {
+    let emitted = Modules::of(&design.text);
+    let mut names: Vec<_> = emitted.names().map(str::to_owned).collect();
+    names.sort_by_key(|name| *name == design.top);
+    names
+}
+
+/// A module without the machine's prefix.
+pub(super) fn name(module: &str, prefix: &str) -> String {
+    let rest = module.strip_prefix(prefix).unwrap_or(module);
+    super::name_of(rest.trim_start_matches('_'))
+}
+
+/// One of the two, alone.
+fn side(name: &str, file: &str, module: &str) -> String {
+    format!(
+        "read_verilog {file}\nhierarchy -top {module}\n{READ}rename {module} {name}\nexpose -evert {name}/c:*\n"
+    )
+}
+
+/// Both of them in `miter`.
+fn miter(module: &str) -> String {
+    side("gold", "design.v", module)
+        + "design -copy-to joint gold\ndesign -reset\n"
+        + &side("gate", "netlist.v", module)
+        + "design -copy-to joint gate\ndesign -load joint\n"
+        + MITER
+}
+
+/// Equal at power-up, and after a clock if before it.
+fn prove_equal(module: &str, texts: &(String, String)) -> Result<Answer, DeviceError> {
+    let question = Question {
+        before: "",
+        options: "-tempinduct -prove trigger 0 -maxsteps 1 miter".to_owned(),
+    };
+    let mut answers = asked(module, texts, &[question])?;
+    Ok(answers.remove(0))
+}
+
+/// Whether a change of the netlist is refuted: something is different at power-up, or one clock after any state in
+/// which all is equal.
+fn refuted(module: &str, texts: &(String, String)) -> Result<bool, DeviceError> {
+    let at_first = Question {
+        before: "",
+        options: "-tempinduct -tempinduct-baseonly -prove trigger 0 -maxsteps 1 miter".to_owned(),
+    };
+    let after = Question {
+        before: "setattr -unset init w:*\n",
+        options: "-seq 2 -set-at 1 trigger 0 -prove trigger 0 -prove-skip 1 miter".to_owned(),
+    };
+    let questions = [at_first, after];
+    for mutant in mutants(&texts.1, module) {
+        let changed = (texts.0.clone(), mutant);
+        if asked(module, &changed, &questions)?.contains(&Answer::Refuted) {
+            return Ok(true);
+        }
+    }
+    Ok(false)
+}
+
+/// The netlist with one of its assignments, or what one of its parts is given, inverted.
+fn mutants(netlist: &str, module: &str) -> Vec<String> {
+    let lines: Vec<_> = netlist.lines().collect();
+    let begin = format!("module {module}(");
+    let inside = lines.iter().position(|line| line.starts_with(&begin));
+    let inside = inside.map_or(0..0, |begin| {
+        let end = lines[begin..].iter().position(|line| *line == "endmodule");
+        begin..end.map_or(lines.len(), |end| begin + end)
+    });
+    let inverted = |line: &str| {
+        let (target, value) = line.strip_prefix("  assign ")?.split_once(" = ")?;
+        let value = value.strip_suffix(';')?;
+        Some(format!("  assign {target} = ~({value});"))
+    };
+    let clocked = |line: &str| {
+        let (target, value) = line.split_once(" <= ")?;
+        Some(format!("{target} <= ~({});", value.strip_suffix(';')?))
+    };
+    let connected = |line: &str| {
+        let (port, value) = line.trim().strip_prefix('.')?.split_once('(')?;
+        let end = value.rfind(')')?;
+        Some(format!(".{port}(~{}){}", &value[..end], &value[end + 1..]))
+    };
+    let changed = |index: usize| {
+        let line = lines[index];
+        Some((
+            index,
+            inverted(line)
+                .or_else(|| clocked(line))
+                .or_else(|| connected(line))?,
+        ))
+    };
+    let mut all: Vec<_> = inside.filter_map(changed).collect();
+    // Wires between parts last: where there is logic, it is logic that is changed. Some from all over the module.
+    all.sort_by_key(|(_, line)| line.starts_with('.'));
+    let logic = all
+        .iter()
+        .filter(|(_, line)| !line.starts_with('.'))
+        .count();
+    let (logic, wires) = all.split_at(logic);
+    let mutant = |(index, line): &(usize, String)| {
+        let mut lines = lines.clone();
+        lines[*index] = line;
+        lines.join("\n") + "\n"
+    };
+    let spread = |all: &[(usize, String)]| -> Vec<_> {
+        let step = all.len().div_ceil(MUTANTS).max(1);
+        all.iter().step_by(step).map(mutant).collect()
+    };
+    [spread(logic), spread(wires)].concat()
+}
+
+fn asked(
+    module: &str,
+    texts: &(String, String),
+    questions: &[Question],
+) -> Result<Vec<Answer>, DeviceError> {
+    let files = [("design.v", texts.0.as_str()), ("netlist.v", &texts.1)];
+    ask(&files, &miter(module), questions)
+}

@@ -1,0 +1,199 @@
+//! A property as data: what is claimed of a module, how it is proven, and what shows that the proof looks.
+
+use super::yosys::Question;
+
+/// How a property is proven.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub(super) enum Method {
+    /// For all inputs of a module without registers, by SAT.
+    Sat,
+    /// For all states that can be reached, by induction over so many clocks at most.
+    Induction(u32),
+}
+
+/// A change of the emitted text, which must make the property fail.
+#[derive(Clone, Debug)]
+pub(super) struct Fault {
+    /// The module, without the machine's prefix.
+    pub module: &'static str,
+    /// The text to replace, which stands in that module once.
+    pub find: String,
+    /// What takes its place.
+    pub put: String,
+}
+
+impl Fault {
+    pub fn new(module: &'static str, find: impl Into<String>, put: impl Into<String>) -> Self {
+        Self {
+            module,
+            find: find.into(),
+            put: put.into(),
+        }
+    }
+}
+
+/// What must be reachable under the assumptions: an output of the harness is 1 in that clock, counted from 1.
+#[derive(Copy, Clone, Debug)]
+pub(super) struct Cover {
+    /// The harness's output.
+    pub output: &'static str,
+    /// The clock; 1 where there are no registers.
+    pub clock: u32,
+}
+
+/// How the module is opened for the harness.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub(super) enum Open {
+    /// Its ports alone.
+    Ports,
+    /// These signals too are outputs.
+    Signals(&'static [&'static str]),
+    /// These signals too, and the words of a memory, each by its number.
+    Memory(&'static [&'static str], &'static str, usize),
+    /// Its parts are taken out: their outputs are inputs, their inputs outputs, named `part.port`.
+    Parts,
+}
+
+/// A property.
+#[derive(Clone, Debug)]
+pub(super) struct Property {
+    /// Its name, after that of its group.
+    pub name: &'static str,
+    /// The module that it is of, without the machine's prefix; empty for the top.
+    pub module: &'static str,
+    /// What is claimed, and under which assumptions.
+    pub claim: &'static str,
+    /// The module `harness`, which has the assertions and an instance of the module, renamed to `dut`.
+    pub harness: &'static str,
+    /// Macros of the harness.
+    pub macros: Vec<(&'static str, String)>,
+    /// How the module is opened.
+    pub open: Open,
+    /// How it is proven.
+    pub method: Method,
+    /// Each must be refuted, in this number of clocks.
+    pub faults: Vec<Fault>,
+    /// Clocks in which a fault must show.
+    pub fault_clocks: u32,
+    /// Each must be reached.
+    pub covers: Vec<Cover>,
+}
+
+impl Property {
+    /// The harness with its macros.
+    pub fn text(&self) -> String {
+        let define = |(name, value): &(&str, String)| format!("`define {name} {value}\n");
+        let defines: String = self.macros.iter().map(define).collect();
+        defines + self.harness
+    }
+
+    /// The commands that make the module `harness` of the files `design.v` and `harness.sv`.
+    pub fn commands(&self, prefix: &str) -> String {
+        let module = match self.module {
+            "" => prefix.to_owned(),
+            module => format!("{prefix}_{module}"),
+        };
+        let expose = |names: Vec<String>| {
+            let selected = names.join(" ");
+            format!(
+                "select -assert-count {} {selected}\nexpose {selected}\n",
+                names.len()
+            )
+        };
+        let signals = |names: &[&str]| -> Vec<_> {
+            names.iter().map(|name| format!("dut/w:{name}")).collect()
+        };
+        let open = match self.open {
+            Open::Ports => String::new(),
+            Open::Signals(names) => expose(signals(names)),
+            Open::Memory(names, memory, words) => {
+                let mut names = signals(names);
+                names.extend((0..words).map(|word| format!("dut/w:{memory}?{word}?")));
+                "memory -nomap\nmemory_map\n".to_owned() + &expose(names)
+            }
+            Open::Parts => "expose -evert dut/c:*\n".to_owned(),
+        };
+        format!(
+            "read_verilog design.v\nhierarchy -top {module}\nproc -norom\nrename {module} dut\n{open}\
+             read_verilog -formal -sv harness.sv\nhierarchy -check -top harness\nproc -norom\nflatten\n\
+             memory -nomap\nmemory_map\nopt_clean\ncheck -assert\n"
+        )
+    }
+
+    /// The proof.
+    pub fn proof(&self) -> Question {
+        let options = match self.method {
+            Method::Sat => "-prove-asserts -set-assumes".to_owned(),
+            Method::Induction(depth) => {
+                format!("-tempinduct -prove-asserts -set-assumes -maxsteps {depth}")
+            }
+        };
+        question(options)
+    }
+
+    /// The search for a counter-example after a fault.
+    pub fn refutation(&self) -> Question {
+        match self.method {
+            Method::Sat => self.proof(),
+            Method::Induction(_) => question(bounded(self.fault_clocks)),
+        }
+    }
+
+    /// The search for a state that must be reachable.
+    pub fn search(&self, cover: &Cover) -> Question {
+        let output = cover.output;
+        question(match self.method {
+            Method::Sat => format!("-set-assumes -set {output} 1"),
+            Method::Induction(_) => {
+                let clock = cover.clock;
+                format!("-set-assumes -seq {clock} -set-at {clock} {output} 1")
+            }
+        })
+    }
+}
+
+fn bounded(clocks: u32) -> String {
+    format!("-tempinduct -tempinduct-baseonly -prove-asserts -set-assumes -maxsteps {clocks}")
+}
+
+fn question(options: String) -> Question {
+    Question {
+        before: "",
+        options: options + " harness",
+    }
+}
+
+/// A property of logic without registers.
+pub(super) fn of_logic(
+    name: &'static str,
+    module: &'static str,
+    claim: &'static str,
+    harness: &'static str,
+    widths: &[(&'static str, u32)],
+) -> Property {
+    let width = |(name, value): &(&'static str, u32)| (*name, value.to_string());
+    Property {
+        name,
+        module,
+        claim,
+        harness,
+        macros: widths.iter().map(width).collect(),
+        open: Open::Ports,
+        method: Method::Sat,
+        faults: Vec::new(),
+        fault_clocks: 1,
+        covers: Vec::new(),
+    }
+}
+
+/// Outputs that must be 1 for some input.
+pub(super) fn covers<const N: usize>(outputs: [&'static str; N]) -> Vec<Cover> {
+    at(outputs.map(|output| (output, 1)))
+}
+
+/// Outputs that must be 1 in some run, each in a clock.
+pub(super) fn at<const N: usize>(outputs: [(&'static str, u32); N]) -> Vec<Cover> {
+    outputs
+        .map(|(output, clock)| Cover { output, clock })
+        .to_vec()
+}

@@ -1,0 +1,345 @@
+//! The properties of the machine that does one op a clock.
+
+use photoncube_spec::{Field, Machine, Microprogram, Widths, control_word_bits};
+
+use super::property::{Fault, Method, Open, Property, at, covers, of_logic};
+use super::wires::Wires;
+
+/// All, the cheapest first.
+pub(super) fn properties(machine: &Machine) -> Vec<Property> {
+    let widths = Widths::of(machine);
+    let program = machine
+        .microprogram()
+        .expect("a sequential machine has a program");
+    vec![
+        difference(&widths),
+        squarer(&widths),
+        add(&widths),
+        gate(&widths),
+        cell(machine, &widths),
+        control(machine, &program),
+        streams(machine, &program),
+        network(machine, &widths),
+        links(machine, &widths),
+        sum(machine, &widths),
+    ]
+}
+
+/// `|A-B|`, the first half of `(A-B)^2`; of every machine in plain numbers.
+pub(super) fn difference(widths: &Widths) -> Property {
+    Property {
+        faults: vec![Fault::new("difference", "a < b", "a <= b + 1'b1")],
+        covers: covers(["cover_below", "cover_above"]),
+        ..of_logic(
+            "units::difference",
+            "difference",
+            "magnitude = |a - b|, without wrapping",
+            include_str!("harness/difference.sv"),
+            &[("COORDINATE", widths.coordinate)],
+        )
+    }
+}
+
+/// The second half: a square.
+fn squarer(widths: &Widths) -> Property {
+    Property {
+        faults: vec![Fault::new("squarer", "8'd121", "8'd120")],
+        covers: covers(["cover_largest"]),
+        ..of_logic(
+            "units::squarer",
+            "squarer",
+            "square = root * root, for every root",
+            include_str!("harness/squarer.sv"),
+            &[("DIFFERENCE", widths.difference)],
+        )
+    }
+}
+
+fn add(widths: &Widths) -> Property {
+    Property {
+        faults: vec![Fault::new("add_unit", "a + b", "a | b")],
+        covers: covers(["cover_wraps"]),
+        ..of_logic(
+            "units::add",
+            "add_unit",
+            "sum = a + b, modulo its width",
+            include_str!("harness/add.sv"),
+            &[("SUM", widths.sum)],
+        )
+    }
+}
+
+fn gate(widths: &Widths) -> Property {
+    Property {
+        faults: vec![Fault::new("gate_unit", "a > wide_b", "a >= wide_b")],
+        covers: covers(["cover_edge", "cover_out"]),
+        ..of_logic(
+            "units::gate",
+            "gate_unit",
+            "gated = a > b ? 0 : power",
+            include_str!("harness/gate.sv"),
+            &[
+                ("WORK", widths.work),
+                ("RADIUS_SQ", widths.radius_sq),
+                ("POWER", widths.power),
+            ],
+        )
+    }
+}
+
+/// Widths of a cell's words, as macros.
+fn cell_macros(machine: &Machine, widths: &Widths) -> Vec<(&'static str, String)> {
+    let full_scale = machine.full_scale();
+    vec![
+        ("COORDINATE", widths.coordinate.to_string()),
+        ("DIFFERENCE", widths.difference.to_string()),
+        ("RADIUS_SQ", widths.radius_sq.to_string()),
+        ("POWER", widths.power.to_string()),
+        ("WORK", widths.work.to_string()),
+        ("SUM", widths.sum.to_string()),
+        ("FULL_SCALE", format!("{}'d{full_scale}", widths.work)),
+    ]
+}
+
+fn cell(machine: &Machine, widths: &Widths) -> Property {
+    Property {
+        macros: cell_macros(machine, widths),
+        open: Open::Signals(&[
+            "work_q",
+            "work_d",
+            "sum_q",
+            "sum_d",
+            "query_q",
+            "query_d",
+            "photon_q",
+            "photon_d",
+            "radius_sq_q",
+            "radius_sq_d",
+            "power_q",
+            "power_d",
+            "square_unit_a",
+            "square_unit_b",
+            "square_unit_square",
+        ]),
+        method: Method::Induction(1),
+        faults: vec![
+            Fault::new(
+                "cell",
+                "gate_unit_b = radius_sq_q",
+                "gate_unit_b = radius_sq_q + 18'd1",
+            ),
+            Fault::new("cell", "32'hfffc0000", "32'hfff80000"),
+            Fault::new("cell", "if (~present_in)", "if (1'b0)"),
+        ],
+        fault_clocks: 9,
+        covers: at([("cover_gate", 5), ("cover_sum", 3)]),
+        ..of_logic(
+            "cell::ops",
+            "cell",
+            "each op is its formula, and what it does not write stays; assumed: an op writes by one field, adds on \
+             a link where it does not add to the sum, and hears nothing where it does",
+            include_str!("harness/cell_sequential.sv"),
+            &[],
+        )
+    }
+}
+
+/// The program and its fields, as macros.
+fn program_macros(machine: &Machine, program: &Microprogram) -> Vec<(&'static str, String)> {
+    let words = program.control_words();
+    let bits = control_word_bits(machine.dimension);
+    let last = words.len() - 1;
+    let step = |(address, word): (usize, &u32)| format!("{address}: word = {bits}'h{word:x};");
+    let steps: Vec<_> = words.iter().enumerate().map(step).collect();
+    let takes = |word: &u32| Field::TakesGroup.of(*word, machine.dimension) == 1;
+    let taking = words.iter().position(takes).expect("a group is taken");
+    let mut macros = vec![
+        ("DIMENSION", machine.dimension.to_string()),
+        ("ADDRESS", (last.ilog2() + 1).to_string()),
+        ("WORD", bits.to_string()),
+        ("STEPS", steps.join(" ")),
+        ("LAST_STEP", last.to_string()),
+        ("FIRST_OF_ITERATION", program.query_clocks().to_string()),
+        ("TAKING_STEP", taking.to_string()),
+    ];
+    let fields = [
+        ("WRITE_QUERY", Field::WriteQuery),
+        ("WRITE_PHOTON", Field::WritePhoton),
+        ("WRITE_POWER", Field::WritePower),
+        ("WRITE_WORK", Field::WriteWork),
+        ("WRITE_SUM", Field::WriteSum),
+        ("WORK_SOURCE", Field::WorkSource),
+        ("ADD_SUM", Field::AddSum),
+        ("TAKES_QUERY", Field::TakesQuery),
+        ("READS_GROUP", Field::ReadsGroup),
+        ("TAKES_GROUP", Field::TakesGroup),
+        ("AXIS", Field::Axis),
+    ];
+    macros.extend(fields.map(|(name, field)| (name, field.lsb().to_string())));
+    macros
+}
+
+fn control(machine: &Machine, program: &Microprogram) -> Property {
+    let steps = program.initiation_interval();
+    Property {
+        macros: program_macros(machine, program),
+        open: Open::Signals(&["address_q", "last_q", "done_q"]),
+        method: Method::Induction(1),
+        faults: vec![
+            Fault::new(
+                "control",
+                "iteration_address = 4'h1",
+                "iteration_address = 4'h2",
+            ),
+            Fault::new("control", "runs = group_valid", "runs = 1'b1"),
+            Fault::new("store", "15'b10000000101000", "15'b11000000101000"),
+        ],
+        fault_clocks: 2 * steps + 4,
+        covers: at([
+            ("cover_result", 2 * steps + 2),
+            ("cover_waits", steps + 2),
+            ("cover_again", steps + 4),
+        ]),
+        ..of_logic(
+            "control::microprogram",
+            "control",
+            "the steps of the spec's listing in their order, each with its fields, waiting only where a stream is \
+             awaited; one axis at most",
+            include_str!("harness/control_sequential.sv"),
+            &[],
+        )
+    }
+}
+
+fn streams(machine: &Machine, program: &Microprogram) -> Property {
+    let steps = program.initiation_interval();
+    Property {
+        macros: program_macros(machine, program),
+        open: Open::Signals(&["address_q", "last_q", "done_q"]),
+        method: Method::Induction(2),
+        faults: vec![
+            Fault::new("control", "taken = done_q & result_ready", "taken = done_q"),
+            Fault::new("control", "group_ready = 1'b0", "group_ready = query_valid"),
+            Fault::new(
+                "control",
+                "address_d = 32'h0;\n                    done_d",
+                "address_d = 32'h1;\n                    done_d",
+            ),
+        ],
+        fault_clocks: 2 * steps + 6,
+        covers: at([
+            ("cover_second", 2 * steps + 4),
+            ("cover_stalled", steps + 3),
+        ]),
+        ..of_logic(
+            "streams::control",
+            "control",
+            "one query at most is in the machine, its groups are taken once an iteration, its result comes once, \
+             after the last, and while it waits nothing is written",
+            include_str!("harness/streams_sequential.sv"),
+            &[],
+        )
+    }
+}
+
+fn network(machine: &Machine, widths: &Widths) -> Property {
+    let nodes = machine.hypercube().nodes();
+    let work = widths.work;
+    let port = |node| {
+        format!(
+            ", .work_{node}(work[{node}*{work}+:{work}]), .link_{node}(link[{node}*{work}+:{work}])"
+        )
+    };
+    Property {
+        macros: vec![
+            ("DIMENSION", machine.dimension.to_string()),
+            ("NODES", nodes.to_string()),
+            ("WORK", work.to_string()),
+            ("PORTS", (0..nodes).map(port).collect()),
+        ],
+        faults: vec![
+            Fault::new(
+                "network",
+                "link_14 = link_14 | work_10",
+                "link_14 = link_14 | work_11",
+            ),
+            Fault::new("network", "link_3 = 18'b0;", "link_3 = work_3;"),
+        ],
+        covers: covers(["cover_none", "cover_last"]),
+        ..of_logic(
+            "network::one_driver",
+            "network",
+            "each link has the word of the neighbour on the selected axis, or 0; assumed: one axis at most, as \
+             control::microprogram shows",
+            include_str!("harness/network.sv"),
+            &[],
+        )
+    }
+}
+
+/// The wires between network, control and cells.
+fn links(machine: &Machine, widths: &Widths) -> Property {
+    let mut wires = Wires::default();
+    wires.equal("network.axis", &[("control.axis", machine.dimension)]);
+    for node in 0..machine.hypercube().nodes() {
+        let received = format!("cell_{node}.link_in");
+        wires.equal(&received, &[(&format!("network.link_{node}"), widths.work)]);
+        let sent = format!("network.work_{node}");
+        wires.equal(&sent, &[(&format!("cell_{node}.work_out"), widths.work)]);
+        for field in [
+            "write_query",
+            "write_photon",
+            "write_power",
+            "write_work",
+            "write_sum",
+            "add_sum",
+        ] {
+            wires.equal(
+                &format!("cell_{node}.{field}"),
+                &[(&format!("control.{field}"), 1)],
+            );
+        }
+        wires.equal(
+            &format!("cell_{node}.work_source"),
+            &[("control.work_source", 2)],
+        );
+    }
+    wires.property(
+        "links::top",
+        "each cell's link and control fields come from one output of network and control, and from no other",
+        vec![
+            Fault::new("", "cell_5_link_in = network_link_5", "cell_5_link_in = network_link_4"),
+            Fault::new("", "cell_3_write_sum = control_write_sum", "cell_3_write_sum = control_write_work"),
+        ],
+    )
+}
+
+fn sum(machine: &Machine, widths: &Widths) -> Property {
+    let full_scale = machine.full_scale();
+    let count = |photons: u128| format!("photons_full_scale == {}", photons * full_scale);
+    let photons = machine.photons_per_iteration() as u128;
+    let counts: Vec<_> = (0..=photons).map(count).collect();
+    let largest = u128::from(machine.max_photons()) * full_scale;
+    let mut macros = cell_macros(machine, widths);
+    macros.extend([
+        ("ONE_OF_THE_COUNTS", counts.join(" || ")),
+        ("LARGEST", format!("{}'d{largest}", widths.sum + 1)),
+        ("COVERED", (2 * photons * full_scale).to_string()),
+    ]);
+    Property {
+        macros,
+        open: Open::Signals(&["work_q", "sum_q", "sum_d"]),
+        method: Method::Induction(1),
+        faults: vec![Fault::new("cell", "32'hfffc0000", "32'hfff80000")],
+        fault_clocks: 7,
+        covers: at([("cover_full", 4)]),
+        ..of_logic(
+            "sums::cell",
+            "cell",
+            "the sum is exact for the declared photons of a query at full scale; assumed: no more are given, and the \
+             work register holds no more than the photons of its iteration",
+            include_str!("harness/sum_sequential.sv"),
+            &[],
+        )
+    }
+}

@@ -1,0 +1,419 @@
+//! The properties of the spatial machine of one engine.
+
+use photoncube_spec::{HeadSizes, Machine, SpatialWidths};
+
+use super::property::{Fault, Method, Open, Property, at, covers, of_logic};
+
+/// All, the cheapest first.
+pub(super) fn properties(machine: &Machine) -> Vec<Property> {
+    let format = machine
+        .format()
+        .expect("a spatial machine has a photon format");
+    let spatial = machine.spatial().expect("it is spatial");
+    let widths = SpatialWidths::of(format);
+    let sizes = HeadSizes::of(spatial);
+    let full_scale = machine.full_scale();
+    let mut properties: Vec<_> = UNITS.iter().map(|unit| unit.property(&widths)).collect();
+    properties.extend([
+        sum(
+            "sums::power",
+            "accumulate",
+            machine,
+            [widths.group_power, widths.sum],
+            full_scale,
+        ),
+        sum(
+            "sums::count",
+            "accumulate_2",
+            machine,
+            [SpatialWidths::GROUP_COUNT, widths.count],
+            1,
+        ),
+        queue(&widths, &sizes),
+        admission(&sizes),
+    ]);
+    properties
+}
+
+/// A unit without registers: its ports, of which the outputs come last and are `result` and `second`, and its formula.
+struct Unit {
+    name: &'static str,
+    module: &'static str,
+    claim: &'static str,
+    inputs: &'static [(&'static str, Width)],
+    output: (&'static str, Width),
+    second: Option<&'static str>,
+    claims: &'static str,
+    covers: [&'static str; 2],
+    fault: (&'static str, &'static str),
+}
+
+type Width = fn(&SpatialWidths) -> u32;
+
+const BIT: Width = |_| 1;
+
+/// With `result` the output, in Verilog; wider words are written so that nothing wraps.
+const UNITS: &[Unit] = &[
+    Unit {
+        name: "units::subtract",
+        module: "subtract",
+        claim: "difference = a - b in two's complement",
+        inputs: &[("a", |w| w.coordinate), ("b", |w| w.coordinate)],
+        output: ("difference", |w| w.difference),
+        second: None,
+        claims: "assert (result[`OUT-1] == (a < b)); assert (result[`OUT-2:0] + b == {1'b0, a} + {result[`OUT-1], {`OUT-1{1'b0}}});",
+        covers: ["a < b", "a > b"],
+        fault: ("wide_a - wide_b", "wide_a + wide_b"),
+    },
+    Unit {
+        name: "units::magnitude",
+        module: "magnitude_of",
+        claim: "magnitude = |difference|; assumed: not below the smallest difference of two coordinates",
+        inputs: &[("difference", |w| w.difference)],
+        output: ("magnitude", |w| w.coordinate),
+        second: None,
+        claims: "assume (difference != {1'b1, {`OUT{1'b0}}}); \
+                 assert (difference[`OUT] ? {1'b0, result} + difference == {1'b1, {`OUT+1{1'b0}}} : {1'b0, result} == difference);",
+        covers: ["difference[`OUT]", "~difference[`OUT] & result != 0"],
+        fault: ("{9'd0, negative}", "10'd0"),
+    },
+    Unit {
+        name: "units::split",
+        module: "split_magnitude",
+        claim: "counted = magnitude modulo 2^radius; far = the rest is not 0",
+        inputs: &[("magnitude", |w| w.coordinate)],
+        output: ("counted", |w| w.radius),
+        second: Some("far"),
+        claims: "assert (second == (magnitude >= (1 << `OUT))); assert (second || result == magnitude);",
+        covers: ["second", "~second & result != 0"],
+        fault: ("magnitude[9:8]", "magnitude[9:9]"),
+    },
+    Unit {
+        name: "units::digit_products",
+        module: "digit_products",
+        claim: "low_product + 4 high_product = the product of the two digits",
+        inputs: &[("magnitude", |w| w.radius)],
+        output: ("low_product", |w| w.low_product),
+        second: Some("high_product"),
+        claims: "assert (result + 4 * second == magnitude[7:4] * magnitude[3:0]);",
+        covers: ["second != 0", "result != 0"],
+        fault: ("{4{magnitude[3]}}", "{4{magnitude[2]}}"),
+    },
+    Unit {
+        name: "units::cross_sum",
+        module: "cross_sum",
+        claim: "cross_product = low_product + 4 high_product, modulo its width",
+        inputs: &[
+            ("low_product", |w| w.low_product),
+            ("high_product", |w| w.high_product),
+        ],
+        output: ("cross_product", |w| w.cross),
+        second: None,
+        claims: "assert (result - low_product == 8'd4 * high_product || result + 9'd256 - low_product == 9'd4 * high_product);",
+        covers: ["high_product != 0", "low_product != 0"],
+        fault: (
+            "low_product[5:2] + high_product",
+            "low_product[5:2] | high_product",
+        ),
+    },
+    Unit {
+        name: "units::square_sum",
+        module: "square_sum",
+        claim: "square = magnitude * magnitude, for every magnitude; assumed: the product of its digits is given",
+        inputs: &[("magnitude", |w| w.radius), ("cross_product", |w| w.cross)],
+        output: ("square", |w| w.square),
+        second: None,
+        claims: "assume (cross_product == magnitude[7:4] * magnitude[3:0]); assert (result == {8'd0, magnitude} * magnitude);",
+        covers: ["magnitude == 255", "magnitude == 16"],
+        fault: ("high_square = 8'd121", "high_square = 8'd120"),
+    },
+    Unit {
+        name: "units::pair_sum",
+        module: "pair_sum",
+        claim: "sum = a + b, exactly",
+        inputs: &[("a", |w| w.square), ("b", |w| w.square)],
+        output: ("sum", |w| w.pair),
+        second: None,
+        claims: "assert ({1'b0, result} - b == a);",
+        covers: ["result[`OUT-1]", "result == 0"],
+        fault: ("wide_a + wide_b", "wide_a | wide_b"),
+    },
+    Unit {
+        name: "units::distance_sum",
+        module: "distance_sum",
+        claim: "sum = a + b, exactly",
+        inputs: &[("a", |w| w.pair), ("b", |w| w.square)],
+        output: ("sum", |w| w.distance),
+        second: None,
+        claims: "assert ({1'b0, result} - b == a);",
+        covers: ["result[`OUT-1]", "result == 0"],
+        fault: ("wide_a + wide_b", "wide_a | wide_b"),
+    },
+    Unit {
+        name: "units::range",
+        module: "range_of_query",
+        claim: "in_range = distance <= radius_sq and no axis is far",
+        inputs: &[
+            ("distance", |w| w.distance),
+            ("far", BIT),
+            ("largest", |w| w.radius_sq),
+        ],
+        output: ("in_range", BIT),
+        second: None,
+        claims: "if (far || distance > largest) assert (!result); else assert (result);",
+        covers: ["distance == largest & result", "far & distance < largest"],
+        fault: ("distance <= limit", "distance < limit"),
+    },
+    Unit {
+        name: "units::any_far",
+        module: "any_far",
+        claim: "any = x or y or z",
+        inputs: &[("x", BIT), ("y", BIT), ("z", BIT)],
+        output: ("any", BIT),
+        second: None,
+        claims: "assert (result == ({x, y, z} != 0));",
+        covers: ["result", "~result"],
+        fault: ("x | y | z", "x | y & z"),
+    },
+    Unit {
+        name: "units::gated_sum",
+        module: "gated_sum",
+        claim: "sum = the powers of those in range, exactly",
+        inputs: &[
+            ("a", |w| w.power),
+            ("b", |w| w.power),
+            ("a_in_range", BIT),
+            ("b_in_range", BIT),
+        ],
+        output: ("sum", |w| w.pair_power),
+        second: None,
+        claims: "assert ({1'b0, result} - (a_in_range ? a : 0) == (b_in_range ? b : 0));",
+        covers: ["result[`OUT-1]", "a != 0 & b != 0 & result == 0"],
+        fault: ("gated_a + gated_b", "gated_a | gated_b"),
+    },
+    Unit {
+        name: "units::gated_count",
+        module: "gated_sum_2",
+        claim: "sum = how many are there and in range",
+        inputs: &[
+            ("a", BIT),
+            ("b", BIT),
+            ("a_in_range", BIT),
+            ("b_in_range", BIT),
+        ],
+        output: ("sum", |_| SpatialWidths::PAIR_COUNT),
+        second: None,
+        claims: "if (a & a_in_range & b & b_in_range) assert (result == 2); \
+                 else if ((a & a_in_range) | (b & b_in_range)) assert (result == 1); else assert (result == 0);",
+        covers: ["result == 2", "result == 0 & a & b"],
+        fault: ("gated_a + gated_b", "gated_a | gated_b"),
+    },
+    Unit {
+        name: "units::group_sum",
+        module: "group_sum",
+        claim: "sum = a + b, exactly",
+        inputs: &[("a", |w| w.pair_power), ("b", |w| w.pair_power)],
+        output: ("sum", |w| w.group_power),
+        second: None,
+        claims: "assert ({1'b0, result} - b == a);",
+        covers: ["result[`OUT-1]", "result == 0"],
+        fault: ("wide_a + wide_b", "wide_a | wide_b"),
+    },
+    Unit {
+        name: "units::group_count",
+        module: "group_sum_2",
+        claim: "sum = a + b, exactly",
+        inputs: &[
+            ("a", |_| SpatialWidths::PAIR_COUNT),
+            ("b", |_| SpatialWidths::PAIR_COUNT),
+        ],
+        output: ("sum", |_| SpatialWidths::GROUP_COUNT),
+        second: None,
+        claims: "assert ({1'b0, result} - b == a);",
+        covers: ["result[`OUT-1]", "result == 0"],
+        fault: ("wide_a + wide_b", "wide_a | wide_b"),
+    },
+    Unit {
+        name: "units::power_of_present",
+        module: "power_of_present",
+        claim: "power = absent ? 0 : word",
+        inputs: &[("absent", BIT), ("word", |w| w.power)],
+        output: ("power", |w| w.power),
+        second: None,
+        claims: "if (absent) assert (result == 0); else assert (result == word);",
+        covers: ["absent & word != 0", "result != 0"],
+        fault: ("if (absent)", "if (~absent)"),
+    },
+];
+
+impl Unit {
+    fn property(&self, widths: &SpatialWidths) -> Property {
+        let (output, width) = self.output;
+        let input =
+            |(name, width): &(&str, Width)| format!("input wire [{}-1:0] {name}, ", width(widths));
+        let port = |(name, _): &(&str, Width)| format!(".{name}({name}), ");
+        let second = self
+            .second
+            .map_or(String::new(), |name| format!(", .{name}(second)"));
+        let second_width = match self.second {
+            Some("high_product") => widths.high_product,
+            _ => 1,
+        };
+        let declared = self.second.map_or(String::new(), |_| {
+            format!("wire [{second_width}-1:0] second;")
+        });
+        let ports: String = self.inputs.iter().map(port).collect();
+        Property {
+            macros: vec![
+                ("OUT", width(widths).to_string()),
+                ("INPUTS", self.inputs.iter().map(input).collect()),
+                ("SECOND", declared),
+                ("PORTS", format!("{ports}.{output}(result){second}")),
+                ("CLAIMS", self.claims.to_owned()),
+                ("COVER_ONE", self.covers[0].to_owned()),
+                ("COVER_TWO", self.covers[1].to_owned()),
+            ],
+            faults: vec![Fault::new(self.module, self.fault.0, self.fault.1)],
+            covers: covers(["cover_one", "cover_two"]),
+            ..of_logic(
+                self.name,
+                self.module,
+                self.claim,
+                include_str!("harness/unit_stream.sv"),
+                &[],
+            )
+        }
+    }
+}
+
+/// A query's sum of what is at most `each` for a photon.
+fn sum(
+    name: &'static str,
+    module: &'static str,
+    machine: &Machine,
+    [group, sum]: [u32; 2],
+    each: u128,
+) -> Property {
+    let photons = machine.photons_per_iteration() as u128;
+    let count = |photons: u128| format!("photons_full_scale == {}", photons * each);
+    let counts: Vec<_> = (0..=photons).map(count).collect();
+    let largest = u128::from(machine.max_photons()) * each;
+    Property {
+        macros: vec![
+            ("GROUP", group.to_string()),
+            ("SUM", sum.to_string()),
+            ("LARGEST", format!("{}'d{largest}", sum + 1)),
+            ("ONE_OF_THE_COUNTS", counts.join(" || ")),
+            ("COVERED", (3 * photons * each).to_string()),
+        ],
+        method: Method::Induction(1),
+        faults: vec![Fault::new(module, "kept + wide_group", "kept ^ wide_group")],
+        fault_clocks: 5,
+        covers: at([("cover_sums", 4)]),
+        ..of_logic(
+            name,
+            module,
+            "the sum is exact for the declared photons of a query at full scale; assumed: no more are given, and a \
+             group's sum is no more than its photons'",
+            include_str!("harness/accumulate.sv"),
+            &[],
+        )
+    }
+}
+
+fn queue(widths: &SpatialWidths, sizes: &HeadSizes) -> Property {
+    let sum = widths.sum;
+    let bits = 3 * sum + widths.count;
+    let slice = |channel: u32| format!("[{}*{sum}+:{sum}]", channel);
+    let count = format!("[{}+:{}]", 3 * sum, widths.count);
+    let channels =
+        [0, 1, 2].map(|channel| format!(".result_in_{channel}(data{}), ", slice(channel)));
+    let names = ["red", "green", "blue"];
+    let results = [0, 1, 2].map(|channel| {
+        let name = names[channel as usize];
+        format!(".result_{name}(result{}), ", slice(channel))
+    });
+    let place = |place| format!(", .\\results[{place}] (results[{place}*{bits}+:{bits}])");
+    Property {
+        macros: vec![
+            ("BITS", bits.to_string()),
+            ("PLACES", sizes.queue.to_string()),
+            (
+                "DATA_IN",
+                channels.concat() + &format!(".result_count_in(data{count}), "),
+            ),
+            (
+                "DATA_OUT",
+                results.concat() + &format!(".result_count(result{count}), "),
+            ),
+            ("MEMORY", (0..sizes.queue).map(place).collect()),
+        ],
+        open: Open::Memory(
+            &[
+                "write_place",
+                "newest_place",
+                "read_place",
+                "has_waiting",
+                "has_result",
+                "word",
+            ],
+            "results",
+            sizes.queue,
+        ),
+        method: Method::Induction(1),
+        faults: vec![
+            Fault::new(
+                "queue",
+                "has_result & ~result_ready",
+                "has_result & result_ready",
+            ),
+            Fault::new(
+                "queue",
+                "read_place <= read_place + 4'd1",
+                "read_place <= read_place + 4'd2",
+            ),
+            Fault::new(
+                "queue",
+                "has_waiting & ~reads_newest",
+                "has_waiting & ~reads",
+            ),
+        ],
+        fault_clocks: 7,
+        covers: at([("cover_watched", 6), ("cover_full", sizes.queue as u32 + 3)]),
+        ..of_logic(
+            "streams::queue",
+            "queue",
+            "each result written is given once, in order, as it was, and stays while it is not taken; assumed: none is \
+             written where the memory is full, as streams::admission shows",
+            include_str!("harness/fifo.sv"),
+            &[],
+        )
+    }
+}
+
+fn admission(sizes: &HeadSizes) -> Property {
+    Property {
+        macros: vec![("PLACES", sizes.queue.to_string())],
+        open: Open::Signals(&["loaded", "open", "has_batch", "promised"]),
+        method: Method::Induction(1),
+        faults: vec![
+            Fault::new("admission", "room = ~promised[15]", "room = 1'b1"),
+            Fault::new(
+                "admission",
+                "(~group_last | fits);\n    wire takes_group",
+                "1'b1;\n    wire takes_group",
+            ),
+            Fault::new("admission", "~full | takes_first", "1'b1"),
+        ],
+        fault_clocks: sizes.queue as u32 + 4,
+        covers: at([("cover_full", sizes.queue as u32 + 2), ("cover_second", 4)]),
+        ..of_logic(
+            "streams::admission",
+            "admission",
+            "a query is taken where there is room for it, a group only of a query that was, a last group only where \
+             the queue has room for its result; assumed: no more results are read than were promised",
+            include_str!("harness/admission.sv"),
+            &[],
+        )
+    }
+}

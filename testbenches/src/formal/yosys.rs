@@ -1,0 +1,195 @@
+//! One run of Yosys's `sat` after another, and what it says: a proof, a counter-example, or neither. Only its own
+//! last word counts; silence, an error and a time-out prove nothing.
+
+use std::fs::File;
+use std::path::Path;
+use std::process::{Command, Stdio};
+use std::thread::sleep;
+use std::time::{Duration, Instant};
+
+use crate::device::{DeviceError, scratch_folder, write_file};
+use crate::tools::{Tool, ToolError, tail};
+
+/// So long may one question take. The slowest that is answered takes a twentieth of it on a small machine.
+const SECONDS_EACH: u64 = 120;
+
+/// Stands in the log before what a question says.
+const MARK: &str = "photoncube-question";
+
+/// What is asked.
+#[derive(Clone, Debug)]
+pub(super) struct Question {
+    /// Commands before it.
+    pub before: &'static str,
+    /// The options of `sat`, and the module.
+    pub options: String,
+}
+
+/// What was answered.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Answer {
+    /// It always holds, or for as many clocks as were asked for.
+    Holds,
+    /// There is a state in which it does not hold.
+    Refuted,
+    /// Such a state was found, where one was looked for.
+    Found,
+    /// There is none.
+    NotFound,
+    /// No answer, with what the tool said last.
+    None(String),
+}
+
+/// Yosys's words, each the last of a question.
+const WORDS: [(&str, Answer); 7] = [
+    ("Induction step proven: SUCCESS!", Answer::Holds),
+    (
+        "SAT proof finished - no model found: SUCCESS!",
+        Answer::Holds,
+    ),
+    ("proved base case for", Answer::Holds),
+    (
+        "SAT temporal induction proof finished - model found for base case: FAIL!",
+        Answer::Refuted,
+    ),
+    ("SAT proof finished - model found: FAIL!", Answer::Refuted),
+    ("SAT solving finished - model found:", Answer::Found),
+    ("SAT solving finished - no model found.", Answer::NotFound),
+];
+
+/// Files for Yosys, by name.
+pub(super) type Files<'a> = [(&'a str, &'a str)];
+
+/// Runs the commands, then asks each question of what they made.
+///
+/// # Errors
+/// Yosys is missing or does not start, or a file cannot be written.
+pub(super) fn ask(
+    files: &Files<'_>,
+    commands: &str,
+    questions: &[Question],
+) -> Result<Vec<Answer>, DeviceError> {
+    let mut script = commands.to_owned();
+    for (index, question) in questions.iter().enumerate() {
+        script += &format!(
+            "\nlog {MARK} {index}\n{}sat -timeout {SECONDS_EACH} {}\n",
+            question.before, question.options
+        );
+    }
+    let limit = Duration::from_secs(SECONDS_EACH * (questions.len() as u64 + 1));
+    let log = run(files, &script, limit)?;
+    Ok(answers(&log, questions.len()))
+}
+
+/// Runs a script and returns what Yosys says, to its end or until it is ended.
+///
+/// # Errors
+/// Yosys is missing or does not start, or a file cannot be written.
+pub(super) fn run(files: &Files<'_>, script: &str, limit: Duration) -> Result<String, DeviceError> {
+    let folder = scratch_folder()?;
+    for (name, text) in files {
+        write_file(&folder.path().join(name), text)?;
+    }
+    write_file(&folder.path().join("run.ys"), script)?;
+    let log = folder.path().join("log");
+    let file_error = |source| DeviceError::File {
+        action: "write",
+        path: log.display().to_string(),
+        source,
+    };
+    let output = File::create(&log).map_err(file_error)?;
+    let errors = output.try_clone().map_err(file_error)?;
+    let mut command = Command::new(Tool::Yosys.find()?);
+    command.current_dir(folder.path()).args(["-s", "run.ys"]);
+    command.stdin(Stdio::null()).stdout(output).stderr(errors);
+    end_within(&mut command, limit)?;
+    read(&log)
+}
+
+fn read(path: &Path) -> Result<String, DeviceError> {
+    let said = std::fs::read(path).map_err(|source| DeviceError::File {
+        action: "read",
+        path: path.display().to_string(),
+        source,
+    })?;
+    Ok(String::from_utf8_lossy(&said).into_owned())
+}
+
+/// Runs a command; ends it where it takes too long, which its log then shows.
+fn end_within(command: &mut Command, limit: Duration) -> Result<(), ToolError> {
+    let failed = |source| ToolError::NotStarted {
+        program: Tool::Yosys.program().to_owned(),
+        source,
+    };
+    let mut child = command.spawn().map_err(failed)?;
+    let started = Instant::now();
+    while child.try_wait().map_err(failed)?.is_none() {
+        if started.elapsed() > limit {
+            child.kill().map_err(failed)?;
+            child.wait().map_err(failed)?;
+            break;
+        }
+        sleep(Duration::from_millis(5));
+    }
+    Ok(())
+}
+
+/// The answer to each question in a log.
+fn answers(log: &str, questions: usize) -> Vec<Answer> {
+    let part = |index: usize| {
+        let begin = log.find(&format!("\n{MARK} {index}\n"))?;
+        let part = &log[begin + 1..];
+        let end = part.find(&format!("\n{MARK} {}\n", index + 1));
+        Some(&part[..end.unwrap_or(part.len())])
+    };
+    let last = || Answer::None(tail(log.as_bytes()));
+    (0..questions)
+        .map(|index| part(index).map_or_else(last, answer))
+        .collect()
+}
+
+/// The answer in what was said of one question: the one word in it that is one.
+fn answer(said: &str) -> Answer {
+    let found = WORDS.iter().filter(|(word, _)| said.contains(word));
+    match &found.collect::<Vec<_>>()[..] {
+        [(_, answer)] if !said.contains("ERROR") && !said.contains("TIMEOUT") => answer.clone(),
+        _ => Answer::None(tail(said.as_bytes())),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_one_plain_word_is_an_answer() {
+        assert_eq!(
+            answer("..\nInduction step proven: SUCCESS!\n"),
+            Answer::Holds
+        );
+        let none = |said| matches!(answer(said), Answer::None(_));
+        assert!(none(""));
+        assert!(none("Interrupted SAT solver: TIMEOUT!"));
+        assert!(none(
+            "SAT proof finished - no model found: SUCCESS!\nERROR: no such module"
+        ));
+        assert!(none(
+            "Induction step proven: SUCCESS!\nSAT proof finished - model found: FAIL!"
+        ));
+        assert!(none(
+            "Reached maximum number of time steps -> proof failed."
+        ));
+    }
+
+    #[test]
+    fn each_question_has_its_own_part_of_the_log() {
+        let log = format!(
+            "read\n{MARK} 0\nSAT proof finished - model found: FAIL!\n{MARK} 1\n\
+             SAT solving finished - model found:\n"
+        );
+        assert_eq!(answers(&log, 2), [Answer::Refuted, Answer::Found]);
+        assert!(
+            matches!(&answers("ERROR: gone", 1)[..], [Answer::None(said)] if said.contains("gone"))
+        );
+    }
+}

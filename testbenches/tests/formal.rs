@@ -1,0 +1,73 @@
+//! Formal proofs that need little time, each with what must be reachable and with planted faults; all of them are
+//! `photoncube verify --formal`.
+
+mod support;
+
+use libtest_mimic::{Arguments, Failed};
+use photoncube_spec::find_machine;
+use photoncube_testbench::{DeviceKind, formal};
+
+/// The beginnings of the names of what is proven here, by machine.
+const QUICK: &[(&str, &[&str])] = &[
+    (
+        "paper",
+        &[
+            "units::",
+            "control::",
+            "streams::",
+            "links::",
+            "sums::",
+            "netlist::cell",
+            "netlist::control",
+        ],
+    ),
+    (
+        "overlap",
+        &["units::", "control::", "links::", "netlist::cell"],
+    ),
+    (
+        "stream",
+        &[
+            "units::",
+            "sums::",
+            "streams::admission",
+            "netlist::lane",
+            "netlist::square_pair",
+        ],
+    ),
+];
+
+fn main() {
+    let mut trials = Vec::new();
+    for &(machine, names) in QUICK {
+        for &name in names {
+            let run = move || all_hold(machine, name);
+            let trial = format!("{machine}::{}", name.trim_end_matches(':'));
+            trials.push(support::trial(trial, DeviceKind::Netlist, run));
+        }
+    }
+    let name = "nothing::is_no_proof".to_owned();
+    trials.push(support::trial(
+        name,
+        DeviceKind::Netlist,
+        nothing_is_an_error,
+    ));
+    libtest_mimic::run(&Arguments::from_args(), trials).exit();
+}
+
+fn all_hold(machine: &str, begins: &str) -> Result<(), Failed> {
+    let machine = find_machine(machine)?;
+    let found = formal(machine, &|name| name.starts_with(begins), &|_, _| ())?;
+    let failed: Vec<_> = found.failed().collect();
+    assert!(failed.is_empty(), "{failed:#?}");
+    assert!(!found.proofs.is_empty());
+    Ok(())
+}
+
+fn nothing_is_an_error() -> Result<(), Failed> {
+    let error = formal(find_machine("paper")?, &|_| false, &|_, _| ()).unwrap_err();
+    assert!(error.to_string().contains("units::difference"), "{error}");
+    let error = formal(find_machine("tile-4")?, &|_| true, &|_, _| ()).unwrap_err();
+    assert!(error.to_string().contains("stream"), "{error}");
+    Ok(())
+}
