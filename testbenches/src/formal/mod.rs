@@ -123,7 +123,7 @@ pub const FORMAL_MACHINES: [&str; 3] = ["paper", "overlap", "stream"];
 
 fn properties(machine: &Machine) -> Vec<Property> {
     match machine.organisation {
-        Organisation::Sequential => sequential::properties(machine),
+        Organisation::Sequential | Organisation::Programmed(_) => sequential::properties(machine),
         Organisation::Overlapped => overlap::properties(machine),
         Organisation::Spatial(_) => spatial::properties(machine),
     }
