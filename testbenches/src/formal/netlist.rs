@@ -4,6 +4,7 @@
 //! state at power-up, and after any clock in which all was equal before it. Modules that are equal for any parts, and
 //! that have the same instances of the same modules, make equal machines.
 
+use std::collections::BTreeSet;
 use std::time::Instant;
 
 use photoncube_hdl::Emitted;
@@ -159,8 +160,12 @@ fn mutants(netlist: &str, module: &str) -> Vec<String> {
         let (target, value) = line.split_once(" <= ")?;
         Some(format!("{target} <= ~({});", value.strip_suffix(';')?))
     };
+    let outputs: BTreeSet<_> = lines.iter().filter_map(|line| output(line)).collect();
     let connected = |line: &str| {
         let (port, value) = line.trim().strip_prefix('.')?.split_once('(')?;
+        if outputs.contains(port) {
+            return None;
+        }
         let end = value.rfind(')')?;
         Some(format!(".{port}(~{}){}", &value[..end], &value[end + 1..]))
     };
@@ -193,6 +198,12 @@ fn mutants(netlist: &str, module: &str) -> Vec<String> {
     [spread(logic), spread(wires)].concat()
 }
 
+/// The name of the output that a line declares.
+fn output(line: &str) -> Option<&str> {
+    let declared = line.strip_prefix("  output ")?.strip_suffix(';')?;
+    declared.rsplit(' ').next()
+}
+
 fn asked(
     module: &str,
     texts: &(String, String),
@@ -200,4 +211,27 @@ fn asked(
 ) -> Result<Vec<Answer>, DeviceError> {
     let files = [("design.v", texts.0.as_str()), ("netlist.v", &texts.1)];
     ask(&files, &miter(module), questions)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn mutants_differ_in_one_line_of_the_module() {
+        let netlist = "module a(p, q);\n  input p;\n  output q;\n  assign q = p;\nendmodule\n\
+                       module b(x, y);\n  output [3:0] y;\n  assign y = x & 1'h1;\n    r <= x;\n  a one (\n    .p(x),\n    \
+                       .q(y)\n  );\nendmodule\n";
+        let mutants = mutants(netlist, "b");
+        assert_eq!(mutants.len(), 3, "{mutants:#?}");
+        let changes = ["  assign y = ~(x & 1'h1);", "    r <= ~(x);", ".p(~x),"];
+        for (mutant, change) in mutants.iter().zip(changes) {
+            let differ = mutant
+                .lines()
+                .zip(netlist.lines())
+                .filter(|(new, old)| new != old);
+            assert_eq!(differ.map(|(new, _)| new).collect::<Vec<_>>(), [change]);
+        }
+        assert!(super::mutants(netlist, "no_such").is_empty());
+    }
 }

@@ -33,8 +33,10 @@ module harness(input wire clock, input wire reset, input wire query_valid, input
   wire works = query_taken | (busy & ~done);
   wire asks = at_x[`WRITE_POWER] & ~ended;
   wire takes = asks & group_valid;
-  wire to_epilogue = ended & since == `DRAIN_CLOCKS - 1;
-  wire [`DRAIN-1:0] gone = since - `DRAIN_CLOCKS;
+  // From the clock in which the last group is taken to that in which the epilogue's first word is at work: one clock
+  // until the group counts as taken, one until the place is the epilogue's, one until its word is fetched.
+  wire to_epilogue = ended & since == `DRAIN_CLOCKS - 3;
+  wire [`DRAIN-1:0] gone = since - (`DRAIN_CLOCKS - 2);
   always @(posedge clock) begin
     stalled <= done & ~result_ready & ~reset;
     {at_x, at_y, at_z, at_d} <= 0;
@@ -78,7 +80,7 @@ module harness(input wire clock, input wire reset, input wire query_valid, input
     assert (busy || (place == 0 && !ended && !done && {at_x, at_y, at_z, at_d} == 0));
     assert (!done || (place == 0 && !ended && {at_x, at_y, at_z, at_d} == 0));
     assert (place < `INTERVAL || ended);
-    assert (!ended || place >= `INTERVAL || since < `DRAIN_CLOCKS);
+    assert (!ended || place >= `INTERVAL || since <= `DRAIN_CLOCKS - 3);
     assert (place < `INTERVAL || gone == place - `INTERVAL);
     // Stalled: the result stays, and no word is at work.
     assert (!stalled || (result_valid && {to_x, to_y, to_z, to_d} == 0 && !write_query));
