@@ -10,6 +10,7 @@ use std::path::Path;
 
 use glam::DVec3;
 use toml::de::DeTable;
+use toml_parser::lexer::TokenKind;
 
 use self::field::{Fields, Source};
 use super::{LightChoice, Scene, SceneError};
@@ -18,6 +19,7 @@ use crate::camera::{Camera, FovAxis};
 /// Reads the scene in `text`; meshes are looked for from `folder`.
 pub(super) fn parse(file: &str, text: &str, folder: &Path) -> Result<Scene, SceneError> {
     let source = Source { file, text };
+    shallow(source)?;
     let table = DeTable::parse(text).map_err(|error| {
         let (line, column) = source.place(error.span().map_or(0, |span| span.start));
         SceneError::Toml {
@@ -34,6 +36,34 @@ pub(super) fn parse(file: &str, text: &str, folder: &Path) -> Result<Scene, Scen
         path: String::new(),
     };
     scene(&top, folder)
+}
+
+/// Brackets that are open at the same time: a scene has four at most.
+const DEEPEST: usize = 64;
+
+/// Refuses brackets in brackets without end: the parser of the crate `toml` limits what it nests, but not the
+/// brackets that it skips after a mistake, and would overflow its stack.
+fn shallow(source: Source<'_>) -> Result<(), SceneError> {
+    let mut open = 0_usize;
+    for token in toml_parser::Source::new(source.text).lex() {
+        match token.kind() {
+            TokenKind::LeftSquareBracket | TokenKind::LeftCurlyBracket => open += 1,
+            TokenKind::RightSquareBracket | TokenKind::RightCurlyBracket => {
+                open = open.saturating_sub(1);
+            }
+            _ => {}
+        }
+        if open > DEEPEST {
+            let (line, column) = source.place(token.span().start());
+            return Err(SceneError::Toml {
+                file: source.file.to_owned(),
+                line,
+                column,
+                message: format!("more than {DEEPEST} brackets are open; close them"),
+            });
+        }
+    }
+    Ok(())
 }
 
 fn scene(top: &Fields<'_>, folder: &Path) -> Result<Scene, SceneError> {

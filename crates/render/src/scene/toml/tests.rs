@@ -229,6 +229,21 @@ fn what_is_no_toml_names_line_and_column() {
     }
 }
 
+/// The fuzzer's input 948055, of seed 1, which overflowed the stack.
+#[test]
+fn brackets_without_end_are_refused_where_they_are_too_deep() {
+    for deep in ["a = {[0.5]\n", "a = [", "a = {b = ", "[["] {
+        let error = read(&deep.repeat(100_000)).unwrap_err().to_string();
+        assert!(
+            error.contains("line ") && error.contains("64 brackets"),
+            "{error}"
+        );
+    }
+    let closed = format!("a = [{}]\n", "[1], ".repeat(1_000));
+    let error = read(&closed).unwrap_err().to_string();
+    assert!(!error.contains("brackets are open"), "{error}");
+}
+
 #[test]
 fn boxes_must_have_room() {
     let shape =
