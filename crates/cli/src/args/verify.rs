@@ -20,9 +20,9 @@ Examples:
   photoncube verify --coverage --machine stream
   photoncube verify --programs 1000 --machine paper-5d --against text
   photoncube verify --mutants 700 --machine overlap
-  photoncube verify --campaign --hours 8       all machines, on all cores; again goes on with it
-  photoncube verify --exhaustive        every pair of inputs of every unit, every difference with every radius
-  photoncube verify --faults --machine overlap    waiting streams, resets, unknown words, power-up; needs Icarus
+  photoncube verify --campaign --hours 8          all machines; the next one goes on with it
+  photoncube verify --exhaustive        all inputs of what is finite
+  photoncube verify --faults --machine overlap    needs Icarus
   photoncube verify --formal --machine paper
   photoncube verify --table             what was verified so far, as docs/verification.md has it"
 )]
@@ -30,7 +30,8 @@ pub struct VerifyArgs {
     #[command(flatten)]
     pub machine: MachineArgs,
     /// What to compare the golden model with: rust-hdl, text, icarus, verilator, netlist; comma-separated, or all
-    /// [default: rust-hdl,text; with --exhaustive and --faults verilator, or text where that is missing]
+    /// [default: rust-hdl,text; with --programs text; with --exhaustive and --faults verilator, or text where that is
+    /// missing]
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     pub against: Option<Vec<String>>,
     /// Iterations (groups of photons) to compare in each
