@@ -16,13 +16,13 @@ use planted::edit;
 
 /// Programs for a machine in a device; `photoncube verify --programs` is for more.
 const RUNS: [(&str, DeviceKind, u64); 6] = [
-    ("paper", DeviceKind::Text, 48),
-    ("paper-5d", DeviceKind::Text, 24),
+    ("paper", DeviceKind::Text, 32),
+    ("paper-5d", DeviceKind::Text, 16),
     // Other numbers, and a store of 16 words.
-    ("local", DeviceKind::Text, 12),
-    ("paper", DeviceKind::RustHdl, 6),
-    ("paper", DeviceKind::Icarus, 8),
-    ("paper-5d", DeviceKind::Icarus, 6),
+    ("local", DeviceKind::Text, 8),
+    ("paper", DeviceKind::RustHdl, 4),
+    ("paper", DeviceKind::Icarus, 6),
+    ("paper-5d", DeviceKind::Icarus, 4),
 ];
 
 fn main() {
