@@ -39,8 +39,8 @@ pub use formal::{FORMAL_MACHINES, Formal, FormalError, Proof, formal};
 pub use levels::{PartVerdict, verify_part, verify_part_device};
 pub use mutants::{Fate, Judged, MutantOptions, MutantReport, Mutation, mutants};
 pub use programs::{
-    Open, ProgramFailure, ProgramOptions, ProgramVerdict, ProgramsError, draw_program, programmed,
-    verify_programs,
+    DrawnProgram, MOST_PROGRAM_ITERATIONS, Open, ProgramClass, ProgramFailure, ProgramOptions,
+    ProgramVerdict, ProgramsError, draw_program, programmed, verify_programs,
 };
 pub use protocol::{
     FaultClass, FaultVerdict, UnknownDifference, verify_fault, verify_fault_text,

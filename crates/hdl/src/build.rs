@@ -50,10 +50,10 @@ impl Shape {
         if machine.squarer == Squarer::Table {
             return None;
         }
-        let steps = machine.microprogram()?.steps().len();
+        let program = machine.microprogram()?;
         Some(Self {
             widths: Widths::of(machine),
-            address: usize::BITS - (steps - 1).leading_zeros(),
+            address: program.address_bits(),
             word: control_word_bits(machine.dimension),
             axis: machine.dimension,
             nodes: machine.hypercube().nodes(),
@@ -104,6 +104,8 @@ built_in! {
     8 8 8 16 18  16 0 16 18 32  4 15 4  16 4;
     12 12 12 24 26  16 0 16 26 32  4 15 4  16 4;
     8 8 8 16 18  16 0 16 19 32  4 16 5  32 8;
+    8 8 8 16 18  16 0 16 18 32  5 15 4  16 4;
+    8 8 8 16 18  16 0 16 19 32  5 16 5  32 8;
     10 10 8 16 16  8 5 32 34 52  4 15 4  16 4;
     11 10 9 18 18  8 5 32 34 52  4 15 4  16 4;
     10 8 8 16 16  6 0 6 18 18  4 15 4  16 4;
@@ -180,6 +182,16 @@ fn not_built_in(machine: &Machine, level: Level) -> NotBuiltIn {
     }
 }
 
+/// The steps of the longest program that a machine can be built with; 0 where it runs none.
+pub fn most_steps(machine: &Machine) -> usize {
+    let Some(shape) = Shape::of(machine) else {
+        return 0;
+    };
+    let with = |address| Shape { address, ..shape };
+    let same = BUILT_IN.iter().filter(|row| **row == with(row.address));
+    same.map(|row| 1 << row.address).max().unwrap_or(0)
+}
+
 /// The block of a machine at a level, with all its signals claimed.
 pub(crate) fn build(machine: &Machine, level: Level) -> Result<Box<dyn Pinned>, NotBuiltIn> {
     let block = match &machine.organisation {
@@ -204,6 +216,29 @@ mod tests {
                 assert!(build(machine, level).is_ok(), "{} {level:?}", machine.name);
             }
         }
+    }
+
+    #[test]
+    fn a_machine_is_built_with_any_program_that_fits_its_store() {
+        use photoncube_spec::{Axis, Microprogram, Op, OwnProgram, Step};
+        let longest = |name| {
+            let machine = MACHINES.iter().find(|m| m.name == name).unwrap();
+            let most = most_steps(machine);
+            for steps in [2, most] {
+                let iteration = vec![Step::exchange_add(Axis::X); steps - 1];
+                let program = Microprogram::of_phases(&[Step::new(Op::LoadQuery)], &iteration);
+                let own = OwnProgram::new(&program).unwrap();
+                let machine = Machine {
+                    organisation: Organisation::Programmed(own),
+                    ..*machine
+                };
+                assert!(build(&machine, Level::Machine).is_ok(), "{name}, {steps}");
+            }
+            most
+        };
+        assert_eq!(["paper", "paper-5d", "local"].map(longest), [32, 32, 16]);
+        let stream = MACHINES.iter().find(|m| m.name == "stream").unwrap();
+        assert_eq!(most_steps(stream), 0);
     }
 
     #[test]

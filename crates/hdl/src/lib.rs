@@ -21,7 +21,7 @@ mod spatial;
 mod unit;
 mod units;
 
-pub use build::NotBuiltIn;
+pub use build::{NotBuiltIn, most_steps};
 pub use emit::{EmitError, Emitted, emit, emit_unit};
 pub use level::Level;
 pub use lint::{Finding, Opaque, OpaqueKind, Rule, lint, opaque_blocks};

@@ -30,8 +30,8 @@ pub struct StepMachine {
     steps: Vec<Step>,
     /// The address of the iteration's first step.
     iteration: usize,
-    /// The address of the last step that reads the group, which takes it.
-    taker: usize,
+    /// The address of the last step that reads the group, which takes it; none where no step does.
+    taker: Option<usize>,
     control: ControlState,
     cells: Vec<CellState>,
     /// The cells before the clock edge: what neighbours send.
@@ -56,7 +56,7 @@ impl StepMachine {
             cube: machine.hypercube(),
             rules: CellRules::of(machine),
             iteration: program.query_clocks() as usize,
-            taker: steps.iter().rposition(reads_group).unwrap_or(0),
+            taker: steps.iter().rposition(reads_group),
             steps,
             control: ControlState::default(),
             before: cells.clone(),
@@ -88,7 +88,7 @@ impl StepMachine {
         if !runs {
             return next;
         }
-        if self.control.address == self.taker {
+        if Some(self.control.address) == self.taker {
             next.last = inputs.group.last;
         }
         if self.control.address + 1 < self.steps.len() {
@@ -139,7 +139,7 @@ impl GoldenMachine for StepMachine {
         };
         Outputs {
             query_ready: ready(self.step().op == Op::LoadQuery),
-            group_ready: ready(self.control.address == self.taker),
+            group_ready: ready(Some(self.control.address) == self.taker),
             result_valid: self.control.done,
             result: Sums {
                 power,

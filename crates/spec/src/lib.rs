@@ -45,7 +45,7 @@ pub use photon_record::{LocalQuery, LocalSums, PhotonBlock, PhotonRecord};
 pub use pins::{CONTROL_REGISTERS, Pin, Pins, SignalPlace};
 pub use register::{REGISTERS, Register, RegisterRow};
 pub use schedule::{
-    Content, ScheduleError, ScheduleReport, UnitUse, check_schedule, schedule_report,
+    Content, ScheduleError, ScheduleReport, UnitUse, check_schedule, check_streams, schedule_report,
 };
 pub use spatial::{
     Cut, Cuts, ENGINE_REGISTERS, EngineKind, EngineRegister, EngineRow, EngineUnits, FlowRow,

@@ -6,6 +6,10 @@ use crate::control::{ControlWord, encode};
 use crate::hypercube::{Axis, Hypercube};
 use crate::op::Op;
 
+/// No control store has fewer than 16 places, so that short programs need no counter of their own
+/// width; the places behind the program hold the word that does nothing.
+const MIN_ADDRESS_BITS: u32 = 4;
+
 /// An op with the network axis that it uses, if it uses one.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Step {
@@ -75,8 +79,16 @@ impl Microprogram {
         steps.extend(cube.photon_axes().map(Step::exchange_add));
         steps.push(Step::new(Op::Accumulate));
         Self {
-            query: one_a_clock(vec![Step::new(Op::LoadQuery)]),
-            iteration: one_a_clock(steps),
+            query: one_a_clock(&[Step::new(Op::LoadQuery)]),
+            iteration: one_a_clock(&steps),
+        }
+    }
+
+    /// The program of these steps, one a clock.
+    pub fn of_phases(query: &[Step], iteration: &[Step]) -> Self {
+        Self {
+            query: one_a_clock(query),
+            iteration: one_a_clock(iteration),
         }
     }
 
@@ -128,6 +140,12 @@ impl Microprogram {
         steps
     }
 
+    /// Bits of the program counter: at least [`MIN_ADDRESS_BITS`].
+    pub fn address_bits(&self) -> u32 {
+        let last = self.steps().len().saturating_sub(1);
+        (usize::BITS - last.leading_zeros()).max(MIN_ADDRESS_BITS)
+    }
+
     /// The encoded program, one control word for each of [`Self::steps`].
     pub fn control_words(&self) -> Vec<ControlWord> {
         let steps = self.steps();
@@ -140,10 +158,10 @@ impl Microprogram {
     }
 }
 
-fn one_a_clock(steps: Vec<Step>) -> Vec<ScheduledStep> {
+fn one_a_clock(steps: &[Step]) -> Vec<ScheduledStep> {
     (0..)
         .zip(steps)
-        .map(|(clock, step)| ScheduledStep { clock, step })
+        .map(|(clock, &step)| ScheduledStep { clock, step })
         .collect()
 }
 

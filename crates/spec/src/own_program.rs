@@ -1,10 +1,11 @@
 //! A program of one's own, small enough to be a part of a machine.
 
-use crate::microprogram::{Microprogram, ScheduledStep, Step};
+use crate::microprogram::{Microprogram, Step};
 use crate::op::Op;
 
-/// The most steps of such a program: what a program counter of 4 bits reaches, which the named machines have.
-pub const MOST_OWN_STEPS: usize = 16;
+/// The most steps of such a program: what a program counter of 5 bits reaches, one bit more than the named machines
+/// have.
+pub const MOST_OWN_STEPS: usize = 32;
 
 /// The program of a machine that is not the all-reduce, a step for each clock.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
@@ -30,16 +31,7 @@ impl OwnProgram {
     /// The program, with a nop in each clock that has no step.
     pub fn microprogram(&self) -> Microprogram {
         let (query, iteration) = self.steps[..self.clocks].split_at(self.query_clocks);
-        let phase = |steps: &[Step]| {
-            let clocks = (0..).zip(steps);
-            clocks
-                .map(|(clock, &step)| ScheduledStep { clock, step })
-                .collect()
-        };
-        Microprogram {
-            query: phase(query),
-            iteration: phase(iteration),
-        }
+        Microprogram::of_phases(query, iteration)
     }
 }
 
@@ -54,7 +46,7 @@ mod tests {
         let own = OwnProgram::new(&program).unwrap();
         assert_eq!(own.microprogram(), program);
         let mut long = program;
-        long.query[0].clock = 6;
+        long.query[0].clock = MOST_OWN_STEPS as u32 - 10;
         assert_eq!(long.steps().len(), MOST_OWN_STEPS + 1);
         assert_eq!(OwnProgram::new(&long), None);
     }

@@ -4,7 +4,7 @@
 //! unsigned number for each signal, in the order given here. One table, so that a comparison
 //! compares the same things, and a mismatch has a name.
 
-use crate::format::{Widths, bits_for};
+use crate::format::Widths;
 use crate::machine::Machine;
 use crate::organisation::Organisation;
 use crate::overlap;
@@ -310,10 +310,9 @@ fn control_pins(machine: &Machine) -> Vec<Pin> {
     let program = machine
         .microprogram()
         .expect("a machine without engines has a program");
-    let addresses = program.steps().len() as u128;
     CONTROL_REGISTERS
         .iter()
-        .zip([bits_for(addresses - 1), 1, 1])
+        .zip([program.address_bits(), 1, 1])
         .enumerate()
         .map(|(index, (name, width))| Pin {
             name: format!("control_{name}"),

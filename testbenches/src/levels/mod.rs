@@ -4,6 +4,7 @@
 //! A part is small enough to be driven into corners that the whole machine reaches rarely, and a
 //! difference here names the part.
 
+mod cell;
 mod overlap;
 
 use photoncube_hdl::{Level, level_pins};
@@ -11,8 +12,7 @@ use photoncube_model::{CellInputs, CellRules, CellState};
 use std::collections::VecDeque;
 
 use photoncube_spec::{
-    Cut, Field, Machine, OPS, Op, Organisation, Pin, Pins, SpatialWidths, Squarer, Step, Widths,
-    encode,
+    Cut, Field, Machine, Op, Organisation, Pin, Pins, SpatialWidths, Squarer, Step, Widths,
 };
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
@@ -123,6 +123,9 @@ impl Trace {
             Level::Machine => panic!("the whole machine is not a part"),
             Level::Cell => match machine.organisation {
                 Organisation::Overlapped => trace.overlap_cell(machine, vectors, rng),
+                Organisation::Programmed(program) => {
+                    trace.program_cell(machine, &program.microprogram(), vectors, rng);
+                }
                 _ => trace.cell(machine, vectors, rng),
             },
             Level::Network => trace.network(machine, vectors, rng),
@@ -264,54 +267,6 @@ impl Trace {
                 _ => power,
             };
             self.push(done(Op::Gate), operands, &[cell.work]);
-        }
-    }
-
-    /// A cell under a program: the machine's own, over and over, or random steps; the link is 0 where a step names no axis, as the
-    /// network makes it.
-    fn cell(&mut self, machine: &Machine, vectors: usize, rng: &mut Pcg64) {
-        let rules = CellRules::of(machine);
-        let widths = rules.widths();
-        let dimension = machine.dimension;
-        let axes: Vec<_> = machine.hypercube().axes().collect();
-        let mut cell = CellState::default();
-        let own = match &machine.organisation {
-            Organisation::Programmed(program) => Some(program.microprogram().steps()),
-            _ => None,
-        };
-        for index in 0..vectors {
-            let step = match &own {
-                Some(steps) => steps[index % steps.len()],
-                None => {
-                    let row = &OPS[rng.random_range(0..OPS.len())];
-                    let axis = row.uses_link.then(|| axes[rng.random_range(0..axes.len())]);
-                    Step { op: row.op, axis }
-                }
-            };
-            let axis = step.axis;
-            let mut any = |bits| corner(rng, bits);
-            let inputs = CellInputs {
-                query: any(widths.coordinate) as u32,
-                radius_sq: any(widths.radius_sq) as u32,
-                photon: any(widths.photon) as u32,
-                present: any(2) != 0,
-                power: any(widths.power),
-                link: axis.map_or(0, |_| any(widths.work)),
-            };
-            let word = encode(step, false);
-            let fields = |name: &str| match name {
-                "query_in" => u64::from(inputs.query),
-                "radius_sq_in" => u64::from(inputs.radius_sq),
-                "photon_in" => u64::from(inputs.photon),
-                "present_in" => u64::from(inputs.present),
-                "power_in" => inputs.power,
-                "link_in" => inputs.link,
-                field => u64::from(field_named(field).of(word, dimension)),
-            };
-            let mut expected = vec![cell.work, cell.sum];
-            expected.extend(cell.registers());
-            self.push(Activity::Step(step), fields, &expected);
-            cell.execute(step.op, &inputs, &rules);
         }
     }
 

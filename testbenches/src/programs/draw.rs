@@ -1,120 +1,206 @@
-//! Legal programs from the op table, by steps that the checker lets stand.
+//! Random programs, a function of the machine and a seed.
 
+use photoncube_hdl::most_steps;
 use photoncube_spec::{
-    Axis, Hypercube, MOST_OWN_STEPS, Microprogram, OPS, Op, ScheduleError, ScheduledStep, Step,
-    check_schedule,
+    Hypercube, Machine, Microprogram, OPS, OpRow, Step, check_schedule, check_streams,
 };
-use rand::RngExt;
+use rand::seq::IndexedRandom;
+use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
-/// Programs that come to no end are this many for each that does, or something is wrong with the drawing.
-const MOST_DRAWN_EACH: u64 = 10_000;
-/// The most nops before and after a query's load.
-const MOST_QUERY_NOPS: u32 = 2;
+use super::walk::{fewest_clocks, gather_program};
 
-/// So many different legal programs, and how many were drawn for them.
+/// What a program is good for.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub enum ProgramClass {
+    /// The schedule checker accepts it: it computes a gather, and its results are held against the
+    /// direct one.
+    Gather,
+    /// The sequencer can run it, and what the cells compute means nothing.
+    Free,
+}
+
+impl ProgramClass {
+    /// The class of a program; none where a query would be lost or never end.
+    pub fn of(program: &Microprogram, cube: Hypercube) -> Option<Self> {
+        if check_schedule(program, cube).is_ok() {
+            return Some(Self::Gather);
+        }
+        check_streams(program, cube).is_ok().then_some(Self::Free)
+    }
+}
+
+/// A program, and how it was come by.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct DrawnProgram {
+    /// It.
+    pub program: Microprogram,
+    /// What it is good for.
+    pub class: ProgramClass,
+    /// Programs that were drawn for it, itself and those of no class.
+    pub drawn: u64,
+    /// The seed that draws it.
+    pub seed: u64,
+}
+
+impl DrawnProgram {
+    /// Its steps, query phase and iteration.
+    pub(super) fn steps(&self) -> u64 {
+        self.program.steps().len() as u64
+    }
+}
+
+/// Draws programs until one has a class.
 ///
 /// # Panics
-/// Nearly all that is drawn is not legal.
-pub(super) fn different(rng: &mut Pcg64, cube: Hypercube, wanted: u64) -> (Vec<Microprogram>, u64) {
-    let mut programs: Vec<Microprogram> = Vec::new();
+/// The machine runs no microprogram.
+pub fn draw_program(machine: &Machine, seed: u64) -> DrawnProgram {
+    let (cube, most) = (machine.hypercube(), most_steps(machine));
+    assert!(most > 0, "machine `{}` runs no program", machine.name);
+    let rng = &mut Pcg64::seed_from_u64(seed);
     let mut drawn = 0;
-    while (programs.len() as u64) < wanted {
+    loop {
         drawn += 1;
-        assert!(
-            drawn < wanted.saturating_mul(MOST_DRAWN_EACH),
-            "{} of {drawn} programs were legal",
-            programs.len()
-        );
-        let program = draw_program(rng, cube);
-        programs.extend(program.filter(|program| !programs.contains(program)));
-    }
-    (programs, drawn)
-}
-
-/// A legal program of steps that are drawn one after the other from all ops and axes, each if the checker finds
-/// nothing wrong so far but that the sum is not complete; none if it is not complete after
-/// [`MOST_OWN_STEPS`] steps.
-pub fn draw_program(rng: &mut Pcg64, cube: Hypercube) -> Option<Microprogram> {
-    let before = rng.random_range(0..=MOST_QUERY_NOPS);
-    let mut program = Microprogram {
-        query: vec![ScheduledStep {
-            clock: before,
-            step: Step::new(Op::LoadQuery),
-        }],
-        iteration: Vec::new(),
-    };
-    pad(&mut program.query, rng.random_range(0..=MOST_QUERY_NOPS));
-    let most = MOST_OWN_STEPS - program.steps().len();
-    let length = rng.random_range(1..=most);
-    let steps = all_steps(cube);
-    let mut complete = None;
-    while program.iteration.len() < most {
-        let step = steps[rng.random_range(0..steps.len())];
-        let clock = program.iteration.len() as u32;
-        program.iteration.push(ScheduledStep { clock, step });
-        match check_schedule(&program, cube) {
-            Ok(()) => complete = Some(program.clone()),
-            // A step that takes the group may be followed by others.
-            Err(ScheduleError::Incomplete { .. } | ScheduleError::TakenLate { .. }) => {}
-            Err(_) => drop(program.iteration.pop()),
-        }
-        if complete.is_some() && program.iteration.len() >= length {
-            break;
+        let program = any_program(cube, most, rng);
+        if let Some(class) = ProgramClass::of(&program, cube) {
+            return DrawnProgram {
+                program,
+                class,
+                drawn,
+                seed,
+            };
         }
     }
-    complete
 }
 
-/// Nops behind a phase.
-fn pad(phase: &mut Vec<ScheduledStep>, nops: u32) {
-    for _ in 0..nops {
-        let clock = phase.last().map_or(0, |last| last.clock + 1);
-        let step = Step::new(Op::Nop);
-        phase.push(ScheduledStep { clock, step });
+/// Half are gathers by construction, a quarter is nearly one, a quarter is of any steps.
+fn any_program(cube: Hypercube, most: usize, rng: &mut Pcg64) -> Microprogram {
+    let query = rng.random_range(1..=3);
+    let fewest = fewest_clocks(cube);
+    match rng.random_range(0..4) {
+        0 => {
+            let iteration = rng.random_range(2..=most - query);
+            random_steps(cube, query, iteration, rng)
+        }
+        kind => {
+            let iteration = rng.random_range(fewest..=most - query);
+            let program = gather_program(cube, query, iteration, rng);
+            match kind {
+                1 => edited(&program, cube, rng),
+                _ => program,
+            }
+        }
     }
 }
 
-/// Each op, with each axis if it uses one.
-fn all_steps(cube: Hypercube) -> Vec<Step> {
-    let mut steps = Vec::new();
-    for row in OPS {
-        let axes: Vec<Option<Axis>> = match row.uses_link {
-            true => cube.axes().map(Some).collect(),
-            false => vec![None],
-        };
-        steps.extend(axes.into_iter().map(|axis| Step { op: row.op, axis }));
+/// Any steps in either phase, but one `ldq` and no group in the query phase, no `ldq` in the other.
+fn random_steps(cube: Hypercube, query: usize, iteration: usize, rng: &mut Pcg64) -> Microprogram {
+    let inner = |row: &OpRow| !row.reads_query && !row.reads_group;
+    let mut steps: Vec<_> = (0..query).map(|_| any_step(cube, inner, rng)).collect();
+    let loads = rng.random_range(0..query);
+    steps[loads] = any_step(cube, |row| row.reads_query, rng);
+    let outside = |row: &OpRow| !row.reads_query;
+    let iteration: Vec<_> = (0..iteration)
+        .map(|_| any_step(cube, outside, rng))
+        .collect();
+    Microprogram::of_phases(&steps, &iteration)
+}
+
+/// One to three changes: a step replaced by any other, left out, doubled, or exchanged with another.
+fn edited(program: &Microprogram, cube: Hypercube, rng: &mut Pcg64) -> Microprogram {
+    let mut query = program.query_clocks() as usize;
+    let mut steps = program.steps();
+    for _ in 0..rng.random_range(1..=3) {
+        let place = rng.random_range(0..steps.len());
+        match rng.random_range(0..4) {
+            0 => steps[place] = any_step(cube, |_| true, rng),
+            1 => {
+                steps.remove(place);
+                query -= usize::from(place < query);
+            }
+            // In the place of another, so that the program grows no longer.
+            2 => {
+                let other = rng.random_range(0..steps.len());
+                steps[other] = steps[place];
+            }
+            _ => {
+                let other = rng.random_range(0..steps.len());
+                steps.swap(place, other);
+            }
+        }
     }
-    steps
+    let (query, iteration) = steps.split_at(query);
+    Microprogram::of_phases(query, iteration)
+}
+
+/// A step of the op table, its axis any of the cube's.
+fn any_step(cube: Hypercube, wanted: impl Fn(&OpRow) -> bool, rng: &mut Pcg64) -> Step {
+    let rows: Vec<_> = OPS.iter().filter(|row| wanted(row)).collect();
+    let row = rows.choose(rng).expect("the op table has such an op");
+    let axes: Vec<_> = cube.axes().collect();
+    Step {
+        op: row.op,
+        axis: row
+            .uses_link
+            .then(|| *axes.choose(rng).expect("a cube has axes")),
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use std::collections::HashSet;
 
-    use rand::SeedableRng;
+    use photoncube_spec::find_machine;
 
     use super::*;
 
+    fn drawn(machine: &str, programs: u64) -> Vec<DrawnProgram> {
+        let machine = find_machine(machine).unwrap();
+        (0..programs)
+            .map(|seed| draw_program(machine, seed))
+            .collect()
+    }
+
     #[test]
-    fn programs_are_legal_different_and_of_every_step_and_many_lengths() {
-        for dimension in [4, 5] {
-            let cube = Hypercube::new(dimension);
-            let rng = &mut Pcg64::seed_from_u64(1);
-            let (programs, drawn) = different(rng, cube, 100);
-            assert!(drawn >= 100);
-            let mut seen = HashSet::new();
-            let mut lengths = HashSet::new();
-            for program in &programs {
-                assert_eq!(check_schedule(program, cube), Ok(()));
-                assert!(program.steps().len() <= MOST_OWN_STEPS);
-                seen.extend(program.steps());
-                lengths.insert(program.steps().len());
+    fn every_op_on_every_axis_is_drawn_in_both_classes() {
+        for name in ["paper", "paper-5d"] {
+            let cube = find_machine(name).unwrap().hypercube();
+            let links = OPS.iter().filter(|row| row.uses_link).count();
+            let all = OPS.len() - links + links * cube.axes().count();
+            for class in [ProgramClass::Gather, ProgramClass::Free] {
+                let of_class = drawn(name, 200).into_iter().filter(|d| d.class == class);
+                let steps = of_class.flat_map(|drawn| drawn.program.steps());
+                assert_eq!(steps.collect::<HashSet<_>>().len(), all, "{name} {class:?}");
             }
-            assert_eq!(seen.len(), all_steps(cube).len());
-            assert!(lengths.len() >= 4, "{lengths:?}");
-            let orders: HashSet<_> = programs.iter().map(Microprogram::steps).collect();
-            assert_eq!(orders.len(), 100);
+        }
+    }
+
+    #[test]
+    fn programs_differ_in_length_and_order_and_fill_the_store() {
+        for (name, most) in [("paper", 32), ("paper-5d", 32), ("local", 16)] {
+            let drawn = drawn(name, 400);
+            let programs: HashSet<_> = drawn.iter().map(|d| d.program.steps()).collect();
+            assert!(programs.len() > 380, "{name}: {}", programs.len());
+            let lengths: HashSet<_> = programs.iter().map(Vec::len).collect();
+            let longest = lengths.iter().max();
+            assert_eq!(longest, Some(&most), "{name}: {lengths:?}");
+            assert!(lengths.len() > most / 2, "{name}: {lengths:?}");
+            let gathers = drawn.iter().filter(|d| d.class == ProgramClass::Gather);
+            assert!((160..300).contains(&gathers.count()), "{name}");
+        }
+    }
+
+    #[test]
+    fn what_is_built_as_a_gather_is_one_by_the_checker() {
+        let rng = &mut Pcg64::seed_from_u64(1);
+        for cube in [4, 5, 7].map(Hypercube::new) {
+            let fewest = fewest_clocks(cube);
+            let all_reduce = Microprogram::all_reduce(cube);
+            assert_eq!(fewest, all_reduce.initiation_interval() as usize);
+            for index in 0..200 {
+                let program = gather_program(cube, 1 + index % 3, fewest + index % 20, rng);
+                assert_eq!(check_schedule(&program, cube), Ok(()), "{program}");
+            }
         }
     }
 }

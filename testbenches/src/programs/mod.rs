@@ -1,14 +1,18 @@
-//! Random microprograms: legal ones, drawn from the op table, each in a machine of its own.
+//! Random microprograms, drawn from the op table, each in a machine of its own.
+//!
+//! A program is a function of the machine and a seed, so that any can be had again. Those that the schedule checker
+//! accepts compute a gather, and their results are held against the direct one; the others are any steps that take
+//! queries and groups as streams ask for, whatever they compute.
 
 mod draw;
 mod shrink;
+mod walk;
 
+use std::collections::HashSet;
 use std::fmt;
 
-use photoncube_hdl::Level;
-use photoncube_spec::{Hypercube, Machine, Microprogram, Organisation, OwnProgram};
-use rand::SeedableRng;
-use rand_pcg::Pcg64;
+use photoncube_hdl::{Level, most_steps};
+use photoncube_spec::{Machine, Microprogram, Organisation, OwnProgram};
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -16,23 +20,26 @@ use crate::compare::Divergence;
 use crate::device::{Device, DeviceError};
 use crate::levels::verify_part_device;
 use crate::stimulus::{Source, chunk_seed};
-use crate::verify::{VerifyError, VerifyOptions, verify_device};
+use crate::verify::{VerifyError, VerifyOptions, nothing_compared, verify_device};
 
-pub use draw::draw_program;
+pub use draw::{DrawnProgram, ProgramClass, draw_program};
 
 /// How many programs are drawn, and what each is run on.
 #[derive(Copy, Clone, Debug)]
 pub struct ProgramOptions {
-    /// Legal programs.
+    /// Programs.
     pub programs: u64,
     /// The seed of the programs and of the stimulus.
     pub seed: u64,
-    /// Iterations of the whole machine for each program.
+    /// Iterations of the whole machine for each program, at most [`MOST_PROGRAM_ITERATIONS`].
     pub iterations: u64,
 }
 
-/// Clocks of one cell for each program: some passes through any of them.
-const CELL_CLOCKS: usize = 200;
+/// Clocks of one cell for each program: many passes through any of them.
+const CELL_CLOCKS: usize = 400;
+
+/// More iterations of a program would begin a chunk of stimulus anew, which supposes that a query sets every register.
+pub const MOST_PROGRAM_ITERATIONS: u64 = 4096;
 
 /// What was compared and found equal.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -45,9 +52,11 @@ pub struct ProgramVerdict {
     pub tool_version: String,
     /// The seed.
     pub seed: u64,
-    /// Legal programs, all different.
+    /// Programs, all different.
     pub programs: usize,
-    /// Programs drawn for them; the others could not be made legal in the clocks that there are.
+    /// Those of them that compute a gather.
+    pub gather_programs: usize,
+    /// Programs drawn for them; of the others some were drawn before, and some would lose a query or not end it.
     pub drawn: u64,
     /// Steps of all programs.
     #[serde(rename = "program_steps")]
@@ -56,17 +65,19 @@ pub struct ProgramVerdict {
     pub cell_vectors: u64,
     /// Clocks of the whole machine, in each of which every register was compared.
     pub vectors_compared: u64,
-    /// Results taken, each also held against the direct gather.
+    /// Results of gathers, each also held against the direct one.
     pub results_compared: u64,
 }
 
 /// A program whose Verilog is not what the model does, made as short as it can be.
 #[derive(Clone, Debug)]
 pub struct ProgramFailure {
-    /// The shortest program that still fails.
+    /// The shortest program that still fails: no step and no two can be left out, none made simpler.
     pub program: Microprogram,
+    /// Iterations that it still fails in; it does not in half as many.
+    pub iterations: u64,
     /// The one that was drawn.
-    pub drawn: Microprogram,
+    pub drawn: DrawnProgram,
     /// How the shortest one differs.
     pub divergence: Divergence,
 }
@@ -75,13 +86,15 @@ impl fmt::Display for ProgramFailure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
-            "{}\nthe shortest program that does so, of {} steps:\n{}it was made of this one, of {} \
-             steps:\n{}",
+            "{}\nthe shortest program that does so, of {} steps, in {} iterations:\n{}it was made of \
+             that of seed {}, of {} steps:\n{}",
             self.divergence,
             self.program.steps().len(),
+            self.iterations,
             self.program,
-            self.drawn.steps().len(),
-            self.drawn
+            self.drawn.seed,
+            self.drawn.program.steps().len(),
+            self.drawn.program
         )
     }
 }
@@ -106,42 +119,65 @@ pub enum ProgramsError {
 /// Opens a device with a machine, or its cell, in it.
 pub type Open<'a> = dyn Fn(&Machine, Level) -> Result<Box<dyn Device>, DeviceError> + Sync + 'a;
 
-/// Draws legal programs and compares each in one cell and in the whole machine; `progress` is told of each.
+/// Draws programs and compares each in one cell and in the whole machine; `progress` is told of each.
 ///
 /// # Errors
-/// The first program that differs, as short as it can be; or no verdict at all.
+/// A program that differs, as short as it can be; or no verdict at all.
+///
+/// # Panics
+/// With more than [`MOST_PROGRAM_ITERATIONS`].
 pub fn verify_programs(
     machine: &Machine,
     options: &ProgramOptions,
     open: &Open<'_>,
     progress: &(dyn Fn() + Sync),
 ) -> Result<ProgramVerdict, ProgramsError> {
-    if machine.microprogram().is_none() {
+    assert!(options.iterations <= MOST_PROGRAM_ITERATIONS);
+    if most_steps(machine) == 0 {
         return Err(ProgramsError::NoProgram(machine.name));
     }
-    let mut rng = Pcg64::seed_from_u64(options.seed);
-    let (programs, drawn) = draw::different(&mut rng, machine.hypercube(), options.programs);
-    let numbered: Vec<_> = (0..).zip(&programs).collect();
-    let verdicts = numbered.par_iter().map(|&(number, program)| {
-        let seed = chunk_seed(options.seed, number);
-        let verdict = one(machine, program, seed, options.iterations, open);
+    if options.programs == 0 {
+        return Err(nothing_compared("random programs", 0, 0, 0).into());
+    }
+    let (programs, drawn) = different(machine, options);
+    let verdicts = programs.par_iter().map(|drawn| {
+        let verdict = one(machine, drawn, options.iterations, open);
         progress();
-        verdict.map_err(|error| shrunk(machine, program, seed, options.iterations, open, error))
+        verdict.map_err(|error| (drawn, error))
     });
-    let verdicts: Vec<One> = verdicts.collect::<Result<_, ProgramsError>>()?;
+    let verdicts: Vec<One> = verdicts
+        .collect::<Result<_, _>>()
+        .map_err(|(drawn, error)| shrunk(machine, drawn, options.iterations, open, error))?;
     let first = verdicts.first().cloned().unwrap_or_default();
+    let gathers = programs.iter().filter(|p| p.class == ProgramClass::Gather);
     Ok(ProgramVerdict {
         machine: machine.name,
         device: first.device,
         tool_version: first.tool_version,
         seed: options.seed,
         programs: programs.len(),
+        gather_programs: gathers.count(),
         drawn,
-        steps: programs.iter().map(|p| p.steps().len() as u64).sum(),
+        steps: programs.iter().map(DrawnProgram::steps).sum(),
         cell_vectors: verdicts.iter().map(|one| one.cell_vectors).sum(),
         vectors_compared: verdicts.iter().map(|one| one.vectors).sum(),
         results_compared: verdicts.iter().map(|one| one.results).sum(),
     })
+}
+
+/// So many programs, no two the same, each by a seed of its own, and how many were drawn for them.
+fn different(machine: &Machine, options: &ProgramOptions) -> (Vec<DrawnProgram>, u64) {
+    let mut seen = HashSet::new();
+    let (mut programs, mut drawn, mut number) = (Vec::new(), 0, 0);
+    while (programs.len() as u64) < options.programs {
+        let program = draw_program(machine, chunk_seed(options.seed, number));
+        drawn += program.drawn;
+        number += 1;
+        if seen.insert((program.program.query_clocks(), program.program.steps())) {
+            programs.push(program);
+        }
+    }
+    (programs, drawn)
 }
 
 /// What was compared of one program.
@@ -166,14 +202,15 @@ pub fn programmed(machine: &Machine, program: &Microprogram) -> Machine {
     }
 }
 
+/// One program, with the stimulus of its seed.
 fn one(
     machine: &Machine,
-    program: &Microprogram,
-    seed: u64,
+    drawn: &DrawnProgram,
     iterations: u64,
     open: &Open<'_>,
 ) -> Result<One, VerifyError> {
-    let machine = programmed(machine, program);
+    let machine = programmed(machine, &drawn.program);
+    let seed = drawn.seed;
     let mut cell = open(&machine, Level::Cell)?;
     let cell = verify_part_device(&machine, Level::Cell, cell.as_mut(), CELL_CLOCKS, seed)?;
     let options = VerifyOptions {
@@ -183,44 +220,73 @@ fn one(
     };
     let mut device = open(&machine, Level::Machine)?;
     let verdict = verify_device(&machine, device.as_mut(), &options, &|_| ())?;
+    let results = match drawn.class {
+        ProgramClass::Gather => verdict.results_compared,
+        ProgramClass::Free => 0,
+    };
     Ok(One {
         device: verdict.device,
         tool_version: verdict.tool_version,
         cell_vectors: cell.vectors_compared,
         vectors: verdict.vectors_compared,
-        results: verdict.results_compared,
+        results,
     })
 }
 
-/// The failure of the shortest program that fails, if a difference it was.
+/// The failure of the shortest program that fails, and of the least stimulus, if a difference it was.
 fn shrunk(
     machine: &Machine,
-    program: &Microprogram,
-    seed: u64,
+    drawn: &DrawnProgram,
     iterations: u64,
     open: &Open<'_>,
     error: VerifyError,
 ) -> ProgramsError {
-    let VerifyError::Diverged(mut divergence) = error else {
+    let VerifyError::Diverged(divergence) = error else {
         return error.into();
     };
-    let cube: Hypercube = machine.hypercube();
-    let fails = |program: &Microprogram| match one(machine, program, seed, iterations, open) {
-        Err(VerifyError::Diverged(found)) => Some(found),
-        _ => None,
-    };
-    let mut shortest = program.clone();
-    while let Some((shorter, found)) = shrink::shorter(&shortest, cube, &fails) {
-        (shortest, divergence) = (shorter, found);
+    match shortest(machine, drawn, iterations, open, *divergence) {
+        Ok(failure) => ProgramsError::Failed(Box::new(failure)),
+        Err(error) => error.into(),
     }
-    let mut divergence = *divergence;
+}
+
+fn shortest(
+    machine: &Machine,
+    drawn: &DrawnProgram,
+    mut iterations: u64,
+    open: &Open<'_>,
+    mut divergence: Divergence,
+) -> Result<ProgramFailure, VerifyError> {
+    let mut differs = |program: &Microprogram, iterations| {
+        let tried = DrawnProgram {
+            program: program.clone(),
+            ..drawn.clone()
+        };
+        match one(machine, &tried, iterations, open) {
+            Ok(_) => Ok(false),
+            Err(VerifyError::Diverged(found)) => {
+                divergence = *found;
+                Ok(true)
+            }
+            Err(other) => Err(other),
+        }
+    };
+    let cube = machine.hypercube();
+    let program = shrink::shrink(&drawn.program, cube, &mut |program| {
+        differs(program, iterations)
+    })?;
+    while iterations > 1 && differs(&program, iterations / 2)? {
+        iterations /= 2;
+    }
+    // The program's seed is that of the first program of a run.
     divergence.repeat = format!(
-        "photoncube verify --programs N --machine {} --against {} with the seed and N of this run",
-        machine.name, divergence.device
+        "photoncube verify --programs 1 --machine {} --against {} --seed {}",
+        machine.name, divergence.device, drawn.seed
     );
-    ProgramsError::Failed(Box::new(ProgramFailure {
-        program: shortest,
-        drawn: program.clone(),
+    Ok(ProgramFailure {
+        program,
+        iterations,
+        drawn: drawn.clone(),
         divergence,
-    }))
+    })
 }

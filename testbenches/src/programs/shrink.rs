@@ -1,62 +1,137 @@
-//! Shorter programs that still fail.
+//! From a program that fails to the shortest that still does.
 
-use photoncube_spec::{Hypercube, Microprogram, ScheduledStep, check_schedule};
+use photoncube_spec::{Axis, Hypercube, Microprogram, Op, Step, check_streams};
 
-/// A legal program with a step less, and what became of it; none where no such program fails.
-pub(super) fn shorter<T>(
+/// Leaves out steps as long as `fails` says that the rest still fails, then makes those that are left
+/// simpler. At the end no step, and no two, can be left out, and none made simpler.
+pub(super) fn shrink<E>(
     program: &Microprogram,
     cube: Hypercube,
-    fails: &dyn Fn(&Microprogram) -> Option<T>,
-) -> Option<(Microprogram, T)> {
-    let query = (0..program.query_clocks()).map(|clock| Microprogram {
-        query: without(&program.query, clock),
-        ..program.clone()
-    });
-    let iteration = (0..program.initiation_interval()).map(|clock| Microprogram {
-        iteration: without(&program.iteration, clock),
-        ..program.clone()
-    });
-    let legal = query
-        .chain(iteration)
-        .filter(|shorter| check_schedule(shorter, cube).is_ok());
-    legal.into_iter().find_map(|shorter| {
-        let found = fails(&shorter)?;
-        Some((shorter, found))
-    })
+    fails: &mut dyn FnMut(&Microprogram) -> Result<bool, E>,
+) -> Result<Microprogram, E> {
+    let mut best = Phases::of(program);
+    loop {
+        let mut smaller = None;
+        for candidate in best.candidates() {
+            let program = candidate.program();
+            // What loses queries or never ends is no program to compare by.
+            if check_streams(&program, cube).is_ok() && fails(&program)? {
+                smaller = Some(candidate);
+                break;
+            }
+        }
+        match smaller {
+            Some(candidate) => best = candidate,
+            None => return Ok(best.program()),
+        }
+    }
 }
 
-/// A phase without a clock.
-fn without(phase: &[ScheduledStep], clock: u32) -> Vec<ScheduledStep> {
-    let rest = phase.iter().filter(|scheduled| scheduled.clock != clock);
-    let earlier = |scheduled: &ScheduledStep| ScheduledStep {
-        clock: scheduled.clock - u32::from(scheduled.clock > clock),
-        step: scheduled.step,
-    };
-    rest.map(earlier).collect()
+/// The steps of both phases in a row, and how many are of the query phase.
+#[derive(Clone)]
+struct Phases {
+    steps: Vec<Step>,
+    query: usize,
+}
+
+impl Phases {
+    fn of(program: &Microprogram) -> Self {
+        Self {
+            steps: program.steps(),
+            query: program.query_clocks() as usize,
+        }
+    }
+
+    fn program(&self) -> Microprogram {
+        let (query, iteration) = self.steps.split_at(self.query);
+        Microprogram::of_phases(query, iteration)
+    }
+
+    /// Smaller programs, the smallest first; each is smaller in an order that has an end.
+    fn candidates(&self) -> Vec<Self> {
+        let count = self.steps.len();
+        let mut candidates = Vec::new();
+        let mut size = count / 2;
+        while size > 0 {
+            let starts = (0..count).step_by(size);
+            candidates.extend(starts.map(|start| self.without(|i| i / size == start / size)));
+            size /= 2;
+        }
+        for first in 0..count {
+            let pairs = (0..first).map(|second| self.without(|i| i == first || i == second));
+            candidates.extend(pairs);
+        }
+        candidates.extend((0..count).flat_map(|place| self.simpler(place)));
+        candidates
+    }
+
+    fn without(&self, left_out: impl Fn(usize) -> bool) -> Self {
+        let kept = |&(index, _): &(usize, &Step)| !left_out(index);
+        let steps = self.steps.iter().enumerate().filter(kept);
+        Self {
+            steps: steps.map(|(_, &step)| step).collect(),
+            query: (0..self.query).filter(|&i| !left_out(i)).count(),
+        }
+    }
+
+    /// A nop in the place of a step, or the step on the first axis.
+    fn simpler(&self, place: usize) -> impl Iterator<Item = Self> + '_ {
+        let step = self.steps[place];
+        let simple = match (step.op, step.axis) {
+            (Op::Nop, _) => vec![],
+            (_, None | Some(Axis::X)) => vec![Step::new(Op::Nop)],
+            (op, Some(_)) => {
+                let axis = Some(Axis::X);
+                vec![Step::new(Op::Nop), Step { op, axis }]
+            }
+        };
+        simple.into_iter().map(move |step| {
+            let mut simpler = self.clone();
+            simpler.steps[place] = step;
+            simpler
+        })
+    }
 }
 
 #[cfg(test)]
 mod tests {
-    use photoncube_spec::{Op, Step, parse_listing};
-
     use super::*;
 
-    #[test]
-    fn what_a_failure_does_not_need_is_left_out() {
+    fn shortest(fails: impl Fn(&[Step]) -> bool) -> Vec<String> {
         let cube = Hypercube::new(4);
-        let long = "query:\n0 nop\n1 ldq\niteration:\n0 ldw\n1 ldp\n2 nop\n3 sqd\n4 add z\n5 sqd\n\
-                    6 add w\n7 add z\n8 gate\n9 add x\n10 add y\n11 nop\n12 acc\n";
-        let mut program = parse_listing(long).unwrap();
-        let has_nop = |program: &Microprogram| {
-            let nop = Step::new(Op::Nop);
-            program.steps().contains(&nop).then_some(())
-        };
-        while let Some((shorter, ())) = shorter(&program, cube, &has_nop) {
-            program = shorter;
-        }
-        assert_eq!(check_schedule(&program, cube), Ok(()));
-        // The all-reduce and its query, and the nop.
-        assert_eq!(program.steps().len(), 11);
-        assert!(has_nop(&program).is_some());
+        let program = Microprogram::all_reduce(cube);
+        let mut tried = |program: &Microprogram| Ok::<_, ()>(fails(&program.steps()));
+        let program = shrink(&program, cube, &mut tried).unwrap();
+        assert_eq!(check_streams(&program, cube), Ok(()));
+        program.steps().iter().map(Step::to_string).collect()
+    }
+
+    fn has(steps: &[Step], op: Op) -> bool {
+        steps.iter().any(|step| step.op == op)
+    }
+
+    #[test]
+    fn only_what_fails_and_what_the_streams_need_is_left() {
+        let gate = shortest(|steps| has(steps, Op::Gate));
+        assert_eq!(gate, ["ldq", "ldp", "gate"]);
+        let add = shortest(|steps| has(steps, Op::ExchangeAdd));
+        assert_eq!(add, ["ldq", "ldp", "add x"]);
+        assert_eq!(shortest(|_| true), ["ldq", "ldp", "nop"]);
+    }
+
+    #[test]
+    fn two_steps_that_hold_each_other_are_left_out_together() {
+        let adds = |steps: &[Step]| steps.iter().filter(|s| s.op == Op::ExchangeAdd).count();
+        // With one of its four adds left out, the program does not fail.
+        let fails = |steps: &[Step]| has(steps, Op::Gate) && adds(steps).is_multiple_of(2);
+        assert_eq!(shortest(fails), ["ldq", "ldp", "gate"]);
+    }
+
+    #[test]
+    fn what_cannot_be_tried_ends_the_search() {
+        let cube = Hypercube::new(4);
+        let program = Microprogram::all_reduce(cube);
+        let result = shrink(&program, cube, &mut |_| Err("no tool"));
+        assert_eq!(result, Err("no tool"));
     }
 }

@@ -59,8 +59,8 @@ pub struct VerifyArgs {
     /// Count what a verification in Verilator uses of the emitted lines, branches and bits, and list what it does not
     #[arg(long, group = "method")]
     pub coverage: bool,
-    /// Draw N different legal microprograms, and compare each in one cell and in the machine; one that differs is
-    /// made as short as it can be
+    /// Draw N different microprograms, gathers and any others that end, and compare each in one cell and in the
+    /// machine; one that differs is made as short as it can be
     #[arg(long, group = "method", value_name = "N", value_parser = clap::value_parser!(u64).range(1..1 << 20))]
     pub programs: Option<u64>,
     /// Plant about N mutations in the emitted Verilog, one at a time, and see whether the stimulus finds each; what it

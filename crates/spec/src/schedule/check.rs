@@ -2,13 +2,14 @@
 
 use super::content::Content;
 use super::error::ScheduleError;
+use super::streams::check_takers;
 use crate::hypercube::{Axis, Hypercube};
 use crate::microprogram::{Microprogram, ScheduledStep};
 use crate::op::Op;
 use crate::register::{REGISTERS, Register};
 
-const QUERY: &str = "query";
-const ITERATION: &str = "iteration";
+pub(super) const QUERY: &str = "query";
+pub(super) const ITERATION: &str = "iteration";
 
 /// Checks a microprogram for a cube: one op in each clock (the cells share one instruction), one
 /// writer for each register and one word for each link and clock, every operand complete before
@@ -17,13 +18,7 @@ const ITERATION: &str = "iteration";
 /// # Errors
 /// The first violation, with its clock and node.
 pub fn check_schedule(program: &Microprogram, cube: Hypercube) -> Result<(), ScheduleError> {
-    for (phase, steps) in [(QUERY, &program.query), (ITERATION, &program.iteration)] {
-        if steps.is_empty() {
-            return Err(ScheduleError::Empty { phase });
-        }
-        check_resources(phase, steps, cube)?;
-    }
-    check_streams(program)?;
+    check_structure(program, cube)?;
     let mut cells = vec![[Content::Stale; REGISTERS.len()]; cube.nodes()];
     run_phase(QUERY, &program.query, cube, &mut cells)?;
     expect_all(QUERY, program.query_clocks(), &cells, Content::SumOf(0))?;
@@ -37,6 +32,20 @@ pub fn check_schedule(program: &Microprogram, cube: Hypercube) -> Result<(), Sch
                 cell[register as usize] = Content::Stale;
             }
         }
+    }
+    check_takers(program)
+}
+
+/// Two phases, one op in each clock, links that there are: what any control store can hold.
+pub(super) fn check_structure(
+    program: &Microprogram,
+    cube: Hypercube,
+) -> Result<(), ScheduleError> {
+    for (phase, steps) in [(QUERY, &program.query), (ITERATION, &program.iteration)] {
+        if steps.is_empty() {
+            return Err(ScheduleError::Empty { phase });
+        }
+        check_resources(phase, steps, cube)?;
     }
     Ok(())
 }
@@ -70,28 +79,6 @@ fn check_resources(
         }
     }
     Ok(())
-}
-
-/// A query is taken by each step that reads one, so there is one such step; a group by the last that reads it, and
-/// the machine looks in the iteration's last clock at whether the group that it has taken was the last.
-fn check_streams(program: &Microprogram) -> Result<(), ScheduleError> {
-    let mut queries = program.query.iter().filter(|s| s.step.op.row().reads_query);
-    if let (Some(first), Some(second)) = (queries.next(), queries.next()) {
-        return Err(ScheduleError::TakenTwice {
-            clock: second.clock,
-            first: first.clock,
-            step: second.step.to_string(),
-        });
-    }
-    let last_clock = program.initiation_interval() - 1;
-    let takes = |s: &&ScheduledStep| s.clock == last_clock && s.step.op.row().reads_group;
-    match program.iteration.iter().find(takes) {
-        Some(late) => Err(ScheduleError::TakenLate {
-            clock: late.clock,
-            step: late.step.to_string(),
-        }),
-        None => Ok(()),
-    }
 }
 
 /// What two steps of one clock compete for; if nothing else, for the one instruction.

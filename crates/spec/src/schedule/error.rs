@@ -40,6 +40,12 @@ pub enum ScheduleError {
         first: u32,
         step: String,
     },
+    #[error("{phase} phase: no step takes a {stream}; expected `{expected}`")]
+    NotTaken {
+        phase: &'static str,
+        stream: &'static str,
+        expected: &'static str,
+    },
     #[error(
         "iteration clock {clock}: `{step}` takes the group in the iteration's last clock, in which \
          the machine must know already whether it is the query's last; let another step follow"

@@ -9,8 +9,10 @@ mod check;
 mod content;
 mod error;
 mod report;
+mod streams;
 
 pub use check::check_schedule;
 pub use content::Content;
 pub use error::ScheduleError;
 pub use report::{ScheduleReport, UnitUse, schedule_report};
+pub use streams::check_streams;

@@ -56,7 +56,11 @@ fn line(verdict: &ProgramVerdict) -> Line {
         by: format!("{}: {}", verdict.device, verdict.tool_version),
         volume: verdict.programs as u64,
         unit: "programs, each in one cell and in all".to_owned(),
-        result: format!("0 mismatches in {} vectors", grouped(vectors)),
+        result: format!(
+            "0 mismatches in {} vectors; {} programs are gathers",
+            grouped(vectors),
+            verdict.gather_programs
+        ),
         command: format!(
             "photoncube verify --programs {} --machine {} --against {} --seed {}",
             verdict.programs, verdict.machine, verdict.device, verdict.seed
@@ -68,6 +72,7 @@ fn text(report: &Report) -> String {
     let header = [
         "device",
         "programs",
+        "gathers",
         "drawn",
         "steps",
         "vectors of one cell",
@@ -79,6 +84,7 @@ fn text(report: &Report) -> String {
         vec![
             verdict.device.clone(),
             verdict.programs.to_string(),
+            verdict.gather_programs.to_string(),
             grouped(verdict.drawn),
             grouped(verdict.steps),
             grouped(verdict.cell_vectors),

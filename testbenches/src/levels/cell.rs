@@ -1,0 +1,109 @@
+//! A cell for itself, its network and its control block random: under random steps, or under a
+//! program with the clocks in which that waits.
+
+use photoncube_model::{CellInputs, CellRules, CellState};
+use photoncube_spec::{ControlWord, Machine, Microprogram, OPS, Step, encode};
+use rand::RngExt;
+use rand_pcg::Pcg64;
+
+use super::{Trace, field_named};
+use crate::compare::Activity;
+use crate::stimulus::corner;
+
+/// What a cell is asked for in a clock.
+struct Asked {
+    step: Step,
+    word: ControlWord,
+    /// The step waits for a stream: nothing is written, and all else of the word stands.
+    waits: bool,
+}
+
+impl Trace {
+    /// A cell under a program of random steps.
+    pub(super) fn cell(&mut self, machine: &Machine, vectors: usize, rng: &mut Pcg64) {
+        let rules = CellRules::of(machine);
+        let axes: Vec<_> = machine.hypercube().axes().collect();
+        let mut cell = CellState::default();
+        for _ in 0..vectors {
+            let row = &OPS[rng.random_range(0..OPS.len())];
+            let axis = row.uses_link.then(|| axes[rng.random_range(0..axes.len())]);
+            let step = Step { op: row.op, axis };
+            let asked = Asked {
+                step,
+                word: encode(step, false),
+                waits: false,
+            };
+            self.cell_clock(machine, &rules, &mut cell, &asked, rng);
+        }
+    }
+
+    /// A cell under the control words of a program, iterations and queries of any number.
+    pub(super) fn program_cell(
+        &mut self,
+        machine: &Machine,
+        program: &Microprogram,
+        vectors: usize,
+        rng: &mut Pcg64,
+    ) {
+        let rules = CellRules::of(machine);
+        let (steps, words) = (program.steps(), program.control_words());
+        let iteration = program.query_clocks() as usize;
+        let mut cell = CellState::default();
+        let mut address = 0;
+        for _ in 0..vectors {
+            let asked = Asked {
+                step: steps[address],
+                word: words[address],
+                waits: rng.random_ratio(1, 4),
+            };
+            self.cell_clock(machine, &rules, &mut cell, &asked, rng);
+            address = match address + 1 == steps.len() {
+                _ if asked.waits => address,
+                false => address + 1,
+                true if rng.random_ratio(1, 3) => 0,
+                true => iteration,
+            };
+        }
+    }
+
+    /// One clock; the link is 0 where a step names no axis, as the network makes it.
+    fn cell_clock(
+        &mut self,
+        machine: &Machine,
+        rules: &CellRules,
+        cell: &mut CellState,
+        asked: &Asked,
+        rng: &mut Pcg64,
+    ) {
+        let widths = rules.widths();
+        let mut any = |bits| corner(rng, bits);
+        let inputs = CellInputs {
+            query: any(widths.coordinate) as u32,
+            radius_sq: any(widths.radius_sq) as u32,
+            photon: any(widths.photon) as u32,
+            present: any(2) != 0,
+            power: any(widths.power),
+            link: asked.step.axis.map_or(0, |_| any(widths.work)),
+        };
+        let fields = |name: &str| match name {
+            "query_in" => u64::from(inputs.query),
+            "radius_sq_in" => u64::from(inputs.radius_sq),
+            "photon_in" => u64::from(inputs.photon),
+            "present_in" => u64::from(inputs.present),
+            "power_in" => inputs.power,
+            "link_in" => inputs.link,
+            write if asked.waits && write.starts_with("write_") => 0,
+            field => u64::from(field_named(field).of(asked.word, machine.dimension)),
+        };
+        let mut expected = vec![cell.work, cell.sum];
+        expected.extend(cell.registers());
+        let activity = match asked.waits {
+            true => Activity::WaitsFor(asked.step),
+            false => Activity::Step(asked.step),
+        };
+        self.push(activity, fields, &expected);
+        if !asked.waits {
+            cell.execute(asked.step.op, &inputs, rules);
+        }
+    }
+}
