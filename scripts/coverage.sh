@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Lines of the golden model and the spec that their own tests use, by cargo llvm-cov; what is left is listed.
+# Lines of the golden model that the tests use, by cargo llvm-cov; what is left is listed with a reason.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -9,12 +9,14 @@ usage() {
     cat <<USAGE
 Usage: scripts/coverage.sh [--help]
 
-Runs the tests of photoncube-model and photoncube-spec, and the unit tests of the testbench, under cargo llvm-cov
-$VERSION, which it installs with rustup's llvm-tools if they are not there (some minutes), and prints for each file its lines and those that no test
-used. The text of each such line stands behind it. What the emitted Verilog's coverage is, says
+Runs the tests of photoncube-model, the unit tests of the testbench and its comparison of all named machines with their
+emitted text, under cargo llvm-cov $VERSION, which it installs with rustup's llvm-tools if they are not there (some
+minutes). Prints for each file of the golden model its lines and those that were used, then each line that was not, with
+the reason in scripts/coverage_reasons.toml. What the coverage of the emitted Verilog is, says
 \`photoncube verify --coverage\`.
 
-Exit codes: 0 the table is printed; 1 an installation or a test failed; 2 bad usage.
+Exit codes: 0 each unused line has a reason; 1 one has none, a reason is for no line, or an installation or a test
+failed; 2 bad usage.
 USAGE
 }
 
@@ -29,10 +31,17 @@ if [[ $(cargo llvm-cov --version 2>/dev/null) != "cargo-llvm-cov $VERSION" ]]; t
     cargo install --locked "cargo-llvm-cov@$VERSION"
 fi
 
+# Tests of both packages at once, so that what they stand on is built once.
+count() {
+    cargo llvm-cov --no-report --locked -p photoncube-model -p photoncube-testbench "$@" >&2
+}
+
 report=$(mktemp)
 trap 'rm -f "$report"' EXIT
-# The testbench's unit tests drive the golden model as every verification does.
-cargo llvm-cov --locked -p photoncube-model -p photoncube-spec -p photoncube-testbench --lib \
-    --test machine_equals_gather --test planes --test local_gather --test snapshots --test comparison \
-    --ignore-filename-regex '/(testbenches|crates/hdl|crates/render)/' --json --output-path "$report" >&2
-python3 scripts/coverage.py "$report"
+cargo llvm-cov clean --profraw-only
+count --lib --test local_gather --test machine_equals_gather --test planes --test spatial --test streams --test comparison
+# `text` is in the names of its trials.
+count --test machines -- text
+cargo llvm-cov report --ignore-filename-regex '/(testbenches|crates/(hdl|render|spec)|tests)/|tests\.rs$' --json \
+    --output-path "$report" >&2
+python3 scripts/coverage.py "$report" scripts/coverage_reasons.toml

@@ -8,8 +8,9 @@ use libtest_mimic::{Arguments, Failed, Trial};
 use photoncube_hdl::{Level, emit};
 use photoncube_spec::{Machine, Microprogram, Op, Step, check_streams, find_machine};
 use photoncube_testbench::{
-    Device, DeviceError, DeviceKind, Mutant, ProgramFailure, ProgramOptions, ProgramsError, Source,
-    Text, VerifyError, VerifyOptions, draw_program, programmed, verify_device, verify_programs,
+    Device, DeviceError, DeviceKind, Mutant, Open, ProgramFailure, ProgramOptions, ProgramsError,
+    Source, Text, VerifyError, VerifyOptions, draw_program, programmed, verify_device,
+    verify_programs,
 };
 
 use planted::edit;
@@ -25,6 +26,9 @@ const RUNS: [(&str, DeviceKind, u64); 6] = [
     ("paper-5d", DeviceKind::Icarus, 4),
 ];
 
+/// A trial that needs no tool.
+type Run = fn() -> Result<(), Failed>;
+
 fn main() {
     let mut trials = Vec::new();
     for (machine, kind, programs) in RUNS {
@@ -35,7 +39,7 @@ fn main() {
             run,
         ));
     }
-    let plain: [(&str, fn() -> Result<(), Failed>); 6] = [
+    let plain: [(&str, Run); 6] = [
         ("shrunk::a_nop_that_is_skipped", skipped_nop),
         ("shrunk::a_gate_that_squares", gate_that_squares),
         ("shrunk::an_adder_of_the_cell", adder_of_the_cell),
@@ -71,12 +75,8 @@ fn equal(machine: &str, kind: DeviceKind, programs: u64) -> Result<(), Failed> {
 }
 
 /// Opens the emitted text of programmed machines with this in the place of that, wherever it stands in one module.
-fn edited(
-    module: &'static str,
-    from: &'static str,
-    to: &'static str,
-) -> impl Fn(&Machine, Level) -> Result<Box<dyn Device>, DeviceError> + Sync {
-    move |machine, level| {
+fn edited(module: &'static str, from: &'static str, to: &'static str) -> Box<Open<'static>> {
+    Box::new(move |machine, level| {
         let mut design = emit(machine, level).expect("the machine is emitted");
         if let Some(start) = design.text.find(&format!("_{module}(address")) {
             let end = start + design.text[start..].find("endmodule").expect("it ends");
@@ -84,13 +84,10 @@ fn edited(
             design.text.replace_range(start..end, &body);
         }
         Ok(Box::new(Text::new(&design)?))
-    }
+    })
 }
 
-fn failure(
-    open: &(dyn Fn(&Machine, Level) -> Result<Box<dyn Device>, DeviceError> + Sync),
-    options: &ProgramOptions,
-) -> Result<ProgramFailure, Failed> {
+fn failure(open: &Open<'_>, options: &ProgramOptions) -> Result<ProgramFailure, Failed> {
     match verify_programs(find_machine("paper")?, options, open, &|| ()) {
         Err(ProgramsError::Failed(failure)) => Ok(*failure),
         Err(other) => Err(other.into()),
@@ -132,7 +129,7 @@ fn skipped_nop() -> Result<(), Failed> {
 /// program that takes both streams is shorter.
 fn gate_that_squares() -> Result<(), Failed> {
     let open = edited("store", "15'b1001000;", "15'b1000;");
-    let failure = failure(&open, &options(24))?;
+    let failure = failure(&*open, &options(24))?;
     let ops = ops(&failure);
     assert_eq!(ops.len(), 3, "{failure}");
     assert_eq!((ops[0], ops[2]), (Op::LoadQuery, Op::Gate), "{failure}");
@@ -162,9 +159,9 @@ fn adder_of_the_cell() -> Result<(), Failed> {
 fn repeated() -> Result<(), Failed> {
     // The store forgets `add x`, which not all programs have.
     let open = edited("store", "15'b100000101000;", "15'b0;");
-    let first = failure(&open, &options(24))?;
+    let first = failure(&*open, &options(24))?;
     let seed = first.drawn.seed;
-    let again = failure(&open, &ProgramOptions { seed, ..options(1) })?;
+    let again = failure(&*open, &ProgramOptions { seed, ..options(1) })?;
     assert_eq!(first.to_string(), again.to_string());
     let command =
         format!("photoncube verify --programs 1 --machine paper --against text --seed {seed}");

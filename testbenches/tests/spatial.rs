@@ -3,9 +3,12 @@
 
 mod support;
 
-use libtest_mimic::Arguments;
+use libtest_mimic::{Arguments, Failed};
 use photoncube_hdl::Level;
-use photoncube_spec::{Cut, Cuts, Machine, Organisation, Spatial, Squarer, find_machine};
+use photoncube_spec::{
+    Cut, Cuts, Exponent, Machine, Numbers, Organisation, PhotonFormat, PowerFormat, Spatial,
+    Squarer, find_machine,
+};
 use photoncube_testbench::{DeviceKind, Source, VerifyOptions, verify, verify_part};
 
 /// Registers where one must be, and nowhere else.
@@ -23,7 +26,6 @@ const ALL: Cuts = Cuts::of(&Cut::ALL);
 /// Those that start at once: Verilator's would take longer to build than these run.
 const DEVICES: [DeviceKind; 3] = [DeviceKind::RustHdl, DeviceKind::Text, DeviceKind::Icarus];
 
-const ITERATIONS: u64 = 1_000;
 /// Of two 10-bit coordinates.
 const ALL_PAIRS: usize = 1 << 20;
 
@@ -40,6 +42,40 @@ fn variant(name: &str, squarer: Squarer, cuts: Option<Cuts>) -> Machine {
     }
 }
 
+/// Of one engine a thousand, with each squarer's corners; of a chain, whose engines are alike, enough that each passes on
+/// what it got, and more where that is quick.
+fn iterations(name: &str, kind: DeviceKind) -> u64 {
+    match (name, kind) {
+        ("stream" | "tile-4", _) | (_, DeviceKind::Text) => 1_000,
+        _ => 50,
+    }
+}
+
+/// A machine whose photons have exponents of their own, as no named spatial one's have.
+fn with_exponents(name: &str) -> Machine {
+    let machine = *find_machine(name).expect("a named machine");
+    let format = *machine.format().expect("a spatial machine has a format");
+    let power = PowerFormat {
+        exponent: Exponent::Photon { bits: 5 },
+        ..format.power
+    };
+    Machine {
+        numbers: Numbers::Local(PhotonFormat { power, ..format }),
+        ..machine
+    }
+}
+
+fn equal(machine: &Machine, kind: DeviceKind, iterations: u64) -> Result<(), Failed> {
+    let options = VerifyOptions {
+        iterations,
+        seed: 1,
+        source: Source::Random,
+    };
+    let verdict = verify(machine, kind, &options, &|_| ())?;
+    assert!(verdict.registers_compared && verdict.iterations >= iterations);
+    Ok(())
+}
+
 fn main() {
     let mut trials = Vec::new();
     // Radius of the query, one engine; radius of the format, a chain.
@@ -50,19 +86,21 @@ fn main() {
                 let machine = variant(name, squarer, cuts);
                 for kind in DEVICES {
                     let title = format!("{name}::{}::{cuts_name}::{kind}", squarer.name());
-                    let run = move || {
-                        let options = VerifyOptions {
-                            iterations: ITERATIONS,
-                            seed: 1,
-                            source: Source::Random,
-                        };
-                        let verdict = verify(&machine, kind, &options, &|_| ())?;
-                        assert!(verdict.registers_compared && verdict.iterations >= ITERATIONS);
-                        Ok(())
-                    };
+                    let iterations = iterations(name, kind);
+                    let run = move || equal(&machine, kind, iterations);
                     trials.push(support::trial(title, kind, run));
                 }
             }
+        }
+    }
+    // Without and with a photon memory.
+    for name in ["tile-4", "tile-6-mixed"] {
+        let machine = with_exponents(name);
+        for kind in DEVICES {
+            let title = format!("exponents::{name}::{kind}");
+            let iterations = iterations(name, kind);
+            let run = move || equal(&machine, kind, iterations);
+            trials.push(support::trial(title, kind, run));
         }
     }
     for squarer in [Squarer::Product, Squarer::Table] {

@@ -23,8 +23,8 @@ pub use golden::{GoldenMachine, golden_machine};
 pub use local::{
     CountError, LocalError, LocalGather, LocalLimits, PackError, ValueError, pack, unpack,
 };
-pub use machine::{ControlState, StepMachine};
-pub use overlap::{OverlapControl, OverlapMachine};
+pub use machine::StepMachine;
+pub use overlap::OverlapMachine;
 pub use overlap_cell::{CellPorts, OverlapCell};
 pub use planes::{Gathered, Instructions, LEAF, PhotonPlanes, Surroundings};
 pub use range::{Limits, RangeError};

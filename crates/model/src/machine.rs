@@ -12,7 +12,7 @@ use crate::golden::GoldenMachine;
 
 /// The registers of the control block.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
-pub struct ControlState {
+struct ControlState {
     /// The next step, as an index into the program: the query phase, then the iteration.
     pub address: usize,
     /// The group at work is the query's last.
@@ -62,16 +62,6 @@ impl StepMachine {
             before: cells.clone(),
             cells,
         }
-    }
-
-    /// The control block's registers.
-    pub fn control(&self) -> ControlState {
-        self.control
-    }
-
-    /// The cells, by node index.
-    pub fn cells(&self) -> &[CellState] {
-        &self.cells
     }
 
     /// The step that this clock will do, if nothing makes it wait.

@@ -13,7 +13,7 @@ use crate::overlap_cell::{CellPorts, OverlapCell};
 
 /// The registers of the control block.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
-pub struct OverlapControl {
+struct OverlapControl {
     /// The address of the words at work: a clock of the kernel or of the epilogue; none while they
     /// are 0.
     pub at_work: Option<u32>,
@@ -66,16 +66,6 @@ impl OverlapMachine {
             before: cells.clone(),
             cells,
         }
-    }
-
-    /// The control block's registers.
-    pub fn control(&self) -> OverlapControl {
-        self.control
-    }
-
-    /// The cells, by node index.
-    pub fn cells(&self) -> &[OverlapCell] {
-        &self.cells
     }
 
     /// All roles take a group in the same clocks.

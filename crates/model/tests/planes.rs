@@ -392,3 +392,13 @@ fn what_the_plain_gather_refuses_is_refused() {
     assert!(planes.push_run(1, &[photon]).is_err());
     assert_eq!((planes.photons(), planes.runs()), (0, 0));
 }
+
+#[test]
+#[should_panic(expected = "is not in the block that the surroundings are of")]
+fn a_query_of_another_block_is_a_mistake() {
+    let gather = LocalGather::new(&PHOTON_FORMATS[0]).unwrap();
+    let planes = PhotonPlanes::new(gather);
+    let query = LocalQuery { position: [0; 3] };
+    let mut found = [Gathered::default()];
+    let _ = planes.gather(&Surroundings::default(), &[query], 1, &mut found);
+}

@@ -20,9 +20,10 @@ const PIN_WIDTH: u32 = 16;
 /// meaning whatever selects; tables stay.
 pub(super) const ELABORATION: &str = "proc -norom; pmuxtree; opt_clean";
 
-/// From the elaborated modules to one in which each net has one name, and no register is lost, whoever reads it.
-pub(super) const FLAT: &str = "flatten\nmemory_collect\nmemory_map\nsetattr -set keep 1 t:$dff\nopt_clean -purge\n\
-     setattr -unset keep t:$dff";
+/// From the elaborated modules to one in which each net has one name, and no register is lost, whoever reads it. Buffers
+/// before the pins keep a register from being named as the pin that it drives, which a mutation between them would change.
+pub(super) const FLAT: &str = "flatten\niopadmap -bits -outpad $_BUF_ A:Y\nsetattr -set keep 1 t:$_BUF_\n\
+     memory_collect\nmemory_map\nsetattr -set keep 1 t:$dff\nopt_clean -purge\nsetattr -unset keep t:$dff";
 
 /// One thing that is wrong.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]

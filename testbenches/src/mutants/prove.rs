@@ -46,10 +46,10 @@ impl Prover<'_> {
              design -load elaborated\nmutate {options}\n{FLAT}\nrename {top} gate\ndesign -stash gate\n\
              design -copy-from gold -as gold gold\ndesign -copy-from gate -as gate gate\n\
              expose -evert-dff -dff -shared gold gate\n\
-             miter -equiv -flatten -make_assert gold gate miter\n{last}"
+             miter -equiv -flatten -make_assert -make_outputs gold gate miter\n{last}"
         );
         let folder = scratch_folder()?;
-        let wrapper = self.invariants.wrapper("miter", "in_") + "endmodule\n";
+        let wrapper = self.invariants.around_miter();
         write_file(&folder.path().join("wrapper.sv"), &wrapper)?;
         match yosys(folder.path(), self.design, &script) {
             Ok(()) => Ok(true),

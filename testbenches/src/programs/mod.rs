@@ -143,11 +143,9 @@ pub fn verify_programs(
     let verdicts = programs.par_iter().map(|drawn| {
         let verdict = one(machine, drawn, options.iterations, open);
         progress();
-        verdict.map_err(|error| (drawn, error))
+        verdict.map_err(|error| shrunk(machine, drawn, options.iterations, open, error))
     });
-    let verdicts: Vec<One> = verdicts
-        .collect::<Result<_, _>>()
-        .map_err(|(drawn, error)| shrunk(machine, drawn, options.iterations, open, error))?;
+    let verdicts = verdicts.collect::<Result<Vec<One>, _>>()?;
     let first = verdicts.first().cloned().unwrap_or_default();
     let gathers = programs.iter().filter(|p| p.class == ProgramClass::Gather);
     Ok(ProgramVerdict {

@@ -1,5 +1,6 @@
 //! Spatial machines: the named ones, and others in every legal shape.
 
+use photoncube_model::SpatialMachine;
 use photoncube_spec::{
     Cut, Cuts, EngineKind, MACHINES, Machine, Numbers, Organisation, Radius, Spatial, SpatialError,
     Squarer, find_machine, find_photon_format,
@@ -156,4 +157,19 @@ fn built() -> impl Strategy<Value = Machine> {
 pub fn machine() -> impl Strategy<Value = Machine> {
     let few: Vec<_> = all_named().filter(|m| m.queries_at_once() <= 8).collect();
     prop_oneof![prop::sample::select(few).prop_map(|m| *m), built()]
+}
+
+#[test]
+#[should_panic(expected = "memory_groups, a power of two, is 1")]
+fn a_machine_that_is_not_legal_is_a_mistake() {
+    let machine = named("tile-6-mixed");
+    let spatial = Spatial {
+        memory_groups: 1,
+        ..*machine.spatial().unwrap()
+    };
+    let organisation = Organisation::Spatial(spatial);
+    SpatialMachine::new(&Machine {
+        organisation,
+        ..machine
+    });
 }

@@ -2,10 +2,11 @@
 //!
 //! Which these are is guessed from the golden model's run and then proven of the emitted Verilog by induction: they
 //! hold at power-up, and where they hold they hold one clock later. A guess that is refuted by a counterexample is
-//! weakened by it, until the rest is proven.
+//! given up, until the rest is proven.
+
+mod wrapper;
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::fmt::Write as _;
 use std::process::Command;
 
 use photoncube_hdl::Emitted;
@@ -17,8 +18,11 @@ use crate::device::{DeviceError, scratch_folder, write_file};
 use crate::stimulus::Block;
 use crate::tools::{Tool, run};
 
-/// Counterexamples after which a guess is given up: each weakens it by a bit at least, most by many.
-const MOST_ROUNDS: usize = 300;
+/// Rounds of counterexamples after which a guess is given up.
+const MOST_ROUNDS: usize = 100;
+
+/// Counterexamples of a round: to read the design takes Yosys seconds, and to find another a part of one.
+const MOST_AT_ONCE: usize = 64;
 
 /// The most flags whose triples are looked at: there are 8 for each.
 const MOST_NEAR: usize = 12;
@@ -46,6 +50,17 @@ impl Never {
             .iter()
             .all(|&(register, value)| row[register] == value)
     }
+}
+
+/// What a counterexample refutes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Refuted {
+    /// The address at which it does so.
+    address: u64,
+    /// The registers whose values there were not guessed.
+    registers: Vec<usize>,
+    /// What was guessed never to be, by its number.
+    never: Vec<usize>,
 }
 
 /// Any value at all.
@@ -177,9 +192,8 @@ impl Invariants {
         }
     }
 
-    /// Takes note of what the registers may hold; whether that is news.
-    fn weaken(&mut self, row: &[u64]) -> bool {
-        let pairs = self.never.len();
+    /// Takes note of what the registers may hold.
+    fn weaken(&mut self, row: &[u64]) {
         self.never.retain(|never| !never.is_refuted_by(row));
         let address = self.address.map_or(0, |index| row[index]);
         let fresh = row.iter().map(|&value| Values {
@@ -188,173 +202,105 @@ impl Invariants {
         });
         let Some(known) = self.known.get_mut(&address) else {
             self.known.insert(address, fresh.collect());
-            return true;
+            return;
         };
-        let before = known.clone();
         for (known, value) in known.iter_mut().zip(row) {
             known.any |= value;
             known.all &= value;
         }
-        before != *known || pairs != self.never.len()
-    }
-
-    /// Takes note of a counterexample; whether it is one. What it refutes is given up, not cut down bit by bit, and so
-    /// is the same guess of the same register at other addresses.
-    fn give_up(&mut self, row: &[u64]) -> bool {
-        let address = self.address.map_or(0, |index| row[index]);
-        let Some(before) = self.known.get(&address).cloned() else {
-            return self.weaken(row);
-        };
-        if !self.weaken(row) {
-            return false;
-        }
-        let refuted: Vec<_> = self.known[&address]
-            .iter()
-            .zip(&before)
-            .map(|(known, before)| known != before)
-            .collect();
-        for (at, known) in &mut self.known {
-            for (index, values) in known.iter_mut().enumerate() {
-                let is_same = *at == address || *values == before[index];
-                if refuted[index] && is_same {
-                    *values = UNKNOWN;
-                }
-            }
-        }
-        true
     }
 
     /// Weakens the guess until it is proven.
     fn settle(&mut self) -> Result<(), DeviceError> {
         for _ in 0..MOST_ROUNDS {
-            let Some(row) = self.counterexample()? else {
+            let found = self.counterexamples()?;
+            if found.is_empty() {
                 return Ok(());
-            };
-            if !self.give_up(&row) {
-                break;
             }
+            self.give_up(&found);
         }
         Err(DeviceError::BrokeOff {
             device: "yosys".to_owned(),
             message: format!(
-                "no invariant of the registers was proven with {MOST_ROUNDS} counterexamples"
+                "no invariant of the registers was proven in {MOST_ROUNDS} rounds of counterexamples"
             ),
         })
     }
 
-    /// Registers after a clock in which what is known held before and does not hold after it.
-    fn counterexample(&self) -> Result<Option<Vec<u64>>, DeviceError> {
+    /// What a counterexample refutes is given up, not cut down bit by bit, and so is the same guess of the same register
+    /// at other addresses.
+    fn give_up(&mut self, found: &[Refuted]) {
+        let mut refuted_never: BTreeSet<usize> = BTreeSet::new();
+        for refuted in found {
+            refuted_never.extend(&refuted.never);
+            let Some(before) = self.known.get(&refuted.address).cloned() else {
+                let anything = vec![UNKNOWN; self.registers.len()];
+                self.known.insert(refuted.address, anything);
+                continue;
+            };
+            for &index in &refuted.registers {
+                let same = self.known.values_mut().map(|known| &mut known[index]);
+                same.filter(|values| **values == before[index])
+                    .for_each(|values| *values = UNKNOWN);
+            }
+        }
+        let mut index = 0..;
+        self.never.retain(|_| {
+            let index = index.next().expect("a number follows each");
+            !refuted_never.contains(&index)
+        });
+    }
+
+    /// Ways in which what is known holds before a clock and not after it.
+    fn counterexamples(&self) -> Result<Vec<Refuted>, DeviceError> {
         let folder = scratch_folder()?;
         write_file(&folder.path().join("gold.il"), &self.gold)?;
-        let mut text = self.wrapper("gold", "");
-        let _ = writeln!(text, "  always @* assert({});\nendmodule", self.holds("d"));
-        write_file(&folder.path().join("wrapper.sv"), &text)?;
-        let solve = "tee -o found.txt sat -set-assumes -prove-asserts -show-ports wrapper";
-        let script = format!("read_ilang gold.il\n{WRAPPED}\n{solve}\n");
+        write_file(&folder.path().join("wrapper.sv"), &self.refutation())?;
+        let shown = match self.address.and_then(|index| self.register(index, "d")) {
+            Some((port, _)) => format!("-show {port}"),
+            None => String::new(),
+        };
+        let script = format!(
+            "read_ilang gold.il\n{WRAPPED}\ntee -o found.txt sat -set-assumes -set broken 1 \
+             -max {MOST_AT_ONCE} -show refuted {shown} wrapper\n"
+        );
         write_file(&folder.path().join("script.ys"), &script)?;
         run(Command::new(Tool::Yosys.find()?)
             .current_dir(folder.path())
             .args(["-q", "script.ys"]))?;
-        let found = read(&folder.path().join("found.txt"))?;
-        if found.contains("SAT proof finished - no model found: SUCCESS!") {
-            return Ok(None);
-        }
-        let row = (0..self.registers.len()).map(|index| {
-            let next = self.register(index, "d");
-            next.map_or(0, |(port, _)| shown_value(&found, &port))
-        });
-        Ok(Some(row.collect()))
-    }
-
-    /// The number of a port in the wrapper.
-    fn port_number(&self, name: &str) -> usize {
-        self.netlist
-            .ports
-            .keys()
-            .position(|port| port == name)
-            .unwrap_or(0)
-    }
-
-    /// A module `wrapper` up to its last lines, with all inputs of a module as ports, and what is known assumed.
-    pub fn wrapper(&self, module: &str, prefix: &str) -> String {
-        let ports = self.netlist.ports.iter().enumerate();
-        let inputs: Vec<_> = ports
-            .filter(|(_, (_, port))| port.direction == "input" || prefix.is_empty())
+        let said = read(&folder.path().join("found.txt"))?;
+        let found: Vec<_> = models(&said)
+            .into_iter()
+            .map(|model| self.refuted_in(&model))
             .collect();
-        let declared = inputs.iter().map(|(number, (_, port))| {
-            let (direction, high) = (&port.direction, port.width() - 1);
-            format!("  {direction} [{high}:0] p{number}")
-        });
-        let connected = inputs
-            .iter()
-            .map(|(number, (name, _))| format!("    .\\{prefix}{name} (p{number})"));
-        format!(
-            "module wrapper(\n{}\n);\n  {module} inside(\n{}\n  );\n  always @* assume({}{});\n",
-            declared.collect::<Vec<_>>().join(",\n"),
-            connected.collect::<Vec<_>>().join(",\n"),
-            self.holds("q"),
-            self.declared_count()
-        )
-    }
-
-    /// That the register of the result's count has no bit above those of the most photons; Yosys names it as the pin
-    /// that it drives.
-    fn declared_count(&self) -> String {
-        let Some(port) = self.netlist.ports.get("result_count.q") else {
-            return String::new();
-        };
-        let above = (self.max_photons.ilog2() + 1) as usize;
-        let (number, bits) = (self.port_number("result_count.q"), port.width());
-        match above < bits {
-            true => format!(" && p{number}[{}:{above}] == 0", bits - 1),
-            false => String::new(),
+        match found.is_empty() && !said.contains("no model found") {
+            false => Ok(found),
+            true => Err(DeviceError::BrokeOff {
+                device: "yosys".to_owned(),
+                message: format!("neither a model nor that there is none:\n{said}"),
+            }),
         }
     }
 
-    /// What is known, of the registers as they are (`q`) or as they will be (`d`).
-    fn holds(&self, when: &str) -> String {
-        let at = |(address, known): (&u64, &Vec<Values>)| {
-            let mut terms = Vec::new();
-            let address_port = self.address.and_then(|index| self.register(index, when));
-            if let Some((port, bits)) = address_port {
-                terms.push(format!("{port} == {bits}'d{address}"));
-            }
-            for (index, values) in known.iter().enumerate() {
-                let Some((port, bits)) = self.register(index, when) else {
-                    continue;
-                };
-                let never = !values.any & (u64::MAX >> (u64::BITS - bits));
-                if never != 0 {
-                    terms.push(format!("({port} & {bits}'d{never}) == 0"));
-                }
-                if values.all != 0 {
-                    terms.push(format!("(~{port} & {bits}'d{}) == 0", values.all));
-                }
-            }
-            format!("({})", terms.join(" && "))
-        };
-        let cases: Vec<_> = self.known.iter().map(at).collect();
-        let mut all = vec![format!("({})", cases.join(" || "))];
-        all.extend(self.never.iter().filter_map(|never| {
-            let literals: Option<Vec<_>> = never
-                .0
-                .iter()
-                .map(|&(register, value)| {
-                    let (port, _) = self.register(register, when)?;
-                    Some(format!("{port} == 1'd{value}"))
-                })
-                .collect();
-            Some(format!("!({})", literals?.join(" && ")))
-        }));
-        all.join(" && ")
-    }
-
-    /// The wrapper's name of a register, with its width.
-    fn register(&self, index: usize, when: &str) -> Option<(String, u32)> {
-        let name = format!("{}.{when}", self.registers[index]);
-        let port = self.netlist.ports.get(&name)?;
-        let bits = u32::try_from(port.width()).ok()?;
-        Some((format!("p{}", self.port_number(&name)), bits))
+    /// What a model of the wrapper says.
+    fn refuted_in(&self, model: &BTreeMap<&str, &str>) -> Refuted {
+        let bits = model.get("refuted").copied().unwrap_or_default();
+        let set = bits.bytes().rev().enumerate();
+        let set = set.filter_map(|(index, bit)| (bit == b'1').then_some(index));
+        let (registers, never): (Vec<_>, Vec<_>) =
+            set.partition(|index| *index < self.registers.len());
+        let address = self.address.and_then(|index| {
+            let (port, _) = self.register(index, "d")?;
+            u64::from_str_radix(model.get(port.as_str())?, 2).ok()
+        });
+        Refuted {
+            address: address.unwrap_or(0),
+            registers,
+            never: never
+                .into_iter()
+                .map(|i| i - self.registers.len())
+                .collect(),
+        }
     }
 }
 
@@ -375,14 +321,33 @@ fn all_combinations(registers: &[usize], count: usize) -> Vec<Never> {
     all
 }
 
-/// The value of a port in Yosys's table: name, decimal, hexadecimal, binary; 0 where it is not shown.
-fn shown_value(table: &str, port: &str) -> u64 {
-    let name = format!("\\{port}");
-    let line = table
-        .lines()
-        .map(|line| line.split_whitespace().collect::<Vec<_>>())
-        .find(|words| words.first().is_some_and(|word| *word == name));
-    let bits = line.and_then(|words| words.last().copied());
-    bits.and_then(|bits| u64::from_str_radix(&bits.replace('x', "0"), 2).ok())
-        .unwrap_or(0)
+/// The signals of each model in Yosys's tables, by name, in binary: a line has name, decimal, hexadecimal, binary.
+fn models(said: &str) -> Vec<BTreeMap<&str, &str>> {
+    let mut models: Vec<BTreeMap<_, _>> = Vec::new();
+    for line in said.lines() {
+        let words: Vec<_> = line.split_whitespace().collect();
+        match (&words[..], models.last_mut()) {
+            (["Signal", "Name", ..], _) => models.push(BTreeMap::new()),
+            ([name, .., bits], Some(model)) if name.starts_with('\\') => {
+                model.insert(name.trim_start_matches('\\'), *bits);
+            }
+            _ => {}
+        }
+    }
+    models
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_table_is_a_model() {
+        let said = "SAT solving finished - model found:\n\n  Signal Name    Dec   Hex   Bin\n  ------ ---\n  \\p1     \
+                    3     3    11\n  \\refuted    --    --    0101\n\n  Signal Name    Dec   Hex   Bin\n  \\p1   0   0   00\n";
+        let models = models(said);
+        assert_eq!(models.len(), 2);
+        assert_eq!((models[0]["p1"], models[0]["refuted"]), ("11", "0101"));
+        assert_eq!(models[1]["p1"], "00");
+    }
 }

@@ -1,0 +1,159 @@
+//! The module around the design whose inputs are its registers, in which what is known of these is assumed.
+
+use super::{Invariants, Never, Values};
+
+/// The pin of a result's count.
+const COUNT: &str = "result_count";
+
+impl Invariants {
+    /// The number of a port in the wrapper.
+    fn port_number(&self, name: &str) -> usize {
+        self.netlist
+            .ports
+            .keys()
+            .position(|port| port == name)
+            .unwrap_or(0)
+    }
+
+    /// A module `wrapper` up to its last lines, around the design: all its ports, and what is known assumed.
+    fn around_gold(&self) -> String {
+        self.around("gold", |name, _| Some(name.to_owned()))
+    }
+
+    /// The same around the comparison of two designs, which Yosys calls `miter`.
+    pub fn around_miter(&self) -> String {
+        let name = |name: &str, direction: &str| match direction {
+            "input" => Some(format!("in_{name}")),
+            _ => (name == COUNT).then(|| format!("gold_{name}")),
+        };
+        self.around("miter", name) + "endmodule\n"
+    }
+
+    /// A wrapper around a module that has some of the design's ports under other names.
+    fn around(&self, module: &str, renamed: impl Fn(&str, &str) -> Option<String>) -> String {
+        let (mut declared, mut connected) = (Vec::new(), Vec::new());
+        for (number, (name, port)) in self.netlist.ports.iter().enumerate() {
+            let (direction, high) = (&port.direction, port.width() - 1);
+            if let Some(name) = renamed(name, direction) {
+                declared.push(format!("  {direction} [{high}:0] p{number}"));
+                connected.push(format!("    .\\{name} (p{number})"));
+            }
+        }
+        format!(
+            "module wrapper(\n{}\n);\n  {module} inside(\n{}\n  );\n  always @* assume({}{});\n",
+            declared.join(",\n"),
+            connected.join(",\n"),
+            self.holds(),
+            self.declared_count()
+        )
+    }
+
+    /// That the pin of a result's count has no bit above those of the most photons.
+    fn declared_count(&self) -> String {
+        let Some(port) = self.netlist.ports.get(COUNT) else {
+            return String::new();
+        };
+        let above = (self.max_photons.ilog2() + 1) as usize;
+        let (number, bits) = (self.port_number(COUNT), port.width());
+        match above < bits {
+            true => format!(" && p{number}[{}:{above}] == 0", bits - 1),
+            false => String::new(),
+        }
+    }
+
+    /// What is known, of the registers as they are.
+    fn holds(&self) -> String {
+        let at = |(address, known): (&u64, &Vec<Values>)| {
+            let mut terms: Vec<_> = self.is_at(*address, "q").into_iter().collect();
+            let registers = known.iter().enumerate();
+            terms.extend(registers.filter_map(|(i, values)| self.has(i, *values, "q")));
+            format!("({})", terms.join(" && "))
+        };
+        let cases: Vec<_> = self.known.iter().map(at).collect();
+        let mut all = vec![format!("({})", cases.join(" || "))];
+        all.extend(self.never.iter().filter_map(|never| {
+            let never = self.is(never, "q")?;
+            Some(format!("!({never})"))
+        }));
+        all.join(" && ")
+    }
+
+    /// A wrapper with `refuted`, a bit for each register and each [`Never`] that does not hold after a clock, and
+    /// `broken`, that something does not.
+    pub(super) fn refutation(&self) -> String {
+        let registers = (0..self.registers.len()).map(|index| self.breaks(index));
+        let never = self.never.iter().map(|never| self.is(never, "d"));
+        let never = never.map(|never| never.unwrap_or_else(|| "1'd0".to_owned()));
+        let mut bits: Vec<_> = registers.chain(never).collect();
+        let width = bits.len();
+        bits.reverse();
+        let places: Vec<_> = self
+            .known
+            .keys()
+            .filter_map(|address| self.is_at(*address, "d"))
+            .collect();
+        let nowhere = match places.is_empty() {
+            true => "1'd0".to_owned(),
+            false => format!("!({})", places.join(" || ")),
+        };
+        format!(
+            "{}  (* keep *) wire [{width}-1:0] refuted = {{\n    {}\n  }};\n  (* keep *) wire broken = (|refuted) | {nowhere};\nendmodule\n",
+            self.around_gold(),
+            bits.join(",\n    ")
+        )
+    }
+
+    /// That a register has a value after a clock that it has never where the program is then.
+    fn breaks(&self, index: usize) -> String {
+        let at = |(address, known): (&u64, &Vec<Values>)| {
+            let has = self.has(index, known[index], "d")?;
+            Some(match self.is_at(*address, "d") {
+                Some(is_at) => format!("({is_at} && !({has}))"),
+                None => format!("!({has})"),
+            })
+        };
+        let cases: Vec<_> = self.known.iter().filter_map(at).collect();
+        match cases.is_empty() {
+            true => "1'd0".to_owned(),
+            false => format!("({})", cases.join(" || ")),
+        }
+    }
+
+    /// That the program is at an address; nothing of a machine without.
+    fn is_at(&self, address: u64, when: &str) -> Option<String> {
+        let (port, bits) = self.register(self.address?, when)?;
+        Some(format!("{port} == {bits}'d{address}"))
+    }
+
+    /// That a register has one of its values, if that says anything.
+    fn has(&self, index: usize, values: Values, when: &str) -> Option<String> {
+        let (port, bits) = self.register(index, when)?;
+        let never = !values.any & (u64::MAX >> (u64::BITS - bits));
+        let mut terms = Vec::new();
+        if never != 0 {
+            terms.push(format!("({port} & {bits}'d{never}) == 0"));
+        }
+        if values.all != 0 {
+            terms.push(format!("(~{port} & {bits}'d{}) == 0", values.all));
+        }
+        (!terms.is_empty()).then(|| terms.join(" && "))
+    }
+
+    /// That flags have the values that they never have together.
+    fn is(&self, never: &Never, when: &str) -> Option<String> {
+        let literal = |&(register, value): &(usize, u64)| {
+            let (port, _) = self.register(register, when)?;
+            Some(format!("{port} == 1'd{value}"))
+        };
+        let literals: Option<Vec<_>> = never.0.iter().map(literal).collect();
+        Some(literals?.join(" && "))
+    }
+
+    /// The wrapper's name of a register, with its width.
+    pub(super) fn register(&self, index: usize, when: &str) -> Option<(String, u32)> {
+        let name = format!("{}.{when}", self.registers[index]);
+        let port = self.netlist.ports.get(&name)?;
+        let bits = u32::try_from(port.width()).ok()?;
+        Some((format!("p{}", self.port_number(&name)), bits))
+    }
+}
