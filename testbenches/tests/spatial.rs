@@ -46,22 +46,8 @@ fn variant(name: &str, squarer: Squarer, cuts: Option<Cuts>) -> Machine {
 /// what it got, and more where that is quick.
 fn iterations(name: &str, kind: DeviceKind) -> u64 {
     match (name, kind) {
-        ("stream" | "tile-4", _) | (_, DeviceKind::Text) => 1_000,
+        ("stream", _) | (_, DeviceKind::Text) => 1_000,
         _ => 50,
-    }
-}
-
-/// A machine whose photons have exponents of their own, as no named spatial one's have.
-fn with_exponents(name: &str) -> Machine {
-    let machine = *find_machine(name).expect("a named machine");
-    let format = *machine.format().expect("a spatial machine has a format");
-    let power = PowerFormat {
-        exponent: Exponent::Photon { bits: 5 },
-        ..format.power
-    };
-    Machine {
-        numbers: Numbers::Local(PhotonFormat { power, ..format }),
-        ..machine
     }
 }
 
@@ -91,16 +77,6 @@ fn main() {
                     trials.push(support::trial(title, kind, run));
                 }
             }
-        }
-    }
-    // Without and with a photon memory.
-    for name in ["tile-4", "tile-6-mixed"] {
-        let machine = with_exponents(name);
-        for kind in DEVICES {
-            let title = format!("exponents::{name}::{kind}");
-            let iterations = iterations(name, kind);
-            let run = move || equal(&machine, kind, iterations);
-            trials.push(support::trial(title, kind, run));
         }
     }
     for squarer in [Squarer::Product, Squarer::Table] {
