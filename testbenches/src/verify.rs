@@ -247,6 +247,10 @@ fn repeat_command(
             "photoncube verify --faults --machine {} --against {device} --seed {}",
             machine.name, options.seed
         ),
+        Source::LaneAlone => format!(
+            "cargo test -p photoncube-testbench --test machines -- lane_alone::{}",
+            machine.name
+        ),
         Source::Random => format!(
             "photoncube verify --machine {} --against {device} --seed {} --iterations {}",
             machine.name,

@@ -9,7 +9,7 @@ use std::sync::OnceLock;
 
 use libtest_mimic::{Arguments, Failed, Trial};
 use photoncube_render::{PhotonMap, Scene, TraceOptions, ViewOptions, trace, workload};
-use photoncube_spec::{MACHINES, Machine};
+use photoncube_spec::{MACHINES, Machine, find_machine};
 use photoncube_testbench::{DeviceKind, Source, Verdict, VerifyOptions, verify};
 
 use extent::Extent;
@@ -66,6 +66,16 @@ fn main() {
             }
         }
     }
+    // One of each organisation.
+    for name in ["paper", "overlap", "stream"] {
+        let kind = DeviceKind::Verilator;
+        let run = move || lane_alone(name, kind);
+        trials.push(support::trial(
+            format!("lane_alone::{name}::{kind}"),
+            kind,
+            run,
+        ));
+    }
     trials.push(Trial::test("tools::missing_ones_are_listed", missing_tools));
     libtest_mimic::run(&Arguments::from_args(), trials).exit();
 }
@@ -75,6 +85,19 @@ fn random(machine: &Machine, kind: DeviceKind, iterations: u64) -> Result<(), Fa
         iterations,
         seed: 1,
         source: Source::Random,
+    };
+    let verdict = verify(machine, kind, &options, &|_| {})?;
+    check(machine, &verdict, kind, iterations);
+    Ok(())
+}
+
+fn lane_alone(name: &str, kind: DeviceKind) -> Result<(), Failed> {
+    let machine = find_machine(name)?;
+    let iterations = machine.photons_per_iteration() as u64 * machine.max_photons();
+    let options = VerifyOptions {
+        iterations,
+        seed: 1,
+        source: Source::LaneAlone,
     };
     let verdict = verify(machine, kind, &options, &|_| {})?;
     check(machine, &verdict, kind, iterations);

@@ -5,10 +5,7 @@ mod support;
 
 use libtest_mimic::{Arguments, Failed};
 use photoncube_hdl::Level;
-use photoncube_spec::{
-    Cut, Cuts, Exponent, Machine, Numbers, Organisation, PhotonFormat, PowerFormat, Spatial,
-    Squarer, find_machine,
-};
+use photoncube_spec::{Cut, Cuts, Machine, Organisation, Spatial, Squarer, find_machine};
 use photoncube_testbench::{DeviceKind, Source, VerifyOptions, verify, verify_part};
 
 /// Registers where one must be, and nowhere else.

@@ -13,6 +13,7 @@ use photoncube_spec::Machine;
 use serde::Serialize;
 
 use crate::device::{DeviceError, DeviceKind, Verilator, hdl_error};
+use crate::stimulus::Source;
 use crate::trace::TRACE;
 use crate::verify::{Verdict, VerifyError, VerifyOptions, verify_device};
 
@@ -97,7 +98,16 @@ pub fn coverage(
     let design = emit(machine, Level::Machine).map_err(hdl_error(machine))?;
     let covers = covers::statements(&covers::covers(machine));
     let mut device = Verilator::with_coverage(&design, &covers)?;
-    let verdict = verify_device(machine, &mut device, options, progress)?;
+    let mut verdict = verify_device(machine, &mut device, options, progress)?;
+    // Only there do sums of lanes cross links of their own width.
+    if machine.overlap_program().is_some() {
+        let lanes = VerifyOptions {
+            source: Source::LaneAlone,
+            ..*options
+        };
+        verdict.vectors_compared +=
+            verify_device(machine, &mut device, &lanes, &|_| ())?.vectors_compared;
+    }
     let points = points::parse(&device.coverage()?).map_err(|message| DeviceError::BrokeOff {
         device: "verilator".to_owned(),
         message,

@@ -76,16 +76,6 @@ const RULES: &[Rule] = &[
     },
     Rule {
         kind: CoverageKind::Toggle,
-        holds: |machine, _, path, bit| {
-            machine.overlap_program().is_some()
-                && part_of_sum(path)
-                    .is_some_and(|halvings| bit + halvings >= sum_bits(machine, path))
-        },
-        why: "a part of the photons' sum, before it has crossed the last axis, is at most half of it, \
-              before the last two a quarter",
-    },
-    Rule {
-        kind: CoverageKind::Toggle,
         // 2 * 15 * 15 * 16 < 2^13.
         holds: |machine, _, path, bit| {
             machine.overlap_program().is_some() && path.ends_with(".products") && bit >= 13
@@ -135,29 +125,6 @@ fn crosses_nodes(path: &str) -> bool {
 fn adds_squares(path: &str) -> bool {
     const HOLDERS: [&str; 4] = ["from_quad", "from_role_axes", "from_w", "work"];
     HOLDERS.iter().any(|holder| path.contains(holder))
-}
-
-/// How often the sum is halved that such a signal of an overlapped machine's cell holds at most.
-fn part_of_sum(path: &str) -> Option<u32> {
-    const PARTS: [(&str, u32); 7] = [
-        ("from_x", 2),
-        ("from_y", 1),
-        ("from_photon_axes", 1),
-        ("operand", 1),
-        ("chosen_sum.first", 1),
-        ("chosen_sum.low", 1),
-        ("chosen_sum.wide_low", 1),
-    ];
-    let part = PARTS.iter().find(|(name, _)| path.contains(name));
-    part.map(|&(_, halvings)| halvings)
-}
-
-/// Bits of the largest sum of a cell.
-fn sum_bits(machine: &Machine, path: &str) -> u32 {
-    match counts_photons(machine, path) {
-        true => count_bits(machine),
-        false => Widths::of(machine).sum,
-    }
 }
 
 /// Bits of a sum of two squares of coordinates.

@@ -69,7 +69,8 @@ impl<'a> Kills<'a> {
             vectors: AtomicU64::new(0),
         };
         let mut blocks = Vec::new();
-        kills.stimulus(options.seed, options.iterations, &mut |block| {
+        let (seed, iterations) = (options.seed, options.iterations);
+        kills.stimulus(Source::Random, seed, iterations, &mut |block| {
             blocks.push(block);
             ControlFlow::Continue(())
         })?;
@@ -88,9 +89,10 @@ impl<'a> Kills<'a> {
         &self.blocks
     }
 
-    /// Blocks of random stimulus, without the rows with which a chunk begins.
+    /// Blocks of stimulus, without the rows with which a chunk begins.
     fn stimulus(
         &self,
+        source: Source<'_>,
         seed: u64,
         iterations: u64,
         sink: &mut dyn FnMut(Block) -> ControlFlow<()>,
@@ -107,7 +109,7 @@ impl<'a> Kills<'a> {
         };
         Ok(generate(
             self.machine,
-            Source::Random,
+            source,
             seed,
             iterations,
             &mut shortened,
@@ -149,21 +151,26 @@ impl<'a> Kills<'a> {
         Ok(dies)
     }
 
-    /// Whether longer stimulus kills it.
+    /// Whether longer stimulus kills it, or that of one lane alone.
     pub fn dies_later(&self, mutation: &Mutation) -> Result<bool, VerifyError> {
         let (seed, iterations) = (self.options.seed + 1, self.options.more_iterations);
-        let mut compared = self.begin(mutation.mutant)?;
-        let mut found = Ok(None);
-        self.stimulus(seed, iterations, &mut |block| {
-            found = compared.difference(&block);
-            match found {
-                Ok(None) => ControlFlow::Continue(()),
-                _ => ControlFlow::Break(()),
+        for source in [Source::Random, Source::LaneAlone] {
+            let mut compared = self.begin(mutation.mutant)?;
+            let mut found = Ok(None);
+            self.stimulus(source, seed, iterations, &mut |block| {
+                found = compared.difference(&block);
+                match found {
+                    Ok(None) => ControlFlow::Continue(()),
+                    _ => ControlFlow::Break(()),
+                }
+            })?;
+            let dies = found?.is_some();
+            self.count(&compared, dies);
+            if dies {
+                return Ok(true);
             }
-        })?;
-        let dies = found?.is_some();
-        self.count(&compared, dies);
-        Ok(dies)
+        }
+        Ok(false)
     }
 
     fn count(&self, compared: &Compared<'_>, dies: bool) {

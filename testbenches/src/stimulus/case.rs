@@ -76,6 +76,28 @@ impl Case {
         Self::full_scale(machine, machine.max_photons())
     }
 
+    /// The same photons, all in one lane, so in as many groups.
+    pub fn fullest_in(machine: &Machine, lane: usize) -> Self {
+        let one = Self::full_scale(machine, 1);
+        let lanes = one.groups[0].lanes.iter().enumerate();
+        let lanes = lanes.map(|(index, &other)| Lane {
+            present: index == lane,
+            photon: match index == lane {
+                true => full_scale(machine),
+                false => other.photon,
+            },
+        });
+        let group = Group {
+            lanes: lanes.collect(),
+            last: false,
+        };
+        let count =
+            usize::try_from(machine.max_photons()).expect("a test's photons fit the memory");
+        let mut groups = vec![group; count];
+        groups[count - 1].last = true;
+        Self { groups, ..one }
+    }
+
     /// So many photons of full power, all in range.
     pub fn full_scale(machine: &Machine, photons: u64) -> Self {
         let count = usize::try_from(photons).expect("a test's photons fit the memory");

@@ -45,6 +45,9 @@ pub enum Source<'a> {
     },
     /// What is hard on the protocol; it says itself how long it is.
     Protocol(Protocol),
+    /// For each lane a query with as many photons of full power as the machine declares, all in range, and all in that
+    /// lane: what is summed of one lane is as large as a whole sum.
+    LaneAlone,
 }
 
 /// Some clocks in a row: what went into the machine, and all that it must show.
@@ -145,6 +148,7 @@ pub fn generate(
         Source::Random => random(machine, seed, iterations, sink),
         Source::Workload { queries, .. } => workload(machine, queries, seed, iterations, sink),
         Source::Protocol(protocol) => protocol::protocol(machine, protocol, seed, sink),
+        Source::LaneAlone => lane_alone(machine, seed, sink),
     };
     // Whether the sink has all or wants no more, this is the end.
     flow.map(drop)
@@ -280,6 +284,24 @@ fn workload(
             }
         }
         if driver.run(&cases, Traffic::STREAMING)?.is_break() {
+            return Ok(ControlFlow::Break(()));
+        }
+    }
+    Ok(driver.flush())
+}
+
+fn lane_alone(
+    machine: &Machine,
+    seed: u64,
+    sink: &mut dyn FnMut(Block) -> ControlFlow<()>,
+) -> Result<ControlFlow<()>, StimulusError> {
+    let mut driver = Driver::new(machine, sink);
+    if driver.begin_chunk(0, seed)?.is_break() {
+        return Ok(ControlFlow::Break(()));
+    }
+    for lane in 0..machine.photons_per_iteration() {
+        let case = Case::fullest_in(machine, lane);
+        if driver.run(&[case], Traffic::STREAMING)?.is_break() {
             return Ok(ControlFlow::Break(()));
         }
     }

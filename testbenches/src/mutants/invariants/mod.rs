@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::process::Command;
 
 use photoncube_hdl::Emitted;
-use photoncube_spec::{Machine, SignalPlace};
+use photoncube_spec::{Machine, Register, Role, SignalPlace, Widths, overlap};
 
 use super::design::{FLAT, read, yosys};
 use super::netlist::Netlist;
@@ -38,6 +38,8 @@ struct Values {
     any: u64,
     /// All of them, and-ed.
     all: u64,
+    /// The largest.
+    largest: u64,
 }
 
 /// Registers of one bit, and what they never hold together.
@@ -53,12 +55,14 @@ impl Never {
 }
 
 /// What a counterexample refutes.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 struct Refuted {
     /// The address at which it does so.
     address: u64,
-    /// The registers whose values there were not guessed.
-    registers: Vec<usize>,
+    /// The registers whose bits there were guessed wrong.
+    bits: Vec<usize>,
+    /// The registers whose largest value there was.
+    largest: Vec<usize>,
     /// What was guessed never to be, by its number.
     never: Vec<usize>,
 }
@@ -67,6 +71,7 @@ struct Refuted {
 const UNKNOWN: Values = Values {
     any: u64::MAX,
     all: 0,
+    largest: u64::MAX,
 };
 
 /// The design whose registers are ports, and what is known of these.
@@ -82,6 +87,8 @@ pub(super) struct Invariants {
     known: BTreeMap<u64, Vec<Values>>,
     /// The most photons that a query may have: whoever drives the machine keeps to it, so this is not proven.
     max_photons: u64,
+    /// The registers that hold a number of a query's photons.
+    counts: Vec<usize>,
     /// What flags never hold together; only of machines without a program, whose flags say where the work is.
     never: Vec<Never>,
 }
@@ -114,9 +121,14 @@ impl Invariants {
             registers: design.register_paths.clone(),
             known: BTreeMap::new(),
             max_photons: machine.max_photons(),
+            counts: registers
+                .enumerate()
+                .filter_map(|(index, pin)| is_count(machine, pin.place).then_some(index))
+                .collect(),
             never: Vec::new(),
         };
         invariants.guess(design, blocks);
+        invariants.forget_largest(design, Widths::of(machine).work);
         invariants.settle()?;
         Ok(invariants)
     }
@@ -185,10 +197,15 @@ impl Invariants {
             for (first, values) in first.iter_mut().zip(known) {
                 first.any |= values.any;
                 first.all &= values.all;
+                first.largest = first.largest.max(values.largest);
             }
         }
         if let Some(address) = self.address {
-            first[address] = Values { any: 0, all: 0 };
+            first[address] = Values {
+                any: 0,
+                all: 0,
+                largest: 0,
+            };
         }
     }
 
@@ -199,6 +216,7 @@ impl Invariants {
         let fresh = row.iter().map(|&value| Values {
             any: value,
             all: value,
+            largest: value,
         });
         let Some(known) = self.known.get_mut(&address) else {
             self.known.insert(address, fresh.collect());
@@ -207,6 +225,19 @@ impl Invariants {
         for (known, value) in known.iter_mut().zip(row) {
             known.any |= value;
             known.all &= value;
+            known.largest = known.largest.max(*value);
+        }
+    }
+
+    /// Gives up the largest values of what is no square, nor a sum of some: they are what the run happened to have.
+    fn forget_largest(&mut self, design: &Emitted, most_bits: u32) {
+        let registers = &design.pins.observed[design.pins.outputs..];
+        for known in self.known.values_mut() {
+            for (values, pin) in known.iter_mut().zip(registers) {
+                if self.address.is_none() || pin.width > most_bits {
+                    values.largest = UNKNOWN.largest;
+                }
+            }
         }
     }
 
@@ -238,10 +269,18 @@ impl Invariants {
                 self.known.insert(refuted.address, anything);
                 continue;
             };
-            for &index in &refuted.registers {
-                let same = self.known.values_mut().map(|known| &mut known[index]);
-                same.filter(|values| **values == before[index])
-                    .for_each(|values| *values = UNKNOWN);
+            for &index in &refuted.bits {
+                let Values { any, all, .. } = before[index];
+                let known = self.known.values_mut().map(|known| &mut known[index]);
+                for values in known.filter(|values| (values.any, values.all) == (any, all)) {
+                    (values.any, values.all) = (UNKNOWN.any, UNKNOWN.all);
+                }
+            }
+            for &index in &refuted.largest {
+                let known = self.known.values_mut().map(|known| &mut known[index]);
+                for values in known.filter(|values| values.largest == before[index].largest) {
+                    values.largest = UNKNOWN.largest;
+                }
             }
         }
         let mut index = 0..;
@@ -287,21 +326,38 @@ impl Invariants {
         let bits = model.get("refuted").copied().unwrap_or_default();
         let set = bits.bytes().rev().enumerate();
         let set = set.filter_map(|(index, bit)| (bit == b'1').then_some(index));
-        let (registers, never): (Vec<_>, Vec<_>) =
-            set.partition(|index| *index < self.registers.len());
+        let mut refuted = Refuted::default();
+        let registers = self.registers.len();
+        for index in set {
+            match (index / registers, index % registers) {
+                (0, index) => refuted.bits.push(index),
+                (1, index) => refuted.largest.push(index),
+                _ => refuted.never.push(index - 2 * registers),
+            }
+        }
         let address = self.address.and_then(|index| {
             let (port, _) = self.register(index, "d")?;
             u64::from_str_radix(model.get(port.as_str())?, 2).ok()
         });
-        Refuted {
-            address: address.unwrap_or(0),
-            registers,
-            never: never
-                .into_iter()
-                .map(|i| i - self.registers.len())
-                .collect(),
-        }
+        refuted.address = address.unwrap_or(0);
+        refuted
     }
+}
+
+/// Whether a register is the sum of a cell that counts photons.
+fn is_count(machine: &Machine, place: SignalPlace) -> bool {
+    let node = match place {
+        SignalPlace::Cell {
+            node,
+            register: Register::Sum,
+        } => node,
+        SignalPlace::OverlapCell {
+            node,
+            register: overlap::Register::Sum,
+        } => node,
+        _ => return false,
+    };
+    machine.hypercube().role(node) == Role::D
 }
 
 /// All values of each so many registers.

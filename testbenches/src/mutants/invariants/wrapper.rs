@@ -1,6 +1,6 @@
 //! The module around the design whose inputs are its registers, in which what is known of these is assumed.
 
-use super::{Invariants, Never, Values};
+use super::{Invariants, Never, UNKNOWN, Values};
 
 /// The pin of a result's count.
 const COUNT: &str = "result_count";
@@ -48,17 +48,18 @@ impl Invariants {
         )
     }
 
-    /// That the pin of a result's count has no bit above those of the most photons.
+    /// That the pin of a result's count, and the registers that count, have no bit above those of the most photons.
     fn declared_count(&self) -> String {
-        let Some(port) = self.netlist.ports.get(COUNT) else {
-            return String::new();
-        };
-        let above = (self.max_photons.ilog2() + 1) as usize;
-        let (number, bits) = (self.port_number(COUNT), port.width());
-        match above < bits {
-            true => format!(" && p{number}[{}:{above}] == 0", bits - 1),
-            false => String::new(),
-        }
+        let above = self.max_photons.ilog2() + 1;
+        let pin = self.netlist.ports.get(COUNT);
+        let pin = pin.map(|port| (format!("p{}", self.port_number(COUNT)), port.width() as u32));
+        let registers = self.counts.iter();
+        let counts = registers.filter_map(|&index| self.register(index, "q"));
+        pin.into_iter()
+            .chain(counts)
+            .filter(|(_, bits)| above < *bits)
+            .map(|(port, bits)| format!(" && {port}[{}:{above}] == 0", bits - 1))
+            .collect()
     }
 
     /// What is known, of the registers as they are.
@@ -81,10 +82,15 @@ impl Invariants {
     /// A wrapper with `refuted`, a bit for each register and each [`Never`] that does not hold after a clock, and
     /// `broken`, that something does not.
     pub(super) fn refutation(&self) -> String {
-        let registers = (0..self.registers.len()).map(|index| self.breaks(index));
+        let all = 0..self.registers.len();
+        let bits = all
+            .clone()
+            .map(|index| self.breaks(index, |values| self.has_bits(index, values, "d")));
+        let largest =
+            all.map(|index| self.breaks(index, |values| self.is_within(index, values, "d")));
         let never = self.never.iter().map(|never| self.is(never, "d"));
         let never = never.map(|never| never.unwrap_or_else(|| "1'd0".to_owned()));
-        let mut bits: Vec<_> = registers.chain(never).collect();
+        let mut bits: Vec<_> = bits.chain(largest).chain(never).collect();
         let width = bits.len();
         bits.reverse();
         let places: Vec<_> = self
@@ -103,13 +109,13 @@ impl Invariants {
         )
     }
 
-    /// That a register has a value after a clock that it has never where the program is then.
-    fn breaks(&self, index: usize) -> String {
+    /// That something of a register does not hold after a clock, where the program is then.
+    fn breaks(&self, index: usize, holds: impl Fn(Values) -> Option<String>) -> String {
         let at = |(address, known): (&u64, &Vec<Values>)| {
-            let has = self.has(index, known[index], "d")?;
+            let holds = holds(known[index])?;
             Some(match self.is_at(*address, "d") {
-                Some(is_at) => format!("({is_at} && !({has}))"),
-                None => format!("!({has})"),
+                Some(is_at) => format!("({is_at} && !({holds}))"),
+                None => format!("!({holds})"),
             })
         };
         let cases: Vec<_> = self.known.iter().filter_map(at).collect();
@@ -127,6 +133,14 @@ impl Invariants {
 
     /// That a register has one of its values, if that says anything.
     fn has(&self, index: usize, values: Values, when: &str) -> Option<String> {
+        let bits = self.has_bits(index, values, when);
+        let largest = self.is_within(index, values, when);
+        let terms: Vec<_> = bits.into_iter().chain(largest).collect();
+        (!terms.is_empty()).then(|| terms.join(" && "))
+    }
+
+    /// That its bits which are constant have these values.
+    fn has_bits(&self, index: usize, values: Values, when: &str) -> Option<String> {
         let (port, bits) = self.register(index, when)?;
         let never = !values.any & (u64::MAX >> (u64::BITS - bits));
         let mut terms = Vec::new();
@@ -137,6 +151,14 @@ impl Invariants {
             terms.push(format!("(~{port} & {bits}'d{}) == 0", values.all));
         }
         (!terms.is_empty()).then(|| terms.join(" && "))
+    }
+
+    /// That it is no more than its largest value, where its bits do not say so.
+    fn is_within(&self, index: usize, values: Values, when: &str) -> Option<String> {
+        let (port, bits) = self.register(index, when)?;
+        let as_bits = values.largest.wrapping_add(1).is_power_of_two();
+        (values.largest < UNKNOWN.largest && !as_bits)
+            .then(|| format!("{port} <= {bits}'d{}", values.largest))
     }
 
     /// That flags have the values that they never have together.
