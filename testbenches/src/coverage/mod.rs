@@ -97,21 +97,22 @@ pub fn coverage(
     }
     let design = emit(machine, Level::Machine).map_err(hdl_error(machine))?;
     let covers = covers::statements(&covers::covers(machine));
-    let mut device = Verilator::with_coverage(&design, &covers)?;
-    let mut verdict = verify_device(machine, &mut device, options, progress)?;
+    let used = |source| {
+        let mut device = Verilator::with_coverage(&design, &covers)?;
+        let options = VerifyOptions { source, ..*options };
+        let verdict = verify_device(machine, &mut device, &options, progress)?;
+        let points = points::parse(&device.coverage()?).map_err(unreadable)?;
+        Ok::<_, VerifyError>((verdict, points))
+    };
+    let (mut verdict, mut points) = used(options.source)?;
     // Only there do sums of lanes cross links of their own width.
     if machine.overlap_program().is_some() {
-        let lanes = VerifyOptions {
-            source: Source::LaneAlone,
-            ..*options
-        };
-        verdict.vectors_compared +=
-            verify_device(machine, &mut device, &lanes, &|_| ())?.vectors_compared;
+        let (of_lanes, more) = used(Source::LaneAlone)?;
+        verdict.vectors_compared += of_lanes.vectors_compared;
+        verdict.iterations += of_lanes.iterations;
+        verdict.results_compared += of_lanes.results_compared;
+        points.extend(more);
     }
-    let points = points::parse(&device.coverage()?).map_err(|message| DeviceError::BrokeOff {
-        device: "verilator".to_owned(),
-        message,
-    })?;
     let points = counted(machine, points);
     let lines: Vec<_> = design.text.lines().collect();
     Ok(Coverage {
@@ -119,6 +120,13 @@ pub fn coverage(
         modules: modules(&points),
         gaps: gaps(&Why::new(machine, &design)?, &points, &lines),
     })
+}
+
+fn unreadable(message: String) -> DeviceError {
+    DeviceError::BrokeOff {
+        device: "verilator".to_owned(),
+        message,
+    }
 }
 
 /// The points that count. A bit counts in every instance; a statement is used where one instance uses it.

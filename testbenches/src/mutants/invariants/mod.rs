@@ -89,7 +89,7 @@ pub(super) struct Invariants {
     max_photons: u64,
     /// The registers that hold a number of a query's photons.
     counts: Vec<usize>,
-    /// What flags never hold together; only of machines without a program, whose flags say where the work is.
+    /// What flags never hold together: those of the control block, and of machines without a program all.
     never: Vec<Never>,
 }
 
@@ -128,23 +128,29 @@ impl Invariants {
             never: Vec::new(),
         };
         invariants.guess(design, blocks);
-        invariants.forget_largest(design, Widths::of(machine).work);
+        invariants.forget_largest(Widths::of(machine).work);
         invariants.settle()?;
         Ok(invariants)
     }
 
     fn guess(&mut self, design: &Emitted, blocks: &[Block]) {
         let (columns, outputs) = (design.pins.observed.len(), design.pins.outputs);
-        let flag = |index: &usize| design.pins.observed[outputs + index].width == 1;
-        let flags: Vec<_> = (0..columns - outputs).filter(flag).collect();
+        // A program says where the work is, but for what its control block alone knows.
+        let is_flag = |index: &usize| {
+            let pin = &design.pins.observed[outputs + index];
+            let of_control = matches!(
+                pin.place,
+                SignalPlace::Control(_) | SignalPlace::OverlapControl(_)
+            );
+            pin.width == 1 && (self.address.is_none() || of_control)
+        };
+        let flags: Vec<_> = (0..columns - outputs).filter(is_flag).collect();
         let start = vec![0; columns - outputs];
         let rows = || {
             let rows = blocks.iter().flat_map(|b| b.expected.chunks_exact(columns));
             rows.map(|row| &row[outputs..]).chain([&start[..]])
         };
-        if self.address.is_none() {
-            self.never = all_combinations(&flags, 2);
-        }
+        self.never = all_combinations(&flags, 2);
         for row in rows() {
             self.weaken(row);
         }
@@ -229,14 +235,11 @@ impl Invariants {
         }
     }
 
-    /// Gives up the largest values of what is no square, nor a sum of some: they are what the run happened to have.
-    fn forget_largest(&mut self, design: &Emitted, most_bits: u32) {
-        let registers = &design.pins.observed[design.pins.outputs..];
-        for known in self.known.values_mut() {
-            for (values, pin) in known.iter_mut().zip(registers) {
-                if self.address.is_none() || pin.width > most_bits {
-                    values.largest = UNKNOWN.largest;
-                }
+    /// Gives up the largest values of what is no sum of squares, of so many bits: they are what the run happened to have.
+    fn forget_largest(&mut self, most_bits: u32) {
+        for values in self.known.values_mut().flatten() {
+            if self.address.is_none() || values.largest >> most_bits != 0 {
+                values.largest = UNKNOWN.largest;
             }
         }
     }
