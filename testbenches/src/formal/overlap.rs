@@ -4,7 +4,7 @@ use photoncube_spec::overlap::{Field, Program, control_word_bits, drain_bits};
 use photoncube_spec::{Machine, Role, Widths};
 
 use super::property::{Fault, Method, Open, Property, at, covers, of_logic};
-use super::sequential::difference;
+use super::sequential::{difference, width_macros};
 use super::wires::Wires;
 
 /// All, the cheapest first.
@@ -66,16 +66,11 @@ fn cell(machine: &Machine, widths: &Widths) -> Property {
         ("WRITE_SQUARE", Field::WriteSquare),
         ("ADD_SUM", Field::AddSum),
     ];
-    let mut macros = vec![
+    let mut macros = width_macros(widths);
+    macros.extend([
         ("WORD", control_word_bits().to_string()),
-        ("COORDINATE", widths.coordinate.to_string()),
-        ("DIFFERENCE", widths.difference.to_string()),
-        ("RADIUS_SQ", widths.radius_sq.to_string()),
-        ("POWER", widths.power.to_string()),
-        ("WORK", widths.work.to_string()),
-        ("SUM", widths.sum.to_string()),
         ("LARGEST", format!("{}'d{largest}", widths.sum + 1)),
-    ];
+    ]);
     macros.extend(fields.map(|(name, field)| (name, field.lsb().to_string())));
     Property {
         macros,

@@ -87,18 +87,24 @@ fn gate(widths: &Widths) -> Property {
     }
 }
 
-/// Widths of a cell's words, as macros.
+/// Widths of a cell's words, as macros; of every machine in plain numbers.
+pub(super) fn width_macros(widths: &Widths) -> Vec<(&'static str, String)> {
+    let words = [
+        ("COORDINATE", widths.coordinate),
+        ("DIFFERENCE", widths.difference),
+        ("RADIUS_SQ", widths.radius_sq),
+        ("POWER", widths.power),
+        ("WORK", widths.work),
+        ("SUM", widths.sum),
+    ];
+    words.map(|(name, bits)| (name, bits.to_string())).to_vec()
+}
+
 fn cell_macros(machine: &Machine, widths: &Widths) -> Vec<(&'static str, String)> {
-    let full_scale = machine.full_scale();
-    vec![
-        ("COORDINATE", widths.coordinate.to_string()),
-        ("DIFFERENCE", widths.difference.to_string()),
-        ("RADIUS_SQ", widths.radius_sq.to_string()),
-        ("POWER", widths.power.to_string()),
-        ("WORK", widths.work.to_string()),
-        ("SUM", widths.sum.to_string()),
-        ("FULL_SCALE", format!("{}'d{full_scale}", widths.work)),
-    ]
+    let full_scale = format!("{}'d{}", widths.work, machine.full_scale());
+    let mut macros = width_macros(widths);
+    macros.push(("FULL_SCALE", full_scale));
+    macros
 }
 
 fn cell(machine: &Machine, widths: &Widths) -> Property {
