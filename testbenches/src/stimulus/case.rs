@@ -76,8 +76,8 @@ impl Case {
         Self::full_scale(machine, machine.max_photons())
     }
 
-    /// The same photons, all in one lane, so in as many groups.
-    pub fn fullest_in(machine: &Machine, lane: usize) -> Self {
+    /// So many photons of full power, all in range and all in one lane, so in as many groups.
+    pub fn full_scale_in(machine: &Machine, lane: usize, photons: u64) -> Self {
         let one = Self::full_scale(machine, 1);
         let lanes = one.groups[0].lanes.iter().enumerate();
         let lanes = lanes.map(|(index, &other)| Lane {

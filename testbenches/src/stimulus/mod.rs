@@ -45,8 +45,8 @@ pub enum Source<'a> {
     },
     /// What is hard on the protocol; it says itself how long it is.
     Protocol(Protocol),
-    /// For each lane a query with as many photons of full power as the machine declares, all in range, and all in that
-    /// lane: what is summed of one lane is as large as a whole sum.
+    /// For each lane queries with as many photons of full power as the machine declares, and with some fewer, all in
+    /// range, and all in that lane: what is summed of one lane is as large as a whole sum.
     LaneAlone,
 }
 
@@ -299,10 +299,14 @@ fn lane_alone(
     if driver.begin_chunk(0, seed)?.is_break() {
         return Ok(ControlFlow::Break(()));
     }
+    let most = machine.max_photons();
     for lane in 0..machine.photons_per_iteration() {
-        let case = Case::fullest_in(machine, lane);
-        if driver.run(&[case], Traffic::STREAMING)?.is_break() {
-            return Ok(ControlFlow::Break(()));
+        // The largest count, and the one whose bits are all ones: between them all bits of a count are used.
+        for photons in [most, (1 << most.ilog2()) - 1] {
+            let case = Case::full_scale_in(machine, lane, photons);
+            if driver.run(&[case], Traffic::STREAMING)?.is_break() {
+                return Ok(ControlFlow::Break(()));
+            }
         }
     }
     Ok(driver.flush())

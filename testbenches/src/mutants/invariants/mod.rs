@@ -1,4 +1,4 @@
-//! What always holds of a machine's registers: the bits that are constant at an address of its program.
+//! What always holds of a machine's registers: the bits that are constant at a place of its program.
 //!
 //! Which these are is guessed from the golden model's run and then proven of the emitted Verilog by induction: they
 //! hold at power-up, and where they hold they hold one clock later. A guess that is refuted by a counterexample is
@@ -24,6 +24,9 @@ const MOST_ROUNDS: usize = 100;
 /// Counterexamples of a round: to read the design takes Yosys seconds, and to find another a part of one.
 const MOST_AT_ONCE: usize = 64;
 
+/// The registers of a control block that say where its program is.
+const PLACE: [&str; 2] = ["control_address", "control_done"];
+
 /// The most flags whose triples are looked at: there are 8 for each.
 const MOST_NEAR: usize = 12;
 
@@ -31,7 +34,7 @@ const MOST_NEAR: usize = 12;
 pub(super) const WRAPPED: &str = "read_verilog -formal -sv wrapper.sv\nhierarchy -top wrapper\nproc\n\
                                   flatten\nopt -full";
 
-/// The values of a register at an address.
+/// The values of a register at a place.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 struct Values {
     /// All of them, or-ed.
@@ -57,8 +60,8 @@ impl Never {
 /// What a counterexample refutes.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 struct Refuted {
-    /// The address at which it does so.
-    address: u64,
+    /// Where the program is when it does so.
+    place: u64,
     /// The registers whose bits there were guessed wrong.
     bits: Vec<usize>,
     /// The registers whose largest value there was.
@@ -81,9 +84,9 @@ pub(super) struct Invariants {
     netlist: Netlist,
     /// The paths of the registers, and whether Yosys has a port for each.
     registers: Vec<String>,
-    /// The register that says where the program is.
-    address: Option<usize>,
-    /// For each address what its registers hold.
+    /// The registers that say where the program is: its address, and whether a result waits.
+    place: Vec<usize>,
+    /// For each place, these registers' values in a row, what the registers hold.
     known: BTreeMap<u64, Vec<Values>>,
     /// The most photons that a query may have: whoever drives the machine keeps to it, so this is not proven.
     max_photons: u64,
@@ -108,16 +111,13 @@ impl Invariants {
         yosys(folder.path(), design, &script)?;
         let json = read(&folder.path().join("gold.json"))?;
         let registers = design.pins.observed[design.pins.outputs..].iter();
-        let is_address = |place| {
-            matches!(
-                place,
-                SignalPlace::Control(0) | SignalPlace::OverlapControl(0)
-            )
-        };
         let mut invariants = Self {
             gold: read(&folder.path().join("gold.il"))?,
             netlist: Netlist::parse(&json, "gold")?,
-            address: registers.clone().position(|pin| is_address(pin.place)),
+            place: PLACE
+                .iter()
+                .filter_map(|name| registers.clone().position(|pin| pin.name == *name))
+                .collect(),
             registers: design.register_paths.clone(),
             known: BTreeMap::new(),
             max_photons: machine.max_photons(),
@@ -136,14 +136,16 @@ impl Invariants {
     fn guess(&mut self, design: &Emitted, blocks: &[Block]) {
         let (columns, outputs) = (design.pins.observed.len(), design.pins.outputs);
         // A program says where the work is, but for what its control block alone knows.
-        let is_flag = |index: &usize| {
-            let pin = &design.pins.observed[outputs + index];
-            let of_control = matches!(
-                pin.place,
+        let pin = |index: usize| &design.pins.observed[outputs + index];
+        let of_control = |index: usize| {
+            let place = pin(index).place;
+            matches!(
+                place,
                 SignalPlace::Control(_) | SignalPlace::OverlapControl(_)
-            );
-            pin.width == 1 && (self.address.is_none() || of_control)
+            )
         };
+        let is_flag =
+            |index: &usize| pin(*index).width == 1 && (self.place.is_empty() || of_control(*index));
         let flags: Vec<_> = (0..columns - outputs).filter(is_flag).collect();
         let start = vec![0; columns - outputs];
         let rows = || {
@@ -154,14 +156,14 @@ impl Invariants {
         for row in rows() {
             self.weaken(row);
         }
-        if self.address.is_none() {
+        if self.place.is_empty() {
             let mut near = self.near_constants(&flags);
             for row in rows() {
                 near.retain(|never| !never.is_refuted_by(row));
             }
             self.never.extend(near);
         }
-        self.join_after_reset();
+        self.join_after_reset(&of_control);
     }
 
     /// Triples of the flags that those which stand still depend on, at one or two clocks' distance: what keeps them still.
@@ -193,39 +195,44 @@ impl Invariants {
         flags.iter().copied().filter(is_input).collect()
     }
 
-    /// A reset may come anywhere: at the first address is what may be at any.
-    fn join_after_reset(&mut self) {
+    /// A reset may come anywhere: at the first place the cells' registers hold what they may at any. What a reset makes of
+    /// the control block, the run has shown.
+    fn join_after_reset(&mut self, of_control: &dyn Fn(usize) -> bool) {
         let all = self.known.clone();
         let Some(first) = self.known.get_mut(&0) else {
             return;
         };
         for known in all.values() {
-            for (first, values) in first.iter_mut().zip(known) {
-                first.any |= values.any;
-                first.all &= values.all;
-                first.largest = first.largest.max(values.largest);
+            for (index, (first, values)) in first.iter_mut().zip(known).enumerate() {
+                if !of_control(index) {
+                    first.any |= values.any;
+                    first.all &= values.all;
+                    first.largest = first.largest.max(values.largest);
+                }
             }
         }
-        if let Some(address) = self.address {
-            first[address] = Values {
-                any: 0,
-                all: 0,
-                largest: 0,
-            };
-        }
+    }
+
+    /// Where the program is.
+    fn place_of(&self, row: &[u64]) -> u64 {
+        let place = self.place.iter();
+        place.fold(0, |place, &index| {
+            let bits = self.register(index, "q").map_or(0, |(_, bits)| bits);
+            place << bits | row[index]
+        })
     }
 
     /// Takes note of what the registers may hold.
     fn weaken(&mut self, row: &[u64]) {
         self.never.retain(|never| !never.is_refuted_by(row));
-        let address = self.address.map_or(0, |index| row[index]);
+        let place = self.place_of(row);
         let fresh = row.iter().map(|&value| Values {
             any: value,
             all: value,
             largest: value,
         });
-        let Some(known) = self.known.get_mut(&address) else {
-            self.known.insert(address, fresh.collect());
+        let Some(known) = self.known.get_mut(&place) else {
+            self.known.insert(place, fresh.collect());
             return;
         };
         for (known, value) in known.iter_mut().zip(row) {
@@ -238,7 +245,7 @@ impl Invariants {
     /// Gives up the largest values of what is no sum of squares, of so many bits: they are what the run happened to have.
     fn forget_largest(&mut self, most_bits: u32) {
         for values in self.known.values_mut().flatten() {
-            if self.address.is_none() || values.largest >> most_bits != 0 {
+            if self.place.is_empty() || values.largest >> most_bits != 0 {
                 values.largest = UNKNOWN.largest;
             }
         }
@@ -262,14 +269,14 @@ impl Invariants {
     }
 
     /// What a counterexample refutes is given up, not cut down bit by bit, and so is the same guess of the same register
-    /// at other addresses.
+    /// at other places.
     fn give_up(&mut self, found: &[Refuted]) {
         let mut refuted_never: BTreeSet<usize> = BTreeSet::new();
         for refuted in found {
             refuted_never.extend(&refuted.never);
-            let Some(before) = self.known.get(&refuted.address).cloned() else {
+            let Some(before) = self.known.get(&refuted.place).cloned() else {
                 let anything = vec![UNKNOWN; self.registers.len()];
-                self.known.insert(refuted.address, anything);
+                self.known.insert(refuted.place, anything);
                 continue;
             };
             for &index in &refuted.bits {
@@ -298,13 +305,9 @@ impl Invariants {
         let folder = scratch_folder()?;
         write_file(&folder.path().join("gold.il"), &self.gold)?;
         write_file(&folder.path().join("wrapper.sv"), &self.refutation())?;
-        let shown = match self.address.and_then(|index| self.register(index, "d")) {
-            Some((port, _)) => format!("-show {port}"),
-            None => String::new(),
-        };
         let script = format!(
             "read_ilang gold.il\n{WRAPPED}\ntee -o found.txt sat -set-assumes -set broken 1 \
-             -max {MOST_AT_ONCE} -show refuted {shown} wrapper\n"
+             -max {MOST_AT_ONCE} -show refuted -show place wrapper\n"
         );
         write_file(&folder.path().join("script.ys"), &script)?;
         run(Command::new(Tool::Yosys.find()?)
@@ -338,11 +341,8 @@ impl Invariants {
                 _ => refuted.never.push(index - 2 * registers),
             }
         }
-        let address = self.address.and_then(|index| {
-            let (port, _) = self.register(index, "d")?;
-            u64::from_str_radix(model.get(port.as_str())?, 2).ok()
-        });
-        refuted.address = address.unwrap_or(0);
+        let place = model.get("place").copied().unwrap_or_default();
+        refuted.place = u64::from_str_radix(place, 2).unwrap_or(0);
         refuted
     }
 }

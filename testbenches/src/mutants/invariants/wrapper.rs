@@ -64,8 +64,8 @@ impl Invariants {
 
     /// What is known, of the registers as they are.
     fn holds(&self) -> String {
-        let at = |(address, known): (&u64, &Vec<Values>)| {
-            let mut terms: Vec<_> = self.is_at(*address, "q").into_iter().collect();
+        let at = |(place, known): (&u64, &Vec<Values>)| {
+            let mut terms: Vec<_> = self.is_at(*place, "q").into_iter().collect();
             let registers = known.iter().enumerate();
             terms.extend(registers.filter_map(|(i, values)| self.has(i, *values, "q")));
             format!("({})", terms.join(" && "))
@@ -96,14 +96,18 @@ impl Invariants {
         let places: Vec<_> = self
             .known
             .keys()
-            .filter_map(|address| self.is_at(*address, "d"))
+            .filter_map(|place| self.is_at(*place, "d"))
             .collect();
         let nowhere = match places.is_empty() {
             true => "1'd0".to_owned(),
             false => format!("!({})", places.join(" || ")),
         };
+        let (place, place_bits) = match self.place("d") {
+            (_, 0) => ("1'd0".to_owned(), 1),
+            place => place,
+        };
         format!(
-            "{}  (* keep *) wire [{width}-1:0] refuted = {{\n    {}\n  }};\n  (* keep *) wire broken = (|refuted) | {nowhere};\nendmodule\n",
+            "{}  (* keep *) wire [{place_bits}-1:0] place = {place};\n  (* keep *) wire [{width}-1:0] refuted = {{\n    {}\n  }};\n  (* keep *) wire broken = (|refuted) | {nowhere};\nendmodule\n",
             self.around_gold(),
             bits.join(",\n    ")
         )
@@ -111,9 +115,9 @@ impl Invariants {
 
     /// That something of a register does not hold after a clock, where the program is then.
     fn breaks(&self, index: usize, holds: impl Fn(Values) -> Option<String>) -> String {
-        let at = |(address, known): (&u64, &Vec<Values>)| {
+        let at = |(place, known): (&u64, &Vec<Values>)| {
             let holds = holds(known[index])?;
-            Some(match self.is_at(*address, "d") {
+            Some(match self.is_at(*place, "d") {
                 Some(is_at) => format!("({is_at} && !({holds}))"),
                 None => format!("!({holds})"),
             })
@@ -125,10 +129,18 @@ impl Invariants {
         }
     }
 
-    /// That the program is at an address; nothing of a machine without.
-    fn is_at(&self, address: u64, when: &str) -> Option<String> {
-        let (port, bits) = self.register(self.address?, when)?;
-        Some(format!("{port} == {bits}'d{address}"))
+    /// That the program is there; nothing of a machine without.
+    fn is_at(&self, place: u64, when: &str) -> Option<String> {
+        let (name, bits) = self.place(when);
+        (bits > 0).then(|| format!("{name} == {bits}'d{place}"))
+    }
+
+    /// Where the program is, with its width.
+    fn place(&self, when: &str) -> (String, u32) {
+        let registers = self.place.iter();
+        let registers = registers.filter_map(|&index| self.register(index, when));
+        let (names, bits): (Vec<_>, Vec<_>) = registers.unzip();
+        (format!("{{{}}}", names.join(", ")), bits.iter().sum())
     }
 
     /// That a register has one of its values, if that says anything.
