@@ -91,8 +91,7 @@ impl Case {
             lanes: lanes.collect(),
             last: false,
         };
-        let count =
-            usize::try_from(machine.max_photons()).expect("a test's photons fit the memory");
+        let count = usize::try_from(photons).expect("a test's photons fit the memory");
         let mut groups = vec![group; count];
         groups[count - 1].last = true;
         Self { groups, ..one }
