@@ -140,7 +140,7 @@ impl Microprogram {
         steps
     }
 
-    /// Bits of the program counter: at least [`MIN_ADDRESS_BITS`].
+    /// Bits of the program counter, enough for a control store of 16 places.
     pub fn address_bits(&self) -> u32 {
         let last = self.steps().len().saturating_sub(1);
         (usize::BITS - last.leading_zeros()).max(MIN_ADDRESS_BITS)

@@ -24,8 +24,11 @@ const MOST_ROUNDS: usize = 100;
 /// Counterexamples of a round: to read the design takes Yosys seconds, and to find another a part of one.
 const MOST_AT_ONCE: usize = 64;
 
+/// Bits of a control block's register of which each value is looked at.
+const SMALL: u32 = 4;
+
 /// The registers of a control block that say where its program is.
-const PLACE: [&str; 2] = ["control_address", "control_done"];
+const PLACE: [&str; 3] = ["control_address", "control_done", "control_word_x"];
 
 /// The most flags whose triples are looked at: there are 8 for each.
 const MOST_NEAR: usize = 12;
@@ -45,7 +48,7 @@ struct Values {
     largest: u64,
 }
 
-/// Registers of one bit, and what they never hold together.
+/// Small registers, and what they never hold together.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Never(Vec<(usize, u64)>);
 
@@ -92,7 +95,7 @@ pub(super) struct Invariants {
     max_photons: u64,
     /// The registers that hold a number of a query's photons.
     counts: Vec<usize>,
-    /// What flags never hold together: those of the control block, and of machines without a program all.
+    /// What small registers of the control block never hold together, or of machines without a program all flags.
     never: Vec<Never>,
 }
 
@@ -135,7 +138,6 @@ impl Invariants {
 
     fn guess(&mut self, design: &Emitted, blocks: &[Block]) {
         let (columns, outputs) = (design.pins.observed.len(), design.pins.outputs);
-        // A program says where the work is, but for what its control block alone knows.
         let pin = |index: usize| &design.pins.observed[outputs + index];
         let of_control = |index: usize| {
             let place = pin(index).place;
@@ -144,15 +146,21 @@ impl Invariants {
                 SignalPlace::Control(_) | SignalPlace::OverlapControl(_)
             )
         };
-        let is_flag =
-            |index: &usize| pin(*index).width == 1 && (self.place.is_empty() || of_control(*index));
-        let flags: Vec<_> = (0..columns - outputs).filter(is_flag).collect();
+        let registers = (0..columns - outputs).map(|index| (index, pin(index).width));
+        let flags: Vec<_> = registers.clone().filter(|(_, bits)| *bits == 1).collect();
         let start = vec![0; columns - outputs];
         let rows = || {
             let rows = blocks.iter().flat_map(|b| b.expected.chunks_exact(columns));
             rows.map(|row| &row[outputs..]).chain([&start[..]])
         };
-        self.never = all_combinations(&flags, 2);
+        // A program says where the work is, but for what its control block alone knows.
+        self.never = match self.place.is_empty() {
+            true => all_combinations(&flags, 2),
+            false => {
+                let small = |&(index, bits): &(usize, u32)| of_control(index) && bits <= SMALL;
+                all_combinations(&registers.filter(small).collect::<Vec<_>>(), 3)
+            }
+        };
         for row in rows() {
             self.weaken(row);
         }
@@ -167,17 +175,17 @@ impl Invariants {
     }
 
     /// Triples of the flags that those which stand still depend on, at one or two clocks' distance: what keeps them still.
-    fn near_constants(&self, flags: &[usize]) -> Vec<Never> {
-        let is_constant = |flag: &&usize| {
-            let mut values = self.known.values().map(|known| known[**flag]);
+    fn near_constants(&self, flags: &[(usize, u32)]) -> Vec<Never> {
+        let is_constant = |(flag, _): &&(usize, u32)| {
+            let mut values = self.known.values().map(|known| known[*flag]);
             values.all(|values| values.any == values.all)
         };
         let mut near = Vec::new();
-        for &flag in flags.iter().filter(is_constant) {
+        for &(flag, _) in flags.iter().filter(is_constant) {
             let first = self.flags_before(flag, flags);
             let second = first
                 .iter()
-                .flat_map(|&flag| self.flags_before(flag, flags));
+                .flat_map(|&(flag, _)| self.flags_before(flag, flags));
             let all: BTreeSet<_> = first.iter().copied().chain(second).collect();
             let all: Vec<_> = all.into_iter().collect();
             if all.len() <= MOST_NEAR {
@@ -188,10 +196,11 @@ impl Invariants {
     }
 
     /// The flags that a flag's next value depends on.
-    fn flags_before(&self, flag: usize, flags: &[usize]) -> Vec<usize> {
+    fn flags_before(&self, flag: usize, flags: &[(usize, u32)]) -> Vec<(usize, u32)> {
         let inputs = self.netlist.fan_in(&format!("{}.d", self.registers[flag]));
-        let is_input =
-            |flag: &usize| inputs.contains(format!("{}.q", self.registers[*flag]).as_str());
+        let is_input = |(flag, _): &(usize, u32)| {
+            inputs.contains(format!("{}.q", self.registers[*flag]).as_str())
+        };
         flags.iter().copied().filter(is_input).collect()
     }
 
@@ -287,9 +296,8 @@ impl Invariants {
                 }
             }
             for &index in &refuted.largest {
-                let known = self.known.values_mut().map(|known| &mut known[index]);
-                for values in known.filter(|values| values.largest == before[index].largest) {
-                    values.largest = UNKNOWN.largest;
+                if let Some(known) = self.known.get_mut(&refuted.place) {
+                    known[index].largest = UNKNOWN.largest;
                 }
             }
         }
@@ -363,15 +371,15 @@ fn is_count(machine: &Machine, place: SignalPlace) -> bool {
     machine.hypercube().role(node) == Role::D
 }
 
-/// All values of each so many registers.
-fn all_combinations(registers: &[usize], count: usize) -> Vec<Never> {
+/// All values of each so many registers, which have so many bits.
+fn all_combinations(registers: &[(usize, u32)], count: usize) -> Vec<Never> {
     if count == 0 {
         return vec![Never(Vec::new())];
     }
     let mut all = Vec::new();
-    for (index, &register) in registers.iter().enumerate() {
+    for (index, &(register, bits)) in registers.iter().enumerate() {
         for rest in all_combinations(&registers[..index], count - 1) {
-            for value in [0, 1] {
+            for value in 0..1 << bits {
                 let literals = [&rest.0[..], &[(register, value)]].concat();
                 all.push(Never(literals));
             }

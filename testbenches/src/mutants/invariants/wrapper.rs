@@ -176,8 +176,8 @@ impl Invariants {
     /// That flags have the values that they never have together.
     fn is(&self, never: &Never, when: &str) -> Option<String> {
         let literal = |&(register, value): &(usize, u64)| {
-            let (port, _) = self.register(register, when)?;
-            Some(format!("{port} == 1'd{value}"))
+            let (port, bits) = self.register(register, when)?;
+            Some(format!("{port} == {bits}'d{value}"))
         };
         let literals: Option<Vec<_>> = never.0.iter().map(literal).collect();
         Some(literals?.join(" && "))
