@@ -14,11 +14,11 @@ use crate::golden::GoldenMachine;
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 struct ControlState {
     /// The next step, as an index into the program: the query phase, then the iteration.
-    pub address: usize,
+    address: usize,
     /// The group at work is the query's last.
-    pub last: bool,
+    last: bool,
     /// The result waits to be taken.
-    pub done: bool,
+    done: bool,
 }
 
 /// A machine with its state; starts as after power-up, all registers 0.

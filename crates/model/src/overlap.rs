@@ -16,17 +16,17 @@ use crate::overlap_cell::{CellPorts, OverlapCell};
 struct OverlapControl {
     /// The address of the words at work: a clock of the kernel or of the epilogue; none while they
     /// are 0.
-    pub at_work: Option<u32>,
+    at_work: Option<u32>,
     /// The address of the words that come next.
-    pub address: u32,
+    address: u32,
     /// A query is in the machine, at work or with its result.
-    pub occupied: bool,
+    occupied: bool,
     /// Its last group is taken.
-    pub last: bool,
+    last: bool,
     /// Clocks since then.
-    pub drain: u32,
+    drain: u32,
     /// The result waits to be taken.
-    pub done: bool,
+    done: bool,
 }
 
 /// A machine with its state; starts as after power-up, all registers 0.

@@ -27,7 +27,8 @@ const MOST_AT_ONCE: usize = 64;
 /// Bits of a control block's register of which each value is looked at.
 const SMALL: u32 = 4;
 
-/// The registers of a control block that say where its program is.
+/// The registers of a control block that say where its program is: the address that comes next, whether a result waits
+/// there, and of a machine whose units overlap the word at work, which tells from where it came.
 const PLACE: [&str; 3] = ["control_address", "control_done", "control_word_x"];
 
 /// The most flags whose triples are looked at: there are 8 for each.
@@ -87,7 +88,7 @@ pub(super) struct Invariants {
     netlist: Netlist,
     /// The paths of the registers, and whether Yosys has a port for each.
     registers: Vec<String>,
-    /// The registers that say where the program is: its address, and whether a result waits.
+    /// The registers of [`PLACE`] that there are; none of machines without a program.
     place: Vec<usize>,
     /// For each place, these registers' values in a row, what the registers hold.
     known: BTreeMap<u64, Vec<Values>>,
@@ -277,8 +278,8 @@ impl Invariants {
         })
     }
 
-    /// What a counterexample refutes is given up, not cut down bit by bit, and so is the same guess of the same register
-    /// at other places.
+    /// What a counterexample refutes is given up, not cut down bit by bit, and so is the same guess of a register's bits
+    /// at other places. A largest value is given up where it was refuted: at another it may hold.
     fn give_up(&mut self, found: &[Refuted]) {
         let mut refuted_never: BTreeSet<usize> = BTreeSet::new();
         for refuted in found {
