@@ -35,7 +35,7 @@ pub use exhaustive::{
     LaneVerdict, Radii, UnitVerdict, exhaustive_lane, exhaustive_lane_device, exhaustive_unit,
     exhaustive_unit_device,
 };
-pub use formal::{FORMAL_MACHINES, Formal, FormalError, Proof, formal};
+pub use formal::{Formal, FormalError, Proof, formal};
 pub use levels::{PartVerdict, verify_part, verify_part_device};
 pub use mutants::{Fate, Judged, MutantOptions, MutantReport, Mutation, mutants};
 pub use programs::{

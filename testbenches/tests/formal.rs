@@ -35,6 +35,15 @@ const QUICK: &[(&str, &[&str])] = &[
             "netlist::square_pair",
         ],
     ),
+    // Other words: a hypercube's fifth axis, the clamped difference and half square of a photon format, a square of
+    // fewer digits, several engines, a product in place of digits.
+    ("paper-5d", &["cell::", "control::", "network::", "links::"]),
+    ("paper-dsp", &["units::"]),
+    ("local-half", &["units::", "cell::", "sums::"]),
+    ("fit-ring", &["units::", "cell::", "sums::"]),
+    ("fit-range", &["units::"]),
+    ("tile-4", &["units::", "sums::", "netlist::head"]),
+    ("tile-6-mixed", &["units::", "sums::"]),
 ];
 
 fn main() {
@@ -67,7 +76,5 @@ fn all_hold(machine: &str, begins: &str) -> Result<(), Failed> {
 fn nothing_is_an_error() -> Result<(), Failed> {
     let error = formal(find_machine("paper")?, &|_| false, &|_, _| ()).unwrap_err();
     assert!(error.to_string().contains("units::difference"), "{error}");
-    let error = formal(find_machine("tile-4")?, &|_| true, &|_, _| ()).unwrap_err();
-    assert!(error.to_string().contains("stream"), "{error}");
     Ok(())
 }

@@ -114,7 +114,7 @@ impl Property {
             Open::Parts => "expose -evert dut/c:*\n".to_owned(),
         };
         format!(
-            "read_verilog design.v\nhierarchy -top {module}\nproc -norom\nrename {module} dut\n{open}\
+            "read_verilog -defer design.v\nhierarchy -top {module}\nproc -norom\nrename {module} dut\n{open}\
              read_verilog -formal -sv harness.sv\nhierarchy -check -top harness\nproc -norom\nflatten\n\
              memory -nomap\nmemory_map\nopt_clean\ncheck -assert\n"
         )

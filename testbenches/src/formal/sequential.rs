@@ -1,6 +1,6 @@
-//! The properties of the machine that does one op a clock.
+//! The properties of the machines that do one op a clock.
 
-use photoncube_spec::{Field, Machine, Microprogram, Widths, control_word_bits};
+use photoncube_spec::{Field, Machine, Microprogram, Squarer, Widths, control_word_bits};
 
 use super::property::{Fault, Method, Open, Property, at, covers, of_logic};
 use super::wires::Wires;
@@ -13,7 +13,7 @@ pub(super) fn properties(machine: &Machine) -> Vec<Property> {
         .expect("a sequential machine has a program");
     vec![
         difference(&widths),
-        squarer(&widths),
+        squarer(machine, &widths),
         add(&widths),
         gate(&widths),
         cell(machine, &widths),
@@ -25,32 +25,46 @@ pub(super) fn properties(machine: &Machine) -> Vec<Property> {
     ]
 }
 
-/// `|A-B|`, the first half of `(A-B)^2`; of every machine in plain numbers.
+/// `|A-B|`, the first half of `(A-B)^2`; of every machine with a program.
 pub(super) fn difference(widths: &Widths) -> Property {
     Property {
-        faults: vec![Fault::new("difference", "a < b", "a <= b + 1'b1")],
-        covers: covers(["cover_below", "cover_above"]),
+        faults: vec![Fault::new(
+            "difference",
+            "below = a < ",
+            "below = a <= 1'b1 + ",
+        )],
+        covers: covers(["cover_below", "cover_largest"]),
         ..of_logic(
             "units::difference",
             "difference",
-            "magnitude = |a - b|, without wrapping",
+            "magnitude = |a - b|, from middle to middle, without wrapping, clamped",
             include_str!("harness/difference.sv"),
-            &[("COORDINATE", widths.coordinate)],
+            &[
+                ("COORDINATE", widths.coordinate),
+                ("PHOTON", widths.photon),
+                ("EXTRA", widths.coordinate - widths.photon),
+                ("DIFFERENCE", widths.difference),
+            ],
         )
     }
 }
 
-/// The second half: a square.
-fn squarer(widths: &Widths) -> Property {
+/// The second half: a square, or half square.
+fn squarer(machine: &Machine, widths: &Widths) -> Property {
+    let half = machine.format().is_some_and(|format| format.half_steps());
+    let (right, wrong) = match machine.squarer {
+        Squarer::Digits => ("digit_square = 8'd4;", "digit_square = 8'd5;"),
+        _ => ("square = root", "square = 1'b1 + root"),
+    };
     Property {
-        faults: vec![Fault::new("squarer", "8'd121", "8'd120")],
+        faults: vec![Fault::new("squarer", right, wrong)],
         covers: covers(["cover_largest"]),
         ..of_logic(
             "units::squarer",
             "squarer",
-            "square = root * root, for every root",
+            "square = root * root, or root * (root + 1) of a half square, for every root",
             include_str!("harness/squarer.sv"),
-            &[("DIFFERENCE", widths.difference)],
+            &[("DIFFERENCE", widths.difference), ("HALF", u32::from(half))],
         )
     }
 }
@@ -87,10 +101,11 @@ fn gate(widths: &Widths) -> Property {
     }
 }
 
-/// Widths of a cell's words, as macros; of every machine in plain numbers.
+/// Widths of a cell's words, as macros; of every machine with a program.
 pub(super) fn width_macros(widths: &Widths) -> Vec<(&'static str, String)> {
     let words = [
         ("COORDINATE", widths.coordinate),
+        ("PHOTON", widths.photon),
         ("DIFFERENCE", widths.difference),
         ("RADIUS_SQ", widths.radius_sq),
         ("POWER", widths.power),
@@ -100,16 +115,27 @@ pub(super) fn width_macros(widths: &Widths) -> Vec<(&'static str, String)> {
     words.map(|(name, bits)| (name, bits.to_string())).to_vec()
 }
 
-fn cell_macros(machine: &Machine, widths: &Widths) -> Vec<(&'static str, String)> {
-    let full_scale = format!("{}'d{}", widths.work, machine.full_scale());
-    let mut macros = width_macros(widths);
-    macros.push(("FULL_SCALE", full_scale));
-    macros
+/// That an exchange of the sums of so many photons has the sum of twice as many, for each of an iteration.
+fn exchanges(machine: &Machine, widths: &Widths) -> String {
+    let photons = machine.photons_per_iteration().ilog2();
+    let sum = |axis| format!("{}'d{}", widths.work, machine.full_scale() << axis);
+    let exchange = |axis| {
+        let (one, both) = (sum(axis), sum(axis + 1));
+        format!("assert (!(work_q <= {one} && link_in <= {one}) || work_d <= {both}); ")
+    };
+    (0..photons).map(exchange).collect()
+}
+
+/// A sum that has lost a bit.
+fn sum_fault() -> Fault {
+    Fault::new("cell", "link_in | sum_low", "link_in | sum_low >> 1")
 }
 
 fn cell(machine: &Machine, widths: &Widths) -> Property {
+    let mut macros = width_macros(widths);
+    macros.push(("EXCHANGES", exchanges(machine, widths)));
     Property {
-        macros: cell_macros(machine, widths),
+        macros,
         open: Open::Signals(&[
             "work_q",
             "work_d",
@@ -132,9 +158,9 @@ fn cell(machine: &Machine, widths: &Widths) -> Property {
             Fault::new(
                 "cell",
                 "gate_unit_b = radius_sq_q",
-                "gate_unit_b = radius_sq_q + 18'd1",
+                "gate_unit_b = radius_sq_q + 1'b1",
             ),
-            Fault::new("cell", "32'hfffc0000", "32'hfff80000"),
+            sum_fault(),
             Fault::new("cell", "if (~present_in)", "if (1'b0)"),
         ],
         fault_clocks: 9,
@@ -198,7 +224,7 @@ fn control(machine: &Machine, program: &Microprogram) -> Property {
                 "iteration_address = 4'h2",
             ),
             Fault::new("control", "runs = group_valid", "runs = 1'b1"),
-            Fault::new("store", "15'b10000000101000", "15'b11000000101000"),
+            Fault::new("store", "4'd4:", "4'd15:"),
         ],
         fault_clocks: 2 * steps + 4,
         covers: at([
@@ -269,7 +295,11 @@ fn network(machine: &Machine, widths: &Widths) -> Property {
                 "link_14 = link_14 | work_10",
                 "link_14 = link_14 | work_11",
             ),
-            Fault::new("network", "link_3 = 18'b0;", "link_3 = work_3;"),
+            Fault::new(
+                "network",
+                "begin\n        link_0 = ",
+                "begin\n        link_0 = work_1 | ",
+            ),
         ],
         covers: covers(["cover_none", "cover_last"]),
         ..of_logic(
@@ -321,22 +351,22 @@ fn links(machine: &Machine, widths: &Widths) -> Property {
 }
 
 fn sum(machine: &Machine, widths: &Widths) -> Property {
-    let full_scale = machine.full_scale();
-    let count = |photons: u128| format!("photons_full_scale == {}", photons * full_scale);
+    let sum_of = |photons| format!("{}'d{}", widths.sum, photons * machine.full_scale());
+    let count = |photons: u128| format!("photons_full_scale == {}", sum_of(photons));
     let photons = machine.photons_per_iteration() as u128;
     let counts: Vec<_> = (0..=photons).map(count).collect();
-    let largest = u128::from(machine.max_photons()) * full_scale;
-    let mut macros = cell_macros(machine, widths);
+    let largest = u128::from(machine.max_photons()) * machine.full_scale();
+    let mut macros = width_macros(widths);
     macros.extend([
         ("ONE_OF_THE_COUNTS", counts.join(" || ")),
         ("LARGEST", format!("{}'d{largest}", widths.sum + 1)),
-        ("COVERED", (2 * photons * full_scale).to_string()),
+        ("COVERED", sum_of(2 * photons)),
     ]);
     Property {
         macros,
         open: Open::Signals(&["work_q", "sum_q", "sum_d"]),
         method: Method::Induction(1),
-        faults: vec![Fault::new("cell", "32'hfffc0000", "32'hfff80000")],
+        faults: vec![sum_fault()],
         fault_clocks: 7,
         covers: at([("cover_full", 4)]),
         ..of_logic(

@@ -1,11 +1,12 @@
-//! The properties of the spatial machine of one engine.
+//! The properties of the spatial machines: of each unit that the machine has, of its sums and of its queue; of one
+//! engine, what it admits.
 
-use photoncube_spec::{HeadSizes, Machine, SpatialWidths};
+use photoncube_spec::{HeadSizes, Machine, PhotonFormat, SpatialWidths};
 
 use super::property::{Fault, Method, Open, Property, at, covers, of_logic};
 
-/// All, the cheapest first.
-pub(super) fn properties(machine: &Machine) -> Vec<Property> {
+/// All, the cheapest first. `has_module` says which modules are in the emitted text.
+pub(super) fn properties(machine: &Machine, has_module: &dyn Fn(&str) -> bool) -> Vec<Property> {
     let format = machine
         .format()
         .expect("a spatial machine has a photon format");
@@ -13,7 +14,8 @@ pub(super) fn properties(machine: &Machine) -> Vec<Property> {
     let widths = SpatialWidths::of(format);
     let sizes = HeadSizes::of(spatial);
     let full_scale = machine.full_scale();
-    let mut properties: Vec<_> = UNITS.iter().map(|unit| unit.property(&widths)).collect();
+    let units = UNITS.iter().filter(|unit| has_module(unit.module));
+    let mut properties: Vec<_> = units.map(|unit| unit.property(format)).collect();
     properties.extend([
         sum(
             "sums::power",
@@ -29,9 +31,11 @@ pub(super) fn properties(machine: &Machine) -> Vec<Property> {
             [SpatialWidths::GROUP_COUNT, widths.count],
             1,
         ),
-        queue(&widths, &sizes),
-        admission(&sizes),
+        queue(&widths, &sizes, spatial.engines()),
     ]);
+    if spatial.engines() == 1 {
+        properties.push(admission(&sizes));
+    }
     properties
 }
 
@@ -52,7 +56,8 @@ type Width = fn(&SpatialWidths) -> u32;
 
 const BIT: Width = |_| 1;
 
-/// With `result` the output, in Verilog; wider words are written so that nothing wraps.
+/// With `result` the output, in Verilog; wider words are written so that nothing wraps. `LOW` are the bits of a
+/// magnitude's low digit, `LIMIT` the largest sum of squares in range where queries have no radius of their own.
 const UNITS: &[Unit] = &[
     Unit {
         name: "units::subtract",
@@ -75,7 +80,7 @@ const UNITS: &[Unit] = &[
         claims: "assume (difference != {1'b1, {`OUT{1'b0}}}); \
                  assert (difference[`OUT] ? {1'b0, result} + difference == {1'b1, {`OUT+1{1'b0}}} : {1'b0, result} == difference);",
         covers: ["difference[`OUT]", "~difference[`OUT] & result != 0"],
-        fault: ("{9'd0, negative}", "10'd0"),
+        fault: ("inverted + ", "inverted - "),
     },
     Unit {
         name: "units::split",
@@ -86,7 +91,7 @@ const UNITS: &[Unit] = &[
         second: Some("far"),
         claims: "assert (second == (magnitude >= (1 << `OUT))); assert (second || result == magnitude);",
         covers: ["second", "~second & result != 0"],
-        fault: ("magnitude[9:8]", "magnitude[9:9]"),
+        fault: ("far = |", "far = &"),
     },
     Unit {
         name: "units::digit_products",
@@ -95,9 +100,9 @@ const UNITS: &[Unit] = &[
         inputs: &[("magnitude", |w| w.radius)],
         output: ("low_product", |w| w.low_product),
         second: Some("high_product"),
-        claims: "assert (result + 4 * second == magnitude[7:4] * magnitude[3:0]);",
+        claims: "assert (result + 4 * second == magnitude[`LOW+:4] * magnitude[`LOW-1:0]);",
         covers: ["second != 0", "result != 0"],
-        fault: ("{4{magnitude[3]}}", "{4{magnitude[2]}}"),
+        fault: ("{4{magnitude[1]}}", "{4{magnitude[0]}}"),
     },
     Unit {
         name: "units::cross_sum",
@@ -109,7 +114,7 @@ const UNITS: &[Unit] = &[
         ],
         output: ("cross_product", |w| w.cross),
         second: None,
-        claims: "assert (result - low_product == 8'd4 * high_product || result + 9'd256 - low_product == 9'd4 * high_product);",
+        claims: "assert (result == (low_product + 4 * high_product) % (1 << `OUT));",
         covers: ["high_product != 0", "low_product != 0"],
         fault: (
             "low_product[5:2] + high_product",
@@ -123,9 +128,9 @@ const UNITS: &[Unit] = &[
         inputs: &[("magnitude", |w| w.radius), ("cross_product", |w| w.cross)],
         output: ("square", |w| w.square),
         second: None,
-        claims: "assume (cross_product == magnitude[7:4] * magnitude[3:0]); assert (result == {8'd0, magnitude} * magnitude);",
-        covers: ["magnitude == 255", "magnitude == 16"],
-        fault: ("high_square = 8'd121", "high_square = 8'd120"),
+        claims: "assume (cross_product == magnitude[`LOW+:4] * magnitude[`LOW-1:0]); assert (result == 1 * magnitude * magnitude);",
+        covers: ["magnitude == (1 << `OUT/2) - 1", "magnitude == 16"],
+        fault: ("high_square = 8'd4;", "high_square = 8'd5;"),
     },
     Unit {
         name: "units::pair_sum",
@@ -162,6 +167,17 @@ const UNITS: &[Unit] = &[
         second: None,
         claims: "if (far || distance > largest) assert (!result); else assert (result);",
         covers: ["distance == largest & result", "far & distance < largest"],
+        fault: ("distance <= limit", "distance < limit"),
+    },
+    Unit {
+        name: "units::range",
+        module: "range_of_format",
+        claim: "in_range = distance <= the format's radius_sq and no axis is far",
+        inputs: &[("distance", |w| w.distance), ("far", BIT)],
+        output: ("in_range", BIT),
+        second: None,
+        claims: "if (far || distance > `LIMIT) assert (!result); else assert (result);",
+        covers: ["distance == `LIMIT & result", "far & distance < `LIMIT"],
         fault: ("distance <= limit", "distance < limit"),
     },
     Unit {
@@ -246,8 +262,15 @@ const UNITS: &[Unit] = &[
     },
 ];
 
+/// The modules that units are written for.
+#[cfg(test)]
+pub(super) fn unit_modules() -> impl Iterator<Item = &'static str> {
+    UNITS.iter().map(|unit| unit.module)
+}
+
 impl Unit {
-    fn property(&self, widths: &SpatialWidths) -> Property {
+    fn property(&self, format: &PhotonFormat) -> Property {
+        let widths = &SpatialWidths::of(format);
         let (output, width) = self.output;
         let input =
             |(name, width): &(&str, Width)| format!("input wire [{}-1:0] {name}, ", width(widths));
@@ -266,6 +289,8 @@ impl Unit {
         Property {
             macros: vec![
                 ("OUT", width(widths).to_string()),
+                ("LOW", widths.low_digit.to_string()),
+                ("LIMIT", format.largest_in_range().to_string()),
                 ("INPUTS", self.inputs.iter().map(input).collect()),
                 ("SECOND", declared),
                 ("PORTS", format!("{ports}.{output}(result){second}")),
@@ -321,7 +346,7 @@ fn sum(
     }
 }
 
-fn queue(widths: &SpatialWidths, sizes: &HeadSizes) -> Property {
+fn queue(widths: &SpatialWidths, sizes: &HeadSizes, engines: usize) -> Property {
     let sum = widths.sum;
     let bits = 3 * sum + widths.count;
     let slice = |channel: u32| format!("[{}*{sum}+:{sum}]", channel);
@@ -338,6 +363,7 @@ fn queue(widths: &SpatialWidths, sizes: &HeadSizes) -> Property {
         macros: vec![
             ("BITS", bits.to_string()),
             ("PLACES", sizes.queue.to_string()),
+            ("ENGINES", engines.to_string()),
             (
                 "DATA_IN",
                 channels.concat() + &format!(".result_count_in(data{count}), "),
@@ -369,8 +395,8 @@ fn queue(widths: &SpatialWidths, sizes: &HeadSizes) -> Property {
             ),
             Fault::new(
                 "queue",
-                "read_place <= read_place + 4'd1",
-                "read_place <= read_place + 4'd2",
+                "read_place <= read_place + ",
+                "read_place <= read_place + 1'b1 + ",
             ),
             Fault::new(
                 "queue",
@@ -397,7 +423,7 @@ fn admission(sizes: &HeadSizes) -> Property {
         open: Open::Signals(&["loaded", "open", "has_batch", "promised"]),
         method: Method::Induction(1),
         faults: vec![
-            Fault::new("admission", "room = ~promised[15]", "room = 1'b1"),
+            Fault::new("admission", "wire room = ", "wire room = 1'b1 | "),
             Fault::new(
                 "admission",
                 "(~group_last | fits);\n    wire takes_group",

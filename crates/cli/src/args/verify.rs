@@ -99,7 +99,7 @@ pub struct VerifyArgs {
     #[arg(long, group = "method")]
     pub faults: bool,
     /// Prove properties of the emitted text for all inputs, by Yosys: units, control block, streams, sums, and each
-    /// module against its netlist; for `paper`, `overlap` and `stream`
+    /// module against its netlist
     #[arg(long, group = "method")]
     pub formal: bool,
     /// Only the properties whose names begin so

@@ -59,7 +59,8 @@ module harness(input wire clock, input wire reset, input wire written, input wir
     assert (result_valid == has_result);
     assert (pending == (ahead < inside));
     assert (!pending || value == (has_result && ahead == 0 ? result : results[watched_place*`BITS+:`BITS]));
-    assert (batch_read == (has_waiting && (!has_result || result_ready)));
+    // A batch has been read when the last of its results, one of each engine, leaves the memory.
+    assert (batch_read == (has_waiting && (!has_result || result_ready) && next_read % `ENGINES == `ENGINES - 1));
   end
   assign cover_watched = given & give_number == watched & watched == 2;
   assign cover_full = in_memory == `PLACES & has_result;

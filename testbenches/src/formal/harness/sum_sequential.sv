@@ -6,7 +6,7 @@
 module harness(input wire clock, input wire write_query, input wire write_photon, input wire write_power,
     input wire write_work, input wire write_sum, input wire [1:0] work_source,
     input wire [`COORDINATE-1:0] query_in, input wire [`RADIUS_SQ-1:0] radius_sq_in,
-    input wire [`COORDINATE-1:0] photon_in, input wire present_in, input wire [`POWER-1:0] power_in,
+    input wire [`PHOTON-1:0] photon_in, input wire present_in, input wire [`POWER-1:0] power_in,
     input wire [`WORK-1:0] link_in, input wire [`SUM-1:0] photons_full_scale, output wire cover_full);
   wire [`WORK-1:0] work_out, work_q;
   wire [`SUM-1:0] sum_out, sum_q, sum_d;
