@@ -42,8 +42,8 @@ const QUICK: &[(&str, &[&str])] = &[
     ("local-half", &["units::", "cell::", "sums::"]),
     ("fit-ring", &["units::", "cell::", "sums::"]),
     ("fit-range", &["units::"]),
-    ("tile-4", &["units::", "sums::", "netlist::head"]),
-    ("tile-6-mixed", &["units::", "sums::"]),
+    ("tile-4", &["units::", "sums::"]),
+    ("tile-6-mixed", &["units::"]),
 ];
 
 fn main() {

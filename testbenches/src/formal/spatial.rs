@@ -1,9 +1,12 @@
-//! The properties of the spatial machines: of each unit that the machine has, of its sums and of its queue; of one
-//! engine, what it admits.
+//! The properties of the spatial machines: of each unit that the machine has, of its sums and, where it is not
+//! too long, of its queue; of one engine, what it admits.
 
 use photoncube_spec::{HeadSizes, Machine, PhotonFormat, SpatialWidths};
 
 use super::property::{Fault, Method, Open, Property, at, covers, of_logic};
+
+/// Places of a queue of results that a search can fill: of 64 it has no answer in 120 seconds and 18 GB.
+const MOST_PLACES: usize = 32;
 
 /// All, the cheapest first. `has_module` says which modules are in the emitted text.
 pub(super) fn properties(machine: &Machine, has_module: &dyn Fn(&str) -> bool) -> Vec<Property> {
@@ -31,8 +34,10 @@ pub(super) fn properties(machine: &Machine, has_module: &dyn Fn(&str) -> bool) -
             [SpatialWidths::GROUP_COUNT, widths.count],
             1,
         ),
-        queue(&widths, &sizes, spatial.engines()),
     ]);
+    if sizes.queue <= MOST_PLACES {
+        properties.push(queue(&widths, &sizes, spatial.engines()));
+    }
     if spatial.engines() == 1 {
         properties.push(admission(&sizes));
     }
