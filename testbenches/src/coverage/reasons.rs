@@ -1,7 +1,7 @@
 //! Why some points cannot be used, whatever the stimulus.
 
 use photoncube_hdl::Emitted;
-use photoncube_spec::{Machine, Role, Widths};
+use photoncube_spec::{Machine, Role, Squarer, Widths};
 
 use super::constants::{Constants, constants};
 use super::points::{CoverageKind, Point};
@@ -63,14 +63,36 @@ const RULES: &[Rule] = &[
     Rule {
         kind: CoverageKind::Toggle,
         holds: |machine, _, path, bit| {
-            machine.spatial().is_none() && crosses_nodes(path) && bit == link_bits(machine)
+            let most = machine.max_photons();
+            counts_photons(machine, path)
+                && path.ends_with("sum_low")
+                && most.is_power_of_two()
+                && bit + 1 == count_bits(machine)
         },
-        why: "a link has the width of a squared distance; what crosses it is at most a sum of two squares",
+        why: "a power of two, the most photons, is never added to",
+    },
+    Rule {
+        kind: CoverageKind::Toggle,
+        holds: |machine, _, path, _| {
+            machine.microprogram().is_some()
+                && counts_photons(machine, path)
+                && path.contains("square")
+        },
+        why: "a cell that counts photons has no coordinates: its square is always that of zeros",
     },
     Rule {
         kind: CoverageKind::Toggle,
         holds: |machine, _, path, bit| {
-            machine.overlap_program().is_some() && adds_squares(path) && bit == link_bits(machine)
+            machine.spatial().is_none() && crosses_nodes(path) && bit >= link_bits(machine, path)
+        },
+        why: "a link has the width of the work register; what crosses it is part of a distance, or half a group's powers",
+    },
+    Rule {
+        kind: CoverageKind::Toggle,
+        holds: |machine, _, path, bit| {
+            machine.overlap_program().is_some()
+                && adds_squares(path)
+                && bit >= two_squares_bits(machine)
         },
         why: "of a quad's cells only those that add the third square have the full squared distance",
     },
@@ -81,6 +103,15 @@ const RULES: &[Rule] = &[
             machine.overlap_program().is_some() && path.ends_with(".products") && bit >= 13
         },
         why: "twice the product of two digits of four bits, times 16, ends below",
+    },
+    Rule {
+        kind: CoverageKind::Toggle,
+        holds: |machine, _, path, bit| {
+            let is_square = ["square", "squarer_square", "square_unit_square"];
+            let name = path.rsplit('.').next().unwrap_or(path);
+            machine.squarer == Squarer::Product && is_square.contains(&name) && bit == 1
+        },
+        why: "a square is 0 or 1 modulo 4",
     },
     Rule {
         kind: CoverageKind::Toggle,
@@ -102,13 +133,17 @@ const RULES: &[Rule] = &[
     },
 ];
 
+/// The roles of the nodes that a signal is named after.
+fn roles(machine: &Machine, path: &str) -> impl Iterator<Item = Role> {
+    let hypercube = machine.hypercube();
+    let numbers = path.split(['.', '_']).filter_map(|name| name.parse().ok());
+    let nodes = numbers.filter(move |&node| node < hypercube.nodes());
+    nodes.map(move |node| hypercube.role(node))
+}
+
 /// Whether a signal belongs to a cell that counts photons: each quad's last.
 fn counts_photons(machine: &Machine, path: &str) -> bool {
-    let hypercube = machine.hypercube();
-    let names = path.split(['.', '_']);
-    let mut nodes = names.filter_map(|name| name.parse::<usize>().ok());
-    path.contains("result_count")
-        || nodes.any(|node| node < hypercube.nodes() && hypercube.role(node) == Role::D)
+    path.contains("result_count") || roles(machine, path).any(|role| role == Role::D)
 }
 
 /// Bits of the largest number of photons.
@@ -128,6 +163,21 @@ fn adds_squares(path: &str) -> bool {
 }
 
 /// Bits of a sum of two squares of coordinates.
-fn link_bits(machine: &Machine) -> u32 {
+fn two_squares_bits(machine: &Machine) -> u32 {
     2 * Widths::of(machine).difference + 1
+}
+
+/// Bits of the largest word that the link of a signal carries. Where one adder adds all, the cells of x and y get a square
+/// and that of z, which d leaves alone, and each cell at last the powers of the other half of the group.
+fn link_bits(machine: &Machine, path: &str) -> u32 {
+    let two_squares = two_squares_bits(machine);
+    if machine.overlap_program().is_some() {
+        return two_squares;
+    }
+    let role = roles(machine, path).next();
+    let gets_one = matches!(role, Some(Role::X | Role::Y));
+    let squares = two_squares - u32::from(gets_one);
+    let half = machine.photons_per_iteration() as u128 / 2;
+    let powers = (machine.full_scale() * half).ilog2() + 1;
+    squares.max(powers)
 }
