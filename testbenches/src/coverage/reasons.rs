@@ -1,7 +1,7 @@
 //! Why some points cannot be used, whatever the stimulus.
 
 use photoncube_hdl::Emitted;
-use photoncube_spec::{Machine, Role, Squarer, Widths};
+use photoncube_spec::{Machine, PhotonFormat, Role, Squarer, Widths};
 
 use super::constants::{Constants, constants};
 use super::points::{CoverageKind, Point};
@@ -131,6 +131,18 @@ const RULES: &[Rule] = &[
         holds: |_, point, path, _| point.module == "store" && path.contains("default:"),
         why: "no program reaches an address behind its end",
     },
+    Rule {
+        kind: CoverageKind::Line,
+        holds: |machine, point, path, _| {
+            let is_half = machine.format().is_some_and(PhotonFormat::half_steps);
+            let high_bits = Widths::of(machine).difference.saturating_sub(DIGIT_BITS);
+            point.module == "squarer"
+                && is_half
+                && high_bits < DIGIT_BITS
+                && square_digit(path).is_some_and(|digit| digit >= 1 << high_bits)
+        },
+        why: "of a half square the high digit alone is squared, and it has fewer bits than a digit",
+    },
 ];
 
 /// The roles of the nodes that a signal is named after.
@@ -144,6 +156,19 @@ fn roles(machine: &Machine, path: &str) -> impl Iterator<Item = Role> {
 /// Whether a signal belongs to a cell that counts photons: each quad's last.
 fn counts_photons(machine: &Machine, path: &str) -> bool {
     path.contains("result_count") || roles(machine, path).any(|role| role == Role::D)
+}
+
+/// Bits of a digit of a square.
+const DIGIT_BITS: u32 = 4;
+
+/// The digit whose square a line of the squarer's table has.
+fn square_digit(path: &str) -> Option<u32> {
+    let (label, _) = path.split_once(": digit_square")?;
+    let largest = (1 << DIGIT_BITS) - 1;
+    match label.rsplit_once("'d") {
+        Some((_, digit)) => digit.parse().ok(),
+        None => label.ends_with("default").then_some(largest),
+    }
 }
 
 /// Bits of the largest number of photons.

@@ -148,10 +148,7 @@ fn tasks(machine: &Machine, design: &Emitted) -> Vec<Task> {
         .iter()
         .any(|level| [Level::Square, Level::SquarePair].contains(level));
     let exhaustive = has_square.then_some(Task::Exhaustive);
-    // A photon memory has too many words to be registers of a netlist, and its machine has no other.
-    let is_gates = machine
-        .spatial()
-        .is_none_or(|spatial| spatial.memory_groups == 0);
+    let is_gates = machine.spatial().is_none_or(spatial::has_short_memories);
     let modules = is_gates
         .then(|| netlist::modules(design))
         .into_iter()

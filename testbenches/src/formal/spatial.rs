@@ -1,12 +1,17 @@
 //! The properties of the spatial machines: of each unit that the machine has, of its sums and, where it is not
 //! too long, of its queue; of one engine, what it admits.
 
-use photoncube_spec::{HeadSizes, Machine, PhotonFormat, SpatialWidths};
+use photoncube_spec::{HeadSizes, Machine, PhotonFormat, Spatial, SpatialWidths};
 
 use super::property::{Fault, Method, Open, Property, at, covers, of_logic};
 
 /// Places of a queue of results that a search can fill: of 64 it has no answer in 120 seconds and 18 GB.
 const MOST_PLACES: usize = 32;
+
+/// Whether the words of all memories can be registers of a netlist that a search compares.
+pub(super) fn has_short_memories(spatial: &Spatial) -> bool {
+    spatial.memory_groups == 0 && HeadSizes::of(spatial).queue <= MOST_PLACES
+}
 
 /// All, the cheapest first. `has_module` says which modules are in the emitted text.
 pub(super) fn properties(machine: &Machine, has_module: &dyn Fn(&str) -> bool) -> Vec<Property> {
