@@ -247,6 +247,10 @@ fn repeat_command(
             "photoncube verify --faults --machine {} --against {device} --seed {}",
             machine.name, options.seed
         ),
+        Source::FullThenEmpty => format!(
+            "cargo test -p photoncube-testbench --test machines -- full_then_empty::{}",
+            machine.name
+        ),
         Source::LaneAlone => format!(
             "cargo test -p photoncube-testbench --test machines -- lane_alone::{}",
             machine.name

@@ -35,6 +35,11 @@ fn all_is_used_or_explained(machine: &str) -> Result<(), Failed> {
     let found = covered(machine, ENOUGH)?;
     let unexplained: Vec<_> = found.unexplained().collect();
     assert!(unexplained.is_empty(), "{unexplained:#?}");
+    assert!(
+        found.contradictions.is_empty(),
+        "{:#?}",
+        found.contradictions
+    );
     for kind in CoverageKind::ALL {
         assert!(found.total(kind).covered > 0, "{kind:?}");
     }
@@ -45,9 +50,9 @@ fn all_is_used_or_explained(machine: &str) -> Result<(), Failed> {
 fn few_iterations_leave_gaps() -> Result<(), Failed> {
     let found = covered("paper", 3)?;
     assert!(found.unexplained().count() > 0);
-    let sums = found
+    let coordinates = found
         .unexplained()
-        .find(|gap| gap.what.starts_with("result_red["));
-    assert!(sums.is_some(), "three groups do not fill a sum");
+        .find(|gap| gap.what.starts_with("query_x["));
+    assert!(coordinates.is_some(), "three queries have few coordinates");
     Ok(())
 }

@@ -66,15 +66,29 @@ fn main() {
             }
         }
     }
-    // One of each organisation.
-    for name in ["paper", "overlap", "stream"] {
-        let kind = DeviceKind::Verilator;
-        let run = move || lane_alone(name, kind);
-        trials.push(support::trial(
-            format!("lane_alone::{name}::{kind}"),
-            kind,
-            run,
-        ));
+    // One of each organisation, and one whose most photons are a power of two.
+    let corners: [(_, _, &[_]); 2] = [
+        (
+            "lane_alone",
+            Source::LaneAlone,
+            &["paper", "overlap", "stream"],
+        ),
+        (
+            "full_then_empty",
+            Source::FullThenEmpty,
+            &["paper", "overlap", "stream", "fit-ring"],
+        ),
+    ];
+    for (corner, source, machines) in corners {
+        for name in machines {
+            let kind = DeviceKind::Verilator;
+            let run = move || corner_alone(name, kind, source);
+            trials.push(support::trial(
+                format!("{corner}::{name}::{kind}"),
+                kind,
+                run,
+            ));
+        }
     }
     trials.push(Trial::test("tools::missing_ones_are_listed", missing_tools));
     libtest_mimic::run(&Arguments::from_args(), trials).exit();
@@ -91,13 +105,18 @@ fn random(machine: &Machine, kind: DeviceKind, iterations: u64) -> Result<(), Fa
     Ok(())
 }
 
-fn lane_alone(name: &str, kind: DeviceKind) -> Result<(), Failed> {
+/// The most photons one by one in each lane, or twice in all lanes at once and a group more.
+fn corner_alone(name: &str, kind: DeviceKind, source: Source<'static>) -> Result<(), Failed> {
     let machine = find_machine(name)?;
-    let iterations = machine.photons_per_iteration() as u64 * machine.max_photons();
+    let lanes = machine.photons_per_iteration() as u64;
+    let iterations = match source {
+        Source::LaneAlone => lanes * machine.max_photons(),
+        _ => 2 * (machine.max_photons() / lanes + 1),
+    };
     let options = VerifyOptions {
         iterations,
         seed: 1,
-        source: Source::LaneAlone,
+        source,
     };
     let verdict = verify(machine, kind, &options, &|_| {})?;
     check(machine, &verdict, kind, iterations);

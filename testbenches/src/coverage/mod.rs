@@ -5,6 +5,7 @@ mod constants;
 mod covers;
 mod points;
 mod reasons;
+mod words;
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -31,6 +32,8 @@ pub struct Coverage {
     pub modules: Vec<ModuleCoverage>,
     /// What was not used.
     pub gaps: Vec<Gap>,
+    /// What was used although a reason says that it cannot be: the reason is wrong.
+    pub contradictions: Vec<Gap>,
 }
 
 /// What was used of a module, in all its instances.
@@ -51,7 +54,7 @@ pub struct Share {
     pub points: usize,
 }
 
-/// Points of one signal or one line that were not used.
+/// Points of one signal or one line.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Gap {
     /// Their kind.
@@ -62,7 +65,7 @@ pub struct Gap {
     /// The signal with its bits, the statement, or the cover point.
     pub what: String,
     /// How many points these are, in all instances.
-    pub unused: usize,
+    pub points: usize,
     /// Why they cannot be used; none is known where there is none.
     pub reason: Option<&'static str>,
 }
@@ -105,21 +108,37 @@ pub fn coverage(
         Ok::<_, VerifyError>((verdict, points))
     };
     let (mut verdict, mut points) = used(options.source)?;
-    // Only there do sums of lanes cross links of their own width.
-    if machine.overlap_program().is_some() {
-        let (of_lanes, more) = used(Source::LaneAlone)?;
-        verdict.vectors_compared += of_lanes.vectors_compared;
-        verdict.iterations += of_lanes.iterations;
-        verdict.results_compared += of_lanes.results_compared;
+    for corner in corners(machine) {
+        let (of_corner, more) = used(corner)?;
+        verdict.vectors_compared += of_corner.vectors_compared;
+        verdict.iterations += of_corner.iterations;
+        verdict.results_compared += of_corner.results_compared;
         points.extend(more);
     }
+    let changed = points.iter().filter(|point| point.hits > SETTLING).cloned();
+    let changed = counted(machine, changed.collect());
     let points = counted(machine, points);
+    let unused = points.iter().filter(|point| point.hits == 0);
     let lines: Vec<_> = design.text.lines().collect();
+    let why = Why::new(machine, &design)?;
     Ok(Coverage {
         verdict,
         modules: modules(&points),
-        gaps: gaps(&Why::new(machine, &design)?, &points, &lines),
+        gaps: grouped(&why, unused, &lines),
+        contradictions: contradictions(&why, &changed, &lines),
     })
+}
+
+/// So often a bit that never changes later may change as a device starts: it is set, and then what follows from it.
+const SETTLING: u64 = 2;
+
+/// What random stimulus comes to too rarely.
+fn corners(machine: &Machine) -> Vec<Source<'static>> {
+    match machine.overlap_program() {
+        // There sums of lanes cross links of their own width.
+        Some(_) => vec![Source::FullThenEmpty, Source::LaneAlone],
+        None => vec![Source::FullThenEmpty],
+    }
 }
 
 fn unreadable(message: String) -> DeviceError {
@@ -178,22 +197,33 @@ fn modules(points: &[Point]) -> Vec<ModuleCoverage> {
     modules.into_iter().map(module).collect()
 }
 
-/// The points that were not used; those of a signal or a statement, for one reason, together.
-fn gaps(why: &Why<'_>, points: &[Point], lines: &[&str]) -> Vec<Gap> {
+/// Those of the used points that have a reason why they cannot be used.
+fn contradictions(why: &Why<'_>, used: &[Point], lines: &[&str]) -> Vec<Gap> {
+    let mut gaps = grouped(why, used, lines);
+    gaps.retain(|gap| gap.reason.is_some());
+    gaps
+}
+
+/// Points with the reason why they cannot be used; those of a signal or a statement, for one reason, together.
+fn grouped<'a>(
+    why: &Why<'_>,
+    points: impl IntoIterator<Item = &'a Point>,
+    lines: &[&str],
+) -> Vec<Gap> {
     let mut groups: BTreeMap<_, (BTreeSet<u32>, usize)> = BTreeMap::new();
-    for point in points.iter().filter(|point| point.hits == 0) {
+    for point in points {
         let (name, bit) = named(point, lines);
         let reason = why.reason(point, &name, bit);
         let key = (point.module.as_str(), point.kind, name, reason);
-        let (bits, unused) = groups.entry(key).or_default();
+        let (bits, points) = groups.entry(key).or_default();
         bits.extend(bit);
-        *unused += 1;
+        *points += 1;
     }
-    let gap = |((module, kind, name, reason), (bits, unused)): ((&str, _, String, _), _)| Gap {
+    let gap = |((module, kind, name, reason), (bits, points)): ((&str, _, String, _), _)| Gap {
         what: name + &ranges(&bits),
         kind,
         module: module.to_owned(),
-        unused,
+        points,
         reason,
     };
     groups.into_iter().map(gap).collect()
@@ -254,19 +284,26 @@ mod tests {
 
     #[test]
     fn bits_of_a_signal_are_one_gap() {
-        let bits = [5, 4, 3, 1].map(|bit| point(&format!("no_such[{bit}]"), 0));
+        let unused = [5, 4, 3, 1].map(|bit| point(&format!("no_such[{bit}]"), 0));
         let used = [point("no_such[2]", 1), point("no_such[0]", 9)];
-        let points = [bits.to_vec(), used.to_vec()].concat();
         let machine = photoncube_spec::find_machine("paper").unwrap();
         let constants = HashSet::from([("cell_0.no_such".to_owned(), 1)]);
         let why = Why { machine, constants };
-        let [gap, constant] = &gaps(&why, &points, &[])[..] else {
+        let [gap, constant] = &grouped(&why, &unused, &[])[..] else {
             panic!("two gaps");
         };
-        assert_eq!((gap.what.as_str(), gap.unused), ("no_such[5:3]", 3));
+        assert_eq!((gap.what.as_str(), gap.points), ("no_such[5:3]", 3));
         assert_eq!(gap.reason, None);
-        assert_eq!((constant.what.as_str(), constant.unused), ("no_such[1]", 1));
+        assert_eq!((constant.what.as_str(), constant.points), ("no_such[1]", 1));
         assert!(constant.reason.is_some());
+        assert_eq!(contradictions(&why, &used, &[]), []);
+        let wrong = contradictions(&why, &[point("no_such[1]", 3)], &[]);
+        assert_eq!(
+            wrong,
+            std::slice::from_ref(constant),
+            "used, and called constant"
+        );
+        let points = [unused.to_vec(), used.to_vec()].concat();
         let share = modules(&points)[0].kinds[&CoverageKind::Toggle];
         assert_eq!((share.covered, share.points), (2, 6));
     }

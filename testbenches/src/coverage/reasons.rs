@@ -5,6 +5,7 @@ use photoncube_spec::{Machine, PhotonFormat, Role, Squarer, Widths};
 
 use super::constants::{Constants, constants};
 use super::points::{CoverageKind, Point};
+use super::words;
 use crate::device::DeviceError;
 
 /// What is known of a machine's points.
@@ -53,48 +54,22 @@ struct Rule {
 const RULES: &[Rule] = &[
     Rule {
         kind: CoverageKind::Toggle,
-        holds: |machine, _, path, bit| {
-            machine.spatial().is_none()
-                && counts_photons(machine, path)
-                && bit >= count_bits(machine)
-        },
-        why: "a cell that counts photons has sums as wide as those of power; the count is shorter",
+        holds: |machine, _, path, bit| words::bits(machine, path).is_some_and(|bits| bit >= bits),
+        why: "all cells have the widest cell's registers; with this cell's role a distance, a power or a count is shorter",
     },
     Rule {
         kind: CoverageKind::Toggle,
-        holds: |machine, _, path, bit| {
-            let most = machine.max_photons();
-            counts_photons(machine, path)
-                && path.ends_with("sum_low")
-                && most.is_power_of_two()
-                && bit + 1 == count_bits(machine)
-        },
-        why: "a power of two, the most photons, is never added to",
+        holds: |machine, _, path, bit| bit == 0 && words::are_even(machine, path),
+        why: "a half square, m (m + 1), is even, and no power comes to this cell",
     },
     Rule {
         kind: CoverageKind::Toggle,
         holds: |machine, _, path, _| {
             machine.microprogram().is_some()
-                && counts_photons(machine, path)
+                && words::roles(machine, path).any(|role| role == Role::D)
                 && path.contains("square")
         },
         why: "a cell that counts photons has no coordinates: its square is always that of zeros",
-    },
-    Rule {
-        kind: CoverageKind::Toggle,
-        holds: |machine, _, path, bit| {
-            machine.spatial().is_none() && crosses_nodes(path) && bit >= link_bits(machine, path)
-        },
-        why: "a link has the width of the work register; what crosses it is part of a distance, or half a group's powers",
-    },
-    Rule {
-        kind: CoverageKind::Toggle,
-        holds: |machine, _, path, bit| {
-            machine.overlap_program().is_some()
-                && adds_squares(path)
-                && bit >= two_squares_bits(machine)
-        },
-        why: "of a quad's cells only those that add the third square have the full squared distance",
     },
     Rule {
         kind: CoverageKind::Toggle,
@@ -117,13 +92,16 @@ const RULES: &[Rule] = &[
         kind: CoverageKind::Toggle,
         holds: |machine, _, path, _| {
             let last = format!("engine_{}", machine.queries_at_once() - 1);
-            path.starts_with(&last) && path.contains("token_valid")
+            let leaves = ["_out", "_d", "_q", ".d", ".q"]
+                .iter()
+                .any(|end| path.ends_with(end));
+            path.starts_with(&last) && path.contains("token_valid") && leaves
         },
         why: "behind the last engine is none that a query could go on to",
     },
     Rule {
         kind: CoverageKind::User,
-        holds: |machine, _, path, _| machine.spatial().is_none() && path == "group_is_awaited",
+        holds: |machine, _, path, _| machine.microprogram().is_some() && path == "group_is_awaited",
         why: "this machine's `group_ready` follows `group_valid`",
     },
     Rule {
@@ -145,19 +123,6 @@ const RULES: &[Rule] = &[
     },
 ];
 
-/// The roles of the nodes that a signal is named after.
-fn roles(machine: &Machine, path: &str) -> impl Iterator<Item = Role> {
-    let hypercube = machine.hypercube();
-    let numbers = path.split(['.', '_']).filter_map(|name| name.parse().ok());
-    let nodes = numbers.filter(move |&node| node < hypercube.nodes());
-    nodes.map(move |node| hypercube.role(node))
-}
-
-/// Whether a signal belongs to a cell that counts photons: each quad's last.
-fn counts_photons(machine: &Machine, path: &str) -> bool {
-    path.contains("result_count") || roles(machine, path).any(|role| role == Role::D)
-}
-
 /// Bits of a digit of a square.
 const DIGIT_BITS: u32 = 4;
 
@@ -169,40 +134,4 @@ fn square_digit(path: &str) -> Option<u32> {
         Some((_, digit)) => digit.parse().ok(),
         None => label.ends_with("default").then_some(largest),
     }
-}
-
-/// Bits of the largest number of photons.
-fn count_bits(machine: &Machine) -> u32 {
-    machine.max_photons().ilog2() + 1
-}
-
-/// Whether a signal is a link between cells or leads to one.
-fn crosses_nodes(path: &str) -> bool {
-    path.contains("link") || path.contains("w_out")
-}
-
-/// Whether a signal of an overlapped machine's cell holds squares or their sums.
-fn adds_squares(path: &str) -> bool {
-    const HOLDERS: [&str; 4] = ["from_quad", "from_role_axes", "from_w", "work"];
-    HOLDERS.iter().any(|holder| path.contains(holder))
-}
-
-/// Bits of a sum of two squares of coordinates.
-fn two_squares_bits(machine: &Machine) -> u32 {
-    2 * Widths::of(machine).difference + 1
-}
-
-/// Bits of the largest word that the link of a signal carries. Where one adder adds all, the cells of x and y get a square
-/// and that of z, which d leaves alone, and each cell at last the powers of the other half of the group.
-fn link_bits(machine: &Machine, path: &str) -> u32 {
-    let two_squares = two_squares_bits(machine);
-    if machine.overlap_program().is_some() {
-        return two_squares;
-    }
-    let role = roles(machine, path).next();
-    let gets_one = matches!(role, Some(Role::X | Role::Y));
-    let squares = two_squares - u32::from(gets_one);
-    let half = machine.photons_per_iteration() as u128 / 2;
-    let powers = (machine.full_scale() * half).ilog2() + 1;
-    squares.max(powers)
 }

@@ -76,6 +76,16 @@ impl Case {
         Self::full_scale(machine, machine.max_photons())
     }
 
+    /// The fullest, and then a group without photons: nothing is added to the largest sum that there is.
+    pub fn fullest_then_empty(machine: &Machine) -> Self {
+        let mut case = Self::fullest(machine);
+        if let Some(group) = case.groups.last_mut() {
+            group.last = false;
+        }
+        case.groups.extend(Self::empty(machine).groups);
+        case
+    }
+
     /// So many photons of full power, all in range and all in one lane, so in as many groups.
     pub fn full_scale_in(machine: &Machine, lane: usize, photons: u64) -> Self {
         let one = Self::full_scale(machine, 1);

@@ -47,6 +47,9 @@ pub enum Source<'a> {
     },
     /// What is hard on the protocol; it says itself how long it is.
     Protocol(Protocol),
+    /// Two queries with as many photons of full power as the machine declares, all in range, and after them a group
+    /// without any: what a sum is added to is as large as it can be.
+    FullThenEmpty,
     /// For each lane queries with as many photons of full power as the machine declares, and with some fewer, all in
     /// range, and all in that lane: what is summed of one lane is as large as a whole sum.
     LaneAlone,
@@ -150,6 +153,7 @@ pub fn generate(
         Source::Random => random(machine, seed, iterations, sink),
         Source::Workload { queries, .. } => workload(machine, queries, seed, iterations, sink),
         Source::Protocol(protocol) => protocol::protocol(machine, protocol, seed, sink),
+        Source::FullThenEmpty => full_then_empty(machine, seed, sink),
         Source::LaneAlone => lane_alone(machine, seed, sink),
     };
     // Whether the sink has all or wants no more, this is the end.
@@ -288,6 +292,20 @@ fn workload(
         if driver.run(&cases, Traffic::STREAMING)?.is_break() {
             return Ok(ControlFlow::Break(()));
         }
+    }
+    Ok(driver.flush())
+}
+
+fn full_then_empty(
+    machine: &Machine,
+    seed: u64,
+    sink: &mut dyn FnMut(Block) -> ControlFlow<()>,
+) -> Result<ControlFlow<()>, StimulusError> {
+    let mut driver = Driver::new(machine, sink);
+    let case = Case::fullest_then_empty(machine);
+    let two = [case.clone(), case];
+    if driver.begin_chunk(0, seed)?.is_break() || driver.run(&two, Traffic::STREAMING)?.is_break() {
+        return Ok(ControlFlow::Break(()));
     }
     Ok(driver.flush())
 }

@@ -17,7 +17,7 @@ Examples:
   photoncube verify --against verilator --iterations 1000000 --json
   photoncube verify --machine paper-5d --against all --seed 7
   photoncube verify --fuzz 100000       everything that reads files, on wrong ones
-  photoncube verify --coverage --machine stream
+  photoncube verify --coverage --machine stream --iterations 200000
   photoncube verify --programs 1000 --machine paper-5d --against text
   photoncube verify --mutants 700 --machine overlap
   photoncube verify --campaign --hours 8          all machines; the next one goes on with it

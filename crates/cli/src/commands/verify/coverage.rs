@@ -30,6 +30,17 @@ pub fn execute(args: &VerifyArgs, json: bool) -> Result<()> {
     if let Some(path) = &args.record {
         record(path, &[line(args, &found)])?;
     }
+    if let Some(gap) = found.contradictions.first() {
+        let message = format!(
+            "{} of {} was used, and cannot be for the reason \"{}\": that is wrong, in \
+             testbenches/src/coverage/reasons.rs; --json lists all {}",
+            gap.what,
+            gap.module,
+            gap.reason.unwrap_or_default(),
+            found.contradictions.len()
+        );
+        return Err(CheckFailed(message).into());
+    }
     let unexplained = found.unexplained().count();
     if unexplained > 0 {
         let message = format!(
@@ -92,7 +103,7 @@ fn text(found: &Coverage) -> String {
             gap.module.clone(),
             gap.kind.name().to_owned(),
             gap.what.clone(),
-            gap.unused.to_string(),
+            gap.points.to_string(),
             gap.reason.unwrap_or("NOT KNOWN").to_owned(),
         ]
     };

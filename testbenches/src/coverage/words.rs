@@ -1,0 +1,226 @@
+//! Which bits the words of a cell can use. All cells are built alike, as wide as the widest word needs; what a cell gets
+//! follows from its role.
+
+use photoncube_spec::{Axis, Machine, PhotonFormat, Role, Widths};
+
+/// What a signal of a cell holds at one time or another.
+#[derive(Copy, Clone)]
+enum Word {
+    /// What the cell's neighbour sends.
+    Link,
+    /// Squared distances, and the powers of an iteration's photons.
+    Work,
+    /// The powers of all of a query's photons.
+    Sum,
+}
+
+/// Signals that hold words, by how their paths end when numbers are left out and dots are underscores.
+type Holders = [(&'static str, &'static [Word])];
+
+/// Those of a sequential machine.
+const SEQUENTIAL: &Holders = &[
+    ("link", &[Word::Link]),
+    ("link_in", &[Word::Link]),
+    ("addend", &[Word::Link, Word::Sum]),
+    ("add_unit_b", &[Word::Link, Word::Sum]),
+    ("add_unit_sum", &[Word::Work, Word::Sum]),
+    ("add_unit_a", &[Word::Work]),
+    ("gate_unit_a", &[Word::Work]),
+    ("work_d", &[Word::Work]),
+    ("work_q", &[Word::Work]),
+    ("work_out", &[Word::Work]),
+    ("network_work", &[Word::Work]),
+    ("sum_d", &[Word::Sum]),
+    ("sum_q", &[Word::Sum]),
+    ("sum_out", &[Word::Sum]),
+    ("sum_low", &[Word::Sum]),
+    ("sum_high", &[Word::Sum]),
+    ("ports_sum", &[Word::Sum]),
+];
+
+/// Those of an overlapped machine. Its link is the one along w: along x and y sums go, along z what uses all bits.
+const OVERLAPPED: &Holders = &[
+    ("link_w", &[Word::Link]),
+    ("from_w", &[Word::Link]),
+    ("from_role_axes", &[Word::Link]),
+    ("from_quad", &[Word::Link]),
+    ("work_d", &[Word::Work]),
+    ("work_q", &[Word::Work]),
+    ("w_out", &[Word::Work]),
+    ("operand", &[Word::Link, Word::Sum]),
+    ("operand_d", &[Word::Link, Word::Sum]),
+    ("operand_q", &[Word::Link, Word::Sum]),
+    ("link_x", &[Word::Sum]),
+    ("link_y", &[Word::Sum]),
+    ("from_x", &[Word::Sum]),
+    ("from_y", &[Word::Sum]),
+    ("from_photon_axes", &[Word::Sum]),
+    ("chosen_sum_total", &[Word::Work, Word::Sum]),
+    ("chosen_sum_high", &[Word::Work, Word::Sum]),
+    ("chosen_sum_first", &[Word::Sum]),
+    ("chosen_sum_low", &[Word::Sum]),
+    ("chosen_sum_sum", &[Word::Sum]),
+    ("chosen_sum_wide_low", &[Word::Sum]),
+    ("sum_low", &[Word::Sum]),
+    ("sum_d", &[Word::Sum]),
+    ("sum_q", &[Word::Sum]),
+    ("sum_out", &[Word::Sum]),
+];
+
+/// The pins that have the sums of a role's cells.
+const PINS: [(&str, Role); 2] = [("result_power", Role::X), ("result_count", Role::D)];
+
+/// Bits of the largest word that a signal gets; `None` of other signals, and of machines without cells. `path` is the
+/// signal's in the top instance.
+pub(super) fn bits(machine: &Machine, path: &str) -> Option<u32> {
+    let holders = holders(machine)?;
+    if let Some((_, role)) = PINS.iter().find(|(pin, _)| path.ends_with(pin)) {
+        return Some(word_bits(machine, *role, Word::Sum));
+    }
+    let role = roles(machine, path).next()?;
+    let words = words(holders, path)?.iter();
+    words.map(|&word| word_bits(machine, role, word)).max()
+}
+
+/// Whether all words that a signal of a sequential machine gets are half squares, or sums of them.
+pub(super) fn are_even(machine: &Machine, path: &str) -> bool {
+    machine.microprogram().is_some()
+        && machine.format().is_some_and(PhotonFormat::half_steps)
+        && roles(machine, path).any(|role| full_scale(machine, role) == 0)
+        && words(SEQUENTIAL, path).is_some()
+}
+
+/// The roles of the nodes that a signal is named after.
+pub(super) fn roles(machine: &Machine, path: &str) -> impl Iterator<Item = Role> {
+    let hypercube = machine.hypercube();
+    let numbers = path.split(['.', '_']).filter_map(|name| name.parse().ok());
+    let nodes = numbers.filter(move |&node| node < hypercube.nodes());
+    nodes.map(move |node| hypercube.role(node))
+}
+
+fn holders(machine: &Machine) -> Option<&'static Holders> {
+    match machine.overlap_program() {
+        Some(_) => Some(OVERLAPPED),
+        None => machine.microprogram().map(|_| SEQUENTIAL),
+    }
+}
+
+fn words(holders: &Holders, path: &str) -> Option<&'static [Word]> {
+    let names = path.split(['.', '_']);
+    let names: Vec<_> = names
+        .filter(|name| name.parse::<usize>().is_err())
+        .collect();
+    let name = names.join("_");
+    let holder = holders.iter().find(|(holder, _)| name.ends_with(holder));
+    holder.map(|(_, words)| *words)
+}
+
+fn word_bits(machine: &Machine, role: Role, word: Word) -> u32 {
+    match word {
+        Word::Sum => power_bits(machine, role, machine.max_photons()),
+        _ if machine.overlap_program().is_some() => overlapped_bits(machine, role, word),
+        _ => sequential_bits(machine, role, word),
+    }
+}
+
+/// The program sends the cells of x and y one square, and those of z and d two; at last every cell the powers of the
+/// other half of the group.
+fn sequential_bits(machine: &Machine, role: Role, word: Word) -> u32 {
+    let two_squares = two_squares_bits(machine);
+    let group = machine.photons_per_iteration() as u64;
+    match word {
+        Word::Link => {
+            let gets_one = matches!(role, Role::X | Role::Y);
+            let squares = two_squares - u32::from(gets_one);
+            power_bits(machine, role, group / 2).max(squares)
+        }
+        _ => power_bits(machine, role, group).max(two_squares + 1),
+    }
+}
+
+/// The program adds the third square in the cells of z and d, which send it along w to those of x and y.
+fn overlapped_bits(machine: &Machine, role: Role, word: Word) -> u32 {
+    let from = match word {
+        Word::Link => role.across(Axis::W),
+        _ => role,
+    };
+    two_squares_bits(machine) + u32::from(matches!(from, Role::Z | Role::D))
+}
+
+/// Bits of a sum of two squares of coordinates.
+fn two_squares_bits(machine: &Machine) -> u32 {
+    2 * Widths::of(machine).difference + 1
+}
+
+/// Bits of the power of so many photons, or of their count.
+fn power_bits(machine: &Machine, role: Role, photons: u64) -> u32 {
+    bits_of(full_scale(machine, role) * u128::from(photons))
+}
+
+/// The largest that a photon adds to a cell's sum: a channel of its power, or one where photons are counted.
+fn full_scale(machine: &Machine, role: Role) -> u128 {
+    let channels = machine.channels().count() as usize;
+    match role.coordinate() {
+        Some(channel) if channel < channels => machine.full_scale(),
+        Some(_) => 0,
+        None => 1,
+    }
+}
+
+/// Bits of a number, 0 of 0.
+fn bits_of(number: u128) -> u32 {
+    u128::BITS - number.leading_zeros()
+}
+
+#[cfg(test)]
+mod tests {
+    use photoncube_spec::find_machine;
+
+    use super::*;
+
+    #[test]
+    fn a_cell_uses_what_its_role_is_given() {
+        let mono = find_machine("fit-ring").unwrap();
+        // One bit of power, 2^13 photons; 8 bits of a difference.
+        assert_eq!(bits(mono, "cell_0.sum_q"), Some(14));
+        assert_eq!(bits(mono, "ports.sum_4"), Some(0));
+        assert_eq!(bits(mono, "result_power"), Some(14));
+        assert_eq!(bits(mono, "network.link_0"), Some(16));
+        assert_eq!(bits(mono, "cell_8.add_unit.b"), Some(17));
+        assert_eq!(bits(mono, "cell_8.work_out"), Some(18));
+        assert_eq!(bits(mono, "cell_8.write_sum"), None, "a sum's, not a sum");
+        let coloured = find_machine("local").unwrap();
+        // Powers of 32 bits, 2^20 photons.
+        assert_eq!(bits(coloured, "cell_4.sum_q"), Some(52));
+        assert_eq!(bits(coloured, "cell_4.work.q"), Some(34));
+        assert_eq!(bits(coloured, "cell_12.sum_q"), Some(21));
+        assert_eq!(bits(coloured, "cell_12.work.q"), Some(18));
+    }
+
+    #[test]
+    fn in_an_overlapped_machine_two_roles_add_the_third_square() {
+        let machine = find_machine("overlap").unwrap();
+        for (node, own, link, sum) in [
+            (0, 17, 18, 32),
+            (4, 17, 18, 32),
+            (8, 18, 17, 32),
+            (12, 18, 17, 17),
+        ] {
+            let bits = |name: &str| bits(machine, &format!("cell_{node}.{name}"));
+            assert_eq!(bits("work.q"), Some(own));
+            assert_eq!(bits("link_w"), Some(link));
+            assert_eq!(bits("chosen_sum.sum"), Some(sum));
+        }
+    }
+
+    #[test]
+    fn half_squares_are_even_where_no_power_comes() {
+        let mono = find_machine("fit-ring").unwrap();
+        assert!(are_even(mono, "cell_4.work_q"));
+        assert!(!are_even(mono, "cell_0.work_q"), "a power comes");
+        let coloured = find_machine("fit-cornell").unwrap();
+        assert!(!are_even(coloured, "cell_4.work_q"), "a power comes");
+        let steps = find_machine("local").unwrap();
+        assert!(!are_even(steps, "cell_4.work_q"), "squares of whole steps");
+    }
+}
