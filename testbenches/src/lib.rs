@@ -26,7 +26,7 @@ pub use campaign::{
     minimised, pairs,
 };
 pub use compare::{Activity, Actual, Divergence};
-pub use coverage::{Coverage, CoverageKind, Gap, ModuleCoverage, Share, coverage};
+pub use coverage::{Coverage, CoverageKind, Gap, ModuleCoverage, Share, corners, coverage};
 pub use device::{
     Device, DeviceError, DeviceKind, Icarus, Mutant, Observed, Refusal, RustHdl, Text, Unknown,
     UnknownDevice, Verilator, netlist,

@@ -86,13 +86,15 @@ impl Coverage {
     }
 }
 
-/// Verifies a machine in Verilator and counts what of its text that used.
+/// Verifies a machine in Verilator, with the stimulus of the options and with that of each corner, and counts what of its
+/// text that used.
 ///
 /// # Errors
 /// The verification fails, or the tool does.
 pub fn coverage(
     machine: &Machine,
     options: &VerifyOptions<'_>,
+    corners: &[Source<'_>],
     progress: &dyn Fn(u64),
 ) -> Result<Coverage, VerifyError> {
     if let Some(missing) = DeviceKind::Verilator.missing_tool() {
@@ -108,32 +110,28 @@ pub fn coverage(
         Ok::<_, VerifyError>((verdict, points))
     };
     let (mut verdict, mut points) = used(options.source)?;
-    for corner in corners(machine) {
+    for &corner in corners {
         let (of_corner, more) = used(corner)?;
         verdict.vectors_compared += of_corner.vectors_compared;
         verdict.iterations += of_corner.iterations;
         verdict.results_compared += of_corner.results_compared;
         points.extend(more);
     }
-    let changed = points.iter().filter(|point| point.hits > SETTLING).cloned();
-    let changed = counted(machine, changed.collect());
-    let points = counted(machine, points);
-    let unused = points.iter().filter(|point| point.hits == 0);
     let lines: Vec<_> = design.text.lines().collect();
     let why = Why::new(machine, &design)?;
+    let contradictions = contradictions(&why, &points, &lines);
+    let points = counted(machine, points);
+    let unused = points.iter().filter(|point| point.hits == 0);
     Ok(Coverage {
         verdict,
         modules: modules(&points),
         gaps: grouped(&why, unused, &lines),
-        contradictions: contradictions(&why, &changed, &lines),
+        contradictions,
     })
 }
 
-/// So often a bit that never changes later may change as a device starts: it is set, and then what follows from it.
-const SETTLING: u64 = 2;
-
-/// What random stimulus comes to too rarely.
-fn corners(machine: &Machine) -> Vec<Source<'static>> {
+/// The corners that random stimulus comes to too rarely.
+pub fn corners(machine: &Machine) -> Vec<Source<'static>> {
     match machine.overlap_program() {
         // There sums of lanes cross links of their own width.
         Some(_) => vec![Source::FullThenEmpty, Source::LaneAlone],
@@ -197,9 +195,14 @@ fn modules(points: &[Point]) -> Vec<ModuleCoverage> {
     modules.into_iter().map(module).collect()
 }
 
-/// Those of the used points that have a reason why they cannot be used.
-fn contradictions(why: &Why<'_>, used: &[Point], lines: &[&str]) -> Vec<Gap> {
-    let mut gaps = grouped(why, used, lines);
+/// So often a bit that never changes later may change as a device starts: it is set, and then what follows from it.
+const SETTLING: u64 = 2;
+
+/// The points that were used in one run at least, and have a reason why they cannot be.
+fn contradictions(why: &Why<'_>, points: &[Point], lines: &[&str]) -> Vec<Gap> {
+    let used = points.iter().filter(|point| point.hits > SETTLING).cloned();
+    let used = counted(why.machine, used.collect());
+    let mut gaps = grouped(why, &used, lines);
     gaps.retain(|gap| gap.reason.is_some());
     gaps
 }
@@ -297,7 +300,9 @@ mod tests {
         assert_eq!((constant.what.as_str(), constant.points), ("no_such[1]", 1));
         assert!(constant.reason.is_some());
         assert_eq!(contradictions(&why, &used, &[]), []);
-        let wrong = contradictions(&why, &[point("no_such[1]", 3)], &[]);
+        let settled = point("no_such[1]", SETTLING);
+        assert_eq!(contradictions(&why, &[settled.clone(), settled], &[]), []);
+        let wrong = contradictions(&why, &[point("no_such[1]", SETTLING + 1)], &[]);
         assert_eq!(
             wrong,
             std::slice::from_ref(constant),

@@ -153,8 +153,8 @@ pub fn generate(
         Source::Random => random(machine, seed, iterations, sink),
         Source::Workload { queries, .. } => workload(machine, queries, seed, iterations, sink),
         Source::Protocol(protocol) => protocol::protocol(machine, protocol, seed, sink),
-        Source::FullThenEmpty => full_then_empty(machine, seed, sink),
-        Source::LaneAlone => lane_alone(machine, seed, sink),
+        Source::FullThenEmpty => batches(machine, [full_then_empty(machine)], seed, sink),
+        Source::LaneAlone => batches(machine, lane_alone(machine), seed, sink),
     };
     // Whether the sink has all or wants no more, this is the end.
     flow.map(drop)
@@ -296,22 +296,10 @@ fn workload(
     Ok(driver.flush())
 }
 
-fn full_then_empty(
+/// Batches of cases one after the other, without waiting.
+fn batches(
     machine: &Machine,
-    seed: u64,
-    sink: &mut dyn FnMut(Block) -> ControlFlow<()>,
-) -> Result<ControlFlow<()>, StimulusError> {
-    let mut driver = Driver::new(machine, sink);
-    let case = Case::fullest_then_empty(machine);
-    let two = [case.clone(), case];
-    if driver.begin_chunk(0, seed)?.is_break() || driver.run(&two, Traffic::STREAMING)?.is_break() {
-        return Ok(ControlFlow::Break(()));
-    }
-    Ok(driver.flush())
-}
-
-fn lane_alone(
-    machine: &Machine,
+    batches: impl IntoIterator<Item = Vec<Case>>,
     seed: u64,
     sink: &mut dyn FnMut(Block) -> ControlFlow<()>,
 ) -> Result<ControlFlow<()>, StimulusError> {
@@ -319,17 +307,27 @@ fn lane_alone(
     if driver.begin_chunk(0, seed)?.is_break() {
         return Ok(ControlFlow::Break(()));
     }
-    let most = machine.max_photons();
-    for lane in 0..machine.photons_per_iteration() {
-        // The largest count, and the one whose bits are all ones: between them all bits of a count are used.
-        for photons in [most, (1 << most.ilog2()) - 1] {
-            let case = Case::full_scale_in(machine, lane, photons);
-            if driver.run(&[case], Traffic::STREAMING)?.is_break() {
-                return Ok(ControlFlow::Break(()));
-            }
+    for batch in batches {
+        if driver.run(&batch, Traffic::STREAMING)?.is_break() {
+            return Ok(ControlFlow::Break(()));
         }
     }
     Ok(driver.flush())
+}
+
+/// Twice, so that what changes does so more often than what settles as a device starts.
+fn full_then_empty(machine: &Machine) -> Vec<Case> {
+    vec![Case::fullest_then_empty(machine); 2]
+}
+
+fn lane_alone(machine: &Machine) -> impl Iterator<Item = Vec<Case>> {
+    let most = machine.max_photons();
+    // The largest count, and the one whose bits are all ones: between them all bits of a count are used.
+    let counts = [most, (1 << most.ilog2()) - 1];
+    let lanes = 0..machine.photons_per_iteration();
+    let in_lane =
+        move |lane| counts.map(|photons| vec![Case::full_scale_in(machine, lane, photons)]);
+    lanes.flat_map(in_lane)
 }
 
 /// Refuses what the pins cannot hold, before it is put on them.

@@ -3,7 +3,7 @@
 use anyhow::{Result, bail};
 use photoncube_testbench::{
     Coverage, CoverageKind, Gap, ModuleCoverage, Share, Source, VerifyError, VerifyOptions,
-    coverage,
+    corners, coverage,
 };
 
 use crate::args::VerifyArgs;
@@ -20,16 +20,15 @@ pub fn execute(args: &VerifyArgs, json: bool) -> Result<()> {
         source: Source::Random,
     };
     let bar = progress::bar("coverage", args.iterations);
-    let found = match coverage(machine, &options, &|done| bar.set_position(done)) {
+    let found = match coverage(machine, &options, &corners(machine), &|done| {
+        bar.set_position(done)
+    }) {
         Ok(found) => found,
         Err(VerifyError::Diverged(divergence)) => bail!(CheckFailed(divergence.to_string())),
         Err(error) => return Err(error.into()),
     };
     bar.finish_and_clear();
     output::print(json, &found, || text(&found))?;
-    if let Some(path) = &args.record {
-        record(path, &[line(args, &found)])?;
-    }
     if let Some(gap) = found.contradictions.first() {
         let message = format!(
             "{} of {} was used, and cannot be for the reason \"{}\": that is wrong, in \
@@ -40,6 +39,9 @@ pub fn execute(args: &VerifyArgs, json: bool) -> Result<()> {
             found.contradictions.len()
         );
         return Err(CheckFailed(message).into());
+    }
+    if let Some(path) = &args.record {
+        record(path, &[line(args, &found)])?;
     }
     let unexplained = found.unexplained().count();
     if unexplained > 0 {
