@@ -5,13 +5,13 @@ use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use photoncube_hdl::Level;
+use photoncube_hdl::{Level, emit};
 use photoncube_spec::{Machine, Pins};
 use serde::Serialize;
 use thiserror::Error;
 
 use crate::compare::{Comparer, Divergence};
-use crate::device::{Device, DeviceError, DeviceKind, Observed};
+use crate::device::{Device, DeviceError, DeviceKind, Observed, hdl_error};
 use crate::protocol::UnknownDifference;
 use crate::stimulus::{Block, Pressure, Source, StimulusError, generate};
 
@@ -32,6 +32,11 @@ pub struct VerifyOptions<'a> {
 pub struct Verdict {
     /// The machine.
     pub machine: &'static str,
+    /// SHA-256 of the machine's emitted Verilog, see [`Emitted::verilog_sha256`]; none where the caller
+    /// opened the device, with whatever design in it.
+    ///
+    /// [`Emitted::verilog_sha256`]: photoncube_hdl::Emitted::verilog_sha256
+    pub verilog_sha256: Option<String>,
     /// The device.
     pub device: String,
     /// The tool behind it, with its version.
@@ -102,12 +107,17 @@ pub fn verify(
     options: &VerifyOptions<'_>,
     progress: &dyn Fn(u64),
 ) -> Result<Verdict, VerifyError> {
-    verify_device(
-        machine,
-        kind.open(machine, Level::Machine)?.as_mut(),
-        options,
-        progress,
-    )
+    let design = emit(machine, Level::Machine).map_err(hdl_error(machine))?;
+    let mut device = match kind {
+        // It simulates the blocks that the text is printed from.
+        DeviceKind::RustHdl => kind.open(machine, Level::Machine)?,
+        kind => kind.open_emitted(&design)?,
+    };
+    let verdict = verify_device(machine, device.as_mut(), options, progress)?;
+    Ok(Verdict {
+        verilog_sha256: Some(design.verilog_sha256()),
+        ..verdict
+    })
 }
 
 /// Verifies a machine in a device that is open and has not run yet.
@@ -184,6 +194,7 @@ fn consume(
     }
     Ok(Verdict {
         machine: machine.name,
+        verilog_sha256: None,
         device: device.name().to_owned(),
         tool_version: device.tool_version().to_owned(),
         seed: options.seed,

@@ -3,6 +3,7 @@
 mod args;
 mod commands;
 mod convergence;
+mod digests;
 mod failure;
 mod files;
 mod fitted;

@@ -6,6 +6,16 @@ use anyhow::Result;
 use photoncube_hdl::{Level, emit};
 use photoncube_spec::Machine;
 
+use crate::digests::Digests;
+
+/// A machine's folder.
+pub struct Project {
+    /// Its files, the Verilog first.
+    pub files: Vec<ProjectFile>,
+    /// The digests of its Verilog.
+    pub digests: Digests,
+}
+
 /// A file of a machine's folder.
 pub struct ProjectFile {
     /// Its path in the output folder.
@@ -21,9 +31,10 @@ const TARGET_CLOCK_NS: u32 = 10;
 /// `photoncube synth` measures. Without it the design with DSP blocks takes three times the LUTs.
 pub const ABC9_TARGET_PS: u32 = 1000 * TARGET_CLOCK_NS;
 
-/// All files of a machine.
-pub fn files(machine: &Machine) -> Result<Vec<ProjectFile>> {
+/// Emits a machine, and makes all its files.
+pub fn project(machine: &Machine) -> Result<Project> {
     let emitted = emit(machine, Level::Machine)?;
+    let digests = Digests::of(&emitted);
     let top = emitted.top;
     let file = |extension: &str, text: String| ProjectFile {
         path: PathBuf::from(machine.name).join(format!("{top}.{extension}")),
@@ -40,7 +51,7 @@ pub fn files(machine: &Machine) -> Result<Vec<ProjectFile>> {
         path: PathBuf::from(machine.name).join(format!("{top}_ecp5.v")),
         text,
     }));
-    Ok(files)
+    Ok(Project { files, digests })
 }
 
 fn yosys(top: &str, has_second_texts: bool) -> String {

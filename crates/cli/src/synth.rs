@@ -15,7 +15,6 @@ mod transistors;
 mod wrapper;
 pub mod writer;
 
-use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
@@ -23,7 +22,6 @@ use anyhow::Result;
 use clap::ValueEnum;
 use photoncube_hdl::{Level, emit};
 use photoncube_spec::Machine;
-use sha2::{Digest, Sha256};
 
 use flow::Flow;
 
@@ -43,7 +41,7 @@ pub struct Subject {
     pub verilog: String,
     /// Second texts of some modules for an ECP5, if it has any.
     pub ecp5_verilog: Option<String>,
-    /// The digest of both, in hexadecimal digits.
+    /// Their digest, see [`Emitted::ecp5_sha256`](photoncube_hdl::Emitted::ecp5_sha256).
     pub verilog_sha256: String,
 }
 
@@ -53,8 +51,8 @@ impl Subject {
         let emitted = emit(machine, Level::Machine)?;
         Ok(Self {
             machine,
+            verilog_sha256: emitted.ecp5_sha256(),
             top: emitted.top,
-            verilog_sha256: digest(&emitted.text, emitted.ecp5_text.as_deref()),
             verilog: emitted.text,
             ecp5_verilog: emitted.ecp5_text,
         })
@@ -80,26 +78,5 @@ impl Subject {
             Some(text) => fs::write(folder.join(format!("{top}_ecp5.v")), text),
             None => Ok(()),
         }
-    }
-}
-
-fn digest(verilog: &str, ecp5_verilog: Option<&str>) -> String {
-    sha256(&(verilog.to_owned() + ecp5_verilog.unwrap_or_default()))
-}
-
-fn sha256(text: &str) -> String {
-    let digest = Sha256::digest(text.as_bytes());
-    digest.iter().fold(String::new(), |mut text, byte| {
-        write!(text, "{byte:02x}").expect("a string takes all that is written to it");
-        text
-    })
-}
-
-#[cfg(test)]
-mod tests {
-    #[test]
-    fn the_digest_is_that_of_sha256sum() {
-        let empty = "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855";
-        assert_eq!(super::sha256(""), empty);
     }
 }

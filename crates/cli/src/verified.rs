@@ -1,12 +1,15 @@
 //! What was verified, how, and how much of it: the lines of `docs/verification.md`, kept as data in
 //! `docs/measured/verification.json`, which `verify --record` writes.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use anyhow::{Context, Result};
+use photoncube_hdl::{Level, Unit, emit, emit_unit, has_unit};
+use photoncube_spec::find_machine;
 use serde::{Deserialize, Serialize};
 
-use crate::{files, table};
+use crate::{digests, files, table};
 
 /// One line: what a method found of a machine.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
@@ -14,6 +17,9 @@ use crate::{files, table};
 pub struct Line {
     /// The machine, or what else was verified.
     pub machine: String,
+    /// The digest of the Verilog that was verified, see [`photoncube_hdl::Emitted::verilog_sha256`]; none where the line is about
+    /// no Verilog.
+    pub verilog_sha256: Option<String>,
     /// How, such as `equivalence` or `mutants`.
     pub method: String,
     /// The tools behind it, with their versions.
@@ -30,6 +36,43 @@ pub struct Line {
 }
 
 impl Line {
+    /// A line about a machine, to be filled in.
+    pub fn of_machine(name: &str) -> Result<Self> {
+        let emitted = emit(find_machine(name)?, Level::Machine)?;
+        Ok(Self::about(name.to_owned(), Some(emitted.verilog_sha256())))
+    }
+
+    /// A line about the unit of that name with operands of so many bits, to be filled in.
+    pub fn of_unit(name: &str, bits: u32) -> Result<Self> {
+        let mut units = Unit::ALL.into_iter();
+        let unit = units.find(|unit| unit.name() == name);
+        let unit = unit.with_context(|| format!("there is no unit `{name}`"))?;
+        let emitted = emit_unit(unit, bits)?;
+        Ok(Self::about(
+            unit_name(unit, bits),
+            Some(emitted.verilog_sha256()),
+        ))
+    }
+
+    /// A line about something else than Verilog, to be filled in.
+    pub fn of_no_verilog(what: String) -> Self {
+        Self::about(what, None)
+    }
+
+    /// A line about Verilog of that digest, to be filled in.
+    pub fn about(machine: String, verilog_sha256: Option<String>) -> Self {
+        Self {
+            machine,
+            verilog_sha256,
+            method: String::new(),
+            by: String::new(),
+            volume: 0,
+            unit: String::new(),
+            result: String::new(),
+            command: String::new(),
+        }
+    }
+
     /// A line takes the place of an earlier one of the same machine, method and tools.
     fn key(&self) -> [&str; 3] {
         [&self.machine, &self.method, &self.by]
@@ -41,14 +84,43 @@ const COMMITTED: &str = include_str!("../../../docs/measured/verification.json")
 /// All lines.
 #[derive(Debug, Serialize)]
 pub struct Table {
-    /// In order of machine and method.
+    /// Those about today's Verilog, in order of machine and method.
     pub lines: Vec<Line>,
+    /// Those about other Verilog, which show nothing any more.
+    pub stale: Vec<Line>,
 }
 
 /// The table that is committed.
 pub fn committed() -> Result<Table> {
     let lines = parse(COMMITTED).context("docs/measured/verification.json")?;
-    Ok(Table { lines })
+    sorted_out(lines)
+}
+
+/// Tells lines about the Verilog of today from those about other Verilog.
+fn sorted_out(lines: Vec<Line>) -> Result<Table> {
+    let today = digests_of_today()?;
+    let is_fresh = |line: &Line| today.get(&line.machine) == line.verilog_sha256.as_ref();
+    let (lines, stale) = lines.into_iter().partition(is_fresh);
+    Ok(Table { lines, stale })
+}
+
+/// The digest of whatever has Verilog, by its name in a line.
+fn digests_of_today() -> Result<BTreeMap<String, String>> {
+    let machines = digests::committed()?.into_iter();
+    let mut today: BTreeMap<_, _> = machines
+        .map(|(name, digests)| (name, digests.verilog_sha256))
+        .collect();
+    for unit in Unit::ALL {
+        for bits in Unit::BITS.into_iter().filter(|&bits| has_unit(unit, bits)) {
+            let digest = emit_unit(unit, bits)?.verilog_sha256();
+            today.insert(unit_name(unit, bits), digest);
+        }
+    }
+    Ok(today)
+}
+
+fn unit_name(unit: Unit, bits: u32) -> String {
+    format!("unit {unit}, {bits} bits")
 }
 
 /// Reads a table.
@@ -105,17 +177,19 @@ pub fn grouped(number: u64) -> String {
 
 #[cfg(test)]
 mod tests {
+    use std::collections::BTreeSet;
+
     use super::*;
 
     fn line(machine: &str, volume: u64) -> Line {
         Line {
-            machine: machine.into(),
             method: "equivalence".into(),
             by: "icarus 11.0".into(),
             volume,
             unit: "vectors".into(),
             result: "0 mismatches".into(),
             command: "photoncube verify".into(),
+            ..Line::about(machine.into(), Some("00".into()))
         }
     }
 
@@ -137,6 +211,40 @@ mod tests {
         let error = record(&path, &[line("paper", 1)]).unwrap_err();
         assert!(format!("{error:#}").contains("table.json"), "{error:#}");
         assert_eq!(std::fs::read_to_string(&path).unwrap(), "{}");
+    }
+
+    #[test]
+    fn a_line_about_other_verilog_or_without_a_digest_is_stale() {
+        let fresh = [
+            Line::of_machine("paper").unwrap(),
+            Line::of_unit("add", 6).unwrap(),
+            Line::of_no_verilog("lint".to_owned()),
+        ];
+        let mut other = fresh[0].clone();
+        other.verilog_sha256 = Some("00".to_owned());
+        let mut without = fresh[1].clone();
+        without.verilog_sha256 = None;
+        let gone = line("pentium", 1);
+        let stale = [other, without, gone];
+        let table = sorted_out([&fresh[..], &stale].concat()).unwrap();
+        assert_eq!(table.lines, fresh);
+        assert_eq!(table.stale, stale);
+    }
+
+    #[test]
+    fn a_line_without_the_key_of_its_digest_is_no_line_about_verilog() {
+        let text = COMMITTED.replace("verilog_sha256", "sha256");
+        assert!(parse(&text).is_err(), "another key is refused");
+    }
+
+    #[test]
+    fn no_committed_line_is_stale() {
+        let table = committed().unwrap();
+        let stale: BTreeSet<_> = table.stale.iter().map(|line| &line.command).collect();
+        assert!(
+            stale.is_empty(),
+            "run these again, with --record: {stale:#?}"
+        );
     }
 
     #[test]

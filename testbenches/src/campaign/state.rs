@@ -39,6 +39,8 @@ pub struct Done {
 pub struct Summary {
     /// The machine.
     pub machine: String,
+    /// SHA-256 of its emitted Verilog, see [`Verdict::verilog_sha256`].
+    pub verilog_sha256: Option<String>,
     /// The device.
     pub device: String,
     /// The tool behind it, with its version.
@@ -57,6 +59,7 @@ impl From<Verdict> for Summary {
     fn from(verdict: Verdict) -> Self {
         Self {
             machine: verdict.machine.to_owned(),
+            verilog_sha256: verdict.verilog_sha256,
             device: verdict.device,
             tool_version: verdict.tool_version,
             seed: verdict.seed,
@@ -181,6 +184,7 @@ mod tests {
             seconds,
             verdict: Summary {
                 machine: "paper".into(),
+                verilog_sha256: Some("00".into()),
                 device: "verilator".into(),
                 tool_version: "5".into(),
                 seed: job,

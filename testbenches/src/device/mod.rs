@@ -204,13 +204,24 @@ impl DeviceKind {
     /// # Errors
     /// A tool is missing or fails, or the machine's HDL cannot be made.
     pub fn open(self, machine: &Machine, level: Level) -> Result<Box<dyn Device>, DeviceError> {
-        if let Some(missing) = self.missing_tool() {
-            return Err(missing.into());
-        }
         if self == Self::RustHdl {
             return Ok(Box::new(RustHdl::new(machine, level)?));
         }
-        self.open_text(&emit(machine, level).map_err(hdl_error(machine))?)
+        self.open_emitted(&emit(machine, level).map_err(hdl_error(machine))?)
+    }
+
+    /// The device with an emitted text in it, if its tools are there.
+    ///
+    /// # Errors
+    /// A tool is missing or fails.
+    ///
+    /// # Panics
+    /// For rust-hdl, which simulates blocks and no text.
+    pub(crate) fn open_emitted(self, design: &Emitted) -> Result<Box<dyn Device>, DeviceError> {
+        match self.missing_tool() {
+            Some(missing) => Err(missing.into()),
+            None => self.open_text(design),
+        }
     }
 
     /// The device with a unit for itself in it.

@@ -9,6 +9,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::args::GenerateArgs;
+use crate::digests::{self, ByMachine};
 use crate::failure::CheckFailed;
 use crate::machines::MachineArgs;
 use crate::project::{self, ProjectFile};
@@ -32,9 +33,21 @@ pub fn execute(args: &GenerateArgs, json: bool) -> Result<()> {
     } else if !args.out.is_dir() {
         bail!("{} is no folder: nothing to check", args.out.display());
     }
-    let files_of = |machine: &&Machine| project::files(machine);
-    let by_machine: Vec<_> = machines.par_iter().map(files_of).collect::<Result<_>>()?;
-    let project_files: Vec<_> = by_machine.into_iter().flatten().collect();
+    let projects: Vec<_> = machines
+        .par_iter()
+        .map(|machine| project::project(machine))
+        .collect::<Result<_>>()?;
+    let digests = machines.iter().zip(&projects);
+    let digests =
+        digests.map(|(machine, project)| (machine.name.to_owned(), project.digests.clone()));
+    let digests: ByMachine = digests.collect();
+    let mut project_files: Vec<_> = projects.into_iter().flat_map(|p| p.files).collect();
+    if args.machine.is_none() {
+        project_files.push(ProjectFile {
+            path: digests::FILE.into(),
+            text: digests::text(&digests)?,
+        });
+    }
     let stale = if args.check {
         stale(&args.out, &machines, &project_files)
     } else {

@@ -148,7 +148,7 @@ fn timed<T>(seconds: &mut f64, work: impl FnOnce() -> Result<T>) -> Result<T> {
 
 /// Writes the machine's Verilog and project files; the path of the Verilog.
 fn emit(machine: &Machine, out: &Path) -> Result<String> {
-    let files = project::files(machine)?;
+    let files = project::project(machine)?.files;
     for file in &files {
         files::write(&out.join(&file.path), file.text.as_bytes())?;
     }

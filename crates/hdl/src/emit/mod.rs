@@ -5,6 +5,7 @@
 //! that people can read. The result is plain Verilog-2001 and the same at every run.
 
 mod channels;
+mod digest;
 mod ecp5;
 mod merge;
 mod modules;
@@ -21,6 +22,7 @@ use crate::simulator::level_pins;
 use crate::unit::{Unit, build_unit, label, unit_pins};
 
 use channels::ChannelNames;
+use digest::sha256;
 
 /// Emitted Verilog, and what one must know to simulate it.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -40,6 +42,24 @@ pub struct Emitted {
     /// The path of each observed register in the top instance, in the order of
     /// `pins.observed[pins.outputs..]`.
     pub register_paths: Vec<String>,
+}
+
+impl Emitted {
+    /// SHA-256 of the text without its comment lines, in hexadecimal digits: what is recorded of a
+    /// design is about exactly this text. `grep -v '^ *//' FILE.v | sha256sum` prints it.
+    pub fn verilog_sha256(&self) -> String {
+        sha256([self.text.as_str()])
+    }
+
+    /// SHA-256 of what is synthesised for an ECP5: the text and behind it its second texts, if it has any;
+    /// without comment lines, as [`Self::verilog_sha256`].
+    pub fn ecp5_sha256(&self) -> String {
+        sha256(
+            [self.text.as_str()]
+                .into_iter()
+                .chain(self.ecp5_text.as_deref()),
+        )
+    }
 }
 
 /// Why a design is not emitted.

@@ -124,7 +124,6 @@ fn lines(report: &Report<'_>) -> Vec<Line> {
         let summary = &total.summary;
         let failed = |f: &&Failure| f.machine == summary.machine && f.device == summary.device;
         Line {
-            machine: summary.machine.clone(),
             method: "campaign".to_owned(),
             by: format!("{}: {}", summary.device, summary.tool_version),
             volume: summary.vectors_compared,
@@ -135,6 +134,7 @@ fn lines(report: &Report<'_>) -> Vec<Line> {
                 total.jobs
             ),
             command: "photoncube verify --campaign --hours H".to_owned(),
+            ..Line::about(summary.machine.clone(), summary.verilog_sha256.clone())
         }
     };
     report.totals.iter().map(line).collect()

@@ -41,7 +41,7 @@ pub fn execute(args: &VerifyArgs, json: bool) -> Result<()> {
         return Err(CheckFailed(message).into());
     }
     if let Some(path) = &args.record {
-        record(path, &[line(args, &found)])?;
+        record(path, &[line(args, &found)?])?;
     }
     let unexplained = found.unexplained().count();
     if unexplained > 0 {
@@ -54,14 +54,13 @@ pub fn execute(args: &VerifyArgs, json: bool) -> Result<()> {
     Ok(())
 }
 
-fn line(args: &VerifyArgs, found: &Coverage) -> Line {
+fn line(args: &VerifyArgs, found: &Coverage) -> Result<Line> {
     let verdict = &found.verdict;
     let totals = CoverageKind::ALL.map(|kind| (kind, found.total(kind)));
     let part =
         |(kind, share): &(CoverageKind, Share)| format!("{} {}", kind.name(), percent(*share));
     let explained = found.gaps.iter().filter(|gap| gap.reason.is_some());
-    Line {
-        machine: verdict.machine.to_owned(),
+    Ok(Line {
         method: "coverage".to_owned(),
         by: verdict.tool_version.clone(),
         volume: totals.iter().map(|(_, share)| share.points as u64).sum(),
@@ -76,7 +75,8 @@ fn line(args: &VerifyArgs, found: &Coverage) -> Line {
             "photoncube verify --coverage --machine {} --iterations {} --seed {}",
             verdict.machine, args.iterations, args.seed
         ),
-    }
+        ..Line::of_machine(verdict.machine)?
+    })
 }
 
 fn text(found: &Coverage) -> String {

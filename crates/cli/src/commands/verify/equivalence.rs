@@ -55,7 +55,6 @@ impl Report {
     /// Its lines in the table of results.
     fn lines(&self) -> Vec<Line> {
         let line = |verdict: &Verdict| Line {
-            machine: self.machine.to_owned(),
             method: "equivalence".to_owned(),
             by: format!("{}: {}", verdict.device, verdict.tool_version),
             volume: verdict.vectors_compared,
@@ -65,6 +64,7 @@ impl Report {
                 "photoncube verify --machine {} --against {} --iterations {} --seed {}",
                 self.machine, verdict.device, self.iterations, self.seed
             ),
+            ..Line::about(self.machine.to_owned(), verdict.verilog_sha256.clone())
         };
         self.devices.iter().map(line).collect()
     }

@@ -32,7 +32,7 @@ pub fn execute(args: &VerifyArgs, json: bool) -> Result<()> {
     output::print(json, &report, || text(&report))?;
     verdict(&report)?;
     match &args.record {
-        Some(path) => record(path, &lines(&report)),
+        Some(path) => record(path, &lines(&report)?),
         None => Ok(()),
     }
 }
@@ -95,34 +95,38 @@ fn verdict(report: &Report) -> Result<()> {
     Ok(())
 }
 
-fn lines(report: &Report) -> Vec<Line> {
+fn lines(report: &Report) -> Result<Vec<Line>> {
     let command = |device: &str| format!("photoncube verify --exhaustive --against {device}");
-    let unit = |unit: &UnitVerdict| Line {
-        machine: format!("unit {}, {} bits", unit.unit, unit.operand_bits),
-        method: "exhaustive".to_owned(),
-        by: format!("{}: {}", unit.device, unit.tool_version),
-        volume: unit.pairs_compared,
-        unit: "pairs of inputs, all".to_owned(),
-        result: format!(
-            "{} mismatches in {} vectors",
-            unit.mismatches,
-            grouped(unit.vectors_compared)
-        ),
-        command: command(&unit.device),
+    let unit = |unit: &UnitVerdict| -> Result<Line> {
+        Ok(Line {
+            method: "exhaustive".to_owned(),
+            by: format!("{}: {}", unit.device, unit.tool_version),
+            volume: unit.pairs_compared,
+            unit: "pairs of inputs, all".to_owned(),
+            result: format!(
+                "{} mismatches in {} vectors",
+                unit.mismatches,
+                grouped(unit.vectors_compared)
+            ),
+            command: command(&unit.device),
+            ..Line::of_unit(unit.unit, unit.operand_bits)?
+        })
     };
-    let lane = |lane: &LaneVerdict| Line {
-        machine: lane.machine.to_owned(),
-        method: format!("exhaustive: {}", lane.scope),
-        by: format!("{}: {}", lane.device, lane.tool_version),
-        volume: lane.pairs_compared,
-        unit: format!("pairs of {}-bit difference and radius", lane.operand_bits),
-        result: format!(
-            "{} mismatches in {} vectors of {} signals",
-            lane.mismatches,
-            grouped(lane.vectors_compared),
-            lane.signals_per_vector
-        ),
-        command: command(&lane.device),
+    let lane = |lane: &LaneVerdict| -> Result<Line> {
+        Ok(Line {
+            method: format!("exhaustive: {}", lane.scope),
+            by: format!("{}: {}", lane.device, lane.tool_version),
+            volume: lane.pairs_compared,
+            unit: format!("pairs of {}-bit difference and radius", lane.operand_bits),
+            result: format!(
+                "{} mismatches in {} vectors of {} signals",
+                lane.mismatches,
+                grouped(lane.vectors_compared),
+                lane.signals_per_vector
+            ),
+            command: command(&lane.device),
+            ..Line::of_machine(lane.machine)?
+        })
     };
     let units = report.parts.iter().map(unit);
     units.chain(report.lanes.iter().map(lane)).collect()

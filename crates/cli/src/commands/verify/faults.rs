@@ -90,12 +90,12 @@ pub fn execute(args: &VerifyArgs, json: bool) -> Result<()> {
     output::print(json, &report, || text(&report))?;
     report.conclusion()?;
     match &args.record {
-        Some(path) => record(path, &lines(&report)),
+        Some(path) => record(path, &lines(&report)?),
         None => Ok(()),
     }
 }
 
-fn lines(report: &Report) -> Vec<Line> {
+fn lines(report: &Report) -> Result<Vec<Line>> {
     let against = |verdict: &FaultVerdict| {
         let four_state = FaultClass::ALL.iter().filter(|class| class.is_four_state());
         let mut names = four_state.map(|class| class.name());
@@ -104,8 +104,8 @@ fn lines(report: &Report) -> Vec<Line> {
             false => format!(" --against {}", verdict.device),
         }
     };
+    let about = Line::of_machine(report.machine)?;
     let line = |verdict: &FaultVerdict| Line {
-        machine: verdict.machine.to_owned(),
         method: format!("faults: {}", verdict.fault),
         by: format!("{}: {}", verdict.device, verdict.tool_version),
         volume: verdict.vectors_compared,
@@ -122,8 +122,9 @@ fn lines(report: &Report) -> Vec<Line> {
             against(verdict),
             report.seed
         ),
+        ..about.clone()
     };
-    report.faults.iter().map(line).collect()
+    Ok(report.faults.iter().map(line).collect())
 }
 
 fn text(report: &Report) -> String {

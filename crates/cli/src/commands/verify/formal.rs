@@ -21,7 +21,7 @@ pub fn execute(args: &VerifyArgs, json: bool) -> Result<()> {
     output::print(json, &found, || text(&found))?;
     verdict(&found)?;
     match (&args.record, &args.property) {
-        (Some(path), None) => record(path, &lines(&found)),
+        (Some(path), None) => record(path, &lines(&found)?),
         (Some(_), Some(_)) => anyhow::bail!(
             "`--record` keeps the result of all properties; leave out `--property {prefix}`"
         ),
@@ -53,7 +53,8 @@ fn said(proof: &Proof) -> String {
 }
 
 /// One line for each way of proving.
-fn lines(found: &Formal) -> Vec<Line> {
+fn lines(found: &Formal) -> Result<Vec<Line>> {
+    let machine = Line::of_machine(found.machine)?;
     let mut methods: Vec<_> = found.proofs.iter().map(|proof| proof.method).collect();
     methods.sort_unstable();
     methods.dedup();
@@ -65,7 +66,6 @@ fn lines(found: &Formal) -> Vec<Line> {
             .collect();
         let proven = of_method.iter().filter(|proof| proof.holds()).count();
         Line {
-            machine: found.machine.to_owned(),
             method: format!("formal, by {method}"),
             by: match method {
                 // By the testbench's evaluator of the emitted text.
@@ -79,9 +79,10 @@ fn lines(found: &Formal) -> Vec<Line> {
             },
             result: format!("{proven} proven, their planted faults refuted"),
             command: format!("photoncube verify --formal --machine {}", found.machine),
+            ..machine.clone()
         }
     };
-    methods.into_iter().map(line).collect()
+    Ok(methods.into_iter().map(line).collect())
 }
 
 fn text(found: &Formal) -> String {

@@ -86,7 +86,6 @@ fn verdict(report: &Report) -> Result<()> {
 
 fn line(report: &Report) -> Line {
     Line {
-        machine: "lint".to_owned(),
         method: "planted mistakes".to_owned(),
         by: format!("photoncube {}", env!("CARGO_PKG_VERSION")),
         volume: report.planted as u64,
@@ -96,6 +95,7 @@ fn line(report: &Report) -> Line {
             report.missed, report.false_alarms
         ),
         command: "photoncube verify --lint".to_owned(),
+        ..Line::of_no_verilog("lint".to_owned())
     }
 }
 

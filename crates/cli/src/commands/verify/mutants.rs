@@ -29,7 +29,7 @@ pub fn execute(args: &VerifyArgs, wanted: u64, json: bool) -> Result<()> {
     bar.finish_and_clear();
     output::print(json, &report, || text(&report))?;
     if let Some(path) = &args.record {
-        record(path, &[line(&report, wanted, args.iterations)])?;
+        record(path, &[line(&report, wanted, args.iterations)?])?;
     }
     match report.count(Fate::Survived) {
         0 => Ok(()),
@@ -42,9 +42,8 @@ pub fn execute(args: &VerifyArgs, wanted: u64, json: bool) -> Result<()> {
     }
 }
 
-fn line(report: &MutantReport, wanted: u64, iterations: u64) -> Line {
-    Line {
-        machine: report.machine.to_owned(),
+fn line(report: &MutantReport, wanted: u64, iterations: u64) -> Result<Line> {
+    Ok(Line {
         method: "mutants".to_owned(),
         by: report.tool_version.clone(),
         volume: report.mutants.len() as u64,
@@ -59,7 +58,8 @@ fn line(report: &MutantReport, wanted: u64, iterations: u64) -> Line {
             "photoncube verify --mutants {wanted} --machine {} --iterations {iterations} --seed {}",
             report.machine, report.seed
         ),
-    }
+        ..Line::of_machine(report.machine)?
+    })
 }
 
 fn text(report: &MutantReport) -> String {

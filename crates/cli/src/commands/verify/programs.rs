@@ -43,15 +43,17 @@ pub fn execute(args: &VerifyArgs, programs: u64, json: bool) -> Result<()> {
     let report = Report { verdicts };
     output::print(json, &report, || text(&report))?;
     match &args.record {
-        Some(path) => record(path, &report.verdicts.iter().map(line).collect::<Vec<_>>()),
+        Some(path) => {
+            let lines: Vec<_> = report.verdicts.iter().map(line).collect::<Result<_>>()?;
+            record(path, &lines)
+        }
         None => Ok(()),
     }
 }
 
-fn line(verdict: &ProgramVerdict) -> Line {
+fn line(verdict: &ProgramVerdict) -> Result<Line> {
     let vectors = verdict.cell_vectors + verdict.vectors_compared;
-    Line {
-        machine: verdict.machine.to_owned(),
+    Ok(Line {
         method: "random programs".to_owned(),
         by: format!("{}: {}", verdict.device, verdict.tool_version),
         volume: verdict.programs as u64,
@@ -65,7 +67,8 @@ fn line(verdict: &ProgramVerdict) -> Line {
             "photoncube verify --programs {} --machine {} --against {} --seed {}",
             verdict.programs, verdict.machine, verdict.device, verdict.seed
         ),
-    }
+        ..Line::of_machine(verdict.machine)?
+    })
 }
 
 fn text(report: &Report) -> String {

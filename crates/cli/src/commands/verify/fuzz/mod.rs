@@ -249,7 +249,6 @@ fn said(panicked: &(dyn Any + Send)) -> String {
 
 fn lines(report: &Report, args: &VerifyArgs) -> Vec<Line> {
     let line = |fuzzed: &Fuzzed| Line {
-        machine: format!("reader {}", fuzzed.reader),
         method: "fuzz".to_owned(),
         by: format!("photoncube {}", env!("CARGO_PKG_VERSION")),
         volume: fuzzed.inputs,
@@ -264,6 +263,7 @@ fn lines(report: &Report, args: &VerifyArgs) -> Vec<Line> {
             "photoncube verify --fuzz {} --reader {} --seed {}",
             fuzzed.inputs, fuzzed.reader, args.seed
         ),
+        ..Line::of_no_verilog(format!("reader {}", fuzzed.reader))
     };
     report.readers.iter().map(line).collect()
 }

@@ -1,0 +1,74 @@
+//! Digests of the committed Verilog, by which a recorded result is known to be about it or to be stale.
+//!
+//! `photoncube generate` writes them beside the Verilog, as emitting all machines takes too long for every
+//! command that shows a result; `generate --check` holds them to what is emitted.
+
+use std::collections::BTreeMap;
+
+use anyhow::{Context, Result};
+use photoncube_hdl::Emitted;
+use serde::{Deserialize, Serialize};
+
+/// The file in the folder of all machines' Verilog.
+pub const FILE: &str = "digests.json";
+
+const COMMITTED: &str = include_str!("../../../hdl-out/digests.json");
+
+/// The digests of one machine's Verilog.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Digests {
+    /// See [`Emitted::verilog_sha256`].
+    pub verilog_sha256: String,
+    /// See [`Emitted::ecp5_sha256`].
+    pub ecp5_sha256: String,
+}
+
+/// The digests of all machines, by name.
+pub type ByMachine = BTreeMap<String, Digests>;
+
+impl Digests {
+    /// Those of an emitted design.
+    pub fn of(emitted: &Emitted) -> Self {
+        Self {
+            verilog_sha256: emitted.verilog_sha256(),
+            ecp5_sha256: emitted.ecp5_sha256(),
+        }
+    }
+}
+
+/// The file's text.
+pub fn text(digests: &ByMachine) -> Result<String> {
+    Ok(serde_json::to_string_pretty(digests)? + "\n")
+}
+
+/// Those of the committed Verilog.
+pub fn committed() -> Result<ByMachine> {
+    serde_json::from_str(COMMITTED).with_context(|| format!("hdl-out/{FILE}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use photoncube_spec::MACHINES;
+
+    use super::*;
+
+    #[test]
+    fn every_machine_has_its_digests() {
+        let committed = committed().unwrap();
+        assert!(
+            committed.keys().eq(MACHINES
+                .iter()
+                .map(|machine| machine.name)
+                .collect::<std::collections::BTreeSet<_>>())
+        );
+        assert_eq!(text(&committed).unwrap(), COMMITTED);
+        let paper = &committed["paper"];
+        assert_eq!(
+            paper.verilog_sha256, paper.ecp5_sha256,
+            "it has no second texts"
+        );
+        let stream = &committed["stream"];
+        assert_ne!(stream.verilog_sha256, stream.ecp5_sha256);
+    }
+}
