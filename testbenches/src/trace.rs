@@ -2,14 +2,15 @@
 
 use std::fmt::Write as _;
 
-use photoncube_hdl::Emitted;
+use photoncube_hdl::{BlockRam, Emitted};
 use photoncube_spec::Pin;
 
 /// The name of the module that [`trace_module`] writes.
 pub(crate) const TRACE: &str = "photoncube_trace";
 
 /// A module with the design inside, as `dut`, and a port for each of its pins and registers. It
-/// reads registers by hierarchical reference, so that the design's own text stays as it is.
+/// reads registers by hierarchical reference, and fills block RAMs with zeros as the golden model does, so that the
+/// design's own text stays as it is.
 pub(crate) fn trace_module(design: &Emitted) -> String {
     trace_module_with(design, "")
 }
@@ -34,6 +35,16 @@ pub(crate) fn trace_module_with(design: &Emitted, inside: &str) -> String {
     let _ = writeln!(text, "  {} dut({});", design.top, connections.join(", "));
     for (name, path) in names(registers).zip(&design.register_paths) {
         let _ = writeln!(text, "  assign {name} = dut.{path};");
+    }
+    if !design.block_rams.is_empty() {
+        text += "  integer block_ram_word;\n";
+    }
+    for BlockRam { path, words } in &design.block_rams {
+        let _ = writeln!(
+            text,
+            "  initial for (block_ram_word = 0; block_ram_word < {words}; block_ram_word = block_ram_word + 1)\n    \
+             dut.{path}[block_ram_word] = 0;"
+        );
     }
     text + inside + "endmodule\n"
 }

@@ -6,6 +6,7 @@ use rust_hdl::core::atom::{Atom, AtomKind};
 use rust_hdl::prelude::*;
 
 use crate::cell::Cell;
+use crate::emit::BlockRam;
 use crate::network::Network;
 use crate::processor::Processor;
 use crate::units::{AddUnit, GateUnit, SquareUnit};
@@ -21,6 +22,10 @@ pub(crate) trait Pinned: Block {
     /// The path of a register in the top instance, of blocks that know it.
     fn register_path(&self, _place: SignalPlace) -> Option<String> {
         None
+    }
+    /// The memories in it whose words have no initial value.
+    fn block_rams(&self) -> Vec<BlockRam> {
+        Vec::new()
     }
     /// One pass of rust-hdl's settling loop; true when nothing changed.
     fn settle(&mut self) -> bool;

@@ -24,6 +24,7 @@ pub fn netlist(design: &Emitted) -> Result<Emitted, DeviceError> {
     Ok(Emitted {
         text,
         register_paths: Vec::new(),
+        block_rams: Vec::new(),
         pins: Pins {
             observed: pins.observed[..pins.outputs].to_vec(),
             ..pins.clone()

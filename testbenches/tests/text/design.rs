@@ -44,6 +44,7 @@ pub fn design(
         clocked,
         pins,
         register_paths: Vec::new(),
+        block_rams: Vec::new(),
     }
 }
 

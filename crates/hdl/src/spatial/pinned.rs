@@ -4,9 +4,14 @@ use photoncube_spec::{SignalPlace, Spatial};
 use rust_hdl::prelude::*;
 
 use super::machine::SpatialMachine;
+use super::memory::GROUPS;
 use super::registers::{self, Answer, Ask};
 use super::square::SquarePair;
+use crate::emit::BlockRam;
 use crate::pinned::{Driver, Pinned, Word, drive, sample, settle};
+
+/// The path of a machine's only photon memory, up to its signals.
+const MEMORY: &str = "memory_0.";
 
 impl<
     const C: usize,
@@ -144,7 +149,7 @@ impl<
     fn register_path(&self, place: SignalPlace) -> Option<String> {
         let below = match place {
             SignalPlace::Head { .. } => String::new(),
-            SignalPlace::Memory { .. } => "memory_0.".to_owned(),
+            SignalPlace::Memory { .. } => MEMORY.to_owned(),
             SignalPlace::Engine { engine, .. } => format!("engine_{engine}."),
             _ => return None,
         };
@@ -152,6 +157,16 @@ impl<
             Answer::Path(path) => Some(below + &path),
             Answer::Value(_) => None,
         }
+    }
+
+    fn block_rams(&self) -> Vec<BlockRam> {
+        let memories = self.memory.iter();
+        memories
+            .map(|memory| BlockRam {
+                path: format!("{MEMORY}{GROUPS}"),
+                words: memory.words(),
+            })
+            .collect()
     }
 
     settle!();

@@ -23,10 +23,11 @@
 //!   `Full` and `End` of `PlayBank`, in every clock; they are looked at when that bank has been played
 //!   from for a clock at least. The place that is read is `PlayPlace`; the word read is in `Read` a
 //!   clock later:
-//!   `ReadValid` := `reads`, `Read` := the memory's word at bank and place, in every clock (the memory
-//!   starts as 0), but its flag `last` := `reads` and `AtEnd`, whatever was written. `Word` with its flags
-//!   := `Read` with its, in every clock: a block RAM has a register for each of the two, and the way from
-//!   the second is short.
+//!   `ReadValid` := `reads`, `Read` := the memory's word at bank and place, in every clock, but its flag
+//!   `last` := `reads` and `AtEnd`, whatever was written. The words have no initial value, so that every FPGA's
+//!   block RAM can hold them: a word that was never written may be in `Read`, but never where `ReadValid`.
+//!   `Word` with its flags := `Read` with its, in every clock: a block RAM has a register for each of the two,
+//!   and the way from the second is short.
 //!   The place that is read is the last where `AtEnd`, which is found a clock before: `AtEnd` := where
 //!   `reads`, not `AtEnd` and `PlayPlace` is `BeforeEnd`; else whether `PlayEnd` is 0, as a batch
 //!   begins at place 0. `BeforeEnd` := `End` of `PlayBank` less 1, modulo G, in every clock.

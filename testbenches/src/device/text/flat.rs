@@ -145,15 +145,30 @@ impl<'a> Flat<'a> {
 
     /// The signal of a hierarchical name.
     pub fn find(&self, path: &str) -> Option<SignalId> {
+        match self.entity(path)? {
+            Entity::Signal(id) => Some(*id),
+            _ => None,
+        }
+    }
+
+    /// Lets every word of the memory of that hierarchical name start as zero.
+    pub fn fill_with_zeros(&mut self, path: &str) -> Result<(), Refusal> {
+        let Some(&Entity::Memory(id)) = self.entity(path) else {
+            return refuse(1, format!("there is no memory `{path}`"));
+        };
+        let memory = self.memory_mut(id);
+        let zero = Known::new(Bits::zero(memory.width));
+        memory.words.fill(zero);
+        Ok(())
+    }
+
+    fn entity(&self, path: &str) -> Option<&Entity<'a>> {
         let mut at = self.instances.first()?;
         let (instances, name) = path.rsplit_once('.').unwrap_or(("", path));
         for instance in instances.split('.').filter(|name| !name.is_empty()) {
             at = &self.instances[*at.children.get(instance)?];
         }
-        match at.names.get(name)? {
-            Entity::Signal(id) => Some(*id),
-            _ => None,
-        }
+        at.names.get(name)
     }
 
     /// Drives a signal, or a part of it, without a clock.

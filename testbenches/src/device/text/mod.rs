@@ -71,6 +71,9 @@ impl Text {
     pub fn new(design: &Emitted) -> Result<Self, Refusal> {
         let modules = read::read(&design.text)?;
         let mut flat = elaborate::elaborate(&modules, &design.top)?;
+        for ram in &design.block_rams {
+            flat.fill_with_zeros(&ram.path)?;
+        }
         waits::leave_out_what_never_runs(&mut flat);
         let pins = &design.pins;
         let outputs = names(&pins.observed[..pins.outputs]);

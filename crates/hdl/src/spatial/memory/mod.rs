@@ -5,6 +5,8 @@
 
 mod text;
 
+pub(super) use text::GROUPS;
+
 use photoncube_spec::{MemoryRegister, Spatial};
 use rust_hdl::prelude::*;
 
@@ -149,6 +151,11 @@ impl<const C: usize, const B: usize, const E: usize> PhotonMemory<C, B, E> {
             }
         }
         fields
+    }
+
+    /// The words of both banks.
+    pub fn words(&self) -> usize {
+        2 * self._bank_groups
     }
 
     /// The group on the pins, as a word.
@@ -424,10 +431,11 @@ impl<const C: usize, const B: usize, const E: usize> Logic for PhotonMemory<C, B
                 )
             })
             .collect();
+        // The registers first: Verilog-2001 wants a net declared before it is used.
         Verilog::Custom(format!(
-            "{}{outputs}{}",
-            text::block_ram(width, self._bank_groups, bits, &group.join(", ")),
+            "{}{}{outputs}",
             text::state(bits),
+            text::block_ram(width, self._bank_groups, bits, &group.join(", ")),
         ))
     }
 }

@@ -1,23 +1,25 @@
 //! The photon memory's Verilog.
 
+/// The name of the block RAM's array.
+pub(in crate::spatial) const GROUPS: &str = "groups";
+
 /// The block RAM: what is read stands in `read_word` a clock later and in `word` after two. Where a word
-/// is read and written in one clock nobody looks at it, so no logic needs to tell old from new.
+/// is read and written in one clock nobody looks at it, so no logic needs to tell old from new. The words have no
+/// initial value: no word is played before it is written, and with one a Cyclone V's block RAM is not inferred.
 pub(super) fn block_ram(width: usize, bank_groups: usize, bits: usize, group: &str) -> String {
     format!(
-        "(* no_rw_check *) reg [{high}:0] groups [0:{last}];\n\
+        "(* no_rw_check *) reg [{high}:0] {GROUPS} [0:{last}];\n\
          reg [{high}:0] write_word = {width}'d0;\n\
          reg [{high}:0] read_word = {width}'d0;\n\
          reg [{high}:0] word = {width}'d0;\n\
-         integer place;\n\
-         initial for (place = 0; place <= {last}; place = place + 1) groups[place] = {width}'d0;\n\
          wire [{high}:0] group = {{{group}}};\n\
          wire [{bits}:0] write_address = {{write_bank, write_place}};\n\
          wire [{bits}:0] read_address = {{play_bank, play_place}};\n\
          always @(posedge clock) begin\n\
-         \x20 read_word <= groups[read_address];\n\
+         \x20 read_word <= {GROUPS}[read_address];\n\
          \x20 word <= read_word;\n\
          \x20 write_word <= group;\n\
-         \x20 if (write_valid) groups[write_address] <= write_word;\n\
+         \x20 if (write_valid) {GROUPS}[write_address] <= write_word;\n\
          end\n",
         high = width - 1,
         last = 2 * bank_groups - 1,
