@@ -51,7 +51,7 @@ module photoncube_tile_9_gated_sum_2(a, b, a_in_range, b_in_range, sum);
     wire [1:0] carry;
     assign carry[0] = 1'b0;
     CCU2C #(.INIT0(16'h7888), .INIT1(16'h0000), .INJECT1_0("NO"), .INJECT1_1("NO")) pair_0 (
-        .CIN(carry[0]), .A0(a[0]), .B0(a_in_range), .C0(b[0]), .D0(b_in_range),
+        .CIN(carry[0]), .A0(a), .B0(a_in_range), .C0(b), .D0(b_in_range),
         .A1(1'b1), .B1(1'b1), .C1(1'b1), .D1(1'b1),
         .S0(chain[0]), .S1(chain[1]), .COUT(carry[1]));
     assign sum = chain[1:0];

@@ -1,6 +1,7 @@
 //! The ports of a module in the emitted text.
 
 use super::super::modules::Module;
+use super::chain::bit;
 
 /// A module's ports as it declares them.
 pub(super) struct Ports {
@@ -34,6 +35,14 @@ impl Ports {
         let port = self.widths.iter().find(|(port, _)| port == name);
         port.expect("the module has the ports of its block").1
     }
+
+    /// A bit of a port. A port of one bit is declared without a range, and may not be indexed.
+    pub(super) fn bit(&self, name: &str, index: usize) -> String {
+        match self.width(name) {
+            1 => name.to_owned(),
+            _ => bit(name, index),
+        }
+    }
 }
 
 /// Name and width of a declared port.
@@ -48,4 +57,20 @@ fn port(line: &str) -> Option<(String, usize)> {
         None => 1,
     };
     Some((name, width))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_a_port_of_several_bits_is_indexed() {
+        let module = Module {
+            name: "m".to_owned(),
+            body: "(a, b);\n  input wire a;\n  output reg [1:0] b;\n".to_owned(),
+        };
+        let ports = Ports::of(&module);
+        assert_eq!(ports.bit("a", 0), "a");
+        assert_eq!(ports.bit("b", 1), "b[1]");
+    }
 }

@@ -71,9 +71,9 @@ pub(super) fn gated_sum(ports: &Ports) -> String {
         .map(|i| {
             Bit::new(
                 &[
-                    bit("a", i),
+                    ports.bit("a", i),
                     "a_in_range".to_owned(),
-                    bit("b", i),
+                    ports.bit("b", i),
                     "b_in_range".to_owned(),
                 ],
                 |[a, b, c, d]| (a & b) ^ (c & d),
@@ -93,7 +93,7 @@ pub(super) fn accumulate(ports: &Ports) -> String {
         if i < group {
             let [sum, first] = kept;
             Bit::new(
-                &[sum, first, bit("group", i)],
+                &[sum, first, ports.bit("group", i)],
                 |[s, f, g, _]| (s & !f) ^ g,
                 |s, f| s & !f,
             )
