@@ -1,6 +1,21 @@
-// chip-lut: 32 engines and the photon memory for one FPGA, squarers from LUTs.
-// 512 cells, photon format local7-rgb6d-n4096, 39 bits per photon, squarer: digits.
-// Written by `photoncube generate --machine chip-lut`; do not edit.
+// SPDX-License-Identifier: MIT
+// chip-lut: 9 modules of photoncube_chip_lut.v, made of an ECP5's own cells.
+// Written by photoncube 0.1.0, `photoncube generate --machine chip-lut`; do not edit.
+//
+// Each replaces the module of that name in photoncube_chip_lut.v and is the same function, which
+// scripts/yosys/ecp5.sh proves. With both files as they are a name is declared twice. Yosys: read_verilog
+// photoncube_chip_lut.v; read_verilog -overwrite photoncube_chip_lut_ecp5.v. Elsewhere leave the modules
+// below out of photoncube_chip_lut.v; the cells (CCU2C, LUT4, ...) are those of Lattice's library.
+//
+//   photoncube_chip_lut_accumulate_2
+//   photoncube_chip_lut_gated_sum_2
+//   photoncube_chip_lut_subtract
+//   photoncube_chip_lut_range_of_format
+//   photoncube_chip_lut_accumulate
+//   photoncube_chip_lut_gated_sum
+//   photoncube_chip_lut_square_sum
+//   photoncube_chip_lut_magnitude_of
+//   photoncube_chip_lut_digit_products
 
 module photoncube_chip_lut_accumulate_2(group, sum, first, next_sum);
     input wire [2:0] group;

@@ -1,6 +1,23 @@
-// chip-mixed: the same, squarers from block RAMs, DSP blocks and LUTs.
-// 1024 cells, photon format local7-rgb6d-n4096, 39 bits per photon, squarer: digits.
-// Written by `photoncube generate --machine chip-mixed`; do not edit.
+// SPDX-License-Identifier: MIT
+// chip-mixed: 11 modules of photoncube_chip_mixed.v, made of an ECP5's own cells.
+// Written by photoncube 0.1.0, `photoncube generate --machine chip-mixed`; do not edit.
+//
+// Each replaces the module of that name in photoncube_chip_mixed.v and is the same function, which
+// scripts/yosys/ecp5.sh proves. With both files as they are a name is declared twice. Yosys: read_verilog
+// photoncube_chip_mixed.v; read_verilog -overwrite photoncube_chip_mixed_ecp5.v. Elsewhere leave the modules
+// below out of photoncube_chip_mixed.v; the cells (CCU2C, LUT4, ...) are those of Lattice's library.
+//
+//   photoncube_chip_mixed_accumulate_2
+//   photoncube_chip_mixed_gated_sum_2
+//   photoncube_chip_mixed_lookup
+//   photoncube_chip_mixed_product
+//   photoncube_chip_mixed_subtract
+//   photoncube_chip_mixed_range_of_format
+//   photoncube_chip_mixed_accumulate
+//   photoncube_chip_mixed_gated_sum
+//   photoncube_chip_mixed_square_sum
+//   photoncube_chip_mixed_magnitude_of
+//   photoncube_chip_mixed_digit_products
 
 module photoncube_chip_mixed_accumulate_2(group, sum, first, next_sum);
     input wire [2:0] group;

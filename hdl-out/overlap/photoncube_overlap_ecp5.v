@@ -1,6 +1,13 @@
-// overlap: the paper's 16 cells with all units at work: a modulo-scheduled kernel.
-// 16 cells, 8-bit coordinates, 16-bit powers, squarer: digits.
-// Written by `photoncube generate --machine overlap`; do not edit.
+// SPDX-License-Identifier: MIT
+// overlap: 1 modules of photoncube_overlap.v, made of an ECP5's own cells.
+// Written by photoncube 0.1.0, `photoncube generate --machine overlap`; do not edit.
+//
+// Each replaces the module of that name in photoncube_overlap.v and is the same function, which
+// scripts/yosys/ecp5.sh proves. With both files as they are a name is declared twice. Yosys: read_verilog
+// photoncube_overlap.v; read_verilog -overwrite photoncube_overlap_ecp5.v. Elsewhere leave the modules below
+// out of photoncube_overlap.v; the cells (CCU2C, LUT4, ...) are those of Lattice's library.
+//
+//   photoncube_overlap_chosen_sum
 
 module photoncube_overlap_chosen_sum(sum, sum_low, addend, operand, add_sum, total);
     input wire [31:0] sum;

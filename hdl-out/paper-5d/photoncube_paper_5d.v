@@ -1,6 +1,54 @@
+// SPDX-License-Identifier: MIT
 // paper-5d: 32 cells on a 5-D hypercube: 8 photons an iteration.
-// 32 cells, 8-bit coordinates, 16-bit powers, squarer: digits.
-// Written by `photoncube generate --machine paper-5d`; do not edit.
+// Written by photoncube 0.1.0, `photoncube generate --machine paper-5d`; do not edit.
+//
+// cells         32
+// numbers       plain: 8-bit coordinates, 16-bit powers
+// power unit    the photon map's own: its largest power in any channel is the largest word
+// most photons  65537 a query
+// squarers      digits
+// clocks        10 for a group of 8 photons, and 2 more a query
+//
+// Ports of photoncube_paper_5d; bit 0 is the lowest:
+//   input          clock                every register changes at its rising edge
+//   input          reset                synchronous, active high; one clock is enough, and what is taken in
+//                                       it is lost
+//   input          query_valid          a query is on the query_ pins
+//   input [7:0]    query_x              unsigned; steps of 2^-6 block edge, in a frame of 4 block edges
+//   input [7:0]    query_y              unsigned; steps of 2^-6 block edge, in a frame of 4 block edges
+//   input [7:0]    query_z              unsigned; steps of 2^-6 block edge, in a frame of 4 block edges
+//   input [17:0]   query_radius_sq      squared search radius in square steps; in range where d^2 <=
+//                                       query_radius_sq
+//   input          group_valid          a group is on the group_ and photon_ pins
+//   input          group_last           this group is the last of its query, or of its batch of queries
+//   input          photon_present_0..7  the lane has a photon; where it is 0, the lane's other pins are not
+//                                       looked at
+//   input [7:0]    photon_x_0..7        unsigned; steps of 2^-6 block edge, in a frame of 4 block edges
+//   input [7:0]    photon_y_0..7        unsigned; steps of 2^-6 block edge, in a frame of 4 block edges
+//   input [7:0]    photon_z_0..7        unsigned; steps of 2^-6 block edge, in a frame of 4 block edges
+//   input [15:0]   photon_red_0..7      unsigned; power units
+//   input [15:0]   photon_green_0..7    unsigned; power units
+//   input [15:0]   photon_blue_0..7     unsigned; power units
+//   input          result_ready         the result is taken at this edge, if it is valid
+//   output         query_ready          the query is taken at this edge, if it is valid
+//   output         group_ready          the group is taken at this edge, if it is valid
+//   output         result_valid         a result is on the result_ pins; it stays until it is taken
+//   output [31:0]  result_red           sum of the powers in range, in power units
+//   output [31:0]  result_green         sum of the powers in range, in power units
+//   output [31:0]  result_blue          sum of the powers in range, in power units
+//   output [31:0]  result_count         photons in range
+//
+// Protocol:
+//   - A word is taken at a rising edge with valid and ready. A query may change until it is taken; a group,
+//     once valid, must stay as it is until it is taken.
+//   - A query, then its groups, of which the last has group_last, give one result; results come in the order
+//     of the queries. A query has at least one group, which may be empty of photons.
+//   - Ready pins depend on registers alone. A group is taken a clock after the machine began to read it, so
+//     group_ready may rise only after group_valid.
+//   - Reset needs one clock. No ready pin looks at it, so what is taken in that clock is lost; what was under
+//     way is forgotten.
+//   - No input is checked: with more than 65537 photons for a query, or a word beyond its limit above,
+//     results are undefined.
 
 module photoncube_paper_5d(clock, reset, query_valid, query_x, query_y, query_z,
     query_radius_sq, group_valid, group_last, photon_present_0, photon_present_1,

@@ -1,6 +1,21 @@
-// stream: one engine of 16 cells that keep their instructions: a group of 4 photons a clock.
-// 16 cells, photon format local8-rgb8d-n16384, 48 bits per photon, squarer: digits.
-// Written by `photoncube generate --machine stream`; do not edit.
+// SPDX-License-Identifier: MIT
+// stream: 9 modules of photoncube_stream.v, made of an ECP5's own cells.
+// Written by photoncube 0.1.0, `photoncube generate --machine stream`; do not edit.
+//
+// Each replaces the module of that name in photoncube_stream.v and is the same function, which
+// scripts/yosys/ecp5.sh proves. With both files as they are a name is declared twice. Yosys: read_verilog
+// photoncube_stream.v; read_verilog -overwrite photoncube_stream_ecp5.v. Elsewhere leave the modules below
+// out of photoncube_stream.v; the cells (CCU2C, LUT4, ...) are those of Lattice's library.
+//
+//   photoncube_stream_accumulate_2
+//   photoncube_stream_gated_sum_2
+//   photoncube_stream_range_of_query
+//   photoncube_stream_subtract
+//   photoncube_stream_accumulate
+//   photoncube_stream_gated_sum
+//   photoncube_stream_square_sum
+//   photoncube_stream_magnitude_of
+//   photoncube_stream_digit_products
 
 module photoncube_stream_accumulate_2(group, sum, first, next_sum);
     input wire [2:0] group;

@@ -1,6 +1,21 @@
-// tile-10: 64 engines in a chain: every photon is read once for 64 queries.
-// 1024 cells, photon format local7-rgb6d-n4096, 39 bits per photon, squarer: digits.
-// Written by `photoncube generate --machine tile-10`; do not edit.
+// SPDX-License-Identifier: MIT
+// tile-10: 9 modules of photoncube_tile_10.v, made of an ECP5's own cells.
+// Written by photoncube 0.1.0, `photoncube generate --machine tile-10`; do not edit.
+//
+// Each replaces the module of that name in photoncube_tile_10.v and is the same function, which
+// scripts/yosys/ecp5.sh proves. With both files as they are a name is declared twice. Yosys: read_verilog
+// photoncube_tile_10.v; read_verilog -overwrite photoncube_tile_10_ecp5.v. Elsewhere leave the modules below
+// out of photoncube_tile_10.v; the cells (CCU2C, LUT4, ...) are those of Lattice's library.
+//
+//   photoncube_tile_10_accumulate_2
+//   photoncube_tile_10_gated_sum_2
+//   photoncube_tile_10_subtract
+//   photoncube_tile_10_range_of_format
+//   photoncube_tile_10_accumulate
+//   photoncube_tile_10_gated_sum
+//   photoncube_tile_10_square_sum
+//   photoncube_tile_10_magnitude_of
+//   photoncube_tile_10_digit_products
 
 module photoncube_tile_10_accumulate_2(group, sum, first, next_sum);
     input wire [2:0] group;

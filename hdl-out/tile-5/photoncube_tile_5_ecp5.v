@@ -1,6 +1,21 @@
-// tile-5: 2 engines in a chain: every photon is read once for 2 queries.
-// 32 cells, photon format local7-rgb6d-n4096, 39 bits per photon, squarer: digits.
-// Written by `photoncube generate --machine tile-5`; do not edit.
+// SPDX-License-Identifier: MIT
+// tile-5: 9 modules of photoncube_tile_5.v, made of an ECP5's own cells.
+// Written by photoncube 0.1.0, `photoncube generate --machine tile-5`; do not edit.
+//
+// Each replaces the module of that name in photoncube_tile_5.v and is the same function, which
+// scripts/yosys/ecp5.sh proves. With both files as they are a name is declared twice. Yosys: read_verilog
+// photoncube_tile_5.v; read_verilog -overwrite photoncube_tile_5_ecp5.v. Elsewhere leave the modules below
+// out of photoncube_tile_5.v; the cells (CCU2C, LUT4, ...) are those of Lattice's library.
+//
+//   photoncube_tile_5_accumulate_2
+//   photoncube_tile_5_gated_sum_2
+//   photoncube_tile_5_subtract
+//   photoncube_tile_5_range_of_format
+//   photoncube_tile_5_accumulate
+//   photoncube_tile_5_gated_sum
+//   photoncube_tile_5_square_sum
+//   photoncube_tile_5_magnitude_of
+//   photoncube_tile_5_digit_products
 
 module photoncube_tile_5_accumulate_2(group, sum, first, next_sum);
     input wire [2:0] group;

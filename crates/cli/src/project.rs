@@ -58,18 +58,18 @@ fn yosys(top: &str, has_second_texts: bool) -> String {
     let second_texts = match has_second_texts {
         false => String::new(),
         true => format!(
-            "# The ECP5's own cells where Yosys would spend LUTs and flip-flops, proven equal by\n\
+            "# Modules made of the ECP5's own cells, where Yosys would spend LUTs and flip-flops; proven equal by\n\
              # scripts/yosys/ecp5.sh.\n\
              read_verilog -overwrite {top}_ecp5.v\n"
         ),
     };
     format!(
-        "# yosys {top}.ys: checks the design, then maps it to ECP5.\n\
+        "# yosys {top}.ys: maps the design to ECP5, whose cells `synth_ecp5` reads before it checks that no module\n\
+         # is missing.\n\
          read_verilog {top}.v\n\
          {second_texts}\
          # ABC9 trades area for speed only where a path is longer than this, in ps.\n\
          scratchpad -set abc9.D {ABC9_TARGET_PS}\n\
-         hierarchy -check -top {top}\n\
          synth_ecp5 -top {top} -json {top}.json\n\
          stat\n"
     )

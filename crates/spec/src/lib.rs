@@ -10,6 +10,7 @@ mod control;
 mod format;
 mod format_widths;
 mod hypercube;
+mod interface;
 mod listing;
 mod machine;
 mod machines;
@@ -32,6 +33,7 @@ pub use control::{ControlWord, FIELDS, Field, FieldRow, WorkSource, control_word
 pub use format::{Squarer, Widths};
 pub use format_widths::FormatWidths;
 pub use hypercube::{Axis, Hypercube, Role};
+pub use interface::{Direction, Fact, Interface, Port};
 pub use listing::{ListingError, parse_listing};
 pub use machine::{Machine, Numbers, PlainFormat};
 pub use machines::{MACHINES, UnknownMachine, find_machine};

@@ -127,7 +127,7 @@ pub const MACHINES: &[Machine] = &[
     },
     Machine {
         name: "paper-dsp",
-        summary: "the same, squarers for DSP blocks",
+        summary: "the paper's 16 cells, squarers for DSP blocks",
         organisation: Organisation::Sequential,
         dimension: 4,
         numbers: plain(8),
@@ -135,7 +135,7 @@ pub const MACHINES: &[Machine] = &[
     },
     Machine {
         name: "paper-12",
-        summary: "the same with 12-bit coordinates",
+        summary: "the paper's 16 cells with 12-bit coordinates",
         organisation: Organisation::Sequential,
         dimension: 4,
         numbers: plain(12),
@@ -159,7 +159,7 @@ pub const MACHINES: &[Machine] = &[
     },
     Machine {
         name: "local-half",
-        summary: "the same, queries on half steps: the widest photon format that is built",
+        summary: "16 cells, the default photon format with queries on half steps: the widest that is built",
         organisation: Organisation::Sequential,
         dimension: 4,
         numbers: Numbers::Local(PhotonFormat {
@@ -286,7 +286,7 @@ pub const MACHINES: &[Machine] = &[
     with_memory(
         tile(
             "chip-mixed",
-            "the same, squarers from block RAMs, DSP blocks and LUTs",
+            "64 engines and the photon memory for one FPGA, squarers from block RAMs, DSP blocks and LUTs",
             6,
         ),
         DECISIONS,

@@ -7,10 +7,11 @@
 mod channels;
 mod digest;
 mod ecp5;
+mod header;
 mod merge;
 mod modules;
 
-use photoncube_spec::{CONTROL_REGISTERS, Machine, Numbers, Pins, Register, SignalPlace, overlap};
+use photoncube_spec::{CONTROL_REGISTERS, Machine, Pins, Register, SignalPlace, overlap};
 use rust_hdl::prelude::{ModuleDefines, check_all};
 use thiserror::Error;
 
@@ -23,6 +24,7 @@ use crate::unit::{Unit, build_unit, label, unit_pins};
 
 use channels::ChannelNames;
 use digest::sha256;
+use header::{header, licence, override_header};
 
 /// Emitted Verilog, and what one must know to simulate it.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -149,7 +151,8 @@ pub fn emit(machine: &Machine, level: Level) -> Result<Emitted, EmitError> {
     let merged = printed(machine.name, block.as_ref(), &prefix, &channels)?;
     let pins = level_pins(machine, level)?;
     Ok(Emitted {
-        ecp5_text: ecp5::second_texts(&merged).map(|texts| header(machine, level) + &texts),
+        ecp5_text: ecp5::second_texts(&merged)
+            .map(|texts| override_header(machine, &texts) + &texts),
         text: header(machine, level) + &merged,
         top: prefix,
         clocked: level.is_clocked(),
@@ -176,7 +179,10 @@ pub fn emit_unit(unit: Unit, bits: u32) -> Result<Emitted, EmitError> {
     let top = format!("photoncube_{name}");
     let merged = printed(&name, block.as_ref(), &top, &ChannelNames::none())?;
     Ok(Emitted {
-        text: format!("// The unit {unit}, {bits}-bit operands.\n{merged}"),
+        text: format!(
+            "{}// The unit {unit}, {bits}-bit operands.\n{merged}",
+            licence()
+        ),
         top,
         ecp5_text: None,
         clocked: unit.is_clocked(),
@@ -242,37 +248,6 @@ fn is_block_ram(finding: &Finding, block_rams: &[BlockRam]) -> bool {
         .iter()
         .map(|ram| plain(&format!("{TOP}.{}", ram.path)));
     finding.rule == Rule::UninitialisedMemory && declared.any(|declared| declared == found)
-}
-
-fn header(machine: &Machine, level: Level) -> String {
-    let scope = match level {
-        Level::Machine => String::new(),
-        part => format!(", its {}", part.name()),
-    };
-    format!(
-        "// {}{scope}: {}.\n// {} cells, {}, squarer: {}.\n\
-         // Written by `photoncube generate --machine {}`; do not edit.\n",
-        machine.name,
-        machine.summary,
-        machine.hypercube().nodes(),
-        numbers(machine),
-        machine.squarer.name(),
-        machine.name,
-    )
-}
-
-fn numbers(machine: &Machine) -> String {
-    match &machine.numbers {
-        Numbers::Plain(format) => format!(
-            "{}-bit coordinates, {}-bit powers",
-            format.coordinate_bits, format.power_bits
-        ),
-        Numbers::Local(format) => format!(
-            "photon format {}, {} bits per photon",
-            format.name(),
-            machine.bits_per_photon()
-        ),
-    }
 }
 
 /// Registers are instances of a register module; its output is `q`.

@@ -129,8 +129,29 @@ fn a_batch_costs_three_clocks_beside_its_groups() {
     let firsts: Vec<_> = run.results_taken.chunks(4).map(|batch| batch[0]).collect();
     assert_eq!(firsts.len(), batches);
     assert!(
-        firsts
-            .windows(2)
-            .all(|pair| pair[1] - pair[0] == groups + 3)
+        firsts.windows(2).all(|pair| pair[1] - pair[0]
+            == groups + machine.spatial().unwrap().batch_gap_clocks() as usize)
     );
+}
+
+/// Whether a batch's set is played once or again makes no difference, where sets are of one length.
+#[test]
+fn a_batch_costs_the_gap_and_has_a_least_length() {
+    for name in ["tile-6-mixed", "chip-lut"] {
+        let machine = named(name);
+        let spatial = machine.spatial().unwrap();
+        let (gap, least) = (spatial.batch_gap_clocks(), spatial.least_batch_clocks());
+        for (count, batches) in [(12, 1), (1, 12)] {
+            for groups in [1, 5, 200] {
+                let run = run(&machine, &sets(&machine, count, batches, groups));
+                let firsts = run.results_taken.chunks(spatial.engines());
+                let firsts: Vec<_> = firsts.map(|batch| batch[0] as u32).collect();
+                let expected = (groups as u32 + gap).max(least);
+                assert!(
+                    firsts.windows(2).all(|pair| pair[1] - pair[0] == expected),
+                    "{name}: {firsts:?}"
+                );
+            }
+        }
+    }
 }

@@ -107,6 +107,19 @@ impl Spatial {
         self.latency() + self.cuts.power_latency() + 5
     }
 
+    /// Clocks between the last group of a batch and the first of the next in which no group is played: with a photon
+    /// memory, in two of them it learns that the batch is over, in the third whether the next may start. A set that is
+    /// longer than the one played before it may be waited for besides.
+    pub fn batch_gap_clocks(&self) -> u32 {
+        if self.memory_groups > 0 { 3 } else { 0 }
+    }
+
+    /// The fewest clocks from a batch to the next, however few its groups: the results of two batches must not meet on
+    /// their way back.
+    pub fn least_batch_clocks(&self) -> u32 {
+        HeadSizes::of(self).spacing + self.batch_gap_clocks()
+    }
+
     /// Clocks from a position in an engine's hop register to the decision whether it is in range, in
     /// every engine: those of the slowest kind. Powers enter their hop register so much later.
     pub fn latency(&self) -> u32 {

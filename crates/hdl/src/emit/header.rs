@@ -1,0 +1,194 @@
+//! The comment at the head of an emitted file: what an integrator must know, without any other page.
+//!
+//! It is made of comment lines alone, which are left out of the digests of results.
+
+use photoncube_spec::{Interface, Machine, Port};
+
+use super::modules::split;
+use crate::level::Level;
+
+/// The longest comment line.
+const COLUMNS: usize = 110;
+
+/// The header of a machine's Verilog; a part of it for itself has the first lines alone.
+pub(super) fn header(machine: &Machine, level: Level) -> String {
+    let scope = match level {
+        Level::Machine => String::new(),
+        part => format!(", its {}", part.name()),
+    };
+    let mut text = first_lines(
+        &format!("{}{scope}: {}.", machine.name, machine.summary),
+        machine,
+    );
+    if level != Level::Machine {
+        return text;
+    }
+    let interface = Interface::of(machine);
+    text += "//\n";
+    let width = interface.facts.iter().map(|fact| fact.name.len()).max();
+    for fact in &interface.facts {
+        let name = format!("{:1$}  ", fact.name, width.unwrap_or(0));
+        push(&mut text, &name, &fact.value);
+    }
+    text += &format!(
+        "//\n// Ports of {}; bit 0 is the lowest:\n",
+        machine.module_prefix()
+    );
+    let columns = PortColumns::of(&interface.ports);
+    for port in &interface.ports {
+        push(&mut text, &columns.left(port), &port.meaning);
+    }
+    text += "//\n// Protocol:\n";
+    for rule in &interface.protocol {
+        push(&mut text, "  - ", rule);
+    }
+    text
+}
+
+/// The header of the overrides for an ECP5, whose text is given.
+pub(super) fn override_header(machine: &Machine, overrides: &str) -> String {
+    let top = machine.module_prefix();
+    let modules = split(overrides);
+    let about = format!(
+        "{}: {} modules of {top}.v, made of an ECP5's own cells.",
+        machine.name,
+        modules.len()
+    );
+    let mut text = first_lines(&about, machine);
+    text += "//\n";
+    push(
+        &mut text,
+        "",
+        &format!(
+            "Each replaces the module of that name in {top}.v and is the same function, which \
+             scripts/yosys/ecp5.sh proves. With both files as they are a name is declared twice. Yosys: \
+             read_verilog {top}.v; read_verilog -overwrite {top}_ecp5.v. Elsewhere leave the modules below out \
+             of {top}.v; the cells (CCU2C, LUT4, ...) are those of Lattice's library."
+        ),
+    );
+    text += "//\n";
+    for module in modules {
+        push(&mut text, "  ", &module.name);
+    }
+    text
+}
+
+/// The licence, what it is, and who wrote it.
+pub(super) fn first_lines(about: &str, machine: &Machine) -> String {
+    let mut text = licence();
+    push(&mut text, "", about);
+    text + &format!(
+        "// Written by photoncube {}, `photoncube generate --machine {}`; do not edit.\n",
+        env!("CARGO_PKG_VERSION"),
+        machine.name
+    )
+}
+
+/// The licence of the emitted text.
+pub(super) fn licence() -> String {
+    format!(
+        "// SPDX-License-Identifier: {}\n",
+        env!("CARGO_PKG_LICENSE")
+    )
+}
+
+/// The widths of a table of ports.
+struct PortColumns {
+    kind: usize,
+    name: usize,
+}
+
+impl PortColumns {
+    fn of(ports: &[Port]) -> Self {
+        let longest = |column: fn(&Port) -> String| {
+            let lengths = ports.iter().map(|port| column(port).len());
+            lengths.max().unwrap_or(0)
+        };
+        Self {
+            kind: longest(kind),
+            name: longest(|port| port.name.clone()),
+        }
+    }
+
+    fn left(&self, port: &Port) -> String {
+        let (kind, name) = (kind(port), &port.name);
+        format!("  {kind:0$}  {name:1$}  ", self.kind, self.name)
+    }
+}
+
+/// Such as `input [7:0]`.
+fn kind(port: &Port) -> String {
+    match port.width {
+        1 => port.direction.name().to_owned(),
+        width => format!("{} [{}:0]", port.direction.name(), width - 1),
+    }
+}
+
+/// Adds comment lines: the text behind what stands left of it, and below it where one line is too short.
+fn push(lines: &mut String, left: &str, text: &str) {
+    let mut line = format!("// {left}");
+    let indent = " ".repeat(left.len());
+    let mut is_empty = true;
+    for word in text.split(' ') {
+        if !is_empty && line.len() + 1 + word.len() > COLUMNS {
+            lines.push_str(line.trim_end());
+            lines.push('\n');
+            line = format!("// {indent}");
+            is_empty = true;
+        }
+        if !is_empty {
+            line.push(' ');
+        }
+        line += word;
+        is_empty = false;
+    }
+    lines.push_str(line.trim_end());
+    lines.push('\n');
+}
+
+#[cfg(test)]
+mod tests {
+    use photoncube_spec::{MACHINES, Pins, find_machine};
+
+    use super::*;
+
+    #[test]
+    fn a_header_is_comment_lines_and_names_every_pin() {
+        for machine in MACHINES {
+            let text = header(machine, Level::Machine);
+            for line in text.lines() {
+                assert!(line.starts_with("//") && line.len() <= COLUMNS, "{line}");
+            }
+            let pins = Pins::of(machine);
+            let outputs = &pins.observed[..pins.outputs];
+            for pin in pins.inputs.iter().chain(outputs) {
+                let stem = pin.name.trim_end_matches(|c: char| c.is_ascii_digit());
+                assert!(text.contains(&format!(" {stem}")), "{}", pin.name);
+            }
+        }
+    }
+
+    #[test]
+    fn a_part_has_the_first_lines_alone() {
+        let machine = find_machine("paper").unwrap();
+        assert_eq!(header(machine, Level::Cell).lines().count(), 3);
+    }
+
+    #[test]
+    fn long_text_goes_on_below_its_beginning() {
+        let mut lines = String::new();
+        push(&mut lines, "ab  ", &"word ".repeat(30));
+        let lines: Vec<_> = lines.lines().collect();
+        assert!(lines[0].starts_with("// ab  word word"));
+        assert!(lines[1].starts_with("//     word"));
+        assert!(lines.iter().all(|line| line.len() <= COLUMNS));
+    }
+
+    #[test]
+    fn an_override_names_what_it_replaces() {
+        let machine = find_machine("stream").unwrap();
+        let text = override_header(machine, "module photoncube_stream_sum(a);\nendmodule\n");
+        assert!(text.contains("1 modules of photoncube_stream.v"), "{text}");
+        assert!(text.ends_with("//   photoncube_stream_sum\n"), "{text}");
+    }
+}
