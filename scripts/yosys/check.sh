@@ -1,15 +1,17 @@
 #!/usr/bin/env bash
-# Whether three readers of Verilog take what the generator emits, without a single complaint.
+# Whether four readers of Verilog take what the generator emits, without a single complaint.
 set -euo pipefail
 
 usage() {
     cat <<'USAGE'
 Usage: scripts/yosys/check.sh [FILE...]
 
-Checks emitted Verilog (default: hdl-out/*/*.v but *_ecp5.v); the top module has the name of its file.
+Checks emitted Verilog (default: hdl-out/*/*.v); the top module has the name of its file. Overrides of single
+modules (*_ecp5.v) are no designs: slang reads them with the file beside them, scripts/yosys/ecp5.sh proves them.
   yosys      no missing module, no latch, no loop, no driver conflict, no undriven net
   iverilog   Verilog-2001 with all warnings
   verilator  all warnings but WIDTH, UNUSEDSIGNAL, UNUSEDPARAM and DECLFILENAME
+  slang      Verilog-2005 by the letter, with all warnings; what it says of a width is explained line by line
 A warning is a failure.
 
 Exit codes: 0 all pass; 1 a file fails; 2 bad usage, a missing file or a missing tool.
@@ -25,20 +27,21 @@ by_yosys() {
         select -assert-none t:\$dlatch t:\$adlatch t:\$dlatchsr t:\$sr; flatten; check -assert"
 }
 by_iverilog() { iverilog -g2001 -Wall -s "$2" -o /dev/null "$1"; }
+by_slang() { "$python" "$slang" "$1"; }
 by_verilator() { verilator --lint-only -Wall "${WAIVED[@]}" --top-module "$2" "$1"; }
 
 # shellcheck source=scripts/yosys/common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 read_options "$@"
 
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+slang=$here/slang.py
+python=$("$here/../setup.sh" --where)/python || exit 2
 files=("$@")
 if (($# == 0)); then
     cd "$(dirname "${BASH_SOURCE[0]}")/../.."
     shopt -s nullglob
-    # Second texts of single modules are no designs; scripts/yosys/ecp5.sh is for them.
-    for file in hdl-out/*/*.v; do
-        [[ $file == *_ecp5.v ]] || files+=("$file")
-    done
+    files=(hdl-out/*/*.v)
     if ((${#files[@]} == 0)); then
         echo "check: found no hdl-out/*/*.v, expected one for each machine; write them with \`cargo run --release -- generate\`" >&2
         exit 2
@@ -53,11 +56,12 @@ for file in "${files[@]}"; do
     fi
 done
 
-# What the three say of a file; fails if one complains.
+# What the four say of a file; fails if one complains.
 check_file() {
-    local file=$1 top said tool bad=()
+    local file=$1 top said tool bad=() tools=(yosys iverilog verilator slang)
     top=$(basename "$file" .v)
-    for tool in yosys iverilog verilator; do
+    [[ $file == *_ecp5.v ]] && tools=(slang)
+    for tool in "${tools[@]}"; do
         # A tool that says anything has complained, whatever it returns.
         if ! said=$("by_$tool" "$file" "$top" 2>&1) || [[ -n $said ]]; then
             bad+=("$tool")
@@ -65,7 +69,7 @@ check_file() {
         fi
     done
     if ((${#bad[@]} == 0)); then
-        printf 'pass  %s (yosys, iverilog, verilator)\n' "$file"
+        printf 'pass  %s (%s)\n' "$file" "${tools[*]}"
     else
         printf 'FAIL  %s (%s)\n' "$file" "${bad[*]}"
         return 1

@@ -8,9 +8,8 @@ Usage: scripts/yosys/scripts.sh [--full] [FILE...]
 
 Runs Yosys scripts (default: hdl-out/*/*.ys) with each Yosys that there is: the one on the PATH, and that of
 `scripts/setup.sh --where`, which `photoncube synth` measures with. Each script runs as it is, but its step
-`synth_ecp5` ends when all modules are found, flattened and lowered to registers and operators: what follows
-is Yosys's own work, and takes minutes for the larger machines. That a script can fail is shown on one
-whose design lacks a module.
+`synth_ecp5` ends when it has read the cells and found every module: what follows is Yosys's own work, and
+takes minutes for the larger machines. That a script can fail is shown on one whose design lacks a module.
 
   --full   map to the end
 
@@ -20,7 +19,7 @@ USAGE
 
 # shellcheck source=scripts/yosys/common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
-last=' -run begin:map_ram'
+last=' -run begin:coarse'
 if [[ ${1-} == --full ]]; then
     last=
     shift
