@@ -7,9 +7,11 @@ use photoncube_spec::{MACHINES, Machine};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
+use crate::digests::{self, Digests};
+use crate::failure::CheckFailed;
 use crate::synth::cells::Figure;
 use crate::synth::clock::{Clock, clocks};
-use crate::synth::figures::{AreaRow, Figured, PlaceRow};
+use crate::synth::figures::{AreaRow, Figured, PlaceRow, Row};
 use crate::synth::flow::Flow;
 use crate::synth::place::{self, DEFAULT_GRADES};
 
@@ -69,6 +71,9 @@ pub struct Measured {
     pub vectors_compared: Option<u64>,
     /// The simulators that were found equal to the golden model.
     pub verified_against: String,
+    /// The files in `docs/measured` whose figures of this machine are about other Verilog than today's, and so are
+    /// left out here.
+    pub stale: Vec<String>,
 }
 
 const SYNTHESIS: &str = include_str!("../../../docs/measured/synthesis.json");
@@ -135,6 +140,7 @@ struct Proof {
 #[derive(Deserialize)]
 struct Device {
     device: String,
+    verilog_sha256: Option<String>,
     iterations: u64,
     signals_per_vector: usize,
     vectors_compared: u64,
@@ -143,22 +149,42 @@ struct Device {
 impl Measured {
     /// What was measured of that machine.
     pub fn of(machine: &Machine) -> Result<Self> {
-        let rows = synthesis()?.rows;
-        let areas: Vec<_> = rows
-            .into_iter()
-            .filter(|row| row.machine == machine.name)
-            .collect();
+        Self::about(machine, digests::committed()?.get(machine.name))
+    }
+
+    /// What was measured of that machine and is about the Verilog of these digests.
+    fn about(machine: &Machine, today: Option<&Digests>) -> Result<Self> {
+        let mut stale = Vec::new();
+        let areas = rows_about(synthesis()?, machine, today).unwrap_or_else(|| {
+            stale.push("synthesis.json".to_owned());
+            Vec::new()
+        });
+        let placed = rows_about(placement()?, machine, today).unwrap_or_else(|| {
+            stale.push("place.json".to_owned());
+            Vec::new()
+        });
         let run: Option<Run> = of_machine("run", RUNS, machine)?;
         let random: Option<Proof> = of_machine("verify", VERIFICATIONS, machine)?;
-        let proofs = [
-            ("groups of a scene", run.as_ref().map(|run| &run.proof)),
-            ("random groups", random.as_ref()),
+        let mut proofs = vec![
+            (
+                "run",
+                "groups of a scene",
+                run.as_ref().map(|run| &run.proof),
+            ),
+            ("verify", "random groups", random.as_ref()),
         ];
+        proofs.retain(|(kind, _, proof)| match proof {
+            Some(proof) if !proof.is_about(today) => {
+                stale.push(format!("{kind}-{}.json", machine.name));
+                false
+            }
+            _ => true,
+        });
         let proofs: Vec<_> = proofs
             .into_iter()
-            .filter_map(|(what, proof)| Some((what, proof?)))
+            .filter_map(|(_, what, proof)| Some((what, proof?)))
             .collect();
-        let fmax_by_grade = clocks_of(machine.name)?;
+        let fmax_by_grade = clocks(&placed);
         Ok(Self {
             area_without_dsp: Area::of(&areas, Flow::Ecp5Nodsp),
             area_with_dsp: Area::of(&areas, Flow::Ecp5),
@@ -176,8 +202,43 @@ impl Measured {
                     .collect::<Vec<_>>()
                     .join("; "),
             },
+            stale,
         })
     }
+}
+
+/// The rows about a machine; `None` where there are some and they are about other Verilog.
+fn rows_about<R: Row>(
+    file: Figured<R>,
+    machine: &Machine,
+    today: Option<&Digests>,
+) -> Option<Vec<R>> {
+    let digest = file.verilog_sha256.get(machine.name);
+    let rows = file.rows.into_iter();
+    let rows: Vec<_> = rows.filter(|row| row.group().machine == machine.name).collect();
+    let is_fresh = digest == today.map(|digests| &digests.ecp5_sha256);
+    (rows.is_empty() || is_fresh).then_some(rows)
+}
+
+/// Fails where a committed figure is about other Verilog than today's, and names the files.
+///
+/// # Errors
+/// There is one.
+pub fn refuse_stale() -> Result<()> {
+    let mut stale = Vec::new();
+    for machine in MACHINES {
+        let files = Measured::of(machine)?.stale.into_iter();
+        stale.extend(files.map(|file| format!("{} in docs/measured/{file}", machine.name)));
+    }
+    if stale.is_empty() {
+        return Ok(());
+    }
+    Err(CheckFailed(format!(
+        "these figures are about other Verilog than that in hdl-out and are left out; scripts/measure.sh measures \
+         them anew: {}",
+        stale.join(", ")
+    ))
+    .into())
 }
 
 impl Measured {
@@ -234,19 +295,14 @@ pub fn fmax_source() -> Result<String> {
     source(&placement()?)
 }
 
-/// LUTs, and what takes the place of LUTs, on ECP5 without DSP blocks; none if not measured.
+/// LUTs, and what takes the place of LUTs, on ECP5 without DSP blocks; none if not measured. Of any Verilog: it is for
+/// plans of work alone.
 pub fn lut4_equivalents(machine: &str) -> Result<Option<u64>> {
     let rows = synthesis()?.rows;
     let row = rows
         .iter()
         .find(|row| row.machine == machine && row.flow == Flow::Ecp5Nodsp);
     Ok(row.and_then(|row| row.figures.get(&Figure::Lut4Equivalents).copied()))
-}
-
-fn clocks_of(machine: &str) -> Result<Vec<Clock>> {
-    let mut clocks = clocks(&placement()?.rows);
-    clocks.retain(|clock| clock.machine == machine);
-    Ok(clocks)
 }
 
 fn synthesis() -> Result<Figured<AreaRow>> {
@@ -302,6 +358,13 @@ fn rms_relative_error(machine: &Machine) -> Result<Option<f64>> {
 }
 
 impl Proof {
+    /// Whether every device had the Verilog of these digests in it.
+    fn is_about(&self, today: Option<&Digests>) -> bool {
+        let today = today.map(|digests| &digests.verilog_sha256);
+        let mut devices = self.devices.iter();
+        today.is_some() && devices.all(|device| device.verilog_sha256.as_ref() == today)
+    }
+
     /// What was compared, of those groups, where, and what came of it.
     fn text(&self, groups: &str) -> String {
         let devices: Vec<_> = self.devices.iter().map(|d| d.device.as_str()).collect();
@@ -319,7 +382,7 @@ impl Proof {
 
 #[cfg(test)]
 mod tests {
-    use photoncube_spec::Pins;
+    use photoncube_spec::{Pins, find_machine};
 
     use super::*;
 
@@ -345,7 +408,7 @@ mod tests {
 
     #[test]
     fn a_machine_that_was_not_placed_has_no_clock() {
-        let fmax = Fmax::of(&clocks_of("pentium").unwrap());
+        let fmax = Fmax::of(&[]);
         assert_eq!(fmax.fmax_mhz, None);
         assert_eq!(fmax.device, None);
         assert_eq!(fmax.speed_grade, None);
@@ -366,6 +429,39 @@ mod tests {
                 assert_eq!(device.signals_per_vector, signals, "{name}");
             }
         }
+    }
+
+    #[test]
+    fn figures_about_other_verilog_are_left_out_and_named() {
+        let machine = find_machine("stream").unwrap();
+        let today = &digests::committed().unwrap()["stream"];
+        let fresh = Measured::about(machine, Some(today)).unwrap();
+        assert_eq!(fresh.stale, [""; 0]);
+        assert!(fresh.fmax.fmax_mhz.is_some() && !fresh.areas.is_empty());
+        assert!(fresh.vectors_compared.is_some());
+        let other = Digests {
+            verilog_sha256: "00".to_owned(),
+            ecp5_sha256: "00".to_owned(),
+        };
+        for today in [Some(&other), None] {
+            let stale = Measured::about(machine, today).unwrap();
+            let files = [
+                "synthesis.json",
+                "place.json",
+                "run-stream.json",
+                "verify-stream.json",
+            ];
+            assert_eq!(stale.stale, files);
+            assert_eq!(stale.fmax.fmax_mhz, None);
+            assert!(stale.areas.is_empty() && stale.area_without_dsp.is_none());
+            assert_eq!(stale.vectors_compared, None);
+            assert_eq!(stale.verified_against, "not measured");
+        }
+    }
+
+    #[test]
+    fn no_committed_figure_is_stale() {
+        refuse_stale().unwrap();
     }
 
     #[test]

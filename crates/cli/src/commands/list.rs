@@ -68,7 +68,8 @@ struct MachineRow {
 pub fn execute(json: bool) -> Result<()> {
     let report = report()?;
     let fmax_source = measured::fmax_source()?;
-    output::print(json, &report, || text(&report, &fmax_source))
+    output::print(json, &report, || text(&report, &fmax_source))?;
+    measured::refuse_stale()
 }
 
 fn report() -> Result<Report> {
