@@ -4,7 +4,9 @@ use anyhow::Result;
 use photoncube_render::{
     FieldNeed, Fit, FitOptions, Measurement, Prediction, Scene, Trial, covering, field_needs, fit,
 };
-use photoncube_spec::{FormatWidths, MACHINES, Machine, PhotonFormat};
+use photoncube_spec::{
+    Channels, Exponent, FormatWidths, MACHINES, Machine, PhotonFormat, Rounding,
+};
 use serde::Serialize;
 
 use crate::failure::CheckFailed;
@@ -50,6 +52,18 @@ pub struct MachineChoice {
     pub measurement: Measurement,
     /// What it has more of than the scene needs.
     pub wider: Vec<FieldNeed>,
+    /// Its photon tests a second at the clock of the fastest speed grade that was measured; none if none was.
+    pub photon_tests_per_second: Option<f64>,
+}
+
+/// The machines for a scene: both cover the fitted format, and are measured below the bound. They may be one.
+#[derive(Clone, Debug)]
+pub struct Choices {
+    /// The smallest machine of exactly the fitted format; where there is none, that with the fewest bits of a stored
+    /// photon. Of several the one with the least area.
+    pub smallest: MachineChoice,
+    /// The machine with the most photon tests a second.
+    pub fastest: MachineChoice,
 }
 
 /// Fits a scene, with a spinner.
@@ -60,61 +74,94 @@ pub fn fit_with_spinner(scene: &Scene, options: &FitOptions) -> Result<Fit> {
     Ok(found)
 }
 
-/// The smallest machine that is nowhere narrower than the format and whose own format is measured
-/// below the bound; none where no machine is.
-pub fn choose(fit: &Fit, options: &FitOptions, needed: &Trial) -> Result<Option<MachineChoice>> {
-    for (machine, format) in by_size(covering(MACHINES, &needed.format).collect())? {
-        let measurement = match *format == needed.format {
-            true => needed.measured,
-            false => fit.measure(format)?,
-        };
-        if measurement.error_over_noise <= options.noise_ratio {
-            let needs = field_needs(format, &needed.format).into_iter();
-            return Ok(Some(MachineChoice {
-                machine,
-                format: *format,
-                measurement,
-                wider: needs.filter(|need| need.found > need.needed).collect(),
-            }));
+/// The machines for the needed format; none where no machine covers it and is below the bound.
+pub fn choose(fit: &Fit, options: &FitOptions, needed: &Trial) -> Result<Option<Choices>> {
+    let candidates = candidates(needed)?;
+    let below_bound = |candidates: Vec<Candidate>| -> Result<Option<MachineChoice>> {
+        for candidate in candidates {
+            let choice = candidate.measured(fit, needed)?;
+            if choice.measurement.error_over_noise <= options.noise_ratio {
+                return Ok(Some(choice));
+            }
         }
-    }
-    Ok(None)
+        Ok(None)
+    };
+    let smallest = below_bound(by_size(candidates.clone(), &needed.format))?;
+    let fastest = below_bound(by_speed(candidates))?;
+    Ok(smallest
+        .zip(fastest)
+        .map(|(smallest, fastest)| Choices { smallest, fastest }))
 }
 
-type Covering = (&'static Machine, &'static PhotonFormat);
+/// A machine that covers the needed format, with what it is chosen by.
+#[derive(Clone, Debug)]
+struct Candidate {
+    machine: &'static Machine,
+    format: PhotonFormat,
+    lut4_equivalents: Option<u64>,
+    photon_tests_per_second: Option<f64>,
+}
 
-/// The smallest first: by area where that is measured of all of them, else by memory, then by the
-/// widths of squarer and adders.
-fn by_size(machines: Vec<Covering>) -> Result<Vec<Covering>> {
-    let mut rows = Vec::new();
-    for (machine, format) in machines {
-        let area = Measured::of(machine)?.area_without_dsp;
-        rows.push((area.map(|area| area.lut4_equivalents), machine, format));
+impl Candidate {
+    /// With the error of its own format.
+    fn measured(self, fit: &Fit, needed: &Trial) -> Result<MachineChoice> {
+        let measurement = match self.format == needed.format {
+            true => needed.measured,
+            false => fit.measure(&self.format)?,
+        };
+        let needs = field_needs(&self.format, &needed.format).into_iter();
+        Ok(MachineChoice {
+            machine: self.machine,
+            format: self.format,
+            measurement,
+            wider: needs.filter(|need| need.found > need.needed).collect(),
+            photon_tests_per_second: self.photon_tests_per_second,
+        })
     }
-    let all_measured = rows.iter().all(|(area, ..)| area.is_some());
-    rows.sort_by_key(|(area, _, format)| {
-        let widths = FormatWidths::of(format);
-        let area = area.filter(|_| all_measured);
+}
+
+fn candidates(needed: &Trial) -> Result<Vec<Candidate>> {
+    let covering = covering(MACHINES, &needed.format);
+    let candidate = |(machine, format): (&'static Machine, &PhotonFormat)| {
+        let measured = Measured::of(machine)?;
+        let rate = |mhz: f64| machine.photon_tests_per_clock() * mhz * 1e6;
+        Ok(Candidate {
+            machine,
+            format: *format,
+            photon_tests_per_second: measured.fastest().map(|clock| rate(clock.fmax_mhz)),
+            lut4_equivalents: measured.area_without_dsp.map(|area| area.lut4_equivalents),
+        })
+    };
+    covering.map(candidate).collect()
+}
+
+/// The smallest first: those of exactly the format, then by the bits of a stored photon, then by area; one whose area was
+/// not measured counts as larger.
+fn by_size(mut candidates: Vec<Candidate>, needed: &PhotonFormat) -> Vec<Candidate> {
+    candidates.sort_by_key(|candidate| {
         (
-            area,
-            widths.bits_per_photon,
-            widths.difference,
-            widths.power,
+            candidate.format != *needed,
+            FormatWidths::of(&candidate.format).bits_per_photon,
+            candidate.lut4_equivalents.unwrap_or(u64::MAX),
         )
     });
-    Ok(rows
-        .into_iter()
-        .map(|(_, machine, format)| (machine, format))
-        .collect())
+    candidates
+}
+
+/// The fastest first; one whose clock was not measured counts as slower.
+fn by_speed(mut candidates: Vec<Candidate>) -> Vec<Candidate> {
+    let rate = |candidate: &Candidate| candidate.photon_tests_per_second.unwrap_or(0.0);
+    candidates.sort_by(|a, b| rate(b).total_cmp(&rate(a)));
+    candidates
 }
 
 /// The same where there must be both; what is missing is a failed check.
-pub fn format_and_machine(fit: &Fit, options: &FitOptions) -> Result<(Trial, MachineChoice)> {
+pub fn format_and_machines(fit: &Fit, options: &FitOptions) -> Result<(Trial, Choices)> {
     let Some(trial) = &fit.chosen else {
         return Err(CheckFailed(no_format(options)).into());
     };
     match choose(fit, options, trial)? {
-        Some(choice) => Ok((trial.clone(), choice)),
+        Some(choices) => Ok((trial.clone(), choices)),
         None => Err(CheckFailed(no_machine(&trial.format)).into()),
     }
 }
@@ -138,32 +185,140 @@ pub fn no_machine(format: &PhotonFormat) -> String {
 /// What to write where for a machine of exactly this format.
 pub fn row_to_add(format: &PhotonFormat) -> String {
     format!(
-        "add a row to MACHINES in crates/spec/src/machine.rs with\n    \
-         numbers: Numbers::Local({format:?})\nand, where its widths are new, a row to the table in \
-         crates/hdl/src/build.rs"
+        "add this row to MACHINES in crates/spec/src/machines.rs:\n\n{}\nand, where its widths are new, a row to the \
+         table in crates/hdl/src/build.rs",
+        row(
+            "fit-own",
+            "16 cells, the photon format that `fit` finds for a scene of one's own",
+            format
+        )
+    )
+}
+
+/// A sequential machine of that format, as `machines.rs` has it.
+fn row(name: &str, summary: &str, format: &PhotonFormat) -> String {
+    let power = format.power;
+    let channels = match power.channels {
+        Channels::Rgb => "Rgb",
+        Channels::Mono => "Mono",
+    };
+    let exponent = match power.exponent {
+        Exponent::None => "None".to_owned(),
+        Exponent::Photon { bits } => format!("Photon {{ bits: {bits} }}"),
+        Exponent::Block { bits } => format!("Block {{ bits: {bits} }}"),
+    };
+    let rounding = match power.rounding {
+        Rounding::Nearest => "Nearest",
+        Rounding::Dithered => "Dithered",
+    };
+    let photons = match format.max_photons.is_power_of_two() {
+        true => format!("1 << {}", format.max_photons.ilog2()),
+        false => format.max_photons.to_string(),
+    };
+    format!(
+        "    Machine {{
+        name: \"{name}\",
+        summary: \"{summary}\",
+        organisation: Organisation::Sequential,
+        dimension: 4,
+        numbers: Numbers::Local(PhotonFormat {{
+            position_bits: {},
+            query_extra_bits: {},
+            power: PowerFormat {{
+                channels: Channels::{channels},
+                mantissa_bits: {},
+                exponent: Exponent::{exponent},
+                rounding: Rounding::{rounding},
+            }},
+            max_photons: {photons},
+        }}),
+        squarer: Squarer::Digits,
+    }},
+",
+        format.position_bits, format.query_extra_bits, power.mantissa_bits,
     )
 }
 
 #[cfg(test)]
 mod tests {
-    use photoncube_spec::find_photon_format;
+    use photoncube_spec::{find_machine, find_photon_format};
 
     use super::*;
 
+    fn candidate(name: &str) -> Candidate {
+        let machine = find_machine(name).unwrap();
+        Candidate {
+            machine,
+            format: *machine.format().unwrap(),
+            lut4_equivalents: Some(1),
+            photon_tests_per_second: Some(1.0),
+        }
+    }
+
+    fn names(candidates: &[Candidate]) -> Vec<&str> {
+        candidates.iter().map(|c| c.machine.name).collect()
+    }
+
     #[test]
-    fn the_smallest_machine_is_first_and_the_row_to_add_is_a_format() {
-        let needed = find_photon_format("local4-mono1-n1").unwrap();
-        let machines = by_size(covering(MACHINES, &needed).collect()).unwrap();
-        assert!(machines.len() > 1);
-        assert!(
-            machines
-                .iter()
-                .all(|(machine, _)| machine.plain().is_none())
+    fn a_machine_of_exactly_the_format_is_smaller_than_any_other() {
+        let needed = *find_machine("fit-cornell").unwrap().format().unwrap();
+        let exact = Candidate {
+            lut4_equivalents: Some(9999),
+            ..candidate("fit-cornell")
+        };
+        let stream = candidate("stream");
+        assert_eq!(
+            names(&by_size(vec![stream, exact], &needed)),
+            ["fit-cornell", "stream"]
         );
-        let row = row_to_add(&needed);
+    }
+
+    #[test]
+    fn without_an_exact_machine_bits_decide_before_area() {
+        let needed = find_photon_format("local4-mono1-n1").unwrap();
+        let stream = candidate("stream");
+        let tile = Candidate {
+            lut4_equivalents: Some(2),
+            ..candidate("tile-4")
+        };
+        let unmeasured = Candidate {
+            lut4_equivalents: None,
+            ..candidate("tile-5")
+        };
+        let sorted = by_size(vec![stream, unmeasured, tile], &needed);
+        assert_eq!(names(&sorted), ["tile-4", "tile-5", "stream"]);
+    }
+
+    #[test]
+    fn a_machine_without_a_clock_is_the_slowest() {
+        let slow = candidate("tile-4");
+        let fast = Candidate {
+            photon_tests_per_second: Some(2.0),
+            ..candidate("stream")
+        };
+        let unmeasured = Candidate {
+            photon_tests_per_second: None,
+            ..candidate("tile-5")
+        };
+        let sorted = by_speed(vec![unmeasured, slow, fast]);
+        assert_eq!(names(&sorted), ["stream", "tile-4", "tile-5"]);
+    }
+
+    /// The row that is proposed is text of the source, where there is such a machine.
+    #[test]
+    fn the_row_to_add_is_a_row_of_the_source() {
+        let source = include_str!("../../spec/src/machines.rs");
+        for name in ["fit-cornell", "fit-ring", "fit-range"] {
+            let machine = find_machine(name).unwrap();
+            let row = row(name, machine.summary, machine.format().unwrap());
+            assert!(source.contains(&row), "{row}");
+        }
+        let format = find_photon_format("local6x1-rgb4b5d-n5000").unwrap();
+        let row = row_to_add(&format);
         assert!(
-            row.contains("position_bits: 4") && row.contains("channels: Mono"),
+            row.contains("exponent: Exponent::Block { bits: 5 }"),
             "{row}"
         );
+        assert!(row.contains("max_photons: 5000,"), "{row}");
     }
 }

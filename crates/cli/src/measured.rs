@@ -215,7 +215,9 @@ fn rows_about<R: Row>(
 ) -> Option<Vec<R>> {
     let digest = file.verilog_sha256.get(machine.name);
     let rows = file.rows.into_iter();
-    let rows: Vec<_> = rows.filter(|row| row.group().machine == machine.name).collect();
+    let rows: Vec<_> = rows
+        .filter(|row| row.group().machine == machine.name)
+        .collect();
     let is_fresh = digest == today.map(|digests| &digests.ecp5_sha256);
     (rows.is_empty() || is_fresh).then_some(rows)
 }

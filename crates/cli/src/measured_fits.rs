@@ -26,6 +26,7 @@ pub struct FitRow {
     format: String,
     bits_per_photon: u32,
     machine: String,
+    fastest: String,
     predicted_error_over_noise: f64,
     error_over_noise: f64,
     error_over_noise_low: f64,
@@ -41,6 +42,7 @@ struct Fit {
     fitted: Format,
     removals: Vec<Format>,
     machine: Machine,
+    fastest: Machine,
 }
 
 #[derive(Deserialize)]
@@ -88,6 +90,7 @@ impl FitRow {
             format: fit.fitted.format,
             bits_per_photon: fit.fitted.bits_per_photon,
             machine: fit.machine.machine,
+            fastest: fit.fastest.machine,
             predicted_error_over_noise: fit.fitted.prediction.error_over_noise,
             error_over_noise: measured.error_over_noise,
             error_over_noise_low: measured.error_over_noise_low,
@@ -109,6 +112,7 @@ impl FitRow {
             ),
             ratio(self.one_bit_less_error_over_noise),
             self.machine.clone(),
+            self.fastest.clone(),
         ]
     }
 }
@@ -122,7 +126,8 @@ pub fn fit_table(rows: &[FitRow]) -> String {
         "error / noise, predicted",
         "measured (95 %)",
         "with a bit less, at least",
-        "machine",
+        "smallest machine",
+        "fastest machine",
     ];
     table::markdown(&header, &rows.iter().map(FitRow::cells).collect::<Vec<_>>())
 }

@@ -88,8 +88,6 @@ pub struct LaneVerdict {
     pub vectors_compared: u64,
     /// Signals in a vector.
     pub signals_per_vector: usize,
-    /// Vectors that were not equal: 0, as the first one ends it with an error.
-    pub mismatches: u64,
 }
 
 /// Compares the lanes of a machine in a device; `progress` is told the part that is done.
@@ -180,7 +178,6 @@ fn compare_run(
         photon_tests: tests as u64,
         vectors_compared: verdict.vectors_compared,
         signals_per_vector: verdict.signals_per_vector,
-        mismatches: verdict.mismatches,
     })
 }
 

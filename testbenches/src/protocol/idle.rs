@@ -110,7 +110,6 @@ pub(super) fn verify_idle(
         // Unknown, zeros, ones.
         vectors_compared: 3 * block.clocks as u64,
         signals_per_vector: pins.observed.len(),
-        mismatches: 0,
         known_after_reset: Vec::new(),
     })
 }

@@ -101,7 +101,6 @@ pub(super) fn verify_power_up(
         results_compared: block.results,
         vectors_compared: block.clocks as u64,
         signals_per_vector: pins.observed.len(),
-        mismatches: 0,
         known_after_reset: found.known_after_reset.into_iter().collect(),
     })
 }

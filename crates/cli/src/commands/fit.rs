@@ -8,13 +8,14 @@ use std::time::Instant;
 
 use anyhow::Result;
 use photoncube_render::{FieldNeed, Fit, FitOptions, Measurement, Removal, SceneFacts};
+use photoncube_spec::MACHINES;
 use serde::Serialize;
 
 use self::comparison::Compared;
 use self::left_out::LeftOut;
 use crate::args::FitArgs;
 use crate::failure::CheckFailed;
-use crate::fitted::{self, FormatRow, MachineChoice};
+use crate::fitted::{self, Choices, FormatRow, MachineChoice};
 use crate::{output, scenes};
 
 #[derive(Serialize)]
@@ -38,7 +39,10 @@ struct Report {
     left_out: Vec<LeftOut>,
     /// The fitted format, its machine, and what they are held against.
     comparison: Vec<Compared>,
+    /// The smallest machine for it.
     machine: Option<MachineRow>,
+    /// The fastest machine within the bound.
+    fastest: Option<MachineRow>,
     /// What to write where for a machine of exactly the fitted format; none where there is one.
     row_to_add: Option<String>,
     /// The command to go on with.
@@ -61,6 +65,7 @@ struct MachineRow {
     bits_per_photon: u32,
     measurement: Measurement,
     wider_than_needed: Vec<FieldNeed>,
+    photon_tests_per_second_at_fmax: Option<f64>,
 }
 
 /// Fits a scene; ends 1 where no format or no machine meets the ratio.
@@ -69,14 +74,14 @@ pub fn execute(args: &FitArgs, json: bool) -> Result<()> {
     let options = args.options();
     let scene = scenes::load(&args.scene)?;
     let fit = fitted::fit_with_spinner(&scene, &options)?;
-    let choice = match &fit.chosen {
+    let choices = match &fit.chosen {
         Some(chosen) => fitted::choose(&fit, &options, chosen)?,
         None => None,
     };
-    let mut report = report(args, &options, &fit, choice.as_ref())?;
+    let mut report = report(args, &options, &fit, choices.as_ref())?;
     report.seconds = start.elapsed().as_secs_f64();
     output::print(json, &report, || text::text(&report))?;
-    match (&fit.chosen, &choice) {
+    match (&fit.chosen, &choices) {
         (None, _) => Err(CheckFailed(fitted::no_format(&options)).into()),
         (Some(chosen), None) => Err(CheckFailed(fitted::no_machine(&chosen.format)).into()),
         (Some(_), Some(_)) => Ok(()),
@@ -87,10 +92,11 @@ fn report(
     args: &FitArgs,
     options: &FitOptions,
     fit: &Fit,
-    choice: Option<&MachineChoice>,
+    choices: Option<&Choices>,
 ) -> Result<Report> {
     let chosen = fit.chosen.as_ref();
-    let is_exact = |choice: &MachineChoice| chosen.is_some_and(|c| c.format == choice.format);
+    let smallest = choices.map(|choices| &choices.smallest);
+    let fastest = choices.map(|choices| &choices.fastest);
     Ok(Report {
         scene: args.scene.clone(),
         seed: args.seed,
@@ -108,14 +114,15 @@ fn report(
         removals: fit.removals.iter().map(RemovalRow::of).collect(),
         left_out: chosen.map_or_else(Vec::new, |c| left_out::left_out(c, &fit.facts)),
         comparison: match chosen {
-            Some(chosen) => comparison::comparison(&chosen.format, choice)?,
+            Some(chosen) => comparison::comparison(&chosen.format, choices)?,
             None => Vec::new(),
         },
-        machine: choice.map(MachineRow::of),
+        machine: smallest.map(MachineRow::of),
+        fastest: fastest.map(MachineRow::of),
         row_to_add: chosen
-            .filter(|_| !choice.is_some_and(is_exact))
+            .filter(|chosen| MACHINES.iter().all(|m| m.format() != Some(&chosen.format)))
             .map(|chosen| fitted::row_to_add(&chosen.format)),
-        next: choice.map(|choice| next(args, choice)),
+        next: smallest.map(|choice| next(args, choice)),
         seconds: 0.0,
     })
 }
@@ -145,6 +152,7 @@ impl MachineRow {
             bits_per_photon: choice.machine.bits_per_photon(),
             measurement: choice.measurement,
             wider_than_needed: choice.wider.clone(),
+            photon_tests_per_second_at_fmax: choice.photon_tests_per_second,
         }
     }
 }

@@ -42,7 +42,8 @@ struct Report {
     clocks: Option<u64>,
     /// On emitted Verilog alone: rust-hdl's own simulation is not counted.
     vectors_compared: u64,
-    mismatches: u64,
+    mismatches: usize,
+    divergence: Option<String>,
     devices: Vec<Verdict>,
     devices_not_found: Vec<NotFound>,
     /// The golden model's picture against the f64 reference's, rms over pixels and channels.
@@ -124,7 +125,8 @@ pub fn execute(args: &RunArgs, json: bool) -> Result<()> {
         photon_tests_per_clock: machine.photon_tests_per_clock(),
         clocks: machine.workload_clocks(stats.query_points, stats.photon_groups),
         vectors_compared: proof.on_verilog().map(|v| v.vectors_compared).sum(),
-        mismatches: proof.verdicts.iter().map(|v| v.mismatches).sum(),
+        mismatches: proof.divergence.iter().count(),
+        divergence: proof.divergence.clone(),
         devices: proof.verdicts,
         devices_not_found: proof.not_found,
         distance,
@@ -136,7 +138,11 @@ pub fn execute(args: &RunArgs, json: bool) -> Result<()> {
     };
     let summary = serde_json::to_string_pretty(&report)? + "\n";
     files::write(&args.out.join("run.json"), summary.as_bytes())?;
-    output::print(json, &report, || text(&report))
+    output::print(json, &report, || text(&report))?;
+    match report.divergence {
+        None => Ok(()),
+        Some(divergence) => Err(CheckFailed(divergence).into()),
+    }
 }
 
 fn timed<T>(seconds: &mut f64, work: impl FnOnce() -> Result<T>) -> Result<T> {
@@ -158,6 +164,8 @@ fn emit(machine: &Machine, out: &Path) -> Result<String> {
 struct Proof {
     verdicts: Vec<Verdict>,
     not_found: Vec<NotFound>,
+    /// The first difference, at which the proof ends.
+    divergence: Option<String>,
 }
 
 impl Proof {
@@ -181,6 +189,7 @@ fn prove(args: &RunArgs, machine: &Machine, traced: &Traced) -> Result<Proof> {
     let mut proof = Proof {
         verdicts: Vec::new(),
         not_found: Vec::new(),
+        divergence: None,
     };
     let repeat = format!(
         "photoncube run {} --machine {} --seed {}",
@@ -209,7 +218,8 @@ fn prove(args: &RunArgs, machine: &Machine, traced: &Traced) -> Result<Proof> {
         match verify_with_bar(machine, device, &options) {
             Ok(verdict) => proof.verdicts.push(verdict),
             Err(VerifyError::Diverged(divergence)) => {
-                return Err(CheckFailed(divergence.to_string()).into());
+                proof.divergence = Some(divergence.to_string());
+                break;
             }
             Err(error) => return Err(error.into()),
         }

@@ -4,7 +4,7 @@ use anyhow::Result;
 use photoncube_spec::{MACHINES, Machine, Numbers, PHOTON_FORMATS, PhotonFormat, Widths};
 use serde::Serialize;
 
-use crate::fitted::MachineChoice;
+use crate::fitted::Choices;
 use crate::measured::Measured;
 
 /// A machine, or one that there could be.
@@ -38,9 +38,9 @@ pub struct Compared {
     pub photons_per_iteration: usize,
 }
 
-/// The fitted format, the machine that is taken for it where that is another, the default format's
+/// The fitted format, the machines that are taken for it where these are others, the default format's
 /// machine, and the paper's.
-pub fn comparison(fitted: &PhotonFormat, choice: Option<&MachineChoice>) -> Result<Vec<Compared>> {
+pub fn comparison(fitted: &PhotonFormat, choices: Option<&Choices>) -> Result<Vec<Compared>> {
     let paper = &MACHINES[0];
     let default = (MACHINES.iter()).find(|machine| machine.format() == Some(&PHOTON_FORMATS[0]));
     let exact = MACHINES
@@ -55,8 +55,10 @@ pub fn comparison(fitted: &PhotonFormat, choice: Option<&MachineChoice>) -> Resu
         name: exact.map_or("fitted", |machine| machine.name).to_owned(),
         ..compared(&own, exact, fitted)?
     }];
-    let others = [choice.map(|choice| choice.machine), default, Some(paper)];
-    for machine in others.into_iter().flatten() {
+    let taken = choices.map(|choices| [choices.smallest.machine, choices.fastest.machine]);
+    let others = taken.into_iter().flatten().map(Some);
+    let others = others.chain([default, Some(paper)]);
+    for machine in others.flatten() {
         if rows.iter().all(|row| row.name != machine.name) {
             rows.push(compared(machine, Some(machine), fitted)?);
         }

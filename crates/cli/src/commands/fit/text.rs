@@ -22,8 +22,9 @@ pub fn text(report: &Report) -> String {
         text += "\nWhat that saves (area in LUT4 equivalents, no DSP):\n";
         text += &comparison(&report.comparison);
     }
-    if let Some(machine) = &report.machine {
-        text += &machine_line(machine);
+    if let (Some(smallest), Some(fastest)) = (&report.machine, &report.fastest) {
+        text += &format!("\nsmallest machine {}\n", machine_line(smallest));
+        text += &format!("fastest within the bound {}\n", machine_line(fastest));
     }
     if let Some(row) = &report.row_to_add {
         text += &format!("for a machine of exactly this format, {row}\n");
@@ -176,8 +177,12 @@ fn machine_line(row: &MachineRow) -> String {
         true => "exactly as wide as needed".to_owned(),
         false => format!("wider than needed: {}", wider.join(", ")),
     };
+    let rate = match row.photon_tests_per_second_at_fmax {
+        Some(rate) => format!("{:.3} G photon tests a second", rate / 1e9),
+        None => "no clock measured".to_owned(),
+    };
     format!(
-        "\nmachine {} ({}): {wider}; error / noise {:.4}\n",
+        "{} ({}): {wider}; error / noise {:.4}; {rate}",
         row.machine, row.format, row.measurement.error_over_noise
     )
 }

@@ -19,19 +19,19 @@ pub struct Fitted {
     pub row: FormatRow,
 }
 
-/// The machine asked for, or else the scene's fit and its machine.
+/// The machine asked for, or else the scene's fit and the smallest machine for it.
 pub fn machine(args: &RunArgs, traced: &Traced) -> Result<(&'static Machine, Option<Fitted>)> {
     if let Some(machine) = args.machine.find()? {
         return Ok((machine, None));
     }
     let options = options(args, traced)?;
     let fit = fitted::fit_with_spinner(&traced.scene, &options)?;
-    let (chosen, choice) = fitted::format_and_machine(&fit, &options)?;
+    let (chosen, choices) = fitted::format_and_machines(&fit, &options)?;
     let fitted = Fitted {
         noise_ratio: options.noise_ratio,
         row: FormatRow::of(&chosen),
     };
-    Ok((choice.machine, Some(fitted)))
+    Ok((choices.smallest.machine, Some(fitted)))
 }
 
 /// As `fit` does by default, with the run's seed and photons in range, and no more photons than the

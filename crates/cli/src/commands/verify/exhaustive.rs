@@ -65,7 +65,6 @@ fn lanes(kind: DeviceKind, report: &mut Report) -> Result<()> {
         };
         bar.finish_and_clear();
         report.vectors_compared += found.vectors_compared;
-        report.mismatches += found.mismatches;
         report.lanes.push(found);
     }
     Ok(())
@@ -119,8 +118,7 @@ fn lines(report: &Report) -> Result<Vec<Line>> {
             volume: lane.pairs_compared,
             unit: format!("pairs of {}-bit difference and radius", lane.operand_bits),
             result: format!(
-                "{} mismatches in {} vectors of {} signals",
-                lane.mismatches,
+                "equal in {} vectors of {} signals",
                 grouped(lane.vectors_compared),
                 lane.signals_per_vector
             ),
@@ -150,7 +148,8 @@ fn text(report: &Report) -> String {
             lane.operand_bits.to_string(),
             grouped(lane.pairs_compared),
             grouped(lane.vectors_compared),
-            lane.mismatches.to_string(),
+            // The first one ends the comparison with an error.
+            "none".to_owned(),
             lane.device.clone(),
         ]
     };
@@ -188,7 +187,6 @@ mod tests {
             photon_tests: 256,
             vectors_compared: 256,
             signals_per_vector: 1,
-            mismatches: 0,
         }
     }
 
