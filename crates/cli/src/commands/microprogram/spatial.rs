@@ -13,6 +13,8 @@ struct Report {
     queries_at_once: usize,
     initiation_interval: f64,
     latency_clocks: u32,
+    batch_gap_clocks: u32,
+    least_batch_clocks: u32,
     photon_tests_per_clock: f64,
     cells: usize,
     squares_per_engine: usize,
@@ -44,6 +46,8 @@ fn report(machine: &'static Machine, spatial: &Spatial) -> Report {
         queries_at_once: machine.queries_at_once(),
         initiation_interval: machine.rate().interval(),
         latency_clocks: spatial.latency_clocks(),
+        batch_gap_clocks: spatial.batch_gap_clocks(),
+        least_batch_clocks: spatial.least_batch_clocks(),
         photon_tests_per_clock: machine.photon_tests_per_clock(),
         cells: machine.hypercube().nodes(),
         squares_per_engine: units.squares,
@@ -78,7 +82,8 @@ fn text(report: &Report) -> String {
          A clock in parentheses has no register of its own. A group of {} photons enters every\n\
          clock and meets {} quer{} ({} cells), so every unit works in every clock: in an engine\n\
          {} squares, {} gates and {} adds, which on one adder for each of its 16 cells would take\n\
-         1.5 clocks; Y and D cells have two. The first result comes {} clocks after the last group.\n",
+         1.5 clocks; Y and D cells have two. The first result comes {} clocks after the last group.\n\
+         {}",
         report.machine,
         table::markdown(&["clock", "cells", "units", "step"], &rows),
         report.photons_per_iteration,
@@ -93,7 +98,22 @@ fn text(report: &Report) -> String {
         report.gates_per_engine,
         report.adders_per_engine,
         report.latency_clocks,
+        batch_line(report),
     )
+}
+
+/// What a change of the batch costs, where it costs anything.
+fn batch_line(report: &Report) -> String {
+    match (report.batch_gap_clocks, report.least_batch_clocks) {
+        (0, 1) => String::new(),
+        (0, least) => {
+            format!("From one batch of queries to the next are at least {least} clocks.\n")
+        }
+        (gap, least) => format!(
+            "After a batch of queries no group enters for {gap} clocks, and from one batch to the next are at least\n\
+             {least} clocks.\n"
+        ),
+    }
 }
 
 #[cfg(test)]
@@ -105,5 +125,17 @@ mod tests {
     fn the_way_through_the_stream_machine() {
         let machine = find_machine("stream").unwrap();
         insta::assert_snapshot!(text(&report(machine, machine.spatial().unwrap())));
+    }
+
+    #[test]
+    fn a_tile_says_what_a_batch_costs() {
+        let text_of = |name| {
+            let machine = find_machine(name).unwrap();
+            text(&report(machine, machine.spatial().unwrap()))
+        };
+        assert!(text_of("tile-6").ends_with("to the next are at least 7 clocks.\n"));
+        let mixed = text_of("tile-6-mixed");
+        assert!(mixed.contains("no group enters for 3 clocks"), "{mixed}");
+        assert!(mixed.contains("at least\n10 clocks"), "{mixed}");
     }
 }
