@@ -1,15 +1,17 @@
 //! The command line.
 
+use std::ffi::OsString;
 use std::fmt;
 use std::path::PathBuf;
 use std::str::FromStr;
 
-use clap::{Args as ClapArgs, Parser, Subcommand};
+use clap::{Args as ClapArgs, CommandFactory, FromArgMatches, Parser, Subcommand};
 use clap_complete::Shell;
 use photoncube_render::{BenchOptions, MAX_PIXELS, TraceOptions, ViewOptions};
 
 use crate::machines::{ChosenMachineArgs, MachineArgs};
 
+mod applies;
 mod compare;
 mod fit;
 mod progressive;
@@ -36,6 +38,27 @@ pub struct Args {
     pub json: bool,
     #[command(subcommand)]
     pub command: Command,
+}
+
+impl Args {
+    /// The arguments of this process. What is wrong with them is printed and ends it with code 2; so does, with
+    /// code 0, what only asks for help.
+    pub fn read() -> Self {
+        Self::try_read(std::env::args_os()).unwrap_or_else(|error| error.exit())
+    }
+
+    /// The arguments in `words`, of which the first is the program's name.
+    ///
+    /// # Errors
+    /// What clap refuses, and an option that the command does not use in the way that was chosen.
+    pub fn try_read<T: Into<OsString> + Clone>(
+        words: impl IntoIterator<Item = T>,
+    ) -> Result<Self, clap::Error> {
+        let mut command = Self::command();
+        let matches = command.try_get_matches_from_mut(words)?;
+        applies::check(&mut command, &matches)?;
+        Self::from_arg_matches(&matches).map_err(|error| error.format(&mut command))
+    }
 }
 
 const EXAMPLES: &str = "\

@@ -21,10 +21,8 @@ mod verified;
 
 use std::process::ExitCode;
 
-use clap::Parser;
-
 fn main() -> ExitCode {
-    let args = args::Args::parse();
+    let args = args::Args::read();
     match commands::execute(args) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {

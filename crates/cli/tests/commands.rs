@@ -5,6 +5,8 @@ mod json_keys;
 mod pictures;
 mod robustness;
 mod scenes;
+mod shared;
+mod usage;
 
 use std::fs;
 use std::path::Path;
