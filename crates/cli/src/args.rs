@@ -7,13 +7,15 @@ use std::str::FromStr;
 
 use clap::{Args as ClapArgs, CommandFactory, FromArgMatches, Parser, Subcommand};
 use clap_complete::Shell;
-use photoncube_render::{BenchOptions, MAX_PIXELS, TraceOptions, ViewOptions};
+use photoncube_render::{BenchOptions, MAX_PHOTONS, MAX_PIXELS, TraceOptions, ViewOptions};
 
+use self::numbers::{count, positive, seed, with_negative_values};
 use crate::machines::{ChosenMachineArgs, MachineArgs};
 
 mod applies;
 mod compare;
 mod fit;
+mod numbers;
 mod progressive;
 mod render;
 mod synth;
@@ -21,6 +23,7 @@ mod verify;
 
 pub use self::compare::CompareArgs;
 pub use self::fit::FitArgs;
+pub use self::numbers::short;
 pub use self::progressive::ProgressiveArgs;
 pub use self::render::{EngineArgs, EngineReport, LightArgs, LightingReport, RenderArgs};
 pub use self::synth::SynthArgs;
@@ -54,7 +57,7 @@ impl Args {
     pub fn try_read<T: Into<OsString> + Clone>(
         words: impl IntoIterator<Item = T>,
     ) -> Result<Self, clap::Error> {
-        let mut command = Self::command();
+        let mut command = with_negative_values(Self::command());
         let matches = command.try_get_matches_from_mut(words)?;
         applies::check(&mut command, &matches)?;
         Self::from_arg_matches(&matches).map_err(|error| error.format(&mut command))
@@ -138,7 +141,7 @@ pub struct RunArgs {
     #[command(flatten)]
     pub picture: PictureArgs,
     /// Iterations (groups of photons of this scene) to compare in each simulator [default: by its speed]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(long, value_name = "N", value_parser = count(1..=u64::MAX))]
     pub iterations: Option<u64>,
 }
 
@@ -146,19 +149,19 @@ pub struct RunArgs {
 #[derive(ClapArgs, Clone, Debug)]
 pub struct PictureArgs {
     /// At least this many photons are stored
-    #[arg(long, default_value_t = TraceOptions::default().photons, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(long, default_value_t = TraceOptions::default().photons, value_name = "N", value_parser = count(1..=MAX_PHOTONS))]
     pub photons: u64,
     /// Picture size in pixels
     #[arg(long, default_value_t = Size::of(&ViewOptions::default()), value_name = "WxH")]
     pub size: Size,
     /// Query points for each pixel: N x N
-    #[arg(long, default_value_t = ViewOptions::default().samples_per_axis, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=64))]
+    #[arg(long, default_value_t = ViewOptions::default().samples_per_axis, value_name = "N", value_parser = count(1..=64_u32))]
     pub samples: u32,
     /// Photons in range that the search radius aims at, on average
-    #[arg(long, default_value_t = BenchOptions::default().in_range, value_name = "N", value_parser = parse_positive)]
+    #[arg(long, default_value_t = BenchOptions::default().in_range, value_name = "N", value_parser = positive)]
     pub in_range: f64,
     /// Seed of all random numbers; the same seed gives the same picture
-    #[arg(long, default_value_t = 1, value_name = "S")]
+    #[arg(long, default_value_t = 1, value_name = "S", value_parser = seed)]
     pub seed: u64,
 }
 
@@ -204,19 +207,19 @@ pub struct ReportArgs {
     #[arg(long, default_value = "out", value_name = "DIR")]
     pub out: PathBuf,
     /// At least this many photons are stored in each map
-    #[arg(long, default_value_t = 200_000, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(long, default_value_t = 200_000, value_name = "N", value_parser = count(1..=MAX_PHOTONS))]
     pub photons: u64,
     /// Photons in range that the search radius aims at, on average
-    #[arg(long, default_value_t = BenchOptions::default().in_range, value_name = "N", value_parser = parse_positive)]
+    #[arg(long, default_value_t = BenchOptions::default().in_range, value_name = "N", value_parser = positive)]
     pub in_range: f64,
     /// Independent photon maps; more know noise and bias better
-    #[arg(long, default_value_t = 8, value_name = "N", value_parser = clap::value_parser!(u64).range(2..))]
+    #[arg(long, default_value_t = 8, value_name = "N", value_parser = count(2..=u64::MAX))]
     pub maps: u64,
     /// The view whose pixels are the queries
     #[arg(long, default_value_t = Size { width: 32, height: 32 }, value_name = "WxH")]
     pub size: Size,
     /// Seed of all random numbers
-    #[arg(long, default_value_t = 1, value_name = "S")]
+    #[arg(long, default_value_t = 1, value_name = "S", value_parser = seed)]
     pub seed: u64,
 }
 
@@ -299,11 +302,4 @@ impl FromStr for Size {
                 )
             })
     }
-}
-
-fn parse_positive(text: &str) -> Result<f64, String> {
-    let number = text.parse::<f64>().ok();
-    number
-        .filter(|number| number.is_finite() && *number > 0.0)
-        .ok_or_else(|| "expected a number above 0".to_owned())
 }

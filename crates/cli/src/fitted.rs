@@ -7,6 +7,7 @@ use photoncube_render::{
 use photoncube_spec::{FormatWidths, MACHINES, Machine, PhotonFormat};
 use serde::Serialize;
 
+use crate::args::short;
 use crate::failure::CheckFailed;
 use crate::measured::Measured;
 use crate::progress;
@@ -123,7 +124,7 @@ pub fn format_and_machine(fit: &Fit, options: &FitOptions) -> Result<(Trial, Mac
 pub fn no_format(options: &FitOptions) -> String {
     format!(
         "no photon format's error is below {} of the scene's noise; expected a larger --noise-ratio",
-        options.noise_ratio
+        short(options.noise_ratio)
     )
 }
 

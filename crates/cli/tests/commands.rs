@@ -136,7 +136,7 @@ fn bad_input_ends_2_says_what_was_expected_and_writes_nothing() {
             &["verify", "--machine", "pentium"],
             "the machines are paper",
         ),
-        (&["verify", "--iterations", "0"], "1.."),
+        (&["verify", "--iterations", "0"], "a whole number from 1;"),
         (&["verify", "--against", "modelsim"], "rust-hdl"),
         (&["hard-cases", "--format", "float"], "no format `float`"),
         (&["microprogram", "--dimension", "9"], "not built in"),
@@ -149,7 +149,10 @@ fn bad_input_ends_2_says_what_was_expected_and_writes_nothing() {
             "the machines are paper",
         ),
         (&["run", "--out", below_a_file], "cannot make the folder"),
-        (&["run", "--photons", "0", "--out", out], "1.."),
+        (
+            &["run", "--photons", "0", "--out", out],
+            "a whole number from 1 to 134217728",
+        ),
         (
             &["render", "cornell", "-o", picture, "--size", "0x9"],
             "expected WxH",

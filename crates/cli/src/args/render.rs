@@ -9,6 +9,7 @@ use photoncube_spec::{Machine, PHOTON_FORMATS, PhotonFormat, find_photon_format}
 use serde::Serialize;
 
 use super::PictureArgs;
+use super::numbers::count;
 use crate::machines::MachineArgs;
 
 /// `render`
@@ -162,7 +163,7 @@ pub struct LightArgs {
     #[arg(long, default_value_t = Caustics::Map, value_name = "C")]
     pub caustics: Caustics,
     /// Rays of a final gather from each query point; 0 for none
-    #[arg(long, default_value_t = 0, value_name = "N", value_parser = clap::value_parser!(u32).range(..=65536))]
+    #[arg(long, default_value_t = 0, value_name = "N", value_parser = count(0..=65_536_u32))]
     pub final_gather: u32,
     /// What sums of power are divided by: the `disc`, or what it covers of surfaces, `covered`
     #[arg(long, default_value_t = Area::Disc, value_name = "A")]

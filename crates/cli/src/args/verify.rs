@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{ArgGroup, Args as ClapArgs};
 
+use super::numbers::{count, seed};
 use crate::machines::MachineArgs;
 
 /// `verify`. Which method uses which option stands in `applies`.
@@ -35,10 +36,10 @@ pub struct VerifyArgs {
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     pub against: Option<Vec<String>>,
     /// Iterations (groups of photons) to compare in each
-    #[arg(long, default_value_t = 20_000, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(long, default_value_t = 20_000, value_name = "N", value_parser = count(1..=u64::MAX))]
     pub iterations: u64,
     /// Seed of the stimulus
-    #[arg(long, default_value_t = 1, value_name = "S")]
+    #[arg(long, default_value_t = 1, value_name = "S", value_parser = seed)]
     pub seed: u64,
     /// Put what was found into this table of results, a JSON file
     #[arg(long, value_name = "FILE")]
@@ -48,24 +49,24 @@ pub struct VerifyArgs {
     pub lint: bool,
     /// Give everything that reads scenes, meshes, listings, pictures, tables and command lines N inputs that are
     /// nearly right: it must read or refuse them, and never panic, hang or take memory without bound
-    #[arg(long, group = "method", value_name = "N", value_parser = clap::value_parser!(u64).range(1..1 << 39))]
+    #[arg(long, group = "method", value_name = "N", value_parser = count(1..=(1_u64 << 39) - 1))]
     pub fuzz: Option<u64>,
     /// Only the reader of that name
     #[arg(long, value_name = "NAME")]
     pub reader: Option<String>,
     /// Begin with that input
-    #[arg(long, default_value_t = 0, value_name = "I", value_parser = clap::value_parser!(u64).range(..1 << 39))]
+    #[arg(long, default_value_t = 0, value_name = "I", value_parser = count(0..=(1_u64 << 39) - 1))]
     pub from: u64,
     /// Count what a verification in Verilator uses of the emitted lines, branches and bits, and list what it does not
     #[arg(long, group = "method")]
     pub coverage: bool,
     /// Draw N different microprograms, gathers and any others that end, and compare each in one cell and in the
     /// machine; one that differs is made as short as it can be
-    #[arg(long, group = "method", value_name = "N", value_parser = clap::value_parser!(u64).range(1..1 << 20))]
+    #[arg(long, group = "method", value_name = "N", value_parser = count(1..=(1_u64 << 20) - 1))]
     pub programs: Option<u64>,
     /// Plant about N mutations in the emitted Verilog, one at a time, and see whether the stimulus finds each; what it
     /// does not find in --iterations is proven to change nothing, or survives, which fails
-    #[arg(long, group = "method", value_name = "N", value_parser = clap::value_parser!(u64).range(1..1 << 15))]
+    #[arg(long, group = "method", value_name = "N", value_parser = count(1..=(1_u64 << 15) - 1))]
     pub mutants: Option<u64>,
     /// Verify all machines with seed after seed, on all cores; what is done stands in the file of --state, so that a
     /// campaign that was stopped or killed goes on, and a difference becomes a regression case

@@ -1,6 +1,6 @@
 //! Options and names as users give them, rightly and wrongly.
 
-use super::{error, files_in};
+use super::{error, files_in, json};
 
 /// What no method and no engine would use is refused; every pair is a unit test of the arguments.
 #[test]
@@ -36,4 +36,39 @@ fn an_option_that_is_not_used_is_refused() {
         assert!(message.contains(expected), "{args:?}: {message}");
     }
     assert_eq!(files_in(folder.path()), 0);
+}
+
+#[test]
+fn a_negative_number_is_a_value_that_is_refused_with_the_range() {
+    for (args, expected) in [
+        (
+            &["run", "--photons", "-5"][..],
+            "expected a whole number from 1 to 134217728",
+        ),
+        (
+            &["report", "--seed", "-1"],
+            "expected a whole number from 0 to",
+        ),
+        (&["fit", "--noise-ratio", "-1"], "expected a number above 0"),
+        (&["fit", "--size", "-16x16"], "expected WxH"),
+        (
+            &["verify", "--iterations", "-1e3"],
+            "expected a whole number from 1;",
+        ),
+    ] {
+        let message = error(args, 2);
+        assert!(message.contains(expected), "{args:?}: {message}");
+        assert!(
+            !message.contains("unexpected argument"),
+            "{args:?}: {message}"
+        );
+    }
+}
+
+#[test]
+fn counts_are_read_in_short_forms() {
+    let report = json(&["verify", "--iterations", "2e1"]);
+    assert_eq!(report["iterations"], 20);
+    let report = json(&["verify", "--iterations", "0.02k"]);
+    assert_eq!(report["iterations"], 20);
 }
