@@ -11,6 +11,7 @@ use photoncube_render::{BenchOptions, MAX_PHOTONS, MAX_PIXELS, TraceOptions, Vie
 
 use self::numbers::{count, positive, seed, with_negative_values};
 use crate::machines::{ChosenMachineArgs, MachineArgs};
+use crate::scenes::SceneName;
 
 mod applies;
 mod compare;
@@ -132,7 +133,7 @@ are named, with the command that installs them.")]
 pub struct RunArgs {
     /// A built-in scene (see `photoncube list`) or a scene file, TOML (see docs/scenes.md) or JSON
     #[arg(default_value = "cornell")]
-    pub scene: String,
+    pub scene: SceneName,
     #[command(flatten)]
     pub machine: ChosenMachineArgs,
     /// The folder for the picture, the Verilog and the summary
@@ -202,7 +203,7 @@ golden model's here, one thread, beside plain f64 and f32 loops of the same run.
 pub struct ReportArgs {
     /// A built-in scene (see `photoncube list`) or a scene file, TOML (see docs/scenes.md) or JSON
     #[arg(default_value = "cornell")]
-    pub scene: String,
+    pub scene: SceneName,
     /// The folder for the plot (SVG) and the table's data (JSON)
     #[arg(long, default_value = "out", value_name = "DIR")]
     pub out: PathBuf,

@@ -3,7 +3,9 @@
 use clap::Args as ClapArgs;
 use photoncube_render::{BenchOptions, FitOptions, MAX_PHOTONS, ViewOptions};
 
-use super::{Size, parse_positive};
+use super::Size;
+use super::numbers::{count, positive, seed};
+use crate::scenes::SceneName;
 
 /// `fit`
 #[derive(ClapArgs, Debug)]
@@ -18,7 +20,7 @@ its own, and so is each format with one bit less: exit code 0 says that it holds
 pub struct FitArgs {
     /// A built-in scene (see `photoncube list`) or a scene file, TOML (see docs/scenes.md) or JSON
     #[arg(default_value = "cornell")]
-    pub scene: String,
+    pub scene: SceneName,
     /// The error's bound, as a part of the scene's own Monte-Carlo noise
     #[arg(long, default_value_t = FitOptions::default().noise_ratio, value_name = "R", value_parser = positive)]
     pub noise_ratio: f64,

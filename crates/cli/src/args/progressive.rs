@@ -5,7 +5,9 @@ use std::path::PathBuf;
 use clap::Args as ClapArgs;
 use photoncube_render::{MAX_PHOTONS, ProgressiveOptions, ViewOptions};
 
-use super::{EngineArgs, LightArgs, Size, parse_positive};
+use super::numbers::{count, positive, seed};
+use super::{EngineArgs, LightArgs, Size};
+use crate::scenes::SceneName;
 
 /// `progressive`
 #[derive(ClapArgs, Debug)]
@@ -23,7 +25,7 @@ confidence asked for. --error-target stops when the bounds' root mean square, ea
 luminance, is not above it. See docs/accuracy.md for how many bounds hold, and where they do not.")]
 pub struct ProgressiveArgs {
     /// A built-in scene (see `photoncube list`) or a scene file, TOML (see docs/scenes.md) or JSON
-    pub scene: String,
+    pub scene: SceneName,
     /// The picture, a PNG or OpenEXR file
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,

@@ -11,6 +11,7 @@ use serde::Serialize;
 use super::PictureArgs;
 use super::numbers::count;
 use crate::machines::MachineArgs;
+use crate::scenes::SceneName;
 
 /// `render`
 #[derive(ClapArgs, Debug)]
@@ -36,7 +37,7 @@ Estimators:
 A picture ends in .png (8 bits, sRGB) or .exr (linear, to compute with: see `photoncube compare`).")]
 pub struct RenderArgs {
     /// A built-in scene (see `photoncube list`) or a scene file, TOML (see docs/scenes.md) or JSON
-    pub scene: String,
+    pub scene: SceneName,
     /// The picture, a PNG or OpenEXR file
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,

@@ -92,7 +92,7 @@ fn report(
     let chosen = fit.chosen.as_ref();
     let is_exact = |choice: &MachineChoice| chosen.is_some_and(|c| c.format == choice.format);
     Ok(Report {
-        scene: args.scene.clone(),
+        scene: args.scene.to_string(),
         seed: args.seed,
         noise_ratio: options.noise_ratio,
         photons: args.photons,

@@ -96,7 +96,7 @@ pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
     work.write_error_map()?;
     let stats = work.progressive.stats();
     let report = Report {
-        scene: args.scene.clone(),
+        scene: args.scene.to_string(),
         engine: found.report(),
         light: LightingReport::of(&lighting),
         output: args.output.display().to_string(),

@@ -1,6 +1,8 @@
 //! Options and names as users give them, rightly and wrongly.
 
-use super::{error, files_in, json};
+use std::fs;
+
+use super::{error, files_in, json, photoncube};
 
 /// What no method and no engine would use is refused; every pair is a unit test of the arguments.
 #[test]
@@ -71,4 +73,55 @@ fn counts_are_read_in_short_forms() {
     assert_eq!(report["iterations"], 20);
     let report = json(&["verify", "--iterations", "0.02k"]);
     assert_eq!(report["iterations"], 20);
+}
+
+#[test]
+fn a_name_with_a_slip_is_told_with_the_one_that_was_meant() {
+    for (args, meant) in [
+        (&["microprogram", "--machine", "papper"][..], "paper"),
+        (&["fit", "cornel"], "cornell"),
+        (&["verify", "--against", "verilatr"], "verilator"),
+        (&["verify", "--fuzz", "1", "--reader", "lsting"], "listing"),
+        (
+            &["hard-cases", "--format", "local8-rbg8e5"],
+            "local8-rgb8e5",
+        ),
+    ] {
+        let message = error(args, 2);
+        let expected = format!("(did you mean `{meant}`?)");
+        assert!(message.contains(&expected), "{args:?}: {message}");
+    }
+}
+
+/// Names of files are bytes, of which not all are UTF-8.
+#[cfg(unix)]
+#[test]
+fn paths_need_not_be_utf_8() {
+    use std::ffi::OsStr;
+    use std::os::unix::ffi::OsStrExt;
+
+    let folder = tempfile::tempdir().unwrap();
+    let scene = folder.path().join(OsStr::from_bytes(b"sc\xe9ne.toml"));
+    let picture = folder.path().join(OsStr::from_bytes(b"b\xffild.png"));
+    let example = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/scenes/room.toml");
+    fs::copy(example, &scene).unwrap();
+    let small = [
+        "--photons",
+        "500",
+        "--size",
+        "4x4",
+        "--engine",
+        "f64",
+        "--json",
+    ];
+    let mut render = photoncube(&["render"]);
+    let output = render.arg(&scene).arg("-o").arg(&picture).args(small);
+    let output = output.assert().success();
+    let report: serde_json::Value = serde_json::from_slice(&output.get_output().stdout).unwrap();
+    assert!(
+        report["scene"].as_str().unwrap().ends_with("ne.toml"),
+        "{report}"
+    );
+    assert!(picture.is_file());
+    assert_eq!(files_in(folder.path()), 2);
 }
