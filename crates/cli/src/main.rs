@@ -26,7 +26,7 @@ fn main() -> ExitCode {
     match commands::execute(args) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("error: {error:#}");
+            eprintln!("error: {}", failure::message(&error));
             failure::exit_code(&error)
         }
     }

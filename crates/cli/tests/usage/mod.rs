@@ -93,6 +93,26 @@ fn a_name_with_a_slip_is_told_with_the_one_that_was_meant() {
     }
 }
 
+/// The causes of an error are told once, without the names of temporary files.
+#[test]
+fn a_message_says_each_cause_once() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = folder.path().join("folder.toml");
+    fs::create_dir(&scene).unwrap();
+    let message = error(&["fit", scene.to_str().unwrap()], 2);
+    assert!(
+        message.ends_with("folder.toml: found a folder, expected a file\n"),
+        "{message}"
+    );
+    let picture = folder.path().join("x.exr");
+    fs::create_dir(&picture).unwrap();
+    let small = ["--photons", "500", "--size", "4x4", "--engine", "f64"];
+    let render = ["render", "cornell", "-o", picture.to_str().unwrap()];
+    let message = error(&[&render[..], &small].concat(), 2);
+    assert_eq!(message.matches("irectory").count(), 1, "{message}");
+    assert!(!message.contains("at path"), "{message}");
+}
+
 /// Names of files are bytes, of which not all are UTF-8.
 #[cfg(unix)]
 #[test]
