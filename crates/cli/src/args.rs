@@ -87,8 +87,8 @@ pub enum Command {
     Run(RunArgs),
     /// Find the smallest photon format and machine whose error stays below a part of the noise
     Fit(FitArgs),
-    /// List the scenes and the machines, each with its figures
-    List,
+    /// List the scenes and the machines, each with its figures; or print the datasheet of one machine
+    List(ListArgs),
     /// Write the Verilog of the machines, with project files for Yosys and Quartus
     Generate(GenerateArgs),
     /// Compare a machine with the golden model, bit for bit, every register, every clock
@@ -164,6 +164,23 @@ pub struct PictureArgs {
     /// Seed of all random numbers; the same seed gives the same picture
     #[arg(long, default_value_t = 1, value_name = "S", value_parser = seed)]
     pub seed: u64,
+}
+
+/// `list`
+#[derive(ClapArgs, Debug)]
+#[command(after_help = "\
+Examples:
+  photoncube list
+  photoncube list stream                   its ports, numbers, clocks, area, Fmax, and how it was verified
+  photoncube list --wide                   every figure of every machine, far wider than a terminal
+  photoncube list tile-6 --json")]
+pub struct ListArgs {
+    /// Only this machine, with its datasheet
+    #[arg(value_name = "MACHINE")]
+    pub machine: Option<String>,
+    /// Print every table, however wide
+    #[arg(long, conflicts_with = "machine")]
+    pub wide: bool,
 }
 
 /// `generate`
@@ -246,7 +263,8 @@ pub struct HardCasesArgs {
 Examples:
   photoncube microprogram
   photoncube microprogram --machine paper-5d --json
-  photoncube microprogram --file mine.txt      check a listing of your own (exit 1 if rejected)")]
+  photoncube microprogram > mine.txt           a listing to change: docs/microprograms.md
+  photoncube microprogram --file mine.txt      check it (exit 1 if rejected)")]
 pub struct MicroprogramArgs {
     #[command(flatten)]
     pub machine: MachineArgs,

@@ -446,6 +446,7 @@ fn help_has_examples() {
     for command in [
         "run",
         "fit",
+        "list",
         "generate",
         "verify",
         "render",

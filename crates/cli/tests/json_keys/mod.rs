@@ -47,6 +47,7 @@ fn every_json_key_is_documented() {
     let mut found = Vec::new();
     for args in [
         &["list"][..],
+        &["list", "tile-6"],
         &[&progressive[..], &["--size", "8x8", "--passes", "2"]].concat(),
         &["compare", exr, exr],
         &["microprogram"],

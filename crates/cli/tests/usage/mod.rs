@@ -33,6 +33,7 @@ fn an_option_that_is_not_used_is_refused() {
             &["completions", "bash", "--json"],
             "`completions` has no JSON form",
         ),
+        (&["list", "paper", "--wide"], "cannot be used with"),
     ] {
         let message = error(args, 2);
         assert!(message.contains(expected), "{args:?}: {message}");
@@ -78,7 +79,8 @@ fn counts_are_read_in_short_forms() {
 #[test]
 fn a_name_with_a_slip_is_told_with_the_one_that_was_meant() {
     for (args, meant) in [
-        (&["microprogram", "--machine", "papper"][..], "paper"),
+        (&["list", "Paper"][..], "paper"),
+        (&["microprogram", "--machine", "papper"], "paper"),
         (&["fit", "cornel"], "cornell"),
         (&["verify", "--against", "verilatr"], "verilator"),
         (&["verify", "--fuzz", "1", "--reader", "lsting"], "listing"),
@@ -144,4 +146,26 @@ fn paths_need_not_be_utf_8() {
     );
     assert!(picture.is_file());
     assert_eq!(files_in(folder.path()), 2);
+}
+
+#[test]
+fn list_fits_a_terminal_and_has_all_of_one_machine() {
+    let text = |args: &[&str]| {
+        let output = photoncube(args).assert().success();
+        String::from_utf8(output.get_output().stdout.clone()).unwrap()
+    };
+    let list = text(&["list"]);
+    for line in list.lines() {
+        assert!(line.chars().count() <= 100, "{line}");
+    }
+    for name in ["cornell", "tile-6-mixed", "local8-rgb8e5", "list MACHINE"] {
+        assert!(list.contains(name), "{name}");
+    }
+    let wide = text(&["list", "--wide"]);
+    assert!(wide.contains("| verified against") && wide.contains("critical path"));
+    let sheet = json(&["list", "stream"]);
+    assert_eq!(sheet["machine"], "stream");
+    assert_eq!(sheet["verilog_module"], "photoncube_stream");
+    assert!(!sheet["lines"].as_array().unwrap().is_empty());
+    assert!(text(&["list", "stream"]).contains("| query_valid"));
 }
