@@ -95,6 +95,21 @@ fn a_name_with_a_slip_is_told_with_the_one_that_was_meant() {
     }
 }
 
+#[test]
+fn what_microprogram_prints_is_a_listing() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("own.txt");
+    for machine in ["paper", "paper-5d"] {
+        let printed = photoncube(&["microprogram", "--machine", machine]).assert();
+        fs::write(&path, &printed.success().get_output().stdout).unwrap();
+        let file = ["microprogram", "--machine", machine, "--file"];
+        let report = json(&[&file[..], &[path.to_str().unwrap()]].concat());
+        let own = json(&["microprogram", "--machine", machine]);
+        assert_eq!(report["accepted"], true, "{machine}");
+        assert_eq!(report["listing"], own["listing"], "{machine}");
+    }
+}
+
 /// The causes of an error are told once, without the names of temporary files.
 #[test]
 fn a_message_says_each_cause_once() {
