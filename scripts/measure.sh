@@ -76,4 +76,4 @@ for scene in cornell ring range; do
     cp "target/measured/fit-$scene.json" docs/measured/
 done
 cp target/measured/paper/cornell.png docs/cornell.png
-printf '\nmeasured; if the table of `photoncube list` changed, paste it into README.md\n'
+printf '\nmeasured; if a table of `photoncube list --wide` changed, paste it into README.md\n'

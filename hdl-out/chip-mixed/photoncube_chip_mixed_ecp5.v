@@ -3,9 +3,10 @@
 // Written by photoncube 0.1.0, `photoncube generate --machine chip-mixed`; do not edit.
 //
 // Each replaces the module of that name in photoncube_chip_mixed.v and is the same function, which
-// scripts/yosys/ecp5.sh proves. With both files as they are a name is declared twice. Yosys: read_verilog
-// photoncube_chip_mixed.v; read_verilog -overwrite photoncube_chip_mixed_ecp5.v. Elsewhere leave the modules
-// below out of photoncube_chip_mixed.v; the cells (CCU2C, LUT4, ...) are those of Lattice's library.
+// scripts/yosys/ecp5.sh proves. With both files as they are a name is declared twice. Yosys:
+// read_verilog photoncube_chip_mixed.v; read_verilog -overwrite photoncube_chip_mixed_ecp5.v.
+// Elsewhere leave the modules below out of photoncube_chip_mixed.v; the cells (CCU2C, LUT4, ...)
+// are those of Lattice's library.
 //
 //   photoncube_chip_mixed_accumulate_2
 //   photoncube_chip_mixed_gated_sum_2

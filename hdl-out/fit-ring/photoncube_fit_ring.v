@@ -11,28 +11,29 @@
 //
 // Ports of photoncube_fit_ring; bit 0 is the lowest:
 //   input          clock                every register changes at its rising edge
-//   input          reset                synchronous, active high; one clock is enough, and what is taken in
-//                                       it is lost
+//   input          reset                synchronous, active high; one clock is enough, and what is
+//                                       taken in it is lost
 //   input          query_valid          a query is on the query_ pins
-//   input [9:0]    query_x              unsigned; cell i of 2^-8 block edge, in a frame of 4 block edges;
-//                                       stands for the cell's middle
-//   input [9:0]    query_y              unsigned; cell i of 2^-8 block edge, in a frame of 4 block edges;
-//                                       stands for the cell's middle
-//   input [9:0]    query_z              unsigned; cell i of 2^-8 block edge, in a frame of 4 block edges;
-//                                       stands for the cell's middle
-//   input [15:0]   query_radius_sq      a search radius of R query steps is R^2 - 1, at most 64515 = 254^2 -
-//                                       1; in range where the sum of m (m + 1) <= query_radius_sq, m the
-//                                       difference on an axis less a half
+//   input [9:0]    query_x              unsigned; cell i of 2^-8 block edge, in a frame of 4 block
+//                                       edges; stands for the cell's middle
+//   input [9:0]    query_y              unsigned; cell i of 2^-8 block edge, in a frame of 4 block
+//                                       edges; stands for the cell's middle
+//   input [9:0]    query_z              unsigned; cell i of 2^-8 block edge, in a frame of 4 block
+//                                       edges; stands for the cell's middle
+//   input [15:0]   query_radius_sq      a search radius of R query steps is R^2 - 1, at most 64515
+//                                       = 254^2 - 1; in range where the sum of m (m + 1) <=
+//                                       query_radius_sq, m the difference on an axis less a half
 //   input          group_valid          a group is on the group_ and photon_ pins
-//   input          group_last           this group is the last of its query, or of its batch of queries
-//   input          photon_present_0..3  the lane has a photon; where it is 0, the lane's other pins are not
-//                                       looked at
-//   input [8:0]    photon_x_0..3        unsigned; cell i of 2^-7 block edge, in a frame of 4 block edges;
-//                                       stands for its middle, query step 2 i + 1
-//   input [8:0]    photon_y_0..3        unsigned; cell i of 2^-7 block edge, in a frame of 4 block edges;
-//                                       stands for its middle, query step 2 i + 1
-//   input [8:0]    photon_z_0..3        unsigned; cell i of 2^-7 block edge, in a frame of 4 block edges;
-//                                       stands for its middle, query step 2 i + 1
+//   input          group_last           this group is the last of its query, or of its batch of
+//                                       queries
+//   input          photon_present_0..3  the lane has a photon; where it is 0, the lane's other pins
+//                                       are not looked at
+//   input [8:0]    photon_x_0..3        unsigned; cell i of 2^-7 block edge, in a frame of 4 block
+//                                       edges; stands for its middle, query step 2 i + 1
+//   input [8:0]    photon_y_0..3        unsigned; cell i of 2^-7 block edge, in a frame of 4 block
+//                                       edges; stands for its middle, query step 2 i + 1
+//   input [8:0]    photon_z_0..3        unsigned; cell i of 2^-7 block edge, in a frame of 4 block
+//                                       edges; stands for its middle, query step 2 i + 1
 //   input          photon_power_0..3    unsigned; power units
 //   input          result_ready         the result is taken at this edge, if it is valid
 //   output         query_ready          the query is taken at this edge, if it is valid
@@ -42,16 +43,16 @@
 //   output [17:0]  result_count         photons in range
 //
 // Protocol:
-//   - A word is taken at a rising edge with valid and ready. A query may change until it is taken; a group,
-//     once valid, must stay as it is until it is taken.
-//   - A query, then its groups, of which the last has group_last, give one result; results come in the order
-//     of the queries. A query has at least one group, which may be empty of photons.
-//   - Ready pins depend on registers alone. A group is taken a clock after the machine began to read it, so
-//     group_ready may rise only after group_valid.
-//   - Reset needs one clock. No ready pin looks at it, so what is taken in that clock is lost; what was under
-//     way is forgotten.
-//   - No input is checked: with more than 8192 photons for a query, or a word beyond its limit above, results
-//     are undefined.
+//   - A word is taken at a rising edge with valid and ready. A query may change until it is taken;
+//     a group, once valid, must stay as it is until it is taken.
+//   - A query, then its groups, of which the last has group_last, give one result; results come in
+//     the order of the queries. A query has at least one group, which may be empty of photons.
+//   - Ready pins depend on registers alone. A group is taken a clock after the machine began to
+//     read it, so group_ready may rise only after group_valid.
+//   - Reset needs one clock. No ready pin looks at it, so what is taken in that clock is lost; what
+//     was under way is forgotten.
+//   - No input is checked: with more than 8192 photons for a query, or a word beyond its limit
+//     above, results are undefined.
 
 module photoncube_fit_ring(clock, reset, query_valid, query_x, query_y, query_z,
     query_radius_sq, group_valid, group_last, photon_present_0, photon_present_1,

@@ -3,9 +3,10 @@
 // Written by photoncube 0.1.0, `photoncube generate --machine overlap`; do not edit.
 //
 // Each replaces the module of that name in photoncube_overlap.v and is the same function, which
-// scripts/yosys/ecp5.sh proves. With both files as they are a name is declared twice. Yosys: read_verilog
-// photoncube_overlap.v; read_verilog -overwrite photoncube_overlap_ecp5.v. Elsewhere leave the modules below
-// out of photoncube_overlap.v; the cells (CCU2C, LUT4, ...) are those of Lattice's library.
+// scripts/yosys/ecp5.sh proves. With both files as they are a name is declared twice. Yosys:
+// read_verilog photoncube_overlap.v; read_verilog -overwrite photoncube_overlap_ecp5.v. Elsewhere
+// leave the modules below out of photoncube_overlap.v; the cells (CCU2C, LUT4, ...) are those of
+// Lattice's library.
 //
 //   photoncube_overlap_chosen_sum
 

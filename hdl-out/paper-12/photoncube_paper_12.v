@@ -11,21 +11,28 @@
 //
 // Ports of photoncube_paper_12; bit 0 is the lowest:
 //   input          clock                every register changes at its rising edge
-//   input          reset                synchronous, active high; one clock is enough, and what is taken in
-//                                       it is lost
+//   input          reset                synchronous, active high; one clock is enough, and what is
+//                                       taken in it is lost
 //   input          query_valid          a query is on the query_ pins
-//   input [11:0]   query_x              unsigned; steps of 2^-10 block edge, in a frame of 4 block edges
-//   input [11:0]   query_y              unsigned; steps of 2^-10 block edge, in a frame of 4 block edges
-//   input [11:0]   query_z              unsigned; steps of 2^-10 block edge, in a frame of 4 block edges
-//   input [25:0]   query_radius_sq      squared search radius in square steps; in range where d^2 <=
-//                                       query_radius_sq
+//   input [11:0]   query_x              unsigned; steps of 2^-10 block edge, in a frame of 4 block
+//                                       edges
+//   input [11:0]   query_y              unsigned; steps of 2^-10 block edge, in a frame of 4 block
+//                                       edges
+//   input [11:0]   query_z              unsigned; steps of 2^-10 block edge, in a frame of 4 block
+//                                       edges
+//   input [25:0]   query_radius_sq      squared search radius in square steps; in range where d^2
+//                                       <= query_radius_sq
 //   input          group_valid          a group is on the group_ and photon_ pins
-//   input          group_last           this group is the last of its query, or of its batch of queries
-//   input          photon_present_0..3  the lane has a photon; where it is 0, the lane's other pins are not
-//                                       looked at
-//   input [11:0]   photon_x_0..3        unsigned; steps of 2^-10 block edge, in a frame of 4 block edges
-//   input [11:0]   photon_y_0..3        unsigned; steps of 2^-10 block edge, in a frame of 4 block edges
-//   input [11:0]   photon_z_0..3        unsigned; steps of 2^-10 block edge, in a frame of 4 block edges
+//   input          group_last           this group is the last of its query, or of its batch of
+//                                       queries
+//   input          photon_present_0..3  the lane has a photon; where it is 0, the lane's other pins
+//                                       are not looked at
+//   input [11:0]   photon_x_0..3        unsigned; steps of 2^-10 block edge, in a frame of 4 block
+//                                       edges
+//   input [11:0]   photon_y_0..3        unsigned; steps of 2^-10 block edge, in a frame of 4 block
+//                                       edges
+//   input [11:0]   photon_z_0..3        unsigned; steps of 2^-10 block edge, in a frame of 4 block
+//                                       edges
 //   input [15:0]   photon_red_0..3      unsigned; power units
 //   input [15:0]   photon_green_0..3    unsigned; power units
 //   input [15:0]   photon_blue_0..3     unsigned; power units
@@ -39,16 +46,16 @@
 //   output [31:0]  result_count         photons in range
 //
 // Protocol:
-//   - A word is taken at a rising edge with valid and ready. A query may change until it is taken; a group,
-//     once valid, must stay as it is until it is taken.
-//   - A query, then its groups, of which the last has group_last, give one result; results come in the order
-//     of the queries. A query has at least one group, which may be empty of photons.
-//   - Ready pins depend on registers alone. A group is taken a clock after the machine began to read it, so
-//     group_ready may rise only after group_valid.
-//   - Reset needs one clock. No ready pin looks at it, so what is taken in that clock is lost; what was under
-//     way is forgotten.
-//   - No input is checked: with more than 65537 photons for a query, or a word beyond its limit above,
-//     results are undefined.
+//   - A word is taken at a rising edge with valid and ready. A query may change until it is taken;
+//     a group, once valid, must stay as it is until it is taken.
+//   - A query, then its groups, of which the last has group_last, give one result; results come in
+//     the order of the queries. A query has at least one group, which may be empty of photons.
+//   - Ready pins depend on registers alone. A group is taken a clock after the machine began to
+//     read it, so group_ready may rise only after group_valid.
+//   - Reset needs one clock. No ready pin looks at it, so what is taken in that clock is lost; what
+//     was under way is forgotten.
+//   - No input is checked: with more than 65537 photons for a query, or a word beyond its limit
+//     above, results are undefined.
 
 module photoncube_paper_12(clock, reset, query_valid, query_x, query_y, query_z,
     query_radius_sq, group_valid, group_last, photon_present_0, photon_present_1,

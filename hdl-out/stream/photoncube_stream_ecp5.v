@@ -3,9 +3,10 @@
 // Written by photoncube 0.1.0, `photoncube generate --machine stream`; do not edit.
 //
 // Each replaces the module of that name in photoncube_stream.v and is the same function, which
-// scripts/yosys/ecp5.sh proves. With both files as they are a name is declared twice. Yosys: read_verilog
-// photoncube_stream.v; read_verilog -overwrite photoncube_stream_ecp5.v. Elsewhere leave the modules below
-// out of photoncube_stream.v; the cells (CCU2C, LUT4, ...) are those of Lattice's library.
+// scripts/yosys/ecp5.sh proves. With both files as they are a name is declared twice. Yosys:
+// read_verilog photoncube_stream.v; read_verilog -overwrite photoncube_stream_ecp5.v. Elsewhere
+// leave the modules below out of photoncube_stream.v; the cells (CCU2C, LUT4, ...) are those of
+// Lattice's library.
 //
 //   photoncube_stream_accumulate_2
 //   photoncube_stream_gated_sum_2

@@ -9,31 +9,32 @@
 // most photons   4096 a query
 // squarers       digits in 1, product in 1, table in 2 of 4 engines
 // clocks         1 for a group of 4 photons and 3 more a batch; at least 10 a batch
-// latency        18 clocks from a batch's last group to its first result, 2 more to each further one
+// latency        18 clocks from a batch's last group to its first result, 2 more to each further
+//                one
 //
 // Ports of photoncube_tile_6_mixed; bit 0 is the lowest:
 //   input          clock                every register changes at its rising edge
-//   input          reset                synchronous, active high; one clock is enough, and what is taken in
-//                                       it is lost
+//   input          reset                synchronous, active high; one clock is enough, and what is
+//                                       taken in it is lost
 //   input          query_valid          a query is on the query_ pins
-//   input [8:0]    query_x              unsigned; cell i of 2^-7 block edge, in a frame of 4 block edges;
-//                                       stands for the cell's middle
-//   input [8:0]    query_y              unsigned; cell i of 2^-7 block edge, in a frame of 4 block edges;
-//                                       stands for the cell's middle
-//   input [8:0]    query_z              unsigned; cell i of 2^-7 block edge, in a frame of 4 block edges;
-//                                       stands for the cell's middle
-//   input          query_release        any query of a batch may set it: the set of photons is given up
-//                                       behind that batch
+//   input [8:0]    query_x              unsigned; cell i of 2^-7 block edge, in a frame of 4 block
+//                                       edges; stands for the cell's middle
+//   input [8:0]    query_y              unsigned; cell i of 2^-7 block edge, in a frame of 4 block
+//                                       edges; stands for the cell's middle
+//   input [8:0]    query_z              unsigned; cell i of 2^-7 block edge, in a frame of 4 block
+//                                       edges; stands for the cell's middle
+//   input          query_release        any query of a batch may set it: the set of photons is
+//                                       given up behind that batch
 //   input          group_valid          a group is on the group_ and photon_ pins
 //   input          group_last           this group ends its set
-//   input          photon_present_0..3  the lane has a photon; where it is 0, the lane's other pins are not
-//                                       looked at
-//   input [8:0]    photon_x_0..3        unsigned; cell i of 2^-7 block edge, in a frame of 4 block edges;
-//                                       stands for the cell's middle
-//   input [8:0]    photon_y_0..3        unsigned; cell i of 2^-7 block edge, in a frame of 4 block edges;
-//                                       stands for the cell's middle
-//   input [8:0]    photon_z_0..3        unsigned; cell i of 2^-7 block edge, in a frame of 4 block edges;
-//                                       stands for the cell's middle
+//   input          photon_present_0..3  the lane has a photon; where it is 0, the lane's other pins
+//                                       are not looked at
+//   input [8:0]    photon_x_0..3        unsigned; cell i of 2^-7 block edge, in a frame of 4 block
+//                                       edges; stands for the cell's middle
+//   input [8:0]    photon_y_0..3        unsigned; cell i of 2^-7 block edge, in a frame of 4 block
+//                                       edges; stands for the cell's middle
+//   input [8:0]    photon_z_0..3        unsigned; cell i of 2^-7 block edge, in a frame of 4 block
+//                                       edges; stands for the cell's middle
 //   input [5:0]    photon_red_0..3      unsigned; power units
 //   input [5:0]    photon_green_0..3    unsigned; power units
 //   input [5:0]    photon_blue_0..3     unsigned; power units
@@ -47,19 +48,20 @@
 //   output [12:0]  result_count         photons in range
 //
 // Protocol:
-//   - A word is taken at a rising edge with valid and ready. A query may change until it is taken; a group,
-//     once valid, must stay as it is until it is taken.
-//   - A batch is 4 queries, which meet all groups of the set that is played; it gives 4 results in the order
-//     of its queries. A batch of fewer queries waits for ever: fill it with queries whose results are thrown
-//     away.
-//   - A set of groups, up to group_last, is read in once and played to batch after batch, until a batch with
-//     query_release. Two sets fit: one is read in while the other is played. A set holds at most 1024 groups;
-//     group 1024 ends it with or without group_last, and what follows begins the next set.
+//   - A word is taken at a rising edge with valid and ready. A query may change until it is taken;
+//     a group, once valid, must stay as it is until it is taken.
+//   - A batch is 4 queries, which meet all groups of the set that is played; it gives 4 results in
+//     the order of its queries. A batch of fewer queries waits for ever: fill it with queries whose
+//     results are thrown away.
+//   - A set of groups, up to group_last, is read in once and played to batch after batch, until a
+//     batch with query_release. Two sets fit: one is read in while the other is played. A set holds
+//     at most 1024 groups; group 1024 ends it with or without group_last, and what follows begins
+//     the next set.
 //   - Ready and valid pins are registers, or depend on registers alone.
-//   - Reset needs one clock. No ready pin looks at it, so what is taken in that clock is lost; what was under
-//     way is forgotten.
-//   - No input is checked: with more than 4096 photons for a query, or a word beyond its limit above, results
-//     are undefined.
+//   - Reset needs one clock. No ready pin looks at it, so what is taken in that clock is lost; what
+//     was under way is forgotten.
+//   - No input is checked: with more than 4096 photons for a query, or a word beyond its limit
+//     above, results are undefined.
 
 module photoncube_tile_6_mixed(clock, reset, query_valid, query_ready, query_x, query_y,
     query_z, query_release, group_valid, group_ready, group_last, photon_present_0,

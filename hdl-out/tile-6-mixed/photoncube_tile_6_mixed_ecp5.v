@@ -2,11 +2,11 @@
 // tile-6-mixed: 11 modules of photoncube_tile_6_mixed.v, made of an ECP5's own cells.
 // Written by photoncube 0.1.0, `photoncube generate --machine tile-6-mixed`; do not edit.
 //
-// Each replaces the module of that name in photoncube_tile_6_mixed.v and is the same function, which
-// scripts/yosys/ecp5.sh proves. With both files as they are a name is declared twice. Yosys: read_verilog
-// photoncube_tile_6_mixed.v; read_verilog -overwrite photoncube_tile_6_mixed_ecp5.v. Elsewhere leave the
-// modules below out of photoncube_tile_6_mixed.v; the cells (CCU2C, LUT4, ...) are those of Lattice's
-// library.
+// Each replaces the module of that name in photoncube_tile_6_mixed.v and is the same function,
+// which scripts/yosys/ecp5.sh proves. With both files as they are a name is declared twice. Yosys:
+// read_verilog photoncube_tile_6_mixed.v; read_verilog -overwrite photoncube_tile_6_mixed_ecp5.v.
+// Elsewhere leave the modules below out of photoncube_tile_6_mixed.v; the cells (CCU2C, LUT4, ...)
+// are those of Lattice's library.
 //
 //   photoncube_tile_6_mixed_accumulate_2
 //   photoncube_tile_6_mixed_gated_sum_2

@@ -1,17 +1,22 @@
 //! The command line.
 
+use std::ffi::OsString;
 use std::fmt;
 use std::path::PathBuf;
 use std::str::FromStr;
 
-use clap::{Args as ClapArgs, Parser, Subcommand};
+use clap::{Args as ClapArgs, CommandFactory, FromArgMatches, Parser, Subcommand};
 use clap_complete::Shell;
-use photoncube_render::{BenchOptions, MAX_PIXELS, TraceOptions, ViewOptions};
+use photoncube_render::{BenchOptions, MAX_PHOTONS, MAX_PIXELS, TraceOptions, ViewOptions};
 
+use self::numbers::{count, positive, seed, with_negative_values};
 use crate::machines::{ChosenMachineArgs, MachineArgs};
+use crate::scenes::SceneName;
 
+mod applies;
 mod compare;
 mod fit;
+mod numbers;
 mod progressive;
 mod render;
 mod synth;
@@ -19,6 +24,7 @@ mod verify;
 
 pub use self::compare::CompareArgs;
 pub use self::fit::FitArgs;
+pub use self::numbers::short;
 pub use self::progressive::ProgressiveArgs;
 pub use self::render::{EngineArgs, EngineReport, LightArgs, LightingReport, RenderArgs};
 pub use self::synth::SynthArgs;
@@ -36,6 +42,27 @@ pub struct Args {
     pub json: bool,
     #[command(subcommand)]
     pub command: Command,
+}
+
+impl Args {
+    /// The arguments of this process. What is wrong with them is printed and ends it with code 2; so does, with
+    /// code 0, what only asks for help.
+    pub fn read() -> Self {
+        Self::try_read(std::env::args_os()).unwrap_or_else(|error| error.exit())
+    }
+
+    /// The arguments in `words`, of which the first is the program's name.
+    ///
+    /// # Errors
+    /// What clap refuses, and an option that the command does not use in the way that was chosen.
+    pub fn try_read<T: Into<OsString> + Clone>(
+        words: impl IntoIterator<Item = T>,
+    ) -> Result<Self, clap::Error> {
+        let mut command = with_negative_values(Self::command());
+        let matches = command.try_get_matches_from_mut(words)?;
+        applies::check(&mut command, &matches)?;
+        Self::from_arg_matches(&matches).map_err(|error| error.format(&mut command))
+    }
 }
 
 const EXAMPLES: &str = "\
@@ -60,8 +87,8 @@ pub enum Command {
     Run(RunArgs),
     /// Find the smallest photon format and machine whose error stays below a part of the noise
     Fit(FitArgs),
-    /// List the scenes and the machines, each with its figures
-    List,
+    /// List the scenes and the machines, each with its figures; or print the datasheet of one machine
+    List(ListArgs),
     /// Write the Verilog of the machines, with project files for Yosys and Quartus
     Generate(GenerateArgs),
     /// Compare a machine with the golden model, bit for bit, every register, every clock
@@ -106,7 +133,7 @@ are named, with the command that installs them.")]
 pub struct RunArgs {
     /// A built-in scene (see `photoncube list`) or a scene file, TOML (see docs/scenes.md) or JSON
     #[arg(default_value = "cornell")]
-    pub scene: String,
+    pub scene: SceneName,
     #[command(flatten)]
     pub machine: ChosenMachineArgs,
     /// The folder for the picture, the Verilog and the summary
@@ -115,7 +142,7 @@ pub struct RunArgs {
     #[command(flatten)]
     pub picture: PictureArgs,
     /// Iterations (groups of photons of this scene) to compare in each simulator [default: by its speed]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(long, value_name = "N", value_parser = count(1..=u64::MAX))]
     pub iterations: Option<u64>,
 }
 
@@ -123,20 +150,37 @@ pub struct RunArgs {
 #[derive(ClapArgs, Clone, Debug)]
 pub struct PictureArgs {
     /// At least this many photons are stored
-    #[arg(long, default_value_t = TraceOptions::default().photons, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(long, default_value_t = TraceOptions::default().photons, value_name = "N", value_parser = count(1..=MAX_PHOTONS))]
     pub photons: u64,
     /// Picture size in pixels
     #[arg(long, default_value_t = Size::of(&ViewOptions::default()), value_name = "WxH")]
     pub size: Size,
     /// Query points for each pixel: N x N
-    #[arg(long, default_value_t = ViewOptions::default().samples_per_axis, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=64))]
+    #[arg(long, default_value_t = ViewOptions::default().samples_per_axis, value_name = "N", value_parser = count(1..=64_u32))]
     pub samples: u32,
     /// Photons in range that the search radius aims at, on average
-    #[arg(long, default_value_t = BenchOptions::default().in_range, value_name = "N", value_parser = parse_positive)]
+    #[arg(long, default_value_t = BenchOptions::default().in_range, value_name = "N", value_parser = positive)]
     pub in_range: f64,
     /// Seed of all random numbers; the same seed gives the same picture
-    #[arg(long, default_value_t = 1, value_name = "S")]
+    #[arg(long, default_value_t = 1, value_name = "S", value_parser = seed)]
     pub seed: u64,
+}
+
+/// `list`
+#[derive(ClapArgs, Debug)]
+#[command(after_help = "\
+Examples:
+  photoncube list
+  photoncube list stream                   its ports, numbers, clocks, area, Fmax, and how it was verified
+  photoncube list --wide                   every figure of every machine, far wider than a terminal
+  photoncube list tile-6 --json")]
+pub struct ListArgs {
+    /// Only this machine, with its datasheet
+    #[arg(value_name = "MACHINE")]
+    pub machine: Option<String>,
+    /// Print every table, however wide
+    #[arg(long, conflicts_with = "machine")]
+    pub wide: bool,
 }
 
 /// `generate`
@@ -176,24 +220,24 @@ golden model's here, one thread, beside plain f64 and f32 loops of the same run.
 pub struct ReportArgs {
     /// A built-in scene (see `photoncube list`) or a scene file, TOML (see docs/scenes.md) or JSON
     #[arg(default_value = "cornell")]
-    pub scene: String,
+    pub scene: SceneName,
     /// The folder for the plot (SVG) and the table's data (JSON)
     #[arg(long, default_value = "out", value_name = "DIR")]
     pub out: PathBuf,
     /// At least this many photons are stored in each map
-    #[arg(long, default_value_t = 200_000, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(long, default_value_t = 200_000, value_name = "N", value_parser = count(1..=MAX_PHOTONS))]
     pub photons: u64,
     /// Photons in range that the search radius aims at, on average
-    #[arg(long, default_value_t = BenchOptions::default().in_range, value_name = "N", value_parser = parse_positive)]
+    #[arg(long, default_value_t = BenchOptions::default().in_range, value_name = "N", value_parser = positive)]
     pub in_range: f64,
     /// Independent photon maps; more know noise and bias better
-    #[arg(long, default_value_t = 8, value_name = "N", value_parser = clap::value_parser!(u64).range(2..))]
+    #[arg(long, default_value_t = 8, value_name = "N", value_parser = count(2..=u64::MAX))]
     pub maps: u64,
     /// The view whose pixels are the queries
     #[arg(long, default_value_t = Size { width: 32, height: 32 }, value_name = "WxH")]
     pub size: Size,
     /// Seed of all random numbers
-    #[arg(long, default_value_t = 1, value_name = "S")]
+    #[arg(long, default_value_t = 1, value_name = "S", value_parser = seed)]
     pub seed: u64,
 }
 
@@ -219,7 +263,8 @@ pub struct HardCasesArgs {
 Examples:
   photoncube microprogram
   photoncube microprogram --machine paper-5d --json
-  photoncube microprogram --file mine.txt      check a listing of your own (exit 1 if rejected)")]
+  photoncube microprogram > mine.txt           a listing to change: docs/microprograms.md
+  photoncube microprogram --file mine.txt      check it (exit 1 if rejected)")]
 pub struct MicroprogramArgs {
     #[command(flatten)]
     pub machine: MachineArgs,
@@ -276,11 +321,4 @@ impl FromStr for Size {
                 )
             })
     }
-}
-
-fn parse_positive(text: &str) -> Result<f64, String> {
-    let number = text.parse::<f64>().ok();
-    number
-        .filter(|number| number.is_finite() && *number > 0.0)
-        .ok_or_else(|| "expected a number above 0".to_owned())
 }

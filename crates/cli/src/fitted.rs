@@ -9,6 +9,7 @@ use photoncube_spec::{
 };
 use serde::Serialize;
 
+use crate::args::short;
 use crate::failure::CheckFailed;
 use crate::measured::Measured;
 use crate::progress;
@@ -170,7 +171,7 @@ pub fn format_and_machines(fit: &Fit, options: &FitOptions) -> Result<(Trial, Ch
 pub fn no_format(options: &FitOptions) -> String {
     format!(
         "no photon format's error is below {} of the scene's noise; expected a larger --noise-ratio",
-        options.noise_ratio
+        short(options.noise_ratio)
     )
 }
 

@@ -23,11 +23,51 @@ pub fn markdown(header: &[&str], rows: &[Vec<String>]) -> String {
     text
 }
 
+/// Columns of a terminal that texts are made for.
+pub const COLUMNS: usize = 100;
+
+/// A text in lines of at most [`COLUMNS`], broken between words, those after the first indented by so much. A word
+/// that is longer has a line of its own.
+pub fn wrapped(text: &str, indent: usize) -> String {
+    let mut lines = String::new();
+    // Of the line so far; none before the first word.
+    let mut width = None;
+    for word in text.split(' ') {
+        let length = word.chars().count();
+        width = Some(match width {
+            None => length,
+            Some(width) if width + 1 + length <= COLUMNS => {
+                lines.push(' ');
+                width + 1 + length
+            }
+            Some(_) => {
+                lines += &format!("\n{:indent$}", "");
+                indent + length
+            }
+        });
+        lines += word;
+    }
+    lines
+}
+
 #[cfg(test)]
 mod tests {
     #[test]
     fn columns_are_padded() {
         let table = super::markdown(&["a", "bb"], &[vec!["ccc".into(), "d".into()]]);
         assert_eq!(table, "| a   | bb |\n| --- | -- |\n| ccc | d  |\n");
+    }
+
+    #[test]
+    fn long_lines_are_broken_between_words() {
+        let word = "x".repeat(60);
+        let text = super::wrapped(&format!("  a {word} {word}"), 4);
+        assert_eq!(text, format!("  a {word}\n    {word}"));
+        assert_eq!(super::wrapped("  short", 4), "  short");
+        let long = "y".repeat(200);
+        assert_eq!(
+            super::wrapped(&format!("a {long} b"), 2),
+            format!("a\n  {long}\n  b")
+        );
     }
 }

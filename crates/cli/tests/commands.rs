@@ -5,12 +5,16 @@ mod json_keys;
 mod pictures;
 mod robustness;
 mod scenes;
+mod shared;
+mod usage;
 
 use std::fs;
 use std::path::Path;
 
 use assert_cmd::Command;
 use serde_json::Value;
+
+use self::shared::{FIT, HARD_CASES, REPORT, RUN, SMALL_FIT};
 
 fn photoncube(args: &[&str]) -> Command {
     let mut command = Command::cargo_bin("photoncube").unwrap();
@@ -134,7 +138,7 @@ fn bad_input_ends_2_says_what_was_expected_and_writes_nothing() {
             &["verify", "--machine", "pentium"],
             "the machines are paper",
         ),
-        (&["verify", "--iterations", "0"], "1.."),
+        (&["verify", "--iterations", "0"], "a whole number from 1;"),
         (&["verify", "--against", "modelsim"], "rust-hdl"),
         (&["hard-cases", "--format", "float"], "no format `float`"),
         (&["microprogram", "--dimension", "9"], "not built in"),
@@ -147,7 +151,10 @@ fn bad_input_ends_2_says_what_was_expected_and_writes_nothing() {
             "the machines are paper",
         ),
         (&["run", "--out", below_a_file], "cannot make the folder"),
-        (&["run", "--photons", "0", "--out", out], "1.."),
+        (
+            &["run", "--photons", "0", "--out", out],
+            "a whole number from 1 to 134217728",
+        ),
         (
             &["render", "cornell", "-o", picture, "--size", "0x9"],
             "expected WxH",
@@ -204,7 +211,7 @@ fn verify_reports_what_it_compared() {
     assert_eq!(report["devices"][1]["device"], "text");
     for device in report["devices"].as_array().unwrap() {
         assert_eq!(device["registers_compared"], true);
-        assert!(device["clocks_per_second"].as_u64() > Some(0));
+        assert!(device["clocks_per_second"].as_u64().unwrap() > 0);
     }
 }
 
@@ -234,23 +241,12 @@ fn render_is_the_same_for_a_seed_and_another_for_another() {
 
 #[test]
 fn run_takes_the_whole_path() {
-    let folder = tempfile::tempdir().unwrap();
-    let out = folder.path().to_str().unwrap();
-    let small = [
-        "--photons",
-        "20000",
-        "--size",
-        "24x24",
-        "--samples",
-        "1",
-        "--iterations",
-        "40",
-    ];
-    let report = json(&[&["run", "--out", out][..], &small[..]].concat());
+    let (report, folder) = (&RUN.report, &RUN.folder);
     // Without --machine it is the one that the scene needs.
     let fitted = &report["fitted"];
     assert_eq!(fitted["holds"], true);
-    assert!(fitted["measurement"]["error_over_noise"].as_f64() <= fitted["noise_ratio"].as_f64());
+    let error = fitted["measurement"]["error_over_noise"].as_f64().unwrap();
+    assert!(error <= fitted["noise_ratio"].as_f64().unwrap());
     let machine = report["machine"].as_str().unwrap();
     assert_ne!(machine, "paper");
     assert_eq!(report["mismatches"], 0);
@@ -270,10 +266,9 @@ fn run_takes_the_whole_path() {
     assert_eq!(compared + missing, 4);
     // The emitted text is proven whatever is installed.
     assert_eq!(report["devices"][1]["device"], "text");
-    assert!(
-        report["vectors_compared"].as_u64() >= report["devices"][1]["vectors_compared"].as_u64()
-    );
-    assert!(report["vectors_compared"].as_u64() > Some(0));
+    let vectors = |of: &Value| of["vectors_compared"].as_u64().unwrap();
+    assert!(vectors(&report["devices"][1]) > 0);
+    assert!(vectors(report) >= vectors(&report["devices"][1]));
     for name in ["cornell.png", "cornell-f64.png", "run.json"] {
         assert!(folder.path().join(name).is_file(), "{name}");
     }
@@ -281,12 +276,9 @@ fn run_takes_the_whole_path() {
     assert!(folder.path().join(&verilog).is_file(), "{verilog}");
 }
 
-/// Few photons and queries: what is fitted differs from the default's, how does not.
-const SMALL_FIT: [&str; 6] = ["--photons", "20000", "--size", "24x24", "--maps", "4"];
-
 #[test]
 fn fit_finds_a_format_that_holds_and_shows_that_less_breaks() {
-    let report = json(&[&["fit", "ring"][..], &SMALL_FIT[..]].concat());
+    let report = &*FIT;
     let bound = report["noise_ratio"].as_f64().unwrap();
     let error = |row: &Value| row["measurement"]["error_over_noise"].as_f64().unwrap();
     assert!(error(&report["fitted"]) <= bound);
@@ -300,7 +292,8 @@ fn fit_finds_a_format_that_holds_and_shows_that_less_breaks() {
     assert!(next.contains(&format!("--machine {machine} ")), "{next}");
     let saved = report["comparison"].as_array().unwrap().iter();
     let saved = |name| saved.clone().find(|row| row["name"] == name).unwrap();
-    assert!(saved("paper")["bits_per_photon_saved"].as_i64() > Some(0));
+    let saved = &saved("paper")["bits_per_photon_saved"];
+    assert!(saved.as_i64().unwrap() > 0);
 }
 
 #[test]
@@ -330,10 +323,7 @@ fn a_ratio_that_nothing_meets_ends_1_and_one_of_nothing_ends_2() {
 
 #[test]
 fn report_measures_every_format_and_machine() {
-    let folder = tempfile::tempdir().unwrap();
-    let out = folder.path().to_str().unwrap();
-    let small = ["--photons", "5000", "--size", "8x8", "--maps", "2"];
-    let report = json(&[&["report", "--out", out][..], &small[..]].concat());
+    let (report, folder) = (&REPORT.report, &REPORT.folder);
     let rows = report["rows"].as_array().unwrap();
     let list = json(&["list"]);
     let listed = ["formats", "machines"].map(|key| list[key].as_array().unwrap().len());
@@ -345,7 +335,7 @@ fn report_measures_every_format_and_machine() {
     let error = |name| row(name)["error_over_noise"].as_f64().unwrap();
     assert!(error("local4-rgb8e5") > error("local8-rgb8e5"));
     assert!(rows.iter().any(|row| row["on_bits_front"] == true));
-    estimators::check_rows(&report);
+    estimators::check_rows(report);
     for name in [
         "report-cornell-speed.svg",
         "report-cornell-bits.svg",
@@ -363,7 +353,7 @@ fn report_measures_every_format_and_machine() {
 
 #[test]
 fn hard_cases_print_a_row_each_with_bound_reason_and_contrast() {
-    let report = json(&["hard-cases", "--format", "local7x1-mono8"]);
+    let report = &*HARD_CASES;
     let cases = report["cases"].as_array().unwrap();
     assert!(cases.len() > 20, "{cases:?}");
     assert_eq!(report["failed"].as_array().unwrap().len(), 0);
@@ -441,6 +431,7 @@ fn help_has_examples() {
     for command in [
         "run",
         "fit",
+        "list",
         "generate",
         "verify",
         "render",

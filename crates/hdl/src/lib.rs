@@ -22,7 +22,7 @@ mod unit;
 mod units;
 
 pub use build::{NotBuiltIn, most_steps};
-pub use emit::{BlockRam, EmitError, Emitted, emit, emit_unit};
+pub use emit::{BlockRam, EmitError, Emitted, emit, emit_unit, interface_text};
 pub use level::Level;
 pub use lint::{Finding, Opaque, OpaqueKind, Rule, lint, opaque_blocks};
 pub use planted::{Planted, lint_planted};

@@ -100,6 +100,6 @@ pub use render::{
 };
 pub use scene::{Bsdf, LightChoice, ObjError, Scene, SceneError, Surface};
 pub use speed::{f32_speed, gather_speed};
-pub use trace::{PathKind, Photon, PhotonTrace, TraceError, TraceOptions, trace};
+pub use trace::{MAX_PHOTONS, PathKind, Photon, PhotonTrace, TraceError, TraceOptions, trace};
 pub use view::{QueryPoint, ViewError, ViewOptions};
 pub use workload::{WorkloadError, workload};

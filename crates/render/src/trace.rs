@@ -133,10 +133,10 @@ pub enum TraceError {
     },
 }
 
-/// What bounds memory: a photon takes 125 bytes at the peak, while it is sorted into blocks (measured
+/// The most photons that are asked for, which bounds memory: a photon takes 125 bytes at the peak, while it is sorted into blocks (measured
 /// with 20 million), so this many take 17 GB.
 /// A `u32` counts them with room for the last batch.
-const MAX_PHOTONS: u64 = 1 << 27;
+pub const MAX_PHOTONS: u64 = 1 << 27;
 
 /// Traces paths until at least `options.photons` photons are stored.
 ///

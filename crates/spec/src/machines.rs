@@ -4,6 +4,7 @@ use thiserror::Error;
 
 use crate::format::Squarer;
 use crate::machine::{Machine, Numbers, PlainFormat};
+use crate::nearest::did_you_mean;
 use crate::organisation::Organisation;
 use crate::photon_format::{Channels, Exponent, PhotonFormat, PowerFormat, Rounding};
 use crate::photon_formats::PHOTON_FORMATS;
@@ -159,7 +160,7 @@ pub const MACHINES: &[Machine] = &[
     },
     Machine {
         name: "local-half",
-        summary: "16 cells, the default photon format with queries on half steps: the widest that is built",
+        summary: "16 cells, the default photon format, queries on half steps: the widest built",
         organisation: Organisation::Sequential,
         dimension: 4,
         numbers: Numbers::Local(PhotonFormat {
@@ -286,7 +287,7 @@ pub const MACHINES: &[Machine] = &[
     with_memory(
         tile(
             "chip-mixed",
-            "64 engines and the photon memory for one FPGA, squarers from block RAMs, DSP blocks and LUTs",
+            "64 engines of three kinds of squarers, and the photon memory, for one FPGA",
             6,
         ),
         DECISIONS,
@@ -314,10 +315,12 @@ pub const MACHINES: &[Machine] = &[
 
 /// No machine has that name.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[error("there is no machine `{found}`; the machines are {expected}")]
+#[error("there is no machine `{found}`{meant}; the machines are {expected}")]
 pub struct UnknownMachine {
     /// The name asked for.
     pub found: String,
+    /// The name that was meant, as [`did_you_mean`] tells it.
+    pub meant: String,
     /// The names there are.
     pub expected: String,
 }
@@ -330,6 +333,7 @@ pub fn find_machine(name: &str) -> Result<&'static Machine, UnknownMachine> {
     let found = MACHINES.iter().find(|machine| machine.name == name);
     found.ok_or_else(|| UnknownMachine {
         found: name.to_owned(),
+        meant: did_you_mean(name, MACHINES.iter().map(|machine| machine.name)),
         expected: MACHINES
             .iter()
             .map(|machine| machine.name)
@@ -374,6 +378,10 @@ mod tests {
     #[test]
     fn an_unknown_machine_is_named_with_those_there_are() {
         let message = find_machine("pentium").unwrap_err().to_string();
-        assert!(message.contains("`pentium`") && message.contains("paper, paper-dsp"));
+        assert!(message.contains("`pentium`;") && message.contains("paper, paper-dsp"));
+        let message = find_machine("papper").unwrap_err().to_string();
+        let expected =
+            "there is no machine `papper` (did you mean `paper`?); the machines are paper, ";
+        assert!(message.starts_with(expected), "{message}");
     }
 }

@@ -2,6 +2,7 @@
 
 use thiserror::Error;
 
+use crate::nearest::did_you_mean;
 use crate::photon_format::{Channels, Exponent, FormatError, PhotonFormat, PowerFormat, Rounding};
 
 /// A row of the table: p and x, then RGB rounded to nearest.
@@ -62,12 +63,14 @@ pub const PHOTON_FORMATS: &[PhotonFormat] = &[
 pub enum UnknownFormat {
     /// It is not how formats are named.
     #[error(
-        "there is no format `{found}`; expected local P [x X] - (rgb | mono) M [e BITS | b BITS] [d] \
+        "there is no format `{found}`{meant}; expected local P [x X] - (rgb | mono) M [e BITS | b BITS] [d] \
          [-n PHOTONS] without spaces, such as {examples}"
     )]
     Name {
         /// The name asked for.
         found: String,
+        /// The listed format that was meant, as [`did_you_mean`] tells it.
+        meant: String,
         /// Some that there are.
         examples: String,
     },
@@ -83,6 +86,7 @@ pub enum UnknownFormat {
 pub fn find_photon_format(name: &str) -> Result<PhotonFormat, UnknownFormat> {
     let format = parse(name).ok_or_else(|| UnknownFormat::Name {
         found: name.to_owned(),
+        meant: meant(name),
         examples: PHOTON_FORMATS[..3]
             .iter()
             .map(PhotonFormat::name)
@@ -91,6 +95,16 @@ pub fn find_photon_format(name: &str) -> Result<PhotonFormat, UnknownFormat> {
     })?;
     format.check()?;
     Ok(format)
+}
+
+/// Only what begins as a format is one with a slip: listed names are too alike for anything else.
+fn meant(name: &str) -> String {
+    let listed: Vec<_> = PHOTON_FORMATS.iter().map(PhotonFormat::name).collect();
+    let known = listed.iter().map(String::as_str);
+    match name.to_lowercase().starts_with("local") {
+        true => did_you_mean(name, known),
+        false => String::new(),
+    }
 }
 
 fn parse(name: &str) -> Option<PhotonFormat> {

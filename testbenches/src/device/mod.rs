@@ -12,7 +12,7 @@ mod verilator;
 use std::fmt;
 
 use photoncube_hdl::{Emitted, Level, Unit, emit, emit_unit};
-use photoncube_spec::Machine;
+use photoncube_spec::{Machine, did_you_mean};
 use serde::{Serialize, Serializer};
 use thiserror::Error;
 
@@ -143,10 +143,12 @@ pub enum DeviceKind {
 
 /// No device has that name.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[error("there is no device `{found}`; the devices are {expected}")]
+#[error("there is no device `{found}`{meant}; the devices are {expected}")]
 pub struct UnknownDevice {
     /// The name asked for.
     pub found: String,
+    /// The name that was meant, as [`did_you_mean`] tells it.
+    pub meant: String,
     /// The names there are.
     pub expected: String,
 }
@@ -180,6 +182,7 @@ impl DeviceKind {
         let found = Self::ALL.into_iter().find(|kind| kind.name() == name);
         found.ok_or_else(|| UnknownDevice {
             found: name.to_owned(),
+            meant: did_you_mean(name, Self::ALL.map(Self::name)),
             expected: Self::ALL.map(Self::name).join(", "),
         })
     }
@@ -302,6 +305,11 @@ mod tests {
             assert_eq!(DeviceKind::from_name(kind.name()), Ok(kind));
         }
         let message = DeviceKind::from_name("modelsim").unwrap_err().to_string();
-        assert!(message.contains("`modelsim`") && message.contains("icarus, verilator"));
+        assert!(message.contains("`modelsim`;") && message.contains("icarus, verilator"));
+        let message = DeviceKind::from_name("verilatr").unwrap_err().to_string();
+        assert!(
+            message.contains("`verilatr` (did you mean `verilator`?);"),
+            "{message}"
+        );
     }
 }

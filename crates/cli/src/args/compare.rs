@@ -23,6 +23,6 @@ pub struct CompareArgs {
     #[arg(long, value_name = "FILE")]
     pub error_map: Option<PathBuf>,
     /// Fail (exit code 1) where the relMSE is larger
-    #[arg(long, value_name = "E", value_parser = super::parse_positive)]
+    #[arg(long, value_name = "E", value_parser = super::numbers::positive)]
     pub max_rel_mse: Option<f64>,
 }

@@ -1,9 +1,11 @@
 //! The arguments of `fit`.
 
 use clap::Args as ClapArgs;
-use photoncube_render::{BenchOptions, FitOptions, ViewOptions};
+use photoncube_render::{BenchOptions, FitOptions, MAX_PHOTONS, ViewOptions};
 
-use super::{Size, parse_positive};
+use super::Size;
+use super::numbers::{count, positive, seed};
+use crate::scenes::SceneName;
 
 /// `fit`
 #[derive(ClapArgs, Debug)]
@@ -18,24 +20,24 @@ its own, and so is each format with one bit less: exit code 0 says that it holds
 pub struct FitArgs {
     /// A built-in scene (see `photoncube list`) or a scene file, TOML (see docs/scenes.md) or JSON
     #[arg(default_value = "cornell")]
-    pub scene: String,
+    pub scene: SceneName,
     /// The error's bound, as a part of the scene's own Monte-Carlo noise
-    #[arg(long, default_value_t = FitOptions::default().noise_ratio, value_name = "R", value_parser = parse_positive)]
+    #[arg(long, default_value_t = FitOptions::default().noise_ratio, value_name = "R", value_parser = positive)]
     pub noise_ratio: f64,
     /// At least this many photons are stored in each map
-    #[arg(long, default_value_t = FitOptions::default().bench.photons, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(long, default_value_t = FitOptions::default().bench.photons, value_name = "N", value_parser = count(1..=MAX_PHOTONS))]
     pub photons: u64,
     /// Photons in range that the search radius aims at, on average
-    #[arg(long, default_value_t = FitOptions::default().bench.in_range, value_name = "N", value_parser = parse_positive)]
+    #[arg(long, default_value_t = FitOptions::default().bench.in_range, value_name = "N", value_parser = positive)]
     pub in_range: f64,
     /// Independent photon maps to measure on; more know the error better
-    #[arg(long, default_value_t = FitOptions::default().bench.maps, value_name = "N", value_parser = clap::value_parser!(u64).range(3..))]
+    #[arg(long, default_value_t = FitOptions::default().bench.maps, value_name = "N", value_parser = count(3..=u64::MAX))]
     pub maps: u64,
     /// The view whose pixels are the queries
     #[arg(long, default_value_t = Size::of(&FitOptions::default().bench.view), value_name = "WxH")]
     pub size: Size,
     /// Seed of all random numbers
-    #[arg(long, default_value_t = FitOptions::default().bench.seed, value_name = "S")]
+    #[arg(long, default_value_t = FitOptions::default().bench.seed, value_name = "S", value_parser = seed)]
     pub seed: u64,
 }
 

@@ -3,9 +3,11 @@
 use std::path::PathBuf;
 
 use clap::Args as ClapArgs;
-use photoncube_render::{ProgressiveOptions, ViewOptions};
+use photoncube_render::{MAX_PHOTONS, ProgressiveOptions, ViewOptions};
 
-use super::{EngineArgs, LightArgs, Size, parse_positive};
+use super::numbers::{count, positive, seed};
+use super::{EngineArgs, LightArgs, Size};
+use crate::scenes::SceneName;
 
 /// `progressive`
 #[derive(ClapArgs, Debug)]
@@ -23,24 +25,24 @@ confidence asked for. --error-target stops when the bounds' root mean square, ea
 luminance, is not above it. See docs/accuracy.md for how many bounds hold, and where they do not.")]
 pub struct ProgressiveArgs {
     /// A built-in scene (see `photoncube list`) or a scene file, TOML (see docs/scenes.md) or JSON
-    pub scene: String,
+    pub scene: SceneName,
     /// The picture, a PNG or OpenEXR file
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
     /// Passes, at most
-    #[arg(long, default_value_t = 64, value_name = "N", value_parser = clap::value_parser!(u64).range(2..))]
+    #[arg(long, default_value_t = 64, value_name = "N", value_parser = count(2..=u64::MAX))]
     pub passes: u64,
     /// Stop when the picture's error is below this part of its luminance: 0.05 is 5 %
-    #[arg(long, value_name = "E", value_parser = parse_positive)]
+    #[arg(long, value_name = "E", value_parser = positive)]
     pub error_target: Option<f64>,
     /// With which probability a pixel's error is below its bound
     #[arg(long, default_value_t = 0.9, value_name = "C", value_parser = parse_confidence)]
     pub confidence: f64,
     /// At least this many photons are stored in each pass
-    #[arg(long, default_value_t = ProgressiveOptions::default().photons, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(long, default_value_t = ProgressiveOptions::default().photons, value_name = "N", value_parser = count(1..=MAX_PHOTONS))]
     pub photons: u64,
     /// Photons in range that the radius of the first pass aims at, on average
-    #[arg(long, default_value_t = ProgressiveOptions::default().in_range, value_name = "N", value_parser = parse_positive)]
+    #[arg(long, default_value_t = ProgressiveOptions::default().in_range, value_name = "N", value_parser = positive)]
     pub in_range: f64,
     /// How the radius falls: the squared radius of pass i + 1 is (i + A) / (i + 1) of that before
     #[arg(long, default_value_t = ProgressiveOptions::default().alpha, value_name = "A")]
@@ -49,10 +51,10 @@ pub struct ProgressiveArgs {
     #[arg(long, default_value_t = Size::of(&ViewOptions::default()), value_name = "WxH")]
     pub size: Size,
     /// Query points for each pixel and pass: N x N
-    #[arg(long, default_value_t = 1, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=64))]
+    #[arg(long, default_value_t = 1, value_name = "N", value_parser = count(1..=64_u32))]
     pub samples: u32,
     /// Seed of all random numbers; the same seed gives the same picture
-    #[arg(long, default_value_t = 1, value_name = "S")]
+    #[arg(long, default_value_t = 1, value_name = "S", value_parser = seed)]
     pub seed: u64,
     #[command(flatten)]
     pub engine: EngineArgs,

@@ -9,7 +9,9 @@ use photoncube_spec::{Machine, PHOTON_FORMATS, PhotonFormat, find_photon_format}
 use serde::Serialize;
 
 use super::PictureArgs;
+use super::numbers::count;
 use crate::machines::MachineArgs;
+use crate::scenes::SceneName;
 
 /// `render`
 #[derive(ClapArgs, Debug)]
@@ -35,7 +37,7 @@ Estimators:
 A picture ends in .png (8 bits, sRGB) or .exr (linear, to compute with: see `photoncube compare`).")]
 pub struct RenderArgs {
     /// A built-in scene (see `photoncube list`) or a scene file, TOML (see docs/scenes.md) or JSON
-    pub scene: String,
+    pub scene: SceneName,
     /// The picture, a PNG or OpenEXR file
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
@@ -162,7 +164,7 @@ pub struct LightArgs {
     #[arg(long, default_value_t = Caustics::Map, value_name = "C")]
     pub caustics: Caustics,
     /// Rays of a final gather from each query point; 0 for none
-    #[arg(long, default_value_t = 0, value_name = "N", value_parser = clap::value_parser!(u32).range(..=65536))]
+    #[arg(long, default_value_t = 0, value_name = "N", value_parser = count(0..=65_536_u32))]
     pub final_gather: u32,
     /// What sums of power are divided by: the `disc`, or what it covers of surfaces, `covered`
     #[arg(long, default_value_t = Area::Disc, value_name = "A")]

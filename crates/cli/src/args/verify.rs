@@ -4,9 +4,10 @@ use std::path::PathBuf;
 
 use clap::{ArgGroup, Args as ClapArgs};
 
+use super::numbers::{count, seed};
 use crate::machines::MachineArgs;
 
-/// `verify`
+/// `verify`. Which method uses which option stands in `applies`.
 #[derive(ClapArgs, Debug)]
 #[command(
     group = ArgGroup::new("method"),
@@ -35,10 +36,10 @@ pub struct VerifyArgs {
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     pub against: Option<Vec<String>>,
     /// Iterations (groups of photons) to compare in each
-    #[arg(long, default_value_t = 20_000, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(long, default_value_t = 20_000, value_name = "N", value_parser = count(1..=u64::MAX))]
     pub iterations: u64,
     /// Seed of the stimulus
-    #[arg(long, default_value_t = 1, value_name = "S")]
+    #[arg(long, default_value_t = 1, value_name = "S", value_parser = seed)]
     pub seed: u64,
     /// Put what was found into this table of results, a JSON file
     #[arg(long, value_name = "FILE")]
@@ -48,47 +49,37 @@ pub struct VerifyArgs {
     pub lint: bool,
     /// Give everything that reads scenes, meshes, listings, pictures, tables and command lines N inputs that are
     /// nearly right: it must read or refuse them, and never panic, hang or take memory without bound
-    #[arg(long, group = "method", value_name = "N", value_parser = clap::value_parser!(u64).range(1..1 << 39))]
+    #[arg(long, group = "method", value_name = "N", value_parser = count(1..=(1_u64 << 39) - 1))]
     pub fuzz: Option<u64>,
     /// Only the reader of that name
-    #[arg(long, requires = "fuzz", value_name = "NAME")]
+    #[arg(long, value_name = "NAME")]
     pub reader: Option<String>,
     /// Begin with that input
-    #[arg(long, requires = "fuzz", default_value_t = 0, value_name = "I", value_parser = clap::value_parser!(u64).range(..1 << 39))]
+    #[arg(long, default_value_t = 0, value_name = "I", value_parser = count(0..=(1_u64 << 39) - 1))]
     pub from: u64,
     /// Count what a verification in Verilator uses of the emitted lines, branches and bits, and list what it does not
     #[arg(long, group = "method")]
     pub coverage: bool,
     /// Draw N different microprograms, gathers and any others that end, and compare each in one cell and in the
     /// machine; one that differs is made as short as it can be
-    #[arg(long, group = "method", value_name = "N", value_parser = clap::value_parser!(u64).range(1..1 << 20))]
+    #[arg(long, group = "method", value_name = "N", value_parser = count(1..=(1_u64 << 20) - 1))]
     pub programs: Option<u64>,
     /// Plant about N mutations in the emitted Verilog, one at a time, and see whether the stimulus finds each; what it
     /// does not find in --iterations is proven to change nothing, or survives, which fails
-    #[arg(long, group = "method", value_name = "N", value_parser = clap::value_parser!(u64).range(1..1 << 15))]
+    #[arg(long, group = "method", value_name = "N", value_parser = count(1..=(1_u64 << 15) - 1))]
     pub mutants: Option<u64>,
     /// Verify all machines with seed after seed, on all cores; what is done stands in the file of --state, so that a
     /// campaign that was stopped or killed goes on, and a difference becomes a regression case
-    #[arg(long, group = "method", requires = "hours", conflicts_with_all = ["machine", "against", "iterations", "seed"])]
+    #[arg(long, group = "method", requires = "hours")]
     pub campaign: bool,
     /// Begin no job of about 20 seconds after so long; 0: print what the campaign has done
-    #[arg(long, requires = "campaign", value_name = "H", value_parser = hours)]
+    #[arg(long, value_name = "H", value_parser = hours)]
     pub hours: Option<f64>,
     /// The state of the campaign
-    #[arg(
-        long,
-        requires = "campaign",
-        value_name = "FILE",
-        default_value = "out/campaign.json"
-    )]
+    #[arg(long, value_name = "FILE", default_value = "out/campaign.json")]
     pub state: PathBuf,
     /// Where regression cases are kept; `cargo test` replays those of this folder
-    #[arg(
-        long,
-        requires = "campaign",
-        value_name = "DIR",
-        default_value = "testbenches/regressions"
-    )]
+    #[arg(long, value_name = "DIR", default_value = "testbenches/regressions")]
     pub regressions: PathBuf,
     /// Every pair of inputs of every unit at 6 and at 8 bits, and every difference with every radius at 8 bits through
     /// the lanes of a machine
@@ -102,8 +93,8 @@ pub struct VerifyArgs {
     /// module against its netlist
     #[arg(long, group = "method")]
     pub formal: bool,
-    /// Only the properties whose names begin so
-    #[arg(long, requires = "formal", value_name = "NAME")]
+    /// Only the properties whose names begin so; the result of some is not recorded
+    #[arg(long, conflicts_with = "record", value_name = "NAME")]
     pub property: Option<String>,
     /// Print the committed table of results, and verify nothing
     #[arg(long, group = "method")]

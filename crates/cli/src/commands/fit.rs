@@ -98,7 +98,7 @@ fn report(
     let smallest = choices.map(|choices| &choices.smallest);
     let fastest = choices.map(|choices| &choices.fastest);
     Ok(Report {
-        scene: args.scene.clone(),
+        scene: args.scene.to_string(),
         seed: args.seed,
         noise_ratio: options.noise_ratio,
         photons: args.photons,

@@ -87,10 +87,16 @@ fn report(
     (report, schedule)
 }
 
+/// The listing, and as comments what is said of it, so that `--file` reads all of it.
 fn text(report: &Report, schedule: &ScheduleReport) -> String {
+    let said = said(report, schedule);
+    let said: String = said.lines().map(|line| format!("# {line}\n")).collect();
+    format!("# {}\n\n{}\n{said}", report.source, report.listing)
+}
+
+fn said(report: &Report, schedule: &ScheduleReport) -> String {
     let percent = |value: f64| format!("{:.1} %", 100.0 * value);
-    let mut text = format!("{}\n\n{}\n", report.source, report.listing);
-    text += &format!(
+    let mut text = format!(
         "{} clocks for {} photons; the query phase takes {}.\n",
         report.initiation_interval, report.photons_per_iteration, report.query_clocks
     );
@@ -115,7 +121,7 @@ fn text(report: &Report, schedule: &ScheduleReport) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use photoncube_spec::find_machine;
+    use photoncube_spec::{Axis, OPS, REGISTERS, find_machine};
 
     #[test]
     fn the_papers_schedule_report() {
@@ -125,6 +131,32 @@ mod tests {
             "paper".to_owned(),
             &machine.microprogram().unwrap(),
         );
-        insta::assert_snapshot!(text(&report, &schedule));
+        let text = text(&report, &schedule);
+        assert_eq!(parse_listing(&text), Ok(machine.microprogram().unwrap()));
+        insta::assert_snapshot!(text);
+    }
+
+    #[test]
+    fn the_page_about_listings_has_todays_ops_and_registers_and_a_listing_that_is_accepted() {
+        let page = include_str!("../../../../docs/microprograms.md");
+        for row in OPS {
+            let unit = row.unit.map_or("-", |unit| unit.name());
+            let line = format!("\n| `{}` | {unit} | {} |\n", row.mnemonic, row.formula);
+            assert!(page.contains(&line), "{line}");
+        }
+        for row in REGISTERS {
+            assert!(
+                page.contains(&format!("\n| `{}` | ", row.mnemonic)),
+                "{}",
+                row.name
+            );
+        }
+        let names: Vec<_> = (0..10).filter_map(Axis::new).map(Axis::name).collect();
+        assert!(page.contains(&format!("`{}`", names.join(" "))));
+        let listing = page.split("```text\n").nth(1).unwrap();
+        let listing = listing.split("```").next().unwrap();
+        let paper = find_machine("paper").unwrap();
+        let program = parse_listing(listing).unwrap();
+        assert_eq!(check_schedule(&program, paper.hypercube()), Ok(()));
     }
 }

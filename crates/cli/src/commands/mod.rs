@@ -28,7 +28,7 @@ pub fn execute(args: Args) -> Result<()> {
     match args.command {
         Command::Run(options) => run::execute(&options, json),
         Command::Fit(options) => fit::execute(&options, json),
-        Command::List => list::execute(json),
+        Command::List(options) => list::execute(&options, json),
         Command::Generate(options) => generate::execute(&options, json),
         Command::Verify(options) => verify::execute(&options, json),
         Command::Render(options) => render::execute(&options, json),

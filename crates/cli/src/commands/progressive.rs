@@ -12,7 +12,7 @@ use serde::Serialize;
 
 use super::compare::Distance;
 use super::render::EXPOSURE;
-use crate::args::{EngineReport, LightingReport, ProgressiveArgs};
+use crate::args::{EngineReport, LightingReport, ProgressiveArgs, short};
 use crate::convergence::{Curve, Reached, convergence_plot};
 use crate::failure::CheckFailed;
 use crate::table::markdown;
@@ -96,7 +96,7 @@ pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
     work.write_error_map()?;
     let stats = work.progressive.stats();
     let report = Report {
-        scene: args.scene.clone(),
+        scene: args.scene.to_string(),
         engine: found.report(),
         light: LightingReport::of(&lighting),
         output: args.output.display().to_string(),
@@ -111,7 +111,8 @@ pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
     output::print(json, &report, || text(&report))?;
     match args.error_target {
         Some(target) if !reached => Err(CheckFailed(format!(
-            "the error target {target} is not reached in {} passes: give more --passes",
+            "the error target {} is not reached in {} passes: give more --passes",
+            short(target),
             args.passes
         ))
         .into()),

@@ -137,7 +137,7 @@ pub fn execute(args: &RenderArgs, json: bool) -> Result<()> {
     rendering.image.write(&args.output, EXPOSURE)?;
     let caustic = traced.maps.caustic.as_ref();
     let report = Report {
-        scene: args.scene.clone(),
+        scene: args.scene.to_string(),
         engine: found.report(),
         estimator: args.estimator.to_string(),
         light: LightingReport::of(&lighting),

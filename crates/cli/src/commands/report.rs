@@ -90,7 +90,7 @@ pub fn execute(args: &ReportArgs, json: bool) -> Result<()> {
     let (hardware_path, dimensions_path) = (file("-hardware.svg"), file("-dimensions.svg"));
     let (map, queries) = (&bench.maps()[0], bench.queries());
     let report = Report {
-        scene: args.scene.clone(),
+        scene: args.scene.to_string(),
         seed: args.seed,
         maps: args.maps,
         photons: args.photons,

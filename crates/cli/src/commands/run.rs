@@ -107,7 +107,7 @@ pub fn execute(args: &RunArgs, json: bool) -> Result<()> {
     files::write(&map_path, map.as_bytes())?;
     let stats = rendering.stats;
     let report = Report {
-        scene: args.scene.clone(),
+        scene: args.scene.to_string(),
         machine: machine.name,
         fitted,
         seed: args.picture.seed,

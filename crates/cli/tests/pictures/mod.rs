@@ -119,7 +119,8 @@ fn passes_go_on_until_the_error_is_small_enough() {
     assert!(last["error_bound"].as_f64().unwrap() <= 0.8, "{last}");
     assert!(last["passes"].as_u64().unwrap() < 100, "{last}");
     assert!(last["bounded_share"].as_f64().unwrap() >= 0.9, "{last}");
-    assert!(last["rel_mse"].as_f64() < rows[0]["rel_mse"].as_f64());
+    let rel_mse = |row: &serde_json::Value| row["rel_mse"].as_f64().unwrap();
+    assert!(rel_mse(last) < rel_mse(&rows[0]));
     assert!(rows[0]["error_bound"].is_null(), "one pass tells nothing");
     for file in ["p.png", "p-0001.png", "p-0002.png", "plot.svg", "map.svg"] {
         assert!(folder.path().join(file).exists(), "{file}");
@@ -127,10 +128,7 @@ fn passes_go_on_until_the_error_is_small_enough() {
 
     let never = ["--error-target", "1e-6", "--passes", "3"];
     let message = error(&[&start[..], &never].concat(), 1);
-    assert!(
-        message.contains("1e-6 is not reached") || message.contains("0.000001 is not reached"),
-        "{message}"
-    );
+    assert!(message.contains("1e-6 is not reached"), "{message}");
     let wrong = ["--alpha", "1", "--passes", "2"];
     let message = error(&[&start[..], &wrong].concat(), 2);
     assert!(message.contains("alpha: found 1, expected"), "{message}");

@@ -57,7 +57,7 @@ fn hostile_sizes_are_refused_with_the_reason() {
                 "--photons",
                 "1000000000000",
             ][..],
-            "photons: found 1000000000000, expected 1 to 134217728",
+            "'--photons <N>': expected a whole number from 1 to 134217728",
         ),
         (
             &["render", "cornell", "-o", "x.png", "--size", "16384x16384"],

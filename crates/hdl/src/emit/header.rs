@@ -7,8 +7,8 @@ use photoncube_spec::{Interface, Machine, Port};
 use super::modules::split;
 use crate::level::Level;
 
-/// The longest comment line.
-const COLUMNS: usize = 110;
+/// The longest line, without the mark of a comment before it.
+const COLUMNS: usize = 97;
 
 /// The header of a machine's Verilog; a part of it for itself has the first lines alone.
 pub(super) fn header(machine: &Machine, level: Level) -> String {
@@ -16,29 +16,33 @@ pub(super) fn header(machine: &Machine, level: Level) -> String {
         Level::Machine => String::new(),
         part => format!(", its {}", part.name()),
     };
-    let mut text = first_lines(
-        &format!("{}{scope}: {}.", machine.name, machine.summary),
-        machine,
-    );
-    if level != Level::Machine {
-        return text;
+    let about = format!("{}{scope}: {}.", machine.name, machine.summary);
+    let mut text = first_lines(&about, machine);
+    if level == Level::Machine {
+        text += "\n";
+        text += &interface_text(machine);
     }
+    comment(&text)
+}
+
+/// What an integrator must know of a machine, in lines of at most 97 columns: limits and clocks, ports, protocol.
+pub fn interface_text(machine: &Machine) -> String {
     let interface = Interface::of(machine);
-    text += "//\n";
+    let mut text = String::new();
     let width = interface.facts.iter().map(|fact| fact.name.len()).max();
     for fact in &interface.facts {
         let name = format!("{:1$}  ", fact.name, width.unwrap_or(0));
         push(&mut text, &name, &fact.value);
     }
     text += &format!(
-        "//\n// Ports of {}; bit 0 is the lowest:\n",
+        "\nPorts of {}; bit 0 is the lowest:\n",
         machine.module_prefix()
     );
     let columns = PortColumns::of(&interface.ports);
     for port in &interface.ports {
         push(&mut text, &columns.left(port), &port.meaning);
     }
-    text += "//\n// Protocol:\n";
+    text += "\nProtocol:\n";
     for rule in &interface.protocol {
         push(&mut text, "  - ", rule);
     }
@@ -55,7 +59,7 @@ pub(super) fn override_header(machine: &Machine, overrides: &str) -> String {
         modules.len()
     );
     let mut text = first_lines(&about, machine);
-    text += "//\n";
+    text += "\n";
     push(
         &mut text,
         "",
@@ -66,30 +70,39 @@ pub(super) fn override_header(machine: &Machine, overrides: &str) -> String {
              of {top}.v; the cells (CCU2C, LUT4, ...) are those of Lattice's library."
         ),
     );
-    text += "//\n";
+    text += "\n";
     for module in modules {
         push(&mut text, "  ", &module.name);
     }
-    text
+    comment(&text)
 }
 
 /// The licence, what it is, and who wrote it.
-pub(super) fn first_lines(about: &str, machine: &Machine) -> String {
+fn first_lines(about: &str, machine: &Machine) -> String {
     let mut text = licence();
     push(&mut text, "", about);
     text + &format!(
-        "// Written by photoncube {}, `photoncube generate --machine {}`; do not edit.\n",
+        "Written by photoncube {}, `photoncube generate --machine {}`; do not edit.\n",
         env!("CARGO_PKG_VERSION"),
         machine.name
     )
 }
 
-/// The licence of the emitted text.
-pub(super) fn licence() -> String {
-    format!(
-        "// SPDX-License-Identifier: {}\n",
-        env!("CARGO_PKG_LICENSE")
-    )
+/// The header of a unit for itself.
+pub(super) fn unit_header(about: &str) -> String {
+    comment(&(licence() + about + "\n"))
+}
+
+fn licence() -> String {
+    format!("SPDX-License-Identifier: {}\n", env!("CARGO_PKG_LICENSE"))
+}
+
+/// The lines as comments.
+fn comment(text: &str) -> String {
+    let lines = text.lines();
+    lines
+        .map(|line| format!("// {line}").trim_end().to_owned() + "\n")
+        .collect()
 }
 
 /// The widths of a table of ports.
@@ -124,16 +137,16 @@ fn kind(port: &Port) -> String {
     }
 }
 
-/// Adds comment lines: the text behind what stands left of it, and below it where one line is too short.
+/// Adds lines: the text behind what stands left of it, and below it where one line is too short.
 fn push(lines: &mut String, left: &str, text: &str) {
-    let mut line = format!("// {left}");
+    let mut line = left.to_owned();
     let indent = " ".repeat(left.len());
     let mut is_empty = true;
     for word in text.split(' ') {
         if !is_empty && line.len() + 1 + word.len() > COLUMNS {
             lines.push_str(line.trim_end());
             lines.push('\n');
-            line = format!("// {indent}");
+            line.clone_from(&indent);
             is_empty = true;
         }
         if !is_empty {
@@ -157,7 +170,10 @@ mod tests {
         for machine in MACHINES {
             let text = header(machine, Level::Machine);
             for line in text.lines() {
-                assert!(line.starts_with("//") && line.len() <= COLUMNS, "{line}");
+                assert!(
+                    line.starts_with("//") && line.len() <= COLUMNS + 3,
+                    "{line}"
+                );
             }
             let pins = Pins::of(machine);
             let outputs = &pins.observed[..pins.outputs];
@@ -179,8 +195,8 @@ mod tests {
         let mut lines = String::new();
         push(&mut lines, "ab  ", &"word ".repeat(30));
         let lines: Vec<_> = lines.lines().collect();
-        assert!(lines[0].starts_with("// ab  word word"));
-        assert!(lines[1].starts_with("//     word"));
+        assert!(lines[0].starts_with("ab  word word"));
+        assert!(lines[1].starts_with("    word"));
         assert!(lines.iter().all(|line| line.len() <= COLUMNS));
     }
 

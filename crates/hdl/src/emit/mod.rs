@@ -24,7 +24,9 @@ use crate::unit::{Unit, build_unit, label, unit_pins};
 
 use channels::ChannelNames;
 use digest::sha256;
-use header::{header, licence, override_header};
+use header::{header, override_header, unit_header};
+
+pub use header::interface_text;
 
 /// Emitted Verilog, and what one must know to simulate it.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -179,10 +181,7 @@ pub fn emit_unit(unit: Unit, bits: u32) -> Result<Emitted, EmitError> {
     let top = format!("photoncube_{name}");
     let merged = printed(&name, block.as_ref(), &top, &ChannelNames::none())?;
     Ok(Emitted {
-        text: format!(
-            "{}// The unit {unit}, {bits}-bit operands.\n{merged}",
-            licence()
-        ),
+        text: unit_header(&format!("The unit {unit}, {bits}-bit operands.")) + &merged,
         top,
         ecp5_text: None,
         clocked: unit.is_clocked(),

@@ -75,12 +75,21 @@ fn write_beside(
     let folder = path.parent().filter(|p| !p.as_os_str().is_empty());
     let file = NamedTempFile::new_in(folder.unwrap_or(Path::new(".")))?;
     let mut writer = BufWriter::new(file);
-    encode(&mut writer).map_err(std::io::Error::other)?;
+    encode(&mut writer).map_err(cause)?;
     writer.flush()?;
     let file = writer.into_inner().map_err(|error| error.into_error())?;
     make_readable(file.path())?;
     file.persist(path).map_err(|error| error.error)?;
     Ok(())
+}
+
+/// What an encoder failed of: OpenEXR's calls an error of the system one of its decoder.
+fn cause(error: image::ImageError) -> std::io::Error {
+    let mut cause: &dyn std::error::Error = &error;
+    while let Some(source) = cause.source() {
+        cause = source;
+    }
+    std::io::Error::other(cause.to_string())
 }
 
 /// Temporary files are the owner's alone; a picture is not a secret.
@@ -203,5 +212,17 @@ mod tests {
             error.contains("1048576x1 pixels, expected at most"),
             "{error}"
         );
+    }
+
+    #[test]
+    fn an_encoder_that_fails_is_told_by_what_the_system_said() {
+        use image::error::{DecodingError, ImageFormatHint};
+
+        let full = std::io::Error::from(std::io::ErrorKind::StorageFull);
+        let said = full.to_string();
+        let hint = ImageFormatHint::Exact(image::ImageFormat::OpenExr);
+        let error = image::ImageError::Decoding(DecodingError::new(hint, full));
+        assert!(error.to_string().contains("decoding"), "{error}");
+        assert_eq!(cause(error).to_string(), said);
     }
 }

@@ -3,6 +3,7 @@
 use std::io;
 use std::path::PathBuf;
 
+use photoncube_spec::did_you_mean;
 use thiserror::Error;
 
 use super::Scene;
@@ -12,7 +13,8 @@ use super::obj::ObjError;
 #[derive(Debug, Error)]
 pub enum SceneError {
     /// No built-in scene has the name.
-    #[error("no built-in scene is named `{found}`; there are: {}", Scene::names().collect::<Vec<_>>().join(", "))]
+    #[error("no built-in scene is named `{found}`{}; there are: {}", did_you_mean(found, Scene::names()),
+        Scene::names().collect::<Vec<_>>().join(", "))]
     Unknown {
         /// The name asked for.
         found: String,
@@ -68,12 +70,12 @@ pub enum SceneError {
         mesh: Box<ObjError>,
     },
     /// A file that cannot be read.
-    #[error("cannot read scene {}: {source}", file.display())]
+    #[error("cannot read scene {}: {}", file.display(), reason(error))]
     Read {
         /// The file.
         file: PathBuf,
-        /// Why.
-        source: io::Error,
+        /// What the system said; it is told in the words above, so it is no source.
+        error: io::Error,
     },
     /// A value that no scene can have.
     #[error("{file}, {place}: found {found}, expected {expected}")]
@@ -87,4 +89,14 @@ pub enum SceneError {
         /// What could stand there.
         expected: String,
     },
+}
+
+/// Why a text cannot be read, in words where the system's are not about the file.
+fn reason(error: &io::Error) -> String {
+    match error.kind() {
+        io::ErrorKind::NotFound => "no such file".to_owned(),
+        io::ErrorKind::IsADirectory => "found a folder, expected a file".to_owned(),
+        io::ErrorKind::InvalidData => "not text (UTF-8)".to_owned(),
+        _ => error.to_string(),
+    }
 }

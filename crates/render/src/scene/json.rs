@@ -1,6 +1,7 @@
 //! The scene file: the reference renderer's JSON, of which camera and shapes are read.
 
 use glam::DVec3;
+use photoncube_spec::did_you_mean;
 
 use super::file::{
     BsdfFile, CameraFile, ConductorFile, DielectricFile, EmitterFile, Kind, LightChoiceFile,
@@ -45,7 +46,21 @@ fn json_error(file: &str, error: &serde_json::Error) -> SceneError {
         file: file.to_owned(),
         line: error.line(),
         column: error.column(),
-        message: message[..end].to_owned(),
+        message: with_meant(&message[..end]),
+    }
+}
+
+/// serde's message about a name that is not known, with the one that was meant: it lists all between backquotes, that
+/// which was found first.
+fn with_meant(message: &str) -> String {
+    let mut quoted = message.split('`').skip(1).step_by(2);
+    match quoted.next() {
+        Some(found) if message.starts_with("unknown ") => {
+            let named = format!("`{found}`");
+            let meant = did_you_mean(found, quoted);
+            message.replacen(&named, &format!("{named}{meant}"), 1)
+        }
+        _ => message.to_owned(),
     }
 }
 
@@ -489,5 +504,15 @@ mod tests {
                 "{pointer}: {error}"
             );
         }
+    }
+
+    #[test]
+    fn a_name_with_a_slip_is_told_with_the_one_that_was_meant() {
+        let kind = changed("/shapes/floor/kind", json!("sphear"));
+        let error = Scene::from_json("my.json", &kind).unwrap_err().to_string();
+        let expected =
+            "unknown variant `sphear` (did you mean `sphere`?), expected one of `quad`, ";
+        assert!(error.contains(expected), "{error}");
+        assert_eq!(with_meant("missing field `name`"), "missing field `name`");
     }
 }

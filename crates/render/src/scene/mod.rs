@@ -108,9 +108,9 @@ impl Scene {
     /// # Errors
     /// [`SceneError::Read`], and those of either form.
     pub fn from_file(file: &Path) -> Result<Self, SceneError> {
-        let text = fs::read_to_string(file).map_err(|source| SceneError::Read {
+        let text = fs::read_to_string(file).map_err(|error| SceneError::Read {
             file: file.to_owned(),
-            source,
+            error,
         })?;
         let name = file.display().to_string();
         let is_toml = file
@@ -120,7 +120,7 @@ impl Scene {
             let folder = file.parent().unwrap_or(Path::new(""));
             Self::from_toml(&name, &text, folder)
         } else {
-            Self::from_json(&name, &text)
+            Self::from_json(&name, &text).map_err(|error| read_as_json(file, error))
         }
     }
 
@@ -188,6 +188,17 @@ impl Scene {
         self.hierarchy
             .nearest(&self.surfaces, ray, self.leave_distance)
     }
+}
+
+/// Says why a text that is no JSON was read as such, unless its name says so.
+fn read_as_json(file: &Path, mut error: SceneError) -> SceneError {
+    let is_json = file
+        .extension()
+        .is_some_and(|e| e.eq_ignore_ascii_case("json"));
+    if let (SceneError::Json { message, .. }, false) = (&mut error, is_json) {
+        *message += "; it is read as JSON, since its name does not end in .toml";
+    }
+    error
 }
 
 #[cfg(test)]
@@ -258,9 +269,32 @@ mod tests {
     fn an_unknown_name_lists_the_known() {
         let message = Scene::built_in("sponza").unwrap_err().to_string();
         assert!(
-            message.contains("`sponza`") && message.contains("cornell, ring, range"),
+            message.contains("`sponza`;") && message.contains("cornell, ring, range"),
             "{message}"
         );
+        let message = Scene::built_in("cornel").unwrap_err().to_string();
+        assert!(message.contains("(did you mean `cornell`?)"), "{message}");
+    }
+
+    #[test]
+    fn what_cannot_be_read_is_told_by_what_it_is() {
+        let folder = tempfile::tempdir().unwrap();
+        let error = |name: &str, bytes: Option<&[u8]>| {
+            let file = folder.path().join(name);
+            if let Some(bytes) = bytes {
+                fs::write(&file, bytes).unwrap();
+            }
+            Scene::from_file(&file).unwrap_err().to_string()
+        };
+        assert!(error("none.toml", None).ends_with("none.toml: no such file"));
+        let bytes = [0xff, 0xfe, 0x00];
+        assert!(error("binary.toml", Some(&bytes)).ends_with("binary.toml: not text (UTF-8)"));
+        assert!(error("", None).ends_with(": found a folder, expected a file"));
+        let told = "; it is read as JSON, since its name does not end in .toml";
+        assert!(error("mesh.obj", Some(b"v 0 0 0")).ends_with(told));
+        assert!(error("plain", Some(b"[camera]")).ends_with(told));
+        assert!(!error("scene.json", Some(b"[camera]")).contains("is read as"));
+        assert!(!error("scene.toml", Some(b"camera")).contains("is read as"));
     }
 
     #[test]

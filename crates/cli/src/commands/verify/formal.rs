@@ -20,12 +20,9 @@ pub fn execute(args: &VerifyArgs, json: bool) -> Result<()> {
     bar.finish_and_clear();
     output::print(json, &found, || text(&found))?;
     verdict(&found)?;
-    match (&args.record, &args.property) {
-        (Some(path), None) => record(path, &lines(&found)?),
-        (Some(_), Some(_)) => anyhow::bail!(
-            "`--record` keeps the result of all properties; leave out `--property {prefix}`"
-        ),
-        (None, _) => Ok(()),
+    match &args.record {
+        Some(path) => record(path, &lines(&found)?),
+        None => Ok(()),
     }
 }
 

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use glam::DVec3;
+use photoncube_spec::did_you_mean;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -141,9 +142,10 @@ impl<'a> Field<'a> {
         let expected = names.collect::<Vec<_>>().join(", ");
         let text = self.text(&expected)?;
         let choice = choices.iter().find(|(name, _)| *name == text);
-        choice
-            .map(|(_, value)| *value)
-            .ok_or_else(|| self.wrong(&expected))
+        choice.map(|(_, value)| *value).ok_or_else(|| {
+            let meant = did_you_mean(text, choices.iter().map(|(name, _)| *name));
+            self.error(format!("{text:?}{meant}"), &expected)
+        })
     }
 }
 
@@ -178,7 +180,8 @@ impl<'a> Fields<'a> {
         let Some(key) = stray.min_by_key(|key| key.span().start) else {
             return Ok(());
         };
-        let found = "a field of no meaning here".to_owned();
+        let meant = did_you_mean(key.get_ref(), known.iter().copied());
+        let found = format!("a field of no meaning here{meant}");
         let expected = format!("one of {}", known.join(", "));
         let path = self.path_to(key.get_ref());
         Err(self.source.error(key.span().start, &path, found, &expected))

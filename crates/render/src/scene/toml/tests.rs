@@ -96,6 +96,16 @@ fn errors_name_file_line_field_found_and_expected() {
             "my.toml, line 7, materials.white.type: found \"matte\", expected `diffuse`, `mirror`, `dielectric`",
         ),
         (
+            "reflectance =",
+            "reflectence =",
+            "materials.white.reflectence: found a field of no meaning here (did you mean `reflectance`?), expected",
+        ),
+        (
+            "material = \"white\"",
+            "material = \"whit\"",
+            "shapes[0].material: found \"whit\" (did you mean `white`?), expected `glass`, `white`",
+        ),
+        (
             "0.5, 0.5, 0.5",
             "0.5, 1.5, 0.5",
             "my.toml, line 8, materials.white.reflectance[1]: found 1.5, expected a number from 0 to 1",

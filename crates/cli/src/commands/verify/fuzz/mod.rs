@@ -15,6 +15,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::thread;
 
 use anyhow::{Context, Result, bail};
+use photoncube_spec::did_you_mean;
 use rand::SeedableRng;
 use rand_pcg::Pcg64;
 use serde::Serialize;
@@ -96,10 +97,11 @@ fn chosen(name: Option<&str>) -> Result<Vec<&'static Reader>> {
         .filter(|reader| name.is_none_or(|name| name == reader.name))
         .collect();
     if chosen.is_empty() {
-        let names: Vec<_> = READERS.iter().map(|reader| reader.name).collect();
+        let names = READERS.each_ref().map(|reader| reader.name);
+        let name = name.unwrap_or_default();
         bail!(
-            "there is no reader `{}`; the readers are {}",
-            name.unwrap_or_default(),
+            "there is no reader `{name}`{}; the readers are {}",
+            did_you_mean(name, names),
             names.join(", ")
         );
     }

@@ -3,7 +3,6 @@
 use std::path::Path;
 
 use anyhow::{Context, Result, anyhow};
-use clap::Parser;
 use photoncube_render::{
     Engine, Image, PhotonMap, Scene, TraceOptions, ViewOptions, render, trace,
 };
@@ -80,7 +79,7 @@ pub const READERS: [Reader; 7] = [
         good: |_| Ok(texts(&COMMANDS)),
         read: |_, input| {
             let words = text(input).split_whitespace();
-            Ok(Args::try_parse_from(words).map(drop)?)
+            Ok(Args::try_read(words).map(drop)?)
         },
     },
 ];

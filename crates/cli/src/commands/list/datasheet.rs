@@ -1,0 +1,206 @@
+//! All that is known of one machine: numbers, clocks, ports, area, Fmax, how it was verified.
+
+use anyhow::Result;
+use photoncube_hdl::interface_text;
+use photoncube_spec::overlap::program_report;
+use photoncube_spec::{Interface, Machine};
+use serde::Serialize;
+
+use super::{MachineRow, machine_row};
+use crate::output;
+use crate::synth::clock::Clock;
+use crate::synth::tables;
+use crate::table::wrapped;
+use crate::verified::{self, Line, grouped};
+
+#[derive(Serialize)]
+struct Datasheet {
+    #[serde(flatten)]
+    row: MachineRow,
+    /// The top module, and the file of it below `hdl-out`.
+    verilog_module: String,
+    verilog_file: String,
+    ports: Vec<Port>,
+    /// How the streams move, a rule a line.
+    protocol: Vec<String>,
+    /// The squared search radius where the machine fixes it; else it comes with each query.
+    fixed_radius_sq: Option<u32>,
+    latency_clocks: Option<u32>,
+    latency_clocks_one_group: Option<u64>,
+    /// Results about today's Verilog.
+    lines: Vec<Line>,
+    /// Results about other Verilog, which show nothing any more.
+    stale: Vec<Line>,
+}
+
+/// A port of the top module; `photon_x_0..3` stands for those of lanes 0 to 3.
+#[derive(Debug, Serialize)]
+struct Port {
+    port: String,
+    direction: &'static str,
+    bits: u32,
+    means: String,
+}
+
+/// Prints a machine's datasheet.
+pub fn print(machine: &Machine, json: bool) -> Result<()> {
+    let sheet = datasheet(machine)?;
+    output::print(json, &sheet, || text(&sheet, machine))
+}
+
+fn datasheet(machine: &Machine) -> Result<Datasheet> {
+    let module = machine.module_prefix();
+    let is_its = |line: &Line| line.machine == machine.name;
+    let table = verified::committed()?;
+    let (program, overlapped) = (machine.microprogram(), machine.overlap_program());
+    let one_group = program.map(|program| program.latency_clocks(1));
+    let interface = Interface::of(machine);
+    let ports = interface.ports.into_iter();
+    Ok(Datasheet {
+        row: machine_row(machine)?,
+        verilog_file: format!("{}/{module}.v", machine.name),
+        verilog_module: module,
+        ports: ports
+            .map(|port| Port {
+                port: port.name,
+                direction: port.direction.name(),
+                bits: port.width,
+                means: port.meaning,
+            })
+            .collect(),
+        protocol: interface.protocol,
+        fixed_radius_sq: machine.fixed_radius_sq(),
+        latency_clocks: match (&overlapped, machine.spatial()) {
+            (Some(program), _) => Some(program_report(program).latency_clocks),
+            (None, spatial) => spatial.map(photoncube_spec::Spatial::latency_clocks),
+        },
+        latency_clocks_one_group: one_group.or(overlapped.map(|p| p.latency_clocks(1))),
+        stale: table.stale.into_iter().filter(is_its).collect(),
+        lines: table.lines.into_iter().filter(is_its).collect(),
+    })
+}
+
+fn text(sheet: &Datasheet, machine: &Machine) -> String {
+    design(sheet, machine) + &area_and_fmax(sheet) + &verified_by(sheet)
+}
+
+/// What the machine is, whoever measures it.
+fn design(sheet: &Datasheet, machine: &Machine) -> String {
+    let row = &sheet.row;
+    let widths = format!(
+        "Widths: coordinate {}, position in block {}, radius_sq {}, power {}, work and link {}, sum {} bits",
+        row.coordinate_bits,
+        row.position_bits,
+        row.radius_sq_bits,
+        row.power_bits,
+        row.work_bits,
+        row.sum_bits
+    );
+    format!(
+        "{}\n\n{}\n{}\n\nVerilog: hdl-out/{}\n",
+        wrapped(&format!("{}: {}", machine.name, machine.summary), 2),
+        interface_text(machine),
+        wrapped(&widths, 2),
+        sheet.verilog_file
+    )
+}
+
+fn area_and_fmax(sheet: &Datasheet) -> String {
+    let mut text = format!(
+        "\n{}Fmax, ECP5:\n",
+        tables::areas(&sheet.row.measured.areas)
+    );
+    match &sheet.row.measured.fmax_by_grade[..] {
+        [] => text += "  not measured\n",
+        clocks => text.extend(clocks.iter().map(clock)),
+    }
+    text
+}
+
+fn clock(clock: &Clock) -> String {
+    let seeds = match clock.seeds {
+        1 => "one seed".to_owned(),
+        seeds => format!(
+            "{seeds} seeds, {:.1} to {:.1}",
+            clock.fmax_mhz_low, clock.fmax_mhz_high
+        ),
+    };
+    let mut text = format!(
+        "  grade {}  {:.1} MHz, {seeds}\n",
+        clock.speed_grade, clock.fmax_mhz
+    );
+    if let Some(path) = &clock.path {
+        text += &format!(
+            "    slowest path: {:.1} ns of logic, {:.1} ns of nets; most of it: {}\n      from {}\n      to   {}\n",
+            path.logic_ns,
+            path.routing_ns,
+            path.binds.words(),
+            path.from,
+            path.to
+        );
+    }
+    text
+}
+
+fn verified_by(sheet: &Datasheet) -> String {
+    let mut text = "\nVerified, bit for bit against the golden model:\n".to_owned();
+    for proof in sheet.row.measured.verified_against.split("; ") {
+        text += &wrapped(&format!("  {proof}"), 4);
+        text += "\n";
+    }
+    text += "\nVerified by other methods (docs/verification.md says what each is):\n";
+    for line in &sheet.lines {
+        let volume = grouped(line.volume);
+        let said = format!(
+            "  {}: {volume} {}; {} ({})",
+            line.method, line.unit, line.result, line.by
+        );
+        text += &wrapped(&said, 4);
+        text += "\n";
+    }
+    if sheet.lines.is_empty() {
+        text += "  nothing is recorded\n";
+    }
+    if !sheet.stale.is_empty() {
+        text += &format!(
+            "  {} results are about other Verilog and left out\n",
+            sheet.stale.len()
+        );
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use photoncube_spec::{MACHINES, find_machine};
+
+    use super::*;
+    use crate::table::COLUMNS;
+
+    #[test]
+    fn every_datasheet_fits_a_terminal_but_for_the_names_of_paths() {
+        for machine in MACHINES {
+            let text = text(&datasheet(machine).unwrap(), machine);
+            for line in text.lines().filter(|line| !line.starts_with("      ")) {
+                assert!(line.chars().count() <= COLUMNS, "{}: {line}", machine.name);
+            }
+            for part in [
+                "numbers ",
+                "clocks ",
+                "Ports of",
+                "Protocol:",
+                "Area, ",
+                "Fmax, ",
+                "Verified, ",
+            ] {
+                assert!(text.contains(part), "{}: {part}", machine.name);
+            }
+        }
+    }
+
+    #[test]
+    fn the_datasheet_of_a_machine_that_fixes_the_radius() {
+        let machine = find_machine("tile-6").unwrap();
+        insta::assert_snapshot!(design(&datasheet(machine).unwrap(), machine));
+    }
+}

@@ -1,0 +1,139 @@
+//! `list`: scenes and machines, each with its figures; of one machine its datasheet.
+
+mod datasheet;
+mod text;
+
+use anyhow::Result;
+use photoncube_render::Scene;
+use photoncube_spec::{
+    FormatWidths, MACHINES, Machine, PHOTON_FORMATS, PhotonFormat, Widths, find_machine,
+};
+use serde::Serialize;
+
+use crate::args::ListArgs;
+use crate::measured::{self, Measured};
+use crate::measured_fits::{FitRow, fit_rows};
+use crate::output;
+
+#[derive(Serialize)]
+struct Report {
+    scenes: Vec<SceneRow>,
+    machines: Vec<MachineRow>,
+    formats: Vec<FormatRow>,
+    fits: Vec<FitRow>,
+}
+
+/// A photon format; machines that are built for one come with them.
+#[derive(Serialize)]
+struct FormatRow {
+    format: String,
+    summary: String,
+    bits_per_photon: u32,
+    position_bits: u32,
+    query_extra_bits: u32,
+    radius_bits: u32,
+    channels: u32,
+    mantissa_bits: u32,
+    exponent_bits: u32,
+    exponent_range: u32,
+    max_photons: u64,
+    sum_bits: u32,
+}
+
+#[derive(Serialize)]
+struct SceneRow {
+    scene: &'static str,
+    surfaces: usize,
+}
+
+#[derive(Serialize)]
+struct MachineRow {
+    machine: &'static str,
+    summary: &'static str,
+    format: Option<String>,
+    cells: usize,
+    coordinate_bits: u32,
+    position_bits: u32,
+    power_bits: u32,
+    radius_sq_bits: u32,
+    work_bits: u32,
+    sum_bits: u32,
+    bits_per_photon: u32,
+    max_photons: u64,
+    squarer: &'static str,
+    photons_per_iteration: usize,
+    queries_at_once: usize,
+    initiation_interval: f64,
+    photon_tests_per_clock: f64,
+    #[serde(flatten)]
+    measured: Measured,
+}
+
+/// Lists what there is, or all of one machine.
+pub fn execute(args: &ListArgs, json: bool) -> Result<()> {
+    if let Some(name) = &args.machine {
+        return datasheet::print(find_machine(name)?, json);
+    }
+    let report = report()?;
+    let fmax_source = measured::fmax_source()?;
+    output::print(json, &report, || match args.wide {
+        true => text::wide(&report, &fmax_source),
+        false => text::narrow(&report, &fmax_source),
+    })?;
+    measured::refuse_stale()
+}
+
+fn report() -> Result<Report> {
+    let scenes = Scene::names().map(|scene| {
+        let surfaces = Scene::built_in(scene)?.surfaces().len();
+        Ok(SceneRow { scene, surfaces })
+    });
+    Ok(Report {
+        scenes: scenes.collect::<Result<_>>()?,
+        machines: MACHINES.iter().map(machine_row).collect::<Result<_>>()?,
+        formats: PHOTON_FORMATS.iter().map(format_row).collect(),
+        fits: fit_rows()?,
+    })
+}
+
+fn format_row(format: &PhotonFormat) -> FormatRow {
+    let widths = FormatWidths::of(format);
+    FormatRow {
+        format: format.name(),
+        summary: format.summary(),
+        bits_per_photon: widths.bits_per_photon,
+        position_bits: format.position_bits,
+        query_extra_bits: format.query_extra_bits,
+        radius_bits: format.radius_bits(),
+        channels: format.power.channels.count(),
+        mantissa_bits: format.power.mantissa_bits,
+        exponent_bits: format.power.exponent.bits(),
+        exponent_range: format.power.exponent_range(),
+        max_photons: format.max_photons,
+        sum_bits: widths.sum,
+    }
+}
+
+fn machine_row(machine: &Machine) -> Result<MachineRow> {
+    let widths = Widths::of(machine);
+    Ok(MachineRow {
+        machine: machine.name,
+        summary: machine.summary,
+        format: machine.format().map(PhotonFormat::name),
+        cells: machine.hypercube().nodes(),
+        coordinate_bits: widths.coordinate,
+        position_bits: machine.position_bits(),
+        power_bits: widths.power,
+        radius_sq_bits: widths.radius_sq,
+        work_bits: widths.work,
+        sum_bits: widths.sum,
+        bits_per_photon: machine.bits_per_photon(),
+        max_photons: machine.max_photons(),
+        squarer: machine.squarer.name(),
+        photons_per_iteration: machine.photons_per_iteration(),
+        queries_at_once: machine.queries_at_once(),
+        initiation_interval: machine.rate().interval(),
+        photon_tests_per_clock: machine.photon_tests_per_clock(),
+        measured: Measured::of(machine)?,
+    })
+}

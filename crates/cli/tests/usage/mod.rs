@@ -1,0 +1,186 @@
+//! Options and names as users give them, rightly and wrongly.
+
+use std::fs;
+
+use super::{error, files_in, json, photoncube};
+
+/// What no method and no engine would use is refused; every pair is a unit test of the arguments.
+#[test]
+fn an_option_that_is_not_used_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let picture = folder.path().join("x.png");
+    let picture = picture.to_str().unwrap();
+    let render = ["render", "cornell", "-o", picture];
+    for (args, expected) in [
+        (
+            &["verify", "--lint", "--against", "icarus"][..],
+            "`verify --lint` does not use --against",
+        ),
+        (
+            &["verify", "--table", "--iterations", "7"],
+            "`verify --table` does not use --iterations",
+        ),
+        (
+            &[&render[..], &["--format", "local8-rgb8e5"]].concat(),
+            "--format is for `render --engine format`",
+        ),
+        (
+            &[&render[..], &["--engine", "f64", "--machine", "paper"]].concat(),
+            "--machine is for `render --engine model`",
+        ),
+        (&["man", "--json"], "`man` has no JSON form"),
+        (
+            &["completions", "bash", "--json"],
+            "`completions` has no JSON form",
+        ),
+        (&["list", "paper", "--wide"], "cannot be used with"),
+    ] {
+        let message = error(args, 2);
+        assert!(message.contains(expected), "{args:?}: {message}");
+    }
+    assert_eq!(files_in(folder.path()), 0);
+}
+
+#[test]
+fn a_negative_number_is_a_value_that_is_refused_with_the_range() {
+    for (args, expected) in [
+        (
+            &["run", "--photons", "-5"][..],
+            "expected a whole number from 1 to 134217728",
+        ),
+        (
+            &["report", "--seed", "-1"],
+            "expected a whole number from 0 to",
+        ),
+        (&["fit", "--noise-ratio", "-1"], "expected a number above 0"),
+        (&["fit", "--size", "-16x16"], "expected WxH"),
+        (
+            &["verify", "--iterations", "-1e3"],
+            "expected a whole number from 1;",
+        ),
+    ] {
+        let message = error(args, 2);
+        assert!(message.contains(expected), "{args:?}: {message}");
+        assert!(
+            !message.contains("unexpected argument"),
+            "{args:?}: {message}"
+        );
+    }
+}
+
+#[test]
+fn counts_are_read_in_short_forms() {
+    let report = json(&["verify", "--iterations", "2e1"]);
+    assert_eq!(report["iterations"], 20);
+    let report = json(&["verify", "--iterations", "0.02k"]);
+    assert_eq!(report["iterations"], 20);
+}
+
+#[test]
+fn a_name_with_a_slip_is_told_with_the_one_that_was_meant() {
+    for (args, meant) in [
+        (&["list", "Paper"][..], "paper"),
+        (&["microprogram", "--machine", "papper"], "paper"),
+        (&["fit", "cornel"], "cornell"),
+        (&["verify", "--against", "verilatr"], "verilator"),
+        (&["verify", "--fuzz", "1", "--reader", "lsting"], "listing"),
+        (
+            &["hard-cases", "--format", "local8-rbg8e5"],
+            "local8-rgb8e5",
+        ),
+    ] {
+        let message = error(args, 2);
+        let expected = format!("(did you mean `{meant}`?)");
+        assert!(message.contains(&expected), "{args:?}: {message}");
+    }
+}
+
+#[test]
+fn what_microprogram_prints_is_a_listing() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("own.txt");
+    for machine in ["paper", "paper-5d"] {
+        let printed = photoncube(&["microprogram", "--machine", machine]).assert();
+        fs::write(&path, &printed.success().get_output().stdout).unwrap();
+        let file = ["microprogram", "--machine", machine, "--file"];
+        let report = json(&[&file[..], &[path.to_str().unwrap()]].concat());
+        let own = json(&["microprogram", "--machine", machine]);
+        assert_eq!(report["accepted"], true, "{machine}");
+        assert_eq!(report["listing"], own["listing"], "{machine}");
+    }
+}
+
+/// The causes of an error are told once, without the names of temporary files.
+#[test]
+fn a_message_says_each_cause_once() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = folder.path().join("folder.toml");
+    fs::create_dir(&scene).unwrap();
+    let message = error(&["fit", scene.to_str().unwrap()], 2);
+    assert!(
+        message.ends_with("folder.toml: found a folder, expected a file\n"),
+        "{message}"
+    );
+    let picture = folder.path().join("x.exr");
+    fs::create_dir(&picture).unwrap();
+    let small = ["--photons", "500", "--size", "4x4", "--engine", "f64"];
+    let render = ["render", "cornell", "-o", picture.to_str().unwrap()];
+    let message = error(&[&render[..], &small].concat(), 2);
+    assert_eq!(message.matches("irectory").count(), 1, "{message}");
+    assert!(!message.contains("at path"), "{message}");
+}
+
+/// Names of files are bytes, of which not all are UTF-8.
+#[cfg(unix)]
+#[test]
+fn paths_need_not_be_utf_8() {
+    use std::ffi::OsStr;
+    use std::os::unix::ffi::OsStrExt;
+
+    let folder = tempfile::tempdir().unwrap();
+    let scene = folder.path().join(OsStr::from_bytes(b"sc\xe9ne.toml"));
+    let picture = folder.path().join(OsStr::from_bytes(b"b\xffild.png"));
+    let example = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/scenes/room.toml");
+    fs::copy(example, &scene).unwrap();
+    let small = [
+        "--photons",
+        "500",
+        "--size",
+        "4x4",
+        "--engine",
+        "f64",
+        "--json",
+    ];
+    let mut render = photoncube(&["render"]);
+    let output = render.arg(&scene).arg("-o").arg(&picture).args(small);
+    let output = output.assert().success();
+    let report: serde_json::Value = serde_json::from_slice(&output.get_output().stdout).unwrap();
+    assert!(
+        report["scene"].as_str().unwrap().ends_with("ne.toml"),
+        "{report}"
+    );
+    assert!(picture.is_file());
+    assert_eq!(files_in(folder.path()), 2);
+}
+
+#[test]
+fn list_fits_a_terminal_and_has_all_of_one_machine() {
+    let text = |args: &[&str]| {
+        let output = photoncube(args).assert().success();
+        String::from_utf8(output.get_output().stdout.clone()).unwrap()
+    };
+    let list = text(&["list"]);
+    for line in list.lines() {
+        assert!(line.chars().count() <= 100, "{line}");
+    }
+    for name in ["cornell", "tile-6-mixed", "local8-rgb8e5", "list MACHINE"] {
+        assert!(list.contains(name), "{name}");
+    }
+    let wide = text(&["list", "--wide"]);
+    assert!(wide.contains("| verified against") && wide.contains("critical path"));
+    let sheet = json(&["list", "stream"]);
+    assert_eq!(sheet["machine"], "stream");
+    assert_eq!(sheet["verilog_module"], "photoncube_stream");
+    assert!(!sheet["lines"].as_array().unwrap().is_empty());
+    assert!(text(&["list", "stream"]).contains("| query_valid"));
+}

@@ -1,0 +1,54 @@
+//! Names that were meant, for errors about names that do not exist.
+
+/// Letters of the longer name for each slip that is allowed: one in `red`, two in `stream`. It is the compiler's own
+/// rule for names that it does not know. At least one letter must be right.
+const LETTERS_A_SLIP: usize = 3;
+
+/// ` (did you mean `NAME`?)` with the name of `known` that is the fewest slips away from `found` (a letter too many, too
+/// few, wrong, or two in the wrong order), whatever the case; nothing where none is near.
+#[must_use]
+pub fn did_you_mean<'a>(found: &str, known: impl IntoIterator<Item = &'a str>) -> String {
+    let found = found.to_lowercase();
+    let length = found.chars().count();
+    let slips = |name: &str| strsim::damerau_levenshtein(&found, &name.to_lowercase());
+    let is_near = |&(name, slips): &(&str, usize)| {
+        let longer = length.max(name.chars().count()).max(LETTERS_A_SLIP);
+        slips <= longer / LETTERS_A_SLIP && slips < length
+    };
+    let names = known.into_iter().map(|name| (name, slips(name)));
+    // The first of those that are equally near.
+    match names.filter(is_near).min_by_key(|(_, slips)| *slips) {
+        Some((name, _)) => format!(" (did you mean `{name}`?)"),
+        None => String::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::did_you_mean;
+
+    #[test]
+    fn a_slip_is_told_with_the_name_that_was_meant_and_anything_else_is_not() {
+        let machines = ["paper", "paper-12", "stream", "tile-6"];
+        for (found, meant) in [
+            ("papper", "paper"),
+            ("Paper", "paper"),
+            ("paper12", "paper-12"),
+            ("steam", "stream"),
+            ("tile6", "tile-6"),
+        ] {
+            let expected = format!(" (did you mean `{meant}`?)");
+            assert_eq!(did_you_mean(found, machines), expected, "{found}");
+        }
+        for found in ["pentium4", "", "x", "pa"] {
+            assert_eq!(did_you_mean(found, machines), "", "{found}");
+        }
+        assert_eq!(
+            did_you_mean("rd", ["green", "red"]),
+            " (did you mean `red`?)"
+        );
+        assert_eq!(did_you_mean("z", ["x", "y"]), "");
+        assert_eq!(did_you_mean("corners", ["center"]), "");
+        assert_eq!(did_you_mean("paper", []), "");
+    }
+}
