@@ -11,6 +11,7 @@ mod machines;
 mod measured;
 mod measured_fits;
 mod output;
+mod outputs;
 mod plot;
 mod progress;
 mod project;

@@ -2,6 +2,7 @@
 
 mod estimators;
 mod json_keys;
+mod outputs;
 mod pictures;
 mod robustness;
 mod scenes;

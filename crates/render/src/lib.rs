@@ -78,9 +78,7 @@ pub use hard_cases::{
     Bound, Contrast, Grid, HARD_CASES, HardCase, HardCaseError, HardCaseReport, Outcome, Setting,
     hard_case_formats, run_hard_case,
 };
-pub use image::{
-    IMAGE_ENDINGS, Image, ImageError, MAX_PIXELS, check_image_path, error_map, relative_errors,
-};
+pub use image::{IMAGE_ENDINGS, Image, ImageError, MAX_PIXELS, error_map, relative_errors};
 pub use lighting::{
     Area, Caustics, DirectLight, Lighting, LightingError, PhotonMaps, Radii, UnknownLighting,
 };

@@ -20,7 +20,7 @@ use clap::CommandFactory;
 use clap_complete::Shell;
 
 use crate::args::{Args, Command};
-use crate::{files, output};
+use crate::{files, output, outputs};
 
 /// Does what the command line asks for.
 pub fn execute(args: Args) -> Result<()> {
@@ -51,14 +51,16 @@ fn completions(shell: Shell) -> Result<()> {
 }
 
 fn manual(out: &Path) -> Result<()> {
+    outputs::check_folder("--out", out)?;
     let mut command = Args::command();
     command.build();
     let commands = command.get_subcommands().filter(|c| c.get_name() != "help");
+    let mut pages = Vec::new();
     for command in commands.chain([&command]) {
         let page = clap_mangen::Man::new(command.clone());
         let mut text = Vec::new();
         page.render(&mut text)?;
-        files::write(&out.join(page.get_filename()), &text)?;
+        pages.push((out.join(page.get_filename()), text));
     }
-    Ok(())
+    files::write_all(pages.iter().map(|(path, text)| (path.clone(), &text[..])))
 }

@@ -5,16 +5,17 @@ use std::time::Instant;
 
 use anyhow::{Result, ensure};
 use photoncube_render::{
-    ErrorEstimate, Estimator, Image, Progressive, ProgressiveOptions, ViewOptions,
-    check_image_path, error_map, luminance,
+    ErrorEstimate, Estimator, Image, Progressive, ProgressiveOptions, Scene, ViewOptions,
+    error_map, luminance,
 };
 use serde::Serialize;
 
 use super::compare::Distance;
-use super::render::EXPOSURE;
+use super::render::write_picture;
 use crate::args::{EngineReport, LightingReport, ProgressiveArgs};
 use crate::convergence::{Curve, Reached, convergence_plot};
 use crate::failure::CheckFailed;
+use crate::outputs::{self, Output};
 use crate::table::markdown;
 use crate::{files, output, progress, scenes};
 
@@ -63,13 +64,13 @@ struct Report {
 
 /// Renders until the error is as small as asked for, or the passes are made.
 pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
-    check_image_path(&args.output)?;
     let found = args.engine.find()?;
-    let reference = args.reference.as_deref().map(Image::read_exr).transpose()?;
     let scene = scenes::load(&args.scene)?;
     let lighting = args.light.lighting();
     lighting.check(&scene, Estimator::FixedRadius)?;
     let (view, options) = (view(args), options(args));
+    check_outputs(args, &scene)?;
+    let reference = args.reference.as_deref().map(Image::read_exr).transpose()?;
     if let (Some(reference), Some(path)) = (&reference, &args.reference) {
         let size = (reference.width(), reference.height());
         ensure!(
@@ -81,7 +82,6 @@ pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
             args.size
         );
     }
-    files::make_folder(args.output.parent().unwrap_or(Path::new(".")))?;
     let progressive = Progressive::new(&scene, found.engine(), lighting, view, options)?;
     let mut work = Work {
         args,
@@ -91,7 +91,7 @@ pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
         rows: Vec::new(),
     };
     let reached = work.run()?;
-    work.progressive.image().write(&args.output, EXPOSURE)?;
+    write_picture(&work.progressive.image(), &args.output)?;
     work.write_plot()?;
     work.write_error_map()?;
     let stats = work.progressive.stats();
@@ -117,6 +117,23 @@ pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
         .into()),
         _ => Ok(()),
     }
+}
+
+/// All that may be written, against all that is read.
+fn check_outputs(args: &ProgressiveArgs, scene: &Scene) -> Result<()> {
+    let mut outputs = vec![Output::picture("-o", &args.output)];
+    outputs.extend(args.plot.iter().map(|path| Output::plot("--plot", path)));
+    let map = args.error_map.iter();
+    outputs.extend(map.map(|path| Output::plot("--error-map", path)));
+    if args.snapshots {
+        let powers = (0..u64::BITS).map(|power| 1 << power);
+        let passes = powers.take_while(|passes| *passes <= args.passes);
+        let snapshots = passes.map(|passes| snapshot(&args.output, passes));
+        outputs.extend(snapshots.map(|path| Output::within("--snapshots", path)));
+    }
+    let mut inputs = scene.files().to_vec();
+    inputs.extend(args.reference.clone());
+    outputs::check(&outputs, &inputs)
 }
 
 fn view(args: &ProgressiveArgs) -> ViewOptions {
@@ -169,7 +186,7 @@ impl Work<'_> {
     fn push_row(&mut self, error: Option<&ErrorEstimate>) -> Result<()> {
         let (passes, image) = (self.progressive.passes(), self.progressive.image());
         if self.args.snapshots {
-            image.write(&snapshot(&self.args.output, passes), EXPOSURE)?;
+            write_picture(&image, &snapshot(&self.args.output, passes))?;
         }
         let reference = self.reference.as_ref();
         let distance = reference.map(|reference| Distance::between(&image, reference));

@@ -5,16 +5,17 @@ use std::time::Instant;
 
 use anyhow::Result;
 use photoncube_render::{
-    Engine, Estimator, Light, Lighting, PhotonMap, PhotonMaps, Radii, Rendering, Scene,
-    TraceOptions, ViewOptions, check_image_path, render_lit, trace,
+    Engine, Estimator, Image, Light, Lighting, PhotonMap, PhotonMaps, Radii, Rendering, Scene,
+    TraceOptions, ViewOptions, render_lit, trace,
 };
 use serde::Serialize;
 
 use crate::args::{EngineReport, LightingReport, PictureArgs, RenderArgs};
+use crate::outputs::{self, Output};
 use crate::{files, output, progress, scenes};
 
 /// The exposure of written pictures: radiance 1 is white.
-pub const EXPOSURE: f64 = 1.0;
+const EXPOSURE: f64 = 1.0;
 
 #[derive(Serialize)]
 struct Report {
@@ -120,9 +121,7 @@ pub fn execute(args: &RenderArgs, json: bool) -> Result<()> {
     let scene = scenes::load(&args.scene)?;
     let lighting = args.light.lighting();
     lighting.check(&scene, args.estimator)?;
-    // Before the work, so that a file that cannot be written is told at once.
-    check_image_path(&args.output)?;
-    files::make_folder(args.output.parent().unwrap_or(Path::new(".")))?;
+    outputs::check(&[Output::picture("-o", &args.output)], scene.files())?;
     let start = Instant::now();
     let traced = trace_scene(scene, &args.picture, &lighting)?;
     let view = view(&args.picture);
@@ -134,7 +133,7 @@ pub fn execute(args: &RenderArgs, json: bool) -> Result<()> {
         &view,
         "rendering",
     )?;
-    rendering.image.write(&args.output, EXPOSURE)?;
+    write_picture(&rendering.image, &args.output)?;
     let caustic = traced.maps.caustic.as_ref();
     let report = Report {
         scene: args.scene.clone(),
@@ -153,6 +152,11 @@ pub fn execute(args: &RenderArgs, json: bool) -> Result<()> {
         seconds: start.elapsed().as_secs_f64(),
     };
     output::print(json, &report, || text(&report))
+}
+
+/// Writes a picture in the format that the name ends in.
+pub fn write_picture(image: &Image, path: &Path) -> Result<()> {
+    files::write(path, &image.encode(path, EXPOSURE)?)
 }
 
 /// 0 where nothing was counted, as in a view of nothing.

@@ -13,6 +13,7 @@ use serde::Serialize;
 
 use crate::args::ReportArgs;
 use crate::measured::{Area, Measured};
+use crate::outputs::{self, Output};
 use crate::plot::{Better, Plot, Point, against_error, pareto_front};
 use crate::{files, output, progress, scenes, table};
 
@@ -59,7 +60,20 @@ struct Row {
 /// Measures every format and machine on a scene.
 pub fn execute(args: &ReportArgs, json: bool) -> Result<()> {
     let scene = scenes::load(&args.scene)?;
-    files::make_folder(&args.out)?;
+    let name = scenes::stem(&args.scene);
+    let file = |what: &str| args.out.join(format!("report-{name}{what}"));
+    let (speed_path, bits_path) = (file("-speed.svg"), file("-bits.svg"));
+    let (hardware_path, dimensions_path) = (file("-hardware.svg"), file("-dimensions.svg"));
+    let data_path = file(".json");
+    let paths = [
+        &speed_path,
+        &bits_path,
+        &hardware_path,
+        &dimensions_path,
+        &data_path,
+    ];
+    let outputs = paths.map(|path| Output::within("--out", path.clone()));
+    outputs::check(&outputs, scene.files())?;
     let formats = PHOTON_FORMATS.iter().map(Engine::Format);
     let engines: Vec<_> = formats.chain(MACHINES.iter().map(Engine::Model)).collect();
     let options = BenchOptions {
@@ -84,10 +98,6 @@ pub fn execute(args: &ReportArgs, json: bool) -> Result<()> {
     bar.finish_and_clear();
     mark_fronts(&mut rows);
 
-    let name = scenes::stem(&args.scene);
-    let file = |what: &str| args.out.join(format!("report-{name}{what}"));
-    let (speed_path, bits_path) = (file("-speed.svg"), file("-bits.svg"));
-    let (hardware_path, dimensions_path) = (file("-hardware.svg"), file("-dimensions.svg"));
     let (map, queries) = (&bench.maps()[0], bench.queries());
     let report = Report {
         scene: args.scene.clone(),
@@ -111,7 +121,7 @@ pub fn execute(args: &ReportArgs, json: bool) -> Result<()> {
     let plot = dimensions::plot(&report.dimensions)?;
     files::write(&dimensions_path, plot.as_bytes())?;
     let data = serde_json::to_string_pretty(&report)? + "\n";
-    files::write(&file(".json"), data.as_bytes())?;
+    files::write(&data_path, data.as_bytes())?;
     output::print(json, &report, || text(&report))
 }
 

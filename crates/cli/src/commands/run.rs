@@ -2,21 +2,22 @@
 
 mod sizing;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use anyhow::Result;
-use photoncube_render::{Engine, Lighting, Rendering, workload};
+use photoncube_render::{Engine, Lighting, Rendering, Scene, workload};
 use photoncube_spec::Machine;
 use photoncube_testbench::{DeviceKind, Source, Verdict, VerifyError, VerifyOptions};
 use serde::Serialize;
 
 use self::sizing::Fitted;
 use super::compare::{Distance, map_of};
-use super::render::{EXPOSURE, Traced, picture, trace_scene, view};
+use super::render::{Traced, picture, trace_scene, view, write_picture};
 use super::verify::{verdict_table, verify_with_bar};
 use crate::args::RunArgs;
 use crate::failure::CheckFailed;
+use crate::outputs::{self, Output};
 use crate::{files, output, project, scenes};
 
 #[derive(Serialize)]
@@ -77,14 +78,17 @@ pub fn execute(args: &RunArgs, json: bool) -> Result<()> {
     // Before the work, so that a wrong name is told at once.
     args.machine.find()?;
     let scene = scenes::load(&args.scene)?;
-    files::make_folder(&args.out)?;
+    let paths = Paths::of(args);
+    paths.check(&scene)?;
     let mut seconds = Seconds::default();
 
     let traced = timed(&mut seconds.trace, || {
         trace_scene(scene, &args.picture, &Lighting::default())
     })?;
     let (machine, fitted) = timed(&mut seconds.fit, || sizing::machine(args, &traced))?;
-    let verilog = timed(&mut seconds.emit, || emit(machine, &args.out))?;
+    let verilog = timed(&mut seconds.emit, || {
+        emit(machine, &args.out, traced.scene.files())
+    })?;
     let proof = timed(&mut seconds.verify, || prove(args, machine, &traced))?;
     let view = view(&args.picture);
     let reference = timed(&mut seconds.render_f64, || {
@@ -93,17 +97,14 @@ pub fn execute(args: &RunArgs, json: bool) -> Result<()> {
     let rendering = timed(&mut seconds.render_model, || {
         picture(&traced, Engine::Model(machine), &view, "rendering, model")
     })?;
-    let name = scenes::stem(&args.scene);
-    let picture_path = args.out.join(format!("{name}.png"));
-    let reference_path = args.out.join(format!("{name}-f64.png"));
-    rendering.image.write(&picture_path, EXPOSURE)?;
-    reference.image.write(&reference_path, EXPOSURE)?;
+    write_picture(&rendering.image, &paths.picture)?;
+    write_picture(&reference.image, &paths.reference)?;
 
     let distance = Distance::between(&rendering.image, &reference.image)?;
-    let map_path = args.out.join(format!("{name}-error.svg"));
+    let name = scenes::stem(&args.scene);
     let title = format!("relative error: {} of {name} against f64", machine.name);
     let map = map_of(&rendering.image, &reference.image, &title);
-    files::write(&map_path, map.as_bytes())?;
+    files::write(&paths.error_map, map.as_bytes())?;
     let stats = rendering.stats;
     let report = Report {
         scene: args.scene.clone(),
@@ -128,15 +129,47 @@ pub fn execute(args: &RunArgs, json: bool) -> Result<()> {
         devices: proof.verdicts,
         devices_not_found: proof.not_found,
         distance,
-        picture: picture_path.display().to_string(),
-        reference_picture: reference_path.display().to_string(),
-        error_map: map_path.display().to_string(),
+        picture: paths.picture.display().to_string(),
+        reference_picture: paths.reference.display().to_string(),
+        error_map: paths.error_map.display().to_string(),
         verilog,
         seconds,
     };
     let summary = serde_json::to_string_pretty(&report)? + "\n";
-    files::write(&args.out.join("run.json"), summary.as_bytes())?;
+    files::write(&paths.summary, summary.as_bytes())?;
     output::print(json, &report, || text(&report))
+}
+
+/// Where what the run makes besides the Verilog goes.
+struct Paths {
+    picture: PathBuf,
+    reference: PathBuf,
+    error_map: PathBuf,
+    summary: PathBuf,
+}
+
+impl Paths {
+    fn of(args: &RunArgs) -> Self {
+        let name = scenes::stem(&args.scene);
+        let path = |what: &str| args.out.join(format!("{name}{what}"));
+        Self {
+            picture: path(".png"),
+            reference: path("-f64.png"),
+            error_map: path("-error.svg"),
+            summary: args.out.join("run.json"),
+        }
+    }
+
+    fn check(&self, scene: &Scene) -> Result<()> {
+        let paths = [
+            &self.picture,
+            &self.reference,
+            &self.error_map,
+            &self.summary,
+        ];
+        let outputs = paths.map(|path| Output::within("--out", path.clone()));
+        outputs::check(&outputs, scene.files())
+    }
 }
 
 fn timed<T>(seconds: &mut f64, work: impl FnOnce() -> Result<T>) -> Result<T> {
@@ -147,11 +180,12 @@ fn timed<T>(seconds: &mut f64, work: impl FnOnce() -> Result<T>) -> Result<T> {
 }
 
 /// Writes the machine's Verilog and project files; the path of the Verilog.
-fn emit(machine: &Machine, out: &Path) -> Result<String> {
+fn emit(machine: &Machine, out: &Path, inputs: &[PathBuf]) -> Result<String> {
     let files = project::project(machine)?.files;
-    for file in &files {
-        files::write(&out.join(&file.path), file.text.as_bytes())?;
-    }
+    let path = |file: &project::ProjectFile| out.join(&file.path);
+    let outputs = files.iter().map(|file| Output::within("--out", path(file)));
+    outputs::check(&outputs.collect::<Vec<_>>(), inputs)?;
+    files::write_all(files.iter().map(|file| (path(file), file.text.as_bytes())))?;
     Ok(out.join(&files[0].path).display().to_string())
 }
 

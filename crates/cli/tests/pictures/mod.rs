@@ -72,7 +72,7 @@ fn pictures_that_cannot_be_compared_are_errors() {
     let jpg = name(&folder.path().join("d.jpg"));
     let message = error(&["render", "cornell", "-o", &jpg], 2);
     assert!(
-        message.contains("`jpg`, expected one of .png, .exr"),
+        message.contains("ends in .jpg, expected .png or .exr"),
         "{message}"
     );
     assert_eq!(files_in(folder.path()), 3);
