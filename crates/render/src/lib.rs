@@ -38,6 +38,7 @@ mod estimate;
 mod estimators;
 mod facing;
 mod fit;
+mod forecast;
 mod format_map;
 mod geometry;
 mod hard_cases;
@@ -54,6 +55,7 @@ mod render;
 mod renderer;
 mod sample;
 mod scene;
+mod sights;
 mod speed;
 mod trace;
 mod view;
@@ -72,6 +74,7 @@ pub use fit::{
     FieldNeed, Fit, FitError, FitOptions, Measurement, Prediction, Removal, SceneFacts, Trial,
     covering, covers, field_needs, fit, largest_query,
 };
+pub use forecast::forecast_clocks;
 pub use format_map::{FormatMap, FormatMapError};
 pub use geometry::{Geometry, Hit, Mesh, MeshError, Quad, Sphere};
 pub use hard_cases::{
@@ -97,7 +100,8 @@ pub use render::{
     Engine, Light, RenderError, RenderStats, Rendering, render, render_lit, render_with,
 };
 pub use scene::{Bsdf, LightChoice, ObjError, Scene, SceneError, Surface};
+pub use sights::{Sights, sees_a_front};
 pub use speed::{f32_speed, gather_speed};
-pub use trace::{PathKind, Photon, PhotonTrace, TraceError, TraceOptions, trace};
+pub use trace::{BATCH_PATHS, PathKind, Photon, PhotonTrace, TraceError, TraceOptions, trace};
 pub use view::{QueryPoint, ViewError, ViewOptions};
 pub use workload::{WorkloadError, workload};
