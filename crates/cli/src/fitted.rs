@@ -52,11 +52,14 @@ pub struct MachineChoice {
     pub wider: Vec<FieldNeed>,
 }
 
-/// Fits a scene, with a spinner.
-pub fn fit_with_spinner(scene: &Scene, options: &FitOptions) -> Result<Fit> {
-    let spinner = progress::spinner("fitting: figures measured");
-    let found = fit(scene, options, &|figures| spinner.set_position(figures))?;
-    spinner.finish_and_clear();
+/// Fits a scene, with a bar whose end is a guess: how many formats are to be measured shows on the way.
+pub fn fit_with_bar(scene: &Scene, options: &FitOptions) -> Result<Fit> {
+    let bar = progress::bar("fitting the format", 0);
+    let found = fit(scene, options, &|progress| {
+        bar.set_length(progress.expected);
+        bar.set_position(progress.done);
+    })?;
+    bar.finish_and_clear();
     Ok(found)
 }
 

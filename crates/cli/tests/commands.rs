@@ -362,6 +362,60 @@ fn report_measures_every_format_and_machine() {
     }
 }
 
+/// What is asked for needs no fit, which is most of a run's time.
+#[test]
+fn run_with_a_machine_fits_nothing_and_says_the_seconds_of_a_picture() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().to_str().unwrap();
+    let small = ["--photons", "5000", "--size", "8x8", "--samples", "1"];
+    let run = [
+        "run",
+        "--machine",
+        "tile-6",
+        "--iterations",
+        "20",
+        "--out",
+        out,
+    ];
+    let report = json(&[&run[..], &small[..]].concat());
+    assert!(report["fitted"].is_null());
+    let figure = |key: &str| report[key].as_f64().unwrap();
+    let seconds = figure("clocks") / (figure("fmax_mhz") * 1e6);
+    // A rounding of a division.
+    assert!((figure("seconds_per_picture") / seconds - 1.0).abs() < 1e-12);
+    assert!((figure("pictures_per_second") * seconds - 1.0).abs() < 1e-12);
+    // Four engines: between a clock a group for all of them, and one for each.
+    let groups = figure("photon_groups");
+    assert!(figure("clocks") >= groups / 4.0 && figure("clocks") <= groups + 100.0);
+    assert_eq!(report["photons_asked"], 5000);
+    assert!(report["photons"].as_u64() >= Some(5000));
+}
+
+#[test]
+fn a_query_of_too_many_photons_is_told_with_the_option_that_helps() {
+    let folder = tempfile::tempdir().unwrap();
+    let picture = folder.path().join("o.png");
+    let picture = picture.to_str().unwrap();
+    let many = ["--photons", "20000", "--size", "4x4", "--in-range", "2500"];
+    for command in ["render", "progressive"] {
+        let args = [
+            command,
+            "cornell",
+            "-o",
+            picture,
+            "--machine",
+            "fit-cornell",
+        ];
+        let message = error(&[&args[..], &many].concat(), 2);
+        assert!(message.contains("give a smaller --in-range"), "{message}");
+        assert_eq!(
+            message.matches("a query of ").count(),
+            1,
+            "said once: {message}"
+        );
+    }
+}
+
 #[test]
 fn hard_cases_print_a_row_each_with_bound_reason_and_contrast() {
     let report = json(&["hard-cases", "--format", "local7x1-mono8"]);

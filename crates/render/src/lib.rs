@@ -71,8 +71,8 @@ pub use estimators::{
 };
 pub use facing::Facing;
 pub use fit::{
-    FieldNeed, Fit, FitError, FitOptions, Measurement, Prediction, Removal, SceneFacts, Trial,
-    covering, covers, field_needs, fit, largest_query,
+    FieldNeed, Fit, FitError, FitOptions, FitProgress, Measurement, Prediction, Removal,
+    SceneFacts, Trial, covering, covers, field_needs, fit, largest_query,
 };
 pub use forecast::forecast_clocks;
 pub use format_map::{FormatMap, FormatMapError};

@@ -7,7 +7,7 @@ mod text;
 use std::time::Instant;
 
 use anyhow::Result;
-use photoncube_render::{FieldNeed, Fit, FitOptions, Measurement, Removal, SceneFacts};
+use photoncube_render::{Engine, FieldNeed, Fit, FitOptions, Measurement, Removal, SceneFacts};
 use serde::Serialize;
 
 use self::comparison::Compared;
@@ -15,7 +15,8 @@ use self::left_out::LeftOut;
 use crate::args::FitArgs;
 use crate::failure::CheckFailed;
 use crate::fitted::{self, FormatRow, MachineChoice};
-use crate::{output, scenes};
+use crate::hardware::PictureTime;
+use crate::{output, scenes, sight};
 
 #[derive(Serialize)]
 struct Report {
@@ -24,6 +25,8 @@ struct Report {
     noise_ratio: f64,
     photons: u64,
     in_range: f64,
+    photons_in_range_mean: f64,
+    query_points: u64,
     maps: u64,
     pilot_maps: u64,
     noise_relative: f64,
@@ -61,6 +64,9 @@ struct MachineRow {
     bits_per_photon: u32,
     measurement: Measurement,
     wider_than_needed: Vec<FieldNeed>,
+    /// For the queries that the formats were measured at, on one of the maps.
+    #[serde(flatten)]
+    time: PictureTime,
 }
 
 /// Fits a scene; ends 1 where no format or no machine meets the ratio.
@@ -68,7 +74,9 @@ pub fn execute(args: &FitArgs, json: bool) -> Result<()> {
     let start = Instant::now();
     let options = args.options();
     let scene = scenes::load(&args.scene)?;
-    let fit = fitted::fit_with_spinner(&scene, &options)?;
+    sight::check(&scene, &options.bench.view)?;
+    let fit = fitted::fit_with_bar(&scene, &options);
+    let fit = sight::explained(fit, &scene, &options.bench.view)?;
     let choice = match &fit.chosen {
         Some(chosen) => fitted::choose(&fit, &options, chosen)?,
         None => None,
@@ -111,13 +119,24 @@ fn report(
             Some(chosen) => comparison::comparison(&chosen.format, choice)?,
             None => Vec::new(),
         },
-        machine: choice.map(MachineRow::of),
+        machine: choice
+            .map(|choice| MachineRow::of(choice, fit))
+            .transpose()?,
+        photons_in_range_mean: photons_in_range_mean(fit)?,
+        query_points: fit.bench.queries().len() as u64,
         row_to_add: chosen
             .filter(|_| !choice.is_some_and(is_exact))
             .map(|chosen| fitted::row_to_add(&chosen.format)),
         next: choice.map(|choice| next(args, choice)),
         seconds: 0.0,
     })
+}
+
+/// By the reference, over all queries and maps.
+fn photons_in_range_mean(fit: &Fit) -> Result<f64> {
+    let estimates = fit.bench.queries().len() * fit.bench.maps().len();
+    let reference = fit.bench.measure(Engine::F64)?;
+    Ok(reference.photons_in_range as f64 / estimates.max(1) as f64)
 }
 
 /// The run of the scene on that machine, as it was fitted.
@@ -138,13 +157,15 @@ impl RemovalRow {
 }
 
 impl MachineRow {
-    fn of(choice: &MachineChoice) -> Self {
-        Self {
+    fn of(choice: &MachineChoice, fit: &Fit) -> Result<Self> {
+        let (map, queries) = (&fit.bench.maps()[0], fit.bench.queries());
+        Ok(Self {
             machine: choice.machine.name,
             format: choice.format.name(),
             bits_per_photon: choice.machine.bits_per_photon(),
             measurement: choice.measurement,
             wider_than_needed: choice.wider.clone(),
-        }
+            time: PictureTime::of(choice.machine, map, queries)?,
+        })
     }
 }

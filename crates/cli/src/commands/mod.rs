@@ -15,9 +15,10 @@ mod verify;
 
 use std::path::Path;
 
-use anyhow::Result;
+use anyhow::{Result, anyhow};
 use clap::CommandFactory;
 use clap_complete::Shell;
+use photoncube_model::{GatherError, LocalError};
 
 use crate::args::{Args, Command};
 use crate::{files, output, outputs};
@@ -26,13 +27,13 @@ use crate::{files, output, outputs};
 pub fn execute(args: Args) -> Result<()> {
     let json = args.json;
     match args.command {
-        Command::Run(options) => run::execute(&options, json),
-        Command::Fit(options) => fit::execute(&options, json),
+        Command::Run(options) => with_hint(run::execute(&options, json)),
+        Command::Fit(options) => with_hint(fit::execute(&options, json)),
         Command::List => list::execute(json),
         Command::Generate(options) => generate::execute(&options, json),
         Command::Verify(options) => verify::execute(&options, json),
-        Command::Render(options) => render::execute(&options, json),
-        Command::Progressive(options) => progressive::execute(&options, json),
+        Command::Render(options) => with_hint(render::execute(&options, json)),
+        Command::Progressive(options) => with_hint(progressive::execute(&options, json)),
         Command::Compare(options) => compare::execute(&options, json),
         Command::Report(options) => report::execute(&options, json),
         Command::HardCases(options) => hard_cases::execute(&options, json),
@@ -41,6 +42,21 @@ pub fn execute(args: Args) -> Result<()> {
         Command::Completions { shell } => completions(shell),
         Command::Man { out } => manual(&out),
     }
+}
+
+/// What makes room in a machine's sums, by an option that these commands have.
+fn with_hint(result: Result<()>) -> Result<()> {
+    result.map_err(|error| {
+        let is_full = error.chain().any(|cause| {
+            let (machine, format) = (cause.downcast_ref(), cause.downcast_ref());
+            matches!(machine, Some(GatherError::TooManyPhotons { .. }))
+                || matches!(format, Some(LocalError::Count(_)))
+        });
+        match is_full {
+            true => anyhow!("{error:#}: give a smaller --in-range"),
+            false => error,
+        }
+    })
 }
 
 fn completions(shell: Shell) -> Result<()> {

@@ -5,14 +5,14 @@ use std::time::Instant;
 
 use anyhow::Result;
 use photoncube_render::{
-    Engine, Estimator, Image, Light, Lighting, PhotonMap, PhotonMaps, Radii, Rendering, Scene,
-    TraceOptions, ViewOptions, render_lit, trace,
+    BATCH_PATHS, Engine, Estimator, Image, Light, Lighting, PhotonMap, PhotonMaps, Radii,
+    Rendering, Scene, TraceOptions, ViewOptions, render_lit, trace,
 };
 use serde::Serialize;
 
 use crate::args::{EngineReport, LightingReport, PictureArgs, RenderArgs};
 use crate::outputs::{self, Output};
-use crate::{files, output, progress, scenes};
+use crate::{files, output, progress, scenes, sight};
 
 /// The exposure of written pictures: radiance 1 is white.
 const EXPOSURE: f64 = 1.0;
@@ -27,6 +27,9 @@ struct Report {
     light: LightingReport,
     output: String,
     photons: usize,
+    photons_asked: u64,
+    in_range: f64,
+    photons_in_range_mean: f64,
     query_points: u64,
     gathers_per_query: f64,
     photon_tests: u64,
@@ -122,9 +125,10 @@ pub fn execute(args: &RenderArgs, json: bool) -> Result<()> {
     let lighting = args.light.lighting();
     lighting.check(&scene, args.estimator)?;
     outputs::check(&[Output::picture("-o", &args.output)], scene.files())?;
+    let view = view(&args.picture);
+    sight::check(&scene, &view)?;
     let start = Instant::now();
     let traced = trace_scene(scene, &args.picture, &lighting)?;
-    let view = view(&args.picture);
     let rendering = picture_lit(
         &traced,
         engine,
@@ -133,6 +137,7 @@ pub fn execute(args: &RenderArgs, json: bool) -> Result<()> {
         &view,
         "rendering",
     )?;
+    sight::check_light(&rendering.image, &traced.scene, &view, rendering.stats)?;
     write_picture(&rendering.image, &args.output)?;
     let caustic = traced.maps.caustic.as_ref();
     let report = Report {
@@ -142,6 +147,9 @@ pub fn execute(args: &RenderArgs, json: bool) -> Result<()> {
         light: LightingReport::of(&lighting),
         output: args.output.display().to_string(),
         photons: traced.maps.photons(),
+        photons_asked: args.picture.photons,
+        in_range: args.picture.in_range,
+        photons_in_range_mean: mean(rendering.stats.photons_in_range, rendering.stats.gathers),
         query_points: rendering.stats.query_points,
         gathers_per_query: mean(rendering.stats.gathers, rendering.stats.query_points),
         photon_tests: rendering.stats.photon_tests,
@@ -166,10 +174,14 @@ fn mean(total: u64, count: u64) -> f64 {
 
 fn text(report: &Report) -> String {
     format!(
-        "{}: {} photons, {} query points, {} photon tests ({} skipped by their place) in {:.1} s; \
+        "{}: {} photons (at least {} asked for; batches of {BATCH_PATHS} paths are completed), {:.0} in range of a gather \
+         ({} aimed at),\n{} query points, {} photon tests ({} skipped by their place) in {:.1} s; \
          estimator {}, {:.1} gathers a query\n",
         report.output,
         report.photons,
+        report.photons_asked,
+        report.photons_in_range_mean,
+        report.in_range,
         report.query_points,
         report.photon_tests,
         report.photons_skipped,

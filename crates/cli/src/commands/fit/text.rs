@@ -24,6 +24,11 @@ pub fn text(report: &Report) -> String {
     }
     if let Some(machine) = &report.machine {
         text += &machine_line(machine);
+        text += &format!(
+            "{} queries as a picture: {}\n",
+            report.query_points,
+            machine.time.text()
+        );
     }
     if let Some(row) = &report.row_to_add {
         text += &format!("for a machine of exactly this format, {row}\n");
@@ -37,7 +42,8 @@ pub fn text(report: &Report) -> String {
 fn facts(report: &Report) -> String {
     let light = &report.light;
     format!(
-        "{}: noise {:.2} % rms over {} maps of {} photons, about {} in range; pilot of {} maps\n\
+        "{}: noise {:.2} % rms over {} maps of {} photons at least; pilot of {} maps\n\
+         \x20 in range     {:.0} photons on average, {} aimed at\n\
          \x20 colours      {} (photons deviate from one colour by {:.0e})\n\
          \x20 powers       the strongest photon has {:.6} times the weakest's\n\
          \x20 largest query {} photons\n\
@@ -46,8 +52,9 @@ fn facts(report: &Report) -> String {
         100.0 * report.noise_relative,
         report.maps,
         report.photons,
-        report.in_range,
         report.pilot_maps,
+        report.photons_in_range_mean,
+        report.in_range,
         if light.one_colour { "one" } else { "several" },
         light.colour_deviation,
         light.power_spread,
