@@ -8,6 +8,7 @@ mod failure;
 mod files;
 mod fitted;
 mod hardware;
+mod interrupt;
 mod machines;
 mod measured;
 mod measured_fits;
