@@ -2,7 +2,6 @@
 
 mod args;
 mod commands;
-mod convergence;
 mod digests;
 mod failure;
 mod files;
@@ -14,7 +13,7 @@ mod measured;
 mod measured_fits;
 mod output;
 mod outputs;
-mod plot;
+mod plots;
 mod progress;
 mod project;
 mod scenes;

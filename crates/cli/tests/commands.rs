@@ -333,7 +333,7 @@ fn a_ratio_that_nothing_meets_ends_1_and_one_of_nothing_ends_2() {
 fn report_measures_every_format_and_machine() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().to_str().unwrap();
-    let small = ["--photons", "5000", "--size", "8x8", "--maps", "2"];
+    let small = ["--photons", "5000", "--size", "8x8", "--maps", "3"];
     let report = json(&[&["report", "--out", out][..], &small[..]].concat());
     let rows = report["rows"].as_array().unwrap();
     let list = json(&["list"]);
@@ -346,6 +346,30 @@ fn report_measures_every_format_and_machine() {
     let error = |name| row(name)["error_over_noise"].as_f64().unwrap();
     assert!(error("local4-rgb8e5") > error("local8-rgb8e5"));
     assert!(rows.iter().any(|row| row["on_bits_front"] == true));
+    for row in rows {
+        let on_front = ["on_bits_front", "on_hardware_front", "on_speed_front"];
+        let is_best = on_front.iter().any(|front| row[front] == true);
+        assert!(!is_best || row["within_bound"] == true, "{row}");
+        // One figure for a format on this CPU, and none for a machine, whose model is that of its format.
+        let has_speed = row["photon_tests_per_second"].is_number();
+        assert_eq!(has_speed, row["kind"] == "format", "{row}");
+        assert_eq!(
+            row["photon_tests_per_second_spread"].is_number(),
+            has_speed,
+            "{row}"
+        );
+        assert_eq!(
+            row["pictures_per_second"].is_number(),
+            row["kind"] == "machine",
+            "{row}"
+        );
+    }
+    let within = rows.iter().filter(|row| row["within_bound"] == true);
+    let formats = within.filter(|row| row["kind"] == "format");
+    let fewest = formats
+        .map(|row| row["bits_per_photon"].as_u64().unwrap())
+        .min();
+    assert_eq!(report["scene_needs"]["bits_per_photon"].as_u64(), fewest);
     estimators::check_rows(&report);
     for name in [
         "report-cornell-speed.svg",
@@ -360,6 +384,48 @@ fn report_measures_every_format_and_machine() {
             "{name}"
         );
     }
+}
+
+#[test]
+fn report_goes_on_where_a_machine_cannot_take_the_scene() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().to_str().unwrap();
+    let many = [
+        "--photons",
+        "20000",
+        "--size",
+        "8x8",
+        "--maps",
+        "3",
+        "--in-range",
+        "2500",
+    ];
+    let args = [&["report", "--out", out][..], &many[..]].concat();
+    let output = photoncube(&args).assert().success();
+    let text = String::from_utf8(output.get_output().stdout.clone()).unwrap();
+    let expected = "fit-cornell cannot take this scene: a query of ";
+    assert!(
+        text.contains(expected) && text.contains("--in-range"),
+        "{text}"
+    );
+    assert!(
+        text.starts_with("cornell: needs "),
+        "the verdict comes first: {text}"
+    );
+    let written = folder.path().join("report-cornell.json");
+    let report: Value = serde_json::from_slice(&fs::read(written).unwrap()).unwrap();
+    let row = |name: &str| {
+        let rows = report["rows"].as_array().unwrap();
+        rows.iter().find(|row| row["name"] == name).unwrap().clone()
+    };
+    assert!(
+        row("fit-cornell")["cannot"]
+            .as_str()
+            .unwrap()
+            .contains("over the 4096")
+    );
+    assert!(row("fit-cornell")["error_over_noise"].is_null());
+    assert!(row("paper")["cannot"].is_null() && row("paper")["error_over_noise"].is_number());
 }
 
 /// What is asked for needs no fit, which is most of a run's time.

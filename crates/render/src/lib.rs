@@ -101,7 +101,7 @@ pub use render::{
 };
 pub use scene::{Bsdf, LightChoice, ObjError, Scene, SceneError, Surface};
 pub use sights::{Sights, sees_a_front};
-pub use speed::{f32_speed, gather_speed};
+pub use speed::{Speed, f32_speed, gather_speed};
 pub use trace::{BATCH_PATHS, PathKind, Photon, PhotonTrace, TraceError, TraceOptions, trace};
 pub use view::{QueryPoint, ViewError, ViewOptions};
 pub use workload::{WorkloadError, workload};

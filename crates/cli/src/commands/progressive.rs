@@ -13,10 +13,10 @@ use serde::Serialize;
 use super::compare::Distance;
 use super::render::write_picture;
 use crate::args::{EngineReport, LightingReport, ProgressiveArgs};
-use crate::convergence::{Curve, Reached, convergence_plot};
 use crate::failure::CheckFailed;
 use crate::interrupt::Interrupt;
 use crate::outputs::{self, Output};
+use crate::plots::{Curve, Reached, convergence_plot};
 use crate::table::markdown;
 use crate::{files, output, progress, scenes, sight};
 

@@ -36,7 +36,7 @@ fn every_json_key_is_documented() {
     let run = [&run[..], &["--iterations", "5"]].concat();
     let render = ["render", "cornell", "-o", picture];
     let report = ["report", "--out", out];
-    let tiny = ["--photons", "2000", "--size", "6x6", "--maps", "2"];
+    let tiny = ["--photons", "2000", "--size", "6x6", "--maps", "3"];
     let fit = ["fit", "ring"];
     let exr = folder.path().join("x.exr");
     let exr = exr.to_str().unwrap();
