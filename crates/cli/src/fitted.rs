@@ -11,6 +11,7 @@ use serde::Serialize;
 
 use crate::args::short;
 use crate::failure::CheckFailed;
+use crate::hardware::PictureTime;
 use crate::measured::Measured;
 use crate::progress;
 
@@ -53,8 +54,8 @@ pub struct MachineChoice {
     pub measurement: Measurement,
     /// What it has more of than the scene needs.
     pub wider: Vec<FieldNeed>,
-    /// Its photon tests a second at the clock of the fastest speed grade that was measured; none if none was.
-    pub photon_tests_per_second: Option<f64>,
+    /// For the fit's queries on one of its maps.
+    pub time: PictureTime,
 }
 
 /// The machines for a scene: both cover the fitted format, and are measured below the bound. They may be one.
@@ -63,21 +64,24 @@ pub struct Choices {
     /// The smallest machine of exactly the fitted format; where there is none, that with the fewest bits of a stored
     /// photon. Of several the one with the least area.
     pub smallest: MachineChoice,
-    /// The machine with the most photon tests a second.
+    /// The machine that takes the fewest seconds for the picture of the fit's queries, at its measured clock.
     pub fastest: MachineChoice,
 }
 
-/// Fits a scene, with a spinner.
-pub fn fit_with_spinner(scene: &Scene, options: &FitOptions) -> Result<Fit> {
-    let spinner = progress::spinner("fitting: figures measured");
-    let found = fit(scene, options, &|figures| spinner.set_position(figures))?;
-    spinner.finish_and_clear();
+/// Fits a scene, with a bar whose end is a guess: how many formats are to be measured shows on the way.
+pub fn fit_with_bar(scene: &Scene, options: &FitOptions) -> Result<Fit> {
+    let bar = progress::bar("fitting the format", 0);
+    let found = fit(scene, options, &|progress| {
+        bar.set_length(progress.expected);
+        bar.set_position(progress.done);
+    })?;
+    bar.finish_and_clear();
     Ok(found)
 }
 
 /// The machines for the needed format; none where no machine covers it and is below the bound.
 pub fn choose(fit: &Fit, options: &FitOptions, needed: &Trial) -> Result<Option<Choices>> {
-    let candidates = candidates(needed)?;
+    let candidates = candidates(fit, needed)?;
     let below_bound = |candidates: Vec<Candidate>| -> Result<Option<MachineChoice>> {
         for candidate in candidates {
             let choice = candidate.measured(fit, needed)?;
@@ -100,7 +104,7 @@ struct Candidate {
     machine: &'static Machine,
     format: PhotonFormat,
     lut4_equivalents: Option<u64>,
-    photon_tests_per_second: Option<f64>,
+    time: PictureTime,
 }
 
 impl Candidate {
@@ -116,21 +120,21 @@ impl Candidate {
             format: self.format,
             measurement,
             wider: needs.filter(|need| need.found > need.needed).collect(),
-            photon_tests_per_second: self.photon_tests_per_second,
+            time: self.time,
         })
     }
 }
 
-fn candidates(needed: &Trial) -> Result<Vec<Candidate>> {
+fn candidates(fit: &Fit, needed: &Trial) -> Result<Vec<Candidate>> {
+    let (map, queries) = (&fit.bench.maps()[0], fit.bench.queries());
     let covering = covering(MACHINES, &needed.format);
     let candidate = |(machine, format): (&'static Machine, &PhotonFormat)| {
-        let measured = Measured::of(machine)?;
-        let rate = |mhz: f64| machine.photon_tests_per_clock() * mhz * 1e6;
+        let area = Measured::of(machine)?.area_without_dsp;
         Ok(Candidate {
             machine,
             format: *format,
-            photon_tests_per_second: measured.fastest().map(|clock| rate(clock.fmax_mhz)),
-            lut4_equivalents: measured.area_without_dsp.map(|area| area.lut4_equivalents),
+            lut4_equivalents: area.map(|area| area.lut4_equivalents),
+            time: PictureTime::of(machine, map, queries)?,
         })
     };
     covering.map(candidate).collect()
@@ -151,8 +155,9 @@ fn by_size(mut candidates: Vec<Candidate>, needed: &PhotonFormat) -> Vec<Candida
 
 /// The fastest first; one whose clock was not measured counts as slower.
 fn by_speed(mut candidates: Vec<Candidate>) -> Vec<Candidate> {
-    let rate = |candidate: &Candidate| candidate.photon_tests_per_second.unwrap_or(0.0);
-    candidates.sort_by(|a, b| rate(b).total_cmp(&rate(a)));
+    let seconds =
+        |candidate: &Candidate| candidate.time.seconds_per_picture.unwrap_or(f64::INFINITY);
+    candidates.sort_by(|a, b| seconds(a).total_cmp(&seconds(b)));
     candidates
 }
 
@@ -252,7 +257,14 @@ mod tests {
             machine,
             format: *machine.format().unwrap(),
             lut4_equivalents: Some(1),
-            photon_tests_per_second: Some(1.0),
+            time: time(Some(2.0)),
+        }
+    }
+
+    fn time(seconds_per_picture: Option<f64>) -> PictureTime {
+        PictureTime {
+            seconds_per_picture,
+            ..PictureTime::default()
         }
     }
 
@@ -294,11 +306,11 @@ mod tests {
     fn a_machine_without_a_clock_is_the_slowest() {
         let slow = candidate("tile-4");
         let fast = Candidate {
-            photon_tests_per_second: Some(2.0),
+            time: time(Some(1.0)),
             ..candidate("stream")
         };
         let unmeasured = Candidate {
-            photon_tests_per_second: None,
+            time: time(None),
             ..candidate("tile-5")
         };
         let sorted = by_speed(vec![unmeasured, slow, fast]);

@@ -2,19 +2,22 @@
 
 mod args;
 mod commands;
-mod convergence;
 mod digests;
 mod failure;
 mod files;
 mod fitted;
+mod hardware;
+mod interrupt;
 mod machines;
 mod measured;
 mod measured_fits;
 mod output;
-mod plot;
+mod outputs;
+mod plots;
 mod progress;
 mod project;
 mod scenes;
+mod sight;
 mod synth;
 mod table;
 mod verified;

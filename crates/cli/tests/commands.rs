@@ -2,7 +2,9 @@
 
 mod estimators;
 mod json_keys;
+mod outputs;
 mod pictures;
+mod reports;
 mod robustness;
 mod scenes;
 mod shared;
@@ -14,7 +16,7 @@ use std::path::Path;
 use assert_cmd::Command;
 use serde_json::Value;
 
-use self::shared::{FIT, HARD_CASES, REPORT, RUN, SMALL_FIT};
+use self::shared::{FIT, HARD_CASES, RUN, SMALL_FIT};
 
 fn photoncube(args: &[&str]) -> Command {
     let mut command = Command::cargo_bin("photoncube").unwrap();
@@ -318,36 +320,6 @@ fn a_ratio_that_nothing_meets_ends_1_and_one_of_nothing_ends_2() {
     assert!(message.contains("larger --noise-ratio"), "{message}");
     for ratio in ["0", "nan"] {
         assert!(error(&fit(ratio), 2).contains("number above 0"), "{ratio}");
-    }
-}
-
-#[test]
-fn report_measures_every_format_and_machine() {
-    let (report, folder) = (&REPORT.report, &REPORT.folder);
-    let rows = report["rows"].as_array().unwrap();
-    let list = json(&["list"]);
-    let listed = ["formats", "machines"].map(|key| list[key].as_array().unwrap().len());
-    assert_eq!(rows.len(), listed[0] + listed[1]);
-    let row = |name: &str| rows.iter().find(|row| row["name"] == name).unwrap();
-    assert!(row("local8-rgb8e5")["bits_per_photon"].as_u64().unwrap() <= 56);
-    assert_eq!(row("paper")["initiation_interval"], 9.0);
-    assert_eq!(row("overlap")["initiation_interval"], 1.5);
-    let error = |name| row(name)["error_over_noise"].as_f64().unwrap();
-    assert!(error("local4-rgb8e5") > error("local8-rgb8e5"));
-    assert!(rows.iter().any(|row| row["on_bits_front"] == true));
-    estimators::check_rows(report);
-    for name in [
-        "report-cornell-speed.svg",
-        "report-cornell-bits.svg",
-        "report-cornell-hardware.svg",
-        "report-cornell-dimensions.svg",
-        "report-cornell.json",
-    ] {
-        let text = fs::read_to_string(folder.path().join(name)).unwrap();
-        assert!(
-            text.contains("local8-rgb8e5") || text.contains("Fmax"),
-            "{name}"
-        );
     }
 }
 

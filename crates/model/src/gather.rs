@@ -14,7 +14,7 @@ pub enum GatherError {
     /// More photons than the sums are sized for.
     #[error(
         "a query of {found} photons is {} over the {max_photons} that machine `{machine}` declares: \
-         its sums could overflow; use a smaller radius or a machine with a larger `max_photons`",
+         its sums could overflow; a smaller search radius or a machine with a larger `max_photons` has room",
         .found - .max_photons
     )]
     TooManyPhotons {

@@ -38,6 +38,7 @@ mod estimate;
 mod estimators;
 mod facing;
 mod fit;
+mod forecast;
 mod format_map;
 mod geometry;
 mod hard_cases;
@@ -54,6 +55,7 @@ mod render;
 mod renderer;
 mod sample;
 mod scene;
+mod sights;
 mod speed;
 mod trace;
 mod view;
@@ -69,18 +71,17 @@ pub use estimators::{
 };
 pub use facing::Facing;
 pub use fit::{
-    FieldNeed, Fit, FitError, FitOptions, Measurement, Prediction, Removal, SceneFacts, Trial,
-    covering, covers, field_needs, fit, largest_query,
+    FieldNeed, Fit, FitError, FitOptions, FitProgress, Measurement, Prediction, Removal,
+    SceneFacts, Trial, covering, covers, field_needs, fit, largest_query,
 };
+pub use forecast::forecast_clocks;
 pub use format_map::{FormatMap, FormatMapError};
 pub use geometry::{Geometry, Hit, Mesh, MeshError, Quad, Sphere};
 pub use hard_cases::{
     Bound, Contrast, Grid, HARD_CASES, HardCase, HardCaseError, HardCaseReport, Outcome, Setting,
     hard_case_formats, run_hard_case,
 };
-pub use image::{
-    IMAGE_ENDINGS, Image, ImageError, MAX_PIXELS, check_image_path, error_map, relative_errors,
-};
+pub use image::{IMAGE_ENDINGS, Image, ImageError, MAX_PIXELS, error_map, relative_errors};
 pub use lighting::{
     Area, Caustics, DirectLight, Lighting, LightingError, PhotonMaps, Radii, UnknownLighting,
 };
@@ -99,7 +100,10 @@ pub use render::{
     Engine, Light, RenderError, RenderStats, Rendering, render, render_lit, render_with,
 };
 pub use scene::{Bsdf, LightChoice, ObjError, Scene, SceneError, Surface};
-pub use speed::{f32_speed, gather_speed};
-pub use trace::{MAX_PHOTONS, PathKind, Photon, PhotonTrace, TraceError, TraceOptions, trace};
+pub use sights::{Sights, sees_a_front};
+pub use speed::{Speed, f32_speed, gather_speed};
+pub use trace::{
+    BATCH_PATHS, MAX_PHOTONS, PathKind, Photon, PhotonTrace, TraceError, TraceOptions, trace,
+};
 pub use view::{QueryPoint, ViewError, ViewOptions};
 pub use workload::{WorkloadError, workload};

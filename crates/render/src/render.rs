@@ -48,7 +48,7 @@ pub enum RenderError {
     #[error(transparent)]
     Estimator(#[from] UnfitEstimator),
     /// There is no such estimate at a query, in f64.
-    #[error("pixel ({x}, {y}): {source}")]
+    #[error("pixel ({x}, {y})")]
     Reference {
         /// Column, from the left.
         x: u32,
@@ -58,7 +58,7 @@ pub enum RenderError {
         source: EstimatorError,
     },
     /// The golden model of a machine refused a query.
-    #[error("pixel ({x}, {y}): {source}")]
+    #[error("pixel ({x}, {y})")]
     Gather {
         /// Column, from the left.
         x: u32,
@@ -68,7 +68,7 @@ pub enum RenderError {
         source: GatherError,
     },
     /// The golden model of a photon format refused a query.
-    #[error("pixel ({x}, {y}): {source}")]
+    #[error("pixel ({x}, {y})")]
     LocalGather {
         /// Column, from the left.
         x: u32,

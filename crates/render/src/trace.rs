@@ -23,7 +23,7 @@ use crate::scene::Scene;
 
 /// Paths are emitted in whole batches of this many; the last batch is never cut, because that
 /// would favour early paths.
-const BATCH_PATHS: u64 = 8192;
+pub const BATCH_PATHS: u64 = 8192;
 
 /// Paths that one task of the thread pool traces: enough to hide the pool's overhead.
 const TASK_PATHS: u64 = 256;

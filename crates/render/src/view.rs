@@ -116,6 +116,12 @@ impl ViewOptions {
         x: u32,
         y: u32,
     ) -> impl Iterator<Item = ViewSample> {
+        let sights = self.sights(scene, x, y);
+        sights.map(|sight| sight.sample(scene))
+    }
+
+    /// Where these rays end.
+    pub(crate) fn sights(&self, scene: &Scene, x: u32, y: u32) -> impl Iterator<Item = Sight> {
         let mut rng = stream(self.seed, Purpose::View, self.index(x, y));
         let cells = self.samples_per_axis;
         (0..self.samples_per_pixel()).map(move |cell| {
@@ -125,7 +131,7 @@ impl ViewOptions {
             let px = jittered(x, cell % cells);
             let py = jittered(y, cell / cells);
             let ray = scene.camera().ray(px, py, self.width, self.height);
-            see(scene, &ray, &mut rng)
+            follow(scene, &ray, &mut rng)
         })
     }
 }
@@ -134,26 +140,66 @@ fn random(rng: &mut Pcg64Mcg) -> f64 {
     rng.random()
 }
 
-/// Follows mirrors, and at the borders of media one of both ways by chance, until a diffuse surface.
+/// Where a view ray ends.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Sight {
+    /// On the front of a diffuse surface.
+    Diffuse {
+        /// Its index.
+        surface: usize,
+        /// The point.
+        hit: Hit,
+        /// The part of the light that comes through the mirrors and media between.
+        beta: DVec3,
+    },
+    /// On a black back.
+    Back {
+        /// The surface's index.
+        surface: usize,
+    },
+    /// Outside the scene.
+    Nothing,
+    /// Between mirrors.
+    Lost,
+}
+
+/// What the ray sees.
 pub(crate) fn see(scene: &Scene, ray: &Ray, rng: &mut Pcg64Mcg) -> ViewSample {
+    follow(scene, ray, rng).sample(scene)
+}
+
+/// Follows mirrors, and at the borders of media one of both ways by chance, until a diffuse surface.
+fn follow(scene: &Scene, ray: &Ray, rng: &mut Pcg64Mcg) -> Sight {
     let mut ray = *ray;
     let mut beta = DVec3::ONE;
     for _ in 0..=MAX_MIRRORS {
         let Some((index, hit)) = scene.intersect(&ray) else {
-            break;
+            return Sight::Nothing;
         };
         let surface = &scene.surfaces()[index];
         if !surface.is_lit(&hit) {
-            break;
+            return Sight::Back { surface: index };
         }
         if !surface.is_specular() {
-            return diffuse_sample(surface, &hit, beta);
+            let surface = index;
+            return Sight::Diffuse { surface, hit, beta };
         }
         let scattered = surface.scatter(&ray, &hit, rng);
         beta *= scattered.radiance * surface.reflectance();
         ray = scattered.ray;
     }
-    ViewSample::default()
+    Sight::Lost
+}
+
+impl Sight {
+    fn sample(self, scene: &Scene) -> ViewSample {
+        match self {
+            Self::Diffuse { surface, hit, beta } => {
+                diffuse_sample(&scene.surfaces()[surface], &hit, beta)
+            }
+            Self::Back { .. } | Self::Nothing | Self::Lost => ViewSample::default(),
+        }
+    }
 }
 
 fn diffuse_sample(surface: &Surface, hit: &Hit, beta: DVec3) -> ViewSample {

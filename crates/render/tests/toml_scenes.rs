@@ -32,6 +32,18 @@ fn scene(name: &str) -> Scene {
     Scene::from_file(&folder().join(name)).unwrap()
 }
 
+/// What a command must not write over.
+#[test]
+fn a_scene_knows_the_files_that_it_was_read_from() {
+    let files = |name: &str| scene(name).files().to_vec();
+    let knots = files("knots.toml");
+    assert!(knots.contains(&folder().join("knots.toml")), "{knots:?}");
+    assert!(knots.contains(&folder().join("knot.obj")), "{knots:?}");
+    assert_eq!(files("boxes.toml"), [folder().join("boxes.toml")]);
+    assert_eq!(files("spheres.json"), [folder().join("spheres.json")]);
+    assert!(Scene::built_in("cornell").unwrap().files().is_empty());
+}
+
 fn rendered(scene: &Scene, photons: u64, engine: Engine) -> Rendering {
     let options = TraceOptions { photons, seed: 1 };
     let photons = trace(scene, &options, &|_| ()).unwrap().photons;

@@ -130,20 +130,6 @@ impl Machine {
         Rate { groups: 1, clocks }
     }
 
-    /// Clocks for a whole workload with no waiting, `groups` counted over all queries; none where
-    /// it depends on more: on who shares photons where several queries are tested at once, on the
-    /// groups of each query where units overlap.
-    pub fn workload_clocks(&self, queries: u64, groups: u64) -> Option<u64> {
-        match (self.microprogram(), self.spatial()) {
-            (Some(program), _) => Some(program.workload_clocks(queries, groups)),
-            // A query change costs no clock; the end of the last query costs the latency.
-            (None, Some(spatial)) if spatial.engines() == 1 => {
-                Some(groups + u64::from(spatial.latency_clocks()))
-            }
-            _ => None,
-        }
-    }
-
     /// Its photon format; none in plain numbers.
     pub fn format(&self) -> Option<&PhotonFormat> {
         match &self.numbers {

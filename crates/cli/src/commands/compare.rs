@@ -9,6 +9,7 @@ use serde::Serialize;
 
 use crate::args::CompareArgs;
 use crate::failure::CheckFailed;
+use crate::outputs::{self, Output};
 use crate::{files, output};
 
 /// How far two pictures are apart. Pixels that see the light, and those that touch them, are left out, as for the
@@ -55,6 +56,9 @@ struct Report {
 
 /// Compares two files.
 pub fn execute(args: &CompareArgs, json: bool) -> Result<()> {
+    let map = args.error_map.iter();
+    let outputs: Vec<_> = map.map(|path| Output::plot("--error-map", path)).collect();
+    outputs::check(&outputs, &[args.picture.clone(), args.reference.clone()])?;
     let image = Image::read_exr(&args.picture)?;
     let reference = Image::read_exr(&args.reference)?;
     let distance = Distance::between(&image, &reference)?;

@@ -7,7 +7,7 @@ mod text;
 use std::time::Instant;
 
 use anyhow::Result;
-use photoncube_render::{FieldNeed, Fit, FitOptions, Measurement, Removal, SceneFacts};
+use photoncube_render::{Engine, FieldNeed, Fit, FitOptions, Measurement, Removal, SceneFacts};
 use photoncube_spec::MACHINES;
 use serde::Serialize;
 
@@ -16,7 +16,8 @@ use self::left_out::LeftOut;
 use crate::args::FitArgs;
 use crate::failure::CheckFailed;
 use crate::fitted::{self, Choices, FormatRow, MachineChoice};
-use crate::{output, scenes};
+use crate::hardware::PictureTime;
+use crate::{output, scenes, sight};
 
 #[derive(Serialize)]
 struct Report {
@@ -25,6 +26,8 @@ struct Report {
     noise_ratio: f64,
     photons: u64,
     in_range: f64,
+    photons_in_range_mean: f64,
+    query_points: u64,
     maps: u64,
     pilot_maps: u64,
     noise_relative: f64,
@@ -65,7 +68,9 @@ struct MachineRow {
     bits_per_photon: u32,
     measurement: Measurement,
     wider_than_needed: Vec<FieldNeed>,
-    photon_tests_per_second_at_fmax: Option<f64>,
+    /// For the queries that the formats were measured at, on one of the maps.
+    #[serde(flatten)]
+    time: PictureTime,
 }
 
 /// Fits a scene; ends 1 where no format or no machine meets the ratio.
@@ -73,7 +78,9 @@ pub fn execute(args: &FitArgs, json: bool) -> Result<()> {
     let start = Instant::now();
     let options = args.options();
     let scene = scenes::load(&args.scene)?;
-    let fit = fitted::fit_with_spinner(&scene, &options)?;
+    sight::check(&scene, &options.bench.view)?;
+    let fit = fitted::fit_with_bar(&scene, &options);
+    let fit = sight::explained(fit, &scene, &options.bench.view)?;
     let choices = match &fit.chosen {
         Some(chosen) => fitted::choose(&fit, &options, chosen)?,
         None => None,
@@ -119,12 +126,21 @@ fn report(
         },
         machine: smallest.map(MachineRow::of),
         fastest: fastest.map(MachineRow::of),
+        photons_in_range_mean: photons_in_range_mean(fit)?,
+        query_points: fit.bench.queries().len() as u64,
         row_to_add: chosen
             .filter(|chosen| MACHINES.iter().all(|m| m.format() != Some(&chosen.format)))
             .map(|chosen| fitted::row_to_add(&chosen.format)),
         next: smallest.map(|choice| next(args, choice)),
         seconds: 0.0,
     })
+}
+
+/// By the reference, over all queries and maps.
+fn photons_in_range_mean(fit: &Fit) -> Result<f64> {
+    let estimates = fit.bench.queries().len() * fit.bench.maps().len();
+    let reference = fit.bench.measure(Engine::F64)?;
+    Ok(reference.photons_in_range as f64 / estimates.max(1) as f64)
 }
 
 /// The run of the scene on that machine, as it was fitted.
@@ -152,7 +168,7 @@ impl MachineRow {
             bits_per_photon: choice.machine.bits_per_photon(),
             measurement: choice.measurement,
             wider_than_needed: choice.wider.clone(),
-            photon_tests_per_second_at_fmax: choice.photon_tests_per_second,
+            time: choice.time.clone(),
         }
     }
 }

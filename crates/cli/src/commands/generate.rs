@@ -13,7 +13,7 @@ use crate::digests::{self, ByMachine};
 use crate::failure::CheckFailed;
 use crate::machines::MachineArgs;
 use crate::project::{self, ProjectFile};
-use crate::{files, output};
+use crate::{files, output, outputs};
 
 #[derive(Serialize)]
 struct Report {
@@ -29,7 +29,7 @@ pub fn execute(args: &GenerateArgs, json: bool) -> Result<()> {
     let machines = machines(args)?;
     // Before the work, which takes half a minute for all machines.
     if !args.check {
-        files::make_folder(&args.out)?;
+        outputs::check_folder("--out", &args.out)?;
     } else if !args.out.is_dir() {
         bail!("{} is no folder: nothing to check", args.out.display());
     }
@@ -51,9 +51,8 @@ pub fn execute(args: &GenerateArgs, json: bool) -> Result<()> {
     let stale = if args.check {
         stale(&args.out, &machines, &project_files)
     } else {
-        for file in &project_files {
-            files::write(&args.out.join(&file.path), file.text.as_bytes())?;
-        }
+        let texts = project_files.iter();
+        files::write_all(texts.map(|file| (args.out.join(&file.path), file.text.as_bytes())))?;
         Vec::new()
     };
     let report = Report {

@@ -15,24 +15,25 @@ mod verify;
 
 use std::path::Path;
 
-use anyhow::Result;
+use anyhow::{Result, anyhow};
 use clap::CommandFactory;
 use clap_complete::Shell;
+use photoncube_model::{GatherError, LocalError};
 
 use crate::args::{Args, Command};
-use crate::{files, output};
+use crate::{files, output, outputs};
 
 /// Does what the command line asks for.
 pub fn execute(args: Args) -> Result<()> {
     let json = args.json;
     match args.command {
-        Command::Run(options) => run::execute(&options, json),
-        Command::Fit(options) => fit::execute(&options, json),
+        Command::Run(options) => with_hint(run::execute(&options, json)),
+        Command::Fit(options) => with_hint(fit::execute(&options, json)),
         Command::List(options) => list::execute(&options, json),
         Command::Generate(options) => generate::execute(&options, json),
         Command::Verify(options) => verify::execute(&options, json),
-        Command::Render(options) => render::execute(&options, json),
-        Command::Progressive(options) => progressive::execute(&options, json),
+        Command::Render(options) => with_hint(render::execute(&options, json)),
+        Command::Progressive(options) => with_hint(progressive::execute(&options, json)),
         Command::Compare(options) => compare::execute(&options, json),
         Command::Report(options) => report::execute(&options, json),
         Command::HardCases(options) => hard_cases::execute(&options, json),
@@ -43,6 +44,21 @@ pub fn execute(args: Args) -> Result<()> {
     }
 }
 
+/// What makes room in a machine's sums, by an option that these commands have.
+fn with_hint(result: Result<()>) -> Result<()> {
+    result.map_err(|error| {
+        let is_full = error.chain().any(|cause| {
+            let (machine, format) = (cause.downcast_ref(), cause.downcast_ref());
+            matches!(machine, Some(GatherError::TooManyPhotons { .. }))
+                || matches!(format, Some(LocalError::Count(_)))
+        });
+        match is_full {
+            true => anyhow!("{error:#}: give a smaller --in-range"),
+            false => error,
+        }
+    })
+}
+
 fn completions(shell: Shell) -> Result<()> {
     let mut command = Args::command();
     let mut text = Vec::new();
@@ -51,14 +67,16 @@ fn completions(shell: Shell) -> Result<()> {
 }
 
 fn manual(out: &Path) -> Result<()> {
+    outputs::check_folder("--out", out)?;
     let mut command = Args::command();
     command.build();
     let commands = command.get_subcommands().filter(|c| c.get_name() != "help");
+    let mut pages = Vec::new();
     for command in commands.chain([&command]) {
         let page = clap_mangen::Man::new(command.clone());
         let mut text = Vec::new();
         page.render(&mut text)?;
-        files::write(&out.join(page.get_filename()), &text)?;
+        pages.push((out.join(page.get_filename()), text));
     }
-    Ok(())
+    files::write_all(pages.iter().map(|(path, text)| (path.clone(), &text[..])))
 }

@@ -5,18 +5,20 @@ use std::time::Instant;
 
 use anyhow::{Result, ensure};
 use photoncube_render::{
-    ErrorEstimate, Estimator, Image, Progressive, ProgressiveOptions, ViewOptions,
-    check_image_path, error_map, luminance,
+    ErrorEstimate, Estimator, Image, Progressive, ProgressiveOptions, Scene, ViewOptions,
+    error_map, luminance,
 };
 use serde::Serialize;
 
 use super::compare::Distance;
-use super::render::EXPOSURE;
+use super::render::write_picture;
 use crate::args::{EngineReport, LightingReport, ProgressiveArgs, short};
-use crate::convergence::{Curve, Reached, convergence_plot};
 use crate::failure::CheckFailed;
+use crate::interrupt::Interrupt;
+use crate::outputs::{self, Output};
+use crate::plots::{Curve, Reached, convergence_plot};
 use crate::table::markdown;
-use crate::{files, output, progress, scenes};
+use crate::{files, output, progress, scenes, sight};
 
 /// What is known after some passes.
 #[derive(Clone, Debug, Serialize)]
@@ -58,18 +60,35 @@ struct Report {
     error_target: Option<f64>,
     query_points: u64,
     photon_tests: u64,
+    /// A signal ended it before its passes.
+    interrupted: bool,
     progress: Vec<Row>,
+    /// Student's, of the last pass; none after one pass.
+    #[serde(skip)]
+    quantile: Option<f64>,
+}
+
+/// Why no more passes were made.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+enum End {
+    /// The error is as small as asked for.
+    Reached,
+    /// All passes are made.
+    Passes,
+    /// A signal asked to stop.
+    Interrupted,
 }
 
 /// Renders until the error is as small as asked for, or the passes are made.
 pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
-    check_image_path(&args.output)?;
     let found = args.engine.find()?;
-    let reference = args.reference.as_deref().map(Image::read_exr).transpose()?;
     let scene = scenes::load(&args.scene)?;
     let lighting = args.light.lighting();
     lighting.check(&scene, Estimator::FixedRadius)?;
     let (view, options) = (view(args), options(args));
+    check_outputs(args, &scene)?;
+    sight::check(&scene, &view)?;
+    let reference = args.reference.as_deref().map(Image::read_exr).transpose()?;
     if let (Some(reference), Some(path)) = (&reference, &args.reference) {
         let size = (reference.width(), reference.height());
         ensure!(
@@ -81,7 +100,6 @@ pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
             args.size
         );
     }
-    files::make_folder(args.output.parent().unwrap_or(Path::new(".")))?;
     let progressive = Progressive::new(&scene, found.engine(), lighting, view, options)?;
     let mut work = Work {
         args,
@@ -90,11 +108,14 @@ pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
         start: Instant::now(),
         rows: Vec::new(),
     };
-    let reached = work.run()?;
-    work.progressive.image().write(&args.output, EXPOSURE)?;
+    let end = work.run(&Interrupt::watch()?)?;
+    let (image, stats) = (work.progressive.image(), work.progressive.stats());
+    sight::check_light(&image, &scene, &view, stats)?;
+    write_picture(&image, &args.output)?;
     work.write_plot()?;
     work.write_error_map()?;
-    let stats = work.progressive.stats();
+    let error = work.progressive.error(args.confidence);
+    let passes = work.progressive.passes();
     let report = Report {
         scene: args.scene.to_string(),
         engine: found.report(),
@@ -106,18 +127,41 @@ pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
         error_target: args.error_target,
         query_points: stats.query_points,
         photon_tests: stats.photon_tests,
+        interrupted: end == End::Interrupted,
         progress: work.rows,
+        quantile: error.map(|error| error.quantile),
     };
     output::print(json, &report, || text(&report))?;
-    match args.error_target {
-        Some(target) if !reached => Err(CheckFailed(format!(
-            "the error target {} is not reached in {} passes: give more --passes",
-            short(target),
-            args.passes
+    let (output, all) = (&report.output, args.passes);
+    match (end, args.error_target) {
+        (End::Interrupted, _) => Err(CheckFailed(format!(
+            "interrupted after {passes} of {all} passes; {output} is their mean"
+        ))
+        .into()),
+        (End::Passes, Some(target)) => Err(CheckFailed(format!(
+            "the error target {} is not reached in {all} passes: give more --passes",
+            short(target)
         ))
         .into()),
         _ => Ok(()),
     }
+}
+
+/// All that may be written, against all that is read.
+fn check_outputs(args: &ProgressiveArgs, scene: &Scene) -> Result<()> {
+    let mut outputs = vec![Output::picture("-o", &args.output)];
+    outputs.extend(args.plot.iter().map(|path| Output::plot("--plot", path)));
+    let map = args.error_map.iter();
+    outputs.extend(map.map(|path| Output::plot("--error-map", path)));
+    if args.snapshots {
+        let powers = (0..u64::BITS).map(|power| 1 << power);
+        let passes = powers.take_while(|passes| *passes <= args.passes);
+        let snapshots = passes.map(|passes| snapshot(&args.output, passes));
+        outputs.extend(snapshots.map(|path| Output::within("--snapshots", path)));
+    }
+    let mut inputs = scene.files().to_vec();
+    inputs.extend(args.reference.clone());
+    outputs::check(&outputs, &inputs)
 }
 
 fn view(args: &ProgressiveArgs) -> ViewOptions {
@@ -148,29 +192,41 @@ struct Work<'a> {
 }
 
 impl Work<'_> {
-    /// Makes the passes; whether the target is reached, which it is not where there is none.
-    fn run(&mut self) -> Result<bool> {
+    /// Makes the passes, one at least.
+    fn run(&mut self, interrupt: &Interrupt) -> Result<End> {
         let bar = progress::bar("passes", self.args.passes);
-        let mut reached = false;
-        while !reached && self.progressive.passes() < self.args.passes {
+        let end = loop {
             self.progressive.pass()?;
             let passes = self.progressive.passes();
             bar.set_position(passes);
             let error = self.progressive.error(self.args.confidence);
-            let below = |target| error.as_ref().is_some_and(|e| e.bound() <= target);
-            reached = self.args.error_target.is_some_and(below);
-            if passes.is_power_of_two() || reached || passes == self.args.passes {
+            let end = self.end(error.as_ref(), interrupt);
+            if passes.is_power_of_two() || end.is_some() {
                 self.push_row(error.as_ref())?;
             }
-        }
+            if let Some(end) = end {
+                break end;
+            }
+        };
         bar.finish_and_clear();
-        Ok(reached)
+        Ok(end)
+    }
+
+    fn end(&self, error: Option<&ErrorEstimate>, interrupt: &Interrupt) -> Option<End> {
+        let below = |target| error.is_some_and(|error| error.bound() <= target);
+        if self.args.error_target.is_some_and(below) {
+            Some(End::Reached)
+        } else if self.progressive.passes() >= self.args.passes {
+            Some(End::Passes)
+        } else {
+            interrupt.is_asked().then_some(End::Interrupted)
+        }
     }
 
     fn push_row(&mut self, error: Option<&ErrorEstimate>) -> Result<()> {
         let (passes, image) = (self.progressive.passes(), self.progressive.image());
         if self.args.snapshots {
-            image.write(&snapshot(&self.args.output, passes), EXPOSURE)?;
+            write_picture(&image, &snapshot(&self.args.output, passes))?;
         }
         let reference = self.reference.as_ref();
         let distance = reference.map(|reference| Distance::between(&image, reference));
@@ -214,7 +270,10 @@ impl Work<'_> {
                 row.rel_mse.map(f64::sqrt)
             }),
         ];
-        let title = format!("{}: error against passes and photons", self.args.scene);
+        let title = format!(
+            "How the error of {} falls with passes and photons",
+            scenes::stem(&self.args.scene)
+        );
         files::write(path, convergence_plot(&title, &curves)?.as_bytes())
     }
 
@@ -247,50 +306,142 @@ fn snapshot(output: &Path, passes: u64) -> PathBuf {
     output.with_file_name(format!("{stem}-{passes:04}.{ending}"))
 }
 
+/// A column of the table.
+struct Column {
+    name: &'static str,
+    needs_reference: bool,
+    of: fn(&Row) -> String,
+}
+
+const COLUMNS: [Column; 9] = [
+    column("passes", |row| row.passes.to_string()),
+    column("photons", |row| row.photons.to_string()),
+    column("radius", |row| format!("{:.5}", row.search_radius)),
+    column("noise", |row| percent(row.estimated_noise)),
+    column("bias", |row| percent(row.estimated_bias)),
+    column("bound", |row| percent(row.error_bound)),
+    column("relMSE", |row| {
+        row.rel_mse.map_or("-".to_owned(), |e| format!("{e:.2e}"))
+    })
+    .against_reference(),
+    column("in bounds", |row| percent(row.bounded_share)).against_reference(),
+    column("seconds", |row| format!("{:.1}", row.seconds)),
+];
+
+const fn column(name: &'static str, of: fn(&Row) -> String) -> Column {
+    Column {
+        name,
+        needs_reference: false,
+        of,
+    }
+}
+
+impl Column {
+    const fn against_reference(self) -> Self {
+        Self {
+            needs_reference: true,
+            ..self
+        }
+    }
+}
+
+fn percent(value: Option<f64>) -> String {
+    value.map_or("-".to_owned(), |value| format!("{:.2} %", 100.0 * value))
+}
+
 fn text(report: &Report) -> String {
-    let percent = |value: Option<f64>| match value {
-        Some(value) => format!("{:.2} %", 100.0 * value),
-        None => "-".to_owned(),
+    let has_reference = report.progress.iter().any(|row| row.rel_mse.is_some());
+    let columns = COLUMNS.iter();
+    let columns: Vec<_> = columns
+        .filter(|column| has_reference || !column.needs_reference)
+        .collect();
+    let header: Vec<_> = columns.iter().map(|column| column.name).collect();
+    let cells = |row: &Row| columns.iter().map(|column| (column.of)(row)).collect();
+    let table = markdown(
+        &header,
+        &report.progress.iter().map(cells).collect::<Vec<_>>(),
+    );
+    format!("{table}{}\n{}\n", bound_line(report), report.output)
+}
+
+/// Why the bound is more than noise and bias together.
+fn bound_line(report: &Report) -> String {
+    let confidence = 100.0 * report.confidence;
+    let Some(quantile) = report.quantile else {
+        return "One pass tells nothing of its error.\n".to_owned();
     };
-    let rows = report.progress.iter().map(|row| {
-        vec![
-            row.passes.to_string(),
-            row.photons.to_string(),
-            format!("{:.5}", row.search_radius),
-            percent(row.estimated_noise),
-            percent(row.estimated_bias),
-            percent(row.error_bound),
-            row.rel_mse.map_or("-".to_owned(), |e| format!("{e:.2e}")),
-            percent(row.bounded_share),
-            format!("{:.1}", row.seconds),
-        ]
-    });
-    let header = [
-        "passes",
-        "photons",
-        "radius",
-        "noise",
-        "bias",
-        "bound",
-        "relMSE",
-        "in bounds",
-        "seconds",
-    ];
-    let table = markdown(&header, &rows.collect::<Vec<_>>());
     format!(
-        "{table}\n{}: bounds hold for a pixel with {:.0} % confidence\n",
-        report.output,
-        100.0 * report.confidence
+        "A pixel's bound is |b| + {quantile:.2} s, above its error with {confidence:.0} % confidence: b is its \
+         estimated bias with the noise\n\
+         of that estimate, which the column `bias` is without, s the noise of the pixel without bias, sqrt 5 \
+         times `noise` where light is\n\
+         even, {quantile:.2} Student's factor for these passes. Columns: root mean square over the pixels, each \
+         over its luminance.\n"
     )
 }
 
 #[cfg(test)]
 mod tests {
+    use clap::Parser;
+
     use super::*;
+    use crate::args::{Args, Command};
 
     #[test]
     fn snapshots_are_named_by_their_passes() {
         let name = snapshot(Path::new("out/box.png"), 8);
         assert_eq!(name, Path::new("out/box-0008.png"));
+    }
+
+    fn report(rel_mse: Option<f64>) -> Report {
+        let row = Row {
+            passes: 2,
+            photons: 10,
+            search_radius: 0.1,
+            error_bound: Some(0.2),
+            estimated_bias: Some(0.05),
+            estimated_noise: Some(0.05),
+            rel_mse,
+            bounded_share: rel_mse,
+            seconds: 1.0,
+        };
+        let args = ["photoncube", "progressive", "cornell", "-o", "o.png"];
+        let Command::Progressive(args) = Args::parse_from(args).command else {
+            unreachable!("that is the command");
+        };
+        let light = LightingReport::of(&args.light.lighting());
+        Report {
+            scene: "cornell".to_owned(),
+            engine: args.engine.find().unwrap().report(),
+            light,
+            output: "o.png".to_owned(),
+            seed: 1,
+            alpha: 0.5,
+            confidence: 0.9,
+            error_target: None,
+            query_points: 1,
+            photon_tests: 1,
+            interrupted: false,
+            progress: vec![row],
+            quantile: Some(6.31),
+        }
+    }
+
+    #[test]
+    fn columns_of_a_reference_are_there_with_one_and_the_bound_is_explained() {
+        let without = text(&report(None));
+        assert!(
+            !without.contains("relMSE") && !without.contains("in bounds"),
+            "{without}"
+        );
+        assert!(
+            without.contains("|b| + 6.31 s") && without.contains("90 % confidence"),
+            "{without}"
+        );
+        let with = text(&report(Some(0.01)));
+        assert!(
+            with.contains("relMSE") && with.contains("in bounds"),
+            "{with}"
+        );
     }
 }

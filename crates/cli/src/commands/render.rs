@@ -5,16 +5,17 @@ use std::time::Instant;
 
 use anyhow::Result;
 use photoncube_render::{
-    Engine, Estimator, Light, Lighting, PhotonMap, PhotonMaps, Radii, Rendering, Scene,
-    TraceOptions, ViewOptions, check_image_path, render_lit, trace,
+    BATCH_PATHS, Engine, Estimator, Image, Light, Lighting, PhotonMap, PhotonMaps, Radii,
+    Rendering, Scene, TraceOptions, ViewOptions, render_lit, trace,
 };
 use serde::Serialize;
 
 use crate::args::{EngineReport, LightingReport, PictureArgs, RenderArgs};
-use crate::{files, output, progress, scenes};
+use crate::outputs::{self, Output};
+use crate::{files, output, progress, scenes, sight};
 
 /// The exposure of written pictures: radiance 1 is white.
-pub const EXPOSURE: f64 = 1.0;
+const EXPOSURE: f64 = 1.0;
 
 #[derive(Serialize)]
 struct Report {
@@ -26,6 +27,9 @@ struct Report {
     light: LightingReport,
     output: String,
     photons: usize,
+    photons_asked: u64,
+    in_range: f64,
+    photons_in_range_mean: f64,
     query_points: u64,
     gathers_per_query: f64,
     photon_tests: u64,
@@ -120,12 +124,11 @@ pub fn execute(args: &RenderArgs, json: bool) -> Result<()> {
     let scene = scenes::load(&args.scene)?;
     let lighting = args.light.lighting();
     lighting.check(&scene, args.estimator)?;
-    // Before the work, so that a file that cannot be written is told at once.
-    check_image_path(&args.output)?;
-    files::make_folder(args.output.parent().unwrap_or(Path::new(".")))?;
+    outputs::check(&[Output::picture("-o", &args.output)], scene.files())?;
+    let view = view(&args.picture);
+    sight::check(&scene, &view)?;
     let start = Instant::now();
     let traced = trace_scene(scene, &args.picture, &lighting)?;
-    let view = view(&args.picture);
     let rendering = picture_lit(
         &traced,
         engine,
@@ -134,7 +137,8 @@ pub fn execute(args: &RenderArgs, json: bool) -> Result<()> {
         &view,
         "rendering",
     )?;
-    rendering.image.write(&args.output, EXPOSURE)?;
+    sight::check_light(&rendering.image, &traced.scene, &view, rendering.stats)?;
+    write_picture(&rendering.image, &args.output)?;
     let caustic = traced.maps.caustic.as_ref();
     let report = Report {
         scene: args.scene.to_string(),
@@ -143,6 +147,9 @@ pub fn execute(args: &RenderArgs, json: bool) -> Result<()> {
         light: LightingReport::of(&lighting),
         output: args.output.display().to_string(),
         photons: traced.maps.photons(),
+        photons_asked: args.picture.photons,
+        in_range: args.picture.in_range,
+        photons_in_range_mean: mean(rendering.stats.photons_in_range, rendering.stats.gathers),
         query_points: rendering.stats.query_points,
         gathers_per_query: mean(rendering.stats.gathers, rendering.stats.query_points),
         photon_tests: rendering.stats.photon_tests,
@@ -155,6 +162,11 @@ pub fn execute(args: &RenderArgs, json: bool) -> Result<()> {
     output::print(json, &report, || text(&report))
 }
 
+/// Writes a picture in the format that the name ends in.
+pub fn write_picture(image: &Image, path: &Path) -> Result<()> {
+    files::write(path, &image.encode(path, EXPOSURE)?)
+}
+
 /// 0 where nothing was counted, as in a view of nothing.
 fn mean(total: u64, count: u64) -> f64 {
     total as f64 / count.max(1) as f64
@@ -162,10 +174,14 @@ fn mean(total: u64, count: u64) -> f64 {
 
 fn text(report: &Report) -> String {
     format!(
-        "{}: {} photons, {} query points, {} photon tests ({} skipped by their place) in {:.1} s; \
+        "{}: {} photons (at least {} asked for; batches of {BATCH_PATHS} paths are completed), {:.0} in range of a gather \
+         ({} aimed at),\n{} query points, {} photon tests ({} skipped by their place) in {:.1} s; \
          estimator {}, {:.1} gathers a query\n",
         report.output,
         report.photons,
+        report.photons_asked,
+        report.photons_in_range_mean,
+        report.in_range,
         report.query_points,
         report.photon_tests,
         report.photons_skipped,

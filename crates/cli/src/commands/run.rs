@@ -2,22 +2,24 @@
 
 mod sizing;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use anyhow::Result;
-use photoncube_render::{Engine, Lighting, Rendering, workload};
+use photoncube_render::{BATCH_PATHS, Engine, Lighting, Rendering, Scene, view_queries, workload};
 use photoncube_spec::Machine;
 use photoncube_testbench::{DeviceKind, Source, Verdict, VerifyError, VerifyOptions};
 use serde::Serialize;
 
 use self::sizing::Fitted;
 use super::compare::{Distance, map_of};
-use super::render::{EXPOSURE, Traced, picture, trace_scene, view};
+use super::render::{Traced, picture, trace_scene, view, write_picture};
 use super::verify::{verdict_table, verify_with_bar};
 use crate::args::RunArgs;
 use crate::failure::CheckFailed;
-use crate::{files, output, project, scenes};
+use crate::hardware::PictureTime;
+use crate::outputs::{self, Output};
+use crate::{files, output, project, scenes, sight};
 
 #[derive(Serialize)]
 struct Report {
@@ -27,19 +29,23 @@ struct Report {
     fitted: Option<Fitted>,
     seed: u64,
     photons: usize,
+    photons_asked: u64,
+    in_range: f64,
     photon_paths: u64,
     search_radius: f64,
     photons_in_range_mean: f64,
     query_points: u64,
     photon_tests: u64,
+    largest_query: u64,
     photon_groups: u64,
     bits_per_photon: u32,
     initiation_interval: f64,
     photons_per_iteration: usize,
     queries_at_once: usize,
     photon_tests_per_clock: f64,
-    /// None where it depends on more than the totals.
-    clocks: Option<u64>,
+    /// At the measured clock of the machine.
+    #[serde(flatten)]
+    time: PictureTime,
     /// On emitted Verilog alone: rust-hdl's own simulation is not counted.
     vectors_compared: u64,
     mismatches: usize,
@@ -78,33 +84,36 @@ pub fn execute(args: &RunArgs, json: bool) -> Result<()> {
     // Before the work, so that a wrong name is told at once.
     args.machine.find()?;
     let scene = scenes::load(&args.scene)?;
-    files::make_folder(&args.out)?;
+    let paths = Paths::of(args);
+    paths.check(&scene)?;
+    let view = view(&args.picture);
+    sight::check(&scene, &view)?;
     let mut seconds = Seconds::default();
 
     let traced = timed(&mut seconds.trace, || {
         trace_scene(scene, &args.picture, &Lighting::default())
     })?;
-    let (machine, fitted) = timed(&mut seconds.fit, || sizing::machine(args, &traced))?;
-    let verilog = timed(&mut seconds.emit, || emit(machine, &args.out))?;
-    let proof = timed(&mut seconds.verify, || prove(args, machine, &traced))?;
-    let view = view(&args.picture);
+    let sized = timed(&mut seconds.fit, || sizing::machine(args, &traced));
+    let (machine, fitted) = sight::explained(sized, &traced.scene, &view)?;
+    let verilog = timed(&mut seconds.emit, || {
+        emit(machine, &args.out, traced.scene.files())
+    })?;
+    let proof = timed(&mut seconds.verify, || prove(args, machine, &traced));
+    let proof = sight::explained(proof, &traced.scene, &view)?;
     let reference = timed(&mut seconds.render_f64, || {
         picture(&traced, Engine::F64, &view, "rendering, f64")
     })?;
     let rendering = timed(&mut seconds.render_model, || {
         picture(&traced, Engine::Model(machine), &view, "rendering, model")
     })?;
-    let name = scenes::stem(&args.scene);
-    let picture_path = args.out.join(format!("{name}.png"));
-    let reference_path = args.out.join(format!("{name}-f64.png"));
-    rendering.image.write(&picture_path, EXPOSURE)?;
-    reference.image.write(&reference_path, EXPOSURE)?;
+    write_picture(&rendering.image, &paths.picture)?;
+    write_picture(&reference.image, &paths.reference)?;
 
     let distance = Distance::between(&rendering.image, &reference.image)?;
-    let map_path = args.out.join(format!("{name}-error.svg"));
+    let name = scenes::stem(&args.scene);
     let title = format!("relative error: {} of {name} against f64", machine.name);
     let map = map_of(&rendering.image, &reference.image, &title);
-    files::write(&map_path, map.as_bytes())?;
+    files::write(&paths.error_map, map.as_bytes())?;
     let stats = rendering.stats;
     let report = Report {
         scene: args.scene.to_string(),
@@ -112,36 +121,71 @@ pub fn execute(args: &RunArgs, json: bool) -> Result<()> {
         fitted,
         seed: args.picture.seed,
         photons: traced.map().photons().len(),
+        photons_asked: args.picture.photons,
+        in_range: args.picture.in_range,
         photon_paths: traced.paths,
         search_radius: traced.map().radius(),
         photons_in_range_mean: mean_in_range(&rendering),
         query_points: stats.query_points,
         photon_tests: stats.photon_tests,
+        largest_query: stats.largest_query,
         photon_groups: stats.photon_groups,
         bits_per_photon: machine.bits_per_photon(),
         initiation_interval: machine.rate().interval(),
         photons_per_iteration: machine.photons_per_iteration(),
         queries_at_once: machine.queries_at_once(),
         photon_tests_per_clock: machine.photon_tests_per_clock(),
-        clocks: machine.workload_clocks(stats.query_points, stats.photon_groups),
+        time: PictureTime::of(machine, traced.map(), &view_queries(&traced.scene, &view)?)?,
         vectors_compared: proof.on_verilog().map(|v| v.vectors_compared).sum(),
         mismatches: proof.divergence.iter().count(),
         divergence: proof.divergence.clone(),
         devices: proof.verdicts,
         devices_not_found: proof.not_found,
         distance,
-        picture: picture_path.display().to_string(),
-        reference_picture: reference_path.display().to_string(),
-        error_map: map_path.display().to_string(),
+        picture: paths.picture.display().to_string(),
+        reference_picture: paths.reference.display().to_string(),
+        error_map: paths.error_map.display().to_string(),
         verilog,
         seconds,
     };
     let summary = serde_json::to_string_pretty(&report)? + "\n";
-    files::write(&args.out.join("run.json"), summary.as_bytes())?;
+    files::write(&paths.summary, summary.as_bytes())?;
     output::print(json, &report, || text(&report))?;
     match report.divergence {
         None => Ok(()),
         Some(divergence) => Err(CheckFailed(divergence).into()),
+    }
+}
+
+/// Where what the run makes besides the Verilog goes.
+struct Paths {
+    picture: PathBuf,
+    reference: PathBuf,
+    error_map: PathBuf,
+    summary: PathBuf,
+}
+
+impl Paths {
+    fn of(args: &RunArgs) -> Self {
+        let name = scenes::stem(&args.scene);
+        let path = |what: &str| args.out.join(format!("{name}{what}"));
+        Self {
+            picture: path(".png"),
+            reference: path("-f64.png"),
+            error_map: path("-error.svg"),
+            summary: args.out.join("run.json"),
+        }
+    }
+
+    fn check(&self, scene: &Scene) -> Result<()> {
+        let paths = [
+            &self.picture,
+            &self.reference,
+            &self.error_map,
+            &self.summary,
+        ];
+        let outputs = paths.map(|path| Output::within("--out", path.clone()));
+        outputs::check(&outputs, scene.files())
     }
 }
 
@@ -153,11 +197,12 @@ fn timed<T>(seconds: &mut f64, work: impl FnOnce() -> Result<T>) -> Result<T> {
 }
 
 /// Writes the machine's Verilog and project files; the path of the Verilog.
-fn emit(machine: &Machine, out: &Path) -> Result<String> {
+fn emit(machine: &Machine, out: &Path, inputs: &[PathBuf]) -> Result<String> {
     let files = project::project(machine)?.files;
-    for file in &files {
-        files::write(&out.join(&file.path), file.text.as_bytes())?;
-    }
+    let path = |file: &project::ProjectFile| out.join(&file.path);
+    let outputs = files.iter().map(|file| Output::within("--out", path(file)));
+    outputs::check(&outputs.collect::<Vec<_>>(), inputs)?;
+    files::write_all(files.iter().map(|file| (path(file), file.text.as_bytes())))?;
     Ok(out.join(&files[0].path).display().to_string())
 }
 
@@ -236,10 +281,11 @@ fn text(report: &Report) -> String {
     let r = report;
     let mut text = format!(
         "{} on machine {}\n\
-         \x20 photons           {} stored from {} paths\n\
-         \x20 query points      {}, on average {:.0} photons in range of radius {:.4}\n\
-         \x20 photon tests      {} in {} groups\n\
+         \x20 photons           {} stored from {} paths; at least {} asked for, batches of {BATCH_PATHS} paths are completed\n\
+         \x20 query points      {}, on average {:.0} photons in range of radius {:.4}, {} aimed at\n\
+         \x20 photon tests      {} in {} groups; {} in the largest query\n\
          \x20 clocks            {} ({} for {} photons, {:.3} photon tests a clock)\n\
+         \x20 at the clock      {}\n\
          \x20 model against f64 {:.3} % rms relative error of the picture, relMSE {:.2e}, RMSE {:.2e}\n\
          \x20 pictures          {}, {}, {}\n\
          \x20 Verilog           {}\n",
@@ -247,18 +293,21 @@ fn text(report: &Report) -> String {
         r.machine,
         r.photons,
         r.photon_paths,
+        r.photons_asked,
         r.query_points,
         r.photons_in_range_mean,
         r.search_radius,
+        r.in_range,
         r.photon_tests,
         r.photon_groups,
-        r.clocks.map_or_else(
-            || "depends on the queries".to_owned(),
-            |clocks| clocks.to_string()
-        ),
+        r.largest_query,
+        r.time
+            .clocks
+            .map_or_else(|| "not known".to_owned(), |clocks| clocks.to_string()),
         r.initiation_interval,
         r.photons_per_iteration,
         r.photon_tests_per_clock,
+        r.time.text(),
         100.0 * r.distance.rms_relative_error,
         r.distance.rel_mse,
         r.distance.rmse,

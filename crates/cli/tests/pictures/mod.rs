@@ -72,7 +72,7 @@ fn pictures_that_cannot_be_compared_are_errors() {
     let jpg = name(&folder.path().join("d.jpg"));
     let message = error(&["render", "cornell", "-o", &jpg], 2);
     assert!(
-        message.contains("`jpg`, expected one of .png, .exr"),
+        message.contains("ends in .jpg, expected .png or .exr"),
         "{message}"
     );
     assert_eq!(files_in(folder.path()), 3);
@@ -132,4 +132,131 @@ fn passes_go_on_until_the_error_is_small_enough() {
     let wrong = ["--alpha", "1", "--passes", "2"];
     let message = error(&[&start[..], &wrong].concat(), 2);
     assert!(message.contains("alpha: found 1, expected"), "{message}");
+}
+
+/// A room whose fronts face inwards, seen from outside, as a first scene of one's own may be.
+const OUTSIDE: &str = r#"
+[camera]
+position = [0, 1, 3.8]
+target = [0, 1, 0]
+fov_deg = 40
+[materials.grey]
+type = "diffuse"
+reflectance = [0.5, 0.5, 0.5]
+[[shapes]]
+name = "room"
+type = "box"
+low = [-1, 0, -1]
+high = [1, 2, 1]
+inward = true
+material = "grey"
+[[shapes]]
+name = "lamp"
+type = "quad"
+emission = [5, 5, 5]
+material = "grey"
+corners = [[-0.3, 1.9, -0.3], [0.3, 1.9, -0.3], [0.3, 1.9, 0.3], [-0.3, 1.9, 0.3]]
+"#;
+
+#[test]
+fn a_camera_that_sees_only_backs_is_refused_with_what_it_sees() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let (scene, picture) = (at("mine.toml"), at("o.png"));
+    fs::write(&scene, OUTSIDE).unwrap();
+    let out = at("out");
+    for args in [
+        &["render", &scene, "-o", &picture][..],
+        &["progressive", &scene, "-o", &picture],
+        &["run", &scene, "--out", &out],
+        &["fit", &scene],
+        &["report", &scene, "--out", &out],
+    ] {
+        let message = error(args, 2);
+        assert!(
+            message.contains(
+                "no pixel sees a lit surface: the camera at [0, 1, 3.8] sees the back of `room`"
+            ),
+            "{message}"
+        );
+    }
+    assert_eq!(files_in(folder.path()), 1);
+}
+
+/// The wall between hides the lamp from all that the camera sees.
+const DARK: &str = r#"
+[[shapes]]
+name = "floor"
+type = "quad"
+material = "grey"
+corners = [[9, 0, 1], [11, 0, 1], [11, 0, -1], [9, 0, -1]]
+"#;
+
+#[test]
+fn a_picture_without_light_is_refused_with_what_the_camera_sees() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let (scene, picture) = (at("dark.toml"), at("o.png"));
+    let aside = OUTSIDE.replace("[0, 1, 3.8]", "[10, 2, 0.1]");
+    let aside = aside.replace("target = [0, 1, 0]", "target = [10, 0, 0]");
+    fs::write(&scene, aside + DARK).unwrap();
+    let small = ["--photons", "1000", "--size", "8x8"];
+    for command in [&["render"][..], &["progressive", "--passes", "2"]] {
+        let args = [command, &[&scene, "-o", &picture], &small].concat();
+        let message = error(&args, 2);
+        let expected = "no light reaches what the camera sees: ";
+        assert!(
+            message.contains(expected) && message.contains("the front of `floor`"),
+            "{message}"
+        );
+    }
+    assert_eq!(files_in(folder.path()), 1);
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupted_picture_is_the_mean_of_its_passes() {
+    use std::process::{Command, Stdio};
+    let folder = tempfile::tempdir().unwrap();
+    let endless = [
+        "--passes",
+        "100000000",
+        "--photons",
+        "1000",
+        "--size",
+        "8x8",
+    ];
+    let child = Command::new(env!("CARGO_BIN_EXE_photoncube"))
+        .args([
+            "progressive",
+            "cornell",
+            "-o",
+            "p.exr",
+            "--snapshots",
+            "--json",
+        ])
+        .args(endless)
+        .current_dir(folder.path())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    // The second pass is made: what follows is in the midst of the work.
+    while !folder.path().join("p-0002.exr").exists() {
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }
+    let kill = ["-TERM", &child.id().to_string()].map(ToOwned::to_owned);
+    assert!(Command::new("kill").args(kill).status().unwrap().success());
+    let ended = child.wait_with_output().unwrap();
+    assert_eq!(ended.status.code(), Some(1));
+    let report: serde_json::Value = serde_json::from_slice(&ended.stdout).unwrap();
+    assert_eq!(report["interrupted"], true);
+    let passes = report["progress"].as_array().unwrap().last().unwrap()["passes"].as_u64();
+    let said = String::from_utf8(ended.stderr).unwrap();
+    let expected = format!(
+        "interrupted after {} of 100000000 passes; p.exr",
+        passes.unwrap()
+    );
+    assert!(said.contains(&expected), "{said}");
+    assert!(folder.path().join("p.exr").is_file());
 }

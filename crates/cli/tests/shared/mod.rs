@@ -37,7 +37,7 @@ pub static RUN: LazyLock<Written> = LazyLock::new(|| {
 
 /// `report` of the default scene.
 pub static REPORT: LazyLock<Written> = LazyLock::new(|| {
-    let small = ["--photons", "5000", "--size", "8x8", "--maps", "2"];
+    let small = ["--photons", "5000", "--size", "8x8", "--maps", "3"];
     Written::by("report", &small)
 });
 

@@ -38,7 +38,7 @@ pub struct ValueError {
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error(
     "a query of {found} photons is {} over the {max_photons} that format `{format}` declares: \
-     its sums could overflow; use a smaller radius or a format with a larger `max_photons`",
+     its sums could overflow; a smaller search radius or a format with a larger `max_photons` has room",
     .found - .max_photons
 )]
 pub struct CountError {

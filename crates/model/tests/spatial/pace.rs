@@ -1,6 +1,6 @@
 //! When things happen: latency, no bubbles, what short batches cost, what a full queue stops.
 
-use photoncube_spec::{Cuts, HeadSizes, Machine};
+use photoncube_spec::{Cuts, HeadSizes, Machine, Pace, SharedGroups};
 
 use crate::driver::{Driver, Moved, Waits, expected};
 use crate::machines::{SQUARERS, all_cuts, all_named, named, with_cuts};
@@ -168,5 +168,33 @@ fn a_full_queue_stops_at_the_last_group_that_has_no_room() {
         }
         driver.finish(batches.len() * engines);
         assert_eq!(driver.results, expected(&machine, &batches));
+    }
+}
+
+/// From the clock after the first query to the last result, batches longer and shorter than the spacing.
+#[test]
+fn the_forecast_is_the_clocks_that_the_machine_takes() {
+    for machine in all_named().filter(|machine| machine.queries_at_once() <= 16) {
+        let engines = machine.queries_at_once();
+        for (batches, groups) in [(1, 5), (12, 5 * engines), (12, 1)] {
+            let list = SharedGroups {
+                queries: engines as u64,
+                groups: groups as u64,
+            };
+            let forecast = Pace::of(machine).unwrap().clocks(vec![list; batches]);
+            let taken = moves(machine, batches, groups).len() as u64 - 1;
+            // What a memory reads in before it plays the first set: its groups, and some registers on the way.
+            let filled = match machine.has_memory() {
+                true => groups as u64 + 12,
+                false => 0,
+            };
+            // After the last batch nothing waits for the spacing.
+            let spacing = u64::from(HeadSizes::of(machine.spatial().unwrap()).spacing);
+            assert!(
+                forecast < taken + spacing && taken <= forecast + filled,
+                "{}: {batches} batches of {groups}: {taken} clocks, forecast {forecast}",
+                machine.name
+            );
+        }
     }
 }

@@ -36,11 +36,14 @@ pub fn error_map(title: &str, width: u32, errors: &[Option<f64>]) -> String {
     let (page_width, page_height) = (left + BAR + LABELS, TITLE + h.max(200) + MARGIN);
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{page_width}\" height=\"{page_height}\" \
-         font-family=\"sans-serif\" font-size=\"12\">\n\
+         font-family=\"sans-serif\" font-size=\"12\" role=\"img\">\n\
+         <title>{0}</title>\n\
+         <desc>A picture of relative errors, {width} x {height} pixels, dark where they are small; the legend is from \
+         0.1 % to 100 %.</desc>\n\
          <rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n\
-         <text x=\"{MARGIN}\" y=\"19\" font-size=\"14\">{}</text>\n\
+         <text x=\"{MARGIN}\" y=\"19\" font-size=\"14\">{0}</text>\n\
          <image x=\"{MARGIN}\" y=\"{TITLE}\" width=\"{w}\" height=\"{h}\" \
-         style=\"image-rendering:pixelated\" href=\"data:image/png;base64,{}\"/>\n",
+         style=\"image-rendering:pixelated\" href=\"data:image/png;base64,{1}\"/>\n",
         escaped(title),
         BASE64_STANDARD.encode(png(width, height, &pixels)),
     );
@@ -148,7 +151,8 @@ mod tests {
         let errors = [Some(0.0), Some(0.05), None, Some(2.0)];
         let svg = error_map("a < b & c", 2, &errors);
         for text in [
-            "a &lt; b &amp; c",
+            "<title>a &lt; b &amp; c</title>",
+            "font-size=\"14\">a &lt; b &amp; c<",
             ">0.1 %<",
             ">100 %<",
             "left out",

@@ -9,7 +9,7 @@ use glam::DVec3;
 use thiserror::Error;
 
 pub use self::error_map::{error_map, relative_errors};
-pub use self::files::{IMAGE_ENDINGS, check_image_path};
+pub use self::files::IMAGE_ENDINGS;
 
 /// The most pixels of a picture that is read or rendered: what bounds memory. A pixel takes 190 bytes at the peak of
 /// [`crate::Progressive`] and 60 elsewhere (measured with 4 million), so this many take 13 GB.
@@ -44,13 +44,13 @@ pub enum ImageError {
         /// What the system or the decoder said.
         message: String,
     },
-    /// The file could not be written; nothing half-written is left.
-    #[error("{}: {source}", path.display())]
-    Write {
+    /// The picture could not be put into that format.
+    #[error("{}: {message}", path.display())]
+    Encode {
         /// The file.
         path: PathBuf,
-        /// What the system or the encoder said.
-        source: std::io::Error,
+        /// What the encoder said.
+        message: String,
     },
 }
 
@@ -116,17 +116,16 @@ impl Image {
             .collect()
     }
 
-    /// Writes the image in the format that the name ends in: `.png`, 8 bits of sRGB with the tone mapping of
-    /// [`Self::to_srgb8`], or `.exr`, OpenEXR with three channels of f32, linear, without `exposure`. The
-    /// file is written beside its place and renamed, so that it is whole or not there.
+    /// The bytes of a file in the format that the name ends in: `.png`, 8 bits of sRGB with the tone mapping of
+    /// [`Self::to_srgb8`], or `.exr`, OpenEXR with three channels of f32, linear, without `exposure`.
     ///
     /// # Errors
-    /// [`ImageError::Ending`] or [`ImageError::Write`], with the path.
-    pub fn write(&self, path: &Path, exposure: f64) -> Result<(), ImageError> {
-        files::write(self, path, exposure)
+    /// [`ImageError::Ending`] or [`ImageError::Encode`], with the path.
+    pub fn encode(&self, path: &Path, exposure: f64) -> Result<Vec<u8>, ImageError> {
+        files::encode(self, path, exposure)
     }
 
-    /// Reads an OpenEXR file as [`Self::write`] writes it: the first layer's red, green and blue, as they are.
+    /// Reads an OpenEXR file as [`Self::encode`] makes it: the first layer's red, green and blue, as they are.
     ///
     /// # Errors
     /// [`ImageError::Read`] with the path.

@@ -125,13 +125,27 @@ impl ErrorBench {
     /// # Errors
     /// Options that give no picture, no photons or no map.
     pub fn new(scene: &Scene, options: &BenchOptions) -> Result<Self, BenchError> {
+        Self::traced(scene, options, &|_| ())
+    }
+
+    /// The same; `progress` gets the number of maps traced so far.
+    ///
+    /// # Errors
+    /// As for [`Self::new`].
+    pub fn traced(
+        scene: &Scene,
+        options: &BenchOptions,
+        progress: &dyn Fn(u64),
+    ) -> Result<Self, BenchError> {
         let queries = view_queries(scene, &options.view)?;
         let photons = options.photons;
         let radius = PhotonMap::radius_for(scene, photons, options.in_range);
         let map = |index: u64| -> Result<PhotonMap, BenchError> {
             let seed = options.seed.wrapping_add(index);
             let trace = trace(scene, &TraceOptions { photons, seed }, &|_| ())?;
-            Ok(PhotonMap::new(scene, trace.photons, radius)?)
+            let map = PhotonMap::new(scene, trace.photons, radius)?;
+            progress(index + 1);
+            Ok(map)
         };
         let maps = (0..options.maps).map(map).collect::<Result<Vec<_>, _>>()?;
         let lights = maps.iter().map(|map| lights(map, &queries)).collect();

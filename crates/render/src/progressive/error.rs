@@ -82,6 +82,8 @@ impl PixelBound {
 pub struct ErrorEstimate {
     /// With which probability a pixel's error is below its bound.
     pub confidence: f64,
+    /// By which the noise is multiplied for that: Student's quantile for the passes.
+    pub quantile: f64,
     /// Of each pixel, row by row.
     pub pixels: Vec<PixelBound>,
 }
@@ -95,6 +97,7 @@ impl ErrorEstimate {
         let quantile = student.inverse_cdf(0.5 + 0.5 * confidence);
         Some(Self {
             confidence,
+            quantile,
             pixels: pixels.iter().map(|pixel| pixel.bound(quantile)).collect(),
         })
     }
@@ -172,6 +175,7 @@ mod tests {
         // One degree of freedom: t = tan(0.45 pi); s = sqrt 2, over sqrt 2.
         let expected = (0.45 * std::f64::consts::PI).tan();
         assert!((found.pixels[0].margin / expected - 1.0).abs() < 1e-6);
+        assert!((found.quantile / expected - 1.0).abs() < 1e-6);
         assert!((found.pixels[0].noise - 1.0).abs() < 1e-12);
     }
 

@@ -13,7 +13,7 @@ mod toml;
 mod transform;
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use glam::DVec3;
 
@@ -62,6 +62,7 @@ pub struct Scene {
     light_choice: LightChoice,
     leave_distance: f64,
     hierarchy: Hierarchy,
+    files: Vec<PathBuf>,
 }
 
 impl Scene {
@@ -116,12 +117,14 @@ impl Scene {
         let is_toml = file
             .extension()
             .is_some_and(|e| e.eq_ignore_ascii_case("toml"));
-        if is_toml {
+        let mut scene = if is_toml {
             let folder = file.parent().unwrap_or(Path::new(""));
-            Self::from_toml(&name, &text, folder)
+            Self::from_toml(&name, &text, folder)?
         } else {
-            Self::from_json(&name, &text).map_err(|error| read_as_json(file, error))
-        }
+            Self::from_json(&name, &text).map_err(|error| read_as_json(file, error))?
+        };
+        scene.files.push(file.to_owned());
+        Ok(scene)
     }
 
     /// The scene that `text` describes, in the form that `docs/scenes.md` states; `file` is only for the
@@ -142,6 +145,7 @@ impl Scene {
             surfaces,
             light_choice: LightChoice::default(),
             leave_distance: 0.0,
+            files: Vec::new(),
         };
         let [low, high] = scene.bounds();
         scene.leave_distance = LEAVE_DISTANCE * low.distance(high);
@@ -152,6 +156,12 @@ impl Scene {
     #[must_use]
     pub fn name(&self) -> &str {
         &self.name
+    }
+
+    /// The files that it was read from: its own, if it is in one, and those of its meshes.
+    #[must_use]
+    pub fn files(&self) -> &[PathBuf] {
+        &self.files
     }
 
     /// The camera.

@@ -25,6 +25,7 @@ pub fn text(report: &Report) -> String {
     if let (Some(smallest), Some(fastest)) = (&report.machine, &report.fastest) {
         text += &format!("\nsmallest machine {}\n", machine_line(smallest));
         text += &format!("fastest within the bound {}\n", machine_line(fastest));
+        text += &format!("a picture is {} queries here\n", report.query_points);
     }
     if let Some(row) = &report.row_to_add {
         text += &format!("for a machine of exactly this format, {row}\n");
@@ -38,7 +39,8 @@ pub fn text(report: &Report) -> String {
 fn facts(report: &Report) -> String {
     let light = &report.light;
     format!(
-        "{}: noise {:.2} % rms over {} maps of {} photons, about {} in range; pilot of {} maps\n\
+        "{}: noise {:.2} % rms over {} maps of {} photons at least; pilot of {} maps\n\
+         \x20 in range     {:.0} photons on average, {} aimed at\n\
          \x20 colours      {} (photons deviate from one colour by {:.0e})\n\
          \x20 powers       the strongest photon has {:.6} times the weakest's\n\
          \x20 largest query {} photons\n\
@@ -47,8 +49,9 @@ fn facts(report: &Report) -> String {
         100.0 * report.noise_relative,
         report.maps,
         report.photons,
-        report.in_range,
         report.pilot_maps,
+        report.photons_in_range_mean,
+        report.in_range,
         if light.one_colour { "one" } else { "several" },
         light.colour_deviation,
         light.power_spread,
@@ -177,12 +180,11 @@ fn machine_line(row: &MachineRow) -> String {
         true => "exactly as wide as needed".to_owned(),
         false => format!("wider than needed: {}", wider.join(", ")),
     };
-    let rate = match row.photon_tests_per_second_at_fmax {
-        Some(rate) => format!("{:.3} G photon tests a second", rate / 1e9),
-        None => "no clock measured".to_owned(),
-    };
     format!(
-        "{} ({}): {wider}; error / noise {:.4}; {rate}",
-        row.machine, row.format, row.measurement.error_over_noise
+        "{} ({}): {wider}; error / noise {:.4}; {}",
+        row.machine,
+        row.format,
+        row.measurement.error_over_noise,
+        row.time.text()
     )
 }

@@ -1,14 +1,12 @@
 //! The tiles from dimension 4 to 10: what every further axis of queries gives and costs. Beside them the
 //! machines of the same engines with a photon memory, whose squares may come from blocks.
 
-use std::error::Error;
-
-use anyhow::{Result, anyhow};
+use anyhow::Result;
 use photoncube_spec::{MACHINES, Machine};
-use plotters::prelude::*;
 use serde::Serialize;
 
 use crate::measured::Measured;
+use crate::plots::{Panel, Place, panels};
 use crate::synth::flow::Flow;
 use crate::table;
 
@@ -109,94 +107,46 @@ pub fn text(rows: &[Row]) -> String {
     table::markdown(&header, &rows.iter().map(cells).collect::<Vec<_>>())
 }
 
-const SIZE: (u32, u32) = (900, 600);
-
 /// One quantity against the dimension.
-struct Line {
+struct Quantity {
     name: &'static str,
-    colour: RGBColor,
     of: fn(&Row) -> Option<f64>,
 }
 
-const LINES: [Line; 3] = [
-    Line {
+const QUANTITIES: [Quantity; 3] = [
+    Quantity {
         name: "photon tests a clock",
-        colour: RGBColor(190, 60, 40),
         of: |row| Some(row.photon_tests_per_clock),
     },
-    Line {
-        name: "LUT4 equivalents",
-        colour: RGBColor(60, 100, 170),
+    Quantity {
+        name: "area in LUT4 equivalents",
         of: |row| row.lut4_equivalents.map(|luts| luts as f64),
     },
-    Line {
-        name: "Fmax in MHz",
-        colour: RGBColor(60, 140, 80),
+    Quantity {
+        name: "Fmax in MHz, ECP5 grade 8",
         of: |row| row.fmax_mhz,
     },
 ];
 
-/// An SVG picture: the dimension to the right, all quantities upwards on one logarithmic axis.
+/// An SVG picture: a chart for each quantity, the dimension to the right.
 pub fn plot(rows: &[Row]) -> Result<String> {
-    let mut svg = String::new();
-    draw(&mut svg, rows).map_err(|error| anyhow!("the plot cannot be drawn: {error}"))?;
-    Ok(svg)
-}
-
-fn draw(svg: &mut String, rows: &[Row]) -> Result<(), Box<dyn Error>> {
-    let dimensions = rows.iter().map(|row| f64::from(row.dimension));
-    let (first, last) = dimensions.fold((f64::INFINITY, 0.0), |(low, high): (f64, f64), d| {
-        (low.min(d), high.max(d))
+    let charts = QUANTITIES.map(|quantity| {
+        let place = |row: &Row| {
+            Some(Place {
+                dimension: row.dimension,
+                value: (quantity.of)(row)?,
+                on_line: row.is_tile,
+            })
+        };
+        Panel {
+            name: quantity.name,
+            places: rows.iter().filter_map(place).collect(),
+        }
     });
-    let area = SVGBackend::with_string(svg, SIZE).into_drawing_area();
-    area.fill(&WHITE)?;
-    let mut chart = ChartBuilder::on(&area)
-        .caption(
-            "tiles: one axis more, twice the queries; crosses: with a photon memory",
-            ("sans-serif", 20),
-        )
-        .margin(12)
-        .x_label_area_size(44)
-        .y_label_area_size(84)
-        .build_cartesian_2d(
-            first - 0.3..last + 0.3,
-            (1.0..200_000.0).log_scale().base(10.0),
-        )?;
-    chart
-        .configure_mesh()
-        .x_desc("dimension of the hypercube")
-        .y_desc("tests a clock, LUT4 equivalents, MHz")
-        .light_line_style(WHITE)
-        .draw()?;
-    for line in &LINES {
-        let colour = line.colour;
-        let point = |row: &Row| Some((f64::from(row.dimension), (line.of)(row)?));
-        let (tiles, chips): (Vec<_>, Vec<_>) = rows.iter().partition(|row| row.is_tile);
-        let [points, of_chips] =
-            [tiles, chips].map(|rows| rows.into_iter().filter_map(point).collect::<Vec<_>>());
-        let dots = points
-            .iter()
-            .map(|&place| Circle::new(place, 4, colour.filled()));
-        chart.draw_series(dots)?;
-        // Those with a photon memory: crosses, and no line.
-        chart.draw_series(
-            of_chips
-                .iter()
-                .map(|&place| Cross::new(place, 5, colour.stroke_width(2))),
-        )?;
-        chart
-            .draw_series(LineSeries::new(points, colour.stroke_width(2)))?
-            .label(line.name)
-            .legend(move |(x, y)| PathElement::new([(x, y), (x + 20, y)], colour));
-    }
-    chart
-        .configure_series_labels()
-        .position(SeriesLabelPosition::UpperLeft)
-        .border_style(BLACK)
-        .background_style(WHITE)
-        .draw()?;
-    area.present()?;
-    Ok(())
+    panels(
+        "What every further axis of queries gives and costs",
+        &charts,
+    )
 }
 
 #[cfg(test)]
@@ -219,10 +169,12 @@ mod tests {
     }
 
     #[test]
-    fn the_picture_names_its_lines() {
+    fn the_picture_names_its_quantities() {
         let svg = plot(&rows().unwrap()).unwrap();
-        for line in LINES {
-            assert!(svg.contains(line.name), "{}", line.name);
+        for quantity in QUANTITIES {
+            assert!(svg.contains(quantity.name), "{}", quantity.name);
         }
+        // Whole numbers where dimensions are counted.
+        assert!(svg.contains("\n10\n") && !svg.contains("\n4.5\n"), "{svg}");
     }
 }

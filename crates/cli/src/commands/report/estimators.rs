@@ -4,11 +4,13 @@
 //! becomes of the others: the k nearest by bisection, and the ladder in place of a smooth kernel, in
 //! f64 (the ladder's own error) and in the default format.
 
-use anyhow::Result;
-use photoncube_render::{Engine, ErrorBench, Estimator, Kernel, MIN_K};
+use photoncube_render::{
+    Engine, ErrorBench, ErrorReport, Estimator, EstimatorReport, Kernel, MIN_K,
+};
 use photoncube_spec::{PHOTON_FORMATS, PhotonFormat};
 use serde::Serialize;
 
+use super::row::reason;
 use crate::{progress, table};
 
 /// Rungs of the ladders.
@@ -26,6 +28,14 @@ pub struct Row {
     reference: String,
     engine: &'static str,
     format: Option<String>,
+    /// Why it cannot be made of this scene; null where it can, and the figures are there.
+    cannot: Option<String>,
+    #[serde(flatten)]
+    measured: Option<Measured>,
+}
+
+#[derive(Serialize)]
+struct Measured {
     gathers_per_query: f64,
     rms_relative_error: f64,
     rms_relative_error_low: f64,
@@ -40,16 +50,16 @@ pub struct Row {
 }
 
 /// Measures every form on the maps of `bench`, whose search radius aims at `in_range` photons.
-pub fn measure(bench: &ErrorBench, in_range: f64) -> Result<Vec<Row>> {
+pub fn measure(bench: &ErrorBench, in_range: f64) -> Vec<Row> {
     let cases = cases(&PHOTON_FORMATS[0], in_range);
     let bar = progress::bar("measuring estimators", cases.len() as u64);
     let mut rows = Vec::new();
     for (estimator, engine) in cases {
-        rows.push(row(bench, estimator, engine)?);
+        rows.push(row(bench, estimator, engine));
         bar.inc(1);
     }
     bar.finish_and_clear();
-    Ok(rows)
+    rows
 }
 
 fn cases(format: &'static PhotonFormat, in_range: f64) -> Vec<(Estimator, Engine<'static>)> {
@@ -65,31 +75,44 @@ fn cases(format: &'static PhotonFormat, in_range: f64) -> Vec<(Estimator, Engine
     cases
 }
 
-fn row(bench: &ErrorBench, estimator: Estimator, engine: Engine<'static>) -> Result<Row> {
-    let report = bench.measure_estimator(engine, estimator)?;
-    let error = report.error;
+fn row(bench: &ErrorBench, estimator: Estimator, engine: Engine<'static>) -> Row {
+    let measured = bench.measure_estimator(engine, estimator);
     let (engine, format) = match engine {
         Engine::F64 => ("f64", None),
         Engine::Model(_) => ("model", None),
         Engine::Format(format) => ("format", Some(format.name())),
     };
-    Ok(Row {
+    Row {
         estimator: estimator.to_string(),
         reference: estimator.reference().to_string(),
         engine,
         format,
-        gathers_per_query: report.gathers_per_query,
-        rms_relative_error: error.rms_relative_error,
-        rms_relative_error_low: error.rms_relative_error_low,
-        rms_relative_error_high: error.rms_relative_error_high,
-        noise_relative: error.noise_relative,
-        error_over_noise: error.error_over_noise,
-        bias_relative: error.bias_relative,
-        bias_relative_low: error.bias_relative_low,
-        bias_relative_high: error.bias_relative_high,
-        estimates_compared: error.estimates_compared,
-        estimates_too_noisy: error.estimates_too_noisy,
-    })
+        cannot: measured.as_ref().err().map(reason),
+        measured: measured.ok().map(Measured::of),
+    }
+}
+
+impl Measured {
+    fn of(report: EstimatorReport) -> Self {
+        let error: ErrorReport = report.error;
+        Self {
+            gathers_per_query: report.gathers_per_query,
+            rms_relative_error: error.rms_relative_error,
+            rms_relative_error_low: error.rms_relative_error_low,
+            rms_relative_error_high: error.rms_relative_error_high,
+            noise_relative: error.noise_relative,
+            error_over_noise: error.error_over_noise,
+            bias_relative: error.bias_relative,
+            bias_relative_low: error.bias_relative_low,
+            bias_relative_high: error.bias_relative_high,
+            estimates_compared: error.estimates_compared,
+            estimates_too_noisy: error.estimates_too_noisy,
+        }
+    }
+}
+
+fn percent(value: f64) -> String {
+    format!("{:.3} %", 100.0 * value)
 }
 
 /// The table for people.
@@ -105,19 +128,21 @@ pub fn text(rows: &[Row]) -> String {
         "bias",
         "left out",
     ];
-    let percent = |value: f64| format!("{:.3} %", 100.0 * value);
     let row = |row: &Row| {
-        let estimates = row.estimates_compared + row.estimates_too_noisy;
+        let figure = |of: fn(&Measured) -> String| row.measured.as_ref().map_or("-".to_owned(), of);
         vec![
             row.estimator.clone(),
             row.format.as_deref().unwrap_or(row.engine).to_owned(),
             row.reference.clone(),
-            format!("{:.2}", row.gathers_per_query),
-            percent(row.rms_relative_error),
-            percent(row.noise_relative),
-            format!("{:.4}", row.error_over_noise),
-            format!("{:+.4} %", 100.0 * row.bias_relative),
-            format!("{} of {estimates}", row.estimates_too_noisy),
+            figure(|m| format!("{:.2}", m.gathers_per_query)),
+            figure(|m| percent(m.rms_relative_error)),
+            figure(|m| percent(m.noise_relative)),
+            figure(|m| format!("{:.4}", m.error_over_noise)),
+            figure(|m| format!("{:+.4} %", 100.0 * m.bias_relative)),
+            figure(|m| {
+                let estimates = m.estimates_compared + m.estimates_too_noisy;
+                format!("{} of {estimates}", m.estimates_too_noisy)
+            }),
         ]
     };
     let rows: Vec<_> = rows.iter().map(row).collect();

@@ -25,7 +25,7 @@ pub fn machine(args: &RunArgs, traced: &Traced) -> Result<(&'static Machine, Opt
         return Ok((machine, None));
     }
     let options = options(args, traced)?;
-    let fit = fitted::fit_with_spinner(&traced.scene, &options)?;
+    let fit = fitted::fit_with_bar(&traced.scene, &options)?;
     let (chosen, choices) = fitted::format_and_machines(&fit, &options)?;
     let fitted = Fitted {
         noise_ratio: options.noise_ratio,

@@ -79,15 +79,17 @@ fn scene(top: &Fields<'_>, folder: &Path) -> Result<Scene, SceneError> {
     let materials = top.need("materials", "tables of materials by name")?;
     let materials = materials::read(&materials.table("tables of materials by name")?)?;
     let shapes = top.need("shapes", "tables of shapes, each under [[shapes]]")?;
-    let mut surfaces = Vec::new();
+    let (mut surfaces, mut files) = (Vec::new(), Vec::new());
     for shape in shapes.array("tables of shapes, each under [[shapes]]")? {
         surfaces.extend(shapes::read(&shape, &materials, folder)?);
+        files.extend(shapes::mesh_file(&shape, folder)?);
     }
     if !surfaces.iter().any(|s| s.radiance != DVec3::ZERO) {
         let found = "no light".to_owned();
         return Err(shapes.error(found, "at least one quad or box with an emission over 0"));
     }
     let mut scene = Scene::new(name.to_owned(), camera, surfaces);
+    scene.files = files;
     if let Some(choice) = top.get("light_choice") {
         let choices = [
             ("flux", LightChoice::Flux),

@@ -1,6 +1,6 @@
 //! `[[shapes]]`.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use glam::DVec3;
 
@@ -67,6 +67,13 @@ pub(super) fn read(
         radiance,
     };
     Ok(geometries.into_iter().map(surface).collect())
+}
+
+/// The file of a shape that is a mesh, the only kind with one.
+pub(super) fn mesh_file(shape: &Field<'_>, folder: &Path) -> Result<Option<PathBuf>, SceneError> {
+    let file = shape.table("a table")?.get("file");
+    let path = |file: Field<'_>| Ok(folder.join(file.text("the name of an OBJ file")?));
+    file.map(path).transpose()
 }
 
 /// A sphere or a mesh with an emission is meant as a lamp: it gets a word of its own.

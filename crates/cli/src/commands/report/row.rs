@@ -1,0 +1,146 @@
+//! What is measured of a format or a machine.
+
+use anyhow::Result;
+use photoncube_render::{BenchError, Engine, ErrorBench, ErrorReport, Measurement};
+use photoncube_spec::{FormatWidths, PhotonFormat};
+use serde::Serialize;
+
+use crate::hardware::PictureTime;
+use crate::measured::{Area, Measured};
+
+/// A row of the table.
+#[derive(Serialize)]
+pub struct Row {
+    /// A format's or a machine's name.
+    pub name: String,
+    /// A format by itself has no clocks and no area.
+    pub kind: &'static str,
+    /// The machine's photon format; null in the paper's plain numbers.
+    pub format: Option<String>,
+    /// Bits of a stored photon.
+    pub bits_per_photon: u32,
+    /// Why it cannot take the scene; null where it can.
+    pub cannot: Option<String>,
+    /// Whether the measured error is within the bound.
+    pub within_bound: bool,
+    /// None of a format.
+    #[serde(flatten)]
+    pub hardware: Hardware,
+    /// Of the golden model here, one thread; of a format alone, as a machine's model is that of its format.
+    pub photon_tests_per_second: Option<f64>,
+    /// Between repeats.
+    pub photon_tests_per_second_spread: Option<f64>,
+    pub on_speed_front: bool,
+    pub on_bits_front: bool,
+    pub on_hardware_front: bool,
+    /// By the worst of luminance and channels, as `fit` bounds it.
+    pub measurement: Option<Measurement>,
+    /// Of luminance.
+    #[serde(flatten)]
+    pub error: Option<ErrorReport>,
+}
+
+/// What a machine has and a format has not.
+#[derive(Default, Serialize)]
+pub struct Hardware {
+    pub initiation_interval: Option<f64>,
+    pub photon_tests_per_clock: Option<f64>,
+    pub area_without_dsp: Option<Area>,
+    pub photon_tests_per_second_at_fmax: Option<f64>,
+    #[serde(flatten)]
+    pub time: PictureTime,
+}
+
+impl Row {
+    /// The error that is held against the bound.
+    pub fn error_over_noise(&self) -> Option<f64> {
+        Some(self.measurement?.error_over_noise)
+    }
+
+    /// LUT4 equivalents without DSP blocks.
+    pub fn lut4_equivalents(&self) -> Option<u64> {
+        let area = self.hardware.area_without_dsp.as_ref()?;
+        Some(area.lut4_equivalents)
+    }
+
+    /// At the machine's measured clock.
+    pub fn pictures_per_second(&self) -> Option<f64> {
+        self.hardware.time.pictures_per_second
+    }
+
+    /// A format by itself.
+    pub fn is_format(&self) -> bool {
+        self.kind == "format"
+    }
+}
+
+/// The row of a format or a machine; one that cannot take the scene says why.
+pub fn row(bench: &ErrorBench, engine: Engine<'static>, bound: f64) -> Result<Row> {
+    let measured = bench.measure_light(engine);
+    let (measurement, error, cannot) = match &measured {
+        Ok(report) => (
+            Some(Measurement::of(report)),
+            Some(*report.luminance()),
+            None,
+        ),
+        Err(error) => (None, None, Some(reason(error))),
+    };
+    let (name, kind, format, bits_per_photon) = match engine {
+        Engine::F64 => ("f64".to_owned(), "reference", None, 0),
+        Engine::Format(format) => {
+            let bits = FormatWidths::of(format).bits_per_photon;
+            (format.name(), "format", Some(format.name()), bits)
+        }
+        Engine::Model(machine) => (
+            machine.name.to_owned(),
+            "machine",
+            machine.format().map(PhotonFormat::name),
+            machine.bits_per_photon(),
+        ),
+    };
+    Ok(Row {
+        name,
+        kind,
+        format,
+        bits_per_photon,
+        cannot,
+        within_bound: measurement.is_some_and(|m| m.error_over_noise <= bound),
+        hardware: hardware(bench, engine, measured.is_ok())?,
+        photon_tests_per_second: None,
+        photon_tests_per_second_spread: None,
+        on_speed_front: false,
+        on_bits_front: false,
+        on_hardware_front: false,
+        measurement,
+        error,
+    })
+}
+
+/// The innermost cause: that of the golden model, without the pixel or the map that it was found at.
+pub fn reason(error: &BenchError) -> String {
+    let mut cause: &dyn std::error::Error = error;
+    while let Some(deeper) = cause.source() {
+        cause = deeper;
+    }
+    cause.to_string()
+}
+
+fn hardware(bench: &ErrorBench, engine: Engine<'static>, takes_scene: bool) -> Result<Hardware> {
+    let Engine::Model(machine) = engine else {
+        return Ok(Hardware::default());
+    };
+    let rate = machine.photon_tests_per_clock();
+    let measured = Measured::of(machine)?;
+    let fmax_mhz = measured.fastest().map(|clock| clock.fmax_mhz);
+    let time = match takes_scene {
+        true => PictureTime::of(machine, &bench.maps()[0], bench.queries())?,
+        false => PictureTime::default(),
+    };
+    Ok(Hardware {
+        initiation_interval: Some(machine.rate().interval()),
+        photon_tests_per_clock: Some(rate),
+        area_without_dsp: measured.area_without_dsp,
+        photon_tests_per_second_at_fmax: fmax_mhz.map(|fmax| rate * fmax * 1e6),
+        time,
+    })
+}

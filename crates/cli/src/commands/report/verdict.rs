@@ -1,0 +1,60 @@
+//! What the rows come to: the bits that the scene needs, the smallest machine and the fastest. The one place that decides it.
+
+use serde::Serialize;
+
+use super::row::Row;
+use crate::hardware::digits;
+
+/// Of the listed formats and machines, those within the bound. `fit` searches all formats; this does not.
+#[derive(Debug, Default, PartialEq, Serialize)]
+pub struct Verdict {
+    /// The fewest bits; none where no listed format is within the bound.
+    pub format: Option<String>,
+    /// Of that format.
+    pub bits_per_photon: Option<u32>,
+    /// The fewest LUT4 equivalents.
+    pub smallest_machine: Option<String>,
+    /// The most pictures a second at the measured clock.
+    pub fastest_machine: Option<String>,
+    /// Of the fastest.
+    pub pictures_per_second: Option<f64>,
+}
+
+impl Verdict {
+    /// The verdict of the rows.
+    pub fn of(rows: &[Row]) -> Self {
+        let within = || rows.iter().filter(|row| row.within_bound);
+        let format = within().filter(|row| row.is_format());
+        let format = format.min_by_key(|row| row.bits_per_photon);
+        let machines = || within().filter(|row| !row.is_format());
+        let sized = machines().filter_map(|row| Some((row, row.lut4_equivalents()?)));
+        let smallest = sized.min_by_key(|(_, area)| *area);
+        let timed = machines().filter_map(|row| Some((row, row.pictures_per_second()?)));
+        let fastest = timed.max_by(|(_, a), (_, b)| a.total_cmp(b));
+        Self {
+            format: format.map(|row| row.name.clone()),
+            bits_per_photon: format.map(|row| row.bits_per_photon),
+            smallest_machine: smallest.map(|(row, _)| row.name.clone()),
+            fastest_machine: fastest.map(|(row, _)| row.name.clone()),
+            pictures_per_second: fastest.map(|(_, speed)| speed),
+        }
+    }
+
+    /// In words.
+    pub fn text(&self, bound: f64, query_points: u64) -> String {
+        let needs = match (self.bits_per_photon, &self.format) {
+            (Some(bits), Some(format)) => format!("needs {bits} bits per photon ({format})"),
+            _ => "no listed format is precise enough".to_owned(),
+        };
+        let machine = |name: &Option<String>| name.clone().unwrap_or_else(|| "none".to_owned());
+        let speed = self.pictures_per_second.map_or_else(String::new, |speed| {
+            format!(", {} pictures of {query_points} queries/s", digits(speed))
+        });
+        format!(
+            "{needs}; smallest machine {}; fastest {}{speed}: of the listed, within an error of {bound} of the noise\n\
+             (luminance, red, green and blue). `photoncube fit` searches all formats.",
+            machine(&self.smallest_machine),
+            machine(&self.fastest_machine),
+        )
+    }
+}

@@ -1,0 +1,102 @@
+//! How long a machine takes for a picture, at the clock that was measured of it.
+
+use anyhow::Result;
+use photoncube_render::{PhotonMap, QueryPoint, forecast_clocks};
+use photoncube_spec::Machine;
+use serde::Serialize;
+
+use crate::measured::Measured;
+
+/// A picture's time on a machine. None where a clock was not measured.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct PictureTime {
+    /// The golden model's clocks for all queries, with no waiting.
+    pub clocks: Option<u64>,
+    /// The highest clock of the routed machine.
+    pub fmax_mhz: Option<f64>,
+    /// The speed grade of that, the fastest that was measured.
+    pub speed_grade: Option<u32>,
+    /// The clocks at that clock.
+    pub seconds_per_picture: Option<f64>,
+    /// The inverse.
+    pub pictures_per_second: Option<f64>,
+}
+
+impl PictureTime {
+    /// That of the queries on the photons of `map`.
+    pub fn of(machine: &Machine, map: &PhotonMap, queries: &[QueryPoint]) -> Result<Self> {
+        let clocks = forecast_clocks(map, queries, machine)?;
+        let measured = Measured::of(machine)?;
+        let fastest = measured.fastest();
+        let fmax_mhz = fastest.map(|clock| clock.fmax_mhz);
+        let seconds = clocks
+            .zip(fmax_mhz)
+            .map(|(clocks, mhz)| clocks as f64 / (mhz * 1e6));
+        Ok(Self {
+            clocks,
+            fmax_mhz,
+            speed_grade: fastest.map(|clock| clock.speed_grade),
+            seconds_per_picture: seconds,
+            pictures_per_second: seconds.map(f64::recip),
+        })
+    }
+
+    /// "0.34 s a picture, 2.9 pictures/s, at 95 MHz (ECP5, speed grade 8), photons and queries waiting for nothing".
+    pub fn text(&self) -> String {
+        match (self.seconds_per_picture, self.fmax_mhz, self.speed_grade) {
+            (Some(seconds), Some(mhz), Some(grade)) => format!(
+                "{} s a picture, {} pictures/s, at {mhz:.0} MHz (ECP5, speed grade {grade}, routed), no waiting",
+                digits(seconds),
+                digits(seconds.recip())
+            ),
+            _ => "not known: no clock of it is measured".to_owned(),
+        }
+    }
+}
+
+/// Three significant digits.
+pub fn digits(number: f64) -> String {
+    let places = (2.0 - number.abs().log10().floor()).clamp(0.0, 9.0) as usize;
+    format!("{number:.places$}")
+}
+
+#[cfg(test)]
+mod tests {
+    use photoncube_render::{Scene, TraceOptions, ViewOptions, trace, view_queries};
+    use photoncube_spec::MACHINES;
+
+    use super::*;
+
+    #[test]
+    fn a_picture_takes_its_clocks_at_the_measured_clock() {
+        let scene = Scene::built_in("ring").unwrap();
+        let options = TraceOptions {
+            photons: 2_000,
+            seed: 1,
+        };
+        let photons = trace(&scene, &options, &|_| ()).unwrap().photons;
+        let map = PhotonMap::new(&scene, photons, 0.2).unwrap();
+        let view = ViewOptions {
+            width: 8,
+            height: 8,
+            ..ViewOptions::default()
+        };
+        let queries = view_queries(&scene, &view).unwrap();
+        for machine in MACHINES {
+            let time = PictureTime::of(machine, &map, &queries).unwrap();
+            let (clocks, mhz) = (time.clocks.unwrap(), time.fmax_mhz.unwrap());
+            let seconds = time.seconds_per_picture.unwrap();
+            // A rounding of a division.
+            assert!((seconds * mhz * 1e6 / clocks as f64 - 1.0).abs() < 1e-12);
+            assert!(time.text().contains("pictures/s"), "{}", time.text());
+        }
+    }
+
+    #[test]
+    fn numbers_have_three_digits() {
+        assert_eq!(
+            [0.012_345, 1.234_5, 1234.5].map(digits),
+            ["0.0123", "1.23", "1234"]
+        );
+    }
+}

@@ -1,0 +1,158 @@
+//! What `report` says of formats and machines, and how long a machine takes.
+
+use std::fs;
+
+use serde_json::Value;
+
+use super::shared::REPORT;
+use super::{error, estimators, json, photoncube};
+
+#[test]
+fn report_measures_every_format_and_machine() {
+    let (report, folder) = (&REPORT.report, &REPORT.folder);
+    let rows = report["rows"].as_array().unwrap();
+    let list = json(&["list"]);
+    let listed = ["formats", "machines"].map(|key| list[key].as_array().unwrap().len());
+    assert_eq!(rows.len(), listed[0] + listed[1]);
+    let row = |name: &str| rows.iter().find(|row| row["name"] == name).unwrap();
+    assert!(row("local8-rgb8e5")["bits_per_photon"].as_u64().unwrap() <= 56);
+    assert_eq!(row("paper")["initiation_interval"], 9.0);
+    assert_eq!(row("overlap")["initiation_interval"], 1.5);
+    let error = |name| row(name)["error_over_noise"].as_f64().unwrap();
+    assert!(error("local4-rgb8e5") > error("local8-rgb8e5"));
+    assert!(rows.iter().any(|row| row["on_bits_front"] == true));
+    for row in rows {
+        let on_front = ["on_bits_front", "on_hardware_front", "on_speed_front"];
+        let is_best = on_front.iter().any(|front| row[front] == true);
+        assert!(!is_best || row["within_bound"] == true, "{row}");
+        // One figure for a format on this CPU, and none for a machine, whose model is that of its format.
+        let has_speed = row["photon_tests_per_second"].is_number();
+        assert_eq!(has_speed, row["kind"] == "format", "{row}");
+        assert_eq!(
+            row["photon_tests_per_second_spread"].is_number(),
+            has_speed,
+            "{row}"
+        );
+        assert_eq!(
+            row["pictures_per_second"].is_number(),
+            row["kind"] == "machine",
+            "{row}"
+        );
+    }
+    let within = rows.iter().filter(|row| row["within_bound"] == true);
+    let formats = within.filter(|row| row["kind"] == "format");
+    let fewest = formats
+        .map(|row| row["bits_per_photon"].as_u64().unwrap())
+        .min();
+    assert_eq!(report["scene_needs"]["bits_per_photon"].as_u64(), fewest);
+    estimators::check_rows(report);
+    for name in [
+        "report-cornell-speed.svg",
+        "report-cornell-bits.svg",
+        "report-cornell-hardware.svg",
+        "report-cornell-dimensions.svg",
+        "report-cornell.json",
+    ] {
+        let text = fs::read_to_string(folder.path().join(name)).unwrap();
+        assert!(
+            text.contains("local8-rgb8e5") || text.contains("Fmax"),
+            "{name}"
+        );
+    }
+}
+
+#[test]
+fn report_goes_on_where_a_machine_cannot_take_the_scene() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().to_str().unwrap();
+    let many = [
+        "--photons",
+        "20000",
+        "--size",
+        "8x8",
+        "--maps",
+        "3",
+        "--in-range",
+        "2500",
+    ];
+    let args = [&["report", "--out", out][..], &many[..]].concat();
+    let output = photoncube(&args).assert().success();
+    let text = String::from_utf8(output.get_output().stdout.clone()).unwrap();
+    let expected = "fit-cornell cannot take this scene: a query of ";
+    assert!(
+        text.contains(expected) && text.contains("--in-range"),
+        "{text}"
+    );
+    assert!(
+        text.starts_with("cornell: needs "),
+        "the verdict comes first: {text}"
+    );
+    let written = folder.path().join("report-cornell.json");
+    let report: Value = serde_json::from_slice(&fs::read(written).unwrap()).unwrap();
+    let row = |name: &str| {
+        let rows = report["rows"].as_array().unwrap();
+        rows.iter().find(|row| row["name"] == name).unwrap().clone()
+    };
+    assert!(
+        row("fit-cornell")["cannot"]
+            .as_str()
+            .unwrap()
+            .contains("over the 4096")
+    );
+    assert!(row("fit-cornell")["error_over_noise"].is_null());
+    assert!(row("paper")["cannot"].is_null() && row("paper")["error_over_noise"].is_number());
+}
+
+/// What is asked for needs no fit, which is most of a run's time.
+#[test]
+fn run_with_a_machine_fits_nothing_and_says_the_seconds_of_a_picture() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().to_str().unwrap();
+    let small = ["--photons", "5000", "--size", "8x8", "--samples", "1"];
+    let run = [
+        "run",
+        "--machine",
+        "tile-6",
+        "--iterations",
+        "20",
+        "--out",
+        out,
+    ];
+    let report = json(&[&run[..], &small[..]].concat());
+    assert!(report["fitted"].is_null());
+    let figure = |key: &str| report[key].as_f64().unwrap();
+    let seconds = figure("clocks") / (figure("fmax_mhz") * 1e6);
+    // A rounding of a division.
+    assert!((figure("seconds_per_picture") / seconds - 1.0).abs() < 1e-12);
+    assert!((figure("pictures_per_second") * seconds - 1.0).abs() < 1e-12);
+    // Four engines: between a clock a group for all of them, and one for each.
+    let groups = figure("photon_groups");
+    assert!(figure("clocks") >= groups / 4.0 && figure("clocks") <= groups + 100.0);
+    assert_eq!(report["photons_asked"], 5000);
+    assert!(report["photons"].as_u64() >= Some(5000));
+}
+
+#[test]
+fn a_query_of_too_many_photons_is_told_with_the_option_that_helps() {
+    let folder = tempfile::tempdir().unwrap();
+    let picture = folder.path().join("o.png");
+    let picture = picture.to_str().unwrap();
+    let many = ["--photons", "20000", "--size", "4x4", "--in-range", "2500"];
+    for command in ["render", "progressive"] {
+        let args = [
+            command,
+            "cornell",
+            "-o",
+            picture,
+            "--machine",
+            "fit-cornell",
+        ];
+        let message = error(&[&args[..], &many].concat(), 2);
+        assert!(message.contains("give a smaller --in-range"), "{message}");
+        assert_eq!(
+            message.matches("a query of ").count(),
+            1,
+            "said once: {message}"
+        );
+    }
+}

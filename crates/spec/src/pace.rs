@@ -1,0 +1,138 @@
+//! How many clocks a workload takes with no waiting for the streams.
+
+use crate::machine::Machine;
+use crate::microprogram::Microprogram;
+use crate::overlap::Program;
+use crate::spatial::{HeadSizes, Spatial};
+
+/// Queries that are tested against the same photons.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub struct SharedGroups {
+    /// How many queries.
+    pub queries: u64,
+    /// The groups of [`Machine::photons_per_iteration`] photons that each is tested against.
+    pub groups: u64,
+}
+
+/// What the clocks of a machine follow from.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Pace {
+    /// One op a clock for all cells, one query after the other.
+    Sequential(Microprogram),
+    /// Groups overlap, queries do not.
+    Overlapped(Program),
+    /// A group every clock for all engines of the chain.
+    Chain {
+        /// Queries of a batch.
+        engines: u64,
+        /// The fewest clocks from one batch's last group to the next's: results of two must not meet.
+        spacing: u64,
+        /// From a batch's last group to its first result.
+        latency_clocks: u64,
+        /// Between two batches that a photon memory plays.
+        between_batches: u64,
+    },
+}
+
+/// A photon memory decides in registers that the next batch may start: the second clock after the last group is the
+/// first that can see it, and one register more says so.
+const MEMORY_GAP_CLOCKS: u64 = 3;
+
+impl Pace {
+    /// That of a machine; none where its program cannot be made.
+    pub fn of(machine: &Machine) -> Option<Self> {
+        if let Some(spatial) = machine.spatial() {
+            return Some(Self::of_chain(spatial));
+        }
+        let sequential = machine.microprogram().map(Self::Sequential);
+        sequential.or_else(|| machine.overlap_program().map(Self::Overlapped))
+    }
+
+    fn of_chain(spatial: &Spatial) -> Self {
+        Self::Chain {
+            engines: spatial.engines() as u64,
+            spacing: HeadSizes::of(spatial).spacing.into(),
+            latency_clocks: spatial.latency_clocks().into(),
+            between_batches: match spatial.memory_groups {
+                0 => 0,
+                _ => MEMORY_GAP_CLOCKS,
+            },
+        }
+    }
+
+    /// Clocks from the first query to the last result, without the clock that takes the first query; of a chain up to the
+    /// spacing more. A chain is given no query without photons, and where fewer queries than engines share photons it
+    /// works for none in the others.
+    pub fn clocks(&self, lists: impl IntoIterator<Item = SharedGroups>) -> u64 {
+        let lists = lists.into_iter();
+        match self {
+            Self::Sequential(program) => lists
+                .map(|list| list.queries * program.occupied_clocks(list.groups))
+                .sum(),
+            Self::Overlapped(program) => lists
+                .map(|list| list.queries * program.occupied_clocks(list.groups))
+                .sum(),
+            Self::Chain {
+                engines,
+                spacing,
+                latency_clocks,
+                between_batches,
+            } => {
+                let lists = lists.filter(|list| list.groups > 0);
+                let clocks = lists.map(|list| {
+                    let batches = list.queries.div_ceil(*engines);
+                    batches * (list.groups.max(*spacing) + between_batches)
+                });
+                // The first queries come before, and results leave the chain two clocks apart.
+                clocks.sum::<u64>() + latency_clocks + 3 * (engines - 1)
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::machines::{MACHINES, find_machine};
+
+    fn clocks(machine: &str, lists: &[(u64, u64)]) -> u64 {
+        let pace = Pace::of(find_machine(machine).unwrap()).unwrap();
+        let lists = lists.iter();
+        pace.clocks(lists.map(|&(queries, groups)| SharedGroups { queries, groups }))
+    }
+
+    #[test]
+    fn every_machine_has_a_pace() {
+        assert!(MACHINES.iter().all(|machine| Pace::of(machine).is_some()));
+    }
+
+    #[test]
+    fn the_paper_takes_nine_clocks_a_group_and_two_a_query() {
+        assert_eq!(
+            clocks("paper", &[(3, 10), (2, 0)]),
+            3 * (9 * 10 + 2) + 2 * 2
+        );
+    }
+
+    #[test]
+    fn a_stream_takes_a_clock_a_group() {
+        let latency = find_machine("stream")
+            .unwrap()
+            .spatial()
+            .unwrap()
+            .latency_clocks();
+        assert_eq!(
+            clocks("stream", &[(3, 10), (2, 0)]),
+            30 + u64::from(latency)
+        );
+    }
+
+    #[test]
+    fn queries_that_share_photons_fill_a_tile_and_others_do_not() {
+        let base = clocks("tile-6", &[(4, 100)]);
+        assert_eq!(clocks("tile-6", &[(8, 100)]), base + 100);
+        assert_eq!(clocks("tile-6", &[(1, 100); 8]), base + 7 * 100);
+        // Short batches cost the spacing, 2 N - 1.
+        assert_eq!(clocks("tile-6", &[(4, 100), (4, 1)]), base + 7);
+    }
+}
