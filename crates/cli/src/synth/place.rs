@@ -177,6 +177,7 @@ pub fn measure(tools: &Tools, folder: &Path, subject: &Subject, what: Try) -> Re
     });
     let (fmax_mhz, path) = figures
         .with_context(|| format!("machine {machine}, speed grade {speed_grade}, seed {seed}"))?;
+    let placed = serde_json::from_str(&fs::read_to_string(folder.join(NETLIST))?)?;
     Ok(PlaceRow {
         machine: machine.to_owned(),
         flow: Flow::to_place(subject.machine),
@@ -185,6 +186,7 @@ pub fn measure(tools: &Tools, folder: &Path, subject: &Subject, what: Try) -> Re
         placer,
         router,
         fmax_mhz,
+        netlist_sha256: Some(netlist::sha256(&placed)?),
         path: Some(path),
     })
 }

@@ -1,5 +1,6 @@
 //! What Yosys leaves undone in a mapped netlist, and nextpnr does not do.
 
+mod digest;
 mod open_ends;
 mod output_registers;
 
@@ -7,6 +8,8 @@ use std::collections::HashMap;
 
 use anyhow::{Context, Result};
 use serde_json::{Map, Value};
+
+pub use digest::sha256;
 
 /// The cells of a module, by name.
 type Cells = Map<String, Value>;
@@ -26,6 +29,19 @@ pub fn finish(netlist: &str) -> Result<String> {
         }
     }
     Ok(netlist.to_string())
+}
+
+/// The module that is placed: all others are models of cells.
+fn top(netlist: &Value) -> Result<&Value> {
+    let modules = netlist["modules"].as_object().into_iter().flatten();
+    let mut tops = modules.filter(|(_, module)| module["attributes"]["top"].is_string());
+    let (_, module) = tops.next().context("found no top module in the netlist")?;
+    Ok(module)
+}
+
+/// Whether a cell is Yosys's note of a module that it has taken apart.
+fn is_bookkeeping(cell: &Value) -> bool {
+    cell["type"] == "$scopeinfo"
 }
 
 fn readers(module: &Value) -> Readers {
