@@ -344,6 +344,25 @@ mod tests {
     }
 
     #[test]
+    fn every_key_is_documented() {
+        let report = serde_json::to_value(report(vec![pass()])).unwrap();
+        let rows = ["netlist_passes", "netlists"].map(|rows| &report[rows][0]);
+        let objects = rows
+            .into_iter()
+            .chain([&report])
+            .filter_map(|row| row.as_object());
+        let keys: Vec<_> = objects.flat_map(|object| object.keys()).collect();
+        assert!(keys.len() > 20, "{keys:?}");
+        let documented = include_str!("../../../../../docs/json.md");
+        let is_documented = |key: &&&String| documented.contains(&format!("`{key}`"));
+        let missing: Vec<_> = keys.iter().filter(|key| !is_documented(key)).collect();
+        assert!(
+            missing.is_empty(),
+            "docs/json.md does not explain {missing:?}"
+        );
+    }
+
+    #[test]
     fn the_lines_say_what_was_simulated_and_what_proven() {
         let [simulated, proven] = &report(vec![pass()]).lines()[..] else {
             panic!("expected two lines");
