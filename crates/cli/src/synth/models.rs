@@ -117,6 +117,6 @@ mod tests {
                 .starts_with("\nmodule CCU2C (\n")
         );
         let error = module(text, "LUT").unwrap_err().to_string();
-        assert!(error.contains("no model of LUT "), "{error}");
+        assert_eq!(error, "found no model of LUT");
     }
 }
