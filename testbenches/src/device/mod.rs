@@ -21,8 +21,8 @@ use crate::tools::{MissingTool, Tool, ToolError};
 
 pub use icarus::Icarus;
 pub use mutant::Mutant;
-pub use netlist::netlist;
 pub(crate) use netlist::netlist_text;
+pub use netlist::{netlist, with_outputs_alone};
 pub use simulation::RustHdl;
 pub(crate) use simulation::{hdl_error, hdl_error_of};
 pub use text::{Refusal, Text};

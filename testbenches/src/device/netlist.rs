@@ -19,9 +19,14 @@ const SYNTH_WITH_MEMORY: &str = "-run begin:fine; opt -fast -full; opt -undriven
 /// # Errors
 /// Yosys is missing or refuses the text.
 pub fn netlist(design: &Emitted) -> Result<Emitted, DeviceError> {
-    let text = netlist_text(design, true)?;
+    Ok(with_outputs_alone(design, netlist_text(design, true)?))
+}
+
+/// The design with a netlist of it as its text, which has its ports; its registers have lost their names, so only the
+/// output pins remain observed.
+pub fn with_outputs_alone(design: &Emitted, text: String) -> Emitted {
     let pins = &design.pins;
-    Ok(Emitted {
+    Emitted {
         text,
         register_paths: Vec::new(),
         block_rams: Vec::new(),
@@ -30,7 +35,7 @@ pub fn netlist(design: &Emitted) -> Result<Emitted, DeviceError> {
             ..pins.clone()
         },
         ..design.clone()
-    })
+    }
 }
 
 /// The netlist's text: flat, or with the modules of the design, each synthesised for itself.

@@ -42,22 +42,30 @@ impl Verilator {
     /// # Errors
     /// Verilator or a C++ compiler is missing or refuses the text.
     pub fn new(design: &Emitted) -> Result<Self, DeviceError> {
-        Self::start(design, trace_module(design), false)
+        Self::start(design, trace_module(design), Build::Fast)
+    }
+
+    /// The same of a netlist of cells, whose thousands of small modules take longer to optimise than a run saves.
+    ///
+    /// # Errors
+    /// Verilator or a C++ compiler is missing or refuses the text.
+    pub fn of_netlist(design: &Emitted) -> Result<Self, DeviceError> {
+        Self::start(design, trace_module(design), Build::Plain)
     }
 
     /// The same, but it counts how often each line, branch and bit was used, and each of the `covers`: Verilog
     /// that goes into the trace module.
     pub(crate) fn with_coverage(design: &Emitted, covers: &str) -> Result<Self, DeviceError> {
-        Self::start(design, trace_module_with(design, covers), true)
+        Self::start(design, trace_module_with(design, covers), Build::Coverage)
     }
 
-    fn start(design: &Emitted, trace: String, coverage: bool) -> Result<Self, DeviceError> {
+    fn start(design: &Emitted, trace: String, build: Build) -> Result<Self, DeviceError> {
         let version = Tool::Verilator.version()?;
         let folder = scratch_folder()?;
         let sources = Sources {
             design: format!("{}\n{trace}", design.text),
-            harness: harness(design, coverage),
-            coverage,
+            harness: harness(design, build == Build::Coverage),
+            build,
         };
         let program = build_or_reuse(&sources, &version, folder.path())?;
         let process = Process::start(
@@ -132,24 +140,35 @@ impl Device for Verilator {
     }
 }
 
+/// How a simulation is built.
+#[derive(Copy, Clone, PartialEq, Eq)]
+enum Build {
+    /// To run fast.
+    Fast,
+    /// To be built fast.
+    Plain,
+    /// The same, with counters of what is used.
+    Coverage,
+}
+
 /// What is compiled.
 struct Sources {
     design: String,
     harness: String,
-    coverage: bool,
+    build: Build,
 }
 
 impl Sources {
     fn options(&self) -> impl Iterator<Item = &'static str> {
         OPTIONS
             .into_iter()
-            .chain(self.coverage.then_some("--coverage"))
+            .chain((self.build == Build::Coverage).then_some("--coverage"))
     }
 
     fn make_variables(&self) -> &'static str {
-        match self.coverage {
-            true => MAKE_VARIABLES_OF_COVERAGE,
-            false => MAKE_VARIABLES,
+        match self.build {
+            Build::Fast => MAKE_VARIABLES,
+            Build::Plain | Build::Coverage => MAKE_VARIABLES_OF_MANY,
         }
     }
 }
@@ -223,8 +242,8 @@ const OPTIONS: [&str; 9] = [
     "unique",
 ];
 const MAKE_VARIABLES: &str = "OPT_FAST=-O3 OPT_GLOBAL=-O3 OPT_SLOW=-O1";
-/// Thousands of counters take minutes to optimise, and a short run to fill.
-const MAKE_VARIABLES_OF_COVERAGE: &str = "OPT_FAST=-O1 OPT_GLOBAL=-O1 OPT_SLOW=-O0";
+/// Thousands of counters or cells take minutes to optimise, and a short run to fill.
+const MAKE_VARIABLES_OF_MANY: &str = "OPT_FAST=-O1 OPT_GLOBAL=-O1 OPT_SLOW=-O0";
 
 fn build(sources: &Sources, folder: &Path) -> Result<PathBuf, DeviceError> {
     write_file(&folder.join("design.v"), &sources.design)?;

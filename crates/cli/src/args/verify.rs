@@ -25,6 +25,7 @@ Examples:
   photoncube verify --exhaustive        all inputs of what is finite
   photoncube verify --faults --machine overlap    needs Icarus
   photoncube verify --formal --machine paper
+  photoncube verify --placed --machine stream     needs Yosys of scripts/setup.sh --synthesis, and Verilator
   photoncube verify --table             what was verified so far, as docs/verification.md has it"
 )]
 pub struct VerifyArgs {
@@ -96,6 +97,11 @@ pub struct VerifyArgs {
     /// Only the properties whose names begin so; the result of some is not recorded
     #[arg(long, conflicts_with = "record", value_name = "NAME")]
     pub property: Option<String>,
+    /// Map the machine as `synth` does for an ECP5, prove the passes over its netlist, and simulate the netlist as Yosys
+    /// makes it and after each pass, with models of its cells; the last is what is placed. --against takes verilator and
+    /// icarus
+    #[arg(long, group = "method")]
+    pub placed: bool,
     /// Print the committed table of results, and verify nothing
     #[arg(long, group = "method")]
     pub table: bool,

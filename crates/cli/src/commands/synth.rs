@@ -14,7 +14,7 @@ use crate::synth::figures::{self, AreaRow, AreaSetting, COMMAND, PlaceRow, Place
 use crate::synth::flow::Flow;
 use crate::synth::place::{Device, TARGET_MHZ};
 use crate::synth::plan::Plan;
-use crate::synth::tools::Tools;
+use crate::synth::tools::{Purpose, Tools};
 use crate::synth::{Subject, tables};
 use crate::{output, project};
 
@@ -76,7 +76,11 @@ pub fn execute(args: &SynthArgs, json: bool) -> Result<()> {
             args.device.name
         );
     }
-    let tools = Tools::find(args.tools.as_deref())?;
+    let purpose = match args.places() {
+        true => Purpose::Place,
+        false => Purpose::Map,
+    };
+    let tools = Tools::find(args.tools.as_deref(), purpose)?;
     measure(args, &tools, subjects(&machines)?, json)
 }
 

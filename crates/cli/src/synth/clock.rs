@@ -97,6 +97,7 @@ mod tests {
             placer: Placer::default(),
             router: Router::default(),
             fmax_mhz,
+            netlist_sha256: None,
             path: None,
         }
     }

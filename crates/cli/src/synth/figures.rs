@@ -52,6 +52,10 @@ pub struct PlaceRow {
     pub router: Router,
     /// The highest clock.
     pub fmax_mhz: f64,
+    /// The digest of the netlist that was placed, see [`netlist::sha256`](super::netlist::sha256); none in rows from
+    /// before it was kept.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub netlist_sha256: Option<String>,
     /// What it is bound by; none where it was not read.
     pub path: Option<CriticalPath>,
 }

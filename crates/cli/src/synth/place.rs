@@ -9,7 +9,9 @@ use serde::{Deserialize, Serialize};
 
 use super::figures::PlaceRow;
 use super::flow::Flow;
+use super::netlist::Stage;
 use super::tools::Tools;
+use super::wrapper::MachinePort;
 use super::{Subject, netlist, option_name, path, wrapper};
 
 /// An FPGA that nextpnr knows.
@@ -70,25 +72,39 @@ impl Device {
     }
 }
 
-/// Maps a machine, whose Verilog `{top}.v` is in the folder, in its serial wrapper.
-pub fn map(tools: &Tools, folder: &Path, subject: &Subject) -> Result<()> {
+/// A machine that is mapped in its serial wrapper.
+pub struct Mapped {
+    /// The machine's ports.
+    pub ports: Vec<MachinePort>,
+    /// Its netlist, wrapper included, as Yosys maps it and after each pass; the last is placed.
+    pub stages: Vec<Stage>,
+}
+
+/// Maps a machine, whose Verilog `{top}.v` is in the folder, in its serial wrapper, and leaves there what is placed.
+pub fn map(tools: &Tools, folder: &Path, subject: &Subject) -> Result<Mapped> {
     let top = &subject.top;
-    let attempt = || -> Result<()> {
+    let attempt = || -> Result<Mapped> {
         // -lib reads the ports alone.
-        let ports = "ports.json";
+        let file = "ports.json";
         tools.yosys(
             folder,
-            &format!("read_verilog -lib {top}.v; write_json {ports}"),
+            &format!("read_verilog -lib {top}.v; write_json {file}"),
         )?;
-        let wrapper = wrapper::around(top, &fs::read_to_string(folder.join(ports))?)?;
-        fs::write(folder.join("serial.v"), wrapper)?;
+        let ports = wrapper::ports(top, &fs::read_to_string(folder.join(file))?)?;
+        fs::write(folder.join(wrapper::FILE), wrapper::around(top, &ports)?)?;
         let flow = Flow::to_place(subject.machine);
         let (read, map) = (subject.read(flow), flow.script(wrapper::TOP));
-        let script = format!("{read}; read_verilog serial.v; {map} -json {NETLIST}");
+        let script = format!(
+            "{read}; read_verilog {}; {map} -json {NETLIST}",
+            wrapper::FILE
+        );
         tools.yosys(folder, &script)?;
-        let netlist = folder.join(NETLIST);
-        fs::write(&netlist, netlist::finish(&fs::read_to_string(&netlist)?)?)?;
-        Ok(())
+        let path = folder.join(NETLIST);
+        let stages = netlist::stages(&fs::read_to_string(&path)?)?;
+        if let Some(placed) = stages.last() {
+            fs::write(&path, placed.netlist.to_string())?;
+        }
+        Ok(Mapped { ports, stages })
     };
     attempt().with_context(|| format!("machine {} in its wrapper", subject.machine.name))
 }
@@ -177,6 +193,7 @@ pub fn measure(tools: &Tools, folder: &Path, subject: &Subject, what: Try) -> Re
     });
     let (fmax_mhz, path) = figures
         .with_context(|| format!("machine {machine}, speed grade {speed_grade}, seed {seed}"))?;
+    let placed = serde_json::from_str(&fs::read_to_string(folder.join(NETLIST))?)?;
     Ok(PlaceRow {
         machine: machine.to_owned(),
         flow: Flow::to_place(subject.machine),
@@ -185,6 +202,7 @@ pub fn measure(tools: &Tools, folder: &Path, subject: &Subject, what: Try) -> Re
         placer,
         router,
         fmax_mhz,
+        netlist_sha256: Some(netlist::sha256(&placed)?),
         path: Some(path),
     })
 }

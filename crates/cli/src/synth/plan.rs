@@ -144,7 +144,7 @@ impl Plan {
         let all = self.subjects.iter();
         let mappings = all.clone().map(|s| (s, Size::of(s.machine).map_ms(), ()));
         self.in_parallel("mappings", mappings.collect(), |subject, ()| {
-            place::map(tools, &scratch.join(subject.machine.name), subject)
+            place::map(tools, &scratch.join(subject.machine.name), subject).map(|_| ())
         })?;
         let tries = self.tries();
         let each = |subject| tries.iter().map(move |&what| (subject, what));

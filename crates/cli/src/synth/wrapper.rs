@@ -11,9 +11,16 @@ use serde::Deserialize;
 
 /// The wrapper's module, with three pins.
 pub const TOP: &str = "serial";
+/// Its file: Yosys's `src` of its cells begins so.
+pub const FILE: &str = "serial.v";
+/// What its first register takes over.
+pub const SERIAL_IN: &str = "serial_in";
+/// The register that what the machine shows is folded into.
+pub const FOLDED: &str = "folded";
 /// The machine in it.
 pub const INSTANCE: &str = "machine";
-const CLOCK: &str = "clock";
+/// The clock, of the wrapper and of the machine.
+pub const CLOCK: &str = "clock";
 
 /// What Yosys's `write_json` writes of ports.
 #[derive(Deserialize)]
@@ -49,8 +56,23 @@ impl Bus {
     }
 }
 
-/// The wrapper of a machine whose netlist, as `read_verilog -lib; write_json` writes it, has its ports.
-pub fn around(top: &str, netlist: &str) -> Result<String> {
+/// A port of a machine, without its clock.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct MachinePort {
+    /// Its name.
+    pub name: String,
+    /// Whether the wrapper drives it; else it takes it.
+    pub is_input: bool,
+    /// Its bits.
+    pub width: usize,
+}
+
+/// The ports of a machine whose netlist, as `read_verilog -lib; write_json` writes it, has them; in the order in which
+/// they have bits of the wrapper's registers, the lowest first.
+///
+/// # Errors
+/// It is no such machine, or has no clock.
+pub fn ports(top: &str, netlist: &str) -> Result<Vec<MachinePort>> {
     let mut netlist: Netlist =
         serde_json::from_str(netlist).context("what Yosys's `write_json` writes")?;
     let module = netlist.modules.remove(top);
@@ -67,12 +89,31 @@ pub fn around(top: &str, netlist: &str) -> Result<String> {
     // finds with a seed.
     let mut ports: Vec<_> = ports.into_iter().collect();
     ports.sort_by_key(|(_, port)| port.bits.first().and_then(serde_json::Value::as_u64));
-    let (mut driven, mut shown) = (Bus::default(), Bus::default());
-    for (name, port) in &ports {
-        match port.direction.as_str() {
-            "input" => driven.connect(name, "driven", port.bits.len()),
-            "output" => shown.connect(name, "shown", port.bits.len()),
+    let port = |(name, port): (String, Port)| {
+        let is_input = match port.direction.as_str() {
+            "input" => true,
+            "output" => false,
             other => bail!("found the {other} {name} in {top}, expected inputs and outputs"),
+        };
+        Ok(MachinePort {
+            name,
+            is_input,
+            width: port.bits.len(),
+        })
+    };
+    ports.into_iter().map(port).collect()
+}
+
+/// The wrapper of a machine with these ports.
+///
+/// # Errors
+/// There are no inputs, or no outputs.
+pub fn around(top: &str, ports: &[MachinePort]) -> Result<String> {
+    let (mut driven, mut shown) = (Bus::default(), Bus::default());
+    for port in ports {
+        match port.is_input {
+            true => driven.connect(&port.name, "driven", port.width),
+            false => shown.connect(&port.name, "shown", port.width),
         }
     }
     if driven.width == 0 || shown.width == 0 {
@@ -89,9 +130,9 @@ fn text(top: &str, driven: &Bus, shown: &Bus) -> String {
     let connections = connections.join(", ");
     let (driven, shown) = (driven.width - 1, shown.width - 1);
     format!(
-        "module {TOP}({CLOCK}, serial_in, serial_out);
+        "module {TOP}({CLOCK}, {SERIAL_IN}, serial_out);
     input wire {CLOCK};
-    input wire serial_in;
+    input wire {SERIAL_IN};
     output wire serial_out;
     reg [{driven}:0] driven;
     wire [{shown}:0] shown;
@@ -101,7 +142,7 @@ fn text(top: &str, driven: &Bus, shown: &Bus) -> String {
     {top} {INSTANCE}({connections});
     assign serial_out = folded[{shown}];
     always @(posedge {CLOCK}) begin
-        driven <= {{driven, serial_in}};
+        driven <= {{driven, {SERIAL_IN}}};
         taken <= shown;
         folded <= {{folded, 1'b0}} ^ taken;
     end
@@ -123,7 +164,7 @@ mod tests {
 
     #[test]
     fn each_port_has_bits_of_its_own() {
-        let text = around("the_top", NETLIST).unwrap();
+        let text = around("the_top", &ports("the_top", NETLIST).unwrap()).unwrap();
         let instance = "the_top machine(.clock(clock), .reset(driven[0:0]), .power(driven[4:1]), .sum(shown[4:0]));";
         assert!(text.contains(instance), "{text}");
         assert!(text.contains("reg [4:0] driven;") && text.contains("reg [4:0] taken;"));
@@ -131,7 +172,7 @@ mod tests {
 
     #[test]
     fn a_machine_without_a_clock_is_refused() {
-        let error = |netlist: &str| around("the_top", netlist).unwrap_err().to_string();
+        let error = |netlist: &str| ports("the_top", netlist).unwrap_err().to_string();
         assert!(error(&NETLIST.replace("clock", "clk")).contains("no input clock"));
         assert!(error(&NETLIST.replace("the_top", "other")).contains("no module the_top"));
         assert!(error(&NETLIST.replace("output", "inout")).contains("found the inout sum"));

@@ -1,6 +1,6 @@
 //! Which options a command uses, by the way in which it is told to work.
 //!
-//! `verify` has ten methods besides the plain comparison, `render` and `progressive` have three engines, and no way
+//! `verify` has methods besides the plain comparison, `render` and `progressive` have three engines, and no way
 //! of working uses every option. An option that is given and not used is refused: whoever reads the result would
 //! take it for one that used it.
 
@@ -15,7 +15,7 @@ use clap::{ArgMatches, Command};
 type Way = (&'static str, &'static str);
 
 /// The methods of `verify`. Each is an option of its own, but for the first, which needs none.
-const METHODS: [Way; 11] = [
+const METHODS: [Way; 12] = [
     ("equivalence", "machine against iterations seed record"),
     ("lint", "record"),
     ("fuzz", "reader from seed record"),
@@ -26,6 +26,7 @@ const METHODS: [Way; 11] = [
     ("exhaustive", "against record"),
     ("faults", "machine against seed record"),
     ("formal", "machine property record"),
+    ("placed", "machine against iterations seed record"),
     ("table", ""),
 ];
 

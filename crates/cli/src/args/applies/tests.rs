@@ -18,6 +18,7 @@ campaign    .       .       .          .    x      .      .    x     x     x    
 exhaustive  .       x       .          .    x      .      .    .     .     .           .
 faults      x       x       .          x    x      .      .    .     .     .           .
 formal      x       .       .          .    x      .      .    .     .     .           x
+placed      x       x       x          x    x      .      .    .     .     .           .
 table       .       .       .          .    .      .      .    .     .     .           .
 ";
 
@@ -70,6 +71,7 @@ fn method(name: &'static str) -> Vec<&'static str> {
         "exhaustive" => vec!["verify", "--exhaustive"],
         "faults" => vec!["verify", "--faults"],
         "formal" => vec!["verify", "--formal"],
+        "placed" => vec!["verify", "--placed"],
         "table" => vec!["verify", "--table"],
         engine => vec!["render", "cornell", "-o", "x.png", "--engine", engine],
     }

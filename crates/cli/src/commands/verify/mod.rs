@@ -9,6 +9,7 @@ mod formal;
 mod fuzz;
 mod lint;
 mod mutants;
+mod placed;
 mod programs;
 
 use std::collections::BTreeSet;
@@ -49,6 +50,9 @@ pub fn execute(args: &VerifyArgs, json: bool) -> Result<()> {
     }
     if args.formal {
         return formal::execute(args, json);
+    }
+    if args.placed {
+        return placed::execute(args, json);
     }
     if let Some(inputs) = args.fuzz {
         return fuzz::execute(args, inputs, json);

@@ -1,31 +1,102 @@
 //! What Yosys leaves undone in a mapped netlist, and nextpnr does not do.
+//!
+//! Each pass changes some cells of a mapped netlist and must not change what it computes. That is no belief:
+//! [`changes`] finds whatever a pass has changed, of which Yosys proves that it is the same by the models of the
+//! cells, and the netlist is simulated after each pass (`photoncube verify --placed`).
 
+mod changes;
+mod digest;
 mod open_ends;
 mod output_registers;
+mod unwrapped;
+mod verilog;
 
 use std::collections::HashMap;
 
 use anyhow::{Context, Result};
 use serde_json::{Map, Value};
 
+pub use changes::{Change, changes};
+pub use digest::sha256;
+pub use unwrapped::unwrapped;
+
 /// The cells of a module, by name.
 type Cells = Map<String, Value>;
 /// What reads a net: a cell and its port, or no cell and a port of the module.
 type Readers = HashMap<u64, Vec<(String, String)>>;
 
-/// The netlist that Yosys's `write_json` wrote, with open ends of carry chains and block RAMs that have
-/// their output registers. Its logic and its clocks are the same.
-pub fn finish(netlist: &str) -> Result<String> {
-    let mut netlist: Value = serde_json::from_str(netlist).context("what `write_json` writes")?;
-    let modules = netlist["modules"].as_object_mut();
-    for module in modules.context("a netlist has modules")?.values_mut() {
-        let readers = readers(module);
-        if let Some(cells) = module["cells"].as_object_mut() {
-            open_ends::open(cells, &readers);
-            output_registers::fill(cells, &readers);
+/// A way to change the cells of a module.
+struct Pass {
+    /// What it does.
+    name: &'static str,
+    run: fn(&mut Cells, &Readers),
+}
+
+/// The passes, in their order.
+const PASSES: [Pass; 2] = [
+    Pass {
+        name: "open carry ends",
+        run: open_ends::open,
+    },
+    Pass {
+        name: "block RAM registers",
+        run: output_registers::fill,
+    },
+];
+
+/// A netlist, as `write_json` writes it, and what was done last to it.
+#[derive(Clone, Debug)]
+pub struct Stage {
+    /// Yosys's mapping, or the pass.
+    pub name: &'static str,
+    /// The netlist after it.
+    pub netlist: Value,
+}
+
+/// The netlist that Yosys's `write_json` wrote, then what each pass makes of it. The last is what is placed.
+///
+/// # Errors
+/// It is not what `write_json` writes.
+pub fn stages(mapped: &str) -> Result<Vec<Stage>> {
+    let netlist: Value = serde_json::from_str(mapped).context("what `write_json` writes")?;
+    netlist["modules"]
+        .as_object()
+        .context("a netlist has modules")?;
+    let mut stages = vec![Stage {
+        name: "mapped",
+        netlist,
+    }];
+    for pass in &PASSES {
+        let mut netlist = stages[stages.len() - 1].netlist.clone();
+        let modules = netlist["modules"].as_object_mut().into_iter().flatten();
+        for (_, module) in modules {
+            let readers = readers(module);
+            if let Some(cells) = module["cells"].as_object_mut() {
+                (pass.run)(cells, &readers);
+            }
         }
+        stages.push(Stage {
+            name: pass.name,
+            netlist,
+        });
     }
-    Ok(netlist.to_string())
+    Ok(stages)
+}
+
+/// The module that is placed: all others are models of cells.
+///
+/// # Errors
+/// There is none.
+pub fn top(netlist: &Value) -> Result<&Value> {
+    let modules = netlist["modules"].as_object().into_iter().flatten();
+    let mut tops = modules.filter(|(_, module)| module["attributes"]["top"].is_string());
+    let (_, module) = tops.next().context("found no top module in the netlist")?;
+    Ok(module)
+}
+
+/// Whether a cell is Yosys's note of a module that it has taken apart.
+fn is_bookkeeping(cell: &Value) -> bool {
+    cell["type"] == "$scopeinfo"
 }
 
 fn readers(module: &Value) -> Readers {
@@ -47,6 +118,24 @@ fn readers(module: &Value) -> Readers {
         add(&port["bits"], "", name);
     }
     readers
+}
+
+/// The connections of a cell: each of its ports, and whether it is an output, with its bits.
+fn connections(cell: &Value) -> impl Iterator<Item = (&str, bool, &[Value])> {
+    let connections = cell["connections"].as_object().into_iter().flatten();
+    connections.map(|(port, bits)| {
+        let is_output = cell["port_directions"][port] == "output";
+        (
+            port.as_str(),
+            is_output,
+            bits.as_array().map_or(&[][..], Vec::as_slice),
+        )
+    })
+}
+
+/// A parameter that is a word, without the blank that Yosys puts behind a word of digits.
+fn word<'a>(cell: &'a Value, parameter: &str) -> Option<&'a str> {
+    cell["parameters"][parameter].as_str().map(str::trim_end)
 }
 
 /// The numbers of the nets among these bits; the others are constants.

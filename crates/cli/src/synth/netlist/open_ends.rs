@@ -16,55 +16,94 @@ pub(super) fn open(cells: &mut Cells, readers: &Readers) {
     }
 }
 
-/// Opens a carry cell's output that nobody reads, and its constant input where its first LUT is 0
-/// for every C and D but the lowest, which are then the carry.
+/// Opens a carry cell's output that nobody reads, and its constant input where its first LUT is 0, so that the second
+/// gets the carry that the first overrides it with, and nobody reads the first sum.
 fn open_cell(cell: &mut Value, readers: &Readers) {
-    let first_lut = cell["parameters"]["INIT0"].as_str().map(str::to_owned);
-    let overrides =
-        first_lut.is_some_and(|bits| bits.len() == 16 && bits[..12].bytes().all(|bit| bit == b'0'));
+    let overrides = overrides(cell);
     let Some(ends) = cell["connections"].as_object_mut() else {
         return;
     };
-    let unread = |end: &Value| {
-        end[0]
-            .as_u64()
-            .is_some_and(|bit| !readers.contains_key(&bit))
+    let is_unread = |end: Option<&Value>| {
+        let net = end.and_then(|end| end[0].as_u64());
+        net.is_none_or(|net| !readers.contains_key(&net))
     };
-    if ends.get("COUT").is_some_and(unread) {
+    if ends.contains_key("COUT") && is_unread(ends.get("COUT")) {
         ends.insert("COUT".to_owned(), json!(["x"]));
     }
-    if overrides && ends.get("CIN").is_some_and(|end| end[0].is_string()) {
+    let is_constant = ends.get("CIN").is_some_and(|end| end[0].is_string());
+    if overrides && is_constant && is_unread(ends.get("S0")) {
         ends.insert("CIN".to_owned(), json!(["x"]));
     }
 }
 
+/// Whether a carry cell's first LUT is 0 whatever A and B are: by its bits, where C or D is 1.
+fn overrides(cell: &Value) -> bool {
+    let bits = cell["parameters"]["INIT0"].as_str();
+    let is_zero =
+        bits.is_some_and(|bits| bits.len() == 16 && bits[..12].bytes().all(|bit| bit == b'0'));
+    is_zero
+        && ["C0", "D0"]
+            .iter()
+            .any(|pin| cell["connections"][*pin][0] == "1")
+}
+
 #[cfg(test)]
 mod tests {
-    use super::super::finish;
+    use super::super::stages;
     use super::*;
 
     fn carry_cell(first_lut: &str, cin: Value, cout: u64) -> Value {
         json!({
             "type": "CCU2C",
             "parameters": { "INIT0": first_lut },
-            "port_directions": { "CIN": "input", "COUT": "output" },
-            "connections": { "CIN": [cin], "COUT": [cout] },
+            "port_directions": { "C0": "input", "CIN": "input", "COUT": "output", "S0": "output" },
+            "connections": { "C0": ["1"], "CIN": [cin], "COUT": [cout], "S0": [20] },
         })
+    }
+
+    fn opened(cells: &[(&str, Value)]) -> Value {
+        let cells = cells
+            .iter()
+            .map(|(name, cell)| ((*name).to_owned(), cell.clone()));
+        let netlist = json!({ "modules": { "top": {
+            "ports": { "out": { "direction": "output", "bits": [9] } },
+            "cells": cells.collect::<Cells>(),
+        } } });
+        let mut stages = stages(&netlist.to_string()).unwrap();
+        stages.remove(2).netlist["modules"]["top"]["cells"].take()
+    }
+
+    /// What its first sum is read of, or what its C and D leave open, needs the constant.
+    #[test]
+    fn a_constant_that_is_looked_at_stays() {
+        let first = || carry_cell("0000000000000010", json!("0"), 5);
+        let mut unsure = first();
+        unsure["connections"]["C0"] = json!(["0"]);
+        assert_eq!(
+            opened(&[("first", unsure)])["first"]["connections"]["CIN"],
+            json!(["0"])
+        );
+        let mut read = first();
+        read["connections"]["S0"] = json!([9]);
+        assert_eq!(
+            opened(&[("first", read)])["first"]["connections"]["CIN"],
+            json!(["0"])
+        );
+        assert_eq!(
+            opened(&[("first", first())])["first"]["connections"]["CIN"],
+            json!(["x"])
+        );
     }
 
     #[test]
     fn only_ends_that_say_nothing_are_opened() {
-        let netlist = json!({ "modules": { "top": {
-            "ports": { "out": { "direction": "output", "bits": [9] } },
-            "cells": {
-                "first": carry_cell("0000000000000010", json!("0"), 5),
-                "next": carry_cell("0110000000000110", json!(5), 6),
-                "plain": carry_cell("0110000000000110", json!("0"), 9),
-            },
-        } } });
-        let opened: Value = serde_json::from_str(&finish(&netlist.to_string()).unwrap()).unwrap();
+        let opened = opened(&[
+            ("first", carry_cell("0000000000000010", json!("0"), 5)),
+            ("next", carry_cell("0110000000000110", json!(5), 6)),
+            ("plain", carry_cell("0110000000000110", json!("0"), 9)),
+        ]);
         let ends = |cell: &str| {
-            let ends = &opened["modules"]["top"]["cells"][cell]["connections"];
+            let ends = &opened[cell]["connections"];
             (ends["CIN"][0].clone(), ends["COUT"][0].clone())
         };
         assert_eq!(ends("first"), (json!("x"), json!(5)));

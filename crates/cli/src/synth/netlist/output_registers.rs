@@ -115,7 +115,7 @@ fn fill_word(cells: &mut Cells, block: &str, word: Word, taken_over: &[(String, 
 
 #[cfg(test)]
 mod tests {
-    use super::super::finish;
+    use super::super::stages;
     use super::*;
 
     fn register(d: u64, q: u64, enable: &str) -> Value {
@@ -154,8 +154,7 @@ mod tests {
             cells[*name] = cell.clone();
         }
         let netlist = json!({ "modules": { "top": { "ports": {}, "cells": cells } } });
-        let netlist = finish(&netlist.to_string()).unwrap();
-        let mut netlist: Value = serde_json::from_str(&netlist).unwrap();
+        let mut netlist = stages(&netlist.to_string()).unwrap().remove(2).netlist;
         netlist["modules"]["top"]["cells"].take()
     }
 

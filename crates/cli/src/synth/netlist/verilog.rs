@@ -1,0 +1,118 @@
+//! Cells of a mapped netlist as Verilog.
+
+use std::fmt::Write;
+
+use anyhow::{Context, Result, bail};
+use serde_json::Value;
+
+use super::connections;
+
+/// The cells of which there are models: Yosys's own, and those of `scripts/yosys/ecp5_blocks.v`.
+const MODELLED: [&str; 8] = [
+    "LUT4",
+    "PFUMX",
+    "L6MUX21",
+    "CCU2C",
+    "TRELLIS_FF",
+    "TRELLIS_DPR16X4",
+    "DP16KD",
+    "MULT18X18D",
+];
+
+/// An instance of a cell, on a line of its own; `net` names each net. An end that is not connected is unknown where it
+/// is an input.
+///
+/// # Errors
+/// There is no model of such a cell.
+pub(super) fn instance(name: &str, cell: &Value, net: impl Fn(u64) -> String) -> Result<String> {
+    let kind = cell["type"].as_str().unwrap_or_default();
+    if !MODELLED.contains(&kind) {
+        bail!(
+            "found the cell {name}, a {kind}, expected one of {}",
+            MODELLED.join(", ")
+        );
+    }
+    let mut parameters = Vec::new();
+    for (parameter, value) in cell["parameters"].as_object().into_iter().flatten() {
+        let value = value.as_str();
+        let value = value.with_context(|| format!("{name}: {parameter} is no text"))?;
+        parameters.push(format!(".{parameter}({})", literal(value)));
+    }
+    let mut ports = Vec::new();
+    for (port, is_output, bits) in connections(cell) {
+        if is_output && bits.iter().all(|bit| !bit.is_u64()) {
+            continue;
+        }
+        let bits: Vec<_> = bits.iter().rev().map(|bit| end(bit, &net)).collect();
+        ports.push(match &bits[..] {
+            [bit] => format!(".{port}({bit})"),
+            bits => format!(".{port}({{{}}})", bits.join(", ")),
+        });
+    }
+    let parameters = match parameters.is_empty() {
+        true => String::new(),
+        false => format!("#({}) ", parameters.join(", ")),
+    };
+    Ok(format!(
+        "  {kind} {parameters}\\{name} ({});\n",
+        ports.join(", ")
+    ))
+}
+
+/// A bit: a net, or a constant.
+pub(super) fn end(bit: &Value, net: impl Fn(u64) -> String) -> String {
+    match bit.as_u64() {
+        Some(bit) => net(bit),
+        None => format!("1'b{}", bit.as_str().unwrap_or("x")),
+    }
+}
+
+/// A parameter: binary digits are a number, anything else is a word.
+fn literal(value: &str) -> String {
+    let is_number = |text: &str| text.bytes().all(|digit| b"01xz".contains(&digit));
+    match value {
+        "" => "\"\"".to_owned(),
+        digits if is_number(digits) => format!("{}'b{digits}", digits.len()),
+        // A word of such digits has a blank more behind it, so that it is none.
+        word => {
+            let bare = word
+                .strip_suffix(' ')
+                .filter(|bare| is_number(bare.trim_end()));
+            format!("\"{}\"", bare.unwrap_or(word))
+        }
+    }
+}
+
+/// A list of ports or bits over several lines.
+pub(super) fn list(items: &[String]) -> String {
+    let mut text = String::new();
+    for (index, item) in items.iter().enumerate() {
+        let separator = if index + 1 < items.len() { "," } else { "" };
+        let _ = write!(text, "\n    {item}{separator}");
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use super::*;
+
+    #[test]
+    fn a_cell_is_an_instance_and_an_unknown_kind_is_refused() {
+        let mut cell = json!({
+            "type": "CCU2C",
+            "parameters": { "INIT0": "0000000000000010", "INJECT1_0": "NO", "CEMUX": "1 " },
+            "port_directions": { "A0": "input", "CIN": "input", "COUT": "output", "Q": "output" },
+            "connections": { "A0": [7], "CIN": ["x"], "COUT": ["x"], "Q": [8, "0"] },
+        });
+        let text = instance("top.sum", &cell, |net| format!("n{net}")).unwrap();
+        let expected = "  CCU2C #(.CEMUX(\"1\"), .INIT0(16'b0000000000000010), .INJECT1_0(\"NO\")) \
+                        \\top.sum (.A0(n7), .CIN(1'bx), .Q({1'b0, n8}));\n";
+        assert_eq!(text, expected);
+        cell["type"] = json!("ALU54B");
+        let error = instance("top.sum", &cell, |_| String::new()).unwrap_err();
+        assert!(error.to_string().contains("ALU54B"), "{error}");
+    }
+}

@@ -1,0 +1,158 @@
+//! Whether what a pass has changed in a netlist is the same as before, by Yosys's SAT solver and the models of the cells.
+
+use std::fmt::Write;
+use std::fs;
+use std::path::Path;
+
+use anyhow::{Result, ensure};
+use serde::Serialize;
+
+use super::models::WORDS;
+use super::netlist::{Change, Stage, changes};
+use super::tools::Tools;
+
+/// Clocks of the induction. What a word went through is compared at the output: two registers in a row at most.
+const MOST_STEPS: u32 = 4;
+
+/// Said in Yosys's log of a proof that there is, and of one that there cannot be.
+const PROVEN: &str = "Induction step proven: SUCCESS!";
+const REFUTED: [&str; 2] = [
+    "SAT temporal induction proof finished - model found for base case: FAIL!",
+    "SAT proof finished - model found: FAIL!",
+];
+
+/// Stands in the log before what is said of a question.
+const MARK: &str = "photoncube-question";
+
+/// What a pass did to a netlist.
+#[derive(Clone, Debug, Serialize)]
+pub struct PassProof {
+    /// The pass.
+    pub pass: &'static str,
+    /// Cells that it changed; what it removed is counted with them.
+    pub cells_changed: usize,
+    /// Different changes among these.
+    pub different_changes: usize,
+    /// Each change is the same as before for all inputs, in all clocks from power-up.
+    pub proven: bool,
+    /// A fault in each change was refuted by a counter-example.
+    pub control_refuted: bool,
+    /// The changes of which one of these is not so, and what was said.
+    pub not_proven_because: Option<String>,
+}
+
+/// Proves each pass, with the models of the cells.
+///
+/// # Errors
+/// A pass has done more than to change cells, or Yosys fails.
+pub fn prove(
+    tools: &Tools,
+    folder: &Path,
+    models: &str,
+    stages: &[Stage],
+) -> Result<Vec<PassProof>> {
+    let pairs = stages.windows(2);
+    let proof = |pair: &[Stage]| {
+        let found = changes(&pair[0].netlist, &pair[1].netlist)?;
+        prove_pass(tools, folder, models, pair[1].name, &found)
+    };
+    pairs.map(proof).collect()
+}
+
+fn prove_pass(
+    tools: &Tools,
+    folder: &Path,
+    models: &str,
+    pass: &'static str,
+    found: &[Change],
+) -> Result<PassProof> {
+    let mut proof = PassProof {
+        pass,
+        cells_changed: found.iter().map(|change| change.places).sum(),
+        different_changes: found.len(),
+        proven: true,
+        control_refuted: true,
+        not_proven_because: None,
+    };
+    if found.is_empty() {
+        return Ok(proof);
+    }
+    let mut wrong = Vec::new();
+    for (change, [sound, fault]) in found.iter().zip(asked(tools, folder, models, found)?) {
+        let place = format!(
+            "{} {} and {} others",
+            change.kind,
+            change.place,
+            change.places - 1
+        );
+        if !sound.contains(PROVEN) {
+            proof.proven = false;
+            wrong.push(format!("{place} is not proven: {}", last(&sound)));
+        }
+        if !REFUTED.iter().any(|word| fault.contains(word)) {
+            proof.control_refuted = false;
+            wrong.push(format!(
+                "a fault in {place} is not refuted: {}",
+                last(&fault)
+            ));
+        }
+    }
+    proof.not_proven_because = (!wrong.is_empty()).then(|| wrong.join("\n"));
+    Ok(proof)
+}
+
+/// What Yosys says of each change, and of the fault in it.
+fn asked(tools: &Tools, folder: &Path, models: &str, found: &[Change]) -> Result<Vec<[String; 2]>> {
+    let (mut text, mut all) = (models.to_owned(), String::new());
+    for (index, change) in found.iter().enumerate() {
+        let name = format!("change_{index}");
+        text += &change.modules(&name);
+        for side in SIDES {
+            let _ = writeln!(all, "  {name}_{side} {side}_{index}();");
+        }
+    }
+    let _ = write!(text, "module all();\n{all}endmodule\n");
+    fs::write(folder.join("changes.v"), text)?;
+    let log = folder.join("changes.log");
+    fs::write(&log, "")?;
+    tools.yosys(folder, &script(found.len()))?;
+    let said = fs::read_to_string(&log)?;
+    let mut parts = said.split(MARK).skip(1).map(str::to_owned);
+    let answers: Vec<_> = std::iter::from_fn(|| Some([parts.next()?, parts.next()?])).collect();
+    ensure!(
+        answers.len() == found.len(),
+        "found {} answers in Yosys's log, expected {}",
+        answers.len(),
+        found.len()
+    );
+    Ok(answers)
+}
+
+const SIDES: [&str; 3] = ["before", "after", "wrong"];
+
+/// The words of a block RAM are taken out: they are free, and what each side does to them must be equal. What is
+/// unknown is 0 on both sides.
+fn script(count: usize) -> String {
+    let mut script = format!(
+        "read_verilog changes.v; blackbox {WORDS}; hierarchy -top all; proc; flatten change_*; \
+         select -assert-none change_*/t:not_modelled; \
+         expose -evert change_*/t:{WORDS}; setundef -zero change_*; opt_clean"
+    );
+    for index in 0..count {
+        for side in &SIDES[1..] {
+            let (name, miter) = (format!("change_{index}"), format!("miter_{index}_{side}"));
+            let _ = write!(
+                script,
+                "; miter -equiv -flatten -make_outputs {name}_before {name}_{side} {miter}; \
+                 tee -q -a changes.log log {MARK}; \
+                 tee -q -a changes.log sat -tempinduct -prove trigger 0 -maxsteps {MOST_STEPS} {miter}"
+            );
+        }
+    }
+    script
+}
+
+/// The end of what was said.
+fn last(said: &str) -> &str {
+    said.trim_end().lines().last().unwrap_or("nothing was said")
+}
