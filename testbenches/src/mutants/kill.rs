@@ -9,7 +9,7 @@ use photoncube_spec::Machine;
 use super::{MutantOptions, Mutation};
 use crate::compare::Comparer;
 use crate::device::{Device, DeviceError, Observed, Verilator};
-use crate::stimulus::{Block, Source, generate, scrub_rows};
+use crate::stimulus::{Block, Protocol, Source, generate, scrub_rows};
 use crate::verify::{VerifyError, wrong_count};
 
 /// A mutated design in Verilator, with one mutation active.
@@ -151,10 +151,12 @@ impl<'a> Kills<'a> {
         Ok(dies)
     }
 
-    /// Whether longer stimulus kills it, or that of one lane alone.
+    /// Whether longer stimulus kills it, or resets in each clock of a query, or that of the machine's corners.
     pub fn dies_later(&self, mutation: &Mutation) -> Result<bool, VerifyError> {
         let (seed, iterations) = (self.options.seed + 1, self.options.more_iterations);
-        for source in [Source::Random, Source::LaneAlone] {
+        let first = [Source::Protocol(Protocol::Resets), Source::Random];
+        let corners = Source::corners(self.machine);
+        for source in first.into_iter().chain(corners) {
             let mut compared = self.begin(mutation.mutant)?;
             let mut found = Ok(None);
             self.stimulus(source, seed, iterations, &mut |block| {
