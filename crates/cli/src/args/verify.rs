@@ -67,6 +67,9 @@ pub struct VerifyArgs {
     /// does not find in --iterations is proven to change nothing, or survives, which fails
     #[arg(long, group = "method", value_name = "N", value_parser = clap::value_parser!(u64).range(1..1 << 15))]
     pub mutants: Option<u64>,
+    /// Only that part of the machine, for itself: memory, whose --iterations are clocks
+    #[arg(long, requires = "mutants", value_name = "NAME")]
+    pub part: Option<String>,
     /// Verify all machines with seed after seed, on all cores; what is done stands in the file of --state, so that a
     /// campaign that was stopped or killed goes on, and a difference becomes a regression case
     #[arg(long, group = "method", requires = "hours", conflicts_with_all = ["machine", "against", "iterations", "seed"])]
