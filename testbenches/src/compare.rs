@@ -134,9 +134,14 @@ pub(crate) struct Comparer<'a> {
 
 impl<'a> Comparer<'a> {
     pub fn new(machine: &'a Machine, visible: usize) -> Self {
+        Self::of_pins(machine, Pins::of(machine), visible)
+    }
+
+    /// Of the machine, or of a part of it that has these pins.
+    pub fn of_pins(machine: &'a Machine, pins: Pins, visible: usize) -> Self {
         Self {
             machine,
-            pins: Pins::of(machine),
+            pins,
             steps: machine.microprogram().map_or(Vec::new(), |p| p.steps()),
             visible,
             before: None,

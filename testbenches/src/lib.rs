@@ -37,7 +37,7 @@ pub use exhaustive::{
 };
 pub use formal::{Formal, FormalError, Proof, formal};
 pub use levels::{PartVerdict, verify_part, verify_part_device};
-pub use mutants::{Fate, Judged, MutantOptions, MutantReport, Mutation, mutants};
+pub use mutants::{Fate, Judged, MutantOptions, MutantPart, MutantReport, Mutation, mutants};
 pub use programs::{
     DrawnProgram, MOST_PROGRAM_ITERATIONS, Open, ProgramClass, ProgramFailure, ProgramOptions,
     ProgramVerdict, ProgramsError, draw_program, programmed, verify_programs,

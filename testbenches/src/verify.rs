@@ -255,14 +255,9 @@ fn repeat_command(
             "photoncube verify --faults --machine {} --against {device} --seed {}",
             machine.name, options.seed
         ),
-        Source::FullThenEmpty => format!(
-            "cargo test -p photoncube-testbench --test machines -- full_then_empty::{}",
-            machine.name
-        ),
-        Source::LaneAlone => format!(
-            "cargo test -p photoncube-testbench --test machines -- lane_alone::{}",
-            machine.name
-        ),
+        Source::FullThenEmpty => repeat_corner("full_then_empty", machine, device),
+        Source::LaneAlone => repeat_corner("lane_alone", machine, device),
+        Source::FullBank => repeat_corner("full_bank", machine, device),
         Source::Random => format!(
             "photoncube verify --machine {} --against {device} --seed {} --iterations {}",
             machine.name,
@@ -270,4 +265,11 @@ fn repeat_command(
             block.iterations_before + block.iterations + 1
         ),
     }
+}
+
+fn repeat_corner(corner: &str, machine: &Machine, device: &str) -> String {
+    format!(
+        "cargo test -p photoncube-testbench --test machines -- {corner}::{}::{device}",
+        machine.name
+    )
 }

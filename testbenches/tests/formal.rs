@@ -43,7 +43,15 @@ const QUICK: &[(&str, &[&str])] = &[
     ("fit-ring", &["units::", "cell::", "sums::"]),
     ("fit-range", &["units::"]),
     ("tile-4", &["units::", "sums::"]),
-    ("tile-6-mixed", &["units::"]),
+    (
+        "tile-6-mixed",
+        &[
+            "units::",
+            "memory::",
+            "netlist::memory",
+            "netlist::square_table",
+        ],
+    ),
 ];
 
 fn main() {

@@ -49,6 +49,29 @@ fn chosen(extent: Extent, [full, brief, chain, long_chain]: [u64; 4]) -> Option<
     (iterations > 0).then_some(iterations)
 }
 
+/// Corners by name, each on machines that differ in what they make of it: one of each organisation, one whose most photons
+/// are a power of two, a chain, and a photon memory, whose bank the most photons fill.
+const CORNERS: [(&str, Source, &[&str]); 3] = [
+    (
+        "lane_alone",
+        Source::LaneAlone,
+        &["paper", "overlap", "stream", "tile-6", "tile-6-mixed"],
+    ),
+    (
+        "full_then_empty",
+        Source::FullThenEmpty,
+        &[
+            "paper",
+            "overlap",
+            "stream",
+            "fit-ring",
+            "tile-6",
+            "tile-6-mixed",
+        ],
+    ),
+    ("full_bank", Source::FullBank, &["tile-6-mixed"]),
+];
+
 fn main() {
     let mut trials = Vec::new();
     for machine in MACHINES {
@@ -66,20 +89,7 @@ fn main() {
             }
         }
     }
-    // One of each organisation, and one whose most photons are a power of two.
-    let corners: [(_, _, &[_]); 2] = [
-        (
-            "lane_alone",
-            Source::LaneAlone,
-            &["paper", "overlap", "stream"],
-        ),
-        (
-            "full_then_empty",
-            Source::FullThenEmpty,
-            &["paper", "overlap", "stream", "fit-ring"],
-        ),
-    ];
-    for (corner, source, machines) in corners {
+    for (corner, source, machines) in CORNERS {
         for name in machines {
             let kind = DeviceKind::Verilator;
             let run = move || corner_alone(name, kind, source);
@@ -105,13 +115,18 @@ fn random(machine: &Machine, kind: DeviceKind, iterations: u64) -> Result<(), Fa
     Ok(())
 }
 
-/// The most photons one by one in each lane, or twice in all lanes at once and a group more.
 fn corner_alone(name: &str, kind: DeviceKind, source: Source<'static>) -> Result<(), Failed> {
     let machine = find_machine(name)?;
     let lanes = machine.photons_per_iteration() as u64;
+    let groups = machine.max_photons() / lanes;
     let iterations = match source {
+        // In a bank there are as many photons of a lane as groups.
+        Source::LaneAlone if machine.has_memory() => lanes * groups,
         Source::LaneAlone => lanes * machine.max_photons(),
-        _ => 2 * (machine.max_photons() / lanes + 1),
+        Source::FullThenEmpty if machine.has_memory() => 4 * groups,
+        Source::FullThenEmpty => 2 * (groups + 1),
+        // Batches of a whole bank, or a place less, in each of two passes.
+        _ => 2 * 13 * (groups - 1),
     };
     let options = VerifyOptions {
         iterations,

@@ -4,29 +4,37 @@ mod support;
 
 use libtest_mimic::{Arguments, Failed};
 use photoncube_spec::find_machine;
-use photoncube_testbench::{DeviceKind, Fate, MutantOptions, mutants};
+use photoncube_testbench::{DeviceKind, Fate, MutantOptions, MutantPart, mutants};
 
 /// `photoncube verify --mutants` is for more, and for the other machines.
 const MUTANTS: u64 = 40;
 
 fn main() {
-    let name = "none_survives::paper".to_owned();
-    // Yosys and Verilator are what a netlist and Verilator need.
-    let trial = match DeviceKind::Netlist.missing_tool() {
-        Some(_) => support::trial(name, DeviceKind::Netlist, none_survives),
-        None => support::trial(name, DeviceKind::Verilator, none_survives),
-    };
-    libtest_mimic::run(&Arguments::from_args(), vec![trial]).exit();
+    let subjects = [
+        ("paper", MutantPart::Machine),
+        ("tile-6-mixed", MutantPart::Memory),
+    ];
+    let trials = subjects.map(|(machine, part)| {
+        let name = format!("none_survives::{machine}::{}", part.name());
+        let run = move || none_survives(machine, part);
+        // Yosys and Verilator are what a netlist and Verilator need.
+        match DeviceKind::Netlist.missing_tool() {
+            Some(_) => support::trial(name, DeviceKind::Netlist, run),
+            None => support::trial(name, DeviceKind::Verilator, run),
+        }
+    });
+    libtest_mimic::run(&Arguments::from_args(), trials.into()).exit();
 }
 
-fn none_survives() -> Result<(), Failed> {
+fn none_survives(machine: &str, part: MutantPart) -> Result<(), Failed> {
     let options = MutantOptions {
+        part,
         mutants: MUTANTS,
         seed: 2,
         iterations: 3_000,
         more_iterations: 100_000,
     };
-    let report = mutants(find_machine("paper")?, &options, &|_| ())?;
+    let report = mutants(find_machine(machine)?, &options, &|_| ())?;
     let survived = report.mutants.iter().filter(|m| m.fate == Fate::Survived);
     let survived: Vec<_> = survived.collect();
     assert!(survived.is_empty(), "{survived:#?}");

@@ -229,6 +229,42 @@ const FAULTS: &[Fault] = &[
         edits: &[("        promised <= 16'd0;\n", "")],
         signal: "query_ready",
     },
+    // A photon memory, whose classes are all on the command line; here what is quick.
+    Fault {
+        class: FaultClass::Stalls,
+        machine: "tile-6-mixed",
+        what: "a batch begins before its queries are there",
+        module: "memory",
+        edits: &[("play_full & is_full & has_room", "play_full & has_room")],
+        signal: "memory_may_start_0",
+    },
+    Fault {
+        class: FaultClass::Holds,
+        machine: "tile-6-mixed",
+        what: "a batch begins though the queue has no room for its results",
+        module: "memory",
+        edits: &[("is_full & has_room & in_time", "is_full & in_time")],
+        signal: "memory_may_start_0",
+    },
+    Fault {
+        class: FaultClass::Patterns,
+        machine: "tile-6-mixed",
+        what: "a group that is not valid is written",
+        module: "memory",
+        edits: &[(
+            "takes_group = group_valid & fill_ready",
+            "takes_group = fill_ready",
+        )],
+        signal: "memory_fill_bank_0",
+    },
+    Fault {
+        class: FaultClass::Resets,
+        machine: "tile-6-mixed",
+        what: "a reset forgets a bank that has a whole set",
+        module: "memory",
+        edits: &[("        full_0 <= 1'd0;\n        full_1", "        full_1")],
+        signal: "memory_full_0",
+    },
 ];
 
 fn main() {

@@ -14,7 +14,7 @@ use crate::network::Network;
 use crate::overlap;
 use crate::pinned::Pinned;
 use crate::processor::Processor;
-use crate::spatial::{SpatialMachine, SquarePair};
+use crate::spatial::{PhotonMemory, SpatialMachine, SquarePair};
 use crate::units::{AddUnit, GateUnit, SquareUnit};
 
 /// No block of these widths is compiled in.
@@ -89,7 +89,7 @@ macro_rules! built_in {
                         Level::Add => Box::new(AddUnit::<$s>::default()),
                         Level::Square => Box::new(SquareUnit::<$c, $h, $m, $q>::new(machine.squarer)),
                         Level::Gate => Box::new(GateUnit::<$v, $r, $p>::default()),
-                        Level::SquarePair => return None,
+                        Level::SquarePair | Level::Memory => return None,
                     });
                 }
             )+
@@ -145,6 +145,10 @@ macro_rules! built_in_spatial {
                         Level::SquarePair => Some(Box::new(
                             SquarePair::<$c, $d, $r, $q, $l, $lp, $hp, $pr>::new(
                                 spatial.cuts, machine.squarer))),
+                        Level::Memory if machine.has_memory() => {
+                            let channels = machine.channels().names();
+                            Some(Box::new(PhotonMemory::<$c, $b, $e>::new(spatial, channels)))
+                        }
                         _ => None,
                     };
                 }

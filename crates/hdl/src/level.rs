@@ -19,6 +19,8 @@ pub enum Level {
     Gate,
     /// A spatial machine's squares of two photons' distances on one axis, with their registers.
     SquarePair,
+    /// A spatial machine's photon memory, with its registers; what the head says are pins.
+    Memory,
 }
 
 impl Level {
@@ -34,13 +36,19 @@ impl Level {
                 Self::Gate,
             ],
             Organisation::Overlapped => &[Self::Machine, Self::Cell],
+            Organisation::Spatial(_) if machine.has_memory() => {
+                &[Self::Machine, Self::SquarePair, Self::Memory]
+            }
             Organisation::Spatial(_) => &[Self::Machine, Self::SquarePair],
         }
     }
 
     /// Whether the block has a clock.
     pub fn is_clocked(self) -> bool {
-        matches!(self, Self::Machine | Self::Cell | Self::SquarePair)
+        matches!(
+            self,
+            Self::Machine | Self::Cell | Self::SquarePair | Self::Memory
+        )
     }
 
     /// The level's name; the parts' are their modules' in the emitted Verilog.
@@ -53,6 +61,7 @@ impl Level {
             Self::Square => "square_unit",
             Self::Gate => "gate_unit",
             Self::SquarePair => "square_pair",
+            Self::Memory => "memory",
         }
     }
 }

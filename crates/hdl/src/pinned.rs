@@ -6,7 +6,8 @@ use rust_hdl::core::atom::{Atom, AtomKind};
 use rust_hdl::prelude::*;
 
 use crate::cell::Cell;
-use crate::emit::BlockRam;
+use crate::emit::{BlockRam, ChannelNames};
+use crate::level::Level;
 use crate::network::Network;
 use crate::processor::Processor;
 use crate::units::{AddUnit, GateUnit, SquareUnit};
@@ -42,10 +43,20 @@ pub(crate) fn block_pins(block: &dyn Pinned) -> Pins {
     }
 }
 
-/// The pins of a part, as it declares them, then the registers of a cell if it is one.
-pub(crate) fn pins(block: &dyn Pinned, machine: &Machine, registers: bool) -> Pins {
+/// The pins of a part, as it declares them, then the registers of a cell or a photon memory if it is one.
+pub(crate) fn pins(block: &dyn Pinned, machine: &Machine, level: Level) -> Pins {
     let mut pins = block_pins(block);
-    if registers {
+    if level == Level::Memory {
+        let channels = ChannelNames::of(machine);
+        for pin in pins.inputs.iter_mut().chain(&mut pins.observed) {
+            pin.name = channels.pin(&pin.name);
+        }
+        let registers = Pins::of(machine).observed.into_iter();
+        let of_memory = |pin: &Pin| matches!(pin.place, SignalPlace::Memory { .. });
+        pins.observed.extend(registers.filter(of_memory));
+        return pins;
+    }
+    if level == Level::Cell {
         let widths = Widths::of(machine);
         if machine.organisation == Organisation::Overlapped {
             let registers = overlap::Register::all().map(|register| Pin {

@@ -71,5 +71,5 @@ pub fn level_pins(machine: &Machine, level: Level) -> Result<Pins, NotBuiltIn> {
         return Ok(Pins::of(machine));
     }
     let block = build(machine, level)?;
-    Ok(pins(block.as_ref(), machine, level == Level::Cell))
+    Ok(pins(block.as_ref(), machine, level))
 }

@@ -28,4 +28,4 @@ pub use overlap::OverlapMachine;
 pub use overlap_cell::{CellPorts, OverlapCell};
 pub use planes::{Gathered, Instructions, LEAF, PhotonPlanes, Surroundings};
 pub use range::{Limits, RangeError};
-pub use spatial::SpatialMachine;
+pub use spatial::{GoldenMemory, HeadStatus, SpatialMachine};

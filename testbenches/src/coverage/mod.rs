@@ -135,6 +135,7 @@ pub fn corners(machine: &Machine) -> Vec<Source<'static>> {
     match machine.overlap_program() {
         // There sums of lanes cross links of their own width.
         Some(_) => vec![Source::FullThenEmpty, Source::LaneAlone],
+        None if machine.has_memory() => Source::corners(machine),
         None => vec![Source::FullThenEmpty],
     }
 }

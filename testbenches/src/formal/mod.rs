@@ -5,6 +5,7 @@
 //! if it is proven, if what it must not exclude is reachable, and if each planted fault is refuted, in the same run.
 
 mod exhaustive;
+mod memory;
 mod modules;
 mod netlist;
 mod overlap;
@@ -202,6 +203,7 @@ pub fn formal(
 /// The proof, the covers and the faults of one property.
 fn prove(property: &Property, design: &str, prefix: &str) -> Result<Proof, FormalError> {
     let started = Instant::now();
+    let design = property.design.as_deref().unwrap_or(design);
     let mut questions = vec![property.proof()];
     questions.extend(property.covers.iter().map(|cover| property.search(cover)));
     let commands = property.commands(prefix);
@@ -317,8 +319,9 @@ mod tests {
                 units.remove(property.module);
                 assert!(!property.faults.is_empty() && !property.covers.is_empty());
                 for fault in &property.faults {
-                    let planted = plant(property, fault, &design.text, &design.top).unwrap();
-                    assert_ne!(planted, design.text);
+                    let text = property.design.as_ref().unwrap_or(&design.text);
+                    let planted = plant(property, fault, text, &design.top).unwrap();
+                    assert_ne!(&planted, text);
                 }
             }
             let tasks = tasks(machine, &design);

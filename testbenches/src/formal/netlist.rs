@@ -5,20 +5,24 @@
 //! that have the same instances of the same modules, make equal machines.
 
 use std::collections::BTreeSet;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use photoncube_hdl::Emitted;
 
 use super::modules::Modules;
-use super::yosys::{Answer, Question, ask};
+use super::yosys::{Answer, Question, SECONDS_EACH, ask, run};
 use super::{Proof, wrong};
 use crate::device::{DeviceError, netlist_text};
 
 /// So many mutants are tried before one must have been refuted: some mutants are equal to the module.
 const MUTANTS: usize = 6;
 
-/// Makes `gold` of the emitted text and `gate` of the netlist.
-const READ: &str = "proc -norom\nmemory -nomap\nmemory_map\nopt_clean\n";
+/// Makes `gold` of the emitted text and `gate` of the netlist, up to their memories.
+const READ: &str = "proc -norom\nmemory -nomap\n";
+
+/// Takes out a block RAM, of more words than registers could be: what it reads are free inputs of both, what it is given
+/// must be equal, and with it its words stay so. Other memories become registers, and tables gates.
+const MAP: &str = "expose -evert t:$mem_v2 r:SIZE>256 %i r:WR_PORTS>0 %i\nmemory_map\nopt_clean\n";
 
 /// Both, with the registers that both name as outputs.
 const MITER: &str = "expose -shared -dff gold gate\nopt_clean\nmiter -equiv -flatten -make_outputs gold gate miter\n\
@@ -28,6 +32,8 @@ const MITER: &str = "expose -shared -dff gold gate\nopt_clean\nmiter -equiv -fla
 pub(super) struct Netlist<'a> {
     prefix: &'a str,
     emitted: Modules<'a>,
+    /// The names of arrays that are block RAMs.
+    block_rams: Vec<&'a str>,
     text: String,
 }
 
@@ -40,8 +46,19 @@ impl<'a> Netlist<'a> {
         Ok(Self {
             prefix: &design.top,
             emitted: Modules::of(&design.text),
+            block_rams: design
+                .block_rams
+                .iter()
+                .map(|ram| ram.path.rsplit('.').next().unwrap_or_default())
+                .collect(),
             text: netlist_text(design, false)?,
         })
+    }
+
+    fn has_block_ram(&self, module: &str) -> bool {
+        let text = self.emitted.text(module);
+        let mut names = self.block_rams.iter();
+        names.any(|name| text.contains(&format!(" {name} [")))
     }
 
     /// Proves a module equal to its netlist.
@@ -58,6 +75,9 @@ impl<'a> Netlist<'a> {
             found.push(format!(
                 "instances: {ours:?} in the text, {theirs:?} in the netlist"
             ));
+        }
+        if self.has_block_ram(module) {
+            found.extend(unlike_block_rams(module, &texts)?);
         }
         let answer = prove_equal(module, &texts)?;
         found.extend(wrong("the proof", &answer, &Answer::Holds));
@@ -98,7 +118,7 @@ pub(super) fn name(module: &str, prefix: &str) -> String {
 /// One of the two, alone.
 fn side(name: &str, file: &str, module: &str) -> String {
     format!(
-        "read_verilog {file}\nhierarchy -top {module}\n{READ}rename {module} {name}\nexpose -evert {name}/c:*\n"
+        "read_verilog {file}\nhierarchy -top {module}\n{READ}{MAP}rename {module} {name}\nexpose -evert {name}/c:*\n"
     )
 }
 
@@ -109,6 +129,42 @@ fn miter(module: &str) -> String {
         + &side("gate", "netlist.v", module)
         + "design -copy-to joint gate\ndesign -load joint\n"
         + MITER
+}
+
+/// What the block RAMs of both differ in beside their wires: what a clock edge, a write or a reset does to them.
+fn unlike_block_rams(
+    module: &str,
+    texts: &(String, String),
+) -> Result<Option<String>, DeviceError> {
+    let dump = |file: &str, mark: &str| {
+        format!(
+            "read_verilog {file}\nhierarchy -top {module}\n{READ}log {mark}\ndump t:$mem_v2\ndesign -reset\n"
+        )
+    };
+    const MARKS: [&str; 3] = [
+        "photoncube-emitted",
+        "photoncube-netlist",
+        "photoncube-dumped",
+    ];
+    let script = dump("design.v", MARKS[0]) + &dump("netlist.v", MARKS[1]) + "log " + MARKS[2];
+    let files = [("design.v", texts.0.as_str()), ("netlist.v", &texts.1)];
+    let log = run(&files, &(script + "\n"), Duration::from_secs(SECONDS_EACH))?;
+    let parameters = |marks: &[&str]| -> Option<Vec<&str>> {
+        let begin = log.find(&format!("\n{}\n", marks[0]))? + 1;
+        let end = begin + log[begin..].find(&format!("\n{}\n", marks[1]))?;
+        let lines = log[begin..end].lines().map(str::trim);
+        Some(
+            lines
+                .filter(|line| line.starts_with("parameter "))
+                .collect(),
+        )
+    };
+    Ok(match (parameters(&MARKS[..2]), parameters(&MARKS[1..])) {
+        (Some(ours), Some(theirs)) if !ours.is_empty() && ours == theirs => None,
+        (ours, theirs) => Some(format!(
+            "the block RAMs: {ours:?} in the text, {theirs:?} in the netlist"
+        )),
+    })
 }
 
 /// Equal at power-up, and after a clock if before it.

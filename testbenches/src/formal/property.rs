@@ -50,6 +50,9 @@ pub(super) enum Open {
     Signals(&'static [&'static str]),
     /// These signals too, and the words of a memory, each by its number.
     Memory(&'static [&'static str], &'static str, usize),
+    /// These signals too, and the block RAM of that name is taken out: what it reads is an input, the rest of its ports are
+    /// outputs, named `RAM.PORT`.
+    BlockRam(&'static [&'static str], &'static str),
     /// Its parts are taken out: their outputs are inputs, their inputs outputs, named `part.port`.
     Parts,
 }
@@ -67,6 +70,8 @@ pub(super) struct Property {
     pub harness: &'static str,
     /// Macros of the harness.
     pub macros: Vec<(&'static str, String)>,
+    /// The text that the module is in; that of the machine where there is none.
+    pub design: Option<String>,
     /// How the module is opened.
     pub open: Open,
     /// How it is proven.
@@ -110,6 +115,10 @@ impl Property {
                 let mut names = signals(names);
                 names.extend((0..words).map(|word| format!("dut/w:{memory}?{word}?")));
                 "memory -nomap\nmemory_map\n".to_owned() + &expose(names)
+            }
+            Open::BlockRam(names, ram) => {
+                let ram = format!("memory_collect dut\nexpose -evert dut/c:{ram}\n");
+                ram + &expose(signals(names))
             }
             Open::Parts => "expose -evert dut/c:*\n".to_owned(),
         };
@@ -178,6 +187,7 @@ pub(super) fn of_logic(
         claim,
         harness,
         macros: widths.iter().map(width).collect(),
+        design: None,
         open: Open::Ports,
         method: Method::Sat,
         faults: Vec::new(),

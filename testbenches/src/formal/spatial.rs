@@ -3,14 +3,16 @@
 
 use photoncube_spec::{HeadSizes, Machine, PhotonFormat, Spatial, SpatialWidths};
 
+use super::memory;
 use super::property::{Fault, Method, Open, Property, at, covers, of_logic};
 
 /// Places of a queue of results that a search can fill: of 64 it has no answer in 120 seconds and 18 GB.
 const MOST_PLACES: usize = 32;
 
-/// Whether the words of all memories can be registers of a netlist that a search compares.
+/// Whether the words of the queue of results can be registers of a netlist that a search compares. A photon memory's are
+/// none.
 pub(super) fn has_short_memories(spatial: &Spatial) -> bool {
-    spatial.memory_groups == 0 && HeadSizes::of(spatial).queue <= MOST_PLACES
+    HeadSizes::of(spatial).queue <= MOST_PLACES
 }
 
 /// All, the cheapest first. `has_module` says which modules are in the emitted text.
@@ -46,6 +48,7 @@ pub(super) fn properties(machine: &Machine, has_module: &dyn Fn(&str) -> bool) -
     if spatial.engines() == 1 {
         properties.push(admission(&sizes));
     }
+    properties.extend(memory::properties(machine, spatial, &widths));
     properties
 }
 

@@ -11,7 +11,7 @@ use crate::device::{DeviceError, scratch_folder, write_file};
 use crate::tools::{Tool, ToolError, tail};
 
 /// So long may one question take. The slowest that is answered takes a twentieth of it on a small machine.
-const SECONDS_EACH: u64 = 120;
+pub(super) const SECONDS_EACH: u64 = 120;
 
 /// Stands in the log before what a question says.
 const MARK: &str = "photoncube-question";

@@ -5,6 +5,7 @@
 //! difference here names the part.
 
 mod cell;
+mod memory;
 mod overlap;
 
 use photoncube_hdl::{Level, level_pins};
@@ -19,9 +20,12 @@ use rand_pcg::Pcg64;
 use serde::Serialize;
 
 use crate::compare::{Activity, Actual, Divergence};
-use crate::device::{Device, DeviceKind, Observed, hdl_error};
+use crate::device::{Device, DeviceError, DeviceKind, Observed, hdl_error};
 use crate::stimulus::corner;
 use crate::verify::{VerifyError, nothing_compared, wrong_count};
+
+use memory::MemoryWalk;
+pub(crate) use memory::{scrub_rows as memory_scrub_rows, walk as memory_walk};
 
 /// So many pairs of operands are squared by every device: those of 8-bit coordinates.
 const EXHAUSTIVE_PAIRS: usize = 1 << 16;
@@ -75,7 +79,7 @@ pub fn verify_part_device(
     seed: u64,
 ) -> Result<PartVerdict, VerifyError> {
     let pins = level_pins(machine, part).map_err(hdl_error(machine))?;
-    let trace = Trace::of(machine, part, pins, vectors, seed);
+    let trace = Trace::of(machine, part, pins, vectors, seed)?;
     let mut observed = Observed::default();
     device.replay(&trace.inputs, &mut observed)?;
     let visible = device.visible();
@@ -111,7 +115,13 @@ struct Trace {
 }
 
 impl Trace {
-    fn of(machine: &Machine, part: Level, pins: Pins, vectors: usize, seed: u64) -> Self {
+    fn of(
+        machine: &Machine,
+        part: Level,
+        pins: Pins,
+        vectors: usize,
+        seed: u64,
+    ) -> Result<Self, DeviceError> {
         let mut trace = Self {
             pins,
             inputs: Vec::new(),
@@ -133,8 +143,16 @@ impl Trace {
             Level::Square => trace.square(machine, vectors, rng),
             Level::Gate => trace.gate(machine, vectors, rng),
             Level::SquarePair => trace.square_pair(machine, vectors, rng),
+            Level::Memory => trace.memory(machine, vectors, seed)?,
         }
-        trace
+        Ok(trace)
+    }
+
+    fn memory(&mut self, machine: &Machine, vectors: usize, seed: u64) -> Result<(), DeviceError> {
+        let block = MemoryWalk::new(machine, seed)?.block(vectors as u64);
+        (self.inputs, self.expected) = (block.inputs, block.expected);
+        self.activities = vec![Activity::Flows; block.clocks];
+        Ok(())
     }
 
     /// One row: a value for each pin, by its name.
@@ -310,7 +328,7 @@ impl Trace {
         let pin = &self.pins.observed[index % visible];
         // What a register shows was done in the clock before.
         let cause = match part {
-            Level::Cell => row.checked_sub(1),
+            Level::Cell | Level::Memory => row.checked_sub(1),
             _ => Some(row),
         };
         let operands = cause.map_or(Vec::new(), |row| {

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::process::Command;
 
 use photoncube_hdl::Emitted;
-use photoncube_spec::{Machine, Pin, Pins, SignalPlace};
+use photoncube_spec::{Pin, Pins, SignalPlace};
 use serde::Serialize;
 
 use crate::device::{DeviceError, scratch_folder, write_file};
@@ -20,10 +20,14 @@ const PIN_WIDTH: u32 = 16;
 /// meaning whatever selects; tables stay.
 pub(super) const ELABORATION: &str = "proc -norom; pmuxtree; opt_clean";
 
-/// From the elaborated modules to one in which each net has one name, and no register is lost, whoever reads it. Buffers
-/// before the pins keep a register from being named as the pin that it drives, which a mutation between them would change.
-pub(super) const FLAT: &str = "flatten\niopadmap -bits -outpad $_BUF_ A:Y\nsetattr -set keep 1 t:$_BUF_\n\
-     memory_collect\nmemory_map\nsetattr -set keep 1 t:$dff\nopt_clean -purge\nsetattr -unset keep t:$dff";
+/// From the elaborated modules to one in which each net has one name, and no register is lost, whoever reads it. A
+/// memory of more than 256 words is taken out: what it is given are outputs, which are compared as registers' next
+/// values are, so its words stay equal, and what is read from the same place is any word, the same in both. Smaller ones
+/// become registers. Buffers before the pins keep a register from being named as the pin that it drives, which a mutation
+/// between them would change.
+pub(super) const FLAT: &str = "flatten\nmemory_collect\nexpose -evert t:$mem_v2 r:SIZE>256 %i\n\
+     iopadmap -bits -outpad $_BUF_ A:Y\nsetattr -set keep 1 t:$_BUF_\n\
+     memory_map\nsetattr -set keep 1 t:$dff\nopt_clean -purge\nsetattr -unset keep t:$dff";
 
 /// One thing that is wrong.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -38,17 +42,11 @@ pub struct Mutation {
 }
 
 /// Draws about so many mutations.
-pub(super) fn draw(
-    machine: &Machine,
-    design: &Emitted,
-    wanted: u64,
-    seed: u64,
-) -> Result<Vec<Mutation>, DeviceError> {
+pub(super) fn draw(design: &Emitted, wanted: u64, seed: u64) -> Result<Vec<Mutation>, DeviceError> {
     let list = format!("tee -q -o list.txt mutate -list {wanted} -seed {seed}");
     let folder = scratch_folder()?;
     yosys(folder.path(), design, &list)?;
     let text = read(&folder.path().join("list.txt"))?;
-    let prefix = machine.module_prefix();
     let mut seen = BTreeSet::new();
     let lines = text.lines().filter_map(|line| line.strip_prefix("mutate "));
     let lines = lines.filter(|options| seen.insert(options.to_string()));
@@ -57,7 +55,7 @@ pub(super) fn draw(
         .zip(1..)
         .map(|(options, mutant)| Mutation {
             mutant,
-            module: module_of(options, &prefix),
+            module: module_of(options, &design.top),
             options: options.to_owned(),
         })
         .collect();

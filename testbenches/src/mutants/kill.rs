@@ -3,13 +3,14 @@
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use photoncube_hdl::Emitted;
+use photoncube_hdl::{Emitted, Level};
 use photoncube_spec::Machine;
 
 use super::{MutantOptions, Mutation};
 use crate::compare::Comparer;
 use crate::device::{Device, DeviceError, Observed, Verilator};
-use crate::stimulus::{Block, Source, generate, scrub_rows};
+use crate::levels::{memory_scrub_rows, memory_walk};
+use crate::stimulus::{Block, Protocol, Source, generate, scrub_rows};
 use crate::verify::{VerifyError, wrong_count};
 
 /// A mutated design in Verilator, with one mutation active.
@@ -41,9 +42,43 @@ impl Device for Selected {
     }
 }
 
+/// So many times the first iterations show what registers may hold.
+const MORE_ROUNDS: u64 = 10;
+
+/// What is mutated.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub enum MutantPart {
+    /// The whole machine.
+    Machine,
+    /// Its photon memory for itself, whose stimulus is counted in clocks, not in iterations.
+    Memory,
+}
+
+impl MutantPart {
+    /// All parts of a machine that are mutated for themselves, the whole first.
+    pub fn of(machine: &Machine) -> Vec<Self> {
+        let memory = machine.has_memory().then_some(Self::Memory);
+        [Self::Machine].into_iter().chain(memory).collect()
+    }
+
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        self.level().name()
+    }
+
+    /// The level that it is emitted at.
+    pub(super) fn level(self) -> Level {
+        match self {
+            Self::Machine => Level::Machine,
+            Self::Memory => Level::Memory,
+        }
+    }
+}
+
 /// The stimulus that mutants are to be killed by.
 pub(super) struct Kills<'a> {
     machine: &'a Machine,
+    part: MutantPart,
     mutated: &'a Emitted,
     options: &'a MutantOptions,
     scrub: Vec<u64>,
@@ -57,14 +92,19 @@ impl<'a> Kills<'a> {
     /// The design with no mutation active is not the golden model.
     pub fn new(
         machine: &'a Machine,
+        part: MutantPart,
         mutated: &'a Emitted,
         options: &'a MutantOptions,
     ) -> Result<Self, VerifyError> {
         let mut kills = Self {
             machine,
+            part,
             mutated,
             options,
-            scrub: scrub_rows(machine),
+            scrub: match part {
+                MutantPart::Machine => scrub_rows(machine),
+                MutantPart::Memory => memory_scrub_rows(machine)?,
+            },
             blocks: Vec::new(),
             vectors: AtomicU64::new(0),
         };
@@ -89,6 +129,28 @@ impl<'a> Kills<'a> {
         &self.blocks
     }
 
+    /// Rows of what the golden model shows, for more iterations and for what is hard on the protocol, besides the first
+    /// ones.
+    pub fn more_rows(&self, row: &mut dyn FnMut(&[u64])) -> Result<(), VerifyError> {
+        let columns = self.mutated.pins.observed.len();
+        let mut sink = |block: Block| {
+            block.expected.chunks_exact(columns).for_each(&mut *row);
+            ControlFlow::Continue(())
+        };
+        let protocols = [Protocol::Stalls, Protocol::Patterns, Protocol::Resets];
+        let bank = self.machine.has_memory().then_some(Source::FullBank);
+        let sources = protocols.map(Source::Protocol).into_iter().chain(bank);
+        let sources = match self.part {
+            MutantPart::Machine => [Source::Random].into_iter().chain(sources).collect(),
+            MutantPart::Memory => vec![Source::Random],
+        };
+        let iterations = MORE_ROUNDS * self.options.iterations;
+        for source in sources {
+            self.stimulus(source, self.options.seed + 2, iterations, &mut sink)?;
+        }
+        Ok(())
+    }
+
     /// Blocks of stimulus, without the rows with which a chunk begins.
     fn stimulus(
         &self,
@@ -107,13 +169,13 @@ impl<'a> Kills<'a> {
             }
             sink(block)
         };
-        Ok(generate(
-            self.machine,
-            source,
-            seed,
-            iterations,
-            &mut shortened,
-        )?)
+        match self.part {
+            MutantPart::Machine => {
+                generate(self.machine, source, seed, iterations, &mut shortened)?
+            }
+            MutantPart::Memory => memory_walk(self.machine, seed, iterations, &mut shortened)?,
+        }
+        Ok(())
     }
 
     /// A mutant behind the rows with which a chunk begins. What its registers hold before is not compared: Yosys's
@@ -122,8 +184,11 @@ impl<'a> Kills<'a> {
         let mut device = self.device(mutant)?;
         let mut observed = Observed::default();
         device.replay(&self.scrub, &mut observed)?;
+        let mut pins = self.mutated.pins.clone();
+        // The last is that which selects the mutation.
+        pins.inputs.pop();
         Ok(Compared {
-            comparer: Comparer::new(self.machine, device.visible()),
+            comparer: Comparer::of_pins(self.machine, pins, device.visible()),
             device,
             observed,
         })
@@ -151,10 +216,19 @@ impl<'a> Kills<'a> {
         Ok(dies)
     }
 
-    /// Whether longer stimulus kills it, or that of one lane alone.
+    /// Whether longer stimulus kills it, or resets in each clock of a query, or that of the machine's corners.
     pub fn dies_later(&self, mutation: &Mutation) -> Result<bool, VerifyError> {
         let (seed, iterations) = (self.options.seed + 1, self.options.more_iterations);
-        for source in [Source::Random, Source::LaneAlone] {
+        let corners = match self.part {
+            MutantPart::Machine => Source::corners(self.machine),
+            MutantPart::Memory => Vec::new(),
+        };
+        let resets = match self.part {
+            MutantPart::Machine => Some(Source::Protocol(Protocol::Resets)),
+            MutantPart::Memory => None,
+        };
+        let sources = resets.into_iter().chain([Source::Random]).chain(corners);
+        for source in sources {
             let mut compared = self.begin(mutation.mutant)?;
             let mut found = Ok(None);
             self.stimulus(source, seed, iterations, &mut |block| {

@@ -12,7 +12,7 @@ mod prove;
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use photoncube_hdl::{Level, emit};
+use photoncube_hdl::emit;
 use photoncube_spec::Machine;
 use rayon::prelude::*;
 use serde::Serialize;
@@ -24,11 +24,14 @@ use crate::verify::VerifyError;
 pub use design::Mutation;
 use invariants::Invariants;
 use kill::Kills;
+pub use kill::MutantPart;
 use prove::Prover;
 
 /// How many mutants there are, and how they are drawn.
 #[derive(Copy, Clone, Debug)]
 pub struct MutantOptions {
+    /// What is mutated.
+    pub part: MutantPart,
     /// About so many mutations.
     pub mutants: u64,
     /// The seed of Yosys's choice and of the stimulus.
@@ -68,6 +71,8 @@ pub struct Judged {
 pub struct MutantReport {
     /// The machine.
     pub machine: &'static str,
+    /// What of it was mutated.
+    pub part: &'static str,
     /// The tools behind it, with their versions.
     pub tool_version: String,
     /// The seed.
@@ -112,10 +117,11 @@ pub fn mutants(
     if let Some(missing) = missing {
         return Err(crate::DeviceError::from(missing).into());
     }
-    let design = emit(machine, Level::Machine).map_err(hdl_error(machine))?;
-    let mutations = design::draw(machine, &design, options.mutants, options.seed)?;
+    let level = options.part.level();
+    let design = emit(machine, level).map_err(hdl_error(machine))?;
+    let mutations = design::draw(&design, options.mutants, options.seed)?;
     let mutated = design::with_all(&design, &mutations)?;
-    let kills = Kills::new(machine, &mutated, options)?;
+    let kills = Kills::new(machine, options.part, &mutated, options)?;
     let judged = AtomicU64::new(0);
     let count = || progress(judged.fetch_add(1, Ordering::Relaxed) + 1);
     let dies = |mutation| {
@@ -129,7 +135,7 @@ pub fn mutants(
         .par_iter()
         .map(dies)
         .collect::<Result<_, VerifyError>>()?;
-    let invariants = Invariants::new(machine, &design, kills.blocks())?;
+    let invariants = Invariants::new(machine, &design, &kills)?;
     let prover = Prover {
         design: &design,
         invariants: &invariants,
@@ -154,6 +160,7 @@ pub fn mutants(
     let judged = judged.collect::<Result<_, VerifyError>>()?;
     Ok(MutantReport {
         machine: machine.name,
+        part: options.part.name(),
         tool_version: format!(
             "{}; {}",
             Tool::Yosys.version().map_err(crate::DeviceError::from)?,

@@ -50,6 +50,11 @@ impl Netlist {
         }
         let design: Result<Design, _> = serde_json::from_str(json);
         let found = design.ok().and_then(|mut d| d.modules.remove(module));
+        let found = found.map(|mut netlist| {
+            // A table that is taken out has ports for writing, of no bits.
+            netlist.ports.retain(|_, port| port.width() > 0);
+            netlist
+        });
         found.ok_or_else(|| DeviceError::BrokeOff {
             device: "yosys".to_owned(),
             message: format!("its netlist has no module `{module}`"),
@@ -105,6 +110,7 @@ mod tests {
     fn a_port_depends_on_what_drives_it_through_cells() {
         let text = r#"{"modules": {"gold": {
             "ports": {"a": {"direction": "input", "bits": [2]}, "b": {"direction": "input", "bits": [3]},
+                "none": {"direction": "output", "bits": []},
                 "y": {"direction": "output", "bits": [4]}, "z": {"direction": "output", "bits": ["0"]}},
             "cells": {"n": {"port_directions": {"A": "input", "Y": "output"},
                 "connections": {"A": [2], "Y": [5]}},
@@ -113,6 +119,7 @@ mod tests {
         let netlist = Netlist::parse(text, "gold").unwrap();
         assert_eq!(netlist.fan_in("y"), BTreeSet::from(["a"]));
         assert!(netlist.fan_in("z").is_empty());
+        assert!(!netlist.ports.contains_key("none"));
         assert!(Netlist::parse(text, "gate").is_err());
     }
 }

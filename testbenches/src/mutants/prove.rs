@@ -5,7 +5,7 @@ use photoncube_hdl::Emitted;
 
 use super::Mutation;
 use super::design::{FLAT, yosys};
-use super::invariants::{Invariants, WRAPPED};
+use super::invariants::{Invariants, around_two};
 use crate::device::{DeviceError, scratch_folder, write_file};
 use crate::tools::ToolError;
 
@@ -30,7 +30,7 @@ impl Prover<'_> {
             return Ok(Some(proof.to_owned()));
         }
         let options = "-set-assumes";
-        let known = format!("{WRAPPED}\n{}", solve(options, "wrapper"));
+        let known = format!("{}\n{}", around_two(), solve(options, "wrapper"));
         if self.is_proven(mutation, &known)? {
             let proof = "the same next values of all registers, from any values within the \
                          invariants and the declared count, by sat";

@@ -5,7 +5,7 @@ use photoncube_spec::{Group, Lane, Machine, Photon, PhotonFormat, Query, Widths}
 use super::aim::Aim;
 
 /// The queries that a machine tests at once, with all their groups, at least one, the last marked
-/// as such.
+/// as such; but a group at the last place of a photon memory's bank ends a set with or without a mark.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Case {
     /// [`Machine::queries_at_once`] queries.
@@ -76,14 +76,13 @@ impl Case {
         Self::full_scale(machine, machine.max_photons())
     }
 
-    /// The fullest, and then a group without photons: nothing is added to the largest sum that there is.
-    pub fn fullest_then_empty(machine: &Machine) -> Self {
-        let mut case = Self::fullest(machine);
-        if let Some(group) = case.groups.last_mut() {
+    /// With a group without photons behind: nothing is added to the sum that there is.
+    pub fn then_empty(mut self, machine: &Machine) -> Self {
+        if let Some(group) = self.groups.last_mut() {
             group.last = false;
         }
-        case.groups.extend(Self::empty(machine).groups);
-        case
+        self.groups.extend(Self::empty(machine).groups);
+        self
     }
 
     /// So many photons of full power, all in range and all in one lane, so in as many groups.

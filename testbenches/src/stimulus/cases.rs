@@ -51,6 +51,15 @@ impl<'a, R: Rng> Cases<'a, R> {
 
     /// A case of one to three groups mostly, of up to 40 sometimes.
     pub fn case(&mut self) -> Case {
+        self.drawn(None)
+    }
+
+    /// A case of so many groups.
+    pub fn of_groups(&mut self, groups: usize) -> Case {
+        self.drawn(Some(groups))
+    }
+
+    fn drawn(&mut self, groups: Option<usize>) -> Case {
         let theme = self.theme();
         let position = [(); 3].map(|()| match theme {
             Theme::Farthest if self.rng.random() => largest(self.widths.coordinate),
@@ -67,14 +76,7 @@ impl<'a, R: Rng> Cases<'a, R> {
         };
         let others = (1..self.at_once).map(|_| self.companion(first));
         let queries = [first].into_iter().chain(others).collect();
-        let count = match self.rng.random_range(0..16) {
-            // Long enough that batches follow each other in a chain of engines without waiting.
-            0..=3 if self.at_once > 1 => self.rng.random_range(1..=4 * self.at_once),
-            0 => self.rng.random_range(1..=40),
-            1..=3 => 3,
-            4..=7 => 2,
-            _ => 1,
-        };
+        let count = groups.unwrap_or_else(|| self.count());
         let groups = (0..count).map(|index| Group {
             lanes: self.lanes(theme, position, pivot),
             last: index + 1 == count,
@@ -83,6 +85,17 @@ impl<'a, R: Rng> Cases<'a, R> {
             queries,
             groups: groups.collect(),
             keeps_photons: false,
+        }
+    }
+
+    fn count(&mut self) -> usize {
+        match self.rng.random_range(0..16) {
+            // Long enough that batches follow each other in a chain of engines without waiting.
+            0..=3 if self.at_once > 1 => self.rng.random_range(1..=4 * self.at_once),
+            0 => self.rng.random_range(1..=40),
+            1..=3 => 3,
+            4..=7 => 2,
+            _ => 1,
         }
     }
 

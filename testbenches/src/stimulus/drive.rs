@@ -64,6 +64,8 @@ struct Batch<'a> {
     next_group: (usize, usize),
     /// That group stands on the pins and stays until it is taken.
     offered: bool,
+    /// A query of the case that is taken next has said that its photons go after it.
+    released: bool,
     /// Clocks since a query or a group was taken.
     still: u32,
     /// Clocks since the batch began.
@@ -81,6 +83,7 @@ impl<'a> Batch<'a> {
             next_query: (0, 0),
             next_group: (0, 0),
             offered: false,
+            released: false,
             still: 0,
             clocks: 0,
             occupied: 0,
@@ -104,15 +107,19 @@ impl<'a> Batch<'a> {
         self.next_group = (next, 0);
         self.in_flight.clear();
         self.offered = false;
+        self.released = false;
     }
 
-    /// `clocks`: those that the program takes up to the one that takes the query.
-    fn take_query(&mut self, clocks: u64) {
+    /// `clocks`: those that the program takes up to the one that takes the query; `releases`: it says that its photons
+    /// go.
+    fn take_query(&mut self, clocks: u64, releases: bool) {
         let (case, index) = self.next_query;
         self.in_flight.push_back(self.next_query);
+        self.released |= releases;
         self.next_query = if index + 1 < self.cases[case].queries.len() {
             (case, index + 1)
         } else {
+            self.released = false;
             (case + 1, 0)
         };
         self.occupied = clocks;
@@ -334,9 +341,9 @@ impl<'a> Driver<'a> {
         inputs.query_valid =
             traffic.query.draw(&mut self.rng, batch.clocks) && (next.is_some() || feint);
         let wanted = inputs.query_valid && outputs.query_ready;
-        // Every query of a batch says so, though one would do.
-        inputs.query_release = match batch.cases.get(batch.next_query.0) {
-            Some(case) if wanted => !case.keeps_photons,
+        let (case, index) = batch.next_query;
+        inputs.query_release = match batch.cases.get(case) {
+            Some(case) if wanted => self.releases(case, index, batch),
             _ => traffic.garbage && self.rng.random(),
         };
         inputs.query = match next {
@@ -344,6 +351,14 @@ impl<'a> Driver<'a> {
             _ if traffic.garbage => Cases::new(self.machine, &mut self.rng).garbage_query(),
             _ => self.idle_inputs().query,
         };
+    }
+
+    /// Whether a query says that its batch is the last on its photons. Any one of a batch is enough: all say so, or
+    /// with garbage some, and the last if none has.
+    fn releases(&mut self, case: &Case, index: usize, batch: &Batch<'_>) -> bool {
+        let is_last = index + 1 == case.queries.len();
+        let must = !batch.traffic.garbage || (is_last && !batch.released);
+        !case.keeps_photons && (must || self.rng.random())
     }
 
     fn offer_group(&mut self, inputs: &mut Inputs, batch: &mut Batch<'_>) {
@@ -369,7 +384,8 @@ impl<'a> Driver<'a> {
         batch.still += 1;
         if outputs.query_ready && inputs.query_valid {
             let program = self.program.as_ref();
-            batch.take_query(program.map_or(1, Microprogram::clocks_up_to_the_query));
+            let clocks = program.map_or(1, Microprogram::clocks_up_to_the_query);
+            batch.take_query(clocks, inputs.query_release);
         }
         if outputs.group_ready && inputs.group_valid {
             batch.take_group();

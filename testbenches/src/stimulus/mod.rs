@@ -9,8 +9,10 @@
 //! fails in chunk 70 of a long run fails again in a run of that chunk alone.
 
 mod aim;
+mod bank;
 mod case;
 mod cases;
+mod corners;
 mod drive;
 mod protocol;
 #[cfg(test)]
@@ -48,11 +50,28 @@ pub enum Source<'a> {
     /// What is hard on the protocol; it says itself how long it is.
     Protocol(Protocol),
     /// Two queries with as many photons of full power as the machine declares, all in range, and after them a group
-    /// without any: what a sum is added to is as large as it can be.
+    /// without any: what a sum is added to is as large as it can be. Where these groups would be more than a bank of the
+    /// photon memory holds, a group less before the empty one, and queries with the most photons beside them.
     FullThenEmpty,
     /// For each lane queries with as many photons of full power as the machine declares, and with some fewer, all in
-    /// range, and all in that lane: what is summed of one lane is as large as a whole sum.
+    /// range, and all in that lane: what is summed of one lane is as large as a whole sum. A photon memory's bank has
+    /// as many photons in a lane as it holds groups.
     LaneAlone,
+    /// Of a machine with a photon memory: banks filled to their last place, with a last group there, without one, and
+    /// one place less; each played, released and kept; then a reset at each clock around the end of filling and of
+    /// playing such a bank.
+    FullBank,
+}
+
+impl Source<'_> {
+    /// The corners of a machine that random stimulus comes to too rarely: all that it can have.
+    pub fn corners(machine: &Machine) -> Vec<Self> {
+        let bank = machine.has_memory().then_some(Self::FullBank);
+        let corners = bank.into_iter();
+        corners
+            .chain([Self::FullThenEmpty, Self::LaneAlone])
+            .collect()
+    }
 }
 
 /// Some clocks in a row: what went into the machine, and all that it must show.
@@ -80,7 +99,7 @@ pub struct Block {
     pub pressure: Pressure,
 }
 
-/// Why there is no stimulus. All but `Gather` mean that the golden model or the spec is wrong.
+/// Why there is no stimulus. All but `Gather` and `NoBank` mean that the golden model or the spec is wrong.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum StimulusError {
     /// A query or a photon does not fit the machine, or there are too many.
@@ -107,6 +126,14 @@ pub enum StimulusError {
         machine_clocks: u64,
         /// Clocks that the program says it takes.
         program_clocks: u64,
+    },
+    /// A bank is to be filled, and there is none.
+    #[error(
+        "machine `{machine}` has no photon memory, so no bank to fill; `photoncube list` says which machines have one"
+    )]
+    NoBank {
+        /// The machine.
+        machine: &'static str,
     },
     /// A reset and a query of zeros leave something behind.
     #[error("machine `{machine}` has a register that a reset and a query of zeros do not set")]
@@ -153,8 +180,12 @@ pub fn generate(
         Source::Random => random(machine, seed, iterations, sink),
         Source::Workload { queries, .. } => workload(machine, queries, seed, iterations, sink),
         Source::Protocol(protocol) => protocol::protocol(machine, protocol, seed, sink),
-        Source::FullThenEmpty => batches(machine, [full_then_empty(machine)], seed, sink),
-        Source::LaneAlone => batches(machine, lane_alone(machine), seed, sink),
+        Source::FullThenEmpty => {
+            let cases = corners::full_then_empty(machine);
+            batches(machine, [cases], seed, sink)
+        }
+        Source::LaneAlone => batches(machine, corners::lane_alone(machine), seed, sink),
+        Source::FullBank => bank::full_bank(machine, seed, sink),
     };
     // Whether the sink has all or wants no more, this is the end.
     flow.map(drop)
@@ -313,21 +344,6 @@ fn batches(
         }
     }
     Ok(driver.flush())
-}
-
-/// Twice, so that what changes does so more often than what settles as a device starts.
-fn full_then_empty(machine: &Machine) -> Vec<Case> {
-    vec![Case::fullest_then_empty(machine); 2]
-}
-
-fn lane_alone(machine: &Machine) -> impl Iterator<Item = Vec<Case>> {
-    let most = machine.max_photons();
-    // The largest count, and the one whose bits are all ones: between them all bits of a count are used.
-    let counts = [most, (1 << most.ilog2()) - 1];
-    let lanes = 0..machine.photons_per_iteration();
-    let in_lane =
-        move |lane| counts.map(|photons| vec![Case::full_scale_in(machine, lane, photons)]);
-    lanes.flat_map(in_lane)
 }
 
 /// Refuses what the pins cannot hold, before it is put on them.

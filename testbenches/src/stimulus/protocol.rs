@@ -160,19 +160,29 @@ fn resets(driver: &mut Driver<'_>, machine: &Machine) -> Result<ControlFlow<()>,
     for paces in [flowing, waiting] {
         for _ in 0..RESET_QUERIES {
             let query = of_groups(machine, driver, RESET_GROUPS);
-            if reset_in_each_clock(driver, machine, &query, paces)?.is_break() {
-                return Ok(ControlFlow::Break(()));
+            for behind in 1..=sets_behind(machine) {
+                if reset_in_each_clock(driver, machine, &query, paces, behind)?.is_break() {
+                    return Ok(ControlFlow::Break(()));
+                }
             }
         }
     }
     Ok(ControlFlow::Continue(()))
 }
 
+/// Up to so many sets are given behind a reset. A photon memory begins with the same bank after each, so with one set
+/// behind it the next reset finds the other bank in use, with two the same.
+pub(super) fn sets_behind(machine: &Machine) -> usize {
+    1 + usize::from(machine.has_memory())
+}
+
+/// With so many sets behind each reset.
 fn reset_in_each_clock(
     driver: &mut Driver<'_>,
     machine: &Machine,
     query: &[Case],
     paces: Paces,
+    behind: usize,
 ) -> Result<ControlFlow<()>, StimulusError> {
     for clock in 0.. {
         let before = driver.clocks();
@@ -188,7 +198,7 @@ fn reset_in_each_clock(
         if ended_before && driver.reset().is_break() {
             return Ok(ControlFlow::Break(()));
         }
-        let whole = Cases::new(machine, driver.rng()).cases(1, false);
+        let whole = Cases::new(machine, driver.rng()).cases(behind, false);
         if driver.run(&whole, traffic(paces))?.is_break() {
             return Ok(ControlFlow::Break(()));
         }

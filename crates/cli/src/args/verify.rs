@@ -69,6 +69,9 @@ pub struct VerifyArgs {
     /// does not find in --iterations is proven to change nothing, or survives, which fails
     #[arg(long, group = "method", value_name = "N", value_parser = count(1..=(1_u64 << 15) - 1))]
     pub mutants: Option<u64>,
+    /// Only that part of the machine, for itself: memory, whose --iterations are clocks
+    #[arg(long, value_name = "NAME")]
+    pub part: Option<String>,
     /// Verify all machines with seed after seed, on all cores; what is done stands in the file of --state, so that a
     /// campaign that was stopped or killed goes on, and a difference becomes a regression case
     #[arg(long, group = "method", requires = "hours")]

@@ -6,7 +6,7 @@
 use photoncube_spec::Machine;
 
 /// Pairs of rust-hdl's name of an element and the name that it has in the text.
-pub(super) struct ChannelNames(Vec<(String, String)>);
+pub(crate) struct ChannelNames(Vec<(String, String)>);
 
 impl ChannelNames {
     /// Those of a block that has no channels.
@@ -14,7 +14,7 @@ impl ChannelNames {
         Self(Vec::new())
     }
 
-    pub(super) fn of(machine: &Machine) -> Self {
+    pub(crate) fn of(machine: &Machine) -> Self {
         let channels = machine.channels().names();
         let lanes = machine.photons_per_iteration();
         let words = (0..channels.len() * lanes).map(|index| {
@@ -28,6 +28,14 @@ impl ChannelNames {
         let single = ["radius_sq", "query_release"];
         let singles = single.map(|name| (format!("{name}$0"), name.to_owned()));
         Self(words.chain(results).chain(singles).collect())
+    }
+
+    /// The name in the text of a pin, whose number stands behind `_`.
+    pub(crate) fn pin(&self, pin: &str) -> String {
+        match pin.rsplit_once('_') {
+            Some((array, index)) => self.name(&format!("{array}${index}")).replace('$', "_"),
+            None => pin.to_owned(),
+        }
     }
 
     /// The identifier with such an element at its end named; any other as it is.

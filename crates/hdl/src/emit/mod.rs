@@ -22,7 +22,7 @@ use crate::pinned::Pinned;
 use crate::simulator::level_pins;
 use crate::unit::{Unit, build_unit, label, unit_pins};
 
-use channels::ChannelNames;
+pub(crate) use channels::ChannelNames;
 use digest::sha256;
 use header::{header, override_header, unit_header};
 
@@ -150,7 +150,8 @@ pub fn emit(machine: &Machine, level: Level) -> Result<Emitted, EmitError> {
         part => format!("{}_{}", machine.module_prefix(), part.name()),
     };
     let channels = ChannelNames::of(machine);
-    let merged = printed(machine.name, block.as_ref(), &prefix, &channels)?;
+    let part = level.name();
+    let merged = printed([machine.name, part], block.as_ref(), &prefix, &channels)?;
     let pins = level_pins(machine, level)?;
     Ok(Emitted {
         ecp5_text: ecp5::second_texts(&merged)
@@ -179,7 +180,8 @@ pub fn emit_unit(unit: Unit, bits: u32) -> Result<Emitted, EmitError> {
     let block = build_unit(unit, bits)?;
     let name = label(unit, bits);
     let top = format!("photoncube_{name}");
-    let merged = printed(&name, block.as_ref(), &top, &ChannelNames::none())?;
+    let names = [name.as_str(), unit.name()];
+    let merged = printed(names, block.as_ref(), &top, &ChannelNames::none())?;
     Ok(Emitted {
         text: unit_header(&format!("The unit {unit}, {bits}-bit operands.")) + &merged,
         top,
@@ -191,14 +193,15 @@ pub fn emit_unit(unit: Unit, bits: u32) -> Result<Emitted, EmitError> {
     })
 }
 
-/// A block's text, after the checks and the lint: its modules merged, and named after the top.
+/// A block's text, after the checks and the lint: its modules merged, and named after the top. The names are those of
+/// the machine or unit in messages, and of the block among [`HAND_WRITTEN`].
 fn printed(
-    name: &str,
+    [name, part]: [&str; 2],
     block: &dyn Pinned,
     top: &str,
     channels: &ChannelNames,
 ) -> Result<String, EmitError> {
-    check(name, block)?;
+    check(name, part, block)?;
     let mut printed = ModuleDefines::default();
     block.accept(TOP, &mut printed);
     merge::merge(modules::split(&printed.defines()), TOP, top, channels)
@@ -207,7 +210,7 @@ fn printed(
 /// The name under which rust-hdl prints the outermost block.
 const TOP: &str = "top";
 
-fn check(name: &str, block: &dyn Pinned) -> Result<(), EmitError> {
+fn check(name: &str, part: &str, block: &dyn Pinned) -> Result<(), EmitError> {
     check_all(block).map_err(|error| EmitError::Check {
         machine: name.to_owned(),
         reason: format!("{error:?}"),
@@ -216,6 +219,7 @@ fn check(name: &str, block: &dyn Pinned) -> Result<(), EmitError> {
         // An array's element is named by its number.
         let is_name = |part: &&str| part.parse::<u32>().is_err();
         let instance = opaque.path.rsplit('$').find(is_name).unwrap_or_default();
+        let instance = if instance == TOP { part } else { instance };
         opaque.kind != OpaqueKind::Register && !HAND_WRITTEN.contains(&instance)
     });
     let block_rams = block.block_rams();

@@ -30,4 +30,5 @@ mod wiring;
 
 pub(crate) use lookup::square_word;
 pub(crate) use machine::SpatialMachine;
+pub(crate) use memory::PhotonMemory;
 pub(crate) use square::SquarePair;

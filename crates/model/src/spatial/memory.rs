@@ -5,8 +5,8 @@ use std::mem;
 use photoncube_spec::{Group, Inputs, Lane, Machine, MemoryRegister, Spatial};
 
 /// What the head says in a clock, before its edge.
-#[derive(Copy, Clone, Debug)]
-pub(super) struct HeadStatus {
+#[derive(Copy, Clone, Debug, Default)]
+pub struct HeadStatus {
     /// All queries of the next batch are taken.
     pub full: bool,
     /// The queue has room for the results of a batch.
@@ -336,5 +336,37 @@ impl PhotonMemory {
             MemoryRegister::ReadExponent => self.read.observe_exponents(row),
             MemoryRegister::WordExponent => self.word.observe_exponents(row),
         }
+    }
+}
+
+/// The photon memory for itself: the pins that lead to the head are the word's registers, those that come from it a
+/// [`HeadStatus`].
+#[derive(Clone, Debug)]
+pub struct GoldenMemory(PhotonMemory);
+
+impl GoldenMemory {
+    /// The memory as after power-up, all registers and words 0; none where the machine has none.
+    pub fn of(machine: &Machine) -> Option<Self> {
+        PhotonMemory::of(machine, machine.spatial()?).map(Self)
+    }
+
+    /// Whether a group is taken from the stream in this clock, if there is one.
+    pub fn group_ready(&self) -> bool {
+        self.0.group_ready()
+    }
+
+    /// The word that the head is given, and whether it is one.
+    pub fn word(&self) -> (bool, &Group) {
+        (self.0.word.valid, &self.0.word.group)
+    }
+
+    /// One rising clock edge. Of the inputs it looks at the group, the reset and `query_release`.
+    pub fn clock(&mut self, inputs: &Inputs, head: HeadStatus) {
+        self.0.clock(inputs, head);
+    }
+
+    /// Appends the registers in the order of [`photoncube_spec::Pins`].
+    pub fn observe(&self, row: &mut Vec<u64>) {
+        self.0.observe(row);
     }
 }

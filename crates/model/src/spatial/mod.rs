@@ -23,6 +23,8 @@ use engine::Engine;
 use head::Head;
 use memory::PhotonMemory;
 
+pub use memory::{GoldenMemory, HeadStatus};
+
 /// A spatial machine with its state; starts as after power-up, all registers 0.
 #[derive(Clone, Debug)]
 pub struct SpatialMachine {

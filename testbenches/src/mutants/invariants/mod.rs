@@ -4,6 +4,8 @@
 //! hold at power-up, and where they hold they hold one clock later. A guess that is refuted by a counterexample is
 //! given up, until the rest is proven.
 
+mod followers;
+mod relations;
 mod wrapper;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -12,17 +14,21 @@ use std::process::Command;
 use photoncube_hdl::Emitted;
 use photoncube_spec::{Machine, Register, Role, SignalPlace, Widths, overlap};
 
+use followers::Followers;
+use relations::Relation;
+
 use super::design::{FLAT, read, yosys};
+use super::kill::Kills;
 use super::netlist::Netlist;
 use crate::device::{DeviceError, scratch_folder, write_file};
-use crate::stimulus::Block;
 use crate::tools::{Tool, run};
+use crate::verify::VerifyError;
 
 /// Rounds of counterexamples after which a guess is given up.
 const MOST_ROUNDS: usize = 100;
 
 /// Counterexamples of a round: to read the design takes Yosys seconds, and to find another a part of one.
-const MOST_AT_ONCE: usize = 64;
+const MOST_AT_ONCE: usize = 256;
 
 /// Bits of a control block's register of which each value is looked at.
 const SMALL: u32 = 4;
@@ -35,8 +41,13 @@ const PLACE: [&str; 3] = ["control_address", "control_done", "control_word_x"];
 const MOST_NEAR: usize = 12;
 
 /// From the modules to the flat wrapper, which stands in `wrapper.sv`.
-pub(super) const WRAPPED: &str = "read_verilog -formal -sv wrapper.sv\nhierarchy -top wrapper\nproc\n\
-                                  flatten\nopt -full";
+const AROUND: &str =
+    "read_verilog -formal -sv wrapper.sv\nhierarchy -top wrapper\nproc\nflatten\nopt_clean";
+
+/// The same around a comparison of two designs: what is alike in both becomes one.
+pub(super) fn around_two() -> String {
+    AROUND.replace("opt_clean", "opt -full")
+}
 
 /// The values of a register at a place.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
@@ -50,7 +61,7 @@ struct Values {
 }
 
 /// Small registers, and what they never hold together.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Never(Vec<(usize, u64)>);
 
 impl Never {
@@ -70,7 +81,7 @@ struct Refuted {
     bits: Vec<usize>,
     /// The registers whose largest value there was.
     largest: Vec<usize>,
-    /// What was guessed never to be, by its number.
+    /// What was guessed never to be, by its number; behind them the relations.
     never: Vec<usize>,
 }
 
@@ -88,6 +99,8 @@ pub(super) struct Invariants {
     netlist: Netlist,
     /// The paths of the registers, and whether Yosys has a port for each.
     registers: Vec<String>,
+    /// Their names as pins.
+    names: Vec<String>,
     /// The registers of [`PLACE`] that there are; none of machines without a program.
     place: Vec<usize>,
     /// For each place, these registers' values in a row, what the registers hold.
@@ -98,14 +111,22 @@ pub(super) struct Invariants {
     counts: Vec<usize>,
     /// What small registers of the control block never hold together, or of machines without a program all flags.
     never: Vec<Never>,
+    /// What holds between registers of a photon memory.
+    relations: Vec<Relation>,
+    /// Of machines without a program: flags that follow others.
+    followers: Followers,
 }
 
 impl Invariants {
     /// Guesses and proves them.
     ///
     /// # Errors
-    /// Yosys does not run.
-    pub fn new(machine: &Machine, design: &Emitted, blocks: &[Block]) -> Result<Self, DeviceError> {
+    /// Yosys does not run, or the golden model is at odds with itself.
+    pub fn new(
+        machine: &Machine,
+        design: &Emitted,
+        kills: &Kills<'_>,
+    ) -> Result<Self, VerifyError> {
         let folder = scratch_folder()?;
         let script = format!(
             "{FLAT}\nrename {} gold\nexpose -evert-dff -dff gold\nopt_clean\n\
@@ -123,6 +144,7 @@ impl Invariants {
                 .filter_map(|name| registers.clone().position(|pin| pin.name == *name))
                 .collect(),
             registers: design.register_paths.clone(),
+            names: registers.clone().map(|pin| pin.name.clone()).collect(),
             known: BTreeMap::new(),
             max_photons: machine.max_photons(),
             counts: registers
@@ -130,14 +152,22 @@ impl Invariants {
                 .filter_map(|(index, pin)| is_count(machine, pin.place).then_some(index))
                 .collect(),
             never: Vec::new(),
+            relations: machine
+                .spatial()
+                .filter(|_| machine.has_memory())
+                .map_or(Vec::new(), |spatial| {
+                    Relation::of_memory(spatial.memory_groups.ilog2())
+                }),
+            followers: Followers::default(),
         };
-        invariants.guess(design, blocks);
+        invariants.guess(design, kills)?;
         invariants.forget_largest(Widths::of(machine).work);
         invariants.settle()?;
         Ok(invariants)
     }
 
-    fn guess(&mut self, design: &Emitted, blocks: &[Block]) {
+    fn guess(&mut self, design: &Emitted, kills: &Kills<'_>) -> Result<(), VerifyError> {
+        let blocks = kills.blocks();
         let (columns, outputs) = (design.pins.observed.len(), design.pins.outputs);
         let pin = |index: usize| &design.pins.observed[outputs + index];
         let of_control = |index: usize| {
@@ -165,14 +195,24 @@ impl Invariants {
         for row in rows() {
             self.weaken(row);
         }
+        kills.more_rows(&mut |row| self.weaken(&row[outputs..]))?;
         if self.place.is_empty() {
+            let before = |&(flag, _): &(usize, u32)| {
+                let before = self.flags_before(flag, &flags).into_iter();
+                let before = before.map(|(flag, _)| flag);
+                // What a reset, which travels too, clears follows all the same.
+                let is_reset = |flag: &usize| self.names[*flag].contains("reset");
+                (flag, before.filter(|flag| !is_reset(flag)).collect())
+            };
+            self.followers = Followers::of(flags.iter().map(before));
             let mut near = self.near_constants(&flags);
-            for row in rows() {
-                near.retain(|never| !never.is_refuted_by(row));
-            }
+            let mut weaken = |row: &[u64]| near.retain(|never: &Never| !never.is_refuted_by(row));
+            rows().for_each(&mut weaken);
+            kills.more_rows(&mut |row| weaken(&row[outputs..]))?;
             self.never.extend(near);
         }
         self.join_after_reset(&of_control);
+        Ok(())
     }
 
     /// Triples of the flags that those which stand still depend on, at one or two clocks' distance: what keeps them still.
@@ -279,7 +319,7 @@ impl Invariants {
     }
 
     /// What a counterexample refutes is given up, not cut down bit by bit, and so is the same guess of a register's bits
-    /// at other places. A largest value is given up where it was refuted: at another it may hold.
+    /// at other places, and that of the flags that follow a pair of flags. A largest value is given up where it was refuted: at another it may hold.
     fn give_up(&mut self, found: &[Refuted]) {
         let mut refuted_never: BTreeSet<usize> = BTreeSet::new();
         for refuted in found {
@@ -302,10 +342,16 @@ impl Invariants {
                 }
             }
         }
-        let mut index = 0..;
-        self.never.retain(|_| {
+        let never = self.never.len();
+        let (pairs, relations): (Vec<_>, Vec<_>) =
+            refuted_never.iter().partition(|&&index| index < never);
+        let pairs = pairs.into_iter().map(|&index| self.never[index].clone());
+        let given_up = self.followers.behind(pairs);
+        self.never.retain(|never| !given_up.contains(never));
+        let mut index = never..;
+        self.relations.retain(|_| {
             let index = index.next().expect("a number follows each");
-            !refuted_never.contains(&index)
+            !relations.contains(&&index)
         });
     }
 
@@ -315,7 +361,7 @@ impl Invariants {
         write_file(&folder.path().join("gold.il"), &self.gold)?;
         write_file(&folder.path().join("wrapper.sv"), &self.refutation())?;
         let script = format!(
-            "read_ilang gold.il\n{WRAPPED}\ntee -o found.txt sat -set-assumes -set broken 1 \
+            "read_ilang gold.il\n{AROUND}\ntee -o found.txt sat -set-assumes -set broken 1 \
              -max {MOST_AT_ONCE} -show refuted -show place wrapper\n"
         );
         write_file(&folder.path().join("script.ys"), &script)?;

@@ -1,9 +1,18 @@
 //! The module around the design whose inputs are its registers, in which what is known of these is assumed.
 
-use super::{Invariants, Never, UNKNOWN, Values};
+use super::{Invariants, Never, Relation, UNKNOWN, Values};
 
 /// The pin of a result's count.
 const COUNT: &str = "result_count";
+
+/// That all of some conditions hold: Yosys reads a list in a moment, and a chain of ten thousand `&&` in minutes, each time.
+fn all_of(conditions: &[String]) -> String {
+    match conditions.is_empty() {
+        // Nothing is known where every bit was seen to change.
+        true => "1'd1".to_owned(),
+        false => format!("(&{{\n    {}\n  }})", conditions.join(",\n    ")),
+    }
+}
 
 impl Invariants {
     /// The number of a port in the wrapper.
@@ -40,16 +49,15 @@ impl Invariants {
             }
         }
         format!(
-            "module wrapper(\n{}\n);\n  {module} inside(\n{}\n  );\n  always @* assume({}{});\n",
+            "module wrapper(\n{}\n);\n  {module} inside(\n{}\n  );\n  wire known = {};\n  always @* assume(known);\n",
             declared.join(",\n"),
             connected.join(",\n"),
-            self.holds(),
-            self.declared_count()
+            all_of(&[self.holds(), self.declared_count()].concat()),
         )
     }
 
     /// That the pin of a result's count, and the registers that count, have no bit above those of the most photons.
-    fn declared_count(&self) -> String {
+    fn declared_count(&self) -> Vec<String> {
         let above = self.max_photons.ilog2() + 1;
         let pin = self.netlist.ports.get(COUNT);
         let pin = pin.map(|port| (format!("p{}", self.port_number(COUNT)), port.width() as u32));
@@ -58,17 +66,17 @@ impl Invariants {
         pin.into_iter()
             .chain(counts)
             .filter(|(_, bits)| above < *bits)
-            .map(|(port, bits)| format!(" && {port}[{}:{above}] == 0", bits - 1))
+            .map(|(port, bits)| format!("{port}[{}:{above}] == 0", bits - 1))
             .collect()
     }
 
     /// What is known, of the registers as they are.
-    fn holds(&self) -> String {
+    fn holds(&self) -> Vec<String> {
         let at = |(place, known): (&u64, &Vec<Values>)| {
             let mut terms: Vec<_> = self.is_at(*place, "q").into_iter().collect();
             let registers = known.iter().enumerate();
             terms.extend(registers.filter_map(|(i, values)| self.has(i, *values, "q")));
-            format!("({})", terms.join(" && "))
+            all_of(&terms)
         };
         let cases: Vec<_> = self.known.iter().map(at).collect();
         let mut all = vec![format!("({})", cases.join(" || "))];
@@ -76,10 +84,12 @@ impl Invariants {
             let never = self.is(never, "q")?;
             Some(format!("!({never})"))
         }));
-        all.join(" && ")
+        let relations = self.relations.iter();
+        all.extend(relations.filter_map(|relation| Some(format!("({})", self.of(relation, "q")?))));
+        all
     }
 
-    /// A wrapper with `refuted`, a bit for each register and each [`Never`] that does not hold after a clock, and
+    /// A wrapper with `refuted`, a bit for each register, each [`Never`] and each [`Relation`] that does not hold after a clock, and
     /// `broken`, that something does not.
     pub(super) fn refutation(&self) -> String {
         let all = 0..self.registers.len();
@@ -90,7 +100,12 @@ impl Invariants {
             all.map(|index| self.breaks(index, |values| self.is_within(index, values, "d")));
         let never = self.never.iter().map(|never| self.is(never, "d"));
         let never = never.map(|never| never.unwrap_or_else(|| "1'd0".to_owned()));
-        let mut bits: Vec<_> = bits.chain(largest).chain(never).collect();
+        let relations = self.relations.iter().map(|relation| {
+            let holds = self.of(relation, "d");
+            holds.map_or("1'd0".to_owned(), |holds| format!("!({holds})"))
+        });
+        let bits = bits.chain(largest).chain(never).chain(relations);
+        let mut bits: Vec<_> = bits.collect();
         let width = bits.len();
         bits.reverse();
         let places: Vec<_> = self
@@ -181,6 +196,14 @@ impl Invariants {
         };
         let literals: Option<Vec<_>> = never.0.iter().map(literal).collect();
         Some(literals?.join(" && "))
+    }
+
+    /// A relation between registers.
+    fn of(&self, relation: &Relation, when: &str) -> Option<String> {
+        relation.with(|name| {
+            let index = self.names.iter().position(|register| register == name)?;
+            Some(self.register(index, when)?.0)
+        })
     }
 
     /// The wrapper's name of a register, with its width.

@@ -21,7 +21,7 @@ const METHODS: [Way; 12] = [
     ("fuzz", "reader from seed record"),
     ("coverage", "machine iterations seed record"),
     ("programs", "machine against seed record"),
-    ("mutants", "machine iterations seed record"),
+    ("mutants", "machine part iterations seed record"),
     ("campaign", "hours state regressions record"),
     ("exhaustive", "against record"),
     ("faults", "machine against seed record"),

@@ -7,19 +7,19 @@ use crate::args::Args;
 
 /// What each method's code reads of its arguments, written here a second time.
 const VERIFY: &str = "
-            machine against iterations seed record reader from hours state regressions property
-equivalence x       x       x          x    x      .      .    .     .     .           .
-lint        .       .       .          .    x      .      .    .     .     .           .
-fuzz        .       .       .          x    x      x      x    .     .     .           .
-coverage    x       .       x          x    x      .      .    .     .     .           .
-programs    x       x       .          x    x      .      .    .     .     .           .
-mutants     x       .       x          x    x      .      .    .     .     .           .
-campaign    .       .       .          .    x      .      .    x     x     x           .
-exhaustive  .       x       .          .    x      .      .    .     .     .           .
-faults      x       x       .          x    x      .      .    .     .     .           .
-formal      x       .       .          .    x      .      .    .     .     .           x
-placed      x       x       x          x    x      .      .    .     .     .           .
-table       .       .       .          .    .      .      .    .     .     .           .
+            machine against iterations seed record reader from hours state regressions property part
+equivalence x       x       x          x    x      .      .    .     .     .           .        .
+lint        .       .       .          .    x      .      .    .     .     .           .        .
+fuzz        .       .       .          x    x      x      x    .     .     .           .        .
+coverage    x       .       x          x    x      .      .    .     .     .           .        .
+programs    x       x       .          x    x      .      .    .     .     .           .        .
+mutants     x       .       x          x    x      .      .    .     .     .           .        x
+campaign    .       .       .          .    x      .      .    x     x     x           .        .
+exhaustive  .       x       .          .    x      .      .    .     .     .           .        .
+faults      x       x       .          x    x      .      .    .     .     .           .        .
+formal      x       .       .          .    x      .      .    .     .     .           x        .
+placed      x       x       x          x    x      .      .    .     .     .           .        .
+table       .       .       .          .    .      .      .    .     .     .           .        .
 ";
 
 const RENDER: &str = "
@@ -52,6 +52,7 @@ fn value(option: &str) -> &'static str {
         "against" => "text",
         "reader" => "listing",
         "property" => "units",
+        "part" => "memory",
         "format" => "local8-rgb8e5",
         "hours" | "from" => "0",
         "record" | "state" | "regressions" => "file",

@@ -1,7 +1,10 @@
 //! Mutants of a machine's emitted Verilog: killed, equivalent, survived.
 
 use anyhow::{Result, bail};
-use photoncube_testbench::{Fate, Judged, MutantOptions, MutantReport, VerifyError, mutants};
+use photoncube_spec::Machine;
+use photoncube_testbench::{
+    Fate, Judged, MutantOptions, MutantPart, MutantReport, VerifyError, mutants,
+};
 
 use crate::args::VerifyArgs;
 use crate::failure::CheckFailed;
@@ -15,6 +18,7 @@ const ITERATIONS: u64 = 3_000;
 pub fn execute(args: &VerifyArgs, wanted: u64, json: bool) -> Result<()> {
     let machine = args.machine.find()?;
     let options = MutantOptions {
+        part: part(machine, args.part.as_deref())?,
         mutants: wanted,
         seed: args.seed,
         iterations: ITERATIONS,
@@ -42,9 +46,42 @@ pub fn execute(args: &VerifyArgs, wanted: u64, json: bool) -> Result<()> {
     }
 }
 
+/// The part of that name, or the whole.
+fn part(machine: &Machine, name: Option<&str>) -> Result<MutantPart> {
+    let parts = MutantPart::of(machine);
+    let named = |part: &&MutantPart| name.is_none_or(|name| part.name() == name);
+    match parts.iter().find(named) {
+        Some(part) => Ok(*part),
+        None => bail!(
+            "--part: machine `{}` has no part `{}` that is mutated for itself; it has: {}",
+            machine.name,
+            name.unwrap_or_default(),
+            parts
+                .iter()
+                .map(|part| part.name())
+                .collect::<Vec<_>>()
+                .join(", ")
+        ),
+    }
+}
+
 fn line(report: &MutantReport, wanted: u64, iterations: u64) -> Result<Line> {
+    let whole = MutantPart::Machine.name();
+    let part = if report.part == whole {
+        ""
+    } else {
+        report.part
+    };
+    let option = if part.is_empty() {
+        String::new()
+    } else {
+        format!(" --part {part}")
+    };
     Ok(Line {
-        method: "mutants".to_owned(),
+        method: match part {
+            "" => "mutants".to_owned(),
+            part => format!("mutants of its {part}"),
+        },
         by: report.tool_version.clone(),
         volume: report.mutants.len() as u64,
         unit: "mutants".to_owned(),
@@ -55,7 +92,7 @@ fn line(report: &MutantReport, wanted: u64, iterations: u64) -> Result<Line> {
             report.count(Fate::Survived)
         ),
         command: format!(
-            "photoncube verify --mutants {wanted} --machine {} --iterations {iterations} --seed {}",
+            "photoncube verify --mutants {wanted} --machine {}{option} --iterations {iterations} --seed {}",
             report.machine, report.seed
         ),
         ..Line::of_machine(report.machine)?

@@ -3,6 +3,7 @@
 //! Its depth and the layout of its words follow from the machine, which rust-hdl's widths cannot
 //! choose; so its Verilog is written by hand, with the block RAM and its registers inside.
 
+mod pinned;
 mod text;
 
 pub(super) use text::GROUPS;

@@ -1,0 +1,87 @@
+//! What always holds between the registers of a photon memory, whatever the head says: by hand from the spec's words,
+//! and proven by induction with the invariants that are guessed.
+
+/// Verilog over the names of the registers. `FULL` and `END` are those of the bank that is played.
+const OF_MEMORY: &[&str] = &[
+    // Only a bank that is not full is filled, so a full bank's end stays.
+    "~memory_fill_ready_0 | ~(memory_fill_bank_0 ? memory_full_1 : memory_full_0)",
+    // What is known of the bank that is played, a clock late, is right but for the clock after a batch's end.
+    "(memory_read_valid_0 & memory_read_last_0) | ~memory_play_full_0 \
+     | (FULL & memory_play_end_0 == END & BEFORE)",
+    // A batch begins at the first place.
+    "memory_playing_0 | memory_play_place_0 == 0",
+    // While a batch is read, its set is whole, and the last place is known before it is read.
+    "~(memory_playing_0 | memory_may_start_0) \
+     | (FULL & BEFORE & memory_at_end_0 == (memory_play_place_0 == END) & memory_play_place_0 <= END)",
+];
+
+const SHORTHANDS: [(&str, &str); 3] = [
+    // The sum has the width of its operands in a concatenation.
+    ("BEFORE", "{memory_before_end_0 + ONE} == {END}"),
+    (
+        "FULL",
+        "(memory_play_bank_0 ? memory_full_1 : memory_full_0)",
+    ),
+    (
+        "END",
+        "(memory_play_bank_0 ? memory_end_place_1 : memory_end_place_0)",
+    ),
+];
+
+/// A relation between registers, as Verilog with their names.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Relation(String);
+
+impl Relation {
+    /// Those of a machine with a photon memory whose places have so many bits.
+    pub fn of_memory(place_bits: u32) -> Vec<Self> {
+        let written = |text: &&str| {
+            let long = SHORTHANDS
+                .iter()
+                .fold((*text).to_owned(), |text, (short, long)| {
+                    text.replace(short, long)
+                });
+            Self(long.replace("ONE", &format!("{place_bits}'d1")))
+        };
+        OF_MEMORY.iter().map(written).collect()
+    }
+
+    /// The relation with what stands for each register; nothing where there is nothing for one.
+    pub fn with(&self, register: impl Fn(&str) -> Option<String>) -> Option<String> {
+        let mut text = String::new();
+        let mut rest = self.0.as_str();
+        while let Some(begin) = rest.find("memory_") {
+            let (before, name) = rest.split_at(begin);
+            let is_name = |c: char| c.is_ascii_alphanumeric() || c == '_';
+            let end = name.find(|c| !is_name(c)).unwrap_or(name.len());
+            text += before;
+            text += &register(&name[..end])?;
+            rest = &name[end..];
+        }
+        Some(text + rest)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use photoncube_spec::{Pins, find_machine};
+
+    use super::*;
+
+    #[test]
+    fn every_name_is_a_register_and_nothing_else_is_left_to_replace() {
+        let pins = Pins::of(find_machine("tile-6-mixed").unwrap());
+        let relations = Relation::of_memory(10);
+        assert_eq!(relations.len(), OF_MEMORY.len());
+        for relation in &relations {
+            let known = |name: &str| {
+                let mut pins = pins.observed.iter();
+                pins.any(|pin| pin.name == name).then(|| "p".to_owned())
+            };
+            let text = relation.with(known).expect("its registers are observed");
+            let plain = |c: char| !c.is_ascii_uppercase() && c != '_';
+            assert!(text.chars().all(plain), "{text}");
+        }
+        assert_eq!(relations[0].with(|_| None), None);
+    }
+}

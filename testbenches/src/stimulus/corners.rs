@@ -1,0 +1,50 @@
+//! Corners of sums, as batches of cases: as many photons of full power as there can be.
+
+use photoncube_spec::Machine;
+
+use super::case::Case;
+
+/// Photons of a query, by lanes: all together, and most in one lane.
+struct Most {
+    together: u64,
+    in_lane: u64,
+    /// The groups that a query may have; any number without a photon memory.
+    groups: Option<u64>,
+}
+
+impl Most {
+    fn of(machine: &Machine) -> Self {
+        let together = machine.max_photons();
+        let spatial = machine.spatial().filter(|_| machine.has_memory());
+        let groups = spatial.map(|spatial| u64::from(spatial.memory_groups));
+        Self {
+            together,
+            in_lane: groups.map_or(together, |groups| together.min(groups)),
+            groups,
+        }
+    }
+}
+
+/// Twice, so that what changes does so more often than what settles as a device starts.
+pub(super) fn full_then_empty(machine: &Machine) -> Vec<Case> {
+    let lanes = machine.photons_per_iteration() as u64;
+    let most = Most::of(machine);
+    let fullest = Case::fullest(machine);
+    let groups = fullest.groups.len() as u64;
+    if most.groups.is_none_or(|held| groups < held) {
+        return vec![fullest.then_empty(machine); 2];
+    }
+    // A bank has no place for one group more.
+    let less = Case::full_scale(machine, most.together - lanes).then_empty(machine);
+    [vec![less; 2], vec![fullest; 2]].concat()
+}
+
+pub(super) fn lane_alone(machine: &Machine) -> impl Iterator<Item = Vec<Case>> {
+    let most = Most::of(machine).in_lane;
+    // The largest count, and the one whose bits are all ones: between them all bits of a count are used.
+    let counts = [most, (1 << most.ilog2()) - 1];
+    let lanes = 0..machine.photons_per_iteration();
+    let in_lane =
+        move |lane| counts.map(|photons| vec![Case::full_scale_in(machine, lane, photons)]);
+    lanes.flat_map(in_lane)
+}
