@@ -65,8 +65,8 @@ pub struct VerifyArgs {
     /// machine; one that differs is made as short as it can be
     #[arg(long, group = "method", value_name = "N", value_parser = count(1..=(1_u64 << 20) - 1))]
     pub programs: Option<u64>,
-    /// Plant about N mutations in the emitted Verilog, one at a time, and see whether the stimulus finds each; what it
-    /// does not find in --iterations is proven to change nothing, or survives, which fails
+    /// Plant about N mutations in the emitted Verilog, one at a time, and see whether the stimulus finds each.
+    /// Each mutant that is not found in --iterations must be proven equivalent; otherwise the run fails
     #[arg(long, group = "method", value_name = "N", value_parser = count(1..=(1_u64 << 15) - 1))]
     pub mutants: Option<u64>,
     /// Only that part of the machine, for itself: memory, whose --iterations are clocks

@@ -1,8 +1,8 @@
 //! What Yosys leaves undone in a mapped netlist, and nextpnr does not do.
 //!
-//! Each pass changes some cells of a mapped netlist and must not change what it computes. That is no belief:
-//! [`changes`] finds whatever a pass has changed, of which Yosys proves that it is the same by the models of the
-//! cells, and the netlist is simulated after each pass (`photoncube verify --placed`).
+//! Each pass changes some cells of a mapped netlist and must not change what it computes. `photoncube verify --placed`
+//! checks that twice: [`changes()`] lists the cells that a pass changed, and Yosys proves that the changed logic is
+//! equivalent by the models of the cells; and the netlist is simulated after each pass.
 
 mod changes;
 mod digest;
