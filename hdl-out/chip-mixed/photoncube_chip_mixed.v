@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// chip-mixed: 64 engines and the photon memory for one FPGA, squarers from block RAMs, DSP blocks
-// and LUTs.
+// chip-mixed: 64 engines of three kinds of squarers, and the photon memory, for one FPGA.
 // Written by photoncube 0.1.0, `photoncube generate --machine chip-mixed`; do not edit.
 //
 // cells          1024

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// local-half: 16 cells, the default photon format with queries on half steps: the widest that is
-// built.
+// local-half: 16 cells, the default photon format, queries on half steps: the widest built.
 // Written by photoncube 0.1.0, `photoncube generate --machine local-half`; do not edit.
 //
 // cells         16

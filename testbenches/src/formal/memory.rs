@@ -59,7 +59,7 @@ pub(super) fn properties(
     let text = emit(&small, Level::Memory).map(|design| design.text);
     let small = text.ok().map(|text| Property {
         name: "memory::few_groups",
-        claim: "the same of the same text with banks of 8 groups, of which the last place is reached",
+        claim: "what `memory::sets` claims, of the text with banks of 8 groups, whose last place a search reaches",
         design: Some(text),
         ..property(machine, widths, FEW)
     });

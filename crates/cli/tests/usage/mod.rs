@@ -126,8 +126,10 @@ fn a_message_says_each_cause_once() {
     let small = ["--photons", "500", "--size", "4x4", "--engine", "f64"];
     let render = ["render", "cornell", "-o", picture.to_str().unwrap()];
     let message = error(&[&render[..], &small].concat(), 2);
-    assert_eq!(message.matches("irectory").count(), 1, "{message}");
-    assert!(!message.contains("at path"), "{message}");
+    assert!(
+        message.ends_with("x.exr: found a folder, expected the name of a file\n"),
+        "{message}"
+    );
 }
 
 /// Names of files are bytes, of which not all are UTF-8.

@@ -44,7 +44,7 @@ const MOST_NEAR: usize = 12;
 const AROUND: &str =
     "read_verilog -formal -sv wrapper.sv\nhierarchy -top wrapper\nproc\nflatten\nopt_clean";
 
-/// The same around a comparison of two designs: what is alike in both becomes one.
+/// [`AROUND`] for a comparison of two designs: logic that is alike in both becomes one.
 pub(super) fn around_two() -> String {
     AROUND.replace("opt_clean", "opt -full")
 }
