@@ -32,7 +32,7 @@ fn none_survives(machine: &str, part: MutantPart) -> Result<(), Failed> {
         mutants: MUTANTS,
         seed: 2,
         iterations: 3_000,
-        more_iterations: 100_000,
+        more_iterations: 200_000,
     };
     let report = mutants(find_machine(machine)?, &options, &|_| ())?;
     let survived = report.mutants.iter().filter(|m| m.fate == Fate::Survived);

@@ -1,7 +1,7 @@
 //! Why some points cannot be used, whatever the stimulus.
 
 use photoncube_hdl::Emitted;
-use photoncube_spec::{Machine, PhotonFormat, Role, Squarer, Widths};
+use photoncube_spec::{Machine, PhotonFormat, Role, SpatialWidths, Squarer, Widths};
 
 use super::constants::{Constants, constants};
 use super::points::{CoverageKind, Point};
@@ -86,7 +86,21 @@ const RULES: &[Rule] = &[
             let name = path.rsplit('.').next().unwrap_or(path);
             machine.squarer == Squarer::Product && is_square.contains(&name) && bit == 1
         },
-        why: "a square is 0 or 1 modulo 4",
+        why: SQUARES,
+    },
+    Rule {
+        kind: CoverageKind::Toggle,
+        holds: |machine, _, path, bit| bit == 1 && words::is_square(machine, path),
+        why: SQUARES,
+    },
+    Rule {
+        kind: CoverageKind::Toggle,
+        holds: |machine, _, path, bit| {
+            let widths = spatial_widths(machine);
+            let bits = widths.map(|widths| 2 * widths.coordinate);
+            path.ends_with(".squared") && bits.is_some_and(|bits| bit >= bits)
+        },
+        why: "a difference of coordinates of n bits is never -2^n, whose square alone has 2 n + 1 bits",
     },
     Rule {
         kind: CoverageKind::Toggle,
@@ -122,6 +136,14 @@ const RULES: &[Rule] = &[
         why: "of a half square the high digit alone is squared, and it has fewer bits than a digit",
     },
 ];
+
+/// Of every square of a whole number.
+const SQUARES: &str = "a square is 0 or 1 modulo 4";
+
+fn spatial_widths(machine: &Machine) -> Option<SpatialWidths> {
+    machine.spatial()?;
+    machine.format().map(SpatialWidths::of)
+}
 
 /// Bits of a digit of a square.
 const DIGIT_BITS: u32 = 4;

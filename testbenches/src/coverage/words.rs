@@ -67,6 +67,31 @@ const OVERLAPPED: &Holders = &[
     ("sum_out", &[Word::Sum]),
 ];
 
+/// Those of a spatial machine that hold one square.
+const SQUARES: &[&str] = &[
+    "product_product",
+    "product_product_d",
+    "product_product_q",
+    "squared",
+    "square",
+    "square_a",
+    "square_b",
+    "square_stage_d",
+    "square_stage_q",
+    "lookup",
+    "lookup_a",
+    "lookup_b",
+    "axis_square",
+    "pair_z_d",
+    "pair_z_q",
+    "pair_sum_a",
+    "pair_sum_b",
+    "pair_sum_wide_a",
+    "pair_sum_wide_b",
+    "distance_sum_b",
+    "distance_sum_wide_b",
+];
+
 /// The pins that have the sums of a role's cells.
 const PINS: [(&str, Role); 2] = [("result_power", Role::X), ("result_count", Role::D)];
 
@@ -90,6 +115,14 @@ pub(super) fn are_even(machine: &Machine, path: &str) -> bool {
         && words(SEQUENTIAL, path).is_some()
 }
 
+/// Whether a signal of a spatial machine holds the square of one coordinate's difference, in whole steps.
+pub(super) fn is_square(machine: &Machine, path: &str) -> bool {
+    let name = without_numbers(path);
+    machine.spatial().is_some()
+        && !machine.format().is_some_and(PhotonFormat::half_steps)
+        && SQUARES.iter().any(|holder| ends_with_name(&name, holder))
+}
+
 /// The roles of the nodes that a signal is named after.
 pub(super) fn roles(machine: &Machine, path: &str) -> impl Iterator<Item = Role> {
     let hypercube = machine.hypercube();
@@ -106,13 +139,23 @@ fn holders(machine: &Machine) -> Option<&'static Holders> {
 }
 
 fn words(holders: &Holders, path: &str) -> Option<&'static [Word]> {
+    let name = without_numbers(path);
+    let holder = holders.iter().find(|(holder, _)| name.ends_with(holder));
+    holder.map(|(_, words)| *words)
+}
+
+fn without_numbers(path: &str) -> String {
     let names = path.split(['.', '_']);
     let names: Vec<_> = names
         .filter(|name| name.parse::<usize>().is_err())
         .collect();
-    let name = names.join("_");
-    let holder = holders.iter().find(|(holder, _)| name.ends_with(holder));
-    holder.map(|(_, words)| *words)
+    names.join("_")
+}
+
+/// Whether a path ends with whole names.
+fn ends_with_name(path: &str, name: &str) -> bool {
+    let before = path.strip_suffix(name);
+    before.is_some_and(|before| before.is_empty() || before.ends_with('_'))
 }
 
 fn word_bits(machine: &Machine, role: Role, word: Word) -> u32 {
@@ -211,6 +254,29 @@ mod tests {
             assert_eq!(bits("link_w"), Some(link));
             assert_eq!(bits("chosen_sum.sum"), Some(sum));
         }
+    }
+
+    #[test]
+    fn squares_are_known_by_their_names() {
+        let machine = find_machine("tile-6-mixed").unwrap();
+        for path in [
+            "engine_1.lane_2.pair_sum.wide_a",
+            "engine_1.lane_2.distance_sum_b",
+            "engine_0.square_pair_3.lookup_0.square_table.lookup_b",
+            "engine_2.lane_0_axis_square_1",
+        ] {
+            assert!(is_square(machine, path), "{path}");
+        }
+        for path in [
+            "engine_1.lane_2.distance_sum.a",
+            "engine_1.lane_2.pair_sum_sum",
+            "engine_1.square_pair_0.digits_0.cross_product",
+            "engine_1.lane_2.unsquared",
+        ] {
+            assert!(!is_square(machine, path), "{path}");
+        }
+        let sequential = find_machine("paper").unwrap();
+        assert!(!is_square(sequential, "cell_0.square_unit.square"));
     }
 
     #[test]

@@ -249,6 +249,8 @@ impl<'a> MemoryWalk<'a> {
             0 => corner(rng, 16) as u32,
             1 => rng.random_range(0..4),
             2 => self.place.saturating_sub(rng.random_range(0..2)) as u32,
+            // One bit of the word is compared with more than a set has.
+            3 => 1 << rng.random_range(0..16),
             _ => 0,
         };
         let reset = resets && rng.random_ratio(1, 100);

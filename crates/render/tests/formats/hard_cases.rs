@@ -155,11 +155,14 @@ fn a_query_of_too_many_photons_is_refused_with_the_pixel() {
         ..*DEFAULT
     };
     let error = render(&scene, &map, Engine::Format(&small), &view, &|_| ()).unwrap_err();
-    assert!(matches!(error, RenderError::LocalGather { .. }));
+    let RenderError::LocalGather { source, .. } = &error else {
+        panic!("{error:?}");
+    };
+    assert!(error.to_string().starts_with("pixel ("), "{error}");
+    let cause = source.to_string();
     assert!(
-        error
-            .to_string()
-            .contains("over the 3 that format `local8-rgb8e5-n3` declares")
+        cause.contains("over the 3 that format `local8-rgb8e5-n3` declares"),
+        "{cause}"
     );
     let illegal = PhotonFormat {
         position_bits: 13,

@@ -10,6 +10,9 @@ const OF_MEMORY: &[&str] = &[
      | (FULL & memory_play_end_0 == END & BEFORE)",
     // A batch begins at the first place.
     "memory_playing_0 | memory_play_place_0 == 0",
+    // A batch is read without a gap: behind a word that is not its last one comes another.
+    "~memory_read_valid_0 | memory_read_last_0 | memory_playing_0",
+    "~memory_word_valid_0 | memory_word_last_0 | memory_playing_0 | (memory_read_valid_0 & memory_read_last_0)",
     // While a batch is read, its set is whole, and the last place is known before it is read.
     "~(memory_playing_0 | memory_may_start_0) \
      | (FULL & BEFORE & memory_at_end_0 == (memory_play_place_0 == END) & memory_play_place_0 <= END)",

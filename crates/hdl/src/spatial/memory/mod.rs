@@ -341,6 +341,9 @@ impl<const C: usize, const B: usize, const E: usize> PhotonMemory<C, B, E> {
             | MemoryRegister::WriteExponent
             | MemoryRegister::ReadExponent
             | MemoryRegister::WordExponent => format!("{name}_{index}"),
+            // `word_valid` and `word_last` are the pins that these registers drive.
+            MemoryRegister::WordValid => "valid".to_owned(),
+            MemoryRegister::WordLast => "last".to_owned(),
             _ => name.to_owned(),
         }
     }
