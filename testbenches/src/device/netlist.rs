@@ -8,10 +8,10 @@ use photoncube_spec::{Pins, SignalPlace};
 use super::{DeviceError, scratch_folder, write_file};
 use crate::tools::{Tool, run};
 
-/// Yosys's `synth` but for its step `memory_map`: a photon memory stays a memory. As flip-flops it
-/// would be hundreds of thousands.
-const SYNTH_WITH_MEMORY: &str = "-run begin:fine; opt -fast -full; opt -undriven -fine; techmap; \
-                                 opt -fast; abc -fast; opt_clean";
+/// Yosys's `synth` with another step `memory_map`, which leaves memories of more than 256 words: a photon memory as
+/// flip-flops would be hundreds of thousands.
+const SYNTH_WITH_MEMORY: &str = "-run begin:fine; opt -fast -full; memory_map t:$mem_v2 r:SIZE<=256 %i; \
+                                 opt -undriven -fine; techmap; opt -fast; abc -fast; opt_clean";
 
 /// Synthesises the design to a flat netlist of generic gates and flip-flops. Its ports are the
 /// same; its registers are single bits without their names, so only the output pins remain observed.
