@@ -184,5 +184,6 @@ fn list_fits_a_terminal_and_has_all_of_one_machine() {
     assert_eq!(sheet["machine"], "stream");
     assert_eq!(sheet["verilog_module"], "photoncube_stream");
     assert!(!sheet["lines"].as_array().unwrap().is_empty());
-    assert!(text(&["list", "stream"]).contains("| query_valid"));
+    let sheet = text(&["list", "stream"]);
+    assert!(sheet.contains("\n  input          query_valid "), "{sheet}");
 }
