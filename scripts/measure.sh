@@ -37,7 +37,7 @@ measure_area_and_clock() {
         # Devices so full that nextpnr's default router does not come to an end with all seeds; its
         # default placer leaves some cells of the first far from theirs and finds no place for some of
         # the second.
-        chip-mixed) flows=(--flow ecp5) chain_seeds=(--seed 2 "${full_device[@]}") ;;
+        chip-mixed) flows=(--flow ecp5) chain_seeds=(--seeds 1 "${full_device[@]}") ;;
         tile-10) flows=(--flow ecp5-nodsp) chain_seeds=(--seeds 1 "${full_device[@]}") ;;
         tile-6-mixed) flows=(--flow ecp5 --flow ecp5-nodsp) ;;
         tile-4 | tile-5) ;;
