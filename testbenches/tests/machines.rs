@@ -17,11 +17,11 @@ use extent::Extent;
 /// Iterations on random stimulus.
 fn random_iterations(kind: DeviceKind, extent: Extent) -> Option<u64> {
     let iterations = match kind {
-        DeviceKind::RustHdl => [20_000, 2_000, 50, 10],
-        DeviceKind::Text => [50_000, 5_000, 500, 50],
-        DeviceKind::Icarus => [2_000, 200, 50, 0],
-        DeviceKind::Verilator => [250_000, 0, 0, 0],
-        DeviceKind::Netlist => [200, 100, 0, 0],
+        DeviceKind::RustHdl => [5_000, 1_000, 50, 10],
+        DeviceKind::Text => [20_000, 2_000, 500, 50],
+        DeviceKind::Icarus => [1_000, 100, 50, 0],
+        DeviceKind::Verilator => [100_000, 0, 0, 0],
+        DeviceKind::Netlist => [100, 50, 0, 0],
     };
     chosen(extent, iterations)
 }
@@ -30,9 +30,9 @@ fn random_iterations(kind: DeviceKind, extent: Extent) -> Option<u64> {
 /// gates, which random stimulus exercises better.
 fn scene_iterations(kind: DeviceKind, extent: Extent) -> Option<u64> {
     let iterations = match kind {
-        DeviceKind::RustHdl => [2_000, 500, 0, 0],
+        DeviceKind::RustHdl => [1_000, 250, 0, 0],
         DeviceKind::Text => [5_000, 1_000, 0, 0],
-        DeviceKind::Icarus => [500, 100, 0, 0],
+        DeviceKind::Icarus => [250, 50, 0, 0],
         DeviceKind::Verilator => [50_000, 0, 0, 0],
         DeviceKind::Netlist => [0; 4],
     };

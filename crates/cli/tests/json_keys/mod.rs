@@ -85,7 +85,7 @@ fn of_a_method_with_tools(args: &[&str]) {
 
 #[test]
 fn keys_of_faults() {
-    of_a_method_with_tools(&["verify", "--faults"]);
+    of_a_method_with_tools(&["verify", "--faults", "--machine", "stream"]);
 }
 
 #[test]
