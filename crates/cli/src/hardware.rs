@@ -6,6 +6,7 @@ use photoncube_spec::Machine;
 use serde::Serialize;
 
 use crate::measured::Measured;
+use crate::table::significant;
 
 /// A picture's time on a machine. None where a clock was not measured.
 #[derive(Clone, Debug, Default, Serialize)]
@@ -56,8 +57,7 @@ impl PictureTime {
 
 /// Three significant digits.
 pub fn digits(number: f64) -> String {
-    let places = (2.0 - number.abs().log10().floor()).clamp(0.0, 9.0) as usize;
-    format!("{number:.places$}")
+    significant(number, 3)
 }
 
 #[cfg(test)]

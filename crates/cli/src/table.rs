@@ -1,5 +1,13 @@
 //! Plain tables: one text that reads well in a terminal and is Markdown in the README.
 
+/// A number rounded to so many significant digits, or to a whole one where that has more.
+pub fn significant(number: f64, digits: u32) -> String {
+    let last = f64::from(digits) - 1.0;
+    // `as` saturates.
+    let places = (last - number.abs().log10().floor()).clamp(0.0, 9.0) as usize;
+    format!("{number:.places$}")
+}
+
 /// A Markdown table with padded columns.
 pub fn markdown(header: &[&str], rows: &[Vec<String>]) -> String {
     let width = |column: usize| {

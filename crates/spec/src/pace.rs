@@ -34,10 +34,6 @@ pub enum Pace {
     },
 }
 
-/// A photon memory decides in registers that the next batch may start: the second clock after the last group is the
-/// first that can see it, and one register more says so.
-const MEMORY_GAP_CLOCKS: u64 = 3;
-
 impl Pace {
     /// That of a machine; none where its program cannot be made.
     pub fn of(machine: &Machine) -> Option<Self> {
@@ -53,10 +49,7 @@ impl Pace {
             engines: spatial.engines() as u64,
             spacing: HeadSizes::of(spatial).spacing.into(),
             latency_clocks: spatial.latency_clocks().into(),
-            between_batches: match spatial.memory_groups {
-                0 => 0,
-                _ => MEMORY_GAP_CLOCKS,
-            },
+            between_batches: spatial.batch_gap_clocks().into(),
         }
     }
 

@@ -1,5 +1,7 @@
 //! Round numbers along a logarithmic axis.
 
+use crate::table::significant;
+
 /// The fewest that let an axis be read.
 const FEWEST: usize = 4;
 
@@ -53,19 +55,17 @@ pub fn short(number: f64) -> String {
         n if n >= 1e3 => (n / 1e3, " k"),
         n => (n, ""),
     };
-    format!("{}{unit}", significant(scaled))
+    format!("{}{unit}", two_digits(scaled))
 }
 
 /// A part as per cent.
 pub fn percent(part: f64) -> String {
-    format!("{} %", significant(100.0 * part))
+    format!("{} %", two_digits(100.0 * part))
 }
 
-/// Two significant digits, or all before the point.
-fn significant(number: f64) -> String {
-    // `as` saturates.
-    let places = (1.0 - number.abs().log10().floor()).clamp(0.0, 9.0) as usize;
-    let text = format!("{number:.places$}");
+/// Two significant digits, or all before the point, without zeros at the end.
+fn two_digits(number: f64) -> String {
+    let text = significant(number, 2);
     match text.contains('.') {
         true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
         false => text,

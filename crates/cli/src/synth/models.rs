@@ -15,7 +15,7 @@ const BLOCKS: &str = include_str!("../../../../scripts/yosys/ecp5_blocks.v");
 /// The module of a block RAM's words in it.
 pub const WORDS: &str = "ecp5_block_words";
 
-/// What is taken of Yosys's models.
+/// What is taken of Yosys's models: cells of a mapped netlist, and `LUT2`, which is a part of `CCU2C`.
 const YOSYS: [&str; 7] = [
     "LUT2",
     "LUT4",
@@ -38,6 +38,11 @@ pub fn models(tools: &Tools, folder: &Path) -> Result<String> {
     let dump = fs::read_to_string(folder.join(log))?;
     let models = YOSYS.iter().map(|name| module(&dump, name));
     Ok(models.collect::<Result<String>>()? + BLOCKS)
+}
+
+/// Whether [`models`] has the cell.
+pub fn is_modelled(kind: &str) -> bool {
+    YOSYS.contains(&kind) || module(BLOCKS, kind).is_ok()
 }
 
 /// Fails where a cell has a parameter that its model does not have: a simulator may only warn of one.
@@ -102,6 +107,16 @@ mod tests {
             .unwrap_err()
             .to_string();
         assert!(error.contains("CLKA = \"1\" of block"), "{error}");
+    }
+
+    #[test]
+    fn cells_of_both_sources_are_known_and_others_are_not() {
+        for kind in ["LUT4", "TRELLIS_DPR16X4", "DP16KD", "MULT18X18D"] {
+            assert!(is_modelled(kind), "{kind}");
+        }
+        for kind in ["ALU54B", "LUT", ""] {
+            assert!(!is_modelled(kind), "{kind}");
+        }
     }
 
     #[test]

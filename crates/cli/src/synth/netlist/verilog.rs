@@ -6,18 +6,7 @@ use anyhow::{Context, Result, bail};
 use serde_json::Value;
 
 use super::connections;
-
-/// The cells of which there are models: Yosys's own, and those of `scripts/yosys/ecp5_blocks.v`.
-const MODELLED: [&str; 8] = [
-    "LUT4",
-    "PFUMX",
-    "L6MUX21",
-    "CCU2C",
-    "TRELLIS_FF",
-    "TRELLIS_DPR16X4",
-    "DP16KD",
-    "MULT18X18D",
-];
+use crate::synth::models::is_modelled;
 
 /// An instance of a cell, on a line of its own; `net` names each net. An end that is not connected is unknown where it
 /// is an input.
@@ -26,10 +15,10 @@ const MODELLED: [&str; 8] = [
 /// There is no model of such a cell.
 pub(super) fn instance(name: &str, cell: &Value, net: impl Fn(u64) -> String) -> Result<String> {
     let kind = cell["type"].as_str().unwrap_or_default();
-    if !MODELLED.contains(&kind) {
+    if !is_modelled(kind) {
         bail!(
-            "found the cell {name}, a {kind}, expected one of {}",
-            MODELLED.join(", ")
+            "found the cell {name}, a {kind}, expected one that has a model in crates/cli/src/synth/models.rs or \
+             scripts/yosys/ecp5_blocks.v"
         );
     }
     let mut parameters = Vec::new();
