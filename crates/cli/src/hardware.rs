@@ -42,7 +42,7 @@ impl PictureTime {
         })
     }
 
-    /// "0.34 s a picture, 2.9 pictures/s, at 95 MHz (ECP5, speed grade 8), photons and queries waiting for nothing".
+    /// "0.34 s a picture, 2.9 pictures/s, at 95 MHz (ECP5, speed grade 8, routed), no waiting".
     pub fn text(&self) -> String {
         match (self.seconds_per_picture, self.fmax_mhz, self.speed_grade) {
             (Some(seconds), Some(mhz), Some(grade)) => format!(

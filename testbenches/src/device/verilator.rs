@@ -45,7 +45,8 @@ impl Verilator {
         Self::start(design, trace_module(design), Build::Fast)
     }
 
-    /// The same of a netlist of cells, whose thousands of small modules take longer to optimise than a run saves.
+    /// A simulation of a netlist of cells, built without optimisation: that takes longer for thousands of small modules than
+    /// a run saves.
     ///
     /// # Errors
     /// Verilator or a C++ compiler is missing or refuses the text.
@@ -147,7 +148,7 @@ enum Build {
     Fast,
     /// To be built fast.
     Plain,
-    /// The same, with counters of what is used.
+    /// A simulation with counters of the lines, branches and bits that are used.
     Coverage,
 }
 

@@ -128,7 +128,7 @@ impl ErrorBench {
         Self::traced(scene, options, &|_| ())
     }
 
-    /// The same; `progress` gets the number of maps traced so far.
+    /// [`Self::new`] with a `progress` that gets the number of maps traced so far.
     ///
     /// # Errors
     /// As for [`Self::new`].

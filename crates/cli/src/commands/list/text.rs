@@ -156,7 +156,7 @@ fn fastest_cell(row: &MachineRow) -> String {
     rate(row).map_or_else(|| "not measured".to_owned(), |rate| format!("{rate:.3}"))
 }
 
-/// The same in G tests/s.
+/// A machine's peak of photon tests at its fastest measured clock, in G tests/s.
 fn rate(row: &MachineRow) -> Option<f64> {
     let clock = row.measured.fastest()?;
     Some(row.photon_tests_per_clock * clock.fmax_mhz / 1e3)

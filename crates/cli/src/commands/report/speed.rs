@@ -17,7 +17,7 @@ const WIDE_SPREAD: f64 = 0.2;
 pub struct Speeds {
     /// The reference's loop.
     pub f64_photon_tests_per_second: f64,
-    /// The same in single precision.
+    /// The loop of the reference in single precision.
     pub f32_photon_tests_per_second: f64,
     /// The widest spread between the repeats of one figure, by its median.
     pub widest_spread: f64,
