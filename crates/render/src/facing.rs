@@ -7,7 +7,7 @@ const CELLS: usize = 4;
 
 /// Which way the front faces where a photon hit. Of a flat surface there is one, [`Self::FLAT`], and its normal
 /// is the surface's own, exactly; of a curved one there are [`Self::COUNT`], the cells of a cube of directions:
-/// six sides of 4 x 4, each cell a sixteenth of a right angle's square. Photons are grouped by it, so there must
+/// six sides of 4 x 4 cells, each 22.5 degrees along the middle of its side. Photons are grouped by it, so there must
 /// be few.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct Facing(u8);
@@ -19,9 +19,10 @@ impl Facing {
     /// How many a curved surface has.
     pub const COUNT: usize = 6 * CELLS * CELLS;
 
-    /// A cell's normal is nowhere further from the normals in the cell, in degrees: 15.71 from the middle of a
-    /// side to the normal of a cell there.
-    pub const MAX_OFF_DEG: f64 = 16.0;
+    /// The largest angle between a cell's normal and a normal in the cell, in degrees. A cell is a spherical
+    /// quadrilateral, since its edges lie in planes through the origin, so the largest angle is at one of its
+    /// vertices: 16.403 degrees, in the cells at the vertices of the cube.
+    pub const MAX_OFF_DEG: f64 = 16.41;
 
     /// The cell of a unit normal.
     #[must_use]
@@ -86,11 +87,27 @@ mod tests {
         }
     }
 
+    /// The four vertices of each cell of the side in direction +x; the other sides are rotations of it.
     #[test]
-    fn the_middle_of_a_side_is_furthest_off() {
-        let worst = off_deg(DVec3::X);
-        assert!((15.7..15.72).contains(&worst), "{worst}");
-        assert!(worst < Facing::MAX_OFF_DEG);
+    fn vertices_of_cells_are_furthest_off() {
+        let cells = CELLS * CELLS;
+        let edge = |line: usize| {
+            let place = 2.0 * line as f64 / CELLS as f64 - 1.0;
+            (place * std::f64::consts::FRAC_PI_4).tan()
+        };
+        let worst = (0..cells)
+            .flat_map(|cell| [(0, 0), (0, 1), (1, 0), (1, 1)].map(|corner| (cell, corner)))
+            .map(|(cell, (du, dv))| {
+                let vertex = DVec3::new(1.0, edge(cell / CELLS + du), edge(cell % CELLS + dv));
+                let off = Facing(cell as u8).normal().angle_between(vertex);
+                off.to_degrees()
+            })
+            .fold(0.0, f64::max);
+        // The constant is the angle, rounded up to a hundredth of a degree.
+        assert!(
+            (Facing::MAX_OFF_DEG - 0.01..=Facing::MAX_OFF_DEG).contains(&worst),
+            "{worst}"
+        );
     }
 
     proptest! {

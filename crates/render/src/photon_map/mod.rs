@@ -74,8 +74,8 @@ pub struct Candidates {
 /// counts as a photon test.
 ///
 /// On a curved surface (a sphere, a mesh) the photon's normal is rounded to one of 96, its [`Facing`], by
-/// 16 degrees at most. So the rule's 60 degrees are 44 to 76 there: a photon whose normal is within 44
-/// degrees of the query's is always a candidate, one beyond 76 never.
+/// 16.4 degrees at most. So the rule's 60 degrees are 43.6 to 76.4 there: a photon whose normal is within 43.6
+/// degrees of the query's is always a candidate, one beyond 76.4 never.
 ///
 /// [`Facing`]: crate::Facing
 ///
