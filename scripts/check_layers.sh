@@ -25,11 +25,12 @@ from pathlib import Path
 
 # The folder, the package, what it may depend on, and what its tests may depend on besides.
 LAYERS = [
+    ("crates/verilog-eval", "verilog-eval", "", ""),
     ("crates/spec", "photoncube-spec", "", ""),
     ("crates/model", "photoncube-model", "spec", ""),
     ("crates/hdl", "photoncube-hdl", "spec", ""),
     ("crates/render", "photoncube-render", "spec model", ""),
-    ("testbenches", "photoncube-testbench", "spec model hdl", "render"),
+    ("testbenches", "photoncube-testbench", "spec model hdl verilog-eval", "render"),
     ("benches", "photoncube-benches", "", "spec model render"),
     ("crates/cli", "photoncube", "spec model hdl render testbench", ""),
 ]

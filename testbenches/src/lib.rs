@@ -28,7 +28,7 @@ pub use campaign::{
 pub use compare::{Activity, Actual, Divergence};
 pub use coverage::{Coverage, CoverageKind, Gap, ModuleCoverage, Share, corners, coverage};
 pub use device::{
-    Device, DeviceError, DeviceKind, Icarus, Mutant, Observed, Refusal, RustHdl, Text, Unknown,
+    Device, DeviceError, DeviceKind, Icarus, Mutant, Observed, RustHdl, Text, Unknown,
     UnknownDevice, Verilator, netlist, with_outputs_alone,
 };
 pub use exhaustive::{

@@ -25,7 +25,7 @@ pub(crate) use netlist::netlist_text;
 pub use netlist::{netlist, with_outputs_alone};
 pub use simulation::RustHdl;
 pub(crate) use simulation::{hdl_error, hdl_error_of};
-pub use text::{Refusal, Text};
+pub use text::Text;
 pub use verilator::Verilator;
 
 /// Something that is compared with the golden model. It keeps its state between calls and starts
@@ -98,7 +98,7 @@ pub enum DeviceError {
     },
     /// The emitted Verilog is outside the subset that the device `text` knows.
     #[error(transparent)]
-    Refused(#[from] Refusal),
+    Refused(#[from] verilog_eval::Refusal),
     /// A file cannot be written or read.
     #[error("cannot {action} {path}")]
     File {

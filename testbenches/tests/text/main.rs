@@ -1,12 +1,11 @@
-//! The evaluator of the emitted Verilog, held against Icarus: on random expressions and blocks of
-//! its whole subset, and on each class of text that Verilog reads otherwise than Rust; and what it
-//! refuses. `machines.rs` and `parts.rs` run it on all that is emitted.
+//! The evaluator of the emitted Verilog (crate `verilog-eval`) compared with Icarus: on random expressions and blocks of
+//! its whole subset, and on each class of text that Verilog reads otherwise than Rust. `machines.rs` and `parts.rs`
+//! run it on all that is emitted.
 
 mod blocks;
 mod classes;
 mod design;
 mod expressions;
-mod refusals;
 #[path = "../support/mod.rs"]
 mod support;
 
@@ -40,9 +39,5 @@ fn main() {
         };
         trials.push(support::trial(name, DeviceKind::Icarus, run));
     }
-    trials.push(Trial::test("refusals::are_by_name_and_line", || {
-        refusals::by_name_and_line();
-        Ok(())
-    }));
     libtest_mimic::run(&Arguments::from_args(), trials).exit();
 }

@@ -1,8 +1,6 @@
 //! What is outside the subset is refused by name and line.
 
-use photoncube_testbench::Text;
-
-use crate::design::design;
+use verilog_eval::{Design, Evaluator, Signal};
 
 const OTHER: &str = "module other(i, o);\n  input wire i;\n  output wire o;\nendmodule\n";
 
@@ -99,30 +97,61 @@ const REFUSED: &[(&str, u32, &str)] = &[
     ("wire a", 5, "`output`; expected ;"),
 ];
 
-pub fn by_name_and_line() {
+/// A module of these items that drives `y`, behind three lines of its own.
+fn module(items: &str) -> String {
+    // Only logic that `y` depends on is compiled: `a`, where the items have one.
+    let driver = match items.contains(" a") && !items.contains("[0:3]") {
+        true => "assign y = a;",
+        false => "assign y = i;",
+    };
+    format!(
+        "module top(i, y, clock);\n  input wire clock;\n  input wire i;\n{items}\n  output wire y;\n  {driver}\n\
+         endmodule\n{OTHER}"
+    )
+}
+
+fn evaluator(text: &str, inputs: &[(&str, u32)]) -> Result<Evaluator, verilog_eval::Refusal> {
+    Evaluator::new(&Design {
+        text,
+        top: "top",
+        clock: Some("clock"),
+        inputs: inputs
+            .iter()
+            .map(|&(name, width)| Signal::new(name, width))
+            .collect(),
+        observed: vec![Signal::new("y", 1)],
+        zeroed_memories: vec![],
+    })
+}
+
+#[test]
+fn are_by_name_and_line() {
     for &(items, line, said) in REFUSED {
-        let outputs = [("y".to_owned(), 1)];
-        // What is looked at hangs on `a`, where there is one.
-        let driver = match items.contains(" a") && !items.contains("[0:3]") {
-            true => "assign y = a;",
-            false => "assign y = i;",
-        };
-        let items = format!("{items}\n  output wire y;\n  {driver}\n");
-        let design = design(&[("i".to_owned(), 1)], &outputs, true, &items, OTHER);
-        let Err(refusal) = Text::new(&design) else {
-            panic!("not refused:\n{}", design.text);
+        let text = module(items);
+        let Err(refusal) = evaluator(&text, &[("i", 1)]) else {
+            panic!("not refused:\n{text}");
         };
         let message = refusal.to_string();
         assert!(
             message.contains(said),
-            "{message}; expected {said} of\n{}",
-            design.text
+            "{message}; expected {said} of\n{text}"
         );
-        let at = format!("line {line} ");
-        assert!(
-            message.contains(&at),
-            "{message}; expected {at}of\n{}",
-            design.text
-        );
+        assert_eq!(refusal.line(), line, "{message} of\n{text}");
+        assert!(message.starts_with(&format!("line {line} ")), "{message}");
     }
+}
+
+#[test]
+fn signals_that_are_not_there_in_that_width_are_refused() {
+    let text = module("wire a = i;");
+    for (inputs, said) in [
+        (("b", 1), "there is no signal `b`"),
+        (("i", 2), "`i` has 1 bits; expected 2"),
+    ] {
+        let refusal = evaluator(&text, &[inputs]).err().expect("it is refused");
+        assert!(refusal.to_string().contains(said), "{refusal}");
+    }
+    let wide = module("input wire [64:0] w;\nwire a = i;");
+    let refusal = evaluator(&wide, &[("w", 65)]).err().expect("it is refused");
+    assert!(refusal.to_string().contains("at most 64"), "{refusal}");
 }
