@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The direction of dependencies (ARCHITECTURE.md): which package of the workspace may see which, and
-# that crates/hdl alone sees rust-hdl. Reads the manifests through `cargo metadata`, so a renamed, an
+# that crates/hdl and crates/rust-hdl-lint alone see rust-hdl. Reads the manifests through `cargo metadata`, so a renamed, an
 # optional, a build- or a target-dependency counts like any other.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -25,19 +25,20 @@ from pathlib import Path
 
 # The folder, the package, what it may depend on, and what its tests may depend on besides.
 LAYERS = [
+    ("crates/rust-hdl-lint", "rust-hdl-lint", "", ""),
     ("crates/verilog-eval", "verilog-eval", "", ""),
     ("crates/spec", "photoncube-spec", "", ""),
     ("crates/model", "photoncube-model", "spec", ""),
-    ("crates/hdl", "photoncube-hdl", "spec", ""),
+    ("crates/hdl", "photoncube-hdl", "spec rust-hdl-lint", ""),
     ("crates/render", "photoncube-render", "spec model", ""),
     ("testbenches", "photoncube-testbench", "spec model hdl verilog-eval", "render"),
     ("benches", "photoncube-benches", "", "spec model render"),
     ("crates/cli", "photoncube", "spec model hdl render testbench", ""),
 ]
-GENERATOR = re.compile(r"rust-hdl(-.+)?")
-GENERATOR_SEEN_BY = "photoncube-hdl"
+GENERATOR = re.compile(r"rust-hdl(-(?!lint$).+)?")
+GENERATOR_SEEN_BY = ["photoncube-hdl", "rust-hdl-lint"]
 GENERATOR_VERSION = "=0.46.0"
-# Rust sources outside crates/hdl: the word, comments and quoted text apart.
+# Rust sources outside those: the word, comments and quoted text apart.
 IN_SOURCE = re.compile(r"\brust_hdl(_(core|hls|macros|sim|widgets))?\b")
 NOT_CODE = re.compile(
     r"""//[^\n]*|/\*.*?\*/|\br(?P<hashes>\#*)".*?"(?P=hashes)|"(?:\\.|[^"\\])*"|'(?:\\.|[^'\\\n])'""",
@@ -76,8 +77,8 @@ for name in sorted(set(packages) | set(layers)):
         other = dependency["name"]
         kind = dependency["kind"] or "normal"
         if GENERATOR.fullmatch(other):
-            if name != GENERATOR_SEEN_BY:
-                fault(manifest, f"a {kind} dependency on {other}", "rust-hdl in crates/hdl/Cargo.toml alone")
+            if name not in GENERATOR_SEEN_BY:
+                fault(manifest, f"a {kind} dependency on {other}", "rust-hdl in crates/hdl and crates/rust-hdl-lint alone")
             elif other == "rust-hdl" and dependency["req"] != GENERATOR_VERSION:
                 fault(manifest, f'rust-hdl = "{dependency["req"]}"', f'"{GENERATOR_VERSION}"')
         elif other in packages:
@@ -96,7 +97,7 @@ if binaries != ["photoncube/photoncube"]:
 
 sources = 0
 for folder, name, _, _ in LAYERS:
-    if name == GENERATOR_SEEN_BY:
+    if name in GENERATOR_SEEN_BY:
         continue
     for source in sorted((root / folder).rglob("*.rs")):
         sources += 1
@@ -105,7 +106,7 @@ for folder, name, _, _ in LAYERS:
             word = IN_SOURCE.search(line)
             if word:
                 where = f"{source.relative_to(root).as_posix()}:{number}"
-                fault(where, f"the name {word.group()}", "it in crates/hdl alone")
+                fault(where, f"the name {word.group()}", "it in crates/hdl and crates/rust-hdl-lint alone")
 if sources == 0:
     fault("workspace", "no Rust source to look at", "some")
 
@@ -113,5 +114,5 @@ for line in faults:
     print(f"layers: {line}", file=sys.stderr)
 if faults:
     sys.exit(1)
-print(f"layers: the direction holds ({len(packages)} packages, {sources} sources outside crates/hdl)")
+print(f"layers: the direction holds ({len(packages)} packages, {sources} sources without rust-hdl)")
 PYTHON

@@ -218,7 +218,7 @@ mod tests {
         let fresh = [
             Line::of_machine("paper").unwrap(),
             Line::of_unit("add", 6).unwrap(),
-            Line::of_no_verilog("lint".to_owned()),
+            Line::of_no_verilog("reader obj".to_owned()),
         ];
         let mut other = fresh[0].clone();
         other.verilog_sha256 = Some("00".to_owned());

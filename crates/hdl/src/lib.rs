@@ -1,6 +1,6 @@
 //! The machines in rust-hdl, and the one place that makes Verilog of them.
 //!
-//! This is the only crate that names rust-hdl. rust-hdl simulates one text and prints another, so
+//! This crate and `rust-hdl-lint` alone name rust-hdl. rust-hdl simulates one text and prints another, so
 //! a block is trusted only when its *emitted* Verilog has been simulated; [`emit`] therefore also
 //! says where in that text every register is.
 
@@ -9,11 +9,9 @@ mod cell;
 mod control;
 mod emit;
 mod level;
-mod lint;
 mod network;
 mod overlap;
 mod pinned;
-mod planted;
 mod ports;
 mod processor;
 mod simulator;
@@ -22,9 +20,10 @@ mod unit;
 mod units;
 
 pub use build::{NotBuiltIn, most_steps};
-pub use emit::{BlockRam, EmitError, Emitted, emit, emit_unit, interface_text};
+pub use emit::{
+    BlockRam, EmitError, Emitted, Linted, emit, emit_unit, interface_text, lint_control,
+    lint_machine,
+};
 pub use level::Level;
-pub use lint::{Finding, Opaque, OpaqueKind, Rule, lint, opaque_blocks};
-pub use planted::{Planted, lint_planted};
 pub use simulator::{NotSettled, Simulator, level_pins};
 pub use unit::{Unit, has_unit, unit_pins};

@@ -45,7 +45,7 @@ pub struct VerifyArgs {
     /// Put what was found into this table of results, a JSON file
     #[arg(long, value_name = "FILE")]
     pub record: Option<PathBuf>,
-    /// Show the lint every planted mistake, in which Rust and Verilog differ, and what replaces it
+    /// Check that every statement of the machine which rust-hdl generates means in Verilog what it means in Rust
     #[arg(long, group = "method")]
     pub lint: bool,
     /// Give everything that reads scenes, meshes, listings, pictures, tables and command lines N inputs that are

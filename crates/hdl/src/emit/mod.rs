@@ -5,6 +5,7 @@
 //! that people can read. The result is plain Verilog-2001 and the same at every run.
 
 mod channels;
+mod checks;
 mod digest;
 mod ecp5;
 mod header;
@@ -12,20 +13,21 @@ mod merge;
 mod modules;
 
 use photoncube_spec::{CONTROL_REGISTERS, Machine, Pins, Register, SignalPlace, overlap};
-use rust_hdl::prelude::{ModuleDefines, check_all};
+use rust_hdl::prelude::ModuleDefines;
 use thiserror::Error;
 
 use crate::build::{NotBuiltIn, build};
 use crate::level::Level;
-use crate::lint::{Finding, OpaqueKind, Rule, lint, opaque_blocks};
 use crate::pinned::Pinned;
 use crate::simulator::level_pins;
 use crate::unit::{Unit, build_unit, label, unit_pins};
 
 pub(crate) use channels::ChannelNames;
+use checks::check;
 use digest::sha256;
 use header::{header, override_header, unit_header};
 
+pub use checks::{Linted, lint_control, lint_machine};
 pub use header::interface_text;
 
 /// Emitted Verilog, and what one must know to simulate it.
@@ -114,31 +116,6 @@ pub enum EmitError {
     },
 }
 
-/// Blocks whose Verilog is written by hand and so is not seen by the lint. Each is simulated from
-/// its emitted text, exhaustively where it has no state.
-const HAND_WRITTEN: &[&str] = &[
-    "difference",
-    "squarer",
-    "magnitude_of",
-    "split_magnitude",
-    "memory",
-    "digit_products",
-    "cross_sum",
-    "square_sum",
-    "square_table",
-    "split_0",
-    "split_1",
-    "difference_product",
-    "split_product",
-    "admission",
-    "queue",
-    "decision",
-    "pair_first_delay",
-    "group_last_delay",
-    "first_copy",
-    "done_copy",
-];
-
 /// Emits the Verilog of a machine at a level.
 ///
 /// # Errors
@@ -194,7 +171,7 @@ pub fn emit_unit(unit: Unit, bits: u32) -> Result<Emitted, EmitError> {
 }
 
 /// A block's text, after the checks and the lint: its modules merged, and named after the top. The names are those of
-/// the machine or unit in messages, and of the block among [`HAND_WRITTEN`].
+/// the machine or unit in messages, and of the block among those that are written by hand.
 fn printed(
     [name, part]: [&str; 2],
     block: &dyn Pinned,
@@ -209,49 +186,6 @@ fn printed(
 
 /// The name under which rust-hdl prints the outermost block.
 const TOP: &str = "top";
-
-fn check(name: &str, part: &str, block: &dyn Pinned) -> Result<(), EmitError> {
-    check_all(block).map_err(|error| EmitError::Check {
-        machine: name.to_owned(),
-        reason: format!("{error:?}"),
-    })?;
-    let unknown = opaque_blocks(block).into_iter().filter(|opaque| {
-        // An array's element is named by its number.
-        let is_name = |part: &&str| part.parse::<u32>().is_err();
-        let instance = opaque.path.rsplit('$').find(is_name).unwrap_or_default();
-        let instance = if instance == TOP { part } else { instance };
-        opaque.kind != OpaqueKind::Register && !HAND_WRITTEN.contains(&instance)
-    });
-    let block_rams = block.block_rams();
-    let findings: Vec<_> = lint(block)
-        .iter()
-        .filter(|finding| !is_block_ram(finding, &block_rams))
-        .map(ToString::to_string)
-        .chain(unknown.map(|opaque| format!("{}: Verilog that the lint cannot read", opaque.path)))
-        .collect();
-    if findings.is_empty() {
-        return Ok(());
-    }
-    Err(EmitError::Lint {
-        machine: name.to_owned(),
-        findings: findings.join("\n"),
-    })
-}
-
-/// Whether a finding is about a memory that says itself that its words have no initial value: a simulation fills it,
-/// and the faults of power-up (`photoncube verify --faults`) show that no word is looked at before it is written.
-fn is_block_ram(finding: &Finding, block_rams: &[BlockRam]) -> bool {
-    let Some(memory) = finding.statement.strip_prefix("memory ") else {
-        return false;
-    };
-    // rust-hdl joins the instances of a path by `$`.
-    let plain = |path: &str| path.replace(['$', '.'], "_");
-    let found = plain(&format!("{}.{memory}", finding.path));
-    let mut declared = block_rams
-        .iter()
-        .map(|ram| plain(&format!("{TOP}.{}", ram.path)));
-    finding.rule == Rule::UninitialisedMemory && declared.any(|declared| declared == found)
-}
 
 /// Registers are instances of a register module; its output is `q`.
 fn register_path(level: Level, place: SignalPlace) -> String {

@@ -17,7 +17,7 @@ type Way = (&'static str, &'static str);
 /// The methods of `verify`. Each is an option of its own, but for the first, which needs none.
 const METHODS: [Way; 12] = [
     ("equivalence", "machine against iterations seed record"),
-    ("lint", "record"),
+    ("lint", "machine record"),
     ("fuzz", "reader from seed record"),
     ("coverage", "machine iterations seed record"),
     ("programs", "machine against seed record"),

@@ -9,7 +9,7 @@ use crate::args::Args;
 const VERIFY: &str = "
             machine against iterations seed record reader from hours state regressions property part
 equivalence x       x       x          x    x      .      .    .     .     .           .        .
-lint        .       .       .          .    x      .      .    .     .     .           .        .
+lint        x       .       .          .    x      .      .    .     .     .           .        .
 fuzz        .       .       .          x    x      x      x    .     .     .           .        .
 coverage    x       .       x          x    x      .      .    .     .     .           .        .
 programs    x       x       .          x    x      .      .    .     .     .           .        .
@@ -114,7 +114,7 @@ fn a_refusal_names_the_method_what_it_takes_and_where_the_option_is_used() {
     let said = message(&["verify", "--lint", "--against", "icarus"]);
     assert!(
         said.contains(
-            "`verify --lint` does not use --against: it takes --record; --against is for \
+            "`verify --lint` does not use --against: it takes --machine, --coordinate-bits, --dimension, --record; --against is for \
              `verify` without a method, `verify --programs`, `verify --exhaustive`, `verify --faults`"
         ),
         "{said}"

@@ -1,135 +1,125 @@
-//! The lint against planted mistakes: none missed, and no alarm at what replaces them.
+//! `verify --lint`: every statement of a machine that rust-hdl generates means in Verilog what it means in Rust.
 
 use anyhow::Result;
-use photoncube_hdl::{Planted, Rule, lint_planted};
+use photoncube_hdl::{Linted, lint_control, lint_machine};
+use photoncube_spec::Machine;
 use serde::Serialize;
 
 use crate::args::VerifyArgs;
 use crate::failure::CheckFailed;
+use crate::output;
 use crate::verified::{Line, record};
-use crate::{output, table};
-
-/// What became of the mistakes of one rule.
-#[derive(Debug, Default, PartialEq, Eq, Serialize)]
-struct OfRule {
-    rule: &'static str,
-    planted: usize,
-    missed: Vec<&'static str>,
-    false_alarms: Vec<&'static str>,
-}
 
 #[derive(Serialize)]
 struct Report {
-    rules: Vec<OfRule>,
-    planted: usize,
-    #[serde(skip)]
-    missed: usize,
-    #[serde(skip)]
-    false_alarms: usize,
+    machine: &'static str,
+    /// Blocks whose statements are generated, and so were read.
+    generated_blocks: usize,
+    library_registers: usize,
+    hand_written_blocks: usize,
+    findings: Vec<String>,
+    /// What the lint says of a block with one planted mistake: one finding, if the lint is right.
+    control: Vec<String>,
 }
 
 impl Report {
-    fn of(planted: &[Planted]) -> Self {
-        let rules: Vec<_> = Rule::ALL
-            .iter()
-            .map(|&rule| of_rule(rule, planted))
-            .collect();
-        let sum = |count: fn(&OfRule) -> usize| rules.iter().map(count).sum();
-        Self {
-            planted: sum(|of| of.planted),
-            missed: sum(|of| of.missed.len()),
-            false_alarms: sum(|of| of.false_alarms.len()),
-            rules,
-        }
+    fn of(machine: &Machine) -> Result<Self> {
+        let Linted {
+            generated,
+            registers,
+            hand_written,
+            findings,
+        } = lint_machine(machine)?;
+        Ok(Self {
+            machine: machine.name,
+            generated_blocks: generated,
+            library_registers: registers,
+            hand_written_blocks: hand_written,
+            findings,
+            control: lint_control(),
+        })
     }
 }
 
-fn of_rule(rule: Rule, planted: &[Planted]) -> OfRule {
-    let mut of = OfRule {
-        rule: rule.name(),
-        ..OfRule::default()
-    };
-    for planted in planted.iter().filter(|planted| planted.rule == rule) {
-        of.planted += 1;
-        if !planted.is_found() {
-            of.missed.push(planted.name);
-        }
-        if !planted.false_alarms.is_empty() {
-            of.false_alarms.push(planted.name);
-        }
-    }
-    of
-}
-
-/// Shows the lint every planted mistake and its cure.
+/// Lints a machine, and a block with a planted mistake beside it.
 pub fn execute(args: &VerifyArgs, json: bool) -> Result<()> {
-    let planted: Vec<_> = lint_planted().collect();
-    let report = Report::of(&planted);
+    let report = Report::of(args.machine.find()?)?;
     output::print(json, &report, || text(&report))?;
     verdict(&report)?;
     match &args.record {
-        Some(path) => record(path, &[line(&report)]),
+        Some(path) => record(path, &[line(&report)?]),
         None => Ok(()),
     }
 }
 
-/// A rule without a planted mistake is not tested, which is no pass.
+/// Nothing read is no pass, nor is a control that is not found.
 fn verdict(report: &Report) -> Result<()> {
-    let wrong =
-        |of: &&OfRule| of.planted == 0 || !of.missed.is_empty() || !of.false_alarms.is_empty();
-    let wrong: Vec<_> = report.rules.iter().filter(wrong).collect();
-    if wrong.is_empty() {
+    let wrong = if !report.findings.is_empty() {
+        format!("the lint found {}", report.findings.join("\n"))
+    } else if report.generated_blocks == 0 {
+        "the lint read no block".to_owned()
+    } else if report.control.len() != 1 {
+        format!(
+            "the lint is wrong: {} findings of the planted mistake; expected 1",
+            report.control.len()
+        )
+    } else {
         return Ok(());
-    }
-    Err(CheckFailed(format!("the lint is wrong: {wrong:?}")).into())
+    };
+    Err(CheckFailed(wrong).into())
 }
 
-fn line(report: &Report) -> Line {
-    Line {
-        method: "planted mistakes".to_owned(),
+fn line(report: &Report) -> Result<Line> {
+    Ok(Line {
+        method: "lint".to_owned(),
         by: format!("photoncube {}", env!("CARGO_PKG_VERSION")),
-        volume: report.planted as u64,
-        unit: "mistakes, each with its cure".to_owned(),
+        volume: report.generated_blocks as u64,
+        unit: "generated blocks".to_owned(),
         result: format!(
-            "{} missed, {} false alarms",
-            report.missed, report.false_alarms
+            "{} findings; the planted mistake found",
+            report.findings.len()
         ),
-        command: "photoncube verify --lint".to_owned(),
-        ..Line::of_no_verilog("lint".to_owned())
-    }
+        command: format!("photoncube verify --lint --machine {}", report.machine),
+        ..Line::of_machine(report.machine)?
+    })
 }
 
 fn text(report: &Report) -> String {
-    let header = ["rule", "planted", "missed", "false alarms at cures"];
-    let row = |of: &OfRule| {
-        let numbers = [of.planted, of.missed.len(), of.false_alarms.len()];
-        let mut row = vec![of.rule.to_owned()];
-        row.extend(numbers.map(|number| number.to_string()));
-        row
-    };
-    let rows: Vec<_> = report.rules.iter().map(row).collect();
-    table::markdown(&header, &rows)
-        + &format!(
-            "{} planted, {} missed, {} false alarms\n",
-            report.planted, report.missed, report.false_alarms
-        )
+    let mut text = format!(
+        "{}: {} blocks with generated statements, {} registers of the library, {} blocks written by hand\n",
+        report.machine,
+        report.generated_blocks,
+        report.library_registers,
+        report.hand_written_blocks
+    );
+    for finding in &report.findings {
+        text += &format!("{finding}\n");
+    }
+    text + &format!(
+        "{} findings; {} of the planted mistake in the control\n",
+        report.findings.len(),
+        report.control.len()
+    )
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use photoncube_spec::MACHINES;
 
     #[test]
-    fn what_is_missed_or_alarmed_at_fails_and_is_named() {
-        let planted: Vec<_> = lint_planted().collect();
-        assert!(verdict(&Report::of(&planted)).is_ok());
-        let mut missed = planted.clone();
-        missed[0].found.clear();
-        let error = verdict(&Report::of(&missed)).unwrap_err().to_string();
-        assert!(error.contains(missed[0].name), "{error}");
-        let mut alarmed = planted.clone();
-        alarmed[0].false_alarms = planted[1].found.clone();
-        assert!(verdict(&Report::of(&alarmed)).is_err());
-        assert!(verdict(&Report::of(&[])).is_err());
+    fn a_finding_a_missed_control_and_nothing_read_fail() {
+        let report = || Report::of(&MACHINES[0]).unwrap();
+        verdict(&report()).unwrap();
+        let failed = |report: Report| verdict(&report).unwrap_err().to_string();
+        let mut found = report();
+        found.findings = lint_control();
+        assert!(failed(found).contains("CastOfExpression"));
+        let mut missed = report();
+        missed.control.clear();
+        assert!(failed(missed).contains("0 findings of the planted mistake"));
+        let mut empty = report();
+        empty.generated_blocks = 0;
+        assert!(failed(empty).contains("no block"));
     }
 }

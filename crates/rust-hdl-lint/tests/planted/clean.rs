@@ -1,9 +1,9 @@
 //! Blocks that are good as written: the lint must say nothing.
 
-use crate::Rule;
-use crate::planted::blocks::*;
+use crate::blocks::*;
 use rust_hdl::prelude::ast::{VerilogCase, VerilogExpression, VerilogMatch, VerilogStatement};
 use rust_hdl::prelude::*;
+use rust_hdl_lint::Rule;
 use std::time::Duration;
 
 /// Everything that was compared with Icarus at this width and found equal.

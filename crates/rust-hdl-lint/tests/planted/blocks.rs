@@ -1,7 +1,7 @@
 //! What the planted examples are made of.
 
-use crate::lint::{Finding, Rule, lint};
 use rust_hdl::prelude::*;
+use rust_hdl_lint::{Finding, Rule, lint};
 
 pub type I<const N: usize> = Signal<In, Bits<N>>;
 pub type O<const N: usize> = Signal<Out, Bits<N>>;
@@ -48,7 +48,7 @@ macro_rules! block {
                     u: Default::default(), v: Default::default(), three: Default::default(),
                     four: Default::default(), one: Default::default(), x: Default::default(),
                     z: Default::default(),
-                    $($field: crate::planted::blocks::value_or_default!($($value)?),)*
+                    $($field: crate::blocks::value_or_default!($($value)?),)*
                 }
             }
         }
@@ -73,14 +73,14 @@ macro_rules! planted {
     )+) => {
         $(mod $name {
             use super::*;
-            crate::planted::blocks::block!(Bad { $($bad_field)* } $($bad)*);
-            crate::planted::blocks::block!(Good { $($good_field)* } $($good)*);
+            crate::blocks::block!(Bad { $($bad_field)* } $($bad)*);
+            crate::blocks::block!(Good { $($good_field)* } $($good)*);
         })+
-        pub const CASES: &[crate::planted::blocks::Case] = &[$(crate::planted::blocks::Case {
+        pub const CASES: &[crate::blocks::Case] = &[$(crate::blocks::Case {
             name: stringify!($name),
-            rule: crate::Rule::$rule,
-            bad: || crate::planted::blocks::findings($name::Bad::default()),
-            good: || crate::planted::blocks::findings($name::Good::default()),
+            rule: rust_hdl_lint::Rule::$rule,
+            bad: || crate::blocks::findings($name::Bad::default()),
+            good: || crate::blocks::findings($name::Good::default()),
         }),+];
     };
 }

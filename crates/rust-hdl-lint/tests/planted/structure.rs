@@ -1,6 +1,6 @@
 //! Planted mistakes in whole blocks: names, memories, missing or hand-written text.
 
-use crate::planted::blocks::*;
+use crate::blocks::*;
 use rust_hdl::prelude::ast::{VerilogExpression, VerilogOp, VerilogStatement};
 use rust_hdl::prelude::*;
 

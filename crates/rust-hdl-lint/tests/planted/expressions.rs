@@ -1,6 +1,6 @@
 //! Planted mistakes in expressions: the rows of the table of operators.
 
-use crate::planted::blocks::*;
+use crate::blocks::*;
 use rust_hdl::prelude::*;
 
 planted! {

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::{cases, lint_planted};
-use crate::lint::Rule;
+use rust_hdl_lint::Rule;
 
 #[test]
 fn every_planted_mistake_is_found_for_its_own_reason() {

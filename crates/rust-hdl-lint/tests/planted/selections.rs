@@ -1,6 +1,6 @@
 //! Planted mistakes in what is selected: slices, indices, array paths, patterns.
 
-use crate::planted::blocks::*;
+use crate::blocks::*;
 use rust_hdl::prelude::*;
 
 /// A child with an array of its own.

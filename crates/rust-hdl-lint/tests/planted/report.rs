@@ -1,8 +1,8 @@
 //! How findings and opaque blocks are reported.
 
-use crate::planted::blocks::*;
-use crate::{OpaqueKind, Rule, lint, opaque_blocks};
+use crate::blocks::*;
 use rust_hdl::prelude::*;
+use rust_hdl_lint::{OpaqueKind, Rule, lint, opaque_blocks};
 
 block!(Inner { y: O<13>, z13: [O<13>; 3], clock: Signal<In, Clock>, hold: DFF<Bits<12>> }
     #[hdl_gen]

@@ -1,20 +1,14 @@
-//! Finds the places where rust-hdl simulates one thing and prints another.
+#![doc = include_str!("../README.md")]
 //!
-//! rust-hdl runs `update()` as Rust, and prints Verilog from the same source without knowing
-//! widths, signs or operator precedence. Legal Rust can therefore become Verilog that means
-//! something else, and neither `check_all` nor a synthesiser can see it. This lint reads the
-//! tree that every block's `hdl()` returns, the last point where both meanings are still known,
-//! and compares them.
+//! # How it compares
 //!
-//! For each assignment, condition and `case` it computes two widths and two signs:
-//! what Rust gave the expression, and what Verilog gives it (IEEE 1364-2001, tables 5-22 and
-//! 5-23: an operand is evaluated at the width of its context). It accepts the statement only if
-//! it can show that every bit that is used is the same in both. What it cannot show, it reports;
-//! what it can show but is not three-address code, it reports as [`Rule::SeveralOperators`].
+//! For each assignment, condition and `case` the lint computes two widths and two signs: what Rust gave the expression,
+//! and what Verilog gives it (IEEE 1364-2001, tables 5-22 and 5-23: an operand is evaluated at the width of its
+//! context). It accepts the statement only if it can show that every bit that is used is equal in both. A statement
+//! for which it can show that, but which is no three-address code, is reported as [`Rule::SeveralOperators`].
 //!
-//! Text that a block writes by hand (`Verilog::Custom` and the like) is opaque to this proof:
-//! [`opaque_blocks`] lists it, so that a caller can hold the list against one it trusts. Of
-//! opaque text only names and memories without initial values are checked.
+//! Text that a block writes by hand (`Verilog::Custom` and the like) is opaque to this proof: only names and memories
+//! without initial values are checked in it, and [`opaque_blocks`] lists it.
 
 mod agree;
 mod compare;
@@ -39,7 +33,7 @@ use rust_hdl::prelude::{Block, Verilog};
 use design::Module;
 use finding::Findings;
 
-/// Every place below `top` where the emitted Verilog may differ from the Rust simulation.
+/// Every place in `top` and the blocks in it where the emitted Verilog may differ from the Rust simulation.
 ///
 /// Paths start with `top`, as in the text of `generate_verilog`. An empty answer means that every
 /// generated statement was shown to agree; it says nothing of the blocks that
@@ -61,6 +55,15 @@ pub fn opaque_blocks(top: &dyn Block) -> Vec<Opaque> {
     design::modules(top)
         .into_iter()
         .filter_map(|module| Opaque::of(&module.path, &module.hdl))
+        .collect()
+}
+
+/// The paths of `top` and the blocks in it whose statements rust-hdl generates, all of which [`lint`] checks.
+pub fn generated_blocks(top: &dyn Block) -> Vec<String> {
+    design::modules(top)
+        .into_iter()
+        .filter(|module| matches!(module.hdl, Verilog::Combinatorial(_)))
+        .map(|module| module.path)
         .collect()
 }
 

@@ -14,36 +14,33 @@
 )]
 
 mod blocks;
-#[cfg(test)]
 mod clean;
 mod expressions;
-#[cfg(test)]
+mod found;
 mod report;
 mod selections;
 mod structure;
-#[cfg(test)]
-mod tests;
 
-use crate::lint::{Finding, Rule};
+use rust_hdl_lint::{Finding, Rule};
 
 use blocks::Case;
 
 /// A planted mistake and its cure, as the lint sees them.
-#[derive(Clone, Debug)]
-pub struct Planted {
+#[derive(Debug)]
+struct Planted {
     /// The mistake's name.
-    pub name: &'static str,
+    name: &'static str,
     /// The rule that it breaks.
-    pub rule: Rule,
+    rule: Rule,
     /// What the lint says of the mistake: of its rule and no other, if the lint is right.
-    pub found: Vec<Finding>,
+    found: Vec<Finding>,
     /// What it says of the cure: nothing, if the lint is right.
-    pub false_alarms: Vec<Finding>,
+    false_alarms: Vec<Finding>,
 }
 
 impl Planted {
     /// Whether the lint finds the mistake for its own reason, and nothing besides.
-    pub fn is_found(&self) -> bool {
+    fn is_found(&self) -> bool {
         !self.found.is_empty() && self.found.iter().all(|finding| finding.rule == self.rule)
     }
 }
@@ -55,7 +52,7 @@ fn cases() -> impl Iterator<Item = &'static Case> {
 }
 
 /// What the lint says of every planted mistake and its cure.
-pub fn lint_planted() -> impl Iterator<Item = Planted> {
+fn lint_planted() -> impl Iterator<Item = Planted> {
     cases().map(|case| Planted {
         name: case.name,
         rule: case.rule,

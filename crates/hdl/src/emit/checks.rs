@@ -1,0 +1,171 @@
+//! What a design must pass before it is printed: rust-hdl's own checks, and the lint.
+
+use photoncube_spec::Machine;
+use rust_hdl::prelude::check_all;
+use rust_hdl_lint::{Finding, OpaqueKind, Rule, generated_blocks, lint, opaque_blocks};
+
+use super::{BlockRam, EmitError, TOP};
+use crate::build::{NotBuiltIn, build};
+use crate::level::Level;
+use crate::pinned::Pinned;
+
+/// Blocks whose Verilog is written by hand and so is not seen by the lint. Each is simulated from
+/// its emitted text, exhaustively where it has no state.
+const HAND_WRITTEN: &[&str] = &[
+    "difference",
+    "squarer",
+    "magnitude_of",
+    "split_magnitude",
+    "memory",
+    "digit_products",
+    "cross_sum",
+    "square_sum",
+    "square_table",
+    "split_0",
+    "split_1",
+    "difference_product",
+    "split_product",
+    "admission",
+    "queue",
+    "decision",
+    "pair_first_delay",
+    "group_last_delay",
+    "first_copy",
+    "done_copy",
+];
+
+/// What the lint read of a design.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Linted {
+    /// Blocks whose statements rust-hdl generates. Without a finding each statement is shown to mean in Verilog what
+    /// it means in Rust.
+    pub generated: usize,
+    /// Registers of rust-hdl's library, recognised by their whole text.
+    pub registers: usize,
+    /// Blocks whose Verilog is written by hand and stands in the list of those that are simulated exhaustively.
+    pub hand_written: usize,
+    /// What is wrong, one statement or block each.
+    pub findings: Vec<String>,
+}
+
+/// The whole machine as the lint sees it.
+///
+/// # Errors
+/// The widths are not built in.
+pub fn lint_machine(machine: &Machine) -> Result<Linted, NotBuiltIn> {
+    let block = build(machine, Level::Machine)?;
+    let block = block.as_ref();
+    let unknown = unknown_texts(Level::Machine.name(), block);
+    let opaque = opaque_blocks(block);
+    let is_register = |kind| kind == OpaqueKind::Register;
+    let registers = opaque.iter().filter(|opaque| is_register(opaque.kind));
+    let registers = registers.count();
+    Ok(Linted {
+        generated: generated_blocks(block).len(),
+        registers,
+        hand_written: opaque.len() - registers - unknown.len(),
+        findings: findings(Level::Machine.name(), block),
+    })
+}
+
+pub(super) fn check(name: &str, part: &str, block: &dyn Pinned) -> Result<(), EmitError> {
+    check_all(block).map_err(|error| EmitError::Check {
+        machine: name.to_owned(),
+        reason: format!("{error:?}"),
+    })?;
+    let findings = findings(part, block);
+    if findings.is_empty() {
+        return Ok(());
+    }
+    Err(EmitError::Lint {
+        machine: name.to_owned(),
+        findings: findings.join("\n"),
+    })
+}
+
+fn findings(part: &str, block: &dyn Pinned) -> Vec<String> {
+    let block_rams = block.block_rams();
+    let found = lint(block);
+    let found = found
+        .iter()
+        .filter(|finding| !is_block_ram(finding, &block_rams));
+    found
+        .map(ToString::to_string)
+        .chain(unknown_texts(part, block))
+        .collect()
+}
+
+/// Verilog written by hand in blocks that are not among [`HAND_WRITTEN`].
+fn unknown_texts(part: &str, block: &dyn Pinned) -> Vec<String> {
+    let unknown = opaque_blocks(block).into_iter().filter(|opaque| {
+        // An array's element is named by its number.
+        let is_name = |part: &&str| part.parse::<u32>().is_err();
+        let instance = opaque.path.rsplit('$').find(is_name).unwrap_or_default();
+        let instance = if instance == TOP { part } else { instance };
+        opaque.kind != OpaqueKind::Register && !HAND_WRITTEN.contains(&instance)
+    });
+    unknown
+        .map(|opaque| format!("{}: Verilog that the lint cannot read", opaque.path))
+        .collect()
+}
+
+/// Whether a finding is about a memory that says itself that its words have no initial value: a simulation fills it,
+/// and the faults of power-up (`photoncube verify --faults`) show that no word is looked at before it is written.
+fn is_block_ram(finding: &Finding, block_rams: &[BlockRam]) -> bool {
+    let Some(memory) = finding.statement.strip_prefix("memory ") else {
+        return false;
+    };
+    // rust-hdl joins the instances of a path by `$`.
+    let plain = |path: &str| path.replace(['$', '.'], "_");
+    let found = plain(&format!("{}.{memory}", finding.path));
+    let mut declared = block_rams
+        .iter()
+        .map(|ram| plain(&format!("{TOP}.{}", ram.path)));
+    finding.rule == Rule::UninitialisedMemory && declared.any(|declared| declared == found)
+}
+
+/// What the lint finds in a block with one planted mistake: a 12-bit sum that is cast to 13 bits, whose carry is lost
+/// in Rust and kept in Verilog. It must be one finding.
+pub fn lint_control() -> Vec<String> {
+    let mut block = planted::CastSum::default();
+    rust_hdl::prelude::Block::connect_all(&mut block);
+    let found = lint(&block).into_iter();
+    found
+        .filter(|finding| finding.rule == Rule::CastOfExpression)
+        .map(|finding| finding.to_string())
+        .collect()
+}
+
+mod planted {
+    use rust_hdl::prelude::*;
+
+    #[derive(LogicBlock, Default)]
+    pub struct CastSum {
+        pub a: Signal<In, Bits<12>>,
+        pub b: Signal<In, Bits<12>>,
+        pub sum: Signal<Out, Bits<13>>,
+    }
+
+    impl Logic for CastSum {
+        #[hdl_gen]
+        fn update(&mut self) {
+            self.sum.next = bit_cast::<13, 12>(self.a.val() + self.b.val());
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use photoncube_spec::MACHINES;
+
+    #[test]
+    fn the_lint_finds_nothing_in_a_machine_and_the_planted_mistake() {
+        for machine in MACHINES {
+            let linted = lint_machine(machine).unwrap();
+            assert_eq!(linted.findings, Vec::<String>::new(), "{}", machine.name);
+            assert!(linted.generated > 0 && linted.registers > 0, "{linted:?}");
+        }
+        assert_eq!(lint_control().len(), 1);
+    }
+}
