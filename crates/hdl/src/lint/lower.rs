@@ -63,7 +63,7 @@ impl Frame<'_> {
         let found = self
             .symbol(path)
             .map(|symbol| (symbol.role, node_of(symbol)));
-        // The signal behind an unknown name is unknown too.
+        // An unknown name may be a signal from outside, so it counts as one.
         self.reads_outside |= !matches!(found, Ok((role, _)) if role != Role::Outside);
         found.map(|(_, node)| node)
     }

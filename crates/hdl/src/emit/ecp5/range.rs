@@ -41,7 +41,7 @@ pub(super) fn range_of_format(module: &Module, ports: &Ports) -> Option<String> 
             lut(
                 "near",
                 &["above", "all", "middle", "low"].map(str::to_owned),
-                // Not above the limit, and neither of the two conditions together with all ones.
+                // In range: not `above`, and neither `middle` nor `low` together with `all`.
                 |bits| matches!(bits, 0b0000 | 0b0010 | 0b0100 | 0b1000 | 0b1100),
             ),
             "    assign in_range = near;\n".to_owned(),
