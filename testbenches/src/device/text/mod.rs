@@ -1,10 +1,9 @@
-//! The emitted Verilog with nothing but Rust: the text is read, taken apart, and compiled to a flat
-//! program.
+//! A Verilog evaluator in Rust: it parses the emitted text, flattens it, and compiles it to a flat program.
 //!
-//! It knows the subset of Verilog that `generate` emits and refuses the rest by name and line. What
-//! Verilog makes of a text is decided in four places: widths and signs in [`expression`] and [`shape`], statements
-//! in [`statement`], unknown values in [`four_state`], blocks that never run in [`waits`]. None of it
-//! is to be believed by itself: `testbenches/tests/text/` holds it against Icarus.
+//! It knows the subset of Verilog that `generate` emits and refuses everything else by name and line. Four
+//! modules decide the meaning of a text: widths and signs are in [`expression`] and [`shape`], statements in
+//! [`statement`], unknown values in [`four_state`], and blocks that never run in [`waits`]. The tests in
+//! `testbenches/tests/text/` compare all of them with Icarus.
 
 mod bits;
 mod circuit;
@@ -37,7 +36,7 @@ use program::Program;
 use run::Running;
 use syntax::Line;
 
-/// Verilog that is outside the subset, or that is wrong.
+/// The error of Verilog that is outside the subset, or that is wrong.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error(
     "line {line} of the Verilog: {found}; the device `text` knows the subset that `generate` emits"
@@ -67,7 +66,7 @@ impl Text {
     /// Compiles the design.
     ///
     /// # Errors
-    /// Something in it is outside the subset.
+    /// Some construct of the text is outside the subset.
     pub fn new(design: &Emitted) -> Result<Self, Refusal> {
         let modules = read::read(&design.text)?;
         let mut flat = elaborate::elaborate(&modules, &design.top)?;
@@ -153,7 +152,7 @@ impl Device for Text {
                         text: hexadecimal(value, unknown, signal.width),
                     });
                 }
-                // 0 where a bit is unknown, as of every device.
+                // An unknown value is recorded as 0, as for every device.
                 observed.values.push(if unknown == 0 { value } else { 0 });
             }
             self.running.clock();
@@ -162,7 +161,7 @@ impl Device for Text {
     }
 }
 
-/// As Verilog's `%h` writes it: `x` for a digit of unknown bits, `X` for one with some.
+/// Formats a value as Verilog's `%h` does: `x` for a digit of unknown bits, `X` for a digit with some.
 fn hexadecimal(value: u64, unknown: u64, width: u32) -> String {
     let digit = |index: u32| {
         let of_digit = |word: u64| word >> (4 * index) & 0xf;
