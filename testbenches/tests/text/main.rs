@@ -1,6 +1,6 @@
-//! The evaluator of the emitted Verilog, held against Icarus: on random expressions and blocks of
-//! its whole subset, and on each class of text that Verilog reads otherwise than Rust; and what it
-//! refuses. `machines.rs` and `parts.rs` run it on all that is emitted.
+//! Compares the evaluator of the emitted Verilog with Icarus: on random expressions and blocks of its whole
+//! subset, and on each class of text that Verilog reads differently from Rust. Also tests its refusals.
+//! `machines.rs` and `parts.rs` run the evaluator on all text that is emitted.
 
 mod blocks;
 mod classes;

@@ -1,4 +1,4 @@
-//! What is outside the subset is refused by name and line.
+//! Requires that constructs outside the subset are refused by name and line.
 
 use photoncube_testbench::Text;
 
@@ -6,7 +6,7 @@ use crate::design::design;
 
 const OTHER: &str = "module other(i, o);\n  input wire i;\n  output wire o;\nendmodule\n";
 
-/// Items of a module, the line of what is refused, and a part of what is said.
+/// The items of a module, the line that is refused, and a part of the message.
 const REFUSED: &[(&str, u32, &str)] = &[
     ("wire a;\nassign a = b;", 5, "`b` is not declared"),
     (
@@ -102,7 +102,7 @@ const REFUSED: &[(&str, u32, &str)] = &[
 pub fn by_name_and_line() {
     for &(items, line, said) in REFUSED {
         let outputs = [("y".to_owned(), 1)];
-        // What is looked at hangs on `a`, where there is one.
+        // The observed signal depends on `a`, where the items declare it.
         let driver = match items.contains(" a") && !items.contains("[0:3]") {
             true => "assign y = a;",
             false => "assign y = i;",
