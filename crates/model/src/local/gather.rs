@@ -74,8 +74,9 @@ impl LocalGather {
     /// the caller's choice. The decision is exact, as it is at R. The search for the k-th photon by bisection
     /// and the ladder of radii use one such gather for each radius.
     ///
-    /// # Errors As for [`Self::gather`], or `radius_sq` is over [`Self::radius_sq`]. Beyond that radius,
-    /// photons outside the blocks around the query may be in range.
+    /// # Errors
+    /// As for [`Self::gather`], or `radius_sq` is over [`Self::radius_sq`]. Beyond that radius, photons
+    /// outside the blocks around the query may be in range.
     pub fn gather_within<'b>(
         &self,
         query: &LocalQuery,

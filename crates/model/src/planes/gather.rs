@@ -68,10 +68,12 @@ impl PhotonPlanes {
     /// block that `around` was set for. The sums and the errors are those of
     /// [`crate::LocalGather::gather_within`], bit for bit.
     ///
-    /// # Errors A query does not fit the format, there are more photons around it than its sums are sized
-    /// for, or `radius_sq` (squared fine steps) is over the format's. Nothing is written in these cases.
+    /// # Errors
+    /// A query does not fit the format, there are more photons around it than its sums are sized for, or
+    /// `radius_sq` (squared fine steps) is over the format's. Nothing is written in these cases.
     ///
-    /// # Panics Where `found` and `queries` differ in length, or a query is outside the frame's middle block.
+    /// # Panics
+    /// Where `found` and `queries` differ in length, or a query is outside the frame's middle block.
     pub fn gather(
         &self,
         around: &Surroundings,

@@ -4,9 +4,9 @@
 //! batch of queries, while the next set is read into the other bank. So photons cross the pins once for all
 //! queries near them, and not once for each batch.
 //!
-//! # Each clock All registers have the values before the clock edge, and `:=` gives the value after it. `G`
-//! is the number of groups of a bank, N the number of engines, and `bank` means bank `FillBank` or
-//! `PlayBank`:
+//! # Each clock
+//! All registers have the values before the clock edge, and `:=` gives the value after it. `G` is the number
+//! of groups of a bank, N the number of engines, and `bank` means bank `FillBank` or `PlayBank`:
 //! - Fill: `group_ready` = `FillReady`. A group that is taken is written to place `FillPlace` of `FillBank` a
 //!   clock later: `WriteValid` := a group is taken, `WriteBank` := `FillBank`, `WritePlace` := `FillPlace`,
 //!   and the words `Write` := the group on the pins, in every clock. Where `WriteValid`, these words are

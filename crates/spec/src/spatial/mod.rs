@@ -6,12 +6,12 @@
 //! e is node `16 e + 4 R + g`. A machine has `2^query_axes` engines in a chain; `stream` has one.
 //! Each clock an engine tests the four photons of a group.
 //!
-//! # The pipeline A group enters at the *head*, waits a clock in the *entry*, a row of registers before
-//! engine 0, and passes from engine to engine, one a clock, through *hop* registers. So every net is short
-//! and every photon is read once. The positions of a group go first. Its powers follow [`Spatial::latency`]
-//! clocks later, when an engine has decided which of the photons are in range. The powers therefore need one
-//! delay line, in the head, and none in the engines. The head also decodes powers and clears the powers of
-//! absent photons.
+//! # The pipeline
+//! A group enters at the *head*, waits a clock in the *entry*, a row of registers before engine 0, and passes
+//! from engine to engine, one a clock, through *hop* registers. So every net is short and every photon is
+//! read once. The positions of a group go first. Its powers follow [`Spatial::latency`] clocks later, when an
+//! engine has decided which of the photons are in range. The powers therefore need one delay line, in the
+//! head, and none in the engines. The head also decodes powers and clears the powers of absent photons.
 //!
 //! A query on its way along the chain is called a *token*. It travels in the direction of the photons. An
 //! engine without a next query keeps the first token that arrives and passes the later ones on. When the
@@ -25,9 +25,10 @@
 //! its place on the result chain in the following clock too, so that no result of the engine behind it gets
 //! past the reset.
 //!
-//! # Batches A *batch* is `2^query_axes` queries, the first for engine 0, and the groups of photons that all
-//! of them are tested against. The machine takes queries of the next batch from the clock on in which it
-//! takes the first group of the current batch. Results leave in the order of the queries.
+//! # Batches
+//! A *batch* is `2^query_axes` queries, the first for engine 0, and the groups of photons that all of them
+//! are tested against. The machine takes queries of the next batch from the clock on in which it takes the
+//! first group of the current batch. Results leave in the order of the queries.
 
 mod check;
 mod cuts;
