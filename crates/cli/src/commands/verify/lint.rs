@@ -1,4 +1,5 @@
-//! The lint against planted mistakes: none missed, and no alarm at what replaces them.
+//! The method `--lint`: runs the lint on planted mistakes. It must find each, and report nothing for the
+//! corrected code.
 
 use anyhow::Result;
 use photoncube_hdl::{Planted, Rule, lint_planted};
@@ -9,7 +10,7 @@ use crate::failure::CheckFailed;
 use crate::verified::{Line, record};
 use crate::{output, table};
 
-/// What became of the mistakes of one rule.
+/// The results for the mistakes of one rule.
 #[derive(Debug, Default, PartialEq, Eq, Serialize)]
 struct OfRule {
     rule: &'static str,
@@ -61,7 +62,7 @@ fn of_rule(rule: Rule, planted: &[Planted]) -> OfRule {
     of
 }
 
-/// Shows the lint every planted mistake and its cure.
+/// Runs the lint on every planted mistake and its correction.
 pub fn execute(args: &VerifyArgs, json: bool) -> Result<()> {
     let planted: Vec<_> = lint_planted().collect();
     let report = Report::of(&planted);
@@ -73,7 +74,7 @@ pub fn execute(args: &VerifyArgs, json: bool) -> Result<()> {
     }
 }
 
-/// A rule without a planted mistake is not tested, which is no pass.
+/// Fails where a rule has no planted mistake, because it is then untested.
 fn verdict(report: &Report) -> Result<()> {
     let wrong =
         |of: &&OfRule| of.planted == 0 || !of.missed.is_empty() || !of.false_alarms.is_empty();
