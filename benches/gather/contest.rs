@@ -1,4 +1,5 @@
-//! The contestants: each sums the power in range of all queries, in parallel on the pool that it runs on.
+//! The contestants of the benchmark: each sums the power in range of all queries, in parallel on the current
+//! thread pool.
 
 use glam::DVec3;
 use photoncube_model::Instructions;
@@ -13,30 +14,31 @@ use crate::tree::Tree;
 #[cfg(target_arch = "x86_64")]
 use {crate::grid::F32Grid, pulp::x86::V3};
 
-/// Queries that a thread takes at a time, as a tile of a picture.
+/// The number of queries that a thread takes at a time, as in a tile of a picture.
 const TILE: usize = 1024;
 
-/// The tiles that all contestants gather to be held against each other, and that the slowest is measured on.
+/// The number of tiles that all contestants gather for the comparison of their results, and that the slowest
+/// is measured on.
 pub const SOME: usize = 16;
 
-/// Something that gathers.
+/// A gather implementation.
 pub trait Contestant {
-    /// Its name in the table.
+    /// The contestant's name in the table.
     fn name(&self) -> &'static str;
 
-    /// Bytes that its photons take, with what finds them.
+    /// The number of bytes of its photons and its index.
     fn bytes(&self) -> usize;
 
     /// The sums over the queries of every `every`-th tile.
     fn gather(&self, every: usize) -> Found;
 
-    /// Which tiles are measured: what is slow need not gather all of them.
+    /// The step of the tiles that are measured; a slow contestant need not gather all of them.
     fn every(&self) -> usize {
         1
     }
 }
 
-/// The contestants that this machine can run.
+/// The contestants that this processor can run.
 pub fn contestants<'a>(
     format: &PhotonFormat,
     data: &'a Data,

@@ -1,4 +1,4 @@
-//! What is measured on: photons of equal power on a floor, and queries where they are.
+//! The data of the benchmark: photons of equal power on a floor, and queries at photons.
 
 use glam::{DQuat, DVec3};
 use photoncube_render::{Facing, FormatMap, Photon, PhotonMap, QueryPoint, Scene};
@@ -7,18 +7,18 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use serde_json::json;
 
-/// As many as view rays of a picture of 512x512 pixels, four for each.
+/// The number of queries: those of a picture of 512x512 pixels with four view rays each.
 pub const QUERIES: usize = 1 << 20;
 
-/// How photons lie on the floor.
+/// The distribution of photons on the floor.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Light {
-    /// Anywhere, all places alike.
+    /// Uniform over the floor.
     Uniform,
-    /// Half of them on a caustic: the nephroid that a round mirror makes, as thin as a hundredth of the
+    /// Half of the photons on a caustic: the nephroid of a round mirror, with a width of a hundredth of the
     /// floor's edge.
     Caustic,
-    /// As uniform, on a floor that lies along no axis.
+    /// Uniform, on a floor that is parallel to no axis.
     Tilted,
 }
 
@@ -31,11 +31,11 @@ impl Light {
         }
     }
 
-    /// How the floor lies.
+    /// The rotation of the floor.
     fn tilt(self) -> DQuat {
         match self {
             Self::Uniform | Self::Caustic => DQuat::IDENTITY,
-            // Any direction and angle away from the axes.
+            // An arbitrary rotation away from the axes.
             Self::Tilted => DQuat::from_axis_angle(DVec3::new(1.0, 2.0, 3.0).normalize(), 0.6),
         }
     }
@@ -45,7 +45,7 @@ impl Light {
         if self != Self::Caustic || rng.random::<bool>() {
             return self.tilt() * anywhere;
         }
-        // Nephroid of a unit circle's mirror, over 3 to fit the floor.
+        // The nephroid of a unit circle's mirror, divided by 3 to fit the floor.
         let t = rng.random::<f64>() * std::f64::consts::TAU;
         let on = DVec3::new(
             3.0 * t.cos() - (3.0 * t).cos(),
@@ -57,14 +57,14 @@ impl Light {
     }
 }
 
-/// What is to be measured on.
+/// The parameters of one measurement.
 #[derive(Debug, Clone, Copy)]
 pub struct Workload {
-    /// What its name starts with.
+    /// The beginning of its name.
     pub title: &'static str,
     pub light: Light,
     pub photons: usize,
-    /// Photons that a query has in range, on average, to be met within a twentieth.
+    /// The photons that a query has in range on average, met within a twentieth.
     pub in_range: f64,
 }
 
@@ -80,10 +80,10 @@ impl Workload {
     }
 }
 
-/// Photons and queries.
+/// Photons and queries of one measurement.
 pub struct Data {
     pub map: PhotonMap,
-    /// Sorted by the map's blocks.
+    /// The queries, sorted by the map's blocks.
     pub queries: Vec<QueryPoint>,
 }
 
@@ -101,7 +101,8 @@ impl Data {
         let surface = floor.expect("a floor") as u32;
         let photon = |position| Photon {
             position,
-            // As tracing leaves it: the strongest channel alike, others by what they met.
+            // As after tracing: the strongest channel is equal for all photons, the other channels depend on
+            // their surfaces.
             power: DVec3::new(1.0, 0.7, 0.4) / photons as f64,
             surface,
             facing: Facing::FLAT,
@@ -116,7 +117,7 @@ impl Data {
                 beta: DVec3::ONE,
             })
             .collect();
-        // Blocks of the format's edge: queries are sorted by them, for all contestants alike.
+        // The blocks have the format's edge. The queries are sorted by them, for all contestants alike.
         let map = |radius| {
             let edge = FormatMap::edge_for(format, radius);
             PhotonMap::with_edge(&scene, places.clone(), radius, edge).expect("a legal radius")
@@ -136,7 +137,7 @@ fn radius_for(
     in_range: f64,
 ) -> f64 {
     let some: Vec<_> = queries.iter().step_by(queries.len() / 512).collect();
-    // That of twice as many photons in range if all lay alike: no denser light asks for more.
+    // The radius of twice as many photons in range, if all were uniform; denser light needs no larger radius.
     let (mut low, mut high) = (
         0.0,
         (2.0 * in_range / (std::f64::consts::PI * photons as f64)).sqrt(),
@@ -165,7 +166,7 @@ fn radius_for(
     f64::midpoint(low, high)
 }
 
-/// A floor of one unit by one, and a light above it.
+/// A floor of one unit by one, with a light above it.
 fn floor(tilt: DQuat) -> Scene {
     let rgb = |value: f64| json!({"type": "rgb", "value": [value, value, value]});
     let quad = |y: f64, order: [u32; 4]| {

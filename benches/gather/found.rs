@@ -1,25 +1,25 @@
-//! What all contestants find, so that they can be held to the same work.
+//! The results of the contestants, by which their work is compared.
 
 use std::ops::AddAssign;
 
 use glam::DVec3;
 
-/// Sums over queries.
+/// The sums over all queries.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Found {
     pub queries: u64,
     pub power: DVec3,
     pub count: u64,
-    /// Photons that were decided about: those of all blocks or cells around; of a tree that does not tell,
-    /// those in range.
+    /// The number of photons that were decided: those of all blocks or cells around; for a tree, which does
+    /// not report these, those in range.
     pub candidates: u64,
-    /// Those whose distance was computed, as the others are known to be out of range.
+    /// The number of these whose distance was computed; the others are known to be out of range.
     pub tests: u64,
 }
 
 impl Found {
-    /// Whether this is as much light: formats round, and f32 decides otherwise at the sphere's border, which
-    /// may move a few photons in a thousand.
+    /// Whether the two sums are near. Formats round, and f32 decides differently at the sphere's border,
+    /// which may change a few photons in a thousand.
     pub fn is_near(&self, other: &Self) -> bool {
         let near = |a: f64, b: f64| (a - b).abs() <= 0.005 * b;
         let powers = self

@@ -1,4 +1,4 @@
-//! The peer to beat: a uniform grid of f32 photons in structure-of-arrays, eight at a time in AVX2.
+//! The main competitor: a uniform grid of f32 photons in structure-of-arrays form, eight at a time in AVX2.
 
 use core::arch::x86_64::{__m256, _CMP_LE_OQ};
 
@@ -11,14 +11,14 @@ use crate::found::Found;
 
 const LANES: usize = 8;
 
-/// Photons sorted by cells of the search radius's edge, a dense array of cells over them.
+/// Photons sorted by cells whose edge is the search radius, with a dense array of cells.
 pub struct F32Grid {
-    /// x, y, z, red, green, blue, each with room for a last load behind it.
+    /// The planes x, y, z, red, green, blue, each padded for the last load.
     planes: [Vec<f32>; 6],
     low: DVec3,
     radius: f64,
     cells: I64Vec3,
-    /// The first photon of each cell, and the end of the last.
+    /// The index of each cell's first photon, and the number of photons.
     starts: Vec<u32>,
 }
 
@@ -28,7 +28,7 @@ impl F32Grid {
         let places = || photons.iter().map(|photon| photon.position);
         let low = places().reduce(DVec3::min).expect("photons");
         let high = places().reduce(DVec3::max).expect("photons");
-        // One cell more on either side, so that a query's neighbours exist.
+        // One more cell on either side, so that a query's neighbours exist.
         let low = low - radius;
         let cells = ((high - low) / radius).floor().as_i64vec3() + 2;
         let mut grid = Self {
@@ -63,7 +63,7 @@ impl F32Grid {
         grid
     }
 
-    /// Bytes that photons and cells take.
+    /// The number of bytes of photons and cells.
     pub fn bytes(&self) -> usize {
         let photons: usize = self
             .planes
@@ -73,7 +73,7 @@ impl F32Grid {
         photons + size_of_val(self.starts.as_slice())
     }
 
-    /// Positions lie above the low corner, so the conversion rounds down.
+    /// The cell of a position. Positions are above the low corner, so the conversion rounds down.
     fn cell(&self, position: DVec3) -> I64Vec3 {
         ((position - self.low) / self.radius).as_i64vec3()
     }
@@ -82,7 +82,7 @@ impl F32Grid {
         ((cell.z * self.cells.y + cell.y) * self.cells.x + cell.x) as usize
     }
 
-    /// The photons of the three cells along x in a row; none outside the grid.
+    /// The photons of three cells in a row along x; empty outside the grid.
     #[inline(always)]
     fn row(&self, row: I64Vec3) -> [usize; 2] {
         if row.y < 0 || row.y >= self.cells.y || row.z < 0 || row.z >= self.cells.z {
@@ -93,7 +93,7 @@ impl F32Grid {
         [self.starts[first] as usize, self.starts[last + 1] as usize]
     }
 
-    /// The sums of all queries, one after the other.
+    /// The sums of all queries, one after another.
     pub fn gather_all(&self, simd: V3, queries: &[DVec3]) -> Found {
         simd.vectorize(
             #[inline(always)]
@@ -182,7 +182,7 @@ fn total(sum: __m256) -> f64 {
     f64::from(lanes.iter().sum::<f32>())
 }
 
-/// All ones in the first `photons` lanes, or in all.
+/// A mask of all ones in the first `photons` lanes, at most all lanes.
 #[inline(always)]
 fn first_lanes(photons: usize) -> __m256 {
     const ONES: [u32; 2 * LANES] = {

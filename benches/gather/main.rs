@@ -1,4 +1,5 @@
-//! The gather beside its peers, on the same photons and queries, in one run: `scripts/bench.sh`.
+//! Benchmarks the gather beside its competitors, on equal photons and queries, in one run:
+//! `scripts/bench.sh`.
 
 use std::hint::black_box;
 use std::path::Path;
@@ -21,16 +22,17 @@ mod table;
 mod threads;
 mod tree;
 
-/// RGBE8 in 8 bits per radius, the project's default.
+/// The project's default format: RGBE8 powers and 8 bits per radius.
 const FORMAT: &str = "local8-rgb8e5";
 
-/// Threads of each round.
+/// The numbers of threads that are measured.
 const THREADS: [usize; 2] = [1, 2];
 
-/// The argument that measures how time and memory grow with the photons, and what is measured then.
+/// The argument that measures the growth of time and memory with the number of photons, and the measurements
+/// made then.
 const SCALING: &str = "scaling";
 
-/// The argument that measures what a second thread gives.
+/// The argument that measures the gain of a second thread.
 const SECOND_THREAD: &str = "threads";
 
 fn main() {
@@ -67,7 +69,7 @@ fn format() -> PhotonFormat {
     find_photon_format(FORMAT).expect("a listed format")
 }
 
-/// All lights in two sizes and densities; the tilted floor in the largest only.
+/// All distributions in two sizes and densities; the tilted floor only in the largest.
 fn side_by_side() -> Vec<Workload> {
     let mut workloads = Vec::new();
     for light in [Light::Uniform, Light::Caustic] {
@@ -91,7 +93,7 @@ fn side_by_side() -> Vec<Workload> {
     workloads
 }
 
-/// A hundred times the photons: with as many in range, and with the radius of the one in the middle.
+/// A hundred times the photons: with as many in range, and with the radius of the middle size.
 fn scaling() -> Vec<Workload> {
     let sizes = [
         (100_000, 200.0),

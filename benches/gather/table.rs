@@ -1,4 +1,4 @@
-//! What Criterion measured, as rates and ratios.
+//! Prints Criterion's measurements as rates and ratios.
 
 use std::fs;
 use std::path::Path;
@@ -6,20 +6,20 @@ use std::time::SystemTime;
 
 use crate::found::Found;
 
-/// One measurement.
+/// A row of the table.
 pub struct Row {
-    /// Photons and queries.
+    /// The name of the photons and queries.
     pub data: String,
     pub contestant: &'static str,
     pub threads: usize,
-    /// Criterion's name for it, within the data's.
+    /// Criterion's name of the measurement, inside the data's name.
     pub id: String,
     pub found: Found,
     pub bytes_per_photon: f64,
 }
 
-/// Prints the rows that were measured since `started`, each with its ratios to the best peer and to kiddo on
-/// the same data and threads.
+/// Prints the rows that were measured since `started`, each with its ratios to the best competitor and to
+/// kiddo on the same data and threads.
 pub fn print(home: &Path, started: SystemTime, rows: &[Row]) {
     println!(
         "\n| photons, in range | gather | threads | M queries/s | ns a query | candidates a query | tests a query \
@@ -43,7 +43,7 @@ pub fn print(home: &Path, started: SystemTime, rows: &[Row]) {
     );
 }
 
-/// A row, and the seconds of a gather.
+/// A row, with the seconds of a gather.
 struct Timed<'a> {
     row: &'a Row,
     seconds: f64,
@@ -62,7 +62,7 @@ impl Timed<'_> {
         self.rate(self.row.found.tests)
     }
 
-    /// Its line in the table, beside what else was measured.
+    /// The row's line in the table, compared with the other rows.
     fn line(&self, all: &[Self]) -> String {
         let Row {
             data,
@@ -99,7 +99,7 @@ impl Timed<'_> {
 }
 
 impl Row {
-    /// Whether both are on the same photons, queries and threads.
+    /// Whether both rows have equal photons, queries and threads.
     fn is_beside(&self, other: &Self) -> bool {
         (&self.data, self.threads) == (&other.data, other.threads)
     }
@@ -109,9 +109,9 @@ fn ratio(ratio: Option<f64>) -> String {
     ratio.map_or_else(|| "-".to_owned(), |ratio| format!("{ratio:.2}"))
 }
 
-/// The median of a gather of all queries; none where this run did not measure it.
+/// The median time of a gather of all queries; `None` where this run did not measure it.
 fn seconds(home: &Path, started: SystemTime, row: &Row) -> Option<f64> {
-    // As Criterion writes names in paths.
+    // Criterion's form of names in paths.
     let folder =
         |name: &str| name.replace(['?', '"', '/', '\\', '*', '<', '>', ':', '|', '^'], "_");
     let path = home

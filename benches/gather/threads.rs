@@ -1,8 +1,8 @@
-//! What a second thread gives: `scripts/bench.sh threads`.
+//! Measures the gain of a second thread: `scripts/bench.sh threads`.
 //!
-//! On a machine that others share, speed changes within seconds, and a ratio of measurements a minute apart is
-//! mostly that. So each contestant gathers on one thread and on two in turn, and each round has a ratio of its own.
-//! What a second thread *can* give is measured the same way, by work that touches no memory.
+//! On a shared computer the speed changes within seconds, and the ratio of measurements a minute apart shows
+//! mostly these changes. So each contestant gathers alternately on one thread and on two, and each round has
+//! its own ratio. The largest possible gain is measured in this way too, by work that uses no memory.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -14,15 +14,16 @@ use crate::contest::contestants;
 use crate::data::{Data, Light, Workload};
 use crate::format;
 
-/// Rounds of one gather on one thread and one on two. Odd, so that the median is one of them.
+/// The number of rounds of one gather on one thread and one on two. It is odd, so that the median is one of
+/// them.
 const ROUNDS: usize = 41;
 
-/// Pieces of the work that touches no memory, as many as the largest contestant's tiles, and steps of each: a
-/// tenth of a second in all.
+/// The pieces of the work that uses no memory, as many as the largest contestant's tiles, and the steps of
+/// each: a tenth of a second in all.
 const PIECES: u64 = 1024;
 const STEPS: u64 = 100_000;
 
-/// Prints a table: how many times faster two threads are than one.
+/// Prints a table of the speedups by two threads.
 pub fn measure() {
     let pools = [1, 2].map(|threads| {
         let pool = ThreadPoolBuilder::new().num_threads(threads).build();
@@ -51,7 +52,7 @@ pub fn measure() {
     }
 }
 
-/// Two to one thread, of each round, in order of size.
+/// The ratios of two threads to one, of all rounds, in ascending order.
 fn ratios(pools: &[ThreadPool; 2], work: impl Fn() + Sync) -> Vec<f64> {
     let seconds = |pool: &ThreadPool| {
         pool.install(|| {
@@ -60,7 +61,7 @@ fn ratios(pools: &[ThreadPool; 2], work: impl Fn() + Sync) -> Vec<f64> {
             started.elapsed().as_secs_f64()
         })
     };
-    // Caches and clocks as they are later.
+    // A warm-up brings caches and clocks to their later state.
     pools.iter().for_each(|pool| {
         seconds(pool);
     });
@@ -84,7 +85,7 @@ fn line(data: &str, work: &str, ratios: &[f64]) {
     );
 }
 
-/// A generator of random numbers, each step waiting for the one before, on all pieces in parallel.
+/// A generator of random numbers, in which each step depends on the one before, on all pieces in parallel.
 fn arithmetic() {
     let piece = |seed: u64| {
         (0..STEPS).fold(seed, |x, _| {

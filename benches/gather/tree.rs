@@ -1,4 +1,4 @@
-//! What people use today: a kd-tree whose photons in range are visited.
+//! The common alternative: a kd-tree that visits the photons in range.
 
 use glam::{DVec3, Vec3};
 use kiddo::{ImmutableKdTree, SquaredEuclidean};
@@ -6,7 +6,7 @@ use photoncube_render::PhotonMap;
 
 use crate::found::Found;
 
-/// kiddo's tree of f32 positions, and the powers beside it.
+/// kiddo's tree of f32 positions, with the powers beside it.
 pub struct Tree {
     tree: ImmutableKdTree<f32, 3>,
     powers: Vec<Vec3>,
@@ -31,12 +31,12 @@ impl Tree {
         }
     }
 
-    /// Bytes of a photon: position, index and power; the tree's own nodes are left out.
+    /// The number of bytes of the photons: position, index and power, without the tree's own nodes.
     pub fn bytes(&self) -> usize {
         self.powers.len() * (size_of::<[f32; 3]>() + size_of::<u32>() + size_of::<Vec3>())
     }
 
-    /// The sums of all queries, one after the other.
+    /// The sums of all queries, one after another.
     pub fn gather_all(&self, queries: &[DVec3]) -> Found {
         let mut all = Found::default();
         for query in queries {

@@ -1,4 +1,4 @@
-//! The comparison: every visible signal in every clock, and a full account of the first
+//! Compares every visible signal of a device with the golden model in every clock, and describes the first
 //! difference.
 
 use std::fmt;
@@ -10,61 +10,61 @@ use photoncube_spec::{
 use crate::device::Observed;
 use crate::stimulus::Block;
 
-/// What a device showed.
+/// A value that a device shows.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Actual {
-    /// A number.
+    /// A value whose bits are all 0 or 1.
     Known(u64),
-    /// A value with bits that are neither 0 nor 1, in hexadecimal with x and z.
+    /// A value with bits that are neither 0 nor 1, in hexadecimal with the digits x and z.
     Unknown(String),
 }
 
-/// What the machine was about in a clock.
+/// The activity of the machine in a clock.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub enum Activity {
-    /// Nothing yet: there was no clock before.
+    /// No activity, because there was no clock before.
     PowerUp,
-    /// It did a step.
+    /// The machine did a step.
     Step(Step),
-    /// It waited for a stream to do a step.
+    /// The machine waited for a stream before it could do a step.
     WaitsFor(Step),
-    /// It held its result, which was taken or not.
+    /// The machine held its result, which was taken or not.
     HasResult,
-    /// Every cell did what it does in every clock.
+    /// All cells did the work that they do in every clock, in a machine without a program.
     Flows,
 }
 
 /// The first difference between a device and the golden model.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Divergence {
-    /// The machine.
+    /// The name of the machine.
     pub machine: &'static str,
-    /// The device.
+    /// The name of the device.
     pub device: String,
-    /// The seed of the chunk; with it, the chunk is the first of a run.
+    /// The seed of the chunk. A run with this seed begins with the chunk.
     pub seed: u64,
-    /// The chunk in this run.
+    /// The index of the chunk in this run.
     pub chunk: u64,
     /// The clock, counted from the chunk's start.
     pub clock: u64,
-    /// The signal's name, as in [`Pins`]; where several differ, a register before an output.
+    /// The signal's name, as in [`Pins`]. Where several signals differ, a register is named before an output.
     pub signal: String,
-    /// Where the signal is.
+    /// The signal's place in the machine.
     pub place: SignalPlace,
-    /// What the golden model shows.
+    /// The value of the golden model.
     pub expected: u64,
-    /// What the device shows.
+    /// The value of the device.
     pub actual: Actual,
-    /// How many signals differ in this clock.
+    /// The number of signals that differ in this clock.
     pub differing: usize,
-    /// What was done in the clock before, at whose end registers took these values.
+    /// The machine's activity in the clock before, at whose end registers stored these values.
     pub activity: Activity,
-    /// What the clock before had in the registers and on the pins that matter for this signal; `n`
-    /// is the neighbour's `v`.
+    /// The values, in the clock before, of the registers and pins that this signal depends on; `n` is the
+    /// neighbour's `v`.
     pub operands: Vec<(String, u64)>,
-    /// Clocks that were equal before.
+    /// The number of clocks before this one, all of which were equal.
     pub vectors_compared: u64,
-    /// The command that repeats it.
+    /// A command that reproduces the difference.
     pub repeat: String,
 }
 
@@ -119,16 +119,16 @@ impl fmt::Display for Divergence {
     }
 }
 
-/// Compares blocks in their order.
+/// A comparison of successive blocks.
 pub(crate) struct Comparer<'a> {
     machine: &'a Machine,
     pins: Pins,
-    /// The program's steps; none where there is no program.
+    /// The program's steps; empty where there is no program.
     steps: Vec<Step>,
     visible: usize,
-    /// The clock before the block: its row of inputs and its row of signals.
+    /// The last clock before the block: its row of inputs and its row of signals.
     before: Option<(Vec<u64>, Vec<u64>)>,
-    /// Clocks compared, all equal.
+    /// The number of clocks compared so far, all equal.
     pub vectors: u64,
 }
 
@@ -137,7 +137,7 @@ impl<'a> Comparer<'a> {
         Self::of_pins(machine, Pins::of(machine), visible)
     }
 
-    /// Of the machine, or of a part of it that has these pins.
+    /// A comparison for a machine, or for a part of it that has these pins.
     pub fn of_pins(machine: &'a Machine, pins: Pins, visible: usize) -> Self {
         Self {
             machine,
@@ -149,12 +149,12 @@ impl<'a> Comparer<'a> {
         }
     }
 
-    /// Whether there are as many rows as clocks.
+    /// Whether the device returned as many rows as there are clocks.
     pub fn is_complete(&self, block: &Block, observed: &Observed) -> bool {
         observed.values.len() == block.clocks * self.visible
     }
 
-    /// The first difference; `device` and `repeat` only go into its account.
+    /// Returns the first difference of a block; `device` and `repeat` are copied into its description.
     pub fn compare(
         &mut self,
         block: &Block,
@@ -201,7 +201,7 @@ impl<'a> Comparer<'a> {
         let actual = |column: usize| observed.at(first + column);
         let differs = |&column: &usize| actual(column) != Actual::Known(expected[column]);
         let differing = (0..self.visible).filter(differs);
-        // The control block leads the cells, and both lead the outputs.
+        // The control block causes differences in the cells, and both cause differences in the outputs.
         let rank = |&column: &usize| match self.pins.observed[column].place {
             SignalPlace::Control(_)
             | SignalPlace::OverlapControl(_)
@@ -299,8 +299,8 @@ impl<'a> Comparer<'a> {
     }
 }
 
-/// Whether one register of a machine without a program of single steps may feed another: both in
-/// control or head, or both in one cell, or in one engine and of one lane, if they are of a lane.
+/// Whether one register of a machine without single steps may feed another. It may if both are in the control
+/// block or head, or both in one cell, or both in one engine and, where they belong to lanes, in one lane.
 fn is_near(machine: &Machine, place: SignalPlace, other: SignalPlace) -> bool {
     let channels = machine.channels().names().len();
     let lane = |register: EngineRegister, index| match register.row().instances {

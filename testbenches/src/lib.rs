@@ -1,10 +1,10 @@
-//! Stimulus, runners and comparison: HDL against golden model.
+//! Verification of the HDL against the golden model: stimulus, runners and comparison.
 //!
-//! Everything is the replay of a trace, in *rows* of [`photoncube_spec::Pins`]: the golden model
-//! runs on random queries or on those of a scene and decides every handshake; its input rows are
-//! replayed into a [`Device`]; and every signal that the device shows must be the model's, in
-//! every clock. [`verify`] does it all; it fails on the first difference, with what is needed to
-//! look into it, and it never passes on nothing.
+//! Every verification replays a trace, in *rows* of [`photoncube_spec::Pins`]. The golden model runs on
+//! random queries or on those of a scene and decides every handshake. Its input rows are replayed into a
+//! [`Device`]. Every signal that the device shows must have the model's value, in every clock. [`verify`]
+//! does all of this. It fails on the first difference and describes it, and it fails if it has compared
+//! nothing.
 
 mod campaign;
 mod compare;

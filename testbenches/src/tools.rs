@@ -1,4 +1,4 @@
-//! The outside tools: which there are, which version, and how to get those that are missing.
+//! Finds the external tools and their versions; names the command that installs a missing tool.
 
 use std::env;
 use std::ffi::OsStr;
@@ -7,30 +7,30 @@ use std::process::{Command, Output, Stdio};
 
 use thiserror::Error;
 
-/// A program that some device needs.
+/// An external program that some device needs.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Tool {
     /// Icarus Verilog's compiler.
     Iverilog,
     /// Icarus Verilog's runtime.
     Vvp,
-    /// Verilator.
+    /// Verilator, which translates Verilog to C++.
     Verilator,
-    /// The C++ compiler that builds what Verilator writes.
+    /// The C++ compiler for Verilator's output.
     Gxx,
-    /// Make, which Verilator's build runs under.
+    /// Make, which runs Verilator's build.
     Make,
-    /// Yosys.
+    /// Yosys, for netlists, formal proofs and mutations.
     Yosys,
 }
 
-/// A tool is not there.
+/// The error of a tool that is not on the PATH.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("`{program}` is not on the PATH; install it with `{}`", self.install())]
 pub struct MissingTool {
-    /// The program's name.
+    /// The name of the program.
     pub program: &'static str,
-    /// The Debian package that has it.
+    /// The Debian package that contains the program.
     pub package: &'static str,
 }
 
@@ -41,34 +41,34 @@ impl MissingTool {
     }
 }
 
-/// A tool did not do what it was asked for.
+/// The error of a tool that is missing or failed.
 #[derive(Debug, Error)]
 pub enum ToolError {
-    /// It is not there.
+    /// The tool is not on the PATH.
     #[error(transparent)]
     Missing(#[from] MissingTool),
-    /// It could not be started.
+    /// The tool could not be started.
     #[error("`{program}` did not start")]
     NotStarted {
-        /// The program's name.
+        /// The name of the program.
         program: String,
-        /// Why.
+        /// The error of the operating system.
         source: std::io::Error,
     },
-    /// It ended with an error.
+    /// The tool ended with an error.
     #[error("`{program}` failed ({status}):\n{message}")]
     Failed {
-        /// The program's name.
+        /// The name of the program.
         program: String,
-        /// Its exit status.
+        /// The exit status of the program.
         status: std::process::ExitStatus,
-        /// The end of what it said.
+        /// The end of the tool's output.
         message: String,
     },
 }
 
 impl Tool {
-    /// The program's name.
+    /// The name of the tool's program.
     pub fn program(self) -> &'static str {
         match self {
             Self::Iverilog => "iverilog",
@@ -90,10 +90,10 @@ impl Tool {
         }
     }
 
-    /// Where the tool is.
+    /// The path of the tool's program.
     ///
     /// # Errors
-    /// It is not on the PATH; the error has the command that installs it.
+    /// The tool is not on the PATH. The error has the command that installs it.
     pub fn find(self) -> Result<PathBuf, MissingTool> {
         on_path(self.program()).ok_or(MissingTool {
             program: self.program(),
@@ -101,10 +101,10 @@ impl Tool {
         })
     }
 
-    /// The tool's own words for its version: the first line.
+    /// The first line of the tool's own version text.
     ///
     /// # Errors
-    /// It is missing or does not run.
+    /// The tool is missing or does not run.
     pub fn version(self) -> Result<String, ToolError> {
         let argument = match self {
             Self::Iverilog | Self::Vvp | Self::Yosys => "-V",
@@ -116,7 +116,7 @@ impl Tool {
     }
 }
 
-/// A program's place on the PATH.
+/// The path of a program on the PATH; `None` where it is missing.
 pub(crate) fn on_path(program: &str) -> Option<PathBuf> {
     let path = env::var_os("PATH")?;
     env::split_paths(&path)
@@ -124,7 +124,7 @@ pub(crate) fn on_path(program: &str) -> Option<PathBuf> {
         .find(|file| file.is_file())
 }
 
-/// Runs a command to its end and keeps what it says.
+/// Runs a command to its end and captures its output.
 pub(crate) fn run(command: &mut Command) -> Result<(), ToolError> {
     let output = output(command)?;
     if output.status.success() {
@@ -151,7 +151,7 @@ pub(crate) fn program_of(command: &Command) -> String {
     name.unwrap_or(OsStr::new("?")).to_string_lossy().into()
 }
 
-/// The end of what a tool said: what went wrong stands there.
+/// The end of a tool's output, which has the error message.
 pub(crate) fn tail(said: &[u8]) -> String {
     const MOST: usize = 2_000;
     let text = String::from_utf8_lossy(said);

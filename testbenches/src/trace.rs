@@ -1,4 +1,4 @@
-//! The trace module: Verilog around an emitted design that makes its registers visible.
+//! The trace module: Verilog around an emitted design that makes its registers observable.
 
 use std::fmt::Write as _;
 
@@ -8,14 +8,14 @@ use photoncube_spec::Pin;
 /// The name of the module that [`trace_module`] writes.
 pub(crate) const TRACE: &str = "photoncube_trace";
 
-/// A module with the design inside, as `dut`, and a port for each of its pins and registers. It
-/// reads registers by hierarchical reference, and fills block RAMs with zeros as the golden model does, so that the
-/// design's own text stays as it is.
+/// Makes a module that contains the design, as `dut`, and has a port for each of its pins and registers. The
+/// module reads registers by hierarchical reference, and fills block RAMs with zeros as the golden model
+/// does. The design's own text is unchanged.
 pub(crate) fn trace_module(design: &Emitted) -> String {
     trace_module_with(design, "")
 }
 
-/// The same with more Verilog inside, which can name all ports.
+/// Makes the trace module with the Verilog `inside` added, which can name all ports.
 pub(crate) fn trace_module_with(design: &Emitted, inside: &str) -> String {
     let (outputs, registers) = design.pins.observed.split_at(design.pins.outputs);
     let mut ports: Vec<_> = design.clocked.then_some("clock").into_iter().collect();
@@ -54,7 +54,7 @@ pub(crate) fn names(pins: &[Pin]) -> impl Iterator<Item = &str> {
     pins.iter().map(|pin| pin.name.as_str())
 }
 
-/// Declares each pin, one a line.
+/// Appends a declaration of each pin, one a line.
 pub(crate) fn declare(text: &mut String, kind: &str, pins: &[Pin]) {
     for pin in pins {
         let _ = match pin.width {

@@ -1,4 +1,4 @@
-//! Verification: a device against the golden model on a stream of stimulus.
+//! Verifies a device against the golden model on a stream of stimulus.
 
 use std::ops::ControlFlow;
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
@@ -15,73 +15,73 @@ use crate::device::{Device, DeviceError, DeviceKind, Observed, hdl_error};
 use crate::protocol::UnknownDifference;
 use crate::stimulus::{Block, Pressure, Source, StimulusError, generate};
 
-/// How much is verified, on what.
+/// The stimulus of a verification and its length.
 #[derive(Copy, Clone, Debug)]
 pub struct VerifyOptions<'a> {
-    /// At least this many iterations: groups whose sums are taken. A workload ends with its last
-    /// query, if that comes first.
+    /// The least number of iterations, which are groups whose sums are taken. A workload may end earlier,
+    /// with its last query.
     pub iterations: u64,
     /// The seed of random stimulus.
     pub seed: u64,
-    /// Where the queries come from.
+    /// The source of the queries.
     pub source: Source<'a>,
 }
 
-/// What was compared and found equal.
+/// A record of a verification in which all compared values were equal.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Verdict {
-    /// The machine.
+    /// The name of the machine.
     pub machine: &'static str,
-    /// SHA-256 of the machine's emitted Verilog, see [`Emitted::verilog_sha256`]; none where the caller
-    /// opened the device, with whatever design in it.
+    /// SHA-256 of the machine's emitted Verilog, see [`Emitted::verilog_sha256`]; `None` where the caller
+    /// opened the device with a design of its own.
     ///
     /// [`Emitted::verilog_sha256`]: photoncube_hdl::Emitted::verilog_sha256
     pub verilog_sha256: Option<String>,
-    /// The device.
+    /// The name of the device.
     pub device: String,
-    /// The tool behind it, with its version.
+    /// The tool behind the device, with its version.
     pub tool_version: String,
     /// The seed of the stimulus.
     pub seed: u64,
-    /// Groups whose sums were taken.
+    /// The number of groups whose sums were taken.
     pub iterations: u64,
-    /// Results taken; each was also held against the direct gather.
+    /// The number of results taken. Each was also compared with the direct gather.
     pub results_compared: u64,
-    /// Clocks, in each of which every visible signal was compared.
+    /// The number of clocks. Every visible signal was compared in each.
     pub vectors_compared: u64,
-    /// Signals in a vector.
+    /// The number of signals in a vector.
     pub signals_per_vector: usize,
-    /// Whether these are all registers of all cells, or the output pins alone.
+    /// Whether all registers of all cells were compared, or only the output pins.
     pub registers_compared: bool,
-    /// Clocks that the device did in a second while it worked, model and comparison apart.
+    /// The device's speed in clocks per second, without the time of the model and of the comparison.
     pub clocks_per_second: u64,
-    /// What the stimulus did to the streams.
+    /// Statistics of the waits and resets in the stimulus.
     #[serde(skip)]
     pub pressure: Pressure,
 }
 
-/// Why a verification did not end well.
+/// The reason why a verification failed.
 #[derive(Debug, Error)]
 pub enum VerifyError {
     /// The device differs from the golden model.
     #[error("{0}")]
     Diverged(Box<Divergence>),
-    /// With unknown values on its pins or in its registers, the device shows what it must not.
+    /// With unknown values on its pins or in its registers, the device shows a wrong or unknown value.
     #[error("{0}")]
     Unknown(Box<UnknownDifference>),
-    /// Nothing went through the machine, so nothing was proven.
+    /// Nothing passed through the machine, so nothing was compared.
     #[error(
         "nothing was compared in {device}: {iterations} iterations, {results} results, \
          {vectors} vectors; a verification needs at least one of each"
     )]
     NothingCompared {
-        /// The device.
+        /// The name of the device.
         device: String,
-        /// Iterations that were run.
+        /// The number of iterations that were run.
         iterations: u64,
-        /// Results that were taken.
+        /// The number of results that were taken.
         results: u64,
-        /// Clocks that were compared.
+        /// The number of clocks that were compared.
         vectors: u64,
     },
     /// The device does not run.
@@ -92,13 +92,13 @@ pub enum VerifyError {
     Stimulus(#[from] StimulusError),
 }
 
-/// Blocks that wait between the golden model and the device.
+/// The most blocks that wait between the golden model and the device.
 const BLOCKS_AHEAD: usize = 4;
 
-/// Verifies a machine in a device; `progress` is told the iterations done.
+/// Verifies a machine in a device. Calls `progress` with the number of iterations done.
 ///
 /// # Errors
-/// The first difference, with all that is needed to look into it; or no verdict at all.
+/// The first difference, with its description; or the device or the stimulus fails.
 pub fn verify(
     machine: &Machine,
     kind: DeviceKind,
@@ -107,7 +107,7 @@ pub fn verify(
 ) -> Result<Verdict, VerifyError> {
     let design = emit(machine, Level::Machine).map_err(hdl_error(machine))?;
     let mut device = match kind {
-        // It simulates the blocks that the text is printed from.
+        // The device simulates the blocks that the text is printed from.
         DeviceKind::RustHdl => kind.open(machine, Level::Machine)?,
         kind => kind.open_emitted(&design)?,
     };
@@ -121,7 +121,7 @@ pub fn verify(
 /// Verifies a machine in a device that is open and has not run yet.
 ///
 /// # Errors
-/// The first difference, with all that is needed to look into it; or no verdict at all.
+/// The first difference, with its description; or the device or the stimulus fails.
 pub fn verify_device(
     machine: &Machine,
     device: &mut dyn Device,
@@ -132,7 +132,7 @@ pub fn verify_device(
         // The golden model runs ahead of the device in a thread of its own.
         let (send, receive) = sync_channel(BLOCKS_AHEAD);
         let generator = scope.spawn(move || produce(machine, options, &send));
-        // The receiver goes with this call, which stops the generator where the device failed.
+        // This call owns the receiver. Its end stops the generator if the device failed.
         let compared = consume(machine, device, options, receive, progress);
         let produced = generator.join().expect("the golden model does not panic");
         let verdict = compared?;
@@ -206,7 +206,7 @@ fn consume(
     })
 }
 
-/// A device that does not answer row for row is broken, whatever it answers.
+/// The error of a device that does not answer row for row.
 pub(crate) fn wrong_count(device: &dyn Device, clocks: usize, observed: &Observed) -> DeviceError {
     DeviceError::BrokeOff {
         device: device.name().to_owned(),
@@ -242,7 +242,7 @@ pub(crate) fn nothing_compared(
     }
 }
 
-/// The chunk becomes the first of a run that is just long enough to reach the block.
+/// The command whose first chunk is this chunk, and whose run is just long enough to reach the block.
 fn repeat_command(
     machine: &Machine,
     device: &str,

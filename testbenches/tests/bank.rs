@@ -1,5 +1,6 @@
-//! Full banks of a photon memory: faults in its emitted text that show there alone, each found by its stimulus; random
-//! stimulus does not find those that take a bank without a last group, or a reset far in a set.
+//! Tests of full banks of a photon memory: faults in its emitted text that only show there, each found by the
+//! stimulus for banks. Random stimulus misses the faults that need a full bank without a last group, or a
+//! reset late in a set.
 
 mod planted;
 
@@ -19,14 +20,14 @@ const MACHINE: &str = "tile-6-mixed";
 struct Fault {
     name: &'static str,
     module: &'static str,
-    /// What stands in the module, once.
+    /// The text in the module, which occurs once.
     from: &'static str,
-    /// What stands there instead.
+    /// The text that replaces it.
     to: &'static str,
-    /// The signals of which one is found to differ first.
+    /// The signals of which one must differ first.
     names: &'static [&'static str],
-    /// Random stimulus does not find it in so many iterations: the only full banks that it fills end with a last group,
-    /// and no reset comes to them.
+    /// The iterations of random stimulus that miss the fault. In these, a full bank always ends with a last
+    /// group, and no reset comes to it.
     missed_in: Option<u64>,
 }
 
@@ -131,7 +132,7 @@ fn missed(fault: &Fault, iterations: u64) -> Result<(), Failed> {
     Ok(())
 }
 
-/// A bank of the most photons: their count is the only one with its highest bit.
+/// Faults that need a bank of the most photons, whose count alone has its highest bit set.
 fn count() -> Result<(), Failed> {
     let fault = Fault {
         name: "",
@@ -150,7 +151,7 @@ fn count() -> Result<(), Failed> {
     Ok(())
 }
 
-/// Every corner is legal for a machine with a memory, and what it gives is what the direct gather does.
+/// Every corner is legal for a machine with a memory, and its results are those of the direct gather.
 fn sound() -> Result<(), Failed> {
     let machine = find_machine(MACHINE)?;
     let corners = Source::corners(machine);

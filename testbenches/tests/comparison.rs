@@ -1,5 +1,5 @@
-//! The comparison itself, on golden models with faults: what differs is found and named, and
-//! nothing passes for lack of vectors.
+//! Tests the comparison itself on golden models with faults: each difference is found and named, and a
+//! comparison of nothing fails.
 
 use std::cell::RefCell;
 
@@ -100,7 +100,7 @@ fn a_machine_without_reset_is_found() {
     assert!(found.signal.starts_with("control_"), "{found}");
 }
 
-/// The sum reaches bit 31 in the fullest query alone, which comes at the end of some chunks.
+/// The sum reaches bit 31 only in the fullest query, which is at the end of some chunks.
 #[test]
 fn a_late_divergence_is_repeated_as_the_first_chunk_of_a_run() {
     let faulty = || {

@@ -1,4 +1,4 @@
-//! What a verification uses of the emitted Verilog: all of it, but for what has a reason.
+//! Requires that a verification uses all of the emitted Verilog, except the parts with a recorded reason.
 
 mod support;
 
@@ -8,8 +8,8 @@ use photoncube_testbench::{
     Coverage, CoverageKind, DeviceKind, Source, VerifyOptions, corners, coverage,
 };
 
-/// The spatial machine that is built fastest has all bits of its sums used after so many iterations, and the
-/// sequential one too.
+/// The iterations after which all bits of the sums are used, in the spatial machine that is built fastest and
+/// in the sequential one.
 const ENOUGH: u64 = 200_000;
 
 fn main() {

@@ -1,4 +1,4 @@
-//! Every pair of inputs of every unit, and the test of it: one wrong pair is found.
+//! Compares every pair of inputs of every unit; and tests this comparison: one wrong pair is found.
 
 mod support;
 
@@ -10,7 +10,8 @@ use photoncube_testbench::{
     exhaustive_unit_device,
 };
 
-/// An edit of a unit's text, with the mismatches that it makes; none where they were not counted by hand.
+/// An edit of a unit's text, with the number of mismatches that it causes; `None` where that was not computed
+/// by hand.
 struct Fault {
     name: &'static str,
     unit: Unit,
@@ -35,7 +36,7 @@ const FAULTS: &[Fault] = &[
         bits: 6,
         from: "a + b",
         to: "a ^ b",
-        // All pairs but those without a common bit below the top, whose carry is lost anyway.
+        // All pairs, except those without a common bit below the top, whose carry is lost in any case.
         mismatches: Some(4096 - 4 * 3_u64.pow(5)),
     },
     Fault {
@@ -60,7 +61,7 @@ const FAULTS: &[Fault] = &[
         bits: 8,
         from: "root * root",
         to: "root + root",
-        // All but the differences 0 and 2: 256 pairs and twice 254.
+        // All pairs, except those with the differences 0 and 2: 256 pairs and twice 254.
         mismatches: Some(65_536 - 256 - 2 * 254),
     },
     Fault {
@@ -103,7 +104,7 @@ fn main() {
     for unit in Unit::ALL {
         for bits in Unit::BITS.into_iter().filter(|&bits| has_unit(unit, bits)) {
             for kind in [DeviceKind::Text, DeviceKind::RustHdl] {
-                // rust-hdl's own simulation is slow, and proves no text.
+                // rust-hdl's own simulation is slow, and verifies no text.
                 if kind == DeviceKind::Text || bits == 6 {
                     let name = format!("{unit}::{bits}::{kind}");
                     trials.push(support::trial(name, kind, move || all(unit, bits, kind)));
@@ -130,7 +131,7 @@ fn all(unit: Unit, bits: u32, kind: DeviceKind) -> Result<(), Failed> {
     Ok(())
 }
 
-/// The text with what stands there once replaced.
+/// Replaces a text that occurs once in the design.
 fn edit(mut design: Emitted, from: &str, to: &str) -> Emitted {
     assert_eq!(
         design.text.matches(from).count(),
@@ -165,7 +166,7 @@ fn lane() -> Result<(), Failed> {
     Ok(())
 }
 
-/// The comparison of one lane takes the boundary for out of range.
+/// The comparison of one lane counts the boundary as out of range, which must be found.
 fn lane_caught() -> Result<(), Failed> {
     let machine = find_machine("stream")?;
     let design = emit(machine, Level::Machine)?;

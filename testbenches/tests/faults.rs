@@ -1,4 +1,4 @@
-//! The test of the tests: a fault planted in the emitted Verilog must be found.
+//! Tests the comparison: each fault planted in the emitted Verilog must be found.
 
 mod planted;
 mod support;
@@ -22,11 +22,11 @@ struct Fault {
     machine: &'static str,
     /// The module, without the machine's prefix.
     module: &'static str,
-    /// What stands in the module, once.
+    /// The text in the module, which occurs once.
     from: &'static str,
-    /// What stands there instead.
+    /// The text that replaces it.
     to: &'static str,
-    /// What the account of the divergence must name: the step or the signal.
+    /// The step or signal that the description of the difference must contain.
     names: &'static str,
 }
 

@@ -1,5 +1,5 @@
-//! Formal proofs that need little time, each with what must be reachable and with planted faults; all of them are
-//! `photoncube verify --formal`.
+//! The quick formal proofs, each with its covers and its planted faults. `photoncube verify --formal` runs
+//! all proofs.
 
 mod support;
 
@@ -7,7 +7,7 @@ use libtest_mimic::{Arguments, Failed};
 use photoncube_spec::find_machine;
 use photoncube_testbench::{DeviceKind, formal};
 
-/// The beginnings of the names of what is proven here, by machine.
+/// By machine, the prefixes of the names of the properties that are proven here.
 const QUICK: &[(&str, &[&str])] = &[
     (
         "paper",
@@ -35,8 +35,8 @@ const QUICK: &[(&str, &[&str])] = &[
             "netlist::square_pair",
         ],
     ),
-    // Other words: a hypercube's fifth axis, the clamped difference and half square of a photon format, a square of
-    // fewer digits, several engines, a product in place of digits.
+    // Other sizes: a hypercube's fifth axis, the clamped difference and half square of a photon format, a
+    // square of fewer digits, several engines, a product in place of digits.
     ("paper-5d", &["cell::", "control::", "network::", "links::"]),
     ("paper-dsp", &["units::"]),
     ("local-half", &["units::", "cell::", "sums::"]),

@@ -1,5 +1,5 @@
-//! The hard cases in every named machine and every device: the photons that some arithmetic gets
-//! wrong, as the words of the machine, with the counts that follow from the way they were placed.
+//! Runs the hard cases in every named machine and every device: photons that some arithmetic gets wrong, as
+//! the machine's words, with counts that follow from their placement.
 
 mod extent;
 mod support;
@@ -14,8 +14,8 @@ use extent::Extent;
 
 type Workload = Vec<(Query, Vec<Photon>)>;
 
-/// Iterations of each case, by the device's speed: the first of its photons. Verilator, in a machine of each
-/// organisation, has them all, up to the most photons that a machine declares.
+/// The iterations of each case, which begin with its first photon, by the device's speed. Verilator runs all
+/// of them, up to the most photons that a machine declares, in one machine of each organisation.
 fn iterations_of_a_case(machine: &Machine, kind: DeviceKind) -> usize {
     match kind {
         DeviceKind::RustHdl => 250,
@@ -26,7 +26,7 @@ fn iterations_of_a_case(machine: &Machine, kind: DeviceKind) -> usize {
     }
 }
 
-/// The most engines of a machine that is put through the cases in devices.
+/// The most engines of a machine that runs the cases in devices.
 const LONGEST_CHAIN: usize = 2;
 
 fn main() {
@@ -35,7 +35,7 @@ fn main() {
         trials.push(Trial::test(format!("counts::{}", machine.name), || {
             counts(machine)
         }));
-        // The engines of a longer chain are the same module.
+        // The engines of a longer chain are instances of one module.
         if machine.queries_at_once() > LONGEST_CHAIN {
             continue;
         }
@@ -48,7 +48,7 @@ fn main() {
     libtest_mimic::run(&Arguments::from_args(), trials).exit();
 }
 
-/// The golden model counts what stands in range by the way it was placed, not by any arithmetic.
+/// The golden model's counts are those of the placement, which uses no arithmetic.
 fn counts(machine: &Machine) -> Result<(), Failed> {
     let (mut checked, mut ties) = (0, 0);
     for case in HARD_CASES {
@@ -75,7 +75,7 @@ fn counts(machine: &Machine) -> Result<(), Failed> {
     Ok(())
 }
 
-/// What the sums are sized for.
+/// The largest sums that the machine declares.
 fn largest_sums(machine: &Machine) -> Sums {
     let power = machine.full_scale() * u128::from(machine.max_photons());
     let mut sums = Sums {
@@ -87,7 +87,8 @@ fn largest_sums(machine: &Machine) -> Sums {
     sums
 }
 
-/// All cases in one run, as a device is slow to build; where they differ, each alone, to name it.
+/// Runs all cases at once, because a device is slow to build. If they differ, each is run alone to find its
+/// name.
 fn in_device(machine: &Machine, kind: DeviceKind) -> Result<(), Failed> {
     let mut all = Workload::new();
     let (mut cases, mut ties) = (0, 0);
@@ -111,7 +112,7 @@ fn in_device(machine: &Machine, kind: DeviceKind) -> Result<(), Failed> {
         verdict.iterations,
         verdict.vectors_compared
     );
-    // Where a machine tests several queries at once, a query may be there several times.
+    // Where a machine tests several queries at once, a query may be repeated.
     let results = verdict.results_compared;
     assert!(results >= all.len() as u64);
     assert!(machine.queries_at_once() > 1 || results == all.len() as u64);
@@ -124,7 +125,7 @@ fn in_device(machine: &Machine, kind: DeviceKind) -> Result<(), Failed> {
     Ok(())
 }
 
-/// The queries of a case that a device has time for.
+/// The queries of a case, as many as the device has time for.
 fn workload(case: &HardCase, machine: &Machine, kind: DeviceKind) -> Result<Workload, Failed> {
     let mut left = iterations_of_a_case(machine, kind);
     let mut all = Workload::new();
@@ -133,7 +134,7 @@ fn workload(case: &HardCase, machine: &Machine, kind: DeviceKind) -> Result<Work
             if left == 0 {
                 return Ok(all);
             }
-            // A machine that declares fewer photons than a caustic has gets the first of them.
+            // Where a caustic has more photons than a machine declares, the first of them are used.
             let most = left.saturating_mul(machine.photons_per_iteration()) as u64;
             photons.truncate(most.min(machine.max_photons()) as usize);
             let groups = photons.len().div_ceil(machine.photons_per_iteration());

@@ -1,5 +1,4 @@
-//! Every named machine in every device, on random stimulus and on the photons of the built-in
-//! scene.
+//! Verifies every named machine in every device, on random stimulus and on the photons of the built-in scene.
 
 mod extent;
 mod support;
@@ -14,7 +13,7 @@ use photoncube_testbench::{DeviceKind, Source, Verdict, VerifyOptions, verify};
 
 use extent::Extent;
 
-/// Iterations on random stimulus.
+/// The iterations on random stimulus.
 fn random_iterations(kind: DeviceKind, extent: Extent) -> Option<u64> {
     let iterations = match kind {
         DeviceKind::RustHdl => [5_000, 1_000, 50, 10],
@@ -26,8 +25,8 @@ fn random_iterations(kind: DeviceKind, extent: Extent) -> Option<u64> {
     chosen(extent, iterations)
 }
 
-/// Iterations on photons of the scene. The netlist differs from Icarus's run in nothing but the
-/// gates, which random stimulus exercises better.
+/// The iterations on photons of the scene. The netlist differs from Icarus only in its gates, which random
+/// stimulus exercises better.
 fn scene_iterations(kind: DeviceKind, extent: Extent) -> Option<u64> {
     let iterations = match kind {
         DeviceKind::RustHdl => [1_000, 250, 0, 0],
@@ -49,8 +48,8 @@ fn chosen(extent: Extent, [full, brief, chain, long_chain]: [u64; 4]) -> Option<
     (iterations > 0).then_some(iterations)
 }
 
-/// Corners by name, each on machines that differ in what they make of it: one of each organisation, one whose most photons
-/// are a power of two, a chain, and a photon memory, whose bank the most photons fill.
+/// The corners by name, each with machines that handle it differently: one of each organisation, one whose
+/// most photons are a power of two, a chain, and one with a photon memory, whose bank holds the most photons.
 const CORNERS: [(&str, Source, &[&str]); 3] = [
     (
         "lane_alone",
@@ -120,12 +119,12 @@ fn corner_alone(name: &str, kind: DeviceKind, source: Source<'static>) -> Result
     let lanes = machine.photons_per_iteration() as u64;
     let groups = machine.max_photons() / lanes;
     let iterations = match source {
-        // In a bank there are as many photons of a lane as groups.
+        // A bank holds as many photons of a lane as groups.
         Source::LaneAlone if machine.has_memory() => lanes * groups,
         Source::LaneAlone => lanes * machine.max_photons(),
         Source::FullThenEmpty if machine.has_memory() => 4 * groups,
         Source::FullThenEmpty => 2 * (groups + 1),
-        // Batches of a whole bank, or a place less, in each of two passes.
+        // Batches of a whole bank, or of one place less, in each of two passes.
         _ => 2 * 13 * (groups - 1),
     };
     let options = VerifyOptions {
@@ -163,13 +162,13 @@ fn photon_map() -> (Scene, PhotonMap) {
     };
     let photons = trace(&scene, &options, &|_| ()).expect("the scene has a light");
     let photons = photons.photons;
-    // 100 photons in range make queries of some hundred candidates.
+    // 100 photons in range give queries with some hundred candidates.
     let radius = PhotonMap::radius_for(&scene, photons.len() as u64, 100.0);
     let map = PhotonMap::new(&scene, photons, radius).expect("the photons fit a map");
     (scene, map)
 }
 
-/// This very program without any tool on its PATH.
+/// Runs this test program without any tool on its PATH.
 fn missing_tools() -> Result<(), Failed> {
     let run = |arguments: &[&str], require: &str| {
         Command::new(std::env::current_exe()?)

@@ -1,4 +1,4 @@
-//! Mutants of the emitted Verilog: the stimulus kills each, or it is proven equal to the design.
+//! Requires that each mutant of the emitted Verilog is killed by the stimulus, or proven equal to the design.
 
 mod support;
 
@@ -6,7 +6,7 @@ use libtest_mimic::{Arguments, Failed};
 use photoncube_spec::find_machine;
 use photoncube_testbench::{DeviceKind, Fate, MutantOptions, MutantPart, mutants};
 
-/// `photoncube verify --mutants` is for more, and for the other machines.
+/// The number of mutants. `photoncube verify --mutants` judges more, and those of other machines.
 const MUTANTS: u64 = 40;
 
 fn main() {
@@ -17,7 +17,7 @@ fn main() {
     let trials = subjects.map(|(machine, part)| {
         let name = format!("none_survives::{machine}::{}", part.name());
         let run = move || none_survives(machine, part);
-        // Yosys and Verilator are what a netlist and Verilator need.
+        // The test needs Yosys and Verilator, which are the tools of these two devices.
         match DeviceKind::Netlist.missing_tool() {
             Some(_) => support::trial(name, DeviceKind::Netlist, run),
             None => support::trial(name, DeviceKind::Verilator, run),
@@ -41,7 +41,7 @@ fn none_survives(machine: &str, part: MutantPart) -> Result<(), Failed> {
     let killed = report.count(Fate::Killed);
     assert!(killed > report.mutants.len() / 2, "{killed} killed");
     assert!(report.mutants.len() as u64 >= MUTANTS / 2);
-    // Of both proofs each was refuted on what is known to differ.
+    // Both proofs were refuted on designs that are known to differ.
     assert!(report.controls > 0 && report.vectors_compared > 0);
     Ok(())
 }

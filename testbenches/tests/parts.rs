@@ -1,4 +1,4 @@
-//! Each unit, one cell on random microprograms, and the network, of every named machine in every
+//! Verifies each unit, one cell on random microprograms, and the network, of every named machine in every
 //! device.
 
 mod support;
@@ -8,15 +8,15 @@ use photoncube_hdl::Level;
 use photoncube_spec::{MACHINES, Machine};
 use photoncube_testbench::{DeviceKind, verify_part};
 
-/// Rows of inputs for one part. The squarer and the difference are written by hand, so the fastest
-/// device gets every pair of operands of the photon formats' square units; it takes longest to build, and has no other
-/// parts.
+/// The rows of inputs for one part. The squarer and the difference are written by hand, so the fastest device
+/// gets every pair of operands of the photon formats' square units. That device takes longest to build, and
+/// gets no other parts.
 fn vectors(kind: DeviceKind, part: Level) -> usize {
     match (kind, part) {
         (DeviceKind::Verilator, Level::Square | Level::SquarePair) => 1 << 21,
         // Some sixty whole banks.
         (DeviceKind::Verilator, Level::Memory) => 1 << 17,
-        // Its pins show what is read before anything is written, which a netlist's memory does not know.
+        // The pins of the memory show words that were never written, which a netlist's memory does not model.
         (DeviceKind::Netlist, Level::Memory) => 0,
         (DeviceKind::Verilator, _) => 0,
         (DeviceKind::RustHdl | DeviceKind::Text, _) => 20_000,
@@ -24,8 +24,8 @@ fn vectors(kind: DeviceKind, part: Level) -> usize {
     }
 }
 
-/// Whether a part of a machine is like none of those before. The parts of a chain are those of one engine, and all chips
-/// have the photon memory of the shortest chain with one.
+/// Whether a part of a machine differs from the parts of earlier machines. The parts of a chain are those of
+/// one engine. All chips have the photon memory of the shortest chain with one.
 fn is_new(machine: &Machine, part: Level) -> bool {
     match part {
         Level::Machine => false,

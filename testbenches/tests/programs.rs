@@ -1,5 +1,5 @@
-//! Random microprograms, on one cell, 16 and 32; the shortest program that shows a planted fault; programs that are
-//! not the model's.
+//! Verifies random microprograms, on one cell, 16 and 32; finds the shortest program that shows a planted
+//! fault; and requires that programs which differ from the model are found.
 
 mod planted;
 mod support;
@@ -15,7 +15,7 @@ use photoncube_testbench::{
 
 use planted::edit;
 
-/// Programs for a machine in a device; `photoncube verify --programs` is for more.
+/// The number of programs for a machine in a device. `photoncube verify --programs` runs more.
 const RUNS: [(&str, DeviceKind, u64); 6] = [
     ("paper", DeviceKind::Text, 32),
     ("paper-5d", DeviceKind::Text, 16),
@@ -74,7 +74,7 @@ fn equal(machine: &str, kind: DeviceKind, programs: u64) -> Result<(), Failed> {
     Ok(())
 }
 
-/// Opens the emitted text of programmed machines with this in the place of that, wherever it stands in one module.
+/// Opens the emitted text of programmed machines with `from` replaced by `to` in one module.
 fn edited(module: &'static str, from: &'static str, to: &'static str) -> Box<Open<'static>> {
     Box::new(move |machine, level| {
         let mut design = emit(machine, level).expect("the machine is emitted");
@@ -100,8 +100,8 @@ fn ops(failure: &ProgramFailure) -> Vec<Op> {
     steps.iter().map(|step| step.op).collect()
 }
 
-/// A sequencer that jumps over a step after a nop in the store: the all-reduce has none, so only other programs show
-/// it. The shortest has streams, a nop, and nothing else.
+/// A sequencer that skips the step after a nop. The all-reduce has no nop, so only other programs show the
+/// fault. The shortest has the two streams and a nop.
 fn skipped_nop() -> Result<(), Failed> {
     let open = |machine: &Machine, level| -> Result<Box<dyn Device>, DeviceError> {
         let mut design = emit(machine, level).expect("the machine is emitted");
@@ -125,8 +125,8 @@ fn skipped_nop() -> Result<(), Failed> {
     Ok(())
 }
 
-/// A store that has the word of `sqd` in the place of each `gate`: a query, a group and the gate show it, and no
-/// program that takes both streams is shorter.
+/// A control store with the word of `sqd` in place of each `gate`. A query, a group and the gate show the
+/// fault; these are the fewest steps of any program.
 fn gate_that_squares() -> Result<(), Failed> {
     let open = edited("store", "15'b1001000;", "15'b1000;");
     let failure = failure(&*open, &options(24))?;
@@ -140,7 +140,7 @@ fn gate_that_squares() -> Result<(), Failed> {
     Ok(())
 }
 
-/// An adder without its carries: one cell shows it, under a load, a word to add and the add.
+/// An adder without its carries. One cell shows it, with a load, a word to add, and the add.
 fn adder_of_the_cell() -> Result<(), Failed> {
     let open = |machine: &Machine, level| -> Result<Box<dyn Device>, DeviceError> {
         let mut design = emit(machine, level).expect("the machine is emitted");
@@ -155,9 +155,9 @@ fn adder_of_the_cell() -> Result<(), Failed> {
     Ok(())
 }
 
-/// The seed of the program that fails is that of a run of one, which fails alike.
+/// The failure of a program occurs again in a run of one program with its seed.
 fn repeated() -> Result<(), Failed> {
-    // The store forgets `add x`, which not all programs have.
+    // The store lacks `add x`, which not all programs have.
     let open = edited("store", "15'b100000101000;", "15'b0;");
     let first = failure(&*open, &options(24))?;
     let seed = first.drawn.seed;
@@ -169,8 +169,8 @@ fn repeated() -> Result<(), Failed> {
     Ok(())
 }
 
-/// The text of a program with one other step, against the model of the program: it is seen just where the other
-/// program's golden model is seen to differ too.
+/// The text of a program with one step changed, compared with the model of the original program. The
+/// difference is found exactly where the golden model of the changed program differs too.
 fn one_other_step() -> Result<(), Failed> {
     let paper = find_machine("paper")?;
     let (mut seen, mut alike) = (0, 0);
@@ -185,7 +185,7 @@ fn one_other_step() -> Result<(), Failed> {
         assert_eq!(text, model, "{}", drawn.program);
         *(if text { &mut seen } else { &mut alike }) += 1;
     }
-    // What no later step reads may be anything.
+    // A value that no later step reads may differ.
     assert!(seen >= 25 && alike <= 10, "{seen} seen, {alike} alike");
     Ok(())
 }
@@ -203,7 +203,7 @@ fn differs(machine: &Machine, device: &mut dyn Device) -> Result<bool, Failed> {
     }
 }
 
-/// Another op in the place of one that computes; none where there is none.
+/// The program with one computing step replaced by another op; `None` where there is no such step.
 fn with_another_step(machine: &Machine, program: &Microprogram, seed: usize) -> Option<Machine> {
     let mut steps = program.steps();
     let query = program.query_clocks() as usize;

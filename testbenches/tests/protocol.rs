@@ -1,5 +1,5 @@
-//! Waiting streams, resets, unknown words and power-up, by class, on one machine of each organisation; and a planted
-//! fault for each class and machine, which it must find.
+//! Verifies waiting streams, resets, unknown words and power-up, by class, on one machine of each
+//! organisation; and requires that each class finds a planted fault in each machine.
 
 mod planted;
 mod support;
@@ -12,7 +12,7 @@ use planted::edit;
 
 const MACHINES: [&str; 3] = ["paper", "overlap", "stream"];
 
-/// Edits of one module's text, each of what stands there once.
+/// Edits of one module's text, each of a text that occurs once.
 struct Fault {
     class: FaultClass,
     machine: &'static str,
@@ -20,7 +20,7 @@ struct Fault {
     /// The module, without the machine's prefix.
     module: &'static str,
     edits: &'static [(&'static str, &'static str)],
-    /// The first signal that differs, by which it is known that this fault was found and not another.
+    /// The first signal that must differ, which shows that this fault was found and not another.
     signal: &'static str,
 }
 
@@ -158,7 +158,7 @@ const FAULTS: &[Fault] = &[
     Fault {
         class: FaultClass::IdleUnknown,
         machine: "overlap",
-        // `if (x)` takes the way of 0, so all ones find it.
+        // Verilog's `if (x)` takes the else branch, so only all ones find the fault.
         what: "a group that is not valid may be the last",
         module: "control",
         edits: &[("takes_group & group_last", "accepts_group & group_last")],
@@ -229,7 +229,7 @@ const FAULTS: &[Fault] = &[
         edits: &[("        promised <= 16'd0;\n", "")],
         signal: "query_ready",
     },
-    // A photon memory, whose classes are all on the command line; here what is quick.
+    // A photon memory. The command line runs all classes on it; the test runs the quick ones.
     Fault {
         class: FaultClass::Stalls,
         machine: "tile-6-mixed",
@@ -287,7 +287,7 @@ fn main() {
     libtest_mimic::run(&Arguments::from_args(), trials).exit();
 }
 
-/// The evaluator of the emitted text, where that can show the fault.
+/// The device for a class: the evaluator of the emitted text, where it can show the fault.
 fn device(class: FaultClass) -> DeviceKind {
     match class.is_four_state() {
         true => DeviceKind::Icarus,

@@ -1,4 +1,4 @@
-//! The regression cases, each in every device, and the campaign that makes them.
+//! Replays the regression cases, each in every device, and tests the campaign that makes them.
 
 mod planted;
 mod support;
@@ -17,11 +17,11 @@ use photoncube_testbench::{
 
 use planted::edit;
 
-/// The kept cases, and how to replay one alone.
+/// The folder of the stored cases, and the command that replays one.
 const FOLDER: &str = "regressions";
 
-/// Clocks of the minimised case of a broken adder: the query, the group's two, the squares, the first sum, and the
-/// clock that shows it.
+/// The clocks of the minimised case of a broken adder: the query, the group's two, the squares, the first
+/// sum, and the clock that shows it.
 const FEW_CLOCKS: usize = 6;
 
 fn main() {
@@ -43,7 +43,7 @@ fn main() {
     libtest_mimic::run(&Arguments::from_args(), trials).exit();
 }
 
-/// The cases of the folder; a file that is none fails all.
+/// The cases in the folder. A file that is not a case fails the test.
 fn kept() -> Vec<(String, Regression)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(FOLDER);
     let files = fs::read_dir(folder).expect("the folder of regression cases is there");
@@ -62,7 +62,7 @@ fn kept() -> Vec<(String, Regression)> {
     cases
 }
 
-/// `paper`, whose adder loses its carries.
+/// `paper` with an adder that loses its carries.
 fn broken() -> Result<Emitted, Failed> {
     let machine = find_machine("paper")?;
     let mut design = emit(machine, Level::Machine)?;
@@ -85,11 +85,11 @@ fn planted_fault() -> Result<(), Failed> {
         return Err(format!("the fault was not found: {found:?}").into());
     };
     let case = minimised(machine, &divergence, &mut open)?;
-    // What `testbenches/regressions/planted-adder.json` was made of.
+    // The file `testbenches/regressions/planted-adder.json` was made from this output.
     println!("{}", case.text());
     let case = Regression::parse(&case.text())?;
     assert!(case.rows.len() <= FEW_CLOCKS, "{} clocks", case.rows.len());
-    // A number that adds to another is all that it takes; of some hundred values few are left.
+    // Two numbers that are added are enough to show the fault; of some hundred values few are left.
     let values = case.rows.iter().flatten().filter(|&&value| value != 0);
     assert!(values.count() <= FEW_CLOCKS + 1, "{}", case.text());
     let again = case.replay(open()?.as_mut());
@@ -99,7 +99,7 @@ fn planted_fault() -> Result<(), Failed> {
     Ok(())
 }
 
-/// A keeper that remembers.
+/// A keeper that stores cases in memory.
 #[derive(Default)]
 struct Memory {
     saved: Vec<String>,
@@ -124,7 +124,7 @@ fn paper() -> Result<&'static Machine, Failed> {
     Ok(find_machine("paper")?)
 }
 
-/// A campaign that is killed after any of its jobs goes on without doing one twice or leaving one out.
+/// A campaign that is killed after any of its jobs continues without repeating or omitting a job.
 fn goes_on() -> Result<(), Failed> {
     let pairs = [(paper()?, DeviceKind::Text)];
     let mut memory = Memory::default();

@@ -1,5 +1,5 @@
-//! Spatial machines that have no name: every kind of squarer, with the registers of a named machine,
-//! with as few as can be and with all, against the golden model.
+//! Verifies unnamed spatial machines: every kind of squarer, with the pipeline registers of a named machine,
+//! with the fewest and with all of them.
 
 mod support;
 
@@ -8,7 +8,7 @@ use photoncube_hdl::Level;
 use photoncube_spec::{Cut, Cuts, Machine, Organisation, Spatial, Squarer, find_machine};
 use photoncube_testbench::{DeviceKind, Source, VerifyOptions, verify, verify_part};
 
-/// Registers where one must be, and nowhere else.
+/// The fewest pipeline registers that the rules allow.
 fn fewest(squarer: Squarer) -> Cuts {
     match squarer {
         // A table is a memory with a clock.
@@ -17,13 +17,13 @@ fn fewest(squarer: Squarer) -> Cuts {
     }
 }
 
-/// All registers.
+/// Pipeline registers at all places.
 const ALL: Cuts = Cuts::of(&Cut::ALL);
 
-/// Those that start at once: Verilator's would take longer to build than these run.
+/// The devices that start at once. Verilator takes longer to build these machines than the test to run them.
 const DEVICES: [DeviceKind; 3] = [DeviceKind::RustHdl, DeviceKind::Text, DeviceKind::Icarus];
 
-/// Of two 10-bit coordinates.
+/// The number of pairs of two 10-bit coordinates.
 const ALL_PAIRS: usize = 1 << 20;
 
 fn variant(name: &str, squarer: Squarer, cuts: Option<Cuts>) -> Machine {
@@ -39,8 +39,8 @@ fn variant(name: &str, squarer: Squarer, cuts: Option<Cuts>) -> Machine {
     }
 }
 
-/// Of one engine a thousand, with each squarer's corners; of a chain, whose engines are alike, enough that each passes on
-/// what it got, and more where that is quick.
+/// The iterations. One engine gets a thousand, with each squarer's corners. The engines of a chain are alike,
+/// so the chain gets enough for each engine to pass words on, and more where that is quick.
 fn iterations(name: &str, kind: DeviceKind) -> u64 {
     match (name, kind) {
         ("stream", _) | (_, DeviceKind::Text) => 1_000,
@@ -61,7 +61,7 @@ fn equal(machine: &Machine, kind: DeviceKind, iterations: u64) -> Result<(), Fai
 
 fn main() {
     let mut trials = Vec::new();
-    // Radius of the query, one engine; radius of the format, a chain.
+    // One engine whose queries have radii, and a chain with the format's radius.
     for name in ["stream", "tile-5"] {
         for squarer in [Squarer::Digits, Squarer::Product, Squarer::Table] {
             let fewest = Some(fewest(squarer));

@@ -1,7 +1,7 @@
-//! Digests of the committed Verilog, by which a recorded result is known to be about it or to be stale.
+//! Digests of the committed Verilog, which tell whether a recorded result is about it or stale.
 //!
-//! `photoncube generate` writes them beside the Verilog, as emitting all machines takes too long for every
-//! command that shows a result; `generate --check` holds them to what is emitted.
+//! `photoncube generate` writes them beside the Verilog, because emitting all machines takes too long for
+//! every command that shows a result. `generate --check` compares them with the emitted text.
 
 use std::collections::BTreeMap;
 
@@ -9,7 +9,7 @@ use anyhow::{Context, Result};
 use photoncube_hdl::Emitted;
 use serde::{Deserialize, Serialize};
 
-/// The file in the folder of all machines' Verilog.
+/// The name of the file in the folder of all machines' Verilog.
 pub const FILE: &str = "digests.json";
 
 const COMMITTED: &str = include_str!("../../../hdl-out/digests.json");
@@ -28,7 +28,7 @@ pub struct Digests {
 pub type ByMachine = BTreeMap<String, Digests>;
 
 impl Digests {
-    /// Those of an emitted design.
+    /// The digests of an emitted design.
     pub fn of(emitted: &Emitted) -> Self {
         Self {
             verilog_sha256: emitted.verilog_sha256(),
@@ -37,12 +37,12 @@ impl Digests {
     }
 }
 
-/// The file's text.
+/// The text of the digests' file.
 pub fn text(digests: &ByMachine) -> Result<String> {
     Ok(serde_json::to_string_pretty(digests)? + "\n")
 }
 
-/// Those of the committed Verilog.
+/// The digests of the committed Verilog.
 pub fn committed() -> Result<ByMachine> {
     serde_json::from_str(COMMITTED).with_context(|| format!("hdl-out/{FILE}"))
 }

@@ -1,16 +1,17 @@
-//! Exit codes: 0 all holds; 1 a check failed; 2 bad usage or bad input.
+//! Exit codes: 0 for success, 1 for a failed check, 2 for wrong usage or input.
 
 use std::process::ExitCode;
 
 use thiserror::Error;
 
-/// A check that the command was asked for does not hold; everything else that ends a command is
-/// bad input or a machine that cannot do it.
+/// The error of a check that the command was asked for. Every other error of a command is wrong input, or a
+/// computer that cannot run the command.
 #[derive(Debug, Error)]
 #[error("{0}")]
 pub struct CheckFailed(pub String);
 
-/// An error with its causes, each once: the message of many an error holds that of its cause.
+/// The message of an error with its causes, each once; the messages of many errors contain those of their
+/// causes.
 pub fn message(error: &anyhow::Error) -> String {
     error.chain().fold(String::new(), |said, cause| {
         match without_temporary_name(&cause.to_string()) {
@@ -21,7 +22,8 @@ pub fn message(error: &anyhow::Error) -> String {
     })
 }
 
-/// Files are written beside their place, under a name that says nothing to the user, and renamed; that name is left out.
+/// Removes the name of a temporary file from a message. Files are written under such a name beside their
+/// place and then renamed.
 fn without_temporary_name(said: &str) -> String {
     let Some((before, path)) = said.split_once(" at path \"") else {
         return said.to_owned();

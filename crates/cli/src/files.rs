@@ -1,4 +1,4 @@
-//! Files that are there whole or not at all.
+//! Writes files atomically.
 
 use std::error::Error;
 use std::fs;
@@ -8,10 +8,10 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, anyhow};
 use tempfile::NamedTempFile;
 
-/// Links that are followed to a file, as many as Linux does.
+/// The most links that are followed to a file, as on Linux.
 const MAX_LINKS: usize = 40;
 
-/// Makes a folder and those above it.
+/// Makes a folder and its parents.
 pub fn make_folder(folder: &Path) -> Result<()> {
     fs::create_dir_all(folder).with_context(|| {
         format!(
@@ -21,25 +21,26 @@ pub fn make_folder(folder: &Path) -> Result<()> {
     })
 }
 
-/// Writes a file beside its place and renames it. A link stays, and what it names is written.
+/// Writes a file beside its place and renames it. If the path is a link, the link stays and its target is
+/// written.
 pub fn write(path: &Path, bytes: &[u8]) -> Result<()> {
     put(path, stage(path, bytes)?)
 }
 
-/// Writes all of the files or, where one cannot be written, none.
+/// Writes all of the files, or none where one cannot be written.
 pub fn write_all<'a>(files: impl IntoIterator<Item = (PathBuf, &'a [u8])>) -> Result<()> {
     let staged = files.into_iter().map(|(path, bytes)| {
         let file = stage(&path, bytes)?;
         Ok((path, file))
     });
-    // All are on the disk before the first is renamed.
+    // All files are on the disk before the first is renamed.
     let staged = staged.collect::<Result<Vec<_>>>()?;
     staged
         .into_iter()
         .try_for_each(|(path, file)| put(&path, file))
 }
 
-/// The file with its contents, beside its place.
+/// Writes a temporary file with the contents beside the file's place.
 fn stage(path: &Path, bytes: &[u8]) -> Result<NamedTempFile> {
     let folder = folder_of(&target(path));
     make_folder(&folder)?;
@@ -57,14 +58,14 @@ fn put(path: &Path, file: NamedTempFile) -> Result<()> {
     Ok(())
 }
 
-/// An empty file without a name of its own in that folder.
+/// Makes an empty temporary file in a folder.
 pub fn temporary(folder: &Path) -> io::Result<NamedTempFile> {
     tempfile::Builder::new()
         .permissions(permissions())
         .tempfile_in(folder)
 }
 
-/// What the system said, without the name of the temporary file.
+/// The error of a file that cannot be written: the system's message without the name of the temporary file.
 pub fn cannot_write(path: &Path, error: &io::Error) -> anyhow::Error {
     let mut cause: &dyn Error = error;
     if let Some(inner) = error.get_ref() {
@@ -76,8 +77,8 @@ pub fn cannot_write(path: &Path, error: &io::Error) -> anyhow::Error {
     anyhow!("cannot write {}: {cause}", path.display())
 }
 
-/// Where the file's contents are: at the end of the links, if the path is one. Not canonical, as it need
-/// not be there.
+/// The path at the end of the links, if the path is a link. The path is not made canonical, because the file
+/// need not exist.
 pub fn target(path: &Path) -> PathBuf {
     let mut target = path.to_owned();
     for _ in 0..MAX_LINKS {
@@ -89,7 +90,7 @@ pub fn target(path: &Path) -> PathBuf {
     target
 }
 
-/// The folder that a file is in.
+/// The folder of a file.
 pub fn folder_of(path: &Path) -> PathBuf {
     match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder.to_owned(),
@@ -97,7 +98,7 @@ pub fn folder_of(path: &Path) -> PathBuf {
     }
 }
 
-/// What a plain file has; temporary ones are private by default.
+/// The permissions of a plain file; temporary files are private by default.
 #[cfg(unix)]
 fn permissions() -> fs::Permissions {
     use std::os::unix::fs::PermissionsExt;
@@ -136,7 +137,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let at = |name: &str| folder.path().join(name);
         fs::create_dir(at("far")).unwrap();
-        // Two links, the second relative to its own folder, to a file that is not there yet.
+        // Two links, the second relative to its own folder, to a file that does not exist yet.
         std::os::unix::fs::symlink("far/second", at("first")).unwrap();
         std::os::unix::fs::symlink("file", at("far/second")).unwrap();
         for text in [b"old", b"new"] {

@@ -1,4 +1,4 @@
-//! The format and the machine that a scene needs, for `fit` and for `run`.
+//! Finds the format and the machine that a scene needs, for `fit` and for `run`.
 
 use anyhow::Result;
 use photoncube_render::{
@@ -15,23 +15,23 @@ use crate::hardware::PictureTime;
 use crate::measured::Measured;
 use crate::progress;
 
-/// A format with what was predicted and what was measured of it.
+/// A format with its predicted and its measured error.
 #[derive(Clone, Debug, Serialize)]
 pub struct FormatRow {
-    /// Its name.
+    /// The name of the format.
     pub format: String,
     /// Bits of a stored photon.
     pub bits_per_photon: u32,
-    /// From the pilot.
+    /// The prediction of the pilot.
     pub prediction: Prediction,
-    /// On maps of its own.
+    /// The measurement on other maps.
     pub measurement: Measurement,
-    /// Below the bound, with channels for the scene's colours.
+    /// Whether the error is below the bound and the channels represent the scene's colours.
     pub holds: bool,
 }
 
 impl FormatRow {
-    /// The row of a trial.
+    /// Makes the row of a trial.
     pub fn of(trial: &Trial) -> Self {
         Self {
             format: trial.format.name(),
@@ -43,32 +43,34 @@ impl FormatRow {
     }
 }
 
-/// A machine that is wide enough.
+/// A machine that is wide enough for a scene.
 #[derive(Clone, Debug)]
 pub struct MachineChoice {
-    /// The machine.
+    /// The chosen machine.
     pub machine: &'static Machine,
-    /// Its own format.
+    /// The machine's own format.
     pub format: PhotonFormat,
-    /// The error of its own format.
+    /// The error of the machine's own format.
     pub measurement: Measurement,
-    /// What it has more of than the scene needs.
+    /// The fields in which the machine is wider than the scene needs.
     pub wider: Vec<FieldNeed>,
-    /// For the fit's queries on one of its maps.
+    /// The time of the fit's queries on one of its maps.
     pub time: PictureTime,
 }
 
-/// The machines for a scene: both cover the fitted format, and are measured below the bound. They may be one.
+/// The machines for a scene. Both cover the fitted format and are measured below the bound. They may be one
+/// machine.
 #[derive(Clone, Debug)]
 pub struct Choices {
-    /// The smallest machine of exactly the fitted format; where there is none, that with the fewest bits of a stored
-    /// photon. Of several the one with the least area.
+    /// The smallest machine of exactly the fitted format; where there is none, the one with the fewest bits
+    /// of a stored photon. Of several machines it is the one with the least area.
     pub smallest: MachineChoice,
-    /// The machine that takes the fewest seconds for the picture of the fit's queries, at its measured clock.
+    /// The machine with the fewest seconds for the picture of the fit's queries, at its measured clock.
     pub fastest: MachineChoice,
 }
 
-/// Fits a scene, with a bar whose end is a guess: how many formats are to be measured shows on the way.
+/// Fits a scene and shows a progress bar. The end of the bar is an estimate, because the number of formats to
+/// measure becomes known only during the fit.
 pub fn fit_with_bar(scene: &Scene, options: &FitOptions) -> Result<Fit> {
     let bar = progress::bar("fitting the format", 0);
     let found = fit(scene, options, &|progress| {
@@ -79,7 +81,7 @@ pub fn fit_with_bar(scene: &Scene, options: &FitOptions) -> Result<Fit> {
     Ok(found)
 }
 
-/// The machines for the needed format; none where no machine covers it and is below the bound.
+/// The machines for the needed format; `None` where no machine covers it and is below the bound.
 pub fn choose(fit: &Fit, options: &FitOptions, needed: &Trial) -> Result<Option<Choices>> {
     let candidates = candidates(fit, needed)?;
     let below_bound = |candidates: Vec<Candidate>| -> Result<Option<MachineChoice>> {
@@ -98,7 +100,7 @@ pub fn choose(fit: &Fit, options: &FitOptions, needed: &Trial) -> Result<Option<
         .map(|(smallest, fastest)| Choices { smallest, fastest }))
 }
 
-/// A machine that covers the needed format, with what it is chosen by.
+/// A machine that covers the needed format, with the criteria of the choice.
 #[derive(Clone, Debug)]
 struct Candidate {
     machine: &'static Machine,
@@ -108,7 +110,7 @@ struct Candidate {
 }
 
 impl Candidate {
-    /// With the error of its own format.
+    /// Measures the error of the machine's own format.
     fn measured(self, fit: &Fit, needed: &Trial) -> Result<MachineChoice> {
         let measurement = match self.format == needed.format {
             true => needed.measured,
@@ -140,8 +142,8 @@ fn candidates(fit: &Fit, needed: &Trial) -> Result<Vec<Candidate>> {
     covering.map(candidate).collect()
 }
 
-/// The smallest first: those of exactly the format, then by the bits of a stored photon, then by area; one whose area was
-/// not measured counts as larger.
+/// Sorts machines by size: first those of exactly the format, then by the bits of a stored photon, then by
+/// area. A machine without a measured area counts as larger.
 fn by_size(mut candidates: Vec<Candidate>, needed: &PhotonFormat) -> Vec<Candidate> {
     candidates.sort_by_key(|candidate| {
         (
@@ -153,7 +155,7 @@ fn by_size(mut candidates: Vec<Candidate>, needed: &PhotonFormat) -> Vec<Candida
     candidates
 }
 
-/// The fastest first; one whose clock was not measured counts as slower.
+/// Sorts machines by speed, the fastest first. A machine without a measured clock counts as slower.
 fn by_speed(mut candidates: Vec<Candidate>) -> Vec<Candidate> {
     let seconds =
         |candidate: &Candidate| candidate.time.seconds_per_picture.unwrap_or(f64::INFINITY);
@@ -161,7 +163,7 @@ fn by_speed(mut candidates: Vec<Candidate>) -> Vec<Candidate> {
     candidates
 }
 
-/// The same where there must be both; what is missing is a failed check.
+/// The fitted format and its machines. It is a failed check where either is missing.
 pub fn format_and_machines(fit: &Fit, options: &FitOptions) -> Result<(Trial, Choices)> {
     let Some(trial) = &fit.chosen else {
         return Err(CheckFailed(no_format(options)).into());
@@ -172,7 +174,7 @@ pub fn format_and_machines(fit: &Fit, options: &FitOptions) -> Result<(Trial, Ch
     }
 }
 
-/// Why there is no format.
+/// A message that states why there is no format.
 pub fn no_format(options: &FitOptions) -> String {
     format!(
         "no photon format's error is below {} of the scene's noise; expected a larger --noise-ratio",
@@ -180,7 +182,7 @@ pub fn no_format(options: &FitOptions) -> String {
     )
 }
 
-/// Why there is no machine, and how to have one.
+/// A message that states why there is no machine, and how to add one.
 pub fn no_machine(format: &PhotonFormat) -> String {
     format!(
         "no machine is wide enough for {format}; to have one, {}",
@@ -188,7 +190,7 @@ pub fn no_machine(format: &PhotonFormat) -> String {
     )
 }
 
-/// What to write where for a machine of exactly this format.
+/// Instructions and source text for adding a machine of exactly this format.
 pub fn row_to_add(format: &PhotonFormat) -> String {
     format!(
         "add this row to MACHINES in crates/spec/src/machines.rs:\n\n{}\nand, where its widths are new, a row to the \
@@ -201,7 +203,7 @@ pub fn row_to_add(format: &PhotonFormat) -> String {
     )
 }
 
-/// A sequential machine of that format, as `machines.rs` has it.
+/// The source text of a sequential machine of that format, in the form of `machines.rs`.
 fn row(name: &str, summary: &str, format: &PhotonFormat) -> String {
     let power = format.power;
     let channels = match power.channels {
@@ -317,7 +319,7 @@ mod tests {
         assert_eq!(names(&sorted), ["stream", "tile-4", "tile-5"]);
     }
 
-    /// The row that is proposed is text of the source, where there is such a machine.
+    /// For existing machines, the proposed row is text of the source.
     #[test]
     fn the_row_to_add_is_a_row_of_the_source() {
         let source = include_str!("../../spec/src/machines.rs");

@@ -1,4 +1,4 @@
-//! How long a machine takes for a picture, at the clock that was measured of it.
+//! The time that a machine takes for a picture, at its measured clock.
 
 use anyhow::Result;
 use photoncube_render::{PhotonMap, QueryPoint, forecast_clocks};
@@ -8,23 +8,23 @@ use serde::Serialize;
 use crate::measured::Measured;
 use crate::table::significant;
 
-/// A picture's time on a machine. None where a clock was not measured.
+/// The time of a picture on a machine. Fields are `None` where a clock was not measured.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct PictureTime {
-    /// The golden model's clocks for all queries, with no waiting.
+    /// The golden model's clocks for all queries while no stream waits.
     pub clocks: Option<u64>,
-    /// The highest clock of the routed machine.
+    /// The highest clock of the routed machine in MHz.
     pub fmax_mhz: Option<f64>,
-    /// The speed grade of that, the fastest that was measured.
+    /// The speed grade of that clock, the fastest that was measured.
     pub speed_grade: Option<u32>,
-    /// The clocks at that clock.
+    /// The seconds for a picture at that clock.
     pub seconds_per_picture: Option<f64>,
-    /// The inverse.
+    /// The pictures per second at that clock.
     pub pictures_per_second: Option<f64>,
 }
 
 impl PictureTime {
-    /// That of the queries on the photons of `map`.
+    /// The time of the queries on the photons of `map`.
     pub fn of(machine: &Machine, map: &PhotonMap, queries: &[QueryPoint]) -> Result<Self> {
         let clocks = forecast_clocks(map, queries, machine)?;
         let measured = Measured::of(machine)?;
@@ -55,7 +55,7 @@ impl PictureTime {
     }
 }
 
-/// Three significant digits.
+/// A number with three significant digits.
 pub fn digits(number: f64) -> String {
     significant(number, 3)
 }

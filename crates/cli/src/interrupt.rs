@@ -1,4 +1,4 @@
-//! A signal that asks to stop, for work that has something to keep.
+//! Signals that ask the program to stop, for commands that must store their results first.
 
 use std::process;
 use std::sync::Arc;
@@ -6,15 +6,15 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use anyhow::{Context, Result};
 
-/// What a shell shows of a process that Ctrl-C ended.
+/// The exit code that a shell shows for a process that Ctrl-C ended.
 const ENDED_BY_SIGNAL: i32 = 130;
 
-/// Whether the user asked to stop: Ctrl-C, or SIGTERM.
+/// Whether the user asked the program to stop, by Ctrl-C or SIGTERM.
 #[derive(Clone, Debug)]
 pub struct Interrupt(Arc<AtomicBool>);
 
 impl Interrupt {
-    /// Waits for the signals from now on. The first asks, a second one ends the process at once.
+    /// Watches for the signals from now on. The first sets the flag, a second one ends the process at once.
     pub fn watch() -> Result<Self> {
         let interrupt = Self(Arc::default());
         let asked = interrupt.0.clone();
@@ -30,7 +30,7 @@ impl Interrupt {
         Ok(interrupt)
     }
 
-    /// Whether it was asked to stop.
+    /// Whether the program was asked to stop.
     pub fn is_asked(&self) -> bool {
         self.0.load(Ordering::Relaxed)
     }

@@ -1,6 +1,6 @@
-//! Measured figures that are committed as data: `docs/measured/`, written by `scripts/measure.sh`.
+//! The measured figures, which are committed as data in `docs/measured/` and written by `scripts/measure.sh`.
 //!
-//! They are read here and nowhere typed in: `list` and the README's table show them.
+//! `list` and the README's table read them here; no figure is typed into the source.
 
 use anyhow::{Context, Result};
 use photoncube_spec::{MACHINES, Machine};
@@ -15,64 +15,64 @@ use crate::synth::figures::{AreaRow, Figured, PlaceRow, Row};
 use crate::synth::flow::Flow;
 use crate::synth::place::{self, DEFAULT_GRADES};
 
-/// Area on ECP5, by Yosys's `synth_ecp5`.
+/// The area on ECP5, by Yosys's `synth_ecp5`.
 #[derive(Clone, Debug, Serialize)]
 pub struct Area {
     /// The options of `synth_ecp5`.
     pub options: String,
-    /// LUTs with four inputs.
+    /// The number of LUTs with four inputs.
     pub lut4: u64,
-    /// Carry cells, each two LUTs wide.
+    /// The number of carry cells, each two LUTs wide.
     pub ccu2c: u64,
-    /// LUTs, and what takes the place of LUTs.
+    /// The number of LUTs and of cells in their place, counted as LUTs.
     pub lut4_equivalents: u64,
-    /// Flip-flops.
+    /// The number of flip-flops.
     pub ff: u64,
-    /// Multipliers, MULT18X18D.
+    /// The number of multipliers, MULT18X18D.
     pub dsp: u64,
-    /// Block RAMs, DP16KD.
+    /// The number of block RAMs, DP16KD.
     pub block_ram: u64,
-    /// RAMs of 16 x 4 in LUTs, TRELLIS_DPR16X4.
+    /// The number of RAMs of 16 x 4 in LUTs, TRELLIS_DPR16X4.
     pub lut_ram: u64,
 }
 
-/// The speed grade that `list` and the README's table have the clock of: the slowest.
+/// The speed grade of the clocks in `list` and in the README's table: the slowest.
 const SPEED_GRADE: u32 = DEFAULT_GRADES[0];
 
 /// The highest clock of the routed machine.
 #[derive(Clone, Debug, Serialize)]
 pub struct Fmax {
-    /// Median over the seeds of placement.
+    /// The median over the seeds of placement, in MHz.
     pub fmax_mhz: Option<f64>,
-    /// The FPGA that it was routed in.
+    /// The FPGA in which it was routed.
     pub device: Option<String>,
-    /// Of that FPGA.
+    /// The speed grade of that FPGA.
     pub speed_grade: Option<u32>,
 }
 
-/// What was measured of a machine; `None` where nothing was.
+/// The measured figures of a machine; `None` where a figure was not measured.
 #[derive(Clone, Debug, Serialize)]
 pub struct Measured {
-    /// Area where DSP blocks are forbidden.
+    /// The area where DSP blocks are forbidden.
     pub area_without_dsp: Option<Area>,
-    /// Area where DSP blocks may be used.
+    /// The area where DSP blocks may be used.
     pub area_with_dsp: Option<Area>,
-    /// Speed in the slowest speed grade.
+    /// The clock in the slowest speed grade.
     #[serde(flatten)]
     pub fmax: Fmax,
-    /// Area in every flow.
+    /// The area in every flow.
     pub areas: Vec<AreaRow>,
-    /// Speed in every speed grade, with what binds it.
+    /// The clock in every speed grade, with its critical path.
     pub fmax_by_grade: Vec<Clock>,
-    /// Golden model's picture against the f64 reference's, on `cornell` or on the scene that the
-    /// machine is fitted to.
+    /// The error of the golden model's picture against the f64 reference's, on `cornell` or on the scene that
+    /// the machine is fitted to.
     pub rms_relative_error: Option<f64>,
-    /// Clocks in which all registers were compared, on the emitted Verilog.
+    /// The number of clocks in which all registers of the emitted Verilog were compared.
     pub vectors_compared: Option<u64>,
-    /// The simulators that were found equal to the golden model.
+    /// The simulators whose results equalled the golden model's.
     pub verified_against: String,
-    /// The files in `docs/measured` whose figures of this machine are about other Verilog than today's, and so are
-    /// left out here.
+    /// The files in `docs/measured` whose figures of this machine are about other Verilog than today's. These
+    /// figures are left out here.
     pub stale: Vec<String>,
 }
 
@@ -88,7 +88,7 @@ macro_rules! of_machines {
     };
 }
 
-/// The summary of `photoncube run --machine M`, by machine.
+/// By machine, the summary of `photoncube run --machine M`.
 const RUNS: &[(&str, &str)] = of_machines![
     "run":
     "paper",
@@ -105,7 +105,7 @@ const RUNS: &[(&str, &str)] = of_machines![
     "tile-6",
 ];
 
-/// The report of `photoncube verify --machine M` on a million random groups, by machine.
+/// By machine, the report of `photoncube verify --machine M` on a million random groups.
 const VERIFICATIONS: &[(&str, &str)] = of_machines![
     "verify":
     "stream",
@@ -129,7 +129,7 @@ struct Run {
     proof: Proof,
 }
 
-/// What was compared in a run or a verification.
+/// The comparisons of a run or a verification.
 #[derive(Deserialize)]
 struct Proof {
     vectors_compared: u64,
@@ -147,12 +147,12 @@ struct Device {
 }
 
 impl Measured {
-    /// What was measured of that machine.
+    /// The committed figures of that machine.
     pub fn of(machine: &Machine) -> Result<Self> {
         Self::about(machine, digests::committed()?.get(machine.name))
     }
 
-    /// What was measured of that machine and is about the Verilog of these digests.
+    /// The committed figures of that machine that are about the Verilog of these digests.
     fn about(machine: &Machine, today: Option<&Digests>) -> Result<Self> {
         let mut stale = Vec::new();
         let areas = rows_about(synthesis()?, machine, today).unwrap_or_else(|| {
@@ -207,7 +207,7 @@ impl Measured {
     }
 }
 
-/// The rows about a machine; `None` where there are some and they are about other Verilog.
+/// The rows about a machine; `None` where the rows are about other Verilog.
 fn rows_about<R: Row>(
     file: Figured<R>,
     machine: &Machine,
@@ -225,7 +225,7 @@ fn rows_about<R: Row>(
 /// Fails where a committed figure is about other Verilog than today's, and names the files.
 ///
 /// # Errors
-/// There is one.
+/// Some committed figure is about other Verilog.
 pub fn refuse_stale() -> Result<()> {
     let mut stale = Vec::new();
     for machine in MACHINES {
@@ -251,7 +251,7 @@ impl Measured {
             .max_by_key(|clock| clock.speed_grade)
     }
 
-    /// The clock in each speed grade that figures are committed of, in their order.
+    /// The clocks in the speed grades of the committed figures, in their order.
     pub fn in_default_grades(&self) -> [Option<f64>; DEFAULT_GRADES.len()] {
         DEFAULT_GRADES.map(|grade| {
             let mut clocks = self.fmax_by_grade.iter();
@@ -292,13 +292,13 @@ impl Fmax {
     }
 }
 
-/// How the clocks were measured, in one sentence.
+/// The method of the clock measurements, in one sentence.
 pub fn fmax_source() -> Result<String> {
     source(&placement()?)
 }
 
-/// LUTs, and what takes the place of LUTs, on ECP5 without DSP blocks; none if not measured. Of any Verilog: it is for
-/// plans of work alone.
+/// The number of LUTs and of cells in their place on ECP5 without DSP blocks; `None` if not measured. It may
+/// be about other Verilog, because it only serves to plan work.
 pub fn lut4_equivalents(machine: &str) -> Result<Option<u64>> {
     let rows = synthesis()?.rows;
     let row = rows
@@ -331,7 +331,7 @@ fn source(placement: &Figured<PlaceRow>) -> Result<String> {
     ))
 }
 
-/// What is committed of a machine, if anything is.
+/// The committed data of a machine; `None` if there is none.
 fn of_machine<T: DeserializeOwned>(
     kind: &str,
     files: &[(&str, &'static str)],
@@ -345,8 +345,8 @@ fn of_machine<T: DeserializeOwned>(
         .map(Some)
 }
 
-/// Of a picture by the golden model, whose integers are those of the numbers alone: of the machine's own
-/// run, or that of a machine with the same numbers.
+/// The error of a picture by the golden model, whose integers depend only on the number format: from the
+/// machine's own run, or from the run of a machine with an equal format.
 fn rms_relative_error(machine: &Machine) -> Result<Option<f64>> {
     let same_numbers = MACHINES
         .iter()
@@ -360,14 +360,14 @@ fn rms_relative_error(machine: &Machine) -> Result<Option<f64>> {
 }
 
 impl Proof {
-    /// Whether every device had the Verilog of these digests in it.
+    /// Whether every device simulated the Verilog of these digests.
     fn is_about(&self, today: Option<&Digests>) -> bool {
         let today = today.map(|digests| &digests.verilog_sha256);
         let mut devices = self.devices.iter();
         today.is_some() && devices.all(|device| device.verilog_sha256.as_ref() == today)
     }
 
-    /// What was compared, of those groups, where, and what came of it.
+    /// A description of the comparison: the groups, the amount, the devices and the result.
     fn text(&self, groups: &str) -> String {
         let devices: Vec<_> = self.devices.iter().map(|d| d.device.as_str()).collect();
         let iterations: u64 = self.devices.iter().map(|d| d.iterations).sum();
@@ -417,7 +417,7 @@ mod tests {
         assert_eq!(lut4_equivalents("pentium").unwrap(), None);
     }
 
-    /// All signals that the machine has today, so that a verification of another one is noticed.
+    /// The number of signals is the machine's today, so that a verification of another machine is noticed.
     #[test]
     fn a_verification_is_of_a_million_groups_and_all_signals() {
         for (name, text) in VERIFICATIONS {

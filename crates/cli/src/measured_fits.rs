@@ -1,11 +1,12 @@
-//! What `photoncube fit` found for the built-in scenes, committed as data like all measured figures.
+//! The results of `photoncube fit` for the built-in scenes, which are committed as data like all measured
+//! figures.
 
 use anyhow::{Context, Result};
 use serde::{Deserialize, Serialize};
 
 use crate::table;
 
-/// The summary of `photoncube fit SCENE --json`, by scene.
+/// By scene, the summary of `photoncube fit SCENE --json`.
 const FITS: &[(&str, &str)] = &[
     (
         "cornell",
@@ -18,7 +19,7 @@ const FITS: &[(&str, &str)] = &[
     ),
 ];
 
-/// What was found for a scene.
+/// The result of a fit for a scene.
 #[derive(Clone, Debug, Serialize)]
 pub struct FitRow {
     scene: String,
@@ -31,7 +32,7 @@ pub struct FitRow {
     error_over_noise: f64,
     error_over_noise_low: f64,
     error_over_noise_high: f64,
-    /// The smallest error of the formats that have something less.
+    /// The smallest error of the formats with one bit less.
     one_bit_less_error_over_noise: f64,
 }
 
@@ -70,7 +71,7 @@ struct Machine {
     machine: String,
 }
 
-/// The fits that are committed.
+/// The committed fits.
 pub fn fit_rows() -> Result<Vec<FitRow>> {
     let row = |(scene, text): &(&str, &str)| {
         let fit: Result<Fit, _> = serde_json::from_str(text);
@@ -117,7 +118,7 @@ impl FitRow {
     }
 }
 
-/// The fits as the README shows them.
+/// The fits as a table of the README.
 pub fn fit_table(rows: &[FitRow]) -> String {
     let header = [
         "scene",
@@ -138,8 +139,8 @@ mod tests {
 
     use super::*;
 
-    /// The machines that are named after a scene have the format that was found for it, which holds
-    /// the bound that a bit less breaks.
+    /// A machine that is named after a scene has the format that was found for the scene. The format holds
+    /// the bound, and one bit less breaks it.
     #[test]
     fn the_fitted_machines_are_those_that_fit_found() {
         for row in fit_rows().unwrap() {

@@ -1,4 +1,4 @@
-//! What a command prints: one JSON object, or text for people.
+//! Prints the output of a command: one JSON object, or text for people.
 
 use std::io::{self, ErrorKind, Write};
 
@@ -14,7 +14,7 @@ pub fn print<T: Serialize>(json: bool, value: &T, text: impl FnOnce() -> String)
     write(&text)
 }
 
-/// Writes to standard output; a reader that has gone away, such as `head`, is no error.
+/// Writes to standard output. A reader that has closed the pipe, such as `head`, is not an error.
 pub fn write(text: &str) -> Result<()> {
     let mut out = io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {

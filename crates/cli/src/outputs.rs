@@ -1,4 +1,5 @@
-//! What a command will write, checked before its work: an hour of rendering is not lost to a typo.
+//! Checks the files that a command will write before its work, so that a typo does not cost an hour of
+//! rendering.
 
 use std::fs;
 use std::path::{Component, Path, PathBuf};
@@ -8,21 +9,21 @@ use photoncube_render::IMAGE_ENDINGS;
 
 use crate::files;
 
-/// What the name of a plot or a map may end in.
+/// The legal endings of the name of a plot or a map.
 const PLOT_ENDINGS: [&str; 1] = [".svg"];
 
-/// A file that is to be written.
+/// A file that a command will write.
 #[derive(Clone, Debug)]
 pub struct Output {
-    /// The option that names it, or its folder.
+    /// The option that names the file or its folder.
     option: &'static str,
     path: PathBuf,
-    /// What its name may end in; anything where this is empty.
+    /// The legal endings of the name; any ending where this is empty.
     endings: &'static [&'static str],
 }
 
 impl Output {
-    /// A picture that the option names.
+    /// A picture file that the option names.
     pub fn picture(option: &'static str, path: &Path) -> Self {
         let path = path.to_owned();
         let endings = &IMAGE_ENDINGS;
@@ -44,7 +45,7 @@ impl Output {
         }
     }
 
-    /// A file of the command's own name, in a folder that the option names.
+    /// A file whose name the command chooses, in a folder that the option names.
     pub fn within(option: &'static str, path: PathBuf) -> Self {
         let endings = &[];
         Self {
@@ -71,7 +72,7 @@ impl Output {
         bail!("{}: found {found}, expected {expected}", self.display())
     }
 
-    /// Refuses what a file cannot be put in the place of: a folder, a device.
+    /// Refuses a place that a file cannot replace: a folder, a device.
     fn check_place(&self) -> Result<()> {
         let found = match fs::metadata(files::target(&self.path)) {
             Ok(found) if found.is_dir() => "a folder",
@@ -85,8 +86,8 @@ impl Output {
     }
 }
 
-/// Checks endings, that each output is a file of its own and none of `inputs`, and that each can be written. What
-/// was there is there afterwards, and nothing else.
+/// Checks the endings, that all outputs are different files and none is an input, and that each can be
+/// written. Leaves all files as they were.
 pub fn check(outputs: &[Output], inputs: &[PathBuf]) -> Result<()> {
     outputs.iter().try_for_each(Output::check_ending)?;
     let places: Vec<_> = outputs.iter().map(|output| place(&output.path)).collect();
@@ -116,12 +117,13 @@ pub fn check(outputs: &[Output], inputs: &[PathBuf]) -> Result<()> {
     })
 }
 
-/// Checks that files can be written in the folder that an option names. One that is not there is not made.
+/// Checks that files can be written in the folder that an option names. Does not leave a folder that did not
+/// exist.
 pub fn check_folder(option: &'static str, folder: &Path) -> Result<()> {
     try_folder(folder).with_context(|| format!("{option} {}", folder.display()))
 }
 
-/// Makes the folder and a file in it, and takes away what it made.
+/// Makes the folder and a file in it, and removes them again.
 fn try_folder(folder: &Path) -> Result<()> {
     let mut missing = Vec::new();
     let mut above = Some(folder);
@@ -137,13 +139,13 @@ fn try_folder(folder: &Path) -> Result<()> {
     };
     let result = attempt();
     for folder in missing {
-        // One that was not made, or in which someone else has put a file, is no matter here.
+        // The removal fails where the folder was not made or someone else has put a file into it; neither matters.
         let _ = fs::remove_dir(folder);
     }
     result
 }
 
-/// The file's place in one form, whatever path leads there: without links, as far as it exists.
+/// The file's path in canonical form, without links as far as it exists.
 fn place(path: &Path) -> PathBuf {
     let target = std::path::absolute(files::target(path)).unwrap_or_else(|_| path.to_owned());
     let mut place = PathBuf::new();
@@ -154,7 +156,7 @@ fn place(path: &Path) -> PathBuf {
             }
             component => {
                 place.push(component);
-                // A folder that is a link.
+                // The folder may be a link.
                 place = fs::canonicalize(&place).unwrap_or(place);
             }
         }

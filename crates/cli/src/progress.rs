@@ -2,10 +2,10 @@
 
 use indicatif::{ProgressBar, ProgressStyle};
 
-/// The bar takes what the words leave, so that a line of 40 columns holds it.
+/// The format of a bar. The bar takes the width that the words leave, so that a line of 40 columns is enough.
 const BAR: &str = "{msg} {percent:>3} % {eta:>4} left {wide_bar}";
 
-/// A bar of `length` units; it is silent where standard error is no terminal.
+/// A bar of `length` units. It is silent where standard error is not a terminal.
 pub fn bar(what: &'static str, length: u64) -> ProgressBar {
     ProgressBar::new(length)
         .with_style(bar_style())
@@ -18,7 +18,7 @@ fn bar_style() -> ProgressStyle {
         .progress_chars("=> ")
 }
 
-/// A count that goes up to nobody knows where, with the time since; silent as a bar is.
+/// A counter without a known end, with the elapsed time. It is silent where standard error is not a terminal.
 pub fn spinner(what: &'static str) -> ProgressBar {
     let style = ProgressStyle::with_template("{spinner} {msg} {pos}  {elapsed}")
         .expect("the template is a constant that a test has parsed");
@@ -36,7 +36,7 @@ mod tests {
 
     use super::*;
 
-    /// A terminal of so many columns that keeps what is written.
+    /// A terminal of that many columns that records its output.
     #[derive(Clone, Debug)]
     struct Terminal(u16, Arc<Mutex<String>>);
 
@@ -76,13 +76,13 @@ mod tests {
         for (columns, has_bar) in [(40, false), (80, true)] {
             let terminal = Terminal(columns, Arc::default());
             let target = ProgressDrawTarget::term_like(Box::new(terminal.clone()));
-            // The longest message that there is.
+            // The longest message of all bars.
             let bar = bar("measuring estimators", 10);
             bar.set_draw_target(target);
             bar.set_position(5);
             bar.tick();
             let written = terminal.1.lock().unwrap().clone();
-            // As it was drawn last.
+            // The line as it was drawn last.
             let line = written.rsplit("measuring").next().unwrap();
             let line = format!("measuring{line}");
             assert!(line.starts_with("measuring estimators  50 %"), "{line:?}");

@@ -1,4 +1,4 @@
-//! A machine's files: its Verilog and the project files for Yosys and Quartus.
+//! Makes the files of a machine: its Verilog and the project files for Yosys and Quartus.
 
 use std::path::PathBuf;
 
@@ -8,30 +8,30 @@ use photoncube_spec::Machine;
 
 use crate::digests::Digests;
 
-/// A machine's folder.
+/// The contents of a machine's folder.
 pub struct Project {
-    /// Its files, the Verilog first.
+    /// The files, the Verilog first.
     pub files: Vec<ProjectFile>,
-    /// The digests of its Verilog.
+    /// The digests of the Verilog.
     pub digests: Digests,
 }
 
 /// A file of a machine's folder.
 pub struct ProjectFile {
-    /// Its path in the output folder.
+    /// The path of the file in the output folder.
     pub path: PathBuf,
-    /// What it holds.
+    /// The contents of the file.
     pub text: String,
 }
 
-/// The clock that the project files ask for. A target for the tools, not a measured figure.
+/// The clock period that the project files set, a target for the tools and not a measured figure.
 const TARGET_CLOCK_NS: u32 = 10;
 
-/// The delay in ps above which Yosys's ABC9 trades area for speed, in the project files and in all that
-/// `photoncube synth` measures. Without it the design with DSP blocks takes three times the LUTs.
+/// The delay in ps above which Yosys's ABC9 trades area for speed, in the project files and in all
+/// measurements of `photoncube synth`. Without it the design with DSP blocks takes three times the LUTs.
 pub const ABC9_TARGET_PS: u32 = 1000 * TARGET_CLOCK_NS;
 
-/// Emits a machine, and makes all its files.
+/// Emits a machine and makes all of its files.
 pub fn project(machine: &Machine) -> Result<Project> {
     let emitted = emit(machine, Level::Machine)?;
     let digests = Digests::of(&emitted);
@@ -75,8 +75,8 @@ fn yosys(top: &str, has_second_texts: bool) -> String {
     )
 }
 
-/// The streams are virtual pins: the machine is a block of a larger design, and no package has
-/// that many pins.
+/// The Quartus project. The streams are virtual pins, because the machine is a block of a larger design, and
+/// no package has that many pins.
 fn quartus(top: &str) -> String {
     format!(
         "# quartus_sh --flow compile {top}\n\

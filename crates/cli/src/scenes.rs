@@ -1,4 +1,4 @@
-//! A scene by name or by file.
+//! Finds a scene by its name or its file.
 
 use std::ffi::OsString;
 use std::fmt;
@@ -8,7 +8,7 @@ use anyhow::{Result, bail};
 use photoncube_render::{Geometry, Scene};
 use photoncube_spec::did_you_mean;
 
-/// A scene as the user names it: a built-in one, or a file, whose name need not be UTF-8.
+/// A scene as the user names it: a built-in scene, or a file, whose name need not be UTF-8.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SceneName(PathBuf);
 
@@ -39,7 +39,7 @@ pub fn load(name: &SceneName) -> Result<Scene> {
     Ok(scene)
 }
 
-/// A name with a folder or an ending is meant as a file's.
+/// The error of an unknown scene. A name with a folder or an ending is treated as a file's.
 fn no_scene(name: &SceneName, names: &[&str]) -> String {
     let known = names.join(", ");
     match name.0.extension().is_some() || name.0.components().count() > 1 {
@@ -55,7 +55,7 @@ fn no_scene(name: &SceneName, names: &[&str]) -> String {
     }
 }
 
-/// Says on standard error which meshes have triangles that no ray can meet.
+/// Warns on standard error about meshes with triangles that no ray can meet.
 fn warn_of_dropped(scene: &Scene) {
     for surface in scene.surfaces() {
         if let Geometry::Mesh(mesh) = &surface.geometry
@@ -68,7 +68,7 @@ fn warn_of_dropped(scene: &Scene) {
     }
 }
 
-/// The scene's name for files: a built-in scene's own, or a file's without folder and extension.
+/// The scene's name in file names: that of a built-in scene, or a file's name without folder and extension.
 pub fn stem(SceneName(name): &SceneName) -> String {
     let stem = name.file_stem().unwrap_or_default();
     stem.to_string_lossy().into_owned()

@@ -1,4 +1,4 @@
-//! Views that give a black picture are refused, with what the camera sees.
+//! Refuses views that give a black picture, and states what the camera sees.
 
 use anyhow::{Result, bail};
 use glam::DVec3;
@@ -6,10 +6,10 @@ use photoncube_render::{
     Image, MetricsError, RenderStats, Scene, Sights, ViewOptions, WorkloadError, sees_a_front,
 };
 
-/// What helps, where there is a light at all.
+/// A suggestion for scenes that have a light.
 const TRY: &str = "turn a light there, or give more --photons or a larger --in-range";
 
-/// Before the work: whether any pixel sees a surface that can be lit.
+/// Checks, before the work, that some pixel sees a surface that can be lit.
 pub fn check(scene: &Scene, view: &ViewOptions) -> Result<()> {
     if sees_a_front(scene, view)? {
         return Ok(());
@@ -24,7 +24,7 @@ pub fn check(scene: &Scene, view: &ViewOptions) -> Result<()> {
     bail!("no pixel sees a lit surface: {sights}; {why}");
 }
 
-/// Says what the camera sees where no query has light.
+/// Adds to the error of a view without light what the camera sees.
 pub fn explained<T>(result: Result<T>, scene: &Scene, view: &ViewOptions) -> Result<T> {
     let Err(error) = result else { return result };
     let is_dark = error.chain().any(|cause| {
@@ -42,7 +42,7 @@ pub fn explained<T>(result: Result<T>, scene: &Scene, view: &ViewOptions) -> Res
     )
 }
 
-/// After the work: a picture without any light has no error worth a bound.
+/// Checks, after the work, that the picture has light. A black picture has no meaningful error.
 pub fn check_light(
     image: &Image,
     scene: &Scene,

@@ -1,4 +1,4 @@
-//! Area and clock of the emitted machines, by one pinned Yosys and nextpnr.
+//! Measures area and clock of the emitted machines, with one pinned version of Yosys and nextpnr.
 
 pub mod area;
 pub mod cells;
@@ -28,23 +28,23 @@ use photoncube_spec::Machine;
 
 use flow::Flow;
 
-/// An enum's value as on the command line.
+/// An enum's value as it is written on the command line.
 fn option_name(value: impl ValueEnum) -> String {
     let value = value.to_possible_value();
     value.map_or_else(String::new, |value| value.get_name().to_owned())
 }
 
-/// A machine as it is measured: its emitted Verilog.
+/// A machine that is measured, with its emitted Verilog.
 pub struct Subject {
-    /// The machine.
+    /// The machine that is measured.
     pub machine: &'static Machine,
     /// The name of its top module.
     pub top: String,
-    /// The text.
+    /// The Verilog text of all modules.
     pub verilog: String,
-    /// Second texts of some modules for an ECP5, if it has any.
+    /// The overrides of some modules for an ECP5; `None` if there are none.
     pub ecp5_verilog: Option<String>,
-    /// Their digest, see [`Emitted::ecp5_sha256`](photoncube_hdl::Emitted::ecp5_sha256).
+    /// The digest of both texts, see [`Emitted::ecp5_sha256`](photoncube_hdl::Emitted::ecp5_sha256).
     pub verilog_sha256: String,
 }
 
@@ -61,7 +61,7 @@ impl Subject {
         })
     }
 
-    /// The Yosys commands that read the machine for a flow, from the folder that it was written to.
+    /// The Yosys commands that read the machine for a flow, from the folder of its files.
     pub fn read(&self, flow: Flow) -> String {
         let top = &self.top;
         let is_ecp5 = matches!(flow, Flow::Ecp5 | Flow::Ecp5Nodsp);

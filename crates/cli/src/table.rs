@@ -1,6 +1,6 @@
-//! Plain tables: one text that reads well in a terminal and is Markdown in the README.
+//! Plain tables, which are readable in a terminal and are Markdown in the README.
 
-/// A number rounded to so many significant digits, or to a whole one where that has more.
+/// A number rounded to `digits` significant digits, or to a whole number where that has more.
 pub fn significant(number: f64, digits: u32) -> String {
     let last = f64::from(digits) - 1.0;
     // `as` saturates.
@@ -31,14 +31,14 @@ pub fn markdown(header: &[&str], rows: &[Vec<String>]) -> String {
     text
 }
 
-/// Columns of a terminal that texts are made for.
+/// The width in columns that texts are wrapped to.
 pub const COLUMNS: usize = 100;
 
-/// A text in lines of at most [`COLUMNS`], broken between words, those after the first indented by so much. A word
-/// that is longer has a line of its own.
+/// Wraps a text between words to lines of at most [`COLUMNS`]. Lines after the first are indented by
+/// `indent`. A longer word has its own line.
 pub fn wrapped(text: &str, indent: usize) -> String {
     let mut lines = String::new();
-    // Of the line so far; none before the first word.
+    // The width of the line so far; `None` before the first word.
     let mut width = None;
     for word in text.split(' ') {
         let length = word.chars().count();

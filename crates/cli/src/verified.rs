@@ -1,4 +1,4 @@
-//! What was verified, how, and how much of it: the lines of `docs/verification.md`, kept as data in
+//! The verification results: the lines of `docs/verification.md`, stored as data in
 //! `docs/measured/verification.json`, which `verify --record` writes.
 
 use std::collections::BTreeMap;
@@ -11,38 +11,38 @@ use serde::{Deserialize, Serialize};
 
 use crate::{digests, files, table};
 
-/// One line: what a method found of a machine.
+/// A result of one verification method on one machine.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Line {
-    /// The machine, or what else was verified.
+    /// The name of the machine, or of another object that was verified.
     pub machine: String,
-    /// The digest of the Verilog that was verified, see [`photoncube_hdl::Emitted::verilog_sha256`]; none where the line is about
-    /// no Verilog.
+    /// The digest of the Verilog that was verified, see [`photoncube_hdl::Emitted::verilog_sha256`]; `None`
+    /// where the result is about no Verilog.
     pub verilog_sha256: Option<String>,
-    /// How, such as `equivalence` or `mutants`.
+    /// The method, such as `equivalence` or `mutants`.
     pub method: String,
-    /// The tools behind it, with their versions.
+    /// The tools of the method, with their versions.
     pub by: String,
-    /// How much of it, in `unit`.
+    /// The amount that was verified, in `unit`.
     pub volume: u64,
-    /// What `volume` counts.
+    /// The unit of `volume`.
     pub unit: String,
-    /// What was found.
+    /// The outcome, as text.
     #[serde(rename = "outcome")]
     pub result: String,
-    /// The command that repeats it.
+    /// The command that repeats the verification.
     pub command: String,
 }
 
 impl Line {
-    /// A line about a machine, to be filled in.
+    /// A line about a machine, with its other fields empty.
     pub fn of_machine(name: &str) -> Result<Self> {
         let emitted = emit(find_machine(name)?, Level::Machine)?;
         Ok(Self::about(name.to_owned(), Some(emitted.verilog_sha256())))
     }
 
-    /// A line about the unit of that name with operands of so many bits, to be filled in.
+    /// A line about the unit of that name with operands of `bits` bits, with its other fields empty.
     pub fn of_unit(name: &str, bits: u32) -> Result<Self> {
         let mut units = Unit::ALL.into_iter();
         let unit = units.find(|unit| unit.name() == name);
@@ -54,12 +54,12 @@ impl Line {
         ))
     }
 
-    /// A line about something else than Verilog, to be filled in.
+    /// A line about an object without Verilog, with its other fields empty.
     pub fn of_no_verilog(what: String) -> Self {
         Self::about(what, None)
     }
 
-    /// A line about Verilog of that digest, to be filled in.
+    /// A line about Verilog of that digest, with its other fields empty.
     pub fn about(machine: String, verilog_sha256: Option<String>) -> Self {
         Self {
             machine,
@@ -73,7 +73,7 @@ impl Line {
         }
     }
 
-    /// A line takes the place of an earlier one of the same machine, method and tools.
+    /// The key of a line. A new line replaces an earlier one of equal machine, method and tools.
     fn key(&self) -> [&str; 3] {
         [&self.machine, &self.method, &self.by]
     }
@@ -81,22 +81,22 @@ impl Line {
 
 const COMMITTED: &str = include_str!("../../../docs/measured/verification.json");
 
-/// All lines.
+/// All recorded lines.
 #[derive(Debug, Serialize)]
 pub struct Table {
-    /// Those about today's Verilog, in order of machine and method.
+    /// The lines about today's Verilog, sorted by machine and method.
     pub lines: Vec<Line>,
-    /// Those about other Verilog, which show nothing any more.
+    /// The lines about other Verilog, which are no longer valid.
     pub stale: Vec<Line>,
 }
 
-/// The table that is committed.
+/// The committed table.
 pub fn committed() -> Result<Table> {
     let lines = parse(COMMITTED).context("docs/measured/verification.json")?;
     sorted_out(lines)
 }
 
-/// Tells lines about the Verilog of today from those about other Verilog.
+/// Separates the lines about today's Verilog from those about other Verilog.
 fn sorted_out(lines: Vec<Line>) -> Result<Table> {
     let today = digests_of_today()?;
     let is_fresh = |line: &Line| today.get(&line.machine) == line.verilog_sha256.as_ref();
@@ -104,7 +104,7 @@ fn sorted_out(lines: Vec<Line>) -> Result<Table> {
     Ok(Table { lines, stale })
 }
 
-/// The digest of whatever has Verilog, by its name in a line.
+/// The digest of every object with Verilog, by its name in a line.
 fn digests_of_today() -> Result<BTreeMap<String, String>> {
     let machines = digests::committed()?.into_iter();
     let mut today: BTreeMap<_, _> = machines
@@ -123,14 +123,14 @@ fn unit_name(unit: Unit, bits: u32) -> String {
     format!("unit {unit}, {bits} bits")
 }
 
-/// Reads a table.
+/// Parses a table.
 pub fn parse(text: &str) -> Result<Vec<Line>> {
     serde_json::from_str(text).context(
         "expected a list of lines as `verify --record` writes; remove the file to start anew",
     )
 }
 
-/// Puts lines into the table of a file, which is made where there is none.
+/// Adds lines to the table in a file, which is made if it does not exist.
 pub fn record(path: &Path, fresh: &[Line]) -> Result<()> {
     let mut lines = match std::fs::read_to_string(path) {
         Ok(text) => parse(&text).with_context(|| path.display().to_string())?,

@@ -1,4 +1,4 @@
-//! The commands as a user sees them: what they print, what they write, how they end.
+//! Tests the commands as a user sees them: their output, their files, their exit codes.
 
 mod estimators;
 mod json_keys;
@@ -244,7 +244,7 @@ fn render_is_the_same_for_a_seed_and_another_for_another() {
 #[test]
 fn run_takes_the_whole_path() {
     let (report, folder) = (&RUN.report, &RUN.folder);
-    // Without --machine it is the one that the scene needs.
+    // Without --machine the machine is the one that the scene needs.
     let fitted = &report["fitted"];
     assert_eq!(fitted["holds"], true);
     let error = fitted["measurement"]["error_over_noise"].as_f64().unwrap();
@@ -266,7 +266,7 @@ fn run_takes_the_whole_path() {
     let compared = report["devices"].as_array().unwrap().len();
     let missing = report["devices_not_found"].as_array().unwrap().len();
     assert_eq!(compared + missing, 4);
-    // The emitted text is proven whatever is installed.
+    // The emitted text is verified whatever tools are installed.
     assert_eq!(report["devices"][1]["device"], "text");
     let vectors = |of: &Value| of["vectors_compared"].as_u64().unwrap();
     assert!(vectors(&report["devices"][1]) > 0);
@@ -349,7 +349,7 @@ fn hard_cases_print_a_row_each_with_bound_reason_and_contrast() {
     }
 }
 
-/// Two photons are too few for any case of more: they are refused, and the row is named.
+/// Two photons are too few for cases with more photons: the cases are refused and their rows are named.
 #[test]
 fn a_hard_case_that_fails_is_named_and_ends_1() {
     let message = error(&["hard-cases", "--format", "local8-rgb8e5-n2"], 1);

@@ -1,4 +1,4 @@
-//! `synth` as a user sees it, without the tools: what it checks, what it refuses, how it ends.
+//! Tests `synth` without the tools: its checks, its refusals, its exit codes.
 
 use std::fs;
 use std::path::Path;
@@ -20,7 +20,7 @@ fn error(args: &[&str], code: i32) -> String {
     String::from_utf8(output.get_output().stderr.clone()).unwrap()
 }
 
-/// Changes a committed file's copy.
+/// Edits a copy of a committed file.
 fn edit(folder: &Path, name: &str, change: impl FnOnce(&mut Value)) {
     let path = folder.join(name);
     let text = fs::read_to_string(&path).unwrap();
@@ -120,7 +120,7 @@ fn bad_usage_ends_2_says_what_was_expected_and_writes_nothing() {
     }
 }
 
-/// Two programs that say what a Yosys and a nextpnr say.
+/// Two programs that print what a Yosys and a nextpnr print.
 #[cfg(unix)]
 #[test]
 fn a_cell_that_nobody_counts_and_tools_that_differ_end_2() {
@@ -142,7 +142,7 @@ fn a_cell_that_nobody_counts_and_tools_that_differ_end_2() {
     let tools = folder.path().to_str().unwrap();
     let args = ["--tools", tools, "--machine", "paper", "--flow", "lut4"];
     let message = error(&args, 2);
-    // Nothing is placed, so no nextpnr is asked for.
+    // Nothing is placed, so nextpnr is not required.
     assert!(
         message.contains("machine paper in flow lut4: found 3 cells WIDGET"),
         "{message}"

@@ -1,6 +1,6 @@
-//! From a machine's numbers to a rust-hdl block: the table of the widths that are built in.
+//! Builds the rust-hdl block of a machine from the table of widths that are compiled in.
 //!
-//! rust-hdl's widths are const generics, so every set of widths is compiled; each costs about a
+//! rust-hdl's widths are const generics, so every set of widths is compiled for itself; each costs about a
 //! second of build time.
 
 use photoncube_spec::{
@@ -17,22 +17,22 @@ use crate::processor::Processor;
 use crate::spatial::{PhotonMemory, SpatialMachine, SquarePair};
 use crate::units::{AddUnit, GateUnit, SquareUnit};
 
-/// No block of these widths is compiled in.
+/// The error of a machine whose widths are not compiled in.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error(
     "machine `{machine}` needs {needed}, which is not built in; built in are {built_in}. \
      Add a row to the table in crates/hdl/src/build.rs"
 )]
 pub struct NotBuiltIn {
-    /// The machine.
+    /// The name of the machine.
     pub machine: String,
-    /// The widths that it needs.
+    /// The widths that the machine needs.
     pub needed: String,
-    /// The widths that there are.
+    /// The widths that are compiled in.
     pub built_in: String,
 }
 
-/// All that chooses a compiled block.
+/// The sizes that select a compiled block.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 struct Shape {
     widths: Widths,
@@ -44,8 +44,8 @@ struct Shape {
 }
 
 impl Shape {
-    /// None for a machine that runs no program, or whose squares are looked up: its cells have no
-    /// place for a table.
+    /// The shape of a machine; `None` for a machine that runs no program, or whose squares are tables, which
+    /// its cells have no place for.
     fn of(machine: &Machine) -> Option<Self> {
         if machine.squarer == Squarer::Table {
             return None;
@@ -186,7 +186,7 @@ fn not_built_in(machine: &Machine, level: Level) -> NotBuiltIn {
     }
 }
 
-/// The steps of the longest program that a machine can be built with; 0 where it runs none.
+/// The number of steps of the longest program that the machine can be built with; 0 where it runs none.
 pub fn most_steps(machine: &Machine) -> usize {
     let Some(shape) = Shape::of(machine) else {
         return 0;
@@ -196,7 +196,7 @@ pub fn most_steps(machine: &Machine) -> usize {
     same.map(|row| 1 << row.address).max().unwrap_or(0)
 }
 
-/// The block of a machine at a level, with all its signals claimed.
+/// Builds the block of a machine at a level, with all signals claimed.
 pub(crate) fn build(machine: &Machine, level: Level) -> Result<Box<dyn Pinned>, NotBuiltIn> {
     let block = match &machine.organisation {
         Organisation::Sequential | Organisation::Programmed(_) => find(machine, level),

@@ -1,7 +1,7 @@
 //! The reconfigurable cell: register file, operand multiplexers, three units.
 //!
-//! Figure 2 of Ryu, Kim, Lee. The control word says, every clock, which registers are written
-//! and what the units work on; see `photoncube_spec::OPS` for what the words mean.
+//! The cell is figure 2 of Ryu, Kim, Lee. In every clock the control word selects the registers that are
+//! written and the operands of the units; see `photoncube_spec::OPS` for the meaning of the ops.
 
 use photoncube_spec::Squarer;
 use rust_hdl::prelude::*;
@@ -122,9 +122,9 @@ impl<
         self.gate_unit.b.next = self.radius_sq.q.val();
         self.gate_unit.power.next = self.power.q.val();
 
-        // A is the work register. B is the link or the sum: the link is 0 where the control word
-        // names no axis, so that an OR chooses. Above the link's width B is always the sum,
-        // because a result of that width goes to the sum alone.
+        // A is the work register. B is the link or the sum. The link is 0 where the control word selects no
+        // axis, so the choice is an OR. Above the link's width B is always the sum, because a result of that
+        // width is stored only in the sum.
         self.sum_low.next = 0.into();
         if self.add_sum.val() {
             self.sum_low.next = bit_cast::<V, S>(self.sum.q.val());

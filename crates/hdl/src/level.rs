@@ -1,8 +1,8 @@
-//! The parts of a machine that can be built, simulated and emitted on their own.
+//! The levels: the parts of a machine that can be built, simulated and emitted on their own.
 
 use photoncube_spec::{Machine, Organisation};
 
-/// A block of the machine: the whole, or a part for itself.
+/// A level: the whole machine, or one part of it on its own.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Level {
     /// The whole machine.
@@ -17,14 +17,15 @@ pub enum Level {
     Square,
     /// The unit `if A>B, output 0`.
     Gate,
-    /// A spatial machine's squares of two photons' distances on one axis, with their registers.
+    /// A spatial machine's squares of the differences of two photons on one axis, with their pipeline
+    /// registers.
     SquarePair,
-    /// A spatial machine's photon memory, with its registers; what the head says are pins.
+    /// A spatial machine's photon memory, with its registers. The signals from the head are pins.
     Memory,
 }
 
 impl Level {
-    /// The levels of a machine, the whole first.
+    /// The levels of a machine; the first is the whole machine.
     pub fn of(machine: &Machine) -> &'static [Self] {
         match machine.organisation {
             Organisation::Sequential | Organisation::Programmed(_) => &[
@@ -43,7 +44,7 @@ impl Level {
         }
     }
 
-    /// Whether the block has a clock.
+    /// Whether the block has a clock pin.
     pub fn is_clocked(self) -> bool {
         matches!(
             self,
@@ -51,7 +52,7 @@ impl Level {
         )
     }
 
-    /// The level's name; the parts' are their modules' in the emitted Verilog.
+    /// The level's name. For a part it is the name of its module in the emitted Verilog.
     pub fn name(self) -> &'static str {
         match self {
             Self::Machine => "machine",

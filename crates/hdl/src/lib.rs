@@ -1,8 +1,8 @@
-//! The machines in rust-hdl, and the one place that makes Verilog of them.
+//! The machines as rust-hdl blocks, and the only code that makes Verilog from them.
 //!
-//! This crate and `rust-hdl-lint` alone name rust-hdl. rust-hdl simulates one text and prints another, so
-//! a block is trusted only when its *emitted* Verilog has been simulated; [`emit`] therefore also
-//! says where in that text every register is.
+//! Only this crate and `rust-hdl-lint` name rust-hdl. rust-hdl simulates Rust code and prints Verilog, and the two may
+//! differ. A block is therefore trusted only after its *emitted* Verilog has been simulated. [`emit`] also returns the
+//! path of every register in the emitted text, so that a simulation can observe it.
 
 mod build;
 mod cell;

@@ -1,7 +1,7 @@
-//! The hypercube network: every cell hears its neighbour on the selected axis.
+//! The hypercube network: every cell receives the work register of its neighbour on the selected axis.
 //!
-//! rust-hdl's kernels cannot say `i ^ (1 << k)`, so this block builds its simulation and its
-//! Verilog in two loops over the spec's topology.
+//! A rust-hdl kernel has no form for `i ^ (1 << k)`, so this block builds its simulation and its Verilog in
+//! two loops over the spec's topology.
 
 use photoncube_spec::Hypercube;
 use rust_hdl::core::ast::{
@@ -10,8 +10,8 @@ use rust_hdl::core::ast::{
 };
 use rust_hdl::prelude::*;
 
-/// `link[i]` is `work` of i's neighbour on the selected axis, for `N` cells and `X` axes; 0 if no
-/// axis is selected, the OR of the neighbours if several are (no control word selects several).
+/// `link[i]` is the `work` input of cell i's neighbour on the selected axis, for `N` cells and `X` axes. It
+/// is 0 if no axis is selected, and the OR of the neighbours if several are; no control word selects several.
 #[derive(LogicBlock)]
 pub(crate) struct Network<const N: usize, const V: usize, const X: usize> {
     pub axis: Signal<In, Bits<X>>,

@@ -1,4 +1,4 @@
-//! Blocks with their pins in a row: how the outside drives and reads them.
+//! Blocks whose pins are driven and observed as rows of numbers.
 
 use photoncube_spec::{Machine, Organisation, REGISTERS, Register, overlap};
 use photoncube_spec::{Pin, Pins, SignalPlace, Widths};
@@ -12,7 +12,7 @@ use crate::network::Network;
 use crate::processor::Processor;
 use crate::units::{AddUnit, GateUnit, SquareUnit};
 
-/// A block that can be driven and observed by rows of numbers.
+/// A block whose inputs, outputs and registers are rows of numbers.
 pub(crate) trait Pinned: Block {
     /// Sets the clock pin, if the block has one.
     fn set_clock(&mut self, _level: bool) {}
@@ -20,19 +20,19 @@ pub(crate) trait Pinned: Block {
     fn drive(&mut self, row: &[u64]);
     /// Appends the output pins and the registers, in the order of [`pins`].
     fn sample(&self, row: &mut Vec<u64>);
-    /// The path of a register in the top instance, of blocks that know it.
+    /// The path of a register in the top instance; `None` for blocks that hold no such register.
     fn register_path(&self, _place: SignalPlace) -> Option<String> {
         None
     }
-    /// The memories in it whose words have no initial value.
+    /// The memories of the block whose words have no initial value.
     fn block_rams(&self) -> Vec<BlockRam> {
         Vec::new()
     }
-    /// One pass of rust-hdl's settling loop; true when nothing changed.
+    /// Runs one pass of rust-hdl's settling loop. Returns true when nothing changed.
     fn settle(&mut self) -> bool;
 }
 
-/// The pins of a block, as it declares them.
+/// Lists the pins of a block in the order of their declaration.
 pub(crate) fn block_pins(block: &dyn Pinned) -> Pins {
     let mut probe = TopPins::default();
     block.accept("top", &mut probe);
@@ -43,7 +43,8 @@ pub(crate) fn block_pins(block: &dyn Pinned) -> Pins {
     }
 }
 
-/// The pins of a part, as it declares them, then the registers of a cell or a photon memory if it is one.
+/// Lists the pins of a part in the order of their declaration, then the registers of a cell or a photon
+/// memory.
 pub(crate) fn pins(block: &dyn Pinned, machine: &Machine, level: Level) -> Pins {
     let mut pins = block_pins(block);
     if level == Level::Memory {
@@ -79,7 +80,7 @@ pub(crate) fn pins(block: &dyn Pinned, machine: &Machine, level: Level) -> Pins 
     pins
 }
 
-/// Collects the pins of the top block, without the clock.
+/// A visitor that collects the pins of the top block, without the clock.
 #[derive(Default)]
 struct TopPins {
     depth: usize,
@@ -113,7 +114,7 @@ impl Probe for TopPins {
     }
 }
 
-/// A signal's value as a number.
+/// A signal's value as an unsigned number.
 pub(crate) trait Word {
     fn from_number(number: u64) -> Self;
     fn number(self) -> u64;
@@ -149,7 +150,7 @@ impl<const N: usize> Word for Bits<N> {
     }
 }
 
-/// Hands a row's numbers to input signals, one after the other.
+/// Assigns a row's numbers to input signals, one after another.
 pub(crate) struct Driver<'a>(std::slice::Iter<'a, u64>);
 
 impl<'a> Driver<'a> {

@@ -1,8 +1,9 @@
-//! The ports: which cell gets which word of the streams, and which cells hold the results.
+//! The ports of a sequential machine: they connect each cell to its words of the streams, and the result pins
+//! to the cells that hold the results.
 //!
-//! Wires, laid by the spec's topology: a cell's role says which coordinate and which channel are
-//! its own, its quad says which lane. A power that is stored with an exponent is decoded here, so
-//! that a cell knows powers only.
+//! The block consists of wires that follow the spec's topology. A cell's role selects its coordinate and its
+//! channel, its quad selects the lane. A power with an exponent is decoded here, so that cells receive
+//! decoded powers only.
 
 use photoncube_spec::{Channels, Hypercube, Role};
 use rust_hdl::core::ast::{VerilogExpression, VerilogLiteral, VerilogOp, VerilogStatement};
@@ -28,30 +29,31 @@ pub(crate) struct Ports<
     pub x: [Signal<In, Bits<H>>; G],
     pub y: [Signal<In, Bits<H>>; G],
     pub z: [Signal<In, Bits<H>>; G],
-    /// The first channel of every lane, then the next: channel c of lane g is at `c G + g`.
+    /// The mantissas: the first channel of every lane, then the next channel. Channel c of lane g is at
+    /// `c G + g`.
     pub channel: Vec<Signal<In, Bits<B>>>,
-    /// One for each lane, or none where powers have no exponent.
+    /// One exponent for each lane; empty where powers have no exponent.
     pub exponent: Vec<Signal<In, Bits<E>>>,
     pub sum: [Signal<In, Bits<S>>; N],
     pub cell_query: [Signal<Out, Bits<C>>; N],
     pub cell_photon: [Signal<Out, Bits<H>>; N],
     pub cell_present: [Signal<Out, Bit>; N],
     pub cell_power: [Signal<Out, Bits<P>>; N],
-    /// The sums of the channels, then the count.
+    /// The sums of the channels, then the count of photons in range.
     pub result: Vec<Signal<Out, Bits<S>>>,
     _cube: Hypercube,
     _channels: usize,
     _result_nodes: Vec<usize>,
 }
 
-/// What the cells of a role add up.
+/// The value that the cells of a role add up.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 enum Summand {
-    /// That channel of the photons' powers.
+    /// The power of the photons in that channel.
     Channel(usize),
     /// 1 for each photon.
     Count,
-    /// 0, where there are fewer channels than coordinates.
+    /// The value 0, for roles beyond the number of channels.
     Nothing,
 }
 
@@ -76,8 +78,8 @@ impl<
     const S: usize,
 > Ports<N, G, C, H, B, E, P, S>
 {
-    /// The query of a cell without a coordinate. Its photon is 0 and its distance must be 0 too, so
-    /// it is the index at photon 0, or the one below the grid line on which that stands.
+    /// The query coordinate of a cell without a coordinate. The cell's photon coordinate is 0 and its
+    /// distance must be 0, so this is the index at photon 0, or the index below the grid line of photon 0.
     const NO_QUERY: u64 = ((1 << (C - H)) - 1) / 2;
 
     pub fn new(cube: Hypercube, channels: Channels) -> Self {
@@ -125,7 +127,7 @@ impl<
         }
     }
 
-    /// The mantissa is widened before it is shifted: a shift is as wide as its operand.
+    /// Decodes a power. The mantissa is widened before the shift, because a shift is as wide as its operand.
     fn power_wires(&self, node: usize) -> Vec<VerilogStatement> {
         let lane = self._cube.photon(node);
         let power = || word("cell_power", node);

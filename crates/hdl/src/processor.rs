@@ -1,4 +1,5 @@
-//! The whole machine: control block, ports, cells and network between valid/ready streams.
+//! The top block of a sequential machine: control block, ports, cells and network between valid/ready
+//! streams.
 
 use photoncube_spec::Machine;
 use rust_hdl::prelude::*;
@@ -42,7 +43,7 @@ pub(crate) struct Processor<
     pub photon_x: [Signal<In, Bits<H>>; G],
     pub photon_y: [Signal<In, Bits<H>>; G],
     pub photon_z: [Signal<In, Bits<H>>; G],
-    /// The channels, as in [`Ports`]; `emit` gives them their names.
+    /// The mantissas, ordered as in [`Ports`]; `emit` renames them by channel.
     pub photon_channel: Vec<Signal<In, Bits<B>>>,
     pub photon_exponent: Vec<Signal<In, Bits<E>>>,
     pub result_ready: Signal<In, Bit>,
@@ -74,7 +75,7 @@ impl<
     const G: usize,
 > Processor<C, H, M, Q, R, B, E, P, V, S, A, W, X, N, G>
 {
-    /// The processor of a machine whose widths are this type's.
+    /// Builds the processor of a machine. The type's widths must be those of the machine.
     pub fn new(machine: &Machine) -> Self {
         let cube = machine.hypercube();
         let program = machine.microprogram().expect("a processor runs a program");

@@ -1,4 +1,4 @@
-//! rust-hdl's own simulation, driven directly: one settling loop for each clock level.
+//! Runs rust-hdl's own simulation: one settling loop for each clock level.
 
 use photoncube_spec::{Machine, Pins};
 use thiserror::Error;
@@ -8,15 +8,15 @@ use crate::level::Level;
 use crate::pinned::{Pinned, pins};
 use crate::unit::{Unit, build_unit};
 
-/// Passes of the settling loop before a design counts as unstable; legal ones need about 12.
+/// Passes of the settling loop after which a design counts as unstable. Legal designs need about 12.
 const MAX_PASSES: usize = 100;
 
-/// The simulation did not settle: the design has a combinational loop.
+/// The error of a simulation that does not settle: the design has a combinational loop.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, Error)]
 #[error("the design did not settle in {MAX_PASSES} passes: look for a combinational loop")]
 pub struct NotSettled;
 
-/// A block in rust-hdl's simulation, in its power-up state.
+/// A rust-hdl simulation of a block. It starts in the power-up state.
 pub struct Simulator {
     block: Box<dyn Pinned>,
 }
@@ -32,7 +32,7 @@ impl Simulator {
         })
     }
 
-    /// Builds a unit for itself, with operands of so many bits.
+    /// Builds a unit on its own, with operands of `bits` bits.
     ///
     /// # Errors
     /// The unit is not built at that width.
@@ -42,8 +42,8 @@ impl Simulator {
         })
     }
 
-    /// One clock: drives the inputs with the falling edge, appends what is then observed, in the
-    /// order of [`level_pins`], and makes the rising edge. A block without a clock just settles.
+    /// Simulates one clock. Drives the inputs with the falling edge, appends the observed values in the order
+    /// of [`level_pins`], and makes the rising edge. A block without a clock only settles.
     ///
     /// # Errors
     /// The design does not settle.
@@ -62,7 +62,7 @@ impl Simulator {
     }
 }
 
-/// The pins and registers of a block, in the order of its rows.
+/// Lists the pins and registers of a block, in the order of its rows.
 ///
 /// # Errors
 /// The machine's widths are not built in.

@@ -1,7 +1,7 @@
-//! Units for themselves, so narrow that every pair of their inputs can be tried.
+//! Units on their own, so narrow that every pair of their inputs can be tried.
 //!
-//! A machine has its units at its own widths; these have the same blocks at others. What is true of
-//! every input at these widths is proven of them, not of the wider ones.
+//! A machine has its units at its own widths; these units are the same blocks at other widths. An exhaustive
+//! check of them proves the narrow units, and not the wider ones of a machine.
 
 use std::fmt;
 
@@ -12,27 +12,30 @@ use crate::pinned::{Pinned, block_pins};
 use crate::spatial::SquarePair;
 use crate::units::{AddUnit, GateUnit, SquareUnit};
 
-/// A unit of a cell.
+/// A unit that is built on its own.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Unit {
     /// `A+B`.
     Add,
-    /// `(A-B)^2` from digits.
+    /// `(A-B)^2`, with a squarer from digits.
     SquareDigits,
-    /// `(A-B)^2` as a product.
+    /// `(A-B)^2`, with a squarer that is one product.
     SquareProduct,
     /// `if A>B, output 0`.
     Gate,
-    /// A spatial machine's two squares from digits, a register at every cut.
+    /// A spatial machine's squares of two differences, from digits, with a register at every place of the
+    /// pipeline.
     PairDigits,
-    /// The same as products.
+    /// A spatial machine's squares of two differences, as products, with a register at every place of the
+    /// pipeline.
     PairProduct,
-    /// The same from a table.
+    /// A spatial machine's squares of two differences, from a table, with a register at every place of the
+    /// pipeline.
     PairTable,
 }
 
 impl Unit {
-    /// All units.
+    /// Every unit that is built on its own.
     pub const ALL: [Self; 7] = [
         Self::Add,
         Self::SquareDigits,
@@ -43,10 +46,10 @@ impl Unit {
         Self::PairTable,
     ];
 
-    /// The widths that the units are built at.
+    /// The operand widths, in bits, that the units are built at.
     pub const BITS: [u32; 2] = [6, 8];
 
-    /// Its name in reports, and the end of its top module's name before the width.
+    /// The unit's name in reports. The name of its top module ends with it and the width.
     pub fn name(self) -> &'static str {
         match self {
             Self::Add => "add",
@@ -59,7 +62,7 @@ impl Unit {
         }
     }
 
-    /// What its squares are made of; none where there are none.
+    /// The implementation of the unit's squares; `None` for a unit without squares.
     pub fn squarer(self) -> Option<Squarer> {
         match self {
             Self::Add | Self::Gate => None,
@@ -69,13 +72,14 @@ impl Unit {
         }
     }
 
-    /// Whether it has a clock; it then has a register at each cut of its squares.
+    /// Whether the unit has a clock. A clocked unit has a register at each place of the pipeline of its
+    /// squares.
     pub fn is_clocked(self) -> bool {
         matches!(self, Self::PairDigits | Self::PairProduct | Self::PairTable)
     }
 
-    /// Bits of the distance that a pair of operands of so many bits squares; a larger one is far. As in
-    /// every spatial machine they are fewer than the operands'.
+    /// The bits of a difference that a pair of squares with operands of `bits` bits uses; a larger difference
+    /// is far. As in every spatial machine, they are fewer than the operands' bits.
     pub fn radius_bits(bits: u32) -> u32 {
         bits - 1
     }
@@ -87,7 +91,7 @@ impl fmt::Display for Unit {
     }
 }
 
-/// All registers there can be.
+/// A pipeline register at every place where one may stand.
 const CUTS: Cuts = Cuts::of(&Cut::ALL);
 
 macro_rules! pair {
@@ -98,8 +102,8 @@ macro_rules! pair {
     };
 }
 
-/// The block of a unit with operands of so many bits. A pair's high digit has 4 bits and its low digit
-/// 3 at least, so none from digits has 6-bit operands.
+/// The block of a unit with operands of `bits` bits; `None` if it is not built. A pair's high digit has 4
+/// bits and its low digit at least 3, so no pair from digits has 6-bit operands.
 fn find(unit: Unit, bits: u32) -> Option<Box<dyn Pinned>> {
     use Squarer::{Digits, Product, Table};
     Some(match (unit, bits) {
@@ -120,12 +124,12 @@ fn find(unit: Unit, bits: u32) -> Option<Box<dyn Pinned>> {
     })
 }
 
-/// Whether a unit is built at a width.
+/// Whether a unit is built at an operand width of `bits` bits.
 pub fn has_unit(unit: Unit, bits: u32) -> bool {
     find(unit, bits).is_some()
 }
 
-/// The block with all its signals claimed.
+/// Builds the block of a unit, with all signals claimed.
 pub(crate) fn build_unit(unit: Unit, bits: u32) -> Result<Box<dyn Pinned>, NotBuiltIn> {
     let mut block = find(unit, bits).ok_or_else(|| NotBuiltIn {
         machine: label(unit, bits),
@@ -136,12 +140,12 @@ pub(crate) fn build_unit(unit: Unit, bits: u32) -> Result<Box<dyn Pinned>, NotBu
     Ok(block)
 }
 
-/// What it is called in messages and in its top module's name.
+/// The unit's name in messages and in the name of its top module.
 pub(crate) fn label(unit: Unit, bits: u32) -> String {
     format!("{unit}_{bits}")
 }
 
-/// The pins of a unit, in the order of its rows.
+/// Lists the pins of a unit, in the order of its rows.
 ///
 /// # Errors
 /// The unit is not built at that width.

@@ -1,5 +1,5 @@
-//! The emitted cell and its three units, small enough to be read: a change of the hardware is
-//! seen in the review as a change of this text.
+//! Snapshots of the emitted cell and its three units, which are small enough to be read. A review sees a
+//! change of the hardware as a change of this text.
 
 use photoncube_hdl::{Level, emit};
 use photoncube_spec::find_machine;
@@ -9,13 +9,13 @@ fn text(machine: &str, level: Level) -> String {
     emit(machine, level).unwrap().text
 }
 
-/// The first module: the part itself without what it instantiates.
+/// The first module of the text: the part itself, without the modules that it instantiates.
 fn first_module(text: &str) -> String {
     let end = text.find("endmodule").unwrap() + "endmodule".len();
     text[..end].to_owned() + "\n"
 }
 
-/// The module whose name ends so.
+/// The module whose name ends with `name`.
 fn only_module(text: &str, name: &str) -> String {
     let (_, modules) = text.split_once("\nmodule ").unwrap();
     let module = modules.split("\nmodule ").find(|module| {

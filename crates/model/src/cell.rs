@@ -1,6 +1,6 @@
-//! One cell: its registers and what an op does to them.
+//! The cell of a sequential machine: its registers and the effect of an op on them.
 //!
-//! Distances are never wrapped: the work register holds the sum of three squares.
+//! Distances never wrap: the work register is wide enough for the sum of three squares.
 
 use photoncube_spec::{Machine, Numbers, Op, Widths};
 
@@ -15,13 +15,13 @@ pub struct CellState {
     pub photon: u32,
     /// `w`: the photon's power in the cell's channel.
     pub power: u64,
-    /// `v`: square, distance, gated power.
+    /// `v`: a square, then a distance, then a gated power.
     pub work: u64,
     /// `s`: the sum of the query.
     pub sum: u64,
 }
 
-/// What stands at a cell's ports in one clock. Values must fit the machine's widths.
+/// The values at a cell's ports in one clock. They must fit the machine's widths.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub struct CellInputs {
     /// The query's coordinate of the cell's role.
@@ -38,21 +38,21 @@ pub struct CellInputs {
     pub link: u64,
 }
 
-/// How a machine's cells compute.
+/// The arithmetic rules of a machine's cells.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct CellRules {
     widths: Widths,
     square: SquareRule,
 }
 
-/// What a cell squares; see [`photoncube_spec::PhotonFormat`], "Distance".
+/// The function that a cell computes as the square; see [`photoncube_spec::PhotonFormat`], "Distance".
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 enum SquareRule {
-    /// The plain difference.
+    /// The square of the plain difference.
     Plain,
-    /// |A-B|, clamped.
+    /// The square of |A-B|, clamped to `largest`.
     Clamped { largest: u32 },
-    /// Half squares: a photon stands on the fine grid line `(index << shift) + middle`.
+    /// The half square, where a photon is on the fine grid line `(index << shift) + middle`.
     HalfSteps {
         largest: u32,
         shift: u32,
@@ -61,7 +61,7 @@ enum SquareRule {
 }
 
 impl CellRules {
-    /// The rules of a machine.
+    /// The rules of a machine's cells.
     pub fn of(machine: &Machine) -> Self {
         let widths = Widths::of(machine);
         let largest = u32::MAX >> (u32::BITS - widths.difference);
@@ -77,8 +77,8 @@ impl CellRules {
         Self { widths, square }
     }
 
-    /// What a distance cell has for a query, so that its square of photon 0 is 0: the index just
-    /// below the photon's grid line.
+    /// The query coordinate of a distance cell: the index just below the grid line of photon 0, so that its
+    /// square is 0.
     pub(crate) fn idle_query(&self) -> u32 {
         match self.square {
             SquareRule::Plain | SquareRule::Clamped { .. } => 0,
@@ -103,7 +103,7 @@ impl SquareRule {
                 middle,
             } => {
                 let line = (photon << shift) + middle;
-                // A query stands half a step above its index: below the line, that half is lost.
+                // A query is half a step above its index. Below the line, that half step is dropped.
                 let steps = match query.checked_sub(line) {
                     Some(steps) => steps,
                     None => line - query - 1,
@@ -116,7 +116,7 @@ impl SquareRule {
 }
 
 impl CellState {
-    /// Does one op; the rows of [`photoncube_spec::OPS`] in plain integers.
+    /// Does one op, by the rows of [`photoncube_spec::OPS`], in plain integers.
     pub fn execute(&mut self, op: Op, inputs: &CellInputs, rules: &CellRules) {
         match op {
             Op::Nop => {}

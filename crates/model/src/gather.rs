@@ -1,39 +1,39 @@
-//! The direct gather: the sum that the machine's clocks add up to.
+//! The direct gather: the sums that a machine must return, computed photon by photon.
 
 use photoncube_spec::{Machine, Photon, Query, Sums};
 use thiserror::Error;
 
 use crate::range::{Limits, RangeError};
 
-/// Why a gather is refused.
+/// The reason why a gather is refused.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum GatherError {
     /// A value does not fit the machine's formats.
     #[error(transparent)]
     Range(#[from] RangeError),
-    /// More photons than the sums are sized for.
+    /// The query has more photons than the sums are sized for.
     #[error(
         "a query of {found} photons is {} over the {max_photons} that machine `{machine}` declares: \
          its sums could overflow; a smaller search radius or a machine with a larger `max_photons` has room",
         .found - .max_photons
     )]
     TooManyPhotons {
-        /// The photons given.
+        /// The number of photons given.
         found: u64,
         /// The most photons that the machine declares for one query.
         max_photons: u64,
-        /// The machine.
+        /// The name of the machine.
         machine: &'static str,
     },
 }
 
-/// Sums the power and the number of the photons with `d^2 <= radius_sq`; exact.
+/// Sums the power and the number of the photons with `d^2 <= radius_sq`. The sums are exact.
 ///
 /// Eq. 2 of Ryu, Kim, Lee, without its constant factor `1 / (pi r^2)`. In a photon format on half
 /// steps, `radius_sq` bounds the sum of half squares, see [`photoncube_spec::PhotonFormat`].
 ///
 /// # Errors
-/// A value that the machine's formats cannot hold, or more photons than its sums are sized for.
+/// A value does not fit the machine's formats, or there are more photons than its sums are sized for.
 pub fn gather(
     machine: &Machine,
     query: &Query,
@@ -47,7 +47,7 @@ pub fn gather(
     for photon in photons {
         limits.check_photon(&photon)?;
         given += 1;
-        // Past the limit nothing is summed, only counted for the error.
+        // Photons past the limit are only counted, for the error.
         if given <= machine.max_photons() && grid.in_range(query, photon.position) {
             for (sum, power) in sums.power.iter_mut().zip(photon.power) {
                 *sum += u64::from(power) << photon.exponent;
@@ -65,14 +65,14 @@ pub fn gather(
     Ok(sums)
 }
 
-/// Where indices lie, in half fine steps, so that middles of cells are integers too. It is the
-/// plain geometry: no clamp and no half squares, to which it must come to the same.
+/// Positions in half fine steps, in which the middles of cells are integers too. This plain geometry has no
+/// clamp and no half squares, and must give the decisions of the rules that have them.
 #[derive(Copy, Clone)]
 struct Grid {
-    /// Further fraction bits of a query.
+    /// The fraction bits of a query beyond those of a photon.
     extra: u32,
-    /// What (2 d)^2 exceeds 4 `radius_sq` by at the boundary: 1/4 on each axis on half steps, where
-    /// `radius_sq` bounds a sum of half squares.
+    /// The excess of (2 d)^2 over 4 `radius_sq` at the boundary. On half steps, where `radius_sq` bounds a
+    /// sum of half squares, it is 1/4 for each axis.
     margin: u64,
 }
 

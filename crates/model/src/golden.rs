@@ -6,25 +6,26 @@ use crate::machine::StepMachine;
 use crate::overlap::OverlapMachine;
 use crate::spatial::SpatialMachine;
 
-/// A machine with its state, all registers, every clock; starts as after power-up, all 0.
+/// A step-exact model with the state of all registers. It starts in the power-up state, in which all
+/// registers are 0.
 pub trait GoldenMachine: Send {
-    /// The output pins in this clock, with these inputs on the input pins.
+    /// The values of the output pins in this clock, for these inputs.
     fn outputs(&self, inputs: &Inputs) -> Outputs;
 
-    /// Appends the output pins with these inputs, and all registers, to a row, in the order of
+    /// Appends the output pins for these inputs, and all registers, to a row in the order of
     /// [`photoncube_spec::Pins::observed`].
     fn observe(&self, inputs: &Inputs, row: &mut Vec<u64>);
 
-    /// One rising clock edge with these inputs. Inputs must fit the machine's widths; a lane that
-    /// is not there is 0.
+    /// Applies one rising clock edge with these inputs. The inputs must fit the machine's widths, and a lane
+    /// without a photon must be 0.
     fn clock(&mut self, inputs: &Inputs);
 
-    /// Whether the clock with these inputs is one that the machine's program counts, rather than
-    /// one spent waiting for a stream.
+    /// Whether the machine's program counts this clock as work. A clock spent waiting for a stream does not
+    /// count.
     fn works(&self, inputs: &Inputs) -> bool;
 }
 
-/// The golden model of a machine, in its power-up state.
+/// Makes the golden model of a machine, in its power-up state.
 ///
 /// # Panics
 /// Where a spatial machine is not legal, see [`photoncube_spec::Spatial::check`].

@@ -1,10 +1,11 @@
-//! The golden model: what a machine computes, in plain integers.
+//! The golden model: the results and the registers of a machine, in plain integers.
 //!
-//! Two independent readings of the spec: a [`GoldenMachine`] does what the hardware does, clock by
-//! clock, register by register ([`StepMachine`] runs programs, [`SpatialMachine`] is a pipeline);
-//! [`gather`] is the sum over photons that all of it is for. A property test holds them equal.
-//! [`LocalGather`] is the same sum over blocks of stored records in a photon format, with its
-//! radius; [`PhotonPlanes`] makes it fast, bit for bit. No I/O, no HDL, and no arithmetic shared with the HDL.
+//! The crate has two independent readings of the spec. A [`GoldenMachine`] models the hardware register by
+//! register, in every clock ([`StepMachine`] runs programs, [`SpatialMachine`] is a pipeline). [`gather`] is
+//! the sum over photons that a machine must return. A property test shows that both agree. [`LocalGather`]
+//! computes this sum over blocks of stored records in a photon format, with the format's radius;
+//! [`PhotonPlanes`] computes it fast, bit for bit. The crate does no I/O, uses no HDL, and shares no
+//! arithmetic with the HDL.
 
 mod cell;
 mod gather;

@@ -1,7 +1,8 @@
-//! The step-exact machine: all registers of all cells and of the control block, every clock.
+//! The step-exact model of a sequential machine: all registers of all cells and of the control block, in
+//! every clock.
 //!
-//! It executes decoded [`Step`]s and knows nothing of control words, so that encoding (spec) and
-//! its use (HDL) are tested by the comparison too.
+//! It executes decoded [`Step`]s and does not read control words. Thus the comparison with the HDL also tests
+//! the encoding (spec) and the decoding (HDL) of control words.
 
 use photoncube_spec::{
     Channels, Hypercube, Inputs, Machine, Op, Outputs, Photon, Pins, Role, Step, Sums,
@@ -13,15 +14,15 @@ use crate::golden::GoldenMachine;
 /// The registers of the control block.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 struct ControlState {
-    /// The next step, as an index into the program: the query phase, then the iteration.
+    /// The next step, as an index into the program: first the query phase, then the iteration.
     address: usize,
     /// The group at work is the query's last.
     last: bool,
-    /// The result waits to be taken.
+    /// The result is complete and waits to be taken.
     done: bool,
 }
 
-/// A machine with its state; starts as after power-up, all registers 0.
+/// A sequential machine with its state. It starts in the power-up state, in which all registers are 0.
 #[derive(Clone, Debug)]
 pub struct StepMachine {
     machine: Machine,
@@ -30,16 +31,16 @@ pub struct StepMachine {
     steps: Vec<Step>,
     /// The address of the iteration's first step.
     iteration: usize,
-    /// The address of the last step that reads the group, which takes it; none where no step does.
+    /// The address of the last step that reads the group, which takes it; `None` where no step reads it.
     taker: Option<usize>,
     control: ControlState,
     cells: Vec<CellState>,
-    /// The cells before the clock edge: what neighbours send.
+    /// The cells before the clock edge, whose work registers the neighbours receive.
     before: Vec<CellState>,
 }
 
 impl StepMachine {
-    /// A machine in its power-up state.
+    /// Makes a machine in its power-up state.
     ///
     /// # Panics
     /// Where the machine is not [`photoncube_spec::Organisation::Sequential`]; see
@@ -64,7 +65,7 @@ impl StepMachine {
         }
     }
 
-    /// The step that this clock will do, if nothing makes it wait.
+    /// The step that this clock does, if it does not wait.
     pub fn step(&self) -> Step {
         self.steps[self.control.address]
     }
@@ -175,8 +176,8 @@ impl GoldenMachine for StepMachine {
     }
 }
 
-/// The power in the role's channel; a distance cell counts the photon. Of one channel only the
-/// first word is there, and the others are 0.
+/// The power in the role's channel; a distance cell counts the photon. With one channel, only the first word
+/// has a power, and the others are 0.
 fn power(role: Role, photon: &Photon) -> u64 {
     role.coordinate()
         .map_or(1, |index| u64::from(photon.power[index]) << photon.exponent)

@@ -1,7 +1,8 @@
-//! The step-exact machine whose units work at the same time: all registers, every clock.
+//! The step-exact model of an overlapped machine, whose units work at the same time: all registers, in every
+//! clock.
 //!
-//! It does the program's ops and knows control words only to show those that stand in the control
-//! block, so that encoding (spec) and its use (HDL) are tested by the comparison too.
+//! It executes the program's ops. It uses control words only to show those in the control block's registers.
+//! Thus the comparison with the HDL also tests the encoding (spec) and the decoding (HDL) of control words.
 
 use photoncube_spec::overlap::{Op, Program, drain_bits};
 use photoncube_spec::{
@@ -14,41 +15,41 @@ use crate::overlap_cell::{CellPorts, OverlapCell};
 /// The registers of the control block.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 struct OverlapControl {
-    /// The address of the words at work: a clock of the kernel or of the epilogue; none while they
-    /// are 0.
+    /// The address of the current control words, a clock of the kernel or of the epilogue; `None` while the
+    /// words are 0.
     at_work: Option<u32>,
-    /// The address of the words that come next.
+    /// The address of the next control words.
     address: u32,
-    /// A query is in the machine, at work or with its result.
+    /// A query is in the machine, at work or with a waiting result.
     occupied: bool,
-    /// Its last group is taken.
+    /// The query's last group was taken.
     last: bool,
-    /// Clocks since then.
+    /// The clocks since the query's last group was taken.
     drain: u32,
-    /// The result waits to be taken.
+    /// The result is complete and waits to be taken.
     done: bool,
 }
 
-/// A machine with its state; starts as after power-up, all registers 0.
+/// An overlapped machine with its state. It starts in the power-up state, in which all registers are 0.
 #[derive(Clone, Debug)]
 pub struct OverlapMachine {
     machine: Machine,
     widths: Widths,
     cube: Hypercube,
     program: Program,
-    /// The ops of each role that write in the clock of each address.
+    /// For each address and role, the ops that write in that clock.
     steps: Vec<[Vec<Op>; 4]>,
-    /// The words of each role, by address.
+    /// The control words of each role, by address.
     words: [Vec<u32>; 4],
     drain_bits: u32,
     control: OverlapControl,
     cells: Vec<OverlapCell>,
-    /// The cells before the clock edge: what neighbours send.
+    /// The cells before the clock edge, whose registers the neighbours receive.
     before: Vec<OverlapCell>,
 }
 
 impl OverlapMachine {
-    /// A machine in its power-up state.
+    /// Makes a machine in its power-up state.
     pub fn new(machine: &Machine) -> Self {
         let program = machine
             .overlap_program()
@@ -68,7 +69,7 @@ impl OverlapMachine {
         }
     }
 
-    /// All roles take a group in the same clocks.
+    /// Whether a group is taken in this clock. All roles take a group in the same clocks.
     fn takes_group(&self) -> bool {
         let takes =
             |address| self.steps[address as usize][Role::X as usize].contains(&Op::LoadPower);
@@ -132,7 +133,7 @@ impl OverlapMachine {
     }
 }
 
-/// What stands at a cell's ports; D has the coordinate z, as Z has, and counts photons.
+/// The values at a cell's ports. A D cell has the coordinate z, as a Z cell has, and counts photons.
 fn ports(inputs: &Inputs, role: Role, lane: usize, group_taken: bool) -> CellPorts {
     let Group { lanes, .. } = &inputs.group;
     let lane = lanes.get(lane).copied().unwrap_or_default();
@@ -149,7 +150,7 @@ fn ports(inputs: &Inputs, role: Role, lane: usize, group_taken: bool) -> CellPor
     }
 }
 
-/// An op's result appears at the end of its last clock; the kernel's clocks go round.
+/// The ops by the clock in which they write, the last clock of the op. The kernel's clocks repeat cyclically.
 fn steps(program: &Program) -> Vec<[Vec<Op>; 4]> {
     let mut steps = vec![[const { Vec::new() }; 4]; program.end_address() as usize];
     for op in &program.kernel {
@@ -213,7 +214,7 @@ impl GoldenMachine for OverlapMachine {
         };
     }
 
-    /// A kernel never waits: a group that is not there leaves a gap, and its clock counts.
+    /// Always true: a kernel never waits. A missing group leaves a gap, and its clock counts.
     fn works(&self, _inputs: &Inputs) -> bool {
         true
     }

@@ -1,4 +1,4 @@
-//! One cell whose units work at the same time: its registers and what a clock does to them.
+//! The cell of an overlapped machine: its registers and the effect of a clock on them.
 
 use photoncube_spec::overlap::{Op, POWER_WORDS};
 use photoncube_spec::{Axis, Widths};
@@ -14,35 +14,35 @@ pub struct OverlapCell {
     pub radius_sq: u32,
     /// `p`: the photon's coordinate.
     pub photon: u32,
-    /// `|q - p|`.
+    /// `|q - p|`, the magnitude of the difference.
     pub magnitude: u32,
-    /// The squares of its base-16 digits, side by side.
+    /// The squares of the magnitude's base-16 digits, side by side.
     pub digit_squares: u64,
-    /// The product of its low digit and the lower half of the high one.
+    /// The product of the magnitude's low digit and the lower half of the high one.
     pub low_product: u64,
-    /// The product of its low digit and the upper half of the high one.
+    /// The product of the magnitude's low digit and the upper half of the high one.
     pub high_product: u64,
     /// `v`: the square.
     pub square: u64,
-    /// `c`: the square of a clock ago.
+    /// `c`: the square of one clock ago.
     pub addend: u64,
-    /// `b`: what is added next.
+    /// `b`: the operand of the next addition.
     pub operand: u64,
-    /// `a`: a sum of squares.
+    /// `a`: a sum of squares of one photon.
     pub work: u64,
-    /// `t`: a distance.
+    /// `t`: the squared distance of one photon.
     pub distance: u64,
-    /// `f`: the distance of a clock ago is in range.
+    /// `f`: the in-range flag of the distance of one clock ago.
     pub in_range: bool,
     /// `s`: the sum of the query.
     pub sum: u64,
-    /// `w0`, ...: powers.
+    /// `w0`, ...: the power queue.
     pub power: [u64; WORDS],
-    /// Whether there is a photon to each.
+    /// For each power in the queue, whether it has a photon.
     pub present: [bool; WORDS],
 }
 
-/// What stands at a cell's ports in one clock.
+/// The values at a cell's ports in one clock.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub struct CellPorts {
     /// The query's coordinate.
@@ -53,12 +53,12 @@ pub struct CellPorts {
     pub photon: u32,
     /// The photon's power in the cell's channel.
     pub power: u64,
-    /// A group is taken and has a photon for this quad.
+    /// A group is taken, and this quad's lane has a photon.
     pub present: bool,
 }
 
 impl OverlapCell {
-    /// One clock with the ops that write at its end. `neighbour` gives the cell across an axis, as
+    /// Applies one clock with the ops that write at its end. `neighbour` returns the cell across an axis, as
     /// it was before the clock.
     pub fn clock<'a>(
         &mut self,
@@ -78,7 +78,7 @@ impl OverlapCell {
         self.in_range = old.distance <= u64::from(old.radius_sq);
         for &op in ops {
             match op {
-                // Done in every clock.
+                // The comparison is done in every clock, above.
                 Op::Compare => {}
                 Op::LoadPhoton => self.photon = ports.photon,
                 Op::LoadPower => {
@@ -104,8 +104,8 @@ impl OverlapCell {
         }
     }
 
-    /// Takes what stands on the query's pins, whether or not it is one: what comes last is. Nothing
-    /// that is still on its way belongs to it.
+    /// Stores the values on the query's pins, whether or not they are valid; the last stored are those of the
+    /// query. Results that are still in flight do not belong to the query.
     pub fn take_query(&mut self, ports: &CellPorts) {
         self.query = ports.query;
         self.radius_sq = ports.radius_sq;
@@ -113,7 +113,7 @@ impl OverlapCell {
         self.present = [false; WORDS];
     }
 
-    /// The operand that the cell has for its neighbour on an axis.
+    /// The operand that the cell sends to its neighbour on an axis.
     fn sent(&self, axis: Axis) -> u64 {
         match axis {
             Axis::Z => self.square,

@@ -1,29 +1,29 @@
-//! What a machine can represent, and the refusal of what it cannot.
+//! The largest values that a machine can represent, and the check against them.
 
 use photoncube_spec::{Channels, Machine, Photon, PhotonFormat, Query, Widths};
 use thiserror::Error;
 
-/// A value does not fit its format.
+/// The error of a value that does not fit its format.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error(
     "{what} is {value}, {} over the largest that machine `{machine}` holds, {largest}",
     .value - .largest
 )]
 pub struct RangeError {
-    /// Which value.
+    /// The name of the value.
     pub what: &'static str,
-    /// What it is.
+    /// The value that does not fit.
     pub value: u32,
-    /// The largest that fits.
+    /// The largest value that fits.
     pub largest: u32,
-    /// The machine.
+    /// The name of the machine.
     pub machine: &'static str,
 }
 
 const POSITION: [&str; 3] = ["position x", "position y", "position z"];
 const POWER: [&str; 3] = ["red power", "green power", "blue power"];
 
-/// The largest values of a machine's words. Those of coordinates and powers are all ones.
+/// The largest values of a machine's words. Limits of coordinates and powers are all ones.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct Limits {
     coordinate: u32,
@@ -35,13 +35,14 @@ pub struct Limits {
 }
 
 impl Limits {
-    /// The limits of a machine.
+    /// The limits of a machine's words.
     pub fn of(machine: &Machine) -> Self {
         let widths = Widths::of(machine);
         let ones = |bits| u32::MAX >> (u32::BITS - bits);
         Self {
             coordinate: ones(widths.coordinate),
-            // In a photon format a clamped distance is out of range only up to its own radius.
+            // In a photon format, a clamped distance is certainly out of range only for radii up to the
+            // format's own.
             radius_sq: machine
                 .format()
                 .map_or(ones(widths.radius_sq), PhotonFormat::largest_in_range),
@@ -58,7 +59,7 @@ impl Limits {
     /// Checks that a query fits.
     ///
     /// # Errors
-    /// The first value that does not, with the limit.
+    /// The first value that does not fit, with the limit.
     pub fn check_query(&self, query: &Query) -> Result<(), RangeError> {
         self.check_each(POSITION, query.position, [self.coordinate; 3])?;
         self.check(("radius_sq", query.radius_sq), self.radius_sq)
@@ -67,7 +68,7 @@ impl Limits {
     /// Checks that a photon fits.
     ///
     /// # Errors
-    /// The first value that does not, with the limit.
+    /// The first value that does not fit, with the limit.
     pub fn check_photon(&self, photon: &Photon) -> Result<(), RangeError> {
         self.check_each(POSITION, photon.position, [self.photon; 3])?;
         self.check_each(POWER, photon.power, self.power)?;

@@ -1,4 +1,5 @@
-//! The gather of every photon format against the rules in their plainest form, and at the limits.
+//! Compares the gather of every photon format with the rules in their plainest form, and tests it at the
+//! limits.
 
 mod radius;
 
@@ -34,8 +35,8 @@ fn gather(format: &PhotonFormat, query: &LocalQuery, blocks: &[Block]) -> LocalS
         .unwrap()
 }
 
-/// 4 d^2 of a photon in fine steps, an integer: from the middles of both cells in halves of a fine
-/// step; no clamp, no half squares, no saturation.
+/// 4 d^2 of a photon in squared fine steps, an integer. It is computed from the middles of both cells in
+/// halves of a fine step, without clamp, half squares or saturation.
 fn quarters(
     format: &PhotonFormat,
     query: &LocalQuery,
@@ -53,7 +54,7 @@ fn quarters(
         .sum()
 }
 
-/// Whether a photon is in range of the format's own radius.
+/// Whether a photon is in range of the format's own radius, by the plain geometry.
 fn naively_in_range(
     format: &PhotonFormat,
     query: &LocalQuery,
@@ -88,7 +89,7 @@ fn exponents(format: &PhotonFormat) -> (u8, u8) {
     }
 }
 
-/// Every legal format, not only those that are listed.
+/// Every legal format, listed or not.
 fn any_format() -> impl Strategy<Value = PhotonFormat> {
     let exponent = prop_oneof![
         Just(Exponent::None),
@@ -185,7 +186,7 @@ proptest! {
         prop_assert_eq!(unpack(&format, bits), Ok(record));
     }
 
-    /// Whatever unpacks packs to the same bits: no two patterns mean the same record.
+    /// Bits that unpack are packed to these bits again, so no two bit patterns are one record.
     #[test]
     fn bits_unpack_to_one_record_or_none(
         format in any_format(),
@@ -213,8 +214,8 @@ fn photon(position: [u16; 3]) -> PhotonRecord {
     }
 }
 
-/// All integer points of the sphere's surface around the query, and their neighbours one step out:
-/// floats decide about half of such ties wrongly.
+/// Tests all integer points on the sphere around the query, and their neighbours one step further out. Floats
+/// decide about half of such ties wrongly.
 #[test]
 fn exact_boundary_ties_are_all_in_range_and_one_step_further_none() {
     let gather = LocalGather::new(DEFAULT).unwrap();
@@ -231,12 +232,12 @@ fn exact_boundary_ties_are_all_in_range_and_one_step_further_none() {
         assert!(gather.in_range(&query, [1; 3], &at(rest.isqrt())));
         assert!(!gather.in_range(&query, [1; 3], &at(rest.isqrt() + 1)));
     }
-    // Counted once: points of the sphere of radius 254 with no negative coordinate.
+    // A separate count: points of the sphere of radius 254 with no negative coordinate.
     assert_eq!(ties, 99);
 }
 
-/// From corner to corner of the frame, where three squares exceed the distance's width: a sum that
-/// wrapped would be small.
+/// Tests distances from corner to corner of the frame, where three squares exceed the distance's width. A sum
+/// that wrapped would be small.
 #[test]
 fn distances_saturate_and_never_wrap() {
     for format in PHOTON_FORMATS {
@@ -280,7 +281,7 @@ fn the_largest_declared_count_at_full_scale_is_exact_and_one_more_is_refused() {
             mantissa: [u16::MAX >> (16 - widths.mantissa); 3],
             exponent,
         };
-        // The same few photons over and over: the count matters, not the memory.
+        // The few photons are repeated, because the count matters and not the memory.
         let photons = vec![full; 1 << 10];
         let block = PhotonBlock {
             offset: [1; 3],
@@ -306,7 +307,7 @@ fn the_largest_declared_count_at_full_scale_is_exact_and_one_more_is_refused() {
     }
 }
 
-/// Beside a photon of full scale one of the unit: both are in the sum.
+/// A photon of the smallest power beside one of full scale: both are in the sum.
 #[test]
 fn powers_of_1e6_to_1_keep_their_small_ones() {
     let of = |mantissa, exponent| PhotonRecord {
@@ -325,8 +326,8 @@ fn powers_of_1e6_to_1_keep_their_small_ones() {
 
 #[test]
 fn a_bright_photon_just_outside_adds_nothing() {
-    // How many cells along x are in range of the first fine cell: their middles are c + 1/2 - 1/2,
-    // 2c + 1 - 1/2 and 4c + 2 - 1/2 fine steps away, and the radius has 254.
+    // The number of cells along x that are in range of the first fine cell. Their middles are c + 1/2 - 1/2,
+    // 2c + 1 - 1/2 and 4c + 2 - 1/2 fine steps away, and the radius is 254 fine steps.
     for (name, expected) in [
         ("local8-rgb8e5", 255),
         ("local7x1-rgb8e5", 127),

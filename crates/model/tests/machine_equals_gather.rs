@@ -1,4 +1,4 @@
-//! The step-exact machine and the direct gather are two readings of one spec: they must agree.
+//! Compares the step-exact machine with the direct gather, two independent readings of one spec.
 
 use photoncube_model::{gather, golden_machine};
 use photoncube_spec::{
@@ -6,15 +6,16 @@ use photoncube_spec::{
 };
 use proptest::prelude::*;
 
-/// Runs one query through the machine, group by group, as a patient user of its streams would. A
-/// machine that tests several queries at once gets it for each of them, and must say the same to
-/// all. Also gives the clocks until the first result.
+/// Runs one query through the machine, group by group, with streams that wait as long as needed. A machine
+/// that tests several queries at once gets the query several times and must return equal results. Also
+/// returns the clocks until the first result.
 fn run(machine: &Machine, query: Query, groups: &[Group]) -> (Sums, u64) {
     let mut dut = golden_machine(machine);
     let mut next_group = 0;
     let mut results = Vec::new();
     let mut first_clock = 0;
-    // Valid on, as queries of a next batch may be: they wait, as no group follows.
+    // The query's valid stays set, as it may with queries of a next batch. These wait, since no group
+    // follows.
     let mut inputs = Inputs {
         query_valid: true,
         query,
@@ -65,7 +66,7 @@ fn photon(machine: &Machine) -> impl Strategy<Value = Photon> + use<> {
         })
 }
 
-/// The radius is any that the machine takes, or its largest, or the only one it has.
+/// Any radius that the machine accepts, its largest radius, or its only one.
 fn query(machine: &Machine) -> impl Strategy<Value = Query> + use<> {
     let widths = Widths::of(machine);
     let largest = machine.format().map_or(

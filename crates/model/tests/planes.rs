@@ -1,4 +1,4 @@
-//! The fast gather against the plain one: bit for bit, in every format, by all instructions.
+//! Compares the fast gather with the plain one: bit for bit, in every format, with every instruction set.
 
 use photoncube_model::{
     Gathered, Instructions, LEAF, LocalError, LocalGather, PhotonPlanes, Surroundings,
@@ -10,7 +10,7 @@ use photoncube_spec::{
 use proptest::prelude::*;
 use proptest::sample::select;
 
-/// One run around a query.
+/// A run in a block around the query.
 #[derive(Clone, Debug)]
 struct Run {
     offset: [u32; 3],
@@ -18,7 +18,7 @@ struct Run {
     records: Vec<PhotonRecord>,
 }
 
-/// Queries of one block in a format, and what they gather.
+/// The queries of one block in a format, and the photons around it.
 #[derive(Clone, Debug)]
 struct Scene {
     format: PhotonFormat,
@@ -35,7 +35,7 @@ fn exponents() -> impl Strategy<Value = Exponent> {
     ]
 }
 
-/// Every legal format but for its `max_photons`, which no test here reaches.
+/// Every legal format, except for `max_photons`, which no test here reaches.
 fn formats() -> impl Strategy<Value = PhotonFormat> {
     let channels = select(vec![Channels::Mono, Channels::Rgb]);
     let fields = (4_u32..=12, 0_u32..=2, channels, 1_u32..=16, exponents());
@@ -69,7 +69,7 @@ fn record(format: PhotonFormat) -> impl Strategy<Value = PhotonRecord> {
         Exponent::Photon { .. } => format.power.exponent_range() as u8,
         _ => 0,
     };
-    // Near a border as likely as not: there distances are 0, saturate or change sign.
+    // Half of the cells are near a border, where distances are 0, saturate or change sign.
     let cell = prop_oneof![
         0..=ones(format.position_bits),
         Just(0),
@@ -99,7 +99,7 @@ fn run(format: PhotonFormat) -> impl Strategy<Value = Run> {
         _ => 0,
     };
     let records = prop::collection::vec(record(format), 0..3 * LEAF);
-    // On a wall along two axes, or on none.
+    // The photons are on a wall along two axes, or on none.
     let wall = prop::option::of((0_usize..3, 0..=ones(format.position_bits)));
     let offset = prop::array::uniform3(0_u32..3);
     (offset, 0..=largest, records, wall).prop_map(|(offset, exponent, mut records, wall)| {
@@ -153,7 +153,7 @@ impl Scene {
         around
     }
 
-    /// The plain sums.
+    /// The sums of the plain gather.
     fn expected(&self) -> Vec<LocalSums> {
         let blocks = self.runs.iter().map(|run| PhotonBlock {
             offset: run.offset,
@@ -213,7 +213,8 @@ proptest! {
     }
 }
 
-/// Photons on both sides of the sphere, one step apart, along every axis and diagonal.
+/// Photons on both sides of the sphere, one step apart, along every axis and diagonal, are decided as by the
+/// plain gather.
 #[test]
 fn the_border_of_the_sphere_is_decided_alike() {
     for format in PHOTON_FORMATS {
@@ -259,7 +260,7 @@ fn the_border_of_the_sphere_is_decided_alike() {
     }
 }
 
-/// Power at the top of every field: the sums take more than 64 bits where they must.
+/// Powers at the top of every field: the sums have more than 64 bits where needed.
 #[test]
 fn full_scale_sums_do_not_wrap() {
     let format = PhotonFormat {

@@ -1,5 +1,5 @@
-//! What becomes of programs that the schedule checker refuses for their streams, and of those that it
-//! accepts for the same reason: why the rules are there.
+//! Shows why the schedule checker has its stream rules: programs that break a rule give wrong results, and
+//! programs that just keep it do not.
 
 use photoncube_model::golden_machine;
 use photoncube_spec::{
@@ -17,7 +17,7 @@ fn machine(listing: &str) -> Machine {
     }
 }
 
-/// What a machine took and gave.
+/// The words that a machine took and gave.
 #[derive(Debug, Default, PartialEq, Eq)]
 struct Seen {
     queries: usize,
@@ -27,8 +27,8 @@ struct Seen {
     photons: u64,
 }
 
-/// So many queries of one group each, one after the other, until nothing has moved for long. The
-/// first query's radius is so small that no photon is in range.
+/// Runs `queries` queries of one group each, one after another, until nothing has moved for long. The first
+/// query's radius is so small that no photon is in range.
 fn run(machine: &Machine, queries: usize) -> Seen {
     let mut dut = golden_machine(machine);
     let mut seen = Seen::default();

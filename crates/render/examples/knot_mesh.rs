@@ -1,16 +1,16 @@
 //! Writes `docs/scenes/knot.obj`, a tube along a trefoil knot:
 //! `cargo run -p photoncube-render --example knot_mesh > docs/scenes/knot.obj`.
-//! Two numbers after `--` make it finer: steps along the knot, and around the tube; each step of each is
-//! two triangles. A test holds the committed file to this.
+//! Two numbers after `--` set other numbers of steps: along the knot, and around the tube. Each pair of steps
+//! is two triangles. A test compares the committed file with this program's output.
 
 use std::f64::consts::TAU;
 use std::fmt::Write;
 
 use glam::DVec3;
 
-/// Steps of the committed file.
+/// The steps along the knot in the committed file.
 pub const ALONG: usize = 60;
-/// See [`ALONG`].
+/// The steps around the tube in the committed file.
 pub const AROUND: usize = 8;
 /// The knot winds around a torus of this radius, all in a cube of about -1 to 1.
 const TORUS: f64 = 0.58;
@@ -50,13 +50,13 @@ fn fraction(step: usize, steps: usize) -> f64 {
 
 /// The point of the tube at the angle `t` of the knot and `s` of the tube.
 fn vertex(t: f64, s: f64) -> DVec3 {
-    // Outwards on the torus, which is across the knot, as the knot lies on the torus.
+    // The direction outwards on the torus is perpendicular to the knot, because the knot lies on the torus.
     let (ahead, out) = (knot(t + 1e-6) - knot(t - 1e-6), outwards(t));
     let side = ahead.normalize().cross(out);
     knot(t) + TUBE * (s.cos() * out + s.sin() * side)
 }
 
-/// Twice around the torus while three times around its tube.
+/// The knot's curve: twice around the torus while three times around the torus's tube.
 fn knot(t: f64) -> DVec3 {
     let (sin, cos) = (2.0 * t).sin_cos();
     TORUS * DVec3::new(cos, sin, 0.0) + WINDING * outwards(t)

@@ -1,6 +1,6 @@
-//! Writes `scenes/ring.json`, whose ring of mirrors nobody types by hand:
-//! `cargo run -p photoncube-render --example ring_scene > crates/render/scenes/ring.json`.
-//! A test holds the committed file to this.
+//! Writes `scenes/ring.json`, a ring of flat mirrors:
+//! `cargo run -p photoncube-render --example ring_scene > crates/render/scenes/ring.json`. A test compares
+//! the committed file with this program's output.
 
 use std::f64::consts::TAU;
 use std::fmt::Write;
@@ -9,14 +9,14 @@ use glam::DVec3;
 
 /// Flat mirrors in the ring: each casts a beam 0.065 wide, fine enough for a smooth caustic.
 const FACETS: usize = 96;
-/// The ring's radius is 1.
+/// The height of the ring, in units of its radius.
 const HEIGHT: f64 = 0.5;
-/// The floor is a square of twice this.
+/// Half the side of the square floor.
 const FLOOR: f64 = 2.6;
-/// Where the light is; it faces the ring's middle and is square.
+/// The centre of the light, a square that faces the ring's middle.
 const LIGHT: DVec3 = DVec3::new(-1.9, 2.5, 2.3);
 const LIGHT_SIDE: f64 = 0.12;
-/// Where the camera is, and what it looks at.
+/// The position of the camera, and the point that it looks at.
 const EYE: DVec3 = DVec3::new(0.55, 4.3, 2.6);
 const TARGET: DVec3 = DVec3::new(0.1, 0.0, 0.0);
 
@@ -72,7 +72,8 @@ pub fn text() -> String {
     )
 }
 
-/// Six decimals: the same text wherever sines differ in their last place.
+/// A point with six decimals, so that the text is equal on all platforms, whose sines may differ in the last
+/// place.
 fn point(p: DVec3) -> String {
     // Adding 0 turns a negative zero into a positive one.
     let [x, y, z] = p.to_array().map(|c| (c * 1e6).round() / 1e6 + 0.0);
@@ -111,7 +112,7 @@ fn light_corners() -> [DVec3; 4] {
     ]
 }
 
-/// A corner on the floor and the one above it, by turns.
+/// The ring's corners, alternately one on the floor and the one above it.
 fn ring_corners() -> Vec<DVec3> {
     let corner = |i: usize| {
         let (z, x) = (TAU * i as f64 / FACETS as f64).sin_cos();
@@ -120,7 +121,7 @@ fn ring_corners() -> Vec<DVec3> {
     (0..FACETS).flat_map(corner).collect()
 }
 
-/// Fronts inwards.
+/// The faces of the ring, with their fronts inwards.
 fn faces() -> String {
     let face = |i: usize| {
         let (a, b) = (2 * i, 2 * ((i + 1) % FACETS));

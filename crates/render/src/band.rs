@@ -1,4 +1,4 @@
-//! Some rows of a picture, whose queries are gathered together.
+//! Bands: consecutive rows of a picture, whose queries are gathered together.
 
 use glam::DVec3;
 
@@ -7,10 +7,10 @@ use crate::lighting::{Chances, Lit};
 use crate::sample::{Purpose, stream};
 use crate::view::{QueryPoint, ViewOptions};
 
-/// Rows of a band: enough that the queries of a block meet in it.
+/// The rows of a band, enough for a block to have many queries in it.
 pub(crate) const BAND_ROWS: u32 = 16;
 
-/// Query points, each with its pixel's place in the band.
+/// Query points, each with the index of its pixel in the band.
 #[derive(Debug, Default)]
 pub(crate) struct Queries {
     pixels: Vec<u32>,
@@ -23,7 +23,7 @@ impl Queries {
         &self.points
     }
 
-    /// The place in the band of the pixel of a query.
+    /// The index in the band of the pixel of a query.
     pub fn pixel(&self, query: usize) -> u32 {
         self.pixels[query]
     }
@@ -33,7 +33,8 @@ impl Queries {
         self.points.push(point);
     }
 
-    /// Adds what the queries reflect of what was found to their pixels. `scale` is a factor for each query.
+    /// Adds the radiance that the queries reflect of their estimates to their pixels. `scale` returns a
+    /// factor for each query.
     pub fn shade(&self, found: &[Estimate], scale: impl Fn(&QueryPoint) -> f64, to: &mut [DVec3]) {
         for ((pixel, query), found) in self.pixels.iter().zip(&self.points).zip(found) {
             to[*pixel as usize] += query.beta * (scale(query) * found.irradiance);
@@ -41,20 +42,20 @@ impl Queries {
     }
 }
 
-/// The rows, before anything is gathered.
+/// The rows of a band, before anything is gathered.
 pub(crate) struct Band {
-    /// Of each pixel, row by row, what needs no gather: summed over its view rays.
+    /// For each pixel, row by row, the radiance that needs no gather, summed over its view rays.
     pub known: Vec<DVec3>,
-    /// View rays that ended on a front.
+    /// The number of view rays that ended on a front.
     pub query_points: u64,
-    /// For the global map.
+    /// The queries of the global map.
     pub global: Queries,
-    /// For that of the caustics.
+    /// The queries of the map of caustics.
     pub caustic: Queries,
 }
 
 impl Band {
-    /// What the view rays of rows `first` to `end` see.
+    /// Follows the view rays of rows `first` to `end`.
     pub fn new(lit: &Lit<'_>, options: &ViewOptions, first: u32, end: u32) -> Self {
         let mut band = Self {
             known: Vec::new(),

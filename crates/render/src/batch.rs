@@ -1,4 +1,4 @@
-//! Many queries at once, by the fast gather: what is looked up for a block serves all queries in it.
+//! Gathers many queries at once with the fast gather; the lookup for a block serves all queries in it.
 
 use photoncube_model::{Gathered, Instructions, LocalError, Surroundings};
 use rayon::prelude::*;
@@ -7,23 +7,24 @@ use crate::format_map::FormatMap;
 use crate::photon_map::PhotonMap;
 use crate::view::QueryPoint;
 
-/// Queries that one task of the thread pool gathers: many blocks of them, and what they find fits the
+/// The queries that one task of the thread pool gathers. They cover many blocks, and their results fit the
 /// caches.
 const TASK_QUERIES: usize = 1024;
 
 impl FormatMap<'_> {
-    /// The sums of all queries at the search radius, in their order: bit for bit those of [`Self::gather`].
+    /// Gathers the sums of all queries at the search radius, in their order. They equal those of
+    /// [`Self::gather`], bit for bit.
     ///
-    /// Queries that follow each other and are in one block, on surfaces that face alike, share the lookup
-    /// of the photons around them: see [`PhotonMap::sort_queries`].
+    /// Consecutive queries in one block, on surfaces that face alike, share the lookup of the photons around
+    /// them: see [`PhotonMap::sort_queries`].
     ///
     /// # Errors
-    /// As for [`Self::gather`], of one of the queries.
+    /// As for [`Self::gather`], for one of the queries.
     pub fn gather_all(&self, queries: &[QueryPoint]) -> Result<Vec<Gathered>, LocalError> {
         self.gather_all_by(Instructions::fastest(), queries)
     }
 
-    /// The same by these instructions.
+    /// Gathers as [`Self::gather_all`] does, with the given instruction set.
     ///
     /// # Errors
     /// As for [`Self::gather_all`].
@@ -35,7 +36,8 @@ impl FormatMap<'_> {
         self.gather_at(instructions, queries, self.radius_sq())
     }
 
-    /// The sums of all queries with another search radius: bit for bit those of [`Self::gather_within`].
+    /// Gathers the sums of all queries with another search radius. They equal those of
+    /// [`Self::gather_within`], bit for bit.
     ///
     /// # Errors
     /// As for [`Self::gather_within`], of one of the queries.
@@ -94,15 +96,15 @@ impl FormatMap<'_> {
 }
 
 impl PhotonMap {
-    /// Puts queries of one block that face alike next to each other, and blocks in the order of a Morton
-    /// curve, so that photons are still in the caches when the next queries need them.
+    /// Sorts queries so that those of one block that face alike are consecutive, and blocks follow a Morton
+    /// curve. Photons are then still in the caches when the next queries need them.
     pub fn sort_queries(&self, queries: &mut [QueryPoint]) {
         queries.sort_by_cached_key(|query| self.sort_key(query));
     }
 
-    /// What puts queries into that order.
+    /// The sort key of that order.
     pub(crate) fn sort_key(&self, query: &QueryPoint) -> (u64, [u64; 3]) {
-        // Blocks outside the grid have nothing to share.
+        // Blocks outside the grid hold no photons to share.
         let block = self.place(query.position).0.to_array();
         let [x, y, z] = block.map(|index| spread(index as u64));
         (

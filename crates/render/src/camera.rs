@@ -2,31 +2,31 @@
 
 use glam::{DMat4, DVec3, DVec4};
 
-/// A half-line.
+/// A ray: a half-line with origin and direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ray {
-    /// Where it starts (scene units).
+    /// The origin in scene units.
     pub origin: DVec3,
-    /// Where it goes; of unit length wherever this crate makes one.
+    /// The direction; of unit length in all rays that this crate makes.
     pub direction: DVec3,
 }
 
-/// Which side of the image the angle of view spans.
+/// The side of the image that the angle of view spans.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum FovAxis {
-    /// The smaller side.
+    /// The smaller side of the image.
     #[default]
     Smaller,
-    /// The larger side.
+    /// The larger side of the image.
     Larger,
-    /// The width.
+    /// The width of the image.
     X,
-    /// The height.
+    /// The height of the image.
     Y,
 }
 
 impl FovAxis {
-    /// The length of that side of a `w` x `h` image.
+    /// The length of that side in a `w` x `h` image.
     fn side(self, w: f64, h: f64) -> f64 {
         match self {
             Self::Smaller => w.min(h),
@@ -62,9 +62,9 @@ impl Camera {
         })
     }
 
-    /// A camera at `position` that has `target` in the middle of its image and `up` pointing upwards, and
-    /// whose angle of view is `fov_deg` degrees (over 0, below 180) on the side `fov_axis`; `None` where
-    /// position and target are one, or in a line along `up`, or for other numbers.
+    /// A camera at `position` with `target` in the middle of its image and `up` upwards. Its angle of view is
+    /// `fov_deg` degrees (over 0, below 180) on the side `fov_axis`. `None` where position and target are
+    /// equal or in a line along `up`, or for other numbers.
     #[must_use]
     pub fn look_at(
         position: DVec3,
@@ -75,7 +75,7 @@ impl Camera {
     ) -> Option<Self> {
         let ahead = (target - position).try_normalize()?;
         let across = up.try_normalize()?.cross(ahead);
-        // Below this the picture's turn would be a matter of rounding.
+        // Below this limit the camera's rotation would depend on rounding.
         let left = (across.length() > 1e-6).then(|| across.normalize())?;
         let columns = [left, ahead.cross(left), ahead, position];
         let row = |axis: usize| columns.map(|column| column[axis]);
@@ -83,7 +83,7 @@ impl Camera {
         Some(Self { fov_axis, ..camera })
     }
 
-    /// Where it stands (scene units).
+    /// The position in scene units.
     pub(crate) fn position(&self) -> DVec3 {
         self.to_world.transform_point3(DVec3::ZERO)
     }

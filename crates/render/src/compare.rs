@@ -1,21 +1,21 @@
-//! How far two images are apart, in the measures that the project reports.
+//! Measures the difference of two images.
 
 use glam::DVec3;
 use thiserror::Error;
 
 use crate::image::Image;
 
-/// Keeps the quotient of black pixels finite: the constant of the reference's definition.
+/// The constant of the reference's definition, which keeps the quotient of black pixels finite.
 const EPSILON: f64 = 1e-4;
 
 /// Radiance over which a pixel sees a light itself, by the reference image's own rule: the limit for
 /// [`light_mask`]. The walls of the Cornell box stay below 2.
 pub const LIGHT_RADIANCE: f64 = 5.0;
 
-/// Images that cannot be compared.
+/// The error of images that cannot be compared.
 #[derive(Debug, Error, PartialEq, Eq)]
 pub enum CompareError {
-    /// They differ in size.
+    /// The images differ in size.
     #[error("images to compare: found {found:?} pixels, expected {expected:?} as in the reference")]
     Size {
         /// Width and height of the image.
@@ -23,21 +23,21 @@ pub enum CompareError {
         /// Width and height of the reference.
         expected: (u32, u32),
     },
-    /// The mask has not one entry for each pixel.
+    /// The mask has more or fewer entries than the images have pixels.
     #[error("mask: found {found} entries, expected one for each of {expected} pixels")]
     Mask {
-        /// Entries of the mask.
+        /// The number of entries of the mask.
         found: usize,
-        /// Pixels of the images.
+        /// The number of pixels of the images.
         expected: usize,
     },
-    /// The mask leaves no pixel: a comparison of nothing must not pass.
+    /// The mask excludes every pixel. A comparison of nothing is an error.
     #[error("mask: found no pixel to compare, expected at least one")]
     NothingCompared,
 }
 
-/// Which pixels to compare, row by row: all but those with a channel over `limit` and the eight
-/// neighbours of each, which a light's border may touch.
+/// A mask of the pixels to compare, row by row. It excludes pixels with a channel over `limit` and the eight
+/// neighbours of each, which the border of a light may touch.
 #[must_use]
 pub fn light_mask(image: &Image, limit: f64) -> Vec<bool> {
     let (width, height) = (i64::from(image.width()), i64::from(image.height()));
@@ -52,7 +52,7 @@ pub fn light_mask(image: &Image, limit: f64) -> Vec<bool> {
     (0..width * height).map(keep).collect()
 }
 
-/// What an error at `value` is relative to in relMSE: sqrt(value^2 + 1e-4).
+/// The scale of relMSE for an error at `value`: sqrt(value^2 + 1e-4).
 pub(crate) fn relative_scale(value: f64) -> f64 {
     (value * value + EPSILON).sqrt()
 }

@@ -1,9 +1,9 @@
-//! Stage 5 at one query point: what arrives there, by either engine.
+//! Stage 5 at one query point: the irradiance estimate, by each engine.
 //!
-//! Both sum the power of the photons in range, d^2 <= r^2, and divide by the disc: the paper's
-//! eq. 2 with the rectangle kernel, E = sum(power) / (pi r^2). The reflected radiance is that
-//! times the query's rho / pi, which [`crate::QueryPoint`] carries as `beta`. What other estimates
-//! make of the same gathers is in [`crate::estimators`].
+//! Every engine sums the power of the photons in range, d^2 <= r^2, and divides by the area of the disc: the
+//! paper's eq. 2 with the rectangle kernel, E = sum(power) / (pi r^2). The reflected radiance is E times the
+//! query's rho / pi, which [`crate::QueryPoint`] carries as `beta`. Other estimates from such gathers are in
+//! [`crate::estimators`].
 
 use glam::DVec3;
 use photoncube_model::{GatherError, LocalError, gather};
@@ -16,34 +16,34 @@ use crate::photon_map::PhotonMap;
 use crate::quantise::QuantisedMap;
 use crate::view::QueryPoint;
 
-/// What a query gathered.
+/// The estimate of a query, with the work that it took.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(crate) struct Estimate {
     /// E, flux per area.
     pub irradiance: DVec3,
-    /// Photons that each gather tests.
+    /// The number of photons that each gather tests.
     pub tests: u64,
-    /// Of all gathers, the photons that the fast gather decided by their place.
+    /// The number of photons, over all gathers, that the fast gather decided by their block or leaf.
     pub skipped: u64,
-    /// Those of them in the widest disc that was summed.
+    /// The number of photons in range in the widest disc that was summed.
     pub in_range: u64,
-    /// Gathers made, each over the same photons.
+    /// The number of gathers, all over the same photons.
     pub gathers: u64,
 }
 
-/// Why an engine refused a query.
+/// The reason why an engine refused a query.
 #[derive(Debug, Error)]
 pub(crate) enum Refusal {
-    /// The machine's golden model did.
+    /// The machine's golden model refused it.
     #[error(transparent)]
     Machine(#[from] GatherError),
-    /// The photon format's did.
+    /// The photon format's golden model refused it.
     #[error(transparent)]
     Format(#[from] LocalError),
-    /// There is no such estimate in f64.
+    /// The f64 reference has no such estimate.
     #[error(transparent)]
     Reference(#[from] EstimatorError),
-    /// The engine cannot make it at any query.
+    /// The engine cannot make this estimate at any query.
     #[error(transparent)]
     Estimator(#[from] UnfitEstimator),
 }
@@ -69,8 +69,8 @@ pub(crate) fn estimate_f64(map: &PhotonMap, query: &QueryPoint) -> Estimate {
     estimate
 }
 
-/// One gather of a machine's golden model, from integer photons to integer sums; floats enter
-/// again with the sums' scale. `radius_sq` is the machine's pin.
+/// One gather of a machine's golden model, from integer photons to integer sums. The sums' scale converts
+/// them to floats. `radius_sq` is the value of the machine's pin.
 pub(crate) fn gather_model(
     quantised: &QuantisedMap<'_>,
     query: &QueryPoint,
@@ -92,8 +92,8 @@ pub(crate) fn gather_model(
     })
 }
 
-/// One gather in a photon format, from integer photons to integer sums; `radius_sq` in its
-/// squared fine steps.
+/// One gather in a photon format, from integer photons to integer sums. `radius_sq` is in squared fine steps
+/// of the format.
 pub(crate) fn gather_format(
     quantised: &FormatMap<'_>,
     query: &QueryPoint,

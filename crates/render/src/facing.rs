@@ -1,14 +1,14 @@
-//! Which way a surface faces where a photon hit it, in one byte.
+//! The direction in which a surface faces where a photon hit it, in one byte.
 
 use glam::DVec3;
 
 /// Cells along an edge of the cube's sides.
 const CELLS: usize = 4;
 
-/// Which way the front faces where a photon hit. Of a flat surface there is one, [`Self::FLAT`], and its normal
-/// is the surface's own, exactly; of a curved one there are [`Self::COUNT`], the cells of a cube of directions:
-/// six sides of 4 x 4 cells, each 22.5 degrees along the middle of its side. Photons are grouped by it, so there must
-/// be few.
+/// The direction in which the front faces where a photon hit. A flat surface has one facing, [`Self::FLAT`],
+/// whose normal is exactly the surface's own. A curved surface has [`Self::COUNT`] facings, the cells of a
+/// cube of directions: six sides of 4 x 4 cells, each 22.5 degrees along the middle of its side. Photons are
+/// grouped by facing, so there must be few.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct Facing(u8);
 
@@ -16,7 +16,7 @@ impl Facing {
     /// The one facing of a flat surface.
     pub const FLAT: Self = Self(0);
 
-    /// How many a curved surface has.
+    /// The number of facings of a curved surface.
     pub const COUNT: usize = 6 * CELLS * CELLS;
 
     /// The largest angle between a cell's normal and a normal in the cell, in degrees. A cell is a spherical
@@ -30,7 +30,7 @@ impl Facing {
         let axis = normal.abs().max_position();
         let major = normal[axis];
         let cell = |minor: f64| {
-            // -1 to 1 over the side, in equal angles.
+            // From -1 to 1 across the side, in equal angles.
             let place = (minor / major.abs()).atan() / std::f64::consts::FRAC_PI_4;
             (((place + 1.0) * 0.5 * CELLS as f64) as usize).min(CELLS - 1)
         };
@@ -39,7 +39,7 @@ impl Facing {
         Self(((side * CELLS + u) * CELLS + v) as u8)
     }
 
-    /// The unit normal in the middle of the cell, of a curved surface.
+    /// The unit normal at the middle of the cell, for a curved surface.
     #[must_use]
     pub fn normal(self) -> DVec3 {
         let cell = self.index();
@@ -56,7 +56,7 @@ impl Facing {
         normal.normalize()
     }
 
-    /// Its place among the surface's facings.
+    /// The index of the facing among the surface's facings.
     pub(crate) fn index(self) -> usize {
         self.0.into()
     }
@@ -119,7 +119,7 @@ mod tests {
             prop_assert!(off <= Facing::MAX_OFF_DEG, "{off}");
         }
 
-        /// Whatever is asked, there is an answer.
+        /// Every vector has a cell, whatever its numbers.
         #[test]
         fn any_numbers_have_a_cell(n in prop::array::uniform3(prop::num::f64::ANY)) {
             prop_assert!(Facing::of(DVec3::from(n)).index() < Facing::COUNT);

@@ -1,4 +1,4 @@
-//! How many clocks a machine takes for all queries of a picture.
+//! Forecasts the clocks that a machine takes for all queries of a picture.
 
 use std::collections::HashMap;
 
@@ -8,8 +8,8 @@ use crate::format_map::FormatMap;
 use crate::photon_map::{MapError, PhotonMap};
 use crate::view::QueryPoint;
 
-/// The clocks for these queries of `map` with no waiting for the streams: queries that are tested against the same photons
-/// come one after the other, as a host that knows the blocks sends them. None where the machine has no program.
+/// The clocks for these queries of `map` while no stream waits. Queries that are tested against equal photons
+/// follow each other, as from a host that knows the blocks. `None` where the machine has no program.
 ///
 /// # Errors
 /// A format whose blocks do not fit the map.
@@ -36,7 +36,7 @@ pub fn forecast_clocks(
     Ok(Some(pace.clocks(lists)))
 }
 
-/// By the runs of photons that queries are tested against: how many queries, and how many photons.
+/// For each list of runs that queries are tested against: the number of queries and the number of photons.
 fn shared(map: &PhotonMap, queries: &[QueryPoint]) -> HashMap<Vec<usize>, (u64, u64)> {
     let mut lists: HashMap<Vec<usize>, (u64, u64)> = HashMap::new();
     for query in queries {
@@ -78,7 +78,7 @@ mod tests {
         (clocks, stats.stats.photon_groups, stats.stats.query_points)
     }
 
-    /// The groups that the golden model gathered, query by query.
+    /// Compares the forecast with the groups that the golden model gathered, query by query.
     #[test]
     fn the_forecast_is_the_clocks_of_what_is_rendered() {
         let (clocks, groups, queries) = of_the_box("paper");
@@ -90,13 +90,13 @@ mod tests {
             .unwrap()
             .latency_clocks();
         assert_eq!(clocks, groups + u64::from(latency));
-        // 1.5 clocks a group, and about 18 more a query.
+        // 1.5 clocks for each group, and about 18 more for each query.
         let (clocks, groups, queries) = of_the_box("overlap");
         let over = clocks as f64 - 1.5 * groups as f64;
         assert!((10.0..25.0).contains(&(over / queries as f64)), "{over}");
     }
 
-    /// Four engines at most divide the clocks by four, and queries of one block fill some of them.
+    /// Four engines divide the clocks by at most four, and queries of one block fill some of the engines.
     #[test]
     fn a_tile_is_faster_where_queries_share_photons() {
         let (clocks, groups, _) = of_the_box("tile-6");

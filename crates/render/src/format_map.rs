@@ -28,31 +28,31 @@ use crate::power_scale::{PowerScale, power_of_two};
 use crate::quantise::{fraction, in_steps};
 use crate::trace::Photon;
 
-/// Why a photon map cannot be had in a format.
+/// The reason why a photon map has no form in a format.
 #[derive(Debug, Error, PartialEq)]
 pub enum FormatMapError {
     /// The format is not legal.
     #[error(transparent)]
     Format(#[from] FormatError),
-    /// The blocks that it needs cannot be had.
+    /// The map cannot have the blocks that the format needs.
     #[error(transparent)]
     Map(#[from] MapError),
 }
 
-/// A photon map's content in one photon format.
+/// The photons of a map in one photon format.
 #[derive(Debug, Clone)]
 pub struct FormatMap<'a> {
     map: Cow<'a, PhotonMap>,
     gather: LocalGather,
-    /// In the map's order.
+    /// The stored photons, in the order of the map.
     records: Vec<PhotonRecord>,
-    /// The same, run by run, for the fast gather.
+    /// The stored photons in planes, run by run, for the fast gather.
     planes: PhotonPlanes,
     blocks: Vec<Block>,
     scale: PowerScale,
 }
 
-/// Where a block begins among the records, and its exponent.
+/// A block: the index of its first record, and its exponent.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct Block {
     start: usize,
@@ -60,11 +60,11 @@ struct Block {
 }
 
 impl<'a> FormatMap<'a> {
-    /// Rounds every photon of `map` to `format`, in blocks of [`Self::edge_for`] its radius: a map
-    /// with blocks of another edge is sorted anew.
+    /// Rounds every photon of `map` to `format`. The blocks have the edge [`Self::edge_for`] the map's
+    /// radius; a map with blocks of another edge is sorted anew.
     ///
     /// # Errors
-    /// A format that is not legal.
+    /// The format is not legal.
     pub fn new(map: &'a PhotonMap, format: &PhotonFormat) -> Result<Self, FormatMapError> {
         let gather = LocalGather::new(format)?;
         let edge = Self::edge_for(format, map.radius());
@@ -106,50 +106,50 @@ impl<'a> FormatMap<'a> {
         })
     }
 
-    /// The blocks' edge with which `radius` is exact in the format (scene units).
+    /// The edge of blocks, in scene units, with which `radius` is exact in the format.
     #[must_use]
     pub fn edge_for(format: &PhotonFormat, radius: f64) -> f64 {
         radius * f64::from(format.edge_steps()) / f64::from(format.radius_steps())
     }
 
-    /// The format.
+    /// The photon format of the records.
     #[must_use]
     pub fn format(&self) -> &PhotonFormat {
         self.gather.format()
     }
 
-    /// The photons in the format, as the fast gather has them.
+    /// The stored photons in planes, as the fast gather uses them.
     #[must_use]
     pub fn planes(&self) -> &PhotonPlanes {
         &self.planes
     }
 
-    /// The photons before rounding, in the format's blocks.
+    /// The map before rounding, with the format's blocks.
     #[must_use]
     pub fn map(&self) -> &PhotonMap {
         &self.map
     }
 
-    /// The photons in the format, in the order of [`Self::map`].
+    /// The stored photons, in the order of [`Self::map`].
     #[must_use]
     pub fn records(&self) -> &[PhotonRecord] {
         &self.records
     }
 
-    /// The flux that sums of power stand for.
+    /// The flux that sums of powers represent.
     #[inline]
     #[must_use]
     pub fn flux(&self, power: [u128; 3]) -> DVec3 {
         self.scale.flux(DVec3::from(power.map(float)))
     }
 
-    /// The query at `position`, in its frame.
+    /// The query at `position`, in its own frame.
     #[must_use]
     pub fn query(&self, position: DVec3) -> LocalQuery {
         self.query_at(self.map.place(position).1)
     }
 
-    /// The query that lies `fraction` of the edge into its block.
+    /// The query at `fraction` of the edge in its block.
     pub(crate) fn query_at(&self, fraction: DVec3) -> LocalQuery {
         let format = self.format();
         let steps = in_steps(fraction, format.radius_bits());
@@ -173,25 +173,25 @@ impl<'a> FormatMap<'a> {
         )
     }
 
-    /// The sums of a query.
+    /// Gathers the sums of a query.
     ///
     /// # Errors
-    /// More photons than the format declares.
+    /// More photons are around the query than the format declares.
     pub fn gather(&self, position: DVec3, normal: DVec3) -> Result<LocalSums, LocalError> {
         self.gather_within(position, normal, self.radius_sq())
     }
 
-    /// The search radius squared (squared fine steps): exact, and the largest that can be gathered
-    /// at.
+    /// The search radius squared, in squared fine steps. It is exact, and the largest radius of a gather.
     #[must_use]
     pub fn radius_sq(&self) -> u32 {
         self.gather.radius_sq()
     }
 
-    /// The sums of a query with another search radius, `radius_sq` in squared fine steps.
+    /// Gathers the sums of a query with another search radius, `radius_sq` in squared fine steps.
     ///
     /// # Errors
-    /// More photons than the format declares, or a `radius_sq` over [`Self::radius_sq`].
+    /// More photons are around the query than the format declares, or `radius_sq` is over
+    /// [`Self::radius_sq`].
     pub fn gather_within(
         &self,
         position: DVec3,
@@ -203,8 +203,8 @@ impl<'a> FormatMap<'a> {
         self.gather.gather_within(&query, radius_sq, blocks)
     }
 
-    /// Every photon that a query gathers, before rounding, with the format's verdict whether it
-    /// is in range: what misclassified photons are counted from.
+    /// Every photon that a query gathers, before rounding, with the format's in-range decision. Misclassified
+    /// photons are counted from these.
     pub fn verdicts(
         &self,
         position: DVec3,
@@ -225,7 +225,7 @@ impl<'a> FormatMap<'a> {
         )
     }
 
-    /// The flux of a stored photon, as the format has it; `index` as in [`Self::records`].
+    /// The flux of a stored photon in the format, with `index` as in [`Self::records`].
     #[must_use]
     pub fn power(&self, index: usize) -> DVec3 {
         let record = &self.records[index];
@@ -234,7 +234,7 @@ impl<'a> FormatMap<'a> {
         self.scale.flux(mantissa * power_of_two(exponent))
     }
 
-    /// The flux of one step of a stored photon's mantissa, in the strongest channel that there is.
+    /// The flux of one step of a stored photon's mantissa, in the strongest channel.
     pub(crate) fn step(&self, index: usize) -> f64 {
         let exponent = self.block_exponent(index) + self.records[index].exponent;
         self.scale
@@ -247,13 +247,13 @@ impl<'a> FormatMap<'a> {
     }
 }
 
-/// The nearest number. Most sums fit 63 bits, from which processors convert by themselves, and to the same.
+/// The nearest f64. Most sums fit 63 bits, which processors convert with one instruction, with equal results.
 #[inline]
 fn float(sum: u128) -> f64 {
     i64::try_from(sum).map_or_else(|_| long_float(sum), |sum| sum as f64)
 }
 
-/// Out of line, or the compiler converts all sums so.
+/// A separate function, because the compiler otherwise converts all sums in this way.
 #[cold]
 #[inline(never)]
 fn long_float(sum: u128) -> f64 {
@@ -265,14 +265,14 @@ fn exponent_of(blocks: &[Block], photon: usize) -> u8 {
     blocks[next - 1].exponent
 }
 
-/// The planes of all runs, made by parts side by side.
+/// The planes of all runs, made in parallel by parts.
 fn planes(
     map: &PhotonMap,
     gather: LocalGather,
     records: &[PhotonRecord],
     blocks: &[Block],
 ) -> PhotonPlanes {
-    /// Some hundred thousand photons: the parts are joined one after the other.
+    /// The runs of a part, some hundred thousand photons. The parts are joined one after another.
     const PART_RUNS: usize = 4096;
     let runs: Vec<_> = map.runs().collect();
     let part = |runs: &[Range<usize>]| {

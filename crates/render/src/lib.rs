@@ -11,12 +11,12 @@
 //!    [`FormatMap`] into those of a photon format;
 //! 6. [`Image`]: linear RGB, tone mapping, PNG and OpenEXR, maps of the error.
 //!
-//! [`Lighting`] says which light the maps give, and which shadow rays and gather rays: [`render_lit`].
-//! [`Progressive`] is the mean of many such pictures, and estimates its own error.
+//! [`Lighting`] decides which light comes from the maps, which from shadow rays and which from gather rays:
+//! see [`render_lit`]. [`Progressive`] is the mean of many such pictures, and estimates its own error.
 //!
 //! [`fit`] finds the smallest photon format that a scene needs.
 //!
-//! The fifth stage is what the processor does; [`workload`] hands its testbench real queries.
+//! The processor does the fifth stage; [`workload`] gives real queries to its testbench.
 //!
 //! All results are a function of the scene, the options and the seed; the number of threads
 //! never matters.

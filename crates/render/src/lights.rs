@@ -1,4 +1,5 @@
-//! The scene's area lights: which emits the next photon, and where shadow rays go.
+//! The scene's area lights: the choice of the light that emits the next photon, and the targets of shadow
+//! rays.
 
 use glam::DVec3;
 use rand::RngExt;
@@ -7,15 +8,15 @@ use rand_pcg::Pcg64Mcg;
 use crate::geometry::{Geometry, Quad};
 use crate::scene::{LightChoice, Scene, Surface};
 
-/// The lights, to choose from in proportion to their weights.
+/// The lights, for a random choice in proportion to their weights.
 pub(crate) struct Lights<'a> {
-    /// A light, its form and the sum of the weights up to it.
+    /// For each light: the surface, its form, and the sum of the weights up to it.
     cumulative: Vec<(&'a Surface, &'a Quad, f64)>,
     total: f64,
     choice: LightChoice,
 }
 
-/// The surfaces that emit, each with its place among the scene's and its form: quads alone do.
+/// The surfaces that emit, each with its index in the scene and its form. Only quads emit.
 pub(crate) fn emitters(scene: &Scene) -> impl Iterator<Item = (usize, &Surface, &Quad)> {
     let surfaces = scene.surfaces().iter().enumerate();
     surfaces.filter_map(|(index, surface)| match &surface.geometry {
@@ -24,8 +25,7 @@ pub(crate) fn emitters(scene: &Scene) -> impl Iterator<Item = (usize, &Surface, 
     })
 }
 
-/// What a light's chance to be chosen is proportional to: its flux, all channels added, or
-/// the same for all.
+/// The weight of a light in the choice: its flux with all channels added, or 1 for every light.
 fn weight(light: &Surface, choice: LightChoice) -> f64 {
     match choice {
         LightChoice::Flux => flux(light).element_sum(),
@@ -34,7 +34,7 @@ fn weight(light: &Surface, choice: LightChoice) -> f64 {
 }
 
 impl<'a> Lights<'a> {
-    /// Those of a scene.
+    /// The lights of a scene.
     pub fn of(scene: &'a Scene) -> Self {
         let mut total = 0.0;
         let mut cumulative = Vec::new();
@@ -50,7 +50,7 @@ impl<'a> Lights<'a> {
         }
     }
 
-    /// A light, and the power of a path from it: its flux over the probability of its choice.
+    /// A randomly chosen light, and the power of a path from it: its flux over the probability of the choice.
     pub fn choose(&self, rng: &mut Pcg64Mcg) -> (&'a Quad, DVec3) {
         let wanted = rng.random::<f64>() * self.total;
         let index = self.cumulative.partition_point(|(.., sum)| *sum <= wanted);
@@ -60,7 +60,7 @@ impl<'a> Lights<'a> {
     }
 }
 
-/// Phi = pi A L.
+/// The flux of a light, Phi = pi A L.
 fn flux(light: &Surface) -> DVec3 {
     std::f64::consts::PI * light.geometry.area() * light.radiance
 }

@@ -1,4 +1,4 @@
-//! A photon map as the words of a machine's streams, whatever its numbers are.
+//! Converts a photon map to the words of a machine's streams, for either number format.
 
 use glam::DVec3;
 use photoncube_spec::{self as spec, Machine, Numbers, PhotonBlock};
@@ -8,12 +8,12 @@ use crate::photon_map::PhotonMap;
 use crate::quantise::QuantisedMap;
 use crate::render::RenderError;
 
-/// Photons and queries in the words that a machine takes.
+/// Photons and queries in the words that a machine reads.
 #[derive(Debug, Clone)]
 pub enum MachineMap<'a> {
-    /// In plain numbers.
+    /// A map in plain numbers.
     Plain(QuantisedMap<'a>),
-    /// In a photon format.
+    /// A map in a photon format.
     Local(Box<FormatMap<'a>>),
 }
 
@@ -21,7 +21,7 @@ impl<'a> MachineMap<'a> {
     /// Rounds every photon of `map` to the numbers of `machine`.
     ///
     /// # Errors
-    /// Numbers that do not fit the map.
+    /// The machine's numbers do not fit the map.
     pub fn new(map: &'a PhotonMap, machine: &'a Machine) -> Result<Self, RenderError> {
         Ok(match &machine.numbers {
             Numbers::Plain(_) => Self::Plain(QuantisedMap::new(map, machine)?),
@@ -41,8 +41,8 @@ impl<'a> MachineMap<'a> {
         }
     }
 
-    /// The photons that a query at `position` on a surface of unit normal `normal` gathers, in
-    /// its frame, as they stream to the machine.
+    /// The photons that a query at `position` on a surface of unit normal `normal` gathers, in the query's
+    /// frame, in the order of the stream.
     #[must_use]
     pub fn photons(&self, position: DVec3, normal: DVec3) -> Vec<spec::Photon> {
         match self {
@@ -56,7 +56,8 @@ impl<'a> MachineMap<'a> {
     }
 }
 
-/// A block's offset is the top of its photons' coordinates, its exponent a part of theirs.
+/// The words of a block's photons. The block's offset is the top of their coordinates, and its exponent is a
+/// part of each word.
 fn words(block: PhotonBlock<'_>, position_bits: u32) -> impl Iterator<Item = spec::Photon> {
     let base = block.offset.map(|blocks| blocks << position_bits);
     block.photons.iter().map(move |record| spec::Photon {
@@ -74,7 +75,7 @@ mod tests {
     use super::*;
     use crate::{Scene, TraceOptions, trace};
 
-    /// What a machine sums from its words is what the format's own gather sums from its records.
+    /// The sums of a machine on its words equal those of the format's own gather on its records.
     #[test]
     fn a_machine_sums_what_its_format_does() {
         let scene = Scene::built_in("cornell").unwrap();

@@ -1,4 +1,4 @@
-//! The rounding of powers, by the rules of [`photoncube_spec::PhotonFormat`], "Power".
+//! Rounds powers by the rules of [`photoncube_spec::PhotonFormat`], "Power".
 
 use glam::DVec3;
 use photoncube_spec::{Channels, PhotonFormat, Rounding};
@@ -7,16 +7,17 @@ use crate::photon_map::PhotonMap;
 use crate::sample::mix;
 use crate::trace::Photon;
 
-/// How a map's powers become integers of a format, and back.
+/// The conversion of a map's powers to the integers of a format and back.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct PowerScale {
-    /// The flux that a power of 1 stands for.
+    /// The flux of a power of 1.
     unit: f64,
     /// The largest mantissa.
     full: f64,
     exponent_range: u8,
     rounding: Rounding,
-    /// The one colour of all photons, its strongest channel 1; none where each has its own.
+    /// The common colour of all photons, with its strongest channel 1; `None` where each photon has its own
+    /// colour.
     colour: Option<DVec3>,
 }
 
@@ -28,7 +29,7 @@ impl PowerScale {
         let largest = strongest(map.photons());
         let unit = largest / full / power_of_two(exponent_range);
         Self {
-            // A subnormal unit would round unlike the others; such powers are no light at all.
+            // A subnormal unit would round differently; such powers are practically no light.
             unit: if unit.is_normal() { unit } else { 1.0 },
             full,
             exponent_range,
@@ -50,7 +51,7 @@ impl PowerScale {
                 Rounding::Dithered => mantissa <= self.full,
             }
         };
-        // At the largest the map's strongest photon fits, by the unit's choice.
+        // At the largest exponent the map's strongest photon fits, by the choice of the unit.
         let found = (0..self.exponent_range).find(fits);
         found.unwrap_or(self.exponent_range)
     }
@@ -69,12 +70,12 @@ impl PowerScale {
                 Rounding::Nearest => value.round(),
                 Rounding::Dithered => (value + dither(cell, channel)).floor(),
             };
-            // The division by the unit may carry the strongest photon an ulp past full scale.
+            // The division by the unit may round the strongest photon an ulp past full scale.
             rounded.min(self.full) as u16
         })
     }
 
-    /// The flux of a power in the map's units, or of a sum of such.
+    /// The flux of a power, or of a sum of powers, in the map's unit.
     pub fn flux(&self, power: DVec3) -> DVec3 {
         let power = match self.colour {
             None => power,
@@ -89,7 +90,7 @@ fn strongest(photons: &[Photon]) -> f64 {
     powers.fold(0.0, f64::max)
 }
 
-/// The colour of the photons' sum, its strongest channel 1; white where there is no light.
+/// The colour of the photons' sum, with its strongest channel 1; white where there is no light.
 fn colour(photons: &[Photon]) -> DVec3 {
     let sum: DVec3 = photons.iter().map(|photon| photon.power).sum();
     let strongest = sum.max_element();
@@ -104,8 +105,8 @@ pub(crate) fn power_of_two(exponent: u8) -> f64 {
     (1_u64 << exponent) as f64
 }
 
-/// A multiple of 2^-16 from 0 up to 1, the same for the same stored position and channel: the
-/// top bits of SplitMix64's finaliser.
+/// A multiple of 2^-16 from 0 up to 1, determined by the stored position and the channel: the top bits of
+/// SplitMix64's finaliser.
 fn dither(cell: [u16; 3], channel: u64) -> f64 {
     let [x, y, z] = cell.map(u64::from);
     let hash = mix(x | y << 16 | z << 32 | channel << 48);
@@ -135,7 +136,7 @@ mod tests {
         let cells = (0..64).flat_map(|x| (0..64).map(move |y| [x, y, 7]));
         let values: Vec<f64> = cells.map(|cell| dither(cell, 1)).collect();
         let mean = values.iter().sum::<f64>() / 4096.0;
-        // Five deviations of the mean of 4096 uniform numbers, each of deviation sqrt(1/12).
+        // Five standard deviations of the mean of 4096 uniform numbers, each of deviation sqrt(1/12).
         assert!(
             (mean - 0.5).abs() < 5.0 * (1.0_f64 / 12.0 / 4096.0).sqrt(),
             "{mean}"
@@ -143,7 +144,7 @@ mod tests {
         assert!(values.iter().all(|t| (0.0..1.0).contains(t)));
     }
 
-    /// Equal powers all round alike to nearest; dithered, their mean is the power.
+    /// Equal powers all round alike to nearest. With dithering, their mean is the power.
     #[test]
     fn dithered_powers_have_no_bias() {
         let third = DVec3::new(0.37, 0.0, 0.0);
@@ -177,7 +178,7 @@ mod tests {
                 let exponent = scale.exponent(map.photons());
                 assert_eq!(u32::from(exponent), format.power.exponent_range());
                 let mantissa = scale.mantissa(map.photons()[0].power, exponent, [0; 3]);
-                // Dithered, an ulp may round down: by one.
+                // With dithering, an ulp may round down to one less.
                 let full = (1 << format.power.mantissa_bits) - 1;
                 assert!(
                     mantissa[0] == full
@@ -188,7 +189,7 @@ mod tests {
         }
     }
 
-    /// Light of one colour needs one channel: all three come back.
+    /// Light of one colour needs one channel: all three channels are restored.
     #[test]
     fn one_channel_holds_light_of_one_colour() {
         let colour = DVec3::new(0.5, 1.0, 0.25);

@@ -1,16 +1,15 @@
-//! Photons and queries in the machine's integers.
+//! Converts photons and queries to the integers of a machine with plain numbers.
 //!
-//! A position is an unsigned fraction of its block, `floor(fraction * 2^f)` with
-//! f = [`PlainFormat::position_bits`]; queries follow the same rule, so that the mean error of a
-//! difference is zero. The machine's coordinates span a frame of four block edges that starts
-//! one block before the query's own: a block's offset of 0, 1 or 2 is added to the fraction,
-//! and no coordinate can overflow (they end at 3 * 2^f - 1). Where block edge and
-//! search radius are the same length, as [`PhotonMap::new`] has them, the squared radius is
-//! 2^(2f), exactly; otherwise it is rounded down to a square step.
+//! A position is an unsigned fraction of its block, `floor(fraction * 2^f)` with f =
+//! [`PlainFormat::position_bits`]. Queries follow the same rule, so that the mean error of a difference is
+//! zero. The machine's coordinates span a frame of four block edges that starts one block before the query's
+//! own. A block's offset of 0, 1 or 2 is added to the fraction, and no coordinate can overflow (the largest
+//! is 3 * 2^f - 1). Where block edge and search radius are equal, as in [`PhotonMap::new`], the squared
+//! radius is exactly 2^(2f); otherwise it is rounded down to a square step.
 //!
-//! Power is linear: one step for the whole map, the largest channel of any photon over
-//! `2^power_bits - 1`, rounded to nearest (truncation would bias every estimate, and more photons
-//! would not remove it).
+//! Power is linear. The whole map has one step: the largest channel of any photon over `2^power_bits - 1`.
+//! Powers are rounded to nearest, because truncation would bias every estimate, and more photons would not
+//! remove the bias.
 
 use photoncube_spec::{self as spec, Machine, Numbers, PlainFormat};
 use rayon::prelude::*;
@@ -20,34 +19,34 @@ use glam::DVec3;
 
 use crate::photon_map::{Candidates, PhotonMap};
 
-/// A machine whose numbers the photon map cannot be turned into.
+/// The error of a machine to whose numbers the photon map cannot be converted.
 #[derive(Debug, Error, PartialEq, Eq)]
 pub enum QuantiseError {
-    /// A field is outside what works.
+    /// A field is outside its legal range.
     #[error("machine `{machine}`: {field} is {found}, expected {min} to {max}")]
     Field {
-        /// The machine.
+        /// The name of the machine.
         machine: &'static str,
-        /// Which of its fields.
+        /// The name of the field.
         field: &'static str,
         /// The field's value.
         found: u32,
-        /// The smallest that works.
+        /// The smallest legal value.
         min: u32,
-        /// The largest that works.
+        /// The largest legal value.
         max: u32,
     },
     /// The machine has a photon format.
     #[error("machine `{machine}` has the photon format {format}, expected plain numbers")]
     NotPlain {
-        /// The machine.
+        /// The name of the machine.
         machine: &'static str,
-        /// Its format.
+        /// The name of its photon format.
         format: String,
     },
 }
 
-/// A photon map's content in one machine's integers, in the map's order.
+/// The photons of a map in one machine's integers, in the order of the map.
 #[derive(Debug, Clone)]
 pub struct QuantisedMap<'a> {
     map: &'a PhotonMap,
@@ -57,7 +56,7 @@ pub struct QuantisedMap<'a> {
     power_step: f64,
 }
 
-/// A photon as it is stored: its position relative to its block.
+/// A stored photon; its position is relative to its block.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct StoredPhoton {
     fraction: [u16; 3],
@@ -65,11 +64,11 @@ struct StoredPhoton {
 }
 
 impl<'a> QuantisedMap<'a> {
-    /// Rounds every photon of `map` to the formats of `machine`.
+    /// Rounds every photon of `map` to the plain numbers of `machine`.
     ///
     /// # Errors
-    /// Coordinates outside 3 to 17 bits (a fraction of 1 to 15, whose radius squared fits 32
-    /// bits), powers outside 1 to 16 bits, or a machine with a photon format.
+    /// Coordinates outside 3 to 17 bits (a fraction of 1 to 15 bits, whose squared radius fits 32 bits),
+    /// powers outside 1 to 16 bits, or a machine with a photon format.
     pub fn new(map: &'a PhotonMap, machine: &'a Machine) -> Result<Self, QuantiseError> {
         let format = match &machine.numbers {
             Numbers::Plain(format) => format,
@@ -85,7 +84,7 @@ impl<'a> QuantisedMap<'a> {
         let power_step = power_step(map, format.power_bits);
         let stored = |photon: &crate::Photon| StoredPhoton {
             fraction: fraction(map, photon.position, format.position_bits()).map(|f| f as u16),
-            // Float to integer rounds half away from zero and cannot exceed the largest power.
+            // Rounds half away from zero; the result cannot exceed the largest power.
             power: (photon.power / power_step)
                 .round()
                 .to_array()
@@ -100,13 +99,13 @@ impl<'a> QuantisedMap<'a> {
         })
     }
 
-    /// The machine whose integers these are.
+    /// The machine that the integers are for.
     #[must_use]
     pub fn machine(&self) -> &'a Machine {
         self.machine
     }
 
-    /// The flux that one step of the integer power stands for.
+    /// The flux of one step of the integer power.
     #[must_use]
     pub fn power_step(&self) -> f64 {
         self.power_step
@@ -119,19 +118,19 @@ impl<'a> QuantisedMap<'a> {
         radius.powi(2)
     }
 
-    /// The machine's query at `position`: the fraction in its block, behind one block's edge.
+    /// The machine's query at `position`: the fraction in its block, plus the edge of one block.
     #[must_use]
     pub fn query(&self, position: DVec3) -> spec::Query {
         let edge = 1 << self.format.position_bits();
         spec::Query {
             position: fraction(self.map, position, self.format.position_bits()).map(|f| edge + f),
-            // The quotient's rounding must not cost a radius of whole steps its last square step.
+            // The rounding of the quotient must not reduce a radius of whole steps by a square step.
             radius_sq: (self.exact_radius_sq() * (1.0 + 1e-12)) as u32,
         }
     }
 
-    /// The photons that a query at `position` on a surface of unit normal `normal` gathers, in
-    /// its frame, as they stream to the machine.
+    /// The photons that a query at `position` on a surface of unit normal `normal` gathers, in the query's
+    /// frame, in the order of the stream.
     pub fn photons(&self, position: DVec3, normal: DVec3) -> impl Iterator<Item = spec::Photon> {
         let runs = self.map.candidates(position, normal);
         runs.flat_map(
@@ -173,7 +172,7 @@ fn power_step(map: &PhotonMap, bits: u32) -> f64 {
     let powers = map.photons().iter().map(|p| p.power.max_element());
     let largest = powers.fold(0.0, f64::max);
     let step = largest / f64::from((1u32 << bits) - 1);
-    // A subnormal step would round unlike the others; such powers are no light at all.
+    // A subnormal step would round differently; such powers are practically no light.
     if step.is_normal() { step } else { 1.0 }
 }
 
@@ -187,7 +186,7 @@ pub(crate) fn fraction(map: &PhotonMap, position: DVec3, bits: u32) -> [u32; 3] 
 pub(crate) fn in_steps(fraction: DVec3, bits: u32) -> [u32; 3] {
     let steps = 1u32 << bits;
     let fraction = fraction * f64::from(steps);
-    // `as` saturates, and takes a NaN for 0.
+    // `as` saturates and converts NaN to 0.
     fraction.to_array().map(|f| (f as u32).min(steps - 1))
 }
 
@@ -231,7 +230,7 @@ mod tests {
                     let difference = map.photons()[index].position - query.position;
                     for axis in 0..3 {
                         let steps = f64::from(integer.position[axis]) - f64::from(centre[axis]);
-                        // Two floors: the difference is off by less than one step, and rounding.
+                        // Two floors: the error of the difference is less than one step, plus rounding.
                         assert!((steps * step - difference[axis]).abs() < step * 1.000001);
                     }
                 }
@@ -303,7 +302,7 @@ mod tests {
     }
 
     proptest! {
-        /// Whatever the position, the query stands in the frame's second block.
+        /// At any position, the query is in the frame's second block.
         #[test]
         fn queries_stay_in_their_block(x in prop::num::f64::ANY, y in -1.0..1.0f64, z in -1e-9..1e-9f64) {
             let map = PhotonMap::new(&Scene::built_in("cornell").unwrap(), vec![], RADIUS).unwrap();

@@ -1,4 +1,4 @@
-//! Stage 5 for a whole picture: every query point, by the engine asked for.
+//! Stage 5 for a whole picture: the estimate at every query point, by the chosen engine.
 
 use std::ops::AddAssign;
 
@@ -18,43 +18,43 @@ use crate::renderer::Renderer;
 use crate::scene::Scene;
 use crate::view::{QueryPoint, ViewError, ViewOptions};
 
-/// What makes the radiance estimates.
+/// The engine that makes the radiance estimates.
 #[derive(Debug, Clone, Copy)]
 pub enum Engine<'a> {
     /// The reference, in f64.
     F64,
-    /// The golden model of this machine, on photons rounded to its formats.
+    /// The golden model of this machine, on photons rounded to its numbers.
     Model(&'a Machine),
-    /// The golden model of this photon format, for which there need be no machine.
+    /// The golden model of this photon format, which no machine needs to have.
     Format(&'a PhotonFormat),
 }
 
-/// Why a picture could not be rendered.
+/// The reason why a picture could not be rendered.
 #[derive(Debug, Error)]
 pub enum RenderError {
-    /// The options give no picture.
+    /// The options describe no picture.
     #[error(transparent)]
     View(#[from] ViewError),
-    /// The machine's formats do not fit.
+    /// The machine's numbers do not fit.
     #[error(transparent)]
     Quantise(#[from] QuantiseError),
     /// The photon format does not fit.
     #[error(transparent)]
     Format(#[from] FormatMapError),
-    /// The scene cannot be lit so.
+    /// The scene does not allow this lighting.
     #[error(transparent)]
     Lighting(#[from] LightingError),
     /// The engine cannot make that estimate.
     #[error(transparent)]
     Estimator(#[from] UnfitEstimator),
-    /// There is no such estimate at a query, in f64.
+    /// The f64 reference has no such estimate at a query.
     #[error("pixel ({x}, {y})")]
     Reference {
         /// Column, from the left.
         x: u32,
         /// Row, from the top.
         y: u32,
-        /// Why.
+        /// The error of the estimator.
         source: EstimatorError,
     },
     /// The golden model of a machine refused a query.
@@ -64,7 +64,7 @@ pub enum RenderError {
         x: u32,
         /// Row, from the top.
         y: u32,
-        /// What the model found.
+        /// The error of the golden model.
         source: GatherError,
     },
     /// The golden model of a photon format refused a query.
@@ -74,13 +74,13 @@ pub enum RenderError {
         x: u32,
         /// Row, from the top.
         y: u32,
-        /// What the model found.
+        /// The error of the golden model.
         source: LocalError,
     },
 }
 
 impl RenderError {
-    /// A query's refusal, with its pixel.
+    /// Makes the error of a refused query, with its pixel.
     pub(crate) fn of(refusal: Refusal, x: u32, y: u32) -> Self {
         match refusal {
             Refusal::Machine(source) => Self::Gather { x, y, source },
@@ -91,26 +91,27 @@ impl RenderError {
     }
 }
 
-/// What rendering did.
+/// Statistics of the work of rendering.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct RenderStats {
-    /// View rays that ended on a front, each one query.
+    /// The number of view rays that ended on a front; each is one query.
     pub query_points: u64,
-    /// Gathers made: of integer engines, one for each bisection and each rung.
+    /// The number of gathers. Integer engines make one for each step of a bisection and for each rung of a
+    /// ladder.
     pub gathers: u64,
-    /// Photons tested against a query in a gather: distance, compare, accumulate.
+    /// The number of photons tested against a query in a gather: distance, compare, accumulate.
     pub photon_tests: u64,
-    /// Those of them that the golden model decided by the block or leaf that they are in, which the query's
-    /// sphere cannot touch: a machine tests them one by one. 0 for the reference, and where
-    /// queries are gathered one at a time.
+    /// The number of these photons that the golden model decided by their block or leaf, which the query's
+    /// sphere cannot touch. A machine tests them one by one. 0 for the reference, and where queries are
+    /// gathered one at a time.
     pub photons_skipped: u64,
-    /// Those of them in range.
+    /// The number of tested photons that are in range.
     pub photons_in_range: u64,
-    /// Iterations of the machine: a gather's photons in groups of
-    /// [`Machine::photons_per_iteration`], the last perhaps not full. 0 for the
-    /// reference and for a photon format, which have none.
+    /// The number of iterations of the machine: a gather's photons in groups of
+    /// [`Machine::photons_per_iteration`], the last of which may be partly filled. 0 for the reference and
+    /// for a photon format without a machine.
     pub photon_groups: u64,
-    /// The most photons that one query tested.
+    /// The largest number of photons that one query tested.
     pub largest_query: u64,
 }
 
@@ -126,12 +127,12 @@ impl AddAssign for RenderStats {
     }
 }
 
-/// A picture and what it took.
+/// A picture with the statistics of its rendering.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rendering {
-    /// Radiance, linear RGB.
+    /// The radiance in linear RGB.
     pub image: Image,
-    /// The work's figures.
+    /// The statistics of the work.
     pub stats: RenderStats,
 }
 
@@ -173,22 +174,22 @@ pub fn render_with(
     render_lit(scene, light, engine, options, progress)
 }
 
-/// What gives the light of a picture.
+/// The light of a picture: photon maps and the way in which they are used.
 #[derive(Debug, Clone, Copy)]
 pub struct Light<'a> {
-    /// Which part comes from where.
+    /// The decision which part of the light comes from which source.
     pub lighting: &'a Lighting,
-    /// The photons that the lighting wants there: [`crate::PhotonMaps::global`].
+    /// The photons of the global map: [`crate::PhotonMaps::global`].
     pub global: &'a PhotonMap,
-    /// Those of the caustics: [`crate::PhotonMaps::caustic`].
+    /// The photons of the map of caustics: [`crate::PhotonMaps::caustic`].
     pub caustic: Option<&'a PhotonMap>,
-    /// The form of the estimates in both.
+    /// The form of the estimates in both maps.
     pub estimator: Estimator,
 }
 
 /// Renders the scene's view. All engines see the same query points, shadow rays and gather rays.
 ///
-/// `progress` gets the number of pixels done so far, from any thread, not always in order.
+/// `progress` receives the number of pixels done so far, from any thread, not always in order.
 ///
 /// # Errors
 /// Options without pixels, a lighting that the scene or the estimator cannot have ([`Lighting::check`]), formats
@@ -212,7 +213,7 @@ pub fn render_lit(
 pub(crate) enum Prepared<'a> {
     F64,
     Model(QuantisedMap<'a>),
-    /// In a photon format; with the machine, if it is one's.
+    /// A map in a photon format, with the machine if the format is a machine's.
     Format(Box<FormatMap<'a>>, Option<&'a Machine>),
 }
 
@@ -237,7 +238,7 @@ impl<'a> Prepared<'a> {
         Method::FixedRadius.estimate(self, map, query)
     }
 
-    /// Iterations of a machine that so many photons are.
+    /// The number of a machine's iterations for that many photons.
     pub(crate) fn groups(&self, photons: u64) -> u64 {
         let machine = match self {
             Self::F64 => None,
@@ -326,7 +327,7 @@ mod tests {
         let format = stats(Engine::Format(&PHOTON_FORMATS[0]));
         assert_eq!(f64.query_points, format.query_points);
         assert_eq!(format.photon_groups, 0);
-        // 0.26 % of the photons change sides, about half of them each way.
+        // 0.26 % of the photons are misclassified, about half of them in each direction.
         let ratio = format.photons_in_range as f64 / f64.photons_in_range as f64;
         assert!((ratio - 1.0).abs() < 0.001, "{ratio}");
     }

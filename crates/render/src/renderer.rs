@@ -1,4 +1,4 @@
-//! Stage 5 at work: bands of a picture, gathered from every map by every method asked for.
+//! Stage 5: renders bands of a picture, with every map and every requested method.
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -15,7 +15,7 @@ use crate::render::{Engine, Light, Prepared, RenderError, RenderStats};
 use crate::scene::Scene;
 use crate::view::ViewOptions;
 
-/// A photon map and what makes estimates in it.
+/// A photon map with the engine that makes estimates in it.
 struct Source<'a> {
     map: &'a PhotonMap,
     engine: Prepared<'a>,
@@ -30,28 +30,28 @@ impl<'a> Source<'a> {
     }
 }
 
-/// All that a picture needs.
+/// The inputs of a picture.
 pub(crate) struct Renderer<'a> {
     lit: Lit<'a>,
-    /// What the covered area is made of, where the lighting divides by it.
+    /// The flat fronts that the covered area consists of, where the lighting divides by it.
     fronts: Option<Fronts>,
     global: Source<'a>,
     caustic: Option<Source<'a>>,
     options: &'a ViewOptions,
 }
 
-/// Pictures of the same view rays, one for each method.
+/// Pictures from the same view rays, one for each method.
 pub(crate) struct Rendered {
     pub images: Vec<Image>,
     pub stats: RenderStats,
 }
 
-/// The pixels of a band by each method.
+/// The pixels of a band, for each method.
 type Pixels = Vec<Vec<DVec3>>;
 
 impl<'a> Renderer<'a> {
     /// # Errors
-    /// Options, a lighting or formats that do not fit.
+    /// The options, the lighting or the number formats do not fit.
     pub fn new(
         scene: &'a Scene,
         light: Light<'a>,
@@ -71,10 +71,10 @@ impl<'a> Renderer<'a> {
         })
     }
 
-    /// The pictures by each of `methods`.
+    /// Renders a picture with each of `methods`.
     ///
     /// # Errors
-    /// A query that an engine refuses.
+    /// An engine refuses a query.
     pub fn render(
         &self,
         methods: &[Method],
@@ -107,7 +107,7 @@ impl<'a> Renderer<'a> {
         })
     }
 
-    /// Rows `first` to `end`.
+    /// Renders rows `first` to `end`.
     fn band(
         &self,
         first: u32,
@@ -145,7 +145,7 @@ impl<'a> Renderer<'a> {
         Ok((pixels, stats))
     }
 
-    /// Adds what was found to the pixels, over the disc's area or over that which is covered.
+    /// Adds the estimates to the pixels, divided by the disc's area or by the covered area.
     fn shade(
         &self,
         method: &Method,

@@ -1,23 +1,23 @@
-//! Random numbers that depend on what they are for, never on which thread asks.
+//! Random numbers that depend on their purpose and index, and not on the thread.
 
 use glam::DVec3;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
-/// What a stream is for; streams of different purposes never share numbers by design.
+/// The purpose of a stream. Streams of different purposes never share numbers.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Purpose {
-    /// One emitted path, counted over the whole run.
+    /// One emitted path, by its index in the whole run.
     Path = 1,
-    /// One pixel's view rays.
+    /// The view rays of one pixel.
     View = 2,
     /// The choice of queries for a workload.
     Workload = 3,
-    /// One pixel's shadow rays and gather rays.
+    /// The shadow rays and gather rays of one pixel.
     Light = 4,
 }
 
-/// The stream of the `index`-th item of a purpose.
+/// The stream of item `index` of a purpose.
 ///
 /// Index and seed pass through the finaliser of SplitMix64 (Steele, Lea, Flood 2014), which is
 /// a bijection: within one seed and purpose no two items share a stream.
@@ -26,7 +26,7 @@ pub(crate) fn stream(seed: u64, purpose: Purpose, index: u64) -> Pcg64Mcg {
     Pcg64Mcg::seed_from_u64(mix(base.wrapping_add(index)))
 }
 
-/// The finaliser itself.
+/// The finaliser of SplitMix64.
 pub(crate) fn mix(value: u64) -> u64 {
     let mut z = value.wrapping_add(0x9e37_79b9_7f4a_7c15);
     z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -34,8 +34,8 @@ pub(crate) fn mix(value: u64) -> u64 {
     z ^ (z >> 31)
 }
 
-/// Points of the unit square that keep apart from each other: Roberts' R2 sequence (2018), moved by a random vector (Cranley
-/// and Patterson, 1976), so that each alone is uniform and their mean has no bias.
+/// Well separated points of the unit square: Roberts' R2 sequence (2018), shifted by a random vector (Cranley
+/// and Patterson, 1976). Each point alone is uniform, so the mean over them has no bias.
 #[derive(Debug, Clone)]
 pub(crate) struct Apart {
     point: [f64; 2],
@@ -65,7 +65,7 @@ pub(crate) fn cosine_direction(normal: DVec3, rng: &mut Pcg64Mcg) -> DVec3 {
     cosine_direction_at(normal, [rng.random(), rng.random()])
 }
 
-/// The same by a point of the unit square.
+/// A direction about `normal` with density cos / pi, from a point of the unit square.
 pub(crate) fn cosine_direction_at(normal: DVec3, [radius_sq, turn]: [f64; 2]) -> DVec3 {
     let angle = std::f64::consts::TAU * turn;
     let (x, y) = normal.any_orthonormal_pair();
@@ -77,7 +77,7 @@ pub(crate) fn cosine_direction_at(normal: DVec3, [radius_sq, turn]: [f64; 2]) ->
 mod tests {
     use super::*;
 
-    /// Of sixteen cells, sixteen random points are in 16 (1 - (15/16)^16) = 10.3 on average.
+    /// Sixteen random points are in 16 (1 - (15/16)^16) = 10.3 of sixteen cells on average.
     #[test]
     fn points_keep_apart() {
         let mut filled = 0;

@@ -1,5 +1,5 @@
-//! What a camera sees: which surfaces, and which of their sides. A view of black backs alone gives a black picture,
-//! and a user wants to know why.
+//! Finds the surfaces, and the sides of them, that a camera sees. A view of black backs alone gives a black
+//! picture, and the user needs an explanation.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -10,7 +10,7 @@ use rayon::prelude::*;
 use crate::scene::Scene;
 use crate::view::{Sight, ViewError, ViewOptions};
 
-/// How many surfaces are named.
+/// The most surfaces that are named.
 const NAMED: usize = 3;
 
 /// A side of a surface.
@@ -20,23 +20,24 @@ enum Side {
     Back,
 }
 
-/// Where the view rays of a picture end.
+/// The ends of a picture's view rays.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sights {
     camera: DVec3,
     rays: u64,
-    /// By shape and side, the most often seen first; a front that is a mirror or a border of a medium is no end.
+    /// The number of rays by shape and side, the most frequent first. Fronts of mirrors and media are not
+    /// ends.
     ends: Vec<(String, Side, u64)>,
-    /// Rays that leave the scene.
+    /// The number of rays that leave the scene.
     nothing: u64,
-    /// Rays that are lost between mirrors.
+    /// The number of rays that are lost between mirrors.
     lost: u64,
 }
 
-/// Whether any view ray of the picture ends where an estimate can be made: on the front of a diffuse surface.
+/// Whether any view ray of the picture ends on the front of a diffuse surface, where an estimate can be made.
 ///
 /// # Errors
-/// Options that give no picture.
+/// The options describe no picture.
 pub fn sees_a_front(scene: &Scene, options: &ViewOptions) -> Result<bool, ViewError> {
     options.check()?;
     let pixels = (0..options.height).into_par_iter();
@@ -50,7 +51,7 @@ impl Sights {
     /// Follows all view rays of the picture.
     ///
     /// # Errors
-    /// Options that give no picture.
+    /// The options describe no picture.
     pub fn of(scene: &Scene, options: &ViewOptions) -> Result<Self, ViewError> {
         options.check()?;
         let mut sights = Self {
@@ -84,7 +85,7 @@ impl Sights {
         Ok(sights)
     }
 
-    /// Whether a black back is among what is seen.
+    /// Whether any view ray ends on a black back.
     #[must_use]
     pub fn has_backs(&self) -> bool {
         self.ends.iter().any(|(_, side, _)| *side == Side::Back)
@@ -137,7 +138,7 @@ mod tests {
         seed: 1,
     };
 
-    /// A room whose fronts face inwards, seen from outside: the near wall's back hides the rest.
+    /// A room whose fronts face inwards, seen from outside: the back of the near wall hides the rest.
     fn room(camera: &str) -> Scene {
         let text = format!(
             "[camera]\n{camera}\nfov_deg = 40\n\

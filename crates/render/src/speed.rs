@@ -1,7 +1,9 @@
-//! How fast an engine gathers here: photon tests a second, one thread, beside plain loops.
+//! Measures the speed of an engine's gather on this computer: photon tests per second on one thread, beside
+//! plain loops.
 //!
-//! A photon test is a photon that is decided about for a query. The fast gather decides most that are out of
-//! range by the block or leaf that they are in, so it computes fewer distances than it has tests here.
+//! A photon test is the decision about one photon for one query. The fast gather decides most photons that
+//! are out of range by their block or leaf, so it computes fewer distances than the number of tests that are
+//! counted here.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -14,23 +16,23 @@ use crate::photon_map::PhotonMap;
 use crate::render::{Engine, Prepared, RenderError};
 use crate::view::QueryPoint;
 
-/// Long enough that one clock tick does not matter.
+/// The duration of a measurement, long compared with a clock tick.
 const TIME: Duration = Duration::from_millis(40);
 
-/// Repeats, whose median other work on this machine does not move unless it lasts.
+/// The number of repeats. Short disturbances by other processes do not change their median.
 const REPEATS: usize = 5;
 
-/// Photon tests a second, measured several times.
+/// A speed in photon tests per second, measured several times.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Speed {
     /// The median of the repeats.
     pub photon_tests_per_second: f64,
-    /// The fastest less the slowest repeat, by the median.
+    /// The difference of the fastest and the slowest repeat, divided by the median.
     pub spread: f64,
 }
 
-/// Photon tests a second of an engine's gather at these queries: as pictures are rendered by it, so photon
-/// formats gather all queries of a block together; [`Engine::F64`] is the plain f64 loop.
+/// The speed of an engine's gather at these queries, as in rendering: photon formats gather all queries of a
+/// block together. [`Engine::F64`] is the plain f64 loop.
 ///
 /// # Errors
 /// Formats that do not fit the map, or a query that the golden model refuses.
@@ -42,7 +44,7 @@ pub fn gather_speed(
     let prepared = Prepared::new(map, engine)?;
     for (index, query) in queries.iter().enumerate() {
         let estimate = prepared.estimate(map, query);
-        // A query's place in the list stands for its pixel.
+        // The query's index takes the place of its pixel.
         estimate.map_err(|refusal| RenderError::of(refusal, index as u32, 0))?;
     }
     if let Prepared::Format(map, _) = &prepared {
@@ -57,7 +59,7 @@ pub fn gather_speed(
     }))
 }
 
-/// That of the fast gather, whose queries come in the order in which it is fastest.
+/// The speed of the fast gather, with the queries in the order in which it is fastest.
 fn fast_speed(map: &FormatMap<'_>, queries: &[QueryPoint]) -> Speed {
     let mut queries = queries.to_vec();
     map.map().sort_queries(&mut queries);
@@ -70,7 +72,7 @@ fn fast_speed(map: &FormatMap<'_>, queries: &[QueryPoint]) -> Speed {
     })
 }
 
-/// Photon tests a second of the reference's loop on f32 copies of the photons.
+/// The speed of the reference's loop on f32 copies of the photons.
 #[must_use]
 pub fn f32_speed(map: &PhotonMap, queries: &[QueryPoint]) -> Speed {
     let photons: Vec<(Vec3, Vec3)> = map
@@ -95,7 +97,7 @@ pub fn f32_speed(map: &PhotonMap, queries: &[QueryPoint]) -> Speed {
     speed(|| queries.iter().map(&tests_of).sum())
 }
 
-/// Photon tests a second, over rounds that return how many they had.
+/// The speed of rounds that return their number of photon tests.
 fn speed(mut round: impl FnMut() -> u64) -> Speed {
     let mut repeat = || {
         let start = Instant::now();

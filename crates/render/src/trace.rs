@@ -1,5 +1,6 @@
 //! Stage 2: photons leave the lights, follow mirrors and the borders of media, and are stored at every
-//! diffuse hit on a surface's front; never on those, whose light no estimate can gather.
+//! diffuse hit on a surface's front. Mirrors and borders store no photons, because no estimate can gather
+//! their light.
 //!
 //! Jensen, "Global Illumination using Photon Maps" (1996): emission in proportion to the
 //! lights' power (or by the scene's [`crate::LightChoice`]), Russian roulette at every hit. A photon
@@ -21,52 +22,53 @@ use crate::lights::Lights;
 use crate::sample::{Purpose, cosine_direction, stream};
 use crate::scene::Scene;
 
-/// Paths are emitted in whole batches of this many; the last batch is never cut, because that
-/// would favour early paths.
+/// The number of paths in a batch. Paths are emitted in whole batches; a partial batch would favour early
+/// paths.
 pub const BATCH_PATHS: u64 = 8192;
 
-/// Paths that one task of the thread pool traces: enough to hide the pool's overhead.
+/// The number of paths that one task of the thread pool traces, large enough to make the pool's overhead
+/// small.
 const TASK_PATHS: u64 = 256;
 
-/// Tracing gives up where fewer than one path in this many stores a photon.
+/// Tracing fails where fewer than one path in this many stores a photon.
 const PATHS_PER_PHOTON_LIMIT: u64 = 64;
 
-/// No photon survives a hit with a higher probability, so that white surfaces or perfect mirrors
-/// cannot keep one for ever: a path ends after 50 hits on average, and one in a million takes over
-/// 684. The survivor's power rises accordingly, so the mean is untouched.
+/// The largest survival probability of a photon at a hit, so that white surfaces or perfect mirrors cannot
+/// keep one for ever. A path ends after 50 hits on average, and one in a million takes over 684. The
+/// survivor's power rises accordingly, so the mean is unchanged.
 const MAX_SURVIVAL: f64 = 0.98;
 
 /// A stored hit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Photon {
-    /// Where it hit (scene units).
+    /// The position of the hit in scene units.
     pub position: DVec3,
     /// The radiant flux that arrived, for red, green and blue; not yet reflected.
     pub power: DVec3,
     /// The index of the surface that it hit, on the front.
     pub surface: u32,
-    /// Where that front faces.
+    /// The direction in which the front faces at the hit.
     pub facing: Facing,
 }
 
-/// What a photon's path met before it was stored: L is the light, S mirrors and borders of media, D diffuse
-/// surfaces, in the notation of Heckbert (1990).
+/// The kind of a photon's path before it was stored. In the notation of Heckbert (1990), L is the light, S a
+/// mirror or a border of a medium, D a diffuse surface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PathKind {
-    /// Nothing, LD: direct light.
+    /// The path meets no surface before, LD: direct light.
     Direct,
-    /// Only mirrors and borders of media, LS+D: a caustic.
+    /// The path meets only mirrors and borders of media before, LS+D: a caustic.
     Caustic,
-    /// A diffuse surface, L(S|D)*DS*D.
+    /// The path meets a diffuse surface before, L(S|D)*DS*D.
     Indirect,
 }
 
-/// How to trace.
+/// The options of tracing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct TraceOptions {
-    /// Photons to store at least; batches are completed, so there are a few more.
+    /// The least number of photons to store. Batches are completed, so there are a few more.
     pub photons: u64,
-    /// Chooses the random numbers.
+    /// The seed of the random numbers.
     pub seed: u64,
 }
 
@@ -81,14 +83,14 @@ impl Default for TraceOptions {
     }
 }
 
-/// What tracing gave.
+/// The result of tracing.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PhotonTrace {
     /// The stored photons, in the order of their paths.
     pub photons: Vec<Photon>,
-    /// The path of each.
+    /// The kind of each photon's path.
     pub kinds: Vec<PathKind>,
-    /// Paths emitted; the lights' power is shared among them.
+    /// The number of paths emitted. The lights' power is divided among them.
     pub paths: u64,
 }
 
@@ -102,7 +104,7 @@ impl PathKind {
 }
 
 impl PhotonTrace {
-    /// The photons of the kinds that are `wanted`, in their order.
+    /// The photons whose kind is `wanted`, in their order.
     #[must_use]
     pub fn of(&self, wanted: impl Fn(PathKind) -> bool) -> Vec<Photon> {
         let both = self.photons.iter().zip(&self.kinds);
@@ -111,13 +113,13 @@ impl PhotonTrace {
     }
 }
 
-/// Why tracing failed.
+/// The reason why tracing failed.
 #[derive(Debug, Error, PartialEq, Eq)]
 pub enum TraceError {
-    /// The count is outside what a photon map can index.
+    /// The number of photons is outside the range that a photon map can index.
     #[error("photons: found {found}, expected 1 to {}", MAX_PHOTONS)]
     Count {
-        /// The count asked for.
+        /// The requested number of photons.
         found: u64,
     },
     /// Hardly any path hits a front.
@@ -126,23 +128,23 @@ pub enum TraceError {
          expected at least one from {PATHS_PER_PHOTON_LIMIT}: do the lights face the scene?"
     )]
     NothingHit {
-        /// Photons stored.
+        /// The number of photons stored.
         stored: u64,
-        /// Paths traced.
+        /// The number of paths traced.
         paths: u64,
     },
 }
 
-/// The most photons that are asked for, which bounds memory: a photon takes 125 bytes at the peak, while it is sorted into blocks (measured
-/// with 20 million), so this many take 17 GB.
-/// A `u32` counts them with room for the last batch.
+/// The most photons that may be requested, which bounds memory. A photon takes 125 bytes at the peak, while
+/// it is sorted into blocks (measured with 20 million), so this many take 17 GB. A `u32` counts them with
+/// room for the last batch.
 pub const MAX_PHOTONS: u64 = 1 << 27;
 
 /// Traces paths until at least `options.photons` photons are stored.
 ///
 /// A light of area A and radiance L emits the flux pi A L from its front; a path starts on a
 /// light by the scene's [`crate::LightChoice`], at a uniform point, in a direction of density cos / pi.
-/// `progress` gets the number of photons stored so far, from any thread, not always in order.
+/// `progress` receives the number of photons stored so far, from any thread, not always in order.
 ///
 /// # Errors
 /// [`TraceError::Count`] for a count of 0 or over 2^27; [`TraceError::NothingHit`] where fewer
@@ -198,7 +200,7 @@ pub fn trace(
     })
 }
 
-/// Follows one path; the powers stored are still those of the only path.
+/// Follows one path. The powers stored are those of a path that carries the light's whole power.
 fn trace_path(
     scene: &Scene,
     lights: &Lights<'_>,
@@ -236,8 +238,8 @@ fn trace_path(
     }
 }
 
-/// Russian roulette: the power that goes on, or `None` where the photon is absorbed. A mirror, and
-/// a diffuse surface sampled by the cosine, multiply the power by their reflectance, no more.
+/// Russian roulette: the power that continues, or `None` where the photon is absorbed. A mirror, and a
+/// diffuse surface sampled by the cosine, multiply the power only by their reflectance.
 fn reflect(power: DVec3, reflectance: DVec3, chance: f64) -> Option<DVec3> {
     let reflected = power * reflectance;
     let survival = (reflected.max_element() / power.max_element()).min(MAX_SURVIVAL);
@@ -296,7 +298,7 @@ mod tests {
         let first = trace.photons[0].power.max_element();
         for photon in &trace.photons {
             let strongest = photon.power.max_element();
-            // Rounding over some 50 bounces; no channel of this light overtakes red.
+            // Rounding over some 50 bounces; no channel of this light becomes stronger than red.
             assert!(
                 (strongest / first - 1.0).abs() < 1e-12,
                 "{strongest} {first}"
@@ -306,7 +308,7 @@ mod tests {
 
     #[test]
     fn the_first_hits_carry_the_lights_flux() {
-        // The open front lets some of it out; nothing may be gained.
+        // The open front lets some light out; none may be gained.
         let scene = Scene::built_in("cornell").unwrap();
         let light = scene
             .surfaces()
@@ -331,14 +333,14 @@ mod tests {
                 })
                 .sum();
             let error = sum / f64::from(steps) - power * reflectance;
-            // The survival probability is met to one step in a thousand.
+            // The survival probability is accurate to one step in a thousand.
             assert!(error.abs().max_element() < 1e-3, "{error}");
         }
         assert_eq!(reflect(power, DVec3::ZERO, 0.0), None);
     }
 
-    /// What the floor of the chamber gets of the light's flux, by laying out the mirror images
-    /// flat: photons fly straight on and lose 1 - `reflectance` at every border of a unit square.
+    /// The share of the light's flux that reaches the floor of the chamber. With the mirror images laid out
+    /// flat, photons fly straight on and lose 1 - `reflectance` at every border of a unit square.
     fn floor_share(reflectance: f64) -> f64 {
         let steps = 24i32;
         let middle = |i: i32| (f64::from(i) + 0.5) / f64::from(steps);
@@ -380,8 +382,8 @@ mod tests {
         }
     }
 
-    /// What the floor and the ceiling get of the flux is all of it: glass absorbs nothing, whether light goes
-    /// through, is reflected, or is caught inside for a while.
+    /// Floor and ceiling receive all of the flux: glass absorbs nothing, whether light goes through, is
+    /// reflected, or is caught inside for a while.
     #[test]
     fn glass_stores_no_photon_and_keeps_the_energy() {
         let scene = chamber_with_glass();
@@ -397,8 +399,8 @@ mod tests {
             shares[place.expect("not on glass or a mirror")] +=
                 photon.power.x / std::f64::consts::PI;
         }
-        // Both absorb; the ceiling has what the ball sent back to it. Five deviations of roulette at
-        // some tens of mirrors: below 1 %.
+        // Both absorb; the ceiling also receives the light that the ball reflects to it. Five deviations of
+        // roulette at some tens of mirrors: below 1 %.
         assert!((shares[0] + shares[1] - 1.0).abs() < 0.01, "{shares:?}");
         assert!(shares[1] > 0.01, "{shares:?}");
     }

@@ -1,4 +1,4 @@
-//! Stage 4: view rays, supersampled, end at the points where the image needs light.
+//! Stage 4: supersampled view rays, which end at the points where the image needs light.
 
 use glam::DVec3;
 use rand::RngExt;
@@ -10,17 +10,17 @@ use crate::geometry::Hit;
 use crate::sample::{Purpose, stream};
 use crate::scene::{Scene, Surface};
 
-/// The picture to take.
+/// The options of a picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct ViewOptions {
-    /// Pixels in a row.
+    /// The number of pixels in a row.
     pub width: u32,
-    /// Rows of pixels.
+    /// The number of rows of pixels.
     pub height: u32,
-    /// A pixel is sampled on a grid of this many times this many cells, at a random point of
-    /// each cell.
+    /// The samples of a pixel on each axis: the pixel is a grid of this number squared of cells, with a
+    /// random point in each.
     pub samples_per_axis: u32,
-    /// Chooses the points in the cells.
+    /// The seed of the points in the cells.
     pub seed: u64,
 }
 
@@ -36,52 +36,53 @@ impl Default for ViewOptions {
     }
 }
 
-/// Options that give no picture.
+/// The error of options that describe no picture.
 #[derive(Debug, Error, PartialEq, Eq)]
 #[error("{field}: found {found}, expected 1 to {max}")]
 pub struct ViewError {
-    /// Which option.
+    /// The name of the option.
     pub field: &'static str,
-    /// Its value.
+    /// The value of the option.
     pub found: u32,
-    /// The largest that works.
+    /// The largest legal value.
     pub max: u32,
 }
 
-/// The longest side of an image: its pixels' number fits 32 bits.
+/// The longest side of an image in pixels. The number of pixels fits 32 bits.
 const MAX_SIDE: u32 = 1 << 16;
-/// A view ray that has followed this many mirrors and meets another ends there and sees black, so
-/// that facing mirrors cannot keep it for ever. What is lost is below the reflectance to the 64th
-/// power of the radiance: 4 % at 0.95, and only where the picture shows a 65th image.
+/// The most mirrors that a view ray follows. At the next mirror it ends and sees black, so that facing
+/// mirrors cannot keep it for ever. The loss is below the reflectance to the 64th power of the radiance: 4 %
+/// at 0.95, and only where the picture shows a 65th image.
 const MAX_MIRRORS: u32 = 64;
-/// More samples than any picture needs, few enough for their square to fit.
+/// The most samples on each axis of a pixel: more than any picture needs, and few enough for their square to
+/// fit.
 const MAX_SAMPLES_PER_AXIS: u32 = 64;
 
 /// A point where the estimate is made.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct QueryPoint {
-    /// Where it is (scene units).
+    /// The position in scene units.
     pub position: DVec3,
     /// The unit normal of its surface's front.
     pub normal: DVec3,
-    /// What turns irradiance into radiance at the camera: rho / pi, the diffuse BRDF, times the
-    /// reflectances of the mirrors between.
+    /// The factor from irradiance to radiance at the camera: rho / pi, the diffuse BRDF, times the
+    /// reflectances of the mirrors in between.
     pub beta: DVec3,
 }
 
-/// What one view ray sees.
+/// The result of one view ray.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(crate) struct ViewSample {
-    /// Radiance that arrives from a light, seen directly or by mirrors.
+    /// The radiance from a light, seen directly or by mirrors.
     pub emitted: DVec3,
-    /// Where to estimate what is reflected; none where the ray leaves the scene, meets a back, or
-    /// is lost between mirrors.
+    /// The point at which to estimate the reflected light. `None` where the ray leaves the scene, meets a
+    /// back, or is lost between mirrors.
     pub query: Option<QueryPoint>,
 }
 
 impl ViewOptions {
     /// # Errors
-    /// An image without pixels or samples, or too large to index.
+    /// An image without pixels or samples, or one that is too large to index.
     pub(crate) fn check(&self) -> Result<(), ViewError> {
         for (field, found, max) in [
             ("width", self.width, MAX_SIDE),
@@ -99,17 +100,17 @@ impl ViewOptions {
         Ok(())
     }
 
-    /// View rays of one pixel.
+    /// The number of view rays of one pixel.
     pub(crate) fn samples_per_pixel(&self) -> u32 {
         self.samples_per_axis * self.samples_per_axis
     }
 
-    /// The number of pixel `(x, y)`, row by row.
+    /// The index of pixel `(x, y)`, row by row.
     pub(crate) fn index(&self, x: u32, y: u32) -> u64 {
         u64::from(y) * u64::from(self.width) + u64::from(x)
     }
 
-    /// What the view rays of pixel `(x, y)` see, cell by cell; row 0 is at the top.
+    /// The results of the view rays of pixel `(x, y)`, cell by cell; row 0 is at the top.
     pub(crate) fn samples(
         &self,
         scene: &Scene,
@@ -120,7 +121,7 @@ impl ViewOptions {
         sights.map(|sight| sight.sample(scene))
     }
 
-    /// Where these rays end.
+    /// The ends of the view rays of pixel `(x, y)`.
     pub(crate) fn sights(&self, scene: &Scene, x: u32, y: u32) -> impl Iterator<Item = Sight> {
         let mut rng = stream(self.seed, Purpose::View, self.index(x, y));
         let cells = self.samples_per_axis;
@@ -140,35 +141,36 @@ fn random(rng: &mut Pcg64Mcg) -> f64 {
     rng.random()
 }
 
-/// Where a view ray ends.
+/// The end of a view ray.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Sight {
-    /// On the front of a diffuse surface.
+    /// The ray ends on the front of a diffuse surface.
     Diffuse {
-        /// Its index.
+        /// The index of the surface.
         surface: usize,
-        /// The point.
+        /// The hit on the surface.
         hit: Hit,
-        /// The part of the light that comes through the mirrors and media between.
+        /// The fraction of the light that passes the mirrors and media in between.
         beta: DVec3,
     },
-    /// On a black back.
+    /// The ray ends on a black back.
     Back {
-        /// The surface's index.
+        /// The index of the surface.
         surface: usize,
     },
-    /// Outside the scene.
+    /// The ray leaves the scene.
     Nothing,
-    /// Between mirrors.
+    /// The ray is lost between mirrors.
     Lost,
 }
 
-/// What the ray sees.
+/// Follows a view ray and returns what it sees.
 pub(crate) fn see(scene: &Scene, ray: &Ray, rng: &mut Pcg64Mcg) -> ViewSample {
     follow(scene, ray, rng).sample(scene)
 }
 
-/// Follows mirrors, and at the borders of media one of both ways by chance, until a diffuse surface.
+/// Follows a ray over mirrors, and at the borders of media along one of both ways by chance, to a diffuse
+/// surface.
 fn follow(scene: &Scene, ray: &Ray, rng: &mut Pcg64Mcg) -> Sight {
     let mut ray = *ray;
     let mut beta = DVec3::ONE;
@@ -264,8 +266,9 @@ mod tests {
         }
     }
 
-    /// Where every light has a radiance of 1, so has all that is seen through glass: what a border takes from
-    /// one ray by reflection it adds by refraction, and the factor of the medium is undone on the way out.
+    /// Where every light has a radiance of 1, all that is seen through glass has it too: a border adds by
+    /// refraction what it takes from a ray by reflection, and the factor of the medium is undone on the way
+    /// out.
     #[test]
     fn a_furnace_looks_alike_through_glass() {
         let scene = glass_furnace();
@@ -325,7 +328,7 @@ mod tests {
         let scene = mirror_box();
         let pixels = (0..64).flat_map(|x| OPTIONS.samples(&scene, x, 64));
         let (dark, lit): (Vec<_>, Vec<_>) = pixels.partition(|s| *s == ViewSample::default());
-        // The light is a thousandth of the box's side: hardly a ray finds it in 64 mirrors.
+        // The light is a thousandth of the box's side, so hardly any ray finds it within 64 mirrors.
         assert!(dark.len() > 100 * lit.len(), "{} {}", dark.len(), lit.len());
     }
 

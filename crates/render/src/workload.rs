@@ -1,4 +1,4 @@
-//! Real work for the machine's testbench: queries of this very scene with their photons.
+//! Makes a workload for the testbench: queries of a scene with their photons.
 
 use photoncube_spec::{Machine, Photon, Query};
 use rand::RngExt;
@@ -11,14 +11,14 @@ use crate::sample::{Purpose, stream};
 use crate::scene::Scene;
 use crate::view::{ViewError, ViewOptions};
 
-/// Pixels tried in a row without one that gathers a photon before giving up. Where one in a
-/// hundred gathers, the chance to give up wrongly is 0.99^4096, below 1e-17.
+/// The number of pixels tried in a row without a photon before the search ends. Where one in a hundred
+/// gathers a photon, the chance of a wrong end is 0.99^4096, below 1e-17.
 const BARREN_PIXELS: u64 = 4096;
 
-/// Why a workload could not be put together.
+/// The reason why no workload could be made.
 #[derive(Debug, Error)]
 pub enum WorkloadError {
-    /// The options give no picture.
+    /// The options describe no picture.
     #[error(transparent)]
     View(#[from] ViewError),
     /// The machine's numbers do not fit.
@@ -32,16 +32,16 @@ pub enum WorkloadError {
     NothingGathered,
 }
 
-/// Query points picked at random from the view, each with the quantised photons that it
-/// gathers, until they make at least `groups` groups of [`Machine::photons_per_iteration`] (a
-/// query's last group may not be full). Queries without photons are passed over. For a machine that
-/// tests several queries at once, pixels around the picked one follow it, as many as share its
-/// photons, up to that number.
+/// Picks query points of the view at random, each with the quantised photons that it gathers, until they make
+/// at least `groups` groups of [`Machine::photons_per_iteration`] (a query's last group may be partly
+/// filled). Queries without photons are skipped. For a machine that tests several queries at once, each
+/// picked pixel is followed by as many pixels around it as share its photons, up to that number.
 ///
 /// A photon list can exceed [`Machine::max_photons`] only where rendering fails as well.
 ///
 /// # Errors
-/// Options without pixels, formats that do not fit the map, or a view that gathers no photon.
+/// The options have no pixels, the number formats do not fit the map, or no query of the view gathers a
+/// photon.
 pub fn workload(
     scene: &Scene,
     map: &PhotonMap,
@@ -88,8 +88,8 @@ struct Pixel {
 }
 
 impl Pixel {
-    /// The same sample of the other pixels of a square of at least so many pixels around this one,
-    /// inside the picture; for one pixel none.
+    /// The sample with this index in the other pixels of a square around this one, inside the picture. The
+    /// square has at least `pixels` pixels; for one pixel there are no others.
     fn around(self, options: &ViewOptions, pixels: usize) -> impl Iterator<Item = Self> + use<> {
         let reach = (pixels as f64).sqrt().ceil() as u32 / 2;
         let within =
@@ -101,7 +101,7 @@ impl Pixel {
     }
 }
 
-/// The query that a sample sees, with its photons, if it gathers any.
+/// The query that a sample sees, with its photons; `None` if it gathers none.
 fn seen(
     scene: &Scene,
     options: &ViewOptions,

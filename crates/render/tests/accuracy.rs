@@ -1,8 +1,8 @@
-//! The anchors' accuracy figures, measured anew on the Cornell box: its Monte-Carlo noise, what the
-//! machines' formats add to it, and what a ladder of radii does.
+//! Measures the anchors' accuracy figures on the Cornell box: its Monte-Carlo noise, the error that the
+//! machines' formats add, and the error of a ladder of radii.
 //!
-//! The anchors stand on uniform photons of equal power. The Cornell box has shadows, edges and
-//! coloured walls, so every tolerance says what they may do.
+//! The anchors were measured on uniform photons of equal power. The Cornell box has shadows, edges and
+//! coloured walls, so every tolerance states the effect of these.
 
 use glam::DVec3;
 use photoncube_model::gather;
@@ -13,7 +13,7 @@ use photoncube_render::{
 };
 use photoncube_spec::find_machine;
 
-/// The default: 12 maps of 100,000 photons at 539 query points.
+/// The default bench: 12 maps of 100,000 photons at 539 query points.
 fn bench(in_range: f64) -> ErrorBench {
     let scene = Scene::built_in("cornell").unwrap();
     let options = BenchOptions {
@@ -30,7 +30,7 @@ fn report(bench: &ErrorBench, machine: &str) -> ErrorReport {
     report
 }
 
-/// Photons in range of a query, the mean over the maps.
+/// The mean, over the maps, of the photons in range of a query.
 fn mean_in_range(bench: &ErrorBench, query: &QueryPoint) -> f64 {
     let count = |map: &PhotonMap| {
         let near = Neighbourhood::block_walk(map, query);
@@ -40,8 +40,8 @@ fn mean_in_range(bench: &ErrorBench, query: &QueryPoint) -> f64 {
     bench.maps().iter().map(count).sum::<f64>() / bench.maps().len() as f64
 }
 
-/// The rms noise of the queries with about `in_range` photons in range, of all, and how many the
-/// former are.
+/// The rms noise of the queries with about `in_range` photons in range, that of all queries, and the number
+/// of the former.
 fn noise_where_in_range_is(in_range: f64) -> (f64, f64, usize) {
     let bench = bench(in_range);
     let mut meter = NoiseMeter::new(bench.queries().len());
@@ -58,7 +58,7 @@ fn noise_where_in_range_is(in_range: f64) -> (f64, f64, usize) {
     (noise, meter.noise().unwrap().relative, chosen.len())
 }
 
-/// `found` within `part` of `expected`.
+/// Requires `found` to be within `part` of `expected`.
 fn assert_near(what: &str, found: f64, expected: f64, part: f64) {
     println!("{what}: {found:.5}, expected {expected:.5}");
     assert!((found / expected - 1.0).abs() < part, "{what}: {found}");
@@ -73,13 +73,13 @@ fn the_noise_is_the_anchors() {
         let (noise, all, queries) = noise_where_in_range_is(in_range);
         assert!(queries > 100, "{queries}");
         assert_near("noise", noise, expected, 0.08);
-        // Most of the view is darker than its mean, so noisier.
+        // Most of the view is darker than its mean, so it is noisier.
         assert!(all > noise && all < 2.0 * noise, "{all}");
     }
 }
 
-/// The law for u steps per radius: a share of 0.67 / u of the photons in range is misclassified,
-/// and the error is its root of the noise.
+/// Requires the law for u steps per radius: a share of 0.67 / u of the photons in range is misclassified, and
+/// the error is the square root of this share times the noise.
 ///
 /// `share_known` is how well the number of misclassified photons can be known, three of its
 /// deviations. Beyond it 8 %: the law is for planes askew to the grid, and walls along it lose the
@@ -99,7 +99,7 @@ fn assert_law(report: &ErrorReport, u: f64, share_known: f64) {
         report.rms_relative_error
     );
     assert!(0.92 * low < error && error < 1.08 * high);
-    // An interval that holds everything would show nothing.
+    // An interval that contains everything would show nothing.
     assert!(high < 2.0 * low);
 }
 
@@ -116,7 +116,7 @@ fn six_bits_cost_a_tenth_of_the_noise() {
     }
 }
 
-/// 10 bits per radius, by the same law. At 50 in range only 200 photons are misclassified: 21 %.
+/// 10 bits per radius follow the law too. At 50 in range only 200 photons are misclassified: 21 %.
 #[test]
 fn ten_bits_cost_a_fortieth_of_the_noise_and_no_bias() {
     for in_range in [50.0, 200.0] {
@@ -152,7 +152,8 @@ fn bisection_on_the_models_count_finds_the_kth_photon() {
             assert!(kth.count >= k && kth.gathers <= max.ilog2() + 2);
             let step = map.radius() / f64::from(max).sqrt();
             let radius = (kth.radius_sq as f64).sqrt() * step;
-            // Where the floats have only k - 1 in reach, their radius is the reach: as near.
+            // Where fewer than k photons are within the reach in floats, their radius is the reach, which is
+            // as near.
             assert!(
                 (radius - exact.radius).abs() < 3f64.sqrt() * step,
                 "{radius} {exact:?}"
@@ -258,7 +259,7 @@ fn ladder_error_over_noise(bench: &ErrorBench, machine: &str, ladder: &Ladder) -
                 near.ladder(map.radius(), ladder).unwrap().irradiance,
             ));
         }
-        // Photons in range are not the matter here; a study wants one.
+        // The study needs a photon in range, which does not matter here.
         let mut one = Misclassified::default();
         one.push(true, true);
         study.push_map(&integers, &floats, one).unwrap();

@@ -1,5 +1,5 @@
-//! The whole chain against an independent renderer: the built-in scene, photon-mapped through
-//! the golden model, beside Mitsuba's path-traced image of it.
+//! Compares the whole chain with an independent renderer: the built-in scene, photon-mapped by the golden
+//! model, beside Mitsuba's path-traced image of it.
 
 use std::path::Path;
 
@@ -28,7 +28,7 @@ fn rendered(scene: &Scene, map: &PhotonMap, engine: Engine<'_>, side: u32) -> Re
     render(scene, map, engine, &options, &|_| ()).unwrap()
 }
 
-/// 128 x 128 pixels of 8,192 paths, by Mitsuba 3.9.1.
+/// The reference image: 128 x 128 pixels of 8,192 paths, by Mitsuba 3.9.1.
 fn reference() -> Image {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     Image::read_exr(&root.join("../../docs/reference/cornell.exr")).unwrap()
@@ -75,7 +75,7 @@ fn the_format_error_is_small_and_falls_with_the_step() {
     assert!(finer < paper / 3.0, "{finer} {paper}");
 }
 
-/// The picture of some passes, with shadow rays and over the covered area.
+/// The picture of `passes` passes, with shadow rays and over the covered area.
 fn progressive(engine: Engine<'_>, passes: u64) -> (Image, ErrorEstimate) {
     let scene = Scene::built_in("cornell").unwrap();
     let lighting = Lighting {
@@ -95,8 +95,8 @@ fn progressive(engine: Engine<'_>, passes: u64) -> (Image, ErrorEstimate) {
     (progressive.image(), progressive.error(0.9).unwrap())
 }
 
-/// What the integers cost is less than a tenth of the noise, after as many passes as they are apart from the path tracer
-/// by no more than 2e-3 (measured: 1.4e-3), and nine of ten bounds hold.
+/// The picture in integers differs from the f64 picture by less than a tenth of the noise. Its relMSE against
+/// the path tracer is at most 2e-3 (measured: 1.4e-3), and nine of ten bounds hold.
 #[test]
 fn passes_in_integers_come_as_near_to_the_path_tracer_as_those_of_f64() {
     const PASSES: u64 = 64;

@@ -1,6 +1,5 @@
-//! `fit` on the built-in scenes: what it predicts is what is measured, and what it finds is
-//! smallest. Fewer photons, maps and queries than the command's, to be quick; the properties are
-//! the same.
+//! Tests `fit` on the built-in scenes: its predictions agree with the measurements, and its result is
+//! minimal. For speed it uses fewer photons, maps and queries than the command.
 
 use photoncube_render::{
     BenchOptions, Fit, FitOptions, Scene, SceneFacts, Trial, ViewOptions, fit,
@@ -54,7 +53,7 @@ fn assert_smallest(fit: &Fit, chosen: &Trial) {
     }
 }
 
-/// Coloured walls need three channels; photons are all as strong, so none needs an exponent.
+/// Coloured walls need three channels. All photons have equal power, so none needs an exponent.
 #[test]
 fn the_cornell_box_gets_three_channels_and_no_exponent() {
     let (fit, chosen) = fitted("cornell");
@@ -64,7 +63,7 @@ fn the_cornell_box_gets_three_channels_and_no_exponent() {
     assert_eq!(chosen.format.power.exponent, Exponent::None);
 }
 
-/// Light of one colour and one strength needs no more than a photon's presence: one bit, exactly.
+/// Light of one colour and one power needs only the presence of a photon, exactly one bit.
 #[test]
 fn the_ring_gets_one_channel_of_one_bit() {
     let (fit, chosen) = fitted("ring");
@@ -72,15 +71,15 @@ fn the_ring_gets_one_channel_of_one_bit() {
     assert!(fit.facts.one_colour);
     assert_eq!(chosen.format.power.channels, Channels::Mono);
     assert_eq!(chosen.format.power.mantissa_bits, 1);
-    // Exactly but for the rounding of the colour, a sum.
+    // The error is exactly zero, except for the rounding of the colour, which is a sum.
     assert!(chosen.predicted.power_error_over_noise < SceneFacts::COLOUR_TOLERANCE);
-    // A caustic is where even light's law falls short.
+    // On a caustic the law for even light is too small.
     assert!(
         chosen.predicted.position_error_over_noise > 1.2 * chosen.predicted.law_error_over_noise
     );
 }
 
-/// Powers of 2,000,000 to 1 in blocks that hold both: every photon has its own exponent.
+/// Powers of 2,000,000 to 1 occur in one block, so every photon has its own exponent.
 #[test]
 fn the_two_rooms_get_an_exponent_for_each_photon() {
     let (fit, chosen) = fitted("range");
@@ -90,7 +89,7 @@ fn the_two_rooms_get_an_exponent_for_each_photon() {
     assert!(matches!(exponent, Exponent::Photon { .. }), "{exponent:?}");
 }
 
-/// Small, so that it runs twice.
+/// A small fit, which runs twice.
 fn small(noise_ratio: f64) -> Fit {
     let options = options();
     let options = FitOptions {
@@ -124,7 +123,7 @@ fn threads_do_not_matter() {
 fn a_loose_bound_takes_the_least_there_is_and_a_tight_one_nothing() {
     let loose = small(1e6);
     let format = loose.chosen.unwrap().format;
-    // Three channels all the same: one would be other colours.
+    // It has three channels nevertheless, because one channel would give other colours.
     assert_eq!(format.name(), "local4-rgb1-n131072");
     let less: Vec<_> = loose.removals.iter().map(|removal| removal.less).collect();
     assert_eq!(less, ["two channels"]);

@@ -1,4 +1,4 @@
-//! Meshes and diffuse curved surfaces: that they look and keep energy as they must, however many triangles.
+//! Tests of meshes and diffuse curved surfaces: their appearance and their energy, also with many triangles.
 
 #[path = "../examples/knot_mesh.rs"]
 mod knot_mesh;
@@ -21,7 +21,7 @@ const VIEW: ViewOptions = ViewOptions {
     seed: 1,
 };
 
-/// An inward box that emits a radiance of `emission` from its ceiling, with `shapes` inside.
+/// A box with its fronts inside, whose ceiling emits a radiance of `emission`, with `shapes` in it.
 fn scene(shapes: &str, folder: &std::path::Path) -> Scene {
     let text = format!(
         r#"
@@ -115,7 +115,7 @@ fn squares(rendering: &Rendering) -> Vec<f64> {
     (0..row * row / 64).map(square).collect()
 }
 
-/// Pictures of the analytic ball and of the tessellated one, square by square.
+/// The largest difference between pictures of the analytic and the tessellated ball, square by square.
 fn compared(material: &str, bands: usize) -> f64 {
     let folder = folder_with("ball.obj", &ball_obj(bands));
     let [analytic, mesh] = [BALL, TESSELLATED].map(|kind| {

@@ -1,4 +1,4 @@
-//! The built-in scenes: that each can be rendered, and that each is the case it stands for.
+//! Tests that each built-in scene can be rendered, and that each has the property for which it exists.
 
 #[path = "../examples/ring_scene.rs"]
 mod ring_scene;
@@ -47,7 +47,7 @@ impl Traced {
         &self.scene.surfaces()[photon.surface as usize].shape
     }
 
-    /// For the scene `range`: the dim room's surfaces and its side of the partition.
+    /// For the scene `range`: whether the photon is on the dim room's surfaces or its side of the partition.
     fn in_dim_room(&self, photon: &Photon) -> bool {
         let faces_right = || {
             let surface = &self.scene.surfaces()[photon.surface as usize];
@@ -91,7 +91,7 @@ fn glass_makes_a_caustic() {
     assert!(*flux > 5.0 * mean, "{}", flux / mean);
 }
 
-/// Luminances of the pixels that are not black, rising.
+/// The luminances of the pixels that are not black, in ascending order.
 fn luminances(rendering: &Rendering) -> Vec<f64> {
     let pixels = rendering.image.pixels().iter().map(|p| p.element_sum());
     let mut seen: Vec<f64> = pixels.filter(|l| *l > 0.0).collect();
@@ -103,7 +103,7 @@ fn strongest(photon: &Photon) -> f64 {
     photon.power.max_element()
 }
 
-/// The largest over the smallest of the photons' strongest channels.
+/// The ratio of the largest and the smallest power of photons, by their strongest channels.
 fn power_ratio<'a>(photons: impl IntoIterator<Item = &'a Photon>) -> f64 {
     let start = (f64::INFINITY, 0.0f64);
     let (low, high) = photons
@@ -139,7 +139,7 @@ fn the_ring_is_what_its_generator_writes() {
     );
 }
 
-/// One colour of light and no power but one: only the density of photons makes the picture.
+/// All photons have one colour and one power, so only their density makes the picture.
 #[test]
 fn the_rings_photons_are_equal_and_none_is_on_a_mirror() {
     let ring = Traced::new("ring");
@@ -182,12 +182,12 @@ fn range_spans_two_million_in_power_and_as_much_in_the_picture() {
     let seen = luminances(&range.rendered());
     let radiances = seen[seen.len() - 1 - seen.len() / 100] / seen[seen.len() / 100];
     println!("powers {ratio}, radiances (1st to 99th percentile) {radiances}");
-    // The lamps' fluxes: 32e6 times the radiance from a sixteenth of the area.
+    // The ratio of the lamps' fluxes: 32e6 times the radiance from a sixteenth of the area.
     assert!((ratio / 2e6 - 1.0).abs() < 1e-9, "{ratio}");
     assert!(radiances > 1e6, "{radiances}");
 }
 
-/// The photons that share a key.
+/// Groups photons by a key.
 fn grouped<K: Eq + std::hash::Hash>(
     photons: &[Photon],
     key: impl Fn(&Photon) -> K,
@@ -233,8 +233,8 @@ fn ranges_dim_room_gets_dim_light_only() {
     assert!((ratio - 1.0).abs() < 1e-9, "{ratio}");
 }
 
-/// The choice of lights moves photons from place to place, not light: the bright room gets as
-/// much by either, but by flux no photon comes to the dim room at all.
+/// The choice of lights moves photons and not light: the bright room gets equal light with either choice, but
+/// by flux no photon reaches the dim room.
 #[test]
 fn the_choice_of_lights_does_not_change_the_light() {
     let text = include_str!("../scenes/range.json");

@@ -1,5 +1,5 @@
-//! The examples of the scene format, docs/scenes/*.toml: that each is read and rendered, and that the
-//! description names each.
+//! Tests the examples of the scene format, docs/scenes/*.toml: each is read and rendered, and the description
+//! names each.
 
 #[path = "../examples/knot_mesh.rs"]
 mod knot_mesh;
@@ -32,7 +32,7 @@ fn scene(name: &str) -> Scene {
     Scene::from_file(&folder().join(name)).unwrap()
 }
 
-/// What a command must not write over.
+/// A command must not overwrite the files of its scene.
 #[test]
 fn a_scene_knows_the_files_that_it_was_read_from() {
     let files = |name: &str| scene(name).files().to_vec();
@@ -117,7 +117,7 @@ fn the_knot_is_what_its_generator_writes() {
     }
 }
 
-/// The one scene in both forms: surface by surface the same, up to the single precision of the JSON.
+/// The scene in TOML and in JSON: all surfaces are equal, up to the single precision of the JSON.
 #[test]
 fn the_spheres_are_those_of_the_json() {
     let [toml, json] = ["spheres.toml", "spheres.json"].map(scene);

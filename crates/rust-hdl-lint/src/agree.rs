@@ -1,26 +1,27 @@
-//! How many bits of an expression are the same in Rust and in Verilog.
+//! Computes how many low bits of an expression are equal in Rust and in Verilog.
 //!
-//! `+ - * & | ^ ~ <<` carry information upwards only: if the operands agree in their low `k`
-//! bits, so does the result. Everything else (`>>`, comparisons, reductions, the upper bits of a
-//! cast) needs operands that agree in every bit at the width at which Verilog evaluates them.
+//! In `+ - * & | ^ ~ <<` information moves upwards only: if the operands agree in their low `k` bits, so does
+//! the result. All other operators (`>>`, comparisons, reductions, the upper bits of a cast) need operands
+//! that agree in every bit at the width at which Verilog evaluates them.
 
 use super::compare::{agree_compare, check_signed_cast, check_widths};
 use super::node::{FACTOR_WIDTH, Leaf, Node, Operator, PRODUCT_WIDTH};
 use super::rule::Rule;
 
-/// What surrounds an expression in Verilog.
+/// The context of an expression in Verilog.
 #[derive(Clone, Copy)]
 pub(super) struct Context {
-    /// The width at which it is evaluated.
+    /// The width at which Verilog evaluates the expression.
     pub(super) width: usize,
-    /// Whether it is evaluated as signed: every operand of the whole expression is.
+    /// Whether Verilog evaluates the expression as signed, which requires that every operand of the whole
+    /// expression is signed.
     pub(super) signed: bool,
-    /// The width in Rust, for an expression that does not know its own.
+    /// The width in Rust, for an expression that does not know its own width.
     pub(super) wanted: Option<usize>,
 }
 
 impl Context {
-    /// An expression that nothing around it widens.
+    /// The context of an expression that nothing around it widens.
     pub(super) fn alone(node: &Node) -> Self {
         Context {
             width: node.verilog_width(),
@@ -33,14 +34,15 @@ impl Context {
         Context { wanted, ..self }
     }
 
-    /// The bits that an operator of this Rust width computes right: all, if nothing widens it.
+    /// The number of bits that an operator of this Rust width computes correctly: all bits, if nothing widens
+    /// it.
     fn cap(self, width: Option<usize>) -> usize {
         width.or(self.wanted).unwrap_or(self.width).min(self.width)
     }
 }
 
-/// The low bits in which the value agrees with the Rust value, extended to the context's width
-/// by the sign of its Rust type.
+/// The number of low bits in which the Verilog value agrees with the Rust value, after the Rust value is
+/// extended to the context's width by the sign of its type.
 pub(super) fn agree(node: &Node, context: Context) -> Result<usize, Rule> {
     let width = context.width;
     match node {
@@ -68,7 +70,7 @@ fn agree_leaf(leaf: &Leaf, context: Context) -> usize {
     }
 }
 
-/// Whether every bit agrees, and none of the Rust value is cut off.
+/// Whether every bit agrees, and no bit of the Rust value is lost.
 pub(super) fn is_exact(node: &Node, context: Context) -> Result<bool, Rule> {
     let whole = node
         .rust_type()
@@ -78,12 +80,12 @@ pub(super) fn is_exact(node: &Node, context: Context) -> Result<bool, Rule> {
     Ok(agree(node, context)? == context.width && whole)
 }
 
-/// The same for an argument that is evaluated at its own width.
+/// Whether every bit of an argument agrees that Verilog evaluates at the argument's own width.
 fn is_exact_alone(node: &Node) -> Result<bool, Rule> {
     is_exact(node, Context::alone(node))
 }
 
-/// Demands `holds`; a failure that a product causes goes under the rule for products.
+/// Returns an error unless `holds`. A failure caused by a product is reported under the rule for products.
 pub(super) fn demand(holds: bool, node: &Node, rule: Rule) -> Result<(), Rule> {
     match (holds, node.has_product()) {
         (true, _) => Ok(()),
@@ -139,7 +141,7 @@ fn agree_unsigned(inner: &Node, context: Context) -> Result<usize, Rule> {
     demand(is_exact_alone(inner)?, inner, Rule::CastOfExpression)?;
     match inner.rust_type().width {
         Some(_) => Ok(context.width),
-        // A signed cast to an unknown width, which Verilog goes on to extend with zeros.
+        // A signed cast to an unknown width, which Verilog then extends with zeros.
         None => Ok(inner.verilog_width().min(context.width)),
     }
 }
@@ -184,7 +186,7 @@ fn agree_binary(
     }
 }
 
-/// `+ - & | ^`.
+/// Agreement of the operators `+ - & | ^`.
 fn agree_ring(
     left: &Node,
     operator: Operator,
@@ -207,7 +209,7 @@ fn agree_ring(
     if !operator.is_bitwise() {
         return Ok(low.min(context.cap(own)));
     }
-    // Zeros above an exact side of `&` hide whatever is above the other.
+    // Where one side of `&` is exact, the zeros above it mask the upper bits of the other side.
     let hidden = operator == Operator::And
         && !is_signed(left, right)
         && low_left.max(low_right) == context.width
@@ -276,7 +278,7 @@ pub(super) fn check_assignment(width: usize, value: &Node) -> Result<(), Rule> {
     }
 }
 
-/// Checks an expression that stands alone: a condition, or what a `case` selects on.
+/// Checks an expression that is not assigned: a condition, or the selector of a `case`.
 pub(super) fn check_alone(node: &Node) -> Result<(), Rule> {
     demand(is_exact_alone(node)?, node, Rule::CompareOfExpression)
 }

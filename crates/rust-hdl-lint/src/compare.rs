@@ -1,11 +1,11 @@
-//! Comparisons, and what operands side by side demand of each other.
+//! Checks comparisons, and the widths of the operands of one operator.
 
 use super::agree::{Context, demand, is_exact, is_signed};
 use super::node::{Node, Operator};
 use super::rule::Rule;
 
-/// Whether a comparison gives the same answer; its operands are evaluated at the width of the
-/// wider one, whatever is around it.
+/// Checks that a comparison gives the same result in Rust and Verilog. Verilog evaluates its operands at the
+/// width of the wider one, whatever the context.
 pub(super) fn agree_compare(left: &Node, operator: Operator, right: &Node) -> Result<(), Rule> {
     let unguarded =
         |side: &Node| matches!(side, Node::Binary(_, operator, _) if operator.is_bitwise());
@@ -42,7 +42,8 @@ pub(super) fn agree_compare(left: &Node, operator: Operator, right: &Node) -> Re
     Ok(())
 }
 
-/// A signed signal and a number below its sign bit: their equality needs no sign.
+/// Whether the operands are a signed signal and a number below its sign bit. Their equality does not depend
+/// on the sign.
 fn is_small(signal: &Node, number: &Node) -> bool {
     match (signal.bare(), number.bare()) {
         (Node::Leaf(leaf), Node::Int(int)) => leaf.signed && int.fits(leaf.width - 1),
@@ -50,7 +51,8 @@ fn is_small(signal: &Node, number: &Node) -> bool {
     }
 }
 
-/// A signed cast to an unknown width is right only if that width shows and is not narrower.
+/// Checks a signed cast. A cast to an unknown width is correct only if the context gives the width and does
+/// not narrow.
 pub(super) fn check_signed_cast(node: &Node, wanted: Option<usize>) -> Result<(), Rule> {
     let Node::Signed(inner) = node.bare() else {
         return Ok(());
@@ -66,7 +68,7 @@ pub(super) fn check_signed_cast(node: &Node, wanted: Option<usize>) -> Result<()
     }
 }
 
-/// Two operands of known width have one width; a literal fits it.
+/// Checks that two operands of known width have one width, and that a literal fits it.
 pub(super) fn check_widths(left: &Node, right: &Node, with_bool: bool) -> Result<(), Rule> {
     for (number, other) in [(left, right), (right, left)] {
         if let (Node::Int(int), Some(width)) = (number.bare(), other.rust_type().width)

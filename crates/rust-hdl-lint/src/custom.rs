@@ -1,4 +1,4 @@
-//! Blocks whose Verilog is text: listed, and checked as far as text allows.
+//! Lists blocks whose Verilog is text, and checks the text as far as possible.
 
 use std::collections::BTreeSet;
 
@@ -9,10 +9,10 @@ use super::finding::{Fault, Findings};
 use super::keyword::is_keyword;
 use super::rule::Rule;
 
-/// How a block came by text of its own.
+/// The form in which a block supplies its own Verilog text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OpaqueKind {
-    /// The text of rust-hdl's `DFF`, whatever its initial value.
+    /// The text of rust-hdl's `DFF`, with any initial value.
     Register,
     /// Any other `Verilog::Custom`.
     Custom,
@@ -22,14 +22,14 @@ pub enum OpaqueKind {
     Blackbox,
 }
 
-/// A block that no lint can prove.
+/// A block that the lint cannot prove.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Opaque {
-    /// The block: the name of its module in the emitted text.
+    /// The name of the block's module in the emitted text.
     pub path: String,
-    /// How it came by its text.
+    /// The form in which the block supplies its text.
     pub kind: OpaqueKind,
-    /// The text, with every run of white space as one blank.
+    /// The text, with every run of white space replaced by one blank.
     pub text: String,
 }
 
@@ -64,7 +64,7 @@ fn is_register(text: &str) -> bool {
         })
 }
 
-/// Checks what can be seen in text: names that nothing declares, memories that start unknown.
+/// Checks the properties that text shows: names without a declaration, memories without initial values.
 pub(super) fn check(module: &Module, text: &str, findings: &mut Findings) {
     let tokens = tokens(text);
     for name in undeclared(module, &tokens) {
@@ -83,7 +83,7 @@ pub(super) fn check(module: &Module, text: &str, findings: &mut Findings) {
     }
 }
 
-/// The words and signs of the text, without comments, strings, attributes and numbers' bases.
+/// The words and signs of the text, without comments, strings, attributes and the bases of numbers.
 fn tokens(text: &str) -> Vec<String> {
     let mut tokens = Vec::new();
     let mut rest = text;
@@ -102,7 +102,7 @@ fn tokens(text: &str) -> Vec<String> {
     tokens
 }
 
-/// The length of what starts here and says nothing.
+/// The length of the comment, string or attribute that starts here; 0 if none does.
 fn skipped(text: &str) -> usize {
     const PAIRS: [(&str, &str); 4] = [("//", "\n"), ("/*", "*/"), ("\"", "\""), ("(* ", "*)")];
     for (open, close) in PAIRS {
@@ -122,8 +122,8 @@ fn is_identifier(token: &str) -> bool {
         && !is_keyword(token)
 }
 
-/// The identifiers that neither the module nor the text declares. Text with modules, functions or
-/// instances of its own is left alone.
+/// The identifiers that neither the module nor the text declares. Text with modules, functions or instances
+/// of its own is not checked.
 fn undeclared(module: &Module, tokens: &[String]) -> BTreeSet<String> {
     let instance = tokens
         .windows(2)
@@ -176,7 +176,7 @@ fn declared(tokens: &[String]) -> BTreeSet<&str> {
 /// A `reg [7:0] mem [0:255];`.
 struct Memory {
     name: String,
-    /// The number of words, if it stands there in figures.
+    /// The number of words, if the text gives it in digits.
     words: Option<usize>,
 }
 

@@ -1,4 +1,4 @@
-//! The modules of a design with the names that each declares, as rust-hdl's printer sees them.
+//! The modules of a design with the names that each declares, as rust-hdl's printer declares them.
 
 use std::collections::BTreeMap;
 
@@ -8,27 +8,27 @@ use super::finding::{Finding, Findings};
 use super::keyword::is_usable_name;
 use super::rule::Rule;
 
-/// What a declared name is to its module.
+/// The role of a declared name in its module.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Role {
-    /// An input, or a wire that a child drives: what can wake an `always @(*)`.
+    /// An input, or a wire that a child drives. Its change can trigger an `always @(*)`.
     Outside,
-    /// An output, a local, or a child's input: what the module itself drives.
+    /// An output, a local, or a child's input, which the module itself drives.
     Driven,
     Constant,
     Variant,
 }
 
-/// A declared name.
+/// A declared name with its widths and value.
 #[derive(Clone, Debug)]
 pub(super) struct Symbol {
     pub(super) role: Role,
     /// The width in Rust.
     pub(super) width: usize,
-    /// The width as declared in Verilog.
+    /// The width in the Verilog declaration.
     pub(super) declared: usize,
     pub(super) kind: TypeKind,
-    /// The value, of a constant or a variant.
+    /// The value of a constant or of an enum variant.
     pub(super) value: Option<u128>,
 }
 
@@ -38,25 +38,25 @@ impl Symbol {
     }
 }
 
-/// A block, which becomes a module.
+/// A block, which rust-hdl prints as a module.
 pub(super) struct Module {
     pub(super) path: String,
     pub(super) hdl: Verilog,
-    /// Every name that can stand in the module's text.
+    /// Every name that the module's text may use.
     pub(super) symbols: BTreeMap<String, Symbol>,
     /// The names of the block's own atoms and children.
     own: Vec<String>,
 }
 
 impl Module {
-    /// The names that the block gives must be names in Verilog too.
+    /// Checks that the block's names are legal names in Verilog.
     pub(super) fn check_names(&self, findings: &mut Findings) {
         for name in self.own.iter().filter(|name| !is_usable_name(name)) {
             findings.add(Rule::KeywordName, &format!("field {name}"));
         }
     }
 
-    /// A block without text must have nothing to drive.
+    /// Checks that a block without text has no signal to drive.
     pub(super) fn check_empty(&self, findings: &mut Findings) {
         let driven = |name: &&String| {
             self.symbols
@@ -69,14 +69,14 @@ impl Module {
     }
 }
 
-/// All modules of a design, parents before children.
+/// Lists all modules of a design, parents before children.
 pub(super) fn modules(top: &dyn Block) -> Vec<Module> {
     let mut collector = Collector::default();
     top.accept("top", &mut collector);
     collector.modules
 }
 
-/// Core texts that the printer would emit more than once.
+/// Finds the texts of cores that the printer would emit more than once.
 pub(super) fn repeated_cores(modules: &[Module]) -> Vec<Finding> {
     let mut owners: BTreeMap<&str, &str> = BTreeMap::new();
     let mut list = Vec::new();
@@ -101,11 +101,11 @@ pub(super) fn repeated_cores(modules: &[Module]) -> Vec<Finding> {
     list
 }
 
-/// Walks the tree as rust-hdl's own `ModuleDefines` does, and gives the same names.
+/// A visitor that walks the tree as rust-hdl's own `ModuleDefines` does, and makes the names that it makes.
 #[derive(Default)]
 struct Collector {
     modules: Vec<Module>,
-    /// The open scopes: an index into `modules` and the name.
+    /// The open scopes: an index into `modules` and the scope's name.
     open: Vec<(usize, String)>,
     namespace: Vec<String>,
 }
@@ -205,7 +205,7 @@ fn symbol(signal: &dyn Atom, role: Role) -> Symbol {
     }
 }
 
-/// The printer declares the variants of an enum in the block that holds it and in its parent, as
+/// Declares the variants of an enum, as the printer does: in the block that holds it and in its parent, as
 /// plain (32-bit) numbers.
 fn declare_variants(symbols: &mut BTreeMap<String, Symbol>, kind: &TypeKind, width: usize) {
     match kind {
@@ -230,7 +230,7 @@ fn declare_variants(symbols: &mut BTreeMap<String, Symbol>, kind: &TypeKind, wid
     }
 }
 
-/// The width of a type, from its description.
+/// The width of a type in bits, from its description.
 fn type_width(kind: &TypeKind) -> usize {
     match kind {
         TypeKind::Bits(width) | TypeKind::Signed(width) => *width,
@@ -239,10 +239,10 @@ fn type_width(kind: &TypeKind) -> usize {
     }
 }
 
-/// A literal as it is printed; its fields are private in rust-hdl.
+/// A literal as the printer prints it. Its fields are private in rust-hdl.
 pub(super) struct Literal {
     pub(super) bits: usize,
-    /// The value, if it is not negative and fits.
+    /// The value, if it is not negative and fits `u128`.
     pub(super) value: Option<u128>,
 }
 

@@ -1,21 +1,21 @@
-//! What the lint reports.
+//! The findings of the lint.
 
 use std::fmt;
 
 use super::rule::Rule;
 
-/// One place where the emitted Verilog may differ from the simulation.
+/// A place where the emitted Verilog may differ from the simulation.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Finding {
-    /// The block: the name of its module in the emitted text, such as `top$cell$3`.
+    /// The name of the block's module in the emitted text, such as `top$cell$3`.
     pub path: String,
-    /// The rule that it breaks.
+    /// The rule that the statement breaks.
     pub rule: Rule,
-    /// The statement, near to how Verilog has it; loop variables are not yet replaced.
+    /// The statement in a form close to Verilog, with loop variables in place of their values.
     pub statement: String,
-    /// The name, index or pattern in question, where the rule is about one.
+    /// The name, index or pattern that breaks the rule, where the rule is about one.
     pub detail: Option<String>,
-    /// What to write instead.
+    /// A suggestion of the code to write instead.
     pub advice: &'static str,
 }
 
@@ -41,7 +41,7 @@ impl fmt::Display for Finding {
     }
 }
 
-/// A broken rule, before it is known which statement broke it.
+/// A broken rule, before the statement that breaks it is known.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Fault {
     pub(super) rule: Rule,
@@ -63,7 +63,7 @@ impl From<Rule> for Fault {
     }
 }
 
-/// The findings of one block.
+/// Collects the findings of one block.
 pub(super) struct Findings {
     path: String,
     list: Vec<Finding>,
@@ -77,7 +77,7 @@ impl Findings {
         }
     }
 
-    /// Adds a finding, once for each statement and rule: a loop visits a statement many times.
+    /// Adds a finding, once for each statement and rule, because a loop visits a statement many times.
     pub(super) fn add(&mut self, fault: impl Into<Fault>, statement: &str) {
         let Fault { rule, detail } = fault.into();
         if self

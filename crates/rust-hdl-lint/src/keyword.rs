@@ -1,9 +1,9 @@
-//! Words that cannot name anything in Verilog.
+//! The keywords of Verilog and SystemVerilog, which cannot be names.
 
 use std::collections::HashSet;
 use std::sync::LazyLock;
 
-/// The keywords of IEEE 1364-2005, and below them those that 1800-2012 adds.
+/// The keywords of IEEE 1364-2005, then those that 1800-2012 adds.
 const KEYWORDS: &str = "
 always and assign automatic begin buf bufif0 bufif1 case casex casez cell cmos config deassign
 default defparam design disable edge else end endcase endconfig endfunction endgenerate endmodule
@@ -29,13 +29,13 @@ throughout timeprecision timeunit type typedef union unique unique0 until until_
 virtual void wait_order weak wildcard with within
 ";
 
-/// Whether `word` is a keyword of Verilog or SystemVerilog. Every word of every name is asked about.
+/// Whether `word` is a keyword of Verilog or SystemVerilog. The lint calls it for every word of every name.
 pub(super) fn is_keyword(word: &str) -> bool {
     static WORDS: LazyLock<HashSet<&str>> = LazyLock::new(|| KEYWORDS.split_whitespace().collect());
     WORDS.contains(word)
 }
 
-/// Whether `word` can name a signal: a simple identifier that is no keyword.
+/// Whether `word` can be a signal's name: a simple identifier that is not a keyword.
 pub(super) fn is_usable_name(word: &str) -> bool {
     let starts = word.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_');
     let goes_on = word

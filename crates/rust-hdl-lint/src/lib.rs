@@ -2,13 +2,15 @@
 //!
 //! # How it compares
 //!
-//! For each assignment, condition and `case` the lint computes two widths and two signs: what Rust gave the expression,
-//! and what Verilog gives it (IEEE 1364-2001, tables 5-22 and 5-23: an operand is evaluated at the width of its
-//! context). It accepts the statement only if it can show that every bit that is used is equal in both. A statement
-//! for which it can show that, but which is no three-address code, is reported as [`Rule::SeveralOperators`].
+//! For each assignment, condition and `case` the lint computes two widths and two signs: those of the Rust
+//! expression, and those of the Verilog expression (IEEE 1364-2001, tables 5-22 and 5-23: an operand is
+//! evaluated at the width of its context). It accepts the statement only if it can show that every bit that
+//! is used is equal in both. It reports every other statement. It also reports, as
+//! [`Rule::SeveralOperators`], a statement that agrees but is not three-address code.
 //!
-//! Text that a block writes by hand (`Verilog::Custom` and the like) is opaque to this proof: only names and memories
-//! without initial values are checked in it, and [`opaque_blocks`] lists it.
+//! Text that a block writes by hand (`Verilog::Custom` and the like) is opaque to this proof.
+//! [`opaque_blocks`] lists these texts, so that a caller can compare the list with a list of trusted texts.
+//! In opaque text the lint checks only names, and memories without initial values.
 
 mod agree;
 mod compare;
@@ -33,11 +35,10 @@ use rust_hdl::prelude::{Block, Verilog};
 use design::Module;
 use finding::Findings;
 
-/// Every place in `top` and the blocks in it where the emitted Verilog may differ from the Rust simulation.
+/// Lists every place in `top` and the blocks in it where the emitted Verilog may differ from the Rust simulation.
 ///
-/// Paths start with `top`, as in the text of `generate_verilog`. An empty answer means that every
-/// generated statement was shown to agree; it says nothing of the blocks that
-/// [`opaque_blocks`] lists.
+/// Paths start with `top`, as in the text of `generate_verilog`. An empty list means that every generated
+/// statement was shown to agree. It does not cover the blocks that [`opaque_blocks`] lists.
 pub fn lint(top: &dyn Block) -> Vec<Finding> {
     let modules = design::modules(top);
     let mut findings = design::repeated_cores(&modules);
@@ -47,10 +48,10 @@ pub fn lint(top: &dyn Block) -> Vec<Finding> {
     findings
 }
 
-/// The blocks below `top` whose Verilog is text written by hand, which no lint can prove.
+/// Lists the blocks below `top` whose Verilog is written by hand, which the lint cannot prove.
 ///
-/// Hold the answer against a list of trusted texts: a register of the library is recognised by
-/// its whole text ([`OpaqueKind::Register`]), so only what is left needs a decision.
+/// Compare the result with a list of trusted texts. A register of the rust-hdl library is recognised by its
+/// whole text ([`OpaqueKind::Register`]), so only the remaining blocks need a review.
 pub fn opaque_blocks(top: &dyn Block) -> Vec<Opaque> {
     design::modules(top)
         .into_iter()

@@ -1,4 +1,4 @@
-//! From rust-hdl's tree to [`Node`]: names are resolved, constants folded, slices checked.
+//! Lowers rust-hdl's tree to [`Node`]: resolves names, folds constants, checks slices.
 
 use rust_hdl::prelude::ast::{VerilogExpression, VerilogLiteral, VerilogOp, VerilogOpUnary};
 
@@ -8,16 +8,16 @@ use super::name::{self, Loops};
 use super::node::{Int, Leaf, Node, Operator};
 use super::rule::Rule;
 
-/// A module, and the loops around the present statement.
+/// A module, with the loops around the current statement.
 pub(super) struct Frame<'a> {
     pub(super) module: &'a Module,
     pub(super) loops: Loops,
-    /// Whether anything was read that can change without this block.
+    /// Whether the block has read a signal that can change without it.
     pub(super) reads_outside: bool,
 }
 
 impl Frame<'_> {
-    /// The symbol of a path, or what is wrong with the path.
+    /// The symbol of a path, or the error in the path.
     pub(super) fn symbol(&self, raw: &str) -> Result<&Symbol, Fault> {
         let name = name::printed(raw, &self.loops)?;
         self.module.symbols.get(&name).ok_or_else(|| {
@@ -63,7 +63,7 @@ impl Frame<'_> {
         let found = self
             .symbol(path)
             .map(|symbol| (symbol.role, node_of(symbol)));
-        // What an unknown name would have read is not known either.
+        // An unknown name may be a signal from outside, so it counts as one.
         self.reads_outside |= !matches!(found, Ok((role, _)) if role != Role::Outside);
         found.map(|(_, node)| node)
     }
@@ -135,24 +135,24 @@ impl Frame<'_> {
     }
 }
 
-/// What Rust does with a variable index past the end.
+/// The behaviour of Rust for a variable index past the end.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Past {
-    /// It panics, so that a simulation tells.
+    /// Rust panics, so that a simulation shows the error.
     Panics,
-    /// It reads 0.
+    /// Rust reads 0.
     ReadsZero,
 }
 
-/// The place of a slice.
+/// The position of a slice.
 enum Index {
     At(usize),
-    /// A signal of so many bits.
+    /// A signal of that many bits.
     Below(usize),
 }
 
 impl Index {
-    /// The first bit that is certainly not read, as far as the lint must care.
+    /// The first bit that is certainly not read, as far as the lint needs it.
     fn past_end(&self, width: usize, past: Past) -> usize {
         match (self, past) {
             (Index::At(first), _) => first.saturating_add(width),
@@ -206,7 +206,7 @@ fn unary(operator: &VerilogOpUnary, inner: Box<Node>) -> Node {
     }
 }
 
-/// Folds arithmetic of loop variables, which is 32 bits wide in Verilog and does not wrap.
+/// Folds arithmetic on loop variables, which is 32 bits wide in Verilog and does not wrap.
 fn binary(left: Box<Node>, operator: Operator, right: Box<Node>) -> Node {
     let known = |node: &Node| match node.bare() {
         Node::Int(int) => int.value,

@@ -1,15 +1,15 @@
 //! Names as rust-hdl prints them.
 //!
-//! A path is kept as text, `cell[i]$n$next`. The printer cuts `$next`, and replaces the first
-//! `[..]` by `$` and the value that its own expression evaluator finds.
+//! A path is kept as text, `cell[i]$n$next`. The printer removes `$next`, and replaces the first `[..]` by
+//! `$` and the value that its own expression evaluator computes.
 
 use super::finding::Fault;
 use super::rule::Rule;
 
-/// The loops around a statement: variable and present value.
+/// The loops around a statement: each loop's variable and current value.
 pub(super) type Loops = Vec<(String, usize)>;
 
-/// The value of a loop variable; the innermost loop of that name counts.
+/// The value of a loop variable. Where loops share a name, the innermost counts.
 pub(super) fn loop_value(loops: &Loops, name: &str) -> Option<usize> {
     loops
         .iter()
@@ -18,7 +18,7 @@ pub(super) fn loop_value(loops: &Loops, name: &str) -> Option<usize> {
         .map(|(_, value)| *value)
 }
 
-/// The path without the marks of rust-hdl, for a reader.
+/// The path in readable form, without rust-hdl's marks.
 pub(super) fn readable(raw: &str) -> String {
     let name = raw
         .trim_start_matches('.')
@@ -43,14 +43,14 @@ pub(super) fn printed(raw: &str, loops: &Loops) -> Result<String, Fault> {
     Ok(format!("{base}${value}{rest}"))
 }
 
-/// The value of an index, if Rust and the printer's evaluator agree on it.
+/// The value of an index; `None` unless Rust and the printer's evaluator agree on it.
 fn evaluate(index: &str, loops: &Loops) -> Option<i64> {
     let mut reader = Reader { rest: index, loops };
     let value = reader.sum()?;
     reader.rest.is_empty().then_some(value)
 }
 
-/// A recursive descent over the operators that mean the same to both.
+/// A recursive descent over the operators that have one meaning in both.
 struct Reader<'a> {
     rest: &'a str,
     loops: &'a Loops,

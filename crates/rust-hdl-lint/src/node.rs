@@ -1,4 +1,4 @@
-//! Expressions with their names resolved, and the width and sign that each language gives them.
+//! Expressions with resolved names, and with the width and sign that each language gives them.
 
 /// An expression as printed, with loop variables replaced and slices checked.
 #[derive(Clone, Debug)]
@@ -14,7 +14,7 @@ pub(super) enum Node {
     Paren(Box<Node>),
     Not(Box<Node>),
     Neg(Box<Node>),
-    /// A reduction; `true` for `&`.
+    /// A reduction; the flag is `true` for `&`.
     Reduce(bool, Box<Node>),
     /// `replace_bit`: the word and the new bit.
     Replace(Box<Node>, Box<Node>),
@@ -26,26 +26,26 @@ pub(super) enum Node {
 pub(super) struct Leaf {
     /// The width in Rust.
     pub(super) width: usize,
-    /// The width in Verilog; wider for the Constant of an enum.
+    /// The width in Verilog; wider than in Rust for the Constant of an enum.
     pub(super) declared: usize,
-    /// Whether its Rust type is Signed.
+    /// Whether the Rust type is `Signed`.
     pub(super) signed: bool,
-    /// Whether it is signed in Verilog; a slice never is.
+    /// Whether Verilog treats it as signed; a slice is never signed.
     pub(super) declared_signed: bool,
 }
 
-/// A number: it takes the width of what is beside it in Rust.
+/// A number. In Rust it takes the width of the other operand.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Int {
     pub(super) value: Option<u128>,
-    /// The width in Verilog.
+    /// The width in Verilog, in bits.
     pub(super) bits: usize,
-    /// Whether it was written as a literal, so that Rust demands that it fits.
+    /// Whether it was written as a literal, which Rust requires to fit.
     pub(super) literal: bool,
 }
 
 impl Int {
-    /// A loop variable or an enum's variant, printed as a plain decimal number.
+    /// A loop variable or an enum variant, which is printed as a plain decimal number.
     pub(super) fn plain(value: u128) -> Self {
         Int {
             value: Some(value),
@@ -60,7 +60,7 @@ impl Int {
     }
 }
 
-/// A binary operator, by how widths go through it.
+/// A binary operator, classed by its effect on widths.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Operator {
     Add,
@@ -86,8 +86,8 @@ impl Operator {
     }
 }
 
-/// A type in Rust; the width is unknown for numbers and for `signed_bit_cast`, which take the
-/// width of what is beside them.
+/// A Rust type. The width is unknown for numbers and for `signed_bit_cast`, which take the width of the other
+/// operand.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Type {
     pub(super) width: Option<usize>,
@@ -104,15 +104,15 @@ impl Type {
     }
 }
 
-/// The width of `Bits<16> * Bits<16>`, the only product that rust-hdl has.
+/// The width in bits of `Bits<16> * Bits<16>`, the only product that rust-hdl has.
 pub(super) const PRODUCT_WIDTH: usize = 32;
-/// The width of its factors.
+/// The width in bits of the product's factors.
 pub(super) const FACTOR_WIDTH: usize = 16;
-/// The width of `literal << Bits`.
+/// The width in bits of `literal << Bits`.
 const LITERAL_WIDTH: usize = 64;
 
 impl Node {
-    /// The expression without parentheses around it.
+    /// The expression without outer parentheses.
     pub(super) fn bare(&self) -> &Node {
         match self {
             Node::Paren(inner) => inner.bare(),
@@ -162,7 +162,7 @@ impl Node {
         }
     }
 
-    /// Whether Verilog takes the expression, alone, as signed (1364-2001, 5.5.1).
+    /// Whether Verilog treats the expression, on its own, as signed (1364-2001, 5.5.1).
     pub(super) fn verilog_signed(&self) -> bool {
         match self {
             Node::Leaf(leaf) => leaf.declared_signed,
@@ -178,7 +178,7 @@ impl Node {
         }
     }
 
-    /// Whether the value hangs on a product.
+    /// Whether the value depends on a product.
     pub(super) fn has_product(&self) -> bool {
         match self {
             Node::Leaf(_) | Node::Int(_) | Node::Reduce(..) => false,

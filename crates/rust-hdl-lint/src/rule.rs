@@ -1,29 +1,29 @@
-//! The rules, one row each.
+//! The rules of the lint, one row each.
 
-/// Declares [`Rule`] and everything that is read from its table.
+/// Declares [`Rule`] and the functions that read its table.
 macro_rules! rules {
     ($($(#[$doc:meta])+ $rule:ident: $expected:literal; $advice:literal;)+) => {
-        /// What can go wrong between the Rust simulation and the emitted Verilog.
+        /// A kind of difference between the Rust simulation and the emitted Verilog.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
         pub enum Rule {
             $($(#[$doc])+ $rule,)+
         }
 
         impl Rule {
-            /// Every rule, in the order of the table.
+            /// All rules, in the order of the table.
             pub const ALL: &'static [Rule] = &[$(Rule::$rule),+];
 
-            /// The rule's name, as it is written in a report.
+            /// The rule's name in reports.
             pub fn name(self) -> &'static str {
                 match self { $(Rule::$rule => stringify!($rule),)+ }
             }
 
-            /// What the lint wanted to see.
+            /// The form that the lint expects.
             pub fn expected(self) -> &'static str {
                 match self { $(Rule::$rule => $expected,)+ }
             }
 
-            /// How to write it instead.
+            /// A suggestion of the code to write instead.
             pub fn advice(self) -> &'static str {
                 match self { $(Rule::$rule => $advice,)+ }
             }
@@ -38,8 +38,8 @@ rules! {
         "a cast of a signal, or of bits that the operator gets right";
         "assign the operator's result to a Local of its own width and cast that";
 
-    /// `a + 1 == b` prints as it stands; the literal is 32 bits wide and so is the sum (5.4.1),
-    /// which therefore does not wrap as `Bits` does.
+    /// `a + 1 == b` is printed unchanged. The literal is 32 bits wide, and so is the sum (5.4.1), which
+    /// therefore does not wrap as `Bits` does.
     CompareOfExpression:
         "a comparison or a logical operator between signals, Constants and literals";
         "assign the expression to a Local of its own width and compare that";
@@ -109,25 +109,25 @@ rules! {
         "one slice";
         "add the two offsets up, or assign the outer slice to a Local";
 
-    /// An index of a bit or a slice that is an expression is evaluated at its own width.
+    /// An index of a bit or a slice that is an expression. Verilog evaluates it at its own width.
     IndexExpression:
         "an index that is a literal, loop-variable arithmetic or a signal";
         "assign the index to a Local first";
 
-    /// A literal that does not fit is cut in an assignment and never equal in a comparison; the
+    /// A literal that does not fit. It is truncated in an assignment and never equal in a comparison; the
     /// Rust conversion panics.
     LiteralTooWide:
         "a literal that fits the width beside it";
         "correct the literal or the width";
 
-    /// Both sides of an assignment or of an operator have one width in Rust; a hand-written tree
-    /// that breaks it is cut or extended silently (9.2).
+    /// Two sides of an assignment or of an operator with different widths. Rust forces one width; in a
+    /// hand-written tree Verilog silently truncates or extends (9.2).
     WidthMismatch:
         "a target and operands of one width";
         "cast with bit_cast, or correct the hand-written hdl()";
 
-    /// More than one operator in a statement. The widths show that this one agrees, but the next
-    /// change to it may not; the project writes three-address code.
+    /// More than one operator in a statement. The widths show that this statement agrees, but its next change
+    /// may not; the project writes three-address code.
     SeveralOperators:
         "one operator for each assignment";
         "assign the inner operators to Locals of their own width";
@@ -143,8 +143,8 @@ rules! {
         "an initial value for every word of the memory";
         "initialise each word (a loop in an initial block, or $readmemh)";
 
-    /// `self.a[i ^ 1]`: the printer's own evaluator takes `^` for a power and knows only numbers
-    /// and loop variables; other operators panic there.
+    /// `self.a[i ^ 1]`: the printer's own evaluator reads `^` as a power and handles only numbers and loop
+    /// variables; it panics on other operators.
     IndexOperator:
         "an array index of loop variables, numbers and `+ - * / % ( )`";
         "write the index with arithmetic: `i + 1 - 2 * (i % 2)` for `i ^ 1`";
@@ -179,8 +179,8 @@ rules! {
         "field names that are identifiers of Verilog and of SystemVerilog";
         "rename the field";
 
-    /// A pattern is printed as Rust writes it: `0x1F`, `1_000`, `true` and a binding are not
-    /// what they were.
+    /// A pattern is printed as Rust writes it: `0x1F`, `1_000`, `true` and a binding have other meanings in
+    /// Verilog.
     CasePattern:
         "patterns that are decimal or sized numbers, variants of an enum or `_`";
         "write the number in decimal; use if for bool";

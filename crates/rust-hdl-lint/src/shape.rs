@@ -1,8 +1,8 @@
-//! Three-address code: what may stand in one statement.
+//! Three-address code: the forms that a statement may have.
 
 use super::node::{Node, Operator};
 
-/// A signal, a number, a slice, or a cast of these.
+/// Whether the node is a signal, a number, a slice, or a cast of one of these.
 pub(super) fn is_operand(node: &Node) -> bool {
     match node {
         Node::Leaf(_) | Node::Int(_) => true,
@@ -14,8 +14,8 @@ pub(super) fn is_operand(node: &Node) -> bool {
     }
 }
 
-/// One operator over operands, or one of the two forms that may have more: logic of single bits,
-/// and a concatenation.
+/// Whether the node is one operator over operands, or one of the two forms that may have more operators:
+/// logic of single bits, and a concatenation.
 pub(super) fn is_three_address(node: &Node) -> bool {
     is_single(node.bare()) || is_flag(node) || is_concatenation(node)
 }

@@ -1,4 +1,4 @@
-//! Walks a block's statements as the printer does, with its loops unrolled.
+//! Walks a block's statements with its loops unrolled, as the printer does.
 
 use rust_hdl::prelude::ast::{
     VerilogBlockOrConditional, VerilogConditional, VerilogExpression, VerilogLink,
@@ -15,7 +15,7 @@ use super::rule::Rule;
 use super::shape;
 use super::text;
 
-/// Checks the whole of a generated (or hand-written) tree.
+/// Checks all statements of a generated or hand-written tree.
 pub(super) fn check(module: &Module, block: &[VerilogStatement], findings: &mut Findings) {
     let frame = Frame {
         module,
@@ -36,7 +36,7 @@ pub(super) fn check(module: &Module, block: &[VerilogStatement], findings: &mut 
 struct Walker<'a> {
     frame: Frame<'a>,
     findings: &'a mut Findings,
-    /// The first assignment, if there is any.
+    /// The target of the first assignment, if there is one.
     first_target: Option<String>,
 }
 
@@ -105,7 +105,7 @@ impl Walker<'_> {
         self.report(verdict, text);
     }
 
-    /// The symbol that is written.
+    /// The symbol that the assignment writes.
     fn target(&self, target: &VerilogExpression) -> Result<Symbol, Fault> {
         let VerilogExpression::Signal(path) = target else {
             return Err(Fault::about(Rule::StaleName, text::expression(target)));
@@ -138,7 +138,7 @@ impl Walker<'_> {
             agree::check_alone(&test)?;
             match shape::is_operand(&test) {
                 true => Ok(()),
-                // The patterns are 32 bits wide, and would widen it.
+                // The patterns are 32 bits wide and would widen the selector.
                 false => Err(Rule::CompareOfExpression.into()),
             }
         });
@@ -212,7 +212,7 @@ fn three_address(value: &Node) -> Result<(), Fault> {
     }
 }
 
-/// A decimal number, or one with Verilog's size and base, as hand-written trees have it.
+/// Whether a pattern is a decimal number, or one with Verilog's size and base, as in hand-written trees.
 fn is_number(pattern: &str) -> bool {
     let decimal = |text: &str| !text.is_empty() && text.bytes().all(|c| c.is_ascii_digit());
     let Some((size, based)) = pattern.split_once('\'') else {

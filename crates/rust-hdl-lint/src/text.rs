@@ -1,10 +1,10 @@
-//! Statements as a reader knows them: near to the emitted Verilog, loop variables as they are.
+//! Prints statements for a reader, in a form close to the emitted Verilog, with loop variables unresolved.
 
 use rust_hdl::prelude::ast::{VerilogExpression as Expression, VerilogOp, VerilogOpUnary};
 
 use super::name::readable;
 
-/// An expression, as it is printed.
+/// Prints an expression.
 pub(super) fn expression(node: &Expression) -> String {
     match node {
         Expression::Signal(path) => readable(path),

@@ -1,5 +1,5 @@
-//! What a tile needs from the world around it, on paper: photon bandwidth, queries resident, and
-//! memory, for photon maps up to 1e8. `docs/scaling.md` says where the formulas come from.
+//! Prints the photon bandwidth, the resident queries and the memory that a tile machine needs for photon maps
+//! of up to 1e8 photons. `docs/scaling.md` derives the formulas.
 //!
 //! ```text
 //! cargo run -p photoncube-spec --example scaling -- MACHINE CLOCK_MHZ
@@ -10,15 +10,16 @@ use std::process::ExitCode;
 
 use photoncube_spec::{Machine, find_machine};
 
-/// Photons in range that the search radius aims at.
+/// Photons that the search radius is chosen to have in range.
 const IN_RANGE: f64 = 200.0;
 /// Queries of a picture: 1920 x 1080 pixels, 16 each.
 const QUERIES: f64 = 1920.0 * 1080.0 * 16.0;
 /// Block edges, squared, of a flat surface across the four-block frame.
 const FRAME_FACES: f64 = 16.0;
-/// Block edges, squared, of it in the two-block cube that the queries of a frame may be in.
+/// Block edges, squared, of a flat surface in the two-block cube that holds the queries of a frame.
 const QUERY_FACES: f64 = 4.0;
-/// Block edges, squared, of it in the 27 blocks around a query's own, which alone can be in range of it.
+/// Block edges, squared, of a flat surface in the 27 blocks around a query's own block. Only photons of these
+/// blocks can be in range of the query.
 const OWN_FACES: f64 = 9.0;
 
 fn main() -> ExitCode {

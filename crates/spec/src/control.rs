@@ -1,7 +1,8 @@
-//! The control word: what the control block stores for each step and broadcasts to all cells.
+//! The control word of the sequential machine: one word for each step, which the control block stores and
+//! broadcasts to all cells.
 //!
-//! It is horizontal: a field for each thing that a cell selects or writes, so that a cell needs
-//! no decoder. [`encode`] is the only way to make one.
+//! The encoding is horizontal: each thing that a cell selects or writes has a field, so a cell needs no
+//! decoder. [`encode`] is the only function that makes a control word.
 
 use crate::microprogram::Step;
 use crate::op::Op;
@@ -9,7 +10,7 @@ use crate::op::Op;
 /// An encoded control word, fields from bit 0 in the order of [`FIELDS`].
 pub type ControlWord = u32;
 
-/// What the work register stores.
+/// The unit whose result the work register stores.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, Hash)]
 pub enum WorkSource {
     /// The result of `(A-B)^2`.
@@ -20,7 +21,7 @@ pub enum WorkSource {
     Gate = 2,
 }
 
-/// What an op asks of a cell; the step adds the axis.
+/// The control-word fields that an op sets in a cell. The step adds the axis.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub(crate) struct ControlFields {
     pub write_query: bool,
@@ -57,7 +58,7 @@ pub enum Field {
     WriteWork,
     /// Store into the sum.
     WriteSum,
-    /// Which unit the work register stores: a [`WorkSource`].
+    /// The unit whose result the work register stores: a [`WorkSource`].
     WorkSource,
     /// The second operand of `A+B` is the sum; otherwise it is the link.
     AddSum,
@@ -65,25 +66,25 @@ pub enum Field {
     TakesQuery,
     /// The step waits for the group stream.
     ReadsGroup,
-    /// The step is the last to read the group, and takes it.
+    /// The step is the last to read the group, and consumes it.
     TakesGroup,
-    /// The network axis of the link, one bit for each axis; none is 0, and the link is then 0
-    /// too, so that the second operand of `A+B` is an OR and needs no multiplexer.
+    /// The network axis of the link, one bit for each axis. With no bit set the link is 0, so that the second
+    /// operand of `A+B` is an OR and needs no multiplexer.
     Axis,
 }
 
 /// One row of the field table.
 #[derive(Copy, Clone, Debug)]
 pub struct FieldRow {
-    /// The field.
+    /// The field that the row describes.
     pub field: Field,
-    /// Its name in the emitted Verilog.
+    /// The field's name in the emitted Verilog.
     pub name: &'static str,
-    /// Its width in bits, for a hypercube of the given dimension.
+    /// The field's width in bits, for a hypercube of the given dimension.
     pub width: fn(u32) -> u32,
 }
 
-/// The control word, from bit 0 upwards, in the order of [`Field`].
+/// The field table: the layout of the control word from bit 0 upwards, in the order of [`Field`].
 pub const FIELDS: &[FieldRow] = &[
     FieldRow {
         field: Field::WriteQuery,
@@ -143,12 +144,13 @@ pub const FIELDS: &[FieldRow] = &[
 ];
 
 impl Field {
-    /// The field's row.
+    /// The field's row in [`FIELDS`].
     pub fn row(self) -> &'static FieldRow {
         &FIELDS[self as usize]
     }
 
-    /// The field's lowest bit; the axis stands last, so no other place depends on the dimension.
+    /// The field's lowest bit. The axis is the last field, so the place of every other field is independent
+    /// of the dimension.
     pub fn lsb(self) -> u32 {
         FIELDS[..self as usize]
             .iter()
@@ -156,20 +158,20 @@ impl Field {
             .sum()
     }
 
-    /// The field's value in a word.
+    /// Extracts the field's value from a control word.
     pub fn of(self, word: ControlWord, dimension: u32) -> u32 {
         let mask = (1 << (self.row().width)(dimension)) - 1;
         (word >> self.lsb()) & mask
     }
 }
 
-/// The width of the control word in bits.
+/// The width in bits of the control word of a hypercube of that dimension.
 pub fn control_word_bits(dimension: u32) -> u32 {
     Field::Axis.lsb() + (Field::Axis.row().width)(dimension)
 }
 
-/// The control word of a step. `takes_group` marks the last step of an iteration that reads the
-/// group; [`crate::Microprogram::control_words`] knows which that is.
+/// Encodes the control word of a step. `takes_group` marks the last step of an iteration that reads the
+/// group; [`crate::Microprogram::control_words`] finds that step.
 pub fn encode(step: Step, takes_group: bool) -> ControlWord {
     let row = step.op.row();
     let control = row.control;

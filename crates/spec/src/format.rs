@@ -1,27 +1,27 @@
-//! Number formats: how many bits each value has, and why they cannot overflow.
+//! The bit widths of every kind of value in a machine, and why no value overflows.
 //!
-//! All values are unsigned integers. Coordinates are steps of the frame around the query,
-//! `radius_sq` and distances are square steps, powers are multiples of the map's power step.
-//! No value is ever rounded inside the machine: every result below is exact. A difference that a
-//! photon format clamps is out of range with or without it.
+//! All values are unsigned integers. Coordinates are counted in steps of the frame around the query,
+//! `radius_sq` and distances in square steps, powers in multiples of the map's power step. The machine never
+//! rounds a value: every result is exact. A photon format clamps differences, and a clamped difference is out
+//! of range just as the unclamped one is.
 
 use crate::format_widths::FormatWidths;
 use crate::machine::{Machine, Numbers, PlainFormat};
 use crate::photon_format::PhotonFormat;
 
-/// How the squarer of `(A-B)^2` is built; the result is the same.
+/// The implementation of the squarer of `(A-B)^2`. All implementations give the same square.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Squarer {
     /// From base-16 digits: tables of 4-bit squares and 4x4-bit products, for LUTs.
     Digits,
     /// As one product `m * m`, for a DSP block.
     Product,
-    /// As a table of squares, for a block RAM; in spatial machines only.
+    /// As a table of squares, for a block RAM. Only spatial machines have this squarer.
     Table,
 }
 
 impl Squarer {
-    /// The word for it in reports.
+    /// The squarer's name in reports.
     pub fn name(self) -> &'static str {
         match self {
             Self::Digits => "digits",
@@ -36,32 +36,32 @@ impl Squarer {
 pub struct Widths {
     /// A coordinate of a query point in the frame.
     pub coordinate: u32,
-    /// A coordinate of a photon in the frame: as a query's, or without its extra fraction bits.
+    /// A coordinate of a photon in the frame: as wide as a query's, less the query's extra fraction bits.
     pub photon: u32,
-    /// What is squared: |A-B|, clamped to p + x bits in a photon format.
+    /// The input of the squarer: |A-B|, clamped to p + x bits in a photon format.
     pub difference: u32,
-    /// A square or half square: twice the difference.
+    /// A square or half square: twice as wide as the difference.
     pub square: u32,
-    /// `radius_sq`. In plain numbers as wide as a squared distance, so that every distance can be
-    /// compared; in a photon format no larger than a square.
+    /// `radius_sq`. In plain numbers it is as wide as a squared distance, so that every distance can be
+    /// compared. In a photon format it is no wider than a square.
     pub radius_sq: u32,
-    /// A channel of a photon's power as it is stored.
+    /// One channel of a photon's power as it is stored.
     pub mantissa: u32,
     /// A photon's exponent; 0 bits where there is none.
     pub exponent: u32,
     /// A decoded power: a mantissa, shifted by its exponent.
     pub power: u32,
-    /// The work register and the links: a squared distance, the sum of three squares, which is
-    /// two bits wider than one; or the power of all the photons of one iteration (`power` plus
-    /// one bit for each photon axis), whichever is wider.
+    /// The work register and the links. They hold a squared distance (the sum of three squares, two bits
+    /// wider than one square) or the power of all photons of one iteration (`power` plus one bit for each
+    /// photon axis), whichever is wider.
     pub work: u32,
-    /// The sums of a query: `max_photons` photons of full-scale power; no narrower than the work
-    /// register, with which they share the adder.
+    /// The sums of a query: wide enough for `max_photons` photons of full-scale power. Where sums share the
+    /// adder with the work register, they are no narrower than that register.
     pub sum: u32,
 }
 
 impl Widths {
-    /// The widths that follow from a machine's numbers.
+    /// Computes the widths of a machine from its numbers.
     pub fn of(machine: &Machine) -> Self {
         let own = match &machine.numbers {
             Numbers::Plain(format) => Self::of_plain(format),
@@ -70,7 +70,7 @@ impl Widths {
         let photon_axes = machine.photons_per_iteration().ilog2();
         let distance = own.square + 2;
         if machine.spatial().is_some() {
-            // Distances and sums have adders of their own.
+            // In an overlapped or spatial machine, distances and sums have adders of their own.
             return Self {
                 work: distance,
                 sum: own.sum.max(own.power + photon_axes),
@@ -80,7 +80,7 @@ impl Widths {
         let work = distance.max(own.power + photon_axes);
         Self {
             work,
-            // One adder serves both.
+            // In a sequential machine, one adder serves both.
             sum: own.sum.max(work),
             ..own
         }
@@ -123,7 +123,7 @@ impl Widths {
     }
 }
 
-/// The bits that hold every value from 0 to `largest`; at least 1.
+/// The number of bits that hold every value from 0 to `largest`; at least 1.
 pub(crate) fn bits_for(largest: u128) -> u32 {
     (u128::BITS - largest.leading_zeros()).max(1)
 }

@@ -1,4 +1,4 @@
-//! The widths that follow from a photon format, and why nothing overflows.
+//! The bit widths of every kind of value in a photon format, and why no value overflows.
 
 use crate::format::bits_for;
 use crate::photon_format::PhotonFormat;
@@ -11,29 +11,29 @@ pub struct FormatWidths {
     pub coordinate: u32,
     /// A photon's position in its block, on one axis.
     pub position: u32,
-    /// m, the clamped difference on one axis: p + x.
+    /// m, the clamped difference on one axis: p + x bits.
     pub difference: u32,
     /// A square or half square of m, at most (2^r - 1) 2^r < 2^(2r).
     pub square: u32,
-    /// A squared distance. Sums saturate at all ones, which exceeds R^2 < (2^r - 1)^2: as wide as
-    /// a square.
+    /// A squared distance, as wide as a square. A sum that does not fit saturates at all ones, which exceeds
+    /// R^2 < (2^r - 1)^2.
     pub distance: u32,
     /// A stored mantissa.
     pub mantissa: u32,
-    /// The exponent in a photon's record; 0 bits where its block has it.
+    /// The exponent in a photon's record; 0 bits where the exponent belongs to the block.
     pub exponent: u32,
     /// A decoded power: a mantissa, shifted by up to the exponent's range.
     pub power: u32,
     /// A query's sum of powers: `max_photons` photons of full-scale power.
     pub sum: u32,
-    /// A query's count: up to `max_photons`.
+    /// A query's count of photons in range: 0 to `max_photons`.
     pub count: u32,
-    /// A photon's record: three positions, a mantissa for each channel, its exponent.
+    /// A photon's record: three positions, a mantissa for each channel, and the exponent.
     pub bits_per_photon: u32,
 }
 
 impl FormatWidths {
-    /// The widths that follow from a format.
+    /// Computes the widths of a format.
     pub fn of(format: &PhotonFormat) -> Self {
         let mantissa = format.power.mantissa_bits;
         let exponent = format.power.record_exponent_bits();

@@ -1,8 +1,8 @@
-//! The network's topology: nodes, axes and what a node's index says about its work.
+//! The network's topology: nodes, axes, and the photon and role that a node's index selects.
 //!
-//! Ryu, Kim, Lee place 16 cells on a 4-D hypercube whose axes they call x, y, z, w. Our reading
-//! (design, section 2): index bits 2 and 3 (axes z, w) choose a cell's role in its quad, all the
-//! other bits choose the photon.
+//! Ryu, Kim, Lee place 16 cells on a 4-D hypercube whose axes they call x, y, z, w. In our reading (design,
+//! section 2), index bits 2 and 3 (axes z, w) select a cell's role in its quad, and all other bits select the
+//! photon.
 
 use std::fmt;
 
@@ -20,7 +20,8 @@ impl Axis {
     /// The second role axis: it joins X with Z, and Y with D.
     pub const W: Self = Self(3);
 
-    /// The first four names are the paper's; the others go backwards through the alphabet.
+    /// The names of the axes by index bit. The first four are the paper's; the others go backwards through
+    /// the alphabet.
     const NAMES: [&'static str; 10] = ["x", "y", "z", "w", "v", "u", "t", "s", "r", "q"];
 
     /// The axis that flips node-index bit `bit`, or `None` past the last named axis.
@@ -28,7 +29,7 @@ impl Axis {
         (usize::from(bit) < Self::NAMES.len()).then_some(Self(bit))
     }
 
-    /// The axis of that name.
+    /// Finds the axis of that name.
     pub fn from_name(name: &str) -> Option<Self> {
         let bit = Self::NAMES.iter().position(|&n| n == name)?;
         Self::new(u8::try_from(bit).ok()?)
@@ -39,7 +40,7 @@ impl Axis {
         u32::from(self.0)
     }
 
-    /// The axis as it is written in listings.
+    /// The axis's name in listings.
     pub fn name(self) -> &'static str {
         Self::NAMES[usize::from(self.0)]
     }
@@ -57,8 +58,8 @@ impl fmt::Display for Axis {
     }
 }
 
-/// What a cell does in the quad of its photon: three hold a coordinate, one holds none. Where a
-/// photon's power has one channel, X has it and Y and Z have none.
+/// The work of a cell in the quad of its photon. Three cells hold a coordinate each, the fourth holds none.
+/// Where a photon's power has one channel, the X cell holds it, and the Y and Z cells hold no power.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Role {
     /// Coordinate x, then the red channel.
@@ -75,13 +76,13 @@ impl Role {
     /// All roles, in the order of node-index bits 3..2.
     pub const ALL: [Self; 4] = [Self::X, Self::Y, Self::Z, Self::D];
 
-    /// The role of the neighbour on an axis; a photon axis keeps the role.
+    /// The role of the neighbour on an axis. On a photon axis the neighbour has the same role.
     pub fn across(self, axis: Axis) -> Self {
         let node = (self as usize) << Hypercube::FIRST_ROLE_BIT;
         Self::ALL[((node ^ (1 << axis.bit())) >> Hypercube::FIRST_ROLE_BIT) % Self::ALL.len()]
     }
 
-    /// The role as it is written in listings.
+    /// The role's name in listings.
     pub fn name(self) -> &'static str {
         match self {
             Self::X => "X",
@@ -91,7 +92,7 @@ impl Role {
         }
     }
 
-    /// The coordinate that the role holds: 0 x, 1 y, 2 z; `None` for the distance cell.
+    /// The coordinate that the role holds: 0 for x, 1 for y, 2 for z, `None` for the distance cell.
     pub fn coordinate(self) -> Option<usize> {
         match self {
             Self::X => Some(0),
@@ -109,16 +110,16 @@ pub struct Hypercube {
 }
 
 impl Hypercube {
-    /// Index bit of the first of the two role axes.
+    /// The index bit of the first of the two role axes.
     const FIRST_ROLE_BIT: u32 = 2;
-    /// Two bits choose one of four roles.
+    /// The number of role bits: two bits select one of four roles.
     const ROLE_BITS: u32 = 2;
-    /// The smallest cube that has two photon axes and two role axes, as in the paper.
+    /// The smallest dimension: two photon axes and two role axes, as in the paper.
     pub const MIN_DIMENSION: u32 = 4;
-    /// The largest cube: all its axes have names.
+    /// The largest dimension, in which every axis has a name.
     pub const MAX_DIMENSION: u32 = Axis::NAMES.len() as u32;
 
-    /// A cube of that dimension.
+    /// Makes the hypercube of that dimension.
     ///
     /// # Panics
     /// Below dimension 4 or past the last named axis; the named machines are all inside.
@@ -152,7 +153,7 @@ impl Hypercube {
         self.axes().filter(|axis| !Self::is_role_bit(axis.bit()))
     }
 
-    /// Photons that the cube tests at once: one for each quad.
+    /// The number of photons that the cube tests at once: one for each quad.
     pub fn photons(self) -> usize {
         1 << self.photon_axes().count()
     }
@@ -172,15 +173,15 @@ impl Hypercube {
         Role::ALL[(node >> Self::FIRST_ROLE_BIT) & (Role::ALL.len() - 1)]
     }
 
-    /// The photon of a node: its index bits without the role bits.
+    /// The photon of a node: its index bits without the role bits, as an index.
     pub fn photon(self, node: usize) -> usize {
         let low = node & ((1 << Self::FIRST_ROLE_BIT) - 1);
         let high = node >> (Self::FIRST_ROLE_BIT + Self::ROLE_BITS);
         low | (high << Self::FIRST_ROLE_BIT)
     }
 
-    /// The node that holds `role` of photon 0; after the exchange-adds every quad holds the
-    /// same sums, so results are read there.
+    /// The node where the result of `role` is read: the one of photon 0. After the exchange-adds every quad
+    /// holds equal sums, so any quad would do.
     pub fn result_node(self, role: Role) -> usize {
         (role as usize) << Self::FIRST_ROLE_BIT
     }

@@ -1,10 +1,10 @@
-//! What the machines are, as data: formats, ops, control words, microprograms, topology,
-//! streams and the named machines.
+//! The specification of the machines as data: formats, ops, control words, microprograms, topology, streams
+//! and the named machines.
 //!
-//! The golden model and the HDL both read this crate and never each other. It holds meaning as
-//! prose and formula, never as arithmetic on photon values: `a - b` of a coordinate is written
-//! once in `photoncube-model` and once in `photoncube-hdl`, so that their agreement proves
-//! something.
+//! The golden model and the HDL both read this crate, and neither reads the other. The crate describes
+//! meaning in prose and formulas and computes nothing on photon values. The difference `a - b` of two
+//! coordinates, for example, is written once in `photoncube-model` and once in `photoncube-hdl`, so the
+//! comparison of the two is a real check.
 
 mod control;
 mod format;

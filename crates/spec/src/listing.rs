@@ -1,4 +1,4 @@
-//! Microprogram listings: the text form that people write and read.
+//! Parses microprogram listings, the text form that people write and read.
 //!
 //! ```text
 //! query:
@@ -9,8 +9,8 @@
 //!   2  sqd
 //!   3  add z
 //! ```
-//! A line is a clock and a step; `#` begins a comment. Two steps may name one clock: whether the
-//! machine can do both is the schedule checker's question, not the parser's.
+//! A line has a clock and a step; `#` begins a comment. Two steps may name one clock. Whether the machine can
+//! do both is for the schedule checker to decide; the parser accepts them.
 
 use std::fmt;
 
@@ -20,25 +20,25 @@ use crate::hypercube::Axis;
 use crate::microprogram::{Microprogram, ScheduledStep, Step};
 use crate::op::{OPS, Op};
 
-/// Clocks that a listing may name; far past any useful program, it bounds memory.
+/// The largest clock that a listing may name. It is far past any useful program and bounds memory.
 const MAX_CLOCK: u32 = 4095;
 
-/// What is wrong with a listing, and where.
+/// A syntax error of a listing, with its line.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("line {line}: found {found}, expected {expected}")]
 pub struct ListingError {
-    /// The line, from 1.
+    /// The line's number, from 1.
     pub line: usize,
-    /// What stands there.
+    /// The text at that place.
     pub found: String,
-    /// What could stand there.
+    /// The text that the parser accepts there.
     pub expected: String,
 }
 
-/// Reads a listing.
+/// Parses a listing into a microprogram.
 ///
 /// # Errors
-/// The first line that is not a phase, or a clock and a step.
+/// The first line that is neither a phase nor a clock and a step.
 pub fn parse_listing(text: &str) -> Result<Microprogram, ListingError> {
     let mut program = Microprogram {
         query: Vec::new(),

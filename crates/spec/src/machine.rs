@@ -1,4 +1,5 @@
-//! A machine's configuration, and what follows from it. The named ones are in `machines`.
+//! The configuration of a machine and the figures that follow from it. `machines` has the table of named
+//! machines.
 
 use crate::format::{Squarer, Widths};
 use crate::format_widths::FormatWidths;
@@ -12,26 +13,26 @@ use crate::spatial::{Radius, Spatial};
 /// A machine's configuration.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct Machine {
-    /// Its name on the command line and in the emitted Verilog.
+    /// The machine's name on the command line and in the emitted Verilog.
     pub name: &'static str,
-    /// What it is, in a line.
+    /// A description of the machine in one line, for listings and headers.
     pub summary: &'static str,
-    /// How its units work together.
+    /// How the work is laid out over cells and clocks.
     pub organisation: Organisation,
     /// Hypercube dimension; the machine has `2^dimension` cells.
     pub dimension: u32,
-    /// What its words mean.
+    /// The number format of the words on the streams.
     pub numbers: Numbers,
-    /// How the square is built.
+    /// The implementation of the square; in a spatial machine, that of engines not in [`Spatial::others`].
     pub squarer: Squarer,
 }
 
-/// What a machine's words mean.
+/// The number format of a machine's words.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub enum Numbers {
     /// The paper's plain arithmetic at full width; the square is `(A-B)^2`.
     Plain(PlainFormat),
-    /// Relative to the search radius, by the rules of [`PhotonFormat`].
+    /// Numbers relative to the search radius, by the rules of [`PhotonFormat`].
     Local(PhotonFormat),
 }
 
@@ -42,7 +43,7 @@ pub struct PlainFormat {
     pub coordinate_bits: u32,
     /// Bits of a photon's power in one channel.
     pub power_bits: u32,
-    /// The most photons that one query may be given; it sizes the sums.
+    /// The most photons that one query may be given; the sums are sized for it.
     pub max_photons: u64,
 }
 
@@ -54,8 +55,8 @@ impl PlainFormat {
 }
 
 impl Machine {
-    /// Block edges that the coordinates span: the query's block, one on each side, and one that
-    /// keeps the count a power of two.
+    /// The block edges that coordinates span: the query's block, one block on each side, and a fourth that
+    /// makes the count a power of two.
     pub const FRAME_BLOCKS: u32 = 4;
 
     /// The machine's network.
@@ -63,7 +64,7 @@ impl Machine {
         Hypercube::new(self.dimension)
     }
 
-    /// The program of a machine that does one op a clock.
+    /// The microprogram of a sequential machine, which does one op a clock; `None` for other organisations.
     pub fn microprogram(&self) -> Option<Microprogram> {
         match &self.organisation {
             Organisation::Sequential => Some(Microprogram::all_reduce(self.hypercube())),
@@ -72,16 +73,17 @@ impl Machine {
         }
     }
 
-    /// The program of a machine whose units work at the same time.
+    /// The program of an overlapped machine, whose units work at the same time; `None` for other
+    /// organisations. Each call runs the scheduler.
     ///
     /// # Panics
-    /// The scheduler finds none; a test holds that it does.
+    /// Where the scheduler finds no program. A test holds that it finds one.
     pub fn overlap_program(&self) -> Option<overlap::Program> {
         (self.organisation == Organisation::Overlapped)
             .then(|| overlap::Program::rotated().expect("the scheduler finds a program"))
     }
 
-    /// What a spatial machine has beside its numbers; none for the others.
+    /// The parameters of a spatial machine beside its numbers; `None` for other organisations.
     pub fn spatial(&self) -> Option<&Spatial> {
         match &self.organisation {
             Organisation::Spatial(spatial) => Some(spatial),
@@ -91,19 +93,19 @@ impl Machine {
         }
     }
 
-    /// Whether there is a photon memory between the group stream and the engines.
+    /// Whether a photon memory stands between the group stream and the engines.
     pub fn has_memory(&self) -> bool {
         self.spatial()
             .is_some_and(|spatial| spatial.memory_groups > 0)
     }
 
-    /// Whether photons have an exponent beside their mantissas.
+    /// Whether a stored photon has an exponent beside its mantissas.
     pub fn has_exponent(&self) -> bool {
         let format = self.format();
         format.is_some_and(|format| format.power.exponent_range() > 0)
     }
 
-    /// Photons of one iteration: the lanes of a group.
+    /// The photons of one iteration, which is the number of lanes of a group.
     pub fn photons_per_iteration(&self) -> usize {
         match self.spatial() {
             Some(_) => Spatial::LANES,
@@ -111,12 +113,12 @@ impl Machine {
         }
     }
 
-    /// Queries that are tested at once against every photon.
+    /// The number of queries that are tested against every photon at once.
     pub fn queries_at_once(&self) -> usize {
         self.spatial().map_or(1, Spatial::engines)
     }
 
-    /// Groups that are taken in so many clocks, in the steady state.
+    /// The number of groups that the machine takes per clock in the steady state.
     pub fn rate(&self) -> Rate {
         if let Some(program) = self.overlap_program() {
             return Rate {
@@ -130,7 +132,7 @@ impl Machine {
         Rate { groups: 1, clocks }
     }
 
-    /// Its photon format; none in plain numbers.
+    /// The machine's photon format; `None` in plain numbers.
     pub fn format(&self) -> Option<&PhotonFormat> {
         match &self.numbers {
             Numbers::Plain(_) => None,
@@ -138,7 +140,7 @@ impl Machine {
         }
     }
 
-    /// Its plain format; none where it has a photon format.
+    /// The machine's plain format; `None` where it has a photon format.
     pub fn plain(&self) -> Option<&PlainFormat> {
         match &self.numbers {
             Numbers::Plain(format) => Some(format),
@@ -154,7 +156,8 @@ impl Machine {
         }
     }
 
-    /// The squared search radius of all queries, in square steps, where the machine fixes it.
+    /// The squared search radius of all queries in square steps, where the machine fixes it; `None` where
+    /// each query has its own.
     pub fn fixed_radius_sq(&self) -> Option<u32> {
         let fixed = self.spatial().is_some_and(|s| s.radius == Radius::Format);
         self.format()
@@ -184,7 +187,7 @@ impl Machine {
         ((1 << Widths::of(self).mantissa) - 1) << exponent_range
     }
 
-    /// Bits of a stored photon: a position in its block, its powers, its exponent.
+    /// Bits of a stored photon: a position in its block, its mantissas and its exponent.
     pub fn bits_per_photon(&self) -> u32 {
         match &self.numbers {
             Numbers::Plain(format) => 3 * (format.position_bits() + format.power_bits),
@@ -192,13 +195,13 @@ impl Machine {
         }
     }
 
-    /// Photon tests per clock, with no waiting.
+    /// Photon tests per clock while no stream waits.
     pub fn photon_tests_per_clock(&self) -> f64 {
         let tests = self.photons_per_iteration() * self.queries_at_once();
         tests as f64 / self.rate().interval()
     }
 
-    /// The machine's name as a Verilog identifier: the prefix of all its modules.
+    /// The prefix of all Verilog modules of the machine: the machine's name as an identifier.
     pub fn module_prefix(&self) -> String {
         format!("photoncube_{}", self.name.replace('-', "_"))
     }

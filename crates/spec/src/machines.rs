@@ -1,4 +1,4 @@
-//! The table of the named machines. Each sets every field; nothing defaults.
+//! The table of the named machines. Each row sets every field; no field has a default.
 
 use thiserror::Error;
 
@@ -10,7 +10,7 @@ use crate::photon_format::{Channels, Exponent, PhotonFormat, PowerFormat, Roundi
 use crate::photon_formats::PHOTON_FORMATS;
 use crate::spatial::{Cut, Cuts, EngineKind, Radius, Spatial};
 
-/// 16-bit powers; 65,537 of full scale sum to 32 bits exactly.
+/// Plain numbers with 16-bit powers. The sum of 65,537 photons of full scale fits 32 bits exactly.
 const fn plain(coordinate_bits: u32) -> Numbers {
     Numbers::Plain(PlainFormat {
         coordinate_bits,
@@ -19,7 +19,8 @@ const fn plain(coordinate_bits: u32) -> Numbers {
     })
 }
 
-/// Registers wherever one can stand: at most one adder or table between two.
+/// Pipeline registers at every place but `RangeDelay`, `Decision` and `Gate`: at most one adder or table
+/// between two registers.
 const FINE: Cuts = Cuts::of(&[
     Cut::Difference,
     Cut::Magnitude,
@@ -33,8 +34,8 @@ const FINE: Cuts = Cuts::of(&[
     Cut::GroupPower,
 ]);
 
-/// Registers where they are worth it on a chip of many engines, which has no more flip-flops than
-/// LUTs, whatever squares are made of: between two stand at most two adders.
+/// Pipeline registers for a chip of many engines, where flip-flops are as scarce as LUTs: at most two adders
+/// between two registers, whatever the squarers are made of.
 const COARSE: Cuts = Cuts::of(&[
     Cut::Magnitude,
     Cut::Cross,
@@ -45,29 +46,30 @@ const COARSE: Cuts = Cuts::of(&[
     Cut::GroupPower,
 ]);
 
-/// The same with a register between the two chains that make a magnitude.
+/// `COARSE` with a pipeline register between the two adder chains that make a magnitude.
 const DIGITS: Cuts = COARSE.and(Cut::Difference);
 
-/// The same with a decision beside each sum, and a register on the way there: on a full chip the sums of
-/// an engine stand where their chains of powers and results are, which may be far from its lanes.
+/// `DIGITS` with an in-range flag beside each sum, and a pipeline register between the lane and these flags.
+/// On a full chip the sums of an engine are placed near their chains of powers and results, which may be far
+/// from its lanes.
 const DECISIONS: Cuts = DIGITS.and(Cut::RangeDelay).and(Cut::Decision);
 
-/// The same with the block RAM's own register behind it.
+/// Engines whose squarers are tables in block RAMs: `DECISIONS` with the block RAM's own output register.
 const TABLE: EngineKind = EngineKind {
     squarer: Squarer::Table,
     cuts: DECISIONS.and(Cut::Square),
 };
 
-/// The same with the DSP block's own registers before the product and behind it, the latter at the cut
-/// `Cross`, and one more on each way to the block and from it: DSP blocks stand in a few rows, and two
-/// meet at an adder.
+/// Engines whose squarers are DSP blocks: the DSP block's own registers stand before and behind the product
+/// (behind it at the cut `Cross`), and one more register on each net to and from the block. DSP blocks stand
+/// in a few rows of the chip, and the products of two of them meet at one adder.
 const PRODUCT: EngineKind = EngineKind {
     squarer: Squarer::Product,
     cuts: DECISIONS.and(Cut::Products).and(Cut::Square),
 };
 
-/// A tile of `2^query_axes` engines, in a format of one scale for all powers and seven bits for the
-/// radius; `photoncube report SCENE` measures what it costs in accuracy.
+/// A tile of `2^query_axes` engines. Its format has one scale for all powers and seven bits for the radius;
+/// `photoncube report SCENE` measures what the format costs in accuracy.
 const fn tile(name: &'static str, summary: &'static str, query_axes: u32) -> Machine {
     Machine {
         name,
@@ -95,8 +97,8 @@ const fn tile(name: &'static str, summary: &'static str, query_axes: u32) -> Mac
     }
 }
 
-/// A tile with a photon memory that holds the most photons that a query may be given, twice; with these
-/// cuts, and engines of other kinds.
+/// Adds to a tile a photon memory of two banks, each of which holds the most photons that a query may be
+/// given. Sets the pipeline registers to `cuts` and adds engines of other kinds.
 const fn with_memory(tile: Machine, cuts: Cuts, others: &'static [(EngineKind, usize)]) -> Machine {
     let Organisation::Spatial(spatial) = tile.organisation else {
         panic!("only spatial machines have a photon memory");
@@ -116,7 +118,7 @@ const fn with_memory(tile: Machine, cuts: Cuts, others: &'static [(EngineKind, u
     }
 }
 
-/// All named machines, the default first.
+/// All named machines; the first is the default.
 pub const MACHINES: &[Machine] = &[
     Machine {
         name: "paper",
@@ -313,22 +315,22 @@ pub const MACHINES: &[Machine] = &[
     ),
 ];
 
-/// No machine has that name.
+/// The error of [`find_machine`]: no machine has that name.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("there is no machine `{found}`{meant}; the machines are {expected}")]
 pub struct UnknownMachine {
-    /// The name asked for.
+    /// The name that was given.
     pub found: String,
-    /// The name that was meant, as [`did_you_mean`] tells it.
+    /// A hint with the nearest name, made by [`did_you_mean`]; empty where none is near.
     pub meant: String,
-    /// The names there are.
+    /// The names of all machines.
     pub expected: String,
 }
 
-/// The machine of that name.
+/// Finds the machine of that name.
 ///
 /// # Errors
-/// No machine has that name; the error lists those there are.
+/// No machine has that name; the error lists all names.
 pub fn find_machine(name: &str) -> Result<&'static Machine, UnknownMachine> {
     let found = MACHINES.iter().find(|machine| machine.name == name);
     found.ok_or_else(|| UnknownMachine {

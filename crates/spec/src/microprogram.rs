@@ -1,4 +1,4 @@
-//! Microprograms: which op runs in which clock.
+//! The microprogram of a sequential machine: which op runs in which clock.
 
 use std::fmt;
 
@@ -6,16 +6,16 @@ use crate::control::{ControlWord, encode};
 use crate::hypercube::{Axis, Hypercube};
 use crate::op::Op;
 
-/// No control store has fewer than 16 places, so that short programs need no counter of their own
-/// width; the places behind the program hold the word that does nothing.
+/// The fewest address bits of a control store. Every store has at least 16 places, so short programs need no
+/// program-counter width of their own. The places behind the program hold the control word that does nothing.
 const MIN_ADDRESS_BITS: u32 = 4;
 
 /// An op with the network axis that it uses, if it uses one.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Step {
-    /// The op.
+    /// The op of the step.
     pub op: Op,
-    /// The axis of the link; present just where [`crate::OpRow::uses_link`] says so.
+    /// The axis of the link; `Some` exactly where [`crate::OpRow::uses_link`] is true.
     pub axis: Option<Axis>,
 }
 
@@ -25,7 +25,7 @@ impl Step {
         Self { op, axis: None }
     }
 
-    /// The exchange-add on an axis.
+    /// A step that does the exchange-add on an axis.
     pub fn exchange_add(axis: Axis) -> Self {
         Self {
             op: Op::ExchangeAdd,
@@ -44,30 +44,31 @@ impl fmt::Display for Step {
     }
 }
 
-/// A step and the clock, counted from 0, in which every cell does it.
+/// A step with the clock, counted from 0, in which every cell does it.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct ScheduledStep {
-    /// The clock in its phase.
+    /// The clock, counted from 0 in its phase.
     pub clock: u32,
-    /// What is done.
+    /// The step that all cells do in that clock.
     pub step: Step,
 }
 
-/// The program of a machine: a phase that runs once a query, and one that runs once a group of
-/// photons, over and over.
+/// The program of a sequential machine. One phase runs once for each query, the other once for each group of
+/// photons.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Microprogram {
-    /// Once for each query, before its first group.
+    /// The steps of the query phase, which runs once for each query before its first group.
     pub query: Vec<ScheduledStep>,
-    /// Once for each group; its length is the initiation interval.
+    /// The steps of the iteration phase, which runs once for each group. Its length is the initiation
+    /// interval.
     pub iteration: Vec<ScheduledStep>,
 }
 
 impl Microprogram {
-    /// The paper's program (Ryu, Kim, Lee, figures 3 to 5) in our all-reduce reading: square,
-    /// add across the role axes, gate, add across the photon axes, accumulate.
+    /// Makes the paper's program (Ryu, Kim, Lee, figures 3 to 5) in our all-reduce reading: square, add
+    /// across the role axes, gate, add across the photon axes, accumulate.
     ///
-    /// 9 clocks on the 4-D cube, one more for each further axis.
+    /// The iteration takes 9 clocks on the 4-D cube, and one more for each further axis.
     pub fn all_reduce(cube: Hypercube) -> Self {
         let mut steps = vec![
             Step::new(Op::LoadPhoton),
@@ -84,7 +85,7 @@ impl Microprogram {
         }
     }
 
-    /// The program of these steps, one a clock.
+    /// Makes the program of these steps, one step in each clock.
     pub fn of_phases(query: &[Step], iteration: &[Step]) -> Self {
         Self {
             query: one_a_clock(query),
@@ -102,33 +103,33 @@ impl Microprogram {
         phase_clocks(&self.query)
     }
 
-    /// Clocks from a query's first step to the one that takes the query, that one included.
+    /// Clocks from a query's first step to the step that takes the query, inclusive.
     pub fn clocks_up_to_the_query(&self) -> u64 {
         let mut query = self.query.iter();
         let taker = query.find(|scheduled| scheduled.step.op.row().reads_query);
         taker.map_or(0, |taker| u64::from(taker.clock) + 1)
     }
 
-    /// Clocks from a query's first step to the first clock in which its result can be taken,
-    /// with `groups` groups and no waiting.
+    /// Clocks from a query's first step to the first clock in which its result can be taken, for `groups`
+    /// groups while no stream waits.
     pub fn latency_clocks(&self, groups: u64) -> u64 {
         u64::from(self.query_clocks()) + groups * u64::from(self.initiation_interval())
     }
 
-    /// Clocks that a query occupies the machine with no waiting: its latency and the one clock
-    /// in which the result is taken.
+    /// Clocks that a query occupies the machine while no stream waits: the latency and the one clock in which
+    /// the result is taken.
     pub fn occupied_clocks(&self, groups: u64) -> u64 {
         self.workload_clocks(1, groups)
     }
 
-    /// Clocks for a whole workload with no waiting, `groups` counted over all queries.
+    /// Clocks of a whole workload while no stream waits. `groups` counts the groups of all queries.
     pub fn workload_clocks(&self, queries: u64, groups: u64) -> u64 {
         let each_query = u64::from(self.query_clocks()) + 1;
         queries * each_query + groups * u64::from(self.initiation_interval())
     }
 
-    /// The steps in the order of their clocks, query phase first, one for each clock: what a
-    /// control block with a program counter runs. A clock without a step gets a nop.
+    /// The steps in the order of their clocks, query phase first, one for each clock. A control block with a
+    /// program counter runs them in this order. A clock without a step gets a nop.
     pub fn steps(&self) -> Vec<Step> {
         let fill = |phase: &[ScheduledStep]| {
             (0..phase_clocks(phase))
@@ -140,13 +141,13 @@ impl Microprogram {
         steps
     }
 
-    /// Bits of the program counter, enough for a control store of 16 places.
+    /// Bits of the program counter; at least those of a control store of 16 places.
     pub fn address_bits(&self) -> u32 {
         let last = self.steps().len().saturating_sub(1);
         (usize::BITS - last.leading_zeros()).max(MIN_ADDRESS_BITS)
     }
 
-    /// The encoded program, one control word for each of [`Self::steps`].
+    /// Encodes the program: one control word for each of [`Self::steps`].
     pub fn control_words(&self) -> Vec<ControlWord> {
         let steps = self.steps();
         let taker = steps.iter().rposition(|step| step.op.row().reads_group);

@@ -1,11 +1,12 @@
-//! Names that were meant, for errors about names that do not exist.
+//! The nearest of a list of known names, for errors about unknown names.
 
-/// Letters of the longer name for each slip that is allowed: one in `red`, two in `stream`. It is the compiler's own
-/// rule for names that it does not know. At least one letter must be right.
+/// Letters of the longer name for each slip that is allowed: one slip in `red`, two in `stream`. The Rust
+/// compiler uses this rule for unknown names. At least one letter must be right.
 const LETTERS_A_SLIP: usize = 3;
 
-/// ` (did you mean `NAME`?)` with the name of `known` that is the fewest slips away from `found` (a letter too many, too
-/// few, wrong, or two in the wrong order), whatever the case; nothing where none is near.
+/// Returns ` (did you mean `NAME`?)` with the name of `known` that is the fewest slips away from `found`, or
+/// an empty string where no name is near. A slip is a letter too many, too few, wrong, or two letters in the
+/// wrong order. Case is ignored.
 #[must_use]
 pub fn did_you_mean<'a>(found: &str, known: impl IntoIterator<Item = &'a str>) -> String {
     let found = found.to_lowercase();
@@ -16,7 +17,7 @@ pub fn did_you_mean<'a>(found: &str, known: impl IntoIterator<Item = &'a str>) -
         slips <= longer / LETTERS_A_SLIP && slips < length
     };
     let names = known.into_iter().map(|name| (name, slips(name)));
-    // The first of those that are equally near.
+    // `min_by_key` takes the first of several equally near names.
     match names.filter(is_near).min_by_key(|(_, slips)| *slips) {
         Some((name, _)) => format!(" (did you mean `{name}`?)"),
         None => String::new(),

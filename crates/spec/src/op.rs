@@ -1,7 +1,7 @@
-//! The op table: what a cell can do in one clock.
+//! The op table of a sequential machine's cell: what a cell can do in one clock.
 //!
-//! The three computing units are the paper's: `A+B`, `(A-B)^2`, and `if A>B, output 0`. The port
-//! moves a word from the streams into the register file.
+//! The three computing units are the paper's: `A+B`, `(A-B)^2`, and `if A>B, output 0`. A fourth unit, the
+//! port, moves a word from the streams into the register file.
 
 use std::fmt;
 
@@ -43,12 +43,12 @@ impl fmt::Display for Unit {
     }
 }
 
-/// What a cell does in one clock.
+/// An op: what a cell does in one clock.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Op {
-    /// Nothing.
+    /// No operation.
     Nop,
-    /// Load the query: coordinate and radius, and clear the sum.
+    /// Load the query: its coordinate and radius. Clears the sum.
     LoadQuery,
     /// Load the photon's coordinate.
     LoadPhoton,
@@ -56,38 +56,38 @@ pub enum Op {
     LoadPower,
     /// Square the difference of the two coordinates.
     SquareDifference,
-    /// Exchange-add: add what the neighbour on an axis sends.
+    /// Exchange-add: add the neighbour's work register on an axis to the cell's own.
     ExchangeAdd,
-    /// Replace a distance by the power, or by 0 out of range.
+    /// Replace a distance by the photon's power, or by 0 where the photon is out of range.
     Gate,
-    /// Add to the sum of the query.
+    /// Add the work register to the sum of the query.
     Accumulate,
 }
 
 /// One row of the op table.
 #[derive(Copy, Clone, Debug)]
 pub struct OpRow {
-    /// The op.
+    /// The op that the row describes.
     pub op: Op,
-    /// Its name in listings.
+    /// The op's mnemonic in listings.
     pub mnemonic: &'static str,
-    /// The unit that does it; none for the nop.
+    /// The unit that does the op; `None` for the nop.
     pub unit: Option<Unit>,
-    /// Registers that it reads.
+    /// The registers that the op reads.
     pub reads: &'static [Register],
-    /// Registers that it writes, at the clock edge that ends the step.
+    /// The registers that the op writes, at the clock edge that ends the step.
     pub writes: &'static [Register],
-    /// Whether it reads the link of a network axis, which the step must then name.
+    /// Whether the op reads the link of a network axis. The step must then name the axis.
     pub uses_link: bool,
-    /// Whether it reads the query stream.
+    /// Whether the op reads the query stream.
     pub reads_query: bool,
-    /// Whether it reads the group stream.
+    /// Whether the op reads the group stream.
     pub reads_group: bool,
-    /// The width of its result in bits, before it is stored.
+    /// The width in bits of the op's result, before it is stored.
     pub result_width: fn(&Widths) -> u32,
-    /// Its meaning, in the registers' mnemonics; `n` is the neighbour's `v`.
+    /// The op's meaning as a formula over the registers' mnemonics; `n` is the neighbour's `v`.
     pub formula: &'static str,
-    /// The control word's fields that make a cell do it.
+    /// The control-word fields that make a cell do the op.
     pub(crate) control: ControlFields,
 }
 
@@ -227,12 +227,12 @@ pub const OPS: &[OpRow] = &[
 ];
 
 impl Op {
-    /// The op's row.
+    /// The op's row in [`OPS`].
     pub fn row(self) -> &'static OpRow {
         &OPS[self as usize]
     }
 
-    /// The op of that mnemonic.
+    /// Finds the op of that mnemonic.
     pub fn from_mnemonic(mnemonic: &str) -> Option<Self> {
         OPS.iter()
             .find(|row| row.mnemonic == mnemonic)

@@ -1,4 +1,4 @@
-//! How a machine's work is laid out over its cells and clocks.
+//! The organisation of a machine: how its work is laid out over its cells and clocks.
 
 use crate::own_program::OwnProgram;
 use crate::spatial::Spatial;
@@ -6,27 +6,27 @@ use crate::spatial::Spatial;
 /// How a machine's work is laid out over its cells and clocks.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub enum Organisation {
-    /// The paper's: all cells do one instruction a clock, each one unit at a time.
+    /// The paper's organisation: all cells do one instruction a clock, with one unit each.
     Sequential,
-    /// The same with a program of one's own.
+    /// The sequential organisation with a user's own program in place of the paper's.
     Programmed(OwnProgram),
-    /// All units at the same time, by a modulo schedule; see [`crate::overlap`].
+    /// All units of a cell work at the same time, by a modulo schedule; see [`crate::overlap`].
     Overlapped,
-    /// Every cell keeps its instruction, and data flows through registers.
+    /// Every cell keeps its instruction, and data flows through registers; see [`Spatial`].
     Spatial(Spatial),
 }
 
-/// Groups that a machine takes, in the steady state, in so many clocks.
+/// The rate at which a machine takes groups in the steady state: `groups` in every `clocks` clocks.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct Rate {
-    /// Groups.
+    /// The number of groups that are taken.
     pub groups: u32,
-    /// Clocks in which they are taken.
+    /// The number of clocks in which they are taken.
     pub clocks: u32,
 }
 
 impl Rate {
-    /// Clocks from one group to the next, the initiation interval.
+    /// The initiation interval: clocks from one group to the next, on average.
     pub fn interval(self) -> f64 {
         f64::from(self.clocks) / f64::from(self.groups)
     }

@@ -1,13 +1,13 @@
-//! A program of one's own, small enough to be a part of a machine.
+//! A user's own microprogram in a form small enough to be a part of a machine.
 
 use crate::microprogram::{Microprogram, Step};
 use crate::op::Op;
 
-/// The most steps of such a program: what a program counter of 5 bits reaches, one bit more than the named machines
-/// have.
+/// The most steps of a user's own program: the reach of a 5-bit program counter, which has one bit more than
+/// the named machines have.
 pub const MOST_OWN_STEPS: usize = 32;
 
-/// The program of a machine that is not the all-reduce, a step for each clock.
+/// The program of a machine that does not run the paper's all-reduce: one step for each clock.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct OwnProgram {
     steps: [Step; MOST_OWN_STEPS],
@@ -16,7 +16,7 @@ pub struct OwnProgram {
 }
 
 impl OwnProgram {
-    /// The program, unless it is longer than [`MOST_OWN_STEPS`] clocks.
+    /// Packs a program; `None` where it is longer than [`MOST_OWN_STEPS`] clocks.
     pub fn new(program: &Microprogram) -> Option<Self> {
         let mut steps = [Step::new(Op::Nop); MOST_OWN_STEPS];
         let all = program.steps();
@@ -28,7 +28,7 @@ impl OwnProgram {
         })
     }
 
-    /// The program, with a nop in each clock that has no step.
+    /// Unpacks the program. Each clock without a step gets a nop.
     pub fn microprogram(&self) -> Microprogram {
         let (query, iteration) = self.steps[..self.clocks].split_at(self.query_clocks);
         Microprogram::of_phases(query, iteration)

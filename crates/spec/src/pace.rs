@@ -1,41 +1,42 @@
-//! How many clocks a workload takes with no waiting for the streams.
+//! Forecasts how many clocks a workload takes while no stream waits.
 
 use crate::machine::Machine;
 use crate::microprogram::Microprogram;
 use crate::overlap::Program;
 use crate::spatial::{HeadSizes, Spatial};
 
-/// Queries that are tested against the same photons.
+/// A set of queries that are tested against one list of photons.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct SharedGroups {
-    /// How many queries.
+    /// The number of queries in the set.
     pub queries: u64,
-    /// The groups of [`Machine::photons_per_iteration`] photons that each is tested against.
+    /// The number of groups of [`Machine::photons_per_iteration`] photons that each query is tested against.
     pub groups: u64,
 }
 
-/// What the clocks of a machine follow from.
+/// What the number of clocks depends on, for each organisation.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Pace {
-    /// One op a clock for all cells, one query after the other.
+    /// A sequential machine: one op a clock for all cells, one query after another.
     Sequential(Microprogram),
-    /// Groups overlap, queries do not.
+    /// An overlapped machine: groups overlap, queries do not.
     Overlapped(Program),
-    /// A group every clock for all engines of the chain.
+    /// A spatial machine: one group a clock for all engines of the chain.
     Chain {
-        /// Queries of a batch.
+        /// The number of engines, which is the number of queries in a batch.
         engines: u64,
-        /// The fewest clocks from one batch's last group to the next's: results of two must not meet.
+        /// The fewest clocks from one batch's last group to that of the next batch. It keeps the results of
+        /// two batches apart on the result chain.
         spacing: u64,
-        /// From a batch's last group to its first result.
+        /// Clocks from a batch's last group to its first result.
         latency_clocks: u64,
-        /// Between two batches that a photon memory plays.
+        /// Clocks between two batches that a photon memory plays.
         between_batches: u64,
     },
 }
 
 impl Pace {
-    /// That of a machine; none where its program cannot be made.
+    /// The pace of a machine; `None` where its program cannot be made.
     pub fn of(machine: &Machine) -> Option<Self> {
         if let Some(spatial) = machine.spatial() {
             return Some(Self::of_chain(spatial));
@@ -53,9 +54,10 @@ impl Pace {
         }
     }
 
-    /// Clocks from the first query to the last result, without the clock that takes the first query; of a chain up to the
-    /// spacing more. A chain is given no query without photons, and where fewer queries than engines share photons it
-    /// works for none in the others.
+    /// Clocks from the first query to the last result, without the clock that takes the first query. For a
+    /// chain the true number may be larger by up to the spacing. A chain is given no query without photons.
+    /// Where fewer queries than engines share photons, the remaining engines of the batch have no useful
+    /// work.
     pub fn clocks(&self, lists: impl IntoIterator<Item = SharedGroups>) -> u64 {
         let lists = lists.into_iter();
         match self {
@@ -76,7 +78,8 @@ impl Pace {
                     let batches = list.queries.div_ceil(*engines);
                     batches * (list.groups.max(*spacing) + between_batches)
                 });
-                // The first queries come before, and results leave the chain two clocks apart.
+                // The first queries come before the first group, and results leave the chain two clocks
+                // apart.
                 clocks.sum::<u64>() + latency_clocks + 3 * (engines - 1)
             }
         }
@@ -125,7 +128,7 @@ mod tests {
         let base = clocks("tile-6", &[(4, 100)]);
         assert_eq!(clocks("tile-6", &[(8, 100)]), base + 100);
         assert_eq!(clocks("tile-6", &[(1, 100); 8]), base + 7 * 100);
-        // Short batches cost the spacing, 2 N - 1.
+        // A short batch costs the spacing, 2 N - 1 clocks.
         assert_eq!(clocks("tile-6", &[(4, 100), (4, 1)]), base + 7);
     }
 }

@@ -1,55 +1,56 @@
 //! Photon formats: how a stored photon, a query point and their distance become integers.
 //!
-//! A format is relative to the search radius and to the block, never to the scene: what it costs
-//! in accuracy depends on how many steps the radius has, and not on where the scene lies or how
-//! large it is. The rules below are all that a reader of a format may assume.
+//! A format is relative to the search radius and to the block, and independent of the scene. Its cost in
+//! accuracy depends on the number of steps in the radius; the place and size of the scene do not matter. The
+//! rules below are all that a reader of a format may assume.
 //!
 //! # Positions
 //! With p = [`PhotonFormat::position_bits`] and x = [`PhotonFormat::query_extra_bits`]:
 //! - A block edge has 2^p *cells* and 2^(p+x) *fine steps*; lengths below are in fine steps.
-//! - A photon is stored as the index of the cell that contains it, floor(fraction * 2^p), and
-//!   stands for that cell's middle. A fraction that rounding made exactly 1 is in the last cell.
-//! - A query point is the index of the fine cell that contains it and stands for its middle.
+//! - A photon is stored as the index of the cell that contains it, floor(fraction * 2^p). The index
+//!   represents the middle of that cell. A fraction that rounding made exactly 1 is stored in the last cell.
+//! - A query point is stored as the index of the fine cell that contains it. The index represents the middle
+//!   of that cell.
 //! - The search radius is R = 2^(p+x) - 2 = edge - 2, exactly. A scene's radius is never rounded:
 //!   the blocks' edge is chosen so that this ratio holds.
-//! - Coordinates are counted in a frame of [`PhotonFormat::FRAME_BLOCKS`] block edges; a photon
-//!   of the block with offset o stands o edges further on.
+//! - Coordinates are counted in a frame of [`PhotonFormat::FRAME_BLOCKS`] block edges. A photon of the block
+//!   with offset o is shifted by o edges.
 //!
 //! # Distance
-//! - x = 0: both are middles of equal cells, so d = query - photon is an integer; m = |d|, and
-//!   the square is m^2. In range: sum of squares <= R^2.
-//! - x >= 1: a photon's middle lies on a fine grid line and a query's between two. With d the
-//!   difference of the query's index and that line, the distance is |d + 1/2| = m + 1/2 where
-//!   m = d for d >= 0 and m = ~d (inversion, no increment) below. As (m + 1/2)^2 =
-//!   m (m + 1) + 1/4, the *half square* m (m + 1) is summed. In range: sum + 3/4 <= R^2, which
-//!   for integers is sum <= R^2 - 1. No rounding anywhere: exact.
-//! - Overflow: m is clamped to 2^(p+x) - 1 = R + 1, whose square alone is out of range,
-//!   so a clamped axis decides the same as an unclamped one. The sum of the squares saturates at
-//!   2^(2p+2x) - 1, which is out of range too; or it is kept in full, which takes two bits more and
-//!   decides the same (the cells do so: their work register has the bits).
+//! - x = 0: photon and query are both middles of equal cells, so d = query - photon is an integer; m = |d|,
+//!   and the square is m^2. In range: sum of squares <= R^2.
+//! - x >= 1: a photon's middle lies on a fine grid line, and a query's middle lies halfway between two lines.
+//!   With d the difference of the query's index and that line, the distance is |d + 1/2| = m + 1/2, where m =
+//!   d for d >= 0 and m = ~d (inversion, no increment) for d < 0. As (m + 1/2)^2 = m (m + 1) + 1/4, the *half
+//!   square* m (m + 1) is summed. In range: sum + 3/4 <= R^2, which for integers is sum <= R^2 - 1. Nothing
+//!   is rounded.
+//! - Overflow: m is clamped to 2^(p+x) - 1 = R + 1, whose square alone is out of range, so a clamped axis
+//!   gives the same decision as an unclamped one. The sum of the squares saturates at 2^(2p+2x) - 1, which is
+//!   out of range too. The cells instead keep the sum in full, because their work register has the two bits
+//!   more that it takes; the decision is the same.
 //!
 //! # Power
-//! - With [`Channels::Rgb`] a photon has a mantissa for red, green and blue. With
-//!   [`Channels::Mono`] it has one, for its strongest channel, and all photons have the map's one
-//!   colour: the sum of their powers, over its strongest channel.
-//! - A channel's value is mantissa << exponent, in units of the map's own.
-//! - The unit is the largest channel of any photon in the map, over (2^m - 1) << E with m the
-//!   mantissa's bits and E = [`PowerFormat::exponent_range`]; so the largest power is all ones at
-//!   the largest exponent.
-//! - An exponent is the smallest from 0 to E at which the strongest channel (of the photon, or of
-//!   the block's photons) rounds to a mantissa of m bits.
-//! - [`Rounding::Nearest`]: to nearest, ties away from zero; never truncation, which is a bias that
-//!   more photons do not remove. What would need an exponent below 0 rounds to a multiple of the
-//!   unit, perhaps 0.
-//! - [`Rounding::Dithered`]: floor(value + t), with t from 0 to 1 - 2^-16 drawn from a hash of the
-//!   photon's stored position and the channel, so that powers that are all alike do not all round
-//!   alike; the exponent is then the smallest at which the strongest channel itself is at most
-//!   2^m - 1, which no t carries over.
-//! - Overflow: sums are sized for `max_photons` of full scale, see [`crate::FormatWidths::sum`]; a
+//! - With [`Channels::Rgb`] a photon has a mantissa for each of red, green and blue. With [`Channels::Mono`]
+//!   it has one mantissa, for its strongest channel. All photons then have the map's one colour: the sum of
+//!   their powers, divided by the sum's strongest channel.
+//! - A channel's value is mantissa << exponent, in the map's power unit.
+//! - The power unit is the largest channel of any photon in the map, divided by (2^m - 1) << E, with m the
+//!   bits of a mantissa and E = [`PowerFormat::exponent_range`]. So the largest power is all ones at the
+//!   largest exponent.
+//! - An exponent is the smallest one from 0 to E at which the strongest channel (of the photon, or of all
+//!   photons of the block) rounds to a mantissa of m bits.
+//! - [`Rounding::Nearest`] rounds to nearest, ties away from zero. No format truncates, because truncation is
+//!   a bias that more photons do not remove. A power that would need an exponent below 0 rounds to a multiple
+//!   of the unit, perhaps 0.
+//! - [`Rounding::Dithered`] gives floor(value + t), with t from 0 to 1 - 2^-16 drawn from a hash of the
+//!   photon's stored position and the channel. Thus photons of equal power do not all round alike. The
+//!   exponent is then the smallest at which the strongest channel itself is at most 2^m - 1, so that no t
+//!   makes the mantissa overflow.
+//! - Overflow: sums are sized for `max_photons` photons of full scale, see [`crate::FormatWidths::sum`]. A
 //!   query of more photons is refused.
 //!
 //! # Names
-//! A format's name says all of it, and any legal name is a format:
+//! A format's name states all of its fields, and every legal name is a format:
 //! `local` p [`x` x] `-` (`rgb` | `mono`) m [`e` bits | `b` bits] [`d`] [`-n` max_photons], where `e`
 //! is an exponent of each photon, `b` one of each block, `d` dithered; without `-n`,
 //! [`PhotonFormat::DEFAULT_MAX_PHOTONS`].
@@ -60,17 +61,17 @@ use thiserror::Error;
 
 use crate::machine::Machine;
 
-/// Which values a photon's power has.
+/// The channels of a photon's power.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Channels {
-    /// One, for light of one colour.
+    /// One channel, for light of one colour.
     Mono,
-    /// Red, green, blue.
+    /// Red, green and blue.
     Rgb,
 }
 
 impl Channels {
-    /// Their names in pins and reports, in the order of the photon's words.
+    /// The channels' names in pins and reports, in the order of the photon's words.
     pub fn names(self) -> &'static [&'static str] {
         match self {
             Self::Mono => &["power"],
@@ -78,31 +79,31 @@ impl Channels {
         }
     }
 
-    /// How many there are.
+    /// The number of channels.
     pub fn count(self) -> u32 {
         self.names().len() as u32
     }
 }
 
-/// Whose exponent a power has.
+/// The owner of a power's exponent.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Exponent {
-    /// None: one scale for the whole map.
+    /// No exponent: one scale for the whole map.
     None,
-    /// Each block has one, which costs a photon nothing.
+    /// Each block has an exponent, which takes no bits of a photon's record.
     Block {
-        /// Its bits.
+        /// Bits of a block's exponent.
         bits: u32,
     },
-    /// Each photon has one, shared by its channels, as in RGBE8 or RGB9E5.
+    /// Each photon has an exponent, shared by its channels, as in RGBE8 or RGB9E5.
     Photon {
-        /// Its bits.
+        /// Bits of a photon's exponent.
         bits: u32,
     },
 }
 
 impl Exponent {
-    /// Its bits, 0 where there is none.
+    /// Bits of the exponent; 0 where there is none.
     pub fn bits(self) -> u32 {
         match self {
             Self::None => 0,
@@ -111,39 +112,39 @@ impl Exponent {
     }
 }
 
-/// How a mantissa is rounded.
+/// The rounding of a power to a mantissa.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Rounding {
     /// To nearest, ties away from zero.
     Nearest,
-    /// Up or down by chance, so that the mean is the value.
+    /// Up or down by a pseudo-random threshold, so that the mean equals the value.
     Dithered,
 }
 
-/// How power is stored.
+/// The format of a stored power.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, Hash)]
 pub struct PowerFormat {
-    /// Which values there are.
+    /// The channels that are stored.
     pub channels: Channels,
     /// Bits of a mantissa, 1 to 16.
     pub mantissa_bits: u32,
-    /// Whose exponent, 1 to 8 bits where there is one.
+    /// The owner of the exponent; 1 to 8 bits where there is one.
     pub exponent: Exponent,
-    /// How a mantissa is rounded.
+    /// The rounding of a mantissa.
     pub rounding: Rounding,
 }
 
 impl PowerFormat {
-    /// 2^24 is over 1e7: a photon of a millionth of the map's largest keeps a full mantissa. RGBE8
-    /// could hold a larger exponent, and no photon would ever use it.
+    /// The largest exponent that is used. 2^24 is over 1e7, so a photon of a millionth of the map's largest
+    /// power keeps a full mantissa. RGBE8 could hold a larger exponent, and no photon would ever use it.
     const LARGEST_EXPONENT: u32 = 24;
 
-    /// The largest exponent that is used: all that its bits hold, up to 24.
+    /// The largest exponent that is used: the largest that its bits hold, but at most 24.
     pub fn exponent_range(self) -> u32 {
         ((1 << self.exponent.bits().min(8)) - 1).min(Self::LARGEST_EXPONENT)
     }
 
-    /// Bits of the exponent in a photon's record; 0 where its block has it.
+    /// Bits of the exponent in a photon's record; 0 where the exponent belongs to the block.
     pub fn record_exponent_bits(self) -> u32 {
         match self.exponent {
             Exponent::Photon { bits } => bits,
@@ -152,32 +153,32 @@ impl PowerFormat {
     }
 }
 
-/// A photon format; the module's text says what its fields mean.
+/// A photon format. The module's documentation defines the meaning of its fields.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, Hash)]
 pub struct PhotonFormat {
     /// Fraction bits of a photon's position in its block, 4 to 12.
     pub position_bits: u32,
     /// Further fraction bits of a query point, 0 to 2.
     pub query_extra_bits: u32,
-    /// How power is stored.
+    /// The format of a stored power.
     pub power: PowerFormat,
-    /// The most photons that one query may be given, 1 to 2^32; it sizes the sums.
+    /// The most photons that one query may be given, 1 to 2^32; the sums are sized for it.
     pub max_photons: u64,
 }
 
-/// A field of a format is outside what the rules allow.
+/// The error of [`PhotonFormat::check`]: a field is outside its legal range.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("format `{format}`: {field} is {found}, expected {min} to {max}")]
 pub struct FormatError {
-    /// The format.
+    /// The name of the format.
     pub format: String,
-    /// Which of its fields.
+    /// The name of the field that is out of range.
     pub field: &'static str,
     /// The field's value.
     pub found: u64,
-    /// The smallest that works.
+    /// The smallest legal value.
     pub min: u64,
-    /// The largest that works.
+    /// The largest legal value.
     pub max: u64,
 }
 
@@ -185,15 +186,16 @@ impl PhotonFormat {
     /// Block edges that coordinates span; the query's block has offset 1.
     pub const FRAME_BLOCKS: u32 = Machine::FRAME_BLOCKS;
 
-    /// Four times the quarter million in one block that the hard cases ask for.
+    /// The default of [`Self::max_photons`]: four times the quarter million photons in one block of the hard
+    /// cases.
     pub const DEFAULT_MAX_PHOTONS: u64 = 1 << 20;
 
-    /// The format's name, which says all of it.
+    /// The format's name, which states all of its fields.
     pub fn name(&self) -> String {
         self.to_string()
     }
 
-    /// What it is, in a line.
+    /// A description of the format in one line.
     pub fn summary(&self) -> String {
         let PowerFormat {
             channels,
@@ -222,7 +224,7 @@ impl PhotonFormat {
         )
     }
 
-    /// Bits that |A-B| is clamped to: p + x.
+    /// The bits that |A-B| is clamped to: p + x.
     pub fn radius_bits(&self) -> u32 {
         self.position_bits + self.query_extra_bits
     }
@@ -237,7 +239,7 @@ impl PhotonFormat {
         1 << self.radius_bits()
     }
 
-    /// Whether queries stand between the photons' grid lines, so that half squares are summed.
+    /// Whether query points lie halfway between the photons' grid lines, so that half squares are summed.
     pub fn half_steps(&self) -> bool {
         self.query_extra_bits > 0
     }
@@ -250,7 +252,7 @@ impl PhotonFormat {
     /// Checks every field against its documented range.
     ///
     /// # Errors
-    /// The first field outside, with what it could be.
+    /// The first field outside its range, with the range.
     pub fn check(&self) -> Result<(), FormatError> {
         let PowerFormat {
             mantissa_bits,

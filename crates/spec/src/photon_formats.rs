@@ -1,4 +1,4 @@
-//! The table of listed photon formats, and how any other is found by its name.
+//! The table of listed photon formats, and the search for a format by its name.
 
 use thiserror::Error;
 
@@ -29,12 +29,12 @@ const fn own(bits: u32) -> Exponent {
     Exponent::Photon { bits }
 }
 
-/// As large an exponent as a photon of its own could use; it costs a photon nothing.
+/// The exponent of a block in the listed formats: as large as an exponent that a photon could use.
 const BLOCK: Exponent = Exponent::Block { bits: 5 };
 
-/// The listed formats, the default first. `local8-rgb8e8` is RGBE8 (Ward, "Real pixels", Graphics
-/// Gems II, 1991), `local8-rgb9e5` RGB9E5 (EXT_texture_shared_exponent); the default is RGBE8 in the
-/// exponents that light uses: its records differ in three bits that are always 0.
+/// The listed formats; the first is the default. `local8-rgb8e8` is RGBE8 (Ward, "Real pixels", Graphics Gems
+/// II, 1991), `local8-rgb9e5` is RGB9E5 (EXT_texture_shared_exponent). The default is RGBE8 restricted to the
+/// exponents that light uses; its records lack three bits that would always be 0.
 pub const PHOTON_FORMATS: &[PhotonFormat] = &[
     row(8, 0, 8, own(5)),
     row(8, 0, 8, own(8)),
@@ -58,31 +58,31 @@ pub const PHOTON_FORMATS: &[PhotonFormat] = &[
     row(6, 2, 8, BLOCK),
 ];
 
-/// No format has that name.
+/// The error of [`find_photon_format`].
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum UnknownFormat {
-    /// It is not how formats are named.
+    /// The name does not follow the syntax of format names.
     #[error(
         "there is no format `{found}`{meant}; expected local P [x X] - (rgb | mono) M [e BITS | b BITS] [d] \
          [-n PHOTONS] without spaces, such as {examples}"
     )]
     Name {
-        /// The name asked for.
+        /// The name that was given.
         found: String,
-        /// The listed format that was meant, as [`did_you_mean`] tells it.
+        /// A hint with the nearest listed format, made by [`did_you_mean`]; empty where none is near.
         meant: String,
-        /// Some that there are.
+        /// Examples of format names.
         examples: String,
     },
-    /// It names a format outside what the rules allow.
+    /// The name follows the syntax, but a field is outside its range.
     #[error(transparent)]
     Illegal(#[from] FormatError),
 }
 
-/// The format of that name: any legal one, listed or not.
+/// Finds the format of a name. The format need not be listed.
 ///
 /// # Errors
-/// A name that is not one of a format, or one with a field outside its range.
+/// The name does not follow the syntax of format names, or a field is outside its range.
 pub fn find_photon_format(name: &str) -> Result<PhotonFormat, UnknownFormat> {
     let format = parse(name).ok_or_else(|| UnknownFormat::Name {
         found: name.to_owned(),
@@ -97,7 +97,8 @@ pub fn find_photon_format(name: &str) -> Result<PhotonFormat, UnknownFormat> {
     Ok(format)
 }
 
-/// Only what begins as a format is one with a slip: listed names are too alike for anything else.
+/// A hint for a name that begins as a format name does. Other names get no hint, because listed names are too
+/// alike.
 fn meant(name: &str) -> String {
     let listed: Vec<_> = PHOTON_FORMATS.iter().map(PhotonFormat::name).collect();
     let known = listed.iter().map(String::as_str);
@@ -124,7 +125,7 @@ fn parse(name: &str) -> Option<PhotonFormat> {
         power: parse_power(power)?,
         max_photons,
     };
-    // One name for each format: `local08x0-rgb8e0` is none.
+    // Each format has one name: `local08x0-rgb8e0` is refused.
     (format.name() == name).then_some(format)
 }
 

@@ -1,20 +1,20 @@
-//! The words of a photon format: a stored photon, a block of them, a query, its sums.
+//! The words of a photon format: a stored photon, a block of photons, a query and its sums.
 //!
-//! A record packed into bits holds, from bit 0 up: position x, y, z; a mantissa for each channel;
-//! the exponent, if the format has one there.
+//! A record packed into bits holds, from bit 0 up: position x, y, z; a mantissa for each channel; the
+//! exponent, if each photon has one.
 
-/// A stored photon.
+/// A photon as it is stored.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
 pub struct PhotonRecord {
-    /// The cell of its block that contains it, on x, y, z.
+    /// The index of the photon's cell in its block, on x, y, z.
     pub position: [u16; 3],
-    /// Red, green, blue; of one channel the first, and the others are 0.
+    /// The mantissas of red, green, blue. With one channel, the first is used and the others are 0.
     pub mantissa: [u16; 3],
-    /// Its own exponent; 0 where the block has it.
+    /// The photon's own exponent; 0 where the exponent belongs to the block.
     pub exponent: u8,
 }
 
-/// Photons of one block as a query meets them.
+/// The photons of one block, with the block's place in the frame of a query.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct PhotonBlock<'a> {
     /// The block's place in the query's frame, in block edges.
@@ -25,18 +25,18 @@ pub struct PhotonBlock<'a> {
     pub photons: &'a [PhotonRecord],
 }
 
-/// A query point: its fine cell in the frame, on x, y, z. The search radius is the format's.
+/// A query point: the index of its fine cell in the frame, on x, y, z. The search radius is the format's.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
 pub struct LocalQuery {
-    /// In fine steps of the frame.
+    /// The position on x, y, z in fine steps of the frame.
     pub position: [u32; 3],
 }
 
 /// The sums of a query over the photons in range.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
 pub struct LocalSums {
-    /// Power in red, green, blue, in the map's units; of one channel the first.
+    /// The summed power in red, green, blue, in the map's power unit. With one channel, the first is used.
     pub power: [u128; 3],
-    /// Photons in range.
+    /// The number of photons in range.
     pub count: u64,
 }

@@ -1,8 +1,8 @@
 //! The machine's pins and registers in one fixed order.
 //!
-//! Stimulus, golden model, rust-hdl's simulation, Icarus and Verilator all speak in *rows*: one
-//! unsigned number for each signal, in the order given here. One table, so that a comparison
-//! compares the same things, and a mismatch has a name.
+//! Stimulus, golden model, rust-hdl's simulation, Icarus and Verilator all exchange *rows*: one unsigned
+//! number for each signal, in the order of [`Pins`]. With one table for all of them, each comparison is about
+//! the same signals, and a mismatch has a name.
 
 use crate::format::Widths;
 use crate::machine::Machine;
@@ -12,18 +12,18 @@ use crate::register::{REGISTERS, Register};
 use crate::spatial::{EngineRegister, HeadRegister, MemoryRegister, SpatialPins, SpatialWidths};
 use crate::stream::{Group, Inputs, Lane, Outputs, Photon, Query, Sums};
 
-/// A signal: its Verilog name at the top level (or in the trace module) and its width.
+/// A signal with its width. Its Verilog name is that at the top level or in the trace module.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Pin {
-    /// Its name.
+    /// The signal's Verilog name.
     pub name: String,
-    /// Its width in bits.
+    /// The signal's width in bits.
     pub width: u32,
-    /// Where it is in the machine.
+    /// The signal's place in the machine.
     pub place: SignalPlace,
 }
 
-/// Where a signal is.
+/// The place of a signal in the machine.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub enum SignalPlace {
     /// A pin of the top module.
@@ -34,65 +34,64 @@ pub enum SignalPlace {
     Cell {
         /// The cell's node index.
         node: usize,
-        /// The register.
+        /// The register of the cell.
         register: Register,
     },
     /// A register of a spatial machine's head.
     Head {
-        /// The register.
+        /// The register of the head.
         register: HeadRegister,
-        /// Which of them; see [`HeadRegister`].
+        /// The index among several such registers; see [`HeadRegister`].
         index: usize,
     },
     /// A register of a spatial machine's photon memory.
     Memory {
-        /// The register.
+        /// The register of the photon memory.
         register: MemoryRegister,
-        /// Which of them; see [`MemoryRegister`].
+        /// The index among several such registers; see [`MemoryRegister`].
         index: usize,
     },
     /// A register of an engine of a spatial machine.
     Engine {
-        /// The engine, 0 next to the head.
+        /// The engine's number; engine 0 is next to the head.
         engine: usize,
-        /// The register.
+        /// The register of the engine.
         register: EngineRegister,
-        /// Which of them; see [`crate::Instances`].
+        /// The index among several such registers; see [`crate::Instances`].
         index: usize,
     },
-    /// A register of the control block of a machine whose units overlap, by its index in
-    /// [`overlap::CONTROL_REGISTERS`].
+    /// A register of an overlapped machine's control block, by its index in [`overlap::CONTROL_REGISTERS`].
     OverlapControl(usize),
-    /// A register of a cell of such a machine.
+    /// A register of an overlapped machine's cell.
     OverlapCell {
         /// The cell's node index.
         node: usize,
-        /// The register.
+        /// The register of the cell.
         register: overlap::Register,
     },
 }
 
-/// The control block's registers: program counter; "the group at work is the query's last"; "the
-/// result waits to be taken".
+/// The control block's registers: `address` is the program counter, `last` is set while the group at work is
+/// the query's last, `done` is set while the result waits to be taken.
 pub const CONTROL_REGISTERS: [&str; 3] = ["address", "last", "done"];
 
 const PHOTON_COORDINATES: [&str; 3] = ["x", "y", "z"];
 /// The name of the sum that counts the photons in range.
 const COUNT: &str = "count";
 
-/// All signals of a machine, in order.
+/// All signals of a machine in their fixed order.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Pins {
     /// Input pins, without the clock.
     pub inputs: Vec<Pin>,
     /// Output pins, then the registers of the control block and of each cell.
     pub observed: Vec<Pin>,
-    /// How many of `observed` are output pins.
+    /// The number of output pins, which are the first signals of `observed`.
     pub outputs: usize,
 }
 
 impl Pins {
-    /// The signals of a machine.
+    /// Lists the signals of a machine.
     pub fn of(machine: &Machine) -> Self {
         let widths = Widths::of(machine);
         let mut observed = output_pins(machine, &widths);
@@ -114,7 +113,7 @@ impl Pins {
         }
     }
 
-    /// Puts one clock's inputs into a row of [`Self::inputs`].
+    /// Packs one clock's inputs into a row in the order of [`Self::inputs`].
     pub fn input_row(machine: &Machine, inputs: &Inputs) -> Vec<u64> {
         let shape = PhotonPins::of(machine);
         let mut row = vec![
@@ -150,10 +149,10 @@ impl Pins {
         row
     }
 
-    /// Reads a row of [`Self::inputs`] back.
+    /// Unpacks a row in the order of [`Self::inputs`].
     ///
     /// # Panics
-    /// Where the row is not of that length.
+    /// Where the row's length differs from the number of inputs.
     pub fn inputs_of(machine: &Machine, row: &[u64]) -> Inputs {
         let shape = PhotonPins::of(machine);
         let mut values = row.iter().copied();
@@ -198,7 +197,7 @@ impl Pins {
         }
     }
 
-    /// Puts one clock's outputs into the first values of a row of [`Self::observed`].
+    /// Packs one clock's outputs into values in the order of the output pins of [`Self::observed`].
     pub fn output_row(machine: &Machine, outputs: &Outputs) -> Vec<u64> {
         let mut row = vec![
             u64::from(outputs.query_ready),
@@ -210,10 +209,10 @@ impl Pins {
         row
     }
 
-    /// Reads the output pins of a row of [`Self::observed`] back.
+    /// Unpacks the output pins of a row in the order of [`Self::observed`].
     ///
     /// # Panics
-    /// Where the row is shorter than they are.
+    /// Where the row is shorter than the output pins.
     pub fn outputs_of(machine: &Machine, row: &[u64]) -> Outputs {
         let (ready, sums) = row.split_at(3);
         let channels = PhotonPins::of(machine).channels;
@@ -231,7 +230,7 @@ impl Pins {
     }
 }
 
-/// Which words a photon has on a machine's pins.
+/// The words that a photon has on a machine's pins.
 #[derive(Copy, Clone)]
 struct PhotonPins {
     channels: usize,

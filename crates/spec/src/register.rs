@@ -1,12 +1,12 @@
-//! The register file of a cell.
+//! The register file of a sequential machine's cell.
 
 use crate::format::Widths;
 
 /// A register of a cell.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Register {
-    /// The query point's coordinate of this role; in a D cell what is at distance 0 from a photon
-    /// at 0: 0, on quarter steps 1.
+    /// The query point's coordinate of this role. In a D cell: the coordinate at zero distance from a photon
+    /// at 0; that is 0, or 1 for quarter-step formats.
     Query,
     /// The squared search radius.
     RadiusSq,
@@ -14,7 +14,7 @@ pub enum Register {
     Photon,
     /// The photon's power in this role's channel.
     Power,
-    /// The running value: a square, a distance, then a gated power; what the links carry.
+    /// The running value: a square, then a distance, then a gated power. The links carry this register.
     Work,
     /// The sum of the query so far.
     Sum,
@@ -23,17 +23,17 @@ pub enum Register {
 /// One row of the register table.
 #[derive(Copy, Clone, Debug)]
 pub struct RegisterRow {
-    /// The register.
+    /// The register that the row describes.
     pub register: Register,
-    /// Its one-letter name in listings and formulas.
+    /// The register's one-letter name in listings and formulas.
     pub mnemonic: &'static str,
-    /// Its name in the emitted Verilog.
+    /// The register's name in the emitted Verilog.
     pub name: &'static str,
-    /// Its width in bits.
+    /// The register's width in bits.
     pub width: fn(&Widths) -> u32,
 }
 
-/// The register file, one row each, in the order of [`Register`].
+/// The register table, one row each, in the order of [`Register`].
 pub const REGISTERS: &[RegisterRow] = &[
     RegisterRow {
         register: Register::Query,
@@ -74,7 +74,7 @@ pub const REGISTERS: &[RegisterRow] = &[
 ];
 
 impl Register {
-    /// The register's row.
+    /// The register's row in [`REGISTERS`].
     pub fn row(self) -> &'static RegisterRow {
         &REGISTERS[self as usize]
     }

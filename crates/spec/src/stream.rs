@@ -1,6 +1,6 @@
-//! The words that cross the machine's streams, and one clock's worth of its pins.
+//! The words of the machine's streams, and the values of its pins in one clock.
 
-/// A query point: where an estimate is made.
+/// A query point: the place of an estimate.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Query {
     /// Its coordinates x, y, z in steps of the frame, [`crate::Widths::coordinate`] wide.
@@ -10,23 +10,22 @@ pub struct Query {
     pub radius_sq: u32,
 }
 
-/// A photon as the machine sees it.
+/// A photon as it stands on the machine's pins.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Photon {
-    /// Its coordinates x, y, z in its own steps of the frame, [`crate::Widths::photon`] wide.
+    /// The photon's coordinates x, y, z in photon steps of the frame, [`crate::Widths::photon`] wide.
     pub position: [u32; 3],
-    /// Its power in red, green, blue, [`crate::Widths::mantissa`] wide; of one channel the first,
-    /// and the others are 0.
+    /// The mantissas of red, green, blue, [`crate::Widths::mantissa`] wide. With one channel, the first is
+    /// used and the others are 0.
     pub power: [u32; 3],
-    /// The exponent of all its powers, [`crate::Widths::exponent`] wide; 0 where the machine has
-    /// none.
+    /// The exponent shared by all channels, [`crate::Widths::exponent`] wide; 0 where the machine has none.
     pub exponent: u32,
 }
 
-/// One quad's part of a group.
+/// One lane of a group: the photon for one quad.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Lane {
-    /// Whether there is a photon; without one, the word counts for nothing, whatever it is.
+    /// Whether the lane has a photon. Without one, the word on the pins has no effect.
     pub present: bool,
     /// The word on the lane's pins.
     pub photon: Photon,
@@ -44,14 +43,15 @@ pub struct Group {
 /// The sums of a query over the photons in range.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Sums {
-    /// Power in red, green, blue, in power steps; of one channel the first, and the others are 0.
+    /// The summed power in red, green, blue, in power steps. With one channel, the first is used and the
+    /// others are 0.
     pub power: [u64; 3],
-    /// Photons in range.
+    /// The number of photons in range.
     pub count: u64,
 }
 
-/// What stands on the machine's input pins in one clock. Words are there whether or not they are
-/// valid, as on real wires: a machine must not look at them.
+/// The values of the machine's input pins in one clock. Words are present whether or not they are valid, as
+/// on real wires; a machine must ignore a word that is not valid.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Inputs {
     /// Synchronous reset, active high.
@@ -60,9 +60,10 @@ pub struct Inputs {
     pub query_valid: bool,
     /// The query stream's word.
     pub query: Query,
-    /// The query's batch is the last on its set of photons; for machines with a photon memory.
+    /// Marks a query whose batch is the last on its set of photons; for machines with a photon memory.
     pub query_release: bool,
-    /// The group stream's valid; once high it must stay, with the word, until it is taken.
+    /// The group stream's valid. Once high it must stay high, with the word unchanged, until the group is
+    /// taken.
     pub group_valid: bool,
     /// The group stream's word.
     pub group: Group,
@@ -70,14 +71,14 @@ pub struct Inputs {
     pub result_ready: bool,
 }
 
-/// What stands on the machine's output pins in one clock.
+/// The values of the machine's output pins in one clock.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub struct Outputs {
-    /// The machine takes the query of this clock, if it is valid.
+    /// The query stream's ready: the machine takes the query of this clock, if it is valid.
     pub query_ready: bool,
-    /// The machine takes the group of this clock, if it is valid.
+    /// The group stream's ready: the machine takes the group of this clock, if it is valid.
     pub group_ready: bool,
-    /// The result is complete.
+    /// The result stream's valid: the result is complete.
     pub result_valid: bool,
     /// The result; meaningful while `result_valid`.
     pub result: Sums,

@@ -1,8 +1,8 @@
-//! The microprogram, disassembled from its control words: what the control store holds, readable.
+//! Snapshots of the programs, disassembled from the words of the control store into readable text.
 
 use photoncube_spec::{ControlWord, FIELDS, Field, Machine, find_machine};
 
-/// Every control word with the fields that are not zero.
+/// Lists every control word with its fields that are not zero.
 fn disassemble(machine: &Machine) -> String {
     let program = machine.microprogram().expect("it runs a program");
     let words = program.control_words();
@@ -39,7 +39,7 @@ fn the_control_store_of_five_dimensions() {
     insta::assert_snapshot!(disassemble(find_machine("paper-5d").unwrap()));
 }
 
-/// The kernel of the machine whose units overlap, and what each role's control store holds.
+/// The kernel of the overlapped machine, and the control store of each role.
 fn overlap_listing() -> String {
     use photoncube_spec::Role;
     use photoncube_spec::overlap::{FIELDS, Program};

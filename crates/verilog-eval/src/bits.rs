@@ -1,20 +1,20 @@
-//! Numbers of any width, two-state: what constants are folded with, and what runs where a value has
-//! more than 64 bits. Plain loops over words; the fast path is [`super::program`]'s.
+//! Two-state numbers of any width, for constant folding and for values of more than 64 bits at run time. The
+//! operations are plain loops over words; the fast path is that of [`super::program`].
 
 /// An unsigned number of `width` bits; the bits above the width are 0.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Bits {
     width: u32,
-    /// The lowest first.
+    /// The words, the lowest first.
     words: Vec<u64>,
 }
 
-/// Words that hold so many bits; at least one.
+/// The number of words that hold `width` bits; at least one.
 pub fn words_of(width: u32) -> usize {
     width.div_ceil(u64::BITS).max(1) as usize
 }
 
-/// The bits of the highest word of a number.
+/// A mask of the bits in the highest word of a number.
 pub fn top_mask(width: u32) -> u64 {
     match width % u64::BITS {
         0 => u64::MAX,
@@ -39,7 +39,7 @@ impl Bits {
         Self::cut(width, words)
     }
 
-    /// The lowest `width` bits of the words; 0 where there are none.
+    /// The number of the lowest `width` bits of the words. Missing words are 0.
     pub fn cut(width: u32, mut words: Vec<u64>) -> Self {
         words.resize(words_of(width), 0);
         if let Some(top) = words.last_mut() {
@@ -68,7 +68,7 @@ impl Bits {
         index < self.width && self.words[(index / 64) as usize] >> (index % 64) & 1 == 1
     }
 
-    /// The value, where it fits a word.
+    /// The value; `None` where it does not fit 64 bits.
     pub fn to_u64(&self) -> Option<u64> {
         let above = self.words[1..].iter().all(|&word| word == 0);
         above.then_some(self.words[0])
@@ -176,13 +176,13 @@ impl Bits {
         filled.slice(by, self.width)
     }
 
-    /// A shift's amount; none where nothing is left.
+    /// A shift's amount; `None` where it shifts out all bits.
     fn amount(&self, amount: &Self) -> Option<u32> {
         let by = amount.to_u64()?;
         (by < u64::from(self.width)).then_some(by as u32)
     }
 
-    /// The number so many bits higher.
+    /// The number shifted up by `by` bits.
     fn up(&self, by: u32, width: u32) -> Self {
         let (whole, part) = ((by / 64) as usize, by % 64);
         let word = |index: usize| {
@@ -198,7 +198,7 @@ impl Bits {
         Self::cut(width, (0..words_of(width)).map(word).collect())
     }
 
-    /// `width` bits from bit `low` on; 0 above the number.
+    /// `width` bits from bit `low` on. Bits above the number are 0.
     pub fn slice(&self, low: u32, width: u32) -> Self {
         let (whole, part) = ((low / 64) as usize, low % 64);
         let word = |index: usize| {
@@ -224,7 +224,7 @@ impl Bits {
         extended.or(&above.up(self.width, width))
     }
 
-    /// This number above the other one.
+    /// The concatenation with this number above `low`.
     pub fn concat(&self, low: &Self) -> Self {
         let width = self.width + low.width;
         self.up(low.width, width).or(&low.zero_extend(width))
@@ -237,7 +237,7 @@ mod tests {
     use rand::{RngExt, SeedableRng};
     use rand_pcg::Pcg64;
 
-    /// Against the machine's own 128-bit integers, at every width up to them.
+    /// Compares the operations with the machine's own 128-bit integers, at every width up to these.
     #[test]
     fn operations_are_those_of_wide_integers() {
         let rng = &mut Pcg64::seed_from_u64(1);

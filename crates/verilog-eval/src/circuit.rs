@@ -1,9 +1,10 @@
-//! From the flat design to two-state nodes: every observed signal, every register that it hangs on,
-//! every memory, as what one clock computes.
+//! Lowers the flat design to two-state nodes: every observed signal, and every register and memory that it
+//! depends on, as a function of the state before one clock.
 //!
-//! A second node goes with each value, for the bits that are unknown; see [`super::four_state`]. A
-//! register has a second one where an unknown bit may reach it: first those are thought to be known
-//! that start so, and where that turns out wrong, all that hang on them are done again.
+//! Each value has a second node for the bits that are unknown; see [`super::four_state`]. A register has a
+//! second node where an unknown bit may reach it. The lowering first assumes that registers with a known
+//! start are known always. Where an unknown bit reaches such a register, all that depends on it is lowered
+//! again.
 
 use std::collections::HashSet;
 
@@ -15,14 +16,14 @@ use super::graph::{Known, MemoryId, SignalId, Value, ValueId};
 use super::node::{Binary, NodeId, Nodes, Operation, Unary};
 use super::{Refusal, refuse};
 
-/// What one clock computes.
+/// The function that one clock computes.
 pub struct Circuit {
     pub nodes: Nodes,
-    /// The leaf of each input, in the order asked for; none where nothing reads it.
+    /// The leaf of each input, in the order of the question; `None` where nothing reads it.
     pub inputs: Vec<Option<NodeId>>,
     pub registers: Vec<Register>,
     pub memories: Vec<Memory>,
-    /// In the order asked for.
+    /// The observed signals, in the order of the question.
     pub observed: Vec<Pair>,
 }
 
@@ -44,14 +45,14 @@ pub struct Write {
     pub data: NodeId,
 }
 
-/// What is asked for.
+/// The signals that are to be observed, and the inputs.
 pub struct Question<'q> {
     pub clock: Option<SignalId>,
     pub inputs: &'q [SignalId],
     pub observed: &'q [SignalId],
 }
 
-/// Lowers what the observed signals hang on.
+/// Lowers everything that the observed signals depend on.
 pub fn circuit(flat: &Flat<'_>, question: &Question<'_>) -> Result<Circuit, Refusal> {
     let mut doubts = Doubts::default();
     loop {
@@ -67,7 +68,7 @@ pub fn circuit(flat: &Flat<'_>, question: &Question<'_>) -> Result<Circuit, Refu
     }
 }
 
-/// The leaf of the clock; inputs and registers are numbered from 0.
+/// The number of the clock's leaf. Inputs and registers are numbered from 0.
 const CLOCK: u32 = u32::MAX;
 
 pub struct Lowering<'l> {
@@ -77,15 +78,15 @@ pub struct Lowering<'l> {
     pub nodes: Nodes,
     values: Vec<Option<Pair>>,
     signals: Vec<Option<Pair>>,
-    /// What is being lowered: met again, it is a loop.
+    /// The places that are being lowered. A place that is reached again is part of a combinational loop.
     open: HashSet<Place>,
     leaves: u32,
     inputs: Vec<Option<NodeId>>,
-    /// Registers that were reached, with their leaves.
+    /// The registers that were reached, with their leaves.
     pub registers: Vec<(SignalId, Pair)>,
-    /// What they become.
+    /// The next values of the registers.
     pub next: Vec<Pair>,
-    /// Memories that were reached: the number of the values, and of what is unknown of them.
+    /// The memories that were reached, with the number of the values and the number of their unknown bits.
     pub memories: Vec<(MemoryId, u32, Option<u32>)>,
     pub writes: Vec<Vec<[Pair; 3]>>,
     planes: u32,
@@ -117,7 +118,7 @@ impl<'l> Lowering<'l> {
         }
     }
 
-    /// Lowers all; a register or a memory that is reached asks for more.
+    /// Lowers everything. Each register or memory that is reached adds work.
     fn run(&mut self) -> Result<(), Refusal> {
         if let Some(clock) = self.question.clock {
             let leaf = self.nodes.leaf(1, CLOCK);
@@ -187,7 +188,7 @@ impl<'l> Lowering<'l> {
         Ok(writes)
     }
 
-    /// Lowers a value and all that it hangs on, without recursion: a chain may be long.
+    /// Lowers a value and all values that it depends on. Does not recurse, because a chain may be long.
     fn lower(&mut self, root: Place) -> Result<Pair, Refusal> {
         let mut stack = vec![(root, false)];
         while let Some((place, operands_are_there)) = stack.pop() {
@@ -292,7 +293,7 @@ impl<'l> Lowering<'l> {
         }
     }
 
-    /// Parts put together; what is not driven is unknown.
+    /// Concatenates parts. Undriven bits are unknown.
     fn parts(&mut self, width: u32, parts: &[(u32, ValueId)]) -> Pair {
         let mut all = four_state::constant(&mut self.nodes, &Known::nothing(width));
         for &(low, value) in parts {
@@ -336,7 +337,7 @@ impl<'l> Lowering<'l> {
         pair
     }
 
-    /// A word; unknown outside the memory, and where the address is unknown.
+    /// Reads a word of a memory. It is unknown outside the memory and for an unknown address.
     fn word(&mut self, id: MemoryId, address: Pair) -> Pair {
         let flat = self.flat;
         let memory = flat.memory(id);

@@ -1,4 +1,4 @@
-//! Which registers and memories may hold unknown bits, beside those that start so.
+//! Finds the registers and memories that may hold unknown bits although they start known.
 
 use std::collections::HashSet;
 
@@ -7,7 +7,7 @@ use super::four_state::Pair;
 use super::graph::{MemoryId, SignalId};
 use super::node::Operation;
 
-/// Registers and memories that may hold unknown bits, whatever they start with.
+/// Registers and memories that may hold unknown bits, whatever their start.
 #[derive(Clone, Default)]
 pub struct Doubts {
     pub registers: HashSet<SignalId>,
@@ -15,8 +15,8 @@ pub struct Doubts {
 }
 
 impl Lowering<'_> {
-    /// The doubts with those that this lowering raises: what is known by assumption and is given
-    /// something unknown, and all that hangs on it.
+    /// The doubts, with those that this lowering adds: registers that were assumed known and receive an
+    /// unknown value, and all registers that depend on them.
     pub fn doubts(&self) -> Doubts {
         let mut doubts = self.doubts.clone();
         let unknown = |pair: &Pair| !self.nodes.is_zero(pair.unknown);
@@ -38,7 +38,7 @@ impl Lowering<'_> {
         doubts
     }
 
-    /// Adds what reads something in doubt; whether anything was added.
+    /// Adds the registers that read something in doubt. Returns whether any was added.
     fn spread_doubts(&self, doubts: &mut Doubts) -> bool {
         let mut doubtful = vec![false; self.nodes.len()];
         for (id, leaf) in &self.registers {

@@ -1,5 +1,5 @@
-//! The hierarchy, taken apart: every instance's names get numbers, every block and every port becomes
-//! what drives a signal.
+//! Flattens the hierarchy. Every name of every instance gets a number, and every block and every port becomes
+//! a driver of signals.
 
 use std::collections::HashMap;
 
@@ -13,10 +13,10 @@ use super::syntax::{
 };
 use super::{Refusal, refuse};
 
-/// Instances stand in each other so deep at most.
+/// The largest depth of nested instances.
 const DEEPEST: usize = 64;
 
-/// The design below its top module.
+/// Flattens the design below its top module.
 pub fn elaborate<'a>(modules: &'a [Module], top: &str) -> Result<Flat<'a>, Refusal> {
     let mut named = HashMap::new();
     for module in modules {
@@ -46,7 +46,7 @@ pub struct Elaboration<'a> {
     pub flat: Flat<'a>,
 }
 
-/// The values that an instance gives to parameters, and whether they are signed.
+/// The parameters that an instance sets, with their values and signs.
 pub type Parameters<'a> = HashMap<&'a str, (Known, bool)>;
 
 impl<'a> Elaboration<'a> {
@@ -237,7 +237,7 @@ impl<'a> Elaboration<'a> {
         self.declare(instance, &function.name, entity, function.line)
     }
 
-    /// What a declaration gives to its net all the time, or to its variable at the start.
+    /// Applies the value in a declaration: a continuous driver of a net, or the initial value of a variable.
     fn start(&mut self, instance: usize, d: &'a Declaration) -> Result<(), Refusal> {
         let Some(value) = &d.value else {
             return Ok(());
@@ -294,7 +294,7 @@ impl<'a> Elaboration<'a> {
         });
     }
 
-    /// `assign`, or what an output drives.
+    /// Applies an `assign`, or the driver of an output.
     fn assign(
         &mut self,
         instance: usize,
@@ -384,7 +384,7 @@ impl<'a> Elaboration<'a> {
         Ok(())
     }
 
-    /// What a block without a clock leaves.
+    /// Drives the signals that a block without a clock assigns.
     fn settle(
         &mut self,
         environment: Environment,

@@ -1,11 +1,11 @@
-//! What a block has assigned so far, while it is followed from its first statement to its last.
+//! The assignments of a block so far, while it is executed symbolically from its first statement to its last.
 
 use std::collections::{BTreeMap, HashSet};
 
 use super::bits::Bits;
 use super::graph::{SignalId, ValueId};
 
-/// What kind of code is followed.
+/// The kind of code that is executed.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub enum Mode {
     /// A continuous assignment, or a constant.
@@ -17,24 +17,24 @@ pub enum Mode {
     Initial,
 }
 
-/// A signal as the block has assigned it.
+/// A signal with the value that the block has assigned.
 #[derive(Clone, Debug)]
 pub struct Slot {
     pub value: ValueId,
-    /// The bits that are not assigned on every way; none where all are.
+    /// The bits that some path does not assign; `None` where all paths assign all bits.
     pub missing: Option<Bits>,
 }
 
-/// What is assigned on the way to a statement; a branch lies above what was before it.
+/// The assignments on the path to a statement. A branch is a layer above the assignments before it.
 pub struct Environment {
     pub mode: Mode,
     layers: Vec<Layer>,
-    /// What the block assigns anywhere.
+    /// The signals that the block assigns anywhere.
     pub targets: HashSet<SignalId>,
-    /// What it reads from outside.
+    /// The signals that the block reads from outside.
     pub reads: Vec<SignalId>,
     pub reads_memory: bool,
-    /// What holds on the way, innermost last.
+    /// The conditions that hold on the path, the innermost last.
     pub conditions: Vec<ValueId>,
 }
 
@@ -67,13 +67,13 @@ impl Environment {
         self.conditions.push(condition);
     }
 
-    /// What the branch assigned.
+    /// Ends a branch and returns its assignments.
     pub fn leave(&mut self) -> Layer {
         self.conditions.pop();
         self.layers.pop().expect("a branch was entered")
     }
 
-    /// What the whole block assigned.
+    /// Ends the block and returns all of its assignments.
     pub fn take(&mut self) -> Layer {
         self.layers.pop().expect("a block has a layer")
     }

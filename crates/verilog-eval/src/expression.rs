@@ -1,6 +1,6 @@
-//! Expressions, with Verilog's widths and signs (IEEE 1364-2005, 5.4 and 5.5): the operands of most
-//! operators are extended to the width of what stands around them *before* the operator works, by
-//! their sign only where everything around is signed.
+//! Evaluates expressions symbolically, with Verilog's widths and signs (IEEE 1364-2005, 5.4 and 5.5). The
+//! operands of most operators are extended to the width of their context *before* the operator is applied.
+//! They are extended by their sign only where all operands of the context are signed.
 
 use std::collections::HashMap;
 
@@ -12,12 +12,12 @@ use super::shape::{Part, is_arithmetic, is_shift};
 use super::syntax::{Binary, Expression, ExpressionKind, Function, Line, Number, Select, Unary};
 use super::{Refusal, refuse};
 
-/// Follows the code of one instance.
+/// Evaluates the code of one instance.
 pub struct Evaluator<'e, 'a> {
     pub flat: &'e mut Flat<'a>,
     pub instance: usize,
     pub environment: Environment,
-    /// The names of the functions that are being called, innermost last.
+    /// The local names of the functions that are being called, the innermost last.
     pub calls: Vec<HashMap<&'a str, SignalId>>,
 }
 
@@ -43,32 +43,32 @@ impl<'e, 'a> Evaluator<'e, 'a> {
         };
         let outside = matches!(found, Entity::Signal(_) | Entity::Memory(_));
         if outside && !self.calls.is_empty() {
-            // `always @(*)` does not wait for what only a function reads.
+            // `always @(*)` does not wait for signals that only a function reads.
             return refuse(line, format!("a function reads `{name}`, no input of it"));
         }
         Ok(found.clone())
     }
 
-    /// The value of an expression that is assigned to something of that width.
+    /// The value of an expression that is assigned to a target of `width` bits.
     pub fn assigned(&mut self, e: &'a Expression, width: u32) -> Result<ValueId, Refusal> {
         let shape = self.shape(e)?;
         let value = self.context(e, width.max(shape.width), shape.signed)?;
         Ok(self.flat.graph.resize(value, width, shape.signed))
     }
 
-    /// The value of an expression that stands alone.
+    /// The value of an expression without a context.
     pub fn alone(&mut self, e: &'a Expression) -> Result<ValueId, Refusal> {
         let shape = self.shape(e)?;
         self.context(e, shape.width, shape.signed)
     }
 
-    /// One bit: whether any bit is 1.
+    /// A truth value of one bit: whether any bit of the expression is 1.
     pub fn truth(&mut self, e: &'a Expression) -> Result<ValueId, Refusal> {
         let value = self.alone(e)?;
         Ok(self.flat.graph.unary(graph::Unary::Any, value))
     }
 
-    /// The value of an expression at the width, and of the sign, of what stands around it.
+    /// The value of an expression at the width and the sign of its context.
     pub fn context(
         &mut self,
         e: &'a Expression,
@@ -133,7 +133,7 @@ impl<'e, 'a> Evaluator<'e, 'a> {
         }
     }
 
-    /// What has its own width, whatever stands around it.
+    /// The value of an operand that has its own width, whatever the context.
     fn operand(&mut self, e: &'a Expression) -> Result<ValueId, Refusal> {
         match &e.kind {
             ExpressionKind::Number(number) => Ok(self.number(number)),
@@ -261,7 +261,7 @@ impl<'e, 'a> Evaluator<'e, 'a> {
         Ok(self.flat.graph.add(width, Value::Word(id, at)))
     }
 
-    /// A signal as it is at this statement.
+    /// The value of a signal at this statement.
     pub fn read(&mut self, id: SignalId, line: Line) -> Result<ValueId, Refusal> {
         let signal = self.flat.signal(id);
         let follows = signal.local || self.environment.mode != Mode::Clocked;
@@ -286,7 +286,7 @@ impl<'e, 'a> Evaluator<'e, 'a> {
         Ok(self.flat.read(id))
     }
 
-    /// A function's value: its body is followed with the arguments in its inputs.
+    /// The value of a function: its body is executed with the arguments in its inputs.
     fn call(
         &mut self,
         name: &str,
@@ -325,7 +325,7 @@ impl<'e, 'a> Evaluator<'e, 'a> {
             let width = self.flat.signal(variables[variable.name.as_str()]).width;
             values.push(self.assigned(argument, width)?);
         }
-        // What an earlier call left is gone.
+        // The variables of an earlier call are discarded.
         for &id in variables.values() {
             let slot = self.unassigned(id);
             self.environment.set(id, slot);
@@ -338,7 +338,7 @@ impl<'e, 'a> Evaluator<'e, 'a> {
         Ok(())
     }
 
-    /// A variable before any statement.
+    /// A variable before any assignment.
     pub fn unassigned(&mut self, id: SignalId) -> Slot {
         let width = self.flat.signal(id).width;
         Slot {

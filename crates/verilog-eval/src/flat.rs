@@ -1,4 +1,4 @@
-//! The design without its hierarchy: signals, memories and what drives them, by numbers.
+//! The flattened design: signals, memories and their drivers, by number.
 
 use std::collections::HashMap;
 
@@ -16,11 +16,11 @@ pub struct Flat<'a> {
     pub signals: Vec<Signal<'a>>,
     pub memories: Vec<Memory<'a>>,
     pub units: Vec<Unit>,
-    /// Where constants are folded.
+    /// The nodes in which constants are folded.
     scratch: Nodes,
 }
 
-/// A module's instance; the first is the top.
+/// An instance of a module; the first instance is the top.
 pub struct Instance<'a> {
     pub parent: Option<usize>,
     pub name: &'a str,
@@ -28,7 +28,7 @@ pub struct Instance<'a> {
     pub children: HashMap<&'a str, usize>,
 }
 
-/// What a name stands for.
+/// The object that a name denotes.
 #[derive(Clone)]
 pub enum Entity<'a> {
     Signal(SignalId),
@@ -42,22 +42,22 @@ pub struct Signal<'a> {
     pub name: &'a str,
     pub width: u32,
     pub signed: bool,
-    /// `reg` or `integer`: what blocks may assign.
+    /// A `reg` or `integer`, which blocks may assign.
     pub variable: bool,
-    /// A function's, which lives in a call.
+    /// A variable of a function, which exists only in a call.
     pub local: bool,
     pub line: Line,
     pub driver: Driver,
-    /// What a variable starts with.
+    /// The initial value of a variable.
     pub initial: Option<Known>,
 }
 
 pub enum Driver {
     None,
-    /// A pin of the top.
+    /// An input pin of the top module.
     Input,
     Value(ValueId),
-    /// Parts that are driven apart: lowest bit, value.
+    /// Parts with separate drivers: the lowest bit and the value of each.
     Parts(Vec<(u32, ValueId)>),
     Register {
         clock: SignalId,
@@ -69,10 +69,10 @@ pub enum Driver {
 pub struct Memory<'a> {
     pub name: &'a str,
     pub width: u32,
-    /// What each word starts with.
+    /// The initial value of each word.
     pub words: Vec<Known>,
     pub clock: Option<SignalId>,
-    /// In their order.
+    /// The writes in the order of the text.
     pub writes: Vec<Write>,
 }
 
@@ -82,12 +82,12 @@ pub struct Write {
     pub data: ValueId,
 }
 
-/// A block or an assignment without a clock: what it reads and what it drives.
+/// A block or an assignment without a clock, with the signals that it reads and drives.
 pub struct Unit {
     pub reads: Vec<SignalId>,
     pub reads_memory: bool,
     pub targets: Vec<SignalId>,
-    /// `always @(*)`, which waits for something to change.
+    /// An `always @(*)`, which runs only when a signal changes.
     pub waits: bool,
 }
 
@@ -120,13 +120,13 @@ impl<'a> Flat<'a> {
         MemoryId(id)
     }
 
-    /// The value that a signal has.
+    /// The value of a signal.
     pub fn read(&mut self, id: SignalId) -> ValueId {
         let width = self.signal(id).width;
         self.graph.add(width, Value::Signal(id))
     }
 
-    /// The hierarchical name, without the top.
+    /// The hierarchical name, without the name of the top.
     pub fn path(&self, instance: usize, name: &str) -> String {
         let mut path = name.to_owned();
         let mut at = &self.instances[instance];
@@ -143,7 +143,7 @@ impl<'a> Flat<'a> {
         self.path(signal.instance, signal.name)
     }
 
-    /// The signal of a hierarchical name.
+    /// Finds the signal of a hierarchical name.
     pub fn find(&self, path: &str) -> Option<SignalId> {
         match self.entity(path)? {
             Entity::Signal(id) => Some(*id),
@@ -151,7 +151,7 @@ impl<'a> Flat<'a> {
         }
     }
 
-    /// Lets every word of the memory of that hierarchical name start as zero.
+    /// Sets the initial value of every word of a memory, named by its hierarchical name, to zero.
     pub fn fill_with_zeros(&mut self, path: &str) -> Result<(), Refusal> {
         let Some(&Entity::Memory(id)) = self.entity(path) else {
             return refuse(1, format!("there is no memory `{path}`"));
@@ -197,7 +197,7 @@ impl<'a> Flat<'a> {
         Ok(())
     }
 
-    /// A value that depends on no signal.
+    /// Folds a value that depends on no signal; `None` for others.
     pub fn fold(&mut self, id: ValueId) -> Option<Known> {
         let pair = self.fold_pair(id)?;
         let bits = |node| self.scratch.constant(node).cloned();
@@ -220,7 +220,7 @@ impl<'a> Flat<'a> {
         four_state::operation(&mut self.scratch, width, &value, &operands)
     }
 
-    /// A number that depends on no signal and has no unknown bit.
+    /// Folds a value that depends on no signal and has no unknown bit; `None` for others.
     pub fn fold_number(&mut self, id: ValueId) -> Option<Bits> {
         let known = self.fold(id)?;
         known.unknown.is_zero().then_some(known.value)

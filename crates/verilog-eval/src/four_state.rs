@@ -1,14 +1,14 @@
-//! Verilog's operators on values that may be unknown, as pairs of two-state nodes: the value, and
-//! which of its bits are unknown. Where nothing is unknown that node is the constant 0, all that
-//! hangs on it folds away, and an initialised design pays nothing.
+//! Verilog's operators on values that may be unknown, as pairs of two-state nodes: the value, and a mask of
+//! its unknown bits. Where no bit is unknown the mask is the constant 0 and everything that depends on it is
+//! folded. Thus an initialised design runs without extra cost.
 //!
-//! Bitwise operators, selections and concatenations are precise, bit by bit; of others one unknown
-//! bit makes the whole result unknown (IEEE 1364-2005, 5.1), as in Icarus.
+//! Bitwise operators, selections and concatenations are precise, bit by bit. For all other operators, one
+//! unknown bit makes the whole result unknown (IEEE 1364-2005, 5.1), as in Icarus.
 
 use super::graph::{Binary, Known, Unary, Value};
 use super::node::{self, NodeId, Nodes};
 
-/// A value; its bits are 0 where it is unknown.
+/// A value with the mask of its unknown bits. Unknown bits are 0 in the value.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct Pair {
     pub value: NodeId,
@@ -27,7 +27,7 @@ pub fn constant(nodes: &mut Nodes, known: &Known) -> Pair {
     }
 }
 
-/// An operation on operands that are there; `None` for what is no operation.
+/// Applies an operation to operands that are lowered already; `None` for a value that is not an operation.
 pub fn operation(nodes: &mut Nodes, width: u32, value: &Value, operands: &[Pair]) -> Option<Pair> {
     Some(match (value, operands) {
         (Value::Constant(known), _) => constant(nodes, known),
@@ -65,13 +65,13 @@ fn all(nodes: &mut Nodes, a: NodeId) -> NodeId {
     nodes.unary(node::Unary::All, a)
 }
 
-/// `a` where `b` is 0.
+/// `a & ~b`.
 fn and_not(nodes: &mut Nodes, a: NodeId, b: NodeId) -> NodeId {
     let not = nodes.not(b);
     nodes.and(a, not)
 }
 
-/// Unknown as a whole where `unknown`, one bit, is 1.
+/// A value that is unknown as a whole where `unknown`, one bit, is 1.
 fn all_or_nothing(nodes: &mut Nodes, value: NodeId, unknown: NodeId) -> Pair {
     let unknown = nodes.spread(unknown, nodes.width(value));
     let value = and_not(nodes, value, unknown);
@@ -151,7 +151,7 @@ fn binary(nodes: &mut Nodes, operation: Binary, a: Pair, b: Pair) -> Pair {
     all_or_nothing(nodes, value, unknown)
 }
 
-/// Unknown where one is and neither is 0.
+/// AND: a bit is unknown where one operand is unknown and neither is a known 0.
 fn and(nodes: &mut Nodes, a: Pair, b: Pair) -> Pair {
     let value = nodes.and(a.value, b.value);
     let may_be_a = nodes.or(a.value, a.unknown);
@@ -162,7 +162,7 @@ fn and(nodes: &mut Nodes, a: Pair, b: Pair) -> Pair {
     Pair { value, unknown }
 }
 
-/// Two bits that are known and differ decide, whatever else is unknown.
+/// Equality: two bits that are known and differ decide, whatever bits are unknown.
 fn equal(nodes: &mut Nodes, a: Pair, b: Pair) -> Pair {
     let unknown = nodes.or(a.unknown, b.unknown);
     if nodes.is_zero(unknown) {
@@ -212,7 +212,7 @@ fn conditional(nodes: &mut Nodes, c: Pair, a: Pair, b: Pair) -> Pair {
     }
 }
 
-/// Unknown above the number.
+/// A slice. Bits above the number are unknown.
 fn slice(nodes: &mut Nodes, a: Pair, low: u32, width: u32) -> Pair {
     let there = nodes.width(a.value).saturating_sub(low).min(width);
     if there == 0 {
@@ -230,7 +230,7 @@ fn slice(nodes: &mut Nodes, a: Pair, low: u32, width: u32) -> Pair {
     }
 }
 
-/// What is known, shifted down: above the number nothing is.
+/// A slice at a computed place: the known bits, shifted down. Bits above the number are unknown.
 fn slice_at(nodes: &mut Nodes, a: Pair, at: Pair, width: u32) -> Pair {
     let size = nodes.width(a.value).max(width);
     let known = nodes.not(a.unknown);
@@ -253,7 +253,7 @@ fn slice_at(nodes: &mut Nodes, a: Pair, at: Pair, width: u32) -> Pair {
     }
 }
 
-/// Whether every place that the index can name is in the number.
+/// Whether every place that the index can have is inside the number.
 fn always_inside(nodes: &Nodes, a: Pair, at: Pair, width: u32) -> bool {
     let mut bits = nodes.width(at.value);
     if let &node::Operation::ZeroExtend(inner) = &nodes.get(at.value).operation {
@@ -264,7 +264,7 @@ fn always_inside(nodes: &Nodes, a: Pair, at: Pair, width: u32) -> bool {
     end.is_some_and(|end| end <= u64::from(nodes.width(a.value)))
 }
 
-/// An unknown place is none.
+/// Inserts a part at a computed place. An unknown place inserts nothing.
 fn insert(nodes: &mut Nodes, a: Pair, at: Pair, part: Pair) -> Pair {
     let width = nodes.width(a.value);
     let size = width.max(nodes.width(part.value));

@@ -1,5 +1,5 @@
-//! What the text says, four-state: Verilog's operators with their widths settled, over signals by
-//! their numbers. [`super::lower`] makes two-state nodes of it.
+//! The four-state expressions of a text: Verilog's operators with settled widths, over numbered signals.
+//! [`super::lower`] turns them into two-state nodes.
 
 use super::bits::Bits;
 
@@ -18,7 +18,7 @@ impl ValueId {
     }
 }
 
-/// A number whose bits may be unknown; where they are, the value's bits are 0.
+/// A constant whose bits may be unknown. Unknown bits are 0 in the value.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Known {
     pub value: Bits,
@@ -39,8 +39,8 @@ impl Known {
     }
 }
 
-/// An operation of Verilog; operands of a binary one have its width, but for comparisons, whose
-/// operands have one width, and shifts, whose amount has any.
+/// An operation of Verilog. The operands of a binary operation have its width, except comparisons, whose two
+/// operands share a width, and shifts, whose amount has any width.
 #[derive(Clone, Debug)]
 pub enum Value {
     Constant(Known),
@@ -48,15 +48,16 @@ pub enum Value {
     Word(MemoryId, ValueId),
     Unary(Unary, ValueId),
     Binary(Binary, ValueId, ValueId),
-    /// `?:`: where the condition, one bit, is unknown, so are the bits in which the others differ.
+    /// `?:`. Where the condition, one bit, is unknown, the bits in which the two values differ are unknown.
     Conditional(ValueId, ValueId, ValueId),
-    /// `if`: an unknown condition is none.
+    /// `if`. An unknown condition counts as 0.
     If(ValueId, ValueId, ValueId),
     Concat(ValueId, ValueId),
     Slice(ValueId, u32),
-    /// Bits from a place that is computed; unknown where there are none.
+    /// Bits from a computed place on; unknown outside the number.
     SliceAt(ValueId, ValueId),
-    /// The first with the third put in from a place that is computed, where there is one.
+    /// The first value with the third inserted at a computed place. A place outside the value inserts
+    /// nothing.
     Insert(ValueId, ValueId, ValueId),
     ZeroExtend(ValueId),
     SignExtend(ValueId),
@@ -80,7 +81,7 @@ pub enum Binary {
     Subtract,
     Multiply,
     Equal,
-    /// `===`, as `case` compares.
+    /// `===`, the comparison of `case`.
     Same,
     Less,
     LessSigned,
@@ -89,7 +90,7 @@ pub enum Binary {
     ArithmeticShiftRight,
 }
 
-/// All values; each stands after its operands.
+/// All values, each after its operands.
 #[derive(Default)]
 pub struct Graph {
     values: Vec<(u32, Value)>,
@@ -147,7 +148,7 @@ impl Graph {
         }
     }
 
-    /// The value at a width: cut, or extended by 0 or by its sign.
+    /// A value at another width: truncated, or extended by 0 or by its sign.
     pub fn resize(&mut self, a: ValueId, width: u32, signed: bool) -> ValueId {
         match (width.cmp(&self.width(a)), signed) {
             (std::cmp::Ordering::Equal, _) => a,
@@ -159,7 +160,7 @@ impl Graph {
 }
 
 impl Value {
-    /// The values that it reads, signals and memories apart.
+    /// The values that the operation reads, without signals and memories.
     pub fn operands(&self) -> impl Iterator<Item = ValueId> + use<> {
         let operands = match *self {
             Self::Constant(_) | Self::Signal(_) => [None; 3],

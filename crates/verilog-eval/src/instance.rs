@@ -1,4 +1,4 @@
-//! An instance and what stands on its ports.
+//! Connects an instance's ports.
 
 use std::collections::HashMap;
 
@@ -10,7 +10,7 @@ use super::syntax::{self, Direction, Expression, Item, Module};
 use super::{Refusal, refuse};
 
 impl<'a> Elaboration<'a> {
-    /// A port's signal inside the instance.
+    /// The signal of a port inside the instance.
     pub fn port(
         &self,
         instance: usize,
@@ -72,8 +72,8 @@ impl<'a> Elaboration<'a> {
         Ok(())
     }
 
-    /// A port has the width of what stands on it: Icarus calculates an expression on a port by its
-    /// own width, others by the port's.
+    /// Checks that a port has the width of its connection. Icarus evaluates an expression on a port at its
+    /// own width, other simulators at the port's.
     fn check_port_width(
         &mut self,
         parent: usize,
@@ -93,7 +93,7 @@ impl<'a> Elaboration<'a> {
         }
     }
 
-    /// What an output drives outside.
+    /// Connects an output to its target outside.
     fn output(
         &mut self,
         parent: usize,

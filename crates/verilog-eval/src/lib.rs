@@ -2,8 +2,8 @@
 //!
 //! # The modules
 //!
-//! What Verilog makes of a text is decided in four of them: widths and signs in `expression` and `shape`, statements in
-//! `statement`, unknown values in `four_state`, blocks that never run in `waits`.
+//! Four modules decide the meaning of a text: widths and signs are in `expression` and `shape`, statements in
+//! `statement`, unknown values in `four_state`, and blocks that never run in `waits`.
 
 mod bits;
 mod circuit;
@@ -39,7 +39,7 @@ pub use value::Value;
 /// The widest signal that can be driven or observed, in bits.
 pub const MAX_WIDTH: u32 = u64::BITS;
 
-/// Verilog that is outside the subset, or that is wrong.
+/// The error of Verilog that is outside the subset, or that is wrong.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error(
     "line {line} of the Verilog: {found}; the evaluator knows a synthesizable subset of Verilog-2001"

@@ -1,5 +1,5 @@
-//! What a clock computes, two-state: nodes of exact width over inputs, registers and memories. Equal
-//! nodes are one, and what is constant is folded when it is made.
+//! The two-state function of a clock: nodes of exact width over inputs, registers and memories. Equal nodes
+//! are shared, and constants are folded when a node is made.
 
 use std::collections::HashMap;
 
@@ -18,17 +18,17 @@ impl NodeId {
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Operation {
     Constant(Bits),
-    /// What is given to the clock: an input or a register, by its number.
+    /// An input of the clock's function: a pin or a register, by its number.
     Leaf(u32),
-    /// A word of a memory, by the memory's number; only asked for inside the memory.
+    /// A word of a memory, by the memory's number. The address must be inside the memory.
     Word(u32, NodeId),
     Unary(Unary, NodeId),
     Binary(Binary, NodeId, NodeId),
-    /// The second where the first, one bit, is 1; else the third.
+    /// The second node where the first, one bit, is 1; else the third.
     Select(NodeId, NodeId, NodeId),
-    /// The first above the second.
+    /// The concatenation with the first node above the second.
     Concat(NodeId, NodeId),
-    /// Bits from this one on.
+    /// The bits from this one on.
     Slice(NodeId, u32),
     ZeroExtend(NodeId),
     SignExtend(NodeId),
@@ -38,7 +38,7 @@ pub enum Operation {
 pub enum Unary {
     Not,
     Negate,
-    /// One bit each.
+    /// This reduction and the two below have a result of one bit.
     All,
     Any,
     Parity,
@@ -52,11 +52,11 @@ pub enum Binary {
     Add,
     Subtract,
     Multiply,
-    /// One bit each.
+    /// This comparison and the two below have a result of one bit.
     Equal,
     Less,
     LessSigned,
-    /// The amount is unsigned and of any width.
+    /// The amount of this shift and of the two below is unsigned and of any width.
     ShiftLeft,
     ShiftRight,
     ArithmeticShiftRight,
@@ -69,7 +69,7 @@ pub struct Node {
     pub operation: Operation,
 }
 
-/// All nodes; each stands after its operands.
+/// All nodes, each after its operands.
 #[derive(Default)]
 pub struct Nodes {
     nodes: Vec<Node>,
@@ -192,7 +192,7 @@ impl Nodes {
         self.add(width, Operation::Binary(operation, a, b))
     }
 
-    /// What an operation is where one operand is all zeros or ones, or both are the same.
+    /// The simpler form of an operation where one operand is all zeros or ones, or both operands are equal.
     fn simpler(&mut self, operation: Binary, a: NodeId, b: NodeId) -> Option<NodeId> {
         let width = self.width(a);
         match operation {
@@ -221,7 +221,7 @@ impl Nodes {
         }
     }
 
-    /// A shift by a constant is wiring.
+    /// A shift by a constant becomes wiring.
     fn constant_shift(&mut self, operation: Binary, a: NodeId, by: NodeId) -> Option<NodeId> {
         let width = self.width(a);
         let by = self.constant(by)?.to_u64().unwrap_or(u64::MAX);
@@ -292,7 +292,7 @@ impl Nodes {
         if self.is_zero(high) {
             return self.zero_extend(low, width);
         }
-        // Neighbours of one number are a part of it.
+        // Adjacent slices of one number become one slice.
         if let (&Operation::Slice(a, from_a), &Operation::Slice(b, from_b)) =
             (&self.get(high).operation, &self.get(low).operation)
             && a == b
@@ -368,14 +368,14 @@ impl Nodes {
         self.add(width, Operation::SignExtend(a))
     }
 
-    /// One bit, everywhere.
+    /// A bit repeated at every place.
     pub fn spread(&mut self, bit: NodeId, width: u32) -> NodeId {
         self.sign_extend(bit, width)
     }
 }
 
 impl Operation {
-    /// The nodes that it reads.
+    /// The nodes that the operation reads.
     pub fn operands(&self) -> impl Iterator<Item = NodeId> + use<> {
         let operands = match *self {
             Self::Constant(_) | Self::Leaf(_) => [None; 3],

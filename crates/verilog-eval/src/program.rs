@@ -1,8 +1,9 @@
-//! A circuit as a flat program: nodes in levels, and in each level all of one kind in one batch, so
-//! that a clock is a few hundred tight loops over 64-bit words, with one dispatch for each.
+//! Compiles a circuit to a flat program. Nodes are sorted in levels, and in each level all nodes of one kind
+//! form one batch. A clock is thus a few hundred tight loops over 64-bit words, with one dispatch for each
+//! loop.
 //!
-//! A value of up to 64 bits is one word; a wider one is several. Words hold no bits above their
-//! width. [`super::run`] runs it.
+//! A value of up to 64 bits takes one word; a wider value takes several. The bits of a word above the value's
+//! width are 0. [`super::run`] runs the program.
 
 use std::collections::HashMap;
 
@@ -12,22 +13,23 @@ use super::node::{Binary, NodeId, Nodes, Operation, Unary};
 
 /// A circuit, ready to run.
 pub struct Program {
-    /// The words of all values as they are at power-up; those of registers stand together.
+    /// The words of all values at power-up. Those of registers are contiguous.
     pub state: Vec<u64>,
     pub batches: Vec<Batch>,
     pub steps: Vec<Step>,
     pub wide: Vec<Wide>,
     pub memories: Vec<Memory>,
-    /// The place of each input; none where nothing reads it.
+    /// The word of each input; `None` where nothing reads it.
     pub inputs: Vec<Option<u32>>,
-    /// The first word of the registers.
+    /// The index of the first register word.
     pub first_register: usize,
-    /// For each word of the registers, the word that it becomes.
+    /// For each register word, the index of the word with its next value.
     pub next: Vec<u32>,
     pub observed: Vec<Observed>,
 }
 
-/// A signal that is observed: where its value is and, where it may be unknown, which bits are.
+/// An observed signal: the place of its value and, where it may be unknown, the place of its mask of unknown
+/// bits.
 #[derive(Copy, Clone, Debug)]
 pub struct Observed {
     pub value: u32,
@@ -35,7 +37,7 @@ pub struct Observed {
     pub width: u32,
 }
 
-/// Steps of one kind, one after the other.
+/// Consecutive steps of one kind.
 pub struct Batch {
     pub code: Code,
     pub first: usize,
@@ -47,21 +49,21 @@ pub enum Code {
     Unary(Unary),
     Binary(Binary),
     Select,
-    /// `a` above `b`, which has `c` bits.
+    /// Concatenation of `a` above `b`, which has `c` bits.
     Concat,
-    /// From bit `c` of `a` on.
+    /// The bits of `a` from bit `c` on.
     Slice,
-    /// From bit `c` of the words `a` and `b` on.
+    /// The bits from bit `c` on of the two words `a` and `b`.
     SliceOfTwo,
-    /// From `c` bits.
+    /// Sign extension from `c` bits.
     SignExtend,
-    /// The word `a` of the memory `b`.
+    /// The word at address `a` of memory `b`.
     Word,
-    /// The wide step number `a`.
+    /// The wide step with the index `a`.
     Wide,
 }
 
-/// One step on words.
+/// A step on single words.
 #[derive(Copy, Clone, Debug, Default)]
 pub struct Step {
     pub to: u32,
@@ -87,7 +89,7 @@ pub struct Place {
 
 pub struct Memory {
     pub words: Vec<u64>,
-    /// How many stand for one entry.
+    /// The number of words of one entry.
     pub size: usize,
     pub writes: Vec<Write>,
 }
@@ -98,7 +100,7 @@ pub struct Write {
     pub data: u32,
 }
 
-/// Whether a value is one word.
+/// Whether a value of that width fits one word.
 pub fn is_narrow(width: u32) -> bool {
     width <= u64::BITS
 }
@@ -175,7 +177,7 @@ impl Program {
     }
 }
 
-/// The nodes that anything hangs on.
+/// Marks the nodes that an observed signal, a register or a memory depends on.
 pub fn reached(circuit: &Circuit) -> Vec<bool> {
     let mut roots = Vec::new();
     roots.extend(
@@ -191,7 +193,7 @@ pub fn reached(circuit: &Circuit) -> Vec<bool> {
     for root in roots {
         reached[root.index()] = true;
     }
-    // Operands stand before what reads them.
+    // Operands come before the nodes that read them.
     for index in (0..reached.len()).rev() {
         if reached[index] {
             for operand in circuit.nodes.at(index).operation.operands() {
@@ -202,8 +204,7 @@ pub fn reached(circuit: &Circuit) -> Vec<bool> {
     reached
 }
 
-/// The nodes that take a step, in an order in which operands come first and equal kinds stand
-/// together.
+/// The nodes that need a step, in an order in which operands come first and nodes of one kind are contiguous.
 fn order(nodes: &Nodes, reached: &[bool]) -> Vec<(Code, NodeId)> {
     let mut levels = vec![0u32; nodes.len()];
     let mut order = Vec::new();
@@ -226,7 +227,7 @@ fn order(nodes: &Nodes, reached: &[bool]) -> Vec<(Code, NodeId)> {
     order.into_iter().map(|(_, code, id)| (code, id)).collect()
 }
 
-/// What a node takes; none where it is there anyway.
+/// The kind of step of a node; `None` where the node needs no step.
 fn code(nodes: &Nodes, id: NodeId) -> Option<Code> {
     let node = nodes.get(id);
     let narrow = |id: NodeId| is_narrow(nodes.width(id));
@@ -255,7 +256,7 @@ struct Compiler<'c> {
 }
 
 impl Compiler<'_> {
-    /// Makes room for a value; what it starts with, where that matters.
+    /// Allocates the words of a value, with initial contents where these matter.
     fn put(&mut self, id: NodeId, words: &[u64]) -> u32 {
         let first = self.state.len();
         let size = words_of(self.nodes.width(id));
@@ -266,7 +267,7 @@ impl Compiler<'_> {
         first
     }
 
-    /// Where a value is; a constant is put there when it is first asked for.
+    /// The place of a value. A constant is allocated when it is first used.
     fn place(&mut self, id: NodeId) -> Place {
         let node = self.nodes.get(id);
         let width = node.width;
@@ -275,7 +276,7 @@ impl Compiler<'_> {
         }
         let word = match &node.operation {
             Operation::Constant(bits) => self.put(id, bits.words()),
-            // One word is the same at any width.
+            // In one word, zero extension changes nothing.
             Operation::ZeroExtend(inner) if is_narrow(width) => self.place(*inner).word,
             _ => self.put(id, &[]),
         };

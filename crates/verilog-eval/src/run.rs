@@ -1,4 +1,4 @@
-//! Runs a program, clock by clock.
+//! Runs a compiled program, clock by clock.
 
 use super::bits::Bits;
 use super::node::{self, Binary, Operation, Unary};
@@ -8,12 +8,12 @@ use super::program::{Code, Memory, Place, Program, Step, Wide};
 pub struct Running {
     program: Program,
     state: Vec<u64>,
-    /// What the registers become.
+    /// The next values of the registers.
     fresh: Vec<u64>,
 }
 
 impl Running {
-    /// As after power-up.
+    /// A program in its power-up state.
     pub fn new(mut program: Program) -> Self {
         Self {
             state: std::mem::take(&mut program.state),
@@ -30,7 +30,7 @@ impl Running {
         self.state[place as usize]
     }
 
-    /// Drives the inputs and lets everything settle.
+    /// Drives the inputs and evaluates all values.
     pub fn settle(&mut self, inputs: &[u64]) {
         let program = &self.program;
         for (place, &value) in program.inputs.iter().zip(inputs) {
@@ -44,7 +44,7 @@ impl Running {
         }
     }
 
-    /// The rising edge.
+    /// Applies the rising clock edge.
     pub fn clock(&mut self) {
         let program = &mut self.program;
         for (fresh, &from) in self.fresh.iter_mut().zip(&program.next) {
@@ -58,7 +58,7 @@ impl Running {
     }
 }
 
-/// The writes of a memory, in their order.
+/// Applies the writes of a memory, in the order of the text.
 fn write(memory: &mut Memory, state: &[u64]) {
     let size = memory.size;
     for write in &memory.writes {
@@ -84,7 +84,7 @@ fn batch_of(program: &Program, state: &mut [u64], code: Code, steps: &[Step]) {
         Code::Concat => two(state, steps, |a, b, step| a << step.c | b),
         Code::Slice => one(state, steps, |a, step| a >> step.c & step.mask),
         Code::SliceOfTwo => two(state, steps, |a, b, step| {
-            // In two shifts, as one by 64 bits would be none.
+            // The shift is done in two steps, because Rust does not shift a 64-bit word by 64.
             (a >> step.c | b << 1 << (63 - step.c)) & step.mask
         }),
         Code::SignExtend => one(state, steps, |a, step| extended(a, step.c) & step.mask),
@@ -153,12 +153,12 @@ fn binary(state: &mut [u64], operation: Binary, steps: &[Step]) {
     }
 }
 
-/// A signed number that has so many bits less than a word.
+/// Sign-extends a number that has `less` bits fewer than a word.
 fn extended(a: u64, less: u32) -> u64 {
     ((a << less) as i64 >> less) as u64
 }
 
-/// A step on several words, by way of [`Bits`].
+/// Runs a step on values of several words, with [`Bits`].
 fn wide(program: &Program, state: &mut [u64], step: &Wide) {
     let value = |place: &Place| {
         let words = &state[place.word as usize..];
@@ -221,7 +221,7 @@ mod tests {
         Binary::ArithmeticShiftRight,
     ];
 
-    /// Every operator of two inputs, as a program and by way of wide numbers.
+    /// Compares every operator of two inputs on words with the operator on wide numbers.
     #[test]
     fn words_are_calculated_with_as_wide_numbers_are() {
         let rng = &mut Pcg64::seed_from_u64(1);

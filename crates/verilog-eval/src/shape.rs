@@ -1,4 +1,4 @@
-//! How wide expressions are by themselves, which bits a selection names, and constants.
+//! Computes the self-determined widths of expressions, the bits of selections, and constants.
 
 use super::bits::Bits;
 use super::expression::Evaluator;
@@ -7,7 +7,7 @@ use super::graph::ValueId;
 use super::syntax::{Binary, Expression, ExpressionKind, Line, Range, Select, Unary};
 use super::{Refusal, refuse};
 
-/// An expression's own width, and whether it is signed.
+/// The self-determined width of an expression, and whether it is signed.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct Shape {
     pub width: u32,
@@ -19,20 +19,20 @@ const BIT: Shape = Shape {
     signed: false,
 };
 
-/// No value is wider: a limit that keeps a hostile text from taking all memory.
+/// The widest value in bits. The limit keeps a hostile text from using all memory.
 pub const WIDEST: u32 = 1 << 16;
 
 /// A part of a signal or a memory word.
 pub enum Part {
     Whole,
-    /// Lowest bit, which may lie outside, and width.
+    /// A constant lowest bit, which may be outside, and a width.
     Fixed(u32, u32),
-    /// Computed lowest bit, and width.
+    /// A computed lowest bit, and a width.
     At(ValueId, u32),
 }
 
 impl<'a> Evaluator<'_, 'a> {
-    /// A number that no signal has a part in.
+    /// The value of an expression that depends on no signal.
     pub fn constant(&mut self, e: &'a Expression) -> Result<Bits, Refusal> {
         let value = self.alone(e)?;
         match self.flat.fold_number(value) {
@@ -41,7 +41,7 @@ impl<'a> Evaluator<'_, 'a> {
         }
     }
 
-    /// A small constant that is not negative.
+    /// The value of a constant expression that fits 32 bits and is not negative.
     pub fn small(&mut self, e: &'a Expression) -> Result<u32, Refusal> {
         let signed = self.shape(e)?.signed;
         let bits = self.constant(e)?;
@@ -53,7 +53,7 @@ impl<'a> Evaluator<'_, 'a> {
         }
     }
 
-    /// A vector's width; its lowest bit has to be bit 0.
+    /// The width of a vector, whose lowest bit must be bit 0.
     pub fn width(&mut self, range: Option<&'a Range>, line: Line) -> Result<u32, Refusal> {
         let Some(range) = range else {
             return Ok(1);
@@ -119,7 +119,7 @@ impl<'a> Evaluator<'_, 'a> {
         }
     }
 
-    /// The wider of two, signed where both are.
+    /// The wider of two shapes, signed where both are.
     pub fn common(&mut self, a: &'a Expression, b: &'a Expression) -> Result<Shape, Refusal> {
         let (a, b) = (self.shape(a)?, self.shape(b)?);
         Ok(Shape {
@@ -173,7 +173,7 @@ impl<'a> Evaluator<'_, 'a> {
         })
     }
 
-    /// The bits that the selects name.
+    /// The bits that a list of selects denotes.
     pub fn part(&mut self, selects: &'a [Select], line: Line) -> Result<Part, Refusal> {
         let select = match selects {
             [] => return Ok(Part::Whole),
@@ -217,7 +217,7 @@ impl<'a> Evaluator<'_, 'a> {
     }
 }
 
-/// Whether both operands have the width of what stands around.
+/// Whether both operands of the operator take the width of the context.
 pub fn is_arithmetic(operator: Binary) -> bool {
     matches!(
         operator,
@@ -231,7 +231,7 @@ pub fn is_arithmetic(operator: Binary) -> bool {
     )
 }
 
-/// Whether the first operand alone has.
+/// Whether only the first operand of the operator takes the width of the context.
 pub fn is_shift(operator: Binary) -> bool {
     matches!(
         operator,

@@ -1,5 +1,5 @@
-//! Statements: a block is followed once, from its first statement to its last, and what is left is
-//! one expression for each signal that it assigns.
+//! Executes blocks symbolically. Each block is executed once, from its first statement to its last, and
+//! yields one expression for each signal that it assigns.
 
 use super::bits::Bits;
 use super::environment::{Layer, Mode, Slot};
@@ -10,10 +10,10 @@ use super::shape::Part;
 use super::syntax::{Assignment, Expression, ExpressionKind, For, Kind, Line, Select, Statement};
 use super::{Refusal, refuse};
 
-/// A `for` of an initial block ends within so many turns.
+/// The most turns of a `for` in an initial block.
 const TURNS: u32 = 1 << 20;
 
-/// Where an assignment goes.
+/// The target of an assignment.
 enum Target {
     Signal(SignalId, Part),
     Word(MemoryId, ValueId),
@@ -62,7 +62,7 @@ impl<'a> Evaluator<'_, 'a> {
         }
     }
 
-    /// A loop of an initial block, turn by turn.
+    /// Executes a loop of an initial block, turn by turn.
     fn repeat(&mut self, repeated: &'a For) -> Result<(), Refusal> {
         if self.environment.mode != Mode::Initial {
             return refuse(repeated.line, "`for` outside an initial block".to_owned());
@@ -79,7 +79,7 @@ impl<'a> Evaluator<'_, 'a> {
         refuse(repeated.line, found)
     }
 
-    /// What a statement assigns where the condition holds.
+    /// The assignments of a statement under a condition.
     fn branch(&mut self, condition: ValueId, statement: &'a Statement) -> Result<Layer, Refusal> {
         self.environment.enter(condition);
         let followed = self.statement(statement);
@@ -87,14 +87,14 @@ impl<'a> Evaluator<'_, 'a> {
         followed.map(|()| layer)
     }
 
-    /// Where `if` takes its other branch: also where the condition is unknown.
+    /// The condition of the `else` branch, which is also taken where the `if` condition is unknown.
     fn opposite(&mut self, condition: ValueId) -> ValueId {
         let graph = &mut self.flat.graph;
         let [no, yes] = [0, 1].map(|bit| graph.constant(Known::new(Bits::of(1, bit))));
         graph.add(1, Value::If(condition, no, yes))
     }
 
-    /// What is assigned after both branches.
+    /// Merges the assignments of both branches.
     fn merge(&mut self, condition: ValueId, then: Layer, otherwise: Layer) {
         let mut signals: Vec<_> = then.keys().chain(otherwise.keys()).copied().collect();
         signals.sort_unstable();
@@ -117,7 +117,7 @@ impl<'a> Evaluator<'_, 'a> {
         }
     }
 
-    /// A target as it is before the statement.
+    /// The value of a target before the statement.
     fn current(&mut self, id: SignalId) -> Slot {
         if let Some(slot) = self.environment.get(id) {
             return slot.clone();
@@ -129,7 +129,7 @@ impl<'a> Evaluator<'_, 'a> {
         self.unassigned(id)
     }
 
-    /// The first item whose value is the selector's decides, bit for bit.
+    /// Executes a `case`: the first item whose value equals the selector, bit for bit, is taken.
     fn case(
         &mut self,
         selector: &'a Expression,
@@ -160,7 +160,7 @@ impl<'a> Evaluator<'_, 'a> {
             };
             let layer = self.branch(condition, statement)?;
             branches.push((condition, layer));
-            // The items below are only reached where this one is not taken.
+            // The later items are reached only where this one is not taken.
             let opposite = self.opposite(condition);
             self.environment.conditions.push(opposite);
         }
@@ -187,7 +187,7 @@ impl<'a> Evaluator<'_, 'a> {
         self.flat.graph.constant(Known::new(Bits::of(1, 1)))
     }
 
-    /// As [`Self::merge`], into a layer of its own.
+    /// Merges the assignments of both branches, as [`Self::merge`] does, into a new layer.
     fn merged(&mut self, condition: ValueId, then: Layer, otherwise: Layer) -> Layer {
         let holds = self.holds();
         self.environment.enter(holds);
@@ -200,7 +200,7 @@ impl<'a> Evaluator<'_, 'a> {
         let width = self.targets(&assignment.target, &mut targets)?;
         let mut value = self.assigned(&assignment.value, width)?;
         if self.environment.mode == Mode::Initial {
-            // So that a loop's turns do not pile up.
+            // Folds the value, so that expressions do not grow with a loop's turns.
             if let Some(known) = self.flat.fold(value) {
                 value = self.flat.graph.constant(known);
             }
@@ -214,7 +214,7 @@ impl<'a> Evaluator<'_, 'a> {
         Ok(())
     }
 
-    /// The targets of an assignment, highest first, with their widths; the width of all.
+    /// The targets of an assignment, the highest first, with their widths; and the total width.
     fn targets(
         &mut self,
         e: &'a Expression,
@@ -237,7 +237,7 @@ impl<'a> Evaluator<'_, 'a> {
         }
     }
 
-    /// The nets of a continuous assignment, highest first: lowest bit and width of each.
+    /// The nets of a continuous assignment, the highest first, with the lowest bit and the width of each.
     pub fn net_targets(&mut self, e: &'a Expression) -> Result<Vec<(SignalId, u32, u32)>, Refusal> {
         let mut targets = Vec::new();
         self.targets(e, &mut targets)?;
@@ -334,7 +334,7 @@ impl<'a> Evaluator<'_, 'a> {
         Ok(())
     }
 
-    /// A number with some of its bits replaced.
+    /// A value with some of its bits replaced.
     fn put(&mut self, old: ValueId, low: u32, part: ValueId) -> ValueId {
         let graph = &mut self.flat.graph;
         let (width, high) = (graph.width(old), low + graph.width(part));
@@ -399,7 +399,7 @@ impl<'a> Evaluator<'_, 'a> {
     }
 }
 
-/// The names that a statement assigns, with the line.
+/// Collects the names that a statement assigns, with their lines.
 pub fn assigned_names<'a>(statement: &'a Statement, names: &mut Vec<(&'a str, Line)>) {
     match statement {
         Statement::Nothing => {}

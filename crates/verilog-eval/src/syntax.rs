@@ -1,4 +1,4 @@
-//! The Verilog subset as data: what [`super::read`] makes of a text, each thing with its line.
+//! The syntax tree of the Verilog subset, as [`super::read`] makes it. Each construct has its line.
 
 /// A line of the text, from 1.
 pub type Line = u32;
@@ -12,7 +12,7 @@ pub struct Module {
     pub line: Line,
 }
 
-/// What stands in a module.
+/// A construct inside a module.
 pub enum Item {
     Declaration(Declaration),
     Parameter(Parameter),
@@ -29,11 +29,11 @@ pub struct Declaration {
     pub direction: Option<Direction>,
     pub kind: Kind,
     pub signed: bool,
-    /// `[high:low]`; one bit where there is none.
+    /// The range `[high:low]`; `None` for one bit.
     pub range: Option<Range>,
-    /// `[first:last]` of a memory.
+    /// The range `[first:last]` of a memory's addresses.
     pub words: Option<Range>,
-    /// What a net is driven with, or a variable starts with.
+    /// The continuous driver of a net, or the initial value of a variable.
     pub value: Option<Expression>,
     pub line: Line,
 }
@@ -51,13 +51,13 @@ pub enum Kind {
     Integer,
 }
 
-/// Two bounds, as they stand.
+/// The two bounds of a range, as written.
 pub struct Range {
     pub left: Expression,
     pub right: Expression,
 }
 
-/// A parameter, which an instance may set, or a local one.
+/// A parameter, which an instance may set, or a local parameter.
 pub struct Parameter {
     pub name: String,
     pub local: bool,
@@ -69,13 +69,13 @@ pub struct Parameter {
 
 /// `always @(*)` or `always @(posedge clock)`.
 pub struct Always {
-    /// The clock; none where the block is combinational.
+    /// The clock; `None` where the block is combinational.
     pub clock: Option<String>,
     pub body: Statement,
     pub line: Line,
 }
 
-/// A function; its inputs stand first in `variables`, in order.
+/// A function. Its inputs come first in `variables`, in order.
 pub struct Function {
     pub name: String,
     pub signed: bool,
@@ -86,12 +86,12 @@ pub struct Function {
     pub line: Line,
 }
 
-/// A module in a module.
+/// An instance of a module.
 pub struct Instance {
     pub module: String,
     pub name: String,
     pub parameters: Vec<(String, Expression)>,
-    /// What stands on each port; nothing where it is left open.
+    /// The connection of each port; `None` for a port that is left open.
     pub connections: Vec<(String, Option<Expression>)>,
     pub line: Line,
 }
@@ -154,10 +154,10 @@ pub enum ExpressionKind {
 
 /// A number as written.
 pub struct Number {
-    /// None where it has no size; it has 32 bits then.
+    /// The width in bits; `None` for a number without a size, which has 32 bits.
     pub width: Option<u32>,
     pub signed: bool,
-    /// Its value, the lowest word first, cut to its width.
+    /// The value, truncated to the width, with the lowest word first.
     pub words: Vec<u64>,
 }
 
@@ -207,8 +207,7 @@ pub enum Binary {
 }
 
 impl Binary {
-    /// The operator of these letters, with its precedence: the higher binds tighter (IEEE 1364-2005,
-    /// table 5-4).
+    /// The operator of a symbol, with its precedence; the higher binds tighter (IEEE 1364-2005, table 5-4).
     pub fn of(symbol: &str) -> Option<(Self, u32)> {
         Some(match symbol {
             "*" => (Self::Multiply, 10),
@@ -235,7 +234,7 @@ impl Binary {
 }
 
 impl Unary {
-    /// The operator of these letters.
+    /// The operator of a symbol.
     pub fn of(symbol: &str) -> Option<Self> {
         Some(match symbol {
             "+" => Self::Plus,

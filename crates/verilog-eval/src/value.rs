@@ -3,7 +3,7 @@
 use std::fmt;
 
 /// A value of up to 64 bits, each 0, 1 or unknown. It is displayed as Verilog's `%h` writes it: `x` for a digit of
-/// unknown bits, `X` for one with some.
+/// unknown bits, `X` for a digit with some.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Value {
     /// The bits; those that are unknown have no meaning here.

@@ -1,13 +1,14 @@
-//! `always @(*)` waits for something to change; a block that reads nothing that ever does is never
-//! run, and what it assigns stays as it starts (IEEE 1364-2005, 9.7.5).
+//! Removes blocks that never run. `always @(*)` waits for a change; a block whose inputs never change is
+//! never run, and the signals that it assigns keep their initial values (IEEE 1364-2005, 9.7.5).
 //!
-//! A register that nothing initialises counts as something that changes. Until it does, a block that
-//! reads it alone shows unknown bits in a simulator, and here what its operators make of unknown ones.
+//! A register without an initial value counts as a signal that changes. Before its first change, a block that
+//! reads only this register shows unknown bits in a simulator; the evaluator shows the result of the block's
+//! operators on unknown bits.
 
 use super::flat::{Driver, Flat};
 use super::graph::{Known, SignalId};
 
-/// Takes the blocks that never run out of the design.
+/// Removes the blocks that never run from the design.
 pub fn leave_out_what_never_runs(flat: &mut Flat<'_>) {
     let changes = changing(flat);
     let units = std::mem::take(&mut flat.units);
@@ -27,7 +28,7 @@ pub fn leave_out_what_never_runs(flat: &mut Flat<'_>) {
     flat.units = units;
 }
 
-/// The signals that inputs and registers reach; a constant never changes.
+/// Marks the signals that inputs and registers reach. A constant never changes.
 fn changing(flat: &Flat<'_>) -> Vec<bool> {
     let mut readers: Vec<Vec<usize>> = vec![Vec::new(); flat.signals.len()];
     for (index, unit) in flat.units.iter().enumerate() {

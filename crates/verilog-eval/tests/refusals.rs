@@ -1,10 +1,10 @@
-//! What is outside the subset is refused by name and line.
+//! Requires that constructs outside the subset are refused by name and line.
 
 use verilog_eval::{Design, Evaluator, Signal};
 
 const OTHER: &str = "module other(i, o);\n  input wire i;\n  output wire o;\nendmodule\n";
 
-/// Items of a module, the line of what is refused, and a part of what is said.
+/// The items of a module, the line that is refused, and a part of the message.
 const REFUSED: &[(&str, u32, &str)] = &[
     ("wire a;\nassign a = b;", 5, "`b` is not declared"),
     (

@@ -1,4 +1,4 @@
-//! The shortest inputs that still show a difference.
+//! Reduces the inputs that show a difference to a short regression case.
 
 use std::ops::ControlFlow;
 
@@ -11,13 +11,13 @@ use crate::device::{Device, DeviceError};
 use crate::stimulus::{Source, generate, modelled, scrub_rows};
 use crate::verify::VerifyError;
 
-/// So often a device is asked whether fewer or simpler inputs do as well.
+/// The most replays of the search for fewer or simpler inputs.
 const MOST_REPLAYS: usize = 2_000;
 
-/// Makes a regression case of a difference that random stimulus found; `open` gives the device anew.
+/// Makes a regression case of a difference that random stimulus found. `open` opens the device anew.
 ///
 /// # Errors
-/// The device does not run, or does not differ again.
+/// The device does not run, or the difference does not occur again.
 pub fn minimised(
     machine: &Machine,
     divergence: &Divergence,
@@ -33,19 +33,20 @@ pub fn minimised(
         replays: 0,
     };
     if !search.fails(&all)? {
-        // It hangs on what the device held before; the whole of it is all there is.
+        // The difference depends on earlier contents of the device, so the case is not reduced.
         return Ok(case(&all));
     }
     let mut rows = search.shortest_end(&all)?;
     rows = search.without_rows(rows)?;
     rows = search.with_zeros(rows)?;
-    // The device was not the same at each replay: what it held before must not matter.
+    // The replays must not depend on what the device held before, so each begins with a new device.
     search.device = open()?;
     let rows = if search.fails(&rows)? { rows } else { all };
     Ok(case(&rows))
 }
 
-/// The rows of the difference's chunk, those of its beginning left out, up to the clock that differs.
+/// The rows of the difference's chunk up to the clock that differs, without the rows with which every chunk
+/// begins.
 fn rows_up_to(machine: &Machine, divergence: &Divergence) -> Result<Vec<u64>, VerifyError> {
     let columns = Pins::of(machine).inputs.len();
     let wanted = (divergence.clock as usize + 1) * columns;
@@ -66,7 +67,7 @@ fn rows_up_to(machine: &Machine, divergence: &Divergence) -> Result<Vec<u64>, Ve
     )?;
     rows.truncate(wanted);
     let begun = scrub_rows(machine).len();
-    // Where the beginning itself differs, its rows are the case.
+    // Where the difference is in the rows with which every chunk begins, these rows are the case.
     Ok(if rows.len() > begun {
         rows.split_off(begun)
     } else {
@@ -82,7 +83,7 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Whether the device differs on these rows, and whoever drives them keeps to the streams' rules.
+    /// Whether the device differs on these rows, and the rows follow the streams' rules.
     fn fails(&mut self, rows: &[u64]) -> Result<bool, VerifyError> {
         if rows.is_empty() || !is_legal(self.machine, rows) {
             return Ok(false);
@@ -96,7 +97,7 @@ impl Search<'_> {
         }
     }
 
-    /// The last rows, as few as powers of two allow.
+    /// The last rows that still fail, in the fewest that halving finds.
     fn shortest_end(&mut self, rows: &[u64]) -> Result<Vec<u64>, VerifyError> {
         let clocks = rows.len() / self.columns;
         let mut last = 1;
@@ -110,7 +111,7 @@ impl Search<'_> {
         Ok(rows.to_vec())
     }
 
-    /// Leaves out rows, many at a time and then fewer, as long as the rest fails.
+    /// Removes rows, in large parts and then in smaller ones, while the rest still fails.
     fn without_rows(&mut self, mut rows: Vec<u64>) -> Result<Vec<u64>, VerifyError> {
         let mut clocks = (rows.len() / self.columns / 2).max(1);
         loop {
@@ -134,7 +135,7 @@ impl Search<'_> {
         }
     }
 
-    /// Puts zeros in place of values, a pin at a time and then a value at a time.
+    /// Replaces values by zeros, pin by pin and then value by value, while the case still fails.
     fn with_zeros(&mut self, mut rows: Vec<u64>) -> Result<Vec<u64>, VerifyError> {
         for pin in 0..self.columns {
             let mut zeroed = rows.clone();
@@ -165,8 +166,8 @@ impl Search<'_> {
     }
 }
 
-/// Whether a group that is offered stays until it is taken, no query has more photons than the machine declares,
-/// and none has a radius that the machine does not test.
+/// Whether the rows follow the rules: an offered group stays until it is taken, no query has more photons
+/// than the machine declares, and none has a radius that the machine does not accept.
 fn is_legal(machine: &Machine, rows: &[u64]) -> bool {
     let columns = Pins::of(machine).inputs.len();
     let most = machine.max_photons() / machine.photons_per_iteration() as u64;

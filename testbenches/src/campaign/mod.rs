@@ -1,7 +1,7 @@
-//! A campaign: verifications with seed after seed, on all cores, until time is up.
+//! Campaigns: verifications with successive seeds, on all cores, until a deadline.
 //!
-//! What is done stands in a [`State`], which is saved after each job. A campaign that was killed goes on with the
-//! jobs that its state lacks; a job that was under way is done again.
+//! The [`State`] records the jobs that are done and is saved after each job. A campaign that was killed
+//! continues with the jobs that its state lacks, and repeats a job that was under way.
 
 mod minimise;
 mod regression;
@@ -23,19 +23,20 @@ pub use minimise::minimised;
 pub use regression::{Regression, RegressionError};
 pub use state::{Done, Failure, State, StateError, Summary};
 
-/// A job is made about so long, in seconds: a kill costs no more.
+/// The intended duration of a job in seconds, which is the work that a kill may lose.
 const JOB_SECONDS: f64 = 20.0;
-/// Iterations of a machine's first job, when nobody knows how fast it is: a chunk and a bit.
+/// The iterations of a machine's first job, before its speed is known: slightly more than a chunk.
 const FIRST_ITERATIONS: u64 = 10_000;
-/// The most by which a job is longer than the one before it.
+/// The largest factor by which a job is longer than the one before it.
 const GROWTH: f64 = 8.0;
-/// Above so many queries at once, a machine takes minutes to build in any Verilog simulator.
+/// The most queries at once of a machine in a campaign. Machines with more take minutes to build in any
+/// Verilog simulator.
 const LONGEST_CHAIN: usize = 8;
 
-/// A machine in the device that is fastest for it.
+/// A machine and the device that is fastest for it.
 pub type Pair = (&'static Machine, DeviceKind);
 
-/// All named machines, each in the fastest device that proves its emitted text.
+/// All named machines, each with the fastest device that verifies its emitted text.
 pub fn pairs() -> Vec<Pair> {
     let fastest = |machine: &'static Machine| match machine.queries_at_once() > LONGEST_CHAIN {
         true => (machine, DeviceKind::Text),
@@ -44,25 +45,25 @@ pub fn pairs() -> Vec<Pair> {
     MACHINES.iter().map(fastest).collect()
 }
 
-/// What a campaign does with what it finds. It is called by one thread at a time.
+/// Stores the results of a campaign. One thread at a time calls it.
 pub trait Keeper: Send {
-    /// What it fails with.
+    /// The error of a failure to store.
     type Error: From<VerifyError> + Send;
 
-    /// Saves the state, whole or not at all.
+    /// Saves the state atomically.
     ///
     /// # Errors
-    /// It cannot be saved, which ends the campaign.
+    /// The state cannot be saved. The error ends the campaign.
     fn save(&mut self, state: &State) -> Result<(), Self::Error>;
 
-    /// Makes a regression case of a difference, and says where it is.
+    /// Stores a regression case of a difference and returns its place.
     ///
     /// # Errors
-    /// It cannot be saved, which ends the campaign.
+    /// The case cannot be stored. The error ends the campaign.
     fn keep(&mut self, pair: Pair, divergence: &Divergence) -> Result<String, Self::Error>;
 }
 
-/// What the workers share.
+/// The state that the workers share.
 struct Shared<'a, K: Keeper> {
     state: &'a mut State,
     keeper: &'a mut K,
@@ -70,7 +71,7 @@ struct Shared<'a, K: Keeper> {
     error: Option<K::Error>,
 }
 
-/// One verification to be done.
+/// One verification to run.
 #[derive(Copy, Clone)]
 struct Job {
     index: u64,
@@ -79,10 +80,10 @@ struct Job {
     iterations: u64,
 }
 
-/// Runs jobs on all cores until the deadline; those that are under way then are done to their end.
+/// Runs jobs on all cores until the deadline. Jobs that are under way then run to their end.
 ///
 /// # Errors
-/// A device does not run, or the keeper fails. A difference is no error: it is in the state.
+/// A device does not run, or the keeper fails. A difference is not an error; it is recorded in the state.
 pub fn campaign<K: Keeper>(
     state: &mut State,
     pairs: &[Pair],
@@ -130,7 +131,7 @@ fn lock<'a, 'b, K: Keeper>(shared: &'a Mutex<Shared<'b, K>>) -> MutexGuard<'a, S
 }
 
 impl<K: Keeper> Shared<'_, K> {
-    /// The next job; none where nothing can go on.
+    /// The next job; `None` where all pairs have failed.
     fn begin(&mut self, pairs: &[Pair]) -> Option<Job> {
         let sound: Vec<_> = pairs
             .iter()
@@ -165,7 +166,7 @@ impl<K: Keeper> Shared<'_, K> {
                 seconds,
                 verdict: verdict.into(),
             }),
-            // Another worker may have found it too.
+            // Another worker may have found the failure too.
             Err(VerifyError::Diverged(_)) if self.state.has_failed(machine, device) => {}
             Err(VerifyError::Diverged(divergence)) => {
                 let file = self.keeper.keep(job.pair, &divergence)?;

@@ -1,4 +1,4 @@
-//! A regression case: the inputs that once showed a difference, replayed for ever after.
+//! Regression cases: inputs that once showed a difference, which the tests replay.
 
 use photoncube_spec::{Machine, Pins, UnknownMachine, find_machine};
 use serde::{Deserialize, Serialize};
@@ -9,16 +9,16 @@ use crate::device::{Device, Observed};
 use crate::stimulus::{Block, modelled, scrub_rows};
 use crate::verify::{VerifyError, nothing_compared, wrong_count};
 
-/// Rows of inputs on which a device differed from the golden model. They are given after the rows with which
-/// every chunk of stimulus begins: these bring each register to a value that depends on nothing before.
+/// Rows of inputs on which a device differed from the golden model. They follow the rows with which every
+/// chunk of stimulus begins, which set each register to a value that does not depend on its past.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Regression {
-    /// The machine.
+    /// The name of the machine.
     pub machine: String,
-    /// The device that differed.
+    /// The name of the device that differed.
     pub device: String,
-    /// What was found.
+    /// A description of the difference.
     pub divergence: String,
     /// The machine's input pins, in their order.
     pub pins: Vec<String>,
@@ -26,42 +26,42 @@ pub struct Regression {
     pub rows: Vec<Vec<u64>>,
 }
 
-/// A regression case is not one of a machine that there is.
+/// The error of a regression case that no present machine can replay.
 #[derive(Debug, Error)]
 pub enum RegressionError {
-    /// The text is not one.
+    /// The text is not a regression case.
     #[error("it is no regression case; expected what `verify --campaign` writes")]
     Format(#[from] serde_json::Error),
     /// There is no such machine.
     #[error(transparent)]
     Machine(#[from] UnknownMachine),
-    /// The machine has changed.
+    /// The machine's input pins have changed.
     #[error(
         "machine `{machine}` has other input pins than the case, which has {found}; expected \
          {expected}: write the case anew for these, or remove it with the reason"
     )]
     Pins {
-        /// The machine.
+        /// The name of the machine.
         machine: String,
-        /// The case's pins.
+        /// The pins of the case.
         found: String,
-        /// The machine's.
+        /// The pins of the machine.
         expected: String,
     },
     /// A row has too few values, too many, or one that is wider than its pin.
     #[error("row {row} has {found}; expected {expected} values, none wider than its pin")]
     Row {
-        /// Its index.
+        /// The index of the row.
         row: usize,
-        /// What it has.
+        /// The row's values, as far as they are wrong.
         found: String,
-        /// How many pins there are.
+        /// The number of pins.
         expected: usize,
     },
 }
 
 impl Regression {
-    /// The case of these rows.
+    /// Makes a case of these rows.
     pub(super) fn new(machine: &Machine, device: &str, divergence: String, rows: &[u64]) -> Self {
         let pins = Pins::of(machine).inputs;
         Self {
@@ -73,10 +73,10 @@ impl Regression {
         }
     }
 
-    /// Reads what [`Self::text`] wrote, and looks whether the machine still has these pins.
+    /// Parses the output of [`Self::text`] and checks that the machine still has these pins.
     ///
     /// # Errors
-    /// The text is something else, or about another machine.
+    /// The text is not a regression case, or is about another machine.
     pub fn parse(text: &str) -> Result<Self, RegressionError> {
         let case: Self = serde_json::from_str(text)?;
         let pins = Pins::of(case.machine()?).inputs;
@@ -105,7 +105,7 @@ impl Regression {
         }
     }
 
-    /// The case as JSON, a clock a line.
+    /// The case as JSON, with one clock a line.
     pub fn text(&self) -> String {
         let rows: Vec<_> = self
             .rows
@@ -123,18 +123,18 @@ impl Regression {
         )
     }
 
-    /// The machine that it is of.
+    /// The machine of the case.
     ///
     /// # Errors
-    /// There is none of that name.
+    /// No machine has that name.
     pub fn machine(&self) -> Result<&'static Machine, RegressionError> {
         Ok(find_machine(&self.machine)?)
     }
 
-    /// Replays the case in a device that is open and gives the clocks compared.
+    /// Replays the case in an open device and returns the number of clocks compared.
     ///
     /// # Errors
-    /// The first difference; or nothing was compared.
+    /// The first difference, or nothing was compared.
     pub fn replay(&self, device: &mut dyn Device) -> Result<u64, VerifyError> {
         let machine = find_machine(&self.machine).expect("a case that was read has a machine");
         let rows = self.rows.concat();

@@ -1,4 +1,4 @@
-//! What a campaign has done.
+//! The state of a campaign: the jobs that are done and the failures.
 
 use std::collections::BTreeMap;
 
@@ -10,48 +10,48 @@ use super::{FIRST_ITERATIONS, GROWTH, JOB_SECONDS, Pair};
 use crate::device::DeviceKind;
 use crate::verify::Verdict;
 
-/// All that a campaign has done; it is kept as a JSON file.
+/// The results of a campaign, which are stored as a JSON file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct State {
-    /// The seed that those of the jobs come from.
+    /// The campaign's seed, from which the seeds of the jobs follow.
     pub seed: u64,
-    /// What was verified, each job once, in the order in which they ended.
+    /// The jobs that ended without a difference, each once, in the order in which they ended.
     pub jobs: Vec<Done>,
-    /// What was found.
+    /// The differences that were found.
     pub failures: Vec<Failure>,
 }
 
 /// A job that ended without a difference.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Done {
-    /// Its place in the campaign.
+    /// The job's number in the campaign.
     pub job: u64,
-    /// How long it took.
+    /// The job's duration in seconds.
     pub seconds: f64,
-    /// What was compared.
+    /// The amount that was compared.
     #[serde(flatten)]
     pub verdict: Summary,
 }
 
-/// A [`Verdict`] as it is kept: what repeats it, and how much it was.
+/// A [`Verdict`] in the form that is stored: the data that reproduces it, and the amounts compared.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Summary {
-    /// The machine.
+    /// The name of the machine.
     pub machine: String,
-    /// SHA-256 of its emitted Verilog, see [`Verdict::verilog_sha256`].
+    /// SHA-256 of the machine's emitted Verilog, see [`Verdict::verilog_sha256`].
     pub verilog_sha256: Option<String>,
-    /// The device.
+    /// The name of the device.
     pub device: String,
-    /// The tool behind it, with its version.
+    /// The tool behind the device, with its version.
     pub tool_version: String,
     /// The seed of the stimulus.
     pub seed: u64,
-    /// Groups whose sums were taken.
+    /// The number of groups whose sums were taken.
     pub iterations: u64,
-    /// Results taken.
+    /// The number of results taken.
     pub results_compared: u64,
-    /// Clocks, in each of which every visible signal was compared.
+    /// The number of clocks. Every visible signal was compared in each.
     pub vectors_compared: u64,
 }
 
@@ -70,37 +70,37 @@ impl From<Verdict> for Summary {
     }
 }
 
-/// A machine that differed from its model in a device; the campaign goes on without the two.
+/// A machine that differed from its model in a device. The campaign continues without this pair.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Failure {
-    /// The machine.
+    /// The name of the machine.
     pub machine: String,
-    /// The device.
+    /// The name of the device.
     pub device: String,
     /// The seed of the job.
     pub seed: u64,
-    /// All that is known of it.
+    /// A description of the difference.
     pub divergence: String,
-    /// The regression case that was made of it.
+    /// The file of the regression case that was made of it.
     pub file: String,
 }
 
-/// A text is no state of a campaign.
+/// The error of a text that is not a campaign's state.
 #[derive(Debug, Error)]
 pub enum StateError {
-    /// It is not written as one.
+    /// The text does not have the format of a state.
     #[error(
         "it is not the state of a campaign; expected what `verify --campaign` writes: give another \
          file with --state, or remove this one to start anew"
     )]
     Format(#[from] serde_json::Error),
-    /// A job is there twice.
+    /// A job occurs twice.
     #[error("job {0} is there twice; remove one of the two")]
     Twice(u64),
 }
 
 impl State {
-    /// Nothing done yet.
+    /// A state without jobs.
     pub fn new(seed: u64) -> Self {
         Self {
             seed,
@@ -109,10 +109,10 @@ impl State {
         }
     }
 
-    /// Reads what [`Self::text`] wrote.
+    /// Parses the output of [`Self::text`].
     ///
     /// # Errors
-    /// The text is something else.
+    /// The text is not a campaign's state.
     pub fn parse(text: &str) -> Result<Self, StateError> {
         let state: Self = serde_json::from_str(text)?;
         let mut jobs: Vec<_> = state.jobs.iter().map(|done| done.job).collect();
@@ -123,18 +123,18 @@ impl State {
         }
     }
 
-    /// The state as JSON.
+    /// The state as JSON text.
     pub fn text(&self) -> String {
         serde_json::to_string(self).expect("numbers and texts can be written") + "\n"
     }
 
-    /// Vectors compared so far.
+    /// The number of vectors compared so far.
     pub fn vectors(&self) -> u64 {
         let vectors = self.jobs.iter().map(|done| done.verdict.vectors_compared);
         vectors.sum()
     }
 
-    /// For each machine and tool: its jobs together, with the first one's seed, and how many they were.
+    /// For each machine and tool, the sum of its jobs, with the first job's seed, and the number of jobs.
     pub fn totals(&self) -> Vec<(Summary, usize)> {
         let mut totals: BTreeMap<_, (Summary, usize)> = BTreeMap::new();
         for Done { verdict, .. } in &self.jobs {
@@ -161,7 +161,7 @@ impl State {
         self.failures.iter().any(found)
     }
 
-    /// How many iterations are about [`JOB_SECONDS`], by the last job of the same machine and device.
+    /// The number of iterations that take about [`JOB_SECONDS`], by the last job of this machine and device.
     pub(super) fn iterations(&self, (machine, device): Pair) -> u64 {
         let same = |done: &&Done| {
             done.verdict.machine == machine.name && done.verdict.device == device.name()

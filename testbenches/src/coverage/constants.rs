@@ -1,5 +1,5 @@
-//! Bits that cannot change, found by Yosys: what constant propagation over the whole flattened machine, registers
-//! with their initial values included, leaves as 0 or 1.
+//! Finds the constant bits of a machine. Yosys propagates constants over the whole flattened machine, with
+//! the initial values of registers, and leaves these bits as 0 or 1.
 
 use std::collections::{BTreeMap, HashSet};
 use std::process::Command;
@@ -13,7 +13,8 @@ use crate::tools::{Tool, run};
 /// Constant bits by their path in the top instance, such as `cell_12.photon_q`, with the bit.
 pub(super) type Constants = HashSet<(String, u32)>;
 
-/// `-norom`: a table with a constant address is a constant, a memory is not. `keep`: what nobody reads is propagated too.
+/// `-norom`: a table with a constant address is a constant, a memory is not. `keep`: signals without a reader
+/// are propagated too.
 const PASSES: &str =
     "proc -norom; flatten; setattr -set keep 1 w:*; opt -full; write_json netlist.json";
 
@@ -39,7 +40,7 @@ enum Bit {
     Wire(#[allow(dead_code)] u64),
 }
 
-/// Finds them.
+/// Finds the constant bits of a design.
 ///
 /// # Errors
 /// Yosys is missing or refuses the text.
@@ -67,7 +68,7 @@ pub(super) fn constants(design: &Emitted) -> Result<Constants, DeviceError> {
 fn constants_of(netlist: &Netlist) -> Constants {
     let nets = netlist.modules.values().flat_map(|module| &module.netnames);
     let bits = nets.flat_map(|(name, net)| {
-        // What nothing drives is `x`, and no constant.
+        // An undriven bit is `x`, which is not a constant.
         let constant = |(_, bit): &(u32, &Bit)| matches!(bit, Bit::Constant(value) if value != "x");
         let bits = (0..).zip(&net.bits).filter(constant);
         bits.map(move |(index, _)| (name.clone(), index))

@@ -1,4 +1,5 @@
-//! The cover points of the testbench: situations that a stimulus must bring about, as Verilog in the trace module.
+//! The cover points of the testbench: situations that the stimulus must reach, as Verilog in the trace
+//! module.
 
 use std::fmt::Write as _;
 
@@ -6,7 +7,7 @@ use photoncube_spec::Machine;
 
 const STREAMS: [&str; 3] = ["query", "group", "result"];
 
-/// What may happen in a clock, by name, as a Verilog expression of pins and registers.
+/// The situations, by name, each as a Verilog expression of pins and registers.
 pub(super) fn covers(machine: &Machine) -> Vec<(String, String)> {
     let mut covers = Vec::new();
     let mut cover = |name: String, when: String| covers.push((name, when));
@@ -38,7 +39,7 @@ pub(super) fn covers(machine: &Machine) -> Vec<(String, String)> {
     covers
 }
 
-/// Addresses of the machine's program; none where there is no program.
+/// The number of addresses of the machine's program; 0 where there is no program.
 fn addresses(machine: &Machine) -> usize {
     let sequential = machine.microprogram().map(|program| program.steps().len());
     let overlapped = machine

@@ -1,5 +1,6 @@
-//! Coverage of the emitted Verilog: which lines, branches, bits and cover points the stimulus of a verification
-//! used, by Verilator's counters in every instance; and what it did not use, each with a reason.
+//! Measures the coverage of the emitted Verilog: the lines, branches, bits and cover points that the stimulus
+//! of a verification used, by Verilator's counters in every instance. Each unused point is listed with a
+//! reason.
 
 mod constants;
 mod covers;
@@ -22,56 +23,56 @@ pub use points::CoverageKind;
 use points::Point;
 use reasons::Why;
 
-/// What a verification used of a machine's emitted Verilog.
+/// The coverage that a verification reached in a machine's emitted Verilog.
 #[derive(Clone, Debug, Serialize)]
 pub struct Coverage {
-    /// The verification, which went through without a mismatch.
+    /// The verdict of the verification, which found no mismatch.
     #[serde(flatten)]
     pub verdict: Verdict,
-    /// The modules, in the order of their names.
+    /// The modules, sorted by name.
     pub modules: Vec<ModuleCoverage>,
-    /// What was not used.
+    /// The points that were not used.
     pub gaps: Vec<Gap>,
-    /// What was used although a reason says that it cannot be: the reason is wrong.
+    /// The points that were used although a recorded reason excludes it; such a reason is wrong.
     pub contradictions: Vec<Gap>,
 }
 
-/// What was used of a module, in all its instances.
+/// The coverage of a module, over all its instances.
 #[derive(Clone, Debug, Serialize)]
 pub struct ModuleCoverage {
-    /// The module, without the machine's prefix.
+    /// The module's name, without the machine's prefix.
     pub module: String,
-    /// For each kind of which it has points.
+    /// The share of each kind of point that the module has.
     pub kinds: BTreeMap<CoverageKind, Share>,
 }
 
-/// A part of a number of points.
+/// A number of covered points out of a total.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Share {
-    /// Points that were used at least once.
+    /// The number of points that were used at least once.
     pub covered: usize,
-    /// All points.
+    /// The number of all points.
     pub points: usize,
 }
 
-/// Points of one signal or one line.
+/// Unused points of one signal or one line.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Gap {
-    /// Their kind.
+    /// The kind of the points.
     #[serde(rename = "counter")]
     pub kind: CoverageKind,
-    /// The module, without the machine's prefix.
+    /// The module's name, without the machine's prefix.
     pub module: String,
     /// The signal with its bits, the statement, or the cover point.
     pub what: String,
-    /// How many points these are, in all instances.
+    /// The number of points, in all instances.
     pub points: usize,
-    /// Why they cannot be used; none is known where there is none.
+    /// The reason why the points cannot be used; `None` if no reason is recorded.
     pub reason: Option<&'static str>,
 }
 
 impl Coverage {
-    /// The sum over all modules.
+    /// The sum of a kind over all modules.
     pub fn total(&self, kind: CoverageKind) -> Share {
         let shares = self.modules.iter().filter_map(|m| m.kinds.get(&kind));
         shares.fold(Share::default(), |sum, share| Share {
@@ -80,17 +81,17 @@ impl Coverage {
         })
     }
 
-    /// What was not used, and nobody knows why.
+    /// The unused points without a recorded reason.
     pub fn unexplained(&self) -> impl Iterator<Item = &Gap> {
         self.gaps.iter().filter(|gap| gap.reason.is_none())
     }
 }
 
-/// Verifies a machine in Verilator, with the stimulus of the options and with that of each corner, and counts what of its
-/// text that used.
+/// Verifies a machine in Verilator, with the stimulus of the options and with that of each corner, and counts
+/// the parts of the text that the stimulus used.
 ///
 /// # Errors
-/// The verification fails, or the tool does.
+/// The verification or the tool fails.
 pub fn coverage(
     machine: &Machine,
     options: &VerifyOptions<'_>,
@@ -130,10 +131,10 @@ pub fn coverage(
     })
 }
 
-/// The corners that random stimulus comes to too rarely.
+/// The stimulus of corners that random stimulus reaches too rarely.
 pub fn corners(machine: &Machine) -> Vec<Source<'static>> {
     match machine.overlap_program() {
-        // There sums of lanes cross links of their own width.
+        // In these machines the sums of lanes cross links of their own width.
         Some(_) => vec![Source::FullThenEmpty, Source::LaneAlone],
         None if machine.has_memory() => Source::corners(machine),
         None => vec![Source::FullThenEmpty],
@@ -147,11 +148,11 @@ fn unreadable(message: String) -> DeviceError {
     }
 }
 
-/// The points that count. A bit counts in every instance; a statement is used where one instance uses it.
+/// The points that count. A bit counts in every instance; a statement is used if one instance uses it.
 fn counted(machine: &Machine, points: Vec<Point>) -> Vec<Point> {
     let mut merged: BTreeMap<_, Point> = BTreeMap::new();
     for point in points {
-        // The trace module is the testbench's own: of it the cover points count.
+        // The trace module belongs to the testbench, so only its cover points count.
         if point.module == TRACE && point.kind != CoverageKind::User {
             continue;
         }
@@ -170,7 +171,7 @@ fn counted(machine: &Machine, points: Vec<Point>) -> Vec<Point> {
     merged.into_values().collect()
 }
 
-/// The point with its module as people know it.
+/// The point with its module's name without the machine's prefix.
 fn without_prefix(machine: &Machine, mut point: Point) -> Point {
     let prefix = machine.module_prefix();
     point.module = match point.module.strip_prefix(&prefix) {
@@ -196,10 +197,11 @@ fn modules(points: &[Point]) -> Vec<ModuleCoverage> {
     modules.into_iter().map(module).collect()
 }
 
-/// So often a bit that never changes later may change as a device starts: it is set, and then what follows from it.
+/// The most changes that a bit which is constant later may have at the start: once as it is set, and once as
+/// its consequences are.
 const SETTLING: u64 = 2;
 
-/// The points that were used in one run at least, and have a reason why they cannot be.
+/// The points that were used in at least one run although a reason excludes it.
 fn contradictions(why: &Why<'_>, points: &[Point], lines: &[&str]) -> Vec<Gap> {
     let used = points.iter().filter(|point| point.hits > SETTLING).cloned();
     let used = counted(why.machine, used.collect());
@@ -208,7 +210,7 @@ fn contradictions(why: &Why<'_>, points: &[Point], lines: &[&str]) -> Vec<Gap> {
     gaps
 }
 
-/// Points with the reason why they cannot be used; those of a signal or a statement, for one reason, together.
+/// Points with their reasons. Points of one signal or statement that have one reason are grouped.
 fn grouped<'a>(
     why: &Why<'_>,
     points: impl IntoIterator<Item = &'a Point>,

@@ -1,17 +1,17 @@
-//! The points of a coverage file as Verilator writes it: a line for each, `C '...' hits`, in which each field is
-//! a letter between the characters 1 and 2, and its value.
+//! Parses Verilator's coverage file. Each point is a line `C '...' hits`, in which each field is a letter
+//! between the characters 1 and 2, followed by its value.
 
 use serde::Serialize;
 
-/// What is counted.
+/// A kind of coverage point.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum CoverageKind {
-    /// A block of statements was run.
+    /// A block of statements was executed.
     Line,
-    /// A way of an `if` or an arm of a `case` was taken.
+    /// A branch of an `if` or an arm of a `case` was taken.
     Branch,
-    /// A bit of a signal changed.
+    /// A bit of a signal changed its value.
     Toggle,
     /// A cover point of the testbench held.
     User,
@@ -21,7 +21,7 @@ impl CoverageKind {
     /// All kinds.
     pub const ALL: [Self; 4] = [Self::Line, Self::Branch, Self::Toggle, Self::User];
 
-    /// Its name in reports.
+    /// The kind's name in reports.
     pub fn name(self) -> &'static str {
         match self {
             Self::Line => "line",
@@ -46,15 +46,15 @@ pub(super) struct Point {
     pub instance: String,
     /// The line in the simulated text, from 1.
     pub line: usize,
-    /// A bit such as `sum[3]`, or what a block or branch is.
+    /// A bit such as `sum[3]`, or the kind of a block or branch.
     pub what: String,
     pub hits: u64,
 }
 
-/// All points of a file.
+/// Parses all points of a file.
 ///
 /// # Errors
-/// The first line that is none of a point.
+/// The first line that is not a point.
 pub(super) fn parse(file: &str) -> Result<Vec<Point>, String> {
     let points = file.lines().filter(|line| !line.starts_with('#'));
     let point = |line| parse_line(line).ok_or_else(|| format!("no point of coverage: {line:?}"));
@@ -78,7 +78,7 @@ fn parse_line(line: &str) -> Option<Point> {
     })
 }
 
-/// Without the testbench's modules around the design.
+/// The path without the testbench's modules around the design.
 fn path_in_top(path: &str) -> &str {
     const TOP: &str = ".dut";
     let rest = path.split_once(TOP).map_or("", |(_, rest)| rest);

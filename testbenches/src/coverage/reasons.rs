@@ -1,4 +1,4 @@
-//! Why some points cannot be used, whatever the stimulus.
+//! The reasons why some points cannot be used by any stimulus.
 
 use photoncube_hdl::Emitted;
 use photoncube_spec::{Machine, PhotonFormat, Role, SpatialWidths, Squarer, Widths};
@@ -8,7 +8,7 @@ use super::points::{CoverageKind, Point};
 use super::words;
 use crate::device::DeviceError;
 
-/// What is known of a machine's points.
+/// The knowledge about a machine's points.
 pub(super) struct Why<'a> {
     pub machine: &'a Machine,
     pub constants: Constants,
@@ -16,7 +16,7 @@ pub(super) struct Why<'a> {
 
 impl<'a> Why<'a> {
     /// # Errors
-    /// Yosys does not run.
+    /// Yosys is missing or fails.
     pub fn new(machine: &'a Machine, design: &Emitted) -> Result<Self, DeviceError> {
         Ok(Self {
             machine,
@@ -24,7 +24,8 @@ impl<'a> Why<'a> {
         })
     }
 
-    /// Why a point cannot be used, where that is known. `name` and `bit` are its signal's.
+    /// The reason why a point cannot be used; `None` if there is none. `name` and `bit` are those of the
+    /// point's signal.
     pub fn reason(&self, point: &Point, name: &str, bit: Option<u32>) -> Option<&'static str> {
         let path = match point.instance.as_str() {
             "" => name.to_owned(),
@@ -43,10 +44,11 @@ impl<'a> Why<'a> {
     }
 }
 
-/// A reason that is not found by a tool.
+/// A reason that is written by hand, and not found by a tool.
 struct Rule {
     kind: CoverageKind,
-    /// Whether it is about this bit (of a signal) or point; the path is in the top instance.
+    /// Whether the reason applies to this bit of a signal, or to this point. The path is that in the top
+    /// instance.
     holds: fn(&Machine, &Point, &str, u32) -> bool,
     why: &'static str,
 }

@@ -1,12 +1,12 @@
-//! Which bits the words of a cell can use. All cells are built alike, as wide as the widest word needs; what a cell gets
-//! follows from its role.
+//! Computes which bits the words of a cell can use. All cells have equal hardware, as wide as the widest word
+//! needs; the words that a cell receives follow from its role.
 
 use photoncube_spec::{Axis, Machine, PhotonFormat, Role, Widths};
 
-/// What a signal of a cell holds at one time or another.
+/// A kind of word that a signal of a cell may hold.
 #[derive(Copy, Clone)]
 enum Word {
-    /// What the cell's neighbour sends.
+    /// The word that the cell's neighbour sends.
     Link,
     /// Squared distances, and the powers of an iteration's photons.
     Work,
@@ -14,10 +14,11 @@ enum Word {
     Sum,
 }
 
-/// Signals that hold words, by how their paths end when numbers are left out and dots are underscores.
+/// Signals that hold words, each by the end of its path, with numbers left out and dots replaced by
+/// underscores.
 type Holders = [(&'static str, &'static [Word])];
 
-/// Those of a sequential machine.
+/// The signals of a sequential machine.
 const SEQUENTIAL: &Holders = &[
     ("link", &[Word::Link]),
     ("link_in", &[Word::Link]),
@@ -38,7 +39,8 @@ const SEQUENTIAL: &Holders = &[
     ("ports_sum", &[Word::Sum]),
 ];
 
-/// Those of an overlapped machine. Its link is the one along w: along x and y sums go, along z what uses all bits.
+/// The signals of an overlapped machine. The link is the one along w; sums cross x and y, and words that use
+/// all bits cross z.
 const OVERLAPPED: &Holders = &[
     ("link_w", &[Word::Link]),
     ("from_w", &[Word::Link]),
@@ -67,7 +69,7 @@ const OVERLAPPED: &Holders = &[
     ("sum_out", &[Word::Sum]),
 ];
 
-/// Those of a spatial machine that hold one square.
+/// The signals of a spatial machine that hold one square.
 const SQUARES: &[&str] = &[
     "product_product",
     "product_product_d",
@@ -92,11 +94,11 @@ const SQUARES: &[&str] = &[
     "distance_sum_wide_b",
 ];
 
-/// The pins that have the sums of a role's cells.
+/// The output pins of the sums, with the role of the cells that hold them.
 const PINS: [(&str, Role); 2] = [("result_power", Role::X), ("result_count", Role::D)];
 
-/// Bits of the largest word that a signal gets; `None` of other signals, and of machines without cells. `path` is the
-/// signal's in the top instance.
+/// The bits of the largest word that a signal receives; `None` for other signals, and for machines without
+/// cells. `path` is the signal's path in the top instance.
 pub(super) fn bits(machine: &Machine, path: &str) -> Option<u32> {
     let holders = holders(machine)?;
     if let Some((_, role)) = PINS.iter().find(|(pin, _)| path.ends_with(pin)) {
@@ -107,7 +109,8 @@ pub(super) fn bits(machine: &Machine, path: &str) -> Option<u32> {
     words.map(|&word| word_bits(machine, role, word)).max()
 }
 
-/// Whether all words that a signal of a sequential machine gets are half squares, or sums of them.
+/// Whether all words that a signal of a sequential machine receives are half squares, or sums of half
+/// squares.
 pub(super) fn are_even(machine: &Machine, path: &str) -> bool {
     machine.microprogram().is_some()
         && machine.format().is_some_and(PhotonFormat::half_steps)
@@ -123,7 +126,7 @@ pub(super) fn is_square(machine: &Machine, path: &str) -> bool {
         && SQUARES.iter().any(|holder| ends_with_name(&name, holder))
 }
 
-/// The roles of the nodes that a signal is named after.
+/// The roles of the nodes in a signal's name.
 pub(super) fn roles(machine: &Machine, path: &str) -> impl Iterator<Item = Role> {
     let hypercube = machine.hypercube();
     let numbers = path.split(['.', '_']).filter_map(|name| name.parse().ok());
@@ -152,7 +155,7 @@ fn without_numbers(path: &str) -> String {
     names.join("_")
 }
 
-/// Whether a path ends with whole names.
+/// Whether a path ends with these whole names.
 fn ends_with_name(path: &str, name: &str) -> bool {
     let before = path.strip_suffix(name);
     before.is_some_and(|before| before.is_empty() || before.ends_with('_'))
@@ -166,8 +169,8 @@ fn word_bits(machine: &Machine, role: Role, word: Word) -> u32 {
     }
 }
 
-/// The program sends the cells of x and y one square, and those of z and d two; at last every cell the powers of the
-/// other half of the group.
+/// The bits of a word in a sequential machine. The program sends one square to the cells of x and y, and two
+/// squares to those of z and d. At the end it sends every cell the powers of the other half of the group.
 fn sequential_bits(machine: &Machine, role: Role, word: Word) -> u32 {
     let two_squares = two_squares_bits(machine);
     let group = machine.photons_per_iteration() as u64;
@@ -181,7 +184,8 @@ fn sequential_bits(machine: &Machine, role: Role, word: Word) -> u32 {
     }
 }
 
-/// The program adds the third square in the cells of z and d, which send it along w to those of x and y.
+/// The bits of a word in an overlapped machine. The third square is added in the cells of z and d, which send
+/// the sum along w.
 fn overlapped_bits(machine: &Machine, role: Role, word: Word) -> u32 {
     let from = match word {
         Word::Link => role.across(Axis::W),
@@ -190,17 +194,17 @@ fn overlapped_bits(machine: &Machine, role: Role, word: Word) -> u32 {
     two_squares_bits(machine) + u32::from(matches!(from, Role::Z | Role::D))
 }
 
-/// Bits of a sum of two squares of coordinates.
+/// The bits of a sum of two squares of coordinates.
 fn two_squares_bits(machine: &Machine) -> u32 {
     2 * Widths::of(machine).difference + 1
 }
 
-/// Bits of the power of so many photons, or of their count.
+/// The bits of the power of `photons` photons, or of their count.
 fn power_bits(machine: &Machine, role: Role, photons: u64) -> u32 {
     bits_of(full_scale(machine, role) * u128::from(photons))
 }
 
-/// The largest that a photon adds to a cell's sum: a channel of its power, or one where photons are counted.
+/// The most that a photon adds to a cell's sum: a channel of its power, or 1 where photons are counted.
 fn full_scale(machine: &Machine, role: Role) -> u128 {
     let channels = machine.channels().count() as usize;
     match role.coordinate() {
@@ -210,7 +214,7 @@ fn full_scale(machine: &Machine, role: Role) -> u128 {
     }
 }
 
-/// Bits of a number, 0 of 0.
+/// The bits of a number; 0 for the number 0.
 fn bits_of(number: u128) -> u32 {
     u128::BITS - number.leading_zeros()
 }

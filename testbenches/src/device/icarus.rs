@@ -1,4 +1,4 @@
-//! Verilog in Icarus: slow and 4-state, so what was never set shows as X.
+//! Runs Verilog in Icarus, a slow 4-state simulator, in which a value that was never set is X.
 
 use std::fmt::Write as _;
 use std::io::{BufRead, BufReader, Error, ErrorKind, Write};
@@ -12,17 +12,17 @@ use super::{Device, DeviceError, Observed, Unknown, netlist, scratch_folder, wri
 use crate::tools::{Tool, run};
 use crate::trace::{TRACE, declare, names, trace_module};
 
-/// A design in Icarus.
+/// A design in a running Icarus simulation.
 pub struct Icarus {
     name: &'static str,
     version: String,
     /// The width of each input.
     widths: Vec<u32>,
-    /// For each input, those that must all be 1, else its word is unknown.
+    /// For each input, the inputs that must all be 1 for its word to be known.
     governing: Vec<Vec<usize>>,
     visible: usize,
     process: Process,
-    /// Holds the compiled simulation as long as it runs.
+    /// The folder of the compiled simulation, which must exist while it runs.
     _folder: TempDir,
 }
 
@@ -35,7 +35,8 @@ impl Icarus {
         Self::start("icarus", design, Tool::Iverilog.version()?)
     }
 
-    /// The same, but the word of an input is unknown, all x, unless all inputs that it names are 1.
+    /// Compiles the design and starts it. The word of an input is all x, except in clocks in which all inputs
+    /// that govern it are 1.
     pub(crate) fn with_idle_unknown(
         design: &Emitted,
         governing: Vec<Vec<usize>>,
@@ -46,7 +47,7 @@ impl Icarus {
         })
     }
 
-    /// Turns the design into gates first.
+    /// Synthesises the design to gates, compiles these and starts them.
     ///
     /// # Errors
     /// Yosys or Icarus is missing or refuses the text.
@@ -65,7 +66,7 @@ impl Icarus {
             .args(["-g2005", "-s", "bench", "-o"])
             .args([&compiled, &source]))?;
         let mut simulate = Command::new(Tool::Vvp.find()?);
-        // -n: an end, not a prompt, where the simulation stops.
+        // -n: where the simulation stops, it ends and does not prompt.
         let process = Process::start(name, simulate.arg("-n").arg(&compiled), folder.path())?;
         Ok(Self {
             name,
@@ -173,8 +174,8 @@ fn nonsense(line: &str) -> Error {
     Error::new(ErrorKind::InvalidData, text)
 }
 
-/// The testbench: reads the number of clocks, then a line of hexadecimal inputs for each, and
-/// writes a line of what it observes in each.
+/// The Verilog testbench. It reads the number of clocks, then a line of hexadecimal inputs for each clock,
+/// and writes a line of observed values for each.
 fn bench(design: &Emitted) -> String {
     const STDIN: &str = "32'h8000_0000";
     const STDOUT: &str = "32'h8000_0001";
@@ -189,7 +190,7 @@ fn bench(design: &Emitted) -> String {
     declare(&mut text, "reg", &pins.inputs);
     declare(&mut text, "wire", &pins.observed);
     let read = " %h".repeat(inputs.len());
-    // Icarus cannot read a word of many thousand characters, as one format of all would be.
+    // Icarus cannot read a word of many thousand characters, so a line is read in parts of this many values.
     const VALUES: usize = 256;
     let writes: String = observed
         .chunks(VALUES)

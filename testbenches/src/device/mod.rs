@@ -1,4 +1,4 @@
-//! Devices: whatever can be given rows of inputs and shows rows of signals.
+//! Devices: simulators that accept rows of inputs and return rows of signals.
 
 mod icarus;
 mod mutant;
@@ -28,23 +28,23 @@ pub(crate) use simulation::{hdl_error, hdl_error_of};
 pub use text::Text;
 pub use verilator::Verilator;
 
-/// Something that is compared with the golden model. It keeps its state between calls and starts
-/// as after power-up.
+/// A simulation that is compared with the golden model. It keeps its state between calls and starts in the
+/// power-up state.
 pub trait Device {
-    /// Its name in reports and on the command line.
+    /// The device's name in reports and on the command line.
     fn name(&self) -> &str;
 
-    /// The tool behind it, with its version.
+    /// The tool behind the device, with its version.
     fn tool_version(&self) -> &str;
 
-    /// How many of [`photoncube_spec::Pins::observed`] it shows; the outputs at least.
+    /// The number of [`photoncube_spec::Pins::observed`] signals that the device shows; at least the outputs.
     fn visible(&self) -> usize;
 
-    /// For each row of inputs: drives it, lets the design settle, samples all that is visible,
-    /// and makes the rising clock edge. Appends one row of values for each row of inputs.
+    /// For each row of inputs: drives it, lets the design settle, samples all visible signals, and makes the
+    /// rising clock edge. Appends one row of values for each row of inputs.
     ///
     /// # Errors
-    /// The device's tool fails.
+    /// The tool behind the device fails.
     fn replay(&mut self, inputs: &[u64], observed: &mut Observed) -> Result<(), DeviceError>;
 }
 
@@ -53,21 +53,21 @@ pub trait Device {
 pub struct Observed {
     /// The values, row after row; 0 where the value is unknown.
     pub values: Vec<u64>,
-    /// The values with bits that are neither 0 nor 1, in order; only 4-state devices have them.
+    /// The values with bits that are neither 0 nor 1, in order. Only 4-state devices have them.
     pub unknown: Vec<Unknown>,
 }
 
 /// A value with bits that are neither 0 nor 1.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Unknown {
-    /// Its index in [`Observed::values`].
+    /// The value's index in [`Observed::values`].
     pub index: usize,
-    /// It, in hexadecimal with x and z, as the device writes it.
+    /// The value in hexadecimal with x and z, as the device writes it.
     pub text: String,
 }
 
 impl Observed {
-    /// One value.
+    /// The value at an index.
     pub(crate) fn at(&self, index: usize) -> Actual {
         match self.unknown.iter().find(|unknown| unknown.index == index) {
             Some(unknown) => Actual::Unknown(unknown.text.clone()),
@@ -75,14 +75,14 @@ impl Observed {
         }
     }
 
-    /// Forgets all rows and keeps the memory.
+    /// Removes all rows but keeps the allocated memory.
     pub fn clear(&mut self) {
         self.values.clear();
         self.unknown.clear();
     }
 }
 
-/// Why a device cannot run.
+/// The reason why a device cannot run.
 #[derive(Debug, Error)]
 pub enum DeviceError {
     /// A tool is missing or fails.
@@ -91,30 +91,30 @@ pub enum DeviceError {
     /// The HDL generator has no such machine, or its checks fail.
     #[error("the HDL of machine `{machine}` cannot be made")]
     Hdl {
-        /// The machine.
+        /// The name of the machine.
         machine: &'static str,
-        /// Why.
+        /// The error of the HDL generator.
         source: Box<dyn std::error::Error + Send + Sync>,
     },
-    /// The emitted Verilog is outside the subset that the device `text` knows.
+    /// The emitted Verilog is outside the subset that the device `text` evaluates.
     #[error(transparent)]
     Refused(#[from] verilog_eval::Refusal),
     /// A file cannot be written or read.
     #[error("cannot {action} {path}")]
     File {
-        /// What was to be done.
+        /// The action that failed.
         action: &'static str,
-        /// The file or folder.
+        /// The path of the file or folder.
         path: String,
-        /// Why.
+        /// The error of the operating system.
         source: std::io::Error,
     },
-    /// A running simulation ended or answered nonsense.
+    /// A running simulation ended, or its answer was not understood.
     #[error("the simulation in {device} broke off: {message}")]
     BrokeOff {
-        /// The device.
+        /// The name of the device.
         device: String,
-        /// What it said last, or what was wrong with its answer.
+        /// The last output of the device, or the error in its answer.
         message: String,
     },
 }
@@ -128,16 +128,16 @@ impl From<MissingTool> for DeviceError {
 /// The devices that a machine can be verified in.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum DeviceKind {
-    /// rust-hdl's own simulation; it proves the Rust source, not the Verilog.
+    /// rust-hdl's own simulation. It verifies the Rust source and not the Verilog.
     RustHdl,
-    /// The emitted Verilog in the testbench's own evaluator; it needs no tool.
+    /// The emitted Verilog in the testbench's own evaluator, which needs no external tool.
     Text,
     /// The emitted Verilog in Icarus, 4-state.
     Icarus,
     /// The emitted Verilog in Verilator, 2-state and fast.
     Verilator,
-    /// The emitted Verilog as gates, by Yosys, in Icarus; its registers have lost their names, so
-    /// only its output pins are compared.
+    /// The emitted Verilog, synthesised to gates by Yosys, in Icarus. The registers have lost their names, so
+    /// only the output pins are compared.
     Netlist,
 }
 
@@ -145,16 +145,16 @@ pub enum DeviceKind {
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("there is no device `{found}`{meant}; the devices are {expected}")]
 pub struct UnknownDevice {
-    /// The name asked for.
+    /// The name that was given.
     pub found: String,
-    /// The name that was meant, as [`did_you_mean`] tells it.
+    /// A hint with the nearest name, made by [`did_you_mean`]; empty where none is near.
     pub meant: String,
-    /// The names there are.
+    /// The names of all devices.
     pub expected: String,
 }
 
 impl DeviceKind {
-    /// All devices.
+    /// All devices, in the order of the enum.
     pub const ALL: [Self; 5] = [
         Self::RustHdl,
         Self::Text,
@@ -174,10 +174,10 @@ impl DeviceKind {
         }
     }
 
-    /// The device of that name.
+    /// Finds the device of that name.
     ///
     /// # Errors
-    /// There is none; the error lists those there are.
+    /// No device has that name; the error lists all names.
     pub fn from_name(name: &str) -> Result<Self, UnknownDevice> {
         let found = Self::ALL.into_iter().find(|kind| kind.name() == name);
         found.ok_or_else(|| UnknownDevice {
@@ -187,7 +187,7 @@ impl DeviceKind {
         })
     }
 
-    /// The tools that the device needs.
+    /// The external tools that the device needs.
     pub fn tools(self) -> &'static [Tool] {
         match self {
             Self::RustHdl | Self::Text => &[],
@@ -197,12 +197,12 @@ impl DeviceKind {
         }
     }
 
-    /// The first of those tools that is not there.
+    /// The first of the device's tools that is missing.
     pub fn missing_tool(self) -> Option<MissingTool> {
         self.tools().iter().find_map(|tool| tool.find().err())
     }
 
-    /// The device with a machine in it, or a part of one.
+    /// Opens the device with a machine, or a part of one.
     ///
     /// # Errors
     /// A tool is missing or fails, or the machine's HDL cannot be made.
@@ -213,7 +213,7 @@ impl DeviceKind {
         self.open_emitted(&emit(machine, level).map_err(hdl_error(machine))?)
     }
 
-    /// The device with an emitted text in it, if its tools are there.
+    /// Opens the device with an emitted text, if its tools are installed.
     ///
     /// # Errors
     /// A tool is missing or fails.
@@ -227,7 +227,7 @@ impl DeviceKind {
         }
     }
 
-    /// The device with a unit for itself in it.
+    /// Opens the device with a unit on its own.
     ///
     /// # Errors
     /// A tool is missing or fails, or the unit is not built at that width.
@@ -241,7 +241,7 @@ impl DeviceKind {
         self.open_text(&emit_unit(unit, bits).map_err(hdl_error_of(unit.name()))?)
     }
 
-    /// The device with an emitted text in it.
+    /// Opens the device with an emitted text, without a check for its tools.
     ///
     /// # Panics
     /// For rust-hdl, which simulates blocks and no text.
@@ -255,8 +255,8 @@ impl DeviceKind {
         })
     }
 
-    /// The fastest device that runs the emitted text here: Verilator, or where it is missing the
-    /// testbench's own evaluator.
+    /// The fastest device for the emitted text on this computer: Verilator, or the testbench's own evaluator
+    /// where Verilator is missing.
     pub fn fastest() -> Self {
         match Self::Verilator.missing_tool() {
             None => Self::Verilator,
@@ -277,7 +277,7 @@ impl Serialize for DeviceKind {
     }
 }
 
-/// Writes a file that a tool then reads.
+/// Writes a file for a tool to read.
 pub(crate) fn write_file(path: &std::path::Path, text: &str) -> Result<(), DeviceError> {
     std::fs::write(path, text).map_err(|source| DeviceError::File {
         action: "write",
@@ -286,7 +286,7 @@ pub(crate) fn write_file(path: &std::path::Path, text: &str) -> Result<(), Devic
     })
 }
 
-/// A folder that goes away with the device.
+/// Makes a temporary folder that is deleted with the device.
 pub(crate) fn scratch_folder() -> Result<tempfile::TempDir, DeviceError> {
     tempfile::tempdir().map_err(|source| DeviceError::File {
         action: "make a folder in",

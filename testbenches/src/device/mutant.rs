@@ -1,16 +1,16 @@
-//! The golden model with a planted fault: it tests that the comparison sees faults.
+//! The golden model with a planted fault, which tests that the comparison detects faults.
 
 use photoncube_model::{GoldenMachine, golden_machine};
 use photoncube_spec::{Inputs, Machine, Pins};
 
 use super::{Device, DeviceError, Observed};
 
-/// A fault: given the clock and what stands on the pins, it changes what the model gets.
+/// A fault at the inputs: from the clock and the inputs, it changes what the model receives.
 type InputFault = Box<dyn Fn(u64, &mut Inputs)>;
-/// A fault: given the clock and the row of signals, it changes what is seen.
+/// A fault at the outputs: from the clock and the row of signals, it changes what is observed.
 type RowFault = Box<dyn Fn(u64, &mut [u64])>;
 
-/// A golden model that a fault stands before and another behind.
+/// A golden model with a fault at its inputs and a fault at its outputs.
 pub struct Mutant {
     model: Box<dyn GoldenMachine>,
     machine: Machine,
@@ -22,7 +22,7 @@ pub struct Mutant {
 }
 
 impl Mutant {
-    /// The golden model as it is.
+    /// The golden model without a fault.
     pub fn sound(machine: &Machine) -> Self {
         let pins = Pins::of(machine);
         Self {
@@ -36,19 +36,19 @@ impl Mutant {
         }
     }
 
-    /// Changes what the model gets in some clock.
+    /// Adds a fault at the inputs.
     pub fn with_input_fault(mut self, fault: impl Fn(u64, &mut Inputs) + 'static) -> Self {
         self.input_fault = Box::new(fault);
         self
     }
 
-    /// Changes what is seen of the model in some clock.
+    /// Adds a fault at the outputs.
     pub fn with_row_fault(mut self, fault: impl Fn(u64, &mut [u64]) + 'static) -> Self {
         self.row_fault = Box::new(fault);
         self
     }
 
-    /// Shows the first signals alone.
+    /// Limits the visible signals to the first `visible`.
     pub fn showing(mut self, visible: usize) -> Self {
         self.visible = visible;
         self

@@ -1,4 +1,4 @@
-//! A design as gates: what Yosys's generic synthesis makes of it.
+//! Synthesises a design to gates, with Yosys's generic synthesis.
 
 use std::process::Command;
 
@@ -8,13 +8,13 @@ use photoncube_spec::{Pins, SignalPlace};
 use super::{DeviceError, scratch_folder, write_file};
 use crate::tools::{Tool, run};
 
-/// Yosys's `synth` with another step `memory_map`, which leaves memories of more than 256 words: a photon memory as
-/// flip-flops would be hundreds of thousands.
+/// Yosys's `synth` with a modified step `memory_map` that keeps memories of more than 256 words. A photon
+/// memory as flip-flops would be hundreds of thousands of them.
 const SYNTH_WITH_MEMORY: &str = "-run begin:fine; opt -fast -full; memory_map t:$mem_v2 r:SIZE<=256 %i; \
                                  opt -undriven -fine; techmap; opt -fast; abc -fast; opt_clean";
 
-/// Synthesises the design to a flat netlist of generic gates and flip-flops. Its ports are the
-/// same; its registers are single bits without their names, so only the output pins remain observed.
+/// Synthesises the design to a flat netlist of generic gates and flip-flops, with the design's ports. Its
+/// registers are single bits without their names, so only the output pins are observed.
 ///
 /// # Errors
 /// Yosys is missing or refuses the text.
@@ -22,8 +22,8 @@ pub fn netlist(design: &Emitted) -> Result<Emitted, DeviceError> {
     Ok(with_outputs_alone(design, netlist_text(design, true)?))
 }
 
-/// The design with a netlist of it as its text, which has its ports; its registers have lost their names, so only the
-/// output pins remain observed.
+/// The design with its text replaced by a netlist that has its ports. The registers have lost their names, so
+/// only the output pins are observed.
 pub fn with_outputs_alone(design: &Emitted, text: String) -> Emitted {
     let pins = &design.pins;
     Emitted {
@@ -38,7 +38,7 @@ pub fn with_outputs_alone(design: &Emitted, text: String) -> Emitted {
     }
 }
 
-/// The netlist's text: flat, or with the modules of the design, each synthesised for itself.
+/// The netlist's text: flat, or with the modules of the design, each synthesised on its own.
 ///
 /// # Errors
 /// Yosys is missing or refuses the text.

@@ -1,18 +1,18 @@
-//! Rows as bytes, for the pipe to a compiled simulation.
+//! Packs rows into bytes, for the pipe to a compiled simulation.
 
 use std::ops::RangeInclusive;
 
 use photoncube_spec::Pin;
 
-/// How a row is packed: each value in the 1, 2, 4 or 8 bytes of Verilator's own types, first all
-/// of one byte, then all of two, and so on, so that each size is one tight loop.
+/// The layout of a packed row. Each value takes the 1, 2, 4 or 8 bytes of Verilator's own types. All values
+/// of one byte come first, then those of two, and so on, so that each size is one tight loop.
 pub(crate) struct Packing {
-    /// The columns of each size, in order.
+    /// The columns whose values take one byte, in order.
     bytes_1: Vec<usize>,
     bytes_2: Vec<usize>,
     bytes_4: Vec<usize>,
     bytes_8: Vec<usize>,
-    /// Bytes of a row.
+    /// The number of bytes of a row.
     pub bytes: usize,
 }
 

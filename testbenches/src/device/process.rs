@@ -1,5 +1,5 @@
-//! A simulator that runs as a process of its own: frames go to its standard input, answers come
-//! from its standard output.
+//! Runs a simulator as a separate process: frames are written to its standard input, answers are read from
+//! its standard output.
 
 use std::io::{BufReader, Write};
 use std::path::Path;
@@ -9,10 +9,10 @@ use std::thread;
 use super::DeviceError;
 use crate::tools::{ToolError, program_of, tail};
 
-/// What the system's pipes hold is small; this much is read at once.
+/// The size of the read buffer in bytes. The buffers of the system's pipes are small.
 const READ_BUFFER: usize = 1 << 18;
 
-/// A running simulator. It ends with the value.
+/// A running simulator process. It is ended when the value is dropped.
 pub(crate) struct Process {
     device: &'static str,
     child: Child,
@@ -22,7 +22,7 @@ pub(crate) struct Process {
 }
 
 impl Process {
-    /// Starts it; what it says on standard error is kept in `folder`.
+    /// Starts the process; its standard error is written to a file in `folder`.
     pub fn start(
         device: &'static str,
         command: &mut Command,
@@ -53,8 +53,8 @@ impl Process {
         })
     }
 
-    /// Writes in a thread of its own while `read` reads, so that neither side waits for the other
-    /// with full pipes.
+    /// Writes in a separate thread while `read` reads, so that neither side blocks the other through full
+    /// pipes.
     pub fn converse<W, R>(&mut self, write: W, read: R) -> Result<(), DeviceError>
     where
         W: FnOnce(&mut ChildStdin) -> std::io::Result<()> + Send,
@@ -69,17 +69,16 @@ impl Process {
             let writer = scope.spawn(move || write(stdin).and_then(|()| stdin.flush()));
             let read = read(stdout);
             if read.is_err() {
-                // Nobody reads on, so the process may never take the rest: its end frees the
-                // writer.
+                // `read` has ended, so the process may never read the rest. Its end releases the writer.
                 let _ = child.kill();
             }
             (writer.join().expect("the writer does not panic"), read)
         });
-        // A process that broke off fails both ways; what it said last is in neither.
+        // A process that ended fails on both sides; its last output is in neither error.
         read.and(written).map_err(|error| self.broke_off(&error))
     }
 
-    /// Ends its input and waits for its own end.
+    /// Closes the process's input and waits for its end.
     pub fn finish(&mut self) -> Result<(), DeviceError> {
         drop(self.stdin.take());
         let ended = self.child.wait().and_then(|status| match status.success() {
@@ -107,7 +106,7 @@ impl Process {
 impl Drop for Process {
     fn drop(&mut self) {
         drop(self.stdin.take());
-        // It may be in the middle of an answer that nobody wants; its end is all that counts.
+        // The process may be in the middle of an answer that is not needed any more.
         let _ = self.child.kill();
         let _ = self.child.wait();
     }

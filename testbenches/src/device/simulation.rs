@@ -1,4 +1,4 @@
-//! rust-hdl's own simulation.
+//! Runs machines in rust-hdl's own simulation.
 
 use photoncube_hdl::{Level, Simulator, Unit, level_pins, unit_pins};
 use photoncube_spec::Machine;
@@ -13,7 +13,7 @@ pub struct RustHdl {
 }
 
 impl RustHdl {
-    /// The machine, or a part of it, in its power-up state.
+    /// Opens a machine, or a part of it, in its power-up state.
     ///
     /// # Errors
     /// The machine's widths are not built in.
@@ -26,7 +26,7 @@ impl RustHdl {
         })
     }
 
-    /// A unit for itself, with operands of so many bits.
+    /// Opens a unit on its own, with operands of `bits` bits.
     ///
     /// # Errors
     /// The unit is not built at that width.
@@ -65,7 +65,7 @@ impl Device for RustHdl {
     }
 }
 
-/// What the HDL generator says, with the machine.
+/// Converts an error of the HDL generator, and adds the machine's name.
 pub(crate) fn hdl_error<E>(machine: &Machine) -> impl Fn(E) -> DeviceError
 where
     E: std::error::Error + Send + Sync + 'static,
@@ -73,7 +73,7 @@ where
     hdl_error_of(machine.name)
 }
 
-/// The same of a machine's or a unit's name.
+/// Converts an error of the HDL generator, and adds the name of a machine or a unit.
 pub(crate) fn hdl_error_of<E>(machine: &'static str) -> impl Fn(E) -> DeviceError
 where
     E: std::error::Error + Send + Sync + 'static,

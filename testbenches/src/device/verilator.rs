@@ -1,8 +1,8 @@
-//! Verilog in Verilator: 2-state and fast, the device for millions of iterations.
+//! Runs Verilog in Verilator, a fast 2-state simulator, the device for millions of iterations.
 //!
-//! What Verilator makes of the design is compiled with a small harness that reads frames of packed
-//! rows and answers with packed rows, so that a clock costs some hundred bytes of a pipe. Registers
-//! that nothing initialises start with random values.
+//! Verilator's output is compiled with a small harness that reads frames of packed rows and answers with
+//! packed rows, so that a clock takes some hundred bytes of a pipe. Registers without an initial value start
+//! with random values.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -20,24 +20,25 @@ use super::{Device, DeviceError, Observed, scratch_folder, write_file};
 use crate::tools::{Tool, on_path, run};
 use crate::trace::{TRACE, trace_module, trace_module_with};
 
-/// Clocks in a frame: enough to make its cost small, few enough that both sides work at once.
+/// Clocks in a frame. The number is large enough to make a frame's overhead small, and small enough for both
+/// sides to work at once.
 const FRAME_CLOCKS: usize = 512;
 
-/// What a simulation with coverage writes at its end, into its folder.
+/// The name of the file that a simulation with coverage writes into its folder at its end.
 const COVERAGE: &str = "coverage.dat";
 
-/// A design in Verilator.
+/// A design in a running Verilator simulation.
 pub struct Verilator {
     version: String,
     inputs: Packing,
     observed: Packing,
     process: Process,
-    /// Holds the standard error of the simulation as long as it runs, and its coverage.
+    /// The folder with the standard error of the simulation and its coverage.
     folder: TempDir,
 }
 
 impl Verilator {
-    /// Compiles the design, unless that was done before, and starts it.
+    /// Compiles the design, unless the cache has it, and starts it.
     ///
     /// # Errors
     /// Verilator or a C++ compiler is missing or refuses the text.
@@ -45,8 +46,8 @@ impl Verilator {
         Self::start(design, trace_module(design), Build::Fast)
     }
 
-    /// A simulation of a netlist of cells, built without optimisation: that takes longer for thousands of small modules than
-    /// a run saves.
+    /// Compiles a netlist of cells without optimisation and starts it. For thousands of small modules,
+    /// optimisation takes longer than it saves in a run.
     ///
     /// # Errors
     /// Verilator or a C++ compiler is missing or refuses the text.
@@ -54,8 +55,8 @@ impl Verilator {
         Self::start(design, trace_module(design), Build::Plain)
     }
 
-    /// The same, but it counts how often each line, branch and bit was used, and each of the `covers`: Verilog
-    /// that goes into the trace module.
+    /// Compiles the design with counters of the uses of each line, branch and bit, and of each cover point,
+    /// and starts it. `covers` is Verilog for the trace module.
     pub(crate) fn with_coverage(design: &Emitted, covers: &str) -> Result<Self, DeviceError> {
         Self::start(design, trace_module_with(design, covers), Build::Coverage)
     }
@@ -83,7 +84,7 @@ impl Verilator {
         })
     }
 
-    /// Ends the simulation and reads the coverage that it wrote.
+    /// Ends the simulation and reads the coverage file that it wrote.
     pub(crate) fn coverage(mut self) -> Result<String, DeviceError> {
         self.process.finish()?;
         let path = self.folder.path().join(COVERAGE);
@@ -141,18 +142,18 @@ impl Device for Verilator {
     }
 }
 
-/// How a simulation is built.
+/// The way in which a simulation is built.
 #[derive(Copy, Clone, PartialEq, Eq)]
 enum Build {
-    /// To run fast.
+    /// Optimised for the speed of the simulation.
     Fast,
-    /// To be built fast.
+    /// Optimised for the time of the build.
     Plain,
-    /// A simulation with counters of the lines, branches and bits that are used.
+    /// With counters of the lines, branches and bits that are used.
     Coverage,
 }
 
-/// What is compiled.
+/// The sources of a simulation.
 struct Sources {
     design: String,
     harness: String,
@@ -174,7 +175,7 @@ impl Sources {
     }
 }
 
-/// The compiled simulation of these sources: from the cache, or built and put there.
+/// Returns the compiled simulation of these sources from the cache, or builds it and stores it there.
 fn build_or_reuse(
     sources: &Sources,
     version: &str,
@@ -194,7 +195,7 @@ fn build_or_reuse(
     text.hash(&mut hasher);
     let entry = cache.join(format!("{:016x}", hasher.finish()));
     let program = entry.join("simulation");
-    // The hash finds the entry; that the text is the same is what makes it the right one.
+    // The hash finds the cache entry; only an equal text makes it the right one.
     let known = fs::read_to_string(entry.join("sources"));
     if known.is_ok_and(|known| known == text) && program.is_file() {
         return Ok(program);
@@ -202,12 +203,12 @@ fn build_or_reuse(
     let built = build(sources, scratch)?;
     match store(&built, &text, &cache, &entry) {
         Ok(()) => Ok(program),
-        // A cache that cannot be written costs time, not the proof.
+        // A cache that cannot be written costs time, but does not affect the result.
         Err(_) => Ok(built),
     }
 }
 
-/// Puts a built simulation into the cache, whole or not at all.
+/// Stores a built simulation in the cache atomically.
 fn store(built: &Path, text: &str, cache: &Path, entry: &Path) -> Result<(), Error> {
     fs::create_dir_all(cache)?;
     let fresh = tempfile::tempdir_in(cache)?;
@@ -229,8 +230,8 @@ fn cache_folder() -> Option<PathBuf> {
         .map(|cache| cache.join("photoncube/verilator"))
 }
 
-/// How the design is compiled. `unique`: what is not initialised starts with random bits. The
-/// optimisation of the generated code makes it two to three times faster than Verilator's `-Os`.
+/// Verilator's options. `unique`: values without initialisation start with random bits. The optimisation of
+/// the generated code makes it two to three times faster than Verilator's `-Os`.
 const OPTIONS: [&str; 9] = [
     "--cc",
     "--exe",
@@ -243,7 +244,8 @@ const OPTIONS: [&str; 9] = [
     "unique",
 ];
 const MAKE_VARIABLES: &str = "OPT_FAST=-O3 OPT_GLOBAL=-O3 OPT_SLOW=-O1";
-/// Thousands of counters or cells take minutes to optimise, and a short run to fill.
+/// For simulations with thousands of counters or cells: full optimisation takes minutes, and a short run does
+/// not need it.
 const MAKE_VARIABLES_OF_MANY: &str = "OPT_FAST=-O1 OPT_GLOBAL=-O1 OPT_SLOW=-O0";
 
 fn build(sources: &Sources, folder: &Path) -> Result<PathBuf, DeviceError> {
@@ -264,8 +266,9 @@ fn build(sources: &Sources, folder: &Path) -> Result<PathBuf, DeviceError> {
     Ok(folder.join("built/simulation"))
 }
 
-/// The C++ around the simulation. A frame is the number of clocks, 4 bytes, and their rows; its
-/// answer is their rows. All in the machine's own byte order, as both ends are one machine.
+/// The C++ harness around the simulation. A frame is the number of clocks, in 4 bytes, and their rows of
+/// inputs; its answer is their rows of outputs. Both are in the native byte order, because both ends run on
+/// one machine.
 fn harness(design: &Emitted, coverage: bool) -> String {
     let at_end = match coverage {
         true => format!(
@@ -273,7 +276,7 @@ fn harness(design: &Emitted, coverage: bool) -> String {
         ),
         false => String::new(),
     };
-    // A random start would be counted as a change of every bit.
+    // With a random start, the first change of every bit would be counted.
     let start = if coverage { 0 } else { 2 };
     let clock = |level| match design.clocked {
         true => format!("top.clock = {level}; "),

@@ -1,4 +1,4 @@
-//! Every difference with every radius, through the lanes of the machine whose radius has 8 bits.
+//! Compares every difference with every radius, in the lanes of the machine whose radius has 8 bits.
 
 use photoncube_hdl::{Level, emit};
 use photoncube_spec::{Machine, Photon, PhotonFormat, Query, Widths, find_machine};
@@ -8,26 +8,27 @@ use crate::device::{Device, DeviceError, DeviceKind, RustHdl, hdl_error};
 use crate::stimulus::Source;
 use crate::verify::{VerifyError, VerifyOptions, nothing_compared, verify_device};
 
-/// The machine: a query of it has a radius of its own, and a lane squares 8 bits.
+/// The machine. Each of its queries has its own radius, and a lane squares 8 bits.
 const MACHINE: &str = "stream";
 /// Bits of a difference and of a radius.
 const BITS: u32 = 8;
-/// On each axis, with the photon on either side of the query.
+/// The directions from query to photon: two on each of three axes.
 const DIRECTIONS: u64 = 6;
-/// Queries of a run; their photons are in memory at once.
+/// The number of queries of a run, whose photons are in memory at once.
 const QUERIES: usize = 4096;
 
-/// Which radii the lanes get.
+/// The radii that the lanes are tested with.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub enum Radii {
-    /// The square of each radius, one less and one more, in each lane, on each axis, to either side.
+    /// The square of each radius, one less and one more, with every lane, axis and direction.
     Squares,
-    /// Every `radius_sq` that a query may have, each difference in one of the lanes, the axes and sides in turn.
+    /// Every `radius_sq` that a query may have. Each difference is in one of the lanes; axes and directions
+    /// take turns.
     All,
 }
 
 impl Radii {
-    /// All of them.
+    /// Both sets of radii.
     pub const ALL: [Self; 2] = [Self::Squares, Self::All];
 
     fn words(self) -> &'static str {
@@ -46,7 +47,7 @@ impl Radii {
         }
     }
 
-    /// The queries of a run, and the direction of their photons.
+    /// The queries of a run, with the direction of their photons.
     fn runs(self, radii: &[u32]) -> Vec<(&[u32], u64)> {
         match self {
             Self::Squares => (0..DIRECTIONS)
@@ -56,7 +57,7 @@ impl Radii {
         }
     }
 
-    /// How often each difference is there, each time in another lane.
+    /// How often each difference occurs, each time in another lane.
     fn turns(self, machine: &Machine) -> u32 {
         match self {
             Self::Squares => machine.photons_per_iteration() as u32,
@@ -65,35 +66,35 @@ impl Radii {
     }
 }
 
-/// What was compared of the lanes.
+/// A record of the comparison of the lanes.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct LaneVerdict {
-    /// The machine.
+    /// The name of the machine.
     pub machine: &'static str,
-    /// The device.
+    /// The name of the device.
     pub device: String,
-    /// The tool behind it, with its version.
+    /// The tool behind the device, with its version.
     pub tool_version: String,
     /// Bits of a difference, and of a radius.
     pub operand_bits: u32,
-    /// Values of `radius_sq`.
+    /// The number of values of `radius_sq`.
     pub radii: u64,
-    /// Which these are, and where the pairs were.
+    /// A description of the radii, lanes and directions.
     pub scope: &'static str,
-    /// Different pairs of a difference and a `radius_sq`.
+    /// The number of different pairs of a difference and a `radius_sq`.
     pub pairs_compared: u64,
-    /// Photon tests in which they were.
+    /// The number of photon tests that compared these pairs.
     pub photon_tests: u64,
-    /// Clocks, in each of which every visible signal was compared.
+    /// The number of clocks. Every visible signal was compared in each.
     pub vectors_compared: u64,
-    /// Signals in a vector.
+    /// The number of signals in a vector.
     pub signals_per_vector: usize,
 }
 
-/// Compares the lanes of a machine in a device; `progress` is told the part that is done.
+/// Compares the lanes of a machine in a device. Calls `progress` with the fraction that is done.
 ///
 /// # Errors
-/// The first difference; or no verdict at all.
+/// The first difference; or the device or the stimulus fails.
 pub fn exhaustive_lane(
     kind: DeviceKind,
     radii: Radii,
@@ -114,7 +115,7 @@ pub fn exhaustive_lane(
 /// Compares the lanes in devices that `open` opens, one for each run.
 ///
 /// # Errors
-/// The first difference; or no verdict at all.
+/// The first difference; or the device or the stimulus fails.
 pub fn exhaustive_lane_device(
     open: &mut dyn FnMut() -> Result<Box<dyn Device>, DeviceError>,
     radii: Radii,
@@ -146,7 +147,7 @@ pub fn exhaustive_lane_device(
     verdict.ok_or_else(|| nothing_compared(MACHINE, 0, 0, 0))
 }
 
-/// Compares queries with all their photons; which pairs these are, the caller knows.
+/// Compares queries with all their photons. The caller knows which pairs of difference and radius these are.
 fn compare_run(
     machine: &Machine,
     queries: &[(Query, Vec<Photon>)],
@@ -186,7 +187,8 @@ fn largest(machine: &Machine) -> u32 {
     machine.format().map_or(0, PhotonFormat::largest_in_range)
 }
 
-/// The squares of all radii with their neighbours: between two of them, no difference changes sides.
+/// The squares of all radii with their neighbours. Between two of these values no difference changes its
+/// decision.
 fn radii(machine: &Machine) -> Vec<u32> {
     let around = |r: u32| [(r * r).saturating_sub(1), r * r, r * r + 1];
     let mut radii: Vec<_> = (0..1 << BITS).flat_map(around).collect();
@@ -196,8 +198,8 @@ fn radii(machine: &Machine) -> Vec<u32> {
     radii
 }
 
-/// A query for each radius, from the middle of the frame, with photons at every difference on one axis, to
-/// one side; so many times, each time in another lane.
+/// A query for each radius in the middle of the frame, with photons at every difference on one axis and in
+/// one direction. The list repeats, each time with the photons in other lanes.
 fn queries(
     machine: &Machine,
     radii: &[u32],
@@ -216,12 +218,12 @@ fn queries(
         };
         Photon {
             position,
-            // A power for each difference, so that a wrong photon does not stand in for the right one.
+            // Each difference has its own power, so that a wrong photon cannot replace the right one.
             power: [difference & full, full - (difference & full), full],
             exponent: 0,
         }
     };
-    // In each turn the differences of a group change places.
+    // In each turn the differences of a group are rotated over the lanes.
     let turned = |turn: u32| {
         let place = move |index: u32| index - index % lanes + (index + turn) % lanes;
         (0..1_u32 << BITS).map(move |index| photon(place(index)))
@@ -268,7 +270,7 @@ mod tests {
         let runs = Radii::All.runs(&values);
         let met: BTreeSet<_> = runs.iter().flat_map(|(some, _)| *some).collect();
         assert_eq!(met.len(), largest(machine) as usize + 1);
-        // A clamped difference, all ones, is always out of range.
+        // A clamped difference is all ones, and is always out of range.
         assert_eq!(largest(machine), 254 * 254);
         for direction in 0..DIRECTIONS {
             let queries = queries(machine, &values[..1], direction, 1);

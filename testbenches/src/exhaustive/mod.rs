@@ -1,5 +1,5 @@
-//! What is finite, in full: each unit at widths at which every pair of inputs can be tried, and every
-//! difference with every radius through the lanes of a machine.
+//! Exhaustive comparisons: each unit at widths at which every pair of inputs can be tried, and every
+//! difference with every radius in the lanes of a machine.
 
 mod lane;
 mod rows;
@@ -15,33 +15,33 @@ use crate::verify::{VerifyError, nothing_compared, wrong_count};
 pub use lane::{LaneVerdict, Radii, exhaustive_lane, exhaustive_lane_device};
 use rows::Rows;
 
-/// What was compared of a unit.
+/// A record of the comparison of a unit.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct UnitVerdict {
-    /// The unit.
+    /// The name of the unit.
     #[serde(rename = "part")]
     pub unit: &'static str,
-    /// Bits of each operand.
+    /// The number of bits of each operand.
     pub operand_bits: u32,
-    /// The device.
+    /// The name of the device.
     pub device: String,
-    /// The tool behind it, with its version.
+    /// The tool behind the device, with its version.
     pub tool_version: String,
-    /// Different pairs of operands: all that there are.
+    /// The number of different pairs of operands, which are all pairs.
     pub pairs_compared: u64,
-    /// Rows of inputs, after each of which every output was compared.
+    /// The number of rows of inputs. Every output was compared after each.
     pub vectors_compared: u64,
-    /// Rows with an output that was not as expected.
+    /// The number of rows with a wrong output.
     pub mismatches: u64,
-    /// The first of them.
+    /// A description of the first row with a wrong output.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub first_mismatch: Option<String>,
 }
 
-/// Compares a unit with operands of so many bits in a device, on every pair of them.
+/// Compares a unit with operands of `bits` bits in a device, on every pair of operands.
 ///
 /// # Errors
-/// The device does not run, or nothing was compared. A mismatch is no error; it is counted.
+/// The device does not run, or nothing was compared. Mismatches are counted and are not an error.
 pub fn exhaustive_unit(
     unit: Unit,
     bits: u32,
@@ -54,7 +54,7 @@ pub fn exhaustive_unit(
 /// Compares a unit in a device that is open and has not run yet.
 ///
 /// # Errors
-/// The device does not run, or nothing was compared. A mismatch is no error; it is counted.
+/// The device does not run, or nothing was compared. Mismatches are counted and are not an error.
 pub fn exhaustive_unit_device(
     unit: Unit,
     bits: u32,
@@ -93,16 +93,16 @@ fn wrong_rows(rows: &Rows, pins: &Pins, observed: &Observed) -> Vec<usize> {
     let mut wrong: Vec<_> = differ
         .filter_map(|(row, (expected, found))| (expected != found).then_some(row))
         .collect();
-    // The value of an unknown is 0, which may be what was expected.
+    // An unknown output has the value 0 here, which may equal the expected value.
     wrong.extend(observed.unknown.iter().map(|x| x.index / pins.outputs));
     wrong.sort_unstable();
     wrong.dedup();
     wrong
 }
 
-/// A row with what it expected and found.
+/// Describes a row with its expected and its observed outputs.
 fn account(rows: &Rows, pins: &Pins, observed: &Observed, row: usize) -> String {
-    // What comes out of registers went in some clocks before.
+    // An output behind registers depends on the inputs of an earlier row.
     let cause = row.saturating_sub(rows.latency);
     let inputs = &rows.inputs[cause * pins.inputs.len()..];
     let named = pins.inputs.iter().zip(inputs);

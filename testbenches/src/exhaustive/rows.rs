@@ -1,5 +1,5 @@
-//! Every pair of operands of a unit, with what must come out: by the golden model's ops, and for a spatial
-//! machine's squares by what the spec says of them.
+//! Every pair of operands of a unit, with the expected outputs: by the golden model's ops, or for a spatial
+//! machine's squares by the spec's formula.
 
 use std::collections::VecDeque;
 
@@ -9,18 +9,18 @@ use photoncube_spec::{Cut, MACHINES, Machine, Numbers, Op, PlainFormat, Squarer}
 
 use crate::levels::square_of;
 
-/// Rows of inputs and of outputs.
+/// Rows of inputs and of expected outputs.
 #[derive(Default)]
 pub(super) struct Rows {
     pub inputs: Vec<u64>,
     pub expected: Vec<u64>,
-    /// Different pairs of operands in them.
+    /// The number of different pairs of operands in the rows.
     pub pairs: u64,
-    /// Clocks from operands to what they make.
+    /// The clocks from operands to their outputs.
     pub latency: usize,
 }
 
-/// At so few bits, every power goes with every pair.
+/// The largest number of bits at which every power is combined with every pair.
 const EVERY_POWER_BITS: u32 = 6;
 
 pub(super) fn rows(unit: Unit, bits: u32) -> Rows {
@@ -35,13 +35,13 @@ pub(super) fn rows(unit: Unit, bits: u32) -> Rows {
     }
 }
 
-/// Every pair, in order.
+/// Every pair of operands, in order.
 fn pairs(bits: u32) -> impl Iterator<Item = (u64, u64)> {
     let all = move || 0..1_u64 << bits;
     all().flat_map(move |a| all().map(move |b| (a, b)))
 }
 
-/// A machine like `paper` with other numbers, for the rules of its cells.
+/// The rules of the cells of a machine like `paper` with other numbers.
 fn rules(format: PlainFormat) -> CellRules {
     CellRules::of(&Machine {
         numbers: Numbers::Plain(format),
@@ -50,7 +50,7 @@ fn rules(format: PlainFormat) -> CellRules {
 }
 
 fn add(bits: u32) -> Rows {
-    // Numbers whose sums have as many bits.
+    // The numbers are chosen so that the sums have these bits.
     let rules = rules(PlainFormat {
         coordinate_bits: (bits - 2) / 2,
         power_bits: bits - 2,
@@ -109,7 +109,7 @@ fn gate(bits: u32) -> Rows {
     rows
 }
 
-/// Every power, or nothing, all ones, every other bit, and a bit that walks.
+/// Every power; or at larger widths 0, all ones, every other bit, and a walking bit.
 fn powers(bits: u32) -> Vec<u64> {
     let all = (1 << bits) - 1;
     if bits <= EVERY_POWER_BITS {
@@ -123,7 +123,8 @@ fn powers(bits: u32) -> Vec<u64> {
         .collect()
 }
 
-/// Two squares at once: the second photon runs through the pairs in another order, so both see all.
+/// Rows for two squares at once. The second photon takes the pairs in another order, so that both squares see
+/// all pairs.
 fn square_pair(bits: u32, squarer: Squarer) -> Rows {
     let half = (1 << (bits - 1)) - 1;
     let radius = Unit::radius_bits(bits);
@@ -132,7 +133,7 @@ fn square_pair(bits: u32, squarer: Squarer) -> Rows {
         latency: of_squares.count(),
         ..Rows::default()
     };
-    // The registers start as 0, and the last squares come out after the last operands.
+    // The registers start as 0, and the last squares appear after the last operands.
     let mut squares = VecDeque::from(vec![[0; 4]; rows.latency]);
     let flush = std::iter::repeat_n((0, 0), rows.latency);
     for (query, photon) in pairs(bits).chain(flush) {
@@ -147,7 +148,7 @@ fn square_pair(bits: u32, squarer: Squarer) -> Rows {
 }
 
 impl Rows {
-    /// A row of a pair that is new.
+    /// Appends a row of a new pair.
     fn push(&mut self, inputs: &[u64], expected: &[u64]) {
         self.inputs.extend(inputs);
         self.expected.extend(expected);
@@ -163,7 +164,7 @@ mod tests {
 
     use super::*;
 
-    /// The pairs are counted as they are made; here they are found in the rows.
+    /// The code counts pairs as it makes them; this test finds each pair in the rows.
     #[test]
     fn every_pair_is_there_and_counted_once() {
         for unit in Unit::ALL {
@@ -182,7 +183,7 @@ mod tests {
         }
     }
 
-    /// The golden model's ops against the arithmetic in the paper's words.
+    /// Compares the golden model's ops with the paper's arithmetic.
     #[test]
     fn the_expected_values_are_the_papers_arithmetic() {
         for row in pairs(6).zip(add(6).expected) {

@@ -1,5 +1,5 @@
-//! The square unit on every input, in the evaluator of the emitted text: a product of two unknowns is what a search
-//! cannot decide, and all pairs of coordinates are few.
+//! Proves the square unit by trying every input in the evaluator of the emitted text. A solver cannot decide
+//! a product of two unknowns, and there are few pairs of coordinates.
 
 use std::time::Instant;
 
@@ -11,10 +11,11 @@ use crate::device::{DeviceError, Text, hdl_error};
 use crate::levels::verify_part_device;
 use crate::verify::VerifyError;
 
-/// The property's name.
+/// The name of the property.
 pub(super) const NAME: &str = "units::square";
 
-/// Squares every pair of coordinates, and once more with a fault in the difference.
+/// Compares the square of every pair of coordinates; then requires that a planted fault in the difference is
+/// found.
 ///
 /// # Errors
 /// The unit is not emitted or cannot be run.
@@ -26,7 +27,7 @@ pub(super) fn prove(machine: &Machine) -> Result<Proof, FormalError> {
     };
     let widths = Widths::of(machine);
     let pairs = 1_usize << (widths.coordinate + widths.photon);
-    // What a pipeline still holds at the end is not seen: some more rows bring it out.
+    // The last pairs are still in the pipeline at the end, so some more rows follow.
     let rows = pairs + 16;
     let design = emit(machine, part).map_err(hdl_error(machine))?;
     let compared = |design: &Emitted| {
@@ -65,7 +66,7 @@ pub(super) fn prove(machine: &Machine) -> Result<Proof, FormalError> {
     })
 }
 
-/// A square that is wrong for some numbers, by what squares are made of: digits, a table, a product.
+/// Faults that make some squares wrong, for each implementation of squares: digits, a table, a product.
 const FAULTS: [(&str, &str); 4] = [
     ("digit_square = 8'd4;", "digit_square = 8'd5;"),
     ("high_square = 8'd4;", "high_square = 8'd5;"),

@@ -1,17 +1,17 @@
-//! The photon memory's property, on the module as it is shipped and on the same text with banks of a few groups, of which a
-//! search reaches the last place.
+//! The property of the photon memory. It is proven on the module as it is shipped, and on the text with banks
+//! of a few groups, in which a search reaches the last place.
 
 use photoncube_hdl::{Level, emit};
 use photoncube_spec::{Machine, Organisation, Spatial, SpatialWidths};
 
 use super::property::{Fault, Method, Open, Property, at, of_logic};
 
-/// Groups of a small bank.
+/// The number of groups in a small bank.
 const FEW: u32 = 8;
-/// Clocks in which a set of two groups is played twice, and a set of the other bank after it.
+/// The number of clocks in which a set of two groups is played twice, and a set of the other bank after it.
 const CLOCKS: u32 = 18;
 
-/// Signals of the module that the harness looks at.
+/// The signals of the module that the harness observes.
 const SIGNALS: &[&str] = &[
     "fill_bank",
     "fill_place",
@@ -40,7 +40,7 @@ const SIGNALS: &[&str] = &[
     "read_word",
 ];
 
-/// Those of a machine with a photon memory.
+/// The properties of a machine with a photon memory.
 pub(super) fn properties(
     machine: &Machine,
     spatial: &Spatial,
@@ -110,7 +110,7 @@ fn property(machine: &Machine, widths: &SpatialWidths, groups: u32) -> Property 
     }
 }
 
-/// Faults that a search finds soon where places are few.
+/// Faults that a search finds early if there are few places.
 fn small_faults(bits: u32) -> Vec<Fault> {
     let of = |find: &str, put: &str| Fault::new("memory", find, put);
     vec![
@@ -127,8 +127,8 @@ fn small_faults(bits: u32) -> Vec<Fault> {
     ]
 }
 
-/// The ports of a group and of a word, as slices of the harness's words in the order of the block RAM's, and their
-/// width.
+/// The ports of a group and of a word, as slices of the harness's words in the order of the block RAM's, with
+/// their width.
 fn ports(machine: &Machine, widths: &SpatialWidths) -> (String, u32) {
     let (mut text, mut low) = (String::new(), 0);
     let channels = machine.channels().names();

@@ -1,8 +1,9 @@
 //! Formal proofs about the emitted Verilog, by Yosys: each unit is its formula, the control block runs the
-//! microprogram, streams lose and repeat nothing, sums do not overflow, and a netlist is its text.
+//! microprogram, streams neither lose nor repeat a word, sums do not overflow, and a netlist equals its text.
 //!
-//! A property is a row of a table: a harness written by hand from the spec's words, with what it assumes. It passes
-//! if it is proven, if what it must not exclude is reachable, and if each planted fault is refuted, in the same run.
+//! A property is a row of a table: a harness that is written by hand from the spec, with its assumptions. It
+//! passes if, in one run, it is proven, the states that its assumptions must allow are reached, and each
+//! planted fault is refuted.
 
 mod exhaustive;
 mod memory;
@@ -28,33 +29,34 @@ use netlist::Netlist;
 use property::{Fault, Method, Property};
 use yosys::{Answer, ask};
 
-/// What became of a property.
+/// The result of the proof of a property.
 #[derive(Clone, Debug, Serialize)]
 pub struct Proof {
-    /// The property.
+    /// The name of the property.
     pub property: String,
-    /// The module that it is of, without the machine's prefix.
+    /// The module that the property is about, without the machine's prefix.
     pub module: String,
-    /// What is claimed, and under which assumptions.
+    /// The claim, with its assumptions.
     pub claim: String,
-    /// How it is proven.
+    /// The method of the proof.
     pub method: &'static str,
-    /// Over how many clocks at most; 0 for logic without registers.
+    /// The largest number of clocks of the proof; 0 for logic without registers.
     pub depth: u32,
-    /// It was proven.
+    /// Whether the property was proven.
     pub proven: bool,
-    /// What its assumptions must not exclude was reached; `None` where nothing is assumed.
+    /// Whether the states that its assumptions must allow were reached; `None` where there are no
+    /// assumptions.
     pub cover_reached: Option<bool>,
-    /// Every planted fault was refuted by a counter-example.
+    /// Whether every planted fault was refuted by a counter-example.
     pub control_refuted: bool,
-    /// Wall time.
+    /// The wall time in seconds.
     pub seconds: f64,
-    /// What the tool said last of what failed; `None` if nothing did.
+    /// The last output of the tool for the step that failed; `None` if no step failed.
     pub not_proven_because: Option<String>,
 }
 
 impl Proof {
-    /// Whether all was as it must be.
+    /// Whether the proof, the covers and the faults all have the required result.
     pub fn holds(&self) -> bool {
         self.proven && self.cover_reached != Some(false) && self.control_refuted
     }
@@ -63,57 +65,57 @@ impl Proof {
 /// All proofs about a machine.
 #[derive(Clone, Debug, Serialize)]
 pub struct Formal {
-    /// The machine.
+    /// The name of the machine.
     pub machine: &'static str,
     /// The tool's version.
     #[serde(skip)]
     pub tool_version: String,
-    /// One row for each property.
+    /// The proofs, one for each property.
     pub proofs: Vec<Proof>,
 }
 
 impl Formal {
-    /// The rows of which something is not as it must be.
+    /// The proofs that do not have the required result.
     pub fn failed(&self) -> impl Iterator<Item = &Proof> {
         self.proofs.iter().filter(|proof| !proof.holds())
     }
 }
 
-/// No proof was tried, or a property does not fit the text.
+/// The error of proofs that could not be tried.
 #[derive(Debug, Error)]
 pub enum FormalError {
-    /// The machine is not emitted, or Yosys does not run.
+    /// The machine's Verilog cannot be emitted, or Yosys does not run.
     #[error(transparent)]
     Device(#[from] DeviceError),
     /// Yosys is missing.
     #[error(transparent)]
     Tool(#[from] ToolError),
-    /// A fault's text does not stand in its module once.
+    /// The text of a planted fault does not occur exactly once in its module.
     #[error(
         "property `{property}`: the text of its fault, `{find}`, stands {times} times in module `{module}`, once \
          expected; correct the row in testbenches/src/formal/"
     )]
     Fault {
-        /// The property.
+        /// The name of the property.
         property: &'static str,
-        /// The module.
+        /// The name of the module.
         module: String,
-        /// The text.
+        /// The text that the fault replaces.
         find: String,
-        /// How often it is there.
+        /// The number of times that the text occurs.
         times: usize,
     },
-    /// Nothing was asked for.
+    /// No property has the given name.
     #[error("machine `{machine}` has no property of such a name; it has: {known}")]
     Nothing {
-        /// The machine.
+        /// The name of the machine.
         machine: &'static str,
-        /// What there is.
+        /// The names that exist.
         known: String,
     },
 }
 
-/// What is written for the machine's organisation.
+/// The properties of the machine's organisation.
 fn properties(machine: &Machine, design: &Emitted) -> Vec<Property> {
     let has_module = |module: &str| !module_text(&design.text, &design.top, module).1.is_empty();
     match machine.organisation {
@@ -123,11 +125,11 @@ fn properties(machine: &Machine, design: &Emitted) -> Vec<Property> {
     }
 }
 
-/// A row that is to be made.
+/// A proof to be done.
 enum Task {
     Property(Property),
     Exhaustive,
-    /// A module against its netlist.
+    /// The comparison of a module with its netlist.
     Netlist(String),
 }
 
@@ -141,7 +143,7 @@ impl Task {
     }
 }
 
-/// All of a machine, in the order of the table.
+/// All proofs of a machine, in the order of the table.
 fn tasks(machine: &Machine, design: &Emitted) -> Vec<Task> {
     let properties = properties(machine, design);
     let properties = properties.into_iter().map(Task::Property);
@@ -158,11 +160,12 @@ fn tasks(machine: &Machine, design: &Emitted) -> Vec<Task> {
     properties.chain(exhaustive).chain(netlists).collect()
 }
 
-/// Proves each property of a machine whose name is wanted. `progress` is told how many are done, of how many.
+/// Proves each property of a machine whose name is wanted. Calls `progress` with the number of proofs done
+/// and their total.
 ///
 /// # Errors
-/// Nothing is wanted, Yosys is missing, or a property does not fit the emitted text. A property that is not proven
-/// is a row, and no error.
+/// No property is wanted, Yosys is missing, or a property does not fit the emitted text. A property that is
+/// not proven is a row of the result and not an error.
 pub fn formal(
     machine: &Machine,
     wanted: &dyn Fn(&str) -> bool,
@@ -200,7 +203,7 @@ pub fn formal(
     })
 }
 
-/// The proof, the covers and the faults of one property.
+/// Runs the proof, the covers and the faults of one property.
 fn prove(property: &Property, design: &str, prefix: &str) -> Result<Proof, FormalError> {
     let started = Instant::now();
     let design = property.design.as_deref().unwrap_or(design);
@@ -250,7 +253,7 @@ fn prove(property: &Property, design: &str, prefix: &str) -> Result<Proof, Forma
     })
 }
 
-/// What is said where an answer is not the one that was expected.
+/// Describes an answer that differs from the expected one.
 fn wrong(what: &str, answer: &Answer, expected: &Answer) -> Option<String> {
     (answer != expected).then(|| match answer {
         Answer::None(said) => {
@@ -265,7 +268,7 @@ fn name_of(module: &str) -> String {
     name.to_owned()
 }
 
-/// The design with a fault.
+/// Plants a fault in the design.
 fn plant(
     property: &Property,
     fault: &Fault,
@@ -286,7 +289,7 @@ fn plant(
     Ok(design[..place.start].to_owned() + &changed + &design[place.end..])
 }
 
-/// A module's full name and where its text stands; nothing where there is none.
+/// A module's full name and the place of its text; an empty place where there is no such module.
 fn module_text(design: &str, prefix: &str, module: &str) -> (String, std::ops::Range<usize>) {
     let name = match module {
         "" => prefix.to_owned(),
@@ -307,8 +310,8 @@ mod tests {
     use super::*;
     use photoncube_spec::{MACHINES, find_machine};
 
-    /// Every fault of every table changes the text in one place, no two properties have one name, and no unit is of no
-    /// machine.
+    /// Every fault of every table changes its text in one place, property names are unique, and every unit
+    /// belongs to some machine.
     #[test]
     fn every_fault_stands_in_its_module_once() {
         let mut units: BTreeSet<_> = spatial::unit_modules().collect();

@@ -1,4 +1,4 @@
-//! The modules in a Verilog text, with their instances of each other.
+//! Splits a Verilog text into modules and finds their instances.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -24,17 +24,17 @@ impl<'a> Modules<'a> {
         Self { texts }
     }
 
-    /// Their names.
+    /// The names of the modules.
     pub fn names(&self) -> impl Iterator<Item = &'a str> {
         self.texts.keys().copied()
     }
 
-    /// A module's text; empty where there is none.
+    /// The text of a module; empty where it does not exist.
     pub fn text(&self, module: &str) -> &'a str {
         self.texts.get(module).copied().unwrap_or_default()
     }
 
-    /// The instances in a module: each one's name and module.
+    /// The instances in a module, each with its name and its module.
     pub fn instances(&self, module: &str) -> BTreeSet<(&'a str, &'a str)> {
         let lines = self.text(module).lines();
         let instance = |line: &'a str| {
@@ -45,7 +45,7 @@ impl<'a> Modules<'a> {
         lines.filter_map(instance).collect()
     }
 
-    /// The text of a module and of those that it has instances of.
+    /// The text of a module and of all modules below it.
     pub fn with_parts(&self, module: &str) -> String {
         let parts = self.instances(module).into_iter().map(|(_, part)| part);
         let mut names: BTreeSet<_> = parts.collect();

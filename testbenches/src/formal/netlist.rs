@@ -1,8 +1,8 @@
-//! Each module of a machine against its own synthesised netlist, with its parts taken out.
+//! Proves that each module of a machine equals its own synthesised netlist, with its submodules removed.
 //!
-//! A part's outputs are free inputs of both, and what each gives a part, and each register, must be equal: in the
-//! state at power-up, and after any clock in which all was equal before it. Modules that are equal for any parts, and
-//! that have the same instances of the same modules, make equal machines.
+//! The outputs of a submodule are free inputs of both sides. The inputs of each submodule, and each register,
+//! must be equal at power-up, and after any clock before which all were equal. Modules that are equal for any
+//! submodules, and that have the same instances, make equal machines.
 
 use std::collections::BTreeSet;
 use std::time::{Duration, Instant};
@@ -14,25 +14,26 @@ use super::yosys::{Answer, Question, SECONDS_EACH, ask, run};
 use super::{Proof, wrong};
 use crate::device::{DeviceError, netlist_text};
 
-/// So many mutants are tried before one must have been refuted: some mutants are equal to the module.
+/// The most mutants that are tried until one is refuted. Some mutants are equal to the module.
 const MUTANTS: usize = 6;
 
-/// Makes `gold` of the emitted text and `gate` of the netlist, up to their memories.
+/// Makes `gold` from the emitted text and `gate` from the netlist, up to their memories.
 const READ: &str = "proc -norom\nmemory -nomap\n";
 
-/// Takes out a block RAM, of more words than registers could be: what it reads are free inputs of both, what it is given
-/// must be equal, and with it its words stay so. Other memories become registers, and tables gates.
+/// Removes block RAMs, which have more words than registers could. The words read are free inputs of both
+/// sides; the inputs of the block RAM must be equal, and so its words stay equal. Other memories become
+/// registers, and tables become gates.
 const MAP: &str = "expose -evert t:$mem_v2 r:SIZE>256 %i r:WR_PORTS>0 %i\nmemory_map\nopt_clean\n";
 
-/// What is assumed of a module, by its name. The queue's memory has `no_rw_check`: what is read from a place in the
-/// clock that writes it is synthesis's choice. It happens in a queue that is given more than it holds, see
-/// `streams::queue`.
+/// The assumptions about modules, by name. The queue's memory has `no_rw_check`: if a place is read in the
+/// clock in which it is written, synthesis may choose the value. This happens only in a queue that is given
+/// more than it holds, see `streams::queue`.
 const ASSUMED: [(&str, &str); 1] = [(
     "queue",
     "!(result_valid_in && reads && write_place == read_place)",
 )];
 
-/// Both, with the registers that both name as outputs.
+/// Makes the miter of both sides. Registers that both sides name are outputs.
 const MITER: &str = "expose -shared -dff gold gate\nopt_clean\nmiter -equiv -flatten -make_outputs gold gate miter\n\
                      opt_clean\n";
 
@@ -46,7 +47,7 @@ pub(super) struct Netlist<'a> {
 }
 
 impl<'a> Netlist<'a> {
-    /// Synthesises a design, each of its modules for itself.
+    /// Synthesises a design, each module on its own.
     ///
     /// # Errors
     /// Yosys is missing or refuses the text.
@@ -120,7 +121,7 @@ impl<'a> Netlist<'a> {
     }
 }
 
-/// The names of all modules of a design, the top last.
+/// The names of all modules of a design; the top is the last.
 pub(super) fn modules(design: &Emitted) -> Vec<String> {
     let emitted = Modules::of(&design.text);
     let mut names: Vec<_> = emitted.names().map(str::to_owned).collect();
@@ -128,13 +129,13 @@ pub(super) fn modules(design: &Emitted) -> Vec<String> {
     names
 }
 
-/// A module without the machine's prefix.
+/// The name of a module without the machine's prefix.
 pub(super) fn name(module: &str, prefix: &str) -> String {
     let rest = module.strip_prefix(prefix).unwrap_or(module);
     super::name_of(rest.trim_start_matches('_'))
 }
 
-/// What is assumed of a module.
+/// The assumption about a module, if there is one.
 fn assumption(name: &str) -> Option<&'static str> {
     let mut all = ASSUMED.iter();
     all.find(|(of, _)| *of == name)
@@ -149,14 +150,14 @@ fn claim(name: &str) -> String {
     claim
 }
 
-/// One of the two, alone.
+/// The commands that read one of the two sides.
 fn side(name: &str, file: &str, module: &str) -> String {
     format!(
         "read_verilog -formal {file}\nhierarchy -top {module}\n{READ}{MAP}rename {module} {name}\nexpose -evert {name}/c:*\n"
     )
 }
 
-/// Both of them in `miter`.
+/// The commands that make the miter of both sides.
 fn miter(module: &str) -> String {
     side("gold", "design.v", module)
         + "design -copy-to joint gold\ndesign -reset\n"
@@ -165,7 +166,7 @@ fn miter(module: &str) -> String {
         + MITER
 }
 
-/// The text with a condition in the module that holds in each clock.
+/// The text with an assumption in the module that holds in each clock.
 fn with_assumption(text: &str, module: &str, condition: &str) -> String {
     let begin = text.find(&format!("module {module}(")).unwrap_or(0);
     let end = text[begin..].find("endmodule");
@@ -174,7 +175,7 @@ fn with_assumption(text: &str, module: &str, condition: &str) -> String {
     format!("{}{assumption}{}", &text[..end], &text[end..])
 }
 
-/// What the block RAMs of both differ in beside their wires: what a clock edge, a write or a reset does to them.
+/// The differences of the block RAMs of both sides in their parameters: clock edges, writes and resets.
 fn unlike_block_rams(
     module: &str,
     texts: &(String, String),
@@ -210,7 +211,7 @@ fn unlike_block_rams(
     })
 }
 
-/// Equal at power-up, and after a clock if before it.
+/// Proves both sides equal at power-up, and equal after a clock if they were equal before it.
 fn prove_equal(module: &str, texts: &(String, String)) -> Result<Answer, DeviceError> {
     let question = Question {
         before: "",
@@ -220,7 +221,7 @@ fn prove_equal(module: &str, texts: &(String, String)) -> Result<Answer, DeviceE
     Ok(answers.remove(0))
 }
 
-/// Whether what is assumed can be so while both are equal.
+/// Whether the assumption is possible while both sides are equal.
 fn is_possible(module: &str, texts: &(String, String)) -> Result<bool, DeviceError> {
     let question = Question {
         before: "setattr -unset init w:*\n",
@@ -229,8 +230,8 @@ fn is_possible(module: &str, texts: &(String, String)) -> Result<bool, DeviceErr
     Ok(asked(module, texts, &[question])?.contains(&Answer::Found))
 }
 
-/// Whether a change of the netlist is refuted: something is different at power-up, or one clock after any state in
-/// which all is equal.
+/// Whether a change of the netlist is refuted: a value differs at power-up, or one clock after some state in
+/// which all values are equal.
 fn refuted(module: &str, texts: &(String, String)) -> Result<bool, DeviceError> {
     let at_first = Question {
         before: "",
@@ -252,7 +253,7 @@ fn refuted(module: &str, texts: &(String, String)) -> Result<bool, DeviceError> 
     Ok(false)
 }
 
-/// The netlist with one of its assignments, or what one of its parts is given, inverted.
+/// Netlists with one assignment, or one input of a submodule, inverted.
 fn mutants(netlist: &str, module: &str) -> Vec<String> {
     let lines: Vec<_> = netlist.lines().collect();
     let begin = format!("module {module}(");
@@ -289,7 +290,8 @@ fn mutants(netlist: &str, module: &str) -> Vec<String> {
         ))
     };
     let mut all: Vec<_> = inside.filter_map(changed).collect();
-    // Wires between parts last: where there is logic, it is logic that is changed. Some from all over the module.
+    // Assignments of logic come first, wires between submodules last. The choice is spread over the whole
+    // module.
     all.sort_by_key(|(_, line)| line.starts_with('.'));
     let logic = all
         .iter()
@@ -308,7 +310,7 @@ fn mutants(netlist: &str, module: &str) -> Vec<String> {
     [spread(logic), spread(wires)].concat()
 }
 
-/// The name of the output that a line declares.
+/// The name of the output that a line declares; `None` for other lines.
 fn output(line: &str) -> Option<&str> {
     let declared = line.strip_prefix("  output ")?.strip_suffix(';')?;
     declared.rsplit(' ').next()

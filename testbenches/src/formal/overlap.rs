@@ -1,4 +1,4 @@
-//! The properties of the machine whose units work at the same time.
+//! The properties of overlapped machines, whose units work at the same time.
 
 use photoncube_spec::overlap::{Field, Program, control_word_bits, drain_bits};
 use photoncube_spec::{Machine, Role, Widths};
@@ -7,7 +7,7 @@ use super::property::{Fault, Method, Open, Property, at, covers, of_logic};
 use super::sequential::{difference, width_macros};
 use super::wires::Wires;
 
-/// All, the cheapest first.
+/// All properties, the cheapest first.
 pub(super) fn properties(machine: &Machine) -> Vec<Property> {
     let widths = Widths::of(machine);
     let program = machine.overlap_program().expect("its units overlap");
@@ -121,7 +121,7 @@ fn cell(machine: &Machine, widths: &Widths) -> Property {
     }
 }
 
-/// The words of a role, as branches of a `case`.
+/// The control words of a role, as branches of a `case`.
 fn steps(program: &Program, role: Role, name: &str) -> String {
     let bits = control_word_bits();
     let words = program.control_words(role).into_iter().enumerate();
@@ -130,7 +130,7 @@ fn steps(program: &Program, role: Role, name: &str) -> String {
         .collect()
 }
 
-/// That the word at work is 0 or one of the program's.
+/// A condition: the current control word is 0 or one of the program's.
 fn one_of(program: &Program, role: Role, name: &str) -> String {
     let words = program.control_words(role).into_iter();
     let words: Vec<_> = words
@@ -157,7 +157,7 @@ fn control(program: &Program) -> Property {
         (Role::D, "d"),
     ];
     let words = words.map(|(role, name)| one_of(program, role, name));
-    // With some clocks of waiting.
+    // The clocks include some clocks of waiting.
     let whole = program.latency_clocks(1) as u32 + 6;
     Property {
         macros: vec![
@@ -204,7 +204,7 @@ fn control(program: &Program) -> Property {
     }
 }
 
-/// The wires between cells, and from the control block.
+/// The property of the wires between cells, and from the control block.
 fn links(machine: &Machine, widths: &Widths) -> Property {
     let mut wires = Wires::default();
     let axes = [

@@ -1,24 +1,25 @@
-//! A property as data: what is claimed of a module, how it is proven, and what shows that the proof looks.
+//! Properties as data: the claim about a module, the method of its proof, and the covers and faults that
+//! check the proof.
 
 use super::yosys::Question;
 
-/// How a property is proven.
+/// The method of a proof.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub(super) enum Method {
-    /// For all inputs of a module without registers, by SAT.
+    /// SAT for all inputs of a module without registers.
     Sat,
-    /// For all states that can be reached, by induction over so many clocks at most.
+    /// Induction over all reachable states, with at most this number of clocks.
     Induction(u32),
 }
 
-/// A change of the emitted text, which must make the property fail.
+/// A change of the emitted text that must make the property fail.
 #[derive(Clone, Debug)]
 pub(super) struct Fault {
-    /// The module, without the machine's prefix.
+    /// The module's name, without the machine's prefix.
     pub module: &'static str,
-    /// The text to replace, which stands in that module once.
+    /// The text to replace, which occurs in that module once.
     pub find: String,
-    /// What takes its place.
+    /// The text that replaces it.
     pub put: String,
 }
 
@@ -32,67 +33,69 @@ impl Fault {
     }
 }
 
-/// What must be reachable under the assumptions: an output of the harness is 1 in that clock, counted from 1.
+/// A state that must be reachable under the assumptions: an output of the harness is 1 in that clock, counted
+/// from 1.
 #[derive(Copy, Clone, Debug)]
 pub(super) struct Cover {
-    /// The harness's output.
+    /// The output of the harness.
     pub output: &'static str,
     /// The clock; 1 where there are no registers.
     pub clock: u32,
 }
 
-/// How the module is opened for the harness.
+/// The signals of the module that the harness can use.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub(super) enum Open {
-    /// Its ports alone.
+    /// The ports of the module.
     Ports,
-    /// These signals too are outputs.
+    /// The ports, and these signals as outputs.
     Signals(&'static [&'static str]),
-    /// These signals too, and the words of a memory, each by its number.
+    /// The ports, these signals, and that many words of a memory, by their numbers.
     Memory(&'static [&'static str], &'static str, usize),
-    /// These signals too, and the block RAM of that name is taken out: what it reads is an input, the rest of its ports are
-    /// outputs, named `RAM.PORT`.
+    /// The ports, these signals, and the ports of the block RAM of that name, which is removed: its read data
+    /// is an input, its other ports are outputs, named `RAM.PORT`.
     BlockRam(&'static [&'static str], &'static str),
-    /// Its parts are taken out: their outputs are inputs, their inputs outputs, named `part.port`.
+    /// The ports of the submodules, which are removed: their outputs are inputs, their inputs outputs, named
+    /// `part.port`.
     Parts,
 }
 
-/// A property.
+/// A property of a module, with its proof.
 #[derive(Clone, Debug)]
 pub(super) struct Property {
-    /// Its name, after that of its group.
+    /// The property's name, after the name of its group.
     pub name: &'static str,
-    /// The module that it is of, without the machine's prefix; empty for the top.
+    /// The module that the property is about, without the machine's prefix; empty for the top.
     pub module: &'static str,
-    /// What is claimed, and under which assumptions.
+    /// The claim, with its assumptions.
     pub claim: &'static str,
     /// The module `harness`, which has the assertions and an instance of the module, renamed to `dut`.
     pub harness: &'static str,
-    /// Macros of the harness.
+    /// The macros that the harness uses.
     pub macros: Vec<(&'static str, String)>,
-    /// The text that the module is in; that of the machine where there is none.
+    /// The text with the module; `None` for the machine's text.
     pub design: Option<String>,
-    /// How the module is opened.
+    /// The signals that the harness can use.
     pub open: Open,
-    /// How it is proven.
+    /// The method of the proof.
     pub method: Method,
-    /// Each must be refuted, in this number of clocks.
+    /// Faults that must be refuted within `fault_clocks` clocks.
     pub faults: Vec<Fault>,
-    /// Clocks in which a fault must show.
+    /// The number of clocks within which a fault must show.
     pub fault_clocks: u32,
-    /// Each must be reached.
+    /// States that must be reached.
     pub covers: Vec<Cover>,
 }
 
 impl Property {
-    /// The harness with its macros.
+    /// The text of the harness with its macros.
     pub fn text(&self) -> String {
         let define = |(name, value): &(&str, String)| format!("`define {name} {value}\n");
         let defines: String = self.macros.iter().map(define).collect();
         defines + self.harness
     }
 
-    /// The commands that make the module `harness` of the files `design.v` and `harness.sv`.
+    /// The commands that make the module `harness` from the files `design.v` and `harness.sv`.
     pub fn commands(&self, prefix: &str) -> String {
         let module = match self.module {
             "" => prefix.to_owned(),
@@ -129,7 +132,7 @@ impl Property {
         )
     }
 
-    /// The proof.
+    /// The question of the proof.
     pub fn proof(&self) -> Question {
         let options = match self.method {
             Method::Sat => "-prove-asserts -set-assumes".to_owned(),
@@ -140,7 +143,7 @@ impl Property {
         question(options)
     }
 
-    /// The search for a counter-example after a fault.
+    /// The question that searches a counter-example for a fault.
     pub fn refutation(&self) -> Question {
         match self.method {
             Method::Sat => self.proof(),
@@ -148,7 +151,7 @@ impl Property {
         }
     }
 
-    /// The search for a state that must be reachable.
+    /// The question that searches a state that must be reachable.
     pub fn search(&self, cover: &Cover) -> Question {
         let output = cover.output;
         question(match self.method {

@@ -1,11 +1,11 @@
-//! The properties of the machines that do one op a clock.
+//! The properties of sequential machines, which do one op a clock.
 
 use photoncube_spec::{Field, Machine, Microprogram, Squarer, Widths, control_word_bits};
 
 use super::property::{Fault, Method, Open, Property, at, covers, of_logic};
 use super::wires::Wires;
 
-/// All, the cheapest first.
+/// All properties, the cheapest first.
 pub(super) fn properties(machine: &Machine) -> Vec<Property> {
     let widths = Widths::of(machine);
     let program = machine
@@ -25,7 +25,7 @@ pub(super) fn properties(machine: &Machine) -> Vec<Property> {
     ]
 }
 
-/// `|A-B|`, the first half of `(A-B)^2`; of every machine with a program.
+/// The property of `|A-B|`, the first half of `(A-B)^2`, for every machine with a program.
 pub(super) fn difference(widths: &Widths) -> Property {
     Property {
         faults: vec![Fault::new(
@@ -49,7 +49,7 @@ pub(super) fn difference(widths: &Widths) -> Property {
     }
 }
 
-/// The second half: a square, or half square.
+/// The property of the second half: a square, or half square.
 fn squarer(machine: &Machine, widths: &Widths) -> Property {
     let half = machine.format().is_some_and(|format| format.half_steps());
     let (right, wrong) = match machine.squarer {
@@ -101,7 +101,7 @@ fn gate(widths: &Widths) -> Property {
     }
 }
 
-/// Widths of a cell's words, as macros; of every machine with a program.
+/// The widths of a cell's words as macros, for every machine with a program.
 pub(super) fn width_macros(widths: &Widths) -> Vec<(&'static str, String)> {
     let words = [
         ("COORDINATE", widths.coordinate),
@@ -115,7 +115,8 @@ pub(super) fn width_macros(widths: &Widths) -> Vec<(&'static str, String)> {
     words.map(|(name, bits)| (name, bits.to_string())).to_vec()
 }
 
-/// That an exchange of the sums of so many photons has the sum of twice as many, for each of an iteration.
+/// Conditions: exchanging the sums of some photons gives the sum of twice as many, for each exchange of an
+/// iteration.
 fn exchanges(machine: &Machine, widths: &Widths) -> String {
     let photons = machine.photons_per_iteration().ilog2();
     let sum = |axis| format!("{}'d{}", widths.work, machine.full_scale() << axis);
@@ -126,7 +127,7 @@ fn exchanges(machine: &Machine, widths: &Widths) -> String {
     (0..photons).map(exchange).collect()
 }
 
-/// A sum that has lost a bit.
+/// A fault: a sum loses a bit.
 fn sum_fault() -> Fault {
     Fault::new("cell", "link_in | sum_low", "link_in | sum_low >> 1")
 }
@@ -313,7 +314,7 @@ fn network(machine: &Machine, widths: &Widths) -> Property {
     }
 }
 
-/// The wires between network, control and cells.
+/// The property of the wires between network, control and cells.
 fn links(machine: &Machine, widths: &Widths) -> Property {
     let mut wires = Wires::default();
     wires.equal("network.axis", &[("control.axis", machine.dimension)]);

@@ -1,21 +1,22 @@
-//! The properties of the spatial machines: of each unit that the machine has, of its sums and, where it is not
-//! too long, of its queue; of one engine, what it admits.
+//! The properties of spatial machines: those of each unit that the machine has, of its sums, and of its queue
+//! where it is short enough; for one engine, those of its admission.
 
 use photoncube_spec::{HeadSizes, Machine, PhotonFormat, Spatial, SpatialWidths};
 
 use super::memory;
 use super::property::{Fault, Method, Open, Property, at, covers, of_logic};
 
-/// Places of a queue of results that a search can fill: of 64 it has no answer in 120 seconds and 18 GB.
+/// The most places of a queue of results in a proof. With 64 places a search has no answer in 120 seconds and
+/// 18 GB.
 const MOST_PLACES: usize = 32;
 
-/// Whether the words of the queue of results can be registers of a netlist that a search compares. A photon memory's are
-/// none.
+/// Whether the words of the queue of results can be registers of a netlist that a search compares. Those of a
+/// photon memory cannot.
 pub(super) fn has_short_memories(spatial: &Spatial) -> bool {
     HeadSizes::of(spatial).queue <= MOST_PLACES
 }
 
-/// All, the cheapest first. `has_module` says which modules are in the emitted text.
+/// All properties, the cheapest first. `has_module` returns whether the emitted text has a module.
 pub(super) fn properties(machine: &Machine, has_module: &dyn Fn(&str) -> bool) -> Vec<Property> {
     let format = machine
         .format()
@@ -52,7 +53,8 @@ pub(super) fn properties(machine: &Machine, has_module: &dyn Fn(&str) -> bool) -
     properties
 }
 
-/// A unit without registers: its ports, of which the outputs come last and are `result` and `second`, and its formula.
+/// A unit without registers: its formula and its ports. The last ports are the outputs, named `result` and
+/// `second`.
 struct Unit {
     name: &'static str,
     module: &'static str,
@@ -69,8 +71,9 @@ type Width = fn(&SpatialWidths) -> u32;
 
 const BIT: Width = |_| 1;
 
-/// With `result` the output, in Verilog; wider words are written so that nothing wraps. `LOW` are the bits of a
-/// magnitude's low digit, `LIMIT` the largest sum of squares in range where queries have no radius of their own.
+/// The units with their formulas in Verilog for the output `result`. Wider words are written so that nothing
+/// wraps. `LOW` is the number of bits of a magnitude's low digit; `LIMIT` is the largest sum of squares in
+/// range where queries have no radius of their own.
 const UNITS: &[Unit] = &[
     Unit {
         name: "units::subtract",
@@ -275,7 +278,7 @@ const UNITS: &[Unit] = &[
     },
 ];
 
-/// The modules that units are written for.
+/// The modules that the table of units has.
 #[cfg(test)]
 pub(super) fn unit_modules() -> impl Iterator<Item = &'static str> {
     UNITS.iter().map(|unit| unit.module)
@@ -324,7 +327,7 @@ impl Unit {
     }
 }
 
-/// A query's sum of what is at most `each` for a photon.
+/// The property of a query's sum, to which each photon adds at most `each`.
 fn sum(
     name: &'static str,
     module: &'static str,

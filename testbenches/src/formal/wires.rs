@@ -1,10 +1,11 @@
-//! Wires between the parts of a module, which are taken out: each input of a part is an output of another.
+//! The property of the wires between the submodules of a module, which are removed: each input of a submodule
+//! equals an output of another.
 
 use std::collections::BTreeMap;
 
 use super::property::{Fault, Open, Property, covers, of_logic};
 
-/// Which are equal.
+/// The pairs of inputs and outputs that must be equal.
 #[derive(Debug, Default)]
 pub(super) struct Wires {
     /// The inputs of parts, with their widths.
@@ -36,7 +37,7 @@ impl Wires {
         ));
     }
 
-    /// The property that they are.
+    /// The property that all these pairs are equal.
     pub fn property(self, name: &'static str, claim: &'static str, faults: Vec<Fault>) -> Property {
         let declare = |kind: &'static str| {
             move |(name, width): (&String, &u32)| format!("{kind} [{width}-1:0] \\{name} ")

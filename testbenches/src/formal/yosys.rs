@@ -1,5 +1,5 @@
-//! One run of Yosys's `sat` after another, and what it says: a proof, a counter-example, or neither. Only its own
-//! last word counts; silence, an error and a time-out prove nothing.
+//! Runs Yosys's `sat` for a list of questions and reads the answers: a proof, a counter-example, or neither.
+//! Only Yosys's last word on a question counts; no output, an error and a time-out prove nothing.
 
 use std::fs::File;
 use std::path::Path;
@@ -10,37 +10,38 @@ use std::time::{Duration, Instant};
 use crate::device::{DeviceError, scratch_folder, write_file};
 use crate::tools::{Tool, ToolError, tail};
 
-/// So long may one question take. The slowest that is answered takes a twentieth of it on a small machine.
+/// The time limit of a question in seconds. The slowest question that is answered takes a twentieth of it on
+/// a small machine.
 pub(super) const SECONDS_EACH: u64 = 120;
 
-/// Stands in the log before what a question says.
+/// A mark in the log before the output of each question.
 const MARK: &str = "photoncube-question";
 
-/// What is asked.
+/// A question for `sat`.
 #[derive(Clone, Debug)]
 pub(super) struct Question {
-    /// Commands before it.
+    /// The commands that precede it.
     pub before: &'static str,
     /// The options of `sat`, and the module.
     pub options: String,
 }
 
-/// What was answered.
+/// The answer of `sat`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Answer {
-    /// It always holds, or for as many clocks as were asked for.
+    /// The condition always holds, or holds for the number of clocks in question.
     Holds,
-    /// There is a state in which it does not hold.
+    /// There is a state in which the condition does not hold.
     Refuted,
-    /// Such a state was found, where one was looked for.
+    /// The state that was searched exists.
     Found,
-    /// There is none.
+    /// The state that was searched does not exist.
     NotFound,
-    /// No answer, with what the tool said last.
+    /// No answer; the text is the tool's last output.
     None(String),
 }
 
-/// Yosys's words, each the last of a question.
+/// Yosys's messages that end a question, with their meaning.
 const WORDS: [(&str, Answer); 7] = [
     ("Induction step proven: SUCCESS!", Answer::Holds),
     (
@@ -60,7 +61,7 @@ const WORDS: [(&str, Answer); 7] = [
 /// Files for Yosys, by name.
 pub(super) type Files<'a> = [(&'a str, &'a str)];
 
-/// Runs the commands, then asks each question of what they made.
+/// Runs the commands, then each question on their result.
 ///
 /// # Errors
 /// Yosys is missing or does not start, or a file cannot be written.
@@ -81,7 +82,7 @@ pub(super) fn ask(
     Ok(answers(&log, questions.len()))
 }
 
-/// Runs a script and returns what Yosys says, to its end or until it is ended.
+/// Runs a script and returns Yosys's output, to its end or to the time limit.
 ///
 /// # Errors
 /// Yosys is missing or does not start, or a file cannot be written.
@@ -115,7 +116,7 @@ fn read(path: &Path) -> Result<String, DeviceError> {
     Ok(String::from_utf8_lossy(&said).into_owned())
 }
 
-/// Runs a command; ends it where it takes too long, which its log then shows.
+/// Runs a command, and ends it after the time limit. Its log then shows that it is incomplete.
 fn end_within(command: &mut Command, limit: Duration) -> Result<(), ToolError> {
     let failed = |source| ToolError::NotStarted {
         program: Tool::Yosys.program().to_owned(),
@@ -148,7 +149,7 @@ fn answers(log: &str, questions: usize) -> Vec<Answer> {
         .collect()
 }
 
-/// The answer in what was said of one question: the one word in it that is one.
+/// The answer in the output of one question: the only message of [`WORDS`] in it.
 fn answer(said: &str) -> Answer {
     let found = WORDS.iter().filter(|(word, _)| said.contains(word));
     match &found.collect::<Vec<_>>()[..] {

@@ -1,5 +1,5 @@
-//! A cell for itself, its network and its control block random: under random steps, or under a
-//! program with the clocks in which that waits.
+//! Compares a cell on its own, without network and control block, under random steps, or under a program with
+//! its waiting clocks.
 
 use photoncube_model::{CellInputs, CellRules, CellState};
 use photoncube_spec::{ControlWord, Machine, Microprogram, OPS, Step, encode};
@@ -10,11 +10,11 @@ use super::{Trace, field_named};
 use crate::compare::Activity;
 use crate::stimulus::corner;
 
-/// What a cell is asked for in a clock.
+/// The inputs of a cell in a clock.
 struct Asked {
     step: Step,
     word: ControlWord,
-    /// The step waits for a stream: nothing is written, and all else of the word stands.
+    /// The step waits for a stream: no register is written, and the rest of the control word is unchanged.
     waits: bool,
 }
 
@@ -66,7 +66,7 @@ impl Trace {
         }
     }
 
-    /// One clock; the link is 0 where a step names no axis, as the network makes it.
+    /// One clock. The link is 0 where a step names no axis, as the network makes it.
     fn cell_clock(
         &mut self,
         machine: &Machine,

@@ -1,5 +1,5 @@
-//! The photon memory for itself, with a head that says anything: sets of all lengths up to a whole bank, played, kept and
-//! released, and resets.
+//! Compares a photon memory on its own, with random signals of the head: sets of all lengths up to a whole
+//! bank, played, kept and released, and resets.
 
 use photoncube_hdl::{Level, level_pins};
 use photoncube_model::{GoldenMemory, HeadStatus};
@@ -10,14 +10,14 @@ use rand_pcg::Pcg64;
 use crate::device::{DeviceError, hdl_error};
 use crate::stimulus::{Block, corner};
 
-/// Clocks of short sets, and of sets of some dozens of groups.
+/// The number of clocks of short sets, and of sets of some dozens of groups.
 const SHORT_CLOCKS: u64 = 200;
-/// Clocks that a bank takes beside its groups: to be released, and to begin.
+/// The number of clocks of a bank besides its groups, for its release and its start.
 const MORE_CLOCKS: u64 = 60;
-/// Groups by which the longest sets are shorter than a bank, at most.
+/// The most groups by which the longest sets are shorter than a bank.
 const MOST_SHORT: usize = 3;
 
-/// How often something is so, in a stretch of clocks.
+/// The probability of an event in a stretch of clocks.
 #[derive(Copy, Clone, Debug)]
 enum Often {
     Always,
@@ -49,16 +49,16 @@ impl Often {
     }
 }
 
-/// Where sets end.
+/// The rule for the ends of sets.
 #[derive(Copy, Clone, Debug)]
 enum Ends {
-    /// At random.
+    /// Sets end at random.
     At(Often),
-    /// At so many places before the bank's last.
+    /// Sets end that many places before the bank's last place.
     BeforeLast(usize),
 }
 
-/// A stretch of clocks with the same odds.
+/// A stretch of clocks with constant probabilities.
 #[derive(Copy, Clone, Debug)]
 struct Stretch {
     clocks: u64,
@@ -76,7 +76,7 @@ impl Stretch {
         let (clocks, ends) = match rng.random_range(0..8) {
             0..=3 => (SHORT_CLOCKS, Ends::At(Often::Half)),
             4 => (2 * SHORT_CLOCKS, Ends::At(Often::Rarely)),
-            // None is a last one: the bank's last place ends the set.
+            // No group is marked as last, so the bank's last place ends the set.
             5 => (bank as u64 + MORE_CLOCKS, Ends::At(Often::Never)),
             _ => {
                 let short = rng.random_range(0..=MOST_SHORT);
@@ -101,24 +101,24 @@ impl Stretch {
     }
 }
 
-/// Drives the golden memory.
+/// Drives the golden memory and records its rows.
 pub(crate) struct MemoryWalk<'a> {
     machine: &'a Machine,
     pins: Pins,
     model: GoldenMemory,
-    /// Groups of a bank.
+    /// The number of groups of a bank.
     bank: usize,
     widths: SpatialWidths,
     rng: Pcg64,
     stretch: Stretch,
-    /// Groups of the set that is filled, which were taken.
+    /// The number of groups taken of the set that is being filled.
     place: usize,
     block: Block,
     clocks: u64,
     seed: u64,
 }
 
-/// The words of a clock.
+/// The input words of a clock.
 #[derive(Clone, Debug)]
 struct Row {
     inputs: Inputs,
@@ -126,7 +126,8 @@ struct Row {
 }
 
 impl<'a> MemoryWalk<'a> {
-    /// A walk from power-up on; its first clocks bring each register to a value that depends on nothing before.
+    /// Starts a walk at power-up. Its first clocks set each register to a value that does not depend on its
+    /// past.
     ///
     /// # Errors
     /// The machine has no memory that can be emitted.
@@ -158,7 +159,7 @@ impl<'a> MemoryWalk<'a> {
         Ok(walk)
     }
 
-    /// So many clocks more.
+    /// Records `clocks` more clocks.
     pub fn block(&mut self, clocks: u64) -> Block {
         for _ in 0..clocks {
             if self.stretch.clocks == 0 {
@@ -176,7 +177,7 @@ impl<'a> MemoryWalk<'a> {
         std::mem::replace(&mut self.block, next)
     }
 
-    /// A set of one group of zeros, read and forgotten.
+    /// Reads a set of one group of zeros and releases it.
     fn scrub(&mut self) {
         let last = Inputs {
             group_valid: true,
@@ -249,7 +250,7 @@ impl<'a> MemoryWalk<'a> {
             0 => corner(rng, 16) as u32,
             1 => rng.random_range(0..4),
             2 => self.place.saturating_sub(rng.random_range(0..2)) as u32,
-            // One bit of the word is compared with more than a set has.
+            // One bit of the word: it is compared with a number larger than a set's.
             3 => 1 << rng.random_range(0..16),
             _ => 0,
         };
@@ -273,7 +274,7 @@ impl<'a> MemoryWalk<'a> {
         }
     }
 
-    /// Any words, also where no photon is, or no group.
+    /// A group of random words, also where it has no photon or is not valid.
     fn group(&mut self, last: bool) -> Group {
         let channels = self.machine.channels().names().len();
         let (widths, rng) = (&self.widths, &mut self.rng);
@@ -299,7 +300,7 @@ impl<'a> MemoryWalk<'a> {
         }
     }
 
-    /// Writes down what goes in and what is shown, then the rising edge.
+    /// Records the inputs and the visible signals, then applies the rising edge.
     fn step(&mut self, row: &Row) {
         let value = |pin: &Pin| self.input(&pin.name, row);
         let values: Vec<_> = self.pins.inputs.iter().map(value).collect();
@@ -340,7 +341,7 @@ impl<'a> MemoryWalk<'a> {
         }
     }
 
-    /// What stands on a pin.
+    /// The value of an input pin.
     fn input(&self, pin: &str, Row { inputs, head }: &Row) -> u64 {
         match pin {
             "reset" => inputs.reset.into(),
@@ -373,7 +374,7 @@ impl<'a> MemoryWalk<'a> {
     }
 }
 
-/// Walks until `sink` breaks or there were so many clocks.
+/// Walks until `sink` breaks or `clocks` clocks are recorded.
 ///
 /// # Errors
 /// The machine has no memory that can be emitted.
@@ -383,7 +384,7 @@ pub(crate) fn walk(
     clocks: u64,
     sink: &mut dyn FnMut(Block) -> std::ops::ControlFlow<()>,
 ) -> Result<(), DeviceError> {
-    /// Clocks of a block.
+    /// The number of clocks of a block.
     const BLOCK: u64 = 4096;
     let mut walk = MemoryWalk::new(machine, seed)?;
     let mut left = clocks;
@@ -411,8 +412,8 @@ mod tests {
 
     use super::*;
 
-    /// Each bit of each register is seen as 0 and as 1, and both banks end a set by a last group at the last place, by none
-    /// there, and one place before.
+    /// Each bit of each register is seen as 0 and as 1. Both banks end a set by a last group at the last
+    /// place, without one there, and one place before.
     #[test]
     fn a_walk_uses_every_bit_and_fills_banks_in_every_way() {
         let machine = find_machine("tile-6-mixed").unwrap();

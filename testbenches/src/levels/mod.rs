@@ -1,8 +1,8 @@
-//! The parts of a machine for themselves: each unit, one cell on random microprograms, and the
-//! network, against the golden model's ops and the spec's topology.
+//! Compares the parts of a machine on their own: each unit, one cell on random microprograms, and the
+//! network, with the golden model's ops and the spec's topology.
 //!
-//! A part is small enough to be driven into corners that the whole machine reaches rarely, and a
-//! difference here names the part.
+//! A part is small enough to be driven into corners that the whole machine reaches rarely. A difference found
+//! here names the part.
 
 mod cell;
 mod memory;
@@ -27,29 +27,29 @@ use crate::verify::{VerifyError, nothing_compared, wrong_count};
 use memory::MemoryWalk;
 pub(crate) use memory::{scrub_rows as memory_scrub_rows, walk as memory_walk};
 
-/// So many pairs of operands are squared by every device: those of 8-bit coordinates.
+/// The most pairs of operands that every device squares: those of 8-bit coordinates.
 const EXHAUSTIVE_PAIRS: usize = 1 << 16;
 
-/// What was compared of a part and found equal.
+/// A record of the comparison of a part in which all values were equal.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct PartVerdict {
-    /// The machine.
+    /// The name of the machine.
     pub machine: &'static str,
-    /// The part's name.
+    /// The name of the part.
     pub part: &'static str,
-    /// The device.
+    /// The name of the device.
     pub device: String,
-    /// Rows of inputs, after each of which every visible signal was compared.
+    /// The number of rows of inputs. Every visible signal was compared after each.
     pub vectors_compared: u64,
-    /// Signals in a vector.
+    /// The number of signals in a vector.
     pub signals_per_vector: usize,
 }
 
-/// Verifies a part of a machine in a device, on `vectors` rows of inputs or more: a square unit gets
-/// every pair of operands where these are no more than `vectors` or 2^16, else every difference.
+/// Verifies a part of a machine in a device, on at least `vectors` rows of inputs. A square unit gets every
+/// pair of operands where there are no more than `vectors` or 2^16, else every difference.
 ///
 /// # Errors
-/// The first difference, or no verdict at all.
+/// The first difference; or the device or the stimulus fails.
 ///
 /// # Panics
 /// For the whole machine, which is no part: [`crate::verify`] is for that.
@@ -67,7 +67,7 @@ pub fn verify_part(
 /// Verifies a part of a machine in a device that is open and has not run yet.
 ///
 /// # Errors
-/// The first difference, or no verdict at all.
+/// The first difference; or the device or the stimulus fails.
 ///
 /// # Panics
 /// For the whole machine, which is no part: [`crate::verify`] is for that.
@@ -105,12 +105,12 @@ pub fn verify_part_device(
     })
 }
 
-/// Rows for a part, with what it must show.
+/// Rows of inputs for a part, with the expected signals.
 struct Trace {
     pins: Pins,
     inputs: Vec<u64>,
     expected: Vec<u64>,
-    /// What each row asks for.
+    /// The activity of each row.
     activities: Vec<Activity>,
 }
 
@@ -155,7 +155,7 @@ impl Trace {
         Ok(())
     }
 
-    /// One row: a value for each pin, by its name.
+    /// Appends a row: a value for each pin, by its name.
     fn push(&mut self, activity: Activity, value: impl Fn(&str) -> u64, expected: &[u64]) {
         let value = |pin: &Pin| value(&pin.name) & (u64::MAX >> (u64::BITS - pin.width));
         self.inputs.extend(self.pins.inputs.iter().map(value));
@@ -169,7 +169,7 @@ impl Trace {
         let all = u64::MAX >> (u64::BITS - widths.sum);
         for _ in 0..vectors {
             let a = corner(rng, widths.sum);
-            // One in three at the edge of the carry out.
+            // One in three is at the edge of a carry out.
             let b = match rng.random_range(0..6) {
                 0 => !a & all,
                 1 => (!a).wrapping_add(1) & all,
@@ -196,7 +196,7 @@ impl Trace {
             let all = |a| photons.clone().map(move |b| (a, b));
             queries.flat_map(all).collect()
         } else {
-            // Every difference, both ways.
+            // Every difference, in both directions.
             let (last_query, last_photon) = (*queries.end(), *photons.end());
             let below = queries.flat_map(|d| [(d, 0), (d, last_photon)]);
             below
@@ -220,8 +220,8 @@ impl Trace {
         }
     }
 
-    /// Two squares of a spatial machine, a pair of operands a clock. What comes out is that of so many
-    /// clocks before as the squares have registers, and 0 before that.
+    /// Rows for two squares of a spatial machine, a pair of operands a clock. The output belongs to the
+    /// operands of as many clocks before as the squares have registers; before that it is 0.
     fn square_pair(&mut self, machine: &Machine, vectors: usize, rng: &mut Pcg64) {
         let (Some(spatial), Some(format)) = (machine.spatial(), machine.format()) else {
             panic!("only spatial machines have pairs of squares");
@@ -232,7 +232,7 @@ impl Trace {
         let mask = (1 << widths.coordinate) - 1;
         let all_pairs = 1 << (2 * widths.coordinate);
         let operands = |index: usize, rng: &mut Pcg64| match all_pairs <= vectors {
-            // Every pair for both; the second's photon runs through them in another order.
+            // Both photons take every pair; the second takes them in another order.
             true => {
                 let photon = index as u64 & mask;
                 [
@@ -288,7 +288,7 @@ impl Trace {
         }
     }
 
-    /// Every axis and none, with words that tell the nodes apart.
+    /// Every axis and no axis, with a different word for each node.
     fn network(&mut self, machine: &Machine, vectors: usize, rng: &mut Pcg64) {
         let work = Widths::of(machine).work;
         let nodes = machine.hypercube().nodes();
@@ -326,7 +326,7 @@ impl Trace {
         let row = index / visible;
         let in_row = row * visible..(row + 1) * visible;
         let pin = &self.pins.observed[index % visible];
-        // What a register shows was done in the clock before.
+        // A register shows the effect of the clock before.
         let cause = match part {
             Level::Cell | Level::Memory => row.checked_sub(1),
             _ => Some(row),
@@ -362,12 +362,12 @@ impl Trace {
     }
 }
 
-/// A step of its own.
+/// The activity of a step with that op.
 fn done(op: Op) -> Activity {
     Activity::Step(Step::new(op))
 }
 
-/// What the spec says of a spatial machine's `Square` and `SquareFar`.
+/// The expected `Square` and `SquareFar` of a spatial machine, by the spec.
 pub(crate) fn square_of(query: u64, photon: u64, radius_bits: u32, squarer: Squarer) -> (u64, u64) {
     let distance = query.abs_diff(photon);
     let modulus = 1 << radius_bits;

@@ -1,4 +1,4 @@
-//! The cell whose units work at the same time, on random ops.
+//! Compares an overlapped machine's cell, whose units work at the same time, on random ops.
 
 use photoncube_model::{CellPorts, OverlapCell};
 use photoncube_spec::overlap::{Op, POWER_WORDS, asked_of};
@@ -11,11 +11,11 @@ use super::Trace;
 use crate::compare::Activity;
 use crate::stimulus::corner;
 
-/// The role of the cell; every role is the same hardware.
+/// The role of the cell. All roles have equal hardware.
 const ROLE: Role = Role::X;
 
 impl Trace {
-    /// A cell on random ops, as many in one clock as its units allow, between random neighbours.
+    /// Rows for a cell between random neighbours, with as many random ops in one clock as its units allow.
     pub(super) fn overlap_cell(&mut self, machine: &Machine, vectors: usize, rng: &mut Pcg64) {
         let widths = Widths::of(machine);
         let mut cell = OverlapCell::default();
@@ -66,7 +66,7 @@ impl Trace {
     }
 }
 
-/// Ops that write in one clock: for each register no more than one, for each axis one word.
+/// Random ops that write in one clock: at most one for each register, and one word for each axis.
 fn own_ops(rng: &mut Pcg64) -> Vec<Op> {
     use Op::*;
     let mut ops = Vec::new();
@@ -80,7 +80,7 @@ fn own_ops(rng: &mut Pcg64) -> Vec<Op> {
     let adds = [Some(Add), Some(Accumulate), None];
     let keeps = [None, Some(Axis::Z), Some(Axis::W)].map(|axis| Some(Keep(axis)));
     let mut distances = [&keeps[..], &[Some(Relay), None]].concat();
-    // A neighbour sends one word.
+    // A neighbour sends one word on an axis.
     distances.retain(|&distance| {
         let pair = (operand, distance);
         pair != (Some(Receive(Axis::Z)), Some(Keep(Some(Axis::Z))))
@@ -92,19 +92,19 @@ fn own_ops(rng: &mut Pcg64) -> Vec<Op> {
     ops
 }
 
-/// Ops of neighbours, for which the cell sends something else than for the others.
+/// Random ops of neighbours that select the word which the cell sends.
 fn heard_ops(rng: &mut Pcg64) -> Vec<Op> {
     let mut ops = vec![Op::Keep(Some(Axis::Z)), Op::Relay];
     ops.retain(|_| rng.random());
     ops
 }
 
-/// The role that hears the cell in an op.
+/// The role of the neighbour that receives the cell's word in an op.
 fn across(op: Op) -> Role {
     ROLE.across(op.axis().expect("an op that hears"))
 }
 
-/// What a cell sends on z for its neighbours' ops.
+/// The word that the cell sends on z for its neighbours' ops.
 fn word_on_z(cell: &OverlapCell, heard: &[Op]) -> u64 {
     match heard.contains(&Op::Keep(Some(Axis::Z))) {
         true => cell.work,
@@ -112,7 +112,7 @@ fn word_on_z(cell: &OverlapCell, heard: &[Op]) -> u64 {
     }
 }
 
-/// What a cell sends on w.
+/// The word that the cell sends on w.
 fn word_on_w(cell: &OverlapCell, heard: &[Op]) -> u64 {
     match heard.contains(&Op::Relay) {
         true => cell.distance,

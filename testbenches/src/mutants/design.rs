@@ -1,4 +1,4 @@
-//! The mutations that Yosys draws, and the design that has them all.
+//! Draws mutations with Yosys, and makes one design that contains all of them.
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -11,37 +11,37 @@ use serde::Serialize;
 use crate::device::{DeviceError, scratch_folder, write_file};
 use crate::tools::{Tool, run};
 
-/// The pin that says which mutation is active; 0: none.
+/// The pin that selects the active mutation; 0 selects none.
 const PIN: &str = "mutant";
-/// Its width.
+/// The width of the pin.
 const PIN_WIDTH: u32 = 16;
 
-/// From the text to cells that can be mutated: processes become registers and multiplexers of two, which have a
-/// meaning whatever selects; tables stay.
+/// Turns the text into cells that can be mutated. Processes become registers and two-way multiplexers, whose
+/// meaning is defined for every select value; tables stay.
 pub(super) const ELABORATION: &str = "proc -norom; pmuxtree; opt_clean";
 
-/// From the elaborated modules to one in which each net has one name, and no register is lost, whoever reads it. A
-/// memory of more than 256 words is taken out: what it is given are outputs, which are compared as registers' next
-/// values are, so its words stay equal, and what is read from the same place is any word, the same in both. Smaller ones
-/// become registers. Buffers before the pins keep a register from being named as the pin that it drives, which a mutation
-/// between them would change.
+/// Flattens the elaborated modules so that each net has one name and every register is kept, even without a
+/// reader. A memory of more than 256 words is removed: its inputs become outputs, which are compared as
+/// registers' next values are, so its words stay equal. The words read are free, and equal in both designs
+/// for equal places. Smaller memories become registers. Buffers before the pins keep a register from being
+/// named as the pin that it drives; a mutation between the two would otherwise change the name.
 pub(super) const FLAT: &str = "flatten\nmemory_collect\nexpose -evert t:$mem_v2 r:SIZE>256 %i\n\
      iopadmap -bits -outpad $_BUF_ A:Y\nsetattr -set keep 1 t:$_BUF_\n\
      memory_map\nsetattr -set keep 1 t:$dff\nopt_clean -purge\nsetattr -unset keep t:$dff";
 
-/// One thing that is wrong.
+/// One mutation of a design.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Mutation {
-    /// Its number, from 1.
+    /// The mutation's number, from 1.
     pub mutant: u64,
-    /// The module, without the machine's prefix; in every instance of it.
+    /// The module's name, without the machine's prefix. Every instance of it is mutated.
     pub module: String,
-    /// What Yosys's `mutate` is told: the kind, the cell, its port and bit, and the place in the text.
+    /// The options for Yosys's `mutate`: the kind, the cell, its port and bit, and the place in the text.
     #[serde(rename = "mutation")]
     pub options: String,
 }
 
-/// Draws about so many mutations.
+/// Draws about `wanted` mutations.
 pub(super) fn draw(design: &Emitted, wanted: u64, seed: u64) -> Result<Vec<Mutation>, DeviceError> {
     let list = format!("tee -q -o list.txt mutate -list {wanted} -seed {seed}");
     let folder = scratch_folder()?;
@@ -72,8 +72,8 @@ pub(super) fn draw(design: &Emitted, wanted: u64, seed: u64) -> Result<Vec<Mutat
     }
 }
 
-/// Whether the mutation turns a clock round: what is compared clock by clock has no half clocks, so neither a
-/// simulation here nor a proof tells the two edges apart. A clock that stands still is another matter.
+/// Whether the mutation inverts a clock. The comparison is clock by clock and has no half clocks, so neither
+/// simulation nor proof can distinguish the two edges. A mutation that stops a clock is kept.
 fn moves_an_edge(options: &str) -> bool {
     let words: Vec<_> = options.split_whitespace().collect();
     let value = |name| {
@@ -87,7 +87,7 @@ fn moves_an_edge(options: &str) -> bool {
     of_clock && !value("-mode").is_some_and(|mode| mode.starts_with("const"))
 }
 
-/// Whether the mutation lies in what a memory begins with, which no pin can change.
+/// Whether the mutation changes the initial contents of a memory, which no pin can change.
 fn changes_an_initial_value(options: &str) -> bool {
     options.contains("-cell $meminit")
 }
@@ -103,7 +103,7 @@ fn module_of(options: &str, prefix: &str) -> String {
     }
 }
 
-/// The design with every mutation, each active where the new input pin [`PIN`] has its number.
+/// The design with every mutation. Each is active where the new input pin [`PIN`] has its number.
 pub(super) fn with_all(design: &Emitted, mutations: &[Mutation]) -> Result<Emitted, DeviceError> {
     let mut script = vec![format!("add -global_input {PIN} {PIN_WIDTH}")];
     script.extend(mutations.iter().map(|mutation| {
@@ -127,7 +127,7 @@ pub(super) fn with_all(design: &Emitted, mutations: &[Mutation]) -> Result<Emitt
     })
 }
 
-/// Runs a script on the elaborated design, a command a line.
+/// Runs a script, one command a line, on the elaborated design.
 pub(super) fn yosys(folder: &Path, design: &Emitted, script: &str) -> Result<(), DeviceError> {
     write_file(&folder.join("design.v"), &design.text)?;
     let top = &design.top;

@@ -1,4 +1,4 @@
-//! Mutants against the stimulus.
+//! Compares mutants with the golden model under the stimulus.
 
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -13,11 +13,11 @@ use crate::levels::{memory_scrub_rows, memory_walk};
 use crate::stimulus::{Block, Protocol, Source, generate, scrub_rows};
 use crate::verify::{VerifyError, wrong_count};
 
-/// A mutated design in Verilator, with one mutation active.
+/// The mutated design in Verilator, with one active mutation.
 struct Selected {
     device: Verilator,
     mutant: u64,
-    /// Input pins without the one that selects.
+    /// The number of input pins without the one that selects the mutation.
     columns: usize,
 }
 
@@ -42,31 +42,31 @@ impl Device for Selected {
     }
 }
 
-/// So many times the first iterations show what registers may hold.
+/// The iterations that show the possible values of registers, as a multiple of the first iterations.
 const MORE_ROUNDS: u64 = 10;
 
-/// What is mutated.
+/// The part of a machine that is mutated.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub enum MutantPart {
     /// The whole machine.
     Machine,
-    /// Its photon memory for itself, whose stimulus is counted in clocks, not in iterations.
+    /// The photon memory on its own. Its stimulus is counted in clocks and not in iterations.
     Memory,
 }
 
 impl MutantPart {
-    /// All parts of a machine that are mutated for themselves, the whole first.
+    /// The parts of a machine that are mutated on their own; the first is the whole machine.
     pub fn of(machine: &Machine) -> Vec<Self> {
         let memory = machine.has_memory().then_some(Self::Memory);
         [Self::Machine].into_iter().chain(memory).collect()
     }
 
-    /// Its name.
+    /// The name of the part.
     pub fn name(self) -> &'static str {
         self.level().name()
     }
 
-    /// The level that it is emitted at.
+    /// The level at which the part is emitted.
     pub(super) fn level(self) -> Level {
         match self {
             Self::Machine => Level::Machine,
@@ -75,7 +75,7 @@ impl MutantPart {
     }
 }
 
-/// The stimulus that mutants are to be killed by.
+/// The stimulus that is to kill mutants.
 pub(super) struct Kills<'a> {
     machine: &'a Machine,
     part: MutantPart,
@@ -83,13 +83,13 @@ pub(super) struct Kills<'a> {
     options: &'a MutantOptions,
     scrub: Vec<u64>,
     blocks: Vec<Block>,
-    /// Vectors compared so far.
+    /// The number of vectors compared so far.
     pub vectors: AtomicU64,
 }
 
 impl<'a> Kills<'a> {
     /// # Errors
-    /// The design with no mutation active is not the golden model.
+    /// The design without an active mutation differs from the golden model.
     pub fn new(
         machine: &'a Machine,
         part: MutantPart,
@@ -124,13 +124,13 @@ impl<'a> Kills<'a> {
         Ok(kills)
     }
 
-    /// The first iterations, with what the golden model shows.
+    /// The first iterations, with the golden model's signals.
     pub fn blocks(&self) -> &[Block] {
         &self.blocks
     }
 
-    /// Rows of what the golden model shows, for more iterations and for what is hard on the protocol, besides the first
-    /// ones.
+    /// Passes further rows of the golden model's signals to `row`: of more iterations, and of stimulus that
+    /// is hard on the protocol.
     pub fn more_rows(&self, row: &mut dyn FnMut(&[u64])) -> Result<(), VerifyError> {
         let columns = self.mutated.pins.observed.len();
         let mut sink = |block: Block| {
@@ -178,14 +178,14 @@ impl<'a> Kills<'a> {
         Ok(())
     }
 
-    /// A mutant behind the rows with which a chunk begins. What its registers hold before is not compared: Yosys's
-    /// `mutate` loses the initial values of those that it touches.
+    /// A mutant after the rows with which a chunk begins. Its registers are not compared before that, because
+    /// Yosys's `mutate` loses the initial values of the registers that it changes.
     fn begin(&self, mutant: u64) -> Result<Compared<'a>, VerifyError> {
         let mut device = self.device(mutant)?;
         let mut observed = Observed::default();
         device.replay(&self.scrub, &mut observed)?;
         let mut pins = self.mutated.pins.clone();
-        // The last is that which selects the mutation.
+        // The last pin selects the mutation.
         pins.inputs.pop();
         Ok(Compared {
             comparer: Comparer::of_pins(self.machine, pins, device.visible()),
@@ -202,7 +202,7 @@ impl<'a> Kills<'a> {
         })
     }
 
-    /// Whether the first iterations kill it.
+    /// Whether the first iterations kill the mutant.
     pub fn dies(&self, mutation: &Mutation) -> Result<bool, VerifyError> {
         let mut compared = self.begin(mutation.mutant)?;
         let mut dies = false;
@@ -216,7 +216,8 @@ impl<'a> Kills<'a> {
         Ok(dies)
     }
 
-    /// Whether longer stimulus kills it, or resets in each clock of a query, or that of the machine's corners.
+    /// Whether one of these kills the mutant: longer stimulus, resets in each clock of a query, the stimulus
+    /// of the machine's corners.
     pub fn dies_later(&self, mutation: &Mutation) -> Result<bool, VerifyError> {
         let (seed, iterations) = (self.options.seed + 1, self.options.more_iterations);
         let corners = match self.part {
@@ -253,7 +254,7 @@ impl<'a> Kills<'a> {
     }
 }
 
-/// A mutant that is being compared.
+/// A mutant in a comparison.
 struct Compared<'a> {
     device: Selected,
     comparer: Comparer<'a>,
@@ -261,7 +262,7 @@ struct Compared<'a> {
 }
 
 impl Compared<'_> {
-    /// The first difference in the next block.
+    /// The first difference in the next block; `None` if there is none.
     fn difference(&mut self, block: &Block) -> Result<Option<VerifyError>, VerifyError> {
         self.observed.clear();
         self.device.replay(&block.inputs, &mut self.observed)?;

@@ -1,7 +1,8 @@
-//! Mutants: an emitted design with one thing wrong, to see whether the stimulus notices.
+//! Mutants: emitted designs with one mutation each, which test whether the stimulus detects it.
 //!
-//! Yosys draws the mutations and puts all of them into one text, each behind a value of a new pin `mutant`, so that
-//! one build runs them all. What the stimulus does not kill is either proven equal to the design or survives.
+//! Yosys draws the mutations and puts all of them into one text, each enabled by a value of a new pin
+//! `mutant`, so that one build runs them all. Each mutant that the stimulus does not kill must be proven
+//! equal to the design; otherwise it survives.
 
 mod design;
 mod invariants;
@@ -27,22 +28,22 @@ use kill::Kills;
 pub use kill::MutantPart;
 use prove::Prover;
 
-/// How many mutants there are, and how they are drawn.
+/// The number of mutants, and how they are drawn.
 #[derive(Copy, Clone, Debug)]
 pub struct MutantOptions {
-    /// What is mutated.
+    /// The part that is mutated.
     pub part: MutantPart,
-    /// About so many mutations.
+    /// The approximate number of mutations.
     pub mutants: u64,
     /// The seed of Yosys's choice and of the stimulus.
     pub seed: u64,
-    /// Iterations of random stimulus for a mutant before it is looked at more closely.
+    /// The iterations of random stimulus for each mutant before proofs and longer stimulus.
     pub iterations: u64,
-    /// Iterations for a mutant that these do not kill, and that is not proven equal.
+    /// The iterations for a mutant that the first stimulus does not kill and that is not proven equal.
     pub more_iterations: u64,
 }
 
-/// What became of a mutant.
+/// The fate of a mutant.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Fate {
@@ -50,43 +51,44 @@ pub enum Fate {
     Killed,
     /// It is proven that no signal can differ.
     Equivalent,
-    /// Neither.
+    /// The mutant is neither killed nor proven equivalent.
     Survived,
 }
 
-/// A mutant and its fate.
+/// A mutant with its fate.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Judged {
-    /// What is wrong with it.
+    /// The mutation of the mutant.
     #[serde(flatten)]
     pub mutation: Mutation,
-    /// What became of it.
+    /// The fate of the mutant.
     pub fate: Fate,
-    /// The proof, or that there is none; nothing for what was killed.
+    /// The proof, or a note that there is none; `None` for a killed mutant.
     pub reason: Option<String>,
 }
 
-/// What became of a machine's mutants.
+/// The results for the mutants of a machine.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct MutantReport {
-    /// The machine.
+    /// The name of the machine.
     pub machine: &'static str,
-    /// What of it was mutated.
+    /// The name of the part that was mutated.
     pub part: &'static str,
-    /// The tools behind it, with their versions.
+    /// The tools, with their versions.
     pub tool_version: String,
-    /// The seed.
+    /// The seed of the mutations and of the stimulus.
     pub seed: u64,
-    /// Vectors that were compared until each was killed or the stimulus ended, all together.
+    /// The number of vectors compared, over all mutants, until each was killed or the stimulus ended.
     pub vectors_compared: u64,
-    /// Killed mutants that the proofs were tried on too, and that none proved equal.
+    /// The number of killed mutants that served as controls: the proofs were tried on them and proved none of
+    /// them equal.
     pub controls: usize,
-    /// The mutants, in Yosys's order.
+    /// The mutants, in the order in which Yosys drew them.
     pub mutants: Vec<Judged>,
 }
 
 impl MutantReport {
-    /// How many of each fate there are, by module and together.
+    /// The number of mutants of each fate, by module and in total.
     pub fn counts(&self) -> BTreeMap<&str, [usize; 3]> {
         let mut counts: BTreeMap<&str, [usize; 3]> = BTreeMap::new();
         for judged in &self.mutants {
@@ -95,14 +97,14 @@ impl MutantReport {
         counts
     }
 
-    /// How many of a fate there are.
+    /// The number of mutants of a fate.
     pub fn count(&self, fate: Fate) -> usize {
         let same = |judged: &&Judged| judged.fate == fate;
         self.mutants.iter().filter(same).count()
     }
 }
 
-/// Draws mutants of a machine and judges each; `progress` is told how many are judged.
+/// Draws mutants of a machine and judges each. Calls `progress` with the number of mutants judged.
 ///
 /// # Errors
 /// A tool is missing or fails, or the design without any mutation differs from the golden model.
@@ -175,10 +177,11 @@ pub fn mutants(
     })
 }
 
-/// So many killed mutants must not be proven equal, or no proof is worth anything.
+/// The number of killed mutants on which the proofs are tried. If one is proven equal, the proofs are
+/// worthless.
 const CONTROLS: usize = 8;
 
-/// Tries the proofs on mutants that were killed, and counts them.
+/// Tries the proofs on killed mutants and returns their number.
 fn refuted_controls(
     mutations: &[Mutation],
     dead: &[bool],
@@ -212,7 +215,7 @@ fn refuted_controls(
     }
 }
 
-/// What becomes of a mutant that the first iterations did not kill.
+/// Judges a mutant that the first iterations did not kill.
 fn judge_closely(
     mutation: &Mutation,
     prover: &Prover<'_>,

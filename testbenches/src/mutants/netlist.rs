@@ -1,4 +1,4 @@
-//! What Yosys's JSON says of a module: its ports, and which of them a port depends on.
+//! Reads a module in Yosys's JSON: its ports, and the input ports that an output depends on.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -21,7 +21,7 @@ pub(super) struct Port {
 }
 
 impl Port {
-    /// Its width.
+    /// The width of the port in bits.
     pub fn width(&self) -> usize {
         self.bits.len()
     }
@@ -42,7 +42,7 @@ pub(super) struct Netlist {
 
 impl Netlist {
     /// # Errors
-    /// The text is not Yosys's, or has no such module.
+    /// The text is not Yosys's JSON, or has no such module.
     pub fn parse(json: &str, module: &str) -> Result<Self, DeviceError> {
         #[derive(Deserialize)]
         struct Design {
@@ -51,7 +51,7 @@ impl Netlist {
         let design: Result<Design, _> = serde_json::from_str(json);
         let found = design.ok().and_then(|mut d| d.modules.remove(module));
         let found = found.map(|mut netlist| {
-            // A table that is taken out has ports for writing, of no bits.
+            // A table that was removed has write ports of no bits.
             netlist.ports.retain(|_, port| port.width() > 0);
             netlist
         });
@@ -94,7 +94,7 @@ impl Netlist {
 }
 
 impl Cell {
-    /// Its bits of a direction.
+    /// The bits of all ports of a direction.
     fn bits<'a>(&'a self, direction: &'a str) -> impl Iterator<Item = &'a Bit> {
         let ports = self.connections.iter();
         let of_direction = ports.filter(move |(port, _)| self.port_directions[*port] == direction);

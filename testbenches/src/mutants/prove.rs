@@ -1,5 +1,5 @@
-//! Proofs that a mutant is the design: with the same values in all registers and on all input pins, all registers get
-//! the same next values, and all outputs have the same values.
+//! Proves that a mutant equals the design: for equal values in all registers and on all input pins, all
+//! registers have equal next values and all outputs have equal values.
 
 use photoncube_hdl::Emitted;
 
@@ -9,17 +9,17 @@ use super::invariants::{Invariants, around_two};
 use crate::device::{DeviceError, scratch_folder, write_file};
 use crate::tools::ToolError;
 
-/// Solver seconds for a proof; what is not proven by then is not proven.
+/// The time limit of the solver in seconds. A proof that takes longer fails.
 const SECONDS: u32 = 60;
 
-/// Proves that mutants are the design.
+/// Proves that mutants equal the design.
 pub(super) struct Prover<'a> {
     pub design: &'a Emitted,
     pub invariants: &'a Invariants,
 }
 
 impl Prover<'_> {
-    /// The proof that no signal can differ, if there is one.
+    /// The proof that no signal can differ, if one is found.
     ///
     /// # Errors
     /// Yosys does not run.
@@ -63,8 +63,8 @@ fn solve(options: &str, module: &str) -> String {
     format!("sat -verify -prove-asserts {options} -timeout {SECONDS} {module}")
 }
 
-/// Whether Yosys ended because the proof failed, or because a mutation lies on a register itself: then the two
-/// designs have no such register in common, and what is left of it does not go to the solver.
+/// Whether Yosys ended because the proof failed, or because the mutation is on a register itself. In the
+/// second case the two designs do not share this register, and the solver does not accept the rest.
 fn is_not_proven(error: &DeviceError) -> bool {
     let DeviceError::Tool(ToolError::Failed { message, .. }) = error else {
         return false;

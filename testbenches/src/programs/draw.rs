@@ -1,4 +1,4 @@
-//! Random programs, a function of the machine and a seed.
+//! Draws random programs; a program is a function of the machine and a seed.
 
 use photoncube_hdl::most_steps;
 use photoncube_spec::{
@@ -10,18 +10,18 @@ use rand_pcg::Pcg64;
 
 use super::walk::{fewest_clocks, gather_program};
 
-/// What a program is good for.
+/// The class of a program, which decides how it is checked.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub enum ProgramClass {
-    /// The schedule checker accepts it: it computes a gather, and its results are held against the
-    /// direct one.
+    /// The schedule checker accepts the program. It computes a gather, and its results are compared with the
+    /// direct gather.
     Gather,
-    /// The sequencer can run it, and what the cells compute means nothing.
+    /// The sequencer can run the program; the cells' results have no meaning.
     Free,
 }
 
 impl ProgramClass {
-    /// The class of a program; none where a query would be lost or never end.
+    /// The class of a program; `None` where a query would be lost or never end.
     pub fn of(program: &Microprogram, cube: Hypercube) -> Option<Self> {
         if check_schedule(program, cube).is_ok() {
             return Some(Self::Gather);
@@ -30,21 +30,21 @@ impl ProgramClass {
     }
 }
 
-/// A program, and how it was come by.
+/// A program, and the data of its draw.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct DrawnProgram {
-    /// It.
+    /// The program.
     pub program: Microprogram,
-    /// What it is good for.
+    /// The class of the program.
     pub class: ProgramClass,
-    /// Programs that were drawn for it, itself and those of no class.
+    /// The number of programs drawn until this one: programs without a class, and this one.
     pub drawn: u64,
-    /// The seed that draws it.
+    /// The seed from which the program is drawn.
     pub seed: u64,
 }
 
 impl DrawnProgram {
-    /// Its steps, query phase and iteration.
+    /// The number of steps of query phase and iteration.
     pub(super) fn steps(&self) -> u64 {
         self.program.steps().len() as u64
     }
@@ -53,7 +53,7 @@ impl DrawnProgram {
 /// Draws programs until one has a class.
 ///
 /// # Panics
-/// The machine runs no microprogram.
+/// Where the machine runs no microprogram.
 pub fn draw_program(machine: &Machine, seed: u64) -> DrawnProgram {
     let (cube, most) = (machine.hypercube(), most_steps(machine));
     assert!(most > 0, "machine `{}` runs no program", machine.name);
@@ -73,7 +73,8 @@ pub fn draw_program(machine: &Machine, seed: u64) -> DrawnProgram {
     }
 }
 
-/// Half are gathers by construction, a quarter is nearly one, a quarter is of any steps.
+/// Half of the programs are gathers by construction, a quarter are gathers with a few edits, a quarter have
+/// random steps.
 fn any_program(cube: Hypercube, most: usize, rng: &mut Pcg64) -> Microprogram {
     let query = rng.random_range(1..=3);
     let fewest = fewest_clocks(cube);
@@ -93,7 +94,7 @@ fn any_program(cube: Hypercube, most: usize, rng: &mut Pcg64) -> Microprogram {
     }
 }
 
-/// Any steps in either phase, but one `ldq` and no group in the query phase, no `ldq` in the other.
+/// Random steps in both phases: the query phase has one `ldq` and no group step, the iteration has no `ldq`.
 fn random_steps(cube: Hypercube, query: usize, iteration: usize, rng: &mut Pcg64) -> Microprogram {
     let inner = |row: &OpRow| !row.reads_query && !row.reads_group;
     let mut steps: Vec<_> = (0..query).map(|_| any_step(cube, inner, rng)).collect();
@@ -106,7 +107,7 @@ fn random_steps(cube: Hypercube, query: usize, iteration: usize, rng: &mut Pcg64
     Microprogram::of_phases(&steps, &iteration)
 }
 
-/// One to three changes: a step replaced by any other, left out, doubled, or exchanged with another.
+/// One to three edits: a step is replaced by a random one, removed, repeated, or exchanged with another.
 fn edited(program: &Microprogram, cube: Hypercube, rng: &mut Pcg64) -> Microprogram {
     let mut query = program.query_clocks() as usize;
     let mut steps = program.steps();
@@ -118,7 +119,7 @@ fn edited(program: &Microprogram, cube: Hypercube, rng: &mut Pcg64) -> Microprog
                 steps.remove(place);
                 query -= usize::from(place < query);
             }
-            // In the place of another, so that the program grows no longer.
+            // The repeated step replaces another, so that the program does not grow.
             2 => {
                 let other = rng.random_range(0..steps.len());
                 steps[other] = steps[place];
@@ -133,7 +134,7 @@ fn edited(program: &Microprogram, cube: Hypercube, rng: &mut Pcg64) -> Microprog
     Microprogram::of_phases(query, iteration)
 }
 
-/// A step of the op table, its axis any of the cube's.
+/// A random step of the op table that satisfies `wanted`, on a random axis of the cube.
 fn any_step(cube: Hypercube, wanted: impl Fn(&OpRow) -> bool, rng: &mut Pcg64) -> Step {
     let rows: Vec<_> = OPS.iter().filter(|row| wanted(row)).collect();
     let row = rows.choose(rng).expect("the op table has such an op");

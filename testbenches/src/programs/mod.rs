@@ -1,8 +1,8 @@
 //! Random microprograms, drawn from the op table, each in a machine of its own.
 //!
-//! A program is a function of the machine and a seed, so that any can be had again. Those that the schedule checker
-//! accepts compute a gather, and their results are held against the direct one; the others are any steps that take
-//! queries and groups as streams ask for, whatever they compute.
+//! A program is a function of the machine and a seed, so that each can be reproduced. The results of programs
+//! that the schedule checker accepts are compared with the direct gather. The other programs are random steps
+//! that take queries and groups as the stream rules require, whatever they compute.
 
 mod draw;
 mod shrink;
@@ -24,61 +24,64 @@ use crate::verify::{VerifyError, VerifyOptions, nothing_compared, verify_device}
 
 pub use draw::{DrawnProgram, ProgramClass, draw_program};
 
-/// How many programs are drawn, and what each is run on.
+/// The number of programs, and the stimulus of each.
 #[derive(Copy, Clone, Debug)]
 pub struct ProgramOptions {
-    /// Programs.
+    /// The number of programs.
     pub programs: u64,
     /// The seed of the programs and of the stimulus.
     pub seed: u64,
-    /// Iterations of the whole machine for each program, at most [`MOST_PROGRAM_ITERATIONS`].
+    /// The iterations of the whole machine for each program, at most [`MOST_PROGRAM_ITERATIONS`].
     pub iterations: u64,
 }
 
-/// Clocks of one cell for each program: many passes through any of them.
+/// The number of clocks of one cell for each program, which are many passes through any program.
 const CELL_CLOCKS: usize = 400;
 
-/// More iterations of a program would begin a chunk of stimulus anew, which supposes that a query sets every register.
+/// The most iterations of a program. More would begin a new chunk of stimulus, which assumes that a query
+/// sets every register.
 pub const MOST_PROGRAM_ITERATIONS: u64 = 4096;
 
-/// What was compared and found equal.
+/// A record of a verification of programs in which all values were equal.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct ProgramVerdict {
     /// The machine whose cells and network ran the programs.
     pub machine: &'static str,
-    /// The device.
+    /// The name of the device.
     pub device: String,
-    /// The tool behind it, with its version.
+    /// The tool behind the device, with its version.
     pub tool_version: String,
-    /// The seed.
+    /// The seed of the programs and of the stimulus.
     pub seed: u64,
-    /// Programs, all different.
+    /// The number of programs, all different.
     pub programs: usize,
-    /// Those of them that compute a gather.
+    /// The number of programs that compute a gather.
     pub gather_programs: usize,
-    /// Programs drawn for them; of the others some were drawn before, and some would lose a query or not end it.
+    /// The number of programs drawn. It includes repeated programs and programs that would lose a query or
+    /// not end it.
     pub drawn: u64,
-    /// Steps of all programs.
+    /// The number of steps of all programs.
     #[serde(rename = "program_steps")]
     pub steps: u64,
-    /// Clocks of one cell, in each of which every register was compared.
+    /// The number of clocks of one cell. Every register was compared in each.
     pub cell_vectors: u64,
-    /// Clocks of the whole machine, in each of which every register was compared.
+    /// The number of clocks of the whole machine. Every register was compared in each.
     pub vectors_compared: u64,
-    /// Results of gathers, each also held against the direct one.
+    /// The number of results of gathers. Each was also compared with the direct gather.
     pub results_compared: u64,
 }
 
-/// A program whose Verilog is not what the model does, made as short as it can be.
+/// A program on which the Verilog differs from the model, reduced as far as possible.
 #[derive(Clone, Debug)]
 pub struct ProgramFailure {
-    /// The shortest program that still fails: no step and no two can be left out, none made simpler.
+    /// The shortest program that still fails: it succeeds without any one or two of its steps, and with any
+    /// step made simpler.
     pub program: Microprogram,
-    /// Iterations that it still fails in; it does not in half as many.
+    /// The number of iterations in which the program still fails. In half as many it does not.
     pub iterations: u64,
-    /// The one that was drawn.
+    /// The program that was drawn.
     pub drawn: DrawnProgram,
-    /// How the shortest one differs.
+    /// The difference of the shortest program.
     pub divergence: Divergence,
 }
 
@@ -99,16 +102,16 @@ impl fmt::Display for ProgramFailure {
     }
 }
 
-/// Why programs were not all found right.
+/// The reason why a verification of programs failed.
 #[derive(Debug, thiserror::Error)]
 pub enum ProgramsError {
-    /// One differs.
+    /// A program on which the device differs from the model.
     #[error("{0}")]
     Failed(Box<ProgramFailure>),
-    /// No verdict was reached.
+    /// The device or the stimulus fails.
     #[error(transparent)]
     Verify(#[from] VerifyError),
-    /// Only machines that run one op a clock have programs to draw.
+    /// The machine runs no microprogram of one op a clock.
     #[error(
         "machine `{0}` runs no microprogram of one op a clock; `photoncube list` says which do: \
          paper and paper-5d, for example"
@@ -119,13 +122,13 @@ pub enum ProgramsError {
 /// Opens a device with a machine, or its cell, in it.
 pub type Open<'a> = dyn Fn(&Machine, Level) -> Result<Box<dyn Device>, DeviceError> + Sync + 'a;
 
-/// Draws programs and compares each in one cell and in the whole machine; `progress` is told of each.
+/// Draws programs and compares each in one cell and in the whole machine. Calls `progress` for each.
 ///
 /// # Errors
-/// A program that differs, as short as it can be; or no verdict at all.
+/// A program on which the device differs, as short as possible; or the device or the stimulus fails.
 ///
 /// # Panics
-/// With more than [`MOST_PROGRAM_ITERATIONS`].
+/// Where more than [`MOST_PROGRAM_ITERATIONS`] are requested.
 pub fn verify_programs(
     machine: &Machine,
     options: &ProgramOptions,
@@ -163,7 +166,8 @@ pub fn verify_programs(
     })
 }
 
-/// So many programs, no two the same, each by a seed of its own, and how many were drawn for them.
+/// Draws `options.programs` different programs, each from a seed of its own. Also returns the number of
+/// draws.
 fn different(machine: &Machine, options: &ProgramOptions) -> (Vec<DrawnProgram>, u64) {
     let mut seen = HashSet::new();
     let (mut programs, mut drawn, mut number) = (Vec::new(), 0, 0);
@@ -178,7 +182,7 @@ fn different(machine: &Machine, options: &ProgramOptions) -> (Vec<DrawnProgram>,
     (programs, drawn)
 }
 
-/// What was compared of one program.
+/// A record of the comparison of one program.
 #[derive(Clone, Default)]
 struct One {
     device: String,
@@ -191,7 +195,7 @@ struct One {
 /// The machine with another program.
 ///
 /// # Panics
-/// The program is longer than [`photoncube_spec::MOST_OWN_STEPS`].
+/// Where the program is longer than [`photoncube_spec::MOST_OWN_STEPS`].
 pub fn programmed(machine: &Machine, program: &Microprogram) -> Machine {
     let own = OwnProgram::new(program).expect("programs are drawn short enough");
     Machine {
@@ -200,7 +204,7 @@ pub fn programmed(machine: &Machine, program: &Microprogram) -> Machine {
     }
 }
 
-/// One program, with the stimulus of its seed.
+/// Compares one program, with the stimulus of its seed.
 fn one(
     machine: &Machine,
     drawn: &DrawnProgram,
@@ -231,7 +235,7 @@ fn one(
     })
 }
 
-/// The failure of the shortest program that fails, and of the least stimulus, if a difference it was.
+/// If the error is a difference: the failure of the shortest program that fails, with the least stimulus.
 fn shrunk(
     machine: &Machine,
     drawn: &DrawnProgram,
@@ -276,7 +280,7 @@ fn shortest(
     while iterations > 1 && differs(&program, iterations / 2)? {
         iterations /= 2;
     }
-    // The program's seed is that of the first program of a run.
+    // A run with the program's seed begins with this program.
     divergence.repeat = format!(
         "photoncube verify --programs 1 --machine {} --against {} --seed {}",
         machine.name, divergence.device, drawn.seed

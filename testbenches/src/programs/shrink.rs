@@ -1,9 +1,9 @@
-//! From a program that fails to the shortest that still does.
+//! Reduces a program that fails to the shortest program that still fails.
 
 use photoncube_spec::{Axis, Hypercube, Microprogram, Op, Step, check_streams};
 
-/// Leaves out steps as long as `fails` says that the rest still fails, then makes those that are left
-/// simpler. At the end no step, and no two, can be left out, and none made simpler.
+/// Removes steps while `fails` returns true for the rest, then simplifies the remaining steps. In the result
+/// no step and no two steps can be removed, and no step can be simplified.
 pub(super) fn shrink<E>(
     program: &Microprogram,
     cube: Hypercube,
@@ -14,7 +14,7 @@ pub(super) fn shrink<E>(
         let mut smaller = None;
         for candidate in best.candidates() {
             let program = candidate.program();
-            // What loses queries or never ends is no program to compare by.
+            // A program that loses queries or never ends is not a valid case.
             if check_streams(&program, cube).is_ok() && fails(&program)? {
                 smaller = Some(candidate);
                 break;
@@ -27,7 +27,7 @@ pub(super) fn shrink<E>(
     }
 }
 
-/// The steps of both phases in a row, and how many are of the query phase.
+/// The steps of both phases in a row, with the number of those in the query phase.
 #[derive(Clone)]
 struct Phases {
     steps: Vec<Step>,
@@ -47,7 +47,7 @@ impl Phases {
         Microprogram::of_phases(query, iteration)
     }
 
-    /// Smaller programs, the smallest first; each is smaller in an order that has an end.
+    /// Smaller programs, the smallest first. The order in which they are smaller is well-founded.
     fn candidates(&self) -> Vec<Self> {
         let count = self.steps.len();
         let mut candidates = Vec::new();
@@ -74,7 +74,7 @@ impl Phases {
         }
     }
 
-    /// A nop in the place of a step, or the step on the first axis.
+    /// The program with a nop in the place of a step, or with that step on the first axis.
     fn simpler(&self, place: usize) -> impl Iterator<Item = Self> + '_ {
         let step = self.steps[place];
         let simple = match (step.op, step.axis) {
@@ -122,7 +122,7 @@ mod tests {
     #[test]
     fn two_steps_that_hold_each_other_are_left_out_together() {
         let adds = |steps: &[Step]| steps.iter().filter(|s| s.op == Op::ExchangeAdd).count();
-        // With one of its four adds left out, the program does not fail.
+        // With one of its four adds removed, the program does not fail.
         let fails = |steps: &[Step]| has(steps, Op::Gate) && adds(steps).is_multiple_of(2);
         assert_eq!(shortest(fails), ["ldq", "ldp", "gate"]);
     }

@@ -1,22 +1,22 @@
-//! Programs that compute a gather, by construction: a walk over what may be done next, which keeps
-//! enough clocks to finish, and wastes the others.
+//! Makes programs that compute a gather: a random walk over the steps that are possible next, which reserves
+//! enough clocks to finish and spends the others on useless steps.
 
 use photoncube_spec::{Axis, Hypercube, Microprogram, Op, Step};
 use rand::RngExt;
 use rand::seq::IndexedRandom;
 use rand_pcg::Pcg64;
 
-/// What the cells' work register holds.
+/// The contents of the cells' work register.
 #[derive(Clone)]
 enum Work {
     Nothing,
-    /// Squares, still to be added across these axes.
+    /// Squares that are still to be added across these axes.
     Squares(Vec<Axis>),
-    /// Powers, still to be added across these axes.
+    /// Powers that are still to be added across these axes.
     Powers(Vec<Axis>),
 }
 
-/// How far an iteration is.
+/// The state of an iteration during the walk.
 #[derive(Clone)]
 struct State {
     cube: Hypercube,
@@ -26,12 +26,12 @@ struct State {
     accumulated: bool,
 }
 
-/// The fewest clocks of an iteration.
+/// The fewest clocks of an iteration that computes a gather.
 pub(super) fn fewest_clocks(cube: Hypercube) -> usize {
     State::start(cube).needed()
 }
 
-/// A gather of so many clocks: a query phase of `query`, an iteration of `iteration`, no fewer than
+/// A gather with a query phase of `query` clocks and an iteration of `iteration` clocks, at least
 /// [`fewest_clocks`].
 pub(super) fn gather_program(
     cube: Hypercube,
@@ -47,7 +47,7 @@ pub(super) fn gather_program(
     for left in (0..iteration).rev() {
         let mut may = state.steps();
         may.retain(|&step| state.after(step).needed() <= left);
-        // The group must be taken before the last clock.
+        // The group must be taken before the last clock of the iteration.
         may.retain(|step| left > 0 || !step.op.row().reads_group);
         let step = *may.choose(rng).expect("a nop is left, or what is needed");
         state = state.after(step);
@@ -67,7 +67,7 @@ impl State {
         }
     }
 
-    /// The fewest clocks to the end.
+    /// The fewest clocks to the end of the iteration.
     fn needed(&self) -> usize {
         if self.accumulated {
             return 0;
@@ -84,7 +84,7 @@ impl State {
         }
     }
 
-    /// All that may be done next without spoiling the gather; some of it is of no use.
+    /// All steps that keep the gather correct, useless ones included.
     fn steps(&self) -> Vec<Step> {
         let mut steps: Vec<_> = [Op::Nop, Op::LoadPhoton, Op::LoadPower]
             .map(Step::new)

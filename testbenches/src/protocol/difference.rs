@@ -1,4 +1,4 @@
-//! The account of a difference under unknown values.
+//! Describes a difference from the golden model under unknown values.
 
 use photoncube_spec::{Machine, Pins};
 use thiserror::Error;
@@ -8,30 +8,30 @@ use crate::device::{Device, Observed};
 use crate::stimulus::Block;
 use crate::verify::VerifyError;
 
-/// A value that is not the golden model's, or that is unknown and must not be.
+/// The error of a value that differs from the golden model's, or that is unknown and must not be.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error(
     "{device} with unknown values differs from the golden model of `{machine}` in clock {clock}\n  \
      signal    {signal}\n  expected  {expected}\n  actual    {found}\n  repeat    {repeat}"
 )]
 pub struct UnknownDifference {
-    /// The machine.
+    /// The name of the machine.
     pub machine: &'static str,
-    /// The device.
+    /// The name of the device.
     pub device: String,
     /// The clock, counted from power-up.
     pub clock: u64,
     /// The signal's name, as in [`Pins`].
     pub signal: String,
-    /// What the golden model shows.
+    /// The value of the golden model.
     pub expected: u64,
-    /// What the device shows.
+    /// The value of the device.
     pub found: String,
-    /// The command that repeats it.
+    /// A command that reproduces the difference.
     pub repeat: String,
 }
 
-/// The difference at a value's index in what was observed.
+/// The difference at an index of the observed values.
 pub(super) fn difference(
     machine: &Machine,
     (pins, block, observed): (&Pins, &Block, &Observed),

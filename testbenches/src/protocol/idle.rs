@@ -1,11 +1,12 @@
-//! Unknown words on pins that nobody may look at: those of a stream while it is not valid, and of a lane that has no
-//! photon.
+//! Drives unknown words on pins that the machine must ignore: those of a stream while it is not valid, and
+//! those of a lane without a photon.
 //!
-//! Some registers take such a word over, as the spec says, and may then be unknown too. Which they are in a clock the
-//! golden model says: it runs several times, on different words in those places. What comes out alike each time does
-//! not depend on them, so the device must show it, and nothing unknown. One kind of value is left out: a comparison with
-//! an unknown operand is unknown in Verilog, even `0 <= x`. And an `if` on an unknown value takes the way of 0, which may
-//! hide that it should not have looked; so the same words are then all zeros and all ones.
+//! By the spec some registers store such a word and may then be unknown too. The golden model finds these
+//! registers for each clock: it runs several times, with different words on the idle pins. A value that is
+//! equal in all runs does not depend on the words, so the device must show it, without unknown bits. One kind
+//! of value is excepted: a comparison with an unknown operand is unknown in Verilog, even `0 <= x`. Unknown
+//! values alone are not sufficient, because Verilog's `if` takes the else branch on an unknown condition,
+//! which may hide a read of an idle word. So the words are also driven as all zeros and as all ones.
 
 use std::ops::ControlFlow;
 
@@ -22,11 +23,13 @@ use crate::device::{Device, Icarus, Observed};
 use crate::stimulus::{Block, Source, generate};
 use crate::verify::{VerifyError, nothing_compared, wrong_count};
 
-/// Random words in idle places; a flag that depends on them is the same in all of these once in 2^16.
+/// The number of runs with random words on idle pins. A flag that depends on them is equal in all runs with a
+/// probability of 1 in 2^16.
 const RANDOM_FILLS: usize = 16;
 
-/// For each input column, those that all must be 1 for its word to count. A photon memory keeps the words of absent
-/// photons for queries that nobody knows yet, so nothing could be aimed at these: there they are left as they are.
+/// For each input column, the columns that must all be 1 for its word to matter. A photon memory stores the
+/// words of absent photons for later queries, so a fill cannot be aimed at a query; in machines with a memory
+/// these words are not filled.
 pub(crate) fn governing(machine: &Machine, pins: &Pins) -> Vec<Vec<usize>> {
     let named = |wanted: String| pins.inputs.iter().position(|pin| pin.name == wanted);
     let column = |name: &str| -> Option<Vec<usize>> {
@@ -53,22 +56,22 @@ pub(crate) fn governing(machine: &Machine, pins: &Pins) -> Vec<Vec<usize>> {
     columns.map(Option::unwrap_or_default).collect()
 }
 
-/// Whether the word in a column counts for nothing.
+/// Whether the word in a column is ignored.
 pub(crate) fn is_idle(governing: &[usize], row: &[u64]) -> bool {
     governing.iter().any(|&column| row[column] == 0)
 }
 
-/// What stands in idle places.
+/// The words that are driven on idle pins.
 #[derive(Copy, Clone)]
 enum Fill {
     Zeros,
     Ones,
-    /// A photon at the query that the photons are tested against in that engine: in range of it.
+    /// A photon at the position of the query in that engine, so that it is in range.
     At(usize),
     Random,
 }
 
-/// Verifies a text with unknown words in idle places.
+/// Verifies a text with unknown words on idle pins.
 pub(super) fn verify_idle(
     machine: &Machine,
     design: &Emitted,
@@ -107,14 +110,14 @@ pub(super) fn verify_idle(
             depends.len() - compared - pessimistic
         ),
         results_compared: block.results,
-        // Unknown, zeros, ones.
+        // Three replays: with unknown words, zeros and ones.
         vectors_compared: 3 * block.clocks as u64,
         signals_per_vector: pins.observed.len(),
         known_after_reset: Vec::new(),
     })
 }
 
-/// The stimulus of a class, in one block.
+/// The stimulus of a fault class, in one block.
 pub(super) fn all_rows(
     machine: &Machine,
     class: FaultClass,
@@ -141,7 +144,7 @@ fn unknown_words(pins: &Pins, governing: &[Vec<usize>], inputs: &[u64]) -> u64 {
     inputs.chunks_exact(pins.inputs.len()).map(idle).sum()
 }
 
-/// The stimulus, and what the golden model shows under it.
+/// The stimulus, with the golden model's signals.
 struct Rows<'a> {
     machine: &'a Machine,
     pins: &'a Pins,
@@ -150,7 +153,7 @@ struct Rows<'a> {
 }
 
 impl Rows<'_> {
-    /// Replays rows into a device; what does not depend on idle words must be as the golden model has it.
+    /// Replays rows into a device. Values that do not depend on idle words must be those of the golden model.
     fn compare(
         &self,
         device: &mut dyn Device,
@@ -167,7 +170,7 @@ impl Rows<'_> {
             let expected = Actual::Known(block.expected[*index]);
             !depends[*index] && observed.at(*index) != expected
         };
-        // Looking an unknown value up takes long; only few rows have one that counts.
+        // Looking up an unknown value takes long, so only the rows with unknown values are considered.
         let suspects = observed.unknown.iter().map(|unknown| unknown.index);
         let unequal = (0..depends.len()).filter(|&i| observed.values[i] != block.expected[i]);
         match suspects.chain(unequal).filter(differs).min() {
@@ -179,7 +182,7 @@ impl Rows<'_> {
         }
     }
 
-    /// For each value of each row, whether it depends on what stands in idle places.
+    /// For each value of each row, whether it depends on idle words.
     fn depends(&self, governing: &[Vec<usize>]) -> Vec<bool> {
         let fixed = [Fill::Zeros, Fill::Ones].into_iter();
         let fills = fixed
@@ -206,7 +209,7 @@ impl Rows<'_> {
         depends
     }
 
-    /// The rows of inputs with other words in idle places.
+    /// The rows of inputs with other words on idle pins.
     fn filled(&self, governing: &[Vec<usize>], fill: Fill, index: u64) -> Vec<u64> {
         let mut rng = Pcg64::seed_from_u64(self.seed ^ index);
         let mut queries = Queries::default();
@@ -242,10 +245,11 @@ impl Rows<'_> {
     }
 }
 
-/// Marks the comparisons of which an operand depended on idle words in the clock before; how many did not themselves.
+/// Marks the comparisons with an operand that depended on idle words in the clock before. Returns the number
+/// of those that did not depend themselves.
 fn excuse_comparisons(pins: &Pins, depends: &mut [bool]) -> usize {
     let named = |name: String| pins.observed.iter().position(|pin| pin.name == name);
-    // `in_range` of a cell compares its `distance` with its `radius_sq`.
+    // The register `in_range` of a cell compares its `distance` with its `radius_sq`.
     let comparisons: Vec<(usize, Vec<usize>)> = pins
         .observed
         .iter()
@@ -270,11 +274,11 @@ fn excuse_comparisons(pins: &Pins, depends: &mut [bool]) -> usize {
     excused
 }
 
-/// The queries under way, by what is taken.
+/// The queries in the machine, by the handshakes so far.
 #[derive(Default)]
 struct Queries {
     waiting: Vec<Query>,
-    /// Those of the batch, one for each engine.
+    /// The queries of the current batch, one for each engine.
     current: Vec<Query>,
     open: bool,
 }

@@ -1,7 +1,7 @@
-//! Faults from outside, by class: waiting streams, resets, unknown words on idle pins, power-up without reset.
+//! External faults, by class: waiting streams, resets, unknown words on idle pins, power-up without reset.
 //!
-//! A machine has no clock enable; what stands in its place are the streams' valid and ready, so patterns of these
-//! are what another design would get as patterns of its enable.
+//! A machine has no clock enable. The streams' valid and ready replace it, so patterns of valid and ready
+//! replace the patterns of an enable.
 
 mod difference;
 mod idle;
@@ -18,14 +18,14 @@ use crate::verify::{Verdict, VerifyError, VerifyOptions, nothing_compared, verif
 pub use difference::UnknownDifference;
 pub use power_up::without_initial_values;
 
-/// A class of faults.
+/// A class of external faults.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum FaultClass {
     /// Each side of each stream waits at random.
     Stalls,
-    /// Each stream alone is withheld for long.
+    /// Each stream alone is withheld for many clocks.
     Holds,
-    /// Streams move in patterns.
+    /// Streams move in regular patterns.
     Patterns,
     /// A reset in every clock of a query.
     Resets,
@@ -49,7 +49,7 @@ impl FaultClass {
         Self::UnknownPowerUp,
     ];
 
-    /// Its name in reports.
+    /// The name of the class in reports.
     pub fn name(self) -> &'static str {
         match self {
             Self::Stalls => "streams wait at random",
@@ -62,7 +62,7 @@ impl FaultClass {
         }
     }
 
-    /// The stimulus.
+    /// The stimulus of the class.
     fn protocol(self) -> Protocol {
         match self {
             Self::Stalls => Protocol::Stalls,
@@ -83,37 +83,37 @@ impl FaultClass {
     }
 }
 
-/// What became of a machine under a class of faults.
+/// A record of a verification of a machine under a class of faults.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct FaultVerdict {
-    /// The machine.
+    /// The name of the machine.
     pub machine: &'static str,
-    /// The class.
+    /// The name of the fault class.
     pub fault: &'static str,
-    /// The device.
+    /// The name of the device.
     pub device: String,
-    /// The tool behind it, with its version.
+    /// The tool behind the device, with its version.
     pub tool_version: String,
-    /// How often the fault was there.
+    /// The number of injected faults.
     pub injections: u64,
-    /// What `injections` counts, and what else was seen.
+    /// A description of what `injections` counts, with further observations.
     pub injected: String,
-    /// Results of queries that were compared.
+    /// The number of results compared.
     pub results_compared: u64,
-    /// Clocks, in each of which every visible signal was compared.
+    /// The number of clocks. Every visible signal was compared in each.
     pub vectors_compared: u64,
-    /// Signals in a vector.
+    /// The number of signals in a vector.
     pub signals_per_vector: usize,
-    /// Of a power-up without initial values: the kinds of signals that are known a clock after the reset.
+    /// For a power-up without initial values: the kinds of signals that are known one clock after the reset.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub known_after_reset: Vec<String>,
 }
 
-/// Verifies a machine under a class of faults: in the device asked for, or, where only unknown values show the
-/// fault, in Icarus.
+/// Verifies a machine under a class of faults, in the given device, or in Icarus where only unknown values
+/// show the fault.
 ///
 /// # Errors
-/// The first difference, or no verdict at all.
+/// The first difference; or the device or the stimulus fails.
 pub fn verify_fault(
     machine: &Machine,
     class: FaultClass,
@@ -135,13 +135,13 @@ pub fn verify_fault(
     verify_fault_text(machine, class, kind, &design, seed)
 }
 
-/// The same of an emitted text, which may be another than the machine's.
+/// Verifies an emitted text, which may differ from the machine's own, under a class of faults.
 ///
 /// # Errors
-/// The first difference, or no verdict at all.
+/// The first difference; or the device or the stimulus fails.
 ///
 /// # Panics
-/// For rust-hdl, which simulates blocks and no text.
+/// For rust-hdl, which simulates blocks and not text.
 pub fn verify_fault_text(
     machine: &Machine,
     class: FaultClass,
@@ -157,7 +157,7 @@ pub fn verify_fault_text(
     }
 }
 
-/// Those faults that are in the stimulus alone.
+/// Verifies a class of faults that are in the stimulus alone.
 fn verify_pace(
     machine: &Machine,
     class: FaultClass,
@@ -188,7 +188,7 @@ fn verify_pace(
     })
 }
 
-/// How often the fault was there, and in which words that counts.
+/// The number of injected faults, and a description of the count.
 fn injected(machine: &Machine, class: FaultClass, verdict: &Verdict) -> (u64, String) {
     let pressure = verdict.pressure;
     let withheld = pressure.withheld.iter().sum();

@@ -1,5 +1,5 @@
-//! Power-up where registers have no initial values, as on a device that does not load them: which are unknown, and
-//! that a reset and the first query make all of them known.
+//! Power-up without initial values of registers, as on a device that does not load them: finds the unknown
+//! signals, and checks that a reset and the first query make all of them known.
 
 use std::collections::BTreeSet;
 
@@ -13,8 +13,9 @@ use crate::device::{Device, Icarus, Observed};
 use crate::stimulus::scrub_rows;
 use crate::verify::{VerifyError, nothing_compared, wrong_count};
 
-/// The text without the initial values of registers and of memories that start as zeros; tables of constants keep
-/// theirs. Block RAMs start with unknown words. And how many initial values were taken away.
+/// The text without the initial values of registers and of memories that start as zeros; tables of constants
+/// keep their values. Block RAMs start with unknown words. Also returns the number of initial values that
+/// were removed.
 pub fn without_initial_values(design: &Emitted) -> (Emitted, usize) {
     let lines: Vec<_> = design.text.lines().collect();
     let mut text = String::new();
@@ -58,16 +59,16 @@ pub fn without_initial_values(design: &Emitted) -> (Emitted, usize) {
     (design, removed)
 }
 
-/// `reg [..] name = value;` up to the value.
+/// The text `reg [..] name = value;` up to the value; `None` for other lines.
 fn declaration(line: &str) -> Option<&str> {
     let is_register = line.trim().starts_with("reg ") || line.contains("*) reg ");
     let (bare, value) = line.split_once(" = ")?;
     (is_register && value.ends_with(';') && value.contains('\'')).then_some(bare)
 }
 
-/// Verifies a text whose initial values are taken away: until a reset and the first queries have gone through,
-/// a value is the golden model's or unknown, and the streams' handshakes are known from the reset on; after
-/// that every value is the model's.
+/// Verifies a text without its initial values. Until a reset and the first queries have passed, a value must
+/// be the golden model's or unknown, and the streams' handshakes must be known from the reset on. After that,
+/// every value must be the model's.
 pub(super) fn verify_power_up(
     machine: &Machine,
     design: &Emitted,
@@ -132,15 +133,16 @@ fn first_wrong(
     (0..expected.len()).find(is_wrong)
 }
 
-/// What was unknown when.
+/// The unknown signals at some times.
 struct Unknowns {
-    /// Signals in the first clock.
+    /// The number of unknown signals in the first clock.
     at_power_up: u64,
-    /// Signals in the clock after the reset.
+    /// The number of unknown signals in the clock after the reset.
     after_reset: u64,
-    /// The names of what is known in it, by the reset or from the pins, without the numbers of cells and places.
+    /// The names of the signals that are known in that clock, by the reset or from the pins, without the
+    /// numbers of cells and places.
     known_after_reset: BTreeSet<String>,
-    /// The first clock from which on nothing is unknown.
+    /// The first clock from which on no signal is unknown.
     known_from: usize,
 }
 

@@ -1,11 +1,12 @@
-//! Distances, to aim at boundaries. What is in range, the golden model alone decides.
+//! Computes distances, to place photons at boundaries. Only the golden model decides which photons are in
+//! range.
 
 use photoncube_spec::Machine;
 
-/// Where a machine's photons stand among its queries.
+/// The grid of a machine's photons and queries.
 #[derive(Copy, Clone)]
 pub(super) struct Aim {
-    /// Further fraction bits of a query.
+    /// The fraction bits of a query beyond those of a photon.
     extra: u32,
 }
 
@@ -16,19 +17,19 @@ impl Aim {
         }
     }
 
-    /// The photon cell that a query is in.
+    /// The photon cell that contains a query.
     pub fn cell(self, query: [u32; 3]) -> [u32; 3] {
         query.map(|index| index >> self.extra)
     }
 
-    /// m: whole steps between a query and a photon; on half steps half a step less than there are.
+    /// m: the whole steps between a query and a photon; on half steps, the distance less half a step.
     pub fn steps(self, query: u32, photon: u32) -> u32 {
         let line = self.line(photon);
         let above = line.saturating_sub(query + u32::from(self.half_steps()));
         above.max(query.saturating_sub(line))
     }
 
-    /// The photons that many steps above and below a query, where there are such.
+    /// The photons at `steps` steps above and below a query, where they exist.
     pub fn at_steps(self, query: u32, steps: u32) -> [Option<u32>; 2] {
         let above = query.checked_add(steps + u32::from(self.half_steps()));
         [above, query.checked_sub(steps)].map(|line| {
@@ -38,7 +39,7 @@ impl Aim {
         })
     }
 
-    /// The sum of squares, or of half squares, that `radius_sq` is compared with; no clamp.
+    /// The sum of squares, or of half squares, that is compared with `radius_sq`, without clamp.
     pub fn distance_sq(self, query: [u32; 3], photon: [u32; 3]) -> u64 {
         let square = |axis: usize| {
             let steps = u64::from(self.steps(query[axis], photon[axis]));
@@ -51,7 +52,7 @@ impl Aim {
         self.extra > 0
     }
 
-    /// The grid line, in a query's steps, that a photon stands on.
+    /// The grid line of a photon, in a query's steps.
     fn line(self, photon: u32) -> u32 {
         (photon << self.extra) + ((1 << self.extra) >> 1)
     }
@@ -69,7 +70,7 @@ mod tests {
                 for photon in 0..64_u32 >> extra {
                     let steps = aim.steps(query, photon);
                     assert!(aim.at_steps(query, steps).contains(&Some(photon)));
-                    // From the definition, in half steps.
+                    // The distance from its definition, in half steps.
                     let halves = (2 * query + 1).abs_diff((2 * photon + 1) << extra);
                     assert_eq!(halves, 2 * steps + u32::from(extra > 0));
                 }

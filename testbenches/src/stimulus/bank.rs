@@ -1,4 +1,4 @@
-//! Stimulus for a photon memory: its banks filled to the last place, with a last group there and without.
+//! Stimulus for a photon memory: banks filled to the last place, with and without a last group there.
 
 use std::ops::ControlFlow;
 
@@ -15,25 +15,25 @@ use super::traffic::{Pace, Traffic};
 #[derive(Copy, Clone)]
 struct Set {
     groups: Groups,
-    /// Batches that it is played to; it is kept for all but the last, which releases it.
+    /// The batches that the set is played to. All but the last keep the set; the last releases it.
     batches: usize,
 }
 
-/// How many groups a set has, and how it ends.
+/// The number of groups of a set, and its end.
 #[derive(Copy, Clone)]
 enum Groups {
-    /// All that a bank holds, none of them a last one: the last place ends the set.
+    /// As many groups as a bank holds, none marked as last: the last place ends the set.
     FullUnmarked,
-    /// All that a bank holds, the last a last one.
+    /// As many groups as a bank holds, the last one marked as last.
     Full,
-    /// One fewer than a bank holds.
+    /// One group fewer than a bank holds.
     OneLess,
-    /// One.
+    /// A single group.
     One,
 }
 
-/// Banks take sets in turn, so each way of ending comes to each bank, and each is followed by each of
-/// the others or by a set of one group: the word behind it begins a new set.
+/// The sets. Banks take sets in turn, so each way of ending occurs in each bank. Each way is followed by each
+/// of the others or by a set of one group, whose word begins a new set.
 const SETS: [Set; 12] = [
     of(Groups::FullUnmarked, 1),
     of(Groups::FullUnmarked, 2),
@@ -53,16 +53,16 @@ const fn of(groups: Groups, batches: usize) -> Set {
     Set { groups, batches }
 }
 
-/// Clocks around an end in each of which a reset comes: in the last places, whose numbers are nearly all ones, and
-/// while a batch begins or ends, which takes less than the rest.
+/// The clocks around an end in each of which a reset comes. They cover the last places, whose numbers are
+/// nearly all ones, and the start or end of a batch, which takes fewer clocks.
 const AROUND: std::ops::Range<u64> = 0..16;
-/// Clocks before the end with the first of these resets.
+/// The clocks from the first of these resets to the end.
 const BEFORE: u64 = 6;
 
-/// Generates it all; how much it is does not depend on the seed.
+/// Generates all of this stimulus. Its amount does not depend on the seed.
 ///
 /// # Errors
-/// The machine has no photon memory, or its golden model is at odds with itself.
+/// The machine has no photon memory, or the two readings of its golden model differ.
 pub(super) fn full_bank(
     machine: &Machine,
     seed: u64,
@@ -96,7 +96,7 @@ pub(super) fn full_bank(
     Ok(driver.flush())
 }
 
-/// All sets, each batch with queries of its own.
+/// The cases of all sets, with separate queries for each batch.
 fn sets(machine: &Machine, driver: &mut Driver<'_>, held: usize) -> Vec<Case> {
     let mut all = Vec::new();
     for set in SETS {
@@ -122,8 +122,8 @@ fn sets(machine: &Machine, driver: &mut Driver<'_>, held: usize) -> Vec<Case> {
     all
 }
 
-/// A full bank, each of the two, up to each clock around its end and around the end of its playing, a reset, and sets
-/// behind.
+/// For each bank and each clock around the end of its filling and of its playing: a full bank up to that
+/// clock, a reset, and sets after it.
 fn resets(
     machine: &Machine,
     driver: &mut Driver<'_>,

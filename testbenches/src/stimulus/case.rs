@@ -1,27 +1,28 @@
-//! A case: the queries that a machine tests at once, and their groups.
+//! A case: the queries that a machine tests at once, with their groups.
 
 use photoncube_spec::{Group, Lane, Machine, Photon, PhotonFormat, Query, Widths};
 
 use super::aim::Aim;
 
-/// The queries that a machine tests at once, with all their groups, at least one, the last marked
-/// as such; but a group at the last place of a photon memory's bank ends a set with or without a mark.
+/// The queries that a machine tests at once, with all their groups. There is at least one group, and the last
+/// is marked as such. A group at the last place of a photon memory's bank ends a set with or without the
+/// mark.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Case {
-    /// [`Machine::queries_at_once`] queries.
+    /// The queries, [`Machine::queries_at_once`] of them.
     pub queries: Vec<Query>,
     pub groups: Vec<Group>,
-    /// The next case has the same groups, so a machine with a photon memory keeps them.
+    /// Whether the next case has these groups too, so that a machine with a photon memory keeps them.
     pub keeps_photons: bool,
 }
 
 impl Case {
-    /// The case with the photons of a real scene, in their order. Where there are fewer queries than
-    /// the machine tests at once, the last is there several times. Absent lanes repeat the first
-    /// query point at full power: a machine that wrongly counted one would show it.
+    /// Packs the photons of a scene, in their order, into a case. Where there are fewer queries than the
+    /// machine tests at once, the last query is repeated. Absent lanes carry the first query point at full
+    /// power, so that a machine which wrongly counts one shows it.
     ///
     /// # Panics
-    /// Without a query, or with more than the machine tests at once.
+    /// Where there is no query, or more than the machine tests at once.
     pub fn pack(machine: &Machine, queries: &[Query], photons: &[Photon]) -> Self {
         let lanes = machine.photons_per_iteration();
         let last = *queries.last().expect("a case has a query");
@@ -56,7 +57,7 @@ impl Case {
         }
     }
 
-    /// A query that no photon comes to.
+    /// A query with a group that has no photon.
     pub fn empty(machine: &Machine) -> Self {
         let query = Query {
             radius_sq: machine.fixed_radius_sq().unwrap_or(0),
@@ -70,13 +71,13 @@ impl Case {
         }
     }
 
-    /// As many photons of full power as the machine declares, all in range: the sums reach their
-    /// largest value, and every one of their bits is used.
+    /// As many photons of full power as the machine declares, all in range: the sums reach their largest
+    /// value, and every bit of them is used.
     pub fn fullest(machine: &Machine) -> Self {
         Self::full_scale(machine, machine.max_photons())
     }
 
-    /// With a group without photons behind: nothing is added to the sum that there is.
+    /// This case with a group without photons appended, which adds nothing to the sums.
     pub fn then_empty(mut self, machine: &Machine) -> Self {
         if let Some(group) = self.groups.last_mut() {
             group.last = false;
@@ -85,7 +86,7 @@ impl Case {
         self
     }
 
-    /// So many photons of full power, all in range and all in one lane, so in as many groups.
+    /// `photons` photons of full power, all in range and all in one lane, so each in its own group.
     pub fn full_scale_in(machine: &Machine, lane: usize, photons: u64) -> Self {
         let one = Self::full_scale(machine, 1);
         let lanes = one.groups[0].lanes.iter().enumerate();
@@ -106,7 +107,7 @@ impl Case {
         Self { groups, ..one }
     }
 
-    /// So many photons of full power, all in range.
+    /// `photons` photons of full power, all in range.
     pub fn full_scale(machine: &Machine, photons: u64) -> Self {
         let count = usize::try_from(photons).expect("a test's photons fit the memory");
         let query = Query {
@@ -117,7 +118,7 @@ impl Case {
     }
 }
 
-/// A photon in the frame's first corner whose powers are as large as can be.
+/// A photon in the frame's first corner with the largest powers.
 pub(super) fn full_scale(machine: &Machine) -> Photon {
     let mut power = [0; 3];
     power[..machine.channels().names().len()].fill(largest(Widths::of(machine).mantissa));
@@ -128,7 +129,7 @@ pub(super) fn full_scale(machine: &Machine) -> Photon {
     }
 }
 
-/// The largest that a query may ask for.
+/// The largest `radius_sq` that a query may have.
 pub(super) fn largest_radius_sq(machine: &Machine) -> u32 {
     let all_ones = largest(Widths::of(machine).radius_sq);
     machine
@@ -136,7 +137,7 @@ pub(super) fn largest_radius_sq(machine: &Machine) -> u32 {
         .map_or(all_ones, PhotonFormat::largest_in_range)
 }
 
-/// All ones of so many bits.
+/// The number whose `bits` bits are all ones.
 pub(super) fn largest(bits: u32) -> u32 {
     u32::MAX >> (u32::BITS - bits)
 }

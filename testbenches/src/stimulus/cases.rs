@@ -1,4 +1,4 @@
-//! Which queries and photons: weighted towards the corners where a datapath goes wrong.
+//! Random queries and photons, weighted towards the corners where a datapath fails.
 
 use photoncube_spec::{Group, Lane, Machine, Photon, Query, Widths};
 use rand::{Rng, RngExt};
@@ -6,7 +6,7 @@ use rand::{Rng, RngExt};
 use super::aim::Aim;
 use super::case::{Case, full_scale, largest, largest_radius_sq};
 
-/// Where the photons of a case lie.
+/// The places of the photons of a case.
 #[derive(Copy, Clone, Debug)]
 enum Theme {
     /// Anywhere.
@@ -15,15 +15,15 @@ enum Theme {
     Corners,
     /// At the query point.
     Equal,
-    /// The query in a corner of the frame, the photons in the opposite one.
+    /// The query is in a corner of the frame, the photons are in the opposite one.
     Farthest,
-    /// Within some power of two of the query point.
+    /// Within a random power of two of the query point.
     Near,
-    /// On lattice points of one distance, some of them a step off.
+    /// On lattice points at one distance, some of them one step off.
     Shell,
 }
 
-/// Draws cases for one machine.
+/// A generator of cases for one machine.
 pub(crate) struct Cases<'a, R> {
     widths: Widths,
     aim: Aim,
@@ -49,12 +49,12 @@ impl<'a, R: Rng> Cases<'a, R> {
         }
     }
 
-    /// A case of one to three groups mostly, of up to 40 sometimes.
+    /// A case, mostly of one to three groups, sometimes of up to 40.
     pub fn case(&mut self) -> Case {
         self.drawn(None)
     }
 
-    /// A case of so many groups.
+    /// A case of `groups` groups.
     pub fn of_groups(&mut self, groups: usize) -> Case {
         self.drawn(Some(groups))
     }
@@ -90,7 +90,7 @@ impl<'a, R: Rng> Cases<'a, R> {
 
     fn count(&mut self) -> usize {
         match self.rng.random_range(0..16) {
-            // Long enough that batches follow each other in a chain of engines without waiting.
+            // Long enough for batches to follow each other in a chain of engines without waiting.
             0..=3 if self.at_once > 1 => self.rng.random_range(1..=4 * self.at_once),
             0 => self.rng.random_range(1..=40),
             1..=3 => 3,
@@ -99,7 +99,8 @@ impl<'a, R: Rng> Cases<'a, R> {
         }
     }
 
-    /// Cases, of which a machine with a photon memory gets some with the photons of the one before.
+    /// `count` cases. With `shared`, a machine with a photon memory gets some cases that reuse the photons of
+    /// the case before.
     pub fn cases(&mut self, count: usize, shared: bool) -> Vec<Case> {
         let mut cases: Vec<Case> = Vec::new();
         for _ in 0..count {
@@ -116,7 +117,7 @@ impl<'a, R: Rng> Cases<'a, R> {
         cases
     }
 
-    /// Another query of the same batch: the same, some steps off, or anywhere.
+    /// A further query of the batch: equal to the first, some steps off, or anywhere.
     fn companion(&mut self, first: Query) -> Query {
         let bits = self.widths.coordinate;
         let position = match self.rng.random_range(0..4) {
@@ -134,8 +135,8 @@ impl<'a, R: Rng> Cases<'a, R> {
         }
     }
 
-    /// A photon within a step of the radius, in a random direction; on a side of the query where the
-    /// frame ends first it is nearer.
+    /// A photon within a step of the radius, in a random direction. Where the frame ends before the radius,
+    /// the photon is nearer.
     fn at_radius(&mut self, query: [u32; 3], radius_sq: u32) -> [u32; 3] {
         let x = self.rng.random_range(0..=radius_sq.isqrt());
         let y = self.rng.random_range(0..=(radius_sq - x * x).isqrt());
@@ -164,7 +165,7 @@ impl<'a, R: Rng> Cases<'a, R> {
         }
     }
 
-    /// Mostly at the edge of a photon at the pivot's distance; sometimes an extreme.
+    /// A squared radius: mostly at the edge of a photon at the pivot's distance, sometimes an extreme.
     fn radius_sq(&mut self, tie: u64) -> u32 {
         if let Some(fixed) = self.fixed_radius_sq {
             return fixed;
@@ -205,7 +206,7 @@ impl<'a, R: Rng> Cases<'a, R> {
         lanes.collect()
     }
 
-    /// Powers and exponent of a photon, often extreme.
+    /// A photon's powers and exponent, often extreme.
     fn power(&mut self) -> Photon {
         let bits = self.widths.mantissa;
         let exponent = match self.rng.random_range(0..4) {
@@ -254,8 +255,8 @@ impl<'a, R: Rng> Cases<'a, R> {
         })
     }
 
-    /// The pivot, mirrored and with its axes exchanged where the frame allows it: the distance
-    /// stays. One in four is then moved by one step.
+    /// The pivot, mirrored and with its axes exchanged where the frame allows it, which preserves the
+    /// distance. One in four is then moved by one step.
     fn on_shell(&mut self, query: [u32; 3], pivot: [u32; 3]) -> [u32; 3] {
         let limit = largest(self.widths.photon);
         let mut steps = [0, 1, 2].map(|axis| self.aim.steps(query[axis], pivot[axis]));
@@ -291,7 +292,7 @@ impl<'a, R: Rng> Cases<'a, R> {
         self.rng.random::<u32>() & largest(bits)
     }
 
-    /// Any word at all: what stands on the query pins while they are not valid.
+    /// A query of random words, for the query pins while they are not valid.
     pub fn garbage_query(&mut self) -> Query {
         Query {
             position: [(); 3].map(|()| self.uniform(self.widths.coordinate)),
@@ -302,14 +303,14 @@ impl<'a, R: Rng> Cases<'a, R> {
         }
     }
 
-    /// Any word at all, put into `group`: what stands on its pins while they are not valid.
+    /// Fills `group` with random words, for its pins while they are not valid.
     pub fn garbage_group(&mut self, group: &mut Group) {
         group.last = self.rng.random();
         for lane in &mut group.lanes {
             lane.present = self.rng.random();
             lane.photon = Photon {
                 position: [(); 3].map(|()| self.uniform(self.widths.photon)),
-                // Words that have no pins are 0.
+                // Words without pins are 0.
                 power: self.full.power.map(|full| self.rng.random::<u32>() & full),
                 exponent: match self.widths.exponent {
                     0 => 0,
@@ -320,7 +321,7 @@ impl<'a, R: Rng> Cases<'a, R> {
     }
 }
 
-/// A value of `bits` bits that is a corner of its width half of the time.
+/// A value of `bits` bits. Half of the time it is a corner of its width.
 pub(crate) fn corner(rng: &mut impl Rng, bits: u32) -> u64 {
     let largest = u64::MAX >> (u64::BITS - bits);
     let power = 1 << rng.random_range(0..bits);

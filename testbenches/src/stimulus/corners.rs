@@ -1,14 +1,14 @@
-//! Corners of sums, as batches of cases: as many photons of full power as there can be.
+//! Batches of cases at the corners of sums: as many photons of full power as possible.
 
 use photoncube_spec::Machine;
 
 use super::case::Case;
 
-/// Photons of a query, by lanes: all together, and most in one lane.
+/// The most photons of a query: over all lanes, and in one lane.
 struct Most {
     together: u64,
     in_lane: u64,
-    /// The groups that a query may have; any number without a photon memory.
+    /// The most groups of a query; `None` without a photon memory, where there is no limit.
     groups: Option<u64>,
 }
 
@@ -25,7 +25,7 @@ impl Most {
     }
 }
 
-/// Twice, so that what changes does so more often than what settles as a device starts.
+/// The cases are done twice, so that each bit changes more often than by settling at the start.
 pub(super) fn full_then_empty(machine: &Machine) -> Vec<Case> {
     let lanes = machine.photons_per_iteration() as u64;
     let most = Most::of(machine);
@@ -34,14 +34,14 @@ pub(super) fn full_then_empty(machine: &Machine) -> Vec<Case> {
     if most.groups.is_none_or(|held| groups < held) {
         return vec![fullest.then_empty(machine); 2];
     }
-    // A bank has no place for one group more.
+    // A bank has no place for one more group.
     let less = Case::full_scale(machine, most.together - lanes).then_empty(machine);
     [vec![less; 2], vec![fullest; 2]].concat()
 }
 
 pub(super) fn lane_alone(machine: &Machine) -> impl Iterator<Item = Vec<Case>> {
     let most = Most::of(machine).in_lane;
-    // The largest count, and the one whose bits are all ones: between them all bits of a count are used.
+    // The largest count, and the largest count of all ones: together they use all bits of a count.
     let counts = [most, (1 << most.ilog2()) - 1];
     let lanes = 0..machine.photons_per_iteration();
     let in_lane =

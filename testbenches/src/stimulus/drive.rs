@@ -1,5 +1,4 @@
-//! Drives cases through the golden model clock by clock and writes down what went in and what
-//! every signal was.
+//! Drives cases through the golden model, clock by clock, and records the inputs and all signals.
 
 use std::collections::VecDeque;
 use std::ops::ControlFlow;
@@ -17,60 +16,61 @@ use super::cases::Cases;
 use super::traffic::{Pressure, Traffic};
 use super::{Block, StimulusError};
 
-/// So many clocks in which no query and no group moved are a while.
+/// The clocks without a query or group after which results count as late.
 const LATE_CLOCKS: u32 = 4;
 
-/// A block is handed on when it has about this many signals, 4 MiB: small enough for the caches.
+/// A block is passed on when it has about this many signals, 4 MiB, which fits the caches.
 const BLOCK_SIGNALS: usize = 1 << 19;
-/// But not before so many clocks, as each block has its price too.
+/// The fewest clocks of a block, because each block has an overhead.
 const FEWEST_BLOCK_CLOCKS: usize = 32;
 
-/// What becomes of the blocks; `Break` ends the generation.
+/// The receiver of the blocks; `Break` ends the generation.
 pub(crate) type Sink<'a> = dyn FnMut(Block) -> ControlFlow<()> + 'a;
 
-/// Runs the golden model, a chunk at a time.
+/// Drives the golden model, chunk by chunk.
 pub(crate) struct Driver<'a> {
     machine: &'a Machine,
-    /// Which clocks a query takes, where a program says so.
+    /// The program that determines the clocks of a query; `None` for machines without one.
     program: Option<Microprogram>,
-    /// Whether results are those of a gather; of a program that computes anything else, only the
-    /// devices can be held against the model.
+    /// Whether results are those of a gather. The results of other programs are compared only between devices
+    /// and model.
     gathers: bool,
     model: Box<dyn GoldenMachine>,
     rng: Pcg64,
     block: Block,
-    /// Clocks of a block.
+    /// The number of clocks of a block.
     block_clocks: usize,
-    /// A chunk begins, and the block holds all of it so far.
+    /// A chunk has begun, and the block holds all of it so far.
     scrubs: bool,
     sink: &'a mut Sink<'a>,
-    /// Of all so far.
+    /// Statistics over all chunks so far.
     pressure: Pressure,
-    /// Of the chunk so far.
+    /// The clocks of the chunk so far.
     clocks: u64,
-    /// Of the chunk so far.
+    /// The iterations of the chunk so far.
     iterations: u64,
 }
 
-/// Cases under way.
+/// A batch of cases that is being driven.
 struct Batch<'a> {
     cases: &'a [Case],
     traffic: Traffic,
-    /// The queries whose results are to come, each as its case and its index in that.
+    /// The queries whose results have not come, each by its case and its index in the case.
     in_flight: VecDeque<(usize, usize)>,
-    /// The first query that has not been taken, in the same way.
+    /// The first query that has not been taken, by its case and its index in the case.
     next_query: (usize, usize),
-    /// The case, and the index in it, of the group to be offered next.
+    /// The next group to be offered, by its case and its index in the case.
     next_group: (usize, usize),
-    /// That group stands on the pins and stays until it is taken.
+    /// The next group is on the pins and stays until it is taken.
     offered: bool,
-    /// A query of the case that is taken next has said that its photons go after it.
+    /// A query of the case whose queries are taken next has released its photons.
     released: bool,
-    /// Clocks since a query or a group was taken.
+    /// The clocks since a query or a group was taken.
     still: u32,
-    /// Clocks since the batch began.
+    /// The clocks since the batch began.
     clocks: u64,
-    /// Clocks of the query's program, those up to the one that takes it included, without those spent waiting.
+    /// The clocks of the query's program, including those up to the one that takes the query, without clocks
+    /// spent waiting.
     occupied: u64,
 }
 
@@ -99,7 +99,7 @@ impl<'a> Batch<'a> {
         self.cases.get(case).map(|case| case.queries[index])
     }
 
-    /// What was under way is lost, a case that is half in too.
+    /// Drops all queries and groups in the machine, and the rest of a case that is partly in.
     fn reset(&mut self) {
         let (case, index) = self.next_query;
         let next = case + usize::from(index > 0);
@@ -110,8 +110,8 @@ impl<'a> Batch<'a> {
         self.released = false;
     }
 
-    /// `clocks`: those that the program takes up to the one that takes the query; `releases`: it says that its photons
-    /// go.
+    /// Records that a query is taken. `clocks` are the program's clocks up to the one that takes it;
+    /// `releases` is that it releases its photons.
     fn take_query(&mut self, clocks: u64, releases: bool) {
         let (case, index) = self.next_query;
         self.in_flight.push_back(self.next_query);
@@ -132,7 +132,7 @@ impl<'a> Batch<'a> {
         self.next_group = if index + 1 < self.cases[case].groups.len() {
             (case, index + 1)
         } else {
-            // Those that are kept are not sent again.
+            // Groups that the memory keeps are not sent again.
             let kept = self.cases[case..]
                 .iter()
                 .take_while(|case| case.keeps_photons);
@@ -161,23 +161,23 @@ impl<'a> Driver<'a> {
         }
     }
 
-    /// Iterations since the chunk began.
+    /// The iterations since the chunk began.
     pub fn iterations(&self) -> u64 {
         self.iterations
     }
 
-    /// Clocks since the chunk began.
+    /// The clocks since the chunk began.
     pub fn clocks(&self) -> u64 {
         self.clocks
     }
 
-    /// The chunk's source of random numbers.
+    /// The random numbers of the chunk.
     pub fn rng(&mut self) -> &mut Pcg64 {
         &mut self.rng
     }
 
-    /// Begins a chunk: brings every register to a value that does not depend on what it held, so
-    /// that the chunk does not depend on the chunks before it.
+    /// Begins a chunk. Sets every register to a value that does not depend on its past, so that the chunk
+    /// does not depend on earlier chunks.
     pub fn begin_chunk(&mut self, chunk: u64, seed: u64) -> Result<ControlFlow<()>, StimulusError> {
         if self.flush().is_break() {
             return Ok(ControlFlow::Break(()));
@@ -214,19 +214,19 @@ impl<'a> Driver<'a> {
             });
         }
         self.scrubs = false;
-        // None of this is what anyone asked for.
+        // The rows that begin a chunk do not count as requested iterations.
         self.iterations = 0;
         (self.block.iterations, self.block.results) = (0, 0);
         Ok(ControlFlow::Continue(()))
     }
 
-    /// Begins the first chunk as the machine is after power-up, without a reset.
+    /// Begins the first chunk in the power-up state, without a reset.
     pub fn begin_at_power_up(&mut self, seed: u64) {
         self.rng = Pcg64::seed_from_u64(seed);
         self.block.seed = seed;
     }
 
-    /// One clock with a reset and nothing else on the pins.
+    /// One clock with the reset set and zeros on all other pins.
     pub fn reset(&mut self) -> ControlFlow<()> {
         self.pressure.clock([false; 3], [false; 3], true);
         let idle = self.idle_inputs();
@@ -236,8 +236,8 @@ impl<'a> Driver<'a> {
         })
     }
 
-    /// Cases without photons that set every word that holds a sum, and the clocks in which a
-    /// pipeline then runs empty.
+    /// Cases without photons that set every word which holds a sum, and the number of clocks in which the
+    /// pipeline then empties.
     fn scrubbing(&self) -> (Vec<Case>, usize) {
         let Some(spatial) = self.machine.spatial() else {
             return (vec![Case::empty(self.machine)], 0);
@@ -248,7 +248,7 @@ impl<'a> Driver<'a> {
         (vec![Case::empty(self.machine); cases], clocks)
     }
 
-    /// So many clocks with zeros on all pins.
+    /// `clocks` clocks with zeros on all pins.
     fn flush_pipeline(&mut self, clocks: usize) -> ControlFlow<()> {
         let idle = self.idle_inputs();
         (0..clocks).try_for_each(|_| self.step(&idle))
@@ -264,7 +264,7 @@ impl<'a> Driver<'a> {
         fresh
     }
 
-    /// Some clocks with nothing to do.
+    /// `clocks` clocks without a query or a group.
     pub fn idle(&mut self, clocks: u32) -> ControlFlow<()> {
         let mut inputs = self.idle_inputs();
         for _ in 0..clocks {
@@ -295,7 +295,7 @@ impl<'a> Driver<'a> {
                 false => traffic.result.draw(&mut self.rng, batch.clocks),
             };
             self.offer_group(&mut inputs, &mut batch);
-            // No output depends on the query, so the query may depend on the outputs.
+            // No output depends on the query's word, so the query may depend on the outputs.
             let outputs = self.model.outputs(&inputs);
             self.offer_query(&mut inputs, outputs, &batch);
             let works = self.model.works(&inputs);
@@ -314,7 +314,7 @@ impl<'a> Driver<'a> {
         Ok(ControlFlow::Continue(()))
     }
 
-    /// Takes note of what the stimulus holds back in this clock.
+    /// Records the streams that the stimulus holds back in this clock.
     fn press(&mut self, inputs: &Inputs, outputs: Outputs, works: bool, batch: &Batch<'_>) {
         let group_is_there = batch.next_group.0 < batch.cases.len();
         let held = [
@@ -322,7 +322,7 @@ impl<'a> Driver<'a> {
             group_is_there && !inputs.group_valid,
             outputs.result_valid && !inputs.result_ready,
         ];
-        // A machine that reads a group in several clocks is ready in the last of them alone.
+        // A machine that reads a group in several clocks is ready only in the last of them.
         let stands = !works && !outputs.query_ready && !outputs.result_valid;
         let waits = [
             outputs.query_ready,
@@ -332,8 +332,7 @@ impl<'a> Driver<'a> {
         self.pressure.clock(held, waits, inputs.reset);
     }
 
-    /// A query may be withdrawn until it is taken, and before that any other word may stand in
-    /// its place.
+    /// Drives the query pins. A query may be withdrawn until it is taken, and other words may precede it.
     fn offer_query(&mut self, inputs: &mut Inputs, outputs: Outputs, batch: &Batch<'_>) {
         let traffic = batch.traffic;
         let next = batch.query();
@@ -353,8 +352,8 @@ impl<'a> Driver<'a> {
         };
     }
 
-    /// Whether a query says that its batch is the last on its photons. Any one of a batch is enough: all say so, or
-    /// with garbage some, and the last if none has.
+    /// Whether a query releases the photons of its batch. One query of the batch is enough. All of them
+    /// release; with garbage some do, and the last one if no other has.
     fn releases(&mut self, case: &Case, index: usize, batch: &Batch<'_>) -> bool {
         let is_last = index + 1 == case.queries.len();
         let must = !batch.traffic.garbage || (is_last && !batch.released);
@@ -404,7 +403,7 @@ impl<'a> Driver<'a> {
         Ok(())
     }
 
-    /// Holds the step-exact machine against the direct gather and the program's clock count.
+    /// Compares the step-exact machine's result with the direct gather, and its clocks with the program's.
     fn check_result(
         &self,
         case: &Case,
@@ -448,9 +447,10 @@ impl<'a> Driver<'a> {
         }
     }
 
-    /// One clock: writes down the inputs and what the machine shows, then the rising edge.
+    /// One clock: records the inputs and the machine's signals, then applies the rising edge.
     fn step(&mut self, inputs: &Inputs) -> ControlFlow<()> {
-        // Before the clock, not after it: what is taken in a clock counts in its block.
+        // The block is checked before the clock, because what is taken in a clock counts in that clock's
+        // block.
         let is_whole = self.block.clocks >= self.block_clocks && !self.scrubs;
         if is_whole && self.flush().is_break() {
             return ControlFlow::Break(());
@@ -465,7 +465,7 @@ impl<'a> Driver<'a> {
         ControlFlow::Continue(())
     }
 
-    /// Hands on what is in the block, if anything.
+    /// Passes on the block, if it is not empty.
     pub fn flush(&mut self) -> ControlFlow<()> {
         let next = Block {
             chunk: self.block.chunk,
@@ -485,7 +485,8 @@ impl<'a> Driver<'a> {
     }
 }
 
-/// All machines do but those with a program of their own that the schedule checker refuses.
+/// Whether the machine computes a gather: all machines do, except those with a user's program that the
+/// schedule checker refuses.
 fn gathers(machine: &Machine) -> bool {
     match &machine.organisation {
         Organisation::Programmed(own) => {

@@ -1,12 +1,12 @@
-//! Stimulus: rows of input pins, clock by clock, with the row of every signal that the golden
-//! model shows in that clock.
+//! Stimulus: rows of input pins, clock by clock, with the row of every signal that the golden model shows in
+//! that clock.
 //!
-//! The model runs first and decides the handshakes; its rows are then replayed into a device. A
-//! device that waits in another clock differs in its ready or valid pins, so nothing is lost by
-//! replaying blindly. Rows come in blocks, so that millions of iterations need little memory.
+//! The model runs first and decides the handshakes; its rows are then replayed into a device. A device that
+//! waits in another clock differs in its ready or valid pins, so replaying without feedback cannot hide a
+//! difference. Rows come in blocks, so that millions of iterations need little memory.
 //!
-//! A *chunk* has a seed of its own and begins with every register at its power-up value: what
-//! fails in chunk 70 of a long run fails again in a run of that chunk alone.
+//! A *chunk* has its own seed and begins with every register at its power-up value. A failure in chunk 70 of
+//! a long run occurs again in a run of that chunk alone.
 
 mod aim;
 mod bank;
@@ -34,37 +34,39 @@ pub use protocol::Protocol;
 pub use traffic::Pressure;
 use traffic::Traffic;
 
-/// Where the queries come from.
+/// The source of the queries.
 #[derive(Copy, Clone, Debug)]
 pub enum Source<'a> {
-    /// Random, weighted towards the corners, with waiting, garbage and resets; the seed decides.
+    /// Random queries, weighted towards the corners, with waiting, garbage and resets. The seed decides all
+    /// of it.
     Random,
-    /// Queries with their photons, one after the other without waiting, once each at most. Neighbours
-    /// with the same photons are tested at once where the machine can.
+    /// Given queries with their photons, each at most once, one after another without waiting. Neighbouring
+    /// queries with equal photons are tested at once where the machine can.
     Workload {
         /// The queries.
         queries: &'a [(Query, Vec<Photon>)],
-        /// The command that repeats the run; only the caller knows where the queries came from.
+        /// The command that repeats the run. Only the caller knows the origin of the queries.
         repeat: &'a str,
     },
-    /// What is hard on the protocol; it says itself how long it is.
+    /// Stimulus that is hard on the protocol. Its length is fixed.
     Protocol(Protocol),
-    /// Two queries with as many photons of full power as the machine declares, all in range, and after them a group
-    /// without any: what a sum is added to is as large as it can be. Where these groups would be more than a bank of the
-    /// photon memory holds, a group less before the empty one, and queries with the most photons beside them.
+    /// Two queries with as many photons of full power as the machine declares, all in range, each followed by
+    /// a group without photons, which is added to the largest sum. Where these groups exceed a bank of the
+    /// photon memory, there is one group fewer before the empty one, and further queries have the most
+    /// photons.
     FullThenEmpty,
-    /// For each lane queries with as many photons of full power as the machine declares, and with some fewer, all in
-    /// range, and all in that lane: what is summed of one lane is as large as a whole sum. A photon memory's bank has
-    /// as many photons in a lane as it holds groups.
+    /// For each lane, queries with as many photons of full power as the machine declares, and with some
+    /// fewer, all in range and all in that lane. The sum of one lane is then as large as a whole sum. A
+    /// photon memory's bank has as many photons in a lane as it holds groups.
     LaneAlone,
-    /// Of a machine with a photon memory: banks filled to their last place, with a last group there, without one, and
-    /// one place less; each played, released and kept; then a reset at each clock around the end of filling and of
-    /// playing such a bank.
+    /// For a machine with a photon memory: banks filled to their last place with and without a last group
+    /// there, and to one place less. Each is played, released and kept. Then a reset comes at each clock
+    /// around the end of filling and of playing such a bank.
     FullBank,
 }
 
 impl Source<'_> {
-    /// The corners of a machine that random stimulus comes to too rarely: all that it can have.
+    /// The corners that random stimulus reaches too rarely, as far as the machine has them.
     pub fn corners(machine: &Machine) -> Vec<Self> {
         let bank = machine.has_memory().then_some(Self::FullBank);
         let corners = bank.into_iter();
@@ -74,32 +76,33 @@ impl Source<'_> {
     }
 }
 
-/// Some clocks in a row: what went into the machine, and all that it must show.
+/// Consecutive clocks: the inputs of the machine, and the signals that it must show.
 #[derive(Clone, Debug, Default)]
 pub struct Block {
-    /// The chunk that the clocks belong to.
+    /// The index of the chunk of the clocks.
     pub chunk: u64,
-    /// The chunk's seed.
+    /// The seed of the chunk.
     pub seed: u64,
     /// The first clock, counted from the chunk's start.
     pub first_clock: u64,
-    /// Iterations of the chunk before the first clock.
+    /// The iterations of the chunk before the first clock.
     pub iterations_before: u64,
-    /// Rows of [`photoncube_spec::Pins::inputs`].
+    /// Rows of inputs in the order of [`photoncube_spec::Pins::inputs`].
     pub inputs: Vec<u64>,
-    /// Rows of [`photoncube_spec::Pins::observed`]: as they stand before the clock's rising edge.
+    /// Rows of signals in the order of [`photoncube_spec::Pins::observed`], before the clock's rising edge.
     pub expected: Vec<u64>,
-    /// Clocks, so rows.
+    /// The number of clocks, which is the number of rows.
     pub clocks: usize,
-    /// Groups whose sums were taken.
+    /// The number of groups whose sums were taken.
     pub iterations: u64,
-    /// Results taken.
+    /// The number of results taken.
     pub results: u64,
-    /// What was done to the streams up to the last of these clocks.
+    /// Statistics of the streams up to the last of these clocks.
     pub pressure: Pressure,
 }
 
-/// Why there is no stimulus. All but `Gather` and `NoBank` mean that the golden model or the spec is wrong.
+/// The reason why there is no stimulus. All but `Gather` and `NoBank` mean that the golden model or the spec
+/// is wrong.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum StimulusError {
     /// A query or a photon does not fit the machine, or there are too many.
@@ -112,50 +115,50 @@ pub enum StimulusError {
          the program {program_clocks} clocks"
     )]
     ModelsDiffer {
-        /// The machine.
+        /// The name of the machine.
         machine: &'static str,
-        /// The chunk's seed.
+        /// The seed of the chunk.
         seed: u64,
-        /// The clock in the chunk.
+        /// The clock, counted from the chunk's start.
         clock: u64,
-        /// What the step-exact machine summed.
+        /// The sums of the step-exact machine.
         machine_sums: Sums,
-        /// What the direct gather summed.
+        /// The sums of the direct gather.
         gathered: Sums,
-        /// Clocks that the machine worked on the query.
+        /// The clocks that the machine worked on the query.
         machine_clocks: u64,
-        /// Clocks that the program says it takes.
+        /// The clocks that the program should take.
         program_clocks: u64,
     },
-    /// A bank is to be filled, and there is none.
+    /// A bank is to be filled, and the machine has no photon memory.
     #[error(
         "machine `{machine}` has no photon memory, so no bank to fill; `photoncube list` says which machines have one"
     )]
     NoBank {
-        /// The machine.
+        /// The name of the machine.
         machine: &'static str,
     },
-    /// A reset and a query of zeros leave something behind.
+    /// After a reset and a query of zeros, some register is not at its power-up value.
     #[error("machine `{machine}` has a register that a reset and a query of zeros do not set")]
     NotScrubbed {
-        /// The machine.
+        /// The name of the machine.
         machine: &'static str,
     },
 }
 
-/// A chunk of random stimulus has about this many iterations before its fullest query.
+/// The approximate iterations of a chunk of random stimulus before its fullest query.
 const CHUNK_ITERATIONS: u64 = 8192;
 
-/// Most queries in a batch; within a batch, streams run ahead of each other.
+/// The most queries of a batch. Within a batch, streams run ahead of each other.
 const MAX_BATCH: usize = 16;
-/// Most random cases in a batch: more than the queue of results of any machine holds.
+/// The most random cases of a batch: more than the queue of results of any machine holds.
 const MAX_RANDOM_BATCH: usize = 24;
 
-/// Queries with many photons at the end of a chunk.
+/// The number of queries with many photons at the end of a chunk.
 const LONG_CASES: usize = 4;
 
-/// The seed of a chunk. The first chunk has the run's seed, so that any chunk can be run alone
-/// as the first of another run; a longer run only adds chunks.
+/// The seed of a chunk. The first chunk has the run's seed, so that any chunk can be run alone as the first
+/// chunk of another run. A longer run only adds chunks.
 pub fn chunk_seed(seed: u64, chunk: u64) -> u64 {
     // The finaliser of splitmix64: a bijection that leaves 0 as it is.
     let mut mixed = chunk;
@@ -164,11 +167,11 @@ pub fn chunk_seed(seed: u64, chunk: u64) -> u64 {
     seed ^ (mixed ^ (mixed >> 31))
 }
 
-/// Generates at least `iterations` iterations (of a workload: no more than it has), in whole
-/// queries, and hands every block to `sink` until that answers `Break`.
+/// Generates at least `iterations` iterations in whole queries (a workload may have fewer), and passes every
+/// block to `sink` until that answers `Break`.
 ///
 /// # Errors
-/// A workload that the machine cannot hold, or a golden model at odds with itself.
+/// The machine cannot hold the workload, or the two readings of the golden model differ.
 pub fn generate(
     machine: &Machine,
     source: Source<'_>,
@@ -187,7 +190,7 @@ pub fn generate(
         Source::LaneAlone => batches(machine, corners::lane_alone(machine), seed, sink),
         Source::FullBank => bank::full_bank(machine, seed, sink),
     };
-    // Whether the sink has all or wants no more, this is the end.
+    // `Break` and the end of the stimulus are both a success.
     flow.map(drop)
 }
 
@@ -213,8 +216,8 @@ fn random(
     Ok(driver.flush())
 }
 
-/// The rows of inputs with which every chunk begins: they bring each register to a value that depends on nothing
-/// before.
+/// The rows of inputs with which every chunk begins. They set each register to a value that does not depend
+/// on its past.
 pub(crate) fn scrub_rows(machine: &Machine) -> Vec<u64> {
     let mut rows = Vec::new();
     let mut sink = |block: Block| {
@@ -228,7 +231,7 @@ pub(crate) fn scrub_rows(machine: &Machine) -> Vec<u64> {
     rows
 }
 
-/// What the golden model shows on these rows of inputs, where they follow those of [`scrub_rows`].
+/// The golden model's signals on these rows of inputs, which follow those of [`scrub_rows`].
 pub(crate) fn modelled(machine: &Machine, rows: &[u64]) -> Block {
     let columns = Pins::of(machine).inputs.len();
     let mut model = golden_machine(machine);
@@ -248,7 +251,7 @@ pub(crate) fn modelled(machine: &Machine, rows: &[u64]) -> Block {
     block
 }
 
-/// What a chunk holds depends on its seed alone; `wanted` only cuts it short.
+/// Generates a chunk. Its contents depend only on its seed; `wanted` may end it early.
 fn random_chunk(
     driver: &mut Driver<'_>,
     machine: &Machine,
@@ -260,7 +263,7 @@ fn random_chunk(
         return Ok(ControlFlow::Break(()));
     }
     while driver.iterations() < wanted.min(CHUNK_ITERATIONS) {
-        // The first batch ends with a result, however short the run.
+        // The first batch is not reset, so it ends with a result, however short the run.
         let may_reset = driver.iterations() > 0;
         let rng = driver.rng();
         let traffic = Traffic::any(rng, may_reset);
@@ -275,7 +278,7 @@ fn random_chunk(
     if wanted <= CHUNK_ITERATIONS {
         return Ok(ControlFlow::Continue(()));
     }
-    // Sums of every size: what is above is of a few groups only.
+    // Sums of every size follow; the cases above have only a few groups.
     let most = machine.max_photons();
     let mut long: Vec<_> = (0..LONG_CASES)
         .map(|_| {
@@ -327,7 +330,7 @@ fn workload(
     Ok(driver.flush())
 }
 
-/// Batches of cases one after the other, without waiting.
+/// Runs batches of cases, one after another, without waiting.
 fn batches(
     machine: &Machine,
     batches: impl IntoIterator<Item = Vec<Case>>,
@@ -346,7 +349,7 @@ fn batches(
     Ok(driver.flush())
 }
 
-/// Refuses what the pins cannot hold, before it is put on them.
+/// Packs a case, and refuses values that the pins cannot hold.
 fn packed(machine: &Machine, together: &[(Query, Vec<Photon>)]) -> Result<Case, GatherError> {
     for (query, photons) in together {
         photoncube_model::gather(machine, query, photons.iter().copied())?;

@@ -1,4 +1,5 @@
-//! Stimulus that is hard on the protocol: streams that wait long or in patterns, a reset at every clock, no reset.
+//! Stimulus that is hard on the protocol: streams that wait long or in patterns, a reset at every clock, no
+//! reset.
 
 use std::ops::ControlFlow;
 
@@ -10,43 +11,45 @@ use super::drive::{Driver, Sink};
 use super::traffic::{Pace, Traffic};
 use super::{MAX_RANDOM_BATCH, StimulusError};
 
-/// What is hard on the protocol.
+/// The kinds of stimulus that are hard on the protocol.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Protocol {
     /// Each side of each stream waits at random.
     Stalls,
-    /// Each stream alone is withheld for long.
+    /// Each stream alone is withheld for many clocks.
     Holds,
-    /// Each stream alone, and all, move in a pattern: one clock in two, one in three, two in three, eight in
-    /// sixteen, one in twenty; and two streams only in turn.
+    /// Each stream alone, and all streams, move in a pattern: one clock in two, one in three, two in three,
+    /// eight in sixteen, one in twenty. Also two streams that move alternately.
     Patterns,
-    /// A reset in every clock of a query, its waiting included, and a whole query after each.
+    /// A reset in every clock of a query, clocks of waiting included, with a whole query after each.
     Resets,
-    /// As `Stalls`, but short, for devices that are slow.
+    /// `Stalls` with fewer batches, for devices that are slow.
     FewStalls,
-    /// The same from power-up on, without any reset.
+    /// `FewStalls` from power-up on, without any reset.
     NoReset,
 }
 
-/// Batches of [`Protocol::Stalls`].
+/// The number of batches of [`Protocol::Stalls`].
 const STALLED_BATCHES: usize = 300;
-/// Batches of stimulus for slow devices.
+/// The number of batches of stimulus for slow devices.
 const FEW_BATCHES: usize = 8;
-/// Clocks that a stream is withheld in [`Protocol::Holds`] before each word: far longer than any latency, and
-/// than any queue takes to fill or to run empty.
+/// The clocks that a stream is withheld in [`Protocol::Holds`] before each word. They are far more than any
+/// latency, and more than any queue takes to fill or to empty.
 const HOLD: u64 = 300;
-/// Cases that are held: more than the queue of results of any machine but the largest holds.
+/// The number of cases that are withheld: more than the queue of results of any machine but the largest
+/// holds.
 const HELD_CASES: usize = MAX_RANDOM_BATCH;
-/// Cases of each pattern.
+/// The number of cases of each pattern.
 const PATTERN_CASES: usize = 40;
-/// Clocks that a stream moves and does not, and again. The last is longer than an iteration of any machine.
+/// The patterns: clocks in which a stream moves, then clocks in which it does not. The last pattern is longer
+/// than an iteration of any machine.
 const PATTERNS: [(u64, u64); 5] = [(1, 1), (1, 2), (2, 1), (8, 8), (1, 19)];
-/// Queries that are reset in each of their clocks.
+/// The number of queries that are reset in each of their clocks.
 const RESET_QUERIES: usize = 4;
-/// Groups of the query that is reset: a first one, one between, and a last one.
+/// The groups of the query that is reset: a first, a middle and a last one.
 const RESET_GROUPS: usize = 3;
 
-/// Generates it all.
+/// Generates the stimulus of a kind.
 pub(super) fn protocol(
     machine: &Machine,
     protocol: Protocol,
@@ -115,7 +118,7 @@ fn traffic([query, group, result]: Paces) -> Traffic {
     }
 }
 
-/// One clock, then none for long, on each stream alone.
+/// For each stream alone: one clock in which it moves, then many in which it does not.
 fn holds() -> Vec<Paces> {
     alone(Pace::Pattern {
         high: 1,
@@ -141,13 +144,14 @@ fn patterns() -> Vec<Paces> {
         all.extend(alone(pattern(high, low, 0)));
         all.push([pattern(high, low, 0); 3]);
     }
-    // Two streams in turn.
+    // Two streams move in alternate clocks.
     let (even, odd) = (pattern(1, 1, 0), pattern(1, 1, 1));
     all.extend([[even, even, odd], [even, odd, even], [odd, even, even]]);
     all
 }
 
-/// For each clock of a query, as it flows and as it waits: the query up to there, a reset, and a whole query.
+/// For each clock of a query, without and with waiting: the query up to that clock, a reset, and a whole
+/// query.
 fn resets(driver: &mut Driver<'_>, machine: &Machine) -> Result<ControlFlow<()>, StimulusError> {
     let pattern = |high, low| Pace::Pattern {
         high,
@@ -170,13 +174,13 @@ fn resets(driver: &mut Driver<'_>, machine: &Machine) -> Result<ControlFlow<()>,
     Ok(ControlFlow::Continue(()))
 }
 
-/// Up to so many sets are given behind a reset. A photon memory begins with the same bank after each, so with one set
-/// behind it the next reset finds the other bank in use, with two the same.
+/// The most sets that are given after a reset. A photon memory starts with one bank after each reset. With
+/// one set after a reset, the next reset finds the other bank in use; with two sets, the first bank.
 pub(super) fn sets_behind(machine: &Machine) -> usize {
     1 + usize::from(machine.has_memory())
 }
 
-/// With so many sets behind each reset.
+/// Generates the resets with `sets` sets after each.
 fn reset_in_each_clock(
     driver: &mut Driver<'_>,
     machine: &Machine,
@@ -194,7 +198,7 @@ fn reset_in_each_clock(
             return Ok(ControlFlow::Break(()));
         }
         let ended_before = driver.clocks() - before <= clock;
-        // The machine has nothing to do when that reset comes.
+        // The query has ended before that reset, so the machine has nothing to do.
         if ended_before && driver.reset().is_break() {
             return Ok(ControlFlow::Break(()));
         }
@@ -209,7 +213,7 @@ fn reset_in_each_clock(
     Ok(ControlFlow::Continue(()))
 }
 
-/// A case of so many groups.
+/// A case of `groups` groups.
 fn of_groups(machine: &Machine, driver: &mut Driver<'_>, groups: usize) -> Vec<Case> {
     loop {
         let cases = Cases::new(machine, driver.rng()).cases(1, false);

@@ -1,10 +1,10 @@
-//! The stimulus is what it says, and runs of it can be had again.
+//! Tests that the stimulus has the stated properties and is reproducible.
 
 use photoncube_spec::{Group, MACHINES, Register, Role, SignalPlace};
 
 use super::*;
 
-/// On `paper`, a chunk begins with two resets and a query of one group between them.
+/// The clocks that begin a chunk on `paper`: two resets with a query of one group between them.
 const SCRUB_CLOCKS: usize = 1 + (1 + 9 + 1) + 1;
 
 fn blocks(machine: &Machine, source: Source<'_>, seed: u64, iterations: u64) -> Vec<Block> {
@@ -27,7 +27,7 @@ fn a_block_has_a_row_for_each_clock_and_a_run_has_what_was_asked_for() {
             assert_eq!(block.expected.len(), block.clocks * pins.observed.len());
         }
         let iterations: u64 = blocks.iter().map(|block| block.iterations).sum();
-        // A batch is done to its end: 16 cases of at most so many groups.
+        // A batch always runs to its end: 16 cases of at most this many groups.
         let most = 40.max(4 * machine.queries_at_once() as u64);
         assert!((1_000..1_000 + 16 * most).contains(&iterations));
         assert!(blocks.iter().map(|block| block.results).sum::<u64>() > 100);
@@ -58,13 +58,13 @@ fn every_input_is_within_its_pin_and_every_observed_bit_is_used() {
     }
 }
 
-/// The bits of a signal that some run can set: a distance cell has no coordinate, and its
-/// power is a photon's count of one.
+/// The bits of a signal that some run can set. A distance cell has no coordinate, and its power is a photon's
+/// count of 1.
 fn reachable_bits(machine: &Machine, name: &str, all: u64) -> u64 {
     let pins = Pins::of(machine);
     let pin = pins.observed.iter().find(|pin| pin.name == name).unwrap();
     let SignalPlace::Cell { node, register } = pin.place else {
-        // The count is as wide as the powers, and stops at `max_photons`, 2^16 + 1.
+        // The count is as wide as the powers, and its largest value is `max_photons`, 2^16 + 1.
         return if name == "result_count" {
             0x1_ffff & all
         } else {
@@ -119,7 +119,7 @@ fn a_group_stays_until_it_is_taken_and_every_way_of_waiting_is_met() {
             }
         }
     }
-    // Thousands of clocks: an event that is met less often than this tests next to nothing.
+    // In thousands of clocks an event must occur several times; otherwise the test checks almost nothing.
     assert!(met.iter().all(|&count| count >= 3), "{met:?}");
 }
 
@@ -144,11 +144,11 @@ fn any_chunk_can_be_run_alone() {
         chunk_seed(5, chunk),
         CHUNK_ITERATIONS,
     );
-    // While the chunk begins, registers still hold what the chunk before left there.
+    // While the chunk begins, registers still hold values of the chunk before.
     let begun = SCRUB_CLOCKS * Pins::of(machine).observed.len();
     for (index, (alone, wanted)) in alone.iter().zip(&wanted).enumerate() {
         let from = if index == 0 { begun } else { 0 };
-        // The last block may be cut short by another limit.
+        // Another limit may end the last block early.
         let inputs = alone.inputs.len().min(wanted.inputs.len());
         let expected = alone.expected.len().min(wanted.expected.len());
         assert!(alone.inputs[..inputs] == wanted.inputs[..inputs], "{index}");
@@ -194,7 +194,7 @@ fn a_workload_that_does_not_fit_is_refused() {
     assert!(matches!(refused, Err(StimulusError::Gather(_))));
 }
 
-/// In `overlap` a lane's sum crosses links that are as wide as a whole query's.
+/// In `overlap` a lane's sum crosses links that are as wide as the sum of a whole query.
 #[test]
 fn a_lane_alone_is_given_all_of_a_querys_photons() {
     let machine = photoncube_spec::find_machine("overlap").unwrap();

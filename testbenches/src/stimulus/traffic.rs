@@ -1,16 +1,17 @@
-//! When the sides of the streams are ready or valid, and when a reset comes.
+//! The pace of the streams' valid and ready, and the times of resets.
 
 use rand::RngExt;
 use rand_pcg::Pcg64;
 
-/// How often a side of a stream is ready or valid.
+/// The rate at which a side of a stream is ready or valid.
 #[derive(Copy, Clone, Debug)]
 pub(crate) enum Pace {
     Always,
     Mostly,
     Half,
     Rarely,
-    /// `high` clocks yes, `low` clocks no, and again; it begins `phase` clocks late in that.
+    /// A cycle of `high` clocks with the signal set and `low` clocks without, which begins `phase` clocks
+    /// late.
     Pattern {
         high: u64,
         low: u64,
@@ -28,7 +29,7 @@ impl Pace {
         }
     }
 
-    /// Whether it is, in a clock of the batch.
+    /// Whether the signal is set in a clock of the batch.
     pub fn draw(self, rng: &mut Pcg64, clock: u64) -> bool {
         match self {
             Self::Always => true,
@@ -47,16 +48,16 @@ pub(crate) struct Traffic {
     pub group: Pace,
     pub result: Pace,
     pub resets: bool,
-    /// A reset comes in that clock of the batch.
+    /// The clock of the batch in which a reset comes.
     pub reset_at: Option<u64>,
-    /// A result is taken only when nothing else has moved for a while: all that can wait for it fills up.
+    /// Results are taken only when nothing else has moved for some clocks, so that every queue fills up.
     pub late_results: bool,
-    /// Words that are not asked for are random, not the next ones.
+    /// Words that are not valid are random instead of the next valid words.
     pub garbage: bool,
 }
 
 impl Traffic {
-    /// No waiting, no reset, no garbage: the machine's own pace.
+    /// Without waiting, resets and garbage: the machine's own pace.
     pub const STREAMING: Self = Self {
         query: Pace::Always,
         group: Pace::Always,
@@ -80,22 +81,23 @@ impl Traffic {
     }
 }
 
-/// What the stimulus did to the streams and the reset so far.
+/// Statistics of what the stimulus did to the streams and the reset so far.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub struct Pressure {
-    /// Clocks in which the machine waited for query, group, or the taking of a result, and the stimulus had it and held
-    /// it back.
+    /// For each of query, group and result: the clocks in which the machine waited for the stream, and the
+    /// stimulus held it back although it could move.
     pub withheld: [u64; 3],
-    /// The longest run of clocks in which the stimulus held each back.
+    /// For each stream, the longest run of clocks in which the stimulus held it back.
     pub longest: [u64; 3],
-    /// The run that lasts.
+    /// For each stream, the current run of such clocks.
     run: [u64; 3],
-    /// Clocks with a reset.
+    /// The number of clocks with a reset.
     pub resets: u64,
 }
 
 impl Pressure {
-    /// One clock: which streams were held back, for which the machine waited, and whether there was a reset.
+    /// Records one clock: the streams held back, the streams that the machine waited for, and whether there
+    /// was a reset.
     pub(super) fn clock(&mut self, held: [bool; 3], waits: [bool; 3], reset: bool) {
         self.resets += u64::from(reset);
         for stream in 0..3 {

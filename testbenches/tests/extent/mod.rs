@@ -1,25 +1,26 @@
-//! How much of each machine's proof the tests do.
+//! Decides how much of each machine's verification the tests run.
 
 use photoncube_spec::Machine;
 
-/// How much of a machine's proof is done here; `photoncube verify` goes on for as long as one likes.
+/// The extent of a machine's verification in the tests. `photoncube verify` runs for any length.
 #[derive(Copy, Clone, PartialEq, Eq)]
 pub enum Extent {
-    /// One machine of each organisation, and a chain: in all devices, most in the fastest, which takes long to build.
+    /// One machine of each organisation, and a chain: all devices, and most iterations in the fastest device,
+    /// which takes long to build.
     Full,
-    /// Others of as many cells or a few times that: they differ in numbers and sizes. In Verilator they are compared by
-    /// `photoncube verify --campaign`.
+    /// Other machines of up to a few times as many cells, which differ in numbers and sizes.
+    /// `photoncube verify --campaign` compares them in Verilator.
     Brief,
-    /// Chains whose devices have many times the signals: that they are put together right, as their
-    /// engines are those of shorter chains.
+    /// Chains with many times the signals. The tests check that they are assembled correctly; their engines
+    /// are those of shorter chains.
     Chain,
-    /// Chains that take minutes in any Verilog simulator: in rust-hdl and the evaluator of the
-    /// emitted text alone.
+    /// Chains that take minutes to build in any Verilog simulator. They run only in rust-hdl and the
+    /// evaluator of the emitted text.
     LongChain,
 }
 
 impl Extent {
-    /// That of a machine.
+    /// The extent of a machine.
     pub fn of(machine: &Machine) -> Self {
         match machine.name {
             "paper" | "overlap" | "stream" | "tile-6" => Self::Full,

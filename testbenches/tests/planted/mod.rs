@@ -1,6 +1,6 @@
-//! Faults planted in emitted Verilog.
+//! Plants faults in emitted Verilog.
 
-/// Replaces what stands once in the one module of that heading.
+/// Replaces a text that occurs once in the module with that heading.
 pub fn edit(text: &str, module: &str, from: &str, to: &str) -> String {
     assert_eq!(text.matches(module).count(), 1, "{module}");
     let (before, rest) = text.split_at(text.find(module).expect("counted"));

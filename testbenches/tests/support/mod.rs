@@ -1,5 +1,5 @@
-//! Trials that need a tool: run where it is found, listed as ignored with its install command
-//! where it is not, and failed in that case where `REQUIRE_EDA=1` asks for all.
+//! Trials that need a tool. Where the tool is missing, a trial is listed as ignored with the install command;
+//! with `REQUIRE_EDA=1` it fails instead.
 
 use libtest_mimic::{Failed, Trial};
 use photoncube_testbench::DeviceKind;

@@ -1,5 +1,5 @@
-//! Random blocks of the whole subset, with and without a clock, with memories, functions and
-//! instances, and registers that nothing initialises.
+//! Compares random blocks of the whole subset with Icarus: with and without a clock, with memories, functions
+//! and instances, and registers without initial values.
 
 use std::fmt::Write as _;
 
@@ -13,7 +13,7 @@ pub const DESIGNS: u64 = 6;
 const BLOCKS: usize = 120;
 const ROWS: usize = 60;
 
-/// A register as rust-hdl has them, with its clock on a pin.
+/// A register in rust-hdl's form, with its clock on a pin.
 const REGISTER: &str = "
 module held(clock, d, q);
   parameter start = 0;
@@ -52,7 +52,7 @@ pub fn as_icarus(seed: u64) {
 }
 
 struct Blocks {
-    /// What may be read: nothing that comes later, so that there is no loop.
+    /// The signals that an expression may read: none that are declared later, so that there is no loop.
     names: Vec<Name>,
     outputs: Vec<(String, u32)>,
     items: String,
@@ -78,7 +78,7 @@ impl Blocks {
         let signal = format!("c{index}");
         let width = self.declare(rng, &signal, "reg");
         let first = expression(rng, &self.names, 2);
-        // It reads an input, so that it has run: see `waits.rs`.
+        // The block reads an input, so that it runs: see `waits.rs`.
         let _ = writeln!(
             self.items,
             "  always @(*) begin\n    {signal} = i0;\n    {signal} = {first};"

@@ -1,12 +1,12 @@
-//! Each class of text that Verilog reads otherwise than the Rust it was printed from, as rust-hdl
-//! prints it, and its cure. A mistake has to come out as the mistake that it is.
+//! For each class of text that Verilog reads differently from the Rust it was printed from: the mistake as
+//! rust-hdl prints it, and its correction. The evaluator must reproduce the mistake.
 
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
 use crate::design::{assert_as_in_icarus, design, in_text, rows};
 
-/// A mistake, its cure, and what the Rust means; both assign `y`.
+/// A mistake, its correction, and the meaning of the Rust code. Both assign `y`.
 struct Class {
     name: &'static str,
     width: u32,
@@ -206,7 +206,7 @@ const CLASSES: &[Class] = &[
     Class {
         name: "upper_half_of_a_product",
         width: 16,
-        // Icarus sees that this is 0, and would have nothing to wait for but for `t0`.
+        // Icarus finds that this is 0, and without `t0` the block would wait for nothing.
         bad: "reg t0; always @(*) begin t0 = m[0]; y = (((m * n) >> 32'h10) & 16'hffff); end",
         good: "reg [31:0] t0; always @(*) begin t0 = m * n; y = ((t0 >> 32'h10) & 16'hffff); end",
         meaning: |r| (r.m * r.n) >> 16,
@@ -243,7 +243,7 @@ const CLASSES: &[Class] = &[
     },
 ];
 
-/// All of them in one design: a module each.
+/// One design with a module for each class.
 fn all() -> photoncube_hdl::Emitted {
     let inputs = INPUTS.map(|(name, width)| (name.to_owned(), width));
     let (mut outputs, mut items, mut modules) = (Vec::new(), String::new(), String::new());
@@ -265,7 +265,7 @@ fn all() -> photoncube_hdl::Emitted {
     design(&inputs, &outputs, false, &items, &modules)
 }
 
-/// Random rows, and some in which the operands nearly meet: there mistakes show.
+/// Random rows, and rows in which the operands are nearly equal, which show the mistakes.
 fn vectors(design: &photoncube_hdl::Emitted) -> Vec<u64> {
     let rng = &mut Pcg64::seed_from_u64(3);
     let mut vectors = rows(design, 600, rng);
@@ -273,14 +273,14 @@ fn vectors(design: &photoncube_hdl::Emitted) -> Vec<u64> {
         if index % 3 == 0 {
             row[1] = (row[0] + index as u64 % 4) & M12;
             row[2] = [row[0] & row[1], row[0] | row[1], 0][index % 9 / 3];
-            // Products that agree in the lower half alone.
+            // Products that agree only in the lower half.
             (row[3], row[4], row[5], row[6]) = (0x100, 0x100 << rng.random_range(0..2), 0, 1);
         }
     }
     vectors
 }
 
-/// The cure means what the Rust does, and the mistake does not.
+/// The correction has the meaning of the Rust code, and the mistake does not.
 pub fn as_verilog() {
     let design = all();
     let vectors = vectors(&design);
@@ -307,7 +307,7 @@ pub fn as_verilog() {
     }
 }
 
-/// Both are in Icarus what they are here.
+/// Mistake and correction give in Icarus the values that they give in the evaluator.
 pub fn as_icarus() {
     let design = all();
     let vectors = vectors(&design);

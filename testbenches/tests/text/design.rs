@@ -1,12 +1,12 @@
-//! Small designs for the evaluator and Icarus.
+//! Makes small designs for the evaluator and Icarus.
 
 use photoncube_hdl::Emitted;
 use photoncube_spec::{Pin, Pins, SignalPlace};
 use photoncube_testbench::{Device, Icarus, Observed, Text};
 use rand::{Rng, RngExt};
 
-/// A module `top` of these items, with an input for each name and width, an output for each, and a
-/// clock or none.
+/// A module `top` of these items, with an input for each name and width, an output for each name and width,
+/// and optionally a clock.
 pub fn design(
     inputs: &[(String, u32)],
     outputs: &[(String, u32)],
@@ -48,7 +48,7 @@ pub fn design(
     }
 }
 
-/// Rows of inputs, every other value a corner.
+/// Rows of inputs in which every other value is a corner.
 pub fn rows(design: &Emitted, count: usize, rng: &mut impl Rng) -> Vec<u64> {
     let mut rows = Vec::new();
     for _ in 0..count {
@@ -82,7 +82,8 @@ pub fn in_icarus(design: &Emitted, rows: &[u64]) -> Observed {
     observed
 }
 
-/// The evaluator shows what Icarus does, unknown bits as well; how many values were compared.
+/// Requires that the evaluator shows the values of Icarus, unknown bits included. Returns the number of
+/// values compared.
 pub fn assert_as_in_icarus(design: &Emitted, rows: &[u64]) -> usize {
     let (ours, theirs) = (in_text(design, rows), in_icarus(design, rows));
     assert_eq!(ours.values.len(), theirs.values.len());
@@ -92,7 +93,7 @@ pub fn assert_as_in_icarus(design: &Emitted, rows: &[u64]) -> usize {
             .unknown
             .iter()
             .find(|unknown| unknown.index == index);
-        // What nothing drives is z in Icarus.
+        // An undriven bit is z in Icarus.
         let text = unknown.map(|unknown| unknown.text.replace('z', "x").replace('Z', "X"));
         text.unwrap_or_else(|| format!("{:x}", observed.values[index]))
     };

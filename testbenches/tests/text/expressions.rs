@@ -1,7 +1,8 @@
-//! Random expressions of the whole subset, thousands in one run of Icarus.
+//! Compares random expressions of the whole subset with Icarus, thousands in one run.
 //!
-//! Numbers without a width stand where the emitted text has them, in `blocks.rs`: in expressions
-//! Icarus calculates with them wider than the standard says (its `-gstrict-expr-width` is off).
+//! Numbers without a width are tested in `blocks.rs`, in the places where the emitted text has them. In
+//! expressions Icarus evaluates them at a larger width than the standard states (its `-gstrict-expr-width` is
+//! off).
 
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
@@ -35,7 +36,7 @@ pub fn inputs() -> Vec<(String, u32)> {
         .collect()
 }
 
-/// Signals of inputs, signed and wide ones, one that nothing sets, and one half set.
+/// The signals: inputs, signed and wide signals, one without a driver, and one that is half driven.
 pub const SIGNALS: &str = "\
   wire signed [11:0] s0 = i5;
   wire signed [3:0] s1 = i3;
@@ -81,7 +82,7 @@ pub fn as_icarus(seed: u64) {
     assert_eq!(compared, EXPRESSIONS * ROWS);
 }
 
-/// An expression; what binds tighter in it stands in parentheses or not.
+/// A random expression. Operators that bind tighter are in parentheses at random.
 pub fn expression(rng: &mut Pcg64, names: &[Name], depth: u32) -> String {
     if depth == 0 {
         return operand(rng, names);
@@ -129,7 +130,7 @@ pub fn expression(rng: &mut Pcg64, names: &[Name], depth: u32) -> String {
     }
 }
 
-/// A signal, a part of one, or a number.
+/// A random operand: a signal, a part of one, or a number.
 fn operand(rng: &mut Pcg64, names: &[Name]) -> String {
     let Name { name, width, .. } = &names[rng.random_range(0..names.len())];
     let width = *width;

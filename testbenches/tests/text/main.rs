@@ -1,6 +1,6 @@
-//! The evaluator of the emitted Verilog (crate `verilog-eval`) compared with Icarus: on random expressions and blocks of
-//! its whole subset, and on each class of text that Verilog reads otherwise than Rust. `machines.rs` and `parts.rs`
-//! run it on all that is emitted.
+//! Compares the evaluator of the emitted Verilog (crate `verilog-eval`) with Icarus: on random expressions and blocks
+//! of its whole subset, and on each class of text that Verilog reads differently from Rust. `machines.rs` and
+//! `parts.rs` run the evaluator on all text that is emitted.
 
 mod blocks;
 mod classes;

@@ -1,4 +1,4 @@
-//! `compare`: how far a picture is from another.
+//! The command `compare`: measures the difference of two pictures.
 
 use anyhow::{Result, anyhow};
 use photoncube_render::{
@@ -12,20 +12,20 @@ use crate::failure::CheckFailed;
 use crate::outputs::{self, Output};
 use crate::{files, output};
 
-/// How far two pictures are apart. Pixels that see the light, and those that touch them, are left out, as for the
+/// The difference of two pictures. Pixels that see the light, and their neighbours, are left out, as for the
 /// reference image.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Distance {
     /// The rms relative difference.
     pub rms_relative_error: f64,
-    /// See [`rel_mse`].
+    /// The relative mean squared error, see [`rel_mse`].
     pub rel_mse: f64,
-    /// See [`rmse`].
+    /// The root mean squared error, see [`rmse`].
     pub rmse: f64,
 }
 
 impl Distance {
-    /// That of `image` from `reference`.
+    /// The difference of `image` from `reference`.
     pub fn between(image: &Image, reference: &Image) -> Result<Self> {
         let mask = light_mask(reference, LIGHT_RADIANCE);
         let explain = |error| anyhow!("the two pictures cannot be compared: {error}");
@@ -38,7 +38,7 @@ impl Distance {
     }
 }
 
-/// The map of where `image` is from `reference` by how much; both of one size.
+/// A map of the errors of `image` against `reference`, which must have equal sizes.
 pub fn map_of(image: &Image, reference: &Image, title: &str) -> String {
     let mask = light_mask(reference, LIGHT_RADIANCE);
     let errors = relative_errors(image.pixels(), reference.pixels(), &mask);

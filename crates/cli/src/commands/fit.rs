@@ -1,4 +1,4 @@
-//! `fit`: the smallest photon format and machine that a scene needs, with the evidence.
+//! The command `fit`: the smallest photon format and machine that a scene needs, with the evidence.
 
 mod comparison;
 mod left_out;
@@ -35,25 +35,25 @@ struct Report {
     light: SceneFacts,
     candidates: u64,
     pilot_figures: u64,
-    /// Predicted below the bound, measured above.
+    /// Formats that were predicted below the bound and measured above it.
     broken: Vec<FormatRow>,
     fitted: Option<FormatRow>,
     removals: Vec<RemovalRow>,
     left_out: Vec<LeftOut>,
-    /// The fitted format, its machine, and what they are held against.
+    /// The fitted format, its machine, and the machines that they are compared with.
     comparison: Vec<Compared>,
-    /// The smallest machine for it.
+    /// The smallest machine for the format.
     machine: Option<MachineRow>,
     /// The fastest machine within the bound.
     fastest: Option<MachineRow>,
-    /// What to write where for a machine of exactly the fitted format; none where there is one.
+    /// Instructions for adding a machine of exactly the fitted format; `None` where one exists.
     row_to_add: Option<String>,
-    /// The command to go on with.
+    /// The command that runs the chosen machine.
     next: Option<String>,
     seconds: f64,
 }
 
-/// The fitted format with one bit, or one freedom, less.
+/// The fitted format with one bit, or one degree of freedom, less.
 #[derive(Serialize)]
 struct RemovalRow {
     less: &'static str,
@@ -68,12 +68,12 @@ struct MachineRow {
     bits_per_photon: u32,
     measurement: Measurement,
     wider_than_needed: Vec<FieldNeed>,
-    /// For the queries that the formats were measured at, on one of the maps.
+    /// The time for the queries at which the formats were measured, on one of the maps.
     #[serde(flatten)]
     time: PictureTime,
 }
 
-/// Fits a scene; ends 1 where no format or no machine meets the ratio.
+/// Fits a scene. The exit code is 1 where no format or no machine meets the ratio.
 pub fn execute(args: &FitArgs, json: bool) -> Result<()> {
     let start = Instant::now();
     let options = args.options();
@@ -136,14 +136,14 @@ fn report(
     })
 }
 
-/// By the reference, over all queries and maps.
+/// The mean number of photons in range by the reference, over all queries and maps.
 fn photons_in_range_mean(fit: &Fit) -> Result<f64> {
     let estimates = fit.bench.queries().len() * fit.bench.maps().len();
     let reference = fit.bench.measure(Engine::F64)?;
     Ok(reference.photons_in_range as f64 / estimates.max(1) as f64)
 }
 
-/// The run of the scene on that machine, as it was fitted.
+/// The command that runs the scene on that machine, as it was fitted.
 fn next(args: &FitArgs, choice: &MachineChoice) -> String {
     format!(
         "photoncube run {} --machine {} --in-range {}",

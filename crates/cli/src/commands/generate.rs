@@ -1,4 +1,4 @@
-//! `generate`: the Verilog of the machines, and the check that what is committed is that.
+//! The command `generate`: writes the Verilog of the machines, or checks the committed Verilog.
 
 use std::fs;
 use std::path::Path;
@@ -27,7 +27,7 @@ struct Report {
 /// Writes, or checks, the files of the machines.
 pub fn execute(args: &GenerateArgs, json: bool) -> Result<()> {
     let machines = machines(args)?;
-    // Before the work, which takes half a minute for all machines.
+    // The folder is checked before the work, which takes half a minute for all machines.
     if !args.check {
         outputs::check_folder("--out", &args.out)?;
     } else if !args.out.is_dir() {
@@ -87,7 +87,7 @@ fn machines(args: &GenerateArgs) -> Result<Vec<&'static Machine>> {
     Ok(vec![selection.find()?])
 }
 
-/// What differs, is missing, or stands in a machine's folder without being ours.
+/// The files that differ or are missing, and the foreign files in a machine's folder.
 fn stale(out: &Path, machines: &[&Machine], expected: &[ProjectFile]) -> Vec<String> {
     let differs = |file: &&ProjectFile| {
         let found = fs::read(out.join(&file.path)).ok();

@@ -1,4 +1,4 @@
-//! `hard-cases`: the inputs at which some arithmetic is known to fail, in every format.
+//! The command `hard-cases`: the inputs at which some arithmetic is known to fail, in every format.
 
 use anyhow::Result;
 use photoncube_render::{HARD_CASES, HardCaseReport, hard_case_formats, run_hard_case};
@@ -23,7 +23,7 @@ pub fn execute(args: &HardCasesArgs, json: bool) -> Result<()> {
         Some(name) => vec![find_photon_format(name)?],
         None => hard_case_formats(),
     };
-    // In one format alone not every case is hard: none of 16 bits can pass 32.
+    // In a single format some cases are not hard: with 16 bits none can exceed 32 bits.
     let must_be_hard = args.format.is_none();
     let cases = run(&formats);
     let failed: Vec<_> = cases
@@ -124,7 +124,7 @@ fn row(case: &HardCaseReport) -> Vec<String> {
     ]
 }
 
-/// Which format is worst, where one is.
+/// The worst format, where there is one.
 fn worst(case: &HardCaseReport) -> String {
     match case.result == 0.0 {
         true => String::new(),
@@ -132,7 +132,7 @@ fn worst(case: &HardCaseReport) -> String {
     }
 }
 
-/// Three digits are all that a reader compares.
+/// A number with three digits, as many as a reader compares.
 fn number(value: f64) -> String {
     if value != 0.0 && value.abs() < 1e-3 {
         return format!("{value:.1e}");

@@ -1,4 +1,4 @@
-//! `microprogram`: the schedule, its utilisation, and the checker's verdict.
+//! The command `microprogram`: the schedule, its utilisation, and the checker's verdict.
 
 mod overlap;
 mod spatial;
@@ -64,7 +64,7 @@ fn report(
     let schedule = schedule_report(program, machine.hypercube());
     let verdict = check_schedule(program, machine.hypercube());
     let interval = schedule.initiation_interval;
-    // An empty program has no rate; JSON has no NaN either.
+    // An empty program has no rate, and JSON has no NaN.
     let rate = |value: f64| if interval == 0 { 0.0 } else { value };
     let report = Report {
         machine: machine.name,
@@ -87,7 +87,7 @@ fn report(
     (report, schedule)
 }
 
-/// The listing, and as comments what is said of it, so that `--file` reads all of it.
+/// The listing, with the other results as comments, so that `--file` reads all of it.
 fn text(report: &Report, schedule: &ScheduleReport) -> String {
     let said = said(report, schedule);
     let said: String = said.lines().map(|line| format!("# {line}\n")).collect();

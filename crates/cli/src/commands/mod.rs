@@ -1,4 +1,4 @@
-//! The commands, one file each.
+//! The commands of the program, one file each.
 
 mod compare;
 mod fit;
@@ -23,7 +23,7 @@ use photoncube_model::{GatherError, LocalError};
 use crate::args::{Args, Command};
 use crate::{files, output, outputs};
 
-/// Does what the command line asks for.
+/// Runs the command of the arguments.
 pub fn execute(args: Args) -> Result<()> {
     let json = args.json;
     match args.command {
@@ -44,7 +44,7 @@ pub fn execute(args: Args) -> Result<()> {
     }
 }
 
-/// What makes room in a machine's sums, by an option that these commands have.
+/// Adds to an error of too many photons the option that makes the sums of a machine larger.
 fn with_hint(result: Result<()>) -> Result<()> {
     result.map_err(|error| {
         let is_full = error.chain().any(|cause| {

@@ -1,4 +1,4 @@
-//! `progressive`: a picture that gets better pass by pass.
+//! The command `progressive`: a picture that improves pass by pass.
 
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -20,17 +20,17 @@ use crate::plots::{Curve, Reached, convergence_plot};
 use crate::table::markdown;
 use crate::{files, output, progress, scenes, sight};
 
-/// What is known after some passes.
+/// The figures after some passes.
 #[derive(Clone, Debug, Serialize)]
 struct Row {
     passes: u64,
     photons: u64,
     search_radius: f64,
-    /// None after one pass, which tells nothing of its error.
+    /// The bound of the error; `None` after one pass, which gives no estimate.
     error_bound: Option<f64>,
     estimated_bias: Option<f64>,
     estimated_noise: Option<f64>,
-    /// Against the reference, if one is given.
+    /// The relMSE against the reference; `None` without a reference.
     rel_mse: Option<f64>,
     bounded_share: Option<f64>,
     seconds: f64,
@@ -60,18 +60,18 @@ struct Report {
     error_target: Option<f64>,
     query_points: u64,
     photon_tests: u64,
-    /// A signal ended it before its passes.
+    /// Whether a signal ended the run before its passes were made.
     interrupted: bool,
     progress: Vec<Row>,
-    /// Student's, of the last pass; none after one pass.
+    /// Student's quantile of the last pass; `None` after one pass.
     #[serde(skip)]
     quantile: Option<f64>,
 }
 
-/// Why no more passes were made.
+/// The reason why no more passes are made.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 enum End {
-    /// The error is as small as asked for.
+    /// The error is as small as requested.
     Reached,
     /// All passes are made.
     Passes,
@@ -79,7 +79,7 @@ enum End {
     Interrupted,
 }
 
-/// Renders until the error is as small as asked for, or the passes are made.
+/// Renders until the error is as small as requested, or the passes are made.
 pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
     let found = args.engine.find()?;
     let scene = scenes::load(&args.scene)?;
@@ -147,7 +147,7 @@ pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
     }
 }
 
-/// All that may be written, against all that is read.
+/// Checks all files that may be written against all that are read.
 fn check_outputs(args: &ProgressiveArgs, scene: &Scene) -> Result<()> {
     let mut outputs = vec![Output::picture("-o", &args.output)];
     outputs.extend(args.plot.iter().map(|path| Output::plot("--plot", path)));
@@ -187,12 +187,12 @@ struct Work<'a> {
     progressive: Progressive<'a>,
     reference: Option<Image>,
     start: Instant,
-    /// After 1, 2, 4, 8, ... passes and after the last.
+    /// The rows after 1, 2, 4, 8, ... passes and after the last.
     rows: Vec<Row>,
 }
 
 impl Work<'_> {
-    /// Makes the passes, one at least.
+    /// Makes the passes, at least one.
     fn run(&mut self, interrupt: &Interrupt) -> Result<End> {
         let bar = progress::bar("passes", self.args.passes);
         let end = loop {
@@ -258,7 +258,7 @@ impl Work<'_> {
                 .rows
                 .iter()
                 .filter_map(|row| Some(row.reached(of(row)?)))
-                // A logarithm of 0 has no place.
+                // The logarithm of 0 cannot be drawn.
                 .filter(|reached| reached.error > 0.0)
                 .collect(),
         };
@@ -299,7 +299,7 @@ impl Work<'_> {
     }
 }
 
-/// `box.png` after 8 passes is `box-0008.png`.
+/// The name of a snapshot: `box-0008.png` for `box.png` after 8 passes.
 fn snapshot(output: &Path, passes: u64) -> PathBuf {
     let stem = output.file_stem().unwrap_or_default().to_string_lossy();
     let ending = output.extension().unwrap_or_default().to_string_lossy();
@@ -364,7 +364,7 @@ fn text(report: &Report) -> String {
     format!("{table}{}\n{}\n", bound_line(report), report.output)
 }
 
-/// Why the bound is more than noise and bias together.
+/// A line that states why the bound is larger than noise and bias together.
 fn bound_line(report: &Report) -> String {
     let confidence = 100.0 * report.confidence;
     let Some(quantile) = report.quantile else {

@@ -1,4 +1,4 @@
-//! `render`: a picture of a scene.
+//! The command `render`: a picture of a scene.
 
 use std::path::Path;
 use std::time::Instant;
@@ -40,24 +40,24 @@ struct Report {
     seconds: f64,
 }
 
-/// A scene with its photons in blocks.
+/// A scene with its photon maps.
 pub struct Traced {
-    /// The scene.
+    /// The scene that was traced.
     pub scene: Scene,
     /// The photon maps.
     pub maps: PhotonMaps,
-    /// Paths that were emitted for them.
+    /// The number of paths that were emitted for the maps.
     pub paths: u64,
 }
 
 impl Traced {
-    /// The map of all light, or of what is not in that of the caustics.
+    /// The map of all light, or of all light but that of the caustics' map.
     pub fn map(&self) -> &PhotonMap {
         &self.maps.global
     }
 }
 
-/// Stages 2 and 3: the scene's photons, the photon maps that the lighting wants.
+/// Stages 2 and 3: traces the photons and makes the maps that the lighting needs.
 pub fn trace_scene(scene: Scene, picture: &PictureArgs, lighting: &Lighting) -> Result<Traced> {
     let options = TraceOptions {
         photons: picture.photons,
@@ -72,7 +72,7 @@ pub fn trace_scene(scene: Scene, picture: &PictureArgs, lighting: &Lighting) -> 
     Ok(Traced { scene, maps, paths })
 }
 
-/// The view that the picture's options ask for.
+/// The view of the picture's options.
 pub fn view(picture: &PictureArgs) -> ViewOptions {
     ViewOptions {
         width: picture.size.width,
@@ -82,8 +82,8 @@ pub fn view(picture: &PictureArgs) -> ViewOptions {
     }
 }
 
-/// Stages 4 to 6 with the fixed search radius and light from the map alone, without writing: view rays, estimates,
-/// the image.
+/// Stages 4 to 6 without writing: view rays, estimates, image. The search radius is fixed and all light comes
+/// from the map.
 pub fn picture(
     traced: &Traced,
     engine: Engine<'_>,
@@ -162,12 +162,12 @@ pub fn execute(args: &RenderArgs, json: bool) -> Result<()> {
     output::print(json, &report, || text(&report))
 }
 
-/// Writes a picture in the format that the name ends in.
+/// Writes a picture in the format of its name's ending.
 pub fn write_picture(image: &Image, path: &Path) -> Result<()> {
     files::write(path, &image.encode(path, EXPOSURE)?)
 }
 
-/// 0 where nothing was counted, as in a view of nothing.
+/// The mean; 0 where nothing was counted, as in a view without surfaces.
 fn mean(total: u64, count: u64) -> f64 {
     total as f64 / count.max(1) as f64
 }

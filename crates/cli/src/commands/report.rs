@@ -1,4 +1,5 @@
-//! `report`: what precision a scene needs, and how fast its machines are: formats and machines side by side.
+//! The command `report`: the precision that a scene needs, and the speed of machines: formats and machines
+//! side by side.
 
 mod dimensions;
 mod estimators;
@@ -29,10 +30,10 @@ struct Report {
     maps: u64,
     photons: u64,
     in_range: f64,
-    /// What a machine's `clocks` are for.
+    /// The number of queries of each machine's `clocks`.
     query_points: u64,
     noise_relative: f64,
-    /// The bound of `error_over_noise`.
+    /// The bound of `error_over_noise`, which is the requested ratio.
     noise_ratio: f64,
     /// The verdict.
     scene_needs: Verdict,
@@ -49,7 +50,7 @@ struct Report {
     facts: Facts,
 }
 
-/// What the text says and no key.
+/// The facts that the text states and that no JSON key has.
 struct Facts {
     estimates: u64,
     estimates_too_noisy: u64,
@@ -57,7 +58,7 @@ struct Facts {
     photons_in_range_mean: f64,
 }
 
-/// Measures every format and machine on a scene.
+/// Measures all formats and machines on a scene.
 pub fn execute(args: &ReportArgs, json: bool) -> Result<()> {
     let scene = scenes::load(&args.scene)?;
     let paths = Paths::of(args);
@@ -90,7 +91,7 @@ fn measure(args: &ReportArgs, scene: &Scene, options: &BenchOptions) -> Result<R
     let engines: Vec<_> = formats.chain(MACHINES.iter().map(Engine::Model)).collect();
     let bar = progress::bar("measuring formats", args.maps + engines.len() as u64);
     let bench = ErrorBench::traced(scene, options, &|maps| bar.set_position(maps))?;
-    // Without an error of its own: what fails here fails for the scene, not for a format.
+    // This measurement has no error of its own: if it fails, the scene is the cause and not a format.
     let reference = bench.measure(Engine::F64)?;
     let mut rows = Vec::new();
     for engine in engines {
@@ -130,7 +131,7 @@ fn measure(args: &ReportArgs, scene: &Scene, options: &BenchOptions) -> Result<R
     })
 }
 
-/// What is written.
+/// The paths of the files that are written.
 struct Paths {
     speed: PathBuf,
     bits: PathBuf,

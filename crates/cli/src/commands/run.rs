@@ -1,4 +1,4 @@
-//! `run`: the whole path, from a scene to proven Verilog and a picture.
+//! The command `run`: the whole path, from a scene to proven Verilog and a picture.
 
 mod sizing;
 
@@ -25,7 +25,7 @@ use crate::{files, output, project, scenes, sight};
 struct Report {
     scene: String,
     machine: &'static str,
-    /// What the scene needs; none where the machine was asked for.
+    /// The format that the scene needs; `None` where the machine was given.
     fitted: Option<Fitted>,
     seed: u64,
     photons: usize,
@@ -43,16 +43,16 @@ struct Report {
     photons_per_iteration: usize,
     queries_at_once: usize,
     photon_tests_per_clock: f64,
-    /// At the measured clock of the machine.
+    /// The time of the picture at the measured clock of the machine.
     #[serde(flatten)]
     time: PictureTime,
-    /// On emitted Verilog alone: rust-hdl's own simulation is not counted.
+    /// The vectors compared on emitted Verilog; those of rust-hdl's own simulation are not counted.
     vectors_compared: u64,
     mismatches: usize,
     divergence: Option<String>,
     devices: Vec<Verdict>,
     devices_not_found: Vec<NotFound>,
-    /// The golden model's picture against the f64 reference's, rms over pixels and channels.
+    /// The difference of the golden model's picture from the f64 reference's, rms over pixels and channels.
     #[serde(flatten)]
     distance: Distance,
     picture: String,
@@ -79,9 +79,9 @@ struct Seconds {
     render_model: f64,
 }
 
-/// Runs every stage and reports.
+/// Runs all stages and prints the report.
 pub fn execute(args: &RunArgs, json: bool) -> Result<()> {
-    // Before the work, so that a wrong name is told at once.
+    // A wrong name is reported before the work.
     args.machine.find()?;
     let scene = scenes::load(&args.scene)?;
     let paths = Paths::of(args);
@@ -157,7 +157,7 @@ pub fn execute(args: &RunArgs, json: bool) -> Result<()> {
     }
 }
 
-/// Where what the run makes besides the Verilog goes.
+/// The paths of the files that a run writes besides the Verilog.
 struct Paths {
     picture: PathBuf,
     reference: PathBuf,
@@ -196,7 +196,7 @@ fn timed<T>(seconds: &mut f64, work: impl FnOnce() -> Result<T>) -> Result<T> {
     result
 }
 
-/// Writes the machine's Verilog and project files; the path of the Verilog.
+/// Writes the machine's Verilog and project files, and returns the path of the Verilog.
 fn emit(machine: &Machine, out: &Path, inputs: &[PathBuf]) -> Result<String> {
     let files = project::project(machine)?.files;
     let path = |file: &project::ProjectFile| out.join(&file.path);
@@ -209,7 +209,7 @@ fn emit(machine: &Machine, out: &Path, inputs: &[PathBuf]) -> Result<String> {
 struct Proof {
     verdicts: Vec<Verdict>,
     not_found: Vec<NotFound>,
-    /// The first difference, at which the proof ends.
+    /// The first difference, which ends the proof.
     divergence: Option<String>,
 }
 
@@ -220,7 +220,7 @@ impl Proof {
     }
 }
 
-/// How many iterations each simulator does in a few seconds.
+/// The simulators, each with the iterations that it runs in a few seconds.
 const SIMULATORS: [(DeviceKind, u64); 4] = [
     (DeviceKind::RustHdl, 5_000),
     (DeviceKind::Text, 20_000),
@@ -228,7 +228,7 @@ const SIMULATORS: [(DeviceKind, u64); 4] = [
     (DeviceKind::Verilator, 200_000),
 ];
 
-/// Stage 5, proven: photons of this scene through every simulator that is found.
+/// Proves stage 5: runs photons of this scene through every simulator that is installed.
 fn prove(args: &RunArgs, machine: &Machine, traced: &Traced) -> Result<Proof> {
     let view = view(&args.picture);
     let mut proof = Proof {

@@ -1,4 +1,4 @@
-//! `synth`: area and clock of the machines, by Yosys and nextpnr.
+//! The command `synth`: area and clock of the machines, by Yosys and nextpnr.
 
 use std::collections::BTreeMap;
 
@@ -33,14 +33,14 @@ struct Report {
     files: Vec<String>,
 }
 
-/// What was measured.
+/// The digest of the Verilog of a machine that was measured.
 #[derive(Serialize)]
 struct VerilogRow {
     machine: &'static str,
     verilog_sha256: String,
 }
 
-/// How a flow was run.
+/// The script of a flow.
 #[derive(Serialize)]
 struct ScriptRow {
     flow: Flow,
@@ -57,10 +57,10 @@ struct CheckReport {
     not_placed: Vec<&'static str>,
 }
 
-/// Measures, or checks what was measured.
+/// Measures the machines, or checks the recorded figures.
 pub fn execute(args: &SynthArgs, json: bool) -> Result<()> {
     let machines = machines(&args.machines)?;
-    // What cannot be done is told before the machines are emitted, which takes seconds.
+    // Impossible requests are reported before the machines are emitted, which takes seconds.
     if args.check {
         if !args.out.is_dir() {
             bail!("{} is no folder: nothing to check", args.out.display());
@@ -84,7 +84,7 @@ pub fn execute(args: &SynthArgs, json: bool) -> Result<()> {
     measure(args, &tools, subjects(&machines)?, json)
 }
 
-/// Whether what is measured is written to the committed figures.
+/// Whether the measurements are written to the committed figures.
 fn writes(args: &SynthArgs) -> bool {
     args.update || args.is_complete()
 }
@@ -96,7 +96,7 @@ fn subjects(machines: &[&'static Machine]) -> Result<Vec<Subject>> {
         .collect()
 }
 
-/// Those named, or all, each once.
+/// The machines of these names, or all; each once.
 fn machines(names: &[String]) -> Result<Vec<&'static Machine>> {
     if names.is_empty() {
         return Ok(MACHINES.iter().collect());
@@ -156,11 +156,11 @@ fn named(machines: &[&str]) -> String {
 fn measure(args: &SynthArgs, tools: &Tools, subjects: Vec<Subject>, json: bool) -> Result<()> {
     let plan = Plan::new(args, subjects);
     let writes = writes(args);
-    // The tools run in a sandbox that sees the current folder and below: each machine has one.
+    // The tools run in a sandbox that sees the current folder and below, so each machine has its own folder.
     let scratch = tempfile::tempdir().context("cannot make a scratch folder")?;
     let tool_versions = tools.versions(scratch.path())?;
     let (area_groups, place_groups) = plan.groups();
-    // Both before the long work: what cannot be written is not begun.
+    // Both writers are made before the long work, so that work whose result cannot be written is not begun.
     let area_writer = match writes && !plan.flows.is_empty() {
         true => {
             let setting = AreaSetting::new(&tool_versions);

@@ -1,4 +1,4 @@
-//! A figure of merit against error, with the bound and the Pareto front below it.
+//! Plots a figure of merit against the error, with the bound and the Pareto front below it.
 
 use anyhow::Result;
 use plotters::prelude::*;
@@ -9,42 +9,43 @@ use super::legend::{Item, Mark};
 use super::palette::{FAINT, FIRST, INK, SECOND, THIRD};
 use super::ticks;
 
-/// What a point is.
+/// The kind of a point.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// A photon format by itself.
+    /// A photon format without a machine.
     Format,
-    /// A machine.
+    /// A machine in its own format.
     Machine,
 }
 
 /// A configuration in the plot.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Point {
-    /// What it is called.
+    /// The name of the configuration.
     pub label: String,
-    /// What it is.
+    /// The kind of the configuration.
     pub kind: Kind,
-    /// Smaller is better.
+    /// The error; smaller is better.
     pub error: f64,
-    /// The 95 % interval of that.
+    /// The 95 % interval of the error.
     pub interval: [f64; 2],
-    /// The figure; the plot says which way is better.
+    /// The figure of merit; the plot states which direction is better.
     pub figure: f64,
     /// Whether its error is within the bound.
     pub holds: bool,
 }
 
-/// Which way a figure is better.
+/// The direction in which a figure of merit is better.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub enum Better {
-    /// Smaller, as bits per photon.
+    /// Smaller is better, as for bits per photon.
     Smaller,
-    /// Larger, as speed.
+    /// Larger is better, as for speed.
     Larger,
 }
 
-/// Which points hold and no other that holds beats: none is at least as good in both and better in one.
+/// For each point whether it is within the bound and not dominated: no other such point is at least as good
+/// in both figures and better in one.
 pub fn pareto_front(points: &[Point], better: Better) -> Vec<bool> {
     let gain = |a: &Point, b: &Point| match better {
         Better::Smaller => b.figure - a.figure,
@@ -61,21 +62,21 @@ pub fn pareto_front(points: &[Point], better: Better) -> Vec<bool> {
 
 const SIZE: (u32, u32) = (1100, 760);
 
-/// An error of so many times the bound is off the chart: it would press the others together.
+/// The largest error in the chart, as a multiple of the bound; farther points would compress the others.
 const FARTHEST: f64 = 5.0;
 
-/// What a plot shows.
+/// The contents of a plot.
 #[derive(Copy, Clone, Debug)]
 pub struct Plot<'a> {
-    /// Its heading.
+    /// The heading of the plot.
     pub title: &'a str,
-    /// What the error is.
+    /// The label of the error axis.
     pub error_axis: &'a str,
-    /// What the figure is.
+    /// The label of the figure axis.
     pub figure_axis: &'a str,
-    /// Which way the figure is better.
+    /// The direction in which the figure is better.
     pub better: Better,
-    /// What the error should be below.
+    /// The bound of the error.
     pub bound: f64,
 }
 
@@ -96,7 +97,7 @@ const fn item(mark: Mark, colour: RGBColor, means: &'static str) -> Item {
     }
 }
 
-/// An SVG picture: the error to the right, the figure upwards, both logarithmic.
+/// An SVG picture with the error on the x axis and the figure on the y axis, both logarithmic.
 pub fn against_error(plot: &Plot<'_>, points: &[Point]) -> Result<String> {
     let (shown, off) = shown(plot, points);
     let frame = Frame {
@@ -139,7 +140,8 @@ pub fn against_error(plot: &Plot<'_>, points: &[Point]) -> Result<String> {
     })
 }
 
-/// The points in the picture, those of one place as one, and the names and errors of those that are off it.
+/// The points of the picture, with points at one place merged, and the names and errors of the points outside
+/// it.
 fn shown(plot: &Plot<'_>, points: &[Point]) -> (Vec<Point>, Vec<String>) {
     let drawable = |point: &&Point| point.error > 0.0 && point.figure > 0.0;
     let is_near = |point: &&Point| point.error <= FARTHEST * plot.bound;
@@ -170,7 +172,7 @@ fn shown(plot: &Plot<'_>, points: &[Point]) -> (Vec<Point>, Vec<String>) {
     (named.collect(), far.collect())
 }
 
-/// The picture in a few sentences.
+/// A description of the picture in a few sentences.
 fn description(plot: &Plot<'_>, points: &[Point], off: &[String]) -> String {
     let holds = points.iter().filter(|point| point.holds).count();
     let front = pareto_front(points, plot.better);
@@ -197,7 +199,7 @@ fn none_or(names: &[String]) -> String {
     }
 }
 
-/// Of the front alone: those of all points would hide them.
+/// Draws the intervals of the front only, because those of all points would hide the points.
 fn draw_intervals(
     chart: &mut Chart<'_>,
     points: &[Point],
@@ -223,7 +225,7 @@ fn draw_front(chart: &mut Chart<'_>, points: &[Point], front: &[bool]) -> Drawn 
 }
 
 fn draw_points(chart: &mut Chart<'_>, points: &[Point], front: &[bool]) -> Drawn {
-    // The front's labels first: they get the best places.
+    // The labels of the front are placed first, so that they get the best places.
     let mut order: Vec<_> = points.iter().zip(front).collect();
     order.sort_by_key(|(point, is_front)| (!**is_front, !point.holds));
     let place = |point: &Point| chart.backend_coord(&(point.error, point.figure));
@@ -340,7 +342,7 @@ mod tests {
             (labels, far),
             (vec!["near and 1 alike"], vec!["far (4.30)".to_owned()])
         );
-        // Where all are far, all are shown.
+        // Where all points are far away, all are shown.
         assert_eq!(shown(&plot(0.001), &points).0.len(), 2);
         assert!(against_error(&plot(0.1), &points[..0]).is_ok());
     }

@@ -1,4 +1,4 @@
-//! A chart with two logarithmic axes, and the frame around charts.
+//! Draws charts with two logarithmic axes, and the frame around charts.
 
 use std::error::Error;
 
@@ -9,46 +9,46 @@ use plotters::prelude::*;
 
 use super::legend::{self, Item};
 
-/// A part of the picture.
+/// A rectangular part of the picture.
 pub type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
-/// A chart in it.
+/// A chart in such a part.
 pub type Chart<'a> = ChartContext<'a, SVGBackend<'a>, Cartesian2d<Scale, Scale>>;
 type Scale = WithKeyPoints<LogCoord<f64>>;
-/// What drawing may end in.
+/// The result of drawing.
 pub type Drawn<T = ()> = Result<T, Box<dyn Error>>;
 
-/// Height of title and legend (pixels).
+/// The height of title and legend in pixels.
 const HEADER: i32 = 74;
 const TITLE: (&str, i32) = ("sans-serif", 22);
 const TEXT: (&str, i32) = ("sans-serif", 16);
 
-/// One axis.
+/// An axis of a chart.
 pub struct Axis<'a> {
-    /// What it shows, with the unit.
+    /// The quantity of the axis, with its unit.
     pub name: &'a str,
-    /// From, over 0.
+    /// The lower end of the axis, over 0.
     pub low: f64,
-    /// To.
+    /// The upper end of the axis.
     pub high: f64,
-    /// Numbers that are named.
+    /// The numbers that have a label.
     pub ticks: Vec<f64>,
-    /// How they are written.
+    /// The format of the labels.
     pub text: fn(f64) -> String,
 }
 
-/// What is around the charts.
+/// The parts of a picture around its charts.
 pub struct Frame<'a> {
     /// The picture's width and height (pixels).
     pub size: (u32, u32),
-    /// A sentence above, and for those who hear the picture.
+    /// A sentence above the charts, which screen readers read too.
     pub title: &'a str,
-    /// What is seen, for them.
+    /// A description of the picture for screen readers.
     pub description: &'a str,
-    /// What each mark means.
+    /// The legend: the meaning of each mark.
     pub legend: &'a [Item],
 }
 
-/// The picture of `draw`, with its title, legend and words.
+/// The picture that `draw` makes, with title, legend and description.
 pub fn framed(frame: &Frame<'_>, draw: impl FnOnce(&Area<'_>) -> Drawn) -> Result<String> {
     let mut svg = String::new();
     let attempt = || -> Drawn {
@@ -66,7 +66,7 @@ pub fn framed(frame: &Frame<'_>, draw: impl FnOnce(&Area<'_>) -> Drawn) -> Resul
     Ok(with_words(&svg, frame))
 }
 
-/// The SVG with a title and a description, as a screen reader wants them: the root's first children.
+/// Adds title and description to the SVG as the root's first children, where screen readers find them.
 fn with_words(svg: &str, frame: &Frame<'_>) -> String {
     let root = svg.find("<svg").unwrap_or(0);
     let end = svg[root..].find('>').map_or(svg.len(), |end| root + end);
@@ -105,7 +105,8 @@ pub fn chart<'a>(area: &Area<'a>, x: &Axis<'_>, y: &Axis<'_>) -> Drawn<Chart<'a>
     Ok(chart)
 }
 
-/// A little below the smallest and a little above the largest of what is over 0; anything where there is nothing.
+/// A range from slightly below the smallest to slightly above the largest value over 0; an arbitrary range
+/// where there is none.
 pub fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
     let (low, high) = values
         .filter(|value| *value > 0.0 && value.is_finite())

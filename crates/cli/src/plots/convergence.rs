@@ -1,4 +1,4 @@
-//! Plots of how errors fall.
+//! Plots the decrease of errors.
 
 use anyhow::Result;
 use plotters::prelude::*;
@@ -8,12 +8,12 @@ use super::legend::{Item, Mark};
 use super::palette::{FIRST, INK, SECOND, THIRD};
 use super::ticks;
 
-/// An error after so much work.
+/// An error, with the work after which it was reached.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reached {
-    /// Passes made.
+    /// The number of passes made.
     pub passes: f64,
-    /// Photons in their maps.
+    /// The number of photons in their maps.
     pub photons: f64,
     /// The relative error.
     pub error: f64,
@@ -22,13 +22,13 @@ pub struct Reached {
 /// A line of the plot.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Curve {
-    /// What it shows.
+    /// The name of the curve.
     pub name: &'static str,
-    /// In their order; all figures over 0.
+    /// The points in their order; all figures are over 0.
     pub points: Vec<Reached>,
 }
 
-/// One of the two charts: what is to the right, and which numbers are named there.
+/// One of the two charts: the quantity on the x axis, and its labelled numbers.
 struct Chart {
     name: &'static str,
     of: fn(&Reached) -> f64,
@@ -50,7 +50,8 @@ const CHARTS: [Chart; 2] = [
 const SIZE: (u32, u32) = (1400, 660);
 const COLOURS: [RGBColor; 4] = [FIRST, SECOND, THIRD, INK];
 
-/// An SVG picture of errors against passes and against photons, logarithmic. Curves without points are left out.
+/// An SVG picture of errors against passes and against photons, logarithmic. Curves without points are left
+/// out.
 pub fn convergence_plot(title: &str, curves: &[Curve]) -> Result<String> {
     let items = curves.iter().zip(COLOURS);
     let items = items.filter(|(curve, _)| !curve.points.is_empty());
@@ -72,7 +73,7 @@ pub fn convergence_plot(title: &str, curves: &[Curve]) -> Result<String> {
     })
 }
 
-/// Where each curve ends.
+/// A sentence that states the end of each curve.
 fn description(curves: &[Curve]) -> String {
     let ends = curves.iter().filter_map(|curve| {
         let last = curve.points.last()?;
@@ -142,7 +143,7 @@ mod tests {
             assert!(svg.contains(text), "{text}");
         }
         assert!(svg.contains("bound: 3 % after 4 passes"), "{svg}");
-        // Below ten per cent too.
+        // Values below ten per cent have labels too.
         assert!(svg.contains("\n5 %\n"), "{svg}");
         assert!(!svg.contains("bias"));
         assert!(convergence_plot("nothing", &[]).is_ok());

@@ -1,26 +1,26 @@
-//! Places for labels around points, none over another, all inside the chart.
+//! Places labels around points, without overlaps and inside the chart.
 
-/// From (left, top) to (right, bottom), in pixels.
+/// A rectangle from (left, top) to (right, bottom), in pixels.
 pub type Rect = ((i32, i32), (i32, i32));
 
-/// What is taken already.
+/// The places that are occupied.
 pub struct Labels {
     taken: Vec<Rect>,
     within: Rect,
 }
 
-/// The height of a label.
+/// The height of a label in pixels.
 const LINE: i32 = 15;
-/// The mean width of a character, rounded up.
+/// The mean width of a character in pixels, rounded up.
 const CHARACTER: i32 = 7;
-/// Half of a point's size, and a little.
+/// Half of a point's size in pixels, plus a margin.
 const POINT: i32 = 7;
-/// How far away places are tried, in steps of [`STEP`].
+/// The number of distances that are tried, in steps of [`STEP`].
 const STEPS: i32 = 90;
 const STEP: i32 = 4;
 
 impl Labels {
-    /// Nothing is taken but the points.
+    /// Starts with only the points occupied.
     pub fn around(points: &[(i32, i32)], within: Rect) -> Self {
         let r = POINT - 1;
         let square = |&(x, y): &(i32, i32)| ((x - r, y - r), (x + r, y + r));
@@ -28,11 +28,11 @@ impl Labels {
         Self { taken, within }
     }
 
-    /// The nearest free place for the label of the point; none where there is none.
+    /// The nearest free place for the label of the point; `None` where there is none.
     pub fn place(&mut self, (x, y): (i32, i32), label: &str) -> Option<Rect> {
         let width = CHARACTER * label.chars().count() as i32;
         let corners = (0..STEPS).flat_map(|step| {
-            // Just above the point's height, so that a line through the point does not go through the text.
+            // Just above the point's height, so that a line through the point does not cross the text.
             let (away, middle) = (step * STEP, y - LINE);
             let (right, left) = (x + POINT, x - POINT - width);
             [
@@ -58,7 +58,7 @@ impl Labels {
     }
 }
 
-/// Where a line from the point to its label ends, if the label is too far away to be seen as its own.
+/// The end of a line from the point to its label; `None` if the label is near enough to need no line.
 pub fn leader((x, y): (i32, i32), ((left, top), (right, bottom)): Rect) -> Option<(i32, i32)> {
     let (to_x, to_y) = (x.clamp(left, right), y.clamp(top, bottom));
     let far = (to_x - x).abs() > 2 * POINT || (to_y - y).abs() > 2 * POINT;

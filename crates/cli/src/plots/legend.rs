@@ -1,45 +1,45 @@
-//! What the marks of a picture mean, in a row above it.
+//! Draws the legend, a row above the picture.
 
 use plotters::prelude::*;
 
 use super::chart::{Area, Drawn};
 use super::palette::INK;
 
-/// How a thing is drawn.
+/// The form of a mark.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub enum Mark {
-    /// A line.
+    /// A solid line.
     Line,
-    /// A line of dashes.
+    /// A dashed line.
     Dashes,
     /// A filled disc.
     Disc,
     /// A filled square.
     Square,
-    /// A cross.
+    /// A diagonal cross.
     Cross,
 }
 
 /// A mark and its meaning.
 #[derive(Copy, Clone, Debug)]
 pub struct Item {
-    /// The mark.
+    /// The form of the mark.
     pub mark: Mark,
-    /// In its colour.
+    /// The colour of the mark.
     pub colour: RGBColor,
-    /// What it means.
+    /// The meaning of the mark.
     pub means: &'static str,
 }
 
-/// Half of a mark's size (pixels).
+/// Half of a mark's size in pixels.
 const HALF: i32 = 5;
 const LINE: i32 = 24;
-/// The mean width of a character, rounded up.
+/// The mean width of a character in pixels, rounded up.
 const CHARACTER: i32 = 8;
-/// Between two items.
+/// The gap between two items in pixels.
 const GAP: i32 = 26;
 
-/// Draws the items from their left middle on.
+/// Draws the items to the right of this point, the middle of their left side.
 pub fn draw(area: &Area<'_>, (left, y): (i32, i32), items: &[Item]) -> Drawn {
     let mut x = left;
     for item in items {

@@ -1,5 +1,5 @@
-//! Pictures of figures, SVG: each says in words what it shows, and keeps its lines apart for eyes that tell red from
-//! green badly.
+//! SVG plots. Each has a description in words, and its colours are distinguishable with red-green colour
+//! blindness.
 
 mod against_error;
 mod chart;

@@ -1,16 +1,16 @@
-//! Colours that stay apart for the colour-blind, by computation.
+//! Colours that a computation shows to be distinguishable for the colour-blind.
 
 use plotters::style::RGBColor;
 
-/// What counts most in a picture: a front, a bound.
+/// The colour of the most important item of a picture: a front, a bound.
 pub const FIRST: RGBColor = RGBColor(213, 94, 0);
-/// The second.
+/// The colour of the second item.
 pub const SECOND: RGBColor = RGBColor(0, 90, 170);
-/// The third.
+/// The colour of the third item.
 pub const THIRD: RGBColor = RGBColor(86, 180, 233);
-/// Lines and texts.
+/// The colour of lines and texts.
 pub const INK: RGBColor = RGBColor(30, 30, 30);
-/// What does not count.
+/// The colour of unimportant items.
 pub const FAINT: RGBColor = RGBColor(165, 165, 165);
 
 #[cfg(test)]
@@ -22,9 +22,9 @@ mod tests {
     type Matrix = [[f64; 3]; 3];
 
     const IDENTITY: Matrix = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-    /// What an eye without the cones for long waves, or without those for middle ones, sees of linear red, green and blue:
-    /// Machado, Oliveira, Fernandes, "A Physiologically-based Model for Simulation of Color Vision Deficiency" (2009),
-    /// severity 1.
+    /// The linear red, green and blue that an eye without the cones for long waves, or without those for
+    /// middle ones, sees: Machado, Oliveira, Fernandes, "A Physiologically-based Model for Simulation of
+    /// Color Vision Deficiency" (2009), severity 1.
     const PROTANOPIA: Matrix = [
         [0.152_286, 1.052_583, -0.204_868],
         [0.114_503, 0.786_281, 0.099_216],
@@ -35,15 +35,15 @@ mod tests {
         [0.280_085, 0.672_501, 0.047_413],
         [-0.011_820, 0.042_940, 0.968_881],
     ];
-    /// From linear sRGB to CIE XYZ, whose white is the sum of each row.
+    /// The matrix from linear sRGB to CIE XYZ; white is the sum of each row.
     const TO_XYZ: Matrix = [
         [0.412_456, 0.357_576, 0.180_438],
         [0.212_673, 0.715_152, 0.072_175],
         [0.019_334, 0.119_192, 0.950_304],
     ];
 
-    /// Ten times what is just seen side by side is 23, for areas; lines of two pixels want more. Our former red and
-    /// green were 18 and 28 apart, and were taken for each other.
+    /// The smallest distance of two colours. Ten times the just visible difference of adjacent areas is 23;
+    /// lines of two pixels need more. Our former red and green were 18 and 28 apart, and were confused.
     const APART: f64 = 30.0;
 
     fn times(matrix: &Matrix, vector: [f64; 3]) -> [f64; 3] {
@@ -58,7 +58,7 @@ mod tests {
         }
     }
 
-    /// CIE L*a*b* of what such an eye sees.
+    /// The colour as such an eye sees it, in CIE L*a*b*.
     fn lab(eye: &Matrix, RGBColor(r, g, b): RGBColor) -> [f64; 3] {
         let seen = times(eye, [r, g, b].map(linear)).map(|c| c.clamp(0.0, 1.0));
         let (xyz, white) = (times(&TO_XYZ, seen), times(&TO_XYZ, [1.0; 3]));
@@ -99,12 +99,12 @@ mod tests {
         }
     }
 
-    /// The control: the red and the green that the plots had, (190, 60, 40) and (60, 140, 90).
+    /// The control: the former red and green, (190, 60, 40) and (60, 140, 90).
     #[test]
     fn red_and_green_alike_for_deuteranopes_are_too_near() {
         let (red, green) = (RGBColor(190, 60, 40), RGBColor(60, 140, 90));
         assert!(distance(red, green) < APART);
-        // For other eyes they are far apart.
+        // For other eyes the two are far apart.
         let [red, green] = [red, green].map(|colour| lab(&IDENTITY, colour));
         assert!((red[1] - green[1]).abs() > APART);
     }

@@ -1,4 +1,4 @@
-//! Quantities of different units against one number, a chart for each.
+//! Plots quantities of different units against one number, with a chart for each.
 
 use anyhow::Result;
 use plotters::prelude::*;
@@ -8,23 +8,23 @@ use super::legend::{Item, Mark};
 use super::palette::{FIRST, SECOND};
 use super::ticks;
 
-/// One quantity.
+/// A chart of one quantity.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Panel {
-    /// What it is, with its unit.
+    /// The name of the quantity, with its unit.
     pub name: &'static str,
-    /// Where it is known.
+    /// The points at which it is known.
     pub places: Vec<Place>,
 }
 
-/// A quantity at a dimension.
+/// The value of a quantity at a dimension.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place {
-    /// Of the hypercube.
+    /// The dimension of the hypercube.
     pub dimension: u32,
-    /// How much, over 0.
+    /// The value, over 0.
     pub value: f64,
-    /// Joined with the others by a line, or a cross for itself.
+    /// Whether the point is joined with the others by a line; otherwise it is a cross.
     pub on_line: bool,
 }
 
@@ -43,7 +43,7 @@ const LEGEND: [Item; 2] = [
     },
 ];
 
-/// An SVG picture: a chart for each quantity, the dimension to the right, in whole numbers.
+/// An SVG picture with a chart for each quantity and the dimension, in whole numbers, on the x axis.
 pub fn panels(title: &str, panels: &[Panel]) -> Result<String> {
     let names: Vec<_> = panels.iter().map(|panel| panel.name).collect();
     let frame = Frame {
@@ -62,7 +62,7 @@ pub fn panels(title: &str, panels: &[Panel]) -> Result<String> {
     })
 }
 
-/// The axis is logarithmic in the cells, so it is even in the dimension.
+/// The number of cells. The x axis is logarithmic in it, so it is linear in the dimension.
 fn cells(dimension: u32) -> f64 {
     f64::from(dimension).exp2()
 }

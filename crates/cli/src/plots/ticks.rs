@@ -1,11 +1,11 @@
-//! Round numbers along a logarithmic axis.
+//! Finds round numbers along a logarithmic axis.
 
 use crate::table::significant;
 
-/// The fewest that let an axis be read.
+/// The fewest numbers with which an axis can be read.
 const FEWEST: usize = 4;
 
-/// First digits of the numbers, coarse to fine.
+/// The leading digits of the numbers, from coarse to fine.
 const DIGITS: [&[f64]; 5] = [
     &[1.0],
     &[1.0, 3.0],
@@ -14,8 +14,8 @@ const DIGITS: [&[f64]; 5] = [
     &[1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0],
 ];
 
-/// Round numbers from `low` to `high`, both over 0: the coarsest that are four; where even the finest of the logarithm
-/// are fewer, multiples of a round step.
+/// Round numbers from `low` to `high`, both over 0: the coarsest set of at least four. Where even the finest
+/// logarithmic set has fewer, multiples of a round step.
 pub fn round(low: f64, high: f64) -> Vec<f64> {
     let decades = low.log10().floor() as i32..=high.log10().ceil() as i32;
     let of = |digits: &[f64]| -> Vec<f64> {
@@ -30,7 +30,7 @@ pub fn round(low: f64, high: f64) -> Vec<f64> {
     enough.map_or_else(|| multiples(low, high), Clone::clone)
 }
 
-/// Multiples of 1, 2 or 5 times a power of ten, four at least.
+/// Multiples of 1, 2 or 5 times a power of ten, at least four.
 fn multiples(low: f64, high: f64) -> Vec<f64> {
     let most = (high - low) / FEWEST as f64;
     let decade = 10_f64.powf(most.log10().floor());
@@ -42,7 +42,7 @@ fn multiples(low: f64, high: f64) -> Vec<f64> {
     numbers.map(|number| number as f64 * step).collect()
 }
 
-/// 1, 2, 4, 8, ... from `low` to `high`: whole numbers, for what is counted.
+/// The numbers 1, 2, 4, 8, ... from `low` to `high`, for whole quantities.
 pub fn doublings(low: f64, high: f64) -> Vec<f64> {
     let powers = (0..64).map(|power| 2_f64.powi(power));
     powers.filter(|n| (low..=high).contains(n)).collect()
@@ -58,7 +58,7 @@ pub fn short(number: f64) -> String {
     format!("{}{unit}", two_digits(scaled))
 }
 
-/// A part as per cent.
+/// A fraction as per cent.
 pub fn percent(part: f64) -> String {
     format!("{} %", two_digits(100.0 * part))
 }
@@ -90,7 +90,7 @@ mod tests {
             assert!(ticks.iter().all(|tick| (low..=high).contains(tick)));
         }
         assert_eq!(round(0.05, 50.0).first(), Some(&0.1));
-        // No more than their texts have room for.
+        // No more numbers than there is room for their labels.
         assert!(round(5e4, 7e5).len() < 9, "{:?}", round(5e4, 7e5));
     }
 

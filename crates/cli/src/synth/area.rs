@@ -1,4 +1,4 @@
-//! The area of a machine in one flow.
+//! Measures the area of a machine in one flow.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -13,7 +13,7 @@ use super::flow::Flow;
 use super::tools::Tools;
 use super::{Subject, transistors};
 
-/// What Yosys's `stat -json` writes.
+/// The output of Yosys's `stat -json`.
 #[derive(Deserialize)]
 struct Stat {
     design: Design,
@@ -66,7 +66,7 @@ mod tests {
     use super::super::cells::Figure;
     use super::*;
 
-    /// The end of what Yosys 0.70 writes; versions before had numbers in quotation marks.
+    /// The end of the output of Yosys 0.70; earlier versions had numbers in quotation marks.
     const STAT: &str = r#"{
         "creator": "Yosys 0.70 (git sha1 28ba3cb92, Release)",
         "modules": {"\\top": {"num_cells": 14, "num_cells_by_type": {"$_NAND_": 10, "$_DFF_P_": 4}}},

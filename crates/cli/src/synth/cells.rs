@@ -1,42 +1,42 @@
-//! What each kind of cell is counted as.
+//! Counts cells: the figure that each kind of cell adds to.
 
 use std::collections::BTreeMap;
 
 use anyhow::{Result, bail};
 use serde::{Deserialize, Serialize};
 
-/// What is counted, in the order in which it is shown.
+/// A figure of the area, in the order of the tables.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Figure {
     /// LUTs with four inputs.
     Lut4,
-    /// ECP5 carry cells.
+    /// Carry cells of the ECP5.
     Ccu2c,
-    /// LUTs, and what takes the place of LUTs, on ECP5.
+    /// LUTs and cells in their place on ECP5, counted as LUTs.
     Lut4Equivalents,
-    /// Gates and flip-flops.
+    /// Gates and flip-flops, counted as cells.
     Gates,
-    /// Transistors of gates and flip-flops, by those of a NAND with two inputs.
+    /// Transistors of gates and flip-flops, in units of a NAND with two inputs.
     Nand2Equivalents,
-    /// LUTs of Cyclone V, of two to six inputs or arithmetic.
+    /// LUTs of Cyclone V, with two to six inputs or arithmetic.
     Alut,
-    /// Adaptive logic modules of Cyclone V, if all that can share one do.
+    /// Adaptive logic modules of Cyclone V, if all LUTs that can share one do so.
     AlmAtLeast,
     /// LUTs of MAX 10, with or without carry.
     LogicCells,
-    /// Flip-flops.
+    /// Flip-flops of any kind.
     Ff,
     /// Multipliers in DSP blocks.
     Dsp,
-    /// Block RAMs.
+    /// Block RAMs of the device.
     BlockRam,
-    /// RAMs in LUTs.
+    /// RAMs made of LUTs.
     LutRam,
 }
 
 impl Figure {
-    /// Its key in JSON.
+    /// The figure's key in JSON.
     pub fn key(self) -> String {
         let json = serde_json::to_value(self);
         let json = json.expect("an enumerator is a string in JSON");
@@ -47,7 +47,8 @@ impl Figure {
 /// Figures of one run.
 pub type Figures = BTreeMap<Figure, u64>;
 
-/// The cells that a flow may leave, and what each is counted as; `None` takes no room of its own.
+/// The cells that a flow may leave, with the figure that each adds to. `None` is for a cell that takes no
+/// room.
 const CELLS: &[(&str, Option<Figure>)] = &[
     ("$lut", Some(Figure::Lut4)),
     ("LUT4", Some(Figure::Lut4)),
@@ -55,10 +56,10 @@ const CELLS: &[(&str, Option<Figure>)] = &[
     ("TRELLIS_FF", Some(Figure::Ff)),
     ("MULT18X18D", Some(Figure::Dsp)),
     ("DP16KD", Some(Figure::BlockRam)),
-    // The same block RAM in its wide mode.
+    // The block RAM in its wide mode.
     ("PDPW16KD", Some(Figure::BlockRam)),
     ("TRELLIS_DPR16X4", Some(Figure::LutRam)),
-    // The 2:1 muxes that every ECP5 slice has beside its LUTs.
+    // The 2:1 muxes beside the LUTs in every ECP5 slice.
     ("PFUMX", None),
     ("L6MUX21", None),
     ("MISTRAL_NOT", Some(Figure::Alut)),
@@ -86,21 +87,21 @@ const CELLS: &[(&str, Option<Figure>)] = &[
     ("$not", Some(Figure::LogicCells)),
 ];
 
-/// The ALUT that fills an adaptive logic module of Cyclone V; of the others it holds two.
+/// The ALUT that fills an adaptive logic module of Cyclone V; a module holds two of the others.
 const WIDEST_ALUT: &str = "MISTRAL_ALUT6";
 const FFS_PER_ALM: u64 = 4;
 
-/// Yosys's own flip-flops: `$_KIND_POLARITIES_`.
+/// Yosys's own flip-flops, whose names are `$_KIND_POLARITIES_`.
 const GENERIC_FFS: &[&str] = &[
     "DFF", "DFFE", "DFFSR", "DFFSRE", "SDFF", "SDFFE", "SDFFCE", "ALDFF", "ALDFFE",
 ];
 
-/// An ECP5 carry cell takes the place of two LUTs, and a RAM of 16 x 4 that of three slices with two
-/// each: two hold it, one its write port.
+/// An ECP5 carry cell takes the place of two LUTs. A RAM of 16 x 4 takes that of three slices with two LUTs
+/// each: two hold it, one is its write port.
 const LUT4_PER_CCU2C: u64 = 2;
 const LUT4_PER_LUT_RAM: u64 = 6;
 
-/// The figures of `wanted`, zeros too; a cell that they would leave out is an error.
+/// The figures of `wanted`, including zeros. A cell that adds to none of them is an error.
 pub fn count(cells: &BTreeMap<String, u64>, wanted: &[Figure]) -> Result<Figures> {
     let mut counted: Figures = wanted.iter().map(|&figure| (figure, 0)).collect();
     for (cell, &number) in cells {
@@ -134,7 +135,7 @@ pub fn count(cells: &BTreeMap<String, u64>, wanted: &[Figure]) -> Result<Figures
     Ok(counted)
 }
 
-/// `None` for a kind that the table does not have.
+/// The figure of a kind of cell; `None` for a kind that the table lacks.
 fn counted_as(cell: &str) -> Option<Option<Figure>> {
     if let Some((_, figure)) = CELLS.iter().find(|(name, _)| *name == cell) {
         return Some(*figure);

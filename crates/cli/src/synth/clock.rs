@@ -1,4 +1,4 @@
-//! The clock of a machine over the seeds of placement.
+//! The clock of a machine over several seeds of placement.
 
 use serde::Serialize;
 
@@ -12,27 +12,27 @@ use super::place::{Placer, Router};
 pub struct Clock {
     /// The machine's name.
     pub machine: String,
-    /// What it was mapped by.
+    /// The flow that mapped the machine.
     pub flow: Flow,
     /// The speed grade of the device.
     pub speed_grade: u32,
-    /// How the machine was placed.
+    /// The placer of the machine.
     pub placer: Placer,
-    /// How it was routed.
+    /// The router of the machine.
     pub router: Router,
-    /// Seeds of placement that were tried.
+    /// The number of seeds of placement.
     pub seeds: usize,
-    /// Median over the seeds.
+    /// The median over the seeds, in MHz.
     pub fmax_mhz: f64,
-    /// Of the worst seed.
+    /// The clock of the worst seed, in MHz.
     pub fmax_mhz_low: f64,
-    /// Of the best seed.
+    /// The clock of the best seed, in MHz.
     pub fmax_mhz_high: f64,
-    /// What binds the seed that is nearest to the median, of those whose path was read.
+    /// The critical path of the seed that is nearest to the median, of those whose path was read.
     pub path: Option<CriticalPath>,
 }
 
-/// A row for each machine and speed grade, in the order in which they come.
+/// The clocks: one for each machine and speed grade, in the order of the rows.
 pub fn clocks(rows: &[PlaceRow]) -> Vec<Clock> {
     let mut keys: Vec<(&str, u32)> = Vec::new();
     for row in rows {
@@ -51,7 +51,7 @@ pub fn clocks(rows: &[PlaceRow]) -> Vec<Clock> {
     keys.into_iter().filter_map(clock).collect()
 }
 
-/// Of the rows of one machine and grade.
+/// The clock of the rows of one machine and grade.
 fn clock(rows: &[&PlaceRow]) -> Option<Clock> {
     let first = rows.first()?;
     let mhz: Vec<_> = rows.iter().map(|row| row.fmax_mhz).collect();
@@ -73,7 +73,7 @@ fn clock(rows: &[&PlaceRow]) -> Option<Clock> {
     })
 }
 
-/// Of an even number of values, the mean of the two in the middle; of none, nothing.
+/// The median; for an even number of values, the mean of the two in the middle; `None` for no values.
 fn median(mut values: Vec<f64>) -> Option<f64> {
     values.sort_by(f64::total_cmp);
     let (&low, &high) = (

@@ -1,4 +1,4 @@
-//! The files `docs/measured/synthesis.json` and `place.json`: read, brought up to date, checked.
+//! Reads, updates and checks the files `docs/measured/synthesis.json` and `place.json`.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -18,7 +18,7 @@ use super::place::{DEFAULT_GRADES, Device, Placer, Router, TARGET_MHZ};
 use crate::files;
 use crate::project::ABC9_TARGET_PS;
 
-/// What writes the files.
+/// The command that writes the files.
 pub const COMMAND: &str = "photoncube synth";
 
 /// The area of a machine in a flow.
@@ -26,9 +26,9 @@ pub const COMMAND: &str = "photoncube synth";
 pub struct AreaRow {
     /// The machine's name.
     pub machine: String,
-    /// The flow.
+    /// The flow that mapped the machine.
     pub flow: Flow,
-    /// Its figures.
+    /// The figures of the area.
     #[serde(flatten)]
     pub figures: Figures,
 }
@@ -38,37 +38,37 @@ pub struct AreaRow {
 pub struct PlaceRow {
     /// The machine's name.
     pub machine: String,
-    /// What it was mapped by.
+    /// The flow that mapped the machine.
     pub flow: Flow,
-    /// The speed grade of the device; a larger one is faster.
+    /// The speed grade of the device; a larger grade is faster.
     pub speed_grade: u32,
     /// The seed of placement.
     pub seed: u32,
-    /// How it was placed.
+    /// The placer of the machine.
     #[serde(default)]
     pub placer: Placer,
-    /// How it was routed.
+    /// The router of the machine.
     #[serde(default)]
     pub router: Router,
-    /// The highest clock.
+    /// The highest clock in MHz.
     pub fmax_mhz: f64,
-    /// The digest of the netlist that was placed, see [`netlist::sha256`](super::netlist::sha256); none in rows from
-    /// before it was kept.
+    /// The digest of the netlist that was placed, see [`netlist::sha256`](super::netlist::sha256); `None` in
+    /// rows that are older than this field.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub netlist_sha256: Option<String>,
-    /// What it is bound by; none where it was not read.
+    /// The critical path; `None` where it was not read.
     pub path: Option<CriticalPath>,
 }
 
 /// A row of either file.
 pub trait Row: Clone + Serialize + DeserializeOwned {
-    /// The file's name.
+    /// The name of the file.
     const FILE: &'static str;
-    /// What was the same for all rows: with anything else they could not be compared.
+    /// The conditions of all rows of a file. Rows of other conditions could not be compared.
     type Setting: Clone + PartialEq + Serialize + DeserializeOwned;
-    /// What is replaced together: the flow, or the flow and the speed grade.
+    /// The group of rows that is replaced together: by flow, or by flow and speed grade.
     fn group(&self) -> Group;
-    /// Where it stands.
+    /// The sort key of the row.
     fn order(&self) -> (String, Group, u32);
 }
 
@@ -82,7 +82,7 @@ pub struct Group {
 }
 
 impl Group {
-    /// Rows of a machine in a flow.
+    /// The rows of a machine in a flow.
     pub fn area(machine: &str, flow: Flow) -> Self {
         Self {
             machine: machine.to_owned(),
@@ -90,7 +90,7 @@ impl Group {
         }
     }
 
-    /// Rows of a machine in a speed grade, with all seeds.
+    /// The rows of a machine in a speed grade, with all seeds.
     pub fn place(machine: &str, speed_grade: u32) -> Self {
         Self {
             machine: machine.to_owned(),
@@ -99,34 +99,34 @@ impl Group {
     }
 }
 
-/// How areas were measured.
+/// The conditions of the area measurements.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct AreaSetting {
     /// See [`ABC9_TARGET_PS`].
     pub abc9_target_ps: u32,
     /// The Yosys commands of each flow.
     pub scripts: BTreeMap<Flow, String>,
-    /// The tools.
+    /// The versions of the tools.
     pub tool_versions: BTreeMap<String, String>,
 }
 
-/// How clocks were measured.
+/// The conditions of the clock measurements.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PlaceSetting {
-    /// The FPGA.
+    /// The name of the FPGA.
     pub device: String,
-    /// Its package.
+    /// The package of the FPGA.
     pub package: String,
-    /// The clock that was asked for.
+    /// The clock that the tools were given as a target, in MHz.
     pub target_mhz: u32,
     /// See [`ABC9_TARGET_PS`].
     pub abc9_target_ps: u32,
-    /// The tools.
+    /// The versions of the tools.
     pub tool_versions: BTreeMap<String, String>,
 }
 
 impl AreaSetting {
-    /// That of this program and these tools.
+    /// The conditions of this program with these tools.
     pub fn new(tool_versions: &BTreeMap<String, String>) -> Self {
         let mut tool_versions = tool_versions.clone();
         tool_versions.retain(|tool, _| tool.contains("yosys"));
@@ -139,7 +139,7 @@ impl AreaSetting {
 }
 
 impl PlaceSetting {
-    /// That of this program and these tools.
+    /// The conditions of this program with these tools.
     pub fn new(device: &Device, tool_versions: &BTreeMap<String, String>) -> Self {
         Self {
             device: device.name.to_owned(),
@@ -177,19 +177,19 @@ impl Row for PlaceRow {
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(bound = "")]
 pub struct Figured<R: Row> {
-    /// What wrote it.
+    /// The command that wrote the file.
     pub command: String,
-    /// How it was measured.
+    /// The conditions of the measurements.
     #[serde(flatten)]
     pub setting: R::Setting,
     /// The digest of each machine's Verilog that the rows are about.
     pub verilog_sha256: BTreeMap<String, String>,
-    /// The figures.
+    /// The measured figures.
     pub rows: Vec<R>,
 }
 
 impl<R: Row> Figured<R> {
-    /// A file of nothing yet.
+    /// A file without rows.
     pub fn new(setting: R::Setting) -> Self {
         Self {
             command: COMMAND.to_owned(),
@@ -199,7 +199,7 @@ impl<R: Row> Figured<R> {
         }
     }
 
-    /// The file of a folder; `None` if there is none.
+    /// Reads the file in a folder; `None` if it does not exist.
     pub fn read(folder: &Path) -> Result<Option<Self>> {
         let path = folder.join(R::FILE);
         match fs::read_to_string(&path) {
@@ -220,8 +220,8 @@ impl<R: Row> Figured<R> {
         Ok(path)
     }
 
-    /// Fails where rows of these groups could not stand beside those that the file keeps: long work is
-    /// not begun for nothing.
+    /// Fails where rows of these groups could not be combined with the rows that the file keeps, so that long
+    /// work is not begun in vain.
     pub fn check_update(
         &self,
         setting: &R::Setting,
@@ -260,7 +260,7 @@ impl<R: Row> Figured<R> {
         Ok(())
     }
 
-    /// Replaces the rows of a machine in the groups that `rows` has, after [`Self::check_update`].
+    /// Replaces the rows of a machine in the groups of `rows`, after [`Self::check_update`].
     pub fn update(&mut self, setting: R::Setting, subject: &Subject, rows: &[R]) {
         let groups = rows.iter().map(Row::group).collect();
         let kept: Vec<_> = self.kept(&groups).cloned().collect();
@@ -281,8 +281,7 @@ impl<R: Row> Figured<R> {
             .filter(|row| !groups.contains(&row.group()))
     }
 
-    /// What is wrong with the file, in words; `all` says that the subjects are all machines that there
-    /// are.
+    /// The faults of the file, as text. `all` states that the subjects are all existing machines.
     pub fn faults(&self, expected: &[Group], subjects: &[Subject], all: bool) -> Vec<String> {
         let mut faults = Vec::new();
         let found: BTreeSet<_> = self.rows.iter().map(Row::group).collect();
@@ -319,8 +318,8 @@ impl<R: Row> Figured<R> {
     }
 }
 
-/// A chain of engines takes minutes to map and up to an hour to place, and its engines are those of
-/// `tile-4`: it is measured where someone has the time, and named where nobody had.
+/// Whether the machine is a long chain of engines. Such a chain takes minutes to map and up to an hour to
+/// place, and its engines are those of `tile-4`. It need not be measured; chains that were not are named.
 fn is_chain(machine: &Machine) -> bool {
     machine.queries_at_once() > 1
 }
@@ -330,7 +329,7 @@ fn expected_areas(machine: &Machine) -> Vec<Group> {
     flows.map(|flow| Group::area(machine.name, flow)).collect()
 }
 
-/// The machines of which a file has no row.
+/// The machines without rows in a file.
 pub fn without<R: Row>(folder: &Path, subjects: &[Subject]) -> Result<Vec<&'static str>> {
     let rows = Figured::<R>::read(folder)?.map_or(Vec::new(), |file| file.rows);
     let names = subjects.iter().map(|subject| subject.machine.name);
@@ -338,8 +337,8 @@ pub fn without<R: Row>(folder: &Path, subjects: &[Subject]) -> Result<Vec<&'stat
     Ok(names.filter(|name| !is_there(name)).collect())
 }
 
-/// What is wrong with the files of a folder; nothing is if they are about these machines, with every
-/// flow and grade, measured as this program would.
+/// The faults of the files in a folder. There are none if the files are about these machines, with every flow
+/// and grade, measured under this program's conditions.
 pub fn faults(folder: &Path, subjects: &[Subject], all: bool) -> Result<Vec<String>> {
     let mut faults = Vec::new();
     match Figured::<AreaRow>::read(folder)? {

@@ -26,7 +26,7 @@ pub enum Flow {
     Max10,
 }
 
-/// A flow's row.
+/// The parameters of a flow.
 struct Row {
     flow: Flow,
     heading: &'static str,
@@ -44,7 +44,7 @@ const ECP5_FIGURES: &[Figure] = &[
     Figure::LutRam,
 ];
 
-/// `TOP` is the top module's name.
+/// The table of flows. In the scripts, `TOP` is the top module's name.
 const ROWS: &[Row] = &[
     Row {
         flow: Flow::Lut4,
@@ -64,8 +64,8 @@ const ROWS: &[Row] = &[
         script: "synth_ecp5 -nodsp -top TOP",
         figures: ECP5_FIGURES,
     },
-    // A flip-flop with enable or reset has no place in Yosys's table of transistors, so these become
-    // gates before a plain one, and count as such; `$scopeinfo` is bookkeeping that it has none for.
+    // Yosys's table of transistors has no flip-flop with enable or reset, so these become gates and a plain
+    // flip-flop, and are counted as such. It has no entry for the bookkeeping cell `$scopeinfo`.
     Row {
         flow: Flow::Gates,
         heading: "gates with two inputs",
@@ -73,7 +73,7 @@ const ROWS: &[Row] = &[
                  abc -g AND,NAND,OR,NOR,XOR,XNOR,MUX; opt_clean",
         figures: &[Figure::Gates, Figure::Nand2Equivalents, Figure::Ff],
     },
-    // The machine is a block of a larger design: its ports get no pads, its clock no buffer.
+    // The machine is a block of a larger design, so its ports get no pads and its clock no buffer.
     Row {
         flow: Flow::Intel,
         heading: "Cyclone V",
@@ -87,8 +87,8 @@ const ROWS: &[Row] = &[
             Figure::LutRam,
         ],
     },
-    // Without block RAMs: Yosys's own map to them names a parameter that its model of them lacks, and stops
-    // at the queue of results.
+    // Without block RAMs: Yosys's own mapping to them uses a parameter that its model of them lacks, and
+    // fails at the queue of results.
     Row {
         flow: Flow::Max10,
         heading: "MAX 10",
@@ -103,13 +103,13 @@ const ROWS: &[Row] = &[
 ];
 
 impl Flow {
-    /// All flows.
+    /// All flows, in the order of the table.
     pub fn all() -> impl Iterator<Item = Self> {
         ROWS.iter().map(|row| row.flow)
     }
 
-    /// The flow that a machine is placed in: with DSP blocks only where its squarer is made for them.
-    /// Elsewhere the synthesiser finds a product in other places, and what is measured is its choice.
+    /// The flow in which a machine is placed: with DSP blocks only where its squarer is made for them. In
+    /// other machines the synthesiser finds products elsewhere, and the measurement would be of its choice.
     pub fn to_place(machine: &Machine) -> Self {
         let others = machine.spatial().map_or(&[][..], |spatial| spatial.others);
         let others = others.iter().map(|(kind, _)| kind.squarer);
@@ -127,17 +127,17 @@ impl Flow {
         row.expect("a test has seen a row for each flow")
     }
 
-    /// What it maps to, for people.
+    /// The target of the flow, as a heading.
     pub fn heading(self) -> &'static str {
         self.row().heading
     }
 
-    /// What is counted.
+    /// The figures that are counted in the flow.
     pub fn figures(self) -> &'static [Figure] {
         self.row().figures
     }
 
-    /// Its name on the command line.
+    /// The flow's name on the command line.
     pub fn name(self) -> String {
         option_name(self)
     }

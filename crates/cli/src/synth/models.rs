@@ -1,4 +1,5 @@
-//! The models of an ECP5's cells: Yosys's own where it has one, and the project's of the block RAM and the DSP block.
+//! The simulation models of an ECP5's cells: Yosys's own, and the project's models of the block RAM and the
+//! DSP block.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -9,13 +10,13 @@ use serde_json::{Map, Value};
 
 use super::tools::Tools;
 
-/// Of the block RAM and the DSP block.
+/// The project's models of the block RAM and the DSP block.
 const BLOCKS: &str = include_str!("../../../../scripts/yosys/ecp5_blocks.v");
 
-/// The module of a block RAM's words in it.
+/// The module in it that holds a block RAM's words.
 pub const WORDS: &str = "ecp5_block_words";
 
-/// What is taken of Yosys's models: cells of a mapped netlist, and `LUT2`, which is a part of `CCU2C`.
+/// The models that are taken from Yosys: cells of a mapped netlist, and `LUT2`, which is a part of `CCU2C`.
 const YOSYS: [&str; 7] = [
     "LUT2",
     "LUT4",
@@ -29,10 +30,10 @@ const YOSYS: [&str; 7] = [
 /// The models of all cells that a machine is mapped to, from the Yosys that maps it.
 ///
 /// # Errors
-/// Yosys fails, or has no model of one.
+/// Yosys fails, or lacks a model.
 pub fn models(tools: &Tools, folder: &Path) -> Result<String> {
     let log = "models.log";
-    // Without what it includes: pads, and other names of the same flip-flops.
+    // The included files are left out: pads, and other names of the flip-flops.
     let read = format!("tee -q -o {log} read_verilog -ppdump -D NO_INCLUDES +/ecp5/cells_sim.v");
     tools.yosys(folder, &read)?;
     let dump = fs::read_to_string(folder.join(log))?;
@@ -40,15 +41,15 @@ pub fn models(tools: &Tools, folder: &Path) -> Result<String> {
     Ok(models.collect::<Result<String>>()? + BLOCKS)
 }
 
-/// Whether [`models`] has the cell.
+/// Whether [`models`] contains the cell.
 pub fn is_modelled(kind: &str) -> bool {
     YOSYS.contains(&kind) || module(BLOCKS, kind).is_ok()
 }
 
-/// Fails where a cell has a parameter that its model does not have: a simulator may only warn of one.
+/// Fails where a cell has a parameter that its model lacks, because a simulator may only warn.
 ///
 /// # Errors
-/// There is one, or a cell has no model.
+/// A parameter or a model is missing.
 pub fn check_parameters(models: &str, cells: &Map<String, Value>) -> Result<()> {
     let mut known: BTreeMap<&str, String> = BTreeMap::new();
     for (name, cell) in cells {
@@ -78,7 +79,7 @@ pub fn check_parameters(models: &str, cells: &Map<String, Value>) -> Result<()> 
     Ok(())
 }
 
-/// A module of a text.
+/// The text of a module.
 fn module(text: &str, name: &str) -> Result<String> {
     const END: &str = "\nendmodule\n";
     let begins = [format!("\nmodule {name}("), format!("\nmodule {name} (")];

@@ -1,4 +1,4 @@
-//! What binds the clock: facts about the critical path of a routed design.
+//! Facts about the critical path of a routed design, which limits its clock.
 
 use std::collections::BTreeMap;
 
@@ -10,49 +10,49 @@ use super::wrapper::INSTANCE;
 /// The slowest path from register to register.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CriticalPath {
-    /// The register, memory or DSP block that it starts in, without the bit.
+    /// The register, memory or DSP block at the start, without the bit.
     pub from: String,
-    /// The one that it ends in.
+    /// The register, memory or DSP block at the end, without the bit.
     pub to: String,
-    /// Time in cells, the registers at both ends included.
+    /// The time in cells, including the registers at both ends, in ns.
     pub logic_ns: f64,
-    /// Time on nets.
+    /// The time on nets, in ns.
     pub routing_ns: f64,
-    /// The slowest net.
+    /// The time on the slowest net, in ns.
     pub longest_net_ns: f64,
-    /// Carry chains, one behind the other.
+    /// The number of carry chains on the path.
     pub carry_chains: u64,
-    /// Carry cells (CCU2C) in them.
+    /// The number of carry cells (CCU2C) in these chains.
     pub carry_cells: u64,
-    /// LUTs; the muxes that join those of a slice are none.
+    /// The number of LUTs; the muxes that join the LUTs of a slice are not counted.
     pub lut_levels: u64,
-    /// DSP blocks.
+    /// The number of DSP blocks on the path.
     pub dsp_levels: u64,
-    /// What takes most of the time.
+    /// The part that takes most of the time.
     pub binds: Binding,
 }
 
-/// What takes most of a path's time, where each net counts for what it leads to, unless one net alone
-/// takes more than all else.
+/// The part that takes most of a path's time. Each net is counted with the cell that it leads to, unless one
+/// net takes more time than everything else.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Binding {
     /// Adders and comparators.
     CarryChains,
-    /// Logic.
+    /// LUTs without a carry chain.
     Luts,
     /// Multipliers.
     DspBlocks,
-    /// Memories.
+    /// Block RAMs and LUT RAMs.
     Memories,
-    /// The registers at both ends, and the net to the last.
+    /// The registers at both ends, and the net to the last register.
     Registers,
     /// One long net.
     OneNet,
 }
 
 impl Binding {
-    /// The words for it in reports.
+    /// The description of the part in reports.
     pub fn words(self) -> &'static str {
         match self {
             Self::CarryChains => "carry chains",
@@ -65,7 +65,7 @@ impl Binding {
     }
 }
 
-/// What nextpnr's `--report` writes, as far as it is used.
+/// The used parts of nextpnr's `--report` file.
 #[derive(Deserialize)]
 struct Report {
     critical_paths: Vec<PathReport>,
@@ -84,7 +84,7 @@ struct PathReport {
     path: Vec<Step>,
 }
 
-/// A step takes time in a cell or on a net.
+/// A step of the path: the time in a cell or on a net.
 #[derive(Deserialize)]
 struct Step {
     #[serde(rename = "type")]
@@ -100,7 +100,7 @@ struct Pin {
     port: String,
 }
 
-/// The highest clock in MHz that the routed design allows, and the path that it is bound by.
+/// Parses the highest clock in MHz that the routed design allows, and its critical path.
 pub fn parse(report: &str) -> Result<(f64, CriticalPath)> {
     let report: Report =
         serde_json::from_str(report).context("what nextpnr's `--report` writes")?;
@@ -111,7 +111,7 @@ pub fn parse(report: &str) -> Result<(f64, CriticalPath)> {
             report.fmax.keys()
         );
     };
-    // The others are from and to pins.
+    // Other paths begin or end at pins.
     let own = |path: &&PathReport| path.from == path.to && path.from.ends_with(clock.as_str());
     let path = report.critical_paths.iter().find(own);
     let path = path.with_context(|| format!("found no critical path of the clock {clock}"))?;
@@ -175,14 +175,14 @@ fn facts(steps: &[Step]) -> Result<CriticalPath> {
     })
 }
 
-/// The port by which a carry comes from the cell before.
+/// The input port of the carry from the previous cell.
 const CARRY_IN: &str = "FCI";
-/// The inputs of the muxes beside the LUTs: data from a LUT or another mux, and the selection.
+/// The inputs of the muxes beside the LUTs: data from a LUT or another mux, and the select input.
 const WIDE_MUX_INPUTS: &[&str] = &["F1", "FXA", "FXB", "M"];
-/// nextpnr names the halves of a carry cell so, and a number.
+/// nextpnr's name of a half of a carry cell, which a number follows.
 const CARRY_HALF: &str = "$CCU2_COMB";
-/// Yosys names a cell `NET_KIND_PORT`, where the net may be named in that way itself, and nextpnr
-/// keeps the kinds of the cells apart no further.
+/// The kinds in cell names. Yosys names a cell `NET_KIND_PORT`, where the net itself may have such a name,
+/// and nextpnr preserves the kinds of cells only in these names.
 const KINDS: &[(&str, Binding)] = &[
     ("_CCU2C", Binding::CarryChains),
     ("_LUT4", Binding::Luts),
@@ -200,7 +200,7 @@ impl Step {
         self.kind == "routing"
     }
 
-    /// The kind of cell, by the last kind in its name.
+    /// The kind of the cell, by the last kind in its name.
     fn part(&self) -> Binding {
         let cell = &self.to.cell;
         if cell.contains(CARRY_HALF) {
@@ -211,20 +211,20 @@ impl Step {
             .filter_map(|&(kind, part)| cell.rfind(kind).map(|at| (at, part)));
         let last = places.max_by_key(|&(at, _)| at).map(|(_, part)| part);
         match (last, self.kind.as_str()) {
-            // A register in front of which there is a LUT has the LUT's name after its own.
+            // A register with a LUT in front of it has the LUT's name after its own.
             (Some(part), _) => part,
             (None, "logic") => Binding::Luts,
             (None, _) => Binding::Registers,
         }
     }
 
-    /// Through one of the muxes that join the LUTs of a slice, and no LUT itself.
+    /// Whether the step passes one of the muxes that join the LUTs of a slice, and not a LUT.
     fn is_wide_mux(&self) -> bool {
         WIDE_MUX_INPUTS.contains(&self.from.port.as_str())
     }
 }
 
-/// The name of what a cell holds: without the wrapper around it and without what Yosys has added.
+/// The name of a cell's register, without the wrapper's prefix and without Yosys's additions.
 fn register(cell: &str) -> String {
     let cell = cell
         .strip_prefix(INSTANCE)

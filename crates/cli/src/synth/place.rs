@@ -1,4 +1,4 @@
-//! The clock that a machine reaches on an ECP5, placed and routed.
+//! Measures the clock that a machine reaches on an ECP5, placed and routed.
 
 use std::fs;
 use std::path::Path;
@@ -17,14 +17,14 @@ use super::{Subject, netlist, option_name, path, wrapper};
 /// An FPGA that nextpnr knows.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Device {
-    /// Its name.
+    /// The name of the FPGA.
     pub name: &'static str,
-    /// The package it is taken in; it decides nothing, since no pin is on a path that counts.
+    /// The package. It has no effect on the clock, since no path that counts has a pin.
     pub package: &'static str,
     option: &'static str,
 }
 
-/// The devices, the one that figures are committed for first.
+/// The devices; the first is the one of the committed figures.
 pub static DEVICES: [Device; 4] = [
     Device {
         name: "LFE5U-85F",
@@ -48,21 +48,21 @@ pub static DEVICES: [Device; 4] = [
     },
 ];
 
-/// The slowest, which the figures of `list` are of, and the fastest.
+/// The slowest speed grade, whose figures `list` shows, and the fastest.
 pub const DEFAULT_GRADES: [u32; 2] = [6, 8];
 
-/// More than any machine reaches, so that no path of one counts as short enough.
+/// The target clock in MHz, higher than any machine reaches, so that no path counts as fast enough.
 pub const TARGET_MHZ: u32 = 400;
 
 const NETLIST: &str = "serial.json";
 
 impl Device {
-    /// The one that figures are committed for.
+    /// The device of the committed figures.
     pub fn default_one() -> &'static Self {
         &DEVICES[0]
     }
 
-    /// By its name.
+    /// Finds the device of that name.
     pub fn find(name: &str) -> Result<&'static Self> {
         let device = DEVICES.iter().find(|device| device.name == name);
         device.with_context(|| {
@@ -76,15 +76,16 @@ impl Device {
 pub struct Mapped {
     /// The machine's ports.
     pub ports: Vec<MachinePort>,
-    /// Its netlist, wrapper included, as Yosys maps it and after each pass; the last is placed.
+    /// Its netlists, wrapper included: as Yosys maps it and after each pass. The last is placed.
     pub stages: Vec<Stage>,
 }
 
-/// Maps a machine, whose Verilog `{top}.v` is in the folder, in its serial wrapper, and leaves there what is placed.
+/// Maps a machine, whose Verilog `{top}.v` is in the folder, in its serial wrapper, and writes the netlist to
+/// be placed into that folder.
 pub fn map(tools: &Tools, folder: &Path, subject: &Subject) -> Result<Mapped> {
     let top = &subject.top;
     let attempt = || -> Result<Mapped> {
-        // -lib reads the ports alone.
+        // -lib reads only the ports.
         let file = "ports.json";
         tools.yosys(
             folder,
@@ -131,22 +132,22 @@ pub enum Router {
     Router2,
 }
 
-/// What a machine is placed and routed in, and how.
+/// The device and the options of one placement.
 #[derive(Copy, Clone, Debug)]
 pub struct Try {
-    /// The FPGA.
+    /// The FPGA to place in.
     pub device: &'static Device,
-    /// Its speed grade.
+    /// The speed grade of the FPGA.
     pub speed_grade: u32,
     /// The seed of placement.
     pub seed: u32,
-    /// How it is placed.
+    /// The placer that is used.
     pub placer: Placer,
-    /// How it is routed.
+    /// The router that is used.
     pub router: Router,
 }
 
-/// Places and routes what [`map`] has left in the folder.
+/// Places and routes the netlist that [`map`] wrote into the folder.
 pub fn measure(tools: &Tools, folder: &Path, subject: &Subject, what: Try) -> Result<PlaceRow> {
     let machine = subject.machine.name;
     let Try {
@@ -157,11 +158,11 @@ pub fn measure(tools: &Tools, folder: &Path, subject: &Subject, what: Try) -> Re
         router,
     } = what;
     let report = format!("{speed_grade}-{seed}.json");
-    // To look into while a long run goes on.
+    // The log can be read while a long run continues.
     let log = format!("{speed_grade}-{seed}.log");
     let (grade, seed_text) = (speed_grade.to_string(), seed.to_string());
     let target = TARGET_MHZ.to_string();
-    // As on our own command line.
+    // The names of the command line are nextpnr's names.
     let (placer_name, router_name) = (option_name(placer), option_name(router));
     let options = [
         "--quiet",
@@ -184,11 +185,11 @@ pub fn measure(tools: &Tools, folder: &Path, subject: &Subject, what: Try) -> Re
         &router_name,
         "--report",
         &report,
-        // The target is out of reach by intent, and a missed one is no failure.
+        // The target is out of reach on purpose, so missing it is not a failure.
         "--timing-allow-fail",
     ];
     let figures = tools.nextpnr(folder, &options).and_then(|_| {
-        // Of the routed design; the figures that nextpnr prints before are estimates.
+        // The figures of the routed design; those that nextpnr prints earlier are estimates.
         path::parse(&fs::read_to_string(folder.join(&report))?)
     });
     let (fmax_mhz, path) = figures

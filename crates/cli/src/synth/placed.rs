@@ -1,4 +1,4 @@
-//! The netlist that is placed, against the golden model.
+//! Verifies the netlist that is placed against the golden model.
 
 use std::path::Path;
 
@@ -17,10 +17,10 @@ use super::prove::{PassProof, prove};
 use super::tools::Tools;
 use super::{Subject, netlist::unwrapped};
 
-/// The simulators that know the models of the cells.
+/// The simulators that can run the models of the cells.
 pub const SIMULATORS: [DeviceKind; 2] = [DeviceKind::Verilator, DeviceKind::Icarus];
 
-/// A machine as it is placed.
+/// A machine with the netlists of its placement.
 pub struct Placed<'a> {
     tools: &'a Tools,
     folder: TempDir,
@@ -54,7 +54,7 @@ impl<'a> Placed<'a> {
     /// The digest of the netlist that is placed.
     ///
     /// # Errors
-    /// It is no netlist.
+    /// The netlist is not legal.
     pub fn netlist_sha256(&self) -> Result<String> {
         let placed = self.mapped.stages.last().context("there is a netlist")?;
         netlist::sha256(&placed.netlist)
@@ -63,7 +63,7 @@ impl<'a> Placed<'a> {
     /// Yosys's version.
     ///
     /// # Errors
-    /// It says none.
+    /// Yosys prints no version.
     pub fn yosys_version(&self) -> Result<String> {
         self.tools.yosys_version(self.folder())
     }
@@ -72,18 +72,18 @@ impl<'a> Placed<'a> {
         self.folder.path()
     }
 
-    /// What each pass has changed, proven to be the same.
+    /// Proves that the changes of each pass preserve the function.
     ///
     /// # Errors
-    /// A pass has done more than to change cells, or Yosys fails.
+    /// A pass has done more than change cells, or Yosys fails.
     pub fn prove(&self) -> Result<Vec<PassProof>> {
         prove(self.tools, self.folder(), &self.models, &self.mapped.stages)
     }
 
-    /// The machine of a netlist with the models of its cells.
+    /// The Verilog of the machine in a netlist, with the models of its cells.
     ///
     /// # Errors
-    /// A cell has no model, or what is around the machine is not its wrapper.
+    /// A cell has no model, or the machine's surroundings are not its wrapper.
     pub fn text(&self, netlist: &serde_json::Value) -> Result<String> {
         let machine = unwrapped(netlist, &self.subject.top, &self.mapped.ports)?;
         if let Some(cells) = netlist::top(netlist)?["cells"].as_object() {
@@ -92,11 +92,11 @@ impl<'a> Placed<'a> {
         Ok(machine + &self.models)
     }
 
-    /// Verifies the machine of a netlist in a simulator, with its output pins compared in every clock.
+    /// Verifies the machine in a netlist in a simulator. Its output pins are compared in every clock.
     ///
     /// # Errors
-    /// The netlist cannot be simulated. Inside: the first difference from the golden model, or what kept the
-    /// simulator from a verdict.
+    /// The netlist cannot be simulated. The inner error is the first difference from the golden model, or a
+    /// failure of the simulator.
     pub fn verify(
         &self,
         netlist: &serde_json::Value,

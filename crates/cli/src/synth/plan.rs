@@ -1,4 +1,4 @@
-//! What is to be measured, and doing it on several cores.
+//! Plans measurements and runs them on several cores.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -21,11 +21,11 @@ use super::{Subject, area, place};
 use crate::args::SynthArgs;
 use crate::{measured, progress};
 
-/// What is to be measured.
+/// The measurements to make.
 pub struct Plan {
-    /// The machines.
+    /// The machines to measure.
     pub subjects: Vec<Subject>,
-    /// The flows to count areas in.
+    /// The flows in which areas are counted.
     pub flows: Vec<Flow>,
     /// Whether machines are placed.
     pub places: bool,
@@ -39,7 +39,7 @@ pub struct Plan {
 }
 
 impl Plan {
-    /// What the arguments ask for, of these machines.
+    /// The plan of the arguments, for these machines.
     pub fn new(args: &SynthArgs, subjects: Vec<Subject>) -> Self {
         let grades: BTreeSet<u32> = match args.grades.is_empty() {
             true => DEFAULT_GRADES.into(),
@@ -59,7 +59,7 @@ impl Plan {
         }
     }
 
-    /// The groups of rows that will be there.
+    /// The groups of rows that the plan produces.
     pub fn groups(&self) -> (BTreeSet<Group>, BTreeSet<Group>) {
         let names = || self.subjects.iter().map(|subject| subject.machine.name);
         let areas = names().flat_map(|name| self.flows.iter().map(move |&f| Group::area(name, f)));
@@ -68,7 +68,7 @@ impl Plan {
         (areas.collect(), places.collect())
     }
 
-    /// Placements of one machine.
+    /// The placements of one machine.
     pub fn tries(&self) -> Vec<Try> {
         let grades = self.grades.iter().filter(|_| self.places);
         let with = |speed_grade, seed| Try {
@@ -83,7 +83,7 @@ impl Plan {
             .collect()
     }
 
-    /// How long it will take, from the areas that were measured before.
+    /// Announces the expected duration, from the areas that were measured before.
     pub fn announce(&self) {
         let (runs, tries) = (self.flows.len() as u64, self.tries().len() as u64);
         let of = |subject: &Subject| {
@@ -102,7 +102,7 @@ impl Plan {
         );
     }
 
-    /// Writes each machine's Verilog to a folder of its own, where the tools find it.
+    /// Writes each machine's Verilog to its own folder, where the tools find it.
     pub fn write_verilog(&self, scratch: &Path) -> Result<()> {
         for subject in &self.subjects {
             let folder = scratch.join(subject.machine.name);
@@ -112,7 +112,7 @@ impl Plan {
         Ok(())
     }
 
-    /// Each machine in each flow.
+    /// Measures each machine in each flow.
     pub fn areas(
         &self,
         tools: &Tools,
@@ -131,7 +131,7 @@ impl Plan {
         })
     }
 
-    /// Each machine mapped in its wrapper, then placed in each speed grade with each seed.
+    /// Maps each machine in its wrapper, then places it in each speed grade with each seed.
     pub fn placements(
         &self,
         tools: &Tools,
@@ -160,7 +160,7 @@ impl Plan {
         })
     }
 
-    /// Does the work, each item with the time that it is guessed to take, with a bar.
+    /// Does the work in parallel with a progress bar; each item has an estimated time.
     fn in_parallel<I: Copy + Send + Sync, R: Send>(
         &self,
         what: &'static str,
@@ -181,7 +181,7 @@ impl Plan {
         results
     }
 
-    /// A writer of rows of these groups, `rows_each` of each machine.
+    /// A writer of rows of these groups; each machine has `rows_each` rows.
     pub fn writer<R: Row>(
         &self,
         args: &SynthArgs,
@@ -204,13 +204,13 @@ impl Plan {
     }
 }
 
-/// How large a machine is, which decides how long the tools take.
+/// The size of a machine, which determines the time of the tools.
 struct Size {
     lut4_equivalents: u64,
 }
 
 impl Size {
-    /// As it was measured before; else as the largest of the paper's.
+    /// The size that was measured before; otherwise that of the largest of the paper's machines.
     fn of(machine: &Machine) -> Self {
         const UNKNOWN: u64 = 8000;
         let measured = measured::lut4_equivalents(machine.name).unwrap_or(None);

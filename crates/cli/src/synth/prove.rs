@@ -1,4 +1,5 @@
-//! Whether what a pass has changed in a netlist is the same as before, by Yosys's SAT solver and the models of the cells.
+//! Proves that a pass over a netlist preserves its function, with Yosys's SAT solver and the models of the
+//! cells.
 
 use std::fmt::Write;
 use std::fs;
@@ -11,40 +12,41 @@ use super::models::WORDS;
 use super::netlist::{Change, Stage, changes};
 use super::tools::Tools;
 
-/// Clocks of the induction. What a word went through is compared at the output: two registers in a row at most.
+/// The number of clocks of the induction. A word is compared at the output, behind at most two registers in a
+/// row.
 const MOST_STEPS: u32 = 4;
 
-/// Said in Yosys's log of a proof that there is, and of one that there cannot be.
+/// Yosys's messages of a successful and of a failed proof.
 const PROVEN: &str = "Induction step proven: SUCCESS!";
 const REFUTED: [&str; 2] = [
     "SAT temporal induction proof finished - model found for base case: FAIL!",
     "SAT proof finished - model found: FAIL!",
 ];
 
-/// Stands in the log before what is said of a question.
+/// A mark in the log before the output of each question.
 const MARK: &str = "photoncube-question";
 
-/// What a pass did to a netlist.
+/// The proof of one pass over a netlist.
 #[derive(Clone, Debug, Serialize)]
 pub struct PassProof {
-    /// The pass.
+    /// The name of the pass.
     pub pass: &'static str,
-    /// Cells that it changed; what it removed is counted with them.
+    /// The number of cells that it changed or removed.
     pub cells_changed: usize,
-    /// Different changes among these.
+    /// The number of different changes among these.
     pub different_changes: usize,
-    /// Each change is the same as before for all inputs, in all clocks from power-up.
+    /// Whether each change preserves the function for all inputs, in all clocks from power-up.
     pub proven: bool,
-    /// A fault in each change was refuted by a counter-example.
+    /// Whether a fault in each change was refuted by a counter-example.
     pub control_refuted: bool,
-    /// The changes of which one of these is not so, and what was said.
+    /// The changes that fail one of these conditions, with Yosys's output.
     pub not_proven_because: Option<String>,
 }
 
 /// Proves each pass, with the models of the cells.
 ///
 /// # Errors
-/// A pass has done more than to change cells, or Yosys fails.
+/// A pass has done more than change cells, or Yosys fails.
 pub fn prove(
     tools: &Tools,
     folder: &Path,
@@ -101,7 +103,7 @@ fn prove_pass(
     Ok(proof)
 }
 
-/// What Yosys says of each change, and of the fault in it.
+/// Yosys's answers for each change, and for the fault in it.
 fn asked(tools: &Tools, folder: &Path, models: &str, found: &[Change]) -> Result<Vec<[String; 2]>> {
     let (mut text, mut all) = (models.to_owned(), String::new());
     for (index, change) in found.iter().enumerate() {
@@ -130,8 +132,8 @@ fn asked(tools: &Tools, folder: &Path, models: &str, found: &[Change]) -> Result
 
 const SIDES: [&str; 3] = ["before", "after", "wrong"];
 
-/// The words of a block RAM are taken out: they are free, and what each side does to them must be equal. What is
-/// unknown is 0 on both sides.
+/// The Yosys script. The words of a block RAM are removed: they are free, and the effect of both sides on
+/// them must be equal. Unknown values are 0 on both sides.
 fn script(count: usize) -> String {
     let mut script = format!(
         "read_verilog changes.v; blackbox {WORDS}; hierarchy -top all; proc; flatten change_*; \
@@ -152,7 +154,7 @@ fn script(count: usize) -> String {
     script
 }
 
-/// The end of what was said.
+/// The end of Yosys's output.
 fn last(said: &str) -> &str {
     said.trim_end().lines().last().unwrap_or("nothing was said")
 }

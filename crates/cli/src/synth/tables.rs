@@ -8,7 +8,7 @@ use super::option_name;
 use super::path::CriticalPath;
 use crate::table;
 
-/// A table of each flow that there are rows of.
+/// A table for each flow that has rows.
 pub fn areas(rows: &[AreaRow]) -> String {
     let mut text = String::new();
     for flow in Flow::all() {
@@ -38,7 +38,7 @@ fn area_cells(row: &AreaRow, figures: &[Figure]) -> Vec<String> {
     cells
 }
 
-/// What machines take where there is no ECP5: a row for each machine, in the order in which they come.
+/// The areas on other devices than ECP5: a row for each machine, in the order of the rows.
 pub fn elsewhere(rows: &[AreaRow]) -> String {
     let columns = [
         ("LUT4, no carry chains", Flow::Lut4, Figure::Lut4),
@@ -93,7 +93,7 @@ fn heading(figure: Figure) -> &'static str {
     }
 }
 
-/// The clocks, each with what binds it.
+/// The clocks, each with its critical path.
 pub fn clocks(clocks: &[Clock]) -> String {
     let header = [
         "machine",

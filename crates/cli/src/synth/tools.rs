@@ -1,4 +1,4 @@
-//! Yosys and nextpnr: where they are, what versions, and how they are run.
+//! Finds and runs Yosys and nextpnr, and reads their versions.
 
 use std::collections::BTreeMap;
 use std::ffi::OsStr;
@@ -7,13 +7,12 @@ use std::process::Command;
 
 use anyhow::{Context, Result, bail};
 
-/// Where the tools are asked for, from the project's root.
+/// The script with the pinned versions of the tools, from the project's root.
 const SETUP: &str = "scripts/setup.sh";
-/// What installs them.
+/// The command that installs the tools.
 const INSTALL: &str = "scripts/setup.sh --synthesis";
 
-/// A program, as `scripts/setup.sh` installs it and as it is called elsewhere, and its word for its
-/// version.
+/// A program: its name as `scripts/setup.sh` installs it, its common name, and the word before its version.
 struct Program {
     names: [&'static str; 2],
     version_option: &'static str,
@@ -36,27 +35,28 @@ const NEXTPNR: Program = Program {
 pub struct Tools {
     folder: PathBuf,
     yosys: PathBuf,
-    /// Only where something is placed.
+    /// The path of nextpnr; `None` where nothing is placed.
     nextpnr: Option<PathBuf>,
 }
 
-/// What the tools are for.
+/// The purpose of the tools.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub enum Purpose {
-    /// Mapping, which Yosys does alone.
+    /// Mapping, which needs only Yosys.
     Map,
-    /// Mapping, and placing what was mapped, which nextpnr does.
+    /// Mapping and placing; nextpnr places.
     Place,
 }
 
 impl Tools {
-    /// Those for a purpose in a folder, or else those that `scripts/setup.sh --synthesis` has installed.
+    /// Finds the tools for a purpose in a folder, or else those that `scripts/setup.sh --synthesis` has
+    /// installed.
     ///
     /// # Errors
-    /// One of them is not there.
+    /// A tool is missing.
     pub fn find(folder: Option<&Path>, purpose: Purpose) -> Result<Self> {
         let folder = match folder {
-            // The tools run in folders of their own, where a relative path would be another's.
+            // The tools run in other folders, in which a relative path would have another meaning.
             Some(folder) => std::path::absolute(folder)?,
             None => installed()?,
         };
@@ -85,14 +85,14 @@ impl Tools {
     /// Yosys's version.
     ///
     /// # Errors
-    /// It does not run, or says none.
+    /// Yosys does not run or prints no version.
     pub fn yosys_version(&self, scratch: &Path) -> Result<String> {
         let [_, name] = YOSYS.names;
         let mut versions = self.versions(scratch)?;
         versions.remove(name).context("Yosys has a version")
     }
 
-    /// Of the programs, and of the packages that they came in.
+    /// The versions of the programs, and of the packages that they came in.
     pub fn versions(&self, scratch: &Path) -> Result<BTreeMap<String, String>> {
         let mut versions = BTreeMap::new();
         let nextpnr = self.nextpnr.iter().map(|path| (NEXTPNR, path));
@@ -128,7 +128,7 @@ impl Program {
         }
     }
 
-    /// Not what follows: the folders and compilers of whoever built it.
+    /// The rest of the line is left out: the folders and compilers of the build.
     fn version(&self, said: &str) -> Option<String> {
         let (_, rest) = said.split_once(self.version_after)?;
         let version: String = rest.chars().take_while(|c| !" ,)\n".contains(*c)).collect();
@@ -141,7 +141,7 @@ impl Program {
     }
 }
 
-/// The folder that `scripts/setup.sh` installs to; it knows the versions that go together.
+/// The folder that `scripts/setup.sh` installs to; the script has the versions that belong together.
 fn installed() -> Result<PathBuf> {
     if !Path::new(SETUP).is_file() {
         bail!(
@@ -159,7 +159,7 @@ fn installed() -> Result<PathBuf> {
     Ok(PathBuf::from(folder))
 }
 
-/// What a program says; where it fails, that is the error.
+/// The output of a program; if the program fails, the output is the error.
 fn run<S: AsRef<OsStr>>(
     program: &Path,
     arguments: impl IntoIterator<Item = S>,

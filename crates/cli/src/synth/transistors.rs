@@ -1,4 +1,4 @@
-//! Gates in NAND2 equivalents, the unit in which gate arrays were sold.
+//! Counts gates in NAND2 equivalents, the unit of gate arrays.
 
 use std::collections::BTreeMap;
 
@@ -6,9 +6,9 @@ use anyhow::{Context, Result, bail};
 
 use super::cells::{Figure, Figures};
 
-/// Transistors of each cell in static CMOS, as Yosys's `stat -tech cmos` has them. Inverting gates are
-/// the native ones; a gate that does not invert has an inverter behind it; XOR, XNOR and the mux are
-/// three NANDs' worth; a flip-flop is two latches of two gates each.
+/// Transistors of each cell in static CMOS, as in Yosys's `stat -tech cmos`. Inverting gates are native; a
+/// gate that does not invert has an inverter behind it. XOR, XNOR and the mux count as three NANDs; a
+/// flip-flop is two latches of two gates each.
 const TRANSISTORS: &[(&str, u64)] = &[
     ("$_NOT_", 2),
     ("$_NAND_", 4),
@@ -21,10 +21,10 @@ const TRANSISTORS: &[(&str, u64)] = &[
     (FF, 16),
 ];
 const FF: &str = "$_DFF_P_";
-/// Of a NAND with two inputs.
+/// The transistors of a NAND with two inputs.
 const TRANSISTORS_PER_NAND2: u64 = 4;
 
-/// The figures of a design of gates; Yosys's sum of transistors must be the table's.
+/// The figures of a design of gates. Yosys's sum of transistors must agree with the table's.
 pub fn count(cells: &BTreeMap<String, u64>, yosys_transistors: &str) -> Result<Figures> {
     let mut transistors = 0;
     for (cell, &number) in cells {
@@ -34,7 +34,7 @@ pub fn count(cells: &BTreeMap<String, u64>, yosys_transistors: &str) -> Result<F
         };
         transistors += each * number;
     }
-    // A `+` behind the number is Yosys's word for cells that it has left out.
+    // Yosys prints a `+` after the number if it has left out cells.
     let yosys: u64 = yosys_transistors.parse().with_context(|| {
         format!("found {yosys_transistors} transistors, expected a sum over all cells")
     })?;
@@ -56,7 +56,7 @@ pub fn count(cells: &BTreeMap<String, u64>, yosys_transistors: &str) -> Result<F
 mod tests {
     use super::*;
 
-    /// The machine `paper`, as Yosys 0.70 counts it.
+    /// The cells of the machine `paper`, as Yosys 0.70 counts them.
     fn paper() -> BTreeMap<String, u64> {
         let cells = [
             ("$_AND_", 2640),

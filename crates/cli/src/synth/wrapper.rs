@@ -1,28 +1,28 @@
 //! The serial wrapper in which a machine is placed.
 //!
-//! A machine has more ports than a package has pins. A shift register drives all its inputs, reset
-//! too, and a register takes all its outputs, which are folded into a second shift register. Each path
-//! of the machine then runs from register to register, and counts; no pin is on any of them.
+//! A machine has more ports than a package has pins. A shift register drives all its inputs, reset included.
+//! A register stores all its outputs, which are folded into a second shift register. Each path of the machine
+//! then begins and ends at registers, and counts; no pin is on any of them.
 
 use std::collections::BTreeMap;
 
 use anyhow::{Context, Result, bail};
 use serde::Deserialize;
 
-/// The wrapper's module, with three pins.
+/// The module of the wrapper, which has three pins.
 pub const TOP: &str = "serial";
-/// Its file: Yosys's `src` of its cells begins so.
+/// The name of the wrapper's file, with which Yosys's `src` attribute of its cells begins.
 pub const FILE: &str = "serial.v";
-/// What its first register takes over.
+/// The input of the wrapper's first register.
 pub const SERIAL_IN: &str = "serial_in";
-/// The register that what the machine shows is folded into.
+/// The shift register into which the machine's outputs are folded.
 pub const FOLDED: &str = "folded";
-/// The machine in it.
+/// The instance of the machine in the wrapper.
 pub const INSTANCE: &str = "machine";
-/// The clock, of the wrapper and of the machine.
+/// The clock of the wrapper and of the machine.
 pub const CLOCK: &str = "clock";
 
-/// What Yosys's `write_json` writes of ports.
+/// The ports in the output of Yosys's `write_json`.
 #[derive(Deserialize)]
 struct Netlist {
     modules: BTreeMap<String, Module>,
@@ -39,7 +39,7 @@ struct Port {
     bits: Vec<serde_json::Value>,
 }
 
-/// Ports on a bus, each on bits of its own.
+/// Ports that share a bus, each on its own bits.
 #[derive(Default)]
 struct Bus {
     connections: Vec<String>,
@@ -56,22 +56,22 @@ impl Bus {
     }
 }
 
-/// A port of a machine, without its clock.
+/// A port of a machine; the clock is not among these.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct MachinePort {
-    /// Its name.
+    /// The name of the port.
     pub name: String,
-    /// Whether the wrapper drives it; else it takes it.
+    /// Whether the wrapper drives the port; otherwise the wrapper stores its value.
     pub is_input: bool,
-    /// Its bits.
+    /// The width of the port in bits.
     pub width: usize,
 }
 
-/// The ports of a machine whose netlist, as `read_verilog -lib; write_json` writes it, has them; in the order in which
-/// they have bits of the wrapper's registers, the lowest first.
+/// The ports of a machine, from its netlist as `read_verilog -lib; write_json` writes it. They are in the
+/// order of their bits in the wrapper's registers, the lowest first.
 ///
 /// # Errors
-/// It is no such machine, or has no clock.
+/// The netlist is of another machine, or has no clock.
 pub fn ports(top: &str, netlist: &str) -> Result<Vec<MachinePort>> {
     let mut netlist: Netlist =
         serde_json::from_str(netlist).context("what Yosys's `write_json` writes")?;
@@ -85,8 +85,8 @@ pub fn ports(top: &str, netlist: &str) -> Result<Vec<MachinePort>> {
             "found no input {CLOCK} of one bit in {top}, expected one that clocks the machine"
         ),
     }
-    // In the order of the text, in which Yosys numbers their bits: the order decides what the placer
-    // finds with a seed.
+    // The order is that of the text, in which Yosys numbers the bits. The order affects the placer's result
+    // for a seed.
     let mut ports: Vec<_> = ports.into_iter().collect();
     ports.sort_by_key(|(_, port)| port.bits.first().and_then(serde_json::Value::as_u64));
     let port = |(name, port): (String, Port)| {
@@ -107,7 +107,7 @@ pub fn ports(top: &str, netlist: &str) -> Result<Vec<MachinePort>> {
 /// The wrapper of a machine with these ports.
 ///
 /// # Errors
-/// There are no inputs, or no outputs.
+/// The machine has no inputs, or no outputs.
 pub fn around(top: &str, ports: &[MachinePort]) -> Result<String> {
     let (mut driven, mut shown) = (Bus::default(), Bus::default());
     for port in ports {

@@ -1,5 +1,5 @@
-//! Rows to their file, a machine at a time: what was measured is there when a later machine fails or
-//! the run is ended.
+//! Writes rows to their file, machine by machine, so that measurements are stored when a later machine fails
+//! or the run is ended.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -11,16 +11,16 @@ use photoncube_spec::find_machine;
 use super::Subject;
 use super::figures::{Figured, Group, Row};
 
-/// What rows are written beside.
+/// The treatment of the rows that are not measured anew.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub enum Others {
-    /// All rows of today's machines that are not measured anew, or it is an error.
+    /// All rows of today's machines are kept; it is an error if they cannot be combined.
     Keep,
-    /// None in the end: everything is measured anew.
+    /// All rows are dropped in the end, because everything is measured anew.
     Drop,
 }
 
-/// Takes rows and writes them.
+/// Receives rows and writes them.
 pub struct Writer<R: Row> {
     folder: PathBuf,
     setting: R::Setting,
@@ -35,7 +35,7 @@ struct State<R: Row> {
 }
 
 impl<R: Row> Writer<R> {
-    /// A writer to a folder of rows of these groups, `rows_each` of each machine.
+    /// A writer to a folder of rows of these groups; each machine has `rows_each` rows.
     pub fn new(
         folder: &Path,
         setting: R::Setting,
@@ -50,7 +50,7 @@ impl<R: Row> Writer<R> {
                 file.check_update(&setting, groups, subjects)?;
                 file
             }
-            // A file that cannot be read is one to write anew.
+            // A file that cannot be read is written anew.
             Others::Drop => match Figured::<R>::read(folder) {
                 Ok(Some(mut file)) if file.setting == setting => {
                     file.rows.retain(|row| groups.contains(&row.group()));
@@ -69,7 +69,7 @@ impl<R: Row> Writer<R> {
         })
     }
 
-    /// Takes a row of a machine, and writes the machine's when it is the last of them.
+    /// Receives a row of a machine, and writes the machine's rows when it is the last of them.
     pub fn take(&self, subject: &Subject, row: &R) -> Result<()> {
         let mut state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
         let State { file, pending } = &mut *state;
@@ -79,7 +79,7 @@ impl<R: Row> Writer<R> {
             return Ok(());
         }
         if self.others == Others::Keep {
-            // Another run may have written its machine's rows since.
+            // Another run may have written other machines' rows since.
             *file = kept(&self.folder, &self.setting)?;
         }
         file.update(self.setting.clone(), subject, rows);
@@ -87,14 +87,13 @@ impl<R: Row> Writer<R> {
         Ok(())
     }
 
-    /// The path of the file.
+    /// The path of the file that is written.
     pub fn path(&self) -> String {
         self.folder.join(R::FILE).display().to_string()
     }
 }
 
-/// The file with the rows of today's machines; those of a machine that is gone are of no use to
-/// anyone.
+/// The file with the rows of today's machines; rows of removed machines are dropped.
 fn kept<R: Row>(folder: &Path, setting: &R::Setting) -> Result<Figured<R>> {
     let old = Figured::<R>::read(folder)?;
     let mut file = old.unwrap_or_else(|| Figured::new(setting.clone()));
@@ -129,7 +128,7 @@ mod tests {
 
     const FLOWS: [Flow; 2] = [Flow::Lut4, Flow::Gates];
 
-    /// Writes two rows of a machine; what is in the file then.
+    /// Writes two rows of a machine, and returns the rows of the file then.
     fn write(folder: &Path, machine: &str, others: Others) -> Vec<AreaRow> {
         let setting = AreaSetting::new(&BTreeMap::new());
         let groups = FLOWS.map(|flow| Group::area(machine, flow)).into();

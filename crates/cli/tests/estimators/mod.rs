@@ -1,4 +1,4 @@
-//! `render --estimator`, and the estimators of `report`.
+//! Tests `render --estimator`, and the estimators of `report`.
 
 use std::fs;
 use std::path::Path;
@@ -7,7 +7,7 @@ use serde_json::Value;
 
 use super::json;
 
-/// A small picture by an engine and an estimator: its bytes, and what `--json` says of it.
+/// A small picture by an engine and an estimator: its bytes, and the `--json` output.
 fn estimated(folder: &Path, engine: &str, estimator: &str) -> (Vec<u8>, Value) {
     let path = folder.join("x.png");
     let path = path.to_str().unwrap();
@@ -30,7 +30,7 @@ fn every_engine_renders_with_every_estimator_it_can_make() {
             let gathers = report["gathers_per_query"].as_f64().unwrap();
             let expected = match (engine, estimator) {
                 ("f64", "knn:20") => 1.0..=1.0,
-                // One where the radius holds fewer than 20, else up to 16 bits and one.
+                // One gather where the radius holds fewer than 20 photons, else up to 16 bits and one.
                 (_, "knn:20") => 2.0..=17.0,
                 (_, "ladder:2:cone") => 2.0..=2.0,
                 _ => 4.0..=4.0,

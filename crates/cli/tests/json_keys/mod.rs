@@ -1,4 +1,4 @@
-//! Every key that a command prints is explained.
+//! Tests that every JSON key that a command prints is documented.
 
 use serde_json::Value;
 
@@ -72,7 +72,7 @@ fn are_documented(mut found: Vec<String>) {
     assert!(found.is_empty(), "docs/json.md does not explain {found:?}");
 }
 
-/// The keys of methods that need Verilator, Icarus or Yosys; each ends 0 only where all holds.
+/// The keys of methods that need Verilator, Icarus or Yosys. Each must succeed.
 fn of_a_method_with_tools(args: &[&str]) {
     if std::env::var_os("REQUIRE_EDA").is_none() {
         return;

@@ -1,14 +1,15 @@
-//! What is written is checked before the work: a name of the wrong kind, a file that is read, one that cannot be.
+//! Tests that output files are checked before the work: names of the wrong kind, files that are inputs, files
+//! that cannot be written.
 
 use std::fs;
 use std::path::Path;
 
 use super::{error, photoncube};
 
-/// Each pass takes longer than a test may: a command that found its mistake late would not end.
+/// Each pass takes longer than a test may, so a command that detects its mistake late would not end.
 const LONG: [&str; 4] = ["--passes", "1000000", "--size", "512x512"];
 
-/// Whatever is in these files must be in them afterwards.
+/// The contents of files that a command must not change.
 const PRECIOUS: &str = "precious";
 
 fn precious(path: &Path) -> String {
@@ -139,7 +140,7 @@ fn a_picture_is_written_through_a_link() {
     assert!(fs::read(at("real.png")).unwrap().starts_with(b"\x89PNG"));
 }
 
-/// Names of options that a command does not have mislead.
+/// Messages must not name options that the command does not have.
 #[test]
 fn a_folder_that_cannot_be_made_is_told_by_the_commands_own_option() {
     let folder = tempfile::tempdir().unwrap();

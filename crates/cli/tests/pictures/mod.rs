@@ -1,4 +1,4 @@
-//! Pictures that are compared, lit in other ways, and rendered in passes.
+//! Tests pictures that are compared, lit in other ways, and rendered in passes.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -39,7 +39,8 @@ fn a_picture_is_compared_with_another() {
     let other = rendered(folder.path(), "other.exr", &["--seed", "2"]);
     let rel_mse = |a, b| compare(a, b, &[])["rel_mse"].as_f64().unwrap();
     assert_eq!(rel_mse(&f64, &f64), 0.0);
-    // The format costs less than a tenth of the noise, by relMSE a hundredth of it: two seeds differ by the noise, twice.
+    // The format's error is less than a tenth of the noise, which is a hundredth by relMSE. Two seeds differ
+    // by twice the noise.
     assert!(rel_mse(&format, &f64) > 0.0);
     assert!(rel_mse(&format, &f64) < rel_mse(&other, &f64) / 100.0);
 
@@ -134,7 +135,7 @@ fn passes_go_on_until_the_error_is_small_enough() {
     assert!(message.contains("alpha: found 1, expected"), "{message}");
 }
 
-/// A room whose fronts face inwards, seen from outside, as a first scene of one's own may be.
+/// A room whose fronts face inwards, seen from outside, as in a user's first scene.
 const OUTSIDE: &str = r#"
 [camera]
 position = [0, 1, 3.8]
@@ -183,7 +184,7 @@ fn a_camera_that_sees_only_backs_is_refused_with_what_it_sees() {
     assert_eq!(files_in(folder.path()), 1);
 }
 
-/// The wall between hides the lamp from all that the camera sees.
+/// The wall between hides the lamp from everything that the camera sees.
 const DARK: &str = r#"
 [[shapes]]
 name = "floor"
@@ -241,7 +242,7 @@ fn an_interrupted_picture_is_the_mean_of_its_passes() {
         .stderr(Stdio::piped())
         .spawn()
         .unwrap();
-    // The second pass is made: what follows is in the midst of the work.
+    // After the second pass the command is in the middle of its work.
     while !folder.path().join("p-0002.exr").exists() {
         std::thread::sleep(std::time::Duration::from_millis(5));
     }

@@ -1,4 +1,4 @@
-//! What `report` says of formats and machines, and how long a machine takes.
+//! Tests the figures of formats and machines in `report`, and the time of a machine.
 
 use std::fs;
 
@@ -25,7 +25,7 @@ fn report_measures_every_format_and_machine() {
         let on_front = ["on_bits_front", "on_hardware_front", "on_speed_front"];
         let is_best = on_front.iter().any(|front| row[front] == true);
         assert!(!is_best || row["within_bound"] == true, "{row}");
-        // One figure for a format on this CPU, and none for a machine, whose model is that of its format.
+        // A format has one figure on this CPU. A machine has none, because its model is that of its format.
         let has_speed = row["photon_tests_per_second"].is_number();
         assert_eq!(has_speed, row["kind"] == "format", "{row}");
         assert_eq!(
@@ -103,7 +103,7 @@ fn report_goes_on_where_a_machine_cannot_take_the_scene() {
     assert!(row("paper")["cannot"].is_null() && row("paper")["error_over_noise"].is_number());
 }
 
-/// What is asked for needs no fit, which is most of a run's time.
+/// With a given machine there is no fit, which is most of a run's time.
 #[test]
 fn run_with_a_machine_fits_nothing_and_says_the_seconds_of_a_picture() {
     let folder = tempfile::tempdir().unwrap();
@@ -125,7 +125,7 @@ fn run_with_a_machine_fits_nothing_and_says_the_seconds_of_a_picture() {
     // A rounding of a division.
     assert!((figure("seconds_per_picture") / seconds - 1.0).abs() < 1e-12);
     assert!((figure("pictures_per_second") * seconds - 1.0).abs() < 1e-12);
-    // Four engines: between a clock a group for all of them, and one for each.
+    // With four engines, between one clock a group for all of them and one for each.
     let groups = figure("photon_groups");
     assert!(figure("clocks") >= groups / 4.0 && figure("clocks") <= groups + 100.0);
     assert_eq!(report["photons_asked"], 5000);

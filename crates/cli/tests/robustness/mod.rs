@@ -1,4 +1,4 @@
-//! What a user's bad day does: wrong inputs, hostile sizes, a process killed while it writes.
+//! Tests bad conditions: wrong inputs, hostile sizes, a process that is killed while it writes.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -23,7 +23,7 @@ fn readers_read_or_refuse_wrong_inputs() {
             INPUTS,
             "{reader}"
         );
-        // Inputs that are all right, or all far from right, would test little.
+        // If all inputs were correct, or all far from correct, the test would show little.
         assert!(count("inputs_read") > INPUTS / 100, "{reader}");
         assert!(count("inputs_refused") > INPUTS / 100, "{reader}");
         assert_eq!(reader["failures"], serde_json::json!([]));
@@ -87,7 +87,7 @@ fn hostile_sizes_are_refused_with_the_reason() {
     }
 }
 
-/// The files of a folder, without what a killed process left of its own.
+/// The files of a folder, without the temporary files of a killed process.
 fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     let mut found = BTreeMap::new();
     for entry in fs::read_dir(folder).unwrap() {
@@ -103,7 +103,8 @@ fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     found
 }
 
-/// Kills a command at moments all over its run; whatever was there is then what it was, or what the command writes.
+/// Kills a command at moments all over its run. Each file must then be the old one, or the one that the
+/// command writes.
 fn is_whole_whenever_killed(args: &[&str]) {
     const KILLS: u32 = 12;
     let finished = tempfile::tempdir().unwrap();

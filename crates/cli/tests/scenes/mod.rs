@@ -1,10 +1,10 @@
-//! Scene files on the command line.
+//! Tests scene files on the command line.
 
 use std::fs;
 
 use super::{error, files_in, json};
 
-/// Every command reads them, and names file, line and field of what it cannot read.
+/// Every command reads scene files, and names file, line and field of an error.
 #[test]
 fn scenes_in_toml_are_rendered_or_refused() {
     let folder = tempfile::tempdir().unwrap();

@@ -1,4 +1,4 @@
-//! Runs that take seconds and that several tests look at: each is made once.
+//! Runs that take seconds and that several tests use; each is made once.
 
 use std::sync::LazyLock;
 
@@ -7,10 +7,10 @@ use tempfile::TempDir;
 
 use super::json;
 
-/// Few photons and queries: what is fitted differs from the default's, how does not.
+/// Few photons and queries: the fit differs from the default's, but it is made in the same way.
 pub const SMALL_FIT: [&str; 6] = ["--photons", "20000", "--size", "24x24", "--maps", "4"];
 
-/// A report, and the folder of what the command wrote.
+/// A report, with the folder of the command's files.
 pub struct Written {
     pub report: Value,
     pub folder: TempDir,
@@ -25,22 +25,22 @@ impl Written {
     }
 }
 
-/// `fit ring`.
+/// The output of `fit ring`.
 pub static FIT: LazyLock<Value> =
     LazyLock::new(|| json(&[&["fit", "ring"][..], &SMALL_FIT[..]].concat()));
 
-/// `run` of the default scene, with the machine that is fitted to it.
+/// The output of `run` for the default scene, with the machine that is fitted to it.
 pub static RUN: LazyLock<Written> = LazyLock::new(|| {
     let small = ["--photons", "20000", "--size", "24x24", "--samples", "1"];
     Written::by("run", &[&small[..], &["--iterations", "40"]].concat())
 });
 
-/// `report` of the default scene.
+/// The output of `report` for the default scene.
 pub static REPORT: LazyLock<Written> = LazyLock::new(|| {
     let small = ["--photons", "5000", "--size", "8x8", "--maps", "3"];
     Written::by("report", &small)
 });
 
-/// The hard cases in one format.
+/// The output of `hard-cases` in one format.
 pub static HARD_CASES: LazyLock<Value> =
     LazyLock::new(|| json(&["hard-cases", "--format", "local7x1-mono8"]));

@@ -1,10 +1,10 @@
-//! Options and names as users give them, rightly and wrongly.
+//! Tests correct and wrong options and names.
 
 use std::fs;
 
 use super::{error, files_in, json, photoncube};
 
-/// What no method and no engine would use is refused; every pair is a unit test of the arguments.
+/// Options that no method and no engine uses are refused; a unit test of the arguments covers every pair.
 #[test]
 fn an_option_that_is_not_used_is_refused() {
     let folder = tempfile::tempdir().unwrap();
@@ -110,7 +110,7 @@ fn what_microprogram_prints_is_a_listing() {
     }
 }
 
-/// The causes of an error are told once, without the names of temporary files.
+/// The message of an error has each cause once, without the names of temporary files.
 #[test]
 fn a_message_says_each_cause_once() {
     let folder = tempfile::tempdir().unwrap();
@@ -132,7 +132,7 @@ fn a_message_says_each_cause_once() {
     );
 }
 
-/// Names of files are bytes, of which not all are UTF-8.
+/// File names are bytes and need not be UTF-8.
 #[cfg(unix)]
 #[test]
 fn paths_need_not_be_utf_8() {

@@ -1,10 +1,10 @@
-//! The decoder: the control word taken apart by the spec's field table.
+//! The decoder, which splits the control word into the fields of the spec's field table.
 
 use photoncube_spec::{ControlWord, FIELDS, Field};
 use rust_hdl::core::ast::{VerilogExpression, VerilogLiteral, VerilogStatement};
 use rust_hdl::prelude::*;
 
-/// Every field of a `W`-bit control word on a port of its own; `X` axis bits.
+/// Puts every field of a `W`-bit control word on a port of its own; `X` axis bits.
 #[derive(LogicBlock, Default)]
 pub(crate) struct Decoder<const W: usize, const X: usize> {
     pub word: Signal<In, Bits<W>>,

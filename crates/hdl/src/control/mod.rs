@@ -1,4 +1,4 @@
-//! The control block: sequencer, control store and the decoder of its words.
+//! The control block of a sequential machine: sequencer, control store and decoder.
 
 mod decoder;
 mod sequencer;

@@ -1,8 +1,7 @@
-//! The sequencer: which control word the cells get in this clock.
+//! The sequencer, which selects the control word of each clock.
 //!
-//! The program counter is the only state machine: address 0 waits for a query, the iteration's
-//! first steps wait for a group, and after the query's last iteration the machine holds still
-//! until its result is taken.
+//! The program counter is the only state machine. Address 0 waits for a query, and the first steps of the
+//! iteration wait for a group. After the query's last iteration the machine stops until its result is taken.
 
 use photoncube_spec::Microprogram;
 use rust_hdl::prelude::*;
@@ -30,11 +29,11 @@ pub(crate) struct Control<const A: usize, const W: usize, const X: usize> {
     pub work_source: Signal<Out, Bits<2>>,
     pub add_sum: Signal<Out, Bit>,
     pub axis: Signal<Out, Bits<X>>,
-    /// The next step.
+    /// The program counter: the address of the next step.
     pub address: DFF<Bits<A>>,
     /// The group at work is the query's last.
     pub last: DFF<Bit>,
-    /// The result waits to be taken.
+    /// The result is complete and waits to be taken.
     pub done: DFF<Bit>,
     store: ControlStore<A, W>,
     decoder: Decoder<W, X>,
@@ -88,7 +87,7 @@ impl<const A: usize, const W: usize, const X: usize> Logic for Control<A, W, X> 
         self.store.address.next = self.address.q.val();
         self.decoder.word.next = self.store.word.val();
 
-        // A step waits for the streams that it reads; all wait while the result does.
+        // A step waits for the streams that it reads. All steps wait while a result waits.
         self.runs.next = true;
         if self.decoder.takes_query.val() {
             self.runs.next = self.query_valid.val();

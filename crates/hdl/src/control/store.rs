@@ -6,8 +6,8 @@ use rust_hdl::core::ast::{
 };
 use rust_hdl::prelude::*;
 
-/// `word = words[address]`, combinational; past the end it is 0, which does nothing. `A` address
-/// bits, `W` word bits.
+/// `word = words[address]`, combinational. Past the end the word is 0, which does nothing. `A` address bits,
+/// `W` word bits.
 #[derive(LogicBlock)]
 pub(crate) struct ControlStore<const A: usize, const W: usize> {
     pub address: Signal<In, Bits<A>>,

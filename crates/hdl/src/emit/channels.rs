@@ -1,15 +1,15 @@
-//! The names of channels and results.
+//! Names for the channels and results in the emitted text.
 //!
-//! How many there are depends on the machine, so the blocks number them; the emitted text names
-//! them as `photoncube_spec::Pins` does.
+//! Their number depends on the machine, so the blocks number them. The emitted text has the names of
+//! `photoncube_spec::Pins`.
 
 use photoncube_spec::Machine;
 
-/// Pairs of rust-hdl's name of an element and the name that it has in the text.
+/// Pairs of an element's name in rust-hdl and its name in the emitted text.
 pub(crate) struct ChannelNames(Vec<(String, String)>);
 
 impl ChannelNames {
-    /// Those of a block that has no channels.
+    /// The names of a block that has no channels.
     pub(super) fn none() -> Self {
         Self(Vec::new())
     }
@@ -24,13 +24,13 @@ impl ChannelNames {
         let sums = channels.iter().chain(&["count"]).enumerate();
         let results =
             sums.map(|(index, name)| (format!("result${index}"), format!("result${name}")));
-        // Of these there is one or none.
+        // Each of these pins exists once or not at all.
         let single = ["radius_sq", "query_release"];
         let singles = single.map(|name| (format!("{name}$0"), name.to_owned()));
         Self(words.chain(results).chain(singles).collect())
     }
 
-    /// The name in the text of a pin, whose number stands behind `_`.
+    /// The name in the emitted text of a pin whose rust-hdl name ends with `_` and a number.
     pub(crate) fn pin(&self, pin: &str) -> String {
         match pin.rsplit_once('_') {
             Some((array, index)) => self.name(&format!("{array}${index}")).replace('$', "_"),
@@ -38,7 +38,7 @@ impl ChannelNames {
         }
     }
 
-    /// The identifier with such an element at its end named; any other as it is.
+    /// Renames an identifier that ends with such an element; returns any other identifier unchanged.
     pub(super) fn name(&self, identifier: &str) -> String {
         let named = self.0.iter().find_map(|(numbered, named)| {
             let path = identifier.strip_suffix(numbered.as_str())?;

@@ -9,8 +9,8 @@ use crate::build::{NotBuiltIn, build};
 use crate::level::Level;
 use crate::pinned::Pinned;
 
-/// Blocks whose Verilog is written by hand and so is not seen by the lint. Each is simulated from
-/// its emitted text, exhaustively where it has no state.
+/// Blocks whose Verilog is written by hand, which the lint cannot read. Each is simulated from its emitted
+/// text, and exhaustively where it has no state.
 const HAND_WRITTEN: &[&str] = &[
     "difference",
     "squarer",
@@ -98,7 +98,7 @@ fn findings(part: &str, block: &dyn Pinned) -> Vec<String> {
 /// Verilog written by hand in blocks that are not among [`HAND_WRITTEN`].
 fn unknown_texts(part: &str, block: &dyn Pinned) -> Vec<String> {
     let unknown = opaque_blocks(block).into_iter().filter(|opaque| {
-        // An array's element is named by its number.
+        // An element of an array is named by its number.
         let is_name = |part: &&str| part.parse::<u32>().is_err();
         let instance = opaque.path.rsplit('$').find(is_name).unwrap_or_default();
         let instance = if instance == TOP { part } else { instance };
@@ -109,8 +109,9 @@ fn unknown_texts(part: &str, block: &dyn Pinned) -> Vec<String> {
         .collect()
 }
 
-/// Whether a finding is about a memory that says itself that its words have no initial value: a simulation fills it,
-/// and the faults of power-up (`photoncube verify --faults`) show that no word is looked at before it is written.
+/// Whether a finding is about a memory that the block declares as one without initial values. A simulation
+/// fills such a memory, and the power-up faults of `photoncube verify --faults` show that no word is used
+/// before it is written.
 fn is_block_ram(finding: &Finding, block_rams: &[BlockRam]) -> bool {
     let Some(memory) = finding.statement.strip_prefix("memory ") else {
         return false;

@@ -1,11 +1,11 @@
-//! Digests of Verilog texts, by which a recorded result names the text that it is about.
+//! Digests of Verilog texts. A recorded result names the text that it is about by its digest.
 
 use std::fmt::Write;
 
 use sha2::{Digest, Sha256};
 
-/// SHA-256 of the texts one after the other, without lines that hold nothing but a `//` comment, in
-/// hexadecimal digits. A comment changes nothing that could be measured or verified.
+/// SHA-256 of the concatenated texts, without lines that contain only a `//` comment, in hexadecimal digits.
+/// A comment changes nothing that is measured or verified.
 pub(super) fn sha256<'a>(texts: impl IntoIterator<Item = &'a str>) -> String {
     let lines = texts.into_iter().flat_map(str::lines);
     let mut digest = Sha256::new();

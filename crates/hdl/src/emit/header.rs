@@ -1,16 +1,16 @@
-//! The comment at the head of an emitted file: what an integrator must know, without any other page.
+//! The comment at the head of an emitted file, which describes the machine for an integrator.
 //!
-//! It is made of comment lines alone, which are left out of the digests of results.
+//! It consists of comment lines only, which the digests of results leave out.
 
 use photoncube_spec::{Interface, Machine, Port};
 
 use super::modules::split;
 use crate::level::Level;
 
-/// The longest line, without the mark of a comment before it.
+/// The longest line in characters, without the comment mark.
 const COLUMNS: usize = 97;
 
-/// The header of a machine's Verilog; a part of it for itself has the first lines alone.
+/// The header of a machine's Verilog. A part on its own has only the first lines.
 pub(super) fn header(machine: &Machine, level: Level) -> String {
     let scope = match level {
         Level::Machine => String::new(),
@@ -25,7 +25,7 @@ pub(super) fn header(machine: &Machine, level: Level) -> String {
     comment(&text)
 }
 
-/// What an integrator must know of a machine, in lines of at most 97 columns: limits and clocks, ports, protocol.
+/// Describes a machine for an integrator, in lines of at most 97 columns: limits and clocks, ports, protocol.
 pub fn interface_text(machine: &Machine) -> String {
     let interface = Interface::of(machine);
     let mut text = String::new();
@@ -49,7 +49,7 @@ pub fn interface_text(machine: &Machine) -> String {
     text
 }
 
-/// The header of the overrides for an ECP5, whose text is given.
+/// The header of the file with the overrides for an ECP5. `overrides` is the Verilog of these.
 pub(super) fn override_header(machine: &Machine, overrides: &str) -> String {
     let top = machine.module_prefix();
     let modules = split(overrides);
@@ -77,7 +77,7 @@ pub(super) fn override_header(machine: &Machine, overrides: &str) -> String {
     comment(&text)
 }
 
-/// The licence, what it is, and who wrote it.
+/// The first lines of a header: licence, contents and generator.
 fn first_lines(about: &str, machine: &Machine) -> String {
     let mut text = licence();
     push(&mut text, "", about);
@@ -88,7 +88,7 @@ fn first_lines(about: &str, machine: &Machine) -> String {
     )
 }
 
-/// The header of a unit for itself.
+/// The header of a unit on its own.
 pub(super) fn unit_header(about: &str) -> String {
     comment(&(licence() + about + "\n"))
 }
@@ -97,7 +97,7 @@ fn licence() -> String {
     format!("SPDX-License-Identifier: {}\n", env!("CARGO_PKG_LICENSE"))
 }
 
-/// The lines as comments.
+/// Makes a comment line of each line of the text.
 fn comment(text: &str) -> String {
     let lines = text.lines();
     lines
@@ -105,7 +105,7 @@ fn comment(text: &str) -> String {
         .collect()
 }
 
-/// The widths of a table of ports.
+/// The column widths of the table of ports.
 struct PortColumns {
     kind: usize,
     name: usize,
@@ -129,7 +129,7 @@ impl PortColumns {
     }
 }
 
-/// Such as `input [7:0]`.
+/// The direction and range of a port, such as `input [7:0]`.
 fn kind(port: &Port) -> String {
     match port.width {
         1 => port.direction.name().to_owned(),
@@ -137,7 +137,7 @@ fn kind(port: &Port) -> String {
     }
 }
 
-/// Adds lines: the text behind what stands left of it, and below it where one line is too short.
+/// Appends `text` to the right of `left`, with further lines below the text where one line is too short.
 fn push(lines: &mut String, left: &str, text: &str) {
     let mut line = left.to_owned();
     let indent = " ".repeat(left.len());

@@ -1,4 +1,4 @@
-//! Merging of equal modules, bottom-up, and names that people can read.
+//! Merges equal modules, bottom-up, and gives them readable names.
 
 use std::collections::{BTreeMap, HashMap, HashSet};
 
@@ -6,8 +6,8 @@ use super::EmitError;
 use super::channels::ChannelNames;
 use super::modules::{Module, rename_identifiers};
 
-/// Merges equal modules and names them `prefix_instance`; the module `top` becomes `prefix` and
-/// stands first, then the others with every user before what it uses.
+/// Merges equal modules and names them `prefix_instance`. The module `top` becomes `prefix` and is first. Of
+/// the others, each comes before the modules that it uses.
 pub(super) fn merge(
     mut modules: Vec<Module>,
     top: &str,
@@ -15,8 +15,8 @@ pub(super) fn merge(
     channels: &ChannelNames,
 ) -> Result<String, EmitError> {
     let names: HashSet<String> = modules.iter().map(|module| module.name.clone()).collect();
-    // A child's name extends its parent's: the longest first is bottom-up. The order of equal
-    // lengths is the text's, so the result does not change from run to run.
+    // A child's name extends its parent's, so the order of decreasing length is bottom-up. Names of equal
+    // length keep the order of the text, so that every run gives the same result.
     modules.sort_by_key(|module| std::cmp::Reverse(module.name.len()));
     let mut merged = Merged::new(channels);
     for module in &modules {
@@ -32,13 +32,13 @@ pub(super) fn merge(
 
 struct Merged<'a> {
     channels: &'a ChannelNames,
-    /// From rust-hdl's name to ours.
+    /// Maps rust-hdl's module name to the merged module's name.
     names: HashMap<String, String>,
-    /// From a module's text to its name.
+    /// Maps a module's text to its name.
     by_body: HashMap<String, String>,
-    /// How many different modules want a name.
+    /// The number of different modules that would have the name.
     wanted: BTreeMap<String, usize>,
-    /// Name and body, children first.
+    /// Name and body of each merged module, children first.
     modules: Vec<(String, String)>,
 }
 
@@ -71,7 +71,8 @@ impl<'a> Merged<'a> {
         Ok(())
     }
 
-    /// The body with our names of modules and channels, and `_` for the `$` of rust-hdl's paths.
+    /// The module's body with readable names of modules and channels, and with `_` for the `$` of rust-hdl's
+    /// paths.
     fn readable(&self, module: &Module) -> Result<String, EmitError> {
         let mut origin: HashMap<String, String> = HashMap::new();
         let mut clash = None;
@@ -107,9 +108,9 @@ impl<'a> Merged<'a> {
     }
 }
 
-/// The instance's name without array index: what stands after the parent's path. A register is
-/// named by its width, because equal ones in many places are one module; so is a copy, which
-/// synthesis keeps.
+/// The instance's name without array index, which is the part after the parent's path. A register is named by
+/// its width, because equal registers in many places are one module. A register copy, which synthesis keeps,
+/// is named likewise.
 fn base_name(module: &Module, names: &HashSet<String>) -> String {
     if let Some(width) = register_width(&module.body) {
         let kind = match module.body.contains("(* keep *)") {
@@ -143,8 +144,8 @@ fn register_width(body: &str) -> Option<u32> {
     }
 }
 
-/// Without trailing blanks, empty lines, and the double blanks of unsigned declarations; the list
-/// of ports in lines of readable length.
+/// Removes trailing blanks, empty lines and the double blanks of unsigned declarations, and wraps the list of
+/// ports.
 fn tidy(body: &str) -> String {
     let (ports, rest) = body.split_once('\n').unwrap_or((body, ""));
     let lines = rest.lines().map(str::trim_end).filter(|l| !l.is_empty());
@@ -152,7 +153,8 @@ fn tidy(body: &str) -> String {
     wrap_ports(ports) + &lines.collect::<String>()
 }
 
-/// `(a,b,c);` with a blank after each comma, a new line where the next port would pass the width.
+/// Formats `(a,b,c);` with a blank after each comma, and starts a new line where the next port would pass the
+/// width.
 fn wrap_ports(ports: &str) -> String {
     let mut text = String::new();
     let mut column = HEADING;
@@ -172,7 +174,7 @@ fn wrap_ports(ports: &str) -> String {
 
 const LINE_WIDTH: usize = 96;
 const INDENT: usize = 4;
-/// What `module` and its name take of the first line, about.
+/// The approximate length of `module` and its name on the first line.
 const HEADING: usize = 36;
 
 fn tidy_line(line: &str) -> String {

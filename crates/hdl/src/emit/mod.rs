@@ -1,8 +1,8 @@
-//! The one place that makes Verilog.
+//! The only code that makes Verilog.
 //!
-//! rust-hdl prints one module for each *instance*. Here the design is checked (rust-hdl's checks
-//! and our lint), printed, cut into modules, and equal modules are merged, bottom-up, under names
-//! that people can read. The result is plain Verilog-2001 and the same at every run.
+//! rust-hdl prints one module for each *instance*. This module checks the design (with rust-hdl's checks and
+//! our lint), prints it, splits it into modules, and merges equal modules, bottom-up, under readable names.
+//! The result is plain Verilog-2001, and every run gives the same text.
 
 mod channels;
 mod checks;
@@ -30,20 +30,20 @@ use header::{header, override_header, unit_header};
 pub use checks::{Linted, lint_control, lint_machine};
 pub use header::interface_text;
 
-/// Emitted Verilog, and what one must know to simulate it.
+/// Emitted Verilog, with the data that a simulation of it needs.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Emitted {
-    /// The Verilog text, all modules.
+    /// The Verilog text of all modules.
     pub text: String,
     /// The name of the top module.
     pub top: String,
-    /// Second texts of some of its modules, made of an ECP5's carry cells, DSP blocks and block RAMs, which
-    /// Yosys does not use so by itself; none where no module has one. Proven equal by
-    /// `scripts/yosys/ecp5.sh`.
+    /// Overrides: second texts of some modules, made of an ECP5's carry cells, DSP blocks and block RAMs,
+    /// which Yosys does not infer in this way. `None` where no module has one. `scripts/yosys/ecp5.sh` proves
+    /// that each equals its module.
     pub ecp5_text: Option<String>,
     /// Whether the top has a `clock` pin.
     pub clocked: bool,
-    /// The pins, with the names that they have in the text.
+    /// The pins, under the names that they have in the text.
     pub pins: Pins,
     /// The path of each observed register in the top instance, in the order of
     /// `pins.observed[pins.outputs..]`.
@@ -52,25 +52,26 @@ pub struct Emitted {
     pub block_rams: Vec<BlockRam>,
 }
 
-/// A memory in an emitted design whose words have no initial value. The golden model's start as zeros, and registers
-/// that take over what is read show it, so a simulation must fill it with zeros before the first clock.
+/// A memory in an emitted design whose words have no initial value. The golden model's memory starts as
+/// zeros, and registers store what is read from it. A simulation must therefore fill the memory with zeros
+/// before the first clock.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct BlockRam {
     /// The path of the array in the top instance.
     pub path: String,
-    /// How many words it has.
+    /// The number of words.
     pub words: usize,
 }
 
 impl Emitted {
-    /// SHA-256 of the text without its comment lines, in hexadecimal digits: what is recorded of a
-    /// design is about exactly this text. `grep -v '^ *//' FILE.v | sha256sum` prints it.
+    /// SHA-256 of the text without its comment lines, in hexadecimal digits. A recorded result is about the
+    /// text with this digest. `grep -v '^ *//' FILE.v | sha256sum` prints it.
     pub fn verilog_sha256(&self) -> String {
         sha256([self.text.as_str()])
     }
 
-    /// SHA-256 of what is synthesised for an ECP5: the text and behind it its second texts, if it has any;
-    /// without comment lines, as [`Self::verilog_sha256`].
+    /// SHA-256 of the text that is synthesised for an ECP5: the text, then its overrides if it has any,
+    /// without comment lines, as in [`Self::verilog_sha256`].
     pub fn ecp5_sha256(&self) -> String {
         sha256(
             [self.text.as_str()]
@@ -80,38 +81,38 @@ impl Emitted {
     }
 }
 
-/// Why a design is not emitted.
+/// The reason why a design is not emitted.
 #[derive(Debug, Error)]
 pub enum EmitError {
-    /// The widths are not built in.
+    /// The machine's widths are not compiled in.
     #[error(transparent)]
     NotBuiltIn(#[from] NotBuiltIn),
-    /// rust-hdl's own checks found an open signal, a loop or a written input.
+    /// rust-hdl's own checks found an open signal, a loop or an input that is written.
     #[error("the design of machine `{machine}` does not pass rust-hdl's checks: {reason}")]
     Check {
-        /// The machine.
+        /// The name of the machine.
         machine: String,
-        /// What rust-hdl says.
+        /// The message of rust-hdl.
         reason: String,
     },
     /// The lint found a statement whose Verilog may differ from its Rust.
     #[error("the design of machine `{machine}` does not pass the lint:\n{findings}")]
     Lint {
-        /// The machine.
+        /// The name of the machine.
         machine: String,
-        /// The findings, one a line.
+        /// The lint's findings, one a line.
         findings: String,
     },
-    /// Two names of one module would become one.
+    /// Two names of one module would be mapped to one name.
     #[error("module `{module}`: `{first}` and `{second}` would both be named `{name}`; rename one")]
     Name {
-        /// The module.
+        /// The module with the two names.
         module: String,
-        /// One name.
+        /// The first of the two names.
         first: String,
-        /// The other.
+        /// The second of the two names.
         second: String,
-        /// What both become.
+        /// The name that both would have in the text.
         name: String,
     },
 }
@@ -148,8 +149,8 @@ pub fn emit(machine: &Machine, level: Level) -> Result<Emitted, EmitError> {
     })
 }
 
-/// Emits the Verilog of a unit for itself, with operands of so many bits. Its outputs are all that is seen
-/// of it.
+/// Emits the Verilog of a unit on its own, with operands of `bits` bits. A simulation observes only its
+/// outputs.
 ///
 /// # Errors
 /// The unit is not built at that width, or does not pass the checks or the lint.
@@ -170,8 +171,8 @@ pub fn emit_unit(unit: Unit, bits: u32) -> Result<Emitted, EmitError> {
     })
 }
 
-/// A block's text, after the checks and the lint: its modules merged, and named after the top. The names are those of
-/// the machine or unit in messages, and of the block among those that are written by hand.
+/// The text of a block that has passed the checks and the lint, with merged modules named after the top.
+/// Messages name the machine or unit; the list of blocks written by hand has the names of blocks.
 fn printed(
     [name, part]: [&str; 2],
     block: &dyn Pinned,
@@ -187,7 +188,7 @@ fn printed(
 /// The name under which rust-hdl prints the outermost block.
 const TOP: &str = "top";
 
-/// Registers are instances of a register module; its output is `q`.
+/// The path of a register. Registers are instances of a register module, whose output is `q`.
 fn register_path(level: Level, place: SignalPlace) -> String {
     let cell = |register: Register| format!("{}.q", register.row().name);
     match (place, level) {

@@ -1,15 +1,15 @@
-//! rust-hdl's printed text, cut into modules.
+//! Splits rust-hdl's printed text into modules.
 
 /// A module as rust-hdl prints it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Module {
-    /// Its name: the path of its instance, joined by `$`.
+    /// The module's name: the path of its instance, joined by `$`.
     pub name: String,
-    /// What follows the name, from the opening parenthesis to before `endmodule`.
+    /// The text from the opening parenthesis after the name up to `endmodule`, without `endmodule`.
     pub body: String,
 }
 
-/// Cuts the text at `module NAME(` and `endmodule`, in the order of the text.
+/// Splits the text at `module NAME(` and `endmodule`. The modules keep the order of the text.
 pub(super) fn split(text: &str) -> Vec<Module> {
     text.split("endmodule")
         .filter_map(|chunk| {
@@ -24,8 +24,8 @@ pub(super) fn split(text: &str) -> Vec<Module> {
         .collect()
 }
 
-/// Replaces every identifier of a text by what `rename` makes of it. A number such as `8'hff`
-/// is not an identifier; comments are treated like the rest, rust-hdl prints none of interest.
+/// Replaces every identifier of a text by the result of `rename`. A number such as `8'hff` is not an
+/// identifier. Identifiers in comments are replaced too; rust-hdl prints no comments of interest.
 pub(super) fn rename_identifiers(text: &str, mut rename: impl FnMut(&str) -> String) -> String {
     let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '$';
     let mut renamed = String::with_capacity(text.len());

@@ -1,15 +1,15 @@
-//! A cell's adder with the choice of its first operand.
+//! The adder of an overlapped machine's cell, with the selection of its first operand.
 
 use rust_hdl::prelude::*;
 
 /// `total = (add_sum ? sum : addend) + operand`, modulo `2^S`. Widths: `V` sums of squares, `S` sum.
 ///
-/// Above V bits the first operand is always the sum, because a result of V bits goes to the sum alone.
-/// One block, so that on an ECP5 the choice is in the carry cells.
+/// Above V bits the first operand is always the sum, because a result of V bits is stored only in the sum.
+/// Selection and adder are one block, so that on an ECP5 the selection fits into the carry cells.
 #[derive(LogicBlock)]
 pub(crate) struct ChosenSum<const V: usize, const S: usize> {
     pub sum: Signal<In, Bits<S>>,
-    /// Its lowest bits.
+    /// The lowest `V` bits of the sum.
     pub sum_low: Signal<In, Bits<V>>,
     pub addend: Signal<In, Bits<16>>,
     pub operand: Signal<In, Bits<S>>,
@@ -19,7 +19,7 @@ pub(crate) struct ChosenSum<const V: usize, const S: usize> {
     wide_low: Signal<Local, Bits<S>>,
     high: Signal<Local, Bits<S>>,
     first: Signal<Local, Bits<S>>,
-    /// Ones above V bits.
+    /// A mask of ones above `V` bits.
     high_bits: Constant<Bits<S>>,
 }
 

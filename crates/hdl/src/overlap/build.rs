@@ -1,4 +1,4 @@
-//! The machines that are built in.
+//! The table of overlapped machines that are compiled in.
 
 use photoncube_spec::{Machine, Squarer, Widths};
 
@@ -7,7 +7,7 @@ use super::processor::Processor;
 use crate::level::Level;
 use crate::pinned::Pinned;
 
-/// What is built in, for messages.
+/// A description of the compiled widths, for messages.
 pub(crate) const BUILT_IN: &str = "overlapped: 16 cells, 8-bit coordinates, 16-bit powers, \
                                    32-bit sums, squarers for LUTs; whole or by cell";
 
@@ -24,7 +24,7 @@ const WIDTHS: Widths = Widths {
     sum: 32,
 };
 
-/// The block of an overlapped machine at a level, if it is built in.
+/// Builds the block of an overlapped machine at a level; `None` if its widths are not compiled in.
 pub(crate) fn build(machine: &Machine, level: Level) -> Option<Box<dyn Pinned>> {
     let is_built_in = Widths::of(machine) == WIDTHS
         && machine.dimension == 4

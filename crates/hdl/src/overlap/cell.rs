@@ -1,8 +1,8 @@
-//! The cell whose units work at the same time.
+//! The cell of an overlapped machine, whose units work at the same time.
 //!
-//! Every unit has registers of its own behind it, and its control word says, every clock, which of
-//! them are written and from where; see `photoncube_spec::overlap` for what the words mean. The
-//! stages of the square unit, the addend and the operand are written in every clock.
+//! Every unit has its own registers at its output. In every clock the control word selects the registers that
+//! are written and their sources; see `photoncube_spec::overlap` for the words. The stages of the square
+//! unit, the addend and the operand are written in every clock.
 
 use rust_hdl::prelude::*;
 
@@ -33,7 +33,7 @@ pub(crate) struct Cell<
     pub link_y: Signal<In, Bits<S>>,
     pub link_z: Signal<In, Bits<V>>,
     pub link_w: Signal<In, Bits<V>>,
-    /// What is sent on x and on y.
+    /// The word that is sent on x and on y.
     pub sum_out: Signal<Out, Bits<S>>,
     pub z_out: Signal<Out, Bits<V>>,
     pub w_out: Signal<Out, Bits<V>>,
@@ -177,7 +177,7 @@ impl<const R: usize, const P: usize, const V: usize, const S: usize, const W: us
         }
         self.decoder.word.next = self.word.val();
 
-        // The square unit: the difference, its digits, their sum.
+        // The square unit: the difference, its digits, the sum of their squares and products.
         self.difference.a.next = self.query.q.val();
         self.difference.b.next = self.photon.q.val();
         self.magnitude.d.next = self.difference.magnitude.val();
@@ -197,8 +197,8 @@ impl<const R: usize, const P: usize, const V: usize, const S: usize, const W: us
         self.addend.d.next = self.square.q.val();
         self.wide_square.next = bit_cast::<V, 16>(self.square.q.val());
 
-        // The gate compares in one clock and opens in the next. `>=` of these operands is the
-        // carry of one subtraction; `>` would be that and a comparison with 0.
+        // The gate compares in one clock and gates in the next. `>=` of these operands is the carry of one
+        // subtraction; `>` would need that and a comparison with 0.
         self.wide_radius_sq.next = bit_cast::<V, R>(self.radius_sq.q.val());
         self.in_range_now.next = self.wide_radius_sq.val() >= self.distance.q.val();
         self.in_range.d.next = self.in_range_now.val();
@@ -206,7 +206,7 @@ impl<const R: usize, const P: usize, const V: usize, const S: usize, const W: us
         self.opens.next = self.is_there.val() & self.decoder.gate.val();
         self.wide_power.next = bit_cast::<V, P>(self.power[7].q.val());
 
-        // The operand: what is not chosen is 0, so that an OR chooses.
+        // The operand: sources that are not selected are 0, so the selection is an OR.
         self.from_gate.next = 0.into();
         if self.opens.val() {
             self.from_gate.next = self.wide_power.val();
@@ -272,7 +272,7 @@ impl<const R: usize, const P: usize, const V: usize, const S: usize, const W: us
             }
         }
 
-        // What is still on its way when a query comes is not the query's.
+        // Results that are still in flight when a query is taken do not belong to it.
         if self.write_query.val() {
             self.query.d.next = self.query_in.val();
             self.radius_sq.d.next = self.radius_sq_in.val();

@@ -1,9 +1,10 @@
-//! The control block: which control words the cells get in this clock, and the handshakes.
+//! The control block of an overlapped machine: it selects the control words of each clock and makes the
+//! handshakes.
 //!
-//! The words at work stand in registers, and the address is that of the words that come next, so that
-//! no cell waits for the store, and the store does not wait for the streams. A query starts the
-//! kernel at address 0, which goes round until the query's last group has been accumulated; then
-//! comes the epilogue, and past its end the words are 0 until the result is taken and a query comes.
+//! The current control words are in registers, and the address is that of the next words. So no cell waits
+//! for the store, and the store does not wait for the streams. A query starts the kernel at address 0. The
+//! kernel repeats until the query's last group has been accumulated; then the epilogue runs. Past the
+//! epilogue's end the words are 0 until the result is taken and a query arrives.
 
 use photoncube_spec::Role;
 use photoncube_spec::overlap::Program;
@@ -24,25 +25,25 @@ pub(crate) struct Control<const A: usize, const D: usize, const W: usize> {
     pub group_ready: Signal<Out, Bit>,
     pub result_valid: Signal<Out, Bit>,
     pub result_ready: Signal<In, Bit>,
-    /// A query can be taken in this clock, whether or not there is one. That spares the way from the
-    /// stream to the registers of all cells.
+    /// A query can be taken in this clock, whether or not one is valid. The signal is independent of `valid`,
+    /// which keeps the stream out of the path to the registers of all cells.
     pub write_query: Signal<Out, Bit>,
     /// A group is taken in this clock.
     pub group_taken: Signal<Out, Bit>,
-    /// The words at work, for the cells of each role.
+    /// The current control words, for the cells of each role.
     pub to_x: Signal<Out, Bits<W>>,
     pub to_y: Signal<Out, Bits<W>>,
     pub to_z: Signal<Out, Bits<W>>,
     pub to_d: Signal<Out, Bits<W>>,
-    /// The address of the words that come next.
+    /// The address of the next control words.
     pub address: DFF<Bits<A>>,
-    /// A query is in the machine, at work or with its result.
+    /// A query is in the machine, at work or with a waiting result.
     pub occupied: DFF<Bit>,
-    /// Its last group is taken.
+    /// The query's last group was taken.
     pub last: DFF<Bit>,
-    /// Clocks since then.
+    /// The clocks since the query's last group was taken.
     pub drain: DFF<Bits<D>>,
-    /// The result waits to be taken.
+    /// The result is complete and waits to be taken.
     pub done: DFF<Bit>,
     pub word_x: DFF<Bits<W>>,
     pub word_y: DFF<Bits<W>>,
@@ -52,7 +53,7 @@ pub(crate) struct Control<const A: usize, const D: usize, const W: usize> {
     store_y: ControlStore<A, W>,
     store_z: ControlStore<A, W>,
     store_d: ControlStore<A, W>,
-    /// All roles take a group in the same clocks.
+    /// The decoder of one role; all roles take a group in the same clocks.
     decoder: Decoder<W>,
     accepts: Signal<Local, Bit>,
     takes_query: Signal<Local, Bit>,
@@ -77,8 +78,8 @@ impl<const A: usize, const D: usize, const W: usize> Control<A, D, W> {
     pub fn new(program: &Program) -> Self {
         let address = |address: u32| Constant::new(u64::from(address).to_bits());
         let store = |role| ControlStore::new(program.control_words(role));
-        // One clock for the last group to be seen, and two for the epilogue's first words: one to
-        // their address, one out of the store.
+        // One clock until the last group is seen, and two for the epilogue's first words: one to their
+        // address, one out of the store.
         let drain_end = u64::from(program.drain_clocks - 3);
         Self {
             clock: Default::default(),
@@ -182,7 +183,7 @@ impl<const A: usize, const D: usize, const W: usize> Logic for Control<A, D, W> 
             if self.drained.val() {
                 self.address.d.next = self.epilogue_address.val();
             }
-            // Not before: the kernel's last words, which take groups, are still at work.
+            // Not earlier: the kernel's last words, which take groups, are still current.
             if self.is_at_end.val() {
                 self.address.d.next = 0.into();
                 self.last.d.next = false;

@@ -1,10 +1,10 @@
-//! The decoder: a cell's control word taken apart by the spec's field table.
+//! The decoder, which splits a cell's control word into the fields of the spec's field table.
 
 use photoncube_spec::overlap::{ControlWord, FIELDS, Field, control_word_bits};
 use rust_hdl::core::ast::{VerilogExpression, VerilogLiteral, VerilogStatement};
 use rust_hdl::prelude::*;
 
-/// Every field of a `W`-bit control word on a port of its own.
+/// Puts every field of a `W`-bit control word on a port of its own.
 #[derive(LogicBlock, Default)]
 pub(crate) struct Decoder<const W: usize> {
     pub word: Signal<In, Bits<W>>,

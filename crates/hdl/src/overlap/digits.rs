@@ -1,8 +1,8 @@
 //! The square unit's second stage: squares and products of the two base-16 digits of a root.
 //!
-//! With `root = 16 high + low`, `root^2 = 256 high^2 + low^2 + 32 high low`: the squares stand side
-//! by side without overlap. The product comes in two halves, of two bits of the high digit each; all
-//! three are added a clock later.
+//! With `root = 16 high + low`, `root^2 = 256 high^2 + low^2 + 32 high low`. The two squares do not overlap,
+//! so they are concatenated. The product has two halves, of two bits of the high digit each. All three are
+//! added one clock later.
 
 use rust_hdl::prelude::*;
 
@@ -21,10 +21,10 @@ pub(crate) struct Digits {
     wide_high: Signal<Local, Bits<16>>,
     shifted_high: Signal<Local, Bits<16>>,
     wide_low: Signal<Local, Bits<16>>,
-    /// Once and twice the low digit.
+    /// The low digit times 1 and times 2.
     once: Signal<Local, Bits<6>>,
     twice: Signal<Local, Bits<6>>,
-    /// One of them, or 0, for each bit of the high digit.
+    /// For each bit of the high digit: `once` or `twice`, or 0.
     rows: [Signal<Local, Bits<6>>; 4],
 }
 

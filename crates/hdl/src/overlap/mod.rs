@@ -1,4 +1,4 @@
-//! The machine whose units work at the same time; see `photoncube_spec::overlap`.
+//! Overlapped machines in rust-hdl, whose units work at the same time; see `photoncube_spec::overlap`.
 
 mod add;
 mod build;

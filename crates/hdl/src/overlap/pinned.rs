@@ -1,4 +1,4 @@
-//! Driving and reading the machine by rows of numbers.
+//! Drives and observes an overlapped machine by rows of numbers.
 
 use photoncube_spec::overlap::Register;
 use rust_hdl::prelude::*;

@@ -1,7 +1,7 @@
-//! The whole machine: control block, cells and links between valid/ready streams.
+//! The top block of an overlapped machine: control block, cells and links between valid/ready streams.
 //!
-//! The links are wires: a cell's neighbour on the axis of index bit b is `i + B - 2 B ((i / B) % 2)`
-//! with `B = 2^b`. Cells 0 to 3 are the X cells of the four quads, then come Y, Z and D.
+//! The links are wires: a cell's neighbour on the axis of index bit b is `i + B - 2 B ((i / B) % 2)` with
+//! `B = 2^b`. Cells 0 to 3 are the X cells of the four quads; the Y, Z and D cells follow.
 
 use photoncube_spec::Machine;
 use rust_hdl::prelude::*;
@@ -47,9 +47,9 @@ pub(crate) struct Processor<
     pub result_count: Signal<Out, Bits<S>>,
     pub control: Control<A, D, W>,
     pub cell: [Cell<R, P, V, S, W>; 16],
-    /// A photon is taken.
+    /// A photon is present in the lane, and its group is taken.
     present: [Signal<Local, Bit>; 4],
-    /// The power of a photon in the channel that counts.
+    /// The power of a photon in the counting channel, which is 1.
     one: Constant<Bits<P>>,
 }
 
@@ -63,7 +63,7 @@ impl<
     const W: usize,
 > Processor<R, P, V, S, A, D, W>
 {
-    /// The processor of a machine whose widths are this type's.
+    /// Builds the processor of a machine. The type's widths must be those of the machine.
     pub fn new(machine: &Machine) -> Self {
         let program = machine
             .overlap_program()

@@ -1,15 +1,15 @@
-//! Which queries and groups the head takes, and when.
+//! Decides which queries and groups the head takes, and when.
 //!
-//! The counters' widths and limits follow from the number of engines, which the other widths do
-//! not depend on. So this block's Verilog is written by hand, with its registers inside, and one
-//! set of compiled widths serves machines of any number of engines.
+//! The widths and limits of the counters follow from the number of engines; the other widths do not. So this
+//! block's Verilog is written by hand, with its registers inside, and one set of compiled widths serves
+//! machines of any number of engines.
 
 use photoncube_spec::{HeadSizes, Spatial};
 use rust_hdl::prelude::*;
 
 use super::hidden::Hidden;
 
-/// Takes queries and groups by the rules of `photoncube_spec::HeadSizes`' module.
+/// Takes queries and groups by the rules in the module of `photoncube_spec::HeadSizes`.
 #[derive(LogicBlock)]
 pub(crate) struct Admission {
     pub clock: Signal<In, Clock>,
@@ -23,14 +23,14 @@ pub(crate) struct Admission {
     pub group_ready: Signal<Out, Bit>,
     /// The group of this clock is taken.
     pub taken: Signal<Out, Bit>,
-    /// It is the first of its batch.
+    /// The group that is taken is the first of its batch.
     pub first_taken: Signal<Out, Bit>,
-    /// It is the last of its batch.
+    /// The group that is taken is the last of its batch.
     pub last_taken: Signal<Out, Bit>,
-    /// A query is taken, and none in the clock of a reset.
+    /// A query is taken. In the clock of a reset none is.
     pub token_valid: Signal<Out, Bit>,
-    /// What a photon memory goes by: all queries of a batch are taken; there is room for its results;
-    /// the clocks until a last group may be taken.
+    /// The conditions of a photon memory: all queries of a batch are taken; the queue has room for its
+    /// results; the clocks until a last group may be taken.
     pub is_full: Signal<Out, Bit>,
     pub has_room: Signal<Out, Bit>,
     pub clocks_to_last: Signal<Out, Bits<16>>,
@@ -39,14 +39,14 @@ pub(crate) struct Admission {
     pub _has_batch: Hidden,
     pub _spacing: Hidden,
     pub _waits: Hidden,
-    /// Places of a batch's results are given back: `BatchRead`.
+    /// `BatchRead`: the places of a batch's results are free again.
     pub _gives_back: Hidden,
     pub _promised: Hidden,
     _engines: u64,
     _sizes: HeadSizes,
 }
 
-/// What is taken in a clock.
+/// The handshakes of one clock.
 struct Taken {
     query: bool,
     query_ready: bool,
@@ -86,7 +86,7 @@ impl Admission {
         }
     }
 
-    /// There is room for the results of a batch: the highest of the unary bits is free.
+    /// Whether there is room for the results of a batch: the highest of the unary bits is 0.
     fn has_room(&self) -> bool {
         self._promised.0 >> (self._sizes.promised_bits - 1) == 0
     }
@@ -169,9 +169,10 @@ impl Logic for Admission {
         self.clocks_to_last.connect();
     }
 
-    /// The next `open`, `has_batch` and `loaded` are written so that no more than two LUTs stand before a
-    /// register: which groups are taken decides them in the same clock. A batch with all its queries
-    /// that is open stays one when its last group is taken, as the queries are the next batch's.
+    /// The Verilog. The next `open`, `has_batch` and `loaded` are written so that no more than two LUTs stand
+    /// before a register, because the groups that are taken decide them in the same clock. Where all queries
+    /// of the next batch are loaded, the end of an open batch leaves a batch that can be opened, so
+    /// `has_batch` stays set.
     fn hdl(&self) -> Verilog {
         let HeadSizes {
             spacing,
@@ -180,11 +181,12 @@ impl Logic for Admission {
             promised_bits,
             ..
         } = self._sizes;
-        // A power of two, and as many as can be loaded: that is where the highest bit is set.
+        // The number of engines is a power of two and the largest value of `loaded`, so `loaded` is full
+        // where its highest bit is set.
         let engines = self._engines;
         assert_eq!(engines, 1 << (loaded_bits - 1));
         let start = spacing - 1;
-        // One engine's results never meet, and nobody counts for it.
+        // The results of one engine never collide, so there is no counter.
         let [waits, fits, spacing_step, waits_reset, gives_back] = match self._sizes.has_waits() {
             false => [
                 "",
@@ -253,7 +255,7 @@ impl Logic for Admission {
             s = spacing_bits - 1,
             p = promised_bits - 1,
             p_1 = promised_bits - 2,
-            // The query that completes a batch; with one engine any that is taken.
+            // The query that completes a batch; with one engine every query that is taken.
             fills = match engines {
                 1 => "query_valid".to_owned(),
                 _ => format!("query_valid & (&loaded[{}:0])", loaded_bits - 2),

@@ -1,5 +1,5 @@
-//! The small operations of the pipeline, one block each, so that the text of each stands in one
-//! place. What rust-hdl's kernels can say is a kernel here; the parts of a square are in `digits`.
+//! The small operations of the pipeline, one block each, so that each has one text. Operations that
+//! rust-hdl's kernels can express are kernels here; the parts of a square are in `digits`.
 
 use rust_hdl::prelude::*;
 
@@ -41,7 +41,8 @@ impl<const C: usize, const D: usize> Logic for Subtract<C, D> {
     }
 }
 
-/// Whether a distance (`U` bits) is at most `largest`, a query's `radius_sq` (`Q` bits), and no axis is far.
+/// `in_range`: a distance (`U` bits) is at most `largest`, a query's `radius_sq` (`Q` bits), and no axis is
+/// far.
 #[derive(LogicBlock, Default)]
 pub(crate) struct RangeOfQuery<const Q: usize, const U: usize> {
     pub distance: Signal<In, Bits<U>>,
@@ -61,7 +62,7 @@ impl<const Q: usize, const U: usize> Logic for RangeOfQuery<Q, U> {
     }
 }
 
-/// The same with the format's `radius_sq`, a constant.
+/// `in_range`: a distance (`U` bits) is at most the format's `radius_sq`, a constant, and no axis is far.
 #[derive(LogicBlock)]
 pub(crate) struct RangeOfFormat<const U: usize> {
     pub distance: Signal<In, Bits<U>>,
@@ -107,7 +108,7 @@ impl Logic for AnyFar {
     }
 }
 
-/// The gate and the adder behind it: each power counts where its photon is in range; `W = P + 1`.
+/// The gate and the adder behind it: adds the powers of the photons that are in range; `W = P + 1`.
 #[derive(LogicBlock, Default)]
 pub(crate) struct GatedSum<const P: usize, const W: usize> {
     pub a: Signal<In, Bits<P>>,
@@ -134,7 +135,7 @@ impl<const P: usize, const W: usize> Logic for GatedSum<P, W> {
     }
 }
 
-/// The gate with a register behind it, which a photon out of range clears.
+/// The gate with a register behind it, which is cleared for a photon out of range.
 #[derive(LogicBlock, Default)]
 pub(crate) struct GateStage<const P: usize> {
     pub clock: Signal<In, Clock>,
@@ -179,8 +180,7 @@ impl<const W: usize, const S: usize> Logic for Accumulate<W, S> {
     }
 }
 
-/// A link of the result chain: this engine's sum where it is complete, else what comes from
-/// further on.
+/// A link of the result chain: this engine's sum where it is complete, else the word from the next engine.
 #[derive(LogicBlock, Default)]
 pub(crate) struct ResultLink<const S: usize> {
     pub done: Signal<In, Bit>,

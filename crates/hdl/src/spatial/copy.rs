@@ -1,9 +1,9 @@
-//! Registers that hold what others hold, each near what looks at it.
+//! Copies of registers, each placed near the logic that uses it.
 
 use rust_hdl::prelude::*;
 
-/// A register of one bit that synthesis must not merge with those that hold the same: `keep` on the
-/// statement that makes it is kept on the flip-flop.
+/// A register of one bit that synthesis must not merge with registers of the same value. The attribute `keep`
+/// on the statement that makes it is kept on the flip-flop.
 #[derive(LogicBlock, Default)]
 pub(crate) struct RegisterCopy {
     pub d: Signal<In, Bit>,

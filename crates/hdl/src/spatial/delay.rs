@@ -1,17 +1,17 @@
-//! The head's delay line: what powers wait in until an engine has decided who is in range.
+//! The head's delay line: it holds powers until an engine has decided which photons are in range.
 
 use rust_hdl::prelude::*;
 
 use super::stage::{FlagStage, Stage};
 use super::wiring::{Wires, Wiring, logic_of_wires, wires, with_wires};
 
-/// A word's delay line, a clock a stage; a wire without stages.
+/// A word's delay line, one clock for each stage. Without stages it is a wire.
 #[derive(LogicBlock)]
 pub(crate) struct WordDelay<const W: usize> {
     pub clock: Signal<In, Clock>,
     pub word: Signal<In, Bits<W>>,
     pub delayed: Signal<Out, Bits<W>>,
-    /// Stage 0 is nearest to the pins.
+    /// The stages; stage 0 is nearest to the pins.
     pub stage: Vec<Stage<Bits<W>>>,
     _wires: Wires,
 }
@@ -47,7 +47,7 @@ impl<const W: usize> Logic for WordDelay<W> {
     logic_of_wires!();
 }
 
-/// A flag's delay line, which a reset clears.
+/// A flag's delay line. A reset clears it.
 #[derive(LogicBlock)]
 pub(crate) struct FlagDelay {
     pub clock: Signal<In, Clock>,

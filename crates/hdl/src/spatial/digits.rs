@@ -1,16 +1,16 @@
-//! The parts of a square that is made of two digits of |d|, a high one of 4 bits and a low one of
-//! r - 4: `(16.. high + low)^2` from tables of squares and from sums of gated digits.
+//! The parts of a square from two digits of |d|, a high one of 4 bits and a low one of r - 4:
+//! `(16.. high + low)^2` from tables of squares and from sums of gated digits.
 //!
-//! These blocks choose single bits and slices by widths that a machine has, which rust-hdl's
-//! kernels cannot, so their Verilog is written by hand; the square as a whole is simulated from
-//! the emitted text for every pair of coordinates.
+//! These blocks select single bits and slices by a machine's widths, which rust-hdl's kernels cannot express,
+//! so their Verilog is written by hand. The square as a whole is simulated from the emitted text for every
+//! pair of coordinates.
 
 use photoncube_spec::SpatialWidths;
 use rust_hdl::prelude::*;
 
 /// Bits of the high digit.
 const HIGH: usize = SpatialWidths::HIGH_DIGIT as usize;
-/// Bits of the low digit that the first of the two products takes.
+/// Bits of the low digit that the first of the two products uses.
 const FIRST: usize = 2;
 
 /// `magnitude = |difference|`; `D = C + 1`.
@@ -29,7 +29,7 @@ impl<const C: usize, const D: usize> Logic for Magnitude<C, D> {
         } else {
             difference
         };
-        // The lowest number of D bits is no difference of two coordinates.
+        // The lowest number of D bits is not a difference of two coordinates.
         self.magnitude.next = (magnitude % (modulus / 2)).to_bits();
     }
 
@@ -115,7 +115,8 @@ impl<const R: usize, const LP: usize, const HP: usize> Logic for DigitProducts<R
     }
 }
 
-/// The high digit where a bit of the low one is set, so many places up, in a word of that width.
+/// A row of a product: the high digit shifted up by `places` where bit `bit` of the low digit is set, in a
+/// word of `width` bits.
 fn row(width: usize, places: usize, bit: usize) -> String {
     let gated = format!("high & {{{HIGH}{{magnitude[{bit}]}}}}");
     let above = width - HIGH - places;
@@ -130,7 +131,7 @@ fn row(width: usize, places: usize, bit: usize) -> String {
     )
 }
 
-/// The product of the digits, from its two parts.
+/// The product of the digits, as the sum of its two parts.
 #[derive(LogicBlock, Default)]
 pub(crate) struct CrossSum<const LP: usize, const HP: usize, const R: usize> {
     pub low_product: Signal<In, Bits<LP>>,
@@ -142,7 +143,7 @@ impl<const LP: usize, const HP: usize, const R: usize> Logic for CrossSum<LP, HP
     fn update(&mut self) {
         let (low, high) = (self.low_product.val(), self.high_product.val());
         let cross = low.to_u64() + (high.to_u64() << FIRST);
-        // Registers may start as what no digits have as their products.
+        // At power-up the registers may hold values that are no products of digits.
         self.cross_product.next = (cross % (1 << R)).to_bits();
     }
 
@@ -150,7 +151,7 @@ impl<const LP: usize, const HP: usize, const R: usize> Logic for CrossSum<LP, HP
         self.cross_product.connect();
     }
 
-    /// The lowest bits are those of the first product; only the others are added.
+    /// The Verilog. The lowest bits are those of the first product; only the upper bits are added.
     fn hdl(&self) -> Verilog {
         Verilog::Custom(format!(
             "wire [{}:0] upper = low_product[{}:{FIRST}] + high_product;\n\
@@ -187,7 +188,7 @@ impl<const Q: usize, const R: usize> Logic for SquareSum<Q, R> {
         self.square.connect();
     }
 
-    /// The squares of the digits stand side by side; below the cross product nothing is added.
+    /// The Verilog. The squares of the digits are concatenated; below the cross product nothing is added.
     fn hdl(&self) -> Verilog {
         let (place, low) = (Self::PLACE, low_bits(R));
         let tables = table("high_square", HIGH) + &table("low_square", low);
@@ -207,19 +208,19 @@ impl<const Q: usize, const R: usize> Logic for SquareSum<Q, R> {
     }
 }
 
-/// Bits of the low digit of |d| in so many bits.
+/// Bits of the low digit of a |d| of `radius_bits` bits.
 const fn low_bits(radius_bits: usize) -> usize {
     radius_bits - HIGH
 }
 
-/// The high and the low digit of |d|, of which so many bits count.
+/// The high and the low digit of |d|, of which the low `radius_bits` bits count.
 fn digits(magnitude: u64, radius_bits: usize) -> (u64, u64) {
     let low = low_bits(radius_bits);
     let counted = magnitude % (1 << radius_bits);
     (counted >> low, counted % (1 << low))
 }
 
-/// A function that squares a digit, as a table.
+/// A Verilog function that squares a digit, as a table.
 fn table(name: &str, digit: usize) -> String {
     let square = 2 * digit;
     let mut text = format!(

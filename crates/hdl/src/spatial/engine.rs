@@ -1,4 +1,4 @@
-//! An engine: the 16 cells that hold one query.
+//! An engine: the 16 cells that test the photons against one query.
 
 use photoncube_spec::{Cut, EngineKind, Machine, Spatial, SpatialWidths};
 use rust_hdl::prelude::*;
@@ -13,24 +13,24 @@ use super::wiring::{Wires, Wiring, logic_of_wires, wires, with_wires};
 const LANES: usize = Spatial::LANES;
 const AXES: usize = 3;
 const COORDINATES: usize = AXES * LANES;
-/// Bits of a photon's presence, of its sums over a pair and over a group.
+/// Bits of a photon's presence, of the count of a pair and of the count of a group.
 const PRESENCE: usize = 1;
 const PAIR_COUNT: usize = SpatialWidths::PAIR_COUNT as usize;
 const GROUP_COUNT: usize = SpatialWidths::GROUP_COUNT as usize;
 
-/// What an engine is built from.
+/// The parameters that an engine is built from.
 #[derive(Copy, Clone)]
 pub(crate) struct EngineShape {
     pub kind: EngineKind,
-    /// Clocks that a decision waits.
+    /// Clocks that the in-range flags are delayed, to arrive with those of the slowest engines.
     pub range_waits: usize,
     pub channels: usize,
-    /// The format's, where queries have none.
+    /// The format's squared radius, where queries have none.
     pub fixed_radius_sq: Option<u32>,
 }
 
 impl EngineShape {
-    /// What that engine of a machine is built from.
+    /// The parameters of engine number `engine` of a machine.
     pub fn of(machine: &Machine, spatial: &Spatial, engine: usize) -> Self {
         let kind = spatial.kind(machine.squarer, engine);
         Self {
@@ -69,9 +69,9 @@ pub(crate) struct Engine<
     pub token_in: [Signal<In, Bits<C>>; AXES],
     pub token_radius_sq_in: Vec<Signal<In, Bits<Q>>>,
     pub swap_in: Signal<In, Bit>,
-    /// Axis a of lane g is at 3 g + a.
+    /// The coordinates: axis a of lane g is at 3 g + a.
     pub photon_in: [Signal<In, Bits<C>>; COORDINATES],
-    /// Channel c of lane g is at `channels` g + c.
+    /// The powers: channel c of lane g is at `channels` g + c.
     pub power_in: Vec<Signal<In, Bits<P>>>,
     pub present_in: [Signal<In, Bits<PRESENCE>>; LANES],
     pub first_in: Signal<In, Bit>,
@@ -97,7 +97,7 @@ pub(crate) struct Engine<
     pub(super) radius_word: Vec<QueryWord<Q>>,
     pub(super) radius_sq_delay: Vec<Stage<Bits<Q>>>,
     pub(super) photon: Vec<Stage<Bits<C>>>,
-    /// Axis a of pair i is at 3 i + a.
+    /// The squarers: axis a of pair i is at 3 i + a.
     pub(super) square_pair: Vec<SquarePair<C, D, R, Q, L, LP, HP, PR>>,
     pub(super) lane: Vec<Lane<Q, T, U>>,
     pub(super) group_flags: GroupFlags,

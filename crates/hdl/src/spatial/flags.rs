@@ -1,4 +1,5 @@
-//! The flags of an engine: which query waits, which group of a batch is where, what is complete.
+//! The flags of an engine: the waiting query, the position of a batch's groups in the pipeline, the complete
+//! sums.
 
 use photoncube_spec::{Cut, Cuts};
 use rust_hdl::prelude::*;
@@ -6,14 +7,14 @@ use rust_hdl::prelude::*;
 use super::copy::RegisterCopy;
 use super::stage::FlagStage;
 
-/// What becomes of queries that pass by, and the waves of reset and of a batch's first positions.
+/// The handling of tokens, and the pipeline of the reset and of a batch's first positions.
 #[derive(LogicBlock, Default)]
 pub(crate) struct QueryFlags {
     pub clock: Signal<In, Clock>,
     pub reset_in: Signal<In, Bit>,
     pub token_valid_in: Signal<In, Bit>,
     pub swap_in: Signal<In, Bit>,
-    /// The token that came is kept as the next query.
+    /// The incoming token is kept as the next query.
     pub keeps: Signal<Out, Bit>,
     pub reset_out: Signal<Out, Bit>,
     pub token_valid_out: Signal<Out, Bit>,
@@ -48,9 +49,9 @@ impl Logic for QueryFlags {
     }
 }
 
-/// A word of the queries: that which passes by, the next one and the present one; `W` bits. The next
-/// one is taken over from that which passed by a clock before; so it may still be there when it
-/// becomes the present one.
+/// A word of the queries, `W` bits: the passing, the next and the current query. The next query is copied
+/// from the token one clock after it arrived, so the word may still be in `Token` when it becomes the current
+/// query.
 #[derive(LogicBlock, Default)]
 pub(crate) struct QueryWord<const W: usize> {
     pub clock: Signal<In, Clock>,
@@ -83,23 +84,23 @@ impl<const W: usize> Logic for QueryWord<W> {
     }
 }
 
-/// The flags that go with the powers of a group, and those of the result chain.
+/// The flags that accompany the powers of a group, and those of the result chain.
 #[derive(LogicBlock)]
 pub(crate) struct GroupFlags {
     pub clock: Signal<In, Clock>,
     pub reset_in: Signal<In, Bit>,
-    /// The wave of a reset as it stands in this engine.
+    /// The reset, as it reaches this engine.
     pub reset: Signal<In, Bit>,
     pub first_in: Signal<In, Bit>,
     pub last_in: Signal<In, Bit>,
     pub result_valid_in: Signal<In, Bit>,
-    /// For the next engine.
+    /// The flag for the next engine.
     pub first_out: Signal<Out, Bit>,
     pub last_out: Signal<Out, Bit>,
-    /// The group whose sums are beside the accumulators is a first one.
+    /// The group whose sums are beside the accumulators is the first of its batch.
     pub replace: Signal<Out, Bit>,
     pub sums_done: Signal<Out, Bit>,
-    /// The same two beside each channel's sum, where there are copies.
+    /// Copies of `replace` and `done` beside each channel's sum, where the machine has copies.
     pub replace_copy: Vec<Signal<Out, Bit>>,
     pub sums_done_copy: Vec<Signal<Out, Bit>>,
     pub result_valid_out: Signal<Out, Bit>,
@@ -112,7 +113,7 @@ pub(crate) struct GroupFlags {
     pub group_first: FlagStage,
     pub group_last: FlagStage,
     pub done: DFF<Bit>,
-    /// The flags that the copies copy, on their way to them.
+    /// The delayed flags that feed the copies.
     pub pair_first_delay: Vec<RegisterCopy>,
     pub group_last_delay: Vec<RegisterCopy>,
     pub first_copy: Vec<RegisterCopy>,
@@ -121,7 +122,8 @@ pub(crate) struct GroupFlags {
 }
 
 impl GroupFlags {
-    /// With copies of the flags beside the sums of so many channels, where the decisions have some.
+    /// Builds the flags. Where the machine has in-range flags beside the sums, the flags have copies beside
+    /// `channels` sums.
     pub fn new(cuts: Cuts, channels: usize) -> Self {
         let stage = |cut| FlagStage::new(cuts.has(cut));
         let copies = channels * usize::from(cuts.has(Cut::Decision));
@@ -214,7 +216,7 @@ impl Logic for GroupFlags {
             self.done_copy[i].d.next = self.group_last_delay[i].q.val() & !self.reset_in.val();
         }
         self.result_valid.d.next = self.done.q.val() | self.result_valid_in.val();
-        // A result of the next engine, which the wave reaches a clock later, is on its way back.
+        // A result of the next engine, which the reset reaches one clock later, is on its way back.
         if self.reset_in.val() | self.reset.val() {
             self.result_valid.d.next = false;
         }

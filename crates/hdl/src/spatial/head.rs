@@ -1,4 +1,4 @@
-//! The head: what stands between the machine's pins and the first engine, but for the entry.
+//! The head: the logic between the machine's pins and the first engine, except the entry.
 
 use photoncube_spec::Spatial;
 use rust_hdl::prelude::*;
@@ -12,11 +12,11 @@ use super::wiring::{Wires, Wiring, logic_of_wires, wires, with_wires};
 
 const LANES: usize = Spatial::LANES;
 
-/// A power as the engines see it: mantissa << exponent. `B` mantissa, `E` exponent, `P` power bits.
+/// Decodes a power for the engines: mantissa << exponent. `B` mantissa, `E` exponent, `P` power bits.
 #[derive(LogicBlock)]
 pub(crate) struct PowerDecoder<const B: usize, const E: usize, const P: usize> {
     pub mantissa: Signal<In, Bits<B>>,
-    /// One, or none where powers have no exponent.
+    /// One exponent; empty where powers have no exponent.
     pub exponent: Vec<Signal<In, Bits<E>>>,
     pub power: Signal<Out, Bits<P>>,
     decoded: Signal<Local, Bits<P>>,
@@ -61,11 +61,11 @@ pub(crate) struct Head<
     pub group_valid: Signal<In, Bit>,
     pub group_last: Signal<In, Bit>,
     pub group_ready: Signal<Out, Bit>,
-    /// A group is taken, a first one, a last one.
+    /// A group is taken; a first group is taken; a last group is taken.
     pub taken: Signal<Out, Bit>,
     pub first_taken: Signal<Out, Bit>,
     pub last_taken: Signal<Out, Bit>,
-    /// From the entry. Channel c of lane g is at 4 c + g.
+    /// Inputs from the entry. Channel c of lane g is at 4 c + g.
     pub channel: Vec<Signal<In, Bits<B>>>,
     pub exponent: Vec<Signal<In, Bits<E>>>,
     pub present: [Signal<In, Bits<1>>; LANES],
@@ -76,13 +76,13 @@ pub(crate) struct Head<
     pub result: Vec<Signal<Out, Bits<S>>>,
     pub result_count: Signal<Out, Bits<N>>,
     pub result_ready: Signal<In, Bit>,
-    /// A query is taken.
+    /// A query is taken in this clock.
     pub token_valid: Signal<Out, Bit>,
-    /// To the photon memory, as of [`Admission`].
+    /// Outputs to the photon memory, as in [`Admission`].
     pub is_full: Signal<Out, Bit>,
     pub has_room: Signal<Out, Bit>,
     pub clocks_to_last: Signal<Out, Bits<16>>,
-    /// To engine 0 and from it. Channel c of lane g is at `channels` g + c.
+    /// Words to engine 0 and from it. Channel c of lane g is at `channels` g + c.
     pub power: Vec<Signal<Out, Bits<P>>>,
     pub power_present: [Signal<Out, Bits<1>>; LANES],
     pub first: Signal<Out, Bit>,
@@ -92,7 +92,7 @@ pub(crate) struct Head<
     pub result_count_in: Signal<In, Bits<N>>,
     pub(super) admission: Admission,
     power_decoder: Vec<PowerDecoder<B, E, P>>,
-    /// Stage 0 of the delay lines of powers and of presence; the others are in the lines below.
+    /// Stage 0 of the delay lines of powers and of presence. The later stages are in the lines below.
     pub(super) decoded: Vec<Stage<Bits<P>>>,
     pub(super) presence: [Presence; LANES],
     power_of_present: Vec<PowerOfPresent<P>>,

@@ -1,4 +1,4 @@
-//! A lane: from the squares of one photon's distances to whether it is in range.
+//! A lane: from the squares of one photon's differences to its in-range flag.
 
 use photoncube_spec::{Cut, Cuts};
 use rust_hdl::prelude::*;
@@ -11,10 +11,10 @@ use super::wiring::{Wires, Wiring, logic_of_wires, wires, with_wires};
 #[derive(LogicBlock)]
 pub(crate) struct Lane<const Q: usize, const T: usize, const U: usize> {
     pub clock: Signal<In, Clock>,
-    /// On x, y, z.
+    /// The squares on x, y, z.
     pub axis_square: [Signal<In, Bits<Q>>; 3],
     pub axis_far: [Signal<In, Bit>; 3],
-    /// One, or none where the format's is compared with.
+    /// One squared radius; empty where distances are compared with the format's.
     pub radius_sq: Vec<Signal<In, Bits<Q>>>,
     pub photon_in_range: Signal<Out, Bit>,
     any_far: AnyFar,
@@ -34,8 +34,8 @@ pub(crate) struct Lane<const Q: usize, const T: usize, const U: usize> {
 }
 
 impl<const Q: usize, const T: usize, const U: usize> Lane<Q, T, U> {
-    /// A decision waits `range_waits` clocks; `fixed_radius_sq` is the format's, where queries have
-    /// none.
+    /// Builds a lane whose in-range flag is delayed by `range_waits` clocks. `fixed_radius_sq` is the
+    /// format's squared radius, where queries have none.
     pub fn new(cuts: Cuts, range_waits: usize, fixed_radius_sq: Option<u32>) -> Self {
         assert!(T == Q + 1 && U == Q + 2);
         let own_radius = 0..usize::from(fixed_radius_sq.is_none());

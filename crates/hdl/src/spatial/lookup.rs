@@ -1,9 +1,9 @@
-//! The parts of a square that a block RAM or a DSP block makes.
+//! The parts of a square that a block RAM or a DSP block computes.
 
 use rust_hdl::prelude::*;
 
-/// A table of squares with two read ports: `{far, |d|^2}` of a difference of `D` bits, the square
-/// in `L - 1 = 2 r` bits. Two coordinates share it, because a block RAM has two ports.
+/// A table of squares with two read ports: `{far, |d|^2}` of a difference of `D` bits, with the square in
+/// `L - 1 = 2 r` bits. Two coordinates share the table, because a block RAM has two ports.
 #[derive(LogicBlock)]
 pub(crate) struct SquareTable<const D: usize, const L: usize> {
     pub clock: Signal<In, Clock>,
@@ -11,12 +11,12 @@ pub(crate) struct SquareTable<const D: usize, const L: usize> {
     pub difference_b: Signal<In, Bits<D>>,
     pub lookup_a: Signal<Out, Bits<L>>,
     pub lookup_b: Signal<Out, Bits<L>>,
-    /// Whether the words read stand in registers, which are then the block RAM's.
+    /// Whether the words read are stored in registers, which are then those of the block RAM.
     _register: bool,
 }
 
-/// A word of the table, `{far, |d|^2}`: of a difference of `difference_bits`, the square modulo
-/// `2^square_bits`, and whether |d| exceeds half of these.
+/// A word of the table, `{far, |d|^2}`, for a difference of `difference_bits` bits: the square modulo
+/// `2^square_bits`, and whether |d| exceeds half of these bits.
 pub(crate) fn square_word(difference: u64, difference_bits: usize, square_bits: usize) -> u64 {
     let magnitude = difference.min((1 << difference_bits) - difference);
     let far = u64::from(magnitude >> (square_bits / 2) != 0);
@@ -80,7 +80,7 @@ impl<const D: usize, const L: usize> Logic for SquareTable<D, L> {
     }
 }
 
-/// A word of the table, or what a register made of it: `{far, square}`.
+/// Splits a word of the table, or of the register behind it, `{far, square}`.
 #[derive(LogicBlock, Default)]
 pub(crate) struct SplitLookup<const Q: usize, const L: usize> {
     pub lookup: Signal<In, Bits<L>>,
@@ -108,7 +108,7 @@ impl<const Q: usize, const L: usize> Logic for SplitLookup<Q, L> {
     }
 }
 
-/// `product = difference^2`, `PR = 2 (D - 1)` bits, for a DSP block.
+/// `product = difference^2` in `PR = 2 (D - 1)` bits, for a DSP block.
 #[derive(LogicBlock, Default)]
 pub(crate) struct DifferenceProduct<const D: usize, const PR: usize> {
     pub difference: Signal<In, Bits<D>>,
@@ -138,7 +138,8 @@ impl<const D: usize, const PR: usize> Logic for DifferenceProduct<D, PR> {
     }
 }
 
-/// The square in `Q = 2 r` bits, and whether |d| has more than r: the product has more than 2 r.
+/// Splits the product: the square in `Q = 2 r` bits, and whether |d| has more than r bits, in which case the
+/// product has more than 2 r.
 #[derive(LogicBlock, Default)]
 pub(crate) struct SplitProduct<const Q: usize, const PR: usize> {
     pub product: Signal<In, Bits<PR>>,

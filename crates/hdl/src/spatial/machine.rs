@@ -1,4 +1,4 @@
-//! A spatial machine: the entry, the head and its chain of engines.
+//! The top block of a spatial machine: the entry, the head and the chain of engines.
 
 use photoncube_spec::{Machine, Pins, SignalPlace, Spatial};
 use rust_hdl::prelude::*;
@@ -12,7 +12,7 @@ use super::wiring::{Wires, Wiring, logic_of_wires, wires, with_wires, zeros};
 const LANES: usize = Spatial::LANES;
 const AXES: usize = 3;
 
-/// The machine. `B` mantissa and `E` exponent bits; the other widths are an engine's.
+/// The machine. `B` mantissa and `E` exponent bits; the other widths are those of an engine.
 #[derive(LogicBlock)]
 pub(crate) struct SpatialMachine<
     const C: usize,
@@ -40,9 +40,9 @@ pub(crate) struct SpatialMachine<
     pub query_x: Signal<In, Bits<C>>,
     pub query_y: Signal<In, Bits<C>>,
     pub query_z: Signal<In, Bits<C>>,
-    /// One, or none where it is the format's.
+    /// One squared radius; empty where the radius is the format's.
     pub query_radius_sq: Vec<Signal<In, Bits<Q>>>,
-    /// One, or none where there is no photon memory.
+    /// One flag; empty where there is no photon memory.
     pub query_release: Vec<Signal<In, Bit>>,
     pub group_valid: Signal<In, Bit>,
     pub group_ready: Signal<Out, Bit>,
@@ -51,24 +51,25 @@ pub(crate) struct SpatialMachine<
     pub photon_x: [Signal<In, Bits<C>>; LANES],
     pub photon_y: [Signal<In, Bits<C>>; LANES],
     pub photon_z: [Signal<In, Bits<C>>; LANES],
-    /// Channel c of lane g is at 4 c + g.
+    /// The mantissas: channel c of lane g is at 4 c + g.
     pub photon_channel: Vec<Signal<In, Bits<B>>>,
     pub photon_exponent: Vec<Signal<In, Bits<E>>>,
     pub result_valid: Signal<Out, Bit>,
     pub result_ready: Signal<In, Bit>,
     pub result: Vec<Signal<Out, Bits<S>>>,
     pub result_count: Signal<Out, Bits<N>>,
-    /// One or none.
+    /// One photon memory, or none.
     pub(super) memory: Vec<PhotonMemory<C, B, E>>,
-    /// The entry: what comes on the pins, or from the memory, a clock later. So the ways from pins to
-    /// engines, and from what decides whether a group is taken, are ways from register to register.
+    /// The entry, which holds the values of the pins or of the memory one clock later. So the nets from the
+    /// pins to the engines, and from the logic that decides whether a group is taken, start and end at
+    /// registers.
     pub(super) entry_token_valid: FlagStage,
     pub(super) entry_token: Vec<Stage<Bits<C>>>,
-    /// One or none.
+    /// One radius; empty where queries have none.
     pub(super) entry_radius: Vec<Stage<Bits<Q>>>,
-    /// Axis a of lane g is at 3 g + a.
+    /// The photons' coordinates: axis a of lane g is at 3 g + a.
     pub(super) entry_photon: Vec<Stage<Bits<C>>>,
-    /// Channel c of lane g is at 4 c + g.
+    /// The photons' mantissas: channel c of lane g is at 4 c + g.
     pub(super) entry_mantissa: Vec<Stage<Bits<B>>>,
     pub(super) entry_exponent: Vec<Stage<Bits<E>>>,
     pub(super) entry_present: Vec<Stage<Bits<1>>>,
@@ -77,7 +78,7 @@ pub(crate) struct SpatialMachine<
     pub(super) entry_last: FlagStage,
     pub(super) head: Head<B, E, P, S, N>,
     pub(super) engine: Vec<Engine<C, D, R, Q, L, LP, HP, PR, T, U, P, PP, GP, S, N>>,
-    /// Where its registers are, in the order of its pins.
+    /// The places of the registers, in the order of the machine's pins.
     pub(super) _places: Vec<SignalPlace>,
     _wires: Wires,
 }
@@ -102,7 +103,7 @@ impl<
     const N: usize,
 > SpatialMachine<C, D, R, Q, L, LP, HP, PR, T, U, B, E, P, PP, GP, S, N>
 {
-    /// The machine, whose widths are this type's.
+    /// Builds a machine. The type's widths must be those of the machine.
     pub fn new(machine: &Machine, spatial: &Spatial) -> Self {
         let names = machine.channels().names();
         let channels = names.len();
@@ -196,7 +197,7 @@ impl<
         }
     }
 
-    /// Without a memory, the groups go from the pins to the entry.
+    /// Wires groups from the pins to the entry, in a machine without a memory.
     fn stream_wires(&mut self, wiring: &mut Wiring) {
         wires!(self, wiring:
             (head.group_valid) = (group_valid);
@@ -219,7 +220,7 @@ impl<
         }
     }
 
-    /// From the pins to the memory.
+    /// Wires groups from the pins to the memory.
     fn memory_wires(&mut self, wiring: &mut Wiring, m: usize) {
         wires!(self, wiring:
             (memory[m].clock) = (clock);
@@ -249,7 +250,7 @@ impl<
         }
     }
 
-    /// From the memory to the entry.
+    /// Wires groups from the memory to the entry.
     fn played_wires(&mut self, wiring: &mut Wiring, m: usize) {
         wires!(self, wiring:
             (head.group_valid) = (memory[m].word_valid);
@@ -271,7 +272,7 @@ impl<
         }
     }
 
-    /// The rest of the entry, and from it to the head's delay line.
+    /// Wires the rest of the entry, and the entry to the head's delay line.
     fn entry_wires(&mut self, wiring: &mut Wiring) {
         wires!(self, wiring:
             (entry_token_valid.clock) = (clock);
@@ -352,7 +353,7 @@ impl<
         }
     }
 
-    /// From an engine's neighbour nearer to the head, and its results back.
+    /// Wires an engine to its neighbour nearer to the head, and its results back to that neighbour.
     fn chain_wires(&mut self, wiring: &mut Wiring, e: usize) {
         wires!(self, wiring:
             (engine[e].clock) = (clock);
@@ -388,7 +389,7 @@ impl<
         }
     }
 
-    /// Nothing comes from beyond the last engine.
+    /// Ties the result inputs of the last engine to 0.
     fn chain_end(&mut self, wiring: &mut Wiring) {
         let last = self.engine.len() - 1;
         zeros!(self, wiring:

@@ -1,10 +1,10 @@
-//! The spatial machines: every cell keeps its instruction, and data flows through registers.
+//! The spatial machines in rust-hdl: every cell keeps its instruction, and data flows through registers.
 //!
-//! A machine is its head and a chain of engines. In an engine, cell (photon g, role X, Y or Z) is
-//! half of a `SquarePair`, cell (g, D) is a `Lane`; what the four roles do with powers is in a
-//! `ChannelSum` for each channel and one for the count. Blocks that hold others are wires only
-//! (`wiring`); what is calculated stands in small blocks of its own (`arithmetic`, `digits`,
-//! `lookup`); a `Stage` is a register or a wire, as the machine's cuts say.
+//! A machine is its head and a chain of engines. In an engine, cell (photon g, role X, Y or Z) is half of a
+//! `SquarePair`, and cell (g, D) is a `Lane`. The four roles process powers in a `ChannelSum` for each
+//! channel and one for the count. Blocks that contain others only wire them (`wiring`); arithmetic is in
+//! small blocks of its own (`arithmetic`, `digits`, `lookup`). A `Stage` is a register or a wire, as the
+//! machine's set of pipeline registers states.
 
 mod admission;
 mod arithmetic;

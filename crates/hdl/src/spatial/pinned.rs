@@ -1,4 +1,4 @@
-//! Spatial machines and their square units with their pins in a row.
+//! Drives and observes spatial machines and their square units by rows of numbers.
 
 use photoncube_spec::{SignalPlace, Spatial};
 use rust_hdl::prelude::*;
@@ -10,7 +10,7 @@ use super::square::SquarePair;
 use crate::emit::BlockRam;
 use crate::pinned::{Driver, Pinned, Word, drive, sample, settle};
 
-/// The path of a machine's only photon memory, up to its signals.
+/// The path prefix of a machine's only photon memory.
 const MEMORY: &str = "memory_0.";
 
 impl<

@@ -1,10 +1,10 @@
-//! Whether there is a photon in a lane, and what becomes of its powers.
+//! The presence of a photon in a lane, and its effect on the lane's powers.
 
 use rust_hdl::prelude::*;
 
-/// Whether there is a photon, of a group that is taken, and whether there is none: a register for
-/// each, as 24 registers of powers have only a clear, and an inverter before it would be their
-/// slowest way.
+/// Whether a lane has a photon of a group that is taken, and the inverse, each in its own register. The
+/// inverse clears 24 registers of powers, which have only a clear input; an inverter before that input would
+/// be on their slowest path.
 #[derive(LogicBlock, Default)]
 pub(crate) struct Presence {
     pub clock: Signal<In, Clock>,
@@ -32,7 +32,7 @@ impl Logic for Presence {
     }
 }
 
-/// A power, and 0 where the photon is absent. `P` bits.
+/// A power of `P` bits, or 0 where the photon is absent.
 #[derive(LogicBlock, Default)]
 pub(crate) struct PowerOfPresent<const P: usize> {
     pub absent: Signal<In, Bit>,

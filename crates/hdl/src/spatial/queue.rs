@@ -1,15 +1,15 @@
 //! The queue of results.
 //!
-//! Its depth follows from the number of engines, as `admission`'s counters do; so its Verilog is
-//! written by hand too, with the memory, the places and the word on the pins inside.
+//! Its depth follows from the number of engines, as the counters of `admission` do. So its Verilog is written
+//! by hand, with the memory, the places and the word on the pins inside.
 
 use photoncube_spec::{HeadSizes, Spatial};
 use rust_hdl::prelude::*;
 
 use super::hidden::Hidden;
 
-/// Results go in with `result_valid_in`, are read from the memory into a register, and go out where valid
-/// and ready. `S` bits of a sum, `N` of the count.
+/// Results are written where `result_valid_in`, are read from the memory into a register, and leave where
+/// valid and ready. `S` bits of a sum, `N` of the count.
 #[derive(LogicBlock)]
 pub(crate) struct ResultQueue<const S: usize, const N: usize> {
     pub clock: Signal<In, Clock>,
@@ -30,7 +30,7 @@ pub(crate) struct ResultQueue<const S: usize, const N: usize> {
     pub _has_result: Hidden,
     /// The sums and the count of each place.
     _results: Vec<(Vec<u64>, u64)>,
-    /// Those on the pins.
+    /// The sums and the count on the pins.
     _word: (Vec<u64>, u64),
     _place_bits: u32,
     _engines: usize,
@@ -67,7 +67,7 @@ impl<const S: usize, const N: usize> ResultQueue<S, N> {
         self._has_result.0 != 0
     }
 
-    /// A result goes from the memory to the pins.
+    /// Whether a result moves from the memory to the pins in this clock.
     fn reads(&self) -> bool {
         self._has_waiting.0 != 0 && (!self.is_valid() || self.result_ready.val())
     }
@@ -124,7 +124,7 @@ impl<const S: usize, const N: usize> Logic for ResultQueue<S, N> {
     fn hdl(&self) -> Verilog {
         let (bits, channels) = (self._place_bits, self.result.len());
         let (high, top, last) = (channels * S + N - 1, bits - 1, self._results.len() - 1);
-        // The last of a batch is where all bits that count within one are 1.
+        // A result is the last of its batch where all place bits that count within a batch are 1.
         let batch_end = match self._engines.ilog2() {
             0 => String::new(),
             bits => format!(" & (&read_place[{}:0])", bits - 1),
@@ -140,9 +140,9 @@ impl<const S: usize, const N: usize> Logic for ResultQueue<S, N> {
                 format!("always @(*) result${channel} = word[{high}:{low}];\n")
             })
             .collect();
-        // Nothing is read in the clock in which it is written, so no logic needs to tell old from new. Which
-        // result is the newest is found from registers alone, beside what it is and-ed with: kept, so
-        // that Yosys does not lay the bits that come late through the comparison.
+        // No word is read in the clock in which it is written, so no logic needs to distinguish old from new.
+        // The comparison with the newest place depends only on registers. `keep` preserves it, so that Yosys
+        // does not move late signals into it.
         Verilog::Custom(format!(
             "(* no_rw_check *) reg [{high}:0] results [0:{last}];\n\
              reg [{high}:0] word = {width}'d0;\n\

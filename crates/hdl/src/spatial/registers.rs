@@ -1,5 +1,5 @@
-//! Where the registers of an engine, of the head and of the entry are: each place is stated once, and
-//! read either as the value that stands there or as its path in the emitted text.
+//! The places of the registers of an engine, of the head and of the entry. Each place is stated once, and is
+//! read either as the register's value or as its path in the emitted text.
 
 use photoncube_spec::{EngineRegister, HeadRegister, Spatial};
 
@@ -7,24 +7,24 @@ use super::engine::Engine;
 use super::machine::SpatialMachine;
 use crate::pinned::Word;
 
-/// What is asked of a register.
+/// The property of a register that a caller wants.
 #[derive(Copy, Clone)]
 pub(super) enum Ask {
-    /// Its value.
+    /// The register's value in the simulation.
     Value,
-    /// Its path.
+    /// The register's path in the emitted text.
     Path,
 }
 
-/// The answer.
+/// The value or path of a register.
 pub(super) enum Answer {
-    /// Its value.
+    /// The register's value in the simulation.
     Value(u64),
-    /// Its path below the block.
+    /// The register's path below the block.
     Path(String),
 }
 
-/// A field's name in the text: registers inside hand-written text have a field with `_` before it.
+/// A field's name in the text. A register inside hand-written text has a field with `_` before its name.
 fn visible(field: &str) -> &str {
     field.trim_start_matches('_')
 }
@@ -57,7 +57,7 @@ macro_rules! register {
 const AXES: usize = 3;
 const LANES: usize = Spatial::LANES;
 
-/// A register of an engine, counted as the spec's table does.
+/// A register of an engine, by the index of the spec's table.
 pub(super) fn engine<
     const C: usize,
     const D: usize,
@@ -82,7 +82,7 @@ pub(super) fn engine<
 ) -> Answer {
     use EngineRegister as E;
     let channels = e._channels;
-    // Of a coordinate, of a lane's channel.
+    // The pair and photon of a coordinate, and those of a lane's channel.
     let (pair, photon) = (i / AXES / 2 * AXES + i % AXES, i / AXES % 2);
     let (channel, of_lane) = (i % channels, i / channels);
     match register {
@@ -184,7 +184,7 @@ pub(super) fn engine<
     }
 }
 
-/// A register of the head or of the entry, counted as the spec says.
+/// A register of the head or of the entry, by the spec's index.
 pub(super) fn head<
     const C: usize,
     const D: usize,

@@ -1,4 +1,4 @@
-//! The squares of two photons' distances from the query on one axis.
+//! The squares of the differences of two photons from one query on one axis.
 
 use photoncube_spec::{Cut, Cuts, Squarer};
 use rust_hdl::prelude::*;
@@ -9,8 +9,8 @@ use super::lookup::{DifferenceProduct, SplitLookup, SplitProduct, SquareTable};
 use super::stage::Stage;
 use super::wiring::{Wires, Wiring, logic_of_wires, wires, with_wires};
 
-/// From d to d^2 by digits. Widths: `C` coordinate, `D = C + 1` difference, `R` bits that are
-/// squared, `Q = 2 R`; `LP` and `HP` of the two products.
+/// The squarer from digits, d to d^2. Widths: `C` coordinate, `D = C + 1` difference, `R` bits that are
+/// squared, `Q = 2 R`; `LP` and `HP` bits of the two products.
 #[derive(LogicBlock)]
 pub(crate) struct DigitSquarer<
     const C: usize,
@@ -115,7 +115,7 @@ impl<
     logic_of_wires!();
 }
 
-/// From d to d^2 by a table that two coordinates share; `L = Q + 1` bits of its words.
+/// The squarer from a table that two coordinates share, d to d^2; a word has `L = Q + 1` bits.
 #[derive(LogicBlock)]
 pub(crate) struct TableSquarer<const D: usize, const Q: usize, const L: usize> {
     pub clock: Signal<In, Clock>,
@@ -190,7 +190,7 @@ impl<const D: usize, const Q: usize, const L: usize> Logic for TableSquarer<D, Q
     logic_of_wires!();
 }
 
-/// From d to d^2 as one product; `PR = 2 (D - 1)`.
+/// The squarer that is one product, d to d^2; `PR = 2 (D - 1)`.
 #[derive(LogicBlock)]
 pub(crate) struct ProductSquarer<const D: usize, const Q: usize, const PR: usize> {
     pub clock: Signal<In, Clock>,
@@ -241,8 +241,8 @@ impl<const D: usize, const Q: usize, const PR: usize> Logic for ProductSquarer<D
     logic_of_wires!();
 }
 
-/// The squares of the distances of two photons from one query on one axis. Two, because a table
-/// has two ports. `L = Q + 1`; the other widths are the squarers'.
+/// The squares of the differences of two photons from one query on one axis. The block serves two photons,
+/// because a table has two ports. `L = Q + 1`; the other widths are those of the squarers.
 #[derive(LogicBlock)]
 pub(crate) struct SquarePair<
     const C: usize,
@@ -264,13 +264,13 @@ pub(crate) struct SquarePair<
     pub far_b: Signal<Out, Bit>,
     subtract: Vec<Subtract<C, D>>,
     pub difference: Vec<Stage<Bits<D>>>,
-    /// Two, or none where the squarer is of another kind.
+    /// Two squarers, or none where the squarer is of another kind.
     pub digits: Vec<DigitSquarer<C, D, R, Q, LP, HP>>,
-    /// One or none.
+    /// One squarer, or none.
     pub lookup: Vec<TableSquarer<D, Q, L>>,
-    /// Two or none.
+    /// Two squarers, or none.
     pub product: Vec<ProductSquarer<D, Q, PR>>,
-    /// Registers at the cut `Square`, but for a table's, which are in the block RAM.
+    /// The registers at `Cut::Square`; those of a table are in the block RAM.
     pub square_stage: Vec<Stage<Bits<Q>>>,
     pub far_stage: Vec<Stage<Bit>>,
     _wires: Wires,

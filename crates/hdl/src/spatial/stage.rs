@@ -1,10 +1,10 @@
-//! Registers that stand in the pipeline or not, as the machine's cuts say.
+//! Pipeline stages that are registers or wires, as the machine's set of pipeline registers states.
 
 use rust_hdl::core::ast::{VerilogExpression, VerilogStatement};
 use rust_hdl::prelude::*;
 
-/// A place in the pipeline: a register, or a wire. Its ports stand in the order of rust-hdl's own
-/// register, whose text it has, so that both become one module.
+/// A pipeline stage: a register, or a wire. The ports have the order of rust-hdl's own register, and the text
+/// is that register's, so that both are merged into one module.
 #[derive(LogicBlock)]
 pub(crate) struct Stage<T: Synth> {
     pub d: Signal<In, T>,
@@ -14,7 +14,7 @@ pub(crate) struct Stage<T: Synth> {
 }
 
 impl<T: Synth> Stage<T> {
-    /// A register where `register`, else a wire.
+    /// A stage that is a register where `register` is true, else a wire.
     pub fn new(register: bool) -> Self {
         Self {
             d: Default::default(),
@@ -24,7 +24,7 @@ impl<T: Synth> Stage<T> {
         }
     }
 
-    /// So many registers or wires.
+    /// `count` stages, all registers or all wires.
     pub fn several(count: usize, register: bool) -> Vec<Self> {
         (0..count).map(|_| Self::new(register)).collect()
     }
@@ -50,19 +50,19 @@ impl<T: Synth> Logic for Stage<T> {
     }
 }
 
-/// A flag in the pipeline: a register that the wave of a reset clears, or a wire.
+/// A pipeline stage of a flag: a register that a reset clears, or a wire.
 #[derive(LogicBlock)]
 pub(crate) struct FlagStage {
     pub clock: Signal<In, Clock>,
     pub clear: Signal<In, Bit>,
     pub d: Signal<In, Bit>,
     pub q: Signal<Out, Bit>,
-    /// One, or none for a wire.
+    /// One register, or none for a wire.
     pub flag: Vec<DFF<Bit>>,
 }
 
 impl FlagStage {
-    /// A register where `register`, else a wire.
+    /// A stage that is a register where `register` is true, else a wire.
     pub fn new(register: bool) -> Self {
         Self {
             clock: Default::default(),

@@ -1,4 +1,4 @@
-//! The powers of one channel, from the hop register to the result chain.
+//! The sums of one channel, from the hop register to the result chain.
 
 use photoncube_spec::{Cut, Cuts, Spatial};
 use rust_hdl::prelude::*;
@@ -11,7 +11,7 @@ use super::wiring::{Wires, Wiring, logic_of_wires, wires, with_wires};
 const LANES: usize = Spatial::LANES;
 const PAIRS: usize = LANES / 2;
 
-/// One channel's powers, or the photons' presence, whose sum is the count. Widths: `P` power,
+/// Sums one channel's powers, or the photons' presence, whose sum is the count. Widths: `P` power,
 /// `PP = P + 1` of a pair, `GP = P + 2` of a group, `S` sum.
 #[derive(LogicBlock)]
 pub(crate) struct ChannelSum<const P: usize, const PP: usize, const GP: usize, const S: usize> {
@@ -21,14 +21,14 @@ pub(crate) struct ChannelSum<const P: usize, const PP: usize, const GP: usize, c
     pub in_range: [Signal<In, Bit>; LANES],
     /// The group beside the sum is the first of its batch.
     pub first: Signal<In, Bit>,
-    /// The sum is complete.
+    /// The sum of the query is complete.
     pub done: Signal<In, Bit>,
     pub result_in: Signal<In, Bits<S>>,
     pub result_out: Signal<Out, Bits<S>>,
     pub hop: Vec<Stage<Bits<P>>>,
-    /// The decisions once more, beside this sum.
+    /// Copies of the in-range flags beside this sum.
     pub decision: Vec<RegisterCopy>,
-    /// The gate with registers behind it and its adders, or the gate with the adders in it.
+    /// The gate: with registers behind it and separate adders, or with the adders in the gate's block.
     pub gate: Vec<GateStage<P>>,
     pair_sum: Vec<Sum<P, P, PP>>,
     gated_sum: Vec<GatedSum<P, PP>>,

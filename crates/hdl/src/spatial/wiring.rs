@@ -1,27 +1,27 @@
 //! Blocks that only connect other blocks.
 //!
-//! A kernel of rust-hdl cannot say `engine[e].photon[k]`, and its loops know no lengths that a
-//! machine chooses. A block of wires therefore states each wire once, in a method `wires`, and its
-//! simulation, its claims and its Verilog all run through that method, so that they cannot drift
-//! apart. The Verilog is a tree of plain assignments, which the lint reads like any other.
+//! A rust-hdl kernel has no form for `engine[e].photon[k]`, and its loops have fixed lengths. A block of
+//! wires therefore states each wire once, in a method `wires`. Its simulation, its claims and its Verilog all
+//! run through that method, so that they cannot diverge. The Verilog is a tree of plain assignments, which
+//! the lint reads like any other.
 
 use rust_hdl::core::ast::{VerilogExpression, VerilogStatement};
 use rust_hdl::prelude::Verilog;
 
-/// What a run through a block's wires is for.
+/// The purpose of a run through a block's wires.
 pub(super) enum Wiring {
-    /// To move values, in the simulation.
+    /// The run copies values, in the simulation.
     Update,
-    /// To claim the signals that are driven.
+    /// The run claims the signals that are driven.
     Connect,
-    /// To write the names of target and source.
+    /// The run records the names of target and source.
     Names(Wires),
 }
 
-/// Target and source of each wire, the target's name as rust-hdl prints it.
+/// Target and source of each wire, with the target's name as rust-hdl prints it.
 pub(super) type Wires = Vec<(String, VerilogExpression)>;
 
-/// The Verilog of wires.
+/// Prints the Verilog of wires.
 pub(super) fn verilog(wires: &Wires) -> Verilog {
     let assign = |(to, from): &(String, VerilogExpression)| {
         VerilogStatement::Assignment(VerilogExpression::Signal(to.clone()), from.clone())
@@ -51,7 +51,7 @@ macro_rules! wire_name {
     };
 }
 
-/// Wires, each as `(target) = (source);` with paths below `self`.
+/// Declares wires, each as `(target) = (source);` with paths below `self`.
 macro_rules! wires {
     ($self:ident, $wiring:ident: $(($($to:tt)+) = ($($from:tt)+);)+) => {
         $(match $wiring {
@@ -69,7 +69,7 @@ macro_rules! wires {
     };
 }
 
-/// Targets that are always 0, each as `(target);`.
+/// Declares targets that are always 0, each as `(target);`.
 macro_rules! zeros {
     ($self:ident, $wiring:ident: $(($($to:tt)+);)+) => {
         $(match $wiring {
@@ -86,7 +86,7 @@ macro_rules! zeros {
     };
 }
 
-/// The methods of [`rust_hdl::prelude::Logic`] for a block with `wires` and `_wires`.
+/// Implements the methods of [`rust_hdl::prelude::Logic`] for a block with `wires` and `_wires`.
 macro_rules! logic_of_wires {
     () => {
         fn update(&mut self) {
@@ -103,7 +103,7 @@ macro_rules! logic_of_wires {
     };
 }
 
-/// The block with the names of its wires written down; the last step of its constructor.
+/// Records the names of a block's wires; the last step of its constructor.
 macro_rules! with_wires {
     ($block:expr) => {{
         let mut block = $block;

@@ -1,4 +1,4 @@
-//! `A+B`.
+//! The unit `A+B`.
 
 use rust_hdl::prelude::*;
 

@@ -1,15 +1,14 @@
-//! How far a photon stands from the query on one axis.
+//! The difference of a photon and the query on one axis.
 //!
-//! The rules are `photoncube_spec::PhotonFormat`'s, "Distance"; plain numbers are their case
-//! without extra bits and clamp. What a machine needs of them follows from its widths, and a kernel
-//! would print all of them, so this block writes its Verilog by hand; it is simulated from the
-//! emitted text.
+//! The rules are those of `photoncube_spec::PhotonFormat`, "Distance"; plain numbers are the case without
+//! extra bits and clamp. A machine's widths select the rules that it needs. A kernel would print all of them,
+//! so this block writes its Verilog by hand. It is simulated from the emitted text.
 
 use rust_hdl::prelude::*;
 
-/// `magnitude = |a - b|` of a query `a` (`C` bits) and a photon `b` (`H` bits), clamped to all ones
-/// where `M < C`. Where `H < C` the photon stands on a grid line between two queries, and the
-/// magnitude is the whole steps of the distance.
+/// `magnitude = |a - b|` of a query `a` (`C` bits) and a photon `b` (`H` bits), clamped to all ones where
+/// `M < C`. Where `H < C` the photon is on a grid line between two queries, and the magnitude is the whole
+/// steps of the distance.
 #[derive(LogicBlock, Default)]
 pub(crate) struct Difference<const C: usize, const H: usize, const M: usize> {
     pub a: Signal<In, Bits<C>>,
@@ -18,7 +17,7 @@ pub(crate) struct Difference<const C: usize, const H: usize, const M: usize> {
 }
 
 impl<const C: usize, const H: usize, const M: usize> Difference<C, H, M> {
-    /// Fraction bits that a query has and a photon has not.
+    /// Fraction bits that only a query has.
     const EXTRA_BITS: usize = C - H;
 }
 
@@ -44,7 +43,8 @@ impl<const C: usize, const H: usize, const M: usize> Logic for Difference<C, H, 
     }
 }
 
-/// |A-B| is chosen from the two differences; synthesis shares the comparison with a subtraction.
+/// The text for equal grids. |A-B| is selected from the two differences; synthesis shares the comparison with
+/// a subtraction.
 fn between_middles(width: usize) -> String {
     let high = width - 1;
     format!(
@@ -55,8 +55,8 @@ fn between_middles(width: usize) -> String {
     )
 }
 
-/// A query stands half a step above its index. Below the line that half comes off, so that the
-/// whole steps are the inverse of the difference, without an increment.
+/// The text for a photon on a grid line. A query is half a step above its index. Below the line this half
+/// step is subtracted, so the whole steps are the inverse of the difference, without an increment.
 fn from_grid_line(width: usize, extra_bits: usize) -> String {
     let high = width - 1;
     let half_cell = 1 << (extra_bits - 1);
@@ -68,7 +68,7 @@ fn from_grid_line(width: usize, extra_bits: usize) -> String {
     )
 }
 
-/// All ones are out of range, as is every distance that has a bit above them.
+/// The text of the clamp. All ones is out of range, as is every distance with a bit above these.
 fn clamped(width: usize, clamp: usize) -> String {
     if clamp == width {
         return "always @(*) magnitude = distance;\n".to_owned();

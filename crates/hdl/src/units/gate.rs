@@ -1,4 +1,4 @@
-//! `if A>B, output 0`.
+//! The unit `if A>B, output 0`.
 
 use rust_hdl::prelude::*;
 

@@ -1,4 +1,4 @@
-//! The square of a distance on one axis: `(A-B)^2`, or what a photon format has in its place.
+//! The square of the difference on one axis: `(A-B)^2`, or the half square of a photon format.
 
 use photoncube_spec::Squarer;
 use rust_hdl::prelude::*;
@@ -6,8 +6,8 @@ use rust_hdl::prelude::*;
 use super::difference::Difference;
 use super::squarer::{Power, SquarerBlock};
 
-/// The square of the distance of query `a` (`C` bits) and photon `b` (`H` bits), of which `M` bits
-/// are squared; `Q = 2 M`, exact. Between two grids it is the half square, see
+/// The square of the difference of query `a` (`C` bits) and photon `b` (`H` bits), of which `M` bits are
+/// squared; `Q = 2 M`, exact. With the photon between two queries it is the half square, see
 /// `photoncube_spec::PhotonFormat`.
 #[derive(LogicBlock)]
 pub(crate) struct SquareUnit<const C: usize, const H: usize, const M: usize, const Q: usize> {

@@ -1,7 +1,7 @@
-//! The unsigned squarer, as LUTs or as one product for a DSP block.
+//! The unsigned squarer, from LUTs or as one product for a DSP block.
 //!
-//! rust-hdl multiplies 16 by 16 bits only, so this block writes its Verilog by hand; it is
-//! simulated from the emitted text exhaustively, for every root.
+//! rust-hdl multiplies 16 by 16 bits only, so this block writes its Verilog by hand. It is simulated
+//! exhaustively, for every root, from the emitted text.
 
 use photoncube_spec::Squarer;
 use rust_hdl::prelude::*;
@@ -9,7 +9,7 @@ use rust_hdl::prelude::*;
 /// Bits of a digit of [`Squarer::Digits`]: a LUT4 holds one bit of a digit's square.
 const DIGIT: usize = 4;
 
-/// What becomes of the root.
+/// The function of the root that is computed.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Power {
     /// `m m`.
@@ -67,7 +67,7 @@ impl Power {
         }
     }
 
-    /// The name of its table of digits.
+    /// The name of the function's table of digits.
     fn table(self) -> &'static str {
         match self {
             Self::Square => "digit_square",
@@ -80,8 +80,8 @@ fn product_text(product: &str) -> String {
     format!("always @(*) square = {product};\n")
 }
 
-/// With `root = sum of d_i 16^i`, `root^2 = sum of d_i^2 256^i + 2 sum of d_i d_j 16^(i+j)`, i < j:
-/// the squares of the digits stand side by side without overlap, the products are added.
+/// With `root = sum of d_i 16^i`, `root^2 = sum of d_i^2 256^i + 2 sum of d_i d_j 16^(i+j)`, i < j. The
+/// squares of the digits do not overlap and are concatenated; the products are added.
 fn square_text(width: usize) -> String {
     let digits = width.div_ceil(DIGIT);
     let products = pairs(digits).map(|(i, j)| {
@@ -95,9 +95,9 @@ fn square_text(width: usize) -> String {
     text + &digit_wires(width) + &sum_text(Power::Square, digits, products)
 }
 
-/// `root (root + 1)` is the square with the sum of `d_i 16^i` added. At i = 0 that makes
-/// `d_0 (d_0 + 1)` of the digit's square; the others go into the products with digit 0:
-/// `2 d_0 d_j + d_j = (2 d_0 + 1) d_j`, one bit put below `d_0` and no adder.
+/// `root (root + 1)` is the square plus the sum of `d_i 16^i`. At i = 0 the digit's square becomes
+/// `d_0 (d_0 + 1)`. The other terms are part of the products with digit 0:
+/// `2 d_0 d_j + d_j = (2 d_0 + 1) d_j`, which sets one bit below `d_0` and needs no adder.
 fn half_square_text(width: usize) -> String {
     let digits = width.div_ceil(DIGIT);
     let products = pairs(digits).map(|(i, j)| {
@@ -127,8 +127,8 @@ fn digit_wires(width: usize) -> String {
     (0..width.div_ceil(DIGIT)).map(wire).collect()
 }
 
-/// The digits' squares, of which the lowest is that of `lowest`, and the products. Verilog extends
-/// a term with zeros; where the highest digit is short, what is cut off is 0.
+/// The sum of the digits' squares, of which the lowest is that of `lowest`, and the products. Verilog extends
+/// a term with zeros. Where the highest digit is short, the bits that are truncated are 0.
 fn sum_text(lowest: Power, digits: usize, products: impl Iterator<Item = String>) -> String {
     let squares: Vec<_> = (0..digits)
         .rev()
@@ -162,8 +162,8 @@ fn table_function(power: Power) -> String {
     text + "  endcase\nendfunction\n"
 }
 
-/// Two bits of `first` at a time: each row is one carry chain of two bits more than `second`. Yosys
-/// maps the bare `a * b` to twice the LUTs.
+/// The product of `first` and `second`, two bits of `first` at a time: each row is one carry chain of two
+/// bits more than `second`. Yosys maps the plain `a * b` to twice the LUTs.
 fn product_function(second_bits: usize) -> String {
     let (row_bits, product_bits) = (second_bits + 2, second_bits + DIGIT);
     let row = |name: &str, bit: usize| {

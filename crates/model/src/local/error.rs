@@ -1,40 +1,40 @@
-//! What a photon format cannot represent: which limit, and by how much.
+//! The errors of values that a photon format cannot represent.
 
 use photoncube_spec::FormatError;
 use thiserror::Error;
 
-/// Why a gather in a photon format is refused.
+/// The reason why a gather in a photon format is refused.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum LocalError {
     /// The format itself is not legal.
     #[error(transparent)]
     Format(#[from] FormatError),
-    /// A value does not fit.
+    /// A value does not fit its format.
     #[error(transparent)]
     Value(#[from] ValueError),
-    /// More photons than the sums are sized for.
+    /// The query has more photons than the sums are sized for.
     #[error(transparent)]
     Count(#[from] CountError),
 }
 
-/// A value does not fit its format.
+/// The error of a value that does not fit its format.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error(
     "{what} is {value}, {} over the largest that format `{format}` holds, {largest}",
     .value - .largest
 )]
 pub struct ValueError {
-    /// Which value.
+    /// The name of the value.
     pub what: &'static str,
-    /// What it is.
+    /// The value that does not fit.
     pub value: u32,
-    /// The largest that fits.
+    /// The largest value that fits.
     pub largest: u32,
-    /// The format.
+    /// The name of the format.
     pub format: String,
 }
 
-/// A query was given more photons than the format declares.
+/// The error of a query with more photons than the format declares.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error(
     "a query of {found} photons is {} over the {max_photons} that format `{format}` declares: \
@@ -42,15 +42,15 @@ pub struct ValueError {
     .found - .max_photons
 )]
 pub struct CountError {
-    /// The photons given.
+    /// The number of photons given.
     pub found: u64,
-    /// The most that the format declares.
+    /// The most photons that the format declares for one query.
     pub max_photons: u64,
-    /// The format.
+    /// The name of the format.
     pub format: String,
 }
 
-/// Bits that are no packed record.
+/// The error of bits that are not a packed record.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum PackError {
     /// The format itself is not legal.
@@ -59,14 +59,14 @@ pub enum PackError {
     /// Bits past the record's width are set.
     #[error("record {found:#x} does not fit the {bits_per_photon} bits of format `{format}`")]
     TooWide {
-        /// The bits.
+        /// The bits that were given.
         found: u128,
-        /// The width of a record.
+        /// The number of bits of a record.
         bits_per_photon: u32,
-        /// The format.
+        /// The name of the format.
         format: String,
     },
-    /// A field holds what no photon has.
+    /// A field has a value that no photon has.
     #[error(transparent)]
     Value(#[from] ValueError),
 }

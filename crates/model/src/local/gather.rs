@@ -1,4 +1,4 @@
-//! The sum over the photons in range, in one format's integers.
+//! The direct gather of a photon format: the sum over the photons in range, in the format's integers.
 
 use photoncube_spec::{
     FormatError, FormatWidths, LocalQuery, LocalSums, PhotonBlock, PhotonFormat, PhotonRecord,
@@ -7,8 +7,8 @@ use photoncube_spec::{
 use super::error::{CountError, LocalError};
 use super::limits::LocalLimits;
 
-/// The gather of one format: eq. 2 of Ryu, Kim, Lee without its constant factor, with the search
-/// radius that the format fixes or any smaller one.
+/// The gather of one format: eq. 2 of Ryu, Kim, Lee without its constant factor. The search radius is the
+/// format's or any smaller one.
 #[derive(Copy, Clone, Debug)]
 pub struct LocalGather {
     format: PhotonFormat,
@@ -17,15 +17,15 @@ pub struct LocalGather {
     clamp: u32,
     /// The search radius squared, R^2.
     radius_sq: u32,
-    /// The largest sum of (half) squares that is told apart.
+    /// The largest sum of (half) squares that is represented; larger sums saturate at it.
     saturated: u32,
 }
 
 impl LocalGather {
-    /// The gather of `format`.
+    /// Makes the gather of `format`.
     ///
     /// # Errors
-    /// A format that is not legal.
+    /// The format is not legal.
     pub fn new(format: &PhotonFormat) -> Result<Self, FormatError> {
         let limits = LocalLimits::of(format)?;
         let widths = FormatWidths::of(format);
@@ -38,29 +38,30 @@ impl LocalGather {
         })
     }
 
-    /// The format.
+    /// The format that this gather is for.
     #[must_use]
     pub fn format(&self) -> &PhotonFormat {
         &self.format
     }
 
-    /// The limits of its values.
+    /// The limits of the format's values.
     #[must_use]
     pub fn limits(&self) -> &LocalLimits {
         &self.limits
     }
 
-    /// The format's search radius squared, R^2 (squared fine steps): the largest that
-    /// [`Self::gather_within`] takes.
+    /// The format's squared search radius R^2 in squared fine steps, the largest that [`Self::gather_within`]
+    /// accepts.
     #[must_use]
     pub fn radius_sq(&self) -> u32 {
         self.radius_sq
     }
 
-    /// Sums power and number of the photons in range; exact, in whatever order they come.
+    /// Sums power and number of the photons in range. The sums are exact and independent of the order of the
+    /// photons.
     ///
     /// # Errors
-    /// A value that the format cannot hold, or more photons than its sums are sized for.
+    /// A value does not fit the format, or there are more photons than its sums are sized for.
     pub fn gather<'b>(
         &self,
         query: &LocalQuery,
@@ -69,13 +70,13 @@ impl LocalGather {
         self.gather_within(query, self.radius_sq, blocks)
     }
 
-    /// The same for another search radius: d^2 <= `radius_sq` (squared fine steps) is in range,
-    /// which decides exactly, as at R. Bisection for the k-th photon and a ladder of radii are
-    /// made of these, each radius one gather.
+    /// Sums power and number of the photons with d^2 <= `radius_sq` (squared fine steps), a search radius of
+    /// the caller's choice. The decision is exact, as it is at R. The search for the k-th photon by bisection
+    /// and the ladder of radii use one such gather for each radius.
     ///
     /// # Errors
-    /// As for [`Self::gather`], and a `radius_sq` over [`Self::radius_sq`]: the blocks around the
-    /// query hold all photons only up to there.
+    /// As for [`Self::gather`], or `radius_sq` is over [`Self::radius_sq`]. Beyond that radius, photons
+    /// outside the blocks around the query may be in range.
     pub fn gather_within<'b>(
         &self,
         query: &LocalQuery,
@@ -88,7 +89,7 @@ impl LocalGather {
         let mut given = 0;
         for block in blocks {
             given += block.photons.len() as u64;
-            // Past the limit nothing is summed, only counted for the error.
+            // Photons past the limit are only counted, for the error.
             if given <= self.format.max_photons {
                 self.limits.check_block(&block)?;
                 self.add_block(query, radius_sq, &block, &mut sums)?;
@@ -98,8 +99,8 @@ impl LocalGather {
         Ok(sums)
     }
 
-    /// Whether the query has the photon of a block at `offset` in range. All values must be
-    /// within [`Self::limits`].
+    /// Whether the photon of a block at `offset` is in range of the query. All values must be within
+    /// [`Self::limits`].
     #[must_use]
     pub fn in_range(&self, query: &LocalQuery, offset: [u32; 3], record: &PhotonRecord) -> bool {
         let relative = self.relative(query, offset);
@@ -146,7 +147,7 @@ impl LocalGather {
         }
     }
 
-    /// Checks that the sums are sized for that many photons.
+    /// Checks that the sums are sized for `found` photons.
     pub(crate) fn check_count(&self, found: u64) -> Result<(), CountError> {
         if found <= self.format.max_photons {
             return Ok(());
@@ -158,7 +159,7 @@ impl LocalGather {
         })
     }
 
-    /// The query seen from a block's corner: the same for all photons of the block.
+    /// The query's position relative to a block's corner. All photons of the block share it.
     fn relative(&self, query: &LocalQuery, offset: [u32; 3]) -> [i32; 3] {
         let edge = self.format.edge_steps();
         std::array::from_fn(|axis| query.position[axis] as i32 - (offset[axis] * edge) as i32)
@@ -178,23 +179,22 @@ impl LocalGather {
         self.is_within::<HALF_STEPS>(sum, radius_sq)
     }
 
-    /// Whether a sum of (half) squares is in range. On half steps d^2 is the sum and 3/4, which is
-    /// at most an integer where the sum and 1 are.
+    /// Whether a sum of (half) squares is in range. On half steps d^2 is the sum plus 3/4, which is at most
+    /// an integer exactly where the sum plus 1 is.
     fn is_within<const HALF_STEPS: bool>(&self, sum: u32, radius_sq: u32) -> bool {
         sum.min(self.saturated) + u32::from(HALF_STEPS) <= radius_sq
     }
 
-    /// What a photon in this cell is subtracted as: its index, or the fine grid line through its
-    /// cell's middle.
+    /// The coordinate of a photon in this cell: its index, or the fine grid line through its cell's middle.
     fn centre(&self, cell: u16) -> i32 {
         let extra = self.format.query_extra_bits;
         (i32::from(cell) << extra) + ((1 << extra) >> 1)
     }
 
-    /// The clamped square of a difference, or half square on half steps.
+    /// The square of a clamped difference, or its half square on half steps.
     fn square<const HALF_STEPS: bool>(&self, difference: i32) -> u32 {
         if HALF_STEPS {
-            // d for d >= 0, ~d below: the sign's mask inverts.
+            // The result is d for d >= 0 and ~d for d < 0: the mask of the sign inverts.
             let inverted = difference ^ (difference >> 31);
             let m = (inverted as u32).min(self.clamp);
             m * (m + 1)
@@ -210,7 +210,7 @@ mod tests {
 
     use super::*;
 
-    /// The smallest positions, half steps included.
+    /// Formats with the fewest position bits, half steps included.
     fn small_formats() -> impl Iterator<Item = PhotonFormat> {
         (0..=2).map(|query_extra_bits| PhotonFormat {
             position_bits: 4,
@@ -235,8 +235,8 @@ mod tests {
         }
     }
 
-    /// Every pair of places on one axis: the squares against the distance in halves of a fine
-    /// step, where it is an integer, from the definition alone.
+    /// Compares the squares, at every pair of places on one axis, with the distance from the definition. In
+    /// halves of a fine step that distance is an integer.
     #[test]
     fn squares_are_exact_or_out_of_range_at_every_difference() {
         for format in small_formats() {
@@ -266,7 +266,7 @@ mod tests {
         }
     }
 
-    /// Every triple of clamped differences: the compare against f64, which is exact at this size.
+    /// Compares the decision, at every triple of clamped differences, with f64, which is exact at this size.
     #[test]
     fn the_compare_is_exact_at_every_distance() {
         for format in small_formats().filter(|format| format.radius_bits() <= 5) {
@@ -287,7 +287,7 @@ mod tests {
                         .sum();
                     let decided = is_within(&gather, sum, gather.radius_sq);
                     assert_eq!(decided, distance_sq <= radius_sq, "{format:?} {x} {y} {z}");
-                    // Up to R, d^2 rounded up is the smallest radius that holds the photon.
+                    // Up to R, d^2 rounded up is the smallest squared radius at which the photon is in range.
                     let reaches = distance_sq.ceil() as u32;
                     if reaches <= gather.radius_sq {
                         assert!(is_within(&gather, sum, reaches));

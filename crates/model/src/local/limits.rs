@@ -1,4 +1,4 @@
-//! The largest value of every field of a photon format.
+//! The largest value of every field of a photon format, and the checks against them.
 
 use photoncube_spec::{
     Channels, Exponent, FormatError, FormatWidths, LocalQuery, PhotonBlock, PhotonFormat,
@@ -24,10 +24,10 @@ pub struct LocalLimits {
 }
 
 impl LocalLimits {
-    /// The limits of a format.
+    /// The limits of a format's words.
     ///
     /// # Errors
-    /// A format that is not legal.
+    /// The format is not legal.
     pub fn of(format: &PhotonFormat) -> Result<Self, FormatError> {
         format.check()?;
         let widths = FormatWidths::of(format);
@@ -55,7 +55,7 @@ impl LocalLimits {
     /// Checks that a query fits the frame.
     ///
     /// # Errors
-    /// The first value that does not, with the limit.
+    /// The first value that does not fit, with the limit.
     pub fn check_query(&self, query: &LocalQuery) -> Result<(), ValueError> {
         self.check_each(POSITION, query.position, [self.coordinate; 3])
     }
@@ -63,12 +63,12 @@ impl LocalLimits {
     /// Checks that a squared radius is at most the format's own.
     ///
     /// # Errors
-    /// One that is more, with the limit.
+    /// The squared radius is larger, with the limit.
     pub fn check_radius_sq(&self, radius_sq: u32) -> Result<(), ValueError> {
         self.check("radius_sq", radius_sq, self.radius_sq)
     }
 
-    /// Checks a block's place and exponent; not its photons.
+    /// Checks a block's offset and exponent, but not its photons.
     ///
     /// # Errors
     /// The first value that does not fit, with the limit.
@@ -80,7 +80,7 @@ impl LocalLimits {
     /// Checks a block's exponent.
     ///
     /// # Errors
-    /// One that does not fit, with the limit.
+    /// The exponent does not fit, with the limit.
     pub fn check_block_exponent(&self, exponent: u8) -> Result<(), ValueError> {
         self.check("block exponent", exponent.into(), self.block_exponent)
     }
@@ -88,7 +88,7 @@ impl LocalLimits {
     /// Checks that a record fits.
     ///
     /// # Errors
-    /// The first value that does not, with the limit.
+    /// The first value that does not fit, with the limit.
     pub fn check_record(&self, record: &PhotonRecord) -> Result<(), ValueError> {
         self.check_each(POSITION, record.position.map(u32::from), [self.position; 3])?;
         self.check_each(MANTISSA, record.mantissa.map(u32::from), self.mantissa)?;
@@ -99,10 +99,10 @@ impl LocalLimits {
     /// Checks that all records fit.
     ///
     /// # Errors
-    /// As for [`Self::check_record`], of the first that does not.
+    /// As for [`Self::check_record`], for the first record that does not fit.
     pub fn check_records(&self, records: &[PhotonRecord]) -> Result<(), ValueError> {
-        // Limits of positions and mantissas are all ones: one value is past them where the OR of
-        // all is.
+        // Limits of positions and mantissas are all ones, so a value exceeds its limit exactly where the OR
+        // of all values does.
         let (mut position, mut mantissa, mut exponent) = (0, [0; 3], 0);
         for record in records {
             let [x, y, z] = record.position;

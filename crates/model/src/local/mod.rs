@@ -1,4 +1,4 @@
-//! The gather of a photon format: the rules of [`photoncube_spec::PhotonFormat`] in integers.
+//! The gather of a photon format, by the rules of [`photoncube_spec::PhotonFormat`], in integers.
 
 mod error;
 mod gather;

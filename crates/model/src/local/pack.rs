@@ -1,14 +1,14 @@
-//! Records as bits, in the order that [`photoncube_spec::PhotonRecord`]'s module states.
+//! Packs records into bits, in the order that the module of [`photoncube_spec::PhotonRecord`] states.
 
 use photoncube_spec::{Channels, FormatWidths, PhotonFormat, PhotonRecord};
 
 use super::error::{LocalError, PackError};
 use super::limits::LocalLimits;
 
-/// The record in the lowest [`FormatWidths::bits_per_photon`] bits; the others are 0.
+/// Packs a record into the lowest [`FormatWidths::bits_per_photon`] bits; the other bits are 0.
 ///
 /// # Errors
-/// A value that the format cannot hold.
+/// A value does not fit the format.
 pub fn pack(format: &PhotonFormat, record: &PhotonRecord) -> Result<u128, LocalError> {
     LocalLimits::of(format)?.check_record(record)?;
     let mut bits = 0;
@@ -20,10 +20,10 @@ pub fn pack(format: &PhotonFormat, record: &PhotonRecord) -> Result<u128, LocalE
     Ok(bits)
 }
 
-/// The record that [`pack`] made these bits of.
+/// Unpacks the bits of a record that [`pack`] made.
 ///
 /// # Errors
-/// Bits past the record's width, or a field beyond its limit, such as an exponent over
+/// Bits past the record's width are set, or a field exceeds its limit, such as an exponent over
 /// [`photoncube_spec::PowerFormat::exponent_range`].
 pub fn unpack(format: &PhotonFormat, bits: u128) -> Result<PhotonRecord, PackError> {
     let limits = LocalLimits::of(format)?;

@@ -1,8 +1,8 @@
-//! The lanes in AVX2.
+//! The AVX2 implementation of [`Lanes`].
 //!
-//! Everything here and in `avx2_positions.rs` is inlined into one function that the processor's features
-//! are switched on for; a closure would be a function of its own without them, and ten times slower, so
-//! there are none.
+//! All code here and in `avx2_positions.rs` is inlined into one function for which the processor's features
+//! are enabled. A closure would be compiled as a function without these features, and would be ten times
+//! slower, so there are none.
 
 use core::arch::x86_64::__m256i;
 
@@ -13,7 +13,7 @@ use super::lanes::{Boxes, Bytes, Lanes};
 use super::leaf::LEAF;
 use super::tray::TRAY;
 
-/// The squared distances of a query from 16 boxes on one axis.
+/// The squared distances on one axis of a query from 16 boxes.
 #[inline(always)]
 fn box_squares(simd: V3, [low, high]: [__m256i; 2], query: u16, shift: u32) -> __m256i {
     let query = simd.avx._mm256_set1_epi16(query as i16);
@@ -28,7 +28,7 @@ fn box_squares(simd: V3, [low, high]: [__m256i; 2], query: u16, shift: u32) -> _
     simd.avx2._mm256_mullo_epi16(m, m)
 }
 
-/// For each word all ones where a saturating sum of squares is at most `largest`.
+/// For each word, all ones where a saturating sum of squares is at most `largest`, else 0.
 #[inline(always)]
 fn is_at_most(simd: V3, [x, y, z]: [__m256i; 3], largest: __m256i) -> __m256i {
     let sum = simd
@@ -39,7 +39,7 @@ fn is_at_most(simd: V3, [x, y, z]: [__m256i; 3], largest: __m256i) -> __m256i {
         ._mm256_cmpeq_epi16(over, simd.avx._mm256_setzero_si256())
 }
 
-/// The sum of eight.
+/// The sum of the register's eight 32-bit words.
 #[inline(always)]
 fn total(simd: V3, eight: __m256i) -> u32 {
     let low = simd.avx._mm256_castsi256_si128(eight);
@@ -52,7 +52,7 @@ impl Lanes for V3 {
     /// All ones where a photon is in range.
     type Mask = __m256i;
     type Mantissas = __m256i;
-    /// 16 words, each of the mantissas of two photons.
+    /// 16 words, each the sum of the mantissas of two photons.
     type Sum = __m256i;
     /// 32 bytes, one for each photon of a leaf.
     type Count = __m256i;
@@ -74,7 +74,7 @@ impl Lanes for V3 {
 
     #[inline(always)]
     fn add(self, sum: __m256i, in_range: __m256i, mantissas: &__m256i) -> __m256i {
-        // All ones are -1.
+        // All ones are -1, so multiplying by the mask negates the mantissas.
         let pairs = self.avx2._mm256_maddubs_epi16(*mantissas, in_range);
         self.avx2._mm256_sub_epi16(sum, pairs)
     }
@@ -104,7 +104,7 @@ impl Lanes for V3 {
         let b = avx2._mm256_madd_epi16(b, ones);
         let c = avx2._mm256_madd_epi16(c, ones);
         let count = avx2._mm256_sad_epu8(count, zero);
-        // Neighbours are added twice; then both halves have one word of each.
+        // Neighbouring words are added twice; then each half of the register has one word of each sum.
         let ab = avx2._mm256_hadd_epi32(a, b);
         let cd = avx2._mm256_hadd_epi32(c, count);
         let all = avx2._mm256_hadd_epi32(ab, cd);
@@ -135,5 +135,5 @@ impl Lanes for V3 {
     }
 }
 
-// A bit of a mask for each leaf; and a word of a sum, which has a sign, is that of so many mantissas.
+// A mask has one bit for each leaf. A word of a sum is signed and holds 2 * TRAY mantissas.
 const _: () = assert!(TRAY == 32 && 255 * 2 * TRAY <= i16::MAX as usize && LEAF == 32);

@@ -1,5 +1,5 @@
-//! Distances in AVX2: four registers of eight photons each, as pairs of words that one instruction
-//! squares and adds.
+//! The AVX2 implementation of [`Positions`]: distances in four registers of eight photons each, as pairs of
+//! words that one instruction squares and adds.
 
 use core::arch::x86_64::__m256i;
 
@@ -13,7 +13,7 @@ use super::lanes::{
 use super::leaf::LEAF;
 use super::store::{Window, plane};
 
-/// From 32 - n on: n times all ones, then none.
+/// A window of this table that starts at 32 - n has n bytes of all ones, then zeros.
 const PRESENT: [u8; 2 * LEAF] = {
     let mut present = [0; 2 * LEAF];
     let mut lane = 0;
@@ -24,7 +24,7 @@ const PRESENT: [u8; 2 * LEAF] = {
     present
 };
 
-/// The words of the bytes of the first, second half of either half of a register.
+/// Widens the bytes of a register to words: the first and the second half of each 128-bit half.
 #[inline(always)]
 fn words(simd: V3, bytes: __m256i) -> [__m256i; 2] {
     let zero = simd.avx._mm256_setzero_si256();
@@ -34,7 +34,7 @@ fn words(simd: V3, bytes: __m256i) -> [__m256i; 2] {
     ]
 }
 
-/// Words where photons are, `nowhere` elsewhere.
+/// Replaces the words of lanes without a photon by `nowhere`.
 #[inline(always)]
 fn present(simd: V3, words: [__m256i; 2], photons: usize, nowhere: i16) -> [__m256i; 2] {
     let present: &Bytes = PRESENT[LEAF - photons.min(LEAF)..]
@@ -56,8 +56,8 @@ fn present(simd: V3, words: [__m256i; 2], photons: usize, nowhere: i16) -> [__m2
     ]
 }
 
-/// Two words of each photon in turn, eight photons to a register, in the order in which packing puts
-/// masks back together.
+/// Two words of each photon, eight photons to a register, in the order in which packing restores the order of
+/// the masks.
 type Pairs = [__m256i; 4];
 
 #[inline(always)]
@@ -70,7 +70,7 @@ fn pairs(simd: V3, a: [__m256i; 2], b: [__m256i; 2]) -> Pairs {
     ]
 }
 
-/// The photons of a leaf: x and y, and z and 0.
+/// The coordinates of a leaf's photons as pairs: x and y, and z and 0.
 #[derive(Copy, Clone, Debug)]
 pub(super) struct Places {
     xy: Pairs,
@@ -88,14 +88,14 @@ impl Places {
     }
 }
 
-/// Two words in every pair.
+/// A register in which every pair has these two words.
 #[inline(always)]
 fn pair(simd: V3, first: i16, second: i16) -> __m256i {
     let both = u32::from(first as u16) | u32::from(second as u16) << 16;
     simd.avx._mm256_set1_epi32(both as i32)
 }
 
-/// The bytes of four masks.
+/// Packs four masks of 32-bit words into a mask of bytes.
 #[inline(always)]
 fn packed(simd: V3, masks: [__m256i; 4]) -> __m256i {
     simd.avx2._mm256_packs_epi16(
@@ -113,7 +113,7 @@ pub(super) struct ByteQuery {
     over: __m256i,
 }
 
-/// The places of bytes on an axis, in half fine steps from the middle of the frame.
+/// The coordinates on an axis from bytes, in half fine steps from the middle of the frame.
 #[inline(always)]
 fn byte_places(simd: V3, bytes: &Bytes, corner: i16) -> [__m256i; 2] {
     let [low, high] = words(simd, cast(*bytes));
@@ -126,20 +126,21 @@ fn byte_places(simd: V3, bytes: &Bytes, corner: i16) -> [__m256i; 2] {
     ]
 }
 
-/// A query's place on an axis, in half fine steps.
+/// A query's coordinate on an axis, in half fine steps.
 #[inline(always)]
 fn byte_place(frame: &Frame, place: i16) -> i16 {
     2 * place + frame.half()
 }
 
-/// The smallest sum of squares that is out of range: in half fine steps they are four times those in fine
-/// steps, or four times the sum of half squares, and 3.
+/// The smallest sum of squares that is out of range. In half fine steps the sum is four times that in fine
+/// steps, or on half steps four times the sum of half squares, plus 3.
 #[inline(always)]
 fn byte_over(frame: &Frame) -> i32 {
     4 * frame.largest as i32 + 4
 }
 
-/// Photons and queries are counted in half fine steps, so that the distance is always a difference.
+/// Photons and queries are counted in half fine steps, so that the distance is always the difference of two
+/// integers.
 impl Positions<V3> for OfBytes {
     const BYTES: usize = 1;
 
@@ -190,7 +191,7 @@ impl Positions<V3> for OfBytes {
     }
 }
 
-/// The photons of a flat leaf: x and y, and z of them all.
+/// The coordinates of a flat leaf's photons: x and y of each, and the z that all share.
 #[derive(Copy, Clone, Debug)]
 pub(super) struct FlatPlaces {
     xy: Pairs,
@@ -263,13 +264,13 @@ pub(super) struct WordQuery {
     z: __m256i,
     /// The smallest sum of squares, or of half squares, that is out of range.
     over: __m256i,
-    /// 1 on half steps, otherwise 0.
+    /// 1 on half steps, otherwise 0, in every word.
     half: __m256i,
-    /// All ones but on half steps.
+    /// A mask of all ones, or 0 on half steps.
     whole: __m256i,
 }
 
-/// m of pairs, or [`Frame::FURTHEST`].
+/// m for pairs of coordinates, saturated at [`Frame::FURTHEST`].
 #[inline(always)]
 fn distance(simd: V3, query: &WordQuery, at: __m256i, photons: __m256i) -> __m256i {
     let d = simd.avx2._mm256_subs_epi16(at, photons);
@@ -282,14 +283,14 @@ fn distance(simd: V3, query: &WordQuery, at: __m256i, photons: __m256i) -> __m25
     simd.avx2._mm256_min_epu16(m, furthest)
 }
 
-/// The sums of the squares, or half squares, of pairs.
+/// The sums of the squares, or half squares, of each pair.
 #[inline(always)]
 fn squares(simd: V3, query: &WordQuery, m: __m256i) -> __m256i {
     simd.avx2
         ._mm256_madd_epi16(m, simd.avx2._mm256_add_epi16(m, query.half))
 }
 
-/// Photons and queries in fine steps, for which differences saturate.
+/// Photons and queries are counted in fine steps, and their differences saturate.
 impl Positions<V3> for OfWords {
     const BYTES: usize = 2;
 
@@ -309,7 +310,7 @@ impl Positions<V3> for OfWords {
         for axis in 0..3 {
             let words: &Words = plane(window, 2 * axes[axis], photons);
             let [first, second]: [__m256i; 2] = cast(*words);
-            // The order of bytes that are unpacked.
+            // The order in which the unpack instructions place the bytes.
             let low = simd
                 .avx2
                 ._mm256_permute2x128_si256::<0b10_0000>(first, second);

@@ -1,27 +1,29 @@
-//! Where photons and queries stand: coordinates on one axis, as the kernel has them.
+//! The frame of a gather: the coordinates of photons and queries on one axis, as the kernel uses them.
 
 use photoncube_spec::PhotonFormat;
 
-/// What all photons and queries of a gather share.
+/// The rules that all photons and queries of a gather share.
 ///
-/// Coordinates are fine steps from the middle of the frame, which is also that of the queries' block:
-/// within 3 / 2 of 2^14 on either side. With d the difference of a query's and a photon's, the distance on
-/// the axis is d or, on half steps, d + 1/2.
+/// Coordinates are fine steps from the middle of the frame, which is also the middle of the queries' block.
+/// They lie within 3 / 2 of 2^14 on either side. With d the difference of a query's and a photon's
+/// coordinate, the distance on the axis is d or, on half steps, d + 1/2.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub(super) struct Frame {
     /// Fine steps of a block's edge.
     edge: u32,
-    /// Whether queries stand half a step above their coordinates.
+    /// Whether queries are half a step above their coordinates.
     pub half_steps: bool,
     /// The largest sum of squares, or half squares, in range.
     pub largest: u32,
 }
 
 impl Frame {
-    /// Distances may saturate here: further than any radius, and three squares fit 31 bits.
+    /// The value at which distances may saturate. It is larger than any radius, and three squares of it fit
+    /// 31 bits.
     pub const FURTHEST: u16 = (1 << 14) - 1;
 
-    /// The frame of a format; none where nothing is in range, as on half steps d^2 is the sum and 3/4.
+    /// The frame of a format. `None` where nothing can be in range, as on half steps at small radii, where
+    /// d^2 is the sum plus 3/4.
     pub fn new(format: &PhotonFormat, radius_sq: u32) -> Option<Self> {
         let half_steps = format.half_steps();
         Some(Self {
@@ -31,12 +33,12 @@ impl Frame {
         })
     }
 
-    /// The lowest corner of the block at `offset`.
+    /// The lowest corner of the block at `offset`, in fine steps from the middle of the frame.
     pub fn corner(&self, offset: [u8; 3]) -> [i16; 3] {
         offset.map(|blocks| (i32::from(blocks) * self.edge as i32 - self.middle()) as i16)
     }
 
-    /// The coordinates of a query `position` fine steps into the frame.
+    /// The coordinates of a query whose `position` is in fine steps from the frame's corner.
     pub fn place(&self, position: [u32; 3]) -> [i16; 3] {
         position.map(|at| (at as i32 - self.middle()) as i16)
     }
@@ -50,11 +52,11 @@ impl Frame {
         self.half_steps.into()
     }
 
-    /// m: |d|, or below 0 on half steps ~d.
+    /// m, the distance in whole fine steps: |d|, or ~d for negative d on half steps.
     #[inline(always)]
     pub fn distance(&self, query: i16, photon: i16) -> u16 {
         let d = query.saturating_sub(photon);
-        // All ones below 0. |-2^15| wraps to 2^15, as it should.
+        // All ones for negative d. |-2^15| wraps to 2^15, which is correct as an unsigned value.
         let sign = d >> 15;
         (d ^ sign).wrapping_sub(sign & (self.half() - 1)) as u16
     }
@@ -66,7 +68,8 @@ mod tests {
 
     use super::*;
 
-    /// Against the spec's words, over the whole frame of the smallest and the largest formats.
+    /// Compares the distances with the spec's definition over the whole frame, for the smallest and the
+    /// largest formats.
     #[test]
     fn distances_are_the_specs() {
         for (position_bits, query_extra_bits) in [(4, 0), (4, 2), (8, 0), (7, 1), (12, 0), (12, 2)]

@@ -1,4 +1,4 @@
-//! The sums of many queries at once, by the fastest instructions that there are.
+//! Gathers the sums of many queries at once, with the fastest instructions that the processor has.
 
 use photoncube_spec::{LocalQuery, LocalSums};
 
@@ -10,24 +10,24 @@ use super::store::PhotonPlanes;
 use super::surroundings::Surroundings;
 use crate::local::LocalError;
 
-/// What a query found.
+/// The result of one query.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Gathered {
     /// Power and number of the photons in range.
     pub sums: LocalSums,
-    /// Photons around it, which a machine tests one by one.
+    /// The number of photons in the blocks around the query, which a machine tests one by one.
     pub photons: u64,
-    /// Those that were tested here: of leaves that the sphere may touch.
+    /// The number of photons that this gather tested, in the leaves that the query's sphere may touch.
     pub tests: u64,
 }
 
-/// Which instructions the gather is made of, of those that this processor has.
+/// An instruction set for the gather that this processor has.
 #[derive(Debug, Clone, Copy)]
 pub struct Instructions(Set);
 
 #[derive(Debug, Clone, Copy)]
 enum Set {
-    /// Whatever the compiler makes of plain loops.
+    /// Portable loops, vectorised by the compiler.
     Portable,
     /// x86-64 with AVX2.
     #[cfg(target_arch = "x86_64")]
@@ -35,7 +35,7 @@ enum Set {
 }
 
 impl Instructions {
-    /// Those that this processor has, the fastest first.
+    /// The instruction sets that this processor has, the fastest first.
     pub fn available() -> impl Iterator<Item = Self> {
         #[cfg(target_arch = "x86_64")]
         let faster = pulp::x86::V3::try_new().map(Set::Avx2);
@@ -44,7 +44,7 @@ impl Instructions {
         faster.into_iter().chain([Set::Portable]).map(Self)
     }
 
-    /// The fastest that this processor has.
+    /// The fastest instruction set that this processor has.
     #[must_use]
     pub fn fastest() -> Self {
         Self::available()
@@ -52,7 +52,7 @@ impl Instructions {
             .expect("the portable ones are always there")
     }
 
-    /// Their name in reports.
+    /// The instruction set's name in reports.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self.0 {
@@ -64,15 +64,16 @@ impl Instructions {
 }
 
 impl PhotonPlanes {
-    /// The sums of `queries`, all of the block that `around` is around, each into its place of `found`:
-    /// bit for bit those of [`crate::LocalGather::gather_within`], with the same refusals.
+    /// Gathers the sums of `queries` and writes each into its place of `found`. All queries must be in the
+    /// block that `around` was set for. The sums and the errors are those of
+    /// [`crate::LocalGather::gather_within`], bit for bit.
     ///
     /// # Errors
-    /// A query that the format cannot hold, more photons around than its sums are sized for,
-    /// or a `radius_sq` (squared fine steps) over the format's. Nothing is written then.
+    /// A query does not fit the format, there are more photons around it than its sums are sized for, or
+    /// `radius_sq` (squared fine steps) is over the format's. Nothing is written in these cases.
     ///
     /// # Panics
-    /// Where `found` has not a place for each query, or a query is in another block than the frame's middle one.
+    /// Where `found` and `queries` differ in length, or a query is outside the frame's middle block.
     pub fn gather(
         &self,
         around: &Surroundings,
@@ -83,7 +84,7 @@ impl PhotonPlanes {
         self.gather_by(Instructions::fastest(), around, queries, radius_sq, found)
     }
 
-    /// The same by these instructions, which changes only how long it takes.
+    /// Gathers as [`Self::gather`] does, with the given instruction set, which affects only the time.
     ///
     /// # Errors
     /// As for [`Self::gather`].
@@ -145,7 +146,7 @@ impl Work<'_> {
         OfWords: Positions<L>,
     {
         if self.planes.layout.wide {
-            // Boxes of 8 bits do not tell what is flat.
+            // A box of 8-bit bounds is too coarse to show that a leaf is flat.
             self.with_positions::<L, OfWords, OfWords>(lanes);
         } else {
             self.with_positions::<L, OfBytes, OfFlatBytes>(lanes);

@@ -1,4 +1,4 @@
-//! The loop over leaves and queries, for any lanes.
+//! The loop over leaves and queries, generic over the instruction set.
 
 use photoncube_spec::LocalQuery;
 
@@ -9,18 +9,19 @@ use super::store::PhotonPlanes;
 use super::surroundings::{Seen, Surroundings};
 use super::tray::{TRAY, Tray, ordered};
 
-/// What is to be gathered.
+/// The input and output of one gather.
 pub(super) struct Work<'a> {
     pub planes: &'a PhotonPlanes,
     pub around: &'a Surroundings,
     pub queries: &'a [LocalQuery],
     pub frame: Frame,
-    /// One for each query.
+    /// The results, one for each query.
     pub found: &'a mut [Gathered],
 }
 
 impl Work<'_> {
-    /// Gathers every query, by lanes that are known to be there; leaves that are flat on one axis by `F`.
+    /// Gathers every query with the instruction set `L`, which the processor must have. Leaves that are flat
+    /// on one axis use `F`.
     #[inline(always)]
     pub fn run<L: Lanes, P: Positions<L>, F: Positions<L>, const PLANES: usize>(self, lanes: L) {
         let nothing = Gathered {
@@ -35,7 +36,7 @@ impl Work<'_> {
         while !rest.is_empty() {
             let (here, behind) = rest.split_at(alike(rest));
             let exponent = here[0].leaf.exponent;
-            // A photon or two are flat by chance, so leaves are not sorted by this.
+            // A leaf of one or two photons is flat by chance, so leaves are not sorted by flatness.
             let flat = here.iter().fold(u8::MAX, |flat, seen| flat & seen.flat);
             let axes = flat_last(flat);
             if flat == 0 {
@@ -50,7 +51,7 @@ impl Work<'_> {
     }
 }
 
-/// The axes, one of these last if there is any.
+/// The order of the axes: an axis on which the leaves are flat comes last, if there is one.
 fn flat_last(flat: u8) -> [usize; 3] {
     match flat.trailing_zeros() {
         0 => [1, 2, 0],
@@ -59,7 +60,8 @@ fn flat_last(flat: u8) -> [usize; 3] {
     }
 }
 
-/// How many of the first leaves go on one tray: those of one exponent, as each is summed up by itself.
+/// The number of leaves from the first on that go on one tray: leaves of one exponent, because each exponent
+/// is summed on its own.
 fn alike(seen: &[Seen]) -> usize {
     let exponent = seen[0].leaf.exponent;
     let alike = seen.iter().take(TRAY);
@@ -80,7 +82,7 @@ impl<L: Lanes, P: Positions<L>, const PLANES: usize> Tray<L, P, PLANES> {
     ) {
         let present = self.present();
         for (query, found) in queries.iter().zip(found) {
-            // Less than two edges of 2^14.
+            // The coordinates are less than two edges of 2^14.
             let position = [
                 query.position[0] as u16,
                 query.position[1] as u16,
@@ -93,7 +95,7 @@ impl<L: Lanes, P: Positions<L>, const PLANES: usize> Tray<L, P, PLANES> {
         }
     }
 
-    /// Adds the photons in range of the leaves whose bits are set to what a query found.
+    /// Adds the photons in range of the leaves whose bits are set to the sums of a query.
     #[inline(always)]
     fn gather(
         &self,
@@ -122,14 +124,14 @@ impl<L: Lanes, P: Positions<L>, const PLANES: usize> Tray<L, P, PLANES> {
         let bytes_each = if PLANES.is_multiple_of(2) { 2 } else { 1 };
         for (index, total) in totals.into_iter().enumerate() {
             let (channel, byte) = (index / bytes_each, index % bytes_each);
-            // A tray's sum has 18 bits, and an exponent is 24 at most.
+            // A tray's sum has 18 bits, and an exponent is at most 24.
             let total = u64::from(total) << (usize::from(exponent) + 8 * byte);
             found.sums.power[channel] += u128::from(total);
         }
     }
 }
 
-/// The totals of all sums, and the count.
+/// The totals of all mantissa sums, and of the count.
 #[inline(always)]
 fn totals<L: Lanes, const PLANES: usize>(
     lanes: L,

@@ -1,4 +1,4 @@
-//! What the kernel does with all photons of a leaf, or with all leaves of a tray, at a time.
+//! The traits of the kernel: operations on all photons of a leaf, or on all leaves of a tray, at a time.
 
 use super::frame::Frame;
 use super::leaf::LEAF;
@@ -8,37 +8,37 @@ use super::tray::TRAY;
 /// A byte for each photon of a leaf.
 pub(super) type Bytes = [u8; LEAF];
 
-/// Two bytes for each photon of a leaf, little end first.
+/// Two bytes for each photon of a leaf, little-endian.
 pub(super) type Words = [u8; 2 * LEAF];
 
-/// Where the lanes past the last photon of a format of bytes are, in steps or half steps: out of range of every
-/// query, and neither the difference nor its square overflows.
+/// The coordinate of lanes without a photon in formats of bytes, in steps or half steps. It is out of range
+/// of every query, and neither the difference nor its square overflows.
 pub(super) const BYTES_NOWHERE: i16 = 1 << 14;
 
-/// The same of a format of words, whose distances saturate.
+/// The coordinate of lanes without a photon in formats of words, whose distances saturate.
 pub(super) const WORDS_NOWHERE: i16 = i16::MAX;
 
-/// The boxes of a tray's leaves: on each axis the lowest and the highest query, in fine steps of the
-/// frame, for which the distance to a photon of the leaf may be 0.
+/// The bounding boxes of a tray's leaves: on each axis the lowest and the highest query coordinate, in fine
+/// steps of the frame, at which the distance to a photon of the leaf may be 0.
 #[derive(Copy, Clone, Debug)]
 pub(super) struct Boxes {
     pub low: [[u16; TRAY]; 3],
     pub high: [[u16; TRAY]; 3],
-    /// Low bits of a distance that are left out, so that a square fits 16 bits.
+    /// The number of low bits of a distance that are dropped, so that a square fits 16 bits.
     pub shift: u32,
-    /// The largest sum of such squares that may be in range.
+    /// The largest sum of the shortened squares that may be in range.
     pub largest: u16,
 }
 
-/// One set of instructions.
+/// The operations of one instruction set.
 pub(super) trait Lanes: Copy {
-    /// For each photon whether it is in range.
+    /// An in-range mask: for each photon whether it is in range.
     type Mask: Copy;
     /// A mantissa byte for each photon.
     type Mantissas: Copy;
-    /// The mantissa bytes of those in range, of up to a tray of leaves.
+    /// The sum of mantissa bytes of photons in range, over up to a tray of leaves.
     type Sum: Copy;
-    /// How many are in range, of up to a tray of leaves.
+    /// The count of photons in range, over up to a tray of leaves.
     type Count: Copy;
 
     fn mantissas(self, bytes: &Bytes) -> Self::Mantissas;
@@ -47,7 +47,7 @@ pub(super) trait Lanes: Copy {
 
     fn no_count(self) -> Self::Count;
 
-    /// The sum and the mantissas of those in range.
+    /// Adds the mantissas of the photons in range to the sum.
     fn add(self, sum: Self::Sum, in_range: Self::Mask, mantissas: &Self::Mantissas) -> Self::Sum;
 
     fn add_count(self, count: Self::Count, in_range: Self::Mask) -> Self::Count;
@@ -56,28 +56,28 @@ pub(super) trait Lanes: Copy {
 
     fn total(self, sum: Self::Sum) -> u32;
 
-    /// Three totals and the count, for which there may be a shorter way.
+    /// The totals of three sums and of the count. Some instruction sets compute all four faster than one by
+    /// one.
     fn totals(self, sums: [Self::Sum; 3], count: Self::Count) -> ([u32; 3], u32);
 
-    /// A bit for each leaf of the tray that the sphere of the query at `query` in the frame may touch: for
-    /// all that it does, and for few others.
+    /// A mask with a bit for each leaf of the tray. It is set for every leaf that the sphere of the query at
+    /// `query` in the frame touches, and for few others.
     fn touched(self, boxes: &Boxes, query: [u16; 3]) -> u32;
 }
 
-/// How positions stand in the planes, one byte each or two, and how they are tested.
+/// The layout of positions in the planes, one byte or two each, and their test.
 pub(super) trait Positions<L: Lanes> {
-    /// Bytes of a centre on one axis.
+    /// The number of bytes of a centre on one axis.
     const BYTES: usize;
 
-    /// The positions of a leaf's photons, in the frame; in lanes past the last photon what is never in
-    /// range.
+    /// The coordinates of a leaf's photons in the frame. In lanes without a photon they are never in range.
     type Photons: Copy;
 
-    /// A query.
+    /// A query's coordinates, prepared for the test.
     type Query: Copy;
 
-    /// The first `photons` of the leaf in `window`, on the axes in this order. On each, a block's lowest
-    /// corner is at `corner`.
+    /// Loads the first `photons` photons of the leaf in `window`, on the axes in this order. `corner` is the
+    /// block's lowest corner on each axis.
     fn photons(
         lanes: L,
         window: &Window,
@@ -86,7 +86,7 @@ pub(super) trait Positions<L: Lanes> {
         corner: [i16; 3],
     ) -> Self::Photons;
 
-    /// The query at `place`, by axis in the same order.
+    /// Prepares the query at `place`, whose axes are in the order of the photons' axes.
     fn query(lanes: L, frame: &Frame, place: [i16; 3]) -> Self::Query;
 
     fn in_range(lanes: L, photons: &Self::Photons, query: &Self::Query) -> L::Mask;
@@ -95,8 +95,8 @@ pub(super) trait Positions<L: Lanes> {
 /// Formats of up to 8 bits per radius.
 pub(super) struct OfBytes;
 
-/// The same where all photons of a leaf are alike on the last axis, as those on a wall along the other two: the
-/// distance on it is computed once for all of them.
+/// Formats of up to 8 bits per radius, for leaves whose photons share the last coordinate, such as those on a
+/// wall along the other two axes. The distance on the last axis is computed once for all of them.
 pub(super) struct OfFlatBytes;
 
 /// Formats of 9 to 14 bits per radius.

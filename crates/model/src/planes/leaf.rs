@@ -1,23 +1,23 @@
-//! Leaves: up to [`LEAF`] photons near each other, and the box around them.
+//! Leaves: groups of up to [`LEAF`] neighbouring photons with a bounding box.
 
 use std::ops::Range;
 
 use photoncube_spec::PhotonRecord;
 
-/// The most photons of a leaf: as many as the kernel tests at a time.
+/// The most photons of a leaf, which is the number that the kernel tests at a time.
 pub const LEAF: usize = 32;
 
-/// Bits of a box's bounds: positions of more are rounded outwards.
+/// Bits of a box's bounds. Longer positions are rounded outwards.
 const BOX_BITS: u32 = 8;
 
-/// A leaf among the planes.
+/// A leaf of the photon planes.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Leaf {
-    /// Where it starts, in photons.
+    /// The index of the leaf's first photon.
     pub start: u32,
-    /// Its photons.
+    /// The number of photons.
     pub photons: u8,
-    /// The exponent of all their mantissas.
+    /// The exponent that all photons of the leaf share.
     pub exponent: u8,
     /// The lowest and the highest cell on each axis, in 8 bits.
     low: [u8; 3],
@@ -25,7 +25,7 @@ pub(super) struct Leaf {
 }
 
 impl Leaf {
-    /// The leaf of `records`, whose photons start at `start`.
+    /// Makes the leaf of `records`; its first photon has the index `start`.
     pub fn new(records: &[PhotonRecord], start: u32, exponent: u8, position_bits: u32) -> Self {
         let shift = position_bits.saturating_sub(BOX_BITS);
         let bound = |cell: u16| (cell >> shift) as u8;
@@ -38,7 +38,7 @@ impl Leaf {
         }
     }
 
-    /// The same leaf with `photons` more before it.
+    /// This leaf with its start moved by `photons`, for planes with that many more photons before it.
     pub fn moved(self, photons: u32) -> Self {
         Self {
             start: self.start + photons,
@@ -46,7 +46,7 @@ impl Leaf {
         }
     }
 
-    /// The cells that the box spans on an axis; it holds all photons of the leaf.
+    /// The range of cells that the box spans on an axis. It contains all photons of the leaf.
     pub fn cells(&self, axis: usize, position_bits: u32) -> [u32; 2] {
         let shift = position_bits.saturating_sub(BOX_BITS);
         let low = u32::from(self.low[axis]) << shift;
@@ -54,7 +54,8 @@ impl Leaf {
         [low, high]
     }
 
-    /// A bit for each axis on which all photons are in one cell; none where the box is too coarse to tell.
+    /// A mask with a bit for each axis on which all photons are in one cell; 0 where the box is too coarse to
+    /// show it.
     pub fn flat(&self, position_bits: u32) -> u8 {
         if position_bits > BOX_BITS {
             return 0;
@@ -72,10 +73,10 @@ fn bounds(records: &[PhotonRecord], axis: usize) -> [u16; 2] {
     })
 }
 
-/// Orders the records of a run so that leaves follow each other, and gives the place of each.
+/// Sorts the records of a run so that leaves are contiguous, and returns the range of each leaf.
 ///
-/// Records of one exponent stand together; where they are more than a leaf holds, they are
-/// parted across the axis on which they spread widest, into full leaves where they can be.
+/// Records of one exponent are contiguous. Where they are more than a leaf holds, they are split across the
+/// axis on which they spread widest, into full leaves where possible.
 pub(super) fn into_leaves(records: &mut [PhotonRecord]) -> Vec<Range<usize>> {
     records.sort_unstable_by_key(|record| record.exponent);
     let mut leaves = Vec::new();
@@ -97,7 +98,8 @@ fn part(records: &mut [PhotonRecord], start: usize, leaves: &mut Vec<Range<usize
         high - low
     };
     let widest = (0..3).max_by_key(spread).expect("three axes");
-    // Half of them in whole leaves: over LEAF records, so there are some on either side.
+    // Half of the records, rounded up to whole leaves. There are over LEAF records, so both parts are
+    // non-empty.
     let middle = (records.len() / 2).next_multiple_of(LEAF);
     records.select_nth_unstable_by_key(middle, |record| record.position[widest]);
     let (below, above) = records.split_at_mut(middle);
@@ -129,7 +131,7 @@ mod tests {
     }
 
     proptest! {
-        /// Leaves have every record once, of one exponent each, within their box.
+        /// Every record is in exactly one leaf, each leaf has one exponent, and its box contains its records.
         #[test]
         fn leaves_hold_every_record_once(given in records(), bits in 8_u32..=12) {
             let mut ordered = given.clone();

@@ -1,4 +1,4 @@
-//! The lanes in plain loops over arrays, which compilers turn into what vector instructions there are.
+//! The portable implementation of [`Lanes`]: plain loops over arrays, which compilers vectorise.
 
 use super::frame::Frame;
 use super::lanes::{
@@ -9,7 +9,7 @@ use super::leaf::LEAF;
 use super::store::{Window, plane};
 use super::tray::TRAY;
 
-/// Sums have as many words as the registers of the processors that this is meant for.
+/// Words of a sum: as many as fit a vector register of the processors that this code is for.
 const WORDS: usize = 8;
 
 #[derive(Copy, Clone, Debug)]
@@ -19,7 +19,7 @@ impl Lanes for Portable {
     /// All ones where a photon is in range.
     type Mask = [u16; LEAF];
     type Mantissas = [u16; LEAF];
-    /// Each of the mantissas of every eighth photon.
+    /// Each word is the sum of the mantissas of every eighth photon.
     type Sum = [u16; WORDS];
     type Count = [u16; WORDS];
 
@@ -106,20 +106,20 @@ impl Lanes for Portable {
     }
 }
 
-// A word of a sum is that of so many mantissas.
+// The largest sum of the mantissas that one word adds up fits the word.
 const _: () = assert!(255 * (LEAF / WORDS) * TRAY <= u16::MAX as usize);
 
-/// Photons by axis.
+/// The coordinates of a leaf's photons, by axis.
 type Places = [[i16; LEAF]; 3];
 
-/// A query of any format.
+/// A query's coordinates, in a format of bytes or of words.
 #[derive(Copy, Clone, Debug)]
 pub(super) struct Query {
     frame: Frame,
     place: [i16; 3],
 }
 
-/// The photons of a leaf, `centre` steps from the corner of their block.
+/// The coordinates of a leaf's photons; `centre` returns a photon's steps from the corner of its block.
 #[inline(always)]
 fn places(
     photons: usize,
@@ -199,7 +199,7 @@ impl Positions<Portable> for OfFlatBytes {
     }
 }
 
-/// m^2 or m (m + 1) of a word; a distance of 255 is out of range.
+/// m^2 or m (m + 1) in a word. A distance of 255 stands for all larger ones and is out of range.
 #[inline(always)]
 fn byte_square(query: &Query, axis: usize, photon: i16) -> u16 {
     let m = query.frame.distance(query.place[axis], photon);
@@ -207,7 +207,8 @@ fn byte_square(query: &Query, axis: usize, photon: i16) -> u16 {
     m * (m + query.frame.half() as u16)
 }
 
-/// Those for which the sum of these squares and the first axes' is in range; one that saturates is not.
+/// A mask of the photons for which the sum of these squares and those of the first axes is in range. A
+/// saturated sum is out of range.
 #[inline(always)]
 fn in_range<const AXES: usize>(
     query: &Query,
@@ -219,7 +220,7 @@ fn in_range<const AXES: usize>(
             *sum = sum.saturating_add(byte_square(query, axis, *photon));
         }
     }
-    // At most 254^2.
+    // The largest sum in range is at most 254^2.
     let largest = query.frame.largest as u16;
     let mut in_range = [0; LEAF];
     for (in_range, sum) in in_range.iter_mut().zip(sums) {

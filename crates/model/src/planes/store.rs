@@ -1,26 +1,27 @@
-//! Photons in planes of bytes.
+//! Stores photons in planes of bytes.
 
 use photoncube_spec::{PhotonFormat, PhotonRecord};
 
 use super::leaf::{LEAF, Leaf, into_leaves};
 use crate::local::{LocalGather, ValueError};
 
-/// The planes of a leaf, and what the kernel may read behind them and never uses: it always reads bytes
-/// for a full leaf. At most 12 planes and one more, as positions of two bytes take two planes each.
+/// The planes of a leaf, with bytes behind them that the kernel may read and never uses, because it always
+/// reads a full leaf. There are at most 12 planes and one more, since positions of two bytes take two planes
+/// each.
 pub(super) type Window = [u8; 13 * LEAF];
 
-/// Bytes behind the last photon, so that there is a window for it.
+/// The number of bytes behind the last photon, so that its leaf has a full window.
 const SLACK: usize = size_of::<Window>();
 
-/// What stands in the planes of a leaf of n photons, each plane n words of a photon's: x, y, z, then the
-/// channels' mantissas, the low byte of each and behind it the high one if there is one.
+/// The layout of a leaf of n photons. Each plane has n bytes: x, y, z, then the channels' mantissas, the low
+/// byte of each followed by the high byte if there is one.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub(super) struct Layout {
-    /// Centres take two bytes, little end first; otherwise one.
+    /// Whether centres take two bytes (little-endian) instead of one.
     pub wide: bool,
-    /// Planes of mantissa bytes: 1, 2, 3 or 6.
+    /// The number of planes of mantissa bytes: 1, 2, 3 or 6.
     pub mantissa_planes: usize,
-    /// Bytes of a photon in all planes.
+    /// The number of bytes of a photon in all planes.
     pub bytes_per_photon: usize,
 }
 
@@ -39,22 +40,22 @@ impl Layout {
 
 /// The photons of a map in one format, for [`Self::gather`].
 ///
-/// A format of up to 8 bits per radius takes 3 bytes for a photon's position, others 6, and each channel
-/// a byte or, over 8 bits, two; leaves add 12 bytes each.
+/// In a format of up to 8 bits per radius a photon's position takes 3 bytes, otherwise 6. Each channel takes
+/// a byte or, over 8 bits, two. Each leaf takes 12 further bytes.
 #[derive(Debug, Clone)]
 pub struct PhotonPlanes {
     pub(super) gather: LocalGather,
     pub(super) layout: Layout,
-    /// Photons, and [`SLACK`] behind them.
+    /// The planes of all photons, followed by [`SLACK`] bytes.
     pub(super) bytes: Vec<u8>,
     pub(super) leaves: Vec<Leaf>,
-    /// The first leaf of each run, and the end of the last.
+    /// The index of each run's first leaf, and the number of leaves.
     runs: Vec<u32>,
     photons: u32,
 }
 
 impl PhotonPlanes {
-    /// No photons yet.
+    /// Makes planes without photons.
     #[must_use]
     pub fn new(gather: LocalGather) -> Self {
         Self {
@@ -67,11 +68,10 @@ impl PhotonPlanes {
         }
     }
 
-    /// Stores one more run: the photons of one block, or of one surface in it, with the block's
-    /// exponent.
+    /// Appends a run: the photons of one block, or of one surface in it, with the block's exponent.
     ///
     /// # Errors
-    /// A value that the format cannot hold; nothing is stored then.
+    /// A value does not fit the format. Nothing is stored in this case.
     pub fn push_run(
         &mut self,
         block_exponent: u8,
@@ -113,7 +113,7 @@ impl PhotonPlanes {
         }
     }
 
-    /// The runs of both, those of `other` behind those here: so that parts can be made side by side.
+    /// Appends the runs of `other`, so that parts can be built in parallel.
     #[must_use]
     pub fn joined(mut self, other: &Self) -> Self {
         self.bytes.truncate(self.bytes.len() - SLACK);
@@ -127,31 +127,31 @@ impl PhotonPlanes {
         self
     }
 
-    /// The format.
+    /// The format of the photons.
     #[must_use]
     pub fn format(&self) -> &PhotonFormat {
         self.gather.format()
     }
 
-    /// Photons stored.
+    /// The number of photons stored.
     #[must_use]
     pub fn photons(&self) -> usize {
         self.photons as usize
     }
 
-    /// Runs stored.
+    /// The number of runs stored.
     #[must_use]
     pub fn runs(&self) -> usize {
         self.runs.len() - 1
     }
 
-    /// Bytes that planes, leaves and runs take.
+    /// The number of bytes that planes, leaves and runs occupy.
     #[must_use]
     pub fn bytes(&self) -> usize {
         self.bytes.len() + size_of_val(self.leaves.as_slice()) + size_of_val(self.runs.as_slice())
     }
 
-    /// The planes of a leaf.
+    /// The planes of a leaf, with the bytes behind them.
     #[inline(always)]
     pub(super) fn window(&self, leaf: &Leaf) -> &Window {
         let start = leaf.start as usize * self.layout.bytes_per_photon;
@@ -166,7 +166,7 @@ impl PhotonPlanes {
     }
 }
 
-/// What plane `index` of a leaf of up to [`LEAF`] photons starts with.
+/// The first `N` bytes of plane `index` of a leaf with `photons` photons.
 #[inline(always)]
 pub(super) fn plane<const N: usize>(window: &Window, index: usize, photons: usize) -> &[u8; N] {
     window[index * photons..]
@@ -174,8 +174,8 @@ pub(super) fn plane<const N: usize>(window: &Window, index: usize, photons: usiz
         .expect("a window has room for it")
 }
 
-/// The fine step from a block's corner that a photon in this cell stands for: its cell, or the grid line
-/// through the cell's middle.
+/// The centre of a photon's cell, in fine steps from the block's corner: the cell's index, or the grid line
+/// through its middle.
 pub(super) fn centre(format: &PhotonFormat, cell: u16) -> u16 {
     let extra = format.query_extra_bits;
     (cell << extra) + ((1 << extra) >> 1)

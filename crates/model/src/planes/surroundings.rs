@@ -1,21 +1,21 @@
-//! The leaves around a block, for all queries in it.
+//! The leaves in the blocks around a block, shared by all queries in it.
 
 use photoncube_spec::PhotonFormat;
 
 use super::leaf::Leaf;
 use super::store::{PhotonPlanes, centre};
 
-/// A leaf as the queries of a block see it.
+/// A leaf in the frame of a block's queries.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub(super) struct Seen {
     pub leaf: Leaf,
-    /// Its block's place in the frame.
+    /// The offset of the leaf's block in the frame.
     pub offset: [u8; 3],
-    /// On each axis the lowest and the highest query, in fine steps of the frame, for which the
+    /// The lowest and the highest query coordinate on each axis, in fine steps of the frame, at which the
     /// distance to a photon of the leaf may be 0.
     pub low: [u16; 3],
     pub high: [u16; 3],
-    /// A bit for each axis on which all its photons are alike.
+    /// A mask with a bit for each axis on which all photons of the leaf share a coordinate.
     pub flat: u8,
 }
 
@@ -23,10 +23,10 @@ impl Seen {
     fn new(format: &PhotonFormat, offset: [u32; 3], leaf: Leaf) -> Self {
         let (mut low, mut high) = ([0; 3], [0; 3]);
         for (axis, blocks) in offset.into_iter().enumerate() {
-            // Three edges of at most 2^14.
+            // The corner is at most three edges of 2^14.
             let corner = (blocks * format.edge_steps()) as u16;
             let [first, last] = leaf.cells(axis, format.position_bits);
-            // On half steps a photon above the query is at m = centre - query - 1.
+            // On half steps, a photon above the query has m = centre - query - 1.
             low[axis] = corner + centre(format, first as u16) - u16::from(format.half_steps());
             high[axis] = corner + centre(format, last as u16);
         }
@@ -40,7 +40,7 @@ impl Seen {
     }
 }
 
-/// The leaves that the queries of one block and one facing gather.
+/// The leaves that the queries of one block and one facing gather from.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Surroundings {
     pub(super) seen: Vec<Seen>,
@@ -48,11 +48,11 @@ pub struct Surroundings {
 }
 
 impl Surroundings {
-    /// Makes these the surroundings of a block: `runs` of `planes`, each with its block's place
-    /// in the frame, 0 to 2 on each axis.
+    /// Sets the leaves to those of `runs` of `planes`. Each run has its block's offset in the frame, 0 to 2
+    /// on each axis.
     ///
     /// # Panics
-    /// Where there is no such place or run.
+    /// Where an offset or a run does not exist.
     pub fn set(
         &mut self,
         planes: &PhotonPlanes,
@@ -60,7 +60,7 @@ impl Surroundings {
     ) {
         self.seen.clear();
         let format = planes.format();
-        // Chained iterators are faster from within.
+        // Chained iterators are faster by internal iteration.
         runs.into_iter().for_each(|(offset, run)| {
             assert!(
                 offset
@@ -71,7 +71,7 @@ impl Surroundings {
             self.seen
                 .extend(leaves.map(|leaf| Seen::new(format, offset, *leaf)));
         });
-        // The kernel sums up each exponent by itself.
+        // Leaves are sorted by exponent, because the kernel sums each exponent on its own.
         if self
             .seen
             .iter()
@@ -86,7 +86,7 @@ impl Surroundings {
             .sum();
     }
 
-    /// The photons of all leaves: what a machine would test.
+    /// The number of photons of all leaves, which a machine would test.
     #[must_use]
     pub fn photons(&self) -> u64 {
         self.photons

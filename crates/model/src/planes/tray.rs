@@ -1,14 +1,14 @@
-//! Leaves laid out for testing.
+//! Trays: leaves laid out for the test against many queries.
 
 use super::frame::Frame;
 use super::lanes::{Boxes, Lanes, Positions};
 use super::store::{PhotonPlanes, plane};
 use super::surroundings::Seen;
 
-/// The most leaves of a tray: a bit of a word for each, and they fit the nearest cache.
+/// The most leaves of a tray: one for each bit of a word. They fit the first-level cache.
 pub(super) const TRAY: usize = 32;
 
-/// A leaf in the frame of the queries.
+/// A leaf laid out in the frame of the queries.
 #[derive(Copy, Clone)]
 pub(super) struct Opened<L: Lanes, P: Positions<L>, const PLANES: usize> {
     pub positions: P::Photons,
@@ -16,11 +16,11 @@ pub(super) struct Opened<L: Lanes, P: Positions<L>, const PLANES: usize> {
     pub photons: u64,
 }
 
-/// Leaves of one exponent that all queries of a block meet before the next ones are laid out.
+/// Leaves of one exponent that all queries of a block are tested against before the next leaves are laid out.
 pub(super) struct Tray<L: Lanes, P: Positions<L>, const PLANES: usize> {
     pub leaves: Vec<Opened<L, P, PLANES>>,
     pub boxes: Boxes,
-    /// The order of the axes.
+    /// The order of the axes on this tray.
     pub axes: [usize; 3],
 }
 
@@ -33,14 +33,14 @@ impl<L: Lanes, P: Positions<L>, const PLANES: usize> Tray<L, P, PLANES> {
                 low: [[0; TRAY]; 3],
                 high: [[0; TRAY]; 3],
                 shift,
-                // Less than 2^16: a radius has 8 bits after the shift.
+                // The value is less than 2^16, because a radius has 8 bits after the shift.
                 largest: (largest >> (2 * shift)) as u16,
             },
             axes: [0, 1, 2],
         }
     }
 
-    /// Lays out up to [`TRAY`] leaves in place of those that were there, with the axes in this order.
+    /// Replaces the tray's leaves by up to [`TRAY`] others, with the axes in this order.
     #[inline(always)]
     pub fn lay(
         &mut self,
@@ -78,7 +78,7 @@ impl<L: Lanes, P: Positions<L>, const PLANES: usize> Tray<L, P, PLANES> {
         }
     }
 
-    /// A bit for each leaf that there is.
+    /// A mask with a bit for each leaf of the tray.
     #[inline(always)]
     pub fn present(&self) -> u32 {
         u32::MAX
@@ -87,7 +87,7 @@ impl<L: Lanes, P: Positions<L>, const PLANES: usize> Tray<L, P, PLANES> {
     }
 }
 
-/// What is on each axis, in this order.
+/// Permutes the values of the three axes into this order.
 #[inline(always)]
 pub(super) fn ordered(on: [i16; 3], axes: [usize; 3]) -> [i16; 3] {
     [on[axes[0]], on[axes[1]], on[axes[2]]]

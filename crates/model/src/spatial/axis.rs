@@ -1,26 +1,26 @@
-//! One photon's difference on one axis, and its square by each kind of squarer.
+//! One photon's difference on one axis, and its square by each implementation of the squarer.
 
 use photoncube_spec::{Cut, Squarer};
 
 use super::rules::Rules;
 
-/// A square, and whether |d| exceeds r bits. Of a far axis the word means nothing, but it is in the
-/// registers, and is exact there.
+/// A square, and whether |d| exceeds r bits. The square of a far axis is never used, but it is visible in the
+/// registers, and the model has its exact value.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Square {
-    /// From a table or product d^2 modulo 2^(2 r); from digits (|d| modulo 2^r)^2.
+    /// The word of the square: d^2 modulo 2^(2 r) from a table or product, (|d| modulo 2^r)^2 from digits.
     pub(super) word: u64,
     pub(super) far: bool,
 }
 
-/// |d| modulo 2^r, and whether it is more.
+/// d| modulo 2^r, and whether |d| exceeds r bits.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Magnitude {
     pub(super) word: u32,
     pub(super) far: bool,
 }
 
-/// |d| and the products of its digits.
+/// d| modulo 2^r and the two products of its digits.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Products {
     pub(super) magnitude: Magnitude,
@@ -28,14 +28,14 @@ pub(super) struct Products {
     pub(super) high: u64,
 }
 
-/// |d| and the product of its two digits.
+/// d| modulo 2^r and the product of its two digits.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Crossed {
     pub(super) magnitude: Magnitude,
     pub(super) cross: u64,
 }
 
-/// The registers of one axis of one lane. Those of another kind of squarer stay 0.
+/// The registers of one axis of one lane. Registers of the other kinds of squarer stay 0.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Axis {
     pub(super) difference: i32,
@@ -50,7 +50,7 @@ pub(super) struct Axis {
 }
 
 impl Axis {
-    /// One clock; gives what is behind the cut `Square`.
+    /// Applies one clock and returns the value after `Cut::Square`.
     pub(super) fn clock(&mut self, rules: &Rules, query: u32, photon: u32) -> Square {
         let d = query as i32 - photon as i32;
         let d = rules.cut(Cut::Difference, &mut self.difference, d);
@@ -77,7 +77,7 @@ impl Axis {
             cross: products.low + 4 * products.high,
         };
         let crossed = rules.cut(Cut::Cross, &mut self.crossed, crossed);
-        // (high 2^l + low)^2 has the product of the digits twice, l bits up.
+        // (high 2^l + low)^2 contains the product of the digits twice, l bits up.
         let [high, low] = digits(rules, crossed.magnitude);
         let low_digit = rules.widths.low_digit;
         let squares = (high.pow(2) << (2 * low_digit)) + low.pow(2);
@@ -87,7 +87,7 @@ impl Axis {
         }
     }
 
-    /// What a squarer that needs no digits has before the cut `Cross`: the difference.
+    /// The difference before `Cut::Cross`, for a squarer that needs no digits.
     fn delayed(&mut self, rules: &Rules, d: i32) -> i32 {
         let d = rules.cut(Cut::Magnitude, &mut self.magnitude_delay, d);
         rules.cut(Cut::Products, &mut self.products_delay, d)
@@ -120,7 +120,7 @@ impl Magnitude {
     }
 }
 
-/// The high and the low digit.
+/// The high and the low digit of a magnitude.
 fn digits(rules: &Rules, magnitude: Magnitude) -> [u64; 2] {
     let word = u64::from(magnitude.word);
     let low_digit = rules.widths.low_digit;
@@ -128,7 +128,7 @@ fn digits(rules: &Rules, magnitude: Magnitude) -> [u64; 2] {
 }
 
 impl Square {
-    /// The full square, cut to 2 r bits.
+    /// Reduces the full square to 2 r bits.
     fn of_product(rules: &Rules, product: u64) -> Self {
         let word = product % (1 << rules.widths.square);
         Self {
@@ -157,7 +157,7 @@ mod tests {
         Rules::of(&machine, &spatial, 0)
     }
 
-    /// All differences there are, in both radii that squarers are made for.
+    /// Tests all differences, for both numbers of radius bits that squarers are made for.
     #[test]
     fn each_squarer_is_exact_up_to_r_bits_and_far_beyond() {
         for name in ["stream", "tile-5"] {
@@ -181,7 +181,7 @@ mod tests {
         }
     }
 
-    /// A register at each cut that has one holds the value of the clock before.
+    /// At each place with a register, the value is that of the clock before.
     #[test]
     fn a_value_takes_a_clock_for_each_register() {
         let machine = find_machine("stream").unwrap();

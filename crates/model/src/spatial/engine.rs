@@ -1,4 +1,4 @@
-//! An engine: its query, its four lanes, its sums.
+//! An engine: its query, its four lanes and its sums.
 
 use std::{array, mem};
 
@@ -15,7 +15,7 @@ pub(super) struct Engine {
     pub(super) rules: Rules,
     pub(super) hop: Hop,
     pub(super) next_valid: bool,
-    /// The token in the hop is the next query.
+    /// The token in the hop register becomes the next query.
     pub(super) keep: bool,
     pub(super) next: Query,
     pub(super) query: Query,
@@ -39,13 +39,13 @@ impl Engine {
         }
     }
 
-    /// Its place on the result chain.
+    /// The engine's link of the result chain.
     pub(super) fn result(&self) -> ResultLink {
         self.sums.result
     }
 
-    /// One clock with what comes from the engine before and from the result chain beyond; gives
-    /// what the hop held, for the engine after.
+    /// Applies one clock. The inputs come from the engine before and from the result chain of the engine
+    /// after. Returns the previous values of the hop registers, for the engine after.
     pub(super) fn clock(&mut self, incoming: Hop, beyond: ResultLink) -> Hop {
         let radius_sq = self.radius_at_compare();
         let (rules, query, photons) = (&self.rules, self.query.position, self.hop.photon);
@@ -64,14 +64,14 @@ impl Engine {
             self.next_valid = false;
             self.sums.clear_flags();
         }
-        // A result of the next engine, which the wave reaches a clock later, is on its way back.
+        // A result of the next engine, which the reset reaches one clock later, is on its way back.
         if before.reset {
             self.sums.result.valid = false;
         }
         before
     }
 
-    /// The radius that stands at the compare, and a step of its delay.
+    /// Advances the delay of the radius and returns the radius at the compare.
     fn radius_at_compare(&mut self) -> u32 {
         let delays = &mut self.radius_delay[..self.rules.radius_delays];
         let own = self.query.radius_sq;
@@ -86,8 +86,8 @@ impl Engine {
         self.rules.fixed_radius_sq.unwrap_or(delayed)
     }
 
-    /// The query changes where a first group arrives, and a token is kept where there is room;
-    /// gives whether the incoming token goes on.
+    /// Makes the next query the current one where a first group arrives, and keeps the incoming token where
+    /// there is room. Returns whether the incoming token passes to the next engine.
     fn take_query(&mut self, incoming: &Hop) -> bool {
         if self.keep {
             self.next = self.hop.token;

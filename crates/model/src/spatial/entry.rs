@@ -1,4 +1,4 @@
-//! The entry: what came on the pins, a clock later.
+//! The entry: the values of the pins, one clock later.
 
 use photoncube_spec::{Inputs, Lane, Query, Spatial};
 
@@ -11,23 +11,23 @@ pub(super) struct Entry {
     pub(super) token_valid: bool,
     pub(super) token: Query,
     pub(super) lanes: [EntryLane; Spatial::LANES],
-    /// The group was taken.
+    /// The group in the entry was taken.
     pub(super) taken: bool,
     pub(super) flags: Flags,
 }
 
-/// A lane of it, as it was on the pins.
+/// A lane of the group in the entry, as it was on the pins.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct EntryLane {
     pub(super) photon: [u32; 3],
     pub(super) mantissa: [u32; 3],
     pub(super) exponent: u32,
-    /// There is a photon.
+    /// Whether the lane has a photon.
     pub(super) present: bool,
 }
 
 impl Entry {
-    /// What it becomes with what is on the pins and is taken.
+    /// The entry's next value, from the pins and the handshakes of this clock.
     pub(super) fn of(inputs: &Inputs, taken: Taken) -> Self {
         let mut lanes = [EntryLane::default(); Spatial::LANES];
         for (entered, lane) in lanes.iter_mut().zip(&inputs.group.lanes) {
@@ -42,7 +42,7 @@ impl Entry {
         }
     }
 
-    /// What engine 0 gets of it at once; its powers wait in the delay line.
+    /// The entry's values for engine 0, without the powers, which pass the delay line.
     pub(super) fn hop(&self) -> Hop {
         Hop {
             token_valid: self.token_valid,
@@ -53,7 +53,7 @@ impl Entry {
         }
     }
 
-    /// The group's decoded powers, those of absent photons too.
+    /// The group's decoded powers, those of absent photons included.
     pub(super) fn powers(&self) -> Powers {
         Powers {
             power: self.lanes.map(EntryLane::power),
@@ -62,7 +62,7 @@ impl Entry {
         }
     }
 
-    /// What a reset clears.
+    /// Clears the registers that a reset clears.
     pub(super) fn clear_flags(&mut self) {
         self.token_valid = false;
         self.flags = Flags::default();

@@ -1,4 +1,4 @@
-//! The head: handshakes, the entry, the powers' delay line, the queue of results.
+//! The head: handshakes, the entry, the delay line of powers, the queue of results.
 
 use std::mem;
 
@@ -8,7 +8,7 @@ use super::entry::Entry;
 use super::link::{Flags, Hop, Powers, ResultLink};
 use super::memory::HeadStatus;
 
-/// The head with its registers.
+/// The head's registers.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Head {
     pub(super) sizes: HeadSizes,
@@ -16,27 +16,27 @@ pub(super) struct Head {
     pub(super) loaded: u32,
     pub(super) open: bool,
     pub(super) spacing: u32,
-    /// The last result of a batch was read, and `promised` is to hear of it.
+    /// The last result of a batch was read in the clock before, and `promised` shrinks in this clock.
     pub(super) batch_read: bool,
-    /// Batches whose results have places in the queue's memory.
+    /// The number of batches whose results have places in the queue's memory.
     pub(super) promised: u32,
     pub(super) write_place: usize,
     pub(super) newest_place: usize,
     pub(super) read_place: usize,
-    /// Results in the queue's memory.
+    /// The number of results in the queue's memory.
     pub(super) waiting: usize,
     pub(super) has_result: bool,
     pub(super) entry: Entry,
-    /// Stage 0, nearest to the entry, first.
+    /// The stages of the delay line; stage 0, nearest to the entry, is the first.
     pub(super) delay: Vec<Powers>,
-    /// There is no photon in the lanes of stage 0.
+    /// For each lane of stage 0, whether it has no photon.
     pub(super) absent: [bool; Spatial::LANES],
     queue: Vec<Sums>,
-    /// On the result pins.
+    /// The result on the pins.
     word: Sums,
 }
 
-/// What is taken in a clock.
+/// The handshakes of one clock.
 #[derive(Copy, Clone, Debug)]
 pub(super) struct Taken {
     pub(super) query: bool,
@@ -69,7 +69,7 @@ impl Head {
         }
     }
 
-    /// The output pins. They do not look at the reset pin.
+    /// The output pins. They do not depend on the reset pin.
     pub(super) fn outputs(&self, inputs: &Inputs) -> Outputs {
         let full = self.is_full();
         let fits = self.spacing == 0 && self.has_room();
@@ -83,22 +83,22 @@ impl Head {
         }
     }
 
-    /// All queries of the next batch are taken.
+    /// Whether all queries of the next batch are taken.
     fn is_full(&self) -> bool {
         self.loaded == self.engines
     }
 
-    /// A batch is open or can be opened.
+    /// Whether a batch is open or can be opened.
     pub(super) fn has_batch(&self) -> bool {
         self.open || self.is_full()
     }
 
-    /// The queue has room for the results of a batch.
+    /// Whether the queue has room for the results of a batch.
     fn has_room(&self) -> bool {
         (self.promised + 1) * self.engines <= self.sizes.queue as u32
     }
 
-    /// What the photon memory goes by in this clock.
+    /// The head's signals to the photon memory in this clock.
     pub(super) fn status(&self, inputs: &Inputs) -> HeadStatus {
         HeadStatus {
             full: self.is_full(),
@@ -126,7 +126,7 @@ impl Head {
         }
     }
 
-    /// One clock with engine 0's place on the result chain; gives what comes to engine 0.
+    /// Applies one clock with engine 0's link of the result chain. Returns the values for engine 0.
     pub(super) fn clock(&mut self, inputs: &Inputs, result: ResultLink) -> Hop {
         let taken = self.taken(inputs);
         let entered = mem::replace(&mut self.entry, Entry::of(inputs, taken));
@@ -144,7 +144,7 @@ impl Head {
         hop
     }
 
-    /// A step of the delay line: what its last stage held.
+    /// Advances the delay line and returns the previous values of its last stage.
     fn delayed(&mut self, powers: Powers) -> Powers {
         for (power, _) in self.delay[0]
             .power
@@ -159,7 +159,7 @@ impl Head {
         mem::replace(&mut self.delay[0], powers)
     }
 
-    /// Brings a result from the queue's memory to the pins where there is room; whether it is the last
+    /// Moves a result from the queue's memory to the pins where there is room. Returns whether it is the last
     /// of its batch.
     fn read(&mut self, taken: Taken) -> bool {
         self.has_result &= !taken.result;
@@ -205,7 +205,8 @@ impl Head {
         self.promised -= u32::from(gives_back);
     }
 
-    /// All but the words and presence in the entry and the delay line, and the queue's memory and word.
+    /// Clears all registers but the words and presence in the entry and the delay line, and the queue's
+    /// memory and word.
     fn clear(&mut self) {
         self.loaded = 0;
         self.open = false;

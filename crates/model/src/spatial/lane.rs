@@ -1,4 +1,4 @@
-//! One lane of an engine: the photon's distance, and whether it is in range.
+//! One lane of an engine: the photon's distance and its in-range flag.
 
 use std::mem;
 
@@ -7,7 +7,7 @@ use photoncube_spec::Cut;
 use super::axis::Axis;
 use super::rules::{CUTS_BEFORE_RANGE, Rules};
 
-/// The sum of two squares, and the third.
+/// The sum of the squares on x and y, and the square on z.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Pair {
     pub(super) square: u64,
@@ -15,7 +15,7 @@ pub(super) struct Pair {
     pub(super) far: bool,
 }
 
-/// The sum of three squares.
+/// The sum of the squares on all three axes.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Distance {
     pub(super) word: u64,
@@ -35,8 +35,8 @@ pub(super) struct Lane {
 }
 
 impl Lane {
-    /// One clock; gives what is behind the cut `Decision`. `radius_sq` is that which
-    /// stands at the compare in this clock.
+    /// Applies one clock and returns the in-range flag after `Cut::Decision`. `radius_sq` is the squared
+    /// radius at the compare in this clock.
     pub(super) fn clock(
         &mut self,
         rules: &Rules,

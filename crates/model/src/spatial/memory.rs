@@ -1,10 +1,10 @@
-//! The photon memory, see [`photoncube_spec::MemoryRegister`].
+//! The photon memory of a spatial machine, see [`photoncube_spec::MemoryRegister`].
 
 use std::mem;
 
 use photoncube_spec::{Group, Inputs, Lane, Machine, MemoryRegister, Spatial};
 
-/// What the head says in a clock, before its edge.
+/// The head's signals to the memory in a clock, before its edge.
 #[derive(Copy, Clone, Debug, Default)]
 pub struct HeadStatus {
     /// All queries of the next batch are taken.
@@ -17,7 +17,7 @@ pub struct HeadStatus {
     pub takes_query: bool,
 }
 
-/// The memory with its registers.
+/// The registers and words of the memory.
 #[derive(Clone, Debug)]
 pub(super) struct PhotonMemory {
     banks: [Bank; 2],
@@ -42,7 +42,7 @@ pub(super) struct PhotonMemory {
     has_exponent: bool,
 }
 
-/// A group on its way to its place.
+/// A group that is written to its place one clock after it was taken.
 #[derive(Clone, Debug)]
 struct Write {
     bank: usize,
@@ -50,7 +50,7 @@ struct Write {
     word: Word,
 }
 
-/// A group on its way to its place or to the head.
+/// A group on its way to its place or to the head, with its valid flag.
 #[derive(Clone, Debug)]
 struct Word {
     valid: bool,
@@ -58,7 +58,7 @@ struct Word {
 }
 
 impl Word {
-    /// The last of its batch.
+    /// Whether the word is valid and the last of its batch.
     fn ends(&self) -> bool {
         self.valid && self.group.last
     }
@@ -101,7 +101,7 @@ struct Bank {
 }
 
 impl PhotonMemory {
-    /// An empty memory, if the machine has one.
+    /// Makes an empty memory; `None` if the machine has none.
     pub fn of(machine: &Machine, spatial: &Spatial) -> Option<Self> {
         if !machine.has_memory() {
             return None;
@@ -147,12 +147,12 @@ impl PhotonMemory {
         })
     }
 
-    /// Whether a group is taken from the stream in this clock, if there is one.
+    /// The memory's ready: it takes the group of this clock, if it is valid.
     pub fn group_ready(&self) -> bool {
         self.fill_ready
     }
 
-    /// The pins as the head sees them: its group is the word that was read.
+    /// The pins with the group replaced by the word that was read, as the head receives them.
     pub fn head_inputs(&self, inputs: &Inputs) -> Inputs {
         Inputs {
             group_valid: self.word.valid,
@@ -161,7 +161,7 @@ impl PhotonMemory {
         }
     }
 
-    /// One rising clock edge.
+    /// Applies one rising clock edge.
     pub fn clock(&mut self, inputs: &Inputs, head: HeadStatus) {
         let starts = self.may_start;
         self.may_start = self.may_start_next(head);
@@ -238,7 +238,7 @@ impl PhotonMemory {
         }
     }
 
-    /// Writes the group that was taken a clock before, and takes over that on the pins.
+    /// Writes the group that was taken one clock before, and stores the group on the pins.
     fn write_and_take(&mut self, takes: bool, group: &Group) {
         let Write { bank, place, word } = &mut self.write;
         if word.valid {
@@ -249,8 +249,8 @@ impl PhotonMemory {
         word.group.clone_from(group);
     }
 
-    /// With whether a group is taken, and whether it is a last one, and whether the bank was full
-    /// before this clock.
+    /// Advances the filling of a bank. `takes` is that a group is taken, `last` that it is a last one,
+    /// `was_full` that the bank was full before this clock.
     fn fill(&mut self, takes: bool, last: bool, was_full: bool) {
         let bank = &mut self.banks[self.fill_bank];
         let place = self.fill_place;
@@ -339,28 +339,29 @@ impl PhotonMemory {
     }
 }
 
-/// The photon memory for itself: the pins that lead to the head are the word's registers, those that come from it a
-/// [`HeadStatus`].
+/// The photon memory on its own. The pins that lead to the head are the word's registers, the pins that come
+/// from it are a [`HeadStatus`].
 #[derive(Clone, Debug)]
 pub struct GoldenMemory(PhotonMemory);
 
 impl GoldenMemory {
-    /// The memory as after power-up, all registers and words 0; none where the machine has none.
+    /// Makes a memory in its power-up state, with all registers and words 0; `None` where the machine has
+    /// none.
     pub fn of(machine: &Machine) -> Option<Self> {
         PhotonMemory::of(machine, machine.spatial()?).map(Self)
     }
 
-    /// Whether a group is taken from the stream in this clock, if there is one.
+    /// The memory's ready: it takes the group of this clock, if it is valid.
     pub fn group_ready(&self) -> bool {
         self.0.group_ready()
     }
 
-    /// The word that the head is given, and whether it is one.
+    /// The word for the head, with its valid flag.
     pub fn word(&self) -> (bool, &Group) {
         (self.0.word.valid, &self.0.word.group)
     }
 
-    /// One rising clock edge. Of the inputs it looks at the group, the reset and `query_release`.
+    /// Applies one rising clock edge. Of the inputs the memory uses the group, the reset and `query_release`.
     pub fn clock(&mut self, inputs: &Inputs, head: HeadStatus) {
         self.0.clock(inputs, head);
     }

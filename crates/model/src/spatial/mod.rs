@@ -1,9 +1,10 @@
-//! The step-exact model of the spatial machines: all registers of the head and of the engines,
-//! every clock.
+//! The step-exact model of the spatial machines: all registers of the head and of the engines, in every
+//! clock.
 //!
-//! The rules are those of [`photoncube_spec::HeadSizes`]'s module and of
-//! [`photoncube_spec::EngineRegister`]. A cut is a value that is either registered or flows through
-//! in the same clock, see [`rules::Rules::cut`]; so one description serves every set of cuts.
+//! The rules are those of the module of [`photoncube_spec::HeadSizes`] and of
+//! [`photoncube_spec::EngineRegister`]. At each place of the pipeline a value is either registered or passes
+//! in the clock in which it is computed, see [`rules::Rules::cut`]. So one description serves every set of
+//! pipeline registers.
 
 mod axis;
 mod engine;
@@ -25,7 +26,7 @@ use memory::PhotonMemory;
 
 pub use memory::{GoldenMemory, HeadStatus};
 
-/// A spatial machine with its state; starts as after power-up, all registers 0.
+/// A spatial machine with its state. It starts in the power-up state, in which all registers are 0.
 #[derive(Clone, Debug)]
 pub struct SpatialMachine {
     machine: Machine,
@@ -35,7 +36,7 @@ pub struct SpatialMachine {
 }
 
 impl SpatialMachine {
-    /// A machine in its power-up state.
+    /// Makes a machine in its power-up state.
     ///
     /// # Panics
     /// Where the machine is not a legal [`photoncube_spec::Organisation::Spatial`], see
@@ -91,15 +92,15 @@ impl GoldenMachine for SpatialMachine {
                 self.head.clock(&words, result)
             }
         };
-        // From the head on: what an engine held before the edge goes on to the next one, and the
-        // result of the next one, not yet clocked, is still that of before the edge.
+        // From the head on: the values that an engine held before the edge pass to the next engine. The next
+        // engine is not yet clocked, so its result is that of before the edge.
         for index in 0..self.engines.len() {
             let beyond = self.engines.get(index + 1).map(Engine::result);
             hop = self.engines[index].clock(hop, beyond.unwrap_or_default());
         }
     }
 
-    /// Only a program counts clocks.
+    /// Always true: only a program has clocks that count as waiting.
     fn works(&self, _inputs: &Inputs) -> bool {
         true
     }

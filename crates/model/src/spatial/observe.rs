@@ -1,4 +1,4 @@
-//! All registers as numbers, in the order of [`photoncube_spec::Pins::observed`].
+//! Lists all registers as numbers, in the order of [`photoncube_spec::Pins::observed`].
 
 use photoncube_spec::{ENGINE_REGISTERS, EngineRegister, HeadRegister, Machine, Spatial};
 
@@ -73,7 +73,7 @@ impl Head {
     }
 }
 
-/// Writes an engine's registers into a row.
+/// A writer of one engine's registers into a row.
 struct Writer<'a> {
     engine: &'a Engine,
     channels: usize,
@@ -187,7 +187,7 @@ impl Writer<'_> {
         self.row.extend(values.map(u64::from));
     }
 
-    /// Axis a of lane g is at 3 g + a.
+    /// Appends a value for each coordinate: axis a of lane g is at 3 g + a.
     fn coordinates<T: Into<u64>>(&mut self, value: impl Fn(&Axis) -> T) {
         let axes = self.engine.lanes.iter().flat_map(|lane| &lane.axes);
         self.row.extend(axes.map(|axis| value(axis).into()));
@@ -198,7 +198,7 @@ impl Writer<'_> {
         self.row.extend(lanes.map(|lane| value(lane).into()));
     }
 
-    /// Those channels that there are, of each lane, pair or group.
+    /// Appends the powers of the machine's channels, for each lane, pair or group.
     fn channels(&mut self, powers: &[[u64; 3]]) {
         let channels = self.channels;
         self.row

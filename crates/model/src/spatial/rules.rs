@@ -1,23 +1,23 @@
-//! What an engine's arithmetic depends on, fixed when the machine is made.
+//! The parameters of an engine's arithmetic, which are fixed when the machine is made.
 
 use std::mem;
 
 use photoncube_spec::{Cut, EngineKind, EngineRegister, Machine, Spatial, SpatialWidths};
 
-/// Cuts from `Difference` to `Distance`: as many delays of a radius can there be, and by as many can
-/// kinds of engines differ, as all have a register at `Range`.
+/// The number of places from `Difference` to `Distance`. A radius has at most that many delays. Kinds of
+/// engines differ by at most that many clocks, because all have a register at `Range`.
 pub(super) const CUTS_BEFORE_RANGE: usize = Cut::Range as usize;
 
-/// How an engine computes.
+/// The rules by which an engine computes.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub(super) struct Rules {
     pub(super) kind: EngineKind,
     pub(super) widths: SpatialWidths,
-    /// The radius, where it is the same for all queries.
+    /// The squared radius, where all queries share it.
     pub(super) fixed_radius_sq: Option<u32>,
-    /// Registers that a query's radius passes on its way to the compare.
+    /// The number of registers that a query's radius passes on its way to the compare.
     pub(super) radius_delays: usize,
-    /// Clocks that a decision waits for those of slower engines.
+    /// Clocks that the in-range flags wait for those of slower engines.
     pub(super) range_waits: usize,
 }
 
@@ -35,8 +35,8 @@ impl Rules {
         }
     }
 
-    /// What is seen behind a cut in this clock: where a register stands there, what it held, and it
-    /// takes `value` with the clock edge; elsewhere `value` itself.
+    /// The value after a place of the pipeline in this clock. Where a register stands there, it is the
+    /// register's previous value, and the register stores `value`; elsewhere it is `value` itself.
     pub(super) fn cut<T>(&self, cut: Cut, register: &mut T, value: T) -> T {
         if self.kind.cuts.has(cut) {
             mem::replace(register, value)
@@ -46,7 +46,7 @@ impl Rules {
     }
 }
 
-/// The lowest `width` bits all ones, of up to 64.
+/// A mask whose lowest `width` bits are ones; `width` is at most 64.
 pub(super) fn ones(width: u32) -> u64 {
     u64::MAX >> (u64::BITS - width)
 }

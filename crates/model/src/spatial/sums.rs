@@ -1,4 +1,4 @@
-//! The flow of powers in an engine: gate, the group's sums, the query's sums, the result chain.
+//! The pipeline of powers in an engine: gate, the group's sums, the query's sums, the result chain.
 
 use std::mem;
 
@@ -7,21 +7,21 @@ use photoncube_spec::{Cut, Spatial, Sums};
 use super::link::{Flags, Powers, ResultLink};
 use super::rules::{Rules, ones};
 
-/// The sums over lanes 0 and 1, and over 2 and 3.
+/// The sums over lanes 0 and 1, and over lanes 2 and 3.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Pairs {
     pub(super) sums: [Sums; 2],
     pub(super) flags: Flags,
 }
 
-/// The sums over a group.
+/// The sums over all lanes of a group.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Group {
     pub(super) sums: Sums,
     pub(super) flags: Flags,
 }
 
-/// The registers of the flow behind the power hop.
+/// The pipeline registers behind the power hop.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct SumFlow {
     pub(super) gated: Powers,
@@ -33,8 +33,8 @@ pub(super) struct SumFlow {
 }
 
 impl SumFlow {
-    /// One clock with what the power hop held, the lanes' decisions beside it, and what the next
-    /// engine's place on the result chain held.
+    /// Applies one clock. The inputs are the previous values of the power hop, the lanes' in-range flags
+    /// beside it, and the next engine's link of the result chain.
     pub(super) fn clock(
         &mut self,
         rules: &Rules,
@@ -54,7 +54,7 @@ impl SumFlow {
         };
     }
 
-    /// Clears the flags, after a clock in which the reset wave arrived.
+    /// Clears the flags, after a clock in which the reset arrived.
     pub(super) fn clear_flags(&mut self) {
         self.gated.flags = Flags::default();
         self.pairs.flags = Flags::default();
@@ -97,8 +97,8 @@ impl Pairs {
 }
 
 impl Group {
-    /// The query's sums with the group's, modulo their widths: only a reset in flight leaves a sum
-    /// that a further group could carry over.
+    /// The query's sums plus the group's, modulo their widths. A sum can wrap only after a reset during a
+    /// batch.
     fn added_to(&self, rules: &Rules, sums: Sums) -> Sums {
         let before = if self.flags.first {
             Sums::default()
@@ -113,7 +113,7 @@ impl Group {
     }
 }
 
-/// Modulo 2^64, which a sum may be wide.
+/// Adds modulo 2^64, which is the widest sum.
 fn plus(a: Sums, b: Sums) -> Sums {
     Sums {
         power: [0, 1, 2].map(|channel| a.power[channel].wrapping_add(b.power[channel])),

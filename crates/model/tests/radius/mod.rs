@@ -1,8 +1,8 @@
-//! Gathers at other radii than the format's.
+//! Tests of gathers at other radii than the format's.
 
 use super::*;
 
-/// 4 d^2 of all photons, the nearest first.
+/// 4 d^2 of all photons, in ascending order.
 fn sorted_quarters(format: &PhotonFormat, query: &LocalQuery, blocks: &[Block]) -> Vec<u64> {
     let of = |block: &Block| {
         let photons = block.photons.iter();
@@ -15,8 +15,8 @@ fn sorted_quarters(format: &PhotonFormat, query: &LocalQuery, blocks: &[Block]) 
 }
 
 proptest! {
-    /// Any radius holds the photons whose exact d^2 is within it. Ties are
-    /// met by taking the radius from a photon of the case.
+    /// At any radius, exactly the photons whose d^2 is within it are counted. The radius is that of a photon
+    /// of the case, so ties occur.
     #[test]
     fn any_smaller_radius_decides_exactly((format, query, blocks) in case(), pick in any::<u32>()) {
         let gather = LocalGather::new(&format).unwrap();

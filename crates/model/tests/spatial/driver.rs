@@ -15,7 +15,7 @@ pub struct Batch {
 }
 
 impl Batch {
-    /// What the direct gather says, in the order of the queries.
+    /// The sums of the direct gather, in the order of the queries.
     pub fn expected(&self, machine: &Machine) -> Vec<Sums> {
         let photons: Vec<_> = self.groups.iter().flat_map(Group::photons).collect();
         let sums = |query| gather(machine, query, photons.iter().copied()).unwrap();
@@ -23,13 +23,13 @@ impl Batch {
     }
 }
 
-/// What the direct gather says of batches one after the other.
+/// The sums of the direct gather for successive batches.
 pub fn expected(machine: &Machine, batches: &[Batch]) -> Vec<Sums> {
     let each = batches.iter().map(|batch| batch.expected(machine));
     each.collect::<Vec<_>>().concat()
 }
 
-/// Which streams do not move in a clock.
+/// The streams that do not move in a clock.
 #[derive(Copy, Clone, Debug, Default)]
 pub struct Waits {
     pub query: bool,
@@ -37,7 +37,7 @@ pub struct Waits {
     pub result: bool,
 }
 
-/// What crossed the streams in a clock.
+/// The words that crossed the streams in a clock.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub struct Moved {
     pub query: bool,
@@ -47,17 +47,17 @@ pub struct Moved {
     pub result: bool,
 }
 
-/// A machine and what is still to be given to it.
+/// A machine, with the words that are still to be given to it.
 pub struct Driver {
     machine: Machine,
     pins: Pins,
     dut: Box<dyn GoldenMachine>,
     queries: VecDeque<Query>,
     groups: VecDeque<Group>,
-    /// The word on the group stream has been valid and was not taken: it must stay.
+    /// The word on the group stream was valid and not taken, so it must stay.
     offered: bool,
     noise: Noise,
-    /// What came out, in order.
+    /// The results that were taken, in order.
     pub results: Vec<Sums>,
 }
 
@@ -75,7 +75,7 @@ impl Driver {
         }
     }
 
-    /// Adds batches to what is still to be given.
+    /// Appends batches to the words that are still to be given.
     pub fn give(&mut self, batches: &[Batch]) {
         for batch in batches {
             self.queries.extend(&batch.queries);
@@ -83,17 +83,17 @@ impl Driver {
         }
     }
 
-    /// Queries that are still to be taken.
+    /// The number of queries that are still to be taken.
     pub fn queries_left(&self) -> usize {
         self.queries.len()
     }
 
-    /// Groups that are still to be taken.
+    /// The number of groups that are still to be taken.
     pub fn groups_left(&self) -> usize {
         self.groups.len()
     }
 
-    /// One clock. On the pins of a stream that is not valid stands noise.
+    /// Runs one clock. The pins of a stream that is not valid carry noise.
     pub fn tick(&mut self, waits: Waits) -> Moved {
         let inputs = self.inputs(waits);
         let outputs = self.clock(&inputs);
@@ -116,8 +116,8 @@ impl Driver {
         moved
     }
 
-    /// A clock with the reset pin set, in which whatever moves is lost, with all that was still to
-    /// be given.
+    /// Runs a clock with the reset pin set. The words that cross in this clock are lost, and so are all words
+    /// that were still to be given.
     pub fn reset(&mut self) {
         let inputs = Inputs {
             reset: true,
@@ -129,7 +129,7 @@ impl Driver {
         self.offered = false;
     }
 
-    /// The registers, each with its place.
+    /// The registers, each with its place in the machine.
     pub fn registers(&self) -> Vec<(SignalPlace, u64)> {
         let mut row = Vec::new();
         self.dut.observe(&Inputs::default(), &mut row);
@@ -137,13 +137,14 @@ impl Driver {
         places.zip(row).skip(self.pins.outputs).collect()
     }
 
-    /// Runs without waiting until so many results came, and some clocks more, in which no further
-    /// one may come.
+    /// Runs without waiting until `results` results have come, and some clocks more, in which no further
+    /// result may come.
     pub fn finish(&mut self, results: usize) {
         self.finish_with(results, |_| Waits::default());
     }
 
-    /// The same with what waits in each clock.
+    /// Runs until `results` results have come, as [`Self::finish`] does, with the waiting streams of each
+    /// clock from `waits`.
     pub fn finish_with(&mut self, results: usize, mut waits: impl FnMut(u64) -> Waits) {
         let words = self.queries.len() + self.groups.len() + results;
         let engines = self.machine.queries_at_once();
@@ -168,7 +169,7 @@ impl Driver {
             reset: false,
             query_valid: query.is_some(),
             query: query.copied().unwrap_or_else(|| self.noise.query()),
-            // Every batch has photons of its own.
+            // Every batch has its own photons.
             query_release: self.machine.has_memory(),
             group_valid: group.is_some(),
             group: group.cloned().unwrap_or_else(|| self.noise.group()),
@@ -176,7 +177,7 @@ impl Driver {
         }
     }
 
-    /// One clock edge; the row before it has a value for each pin, and each fits.
+    /// Runs one clock edge. Checks that the row before it has a value for each pin and that each value fits.
     fn clock(&mut self, inputs: &Inputs) -> Outputs {
         let outputs = self.dut.outputs(inputs);
         let mut row = Vec::with_capacity(self.pins.observed.len());

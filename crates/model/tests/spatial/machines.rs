@@ -1,4 +1,4 @@
-//! Spatial machines: the named ones, and others in every legal shape.
+//! Machines for the tests: the named spatial ones, and others in every legal shape.
 
 use photoncube_model::SpatialMachine;
 use photoncube_spec::{
@@ -7,7 +7,7 @@ use photoncube_spec::{
 };
 use proptest::prelude::*;
 
-/// The named machine.
+/// The machine of that name.
 pub fn named(name: &str) -> Machine {
     *find_machine(name).unwrap()
 }
@@ -19,7 +19,7 @@ pub fn all_named() -> impl Iterator<Item = &'static Machine> {
         .filter(|machine| machine.spatial().is_some())
 }
 
-/// The machine with another pipeline.
+/// The machine with another [`Spatial`].
 pub fn with_spatial(machine: &Machine, spatial: Spatial) -> Machine {
     let machine = Machine {
         dimension: 4 + spatial.query_axes,
@@ -30,7 +30,7 @@ pub fn with_spatial(machine: &Machine, spatial: Spatial) -> Machine {
     machine
 }
 
-/// The machine with other cuts.
+/// The machine with other pipeline registers.
 pub fn with_cuts(machine: &Machine, cuts: Cuts) -> Machine {
     let spatial = *machine.spatial().unwrap();
     with_spatial(machine, Spatial { cuts, ..spatial })
@@ -38,7 +38,7 @@ pub fn with_cuts(machine: &Machine, cuts: Cuts) -> Machine {
 
 pub const SQUARERS: [Squarer; 3] = [Squarer::Digits, Squarer::Product, Squarer::Table];
 
-/// Every set of cuts that engines with such squarers may have: those that the spec's check takes.
+/// Every set of pipeline registers that engines with such squarers may have, by the spec's check.
 pub fn all_cuts(squarer: Squarer) -> impl Iterator<Item = Cuts> {
     let sets = (0_u32..1 << Cut::ALL.len()).map(|set| {
         let chosen = Cut::ALL.into_iter().enumerate();
@@ -48,7 +48,7 @@ pub fn all_cuts(squarer: Squarer) -> impl Iterator<Item = Cuts> {
     sets.filter(move |&cuts| check_cuts(squarer, cuts).is_ok())
 }
 
-/// What the spec says of `stream` with such squarers and cuts.
+/// The spec's check of `stream` with such squarers and pipeline registers.
 fn check_cuts(squarer: Squarer, cuts: Cuts) -> Result<(), SpatialError> {
     let stream = named("stream");
     let spatial = Spatial {
@@ -63,7 +63,7 @@ fn check_cuts(squarer: Squarer, cuts: Cuts) -> Result<(), SpatialError> {
     spatial.check(&machine)
 }
 
-/// The cuts of `machine` from the decisions on, and before them those of `positions`.
+/// Combines the pipeline registers of `machine` from `RangeDelay` on with those of `positions` before it.
 fn with_positions(machine: Cuts, positions: Cuts) -> Cuts {
     let of = |cut| {
         if cut < Cut::RangeDelay {
@@ -76,8 +76,8 @@ fn with_positions(machine: Cuts, positions: Cuts) -> Cuts {
     Cuts::of(&all.collect::<Vec<_>>())
 }
 
-/// The cuts, and what the rules ask for beside them. All kinds of squarers may come, so the rules are
-/// those of the tables, which ask for the most.
+/// Adds the pipeline registers that the rules require. All kinds of squarers may occur, so the rules of
+/// tables are used, which require the most.
 fn completed(mut cuts: Vec<Cut>) -> Cuts {
     loop {
         match check_cuts(Squarer::Table, Cuts::of(&cuts)) {
@@ -88,7 +88,7 @@ fn completed(mut cuts: Vec<Cut>) -> Cuts {
     }
 }
 
-/// Named cuts, the extremes, and any.
+/// Sets of pipeline registers: those of named machines, the extremes, and any.
 fn cuts() -> impl Strategy<Value = Cuts> {
     let of = |name| named(name).spatial().unwrap().cuts;
     prop_oneof![
@@ -144,7 +144,8 @@ fn built() -> impl Strategy<Value = Machine> {
                         Radius::Format
                     },
                     cuts,
-                    // A machine lives as long as the program, as the named ones do.
+                    // The slice is leaked, because a machine's parts are `'static`, as those of the named
+                    // machines are.
                     others: others.leak(),
                     memory_groups: 0,
                 };

@@ -1,4 +1,5 @@
-//! The step-exact model of the spatial machines: what it sums, when, and after a reset.
+//! Tests of the step-exact model of the spatial machines: its sums, its timing, and its behaviour after a
+//! reset.
 
 mod driver;
 mod machines;

@@ -1,4 +1,4 @@
-//! The photon memory: sets of photons are read in once and played to one batch after the other.
+//! Tests of the photon memory: sets of photons are read in once and played to several batches.
 
 use photoncube_model::golden_machine;
 use photoncube_spec::{Group, Inputs, Machine, Query, Sums};
@@ -22,7 +22,7 @@ impl Set {
     }
 }
 
-/// Sets of so many groups for so many batches each.
+/// `count` sets of `groups` groups, for `batches` batches each.
 fn sets(machine: &Machine, count: usize, batches: usize, groups: usize) -> Vec<Set> {
     let mut noise = Noise::seeded(machine, 3);
     let mut set = || {
@@ -35,7 +35,7 @@ fn sets(machine: &Machine, count: usize, batches: usize, groups: usize) -> Vec<S
     (0..count).map(|_| set()).collect()
 }
 
-/// What came out, and the clocks in which the first and the last group of each set were taken.
+/// The results, and the clocks in which the first and the last group of each set were taken.
 struct Run {
     results: Vec<Sums>,
     clocks: usize,
@@ -43,7 +43,7 @@ struct Run {
     results_taken: Vec<usize>,
 }
 
-/// All streams without waiting.
+/// Runs all streams without waiting.
 fn run(machine: &Machine, sets: &[Set]) -> Run {
     let mut dut = golden_machine(machine);
     let releases = sets.iter().flat_map(|set| {
@@ -113,13 +113,13 @@ fn the_next_set_is_read_in_while_this_one_is_played() {
     let machine = named("tile-6-mixed");
     let sets = sets(&machine, 2, 3, 60);
     let run = run(&machine, &sets);
-    // The second set is whole before the first batch's results are out.
+    // The second set is complete before the first batch's results are out.
     assert!(run.last_groups_taken[1] < 3 * 60);
     assert!(run.results_taken.last().unwrap() > &(6 * 60));
 }
 
-/// Between the last group of one batch and the first of the next stand three clocks: in two the memory
-/// learns that the batch is over, in the third whether the next may start.
+/// Three clocks lie between the last group of one batch and the first of the next: the memory needs two to
+/// detect the end of the batch, and the third to decide whether the next may start.
 #[test]
 fn a_batch_costs_three_clocks_beside_its_groups() {
     let machine = named("tile-6-mixed");
@@ -134,7 +134,7 @@ fn a_batch_costs_three_clocks_beside_its_groups() {
     );
 }
 
-/// Whether a batch's set is played once or again makes no difference, where sets are of one length.
+/// The time of a batch does not depend on whether its set was played before, where sets have one length.
 #[test]
 fn a_batch_costs_the_gap_and_has_a_least_length() {
     for name in ["tile-6-mixed", "chip-lut"] {

@@ -1,4 +1,4 @@
-//! When things happen: latency, no bubbles, what short batches cost, what a full queue stops.
+//! Tests of timing: latency, no bubbles, the clocks of short batches, and the stop at a full queue.
 
 use photoncube_spec::{Cuts, HeadSizes, Machine, Pace, SharedGroups};
 
@@ -6,8 +6,8 @@ use crate::driver::{Driver, Moved, Waits, expected};
 use crate::machines::{SQUARERS, all_cuts, all_named, named, with_cuts};
 use crate::words::Noise;
 
-/// Runs batches of so many groups without waiting; what moved in each clock until all results
-/// have come.
+/// Runs `batches` batches of `groups` groups without waiting. Returns the movements of each clock until all
+/// results have come.
 fn moves(machine: &Machine, batches: usize, groups: usize) -> Vec<Moved> {
     let batches = Noise::new(machine).batches(batches, groups);
     let mut driver = Driver::new(machine);
@@ -22,13 +22,13 @@ fn moves(machine: &Machine, batches: usize, groups: usize) -> Vec<Moved> {
     moves
 }
 
-/// The clocks in which something moved.
+/// The clocks in which `moved` is true.
 fn clocks(moves: &[Moved], moved: impl Fn(&Moved) -> bool) -> Vec<u32> {
     let clocks = moves.iter().enumerate().filter(|(_, m)| moved(m));
     clocks.map(|(clock, _)| clock as u32).collect()
 }
 
-/// From the last group taken to each result.
+/// The clocks from the last group taken to each result.
 fn latencies(machine: &Machine, groups: usize) -> Vec<u32> {
     let moves = moves(machine, 1, groups);
     let last = clocks(&moves, |m| m.last)[0];
@@ -38,7 +38,7 @@ fn latencies(machine: &Machine, groups: usize) -> Vec<u32> {
 
 #[test]
 fn results_come_after_the_latency_and_two_clocks_apart() {
-    // A memory delays a set until it is whole.
+    // A memory delays a set until it is complete.
     for machine in all_named().filter(|machine| !machine.has_memory()) {
         let first = machine.spatial().unwrap().latency_clocks();
         let expected: Vec<_> = (0..machine.queries_at_once() as u32)
@@ -67,7 +67,7 @@ fn the_latency_follows_from_the_cuts() {
     }
 }
 
-/// Queries of one group each: nothing is lost at a change of the query, whatever the pipeline.
+/// Queries of one group each: no clock is lost at a change of the query, whatever the pipeline.
 #[test]
 fn stream_takes_a_group_and_gives_a_result_every_clock() {
     let cuts_of = |name| named(name).spatial().unwrap().cuts;
@@ -76,7 +76,7 @@ fn stream_takes_a_group_and_gives_a_result_every_clock() {
         let machine = with_cuts(&named("stream"), cuts);
         let moves = moves(&machine, 200, 1);
         let latency = machine.spatial().unwrap().latency_clocks();
-        // The first query is taken a clock before its group.
+        // The first query is taken one clock before its group.
         assert_eq!(clocks(&moves, |m| m.query), (0..200).collect::<Vec<_>>());
         assert_eq!(clocks(&moves, |m| m.group), (1..201).collect::<Vec<_>>());
         let results = 1 + latency..201 + latency;
@@ -84,8 +84,8 @@ fn stream_takes_a_group_and_gives_a_result_every_clock() {
     }
 }
 
-/// From batches of 2 N - 1 groups on, a chain of N engines never waits, and the next batch's
-/// queries are all there before the batch ends.
+/// From batches of 2 N - 1 groups on, a chain of N engines never waits, and all queries of the next batch are
+/// taken before the batch ends.
 #[test]
 fn a_tile_takes_a_group_every_clock() {
     for name in ["tile-5", "tile-6", "tile-7", "tile-8"] {
@@ -113,8 +113,8 @@ fn a_tile_takes_a_group_every_clock() {
     }
 }
 
-/// A shorter batch costs as much as one of 2 N - 1 groups, since results of two batches must not
-/// meet on the chain: from one last group to the next are 2 N - 1 clocks.
+/// A shorter batch takes as many clocks as one of 2 N - 1 groups, since results of two batches must not
+/// collide on the chain: two last groups are 2 N - 1 clocks apart.
 #[test]
 fn a_short_batch_costs_the_spacing_and_no_more() {
     for name in ["tile-5", "tile-6", "tile-7", "tile-8"] {
@@ -130,15 +130,16 @@ fn a_short_batch_costs_the_spacing_and_no_more() {
     }
 }
 
-/// With results that nobody takes, all groups are taken up to the last one whose results would have
-/// no room; nothing is lost.
+/// While no result is taken, groups are taken up to the last group whose results would have no room. No word
+/// is lost.
 #[test]
 fn a_full_queue_stops_at_the_last_group_that_has_no_room() {
     for name in ["stream", "tile-5", "tile-6", "tile-7"] {
         let machine = named(name);
         let engines = machine.queries_at_once();
         let queue = HeadSizes::of(machine.spatial().unwrap()).queue;
-        // One result is on the pins: with one engine that is a batch which needs no place.
+        // One result is on the pins. With one engine that result is a batch, which needs no place in the
+        // queue.
         let (groups, fitting) = (5, queue / engines + 1 / engines);
         let batches = Noise::new(&machine).batches(fitting + 3, groups);
         let mut driver = Driver::new(&machine);
@@ -151,11 +152,12 @@ fn a_full_queue_stops_at_the_last_group_that_has_no_room() {
             driver.tick(stopped);
         }
         assert!(driver.results.is_empty());
-        // Of the batch that does not fit all groups but the last, and the queries of the next.
+        // All groups but the last of the batch that does not fit are taken, and the queries of the next
+        // batch.
         assert_eq!(driver.groups_left(), 3 * groups - (groups - 1), "{name}");
         assert_eq!(driver.queries_left(), engines, "{name}");
-        // Room for the results of one batch lets one more last group in. The last of them is read when the
-        // one before is taken, and with several engines there is room a clock later.
+        // Room for the results of one batch lets one more last group in. The batch's last result is read when
+        // the result before it is taken; with several engines the room is free one clock later.
         let mut lasts = 0;
         for taken in 1..=engines {
             lasts += usize::from(driver.tick(Waits::default()).last);
@@ -171,7 +173,8 @@ fn a_full_queue_stops_at_the_last_group_that_has_no_room() {
     }
 }
 
-/// From the clock after the first query to the last result, batches longer and shorter than the spacing.
+/// The forecast covers the clocks from the one after the first query to the last result, for batches longer
+/// and shorter than the spacing.
 #[test]
 fn the_forecast_is_the_clocks_that_the_machine_takes() {
     for machine in all_named().filter(|machine| machine.queries_at_once() <= 16) {
@@ -183,12 +186,13 @@ fn the_forecast_is_the_clocks_that_the_machine_takes() {
             };
             let forecast = Pace::of(machine).unwrap().clocks(vec![list; batches]);
             let taken = moves(machine, batches, groups).len() as u64 - 1;
-            // What a memory reads in before it plays the first set: its groups, and some registers on the way.
+            // The clocks of a memory before it plays the first set: one for each group, and some registers on
+            // the way.
             let filled = match machine.has_memory() {
                 true => groups as u64 + 12,
                 false => 0,
             };
-            // After the last batch nothing waits for the spacing.
+            // After the last batch, nothing waits for the spacing.
             let spacing = u64::from(HeadSizes::of(machine.spatial().unwrap()).spacing);
             assert!(
                 forecast < taken + spacing && taken <= forecast + filled,

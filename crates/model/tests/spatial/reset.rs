@@ -1,4 +1,4 @@
-//! A reset in flight: what was before leaves no trace in the results.
+//! Tests of a reset at any clock: earlier words leave no trace in later results.
 
 use photoncube_spec::{Cut, Cuts, Machine, Radius, Spatial};
 
@@ -6,11 +6,11 @@ use crate::driver::{Driver, Waits, expected};
 use crate::machines::{SQUARERS, named, with_spatial};
 use crate::words::Noise;
 
-/// Long enough that each clock of the batches before, and of the way of their results, has its turn.
+/// Clocks enough for a reset in each clock of the earlier batches and of their results' way back.
 const CLOCKS: u64 = 70;
 
-/// Resets at a clock, so long, with results taken before or not; afterwards come fresh batches, at
-/// once or later.
+/// Resets at clock `clock` for `length` clocks, with results taken before it or not. Fresh batches follow
+/// `pause` clocks later.
 fn reset_at(machine: &Machine, clock: u64, length: u64, takes: bool, pause: u64) {
     let mut noise = Noise::seeded(machine, clock + 1);
     let before = noise.batches(4, 3 + clock as usize % 3);
@@ -55,7 +55,8 @@ fn a_reset_in_any_clock_leaves_nothing_of_before() {
     }
 }
 
-/// Other cuts and squarers, and radii of the queries' own on a chain.
+/// Resets work with other pipeline registers and squarers too, and on a chain whose queries have their own
+/// radii.
 #[test]
 fn so_it_does_in_other_pipelines() {
     for squarer in SQUARERS {
@@ -79,7 +80,7 @@ fn so_it_does_in_other_pipelines() {
     }
 }
 
-/// Two resets so close that their waves are on the chain together.
+/// Two resets so close that both are on the chain together.
 #[test]
 fn a_reset_may_follow_a_reset() {
     let machine = named("tile-6");

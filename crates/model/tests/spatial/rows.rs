@@ -1,4 +1,4 @@
-//! The rows of registers. The driver of all tests checks their length and that each value fits.
+//! Tests of the rows of registers. The driver of all tests checks their length and that each value fits.
 
 use photoncube_model::golden_machine;
 use photoncube_spec::{EngineRegister, HeadRegister, Inputs, Machine, Pins, SignalPlace};
@@ -21,7 +21,7 @@ fn power_up_is_all_zero_and_ready_for_a_query() {
     }
 }
 
-/// Whether the wave of a reset clears it in an engine.
+/// Whether the reset clears the register in an engine.
 fn is_cleared(register: EngineRegister) -> bool {
     use EngineRegister as R;
     let of_tokens = [R::TokenValid, R::NextValid, R::Swap, R::ResultValid];
@@ -34,7 +34,7 @@ fn is_cleared(register: EngineRegister) -> bool {
             .contains(&register)
 }
 
-/// A register of the head that does in a reset as in any clock.
+/// Whether a register of the head stores its next value during a reset as in any clock.
 fn is_word(register: HeadRegister) -> bool {
     use HeadRegister as H;
     [H::EntryToken, H::EntryRadius, H::EntryPhoton].contains(&register)
@@ -74,13 +74,13 @@ impl Before {
         self.head(HeadRegister::EntryFirst, 0) == 1
     }
 
-    /// Engine 0 keeps what waits in the entry, if it has room for it, and not what is on the pins.
+    /// Whether engine 0 keeps the token in the entry; it does so if it has room.
     fn keeps(&self) -> bool {
         let has_room = self.is_swapped() || self.engine(EngineRegister::NextValid, 0) == 0;
         has_room && self.head(HeadRegister::EntryTokenValid, 0) == 1
     }
 
-    /// What its next query becomes: what it kept in the clock before.
+    /// The next value of the next query: the token that was kept in the clock before.
     fn next(&self, register: EngineRegister, index: usize) -> u64 {
         let token = match register {
             EngineRegister::Next => EngineRegister::Token,
@@ -90,7 +90,7 @@ impl Before {
         self.engine(if keeps { token } else { register }, index)
     }
 
-    /// What its query becomes: the next one, if a first group waits in the entry.
+    /// The next value of the current query: the next query, if a first group is in the entry.
     fn query(&self, register: EngineRegister, index: usize) -> u64 {
         let next = match register {
             EngineRegister::Query => EngineRegister::Next,
@@ -110,7 +110,7 @@ fn reset_in_flight(machine: &Machine, clocks: u64) {
         driver.tick(Waits::default());
     }
     let before = Before(driver.registers());
-    // A query, a group and a result stand ready in this clock, and are lost.
+    // A query, a group and a result are ready in this clock, and are lost.
     driver.reset();
     for (place, value) in driver.registers() {
         match place {
@@ -134,7 +134,7 @@ fn reset_in_flight(machine: &Machine, clocks: u64) {
             _ => {}
         }
     }
-    // The wave is an engine further with each clock, and leaves all flags at 0.
+    // The reset reaches one more engine with each clock and leaves all flags at 0.
     for reached in 0..machine.queries_at_once() {
         for (place, value) in driver.registers() {
             if let SignalPlace::Engine {
@@ -161,7 +161,7 @@ fn a_reset_clears_the_head_at_once_and_the_engines_flags_as_a_wave() {
     }
 }
 
-/// In the clock of a reset the powers of a group that is ready enter the delay line as ever.
+/// In the clock of a reset, the powers of a group that is ready still enter the delay line.
 #[test]
 fn a_reset_does_not_touch_the_powers_in_the_delay_line() {
     let machine = named("stream");

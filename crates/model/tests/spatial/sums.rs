@@ -1,4 +1,4 @@
-//! Results are those of the direct gather, in the order of the queries.
+//! Tests that results are those of the direct gather, in the order of the queries.
 
 use photoncube_spec::{Group, Machine, find_machine};
 use proptest::prelude::*;
@@ -14,12 +14,12 @@ fn case() -> impl Strategy<Value = (Machine, Vec<Batch>)> {
     })
 }
 
-/// How many of 10 clocks each stream waits.
+/// For each stream, the number of clocks in 10 that it waits.
 fn waits() -> impl Strategy<Value = [u32; 3]> {
     prop::array::uniform3(prop::sample::select(vec![0, 0, 3, 9]))
 }
 
-/// What comes out, without waiting.
+/// The results of batches, without waiting.
 fn results(machine: &Machine, batches: &[Batch]) -> Vec<photoncube_spec::Sums> {
     let mut driver = Driver::new(machine);
     driver.give(batches);
@@ -88,7 +88,7 @@ proptest! {
     }
 }
 
-/// A group without photons, with words on its lanes all the same.
+/// A group without photons, but with noise on its lanes.
 fn empty(noise: &mut Noise) -> Group {
     let mut group = noise.group();
     for lane in &mut group.lanes {
@@ -112,7 +112,7 @@ fn every_named_machine_sums_what_the_direct_gather_does() {
     }
 }
 
-/// All 2^10 sets, and 2^9 for tables.
+/// Tests all 2^10 sets of pipeline registers, and 2^9 for tables.
 #[test]
 fn every_legal_set_of_cuts_gives_the_same_sums_with_every_squarer() {
     for name in ["stream", "tile-5"] {

@@ -1,11 +1,11 @@
-//! Queries and photons: where distances are decided, and anywhere.
+//! Random queries and photons: some where distances are decided, some anywhere.
 
 use photoncube_spec::{Group, Lane, Machine, Photon, Query, Widths};
 use proptest::prelude::*;
 
 use crate::driver::Batch;
 
-/// Numbers without a pattern: xorshift64.
+/// A pseudo-random generator: xorshift64.
 #[derive(Clone, Debug)]
 pub struct Random(u64);
 
@@ -26,7 +26,7 @@ impl Random {
     }
 }
 
-/// Words that fit the machine's pins.
+/// Random words that fit the machine's pins.
 #[derive(Clone, Debug)]
 pub struct Noise {
     random: Random,
@@ -58,7 +58,8 @@ impl Noise {
         }
     }
 
-    /// Half of them near the middle of the frame, where photons are in range of most queries.
+    /// A random coordinate. Half of them are near the middle of the frame, where photons are in range of most
+    /// queries.
     fn coordinate(&mut self) -> u32 {
         let frame = 1 << self.widths.coordinate;
         if self.random.below(2) == 0 {
@@ -90,7 +91,7 @@ impl Noise {
         }
     }
 
-    /// A batch of that many groups.
+    /// A batch of `groups` groups.
     pub fn batch(&mut self, groups: usize) -> Batch {
         Batch {
             queries: (0..self.machine.queries_at_once())
@@ -110,7 +111,7 @@ impl Noise {
     }
 }
 
-/// Offsets from the frame's middle at which a comparison or a digit changes.
+/// Coordinates at offsets from the frame's middle at which a comparison or a digit changes.
 fn coordinate(machine: &Machine) -> impl Strategy<Value = u32> + use<> {
     let format = machine.format().unwrap();
     let (edge, radius) = (format.edge_steps(), format.radius_steps());
@@ -172,7 +173,7 @@ fn lane(machine: &Machine) -> impl Strategy<Value = Lane> + use<> {
         })
 }
 
-/// A batch of up to so many groups; no more photons than the machine declares.
+/// A batch of up to `most_groups` groups, with no more photons than the machine declares.
 pub fn batch(machine: &Machine, most_groups: usize) -> impl Strategy<Value = Batch> + use<> {
     let most = most_groups.min(machine.max_photons() as usize / 4);
     let group = prop::collection::vec(lane(machine), 4);

@@ -1,7 +1,7 @@
-//! The figures that others measured on uniform photons, on the scenes here.
+//! Compares the figures that others measured on uniform photons with the built-in scenes.
 //!
-//! `tests/accuracy.rs` and `tests/formats/error.rs` hold the noise of queries with a given count,
-//! the law 0.67 / u and the local formats to the anchors; here they stand side by side.
+//! `tests/accuracy.rs` and `tests/formats/error.rs` require the noise of queries with a given count, the law
+//! 0.67 / u and the local formats to agree with these figures; this module prints them side by side.
 
 use glam::DVec3;
 use photoncube_render::{Misclassified, NoiseMeter, PhotonMap, QueryPoint};
@@ -9,13 +9,13 @@ use photoncube_render::{Misclassified, NoiseMeter, PhotonMap, QueryPoint};
 use crate::measure::{Case, Figures, study};
 use crate::table::{Cell, Table};
 
-/// The noise that uniform photons have, in per cent.
+/// Pairs of a count in range and the noise of uniform photons, in per cent.
 const NOISE: [(f64, f64); 3] = [(50.0, 15.0), (200.0, 7.5), (1000.0, 3.3)];
 
-/// Misclassified per cent and error / noise.
+/// The misclassified photons in per cent, and the error over the noise.
 type Anchor = Option<(f64, f64)>;
 
-/// On Cornell at 50 in range, on the ring at 200.
+/// The formats with the anchors' figures for 50 photons in range (Cornell) and for 200 (the ring).
 #[rustfmt::skip]
 const FORMATS: [(&str, &str, Anchor); 10] = [
     ("cornell", "local6-rgb8e8", Some((1.06, 0.11))),
@@ -30,7 +30,7 @@ const FORMATS: [(&str, &str, Anchor); 10] = [
     ("ring", "abs12-linear12", Some((15.0, 1.5))),
 ];
 
-/// Noise against photons in range.
+/// A table of the noise by the number of photons in range.
 pub fn noise() -> Table {
     let header = ["in range", "anchor noise %", "cornell median %", "rms %"];
     let mut table = Table::new(
@@ -60,7 +60,7 @@ pub fn noise() -> Table {
     table
 }
 
-/// Formats against the anchors'.
+/// A table of formats beside the anchors' figures.
 pub fn formats() -> Table {
     let header = [
         "scene, in range",
@@ -111,9 +111,9 @@ fn measured(case: &Case, name: &str) -> Figures {
     }
 }
 
-/// Positions and powers of so many bits over the whole scene.
+/// A format of positions and powers with a number of bits over the whole scene.
 struct Absolute {
-    /// Blocks wide enough that no photon is in range outside the 27.
+    /// A map with blocks wide enough that no photon in range is outside the 27 blocks.
     map: PhotonMap,
     low: DVec3,
     step: f64,

@@ -6,7 +6,7 @@ use crate::measure::{Case, Figures, bits, quantised};
 use crate::storage::shared_record;
 use crate::table::{Cell, Table};
 
-/// By bits per photon.
+/// The formats, sorted by bits per photon.
 const FINALS: [&str; 18] = [
     "local8-rgb8e8",
     "local8-rgb8e5",
@@ -28,7 +28,7 @@ const FINALS: [&str; 18] = [
     "local7x2-rgb3e5d",
 ];
 
-/// Ratio, bias and storage of each, on every scene.
+/// A table of ratio, bias and storage of each format, on every scene.
 pub fn finals(cases: &[Case]) -> Table {
     let mut header = vec!["format".to_owned(), "bits".to_owned()];
     let mut rows: Vec<Vec<Cell>> = FINALS
@@ -65,7 +65,7 @@ pub fn finals(cases: &[Case]) -> Table {
     table
 }
 
-/// What luminance may hide: the weak channels have the fewest steps.
+/// A table of errors by channel. Luminance may hide them: weak channels have the fewest steps.
 pub fn channels(cases: Vec<Case>) -> Table {
     let mut header = vec!["format".to_owned(), "bits".to_owned()];
     let mut rows: Vec<Vec<Cell>> = FINALS

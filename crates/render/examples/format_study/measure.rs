@@ -1,4 +1,4 @@
-//! Where everything is measured, and what of it.
+//! The scenes, maps and queries of the study, and the figures that its tables show.
 
 use std::f64::consts::PI;
 
@@ -17,7 +17,7 @@ pub struct Case {
 }
 
 impl Case {
-    /// Maps of 200,000 photons with about `in_range` in range, asked at `side` x `side` points.
+    /// Maps of 200,000 photons with about `in_range` in range, with queries at `side` x `side` points.
     pub fn new(name: &'static str, in_range: f64, maps: u64, side: u32) -> Self {
         let scene = Scene::built_in(name).expect("a built-in scene");
         let options = BenchOptions {
@@ -52,7 +52,7 @@ impl Case {
     }
 }
 
-/// What the tables say of a study.
+/// The figures of a format in the tables.
 pub struct Figures {
     pub ratio: Interval,
     pub bias: Interval,
@@ -73,7 +73,7 @@ impl Figures {
         }
     }
 
-    /// By the golden model.
+    /// Measures a format by the golden model.
     pub fn of_format(bench: &ErrorBench, name: &str) -> Self {
         let study = bench.study(Engine::Format(&format(name)));
         Self::of(&study.expect("a legal format"))
@@ -92,7 +92,7 @@ pub fn quantised<'a>(map: &'a PhotonMap, name: &str) -> FormatMap<'a> {
     FormatMap::new(map, &format(name)).expect("a legal format")
 }
 
-/// A study of estimates that are no engine's: `answer` gives the flux in range and the verdicts.
+/// A study of estimates that no engine makes. `answer` returns the flux in range and the in-range decisions.
 pub fn study<'a, P: Sync>(
     bench: &'a ErrorBench,
     prepare: impl Fn(&'a PhotonMap) -> P,
@@ -116,7 +116,7 @@ pub fn study<'a, P: Sync>(
     study
 }
 
-/// The study of rounded powers alone: the true positions decide who is in range.
+/// A study of rounded powers alone. The exact positions decide which photons are in range.
 pub fn power_alone(
     bench: &ErrorBench,
     name: &str,
@@ -143,7 +143,7 @@ pub fn power_alone(
     })
 }
 
-/// The format's own powers.
+/// The powers as the format stores them.
 pub fn stored_powers(quantised: &FormatMap<'_>) -> Vec<DVec3> {
     let photons = 0..quantised.records().len();
     photons.map(|photon| quantised.power(photon)).collect()

@@ -1,9 +1,9 @@
-//! Position bits, and queries on finer steps.
+//! Measures the bits of positions, and queries on finer steps.
 
 use crate::measure::{Case, Figures, bits};
 use crate::table::{Cell, Table};
 
-/// p = 5 to 8 and x = 0 to 2, with powers that add nothing.
+/// A table for p = 5 to 8 and x = 0 to 2, with exact powers.
 pub fn half_steps(cases: &[Case]) -> Table {
     let mut header = vec!["format".to_owned(), "position bits".to_owned()];
     for case in cases {

@@ -1,4 +1,4 @@
-//! Mantissas: how many bits, and rounded how.
+//! Measures the bits and the rounding of mantissas.
 
 use photoncube_render::FormatMap;
 
@@ -49,7 +49,7 @@ fn row(cases: &[Case], name: &str) -> Vec<Cell> {
     row
 }
 
-/// The hash of the stored position against random numbers.
+/// Compares dithering by the hash of the stored position with dithering by random numbers.
 pub fn hash(cases: &[Case]) -> Table {
     let mut header = vec!["dither".to_owned()];
     for case in cases {

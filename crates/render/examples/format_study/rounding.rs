@@ -1,21 +1,21 @@
-//! Powers rounded otherwise than any format does: other exponents, other dither.
+//! Rounds powers in ways that no format has: with other exponents and other dithering.
 
 use glam::DVec3;
 use photoncube_render::{FormatMap, Photon};
 use rand::rngs::StdRng;
 use rand::{RngExt, SeedableRng};
 
-/// How many photons share an exponent.
+/// The photons that share an exponent.
 #[derive(Copy, Clone, PartialEq)]
 pub enum Sharing {
-    /// None: each has its own.
+    /// Each photon has its own exponent.
     Photon,
-    /// Those of a block cut in 2^s on every axis.
+    /// The photons of a block that is split into 2^s parts on every axis share an exponent in each part.
     SubBlock(u32),
 }
 
-/// The powers of a map whose format has an exponent for each photon, dithered by random numbers in
-/// place of the hash, or rounded to nearest, with the largest exponent of those that share one.
+/// The powers of a map whose format has an exponent for each photon. They are rounded to nearest, or dithered
+/// by random numbers in place of the hash, with the largest exponent of the photons that share one.
 pub fn powers(quantised: &FormatMap<'_>, sharing: Sharing, dithered: bool) -> Vec<DVec3> {
     let unit = quantised.flux([1; 3]);
     let full = f64::from((1_u32 << quantised.format().power.mantissa_bits) - 1);
@@ -61,7 +61,7 @@ fn shared_exponents(quantised: &FormatMap<'_>, s: u32) -> Vec<u8> {
     found
 }
 
-/// Which sub-block of 2^s on every axis a position is in.
+/// The index of the sub-block of a position, with 2^s sub-blocks on every axis.
 pub fn place(position: [u16; 3], shift: u32, s: u32) -> usize {
     let [x, y, z] = position.map(|axis| usize::from(axis) >> shift);
     (z << (2 * s)) | (y << s) | x

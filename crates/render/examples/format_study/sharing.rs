@@ -1,4 +1,4 @@
-//! Exponents of a block, or of a part of it.
+//! Measures exponents that a block, or a part of a block, shares.
 
 use photoncube_render::FormatMap;
 
@@ -17,7 +17,7 @@ const SHARINGS: [(&str, Sharing); 5] = [
     ("block / 512", Sharing::SubBlock(3)),
 ];
 
-/// Who shares an exponent, and what that costs.
+/// A table of the ways to share exponents, with their cost.
 pub fn exponents(cases: &[Case]) -> Table {
     let mut header = vec!["exponent of".to_owned(), "mantissa".to_owned()];
     for case in cases {

@@ -1,8 +1,8 @@
-//! Bits that photons of a block share: storage without loss.
+//! Measures lossless storage: the bits that photons of a block share.
 //!
-//! A *run* is a block's photons of one surface, what a query selects; a block's is the weaker case.
-//! Where blocks and runs begin, and so how many photons each has, is known in every format, and
-//! counted in none.
+//! A *run* is the photons of one surface in one block, which a query selects; a whole block shares fewer
+//! bits. Every format knows where blocks and runs begin, and so their number of photons; no figure here
+//! counts that.
 
 use photoncube_render::FormatMap;
 use photoncube_spec::{FormatWidths, PhotonRecord};
@@ -10,10 +10,10 @@ use photoncube_spec::{FormatWidths, PhotonRecord};
 use crate::measure::{Case, quantised};
 use crate::table::{Cell, Table};
 
-/// Bits that say how many bits are shared.
+/// Bits of the field that states how many bits are shared.
 const WIDTH_FIELD: f64 = 4.0;
 
-/// Bits of the positions of a group's photons, with p bits on every axis.
+/// The bits of the positions of a group of photons, with p bits on every axis.
 type Cost = fn(&[PhotonRecord], u32) -> f64;
 
 const SCHEMES: [(&str, Cost); 9] = [
@@ -30,7 +30,7 @@ const SCHEMES: [(&str, Cost); 9] = [
     }),
 ];
 
-/// Every scheme on the scenes' first maps.
+/// A table of every scheme on the scenes' first maps.
 pub fn positions(cases: &[Case]) -> Table {
     let mut header = vec!["positions local8".to_owned(), "group".to_owned()];
     header.extend(
@@ -114,7 +114,8 @@ fn plain(group: &[PhotonRecord], position_bits: u32) -> f64 {
     f64::from(3 * position_bits) * group.len() as f64
 }
 
-/// Sorted into parts of 2^s on every axis: the top s bits need no place in the record.
+/// The bits of photons sorted into parts of 2^s on every axis. A record then needs no place for the top s
+/// bits.
 fn counted(group: &[PhotonRecord], position_bits: u32, s: u32) -> f64 {
     let count_bits = (group.len() as f64 + 1.0).log2().ceil();
     plain(group, position_bits - s) + count_bits * f64::from(1_u32 << (3 * s))
@@ -125,7 +126,7 @@ fn unary(group: &[PhotonRecord], position_bits: u32, s: u32) -> f64 {
     plain(group, position_bits - s) + table
 }
 
-/// What the order of the photons holds: log2 (n! / (m1! m2! ...)), m photons being alike.
+/// The information in the order of the photons: log2 (n! / (m1! m2! ...)) for groups of m equal photons.
 fn order(group: &[PhotonRecord]) -> f64 {
     let mut positions: Vec<_> = group.iter().map(|record| record.position).collect();
     positions.sort_unstable();
@@ -137,7 +138,8 @@ fn log2_factorial(n: usize) -> f64 {
     (2..=n).map(|k| (k as f64).log2()).sum()
 }
 
-/// On each axis: how many top bits all photons share, those bits, and the others of each photon.
+/// The bits on each axis: the number of top bits that all photons share, these bits, and the other bits of
+/// each photon.
 fn shared(group: &[PhotonRecord], position_bits: u32) -> f64 {
     let axis = |axis: usize| {
         let values = group.iter().map(|record| record.position[axis].into());
@@ -146,8 +148,8 @@ fn shared(group: &[PhotonRecord], position_bits: u32) -> f64 {
     (0..3).map(axis).sum()
 }
 
-/// The same, then sorted into 4 parts on each axis whose bits are not all shared; or not, whichever
-/// is less, which takes a bit to say.
+/// The bits of [`shared`], with the photons also sorted into 4 parts on each axis whose bits are not all
+/// shared where that takes fewer bits. One more bit states the choice.
 fn shared_and_ordered(group: &[PhotonRecord], position_bits: u32) -> f64 {
     let varies = |axis: usize| {
         let values = group.iter().map(|record| u32::from(record.position[axis]));
@@ -165,7 +167,7 @@ fn shared_field(values: impl Iterator<Item = u32> + Clone, bits: u32) -> f64 {
     WIDTH_FIELD + f64::from(bits - own) + f64::from(own) * count as f64
 }
 
-/// Bits below those that all values share.
+/// The number of bits below those that all values share.
 fn own_bits(mut values: impl Iterator<Item = u32>) -> u32 {
     let first = values.next().unwrap_or(0);
     let differing = values.fold(0, |differing, value| differing | (value ^ first));

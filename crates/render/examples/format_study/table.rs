@@ -1,11 +1,11 @@
-//! Tables for eyes and for programs.
+//! Tables that print as text or as JSON.
 
 use std::fmt;
 
 use photoncube_render::Interval;
 use serde_json::{Value, json};
 
-/// A value, and how it is printed.
+/// A value with the form in which it is printed.
 pub enum Cell {
     Text(String),
     /// With so many decimals.

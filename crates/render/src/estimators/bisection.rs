@@ -1,18 +1,17 @@
 //! The k nearest photons in integers: bisection on the squared radius with the count channel.
 //!
-//! A gather at `radius_sq` returns the number of photons with d^2 <= radius_sq. That count never
-//! falls as `radius_sq` grows, so the smallest `radius_sq` with a count of at least k is the
-//! squared distance of the k-th photon, exactly, and as many gathers find it as `radius_sq`
-//! has bits, and one.
+//! A gather at `radius_sq` returns the number of photons with d^2 <= radius_sq. This count never falls as
+//! `radius_sq` grows. So the smallest `radius_sq` with a count of at least k is exactly the squared distance
+//! of the k-th photon. The search takes one gather for each bit of `radius_sq`, plus one.
 
-/// Where a bisection ended.
+/// The result of a bisection.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Bisection {
     /// The smallest squared radius whose count is at least k: d_k^2 in the machine's steps.
     pub radius_sq: u64,
-    /// The count there: k, or more where several photons are at the distance of the k-th.
+    /// The count at this radius: k, or more where several photons are at the distance of the k-th.
     pub count: u64,
-    /// Gathers made.
+    /// The number of gathers made.
     pub gathers: u32,
 }
 
@@ -25,7 +24,7 @@ pub struct Bisection {
 /// k: it was at the result less 1, unless that is 0.
 ///
 /// # Errors
-/// What `count` returns, at once.
+/// The error of `count`, at once.
 pub fn smallest_radius_sq<E>(
     k: u64,
     max_radius_sq: u64,
@@ -36,7 +35,7 @@ pub fn smallest_radius_sq<E>(
     if at_high < k {
         return Ok(None);
     }
-    // Invariant: count(high) >= k, and all radii below `low` have fewer.
+    // Invariant: count(high) >= k, and the count at each radius below `low` is less than k.
     let (mut low, mut high) = (0, max_radius_sq);
     while low < high {
         let middle = low + (high - low) / 2;

@@ -1,4 +1,4 @@
-//! Which estimate to make, by name.
+//! The forms of estimates, by name.
 
 use std::fmt;
 use std::str::FromStr;
@@ -15,43 +15,44 @@ pub enum Estimator {
     /// The map's search radius and the rectangle kernel: eq. 2 of the paper.
     #[default]
     FixedRadius,
-    /// The distance of the k-th nearest photon as the radius, at most the map's search radius, and
-    /// the rectangle kernel: eq. 1 of the paper. [`crate::Neighbourhood::k_nearest`] says which
-    /// photons it sums.
+    /// The rectangle kernel with the distance of the k-th nearest photon as the radius, at most the map's
+    /// search radius: eq. 1 of the paper. [`crate::Neighbourhood::k_nearest`] states which photons it sums.
     KNearest {
-        /// Which photon, from [`MIN_K`].
+        /// The number k of the photon, at least [`MIN_K`].
         k: u64,
     },
-    /// The map's search radius and a smooth kernel. In f64 only: a machine has no op for it.
+    /// The map's search radius and a smooth kernel. Only the f64 engine has it, because a machine has no op
+    /// for it.
     Smooth {
         /// The kernel; the rectangle makes it [`Self::FixedRadius`].
         kernel: Kernel,
     },
-    /// The same of the machine's own comparison: a mixture of rectangles, see [`Ladder`].
+    /// An approximation of a smooth kernel by the machine's comparison: a mixture of rectangles, see
+    /// [`Ladder`].
     Ladder {
         /// The kernel that it approximates.
         kernel: Kernel,
-        /// Rectangles, 1 to [`MAX_RUNGS`].
+        /// The number of rectangles, 1 to [`MAX_RUNGS`].
         rungs: usize,
     },
 }
 
-/// The smallest k: the k-th photon sets the radius and those nearer are summed, so that the nearest
-/// alone would leave none.
+/// The smallest k. The k-th photon sets the radius and only nearer photons are summed, so k = 1 would sum
+/// none.
 pub const MIN_K: u64 = 2;
 
-/// Why an engine cannot make an estimate of that form.
+/// The reason why an engine cannot make an estimate of that form.
 #[derive(Debug, Clone, Copy, Error, PartialEq, Eq)]
 pub enum UnfitEstimator {
-    /// A k that sums nothing.
+    /// A k at which no photon is summed.
     #[error(
         "k: found {0}, expected at least {MIN_K}: only photons nearer than the k-th are summed"
     )]
     TooFewAsked(u64),
-    /// A number of rungs that makes no ladder.
+    /// A number of rungs that no ladder has.
     #[error(transparent)]
     Ladder(#[from] LadderError),
-    /// A smooth kernel in integers.
+    /// A smooth kernel in an engine of integers.
     #[error(
         "estimator: found {0}, which an engine of integers cannot make, as it only decides \
          d^2 <= radius_sq; expected its ladder, such as ladder:4:{0}, or the engine f64"
@@ -59,21 +60,21 @@ pub enum UnfitEstimator {
     SmoothInIntegers(Kernel),
 }
 
-/// A text that names no estimator.
+/// The error of a text that is not the name of an estimator.
 #[derive(Debug, Clone, Error, PartialEq, Eq)]
 #[error("{what}: found `{found}`, expected {expected}")]
 pub struct UnknownEstimator {
-    /// Which part of the text.
+    /// The part of the text that is wrong.
     pub what: &'static str,
-    /// The part.
+    /// The text of that part.
     pub found: String,
-    /// What could stand there.
+    /// The text that is legal there.
     pub expected: String,
 }
 
 impl Estimator {
-    /// What it stands for in f64, against which its error is measured: a ladder's smooth kernel,
-    /// any other itself.
+    /// The f64 estimate that this one approximates, against which its error is measured: the smooth kernel
+    /// for a ladder, the estimator itself for others.
     #[must_use]
     pub fn reference(self) -> Self {
         match self {
@@ -82,7 +83,7 @@ impl Estimator {
         }
     }
 
-    /// Whether `engine` can make it.
+    /// Checks that `engine` can make the estimate.
     ///
     /// # Errors
     /// k below [`MIN_K`], a wrong number of rungs, or a smooth kernel in integers.
@@ -136,8 +137,8 @@ impl FromStr for Estimator {
     }
 }
 
-/// The kernel of a ladder that names none: the one of the least mean integrated squared error
-/// (Epanechnikov, 1969), and the one that a ladder comes closer to.
+/// The kernel of a ladder whose name has none: the kernel of the least mean integrated squared error
+/// (Epanechnikov, 1969), which a ladder also approximates best.
 const DEFAULT_KERNEL: Kernel = Kernel::Epanechnikov;
 
 fn unknown_estimator(found: &str) -> UnknownEstimator {

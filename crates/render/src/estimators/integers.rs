@@ -1,7 +1,7 @@
-//! Estimates of the machine's own gather, at any squared radius up to the search radius.
+//! Estimates from the machine's own gather, at any squared radius up to the search radius.
 //!
-//! What a machine does is a gather: with a `radius_sq`, it sums power and number of the photons of
-//! d^2 <= radius_sq. What stands here asks for several and puts their sums together.
+//! A gather of a machine sums, for a `radius_sq`, power and number of the photons with d^2 <= radius_sq. The
+//! estimates here combine the sums of one or several gathers.
 
 use glam::DVec3;
 
@@ -9,34 +9,34 @@ use super::bisection::smallest_radius_sq;
 use super::ladder::Ladder;
 use crate::estimate::Estimate;
 
-/// What one gather found.
+/// The result of one gather.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(crate) struct Disc {
-    /// The flux in range.
+    /// The flux of the photons in range.
     pub power: DVec3,
-    /// Photons tested.
+    /// The number of photons tested.
     pub tests: u64,
-    /// Those of them that the fast gather decided by their place.
+    /// The number of these photons that the fast gather decided by their block or leaf.
     pub skipped: u64,
-    /// Photons in range.
+    /// The number of photons in range.
     pub count: u64,
 }
 
-/// The k-th nearest photon in a machine's steps.
+/// The result of the search for the k-th nearest photon, in a machine's steps.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct KNearest {
-    /// The squared radius that the disc's area is of: d_k^2, rounded up to a whole step.
+    /// The squared radius of the disc whose area the estimate divides by: d_k^2, rounded up to a whole step.
     pub radius_sq: u32,
-    /// The photons of d^2 < d_k^2.
+    /// The photons with d^2 < d_k^2.
     pub disc: Disc,
-    /// Gathers made.
+    /// The number of gathers made.
     pub gathers: u64,
 }
 
 /// The search radius of a query in the steps of its engine.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Steps {
-    /// The largest `radius_sq` that may be gathered at.
+    /// The largest `radius_sq` of a gather.
     pub radius_sq: u32,
     /// The search radius squared, not rounded to a whole step.
     pub exact_radius_sq: f64,
@@ -45,16 +45,16 @@ pub(crate) struct Steps {
 }
 
 impl Steps {
-    /// The area of the disc of `radius_sq` (scene units squared); that of the search radius is
-    /// `disc_area` to the bit.
+    /// The area of the disc of `radius_sq` in scene units squared. At the search radius it equals
+    /// `disc_area`, bit for bit.
     fn area_of(&self, radius_sq: u32) -> f64 {
         self.disc_area * (f64::from(radius_sq) / self.exact_radius_sq)
     }
 
-    /// The estimate of one gather at the search radius.
+    /// Estimates from one gather at the search radius.
     ///
     /// # Errors
-    /// What `gather` returns.
+    /// The error of `gather`.
     pub fn fixed_radius<E>(
         &self,
         gather: impl FnMut(u32) -> Result<Disc, E>,
@@ -62,10 +62,10 @@ impl Steps {
         at(self.radius_sq, self.disc_area, gather)
     }
 
-    /// The estimate of one gather at half the squared search radius.
+    /// Estimates from one gather at half the squared search radius.
     ///
     /// # Errors
-    /// What `gather` returns.
+    /// The error of `gather`.
     pub fn inner<E>(&self, gather: impl FnMut(u32) -> Result<Disc, E>) -> Result<Estimate, E> {
         let radius_sq = self.inner_radius_sq();
         at(radius_sq, self.area_of(radius_sq), gather)
@@ -76,10 +76,10 @@ impl Steps {
         self.radius_sq / 2
     }
 
-    /// The estimate at the k-th photon.
+    /// Estimates at the k-th photon.
     ///
     /// # Errors
-    /// What `gather` returns.
+    /// The error of `gather`.
     pub fn k_nearest<E>(
         &self,
         k: u64,
@@ -95,11 +95,11 @@ impl Steps {
         })
     }
 
-    /// The ladder's estimate, each rung over the area of its own rounded radius, so that the
-    /// rounding leaves no bias.
+    /// Estimates with a ladder. Each rung is divided by the area of its own rounded radius, so that the
+    /// rounding causes no bias.
     ///
     /// # Errors
-    /// What `gather` returns.
+    /// The error of `gather`.
     pub fn ladder<E>(
         &self,
         ladder: &Ladder,
@@ -118,7 +118,7 @@ impl Steps {
     }
 }
 
-/// The estimate of one gather, over `area`.
+/// Estimates from one gather, divided by `area`.
 fn at<E>(
     radius_sq: u32,
     area: f64,
@@ -136,14 +136,14 @@ fn at<E>(
 
 /// The k-th photon by bisection on the count, up to `max` (squared steps).
 ///
-/// As in f64 ([`crate::Neighbourhood::k_nearest`]) the k-th photon and those that tie with it set
-/// the radius and are not summed. Those nearer are what the last gather with fewer than k
-/// found, at one step less, so that they cost no further gather. Where `max` holds fewer than k,
-/// it is the radius and all are summed. A disc of no area has no density: where k photons are at
-/// distance 0 the radius is one step, and they are summed.
+/// As in f64 ([`crate::Neighbourhood::k_nearest`]), the k-th photon and those that tie with it set the radius
+/// and are not summed. The last gather with fewer than k, at one step less, has the sums of the nearer
+/// photons, so no further gather is needed. Where `max` holds fewer than k, it is the radius and all photons
+/// are summed. A disc without area has no density: where k photons are at distance 0, the radius is one step,
+/// and they are summed.
 ///
 /// # Errors
-/// What `gather` returns.
+/// The error of `gather`.
 pub(crate) fn k_nearest<E>(
     k: u64,
     max: u32,
@@ -165,7 +165,7 @@ pub(crate) fn k_nearest<E>(
     let (radius_sq, disc) = match found.map(|found| found.radius_sq as u32) {
         None => (max, fewer),
         Some(0) => (1, enough),
-        // The bisection ends only once it has seen fewer than k at one less.
+        // The bisection ends only after a gather with fewer than k at one step less.
         Some(radius_sq) => (radius_sq, fewer),
     };
     Ok(KNearest {
@@ -234,7 +234,7 @@ mod tests {
         assert_eq!(STEPS.ladder(&ladder, refuse), Err("refused"));
     }
 
-    /// One rung of the full radius is the fixed radius, bit for bit.
+    /// A ladder of one rung with the full radius equals the fixed radius, bit for bit.
     #[test]
     fn one_rung_is_the_fixed_radius() {
         let distances = [0, 17, 60000, 64516, 64517];
@@ -244,7 +244,7 @@ mod tests {
         assert_eq!(sum.irradiance, DVec3::splat(4.0) / 0.7);
     }
 
-    /// A photon on every squared step: a uniform field of 64516 on the search disc.
+    /// A photon on every squared step: a uniform density of 64516 on the search disc.
     #[test]
     fn a_uniform_field_is_its_density() {
         let distances: Vec<u32> = (1..=64516).collect();
@@ -259,7 +259,7 @@ mod tests {
     }
 
     proptest! {
-        /// The radius is the k-th of the sorted distances, few values so that many tie.
+        /// The radius is the k-th of the sorted distances; the distances have few values, so that many tie.
         #[test]
         fn it_is_the_kth_of_the_sorted(
             distances in prop::collection::vec(1u32..60, 1..80),

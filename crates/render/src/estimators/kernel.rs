@@ -1,4 +1,4 @@
-//! Kernels on the disc: what a photon counts at its distance.
+//! Kernels on the disc: the weight of a photon by its distance.
 
 use std::f64::consts::PI;
 use std::fmt;
@@ -25,7 +25,7 @@ impl Kernel {
     /// All kernels.
     pub const ALL: [Self; 3] = [Self::Rectangle, Self::Cone, Self::Epanechnikov];
 
-    /// Its name on the command line and in reports.
+    /// The kernel's name on the command line and in reports.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -48,7 +48,7 @@ impl Kernel {
         }
     }
 
-    /// What scales K to an integral of 1 over s.
+    /// The factor that scales K to an integral of 1 over s.
     #[must_use]
     pub fn norm(self) -> f64 {
         match self {
@@ -91,8 +91,8 @@ impl Kernel {
         }
     }
 
-    /// The s at which a smooth kernel's density is `density`, from 0 to 1; 1 for the rectangle,
-    /// which takes no values between.
+    /// The s at which a smooth kernel's density is `density`, from 0 to 1. For the rectangle, which has only
+    /// two densities, it is 1.
     pub(super) fn inverse(self, density: f64) -> f64 {
         let part = (1.0 - density / self.norm()).clamp(0.0, 1.0);
         match self {

@@ -1,9 +1,9 @@
 //! Smooth kernels from the machine's one comparison: a mixture of rectangles.
 //!
-//! A kernel that falls with the distance is a mixture of discs. A *ladder* of n rungs approximates
-//! it by n discs of radius_sq s_i r^2 and weight w_i: n gathers of the same photons, or one
-//! gather with n comparisons. In s = d^2/r^2 the ladder is a staircase g that is v_i up to s_i,
-//! with w_i = (v_i - v_(i+1)) s_i.
+//! A kernel that falls with the distance is a mixture of discs. A *ladder* of n rungs approximates it by n
+//! discs with the squared radii s_i r^2 and the weights w_i: n gathers of the same photons, or one gather
+//! with n comparisons. In s = d^2/r^2 the ladder is a staircase g with the value v_i up to s_i, and w_i =
+//! (v_i - v_(i+1)) s_i.
 //!
 //! # How the rungs are chosen
 //! For photons spread uniformly the difference of the two estimates, sum(power (f - g)), has mean
@@ -27,29 +27,30 @@ use thiserror::Error;
 
 use super::kernel::Kernel;
 
-/// More rungs than any kernel needs: at 64 the error is about 0.01 of the noise.
+/// The most rungs: more than any kernel needs. At 64 the error is about 0.01 of the noise.
 pub const MAX_RUNGS: usize = 64;
 
-/// Rounds needed grow with the square of the rungs; 64 rungs converge well before this many.
+/// The most rounds of the iteration. The rounds needed grow with the square of the rungs; 64 rungs converge
+/// well before this many.
 const MAX_ROUNDS: usize = 100_000;
 
-/// A round that moves no rung by more has converged: far below any number format's step.
+/// The limit of convergence: a round moves no rung by more. It is far below the step of any number format.
 const CONVERGED: f64 = 1e-14;
 
 /// One disc of the mixture.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rung {
-    /// Its radius squared, as a part of the kernel's: over 0, at most 1.
+    /// The rung's squared radius as a fraction of the kernel's: over 0, at most 1.
     pub radius_sq_fraction: f64,
-    /// Its share of the estimate; the shares add to 1.
+    /// The rung's share of the estimate. The shares of a ladder add to 1.
     pub weight: f64,
 }
 
-/// A number of rungs that makes no ladder.
+/// The error of a number of rungs that no ladder has.
 #[derive(Debug, Clone, Copy, Error, PartialEq, Eq)]
 #[error("rungs: found {found}, expected 1 to {MAX_RUNGS}")]
 pub struct LadderError {
-    /// The number asked for.
+    /// The number that was given.
     pub found: usize,
 }
 
@@ -61,7 +62,7 @@ pub struct Ladder {
 }
 
 impl Ladder {
-    /// The best ladder of so many rungs; the rectangle's has one, whatever is asked for.
+    /// The best ladder of `rungs` rungs. The rectangle's ladder always has one.
     ///
     /// # Errors
     /// No rung, or more than [`MAX_RUNGS`].
@@ -88,7 +89,7 @@ impl Ladder {
         Err(LadderError { found: rungs })
     }
 
-    /// The kernel that it approximates.
+    /// The kernel that the ladder approximates.
     #[must_use]
     pub fn kernel(&self) -> Kernel {
         self.kernel
@@ -100,9 +101,8 @@ impl Ladder {
         &self.rungs
     }
 
-    /// The rungs' squared radii in the machine's steps, rounded to nearest, for a kernel of
-    /// `radius_sq`. Divide each rung's sum by pi times *this* value and the rounding leaves no
-    /// bias.
+    /// The rungs' squared radii in the machine's steps, rounded to nearest, for a kernel of `radius_sq`. Each
+    /// rung's sum must be divided by pi times *this* value, so that the rounding causes no bias.
     #[must_use]
     pub fn radii_sq(&self, radius_sq: u32) -> Vec<u32> {
         let scaled = |rung: &Rung| (rung.radius_sq_fraction * f64::from(radius_sq)).round();
@@ -160,7 +160,7 @@ impl Ladder {
     }
 }
 
-/// The steps' ends s_1 < .. < s_n of the best staircase.
+/// The ends s_1 < .. < s_n of the best staircase's steps.
 fn steps(kernel: Kernel, count: usize) -> Vec<f64> {
     let mut steps: Vec<f64> = (1..=count).map(|i| i as f64 / (count + 1) as f64).collect();
     for _ in 0..MAX_ROUNDS {
@@ -219,7 +219,7 @@ mod tests {
                 assert!(fractions.is_sorted_by(|a, b| a < b) && fractions[0] > 0.0);
                 assert!(fractions[rungs - 1] <= 1.0);
                 assert!(ladder.rungs().iter().all(|r| r.weight > 0.0));
-                // As MAX_RUNGS says.
+                // The limit that the documentation of MAX_RUNGS states.
                 assert!(rungs < MAX_RUNGS || ladder.error_over_noise() < 0.0105);
             }
         }

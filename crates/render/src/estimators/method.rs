@@ -1,4 +1,4 @@
-//! An estimator at work: any form of estimate, by any engine.
+//! Methods: an estimator together with the data that every query needs, for any engine.
 
 use std::f64::consts::SQRT_2;
 
@@ -15,23 +15,23 @@ use crate::photon_map::PhotonMap;
 use crate::render::{Engine, Prepared};
 use crate::view::QueryPoint;
 
-/// An [`Estimator`] that an engine can make, with what is needed of it at every query.
+/// An [`Estimator`] that an engine can make, with the data that every query needs.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Method {
-    /// At the map's search radius, the rectangle.
+    /// The rectangle at the map's search radius.
     FixedRadius,
-    /// The same at half the squared radius: what bias is estimated from.
+    /// The rectangle at half the squared search radius, from which bias is estimated.
     Inner,
-    /// At the k-th photon.
+    /// The rectangle with the k-th photon's distance as the radius.
     KNearest(u64),
     /// A smooth kernel in f64.
     Smooth(Kernel),
-    /// Its rectangles.
+    /// A ladder of rectangles.
     Ladder(Ladder),
 }
 
 impl Method {
-    /// What makes the estimates.
+    /// Makes the method of an estimator.
     ///
     /// # Errors
     /// As for [`Estimator::check`].
@@ -51,7 +51,7 @@ impl Method {
     /// The estimate at a query. `map` is the one that the engine was prepared for.
     ///
     /// # Errors
-    /// What the engine refuses.
+    /// The engine refuses the query.
     pub fn estimate(
         &self,
         engine: &Prepared<'_>,
@@ -76,10 +76,11 @@ impl Method {
         }
     }
 
-    /// The estimates at all queries, in their order: the same, sooner where the fast gather can make them.
+    /// The estimates at all queries, in their order. They equal those of [`Self::estimate`]; the fast gather
+    /// makes them sooner where it can.
     ///
     /// # Errors
-    /// What the engine refuses, and at which query.
+    /// The engine refuses a query; the error has its index.
     pub fn estimate_all(
         &self,
         engine: &Prepared<'_>,
@@ -98,8 +99,8 @@ impl Method {
         queries.iter().enumerate().map(estimate).collect()
     }
 
-    /// By the fast gather. None where each query has radii of its own, and where one was refused: going on one
-    /// at a time says which.
+    /// The estimates by the fast gather. `None` where each query has its own radii, and where a query was
+    /// refused; going on query by query then finds which.
     fn together(&self, map: &FormatMap<'_>, queries: &[QueryPoint]) -> Option<Vec<Estimate>> {
         let steps = steps_of(map);
         let radii = match self {
@@ -115,7 +116,7 @@ impl Method {
         let gathered: Vec<_> = radii.iter().map(at).collect::<Option<_>>()?;
         let mut found = vec![Estimate::default(); queries.len()];
         for (place, query) in order.iter().enumerate() {
-            // The radii are asked for in their order.
+            // The gathers are in the order of the radii.
             let mut discs = gathered.iter().map(|all| disc(map, &all[place]));
             let estimate = self.in_integers(&steps, |_| Ok(discs.next().expect("one for each")));
             found[*query] = estimate.ok()?;
@@ -123,8 +124,8 @@ impl Method {
         Some(found)
     }
 
-    /// The radius that the estimate's area is of, if it is the same at all queries and no mixture of several, for
-    /// a map of search radius `radius`.
+    /// The radius of the estimate's area for a map of search radius `radius`, where it is equal for all
+    /// queries and not a mixture of several; else `None`.
     pub fn radius(&self, radius: f64) -> Option<f64> {
         match self {
             Self::FixedRadius => Some(radius),
@@ -133,11 +134,12 @@ impl Method {
         }
     }
 
-    /// The ladder counts a gather for each rung, as on a machine; the others are one.
+    /// The estimate in f64. A ladder counts one gather for each rung, as a machine does; all other methods
+    /// count one.
     fn in_f64(&self, map: &PhotonMap, query: &QueryPoint) -> Result<Estimate, EstimatorError> {
         let radius = map.radius();
         match self {
-            // The reference of all engines, without a list of distances.
+            // The reference of all engines, which needs no list of distances.
             Self::FixedRadius => Ok(estimate_f64(map, query)),
             Self::Inner => walk(map, query, 1, |near| {
                 near.fixed_radius(radius / SQRT_2, Kernel::Rectangle)
@@ -183,7 +185,7 @@ fn disc(map: &FormatMap<'_>, gathered: &Gathered) -> Disc {
     }
 }
 
-/// An estimate on the photons of the blocks around the query.
+/// An estimate from the photons of the blocks around the query.
 fn walk(
     map: &PhotonMap,
     query: &QueryPoint,

@@ -1,13 +1,13 @@
 //! The f64 reference of the radiance estimate, in all its forms.
 //!
-//! [`Neighbourhood`] is what surrounds a query: the photons that face its way and their squared
-//! distances, found by brute force or by a walk over the map's blocks. On it stand the estimates
-//! of irradiance E = sum(power K(d/r)) norm / r^2, for a [`Kernel`] and a radius that is
-//! either given (the paper's eq. 2) or that of the k-th nearest photon (its eq. 1).
+//! [`Neighbourhood`] is the photons around a query: those that face its way, with their squared distances,
+//! found by brute force or by a walk over the map's blocks. The estimates of irradiance E = sum(power K(d/r))
+//! norm / r^2 are made from it, for a [`Kernel`] and a radius. The radius is either given (the paper's eq. 2)
+//! or that of the k-th nearest photon (its eq. 1).
 //!
-//! The machine has one op on distances, `d^2 <= radius_sq`. Two modules say how everything above
-//! is had from it: [`smallest_radius_sq`] finds the k-th photon by bisection on the count, and a
-//! [`Ladder`] mixes rectangles of several radii to a smooth kernel.
+//! The machine has one op on distances, `d^2 <= radius_sq`. Two modules derive all other forms from it:
+//! [`smallest_radius_sq`] finds the k-th photon by bisection on the count, and a [`Ladder`] mixes rectangles
+//! of several radii to a smooth kernel.
 //!
 //! An [`Estimator`] names one of these forms, and a [`Method`] makes it with any engine.
 

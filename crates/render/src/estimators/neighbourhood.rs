@@ -10,43 +10,43 @@ use crate::scene::Scene;
 use crate::trace::Photon;
 use crate::view::QueryPoint;
 
-/// A photon as an estimate sees it.
+/// A photon near a query, as an estimate uses it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Near {
-    /// Its squared distance from the query (scene units squared).
+    /// The photon's squared distance from the query (scene units squared).
     pub distance_sq: f64,
-    /// Its flux.
+    /// The photon's flux.
     pub power: DVec3,
 }
 
-/// The photons that a query may gather: those that face its way, by the rule at
-/// [`PhotonMap`], with all of them present up to the reach.
+/// The photons that a query may gather: all photons up to the reach that face its way, by the rule at
+/// [`PhotonMap`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Neighbourhood {
     near: Vec<Near>,
     reach: f64,
 }
 
-/// An estimate and what it stands on.
+/// An estimate with the photons and the radius that it is made from.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct KernelEstimate {
     /// E, flux per area.
     pub irradiance: DVec3,
-    /// Photons summed, those of weight 0 at the very border included.
+    /// The number of photons summed, including those of weight 0 at the border.
     pub in_range: u64,
     /// The radius used (scene units).
     pub radius: f64,
 }
 
-/// Why there is no estimate.
+/// The reason why there is no estimate.
 #[derive(Debug, Clone, Copy, Error, PartialEq)]
 pub enum EstimatorError {
-    /// A radius that is not over 0, or that passes what the neighbourhood holds.
+    /// A radius that is not over 0, or that exceeds the reach.
     #[error("search radius: found {found}, expected over 0 and at most {reach}")]
     Radius {
-        /// The radius asked for.
+        /// The radius that was given.
         found: f64,
-        /// The largest that the neighbourhood is complete for.
+        /// The largest radius for which the neighbourhood is complete.
         reach: f64,
     },
     /// k was 0.
@@ -55,15 +55,15 @@ pub enum EstimatorError {
     /// Fewer photons than k, and no reach to fall back on.
     #[error("k nearest: found {found} photons, expected at least {k}")]
     TooFew {
-        /// Photons there are.
+        /// The number of photons that exist.
         found: u64,
-        /// Photons asked for.
+        /// The requested number of photons.
         k: u64,
     },
     /// The k-th photon lies at the query itself: a disc without area has no density.
     #[error("k nearest: found photon {k} at distance 0, expected it apart from the query")]
     NoArea {
-        /// Which photon.
+        /// The number k of the photon.
         k: u64,
     },
 }
@@ -102,7 +102,7 @@ impl Neighbourhood {
         &self.near
     }
 
-    /// Up to which distance no photon is missing (scene units).
+    /// The largest distance up to which no photon is missing, in scene units.
     #[must_use]
     pub fn reach(&self) -> f64 {
         self.reach
@@ -173,7 +173,7 @@ impl Neighbourhood {
         })
     }
 
-    /// d_k^2, or nothing where the reach ends before the k-th photon.
+    /// d_k^2; `None` where the reach ends before the k-th photon.
     fn kth_distance_sq(&self, k: u64) -> Result<Option<f64>, EstimatorError> {
         let index = k.checked_sub(1).ok_or(EstimatorError::NoPhotonAsked)?;
         let reach_sq = self.reach * self.reach;

@@ -1,4 +1,5 @@
-//! The formats that a fit chooses from, the cheapest first, and the formats one bit below one.
+//! The formats that a fit chooses from, the cheapest first, and the formats with one bit less than a given
+//! one.
 
 use std::ops::RangeInclusive;
 
@@ -11,13 +12,13 @@ const QUERY_EXTRA_BITS: RangeInclusive<u32> = 0..=2;
 const MANTISSA_BITS: RangeInclusive<u32> = 1..=16;
 const EXPONENT_BITS: RangeInclusive<u32> = 1..=8;
 
-/// A query of the picture itself may test more photons than any of the pilot: another map, more
-/// points of the view, and with more photons a smaller radius, which resolves a caustic's crest.
-/// Twice as many, and what is missing to a power of two.
+/// The margin of the largest query. A query of the picture may test more photons than any of the pilot:
+/// another map, more points of the view, and with more photons a smaller radius, which resolves a caustic's
+/// crest. The margin is a factor of two, and the result is rounded up to a power of two.
 const LARGEST_QUERY_MARGIN: u64 = 2;
 
-/// What a format costs, to be compared: first memory, then the squarers' width, then the adders';
-/// of equals the one without dither, which a reader has less to explain about.
+/// The cost of a format as a sort key: first memory, then the squarers' width, then the adders' width. Of
+/// equal formats the one without dither comes first, because it needs less explanation.
 pub(super) fn cost(format: &PhotonFormat) -> impl Ord + use<> {
     let widths = FormatWidths::of(format);
     (
@@ -29,7 +30,7 @@ pub(super) fn cost(format: &PhotonFormat) -> impl Ord + use<> {
     )
 }
 
-/// All formats for light like this, in the order of their cost.
+/// All formats for such light, in the order of their cost.
 pub(super) fn candidates(facts: &SceneFacts, max_photons: u64) -> Vec<PhotonFormat> {
     let powers = powers(facts);
     let positions = POSITION_BITS.flat_map(|p| QUERY_EXTRA_BITS.map(move |x| (p, x)));
@@ -65,8 +66,8 @@ fn powers(facts: &SceneFacts) -> Vec<PowerFormat> {
     power.collect()
 }
 
-/// None, and those of a block or a photon that hold no more than the light's spread: a photon of
-/// power P has an exponent below the largest only where the strongest is at least 2 P.
+/// No exponent, and exponents of a block or a photon with no more range than the spread of the light: a
+/// photon of power P has an exponent below the largest only where the strongest power is at least 2 P.
 fn exponents(power_spread: f64) -> Vec<Exponent> {
     let useful = power_spread.log2().floor();
     let narrower_is_enough = |bits: u32| bits > 1 && range(bits - 1) >= useful;
@@ -86,14 +87,14 @@ fn range(bits: u32) -> f64 {
     power.exponent_range().into()
 }
 
-/// What sizes the sums: the largest query found, with its margin, or the one that is known.
+/// The size of the sums: the largest query found with its margin, or the known largest query.
 pub(super) fn max_photons(found: u64, known: u64) -> u64 {
     let most = (LARGEST_QUERY_MARGIN * found).max(known);
     most.max(1).next_power_of_two()
 }
 
-/// Every format with one bit, or one freedom, less than this one: what is less, and the format.
-/// Those below what is legal are left out.
+/// Every legal format with one bit, or one degree of freedom, less than this one, with the name of what is
+/// less.
 pub(super) fn one_bit_less(format: &PhotonFormat) -> Vec<(&'static str, PhotonFormat)> {
     let power = format.power;
     let with = |power| PhotonFormat { power, ..*format };
@@ -185,7 +186,7 @@ mod tests {
         assert!(powers().all(|power| power.exponent == Exponent::None));
     }
 
-    /// 2e6 is 2^20.9: ranges 1, 3, 7, 15 and, enough, 24.
+    /// 2e6 is 2^20.9: the ranges are 1, 3, 7, 15 and, large enough, 24.
     #[test]
     fn exponents_hold_the_spread_and_no_more() {
         assert_eq!(exponents(1.99).len(), 1);

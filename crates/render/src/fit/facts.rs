@@ -1,4 +1,4 @@
-//! What a scene's light is like, measured on photon maps of it.
+//! Facts about a scene's light, measured on photon maps of it.
 
 use glam::DVec3;
 use serde::Serialize;
@@ -6,25 +6,25 @@ use serde::Serialize;
 use crate::photon_map::PhotonMap;
 use crate::view::QueryPoint;
 
-/// What decides the channels, the exponent and the sums.
+/// The facts that decide the channels, the exponent and the size of the sums.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct SceneFacts {
     /// The largest deviation of a photon's power from a multiple of its map's one colour, by its
     /// strongest channel.
     pub colour_deviation: f64,
-    /// Whether all photons have one colour: one channel holds their light exactly.
+    /// Whether all photons have one colour, so that one channel represents their light exactly.
     pub one_colour: bool,
-    /// The strongest photon by the weakest, each by its strongest channel; photons without power
-    /// do not count.
+    /// The power of the strongest photon over that of the weakest, each by its strongest channel. Photons
+    /// without power are ignored.
     pub power_spread: f64,
-    /// The most photons that one query tests.
+    /// The largest number of photons that one query tests.
     pub largest_query: u64,
 }
 
 impl SceneFacts {
-    /// Light of one colour: products of a hundred reflectances each round by 1e-16, and the colour,
-    /// a sum of up to a million photons, by 1e-10 at the very most. What is larger than 1e-9 is a
-    /// colour; what is smaller is far below half a step of the finest mantissa, 2^-17.
+    /// The largest deviation of light that counts as one colour. Products of a hundred reflectances each
+    /// round by 1e-16, and the colour, a sum of up to a million photons, by 1e-10 at most. A deviation over
+    /// 1e-9 is a colour; a smaller one is far below half a step of the finest mantissa, 2^-17.
     pub const COLOUR_TOLERANCE: f64 = 1e-9;
 
     pub(super) fn of(maps: &[PhotonMap], queries: &[QueryPoint]) -> Self {
@@ -40,7 +40,7 @@ impl SceneFacts {
     }
 }
 
-/// The most photons that one of these queries tests, in blocks of the map's edge.
+/// The largest number of photons that one of these queries tests, in blocks of the map's edge.
 #[must_use]
 pub fn largest_query(map: &PhotonMap, queries: &[QueryPoint]) -> u64 {
     let tests = |query: &QueryPoint| {

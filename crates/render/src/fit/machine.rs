@@ -1,22 +1,22 @@
-//! Which machine is wide enough for a format.
+//! Finds the machines that are wide enough for a format.
 
 use photoncube_spec::{Channels, Machine, PhotonFormat};
 use serde::Serialize;
 
-/// A field of a machine beside what the format needs of it.
+/// A field of a machine's format, with the value that another format needs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct FieldNeed {
-    /// Which.
+    /// The name of the field.
     pub field: &'static str,
-    /// What the format needs.
+    /// The value that the format needs.
     pub needed: u64,
-    /// What the machine has.
+    /// The value that the machine has.
     pub found: u64,
 }
 
-/// Every field of the machine's photon format that decides its widths, beside the needed one.
-/// Whose exponent it is does not matter: a machine gets a block's exponent with every photon, by
-/// the same pins; nor does the rounding, which is done before photons are stored.
+/// Every field of the machine's photon format that decides its widths, beside the needed one. The owner of
+/// the exponent does not matter, because a machine gets a block's exponent with every photon, by the same
+/// pins. Nor does the rounding, which is done before photons are stored.
 #[must_use]
 pub fn field_needs(machine: &PhotonFormat, needed: &PhotonFormat) -> Vec<FieldNeed> {
     let fields = |format: &PhotonFormat| {
@@ -41,16 +41,15 @@ pub fn field_needs(machine: &PhotonFormat, needed: &PhotonFormat) -> Vec<FieldNe
 
 /// Whether a machine of the one format is enough for the other: no field is smaller.
 ///
-/// Positions with as many bits and radii with as many steps are as fine or finer: where both have
-/// the same `radius_bits`, more position bits and fewer further query bits round the photon less
-/// and the query as much.
+/// Positions with as many bits, and radii with as many steps, are as fine or finer. Where both have equal
+/// `radius_bits`, more position bits and fewer extra query bits round the photon less and the query as much.
 #[must_use]
 pub fn covers(machine: &PhotonFormat, needed: &PhotonFormat) -> bool {
     let needs = field_needs(machine, needed);
     needs.iter().all(|need| need.found >= need.needed)
 }
 
-/// The machines that are enough for the format.
+/// The machines that are wide enough for the format.
 pub fn covering<'a>(
     machines: &'a [Machine],
     needed: &PhotonFormat,

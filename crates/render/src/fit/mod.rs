@@ -1,10 +1,10 @@
 //! The smallest photon format that a scene needs.
 //!
-//! [`fit`] traces a pilot, measures the scene's light and noise on it, predicts every format's
-//! error from two parts (positions alone, powers alone), takes the cheapest that is predicted below
-//! a given part of the noise, measures it on photon maps of their own, and takes bits away until
-//! none can go: the format found is measured to hold, and each format one bit below it is measured
-//! to break.
+//! [`fit`] traces a pilot, and measures the scene's light and noise on it. It predicts the error of every
+//! format from two parts (positions alone, powers alone). It takes the cheapest format that is predicted
+//! below a given fraction of the noise, measures it on other photon maps, and removes bits until none can be
+//! removed. The format found is measured to hold the bound, and each format with one bit less is measured to
+//! break it.
 //!
 //! # What must be below the bound
 //! [`crate::ErrorReport::error_over_noise`] of luminance *and* of each channel against its own
@@ -42,16 +42,16 @@ use crate::render::Engine;
 use crate::scene::Scene;
 use crate::view::ViewOptions;
 
-/// What to fit.
+/// The options of a fit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FitOptions {
-    /// The error's bound, as a part of the noise.
+    /// The bound of the error, as a fraction of the noise.
     pub noise_ratio: f64,
-    /// Where formats are measured. The pilot has the same photons and radius, half the maps, and
-    /// seeds of its own.
+    /// The maps and queries on which formats are measured. The pilot has as many photons and the same radius,
+    /// half the maps, and its own seeds.
     pub bench: BenchOptions,
-    /// The most photons that a query is known to test already, 0 if nothing is: the sums are sized
-    /// for no fewer.
+    /// The largest number of photons that a query is known to test, 0 if none is known. The sums are sized
+    /// for at least this many.
     pub largest_query: u64,
 }
 
@@ -81,18 +81,19 @@ impl Default for FitOptions {
     }
 }
 
-/// How far a fit is.
+/// The progress of a fit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct FitProgress {
-    /// Photon maps traced and figures measured: parts of predictions, and formats.
+    /// The number of photon maps traced and figures measured: parts of predictions, and formats.
     pub done: u64,
-    /// How many there may be: the maps are known, the figures are a guess that grows where there are more.
+    /// The expected number. The number of maps is known; the number of figures is an estimate that grows
+    /// where there are more.
     pub expected: u64,
 }
 
-/// Figures that a fit measures: 11 on `ring`, 40 on `cornell`, 135 on `range`.
+/// The number of figures that a fit measures: 11 on `ring`, 40 on `cornell`, 135 on `range`.
 const TYPICAL_FIGURES: u64 = 50;
-/// Formats with a bit less that are measured last, of any fit.
+/// The number of formats with one bit less that any fit measures last.
 const LAST_FIGURES: u64 = 6;
 
 impl FitProgress {
@@ -105,13 +106,13 @@ impl FitProgress {
     }
 }
 
-/// Why there is no fit.
+/// The reason why there is no fit.
 #[derive(Debug, Error)]
 pub enum FitError {
-    /// No error is below that.
+    /// A ratio that no error is below.
     #[error("noise ratio: found {found}, expected a number above 0")]
     Ratio {
-        /// The ratio asked for.
+        /// The ratio that was given.
         found: f64,
     },
     /// The scene cannot be measured.
@@ -119,32 +120,32 @@ pub enum FitError {
     Bench(#[from] BenchError),
 }
 
-/// What was found, with the evidence.
+/// The result of a fit, with its evidence.
 #[derive(Debug)]
 pub struct Fit {
-    /// The scene's light.
+    /// The facts about the scene's light.
     pub facts: SceneFacts,
-    /// The pilot's maps.
+    /// The number of the pilot's maps.
     pub pilot_maps: u64,
     /// The noise of luminance on the measurement's maps.
     pub noise_relative: f64,
-    /// Formats there were to choose from.
+    /// The number of formats to choose from.
     pub candidates: u64,
-    /// Parts that the pilot measured to predict them.
+    /// The number of parts that the pilot measured for the predictions.
     pub parts: u64,
     /// Formats that were predicted below the bound and then measured above it.
     pub broken: Vec<Trial>,
-    /// The format; none where no legal one is below the bound.
+    /// The chosen format; `None` where no legal format is below the bound.
     pub chosen: Option<Trial>,
-    /// What one bit less of it does.
+    /// The effect of removing one bit from it, for each removal.
     pub removals: Vec<Removal>,
-    /// The maps it was measured on, for what else is to be measured beside.
+    /// The maps of the measurement, for further measurements.
     pub bench: ErrorBench,
 }
 
 /// Finds the smallest format whose error is below the bound on this scene.
 ///
-/// `progress` is told after each photon map and each figure.
+/// `progress` is called after each photon map and each figure.
 ///
 /// # Errors
 /// A ratio that is not above 0, or a scene that cannot be measured.
@@ -206,7 +207,7 @@ fn facts(pilot: &Pilot, bench: &ErrorBench) -> SceneFacts {
 }
 
 impl Fit {
-    /// The measured error of another format, beside the chosen one's.
+    /// Measures the error of another format on the same maps.
     ///
     /// # Errors
     /// As for [`ErrorBench::measure`].

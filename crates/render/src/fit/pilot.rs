@@ -1,4 +1,4 @@
-//! The pilot: photon maps of their own on which a scene is measured before any format is.
+//! The pilot: separate photon maps on which a scene is measured before any format is.
 
 use glam::DVec3;
 
@@ -8,22 +8,22 @@ use crate::metrics::{
 
 use super::facts::SceneFacts;
 
-/// A relative error by [`Measure::ALL`]: over the sampled queries of all pilot maps.
+/// The moments of a relative error for each of [`Measure::ALL`], over the sampled queries of all pilot maps.
 pub(super) type Part = [Moments; Measure::ALL.len()];
 
-/// The pilot's maps, with what every error on them is relative to.
+/// The pilot's maps, with the scales of the errors on them.
 pub(super) struct Pilot {
     pub bench: ErrorBench,
     pub facts: SceneFacts,
-    /// By measure.
+    /// The scale of each measure.
     scales: Vec<Scale>,
 }
 
-/// What errors of one measure are relative to, as in [`crate::ErrorStudy`].
+/// The scale of the errors of one measure, as in [`crate::ErrorStudy`].
 struct Scale {
-    /// A query's expected light; none for queries that a study leaves out.
+    /// The expected light of each query; `None` for queries that a study leaves out.
     expected: Vec<Option<f64>>,
-    /// The noise; none where the measure has no light.
+    /// The noise; `None` where the measure has no light.
     noise: Option<f64>,
 }
 
@@ -40,12 +40,12 @@ impl Pilot {
         })
     }
 
-    /// The noise of a measure; none where it has no light.
+    /// The noise of a measure; `None` where it has no light.
     pub fn noise(&self, measure: Measure) -> Option<f64> {
         self.scales[measure as usize].noise
     }
 
-    /// Takes a map's estimates, reflected light in the queries' order, into the part.
+    /// Adds a map's estimates to the part. They are reflected light in the order of the queries.
     pub fn push(&self, part: &mut Part, map: usize, estimates: &[DVec3]) {
         let lights = &self.bench.lights()[map];
         for (measure, moments) in Measure::ALL.into_iter().zip(part) {
@@ -82,15 +82,14 @@ impl Scale {
     }
 }
 
-/// Seeds of the pilot's maps are this far from those that the formats are then measured on: more
-/// than anyone's count of maps.
+/// The distance of the pilot's seeds from those of the measurement, larger than any number of maps.
 const SEEDS_APART: u64 = 1 << 32;
 
-/// The fewest maps that show a noise worth the name: 7 degrees of freedom know each query's
-/// variance to half of itself, and thousands of queries all of it.
+/// The fewest maps that measure the noise usefully: 7 degrees of freedom give each query's variance to half
+/// of itself, and thousands of queries average this error.
 const LEAST_MAPS: u64 = 8;
 
-/// The pilot's options for those of the measurement: its own seeds, its own points of the view.
+/// The pilot's options: those of the measurement with other seeds and other points of the view.
 pub(super) fn pilot_options(options: &BenchOptions) -> BenchOptions {
     let seed = options.seed.wrapping_add(SEEDS_APART);
     let mut view = options.view;

@@ -1,4 +1,4 @@
-//! The position's part of an error: positions by a format's rules, powers exact.
+//! The position's part of an error: positions rounded by a format, powers exact.
 
 use glam::DVec3;
 use photoncube_spec::{Channels, Exponent, PhotonFormat, PowerFormat, Rounding};
@@ -11,11 +11,11 @@ use crate::metrics::BenchError;
 use crate::render::RenderError;
 use crate::view::QueryPoint;
 
-/// Shifts of the lattice that each map is measured with. The error depends on where the lattice
-/// happens to lie under a caustic; each shift is another draw of it, from photons already traced.
+/// The number of shifts of the lattice that each map is measured with. The error depends on the lattice's
+/// place under a caustic. Each shift is another sample of it, from photons that are already traced.
 const SHIFTS: usize = 2;
 
-/// The error that p and x alone make.
+/// The error that p and x alone cause.
 pub(super) fn position_part(
     pilot: &Pilot,
     position_bits: u32,
@@ -37,7 +37,7 @@ pub(super) fn position_part(
     Ok(part)
 }
 
-/// Reflected light of the photons that the format finds in range, their powers exact.
+/// The reflected light of the photons that the format finds in range, with exact powers.
 fn light(rounded: &FormatMap<'_>, query: &QueryPoint) -> DVec3 {
     let verdicts = rounded.verdicts(query.position, query.normal);
     let in_range = verdicts.filter(|(_, in_range)| *in_range);
@@ -45,7 +45,7 @@ fn light(rounded: &FormatMap<'_>, query: &QueryPoint) -> DVec3 {
     query.beta * power / disc_area(rounded.map())
 }
 
-/// A format of these positions; its powers are not looked at.
+/// A format with these position bits. Its powers are not used.
 fn positions(position_bits: u32, query_extra_bits: u32) -> PhotonFormat {
     PhotonFormat {
         position_bits,
@@ -60,9 +60,9 @@ fn positions(position_bits: u32, query_extra_bits: u32) -> PhotonFormat {
     }
 }
 
-/// The `draw`-th shift, in block edges: the R3 sequence, multiples of powers of the root of
-/// x^4 = x + 1 (M. Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018), which
-/// fills the cube evenly however many are drawn.
+/// The shift number `draw`, in block edges: the R3 sequence, multiples of powers of the root of x^4 = x + 1
+/// (M. Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018), which fills the cube evenly
+/// for any number of shifts.
 fn lattice_shift(draw: usize) -> DVec3 {
     const ROOT: f64 = 1.220_744_084_605_759_5;
     let step = DVec3::new(1.0 / ROOT, 1.0 / (ROOT * ROOT), 1.0 / (ROOT * ROOT * ROOT));

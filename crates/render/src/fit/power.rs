@@ -1,4 +1,4 @@
-//! The power's part of an error: powers by a format's rules, positions exact.
+//! The power's part of an error: powers rounded by a format, positions exact.
 
 use std::ops::Range;
 
@@ -16,17 +16,17 @@ use crate::view::QueryPoint;
 
 /// The photons in range of every query of the pilot, found once for any number of power formats.
 ///
-/// Dither is drawn from the stored position and a block's exponent depends on the block; both are
-/// taken with the default format's positions.
+/// Dither depends on the stored position, and a block's exponent on the block; both use the default format's
+/// positions.
 pub(super) struct Gathered {
     maps: Vec<GatheredMap>,
 }
 
 struct GatheredMap {
     map: PhotonMap,
-    /// Photons in range, query after query.
+    /// The indices of the photons in range, query after query.
     photons: Vec<u32>,
-    /// Each query's slice of them.
+    /// The slice of `photons` for each query.
     slices: Vec<Range<usize>>,
 }
 
@@ -43,12 +43,13 @@ impl Gathered {
         })
     }
 
-    /// The error that the power's format alone makes.
+    /// The error that the format of powers alone causes.
     pub fn power_part(&self, pilot: &Pilot, power: &PowerFormat) -> Result<Part, BenchError> {
         self.part_of(self.maps.len(), pilot, power)
     }
 
-    /// The same on one map: a rough idea at a fraction of the time.
+    /// The error that the format of powers alone causes, on one map only: a rough figure in a fraction of the
+    /// time.
     pub fn rough_part(&self, pilot: &Pilot, power: &PowerFormat) -> Result<Part, BenchError> {
         self.part_of(1, pilot, power)
     }
@@ -86,7 +87,7 @@ impl GatheredMap {
         }
     }
 
-    /// Reflected light at each query with these powers.
+    /// The reflected light at each query with these powers.
     fn lights(&self, powers: &[DVec3], queries: &[QueryPoint]) -> Vec<DVec3> {
         let disc = disc_area(&self.map);
         let queries = queries.par_iter().zip(&self.slices);

@@ -1,4 +1,4 @@
-//! A format's error, predicted from its two parts.
+//! Predicts a format's error from its two parts.
 
 use std::collections::HashMap;
 
@@ -10,38 +10,39 @@ use super::position::position_part;
 use super::power::Gathered;
 use crate::metrics::{BenchError, MISCLASSIFIED_TIMES_STEPS, Measure};
 
-/// An error as a part of the noise, by the measure where it is largest.
+/// A predicted error as a fraction of the noise, in the measure where it is largest.
 ///
-/// Position and power round independently of one another: their mean squares add, and so do their
-/// biases, so that error^2 = position^2 + power^2 + 2 bias bias.
+/// Positions and powers round independently of one another: their mean squares add, and so do their biases,
+/// so that error^2 = position^2 + power^2 + 2 bias bias.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Prediction {
-    /// The measure.
+    /// The measure with the largest error.
     pub measure: Measure,
-    /// The whole error.
+    /// The predicted error over the noise.
     pub error_over_noise: f64,
-    /// The part that the positions make, alone.
+    /// The part that the positions alone cause.
     pub position_error_over_noise: f64,
-    /// The part that the powers make, alone.
+    /// The part that the powers alone cause.
     pub power_error_over_noise: f64,
-    /// For comparison what photons that lie evenly would make, sqrt(0.67 / u) with u = 2^p.
+    /// For comparison, the error of evenly spread photons: sqrt(0.67 / u) with u = 2^p.
     pub law_error_over_noise: f64,
 }
 
-/// Predicts formats on a pilot; every part is measured once, when it is first asked for.
+/// Predicts formats on a pilot. Every part is measured once, when it is first needed.
 pub(super) struct Predictor {
     pilot: Pilot,
     gathered: Gathered,
     positions: HashMap<(u32, u32), Part>,
     powers: HashMap<PowerFormat, Part>,
-    /// On one map.
+    /// Parts of powers that were measured on one map only.
     rough_powers: HashMap<PowerFormat, Part>,
 }
 
-/// The most further fraction bits that a query can have.
+/// The largest number of extra fraction bits of a query.
 const FINEST_QUERY: u32 = 2;
 
-/// One map knows a mean square over thousands of queries far better than to this factor.
+/// The factor above the bound at which one map decides. One map knows a mean square over thousands of queries
+/// far better than to this factor.
 const FAR_ABOVE: f64 = 2.0;
 
 impl Predictor {
@@ -59,12 +60,12 @@ impl Predictor {
         &self.pilot
     }
 
-    /// Parts measured so far: of positions and of powers.
+    /// The number of parts of positions and powers measured so far.
     pub fn parts(&self) -> u64 {
         (self.positions.len() + self.powers.len() + self.rough_powers.len()) as u64
     }
 
-    /// The error of the format.
+    /// Predicts the error of the format.
     pub fn predict(&mut self, format: &PhotonFormat) -> Result<Prediction, BenchError> {
         let position = self.position(format.position_bits, format.query_extra_bits)?;
         let power = self.power(&format.power)?;
@@ -85,9 +86,9 @@ impl Predictor {
         Ok(worst.expect("a pilot's luminance has noise").1)
     }
 
-    /// Whether one of the format's parts alone is above the bound: a quick refusal of whole
-    /// families. Queries of the same position bits are refused with the finest of them, and powers by
-    /// one map where they are far above.
+    /// Whether one of the format's parts alone exceeds the bound, which quickly excludes whole families of
+    /// formats. Formats with equal position bits are excluded by the one with the finest queries, and powers
+    /// by one map where they are far above.
     pub fn a_part_exceeds(
         &mut self,
         format: &PhotonFormat,
@@ -142,8 +143,8 @@ impl Predictor {
     }
 }
 
-/// The error over the noise for photons that lie evenly, sqrt(0.67 / u) with u = 2^p steps per
-/// radius. Around a caustic it is too small by half and more.
+/// The error over the noise for evenly spread photons, sqrt(0.67 / u) with u = 2^p steps per radius. Around a
+/// caustic it is too small by half or more.
 fn law(format: &PhotonFormat) -> f64 {
     let steps = f64::from(1_u32 << format.position_bits);
     (MISCLASSIFIED_TIMES_STEPS / steps).sqrt()
@@ -157,9 +158,9 @@ mod tests {
     use crate::metrics::{BenchOptions, ErrorBench};
     use crate::{Engine, Scene, ViewOptions};
 
-    /// The parts, each measured alone, against both together in the golden model, on the same maps
-    /// and queries. 12 %: the pilot shifts the lattice where the model does not, and either knows the
-    /// positions' error, some 40,000 misclassified photons of unequal weight, to 4 % (95 %).
+    /// Compares the parts, each measured alone, with both together in the golden model, on the same maps and
+    /// queries. The tolerance is 12 %: the pilot shifts the lattice and the model does not, and each knows
+    /// the positions' error, some 40,000 misclassified photons of unequal weight, to 4 % (95 %).
     #[test]
     fn the_two_parts_add_as_squares() {
         let options = BenchOptions {

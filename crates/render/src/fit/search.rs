@@ -1,4 +1,5 @@
-//! The smallest format below the bound: predicted first, then measured, then proven smallest.
+//! The search for the smallest format below the bound: predicted first, then measured, then shown to be
+//! smallest.
 
 use std::collections::HashMap;
 
@@ -13,41 +14,41 @@ use crate::render::Engine;
 /// A format that was predicted on the pilot and then measured on maps of its own.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Trial {
-    /// The format.
+    /// The format of the trial.
     pub format: PhotonFormat,
-    /// From the pilot.
+    /// The prediction of the pilot.
     pub predicted: Prediction,
-    /// From the measurement.
+    /// The error measured on other maps.
     pub measured: Measurement,
-    /// Whether it is measured below the bound, and its channels can hold the scene's colours.
+    /// Whether the measured error is below the bound and the format's channels represent the scene's colours.
     pub holds: bool,
 }
 
-/// A measured error, by the measure where it is largest against its own noise.
+/// A measured error, in the measure where it is largest against its own noise.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Measurement {
-    /// The measure.
+    /// The measure with the largest error.
     pub measure: Measure,
-    /// The error by the noise.
+    /// The error over the noise.
     pub error_over_noise: f64,
     /// The lower end of its 95 % interval, by the jackknife over the maps.
     pub error_over_noise_low: f64,
-    /// The upper end.
+    /// The upper end of its 95 % interval.
     pub error_over_noise_high: f64,
-    /// Luminance's, for comparison.
+    /// The error over the noise of luminance, for comparison.
     pub luminance_error_over_noise: f64,
     /// The noise of the measure.
     pub noise_relative: f64,
-    /// Photons in range for one and out for the other, per cent of those in range.
+    /// Photons that only one of reference and format finds in range, per cent of those in range.
     pub misclassified_percent: f64,
 }
 
-/// A format with one bit, or one freedom, less.
+/// A format with one bit, or one degree of freedom, less.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Removal {
-    /// What is less.
+    /// The name of what is less.
     pub less: &'static str,
-    /// What that does.
+    /// The trial of the format without it.
     pub trial: Trial,
 }
 
@@ -61,8 +62,8 @@ pub(super) struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// The first of `candidates` that is predicted and then measured below the bound, and those
-    /// that were measured above it before; none where no candidate holds.
+    /// The first of `candidates` that is predicted and then measured below the bound, with the candidates
+    /// that were measured above it before; `None` where no candidate holds.
     pub fn first(
         &mut self,
         candidates: &[PhotonFormat],
@@ -87,8 +88,8 @@ impl Search<'_> {
         Ok((None, broken))
     }
 
-    /// From a format that holds down to one of which nothing more can be taken: that, and what
-    /// taking each bit of it does.
+    /// Descends from a format that holds to one from which nothing can be removed. Returns it with the trial
+    /// of each removal.
     pub fn descend(&mut self, from: Trial) -> Result<(Trial, Vec<Removal>), BenchError> {
         let mut chosen = from;
         loop {
@@ -126,7 +127,8 @@ impl Search<'_> {
         })
     }
 
-    /// One channel holds one colour only, whatever a mean error says.
+    /// Whether the format's channels represent the scene's colours. One channel has only one colour, whatever
+    /// a mean error shows.
     fn holds_colours(&self, format: &PhotonFormat) -> bool {
         format.power.channels == Channels::Rgb || self.predictor.pilot().facts.one_colour
     }
@@ -137,7 +139,7 @@ impl Search<'_> {
 }
 
 impl Trial {
-    /// Bits of a stored photon.
+    /// The number of bits of a stored photon.
     #[must_use]
     pub fn bits_per_photon(&self) -> u32 {
         FormatWidths::of(&self.format).bits_per_photon

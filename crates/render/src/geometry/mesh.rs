@@ -6,24 +6,24 @@ use thiserror::Error;
 use super::Hit;
 use crate::camera::Ray;
 
-/// A triangle with less area than this part of its squared size has no normal worth the name: far below
-/// any that is meant, far above the rounding of three corners in a line.
+/// A triangle with less area than this fraction of its squared size has no usable normal. The limit is far
+/// below any intended triangle, and far above the rounding of three corners in a line.
 const MIN_AREA: f64 = 1e-12;
 
-/// Why corners and indices make no mesh.
+/// The error of corners and indices that make no mesh.
 #[derive(Debug, Error, PartialEq, Eq)]
 #[error("{place}: found {found}, expected {expected}")]
 pub struct MeshError {
-    /// Which vertex or triangle, counted from 0.
+    /// The vertex or triangle that is wrong, counted from 0.
     pub place: String,
-    /// What it is.
+    /// The value found there.
     pub found: String,
-    /// What it could be.
+    /// The value that is legal there.
     pub expected: String,
 }
 
-/// Triangles. The front of each is the side from which its corners run counter-clockwise; its normal is that
-/// of its plane, everywhere.
+/// A mesh of triangles. The front of a triangle is the side from which its corners run counter-clockwise. The
+/// normal is that of the triangle's plane, everywhere.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mesh {
     vertices: Vec<DVec3>,
@@ -33,8 +33,8 @@ pub struct Mesh {
 }
 
 impl Mesh {
-    /// The mesh of these triangles, each by the indices of its corners. Those without an area are dropped, and
-    /// [`Self::dropped`] says how many.
+    /// Makes the mesh of these triangles, each given by the indices of its corners. Triangles without an area
+    /// are dropped; [`Self::dropped`] returns their number.
     ///
     /// # Errors
     /// For a vertex that is not finite, an index past the vertices, or no triangle with an area.
@@ -75,13 +75,13 @@ impl Mesh {
         Ok(mesh)
     }
 
-    /// How many triangles it has.
+    /// The number of triangles.
     #[must_use]
     pub fn triangles(&self) -> usize {
         self.triangles.len()
     }
 
-    /// How many triangles without an area were left out.
+    /// The number of triangles without an area that were dropped.
     #[must_use]
     pub fn dropped(&self) -> usize {
         self.dropped
@@ -101,15 +101,16 @@ impl Mesh {
 
     /// Where `ray` meets a triangle at a distance over `t_min` and below `t_max`.
     ///
-    /// Each edge is decided by the sign of the volume that it spans with the ray. Two triangles at an edge
-    /// compute the same volume with opposite signs, to the last bit, so no ray passes between them. The
-    /// position is a mean of the corners, so that it lies on the triangle however far away the ray starts.
+    /// Each edge is decided by the sign of the volume that it spans with the ray. Two triangles that share an
+    /// edge compute the same volume with opposite signs, to the last bit, so no ray passes between them. The
+    /// position is a weighted mean of the corners, so that it lies on the triangle however far away the ray
+    /// starts.
     pub(super) fn meet(&self, triangle: usize, ray: &Ray, t_min: f64, t_max: f64) -> Option<Hit> {
         let corners = self.corners(triangle);
         let [a, b, c] = corners.map(|corner| corner - ray.origin);
         let volumes = [c.cross(b), a.cross(c), b.cross(a)].map(|n| ray.direction.dot(n));
         let all = |is: fn(&f64) -> bool| volumes.iter().all(is);
-        // From the front they are negative: the ray comes against the normal.
+        // From the front the volumes are negative, because the ray comes against the normal.
         let front = all(|volume| *volume >= 0.0);
         if !front && !all(|volume| *volume <= 0.0) {
             return None;
@@ -118,7 +119,7 @@ impl Mesh {
         let [u, v, w] = volumes.map(|volume| volume / sum);
         let position = u * corners[0] + v * corners[1] + w * corners[2];
         let t = (u * a + v * b + w * c).dot(ray.direction) / ray.direction.length_squared();
-        // Written so that the NaN of a ray in the triangle's plane fails it.
+        // The NaN of a ray in the triangle's plane fails this comparison.
         if !(t > t_min && t < t_max) {
             return None;
         }
@@ -132,14 +133,14 @@ impl Mesh {
     }
 }
 
-/// The area of a triangle; `None` where it has none, or numbers too large for one.
+/// The area of a triangle; `None` where it has none, or where it overflows.
 fn area([a, b, c]: [DVec3; 3]) -> Option<f64> {
     let twice = (b - a).cross(c - a).length();
     let size = a.distance(b) + b.distance(c);
     (twice.is_finite() && twice > MIN_AREA * size * size).then_some(0.5 * twice)
 }
 
-/// The unit normal of its front.
+/// The unit normal of the front.
 fn normal([a, b, c]: [DVec3; 3]) -> Option<DVec3> {
     (b - a).cross(c - a).try_normalize()
 }
@@ -198,16 +199,16 @@ mod tests {
     }
 
     proptest! {
-        /// Rays at the very edges and corners that triangles share meet one of them, from either side.
+        /// Rays at the edges and corners that triangles share meet one of the triangles, from either side.
         #[test]
         fn nothing_passes_between_triangles(
             edge in 0..4_usize, along in 0.0..=1.0f64,
-            // From where every edge has both its triangles' fronts, or both backs.
+            // The rays start where every edge has the fronts of both its triangles, or both backs.
             from in prop::array::uniform2(-0.45..0.45f64), below in prop::bool::ANY,
         ) {
             let mesh = pyramid();
             let [apex, corner, _] = mesh.corners(edge);
-            // Not to the rim, past which there is nothing.
+            // The target is not at the rim, past which there is no triangle.
             let target = apex.lerp(corner, 0.999 * along);
             let origin = DVec3::new(from[0], from[1], if below { -2.0 } else { 2.0 });
             let ray = Ray { origin, direction: (target - origin).normalize() };

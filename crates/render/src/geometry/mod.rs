@@ -1,4 +1,4 @@
-//! What surfaces are made of, and where a ray meets it.
+//! The forms of surfaces, and the points where a ray meets them.
 
 mod mesh;
 mod quad;
@@ -12,14 +12,14 @@ pub use sphere::Sphere;
 
 use crate::camera::Ray;
 
-/// Where a ray meets a surface.
+/// The point where a ray meets a surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hit {
     /// Distance along the ray, in lengths of its direction.
     pub t: f64,
-    /// The point, on the surface (scene units).
+    /// The point on the surface, in scene units.
     pub position: DVec3,
-    /// The unit normal of the front there.
+    /// The unit normal of the front at the point.
     pub normal: DVec3,
     /// Whether the ray comes from the front.
     pub front: bool,
@@ -32,7 +32,7 @@ pub enum Geometry {
     Quad(Quad),
     /// A sphere, whose front is its outside.
     Sphere(Sphere),
-    /// Triangles.
+    /// A mesh of triangles.
     Mesh(Mesh),
 }
 
@@ -47,7 +47,7 @@ impl Geometry {
         }
     }
 
-    /// The one normal of its front, if it is flat.
+    /// The normal of the front; `None` where the surface is not flat.
     #[must_use]
     pub fn flat_normal(&self) -> Option<DVec3> {
         match self {
@@ -56,7 +56,7 @@ impl Geometry {
         }
     }
 
-    /// The smallest and the largest corner of the box around it (scene units).
+    /// The smallest and the largest corner of the bounding box, in scene units.
     #[must_use]
     pub fn bounds(&self) -> [DVec3; 2] {
         let parts = (0..self.parts()).map(|part| self.part_bounds(part));
@@ -66,7 +66,7 @@ impl Geometry {
         )
     }
 
-    /// How many parts rays are tested against: the triangles of a mesh, else one.
+    /// The number of parts that rays are tested against: the triangles of a mesh, else one.
     pub(crate) fn parts(&self) -> usize {
         match self {
             Self::Quad(_) | Self::Sphere(_) => 1,
@@ -74,7 +74,7 @@ impl Geometry {
         }
     }
 
-    /// The same as [`Self::bounds`] of one part.
+    /// The smallest and the largest corner of the bounding box of one part, in scene units.
     pub(crate) fn part_bounds(&self, part: usize) -> [DVec3; 2] {
         match self {
             Self::Quad(quad) => around(&quad.corners()),
@@ -83,7 +83,7 @@ impl Geometry {
         }
     }
 
-    /// Where `ray` meets a part first at a distance over `t_min` and below `t_max`.
+    /// The first point where `ray` meets a part at a distance over `t_min` and below `t_max`.
     pub(crate) fn meet_part(&self, part: usize, ray: &Ray, t_min: f64, t_max: f64) -> Option<Hit> {
         match self {
             Self::Quad(quad) => quad.intersect(ray, t_min, t_max),
@@ -92,8 +92,8 @@ impl Geometry {
         }
     }
 
-    /// Where `ray` meets it first at a distance over `t_min` and below `t_max`; of a mesh every triangle is
-    /// tried.
+    /// The first point where `ray` meets the surface at a distance over `t_min` and below `t_max`. Tries
+    /// every triangle of a mesh.
     #[must_use]
     pub fn intersect(&self, ray: &Ray, t_min: f64, t_max: f64) -> Option<Hit> {
         let mut nearest: Option<Hit> = None;
@@ -105,7 +105,7 @@ impl Geometry {
     }
 }
 
-/// The smallest and the largest corner of the box around some points.
+/// The smallest and the largest corner of the bounding box of some points.
 fn around(points: &[DVec3]) -> [DVec3; 2] {
     let start = [points[0]; 2];
     let rest = &points[1..];

@@ -5,8 +5,8 @@ use glam::DVec3;
 use super::Hit;
 use crate::camera::Ray;
 
-/// How far, as a part of the quad's size, the fourth corner may lie from where the other three
-/// put it. The reference scene's single-precision transforms are off by 1e-7.
+/// The largest distance, as a fraction of the quad's size, of the fourth corner from its place by the other
+/// three. The reference scene's single-precision transforms are off by 1e-7.
 const CORNER_TOLERANCE: f64 = 1e-5;
 
 /// A parallelogram. Its front is the side from which the corners run counter-clockwise.
@@ -32,7 +32,7 @@ impl Quad {
         let size = edges[0].length() + edges[1].length();
         let gap = (origin + edges[0] + edges[1]).distance(corners[2]);
         let flat = gap <= CORNER_TOLERANCE * size;
-        // 1e-12: far below any quad that is meant, far above the rounding of a collinear one.
+        // 1e-12 is far below any intended quad and far above the rounding of a collinear one.
         if !flat || !area.is_finite() || area <= 1e-12 * size * size {
             return None;
         }
@@ -72,15 +72,15 @@ impl Quad {
         [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|(u, v)| self.point(u, v))
     }
 
-    /// Where `ray` meets the quad at a distance over `t_min` and below `t_max`.
+    /// The point where `ray` meets the quad at a distance over `t_min` and below `t_max`.
     ///
-    /// The position is made from the edge coordinates, not from the distance, so that it lies
-    /// on the quad's plane however far away the ray starts.
+    /// The position is computed from the edge coordinates and not from the distance, so that it lies on the
+    /// quad's plane however far away the ray starts.
     #[must_use]
     pub fn intersect(&self, ray: &Ray, t_min: f64, t_max: f64) -> Option<Hit> {
         let approach = ray.direction.dot(self.normal);
         let t = (self.origin - ray.origin).dot(self.normal) / approach;
-        // Written so that the NaN or infinity of a parallel ray fails it.
+        // The NaN or infinity of a parallel ray fails this comparison.
         if !(t > t_min && t < t_max) {
             return None;
         }
@@ -129,7 +129,7 @@ mod tests {
     }
 
     proptest! {
-        /// A ray aimed at a point of the quad hits that point, and knows the side.
+        /// A ray aimed at a point of the quad hits that point and reports the side.
         #[test]
         fn aimed_rays_hit(u in 0.001..0.999, v in 0.001..0.999, side in prop::bool::ANY) {
             let quad = slanted();

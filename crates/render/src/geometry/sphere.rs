@@ -1,4 +1,4 @@
-//! Spheres.
+//! Spheres with a front outside.
 
 use glam::DVec3;
 
@@ -13,7 +13,7 @@ pub struct Sphere {
 }
 
 impl Sphere {
-    /// The sphere of that centre and radius (scene units); `None` for a radius that is not over 0, or
+    /// The sphere with that centre and radius in scene units; `None` for a radius that is not over 0, or
     /// numbers that are not finite.
     #[must_use]
     pub fn new(centre: DVec3, radius: f64) -> Option<Self> {
@@ -27,27 +27,27 @@ impl Sphere {
         4.0 * std::f64::consts::PI * self.radius * self.radius
     }
 
-    /// The smallest and the largest corner of the box around it (scene units).
+    /// The smallest and the largest corner of the bounding box, in scene units.
     #[must_use]
     pub fn bounds(&self) -> [DVec3; 2] {
         [self.centre - self.radius, self.centre + self.radius]
     }
 
-    /// Where `ray` meets the sphere first at a distance over `t_min` and below `t_max`, from
+    /// The first point where `ray` meets the sphere at a distance over `t_min` and below `t_max`, from
     /// outside or from inside.
     ///
-    /// The position is put on the sphere along its normal, so that it lies there however far away the
-    /// ray starts.
+    /// The position is placed on the sphere along its normal, so that it lies there however far away the ray
+    /// starts.
     #[must_use]
     pub fn intersect(&self, ray: &Ray, t_min: f64, t_max: f64) -> Option<Hit> {
         let length_sq = ray.direction.length_squared();
         let to_centre = self.centre - ray.origin;
-        // To the point of the ray next to the centre, and that point's distance from it: no difference of
-        // large squares.
+        // The distance to the point of the ray nearest to the centre, and the distance of that point from the
+        // centre; no large squares are subtracted.
         let nearest = to_centre.dot(ray.direction) / length_sq;
         let beside = (to_centre - nearest * ray.direction).length_squared();
         let half_chord_sq = (self.radius * self.radius - beside) / length_sq;
-        // NaN for a ray that passes by, which then fails every comparison.
+        // A ray that misses gives NaN, which fails every comparison.
         let half_chord = half_chord_sq.sqrt();
         let t = [nearest - half_chord, nearest + half_chord]
             .into_iter()
@@ -80,8 +80,8 @@ mod tests {
     }
 
     proptest! {
-        /// A ray at a point of the near side meets that point, from outside; going on, it meets the
-        /// far side from inside, at the angle at which it came in.
+        /// A ray at a point of the near side meets that point from outside. Continued, it meets the far side
+        /// from inside, at the angle at which it entered.
         #[test]
         fn a_ray_goes_in_and_out_at_one_angle(n in direction(), d in direction(), away in 0.01..50.0f64) {
             prop_assume!(n.dot(d) < -0.05);

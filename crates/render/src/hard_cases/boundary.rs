@@ -1,7 +1,6 @@
-//! Points at exactly the search radius.
+//! Hard cases: points at exactly the search radius.
 //!
-//! In trials f32 accepted 11 to 51 % of such points and f64 53 to 57 %; the rest they decided
-//! wrongly.
+//! In trials f32 accepted 11 to 51 % of such points and f64 53 to 57 %; they decided the others wrongly.
 
 use photoncube_spec::PhotonFormat;
 
@@ -34,7 +33,7 @@ pub(super) const TIES_F64: HardCase = HardCase {
         what: "% of the points at the boundary decided wrong in f64",
         at_least: 10.0,
     },
-    // The same photons as above.
+    // The photons are those of the case above.
     settings: |_| Ok(Vec::new()),
     measure: ties_f64,
     ..TIES_F32
@@ -102,11 +101,11 @@ fn half_steps(format: &PhotonFormat) -> Result<Outcome, HardCaseError> {
     })
 }
 
-/// Photons on each shell of a query.
+/// The number of photons on each shell of a query.
 const ON_SHELL: usize = 128;
 
-/// For queries in several corners of their block, the photons at the largest distance in range, then
-/// those at the smallest out of range. Each setting has one query and one distance.
+/// For queries in several corners of their block: the photons at the largest distance in range, then those at
+/// the smallest distance out of range. Each setting has one query and one distance.
 pub(super) fn shells(grid: &Grid) -> Result<Vec<Setting>, HardCaseError> {
     let radius_sq = u64::from(grid.radius_steps).pow(2);
     // Sums of m (m + 1) are even, and so is the radius of every format.
@@ -115,7 +114,8 @@ pub(super) fn shells(grid: &Grid) -> Result<Vec<Setting>, HardCaseError> {
         false => (radius_sq, radius_sq + 1),
     };
     let last = i64::from(grid.edge_steps()) - 1;
-    // On quarter steps the squares' last bits follow from the query's: each shell needs its own.
+    // On quarter steps the squares' last bits follow from the query's last bits, so each shell needs its own
+    // query.
     let places = [
         [0, 0, 0],
         [0, 3, 1],
@@ -140,7 +140,7 @@ pub(super) fn shells(grid: &Grid) -> Result<Vec<Setting>, HardCaseError> {
     Ok(settings)
 }
 
-/// A block in the room's middle.
+/// The index of a block in the room's middle.
 const BLOCK: i64 = 5;
 
 /// Steps on three axes whose (half) squares sum to `sum`, spread over the sphere.
@@ -148,7 +148,7 @@ fn triples(grid: &Grid, sum: u64) -> Vec<[i64; 3]> {
     let half = u64::from(grid.half_steps());
     let square = |m: u64| m * (m + half);
     let all = u64::from(grid.radius_steps) + 1;
-    // A stride without a factor in common with 2^n - 1 meets every number once.
+    // A stride without a common factor with 2^n - 1 meets every number once.
     let strided = (0..all).map(|i| i * 37 % all);
     let pairs = strided.flat_map(|a| (0..all).map(move |b| (a, b)));
     let whole = pairs.filter_map(|(a, b)| {
@@ -159,9 +159,9 @@ fn triples(grid: &Grid, sum: u64) -> Vec<[i64; 3]> {
     whole.take(4 * ON_SHELL).collect()
 }
 
-/// Photons that many steps from a query, where its fraction lets a photon stand there.
+/// Photons at these steps from a query, where the grid has a photon cell there.
 fn on_shell(grid: &Grid, query: [i64; 3], triples: &[[i64; 3]]) -> Vec<Photon> {
-    // Where triples are few, each comes in every order and on both sides.
+    // Where there are few triples, each is used in every order and on both sides.
     let tried = triples.iter().cycle().take(8 * ON_SHELL).enumerate();
     let cells = tried.filter_map(|(index, &triple)| {
         let mut steps = triple;
@@ -175,7 +175,7 @@ fn on_shell(grid: &Grid, query: [i64; 3], triples: &[[i64; 3]]) -> Vec<Photon> {
         .collect()
 }
 
-/// The photon's cell `steps` below or above a query's coordinate, whichever there is.
+/// The photon cell that is `steps` below or above a query's coordinate, whichever exists.
 fn cell_at(grid: &Grid, query: i64, steps: i64, above_first: bool) -> Option<i64> {
     let below = query - steps;
     let above = query + steps + i64::from(grid.half_steps());
@@ -196,7 +196,7 @@ mod tests {
 
     use super::*;
 
-    /// From the definition: four squared distances in halves of a step.
+    /// Checks the shells against the definition: four squared distances in halves of a step.
     #[test]
     fn shells_are_the_last_inside_and_the_first_outside() {
         for format in PHOTON_FORMATS {
@@ -205,7 +205,8 @@ mod tests {
             let mut met_at = [0; 2];
             for setting in shells(&grid).unwrap() {
                 let inside = setting.counts[0] > 0;
-                // Whole steps meet the boundary; half steps are 5 quarters within or 3 beyond.
+                // Whole steps are exactly on the boundary; half steps are 5 quarters inside or 3 quarters
+                // outside.
                 let expected = match (grid.half_steps(), inside) {
                     (false, true) => quarters,
                     (false, false) => quarters + 4,

@@ -1,4 +1,4 @@
-//! A row of the table.
+//! The form of a hard case, a row of the table.
 
 use std::fmt;
 
@@ -13,41 +13,41 @@ use crate::photon_map::MapError;
 use crate::render::RenderError;
 use crate::scene::SceneError;
 
-/// A hard case.
+/// A hard case: an input at which some arithmetic is known to fail.
 #[derive(Debug, Clone, Copy)]
 pub struct HardCase {
-    /// Its name on the command line and in the table.
+    /// The case's name on the command line and in the table.
     pub name: &'static str,
-    /// What could break.
+    /// The failure that the case provokes.
     pub breaks: &'static str,
-    /// What the result is of, as it reads after the number.
+    /// The unit of the result, as it reads after the number.
     pub result: &'static str,
-    /// What the result must be.
+    /// The bound that the result must satisfy.
     pub bound: Bound,
-    /// Why that.
+    /// The reason for the bound.
     pub why: &'static str,
-    /// What some other arithmetic makes of it.
+    /// The result of an arithmetic that is known to fail.
     pub contrast: Contrast,
-    /// Whether it says anything about a format.
+    /// Whether the case applies to a format.
     pub applies: fn(&PhotonFormat) -> bool,
-    /// The photons and queries, on a grid of its own for each format or machine; none where the case
-    /// is about what never reaches a machine.
+    /// Makes the photons and queries on the grid of a format or machine; empty where the case is about values
+    /// that never reach a machine.
     pub settings: fn(&Grid) -> Result<Vec<Setting>, HardCaseError>,
-    /// The result in a format.
+    /// Measures the result in a format.
     pub measure: fn(&PhotonFormat) -> Result<Outcome, HardCaseError>,
 }
 
-/// What a result must be.
+/// The bound of a result.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Bound {
-    /// Exactly 0.
+    /// The result must be 0.
     Zero,
-    /// At most this.
+    /// The result must be at most this value.
     AtMost(f64),
 }
 
 impl Bound {
-    /// Whether a result is within; a NaN never is.
+    /// Whether a result satisfies the bound; a NaN never does.
     #[must_use]
     pub fn holds(self, result: f64) -> bool {
         match self {
@@ -67,28 +67,28 @@ impl fmt::Display for Bound {
     }
 }
 
-/// What an arithmetic that is known to fail gives on the same input.
+/// The result of an arithmetic that is known to fail, on the same input.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Contrast {
-    /// What is counted in which arithmetic, as it reads after the number.
+    /// The unit and the arithmetic, as they read after the number.
     pub what: &'static str,
-    /// How bad it must at least be, in the worst format, for the case to be hard.
+    /// The least value of the contrast, in the worst format, at which the case counts as hard.
     pub at_least: f64,
 }
 
-/// What a case found in one format.
+/// The outcome of a case in one format.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Outcome {
-    /// Decisions, photons or sums that were looked at.
+    /// The number of decisions, photons or sums that were examined.
     pub looked_at: u64,
-    /// The result.
+    /// The result, in the unit of [`HardCase::result`].
     pub result: f64,
-    /// The contrast.
+    /// The contrast, in the unit of [`Contrast::what`].
     pub contrast: f64,
 }
 
 impl Outcome {
-    /// Of decisions, some wrong ones; the contrast in per cent of all of them.
+    /// An outcome of a number of wrong decisions; the contrast is in per cent of all decisions.
     pub(super) fn wrong(wrong: u64, naively_wrong: u64, looked_at: u64) -> Self {
         Self {
             looked_at,
@@ -103,24 +103,24 @@ pub(super) fn percent(part: u64, all: u64) -> f64 {
     100.0 * part as f64 / all as f64
 }
 
-/// For cases that say something about every format.
+/// For cases that apply to every format.
 pub(super) fn every_format(_: &PhotonFormat) -> bool {
     true
 }
 
-/// Why a case has no outcome.
+/// The reason why a case has no outcome.
 #[derive(Debug, Error)]
 pub enum HardCaseError {
-    /// Its room is no scene.
+    /// The room of the case is not a legal scene.
     #[error(transparent)]
     Scene(#[from] SceneError),
-    /// Its photons make no map.
+    /// The photons of the case make no map.
     #[error(transparent)]
     Map(#[from] MapError),
     /// The format is not legal.
     #[error(transparent)]
     Format(#[from] FormatError),
-    /// The format cannot have the map.
+    /// The map has no form in the format.
     #[error(transparent)]
     FormatMap(#[from] FormatMapError),
     /// The format refuses a query.
@@ -129,18 +129,18 @@ pub enum HardCaseError {
     /// A machine refuses a query.
     #[error(transparent)]
     Machine(#[from] GatherError),
-    /// A machine's numbers do not fit.
+    /// The machine's numbers do not fit.
     #[error(transparent)]
     Numbers(#[from] RenderError),
-    /// A record is none.
+    /// A packed record is not legal.
     #[error(transparent)]
     Pack(#[from] PackError),
-    /// Nothing was looked at, so nothing was shown.
+    /// Nothing was examined, so nothing was shown.
     #[error("case `{case}` looked at nothing in format `{format}`")]
     Nothing {
-        /// The case.
+        /// The name of the case.
         case: &'static str,
-        /// The format.
+        /// The name of the format.
         format: String,
     },
 }

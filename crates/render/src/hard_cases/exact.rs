@@ -1,4 +1,4 @@
-//! Who is in range, from the definition alone: no clamp, no half squares, no saturation.
+//! The exact in-range decision, from the definition alone: no clamp, no half squares, no saturation.
 
 use photoncube_spec::{LocalQuery, PhotonFormat, PhotonRecord};
 
@@ -7,10 +7,10 @@ use super::room::NORMAL;
 use super::setting::Setting;
 use crate::format_map::FormatMap;
 
-/// A photon as a query of a format meets it.
+/// A photon in the frame of a query of a format.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Met {
-    /// Distances between both middles, in halves of a fine step.
+    /// The distances between both middles on each axis, in halves of a fine step.
     pub halves: [i64; 3],
     /// The format's decision.
     pub in_range: bool,
@@ -23,13 +23,13 @@ impl Met {
         distance_sq <= (2 * i64::from(format.radius_steps())).pow(2)
     }
 
-    /// Whole steps on each axis: on half steps half a step less than there are.
+    /// The whole steps on each axis; on half steps, half a step less than the distance.
     pub fn steps(&self) -> [u64; 3] {
         self.halves.map(|halves| halves.unsigned_abs() / 2)
     }
 }
 
-/// Every photon that every query of a setting is given.
+/// Every pair of a query and a photon that it gathers, for a setting.
 pub(super) fn all_met(setting: &Setting, format: &PhotonFormat) -> Result<Vec<Met>, HardCaseError> {
     let quantised = FormatMap::new(&setting.map, format)?;
     let mut all = Vec::new();

@@ -1,9 +1,9 @@
-//! Moved, scaled, brighter: the same bits.
+//! Hard cases: scenes that are moved, scaled or brighter give equal bits.
 //!
-//! A scene scaled by a power of two gives the same bits wherever its photons are. By any other
-//! factor f64 rounds positions by 1e-16 of the scene, and one that close to its cell's border may
-//! change its cell; in the middle of its cell none does. So 1e-3 and 1e6 are tried with photons at
-//! the middles of cells, powers of two with photons anywhere.
+//! A scene scaled by a power of two gives equal bits wherever its photons are. With any other factor f64
+//! rounds positions by 1e-16 of the scene, and a photon that close to its cell's border may change its cell;
+//! one in the middle of its cell does not. So the factors 1e-3 and 1e6 are tried with photons at the middles
+//! of cells, and powers of two with photons anywhere.
 
 use glam::DVec3;
 use photoncube_spec::PhotonFormat;
@@ -64,10 +64,10 @@ pub(super) const BRIGHTER: HardCase = HardCase {
     ..MOVED
 };
 
-/// Photons and queries, and the rooms that they are put in.
+/// Photons and queries, and the rooms into which they are placed.
 struct Moved {
     rooms: &'static [Room],
-    /// The photons stand at the middles of cells.
+    /// Whether the photons are at the middles of cells.
     at_middles: bool,
 }
 
@@ -116,7 +116,7 @@ impl Moved {
             let queries = photons.iter().step_by(61).map(|p| p.position).collect();
             return (photons, queries);
         }
-        // Blocks 3 to 5, where every grid is inside the room.
+        // Blocks 3 to 5, which lie inside the room on every grid.
         let index = |p: DVec3, edge: u32| {
             let index = (3.0 + 3.0 * p) * f64::from(edge);
             index.to_array().map(|c| c as i64)
@@ -130,7 +130,7 @@ impl Moved {
         )
     }
 
-    /// Against the first room; `naive` is how another arithmetic rounds a position.
+    /// Compares each room with the first. `naive` is the rounding of a position in another arithmetic.
     fn measure(
         &self,
         format: &PhotonFormat,
@@ -156,7 +156,7 @@ const fn scaled_by(size: f64) -> Room {
     }
 }
 
-/// Queries and photons that differ from those of the first setting; no contrast yet.
+/// The number of queries and photons that differ from those of the first setting, without a contrast.
 fn same(format: &PhotonFormat, settings: &[Setting]) -> Result<Outcome, HardCaseError> {
     let first = FormatMap::new(&settings[0].map, format)?;
     let sums = settings[0].sums(format)?;
@@ -176,7 +176,7 @@ fn same(format: &PhotonFormat, settings: &[Setting]) -> Result<Outcome, HardCase
     })
 }
 
-/// Photons in range of each query, positions and radius rounded.
+/// The photons in range of each query, with rounded positions and radius.
 fn naive_counts(setting: &Setting, round: fn(DVec3) -> DVec3) -> Vec<usize> {
     let radius = round(DVec3::splat(setting.map.radius())).x;
     let photons = setting.map.photons().iter();

@@ -1,7 +1,7 @@
-//! A radius that is small against the step.
+//! Hard cases: a radius that is small against the step.
 //!
-//! In trials a lattice's bias was +59 % at a radius of one step, -2.5 % at 4 and -0.9 % at 16, and a
-//! tight caustic had +217 % of its luminance in 8 bits over the scene.
+//! In trials a lattice's bias was +59 % at a radius of one step, -2.5 % at 4 and -0.9 % at 16, and a tight
+//! caustic had +217 % of its luminance in 8 bits over the scene.
 
 use std::f64::consts::PI;
 
@@ -64,7 +64,7 @@ pub(super) const JUST_OUTSIDE: HardCase = HardCase {
     measure: just_outside,
 };
 
-/// A plane of a photon in every few cells, for the machines; the measurement counts all cells.
+/// For the machines, a plane with a photon in every few cells; the measurement counts all cells.
 fn plane(grid: &Grid) -> Result<Setting, HardCaseError> {
     let edge = 1_i64 << grid.position_bits;
     let stride = (edge / 16).max(1);
@@ -101,8 +101,8 @@ fn bias(format: &PhotonFormat) -> Result<Outcome, HardCaseError> {
     })
 }
 
-/// Cells of the query's own layer in range: on every row the ends are searched, as the cells in range
-/// are those between.
+/// The number of cells in range in the query's own layer. The ends of every row are searched, because the
+/// cells in range are those between.
 fn cells_in_disc(format: &PhotonFormat, gather: &LocalGather, query: &LocalQuery) -> u64 {
     let edge = 1_i64 << format.position_bits;
     let in_range = |x: i64, z: i64| {
@@ -125,7 +125,8 @@ fn cells_in_disc(format: &PhotonFormat, gather: &LocalGather, query: &LocalQuery
     (0..3 * edge).map(row).sum()
 }
 
-/// The first number from `low` on at which `holds`, which then holds for all; `high` if none below.
+/// The first number from `low` on at which `holds`, which must stay true from there on; `high` if there is
+/// none below it.
 fn first(mut low: i64, mut high: i64, holds: impl Fn(i64) -> bool) -> i64 {
     while low < high {
         let middle = low + (high - low) / 2;
@@ -137,7 +138,7 @@ fn first(mut low: i64, mut high: i64, holds: impl Fn(i64) -> bool) -> i64 {
     low
 }
 
-/// Lattice points in a circle around one of them (Gauss's circle problem).
+/// The number of lattice points in a circle around one of them (Gauss's circle problem).
 fn lattice_points(radius: i64) -> u64 {
     let all = -radius..=radius;
     let pairs = all.clone().flat_map(|x| all.clone().map(move |y| (x, y)));
@@ -146,10 +147,10 @@ fn lattice_points(radius: i64) -> u64 {
         .count() as u64
 }
 
-/// The caustic's radius, of the scene's size.
+/// The caustic's radius, as a fraction of the scene's size.
 const CAUSTIC_RADIUS: f64 = 1.0 / 2000.0;
 
-/// Not on a border of 8 bits over the scene.
+/// The caustic's place, away from the borders of 8 bits over the scene.
 const CAUSTIC_PLACE: DVec3 = DVec3::new(0.3, 0.5, 0.3);
 
 /// A disc of photons, with queries among them.
@@ -187,7 +188,7 @@ fn tight(format: &PhotonFormat) -> Result<Outcome, HardCaseError> {
     })
 }
 
-/// Around each query a faint photon at its place, and a bright one a cell in or out of range.
+/// Around each query, a faint photon at its place and a bright one a cell in or out of range.
 fn bright(grid: &Grid) -> Result<Vec<Setting>, HardCaseError> {
     let mut settings = Vec::new();
     let cell = grid.cell(RADIUS);
@@ -215,7 +216,7 @@ fn just_outside(format: &PhotonFormat) -> Result<Outcome, HardCaseError> {
             looked_at += 1;
         }
     }
-    // Half of the photons are the bright ones; the faint are at the query.
+    // Half of the photons are the bright ones; the faint ones are at the query.
     let mut outcome = Outcome::wrong(wrong, naively_wrong, looked_at / 2);
     outcome.looked_at = looked_at;
     Ok(outcome)

@@ -1,4 +1,4 @@
-//! Sums of very many photons.
+//! Hard cases: sums of very many photons.
 //!
 //! In trials a sequential sum in f32 was 1 % off at a million photons.
 
@@ -47,7 +47,7 @@ pub(super) const MILLION: HardCase = HardCase {
         what: "% error of a sequential f32 sum",
         at_least: 0.5,
     },
-    // The same photons as the quarter million.
+    // The photons are those of the quarter million.
     settings: |_| Ok(Vec::new()),
     measure: million,
     ..QUARTER_MILLION
@@ -70,10 +70,10 @@ pub(super) const PERMUTED: HardCase = HardCase {
 
 const QUARTER: usize = 250_000;
 
-/// What a machine is given at most; a format's own count may be thousands of millions.
+/// The most photons that a machine is given; a format's own limit may be thousands of millions.
 const MOST_PLACED: usize = 1 << 20;
 
-/// As many photons in one cell, as bright as any.
+/// `count` photons in one cell, all of the largest power.
 fn identical(grid: &Grid, count: usize) -> Result<Setting, HardCaseError> {
     let count = grid.at_most(count);
     let map = Room::UNIT.map(grid, vec![photon(MIDDLE, DVec3::ONE); count], RADIUS)?;
@@ -121,7 +121,7 @@ fn fullest(format: &PhotonFormat) -> Result<Outcome, HardCaseError> {
     Ok(difference(expected, format.max_photons, &sums))
 }
 
-/// Of the exact sums and counts; with what is lost in 32 bits.
+/// The difference from the exact sums and counts; the contrast is the loss in 32 bits.
 fn difference(expected: [u128; 3], count: u64, sums: &LocalSums) -> Outcome {
     let pairs = expected.iter().zip(sums.power);
     let off: u128 = pairs.map(|(a, b)| a.abs_diff(b)).sum();
@@ -136,7 +136,7 @@ fn difference(expected: [u128; 3], count: u64, sums: &LocalSums) -> Outcome {
 
 fn million(format: &PhotonFormat) -> Result<Outcome, HardCaseError> {
     let count = format.max_photons.min(1_000_000);
-    // A tenth is no binary fraction: every f32 sum of it rounds.
+    // A tenth is not a binary fraction, so every f32 sum of it rounds.
     let power = 0.1;
     let photons = vec![photon(MIDDLE, DVec3::splat(power)); REPEATED];
     let map = Room::UNIT.map(&Grid::of_format(format), photons, RADIUS)?;
@@ -147,7 +147,7 @@ fn million(format: &PhotonFormat) -> Result<Outcome, HardCaseError> {
         sums = repeated(format, &query, block, count)?;
         looked_at += sums.count;
     }
-    // Dithered, a stored photon may be a step less than it was.
+    // With dithering, a stored photon may be a step less than before.
     let exact = quantised.power(0).x * count as f64;
     let drifted = f64::from(sum_f32((0..count).map(|_| power)));
     Ok(Outcome {
@@ -157,11 +157,10 @@ fn million(format: &PhotonFormat) -> Result<Outcome, HardCaseError> {
     })
 }
 
-/// Photons of a block that stands for a larger one.
+/// The number of photons in a block that stands for a larger one.
 const REPEATED: usize = 1 << 10;
 
-/// The sums of the photons of a block over and over, `count` in all: the count matters, not the
-/// memory.
+/// The sums of a block's photons, repeated to `count` in all: the count matters and not the memory.
 fn repeated(
     format: &PhotonFormat,
     query: &LocalQuery,
@@ -178,7 +177,7 @@ fn repeated(
     Ok(LocalGather::new(format)?.gather(query, blocks)?)
 }
 
-/// The sums of one of the map's photons, all alike.
+/// The sums of one of the map's photons, which are all equal.
 fn one(quantised: &FormatMap<'_>) -> Result<LocalSums, HardCaseError> {
     let gather = LocalGather::new(quantised.format())?;
     let blocks = quantised.blocks(MIDDLE, NORMAL).map(|mut block| {
@@ -188,7 +187,7 @@ fn one(quantised: &FormatMap<'_>) -> Result<LocalSums, HardCaseError> {
     Ok(gather.gather(&quantised.query(MIDDLE), blocks)?)
 }
 
-/// Photons over 1e6:1, the first `from` moved to the end, and the others reversed.
+/// Photons of powers over 1e6:1, with the first `from` moved to the end and the others reversed.
 fn ordered(grid: &Grid, from: usize) -> Result<Setting, HardCaseError> {
     let mut list = photons(5_000, 21);
     let queries = list.iter().step_by(61).map(|p| p.position).collect();

@@ -1,11 +1,10 @@
-//! The hard cases: inputs at which some arithmetic for photon gathers is known to fail, each with
-//! what a photon format makes of it, the bound on that, and what the arithmetic that fails makes of
-//! the very same input.
+//! The hard cases: inputs at which some arithmetic for photon gathers is known to fail. Each has the result
+//! of a photon format, the bound on this result, and the result of the failing arithmetic on the same input.
 //!
-//! That last number, the *contrast*, must be bad: a case that a naive arithmetic would pass proves
-//! nothing. A case that looked at nothing fails too.
+//! The last figure, the *contrast*, must be bad: a case that a naive arithmetic passes proves nothing. A case
+//! that has examined nothing fails too.
 //!
-//! Every case also gives [`Setting`]s, which a testbench turns into the words of a machine.
+//! Every case also makes [`Setting`]s, which a testbench turns into the words of a machine.
 
 mod boundary;
 mod case;

@@ -1,25 +1,25 @@
-//! Arithmetic that is known to fail, for contrast.
+//! Arithmetic that is known to fail, for the contrasts.
 
 use glam::DVec3;
 
-/// d^2 <= r^2 in f64.
+/// The decision d^2 <= r^2 in f64.
 pub(super) fn in_range_f64(a: DVec3, b: DVec3, radius: f64) -> bool {
     a.distance_squared(b) <= radius * radius
 }
 
-/// d^2 <= r^2 in f32, positions too.
+/// The decision d^2 <= r^2 in f32, with f32 positions.
 pub(super) fn in_range_f32(a: DVec3, b: DVec3, radius: f64) -> bool {
     a.as_vec3().distance_squared(b.as_vec3()) <= radius as f32 * radius as f32
 }
 
-/// A place of the unit room in steps of 2^-bits of the whole scene; the last step holds 1.
+/// A position of the unit room in steps of 2^-bits of the whole scene; the last step includes 1.
 pub(super) fn absolute(position: DVec3, bits: u32) -> [u32; 3] {
     let steps = 1_u32 << bits;
     let index = position * f64::from(steps);
     index.to_array().map(|c| (c as u32).min(steps - 1))
 }
 
-/// d^2 <= r^2 in steps of the whole scene, exact in their integers.
+/// The decision d^2 <= r^2 in steps of the whole scene, exact in their integers.
 pub(super) fn in_range_absolute(a: DVec3, b: DVec3, radius: f64, bits: u32) -> bool {
     let (a, b) = (absolute(a, bits), absolute(b, bits));
     let distance_sq: u64 = (0..3).map(|i| u64::from(a[i].abs_diff(b[i])).pow(2)).sum();
@@ -27,7 +27,7 @@ pub(super) fn in_range_absolute(a: DVec3, b: DVec3, radius: f64, bits: u32) -> b
     distance_sq as f64 <= steps * steps
 }
 
-/// The same with 16-bit steps in sums of 32 bits that wrap.
+/// The decision d^2 <= r^2 in 16-bit steps of the whole scene, with sums of 32 bits that wrap.
 pub(super) fn in_range_wrapping_32(a: DVec3, b: DVec3, radius: f64) -> bool {
     let (a, b) = (absolute(a, 16), absolute(b, 16));
     let square = |axis: usize| a[axis].abs_diff(b[axis]).wrapping_pow(2);
@@ -36,7 +36,8 @@ pub(super) fn in_range_wrapping_32(a: DVec3, b: DVec3, radius: f64) -> bool {
     distance_sq <= steps.wrapping_pow(2)
 }
 
-/// The same with differences of 16 bits, which wrap where they should have a sign of their own.
+/// The decision d^2 <= r^2 in 16-bit steps of the whole scene, with differences of 16 bits, which wrap where
+/// they need a sign bit.
 pub(super) fn in_range_wrapping_16(a: DVec3, b: DVec3, radius: f64) -> bool {
     let (a, b) = (absolute(a, 16), absolute(b, 16));
     let square = |axis: usize| {
@@ -47,7 +48,7 @@ pub(super) fn in_range_wrapping_16(a: DVec3, b: DVec3, radius: f64) -> bool {
     (square(0) + square(1) + square(2)) as f64 <= steps * steps
 }
 
-/// One after the other in f32.
+/// The sequential sum in f32.
 pub(super) fn sum_f32(values: impl Iterator<Item = f64>) -> f32 {
     values.fold(0.0, |sum, value| sum + value as f32)
 }

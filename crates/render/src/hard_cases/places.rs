@@ -1,4 +1,4 @@
-//! Borders of blocks and of the scene, and radii as large as they.
+//! Hard cases: borders of blocks and of the scene, and radii as large as these.
 
 use glam::DVec3;
 use photoncube_spec::PhotonFormat;
@@ -72,7 +72,7 @@ pub(super) const RADIUS_OVER_SCENE: HardCase = HardCase {
     ..EXACTLY_ONE
 };
 
-/// One photon at a time, at blocks' borders and a float to either side, and in the scene's corners.
+/// Single photons at blocks' borders, one float to either side of them, and in the scene's corners.
 fn borders(grid: &Grid) -> Result<Vec<Setting>, HardCaseError> {
     let edge = grid.edge(RADIUS);
     let near = |at: f64| [at.next_down(), at, at.next_up(), at - 1e-18];
@@ -102,7 +102,7 @@ fn exactly_one(format: &PhotonFormat) -> Result<Outcome, HardCaseError> {
     Ok(Outcome::wrong(wrong, carried, looked_at))
 }
 
-/// Whether a fraction rounded to nearest loses its carry.
+/// Whether a fraction that is rounded to nearest loses its carry.
 fn is_carried(map: &PhotonMap, position: DVec3, bits: u32) -> bool {
     let (_, fraction) = map.place(position);
     let fraction = fraction.x * f64::from(1_u32 << bits);
@@ -155,13 +155,13 @@ fn at_the_edge(grid: &Grid) -> Result<Vec<Setting>, HardCaseError> {
     settings.collect()
 }
 
-/// Borders of blocks of exactly the radius, and floats below them.
+/// The borders of blocks of exactly the radius, and the floats below them.
 fn below_borders() -> impl Iterator<Item = f64> {
     let borders = (1..8).map(|block| (f64::from(block) + 0.5) * RADIUS);
     borders.flat_map(|at| [at, at.next_down(), at.next_down().next_down(), at.next_up()])
 }
 
-/// A photon that far on each side of each axis.
+/// A photon at that distance on each side of each axis.
 fn around(query: DVec3, distance: f64) -> Vec<Photon> {
     let axes = DVec3::AXES.into_iter();
     let sides = axes.flat_map(|axis| [query + distance * axis, query - distance * axis]);
@@ -181,8 +181,8 @@ fn radius_is_edge(format: &PhotonFormat) -> Result<Outcome, HardCaseError> {
     })
 }
 
-/// Of the photons with d <= r in f64, and d a few floats from r, those in no block around the query,
-/// in per cent.
+/// The percentage of photons in no block around the query, among those with d <= r in f64 and d a few floats
+/// from r.
 fn lost_by_blocks_of_the_radius() -> Result<f64, HardCaseError> {
     let scene = Room::UNIT.scene()?;
     let (mut lost, mut in_range) = (0, 0);
@@ -199,7 +199,7 @@ fn lost_by_blocks_of_the_radius() -> Result<f64, HardCaseError> {
     Ok(percent(lost as u64, in_range as u64))
 }
 
-/// The radius over the scene's size.
+/// The radius as a multiple of the scene's size.
 const LARGE_RADIUS: f64 = 20.0;
 
 fn large_radius(grid: &Grid) -> Result<Setting, HardCaseError> {

@@ -1,4 +1,4 @@
-//! Powers far apart, alone, and absent.
+//! Hard cases: powers of wide range, single powers, and absent powers.
 
 use glam::DVec3;
 use photoncube_spec::{Exponent, PhotonFormat, Rounding};
@@ -77,13 +77,13 @@ pub(super) const ROUNDING: HardCase = HardCase {
         what: "% of a step by truncation",
         at_least: 10.0,
     },
-    // Fewer bits of an exponent's mantissa do not divide what is drawn into whole steps.
+    // A mantissa of fewer bits with an exponent does not divide the drawn powers into whole steps.
     applies: |format| format.power.mantissa_bits >= 4 || format.power.exponent == Exponent::None,
     settings: |grid| Ok(vec![many(grid)?]),
     measure: rounding,
 };
 
-/// What a power may be off by: half a step, a whole one if dithered.
+/// The largest error of a power: half a step, or a whole step with dithering.
 fn allowed(format: &PhotonFormat, largest_of_scale: f64, largest_of_map: f64) -> f64 {
     let full = full(format);
     let unit = largest_of_map / full / power_of_two(format.power.exponent_range() as u8);
@@ -102,7 +102,7 @@ fn full(format: &PhotonFormat) -> f64 {
     f64::from((1_u32 << format.power.mantissa_bits) - 1)
 }
 
-/// The largest error of a photon, by what is allowed; `scale_of` is the power that its exponent
+/// The largest error of a photon over the allowed error. `scale_of` is the power that a photon's exponent
 /// follows where photons have none of their own.
 fn worst_error(
     setting: &Setting,
@@ -168,7 +168,7 @@ fn one(format: &PhotonFormat) -> Result<Outcome, HardCaseError> {
     })
 }
 
-/// A thousand photons at one place, from 1 down to 1e-6.
+/// A thousand photons at one place, with powers from 1 down to 1e-6.
 fn wide(grid: &Grid) -> Result<Setting, HardCaseError> {
     let power = |k: usize| 10_f64.powf(-6.0 * k as f64 / 1_000.0) * COLOUR;
     let count = grid.at_most(1_001);
@@ -190,7 +190,7 @@ fn one_block(format: &PhotonFormat) -> Result<Outcome, HardCaseError> {
     })
 }
 
-/// A bright block, and at the room's other end one of a millionth of its power.
+/// A bright block, and at the room's other end a block of a millionth of its power.
 fn two_blocks(grid: &Grid) -> Result<Setting, HardCaseError> {
     let of = |at: f64, power: f64| {
         (0..10).map(move |k| photon(DVec3::splat(at), power * f64::from(10 - k) / 10.0 * COLOUR))
@@ -222,7 +222,7 @@ fn across_blocks(format: &PhotonFormat) -> Result<Outcome, HardCaseError> {
     })
 }
 
-/// Photons of powers from 0 up to the largest, which is one of them: whole steps of a linear scale.
+/// Photons of powers from 0 up to the largest, which is among them, in whole steps of a linear scale.
 fn many(grid: &Grid) -> Result<Setting, HardCaseError> {
     let pairs = points(20_000, 51).zip(points(20_000, 52));
     let photons = pairs.map(|(at, p)| photon(at, p.x * COLOUR));

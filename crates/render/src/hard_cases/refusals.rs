@@ -1,4 +1,4 @@
-//! What cannot be represented is refused, with the limit and by how much it is passed.
+//! Hard cases: values that cannot be represented are refused, with the limit and the excess.
 
 use glam::DVec3;
 use photoncube_model::LocalGather;
@@ -53,7 +53,7 @@ pub(super) const PHOTONS: HardCase = HardCase {
     ..VALUES
 };
 
-/// One word past its limit: what is given, and what its limit is.
+/// A word past its limit, with the limit.
 struct Past {
     record: PhotonRecord,
     offset: [u32; 3],
@@ -63,7 +63,7 @@ struct Past {
     largest: u32,
 }
 
-/// Values of `over` past each limit of a format.
+/// Values that exceed each limit of a format by `over`.
 fn past(format: &PhotonFormat, over: u32) -> Vec<Past> {
     let widths = FormatWidths::of(format);
     let ones = |bits: u32| u32::MAX >> (u32::BITS - bits);
@@ -88,7 +88,7 @@ fn past(format: &PhotonFormat, over: u32) -> Vec<Past> {
         one.offset[axis] = one.value;
         all.push(one);
     }
-    // A mantissa of 16 bits fills its word.
+    // A mantissa of 16 bits fills its word, so it has no value past the limit.
     for channel in (0..format.power.channels.names().len()).filter(|_| widths.mantissa < 16) {
         let mut one = good(ones(widths.mantissa) + over, ones(widths.mantissa));
         one.record.mantissa[channel] = one.value as u16;
@@ -165,7 +165,7 @@ fn counts(format: &PhotonFormat) -> Result<Outcome, HardCaseError> {
     })
 }
 
-/// What no map is made of: photons, radius, and what the refusal must say.
+/// Inputs that no map is made of: a photon, a radius, and the text that the refusal must contain.
 fn impossible() -> Vec<(Photon, f64, &'static str)> {
     let at = |position| photon(position, COLOUR);
     let lit = |power| photon(MIDDLE, power);
@@ -224,7 +224,7 @@ fn maps(_: &PhotonFormat) -> Result<Outcome, HardCaseError> {
         let place = photon.position;
         if place.is_finite() && !(place.cmpge(DVec3::ZERO) & place.cmple(DVec3::ONE)).all() {
             outside += 1;
-            // A fraction is what is left of a coordinate whose upper bits are cut off.
+            // Only the fraction is left of a coordinate whose upper bits are cut off.
             let cut = absolute(place - place.floor(), 16);
             wrapped += u64::from(cut.iter().all(|c| *c < 1 << 16));
         }

@@ -1,4 +1,4 @@
-//! A room with photons anywhere in it, placed and scaled at will.
+//! A room with photons anywhere in it, which the cases place and scale.
 
 use glam::DVec3;
 use rand::{RngExt, SeedableRng};
@@ -12,7 +12,7 @@ use crate::photon_map::PhotonMap;
 use crate::scene::Scene;
 use crate::trace::Photon;
 
-/// Faces up; all photons say that they lie on the floor, wherever they are.
+/// The upward normal. All photons count as lying on the floor, wherever they are.
 pub(super) const NORMAL: DVec3 = DVec3::Y;
 
 /// The room's middle.
@@ -21,31 +21,31 @@ pub(super) const MIDDLE: DVec3 = DVec3::splat(0.5);
 /// The search radius of most cases: about ten blocks in the unit room.
 pub(super) const RADIUS: f64 = 0.1;
 
-/// The powers of photons that a format of one channel must hold too: all of this colour.
+/// The colour of all photons, so that a format of one channel represents them too.
 pub(super) const COLOUR: DVec3 = DVec3::new(1.0, 0.5, 0.25);
 
 /// A cube with a floor and a light above it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Room {
-    /// Its lowest corner.
+    /// The lowest corner of the room.
     pub low: DVec3,
-    /// Its edge.
+    /// The length of the room's edge.
     pub size: f64,
 }
 
 impl Room {
-    /// From 0 to 1.
+    /// The room from 0 to 1 on each axis.
     pub const UNIT: Self = Self {
         low: DVec3::ZERO,
         size: 1.0,
     };
 
-    /// A place of the unit room in this one.
+    /// The position in this room of a position in the unit room.
     pub fn place(self, position: DVec3) -> DVec3 {
         position * self.size + self.low
     }
 
-    /// The map of the unit room's photons, in this one, with blocks as `grid` has them.
+    /// The map of the unit room's photons, placed in this room, with the blocks of `grid`.
     pub fn map(
         self,
         grid: &Grid,
@@ -60,7 +60,7 @@ impl Room {
         Ok(PhotonMap::with_edge(&self.scene()?, photons, radius, edge)?)
     }
 
-    /// The room itself: surface 0 is the floor.
+    /// The scene of the room; surface 0 is the floor.
     pub fn scene(self) -> Result<Scene, HardCaseError> {
         let corner = |x, y, z| self.place(DVec3::new(x, y, z)).to_array();
         let quad = |y, normal: f64, [a, b]: [f64; 2]| {
@@ -100,7 +100,7 @@ pub(super) fn photon(position: DVec3, power: DVec3) -> Photon {
     }
 }
 
-/// Points of the unit cube, on a lattice of 2^-30 that sums with 1e6 do not round.
+/// Points of the unit cube, on a lattice of 2^-30, so that sums with 1e6 are exact.
 pub(super) fn points(count: usize, seed: u64) -> impl Iterator<Item = DVec3> {
     let mut rng = Pcg64Mcg::seed_from_u64(seed);
     let lattice = f64::from(1 << 30);
@@ -109,7 +109,7 @@ pub(super) fn points(count: usize, seed: u64) -> impl Iterator<Item = DVec3> {
     (0..count).map(move |_| point())
 }
 
-/// Photons in the unit cube, with powers over 1e6:1, all of one colour.
+/// Photons in the unit cube, of powers over 1e6:1 and of one colour.
 pub(super) fn photons(count: usize, seed: u64) -> Vec<Photon> {
     let powers = points(count, !seed).map(|p| 10_f64.powf(-6.0 * p.x) * COLOUR);
     let pairs = points(count, seed).zip(powers);

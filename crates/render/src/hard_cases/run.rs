@@ -1,4 +1,4 @@
-//! Runs a case in formats, and keeps the worst.
+//! Runs a case in several formats and keeps the worst outcome.
 
 use photoncube_spec::{MACHINES, Machine, PHOTON_FORMATS, PhotonFormat, find_photon_format};
 use rayon::prelude::*;
@@ -6,14 +6,14 @@ use serde::Serialize;
 
 use super::case::{HardCase, HardCaseError, Outcome};
 
-/// One of one channel and one that is dithered: no listed format is either.
+/// Two formats of kinds that no listed format has: one channel, and dithered.
 const UNLISTED: [&str; 2] = ["local7x1-mono8e3", "local8-rgb8e5d"];
 
-/// The formats that the cases run in: those that are listed, those of the machines, one of one channel,
-/// one dithered.
+/// The formats that the cases run in: the listed ones, those of the machines, one with one channel, one with
+/// dithering.
 ///
 /// # Panics
-/// Never: the names are of legal formats, as a test holds.
+/// Never: the names are those of legal formats, as a test shows.
 #[must_use]
 pub fn hard_case_formats() -> Vec<PhotonFormat> {
     let unlisted = UNLISTED.map(|name| find_photon_format(name).expect("a legal format"));
@@ -27,44 +27,44 @@ pub fn hard_case_formats() -> Vec<PhotonFormat> {
     formats
 }
 
-/// A case's row: the worst of its formats.
+/// The report of a case: the worst of its formats.
 #[derive(Debug, Clone, Serialize)]
 pub struct HardCaseReport {
-    /// The case.
+    /// The name of the case.
     pub case: &'static str,
-    /// What could break.
+    /// The failure that the case provokes.
     pub breaks: &'static str,
-    /// What the result is of, as it reads after the number.
+    /// The unit of the result, as it reads after the number.
     pub measures: &'static str,
     /// The worst result.
     pub result: f64,
-    /// The format that it is of.
+    /// The format of the worst result.
     pub worst_format: String,
-    /// What it must be.
+    /// The bound of the result.
     pub bound: String,
-    /// Why that.
+    /// The reason for the bound.
     pub why: &'static str,
-    /// What the contrast is of, likewise.
+    /// The unit of the contrast, as it reads after the number.
     pub contrast_of: &'static str,
     /// The worst contrast.
     pub contrast: f64,
-    /// How bad it must at least be.
+    /// The least contrast at which the case counts as hard.
     pub contrast_at_least: f64,
-    /// Formats that it ran in.
+    /// The number of formats that the case ran in.
     pub formats_run: usize,
-    /// What was looked at, over all formats.
+    /// The number of decisions, photons or sums examined, over all formats.
     pub looked_at: u64,
-    /// The result is within its bound, in every format.
+    /// Whether the result satisfies its bound in every format.
     pub holds: bool,
-    /// The contrast is bad enough, in one format at least.
+    /// Whether the contrast is bad enough in at least one format.
     pub is_hard: bool,
-    /// What ended it without a result, in the first format that did.
+    /// The error that ended the case without a result, in the first such format.
     pub refusal: Option<String>,
 }
 
-/// Runs a case in those of the formats that it says something about; `None` if it does about none.
+/// Runs a case in the formats that it applies to; `None` if it applies to none.
 ///
-/// Whatever goes wrong in a case is a row that does not hold.
+/// Every error in a case gives a row that does not hold.
 #[must_use]
 pub fn run_hard_case(case: &HardCase, formats: &[PhotonFormat]) -> Option<HardCaseReport> {
     let formats: Vec<_> = formats
@@ -122,7 +122,7 @@ fn empty(case: &HardCase) -> HardCaseReport {
 
 impl HardCaseReport {
     fn add(&mut self, case: &HardCase, format: &PhotonFormat, outcome: &Outcome) {
-        // A NaN is worse than any number.
+        // A NaN counts as worse than any number.
         let is_worse = self.formats_run == 0 || outcome.result > self.result;
         if is_worse || outcome.result.is_nan() {
             self.result = outcome.result;

@@ -1,4 +1,4 @@
-//! Photons with queries among them.
+//! A setting: photons with queries among them.
 
 use glam::DVec3;
 use photoncube_spec::{self as spec, LocalSums, Machine, PhotonFormat};
@@ -9,19 +9,19 @@ use crate::format_map::FormatMap;
 use crate::machine_map::MachineMap;
 use crate::photon_map::PhotonMap;
 
-/// A photon map and the places where it is asked.
+/// A photon map with query points.
 #[derive(Debug, Clone)]
 pub struct Setting {
     /// The photons, in blocks of the grid that the setting was made for.
     pub map: PhotonMap,
     /// Query points.
     pub queries: Vec<DVec3>,
-    /// Photons in range of each query, where the way they were placed says so; else empty.
+    /// The number of photons in range of each query, where it follows from their placement; else empty.
     pub counts: Vec<u64>,
 }
 
 impl Setting {
-    /// One whose counts nothing but a measurement knows.
+    /// A setting whose counts do not follow from the placement.
     pub(super) fn new(map: PhotonMap, queries: Vec<DVec3>) -> Self {
         Self {
             map,
@@ -30,7 +30,7 @@ impl Setting {
         }
     }
 
-    /// One query, of which the photons in range are known.
+    /// A setting of one query whose photons in range are known.
     pub(super) fn counted(map: PhotonMap, query: DVec3, count: u64) -> Self {
         Self {
             map,
@@ -46,7 +46,7 @@ impl Setting {
         Ok(sums.collect::<Result<_, _>>()?)
     }
 
-    /// Photons counted too much or too little by a format.
+    /// The number of photons that a format counts too much or too little.
     pub(super) fn miscounted(&self, format: &PhotonFormat) -> Result<u64, HardCaseError> {
         let sums = self.sums(format)?;
         let pairs = sums.iter().zip(&self.counts);
@@ -56,7 +56,7 @@ impl Setting {
     /// The queries with their photons as the words of a machine.
     ///
     /// # Errors
-    /// Numbers that do not fit.
+    /// The machine's numbers do not fit.
     pub fn workload(
         &self,
         machine: &Machine,

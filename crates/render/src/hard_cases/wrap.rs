@@ -1,7 +1,7 @@
-//! Squares and differences past the width of their word.
+//! Hard cases: squares and differences past the width of their word.
 //!
-//! In trials 16-bit coordinates with sums of 32 bits that wrap gave 6.4 false accepts for each true
-//! one. The share grows as 1/r: with r a hundredth of the scene there are fewer.
+//! In trials 16-bit coordinates with sums of 32 bits that wrap gave 6.4 false accepts for each true one. The
+//! share grows as 1/r: with r a hundredth of the scene there are fewer.
 
 use glam::DVec3;
 use photoncube_spec::{FormatWidths, PhotonFormat};
@@ -37,7 +37,7 @@ pub(super) const TRUNCATED: HardCase = HardCase {
         what: "false accepts for each true one where a difference is cut to its low bits",
         at_least: 1.0,
     },
-    // The same photons as above.
+    // The photons are those of the case above.
     settings: |_| Ok(Vec::new()),
     measure: truncated,
     ..OWN_WIDTH
@@ -88,7 +88,7 @@ fn cloud(grid: &Grid) -> Result<Vec<Setting>, HardCaseError> {
     let low = 3.5 * edge;
     let anywhere = points(2_000, 11).map(|p| photon(low + 3.0 * edge * p, COLOUR));
     let map = Room::UNIT.map(grid, anywhere.collect(), RADIUS)?;
-    // Two corners of the block, and places in it.
+    // Two corners of the block, and positions inside it.
     let ends = [DVec3::splat(1e-6), DVec3::splat(1.0 - 1e-6)];
     let places = ends.into_iter().chain(points(6, 12));
     let queries = places.map(|p| low + edge * (1.0 + p));
@@ -113,7 +113,7 @@ fn truncated(format: &PhotonFormat) -> Result<Outcome, HardCaseError> {
     })
 }
 
-/// The format and a naive squared distance against the exact one, over the frame.
+/// Compares the format and a naive squared distance with the exact one, over the frame.
 fn in_frame(format: &PhotonFormat, naive: impl Fn(&Met) -> u64) -> Result<Outcome, HardCaseError> {
     let (mut looked_at, mut wrong, mut truly, mut falsely) = (0, 0, 0, 0);
     for setting in cloud(&Grid::of_format(format))? {
@@ -133,7 +133,7 @@ fn in_frame(format: &PhotonFormat, naive: impl Fn(&Met) -> u64) -> Result<Outcom
     })
 }
 
-/// False accepts for each true one; without a true one there is nothing to compare with.
+/// The number of false accepts for each true one. Without a true one there is no figure.
 fn per_true(falsely: u64, truly: u64) -> f64 {
     match truly {
         0 => 0.0,
@@ -141,10 +141,10 @@ fn per_true(falsely: u64, truly: u64) -> f64 {
     }
 }
 
-/// The search radius of cases over the whole scene.
+/// The search radius of the cases over the whole scene.
 const SMALL_RADIUS: f64 = 0.01;
 
-/// Photons all over the room, the radius a hundredth of it.
+/// Photons all over the room, with a radius of a hundredth of it.
 fn scattered(grid: &Grid) -> Result<Setting, HardCaseError> {
     let photons = points(60_000, 13).map(|p| photon(p, COLOUR)).collect();
     let map = Room::UNIT.map(grid, photons, SMALL_RADIUS)?;
@@ -157,7 +157,7 @@ fn opposite(grid: &Grid) -> Result<Setting, HardCaseError> {
         |x: f64| move |p: DVec3| DVec3::new(x + 0.5 * SMALL_RADIUS * p.x, 0.1 * p.y, 0.1 * p.z);
     let high = 1.0 - 0.5 * SMALL_RADIUS;
     let far = points(2_000, 15).map(beside(high));
-    // A few beside the queries, so that these have any.
+    // A few photons are beside the queries, so that each query has some.
     let near = points(200, 16).map(beside(0.0));
     let photons = far.chain(near).map(|p| photon(p, COLOUR)).collect();
     let map = Room::UNIT.map(grid, photons, SMALL_RADIUS)?;
@@ -167,8 +167,7 @@ fn opposite(grid: &Grid) -> Result<Setting, HardCaseError> {
 
 type InRange = fn(DVec3, DVec3, f64) -> bool;
 
-/// Every photon of the scene against every query: those that the format takes and those that
-/// `naive` takes.
+/// Tests every photon of the scene against every query: by the format and by `naive`.
 fn scene_wide(
     format: &PhotonFormat,
     setting: Setting,

@@ -1,4 +1,4 @@
-//! Errors as colours, with a legend that says what they mean.
+//! Draws errors as colours, with a legend.
 
 use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;
@@ -6,23 +6,24 @@ use glam::DVec3;
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder};
 
-/// The smallest error that has a colour of its own, and the largest.
+/// The smallest and the largest error with a colour of their own.
 const SCALE: [f64; 2] = [1e-3, 1.0];
-/// Errors that the legend names, on a logarithmic scale.
+/// The errors that the legend names, on a logarithmic scale.
 const NAMED: [f64; 7] = [0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 1.0];
-/// Of what is left out.
+/// The colour of pixels that are left out.
 const LEFT_OUT: [u8; 3] = [128, 128, 128];
-/// The picture's longer side in the map, at least (pixels of the page).
+/// The least length of the picture's longer side in the map, in pixels of the page.
 const SIDE: u32 = 512;
 const MARGIN: u32 = 16;
 const TITLE: u32 = 28;
 const BAR: u32 = 20;
 const LABELS: u32 = 110;
 
-/// A picture of relative errors, row by row, `width` in a row: an SVG page with a title and a legend, colours of the inferno
-/// palette by the error's logarithm, from 0.1 % to 100 %. What is none (an error that is left out) is grey.
+/// Draws a picture of relative errors, row by row, `width` in a row. The result is an SVG page with title and
+/// legend, in colours of the inferno palette by the error's logarithm, from 0.1 % to 100 %. A pixel without
+/// an error, which is left out, is grey.
 ///
-/// An empty or ragged picture has whole rows only, and may have none.
+/// Of a ragged picture only whole rows are drawn; an empty picture has none.
 #[must_use]
 pub fn error_map(title: &str, width: u32, errors: &[Option<f64>]) -> String {
     let height = errors.len() as u32 / width.max(1);
@@ -51,8 +52,8 @@ pub fn error_map(title: &str, width: u32, errors: &[Option<f64>]) -> String {
     svg + "</svg>\n"
 }
 
-/// Relative errors of the luminance, |a - b| over sqrt(b^2 + 1e-4) as in relMSE; none where the mask leaves a pixel out. As
-/// many as the shortest of the three.
+/// The relative errors of the luminance, |a - b| over sqrt(b^2 + 1e-4) as in relMSE; `None` where the mask
+/// leaves a pixel out. The result is as long as the shortest of the three.
 #[must_use]
 pub fn relative_errors(image: &[DVec3], reference: &[DVec3], mask: &[bool]) -> Vec<Option<f64>> {
     let pairs = image.iter().zip(reference).zip(mask);
@@ -63,10 +64,10 @@ pub fn relative_errors(image: &[DVec3], reference: &[DVec3], mask: &[bool]) -> V
     pairs.map(error).collect()
 }
 
-/// Where an error is on the scale, 0 to 1.
+/// The position of an error on the scale, 0 to 1.
 fn place(error: f64) -> f64 {
     let [low, high] = SCALE.map(f64::ln);
-    // A NaN is as bad as it gets.
+    // A NaN counts as the largest error.
     match error.is_nan() {
         true => 1.0,
         false => ((error.ln() - low) / (high - low)).clamp(0.0, 1.0),
@@ -78,7 +79,7 @@ fn colour(error: f64) -> [u8; 3] {
 }
 
 fn legend(left: u32, height: u32, left_out: bool) -> String {
-    /// Strips of the bar: finer than an eye sees.
+    /// The number of strips of the legend's bar, finer than an eye sees.
     const STRIPS: u32 = 64;
     let [low, high] = SCALE;
     let y_of = |place: f64| f64::from(TITLE) + (1.0 - place) * f64::from(height - 40);

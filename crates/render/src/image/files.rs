@@ -1,4 +1,4 @@
-//! Images in files: PNG to look at, OpenEXR to compute with.
+//! Image files: PNG for viewing, OpenEXR for computing.
 
 use std::io::Cursor;
 use std::path::Path;
@@ -10,7 +10,7 @@ use image::{DynamicImage, ExtendedColorType, ImageDecoder, ImageEncoder};
 
 use super::{Image, ImageError, MAX_PIXELS};
 
-/// What the name of a picture's file may end in.
+/// The legal endings of the name of a picture's file.
 pub const IMAGE_ENDINGS: [&str; 2] = [".png", ".exr"];
 
 #[derive(Clone, Copy)]
@@ -53,14 +53,14 @@ pub(super) fn encode(image: &Image, path: &Path, exposure: f64) -> Result<Vec<u8
     Ok(bytes.into_inner())
 }
 
-/// Three numbers a pixel, in this machine's order of bytes.
+/// Three numbers for each pixel, in native byte order.
 fn f32_bytes(image: &Image) -> Vec<u8> {
     let channels = image.pixels.iter().flat_map(|pixel| pixel.to_array());
     channels.flat_map(|c| (c as f32).to_ne_bytes()).collect()
 }
 
-/// No file has more pixels: of OpenEXR's compressions deflate shrinks most, at most 1032 times, and a pixel is
-/// three numbers of two bytes at least.
+/// The most pixels for each byte of a file. Of OpenEXR's compressions deflate shrinks most, at most 1032
+/// times, and a pixel has at least three numbers of two bytes.
 const PIXELS_A_BYTE: u64 = 1032 / 6;
 
 pub(super) fn read_exr(path: &Path) -> Result<Image, ImageError> {
@@ -72,7 +72,7 @@ pub(super) fn read_exr(path: &Path) -> Result<Image, ImageError> {
     let length = bytes.len() as u64;
     let decoder = OpenExrDecoder::new(Cursor::new(bytes));
     let decoder = decoder.map_err(|e| error(e.to_string()))?;
-    // The decoder takes memory for as many pixels as the file says that it has.
+    // The decoder allocates memory for as many pixels as the header states.
     let (width, height) = decoder.dimensions();
     let most = MAX_PIXELS.min(length * PIXELS_A_BYTE);
     if u64::from(width) * u64::from(height) > most {
@@ -147,7 +147,7 @@ mod tests {
         write(&two_pixels(f64::NAN), &at("nan.exr"));
         let error = Image::read_exr(&at("nan.exr")).unwrap_err();
         assert!(error.to_string().contains("not finite"), "{error}");
-        // A header may say anything: here that there are 2^20 pixels, in tiles of 64.
+        // A header may state anything: here 2^20 pixels, in tiles of 64.
         write(&two_pixels(0.0), &at("huge.exr"));
         let mut bytes = std::fs::read(at("huge.exr")).unwrap();
         for (name, offset, value) in [
@@ -156,7 +156,7 @@ mod tests {
             (b"displayWindow\0box2i\0", 8, (1 << 20) - 1),
         ] {
             let start = bytes.windows(name.len()).position(|bytes| bytes == name);
-            // The attribute's size stands before its value.
+            // The size of the attribute comes before its value.
             let place = start.unwrap() + name.len() + 4 + offset;
             bytes[place..place + 4].copy_from_slice(&value.to_le_bytes());
         }

@@ -1,4 +1,4 @@
-//! Stage 6: the image, in linear light until it is written.
+//! Stage 6: the image, which is linear until it is written.
 
 mod error_map;
 mod files;
@@ -11,27 +11,27 @@ use thiserror::Error;
 pub use self::error_map::{error_map, relative_errors};
 pub use self::files::IMAGE_ENDINGS;
 
-/// The most pixels of a picture that is read or rendered: what bounds memory. A pixel takes 190 bytes at the peak of
-/// [`crate::Progressive`] and 60 elsewhere (measured with 4 million), so this many take 13 GB.
+/// The most pixels of a picture that is read or rendered, which bounds memory. A pixel takes 190 bytes at the
+/// peak of [`crate::Progressive`] and 60 elsewhere (measured with 4 million), so this many take 13 GB.
 pub const MAX_PIXELS: u64 = 1 << 26;
 
-/// Why an image could not be made or written.
+/// The reason why an image could not be made, read or written.
 #[derive(Debug, Error)]
 pub enum ImageError {
-    /// The pixels do not fill the image.
+    /// The number of pixels is not that of the image.
     #[error("image of {width}x{height}: found {found} pixels, expected {}", u64::from(*width) * u64::from(*height))]
     Pixels {
-        /// Pixels in a row.
+        /// The number of pixels in a row.
         width: u32,
-        /// Rows.
+        /// The number of rows.
         height: u32,
-        /// Pixels given.
+        /// The number of pixels given.
         found: usize,
     },
-    /// The name says no format that is known.
+    /// The ending of the file name is that of no known format.
     #[error("{}: found a name that ends in `{found}`, expected one of {}", path.display(), IMAGE_ENDINGS.join(", "))]
     Ending {
-        /// The file.
+        /// The path of the file.
         path: PathBuf,
         /// The ending, without its point.
         found: String,
@@ -39,17 +39,17 @@ pub enum ImageError {
     /// The file could not be read.
     #[error("{}: {message}; expected an OpenEXR picture with red, green and blue", path.display())]
     Read {
-        /// The file.
+        /// The path of the file.
         path: PathBuf,
-        /// What the system or the decoder said.
+        /// The message of the system or of the decoder.
         message: String,
     },
-    /// The picture could not be put into that format.
+    /// The picture could not be encoded in that format.
     #[error("{}: {message}", path.display())]
     Encode {
-        /// The file.
+        /// The path of the file.
         path: PathBuf,
-        /// What the encoder said.
+        /// The message of the encoder.
         message: String,
     },
 }
@@ -84,13 +84,13 @@ impl Image {
         Self { width, pixels }
     }
 
-    /// Pixels in a row.
+    /// The number of pixels in a row.
     #[must_use]
     pub fn width(&self) -> u32 {
         self.width
     }
 
-    /// Rows of pixels.
+    /// The number of rows of pixels.
     #[must_use]
     pub fn height(&self) -> u32 {
         (self.pixels.len() / self.width as usize) as u32
@@ -102,22 +102,23 @@ impl Image {
         &self.pixels
     }
 
-    /// The image as 8-bit sRGB, three bytes a pixel: radiance times `exposure`, cut at 1, by
-    /// the transfer curve of IEC 61966-2-1, rounded to nearest. NaN becomes black.
+    /// The image as 8-bit sRGB, three bytes a pixel: radiance times `exposure`, clamped at 1, by the transfer
+    /// curve of IEC 61966-2-1, rounded to nearest. NaN becomes black.
     #[must_use]
     pub fn to_srgb8(&self, exposure: f64) -> Vec<u8> {
         let channels = self
             .pixels
             .iter()
             .flat_map(|pixel| (*pixel * exposure).to_array());
-        // `as` saturates and takes a NaN for 0.
+        // `as` saturates and converts NaN to 0.
         channels
             .map(|c| (255.0 * srgb(c.clamp(0.0, 1.0))).round() as u8)
             .collect()
     }
 
-    /// The bytes of a file in the format that the name ends in: `.png`, 8 bits of sRGB with the tone mapping of
-    /// [`Self::to_srgb8`], or `.exr`, OpenEXR with three channels of f32, linear, without `exposure`.
+    /// The bytes of a file in the format that the name's ending selects: `.png`, 8 bits of sRGB with the tone
+    /// mapping of [`Self::to_srgb8`], or `.exr`, OpenEXR with three linear channels of f32, without
+    /// `exposure`.
     ///
     /// # Errors
     /// [`ImageError::Ending`] or [`ImageError::Encode`], with the path.
@@ -125,7 +126,8 @@ impl Image {
         files::encode(self, path, exposure)
     }
 
-    /// Reads an OpenEXR file as [`Self::encode`] makes it: the first layer's red, green and blue, as they are.
+    /// Reads an OpenEXR file as [`Self::encode`] writes it: the red, green and blue of the first layer,
+    /// unchanged.
     ///
     /// # Errors
     /// [`ImageError::Read`] with the path.

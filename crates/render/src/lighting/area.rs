@@ -1,4 +1,4 @@
-//! How much of the flat fronts a search sphere cuts out.
+//! Computes the area of the flat fronts that a search sphere contains.
 
 use glam::{DVec2, DVec3};
 
@@ -6,7 +6,8 @@ use crate::geometry::{Geometry, Quad};
 use crate::photon_map::PhotonMap;
 use crate::scene::Scene;
 
-/// How far from a front, as a part of the radius, a query point may lie that is on it: positions are rounded.
+/// The largest distance from a front, as a fraction of the radius, of a query point on it; positions are
+/// rounded.
 const ON_FRONT: f64 = 1e-6;
 
 /// The flat fronts of a scene that store photons.
@@ -26,9 +27,9 @@ impl Fronts {
         }
     }
 
-    /// The disc's area over that which the search sphere of `radius` cuts out of the fronts whose photons a query
-    /// at `position` gathers, by the rule of [`PhotonMap`]; from 1 up, where only one front is near. 1 where the
-    /// query is on none of them, since it is then on a curved surface.
+    /// The area of the disc over the area, inside the search sphere of `radius`, of the fronts whose photons
+    /// a query at `position` gathers, by the rule of [`PhotonMap`]. The ratio is at least 1 where only one
+    /// front is near. It is 1 where the query is on none of the fronts, since it is then on a curved surface.
     pub fn disc_over_covered(&self, position: DVec3, normal: DVec3, radius: f64) -> f64 {
         let (mut covered, mut on_front) = (0.0, false);
         for quad in &self.quads {
@@ -45,7 +46,8 @@ impl Fronts {
     }
 }
 
-/// How far the plane of `quad` is from `centre`, and the area of `quad` in the sphere of `radius` around it.
+/// The distance of the plane of `quad` from `centre`, and the area of `quad` in the sphere of `radius` around
+/// `centre`.
 fn cut(quad: &Quad, centre: DVec3, radius: f64) -> (f64, f64) {
     let corners = quad.corners();
     let height = quad.normal().dot(centre - corners[0]);
@@ -62,8 +64,8 @@ fn cut(quad: &Quad, centre: DVec3, radius: f64) -> (f64, f64) {
     (height.abs(), edges.sum::<f64>().abs())
 }
 
-/// The signed area between the origin and the edge from `a` to `b`, as far as it is in the disc of squared radius
-/// `disc_sq`: that of the sector before the edge enters the disc, of the triangle inside, of the sector behind.
+/// The signed area between the origin and the edge from `a` to `b`, inside the disc of squared radius
+/// `disc_sq`: the sector before the edge enters the disc, the triangle inside, and the sector behind.
 fn edge_area(a: DVec2, b: DVec2, disc_sq: f64) -> f64 {
     let sector = |from: DVec2, to: DVec2| 0.5 * disc_sq * from.angle_to(to);
     let way = b - a;
@@ -106,13 +108,13 @@ mod tests {
         near(area(0.0, 0.0, 0.0, 0.25), PI * 0.0625 / 4.0);
         near(area(1.0, 0.0, 0.5, 10.0), 2.0);
         near(area(5.0, 0.0, 0.5, 0.25), 0.0);
-        // Off the plane the sphere cuts out a smaller disc, and none at all.
+        // Off the plane the sphere contains a smaller disc, or none.
         near(area(1.0, 0.15, 0.5, 0.25), PI * 0.04);
         near(area(1.0, 0.3, 0.5, 0.25), 0.0);
     }
 
     proptest! {
-        /// Against a fine grid of cells of which each counts by its middle.
+        /// Compares the area with a fine grid of cells, each of which counts by its middle.
         #[test]
         fn areas_are_those_of_counted_cells(x in -0.5..2.5f64, z in -0.5..1.5f64, radius in 0.1..1.5f64) {
             const CELLS: u32 = 400;
@@ -138,7 +140,7 @@ mod tests {
         // 1e-5: the reference's single-precision corners.
         assert!((factor(-0.8) - 1.0).abs() < 1e-5);
         assert!((factor(-1.0) - 2.0).abs() < 1e-3, "{}", factor(-1.0));
-        // On no front: as on a curved surface.
+        // The point is on no front, as on a curved surface, so the factor is 1.
         assert_eq!(fronts.disc_over_covered(DVec3::ZERO, DVec3::Y, 0.05), 1.0);
     }
 }

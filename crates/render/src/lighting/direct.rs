@@ -1,4 +1,4 @@
-//! Direct light by shadow rays.
+//! Computes direct light by shadow rays.
 
 use glam::DVec3;
 
@@ -9,8 +9,8 @@ use crate::sample::Apart;
 use crate::scene::Scene;
 use crate::view::QueryPoint;
 
-/// The lights of a scene as shadow rays see them: each by itself, so that none is forgotten beside one
-/// a million times as strong.
+/// The lights of a scene as targets of shadow rays. Every light gets its own rays, so that a weak one is not
+/// lost beside one a million times as strong.
 pub(super) struct Shadows<'a> {
     scene: &'a Scene,
     lights: Vec<Light<'a>>,
@@ -35,8 +35,8 @@ impl<'a> Shadows<'a> {
         }
     }
 
-    /// What arrives at the query point straight from the lights, flux per area: the mean over `rays` of the points on
-    /// each light of L A cos cos' / d^2, 0 where something is between. Without bias.
+    /// The irradiance at the query point that comes straight from the lights: the mean, over `rays` points on
+    /// each light, of L A cos cos' / d^2, which is 0 where something is between. The estimate has no bias.
     pub fn irradiance(&self, query: &QueryPoint, rays: u32, points: &mut Apart) -> DVec3 {
         let lights = self.lights.iter();
         let sum = lights.map(|light| {
@@ -50,14 +50,14 @@ impl<'a> Shadows<'a> {
         sum.sum::<DVec3>() / f64::from(rays)
     }
 
-    /// A cos cos' / d^2 of a light by its point `target`.
+    /// A cos cos' / d^2 for a light and its point `target`.
     fn form_factor(&self, query: &QueryPoint, light: &Light<'_>, target: DVec3) -> f64 {
         let way = target - query.position;
         let distance_sq = way.length_squared();
         let direction = way / distance_sq.sqrt();
         let cosines =
             query.normal.dot(direction).max(0.0) * -light.quad.normal().dot(direction).min(0.0);
-        // Also false where the point is on the light, which makes a NaN.
+        // The comparison is also false where the query point is on the light, which makes a NaN.
         if cosines > 0.0 && self.sees(query.position, direction, light) {
             cosines * light.quad.area() / distance_sq
         } else {
@@ -65,7 +65,8 @@ impl<'a> Shadows<'a> {
         }
     }
 
-    /// Whether nothing is before the light. Glass casts a shadow: what comes through it is a caustic.
+    /// Whether nothing is in front of the light. Glass casts a shadow, because light through glass is a
+    /// caustic.
     fn sees(&self, origin: DVec3, direction: DVec3, light: &Light<'_>) -> bool {
         let hit = self.scene.intersect(&Ray { origin, direction });
         hit.is_some_and(|(index, hit)| index == light.surface && hit.front)

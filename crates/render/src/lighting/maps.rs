@@ -1,4 +1,4 @@
-//! The photon maps of a lighting.
+//! Makes the photon maps of a lighting.
 
 use std::collections::HashMap;
 
@@ -10,16 +10,16 @@ use crate::trace::{PathKind, Photon, PhotonTrace};
 /// The search radii of the maps (scene units).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Radii {
-    /// Of the global map.
+    /// The search radius of the global map.
     pub global: f64,
-    /// Of that of the caustics, where they have one and there are any.
+    /// The search radius of the map of caustics; `None` where there is no such map or no caustic photon.
     pub caustic: Option<f64>,
 }
 
 impl Radii {
-    /// Those with which a query of the global map has `in_range` photons in range, on average over the scene
-    /// ([`PhotonMap::radius_for`]), and one of the caustics' map as many as the lighting says, on average over its
-    /// photons.
+    /// Finds the radii. With the global radius a query has `in_range` photons in range, on average over the
+    /// scene ([`PhotonMap::radius_for`]). With the caustics' radius a caustic photon has as many in range as
+    /// the lighting states, on average over the caustic photons.
     #[must_use]
     pub fn of(scene: &Scene, trace: &PhotonTrace, lighting: &Lighting, in_range: f64) -> Self {
         let mapped = trace.kinds.iter().filter(|kind| lighting.maps(**kind));
@@ -28,14 +28,14 @@ impl Radii {
         Self { global, caustic }
     }
 
-    /// Finds the radius of the caustics, where they have a map of their own and none were found before.
+    /// Finds the radius of the caustics, where these have their own map and no radius was found before.
     pub(crate) fn find_caustic(&mut self, trace: &PhotonTrace, lighting: &Lighting) {
         if self.caustic.is_none() {
             self.caustic = caustic_radius(trace, lighting, self.global);
         }
     }
 
-    /// Both times `factor`.
+    /// Both radii times `factor`.
     #[must_use]
     pub fn scaled(self, factor: f64) -> Self {
         Self {
@@ -45,7 +45,7 @@ impl Radii {
     }
 }
 
-/// That of the caustics' own map; none where they have none, or there are none.
+/// The radius of the caustics' own map; `None` where they have none, or where there is no caustic photon.
 fn caustic_radius(trace: &PhotonTrace, lighting: &Lighting, widest: f64) -> Option<f64> {
     match lighting.caustics {
         Caustics::Map => None,
@@ -56,11 +56,11 @@ fn caustic_radius(trace: &PhotonTrace, lighting: &Lighting, widest: f64) -> Opti
     }
 }
 
-/// The radius, at most `widest`, at which about `in_range` photons are in range of one of them, on average. They are
-/// counted in cells: N photons, n of them in a photon's own cell of edge e, have a density of n / e^2. None
-/// of no photons.
+/// The radius, at most `widest`, at which a photon has about `in_range` photons in range, on average. They
+/// are counted in cells: N photons, n of them in a photon's own cell of edge e, have a density of n / e^2.
+/// `None` where there are no photons.
 fn radius_among(photons: &[Photon], in_range: f64, widest: f64) -> Option<f64> {
-    /// From each radius the next follows; where the density is even, the first does not change.
+    /// The number of steps. Each radius gives the next; with an even density the first does not change.
     const STEPS: usize = 8;
     if photons.is_empty() {
         return None;
@@ -74,7 +74,7 @@ fn radius_among(photons: &[Photon], in_range: f64, widest: f64) -> Option<f64> {
     Some((0..STEPS).fold(widest, |radius, _| next(radius)))
 }
 
-/// The number of photons in the cell of a photon, itself among them, on average over all.
+/// The mean number of photons in the cell of a photon, this photon included.
 fn own_cell(photons: &[Photon], edge: f64) -> f64 {
     let mut cells: HashMap<_, u64> = HashMap::new();
     for photon in photons {
@@ -85,17 +85,17 @@ fn own_cell(photons: &[Photon], edge: f64) -> f64 {
     squares / photons.len() as f64
 }
 
-/// The photon maps of a picture.
+/// The photon maps of a picture: one, or two where caustics have their own.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PhotonMaps {
-    /// What [`Lighting::maps`] says.
+    /// The photons of the kinds that [`Lighting::maps`] selects.
     pub global: PhotonMap,
-    /// The caustics, where they have a map of their own and there are any.
+    /// The map of caustics; `None` where they have no map of their own or there is no caustic photon.
     pub caustic: Option<PhotonMap>,
 }
 
 impl PhotonMaps {
-    /// The maps of a trace.
+    /// Makes the maps of a trace.
     ///
     /// # Errors
     /// As for [`PhotonMap::new`].
@@ -120,7 +120,7 @@ impl PhotonMaps {
         })
     }
 
-    /// One map for all light.
+    /// Makes one map of all light.
     #[must_use]
     pub fn of_one(global: PhotonMap) -> Self {
         Self {
@@ -129,7 +129,7 @@ impl PhotonMaps {
         }
     }
 
-    /// Photons in both.
+    /// The number of photons in both maps.
     #[must_use]
     pub fn photons(&self) -> usize {
         let caustic = self.caustic.as_ref();
@@ -158,7 +158,7 @@ mod tests {
     fn the_radius_among_even_photons_is_that_of_their_density() {
         let radius = radius_among(&lattice(200, 0.01), 50.0, 1.0).unwrap();
         let expected = (50.0 / std::f64::consts::PI).sqrt() * 0.01;
-        // Cells of some 16 photons end somewhere in the lattice.
+        // Cells of some 16 photons have borders somewhere in the lattice.
         assert!((radius / expected - 1.0).abs() < 0.1, "{radius} {expected}");
     }
 

@@ -1,8 +1,8 @@
-//! Where the light of a picture comes from: which part of it the photon maps give, and which shadow rays
-//! and gather rays.
+//! Lighting: which part of a picture's light comes from the photon maps, and which from shadow rays and
+//! gather rays.
 //!
 //! In Heckbert's notation, with E the eye, the light that a query point on a diffuse surface reflects arrives
-//! by three kinds of paths, and each may be had in two ways:
+//! by three kinds of paths. Each kind has two possible sources:
 //!
 //! | paths | from the global map | instead |
 //! |---|---|---|
@@ -33,76 +33,78 @@ use crate::scene::Scene;
 use crate::trace::PathKind;
 use crate::view::{QueryPoint, ViewSample, see};
 
-/// Where direct light comes from. On the command line: `map`, `rays`, `rays:16`.
+/// The source of direct light. On the command line: `map`, `rays`, `rays:16`.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum DirectLight {
-    /// From the global map, as all light.
+    /// The global map.
     #[default]
     Map,
-    /// By this many shadow rays from a query point to each light; from 1. No bias, hence sharp shadows.
+    /// This number of shadow rays, at least 1, from a query point to each light. Without bias, hence with
+    /// sharp shadows.
     Rays(u32),
 }
 
-/// Where caustics come from. On the command line: `map`, `own`, `own:100`.
+/// The source of caustics. On the command line: `map`, `own`, `own:100`.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub enum Caustics {
-    /// From the global map, with its radius.
+    /// The global map, with its radius.
     #[default]
     Map,
-    /// From a map of their own, whose radius has this many photons in range where a photon is, on average.
+    /// A separate map, with a radius at which a caustic photon has this many photons in range on average.
     Own(f64),
 }
 
-/// What a sum of power is divided by. On the command line: `disc`, `covered`.
+/// The divisor of a sum of power. On the command line: `disc`, `covered`.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Area {
-    /// The disc of the search radius, pi r^2, as in eq. 2 of the paper. At the border of a surface it reaches
-    /// over it, which darkens a strip of the radius' width.
+    /// The area of the disc of the search radius, pi r^2, as in eq. 2 of the paper. At the border of a
+    /// surface the disc extends past the surface, which darkens a strip of the radius' width.
     #[default]
     Disc,
-    /// The area of the flat fronts that the search sphere cuts out, of those whose photons are gathered: photons
-    /// can be stored on no other part of the disc. Of curved surfaces, the disc.
+    /// The area, inside the search sphere, of the flat fronts whose photons are gathered; no other part of
+    /// the disc can have photons. For curved surfaces, the disc.
     Covered,
 }
 
-/// Where the light of a picture comes from. The default is the paper's: one map gives all of it.
+/// The sources of a picture's light. The default is the paper's: one map gives all of it.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Lighting {
-    /// Direct light.
+    /// The source of direct light.
     pub direct: DirectLight,
-    /// Caustics.
+    /// The source of caustics.
     pub caustics: Caustics,
-    /// Rays of the final gather from each query point; 0 for none.
+    /// The number of rays of the final gather from each query point; 0 for no final gather.
     pub final_gather: u32,
-    /// What a sum of power is divided by.
+    /// The divisor of a sum of power.
     pub area: Area,
 }
 
-/// Why a scene cannot be lit so.
+/// The reason why a scene does not allow a lighting.
 #[derive(Debug, Clone, Copy, Error, PartialEq)]
 pub enum LightingError {
-    /// A final gather whose rays would have to find the lights.
+    /// A final gather needs direct light from shadow rays, because its rays would have to find the lights.
     #[error(
         "final gather: found direct light from the map, expected by shadow rays (`rays`): \
          gather rays see no lights"
     )]
     DirectFromMap,
-    /// A final gather whose rays would have to find the lights by mirrors.
+    /// A final gather needs caustics from their own map, because its rays would have to find the lights by
+    /// mirrors.
     #[error(
         "final gather: found caustics from the global map, expected a map of their own (`own`): \
          the scene has mirrors or borders of media"
     )]
     CausticsFromMap,
-    /// An estimate whose radius is no matter of the map alone.
+    /// The covered area needs a radius that depends on the map alone, which this estimator has not.
     #[error("area: found covered with the estimator {0}, expected the estimator fixed")]
     AreaOf(Estimator),
 }
 
 impl Lighting {
-    /// Whether `scene` can be lit so, with `estimator`.
+    /// Checks that `scene` allows this lighting with `estimator`.
     ///
     /// # Errors
-    /// [`LightingError`], which says what does not fit together.
+    /// A [`LightingError`] that names the conflict.
     pub fn check(&self, scene: &Scene, estimator: Estimator) -> Result<(), LightingError> {
         if self.area == Area::Covered && estimator != Estimator::FixedRadius {
             return Err(LightingError::AreaOf(estimator));
@@ -120,8 +122,8 @@ impl Lighting {
         Ok(())
     }
 
-    /// Whether the global map holds photons of that kind. With a final gather it is asked only where gather
-    /// rays end, for all that arrives there.
+    /// Whether the global map holds photons of that kind. With a final gather, the map is used only where
+    /// gather rays end, for all light that arrives there.
     #[must_use]
     pub fn maps(&self, kind: PathKind) -> bool {
         self.final_gather > 0
@@ -133,24 +135,24 @@ impl Lighting {
     }
 }
 
-/// The lighting of a scene, ready for its query points.
+/// The lighting of a scene, prepared for its query points.
 pub(crate) struct Lit<'a> {
     scene: &'a Scene,
     lighting: Lighting,
     shadows: Shadows<'a>,
 }
 
-/// The random numbers of a pixel's rays.
+/// The random numbers of the shadow rays and gather rays of a pixel.
 pub(crate) struct Chances {
     rng: Pcg64Mcg,
-    /// On the lights.
+    /// The points on the lights.
     lights: Apart,
-    /// Of gather rays' directions.
+    /// The directions of gather rays.
     directions: Apart,
 }
 
 impl Chances {
-    /// Those of a stream.
+    /// Takes the random numbers from a stream.
     pub fn new(mut rng: Pcg64Mcg) -> Self {
         Self {
             lights: Apart::new(&mut rng),
@@ -160,14 +162,14 @@ impl Chances {
     }
 }
 
-/// What is left to gather of a query point's light.
+/// The light of a query point, split into a known part and the gathers that remain.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct Ungathered {
-    /// Radiance towards the eye that needs no map.
+    /// The radiance towards the eye that needs no map.
     pub known: DVec3,
-    /// At the global map.
+    /// The query points at the global map.
     pub global: Vec<QueryPoint>,
-    /// At that of the caustics, if they have one.
+    /// The query point at the map of caustics; `None` where there is no such map.
     pub caustic: Option<QueryPoint>,
 }
 
@@ -184,7 +186,7 @@ impl<'a> Lit<'a> {
         self.scene
     }
 
-    /// What a view ray sees, in parts.
+    /// Splits the light of a view ray into parts.
     pub fn ungathered(&self, sample: &ViewSample, chances: &mut Chances) -> Ungathered {
         let mut found = Ungathered {
             known: sample.emitted,
@@ -204,8 +206,9 @@ impl<'a> Lit<'a> {
         found
     }
 
-    /// Where `rays` rays from the query point, of density cos / pi, end: the irradiance is pi times the mean of
-    /// the radiances that they see. Emitted light is not among these, as it comes by shadow rays and caustics.
+    /// The ends of `rays` rays from the query point, of density cos / pi. The irradiance is pi times the mean
+    /// of the radiances at these ends. Emitted light is not included, because it comes from shadow rays and
+    /// caustics.
     fn gather_rays(
         &self,
         query: &QueryPoint,

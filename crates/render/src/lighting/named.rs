@@ -1,4 +1,4 @@
-//! The parts of a [`super::Lighting`] by name.
+//! Parses and prints the parts of a [`super::Lighting`].
 
 use std::fmt;
 use std::str::FromStr;
@@ -7,18 +7,19 @@ use thiserror::Error;
 
 use super::{Area, Caustics, DirectLight};
 
-/// Photons in range of a caustic photon where none are named: fewer than elsewhere, as caustics are bright and sharp.
+/// The default number of photons in range of a caustic photon. It is smaller than elsewhere, because caustics
+/// are bright and sharp.
 const CAUSTIC_IN_RANGE: f64 = 50.0;
 
-/// A text that names no way of lighting.
+/// The error of a text that is not the name of a lighting.
 #[derive(Debug, Clone, Error, PartialEq, Eq)]
 #[error("{what}: found `{found}`, expected {expected}")]
 pub struct UnknownLighting {
-    /// Which part of the lighting.
+    /// The part of the lighting that is wrong.
     pub what: &'static str,
-    /// The text.
+    /// The text that was given.
     pub found: String,
-    /// What could stand there.
+    /// The texts that are legal there.
     pub expected: &'static str,
 }
 

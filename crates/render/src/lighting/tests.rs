@@ -33,7 +33,7 @@ fn named(direct: &str, caustics: &str, final_gather: u32, area: &str) -> Lightin
 }
 
 /// The form factor of a rectangle of sides `a` and `b`, in units of its distance, to a point below one of its
-/// corners and facing it (Howell, "A Catalog of Radiation Heat Transfer Configuration Factors", B-3).
+/// corners that faces it (Howell, "A Catalog of Radiation Heat Transfer Configuration Factors", B-3).
 fn corner_form_factor(a: f64, b: f64) -> f64 {
     let part = |a: f64, b: f64| {
         let root = (1.0 + a * a).sqrt();
@@ -63,7 +63,7 @@ fn shadow_rays_give_the_form_factor() {
     assert!(error < 0.002, "{found} {expected}");
 }
 
-/// A point under a box's bottom edge sees no light, and neither does one whose front is turned away.
+/// A point under a box's bottom edge receives no light, nor does a point whose front is turned away.
 #[test]
 fn what_is_in_the_way_casts_a_shadow() {
     let scene = Scene::built_in("cornell").unwrap();
@@ -79,7 +79,7 @@ fn what_is_in_the_way_casts_a_shadow() {
     };
     assert!(at([0.0, -1.0, 0.9], DVec3::Y).min_element() > 0.0);
     assert_eq!(at([0.0, -1.0, 0.9], DVec3::NEG_Y), DVec3::ZERO);
-    // Left of the tall box, by the red wall, at its back.
+    // The point is left of the tall box, by the red wall, at the box's back.
     assert_eq!(at([-0.9, -0.9, -0.95], DVec3::Y), DVec3::ZERO);
 }
 
@@ -113,7 +113,7 @@ fn pixels(scene: &Scene, lighting: &Lighting, engine: Engine<'_>) -> Vec<DVec3> 
     rendering.image.pixels().to_vec()
 }
 
-/// However light is shared among photons and rays, it is the same light.
+/// However light is divided among photons and rays, the result is equal.
 #[test]
 fn every_lighting_gives_the_same_light() {
     let format = Engine::Format(&PHOTON_FORMATS[0]);
@@ -138,7 +138,8 @@ fn every_lighting_gives_the_same_light() {
     }
 }
 
-/// Dividing by the covered area changes pixels by a border, up to twice (four times in a corner), and no others.
+/// Division by the covered area changes pixels at a border, by up to a factor of two (four in a corner), and
+/// no others.
 #[test]
 fn the_covered_area_keeps_borders_bright() {
     let [disc, covered] = ["disc", "covered"]

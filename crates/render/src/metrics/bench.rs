@@ -1,4 +1,5 @@
-//! Where every engine is measured alike: several photon maps of a scene, and queries of its view.
+//! The bench on which every engine is measured alike: several photon maps of a scene, and queries of its
+//! view.
 
 use glam::DVec3;
 use photoncube_model::{GatherError, LocalError};
@@ -19,18 +20,18 @@ use crate::scene::Scene;
 use crate::trace::{TraceError, TraceOptions, trace};
 use crate::view::{QueryPoint, ViewError, ViewOptions};
 
-/// What to measure on.
+/// The options of a bench.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BenchOptions {
-    /// Photons of each map.
+    /// The number of photons of each map.
     pub photons: u64,
     /// Photons in range that the search radius is chosen for, by [`PhotonMap::radius_for`].
     pub in_range: f64,
-    /// Independent photon maps, at least 2; their seeds count up from `seed`.
+    /// The number of independent photon maps, at least 2. Their seeds count up from `seed`.
     pub maps: u64,
-    /// The first map's seed.
+    /// The seed of the first map.
     pub seed: u64,
-    /// The picture whose query points are asked.
+    /// The picture whose query points are used.
     pub view: ViewOptions,
 }
 
@@ -53,19 +54,19 @@ impl Default for BenchOptions {
     }
 }
 
-/// Why an error cannot be measured.
+/// The reason why an error cannot be measured.
 #[derive(Debug, Error)]
 pub enum BenchError {
     /// The picture has no pixels.
     #[error(transparent)]
     View(#[from] ViewError),
-    /// No photons.
+    /// Tracing gave no photons.
     #[error(transparent)]
     Trace(#[from] TraceError),
-    /// The radius gives no map.
+    /// The radius allows no map.
     #[error(transparent)]
     Map(#[from] MapError),
-    /// The machine's or the photon format's rules do not fit.
+    /// The rules of the machine or of the photon format do not fit.
     #[error(transparent)]
     Engine(#[from] RenderError),
     /// The machine's golden model refused a query.
@@ -74,7 +75,7 @@ pub enum BenchError {
     /// The photon format's golden model refused a query.
     #[error(transparent)]
     Local(#[from] LocalError),
-    /// There is no such estimate at a query, in f64.
+    /// The f64 reference has no such estimate at a query.
     #[error(transparent)]
     Reference(#[from] EstimatorError),
     /// The engine cannot make that estimate.
@@ -96,39 +97,39 @@ impl From<Refusal> for BenchError {
     }
 }
 
-/// The error of a form of estimate, and what it costs.
+/// The error of a form of estimate, with its cost in gathers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EstimatorReport {
-    /// Against its reference, see [`ErrorBench::measure_estimator`].
+    /// The error against the estimator's reference, see [`ErrorBench::measure_estimator`].
     pub error: ErrorReport,
-    /// How many gathers of a query's photons one estimate takes: the mean.
+    /// The mean number of gathers of a query's photons for one estimate.
     pub gathers_per_query: f64,
 }
 
-/// Photon maps of different seeds, query points, and the f64 reference of each at each. Traced
-/// once, it serves any number of engines.
+/// Photon maps of different seeds, query points, and the f64 reference of each map at each query. Traced
+/// once, a bench serves any number of engines.
 #[derive(Debug, Clone)]
 pub struct ErrorBench {
     queries: Vec<QueryPoint>,
     maps: Vec<PhotonMap>,
-    /// Reflected light by map and query.
+    /// The reflected light by map and query.
     lights: Vec<Vec<DVec3>>,
-    /// The sum of channels that is measured.
+    /// The weights of the channels in the sum that is measured.
     weights: DVec3,
-    /// That sum by map and query.
+    /// The measured sum by map and query.
     references: Vec<Vec<f64>>,
 }
 
 impl ErrorBench {
-    /// Traces the maps.
+    /// Traces the maps of a bench.
     ///
     /// # Errors
-    /// Options that give no picture, no photons or no map.
+    /// The options describe no picture, or give no photons or no map.
     pub fn new(scene: &Scene, options: &BenchOptions) -> Result<Self, BenchError> {
         Self::traced(scene, options, &|_| ())
     }
 
-    /// [`Self::new`] with a `progress` that gets the number of maps traced so far.
+    /// Traces the maps as [`Self::new`] does, and calls `progress` with the number of maps traced so far.
     ///
     /// # Errors
     /// As for [`Self::new`].
@@ -159,7 +160,7 @@ impl ErrorBench {
         Ok(bench.weighted(LUMINANCE))
     }
 
-    /// The same, measuring another weighted sum of the channels in luminance's place: `DVec3::Z`
+    /// This bench with another weighted sum of the channels in place of luminance: `DVec3::Z`, for example,
     /// for blue alone.
     #[must_use]
     pub fn weighted(mut self, weights: DVec3) -> Self {
@@ -169,13 +170,13 @@ impl ErrorBench {
         self
     }
 
-    /// The query points.
+    /// The query points of the view.
     #[must_use]
     pub fn queries(&self) -> &[QueryPoint] {
         &self.queries
     }
 
-    /// The photon maps.
+    /// The photon maps, one for each seed.
     #[must_use]
     pub fn maps(&self) -> &[PhotonMap] {
         &self.maps
@@ -188,22 +189,23 @@ impl ErrorBench {
         &self.references
     }
 
-    /// All channels of that light.
+    /// The f64 reference on each map with all channels: reflected light at each query, in order.
     #[must_use]
     pub fn lights(&self) -> &[Vec<DVec3>] {
         &self.lights
     }
 
-    /// The engine's error against the reference on the same photons, beside the noise.
+    /// Measures the engine's error against the reference on the bench's photons, and the noise.
     ///
     /// # Errors
-    /// Formats that do not fit the maps, a query that the golden model refuses, or nothing to
-    /// compare.
+    /// The engine's number formats do not fit the maps, the golden model refuses a query, or there is nothing
+    /// to compare.
     pub fn measure(&self, engine: Engine<'_>) -> Result<ErrorReport, BenchError> {
         Ok(self.study(engine)?.report()?)
     }
 
-    /// The same by luminance and by every channel, whatever [`Self::weighted`] chose.
+    /// Measures the engine's error by luminance and by every channel, whatever weights [`Self::weighted`]
+    /// set.
     ///
     /// # Errors
     /// As for [`Self::measure`].
@@ -217,18 +219,18 @@ impl ErrorBench {
         Ok(study.report()?)
     }
 
-    /// What [`Self::measure`] reports from, for more of its figures' intervals.
+    /// The study from which [`Self::measure`] reports, for the intervals of further figures.
     ///
     /// # Errors
-    /// Formats that do not fit the maps, or a query that the golden model refuses.
+    /// The engine's number formats do not fit the maps, or the golden model refuses a query.
     pub fn study(&self, engine: Engine<'_>) -> Result<ErrorStudy, BenchError> {
         let (study, _) = self.compare(engine, Estimator::FixedRadius, &self.references)?;
         Ok(study)
     }
 
-    /// The error of any form of estimate by the engine, against what it stands for in f64
-    /// ([`Estimator::reference`]) on the same photons, beside that reference's noise. Misclassified
-    /// photons are the engine's at the map's search radius, whatever the estimator.
+    /// Measures the error of a form of estimate by the engine, against its f64 counterpart
+    /// ([`Estimator::reference`]) on the bench's photons, and the noise of that reference. Misclassified
+    /// photons are those of the engine at the map's search radius, whatever the estimator.
     ///
     /// # Errors
     /// As for [`Self::measure`], and an estimate that the engine or f64 cannot make.
@@ -251,14 +253,13 @@ impl ErrorBench {
         let (study, gathers) = self.compare(engine, estimator, &references)?;
         let estimates = self.maps.len() * self.queries.len();
         Ok(EstimatorReport {
-            // A study without an estimate has no report.
+            // A study without an estimate gives no report.
             error: study.report()?,
             gathers_per_query: gathers as f64 / estimates as f64,
         })
     }
 
-    /// The estimates of every map against `references`, by map and query; and the gathers that
-    /// they took.
+    /// The estimates of every map with `references`, by map and query, and the gathers that they took.
     fn compare(
         &self,
         engine: Engine<'_>,
@@ -277,7 +278,7 @@ impl ErrorBench {
         Ok((study, gathers))
     }
 
-    /// What the engine says at every query of a map.
+    /// The engine's estimates at every query of a map.
     fn answers(
         &self,
         method: &Method,
@@ -306,23 +307,23 @@ fn lights(map: &PhotonMap, queries: &[QueryPoint]) -> Vec<DVec3> {
     values.collect()
 }
 
-/// Reflected light at the query.
+/// The light that the query reflects.
 fn reflected(query: &QueryPoint, estimate: &Estimate) -> DVec3 {
     query.beta * estimate.irradiance
 }
 
-/// What an engine says at all queries of a map.
+/// The engine's estimates at all queries of a map.
 struct Answers {
     lights: Vec<DVec3>,
     gathers: u64,
     verdicts: Misclassified,
 }
 
-/// What an engine says at one query.
+/// The engine's estimate at one query.
 struct Answer {
     light: DVec3,
     gathers: u64,
-    /// On its photons.
+    /// The in-range decisions about the query's photons.
     verdicts: Misclassified,
 }
 

@@ -1,4 +1,4 @@
-//! A mean and how well it is known.
+//! Means with their confidence intervals.
 
 use serde::{Deserialize, Serialize};
 
@@ -7,16 +7,16 @@ use super::moments::Moments;
 
 /// A mean with its 95 % confidence interval.
 ///
-/// Method: Student's t on independent values, mean -+ t s / sqrt(n) with n - 1 degrees of freedom.
-/// Queries of one photon map share photons and are *not* independent; so the values are one
-/// mean for each of several independently traced maps (the method of batch means).
+/// Method: Student's t on independent values, mean -+ t s / sqrt(n) with n - 1 degrees of freedom. Queries of
+/// one photon map share photons and are *not* independent. So the values are one mean for each of several
+/// independently traced maps (the method of batch means).
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Interval {
-    /// The mean.
+    /// The mean of the values.
     pub mean: f64,
-    /// The interval's lower end.
+    /// The lower end of the interval.
     pub low: f64,
-    /// Its upper end.
+    /// The upper end of the interval.
     pub high: f64,
 }
 
@@ -37,7 +37,7 @@ impl Interval {
         })
     }
 
-    /// Whether the interval holds `value`.
+    /// Whether the interval contains `value`.
     #[must_use]
     pub fn holds(&self, value: f64) -> bool {
         (self.low..=self.high).contains(&value)
@@ -47,15 +47,15 @@ impl Interval {
 /// The 97.5 % point of the normal distribution.
 const NORMAL_975: f64 = 1.959_963_984_540_054;
 
-/// The 97.5 % points of Student's t with 1 to 10 degrees of freedom, from any table.
+/// The 97.5 % points of Student's t with 1 to 10 degrees of freedom, from tables.
 const STUDENT_975: [f64; 10] = [
     12.706_205, 4.302_653, 3.182_446, 2.776_445, 2.570_582, 2.446_912, 2.364_624, 2.306_004,
     2.262_157, 2.228_139,
 ];
 
-/// The 97.5 % point of Student's t for at least one degree of freedom. Beyond the table it is the
-/// normal's point with three terms of the expansion by Fisher and Cornish (Abramowitz and Stegun
-/// 26.7.5), right to 2e-4 from 11 on.
+/// The 97.5 % point of Student's t for at least one degree of freedom. Beyond the table it is the normal's
+/// point with three terms of the expansion by Fisher and Cornish (Abramowitz and Stegun 26.7.5), which is
+/// accurate to 2e-4 from 11 on.
 fn student_t_975(degrees: u64) -> f64 {
     if let Some(t) = STUDENT_975.get(degrees as usize - 1) {
         return *t;

@@ -1,40 +1,40 @@
-//! What cannot be measured, and why.
+//! The errors of measures that cannot be taken.
 
 use thiserror::Error;
 
-/// Why a measure cannot be taken.
+/// The reason why a measure cannot be taken.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum MetricsError {
-    /// No query has a reference over 0: a comparison of nothing must not pass.
+    /// No query has a reference over 0. A comparison of nothing is an error.
     #[error("comparison: found no query with light in the reference, expected at least one")]
     NothingCompared,
-    /// Two sets that belong together differ in length.
+    /// Two sets that must have equal lengths differ.
     #[error("{what}: found {found} values, expected {expected}, one for each query")]
     Length {
-        /// Which set.
+        /// The name of the set.
         what: &'static str,
-        /// Its length.
+        /// The length of the set.
         found: usize,
-        /// What it should be.
+        /// The expected length.
         expected: usize,
     },
-    /// A value that is no estimate.
+    /// A value is negative or not finite.
     #[error("{what} of query {query}: found {found}, expected a finite number from 0 up")]
     Value {
-        /// Which set.
+        /// The name of the set.
         what: &'static str,
         /// The query's index.
         query: usize,
-        /// The value.
+        /// The value that was found.
         found: f64,
     },
     /// A spread needs two independent samples.
     #[error("independent maps: found {found}, expected at least 2")]
     TooFewMaps {
-        /// Maps there are.
+        /// The number of maps.
         found: u64,
     },
-    /// The references of all maps are equal, so nothing can be told in terms of their noise.
+    /// The references of all maps are equal, so there is no noise to compare with.
     #[error("noise: found none between the maps, expected some: were they traced with one seed?")]
     NoNoise,
     /// No photon is in range of any query in the reference.

@@ -1,4 +1,4 @@
-//! An engine's estimates against the reference by luminance and by every channel.
+//! Compares an engine's estimates with the reference by luminance and by every channel.
 
 use glam::DVec3;
 
@@ -8,13 +8,13 @@ use super::misclassified::Misclassified;
 use super::queries::Measure;
 use super::study::{ErrorReport, ErrorStudy};
 
-/// One [`ErrorStudy`] for each [`Measure`], fed alike.
+/// One [`ErrorStudy`] for each [`Measure`], all on the same estimates.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LightStudy {
     studies: [ErrorStudy; Measure::ALL.len()],
 }
 
-/// The report of each measure that has light.
+/// The reports of all measures that have light.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LightReport {
     reports: Vec<(Measure, ErrorReport)>,
@@ -22,7 +22,7 @@ pub struct LightReport {
 }
 
 impl LightStudy {
-    /// A study of so many queries.
+    /// A study of `queries` queries.
     #[must_use]
     pub fn new(queries: usize) -> Self {
         Self {
@@ -30,7 +30,7 @@ impl LightStudy {
         }
     }
 
-    /// Takes one map: reflected light in the queries' order, and the counts of its photon tests.
+    /// Adds one map: reflected light in the order of the queries, and the counts of its photon tests.
     ///
     /// # Errors
     /// As for [`ErrorStudy::push_map`].
@@ -48,10 +48,10 @@ impl LightStudy {
         Ok(())
     }
 
-    /// The figures over all maps. A channel without light, or without noise, has none.
+    /// The figures over all maps. A channel without light, or without noise, has no figures.
     ///
     /// # Errors
-    /// As for [`ErrorStudy::report`], of the luminance, and fewer than three maps.
+    /// As for [`ErrorStudy::report`] of the luminance, or fewer than three maps.
     pub fn report(&self) -> Result<LightReport, MetricsError> {
         let mut reports = Vec::new();
         for (study, measure) in self.studies.iter().zip(Measure::ALL) {
@@ -71,7 +71,7 @@ impl LightStudy {
 }
 
 impl LightReport {
-    /// Luminance's.
+    /// The report of luminance.
     #[must_use]
     pub fn luminance(&self) -> &ErrorReport {
         &self.reports[0].1
@@ -84,20 +84,20 @@ impl LightReport {
             .map(|(measure, report)| (*measure, report))
     }
 
-    /// The measure of the largest error over its own noise, see [`Measure::worst`].
+    /// The measure with the largest error over its own noise, see [`Measure::worst`].
     #[must_use]
     pub fn worst(&self) -> (Measure, &ErrorReport) {
         worst(&self.reports)
     }
 
-    /// Its error over noise, with the 95 % interval of [`ErrorStudy::error_over_noise`].
+    /// The error over noise of the worst measure, with the 95 % interval of [`ErrorStudy::error_over_noise`].
     #[must_use]
     pub fn worst_error_over_noise(&self) -> Interval {
         self.error_over_noise
     }
 }
 
-/// Of reports, the first of which is luminance's.
+/// The worst of these reports, the first of which is that of luminance.
 fn worst(reports: &[(Measure, ErrorReport)]) -> (Measure, &ErrorReport) {
     let measures = reports.iter().map(|(measure, report)| (*measure, report));
     let worst = Measure::worst(measures, |report| report.error_over_noise);

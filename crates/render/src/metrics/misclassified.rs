@@ -1,28 +1,28 @@
-//! Photons that two engines place on different sides of the radius.
+//! Counts photons that two engines decide differently.
 
 use std::ops::AddAssign;
 
 use super::error::MetricsError;
 
-/// The share of the photons in range that u steps per radius put on the wrong side, times u, where
-/// they lie evenly: measured on a uniform scene.
+/// The share of the photons in range that u steps per radius misclassify, times u, for evenly spread photons;
+/// measured on a uniform scene.
 pub(crate) const MISCLASSIFIED_TIMES_STEPS: f64 = 0.67;
 
 /// Counts of photon tests and of the disagreements among them.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Misclassified {
-    /// Photon tests seen.
+    /// The number of photon tests.
     pub tests: u64,
-    /// In range by the reference.
+    /// The number of photons in range by the reference.
     pub in_range: u64,
-    /// Out of range by the reference, in range by the machine.
+    /// The number of photons in range only by the machine.
     pub gained: u64,
-    /// In range by the reference, out of range by the machine.
+    /// The number of photons in range only by the reference.
     pub lost: u64,
 }
 
 impl Misclassified {
-    /// Takes one photon test: whether it is in range by the reference and by the machine.
+    /// Adds one photon test: whether it is in range by the reference, and by the machine.
     pub fn push(&mut self, by_reference: bool, by_machine: bool) {
         self.tests += 1;
         self.in_range += u64::from(by_reference);
@@ -30,16 +30,16 @@ impl Misclassified {
         self.lost += u64::from(by_reference && !by_machine);
     }
 
-    /// Photons in range for one and out for the other.
+    /// The number of photons that are in range by only one of the two.
     #[must_use]
     pub fn photons(&self) -> u64 {
         self.gained + self.lost
     }
 
-    /// Misclassified photons, per cent of those in range by the reference.
+    /// Misclassified photons in per cent of those in range by the reference.
     ///
     /// # Errors
-    /// [`MetricsError::NothingInRange`] where the reference has none in range.
+    /// [`MetricsError::NothingInRange`] where the reference has no photon in range.
     pub fn percent(&self) -> Result<f64, MetricsError> {
         match self.in_range {
             0 => Err(MetricsError::NothingInRange),

@@ -1,4 +1,4 @@
-//! How wrong an estimate is, in measures that are defined here and nowhere else.
+//! Measures of the error of an estimate, all defined here.
 //!
 //! | measure | definition | unit |
 //! |---|---|---|
@@ -9,12 +9,11 @@
 //! | error over noise | rms relative error by noise | 1 |
 //! | misclassified | photons in range for one only, by the reference's in range | % |
 //!
-//! A relative error of 1 is 100 %. The scale is the reference itself where there is but one set
-//! ([`RelativeErrors::between`]), and the reference's mean over independent maps where there are
-//! several ([`ErrorStudy`], which says why). Where it is 0 there is no relative error: such queries
-//! are left out and counted, and those of them that the estimate lights are counted again. A
-//! comparison of nothing is an error. A study leaves out, and counts, queries noisier than
-//! [`MAX_QUERY_NOISE`].
+//! A relative error of 1 is 100 %. The scale is the reference itself where there is only one set
+//! ([`RelativeErrors::between`]). Where there are several, it is the reference's mean over independent maps
+//! ([`ErrorStudy`], which gives the reason). Where the scale is 0 there is no relative error: such queries
+//! are left out and counted, and those that the estimate lights are counted separately. A comparison of
+//! nothing is an error. A study leaves out, and counts, queries noisier than [`MAX_QUERY_NOISE`].
 //!
 //! A light has four [`Measure`]s: luminance, and each channel against its own noise ([`LightStudy`]).
 //!

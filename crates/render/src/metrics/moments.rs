@@ -1,7 +1,7 @@
-//! Mean and variance of a stream.
+//! Mean and variance of a sequence of values.
 
-/// Count, mean and spread of values seen one by one, by Welford's recurrence (1962), which does
-/// not cancel; two of them merge by Chan, Golub and LeVeque (1979).
+/// Count, mean and spread of a sequence of values, by Welford's recurrence (1962), which has no cancellation.
+/// Two of them merge by Chan, Golub and LeVeque (1979).
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Moments {
     count: u64,
@@ -11,7 +11,7 @@ pub struct Moments {
 }
 
 impl Moments {
-    /// Takes one more value.
+    /// Adds one value.
     pub fn push(&mut self, value: f64) {
         self.count += 1;
         let distance = value - self.mean;
@@ -19,7 +19,7 @@ impl Moments {
         self.squares += distance * (value - self.mean);
     }
 
-    /// Takes all that `other` has seen.
+    /// Adds all values of `other`.
     pub fn merge(&mut self, other: &Self) {
         if other.count == 0 {
             return;
@@ -31,25 +31,25 @@ impl Moments {
         self.squares += other.squares + distance * distance * a * b / (a + b);
     }
 
-    /// Values seen.
+    /// The number of values.
     #[must_use]
     pub fn count(&self) -> u64 {
         self.count
     }
 
-    /// Their mean; 0 where there is none.
+    /// The mean of the values; 0 where there are none.
     #[must_use]
     pub fn mean(&self) -> f64 {
         self.mean
     }
 
-    /// The unbiased variance, over count - 1; `None` below two values.
+    /// The unbiased variance, divided by count - 1; `None` for fewer than two values.
     #[must_use]
     pub fn variance(&self) -> Option<f64> {
         (self.count >= 2).then(|| self.squares / (self.count - 1) as f64)
     }
 
-    /// The root of the mean square.
+    /// The root of the mean square of the values.
     #[must_use]
     pub fn rms(&self) -> f64 {
         let variance = self.squares / self.count.max(1) as f64;
@@ -83,7 +83,7 @@ mod tests {
 
     #[test]
     fn a_large_offset_does_not_cancel() {
-        // The textbook's mean of squares less square of mean loses all digits here.
+        // The textbook formula, mean of squares less square of mean, loses all digits here.
         let moments = Moments::from_iter([1e9 + 4.0, 1e9 + 7.0, 1e9 + 13.0, 1e9 + 16.0]);
         assert_eq!(moments.variance(), Some(30.0));
     }

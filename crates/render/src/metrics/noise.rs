@@ -3,21 +3,21 @@
 use super::error::{MetricsError, check};
 use super::moments::Moments;
 
-/// Measures how the same queries' estimates scatter between independently traced photon maps
-/// (different seeds, the same radius and number of photons).
+/// Measures the scatter of the queries' estimates between independently traced photon maps (different seeds,
+/// with equal radius and number of photons).
 #[derive(Debug, Clone, PartialEq)]
 pub struct NoiseMeter {
     queries: Vec<Moments>,
 }
 
-/// A query noisier than this is left out: with fewer than some 4 photons in range it has no
-/// estimate to speak of. On a scene with large dark parts, as a caustic's, such queries would make
-/// up both the noise and the error (a query that one of n maps lights has a relative deviation of
-/// sqrt(n) and, where that photon is misclassified, an error of n), and a handful of photons would
-/// decide the quotient.
+/// The largest relative noise of a query that is not left out. With fewer than some 4 photons in range a
+/// query has no meaningful estimate. On a scene with large dark parts, such as a caustic's, these queries
+/// would dominate both the noise and the error (a query that one of n maps lights has a relative deviation of
+/// sqrt(n) and, where that photon is misclassified, an error of n), and a handful of photons would decide the
+/// quotient.
 pub const MAX_QUERY_NOISE: f64 = 0.5;
 
-/// The noise found.
+/// The noise of a scene.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Noise {
     /// The rms over sampled queries of standard deviation by mean; 1 is 100 %.
@@ -25,16 +25,16 @@ pub struct Noise {
     /// The variance is unbiased. Its quotient by the squared mean of the same n maps is too large
     /// by about 3 relative^2 / n of itself: below 1 % for 8 maps at 15 %.
     pub relative: f64,
-    /// Queries it stands on: those with light whose deviation is at most [`MAX_QUERY_NOISE`].
+    /// The number of queries measured: those with light whose deviation is at most [`MAX_QUERY_NOISE`].
     pub queries: u64,
-    /// Queries left out because theirs is larger.
+    /// The number of queries left out because their deviation is larger.
     pub queries_too_noisy: u64,
-    /// Independent maps.
+    /// The number of independent maps.
     pub maps: u64,
 }
 
 impl NoiseMeter {
-    /// A meter for so many queries.
+    /// A meter for `queries` queries.
     #[must_use]
     pub fn new(queries: usize) -> Self {
         Self {
@@ -42,7 +42,7 @@ impl NoiseMeter {
         }
     }
 
-    /// Takes one map's estimates, in the queries' order.
+    /// Adds one map's estimates, in the order of the queries.
     ///
     /// # Errors
     /// Another number of queries, or a value that is negative or not finite.
@@ -54,14 +54,14 @@ impl NoiseMeter {
         Ok(())
     }
 
-    /// One query's standard deviation by its mean, 1 is 100 %; `None` below two maps, without
-    /// light or without such a query.
+    /// The standard deviation of one query over its mean, 1 is 100 %. `None` for fewer than two maps, without
+    /// light, or without such a query.
     #[must_use]
     pub fn of_query(&self, query: usize) -> Option<f64> {
         self.queries.get(query).and_then(relative_deviation)
     }
 
-    /// One query's mean over the maps: what its light is expected to be. 0 where there is no map.
+    /// The mean of one query over the maps, which is its expected light; 0 where there is no map.
     ///
     /// # Panics
     /// Where there is no such query.
@@ -70,7 +70,7 @@ impl NoiseMeter {
         self.queries[query].mean()
     }
 
-    /// Whether the query has light and is known well enough: deviation by mean of at most
+    /// Whether the query has light and is known well enough: its deviation over its mean is at most
     /// [`MAX_QUERY_NOISE`].
     #[must_use]
     pub fn is_sampled(&self, query: usize) -> bool {

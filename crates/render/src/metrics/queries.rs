@@ -1,4 +1,4 @@
-//! Where the measures are taken, and of what.
+//! The queries at which measures are taken, and the measures of a light.
 
 use glam::DVec3;
 use serde::Serialize;
@@ -15,27 +15,27 @@ pub fn luminance(rgb: DVec3) -> f64 {
     rgb.dot(LUMINANCE)
 }
 
-/// What is compared of a light: an error in a channel that luminance hardly sees, such as blue's, is
-/// a wrong colour all the same.
+/// A measure of a light. An error in a channel that luminance hardly contains, such as blue, is a wrong
+/// colour nevertheless.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Measure {
-    /// [`luminance`].
+    /// The [`luminance`].
     Luminance,
-    /// The first channel.
+    /// The red channel, the first.
     Red,
-    /// The second.
+    /// The green channel, the second.
     Green,
-    /// The third.
+    /// The blue channel, the third.
     Blue,
 }
 
 impl Measure {
-    /// All, luminance first.
+    /// All measures; luminance is the first.
     pub const ALL: [Self; 4] = [Self::Luminance, Self::Red, Self::Green, Self::Blue];
 
-    /// The measure of the largest figure, the first where they differ by no more than rounding, as
-    /// those of light of one colour do; none of none.
+    /// The measure with the largest figure. Where figures differ only by rounding, as with light of one
+    /// colour, it is the first of them; `None` for no figures.
     pub fn worst<T>(
         figures: impl Iterator<Item = (Self, T)>,
         of: impl Fn(&T) -> f64,
@@ -47,7 +47,7 @@ impl Measure {
         })
     }
 
-    /// Its word in reports.
+    /// The name of the measure in reports.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -58,7 +58,7 @@ impl Measure {
         }
     }
 
-    /// Its value of linear RGB.
+    /// The value of the measure for linear RGB.
     #[must_use]
     pub fn of(self, rgb: DVec3) -> f64 {
         match self {
@@ -70,11 +70,11 @@ impl Measure {
     }
 }
 
-/// The query points of a picture, row by row: what [`crate::render`] gathers at, all of it. A
-/// small picture of one sample a pixel is a stratified sample of the view.
+/// The query points of a picture, row by row: all points at which [`crate::render`] gathers. A small picture
+/// of one sample a pixel is a stratified sample of the view.
 ///
 /// # Errors
-/// Options that give no picture.
+/// The options describe no picture.
 pub fn view_queries(scene: &Scene, options: &ViewOptions) -> Result<Vec<QueryPoint>, ViewError> {
     options.check()?;
     let pixels = (0..options.height).flat_map(|y| (0..options.width).map(move |x| (x, y)));

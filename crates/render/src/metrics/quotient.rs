@@ -1,4 +1,4 @@
-//! How well the quotient of error and noise is known.
+//! The confidence interval of the quotient of error and noise.
 
 use super::bias::Interval;
 use super::error::MetricsError;
@@ -7,15 +7,15 @@ use super::relative::RelativeErrors;
 use super::study::ErrorStudy;
 
 impl ErrorStudy {
-    /// [`super::study::ErrorReport::error_over_noise`] with its 95 % confidence interval, which unlike that of the
-    /// rms error knows that the noise is estimated too, and from the same maps.
+    /// [`super::study::ErrorReport::error_over_noise`] with its 95 % confidence interval. Unlike the interval
+    /// of the rms error, it takes into account that the noise is estimated too, and from the same maps.
     ///
-    /// Method: the jackknife (Tukey, 1958) on the squared quotient. With q of all n maps and q_i
-    /// of all but the i-th, the values n q - (n - 1) q_i are nearly independent, and their interval
-    /// is [`Interval::of_independent`]'s; here it is centred on q, and its roots are taken.
+    /// Method: the jackknife (Tukey, 1958) on the squared quotient. With q of all n maps and q_i of all but
+    /// the i-th, the values n q - (n - 1) q_i are nearly independent. Their interval is that of
+    /// [`Interval::of_independent`]; it is then centred on q, and the roots of its ends are taken.
     ///
     /// # Errors
-    /// As for [`Self::report`], and fewer than three maps.
+    /// As for [`Self::report`], or fewer than three maps.
     pub fn error_over_noise(&self) -> Result<Interval, MetricsError> {
         let all = self.squared_quotient()?;
         let maps = self.differences.len();
@@ -45,7 +45,7 @@ impl ErrorStudy {
         Ok((errors.rms()? / noise).powi(2))
     }
 
-    /// The study of all maps but one; photon counts are not kept by map, and left as they are.
+    /// The study without one map. Photon counts are not stored by map, so they are unchanged.
     fn without(&self, map: usize) -> Self {
         let mut rest = self.clone();
         rest.differences.remove(map);

@@ -3,7 +3,7 @@
 use super::error::{MetricsError, check};
 use super::moments::Moments;
 
-/// Relative errors of queries, gathered from one set of estimates or more.
+/// The relative errors of queries, from one or more sets of estimates.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct RelativeErrors {
     magnitudes: Vec<f64>,
@@ -12,22 +12,22 @@ pub struct RelativeErrors {
     unlit_but_estimated: u64,
 }
 
-/// What the errors amount to; all relative, 1 is 100 %.
+/// Statistics of relative errors; 1 is 100 %.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RelativeSummary {
-    /// Errors taken: queries with light.
+    /// The number of errors: queries with light.
     pub compared: u64,
-    /// Queries left out because they have none.
+    /// The number of queries left out because they have no light.
     pub unlit: u64,
-    /// Those of them where the estimate is over 0.
+    /// The number of these queries where the estimate is over 0.
     pub unlit_but_estimated: u64,
     /// The root of the mean squared error.
     pub rms: f64,
-    /// The median magnitude.
+    /// The median of the errors' magnitudes.
     pub median: f64,
-    /// 95 % of the magnitudes are at most this.
+    /// The 95 % quantile of the magnitudes.
     pub p95: f64,
-    /// 99 % of the magnitudes are at most this.
+    /// The 99 % quantile of the magnitudes.
     pub p99: f64,
     /// The largest magnitude.
     pub max: f64,
@@ -36,7 +36,7 @@ pub struct RelativeSummary {
 }
 
 impl RelativeErrors {
-    /// The errors of `estimates` against `references`, query by query.
+    /// Computes the errors of `estimates` against `references`, query by query.
     ///
     /// # Errors
     /// Sets of different length, or values that are negative or not finite.
@@ -45,14 +45,14 @@ impl RelativeErrors {
         check("references", references, references.len())?;
         let mut errors = Self::default();
         for (estimate, reference) in estimates.iter().zip(references) {
-            // The difference first: where the two are close it is exact.
+            // The difference is computed first, because it is exact where the two are close.
             errors.push(estimate - reference, *reference);
         }
         Ok(errors)
     }
 
-    /// Takes the error `difference / scale`, or counts an unlit query where `scale` is 0. Both are
-    /// finite and `scale` is not negative.
+    /// Adds the error `difference / scale`, or counts an unlit query where `scale` is 0. Both must be finite,
+    /// and `scale` not negative.
     pub(super) fn push(&mut self, difference: f64, scale: f64) {
         if scale == 0.0 {
             self.unlit += 1;
@@ -64,7 +64,7 @@ impl RelativeErrors {
         self.magnitudes.push(error.abs());
     }
 
-    /// Takes the errors of another set.
+    /// Adds the errors of another set.
     pub fn merge(&mut self, other: Self) {
         self.magnitudes.extend(other.magnitudes);
         self.signed.merge(&other.signed);
@@ -72,7 +72,7 @@ impl RelativeErrors {
         self.unlit_but_estimated += other.unlit_but_estimated;
     }
 
-    /// [`RelativeSummary::rms`] alone, without the sorting that the quantiles take.
+    /// Only [`RelativeSummary::rms`], without the sorting that the quantiles need.
     pub(super) fn rms(&self) -> Result<f64, MetricsError> {
         match self.signed.count() {
             0 => Err(MetricsError::NothingCompared),
@@ -80,7 +80,7 @@ impl RelativeErrors {
         }
     }
 
-    /// The figures over all errors taken.
+    /// The statistics over all errors.
     ///
     /// # Errors
     /// [`MetricsError::NothingCompared`] where no reference was over 0.
@@ -102,8 +102,8 @@ impl RelativeErrors {
     }
 }
 
-/// The quantile of sorted values, not empty, with linear interpolation between neighbours: type 7
-/// of Hyndman and Fan (1996), numpy's default.
+/// The quantile of sorted values, of which there is at least one, with linear interpolation between
+/// neighbours: type 7 of Hyndman and Fan (1996), numpy's default.
 fn quantile(sorted: &[f64], part: f64) -> f64 {
     let place = part * (sorted.len() - 1) as f64;
     let low = place.floor() as usize;

@@ -1,4 +1,4 @@
-//! A machine's estimates against the reference, over several independent photon maps.
+//! Compares a machine's estimates with the reference, over several independent photon maps.
 
 use serde::{Deserialize, Serialize};
 
@@ -8,82 +8,83 @@ use super::misclassified::Misclassified;
 use super::noise::NoiseMeter;
 use super::relative::{RelativeErrors, RelativeSummary};
 
-/// Gathers what an [`ErrorReport`] says, one photon map at a time.
+/// Collects the data of an [`ErrorReport`], one photon map at a time.
 ///
-/// Every map is traced with a seed of its own and asked at the same queries, with the same radius
-/// and number of photons. Estimate and reference of a map see the same photons, so their
-/// difference is the machine's; the references of different maps scatter by the noise.
+/// Every map is traced with its own seed and has the same queries, radius and number of photons. Estimate and
+/// reference of a map use the same photons, so their difference is the machine's error. The references of
+/// different maps scatter by the noise.
 ///
 /// # Relative to what
-/// Error and noise are both relative to the query's expected light, the mean of its references over
-/// all maps. Relative to the reference of its own map, an error is large wherever that map happens
-/// to be dark (a photon lost out of one is 100 %, a bright one gained by a query without any is
-/// infinite), lost and gained photons weigh differently, and the quotient with the noise, whose
-/// denominator is the mean, depends on the scene and not on the machine.
+/// Error and noise are both relative to the query's expected light, the mean of its references over all maps.
+/// Relative to the reference of its own map, an error would be large wherever that map happens to be dark: a
+/// photon lost out of one is 100 %, a bright one gained by a query without any is infinite. Lost and gained
+/// photons would have different weights. The quotient with the noise, whose denominator is the mean, would
+/// then depend on the scene and not on the machine.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ErrorStudy {
     pub(super) queries: usize,
-    /// Estimate less reference, by map and query.
+    /// The estimate less the reference, by map and query.
     pub(super) differences: Vec<Vec<f64>>,
     pub(super) references: Vec<Vec<f64>>,
     pub(super) noise: NoiseMeter,
     misclassified: Misclassified,
 }
 
-/// Error against noise. The keys are those of the command line's JSON; 1 is 100 % wherever the name
-/// says `relative`.
+/// The error of an engine beside the noise. The names are also the keys of the command line's JSON; 1 is 100
+/// % wherever the name contains `relative`.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct ErrorReport {
-    /// Query points asked in every map.
+    /// The number of query points of every map.
     pub query_points: u64,
-    /// Independent photon maps.
+    /// The number of independent photon maps.
     pub maps: u64,
-    /// Pairs of estimate and reference compared: those of the queries that the noise stands on.
+    /// The number of pairs of estimate and reference compared: those of the queries from which the noise is
+    /// measured.
     pub estimates_compared: u64,
-    /// Pairs left out because the query's own noise is over [`crate::MAX_QUERY_NOISE`]; its photons
-    /// still count as tested and misclassified.
+    /// The number of pairs left out because the query's own noise is over [`crate::MAX_QUERY_NOISE`]. Their
+    /// photons are still counted as tested and misclassified.
     pub estimates_too_noisy: u64,
-    /// Pairs left out because all references of the query are 0.
+    /// The number of pairs left out because all references of the query are 0.
     pub estimates_unlit: u64,
-    /// Those of them where the estimate is over 0.
+    /// The number of these pairs where the estimate is over 0.
     pub estimates_unlit_but_estimated: u64,
     /// The root of the mean squared relative error.
     pub rms_relative_error: f64,
-    /// The lower end of its 95 % confidence interval, from the maps' mean squares. A wide interval
-    /// says that few queries make the figure: a bright cluster at the radius is a whole event.
+    /// The lower end of its 95 % confidence interval, from the maps' mean squares. A wide interval shows that
+    /// few queries make up the figure: a bright cluster at the radius is a single event.
     pub rms_relative_error_low: f64,
-    /// The upper end.
+    /// The upper end of that interval.
     pub rms_relative_error_high: f64,
     /// The median magnitude of the relative error.
     pub median_relative_error: f64,
-    /// Its 95 % quantile.
+    /// The 95 % quantile of the magnitude of the relative error.
     pub p95_relative_error: f64,
-    /// Its 99 % quantile.
+    /// The 99 % quantile of the magnitude of the relative error.
     pub p99_relative_error: f64,
-    /// Its maximum.
+    /// The largest magnitude of the relative error.
     pub max_relative_error: f64,
     /// The mean over maps of the mean relative error, with its sign.
     pub bias_relative: f64,
     /// The lower end of the bias's 95 % confidence interval.
     pub bias_relative_low: f64,
-    /// The upper end.
+    /// The upper end of that interval.
     pub bias_relative_high: f64,
     /// The scene's own Monte-Carlo noise.
     pub noise_relative: f64,
-    /// `rms_relative_error` by `noise_relative`.
+    /// `rms_relative_error` divided by `noise_relative`.
     pub error_over_noise: f64,
-    /// Photons tested.
+    /// The number of photons tested.
     pub photon_tests: u64,
-    /// Photons in range by the reference.
+    /// The number of photons in range by the reference.
     pub photons_in_range: u64,
-    /// Photons in range for one and out for the other.
+    /// The number of photons that are in range by only one of reference and engine.
     pub misclassified_photons: u64,
-    /// The same, per cent of those in range by the reference.
+    /// Misclassified photons in per cent of those in range by the reference.
     pub misclassified_percent: f64,
 }
 
 impl ErrorStudy {
-    /// A study of so many queries.
+    /// A study of `queries` queries.
     #[must_use]
     pub fn new(queries: usize) -> Self {
         Self {
@@ -95,8 +96,8 @@ impl ErrorStudy {
         }
     }
 
-    /// Takes one map: luminances in the queries' order, and the counts of its photon tests. After
-    /// an error the study is as before.
+    /// Adds one map: luminances in the order of the queries, and the counts of its photon tests. An error
+    /// leaves the study unchanged.
     ///
     /// # Errors
     /// Sets of another length than the queries, or values that are negative or not finite.
@@ -115,7 +116,7 @@ impl ErrorStudy {
         Ok(())
     }
 
-    /// All relative errors, and over the maps their mean and mean square.
+    /// All relative errors, with their mean and mean square over the maps.
     fn errors(&self) -> Result<(RelativeSummary, Interval, Interval), MetricsError> {
         let mut all = RelativeErrors::default();
         let (mut biases, mut squares) = (Vec::new(), Vec::new());
@@ -287,7 +288,7 @@ mod tests {
             study.push_map(&[1.0], &[1.0], counts()).unwrap();
         }
         let report = study.report().unwrap();
-        // A photon gained and one lost, each as much as any.
+        // One photon is gained and one lost, of equal weight.
         assert_eq!(report.bias_relative, 0.0);
         assert_eq!((report.estimates_compared, report.estimates_unlit), (16, 0));
         assert!((report.max_relative_error - 16.0 / 15.0).abs() < 1e-15);

@@ -1,4 +1,4 @@
-//! Which of a query's photons an engine takes for in range, against the reference.
+//! Compares an engine's in-range decisions about a query's photons with the reference.
 
 use photoncube_model::{GatherError, gather};
 

@@ -1,27 +1,27 @@
-//! What cannot be a photon map.
+//! The errors of photons and radii that make no photon map.
 
 use glam::DVec3;
 use thiserror::Error;
 
 use super::INDEX_BITS;
 
-/// Why a photon map could not be built.
+/// The reason why a photon map could not be built.
 #[derive(Debug, Error, PartialEq)]
 pub enum MapError {
-    /// The radius gives no grid, or one too fine to index.
+    /// The radius allows no grid, or only one too fine to index.
     #[error("search radius: found {found}, expected {min} to {max} for this scene")]
     Radius {
-        /// The radius asked for.
+        /// The radius that was given.
         found: f64,
         /// The smallest: the scene's size over 2^20.
         min: f64,
         /// The largest: 2^20 times the scene's size.
         max: f64,
     },
-    /// The edge leaves photons in range outside the 27 blocks, or makes one block of all.
+    /// The edge leaves photons in range outside the 27 blocks, or makes one block of all photons.
     #[error("block edge: found {found}, expected {min} to {max} for this search radius")]
     Edge {
-        /// The edge asked for.
+        /// The edge that was given.
         found: f64,
         /// The smallest: the search radius.
         min: f64,
@@ -31,11 +31,11 @@ pub enum MapError {
     /// A photon that no surface of the scene can hold.
     #[error("photon {index}: found {found}, expected {expected}")]
     Photon {
-        /// Its place in the list.
+        /// The index of the photon in the list.
         index: usize,
-        /// What it is.
+        /// The value that is wrong.
         found: String,
-        /// What it could be.
+        /// The legal values.
         expected: String,
     },
 }
@@ -65,13 +65,13 @@ pub(super) fn check_edge(radius: f64, edge: f64) -> Result<(), MapError> {
     })
 }
 
-/// The first coordinate that is outside the scene by more than `slack`, and by how much.
+/// The first coordinate that is outside the scene by more than `slack`, with the excess.
 pub(super) fn outside(position: DVec3, low: DVec3, high: DVec3, slack: f64) -> Option<String> {
     (0..3).find_map(|axis| {
         let (at, low, high) = (position[axis], low[axis], high[axis]);
         let past = (low - at).max(at - high);
         let name = ["x", "y", "z"][axis];
-        // A NaN is inside nothing.
+        // A NaN is not inside.
         let inside = past <= slack;
         (!inside).then(|| match at.is_nan() {
             true => format!("{name} is NaN"),

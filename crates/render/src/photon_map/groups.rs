@@ -1,4 +1,4 @@
-//! What photons of a block are parted by: their surface, and on a curved surface where its front faces.
+//! The groups of a block's photons: by surface, and on a curved surface by facing.
 
 use glam::DVec3;
 
@@ -6,13 +6,13 @@ use crate::facing::Facing;
 use crate::scene::{Scene, Surface};
 use crate::trace::Photon;
 
-/// The facings of all surfaces, numbered in the surfaces' order. In a scene of flat surfaces a group's number is
-/// its surface's.
+/// The facings of all surfaces, numbered in the order of the surfaces. In a scene of flat surfaces a group's
+/// number is that of its surface.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Groups {
-    /// The first group of each surface, and the number of all.
+    /// The first group of each surface, and the number of all groups.
     first: Vec<u32>,
-    /// Where the photons of each group face.
+    /// The normal of each group's facing.
     normals: Vec<DVec3>,
 }
 
@@ -29,29 +29,30 @@ impl Groups {
         groups
     }
 
-    /// How many surfaces there are.
+    /// The number of surfaces.
     pub fn surfaces(&self) -> usize {
         self.first.len() - 1
     }
 
-    /// How many facings a surface has.
+    /// The number of facings of a surface.
     pub fn facings(&self, surface: u32) -> usize {
         let surface = surface as usize;
         (self.first[surface + 1] - self.first[surface]) as usize
     }
 
-    /// The group of a photon of this scene.
+    /// The group of a photon.
     pub fn group(&self, photon: &Photon) -> u32 {
         self.first[photon.surface as usize] + photon.facing.index() as u32
     }
 
-    /// Where the photons of a group face.
+    /// The normal of a group's facing.
     pub fn normal(&self, group: u32) -> DVec3 {
         self.normals[group as usize]
     }
 }
 
-/// What stores no photons and is not flat needs no facings; its one faces no query.
+/// The normals of a surface's facings. A surface that is not flat and stores no photons needs none, and its
+/// single facing is that of no query.
 fn normals(surface: &Surface) -> Vec<DVec3> {
     match surface.geometry.flat_normal() {
         Some(normal) => vec![normal],

@@ -1,10 +1,9 @@
 //! Stage 3, the photon map: photons sorted by block, and within a block by surface and by facing.
 //!
-//! A block is a cell of a uniform grid whose edge is the search radius or somewhat more, so that all
-//! photons in range of a query lie in the 27 blocks around it. Photons stand in the order of
-//! (block z, y, x, surface, facing); a flat surface has one facing, and a *run* is the slice of one
-//! facing of one surface in one block. Only blocks that
-//! hold photons take memory, and the three blocks of a row are neighbours in the order, so a
+//! A block is a cell of a uniform grid whose edge is the search radius or somewhat more, so that all photons
+//! in range of a query lie in the 27 blocks around it. Photons are sorted by (block z, y, x, surface,
+//! facing). A flat surface has one facing, and a *run* is the slice of one facing of one surface in one
+//! block. Only blocks with photons take memory. The three blocks of a row are adjacent in the order, so a
 //! query looks up three slices of the grid and a few rows in each.
 
 use std::ops::Range;
@@ -24,7 +23,7 @@ mod rows;
 pub use self::error::MapError;
 use self::rows::Rows;
 
-/// Bits of a block's index on one axis: three of them and a sign bit fit 64 bits.
+/// The bits of a block's index on one axis: three indices and a sign bit fit 64 bits.
 const INDEX_BITS: u32 = 21;
 const INDEX_MASK: u64 = (1 << INDEX_BITS) - 1;
 
@@ -41,7 +40,7 @@ impl Run {
         self.block & INDEX_MASK
     }
 
-    /// What orders rows of blocks along x.
+    /// The sort key of rows of blocks along x.
     fn row(&self) -> u64 {
         self.block >> INDEX_BITS
     }
@@ -54,24 +53,23 @@ impl Run {
 /// One run that a query gathers.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Candidates {
-    /// Its block's place among the 27 around the query, 0 to 2 on every axis; the query's own
-    /// is `[1, 1, 1]`.
+    /// The offset of the run's block in the 27 blocks around the query, 0 to 2 on every axis; the query's own
+    /// block is `[1, 1, 1]`.
     pub offset: [u32; 3],
-    /// Its place among [`PhotonMap::runs`].
+    /// The index of the run in [`PhotonMap::runs`].
     pub run: usize,
-    /// Its photons, as indices into [`PhotonMap::photons`].
+    /// The photons of the run, as indices into [`PhotonMap::photons`].
     pub photons: Range<usize>,
 }
 
-/// Photons in blocks, for one search radius.
+/// Photons sorted into blocks, for one search radius.
 ///
 /// # Which photons a query gathers
-/// The estimate takes the photons near a query for photons *at* it, which is wrong for those on
-/// another sheet: the far side of a thin wall, the next wall across a corner. The rule: a
-/// photon is a candidate only where the cosine between its surface's normal and the query's
-/// exceeds [`Self::MIN_FACING_COSINE`]. Photons are sorted by surface within their block, so
-/// the selection happens before anything streams to the processor: what it excludes never
-/// counts as a photon test.
+/// The estimate treats the photons near a query as photons *at* it. That is wrong for photons on another
+/// sheet: the far side of a thin wall, or the next wall across a corner. So a photon is a candidate only
+/// where the cosine between its surface's normal and the query's exceeds [`Self::MIN_FACING_COSINE`]. Photons
+/// are sorted by surface within their block, so the selection precedes the stream to the processor: an
+/// excluded photon never counts as a photon test.
 ///
 /// On a curved surface (a sphere, a mesh) the photon's normal is rounded to one of 96, its [`Facing`], by
 /// 16.4 degrees at most. So the rule's 60 degrees are 43.6 to 76.4 there: a photon whose normal is within 43.6
@@ -96,9 +94,9 @@ pub struct Candidates {
 #[derive(Debug, Clone, PartialEq)]
 pub struct PhotonMap {
     radius: f64,
-    /// The blocks' edge.
+    /// The edge of the blocks, in scene units.
     edge: f64,
-    /// The scene's lowest corner, the middle of block (0, 0, 0): its outermost walls do not run
+    /// The scene's lowest corner, which is the middle of block (0, 0, 0). So the outermost walls do not run
     /// along the border of blocks, where rounding would spread them over two.
     low: DVec3,
     photons: Vec<Photon>,
@@ -108,13 +106,13 @@ pub struct PhotonMap {
 }
 
 impl PhotonMap {
-    /// A query gathers photons whose surface's normal has a larger cosine with its own: 60
-    /// degrees keep the facets of a curved surface together and part the walls of a corner.
+    /// The cosine between the normals of photon and query that a candidate must exceed: 60 degrees keep the
+    /// facets of a curved surface together and separate the walls of a corner.
     pub const MIN_FACING_COSINE: f64 = 0.5;
 
-    /// The search radius at which a query gathers about `in_range` of the `photons` stored on
-    /// the scene's surfaces, sqrt(in_range A / (pi photons)) with A the area of all diffuse fronts
-    /// (scene units); 200 in range make a noise of about 7 %. Meant for any count over 0.
+    /// The search radius at which a query gathers about `in_range` of the `photons` stored on the scene's
+    /// surfaces: sqrt(in_range A / (pi photons)) in scene units, with A the area of all diffuse fronts. 200
+    /// in range give a noise of about 7 %. For any count over 0.
     #[must_use]
     pub fn radius_for(scene: &Scene, photons: u64, in_range: f64) -> f64 {
         let diffuse = scene.surfaces().iter().filter(|s| !s.is_specular());
@@ -122,8 +120,8 @@ impl PhotonMap {
         (in_range * area / (std::f64::consts::PI * photons as f64)).sqrt()
     }
 
-    /// The map of `photons`, all on surfaces of `scene`, for the search radius `radius`
-    /// (scene units), which is also the blocks' edge.
+    /// The map of `photons`, all on surfaces of `scene`, for the search radius `radius` in scene units, which
+    /// is also the edge of the blocks.
     ///
     /// # Errors
     /// [`MapError::Radius`] for a radius that is not between 2^-20 and 2^20 of the scene's size;
@@ -133,8 +131,8 @@ impl PhotonMap {
         Self::with_edge(scene, photons, radius, radius)
     }
 
-    /// The same with blocks of another edge, which may exceed the radius: formats choose it so
-    /// that the radius is a whole number of their steps.
+    /// The map of `photons` with blocks of the edge `edge`, which may exceed the radius. Photon formats
+    /// choose an edge at which the radius is a whole number of their steps.
     ///
     /// # Errors
     /// As for [`Self::new`]; [`MapError::Edge`] for an edge that is not between once and 2^20 times
@@ -162,7 +160,7 @@ impl PhotonMap {
         Ok(map)
     }
 
-    /// The same photons in blocks of another edge.
+    /// This map's photons in blocks of another edge.
     ///
     /// # Errors
     /// [`MapError::Edge`] as for [`Self::with_edge`].
@@ -170,7 +168,8 @@ impl PhotonMap {
         self.reblocked_at(edge, DVec3::ZERO)
     }
 
-    /// The same with the grid moved down by `shift`, from 0 to 1 block edges on each axis.
+    /// This map's photons in blocks of another edge, with the grid moved down by `shift`, from 0 to 1 block
+    /// edges on each axis.
     pub(crate) fn reblocked_at(&self, edge: f64, shift: DVec3) -> Result<Self, MapError> {
         check_edge(self.radius, edge)?;
         let mut map = Self {
@@ -192,7 +191,7 @@ impl PhotonMap {
             found,
             expected: expected.to_owned(),
         };
-        // A tenth of the radius absorbs any rounding of positions, and keeps indices positive.
+        // A tenth of the radius covers any rounding of positions, and keeps indices positive.
         let slack = 0.1 * self.radius;
         for (index, photon) in photons.iter().enumerate() {
             let power = photon.power;
@@ -218,7 +217,7 @@ impl PhotonMap {
     }
 
     fn sort(&mut self, photons: Vec<Photon>) {
-        // The index as the last key makes the order total, hence the same for any threads.
+        // With the index as the last key the order is total, hence independent of the threads.
         let mut order: Vec<(u64, u32, u32)> = photons
             .par_iter()
             .enumerate()
@@ -266,13 +265,13 @@ impl PhotonMap {
         &self.photons
     }
 
-    /// Blocks that hold at least one photon.
+    /// The number of blocks that hold at least one photon.
     #[must_use]
     pub fn blocks(&self) -> usize {
         self.runs.chunk_by(|a, b| a.block == b.block).count()
     }
 
-    /// The most photons in one block.
+    /// The largest number of photons in one block.
     #[must_use]
     pub fn fullest_block(&self) -> usize {
         self.block_slices().map(|b| b.len()).max().unwrap_or(0)
@@ -287,7 +286,7 @@ impl PhotonMap {
         })
     }
 
-    /// Bytes that finding runs takes.
+    /// The number of bytes of the index that finds runs.
     #[must_use]
     pub fn index_bytes(&self) -> usize {
         size_of_val(self.runs.as_slice()) + self.rows.bytes()
@@ -298,8 +297,8 @@ impl PhotonMap {
         self.runs.iter().map(Run::photons)
     }
 
-    /// The block that `position` is in, by its place on each axis of the grid, and how far into it the
-    /// position lies, 0 to 1 of its edge.
+    /// The block that contains `position`, by its index on each axis of the grid, and the position in the
+    /// block, 0 to 1 of its edge.
     #[inline]
     pub(crate) fn place(&self, position: DVec3) -> (I64Vec3, DVec3) {
         let place = self.in_blocks(position);
@@ -307,9 +306,9 @@ impl PhotonMap {
         (block, place - corner)
     }
 
-    /// `position` in block edges from the grid's origin. First the difference from the scene, which
-    /// is exact for a scene far from the origin: where moving it rounds no coordinate, all
-    /// later results are bit-identical.
+    /// `position` in block edges from the grid's origin. The difference from the scene's corner is computed
+    /// first. It is exact for a scene far from the origin: where a move rounds no coordinate, all later
+    /// results are bit-identical.
     fn in_blocks(&self, position: DVec3) -> DVec3 {
         (position - self.low + 0.5 * self.edge) / self.edge
     }
@@ -318,15 +317,14 @@ impl PhotonMap {
         key(self.place(position).0).expect("checked: inside the scene")
     }
 
-    /// The runs that a query at `position` on a surface of unit normal `normal` gathers, by
-    /// the rule stated at [`PhotonMap`]: those of the 27 blocks around it that face its way. Always in
-    /// the map's order.
+    /// The runs that a query at `position` on a surface of unit normal `normal` gathers, by the rule stated
+    /// at [`PhotonMap`]: the runs of the 27 blocks around it that face its way, in the map's order.
     pub fn candidates(&self, position: DVec3, normal: DVec3) -> impl Iterator<Item = Candidates> {
         let (centre, _) = self.place(position);
         self.around(centre, normal)
     }
 
-    /// The same for any query in the block `centre`.
+    /// The runs that any query in the block `centre` gathers, by the rule stated at [`PhotonMap`].
     pub(crate) fn around(
         &self,
         centre: I64Vec3,
@@ -346,7 +344,7 @@ impl PhotonMap {
     }
 }
 
-/// A block's key, which orders blocks by z, then y, then x; `None` outside the grid.
+/// The sort key of a block, by z, then y, then x; `None` outside the grid.
 fn key(block: I64Vec3) -> Option<u64> {
     let inside = |index: i64| (0..1 << INDEX_BITS).contains(&index);
     let all = inside(block.x) && inside(block.y) && inside(block.z);
@@ -356,13 +354,13 @@ fn key(block: I64Vec3) -> Option<u64> {
     })
 }
 
-/// The largest integers not above `x`, and the same as floats. They saturate, and a NaN is taken for 0.
+/// The largest integers not above `x`, as integers and as floats. They saturate, and a NaN becomes 0.
 ///
-/// Processors without an instruction for it would call a function, and conversions that saturate take several
-/// steps each; what any block of the grid is at takes neither.
+/// On processors without a floor instruction the standard function is a call, and saturating conversions take
+/// several steps. For the position of any block of the grid, this code needs neither.
 #[inline]
 fn floors(x: DVec3) -> (I64Vec3, DVec3) {
-    /// Next to it floats are whole numbers, so adding it rounds, and counts in the bits.
+    /// Near this number floats are whole numbers, so adding it rounds, and the integer is in the low bits.
     const SHIFT: f64 = (3_u64 << 51) as f64;
     const NEAR: DVec3 = DVec3::splat((1_u64 << 50) as f64);
     if !x.abs().cmplt(NEAR).all() {
@@ -377,7 +375,7 @@ fn floors(x: DVec3) -> (I64Vec3, DVec3) {
     (I64Vec3::from_array(bits.map(count)), floors)
 }
 
-/// One of [`floors`].
+/// The floor of one number, as in [`floors`].
 fn floor(x: f64) -> i64 {
     let truncated = x as i64;
     truncated.saturating_sub((truncated as f64 > x).into())

@@ -1,4 +1,4 @@
-//! Where the blocks around a query are among the runs.
+//! Finds the runs of the blocks around a query.
 
 use std::ops::Range;
 
@@ -6,29 +6,29 @@ use glam::I64Vec3;
 
 use super::{INDEX_BITS, INDEX_MASK, Run};
 
-/// The runs by rows of blocks along x, in few bytes: finding some takes few steps in little memory,
-/// however far apart they are.
+/// The runs by rows of blocks along x, in few bytes. A lookup takes few steps in little memory, however far
+/// apart the runs are.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct Rows {
-    /// The rows that have any runs, by z and then y.
+    /// The rows that have runs, sorted by z and then y.
     keys: Vec<u64>,
-    /// The first run of each row, and the end of the last.
+    /// The first run of each row, and the number of all runs.
     starts: Vec<u32>,
-    /// Each run's place on the x axis.
+    /// The index of each run's block on the x axis.
     xs: Vec<u32>,
 }
 
 /// The runs of three blocks along x.
 #[derive(Debug, Clone, Default)]
 struct Row {
-    /// The blocks' offsets from the lowest of 27.
+    /// The row's y offset from the lowest of the 27 blocks; the z offset follows.
     y: u32,
     z: u32,
     runs: Range<usize>,
 }
 
 impl Rows {
-    /// The rows of runs in the map's order.
+    /// Indexes runs in the map's order.
     pub fn of(runs: &[Run]) -> Self {
         let mut rows = Self::default();
         for row in runs.chunk_by(|a, b| a.row() == b.row()) {
@@ -40,21 +40,21 @@ impl Rows {
         rows
     }
 
-    /// Bytes that they take.
+    /// The number of bytes of the index.
     pub fn bytes(&self) -> usize {
         size_of_val(self.keys.as_slice())
             + size_of_val(self.starts.as_slice())
             + size_of_val(self.xs.as_slice())
     }
 
-    /// The places of the runs of the 27 blocks around `centre`, each with its block's offset from the lowest
+    /// The indices of the runs of the 27 blocks around `centre`, each with its block's offset from the lowest
     /// of the 27, in the map's order.
     pub fn around(&self, centre: I64Vec3) -> impl Iterator<Item = ([u32; 3], usize)> {
-        // No block is further out, so a query there has none around it.
+        // No block is further out, so a query beyond has no blocks around it.
         let last = INDEX_MASK as i64 + 1;
         let near = centre.cmpge(I64Vec3::NEG_ONE).all() && centre.cmple(I64Vec3::splat(last)).all();
         let corner = if near { centre - 1 } else { I64Vec3::MAX - 2 };
-        // One level of iterators: what is found for a row is found before.
+        // One level of iterators: the lookups of all rows are done first.
         let (rows, count) = self.rows_from(corner);
         rows.into_iter().take(count).flat_map(move |row| {
             let xs = &self.xs[row.runs.clone()];
@@ -63,7 +63,7 @@ impl Rows {
         })
     }
 
-    /// The rows of the 27 blocks from `corner` on, and how many there are.
+    /// The rows of the 27 blocks from `corner` on, and their number.
     fn rows_from(&self, corner: I64Vec3) -> ([Row; 9], usize) {
         let (mut rows, mut count) = (<[Row; 9]>::default(), 0);
         let [first, last] = within(corner.y);
@@ -89,12 +89,12 @@ impl Rows {
         (rows, count)
     }
 
-    /// The runs of a row between two places on the x axis.
+    /// The runs of a row between two indices on the x axis.
     fn row(&self, row: usize, [first, last]: [u64; 2]) -> Range<usize> {
         let (start, end) = (self.starts[row] as usize, self.starts[row + 1] as usize);
         let xs = &self.xs[start..end];
         let before = xs.partition_point(|x| u64::from(*x) < first);
-        // Three blocks hold few runs: counting them beats a second search.
+        // Three blocks hold few runs, so counting them is faster than a second search.
         let count = xs[before..]
             .iter()
             .take_while(|x| u64::from(**x) <= last)
@@ -103,7 +103,7 @@ impl Rows {
     }
 }
 
-/// The three places from `first` on that are in the grid: none where the first is after the last.
+/// The three indices from `first` on, clipped to the grid; empty where the first exceeds the last.
 fn within(first: i64) -> [u64; 2] {
     let last = INDEX_MASK as i64;
     if first > last {
@@ -127,13 +127,13 @@ mod tests {
         }
     }
 
-    /// A corner of the grid, where neighbours are.
+    /// Indices near a corner of the grid, so that blocks have neighbours.
     fn index() -> impl Strategy<Value = u64> {
         prop_oneof![0_u64..5, INDEX_MASK - 4..=INDEX_MASK]
     }
 
     proptest! {
-        /// Against the definition: every run whose block is at most one away on each axis.
+        /// Compares the lookup with the definition: every run whose block is at most one away on each axis.
         #[test]
         fn the_runs_around_are_those_next_to_the_centre(
             mut blocks in prop::collection::vec(prop::array::uniform3(index()), 0..60),

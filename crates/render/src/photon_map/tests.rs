@@ -158,7 +158,7 @@ fn the_radius_for_a_count_finds_about_that_many() {
     };
     let sampled: Vec<usize> = map.photons().iter().step_by(97).map(in_range).collect();
     let mean = sampled.iter().sum::<usize>() as f64 / sampled.len() as f64;
-    // Queries at photons favour the dense places, so somewhat over 100.
+    // Queries at photons favour dense places, so the mean is somewhat over 100.
     assert!((80.0..250.0).contains(&mean), "{mean}");
 }
 
@@ -170,7 +170,7 @@ fn an_empty_map_has_no_candidates() {
 }
 
 proptest! {
-    /// Queries anywhere, also far outside the grid, are answered.
+    /// Queries at any position, also far outside the grid, do not panic.
     #[test]
     fn queries_anywhere_do_not_panic(x in prop::num::f64::ANY, y in -2.0..2.0f64, z in prop::num::f64::ANY) {
         let photon = Photon { position: DVec3::ZERO, power: DVec3::ONE, surface: 0, facing: Facing::FLAT };
@@ -180,7 +180,7 @@ proptest! {
 }
 
 proptest! {
-    /// The short way against the plain one, for every number that there is.
+    /// Compares the fast floors with the standard ones, for any number.
     #[test]
     fn floors_are_floors(
         any in prop::array::uniform3(any::<f64>()),

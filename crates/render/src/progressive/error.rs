@@ -1,4 +1,4 @@
-//! What the passes say about the error of their mean.
+//! Estimates the error of the mean of progressive passes.
 
 use glam::DVec3;
 use statrs::distribution::{ContinuousCDF, StudentsT};
@@ -6,20 +6,20 @@ use statrs::distribution::{ContinuousCDF, StudentsT};
 use crate::compare::relative_scale;
 use crate::metrics::{Moments, luminance};
 
-/// A pixel over all passes.
+/// The statistics of a pixel over all passes.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct Pixel {
     sum: DVec3,
-    /// Of the luminance at the search radius, x.
+    /// The luminance at the search radius, x.
     plain: Moments,
-    /// Of that without bias, c = 2 y - x.
+    /// The luminance without bias, c = 2 y - x.
     corrected: Moments,
-    /// Of the bias, b = 2 (x - y).
+    /// The bias of the luminance, b = 2 (x - y).
     bias: Moments,
 }
 
 impl Pixel {
-    /// A pass: its radiance at the search radius and at half its square.
+    /// Adds a pass: the radiance at the search radius and at half the squared radius.
     pub fn push(&mut self, whole: DVec3, inner: DVec3) {
         self.sum += whole;
         let [x, y] = [whole, inner].map(luminance);
@@ -28,12 +28,12 @@ impl Pixel {
         self.bias.push(2.0 * (x - y));
     }
 
-    /// The mean.
+    /// The mean radiance over the passes.
     pub fn radiance(&self) -> DVec3 {
         self.sum / self.plain.count().max(1) as f64
     }
 
-    /// `quantile` is Student's.
+    /// The bound of the pixel's error; `quantile` is Student's.
     fn bound(&self, quantile: f64) -> PixelBound {
         let deviation = |moments: &Moments| {
             (moments.variance().unwrap_or(f64::INFINITY) / moments.count() as f64).sqrt()
@@ -48,43 +48,43 @@ impl Pixel {
     }
 }
 
-/// What is known of a pixel's error, in luminance.
+/// The error bound of a pixel, in luminance.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PixelBound {
-    /// Of the picture.
+    /// The luminance in the picture.
     pub luminance: f64,
-    /// The estimated bias of that.
+    /// The estimated bias of that luminance.
     pub bias: f64,
-    /// The standard deviation of that estimate: twice the picture's, where light is even.
+    /// The standard deviation of the bias estimate: twice that of the luminance, where light is even.
     pub bias_noise: f64,
     /// The standard deviation of the luminance.
     pub noise: f64,
-    /// How far the bias-corrected luminance may be from the truth, with the confidence asked for.
+    /// The largest distance of the bias-corrected luminance from the truth, with the given confidence.
     pub margin: f64,
 }
 
 impl PixelBound {
-    /// What the error is not above, with that confidence: |bias| + margin.
+    /// The bound of the error, with the given confidence: |bias| + margin.
     #[must_use]
     pub fn error(&self) -> f64 {
         self.bias.abs() + self.margin
     }
 
-    /// The same over the luminance, as in relMSE.
+    /// The bound of the error over the luminance, as in relMSE.
     #[must_use]
     pub fn relative_error(&self) -> f64 {
         self.error() / relative_scale(self.luminance)
     }
 }
 
-/// What is known of a picture's error.
+/// The error estimate of a picture.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ErrorEstimate {
-    /// With which probability a pixel's error is below its bound.
+    /// The probability with which a pixel's error is below its bound.
     pub confidence: f64,
-    /// By which the noise is multiplied for that: Student's quantile for the passes.
+    /// The factor on the noise for that confidence: Student's quantile for the number of passes.
     pub quantile: f64,
-    /// Of each pixel, row by row.
+    /// The bounds of the pixels, row by row.
     pub pixels: Vec<PixelBound>,
 }
 
@@ -102,15 +102,15 @@ impl ErrorEstimate {
         })
     }
 
-    /// The bound of the picture: the root of the mean square of the pixels' bounds, each over its luminance, as in
-    /// relMSE ([`crate::rel_mse`]), of which it bounds the root.
+    /// The bound of the picture: the root of the mean square of the pixels' bounds, each over its luminance,
+    /// as in relMSE ([`crate::rel_mse`]). It bounds the root of the relMSE.
     #[must_use]
     pub fn bound(&self) -> f64 {
         self.rms(PixelBound::error)
     }
 
-    /// The estimated bias, in the same measure: without what the noise of its own estimates adds to the mean square,
-    /// and 0 where that is all.
+    /// The estimated bias of the picture, in that measure. The part of the mean square that the noise of the
+    /// bias estimates causes is subtracted; the result is at least 0.
     #[must_use]
     pub fn bias(&self) -> f64 {
         let found = self.rms(|pixel| pixel.bias);
@@ -118,7 +118,7 @@ impl ErrorEstimate {
         (found * found - noise * noise).max(0.0).sqrt()
     }
 
-    /// The standard deviation, in the same measure.
+    /// The standard deviation of the picture, in that measure.
     #[must_use]
     pub fn noise(&self) -> f64 {
         self.rms(|pixel| pixel.noise)
@@ -129,8 +129,8 @@ impl ErrorEstimate {
         self.pixels.iter().map(relative).collect::<Moments>().rms()
     }
 
-    /// The part of the pixels whose error against `reference` (luminance, row by row) is at most their bound. None
-    /// where there are not as many, or none at all.
+    /// The fraction of the pixels whose error against `reference` (luminance, row by row) is at most their
+    /// bound. `None` where the numbers of pixels differ, or there are none.
     #[must_use]
     pub fn bounded(&self, reference: &[f64]) -> Option<f64> {
         if reference.len() != self.pixels.len() || reference.is_empty() {
@@ -157,7 +157,7 @@ mod tests {
 
     #[test]
     fn a_bias_proportional_to_the_squared_radius_is_found_exactly() {
-        // Truth 2; at the whole disc 0.3 too much, at the half 0.15.
+        // The truth is 2; the whole disc gives 0.3 too much, the half disc 0.15.
         let found = estimate(&[(2.3, 2.15); 5], 0.9).unwrap();
         let pixel = found.pixels[0];
         // 1e-12: roundings; the luminance weights add up to 1.

@@ -1,27 +1,28 @@
-//! Progressive photon mapping: pictures of independent photon maps, of falling radius, whose mean has neither noise
-//! nor bias in the limit. Memory does not depend on the number of passes.
+//! Progressive photon mapping: pictures of independent photon maps with falling radius. Their mean has
+//! neither noise nor bias in the limit. Memory does not depend on the number of passes.
 //!
 //! Knaus and Zwicker, "Progressive Photon Mapping: A Probabilistic Approach" (2011): with radii by
 //! r_(i+1)^2 = r_i^2 (i + alpha) / (i + 1), 0 < alpha < 1, the variance of the mean of i pictures
-//! falls as i^-alpha and its bias as i^(alpha - 1). No pass needs to know what others found, so a pass is a picture as
-//! [`crate::render_lit`] makes it, by any engine.
+//! falls as i^-alpha and its bias as i^(alpha - 1). Passes are independent of one another, so a pass is a
+//! picture as [`crate::render_lit`] makes it, by any engine.
 //!
 //! # The error's estimate
-//! After Hachisuka, Jarosz and Jensen, "A Progressive Error Estimation Framework for Photon Density Estimation" (2010):
-//! the error is the sum of a bias, which is estimated, and of noise, which the spread of bias-corrected pictures bounds
-//! with a stated confidence. Where they take the bias from derivatives of a smooth kernel, we take it from a second
-//! gather, at half the squared radius, of the same photons: the rectangle is the kernel that a machine has. The
-//! leading term of the bias is proportional to r^2 (of a smooth irradiance E, r^2 / 8 times its Laplacian), so with x the
-//! estimate at r and y that at r / sqrt 2,
+//! After Hachisuka, Jarosz and Jensen, "A Progressive Error Estimation Framework for Photon Density
+//! Estimation" (2010): the error is the sum of a bias, which is estimated, and of noise, which the spread of
+//! bias-corrected pictures bounds with a stated confidence. They compute the bias from derivatives of a
+//! smooth kernel. We compute it from a second gather of the same photons, at half the squared radius, because
+//! the rectangle is the kernel that a machine has. The leading term of the bias is proportional to r^2 (for a
+//! smooth irradiance E, r^2 / 8 times its Laplacian). So with x the estimate at r and y the estimate at r /
+//! sqrt 2:
 //!
 //! - b = 2 (x - y) estimates the bias of x, and c = x - b = 2 y - x has none (Richardson's extrapolation);
 //! - over n passes, the mean of x is in error by the mean of b, within t s / sqrt n with confidence C, where s^2 is the
 //!   variance of c and t the two-sided quantile of Student's distribution of n - 1 degrees.
 //!
-//! What a pixel's error is below, with confidence C, is thus |mean b| + t s / sqrt n.
+//! A pixel's error is thus below |mean b| + t s / sqrt n with confidence C.
 //!
-//! Where the irradiance jumps within the radius, as at the border of a shadow, the bias does not fall with r^2, and the
-//! estimate misses a part of it until the radius is smaller than the distance from there.
+//! Where the irradiance jumps within the radius, as at the border of a shadow, the bias does not fall with
+//! r^2. The estimate then misses a part of it until the radius is smaller than the distance from the jump.
 
 mod error;
 
@@ -41,16 +42,16 @@ use crate::scene::Scene;
 use crate::trace::{TraceError, TraceOptions, trace};
 use crate::view::ViewOptions;
 
-/// How radii fall, and what each pass has.
+/// The schedule of the radii, and the photons of each pass.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ProgressiveOptions {
-    /// Photons to store in each pass, at least.
+    /// The least number of photons to store in each pass.
     pub photons: u64,
-    /// Photons in range that the first pass' radius aims at, on average.
+    /// The number of photons in range for which the radius of the first pass is chosen, on average.
     pub in_range: f64,
-    /// How much of a pass' photons go into less noise rather than less bias: over 0, below 1.
+    /// The share of a pass' photons that reduces noise rather than bias: over 0, below 1.
     pub alpha: f64,
-    /// Chooses the random numbers of the first pass; the next has those of the next seed.
+    /// The seed of the first pass; each next pass has the next seed.
     pub seed: u64,
 }
 
@@ -66,34 +67,34 @@ impl Default for ProgressiveOptions {
     }
 }
 
-/// Why a pass failed.
+/// The reason why a pass failed.
 #[derive(Debug, Error)]
 pub enum ProgressiveError {
-    /// A factor that lets the radius grow, or fall too soon.
+    /// A factor with which the radius would grow, or fall too fast.
     #[error("alpha: found {found}, expected a number over 0 and below 1")]
     Alpha {
-        /// The factor.
+        /// The factor that was given.
         found: f64,
     },
-    /// No photons.
+    /// Tracing gave no photons.
     #[error(transparent)]
     Trace(#[from] TraceError),
-    /// No map of them.
+    /// The photons make no map.
     #[error(transparent)]
     Map(#[from] MapError),
-    /// No picture.
+    /// No picture could be rendered.
     #[error(transparent)]
     Render(#[from] RenderError),
 }
 
-/// A picture that gets better pass by pass.
+/// A picture that improves with every pass.
 pub struct Progressive<'a> {
     scene: &'a Scene,
     engine: Engine<'a>,
     lighting: Lighting,
     view: ViewOptions,
     options: ProgressiveOptions,
-    /// Those of the first pass.
+    /// The radii of the first pass.
     radii: Option<Radii>,
     /// The squared radius over that of the first pass.
     shrunk_sq: f64,
@@ -104,10 +105,10 @@ pub struct Progressive<'a> {
 }
 
 impl<'a> Progressive<'a> {
-    /// Nothing yet. The estimates are those of [`Estimator::FixedRadius`].
+    /// A picture without passes. The estimates are those of [`Estimator::FixedRadius`].
     ///
     /// # Errors
-    /// An alpha outside 0 to 1.
+    /// Alpha is outside 0 to 1.
     pub fn new(
         scene: &'a Scene,
         engine: Engine<'a>,
@@ -134,10 +135,10 @@ impl<'a> Progressive<'a> {
         })
     }
 
-    /// One more pass: photons, maps, a picture; then the next radius.
+    /// Makes one more pass: photons, maps, a picture; then the next radius.
     ///
     /// # Errors
-    /// What tracing, the maps and rendering refuse.
+    /// Tracing, the maps or rendering fail.
     pub fn pass(&mut self) -> Result<(), ProgressiveError> {
         let seed = self.options.seed.wrapping_add(self.passes);
         let options = TraceOptions {
@@ -179,19 +180,19 @@ impl<'a> Progressive<'a> {
         Ok(())
     }
 
-    /// Passes made.
+    /// The number of passes made.
     #[must_use]
     pub fn passes(&self) -> u64 {
         self.passes
     }
 
-    /// Photons in the maps of all passes.
+    /// The number of photons in the maps of all passes.
     #[must_use]
     pub fn photons(&self) -> u64 {
         self.photons
     }
 
-    /// The radius of the last pass, in scene units; none before the first.
+    /// The radius of the last pass, in scene units; `None` before the first.
     #[must_use]
     pub fn radius(&self) -> Option<f64> {
         let next = self.radii?.global * self.shrunk_sq.sqrt();
@@ -199,7 +200,7 @@ impl<'a> Progressive<'a> {
         Some(next * ((pass + 1.0) / (pass + self.options.alpha)).sqrt())
     }
 
-    /// The work of all passes.
+    /// The statistics of the work of all passes.
     #[must_use]
     pub fn stats(&self) -> RenderStats {
         self.stats
@@ -215,7 +216,8 @@ impl<'a> Progressive<'a> {
         Image::from_rows(self.view.width, pixels)
     }
 
-    /// What is known of the picture's error, from two passes on; `confidence` is over 0 and below 1.
+    /// The estimate of the picture's error; `None` before the second pass. `confidence` is over 0 and below
+    /// 1.
     #[must_use]
     pub fn error(&self, confidence: f64) -> Option<ErrorEstimate> {
         ErrorEstimate::of(&self.pixels, self.passes, confidence)

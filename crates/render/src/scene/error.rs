@@ -1,4 +1,4 @@
-//! What is no scene.
+//! The errors of texts and files that are not scenes.
 
 use std::io;
 use std::path::PathBuf;
@@ -9,89 +9,89 @@ use thiserror::Error;
 use super::Scene;
 use super::obj::ObjError;
 
-/// Why a scene could not be had.
+/// The reason why a scene could not be read.
 #[derive(Debug, Error)]
 pub enum SceneError {
     /// No built-in scene has the name.
     #[error("no built-in scene is named `{found}`{}; there are: {}", did_you_mean(found, Scene::names()),
         Scene::names().collect::<Vec<_>>().join(", "))]
     Unknown {
-        /// The name asked for.
+        /// The name that was given.
         found: String,
     },
-    /// The text is no JSON, or not of the scene's shape.
+    /// The text is not JSON, or not a scene.
     #[error("{file}, line {line}, column {column}: {message}")]
     Json {
-        /// The file's name, as given.
+        /// The name of the file, as given.
         file: String,
-        /// Counted from 1.
+        /// The line, counted from 1.
         line: usize,
-        /// Counted from 1.
+        /// The column, counted from 1.
         column: usize,
-        /// What was found and expected there.
+        /// The value found there and the expected one.
         message: String,
     },
-    /// The text is no TOML.
+    /// The text is not TOML.
     #[error("{file}, line {line}, column {column}: {message}")]
     Toml {
-        /// The file's name, as given.
+        /// The name of the file, as given.
         file: String,
-        /// Counted from 1.
+        /// The line, counted from 1.
         line: usize,
-        /// Counted from 1.
+        /// The column, counted from 1.
         column: usize,
-        /// What was found and expected there.
+        /// The value found there and the expected one.
         message: String,
     },
-    /// A field of a TOML text that no scene can have, or must have.
+    /// A field of a TOML text is unknown, missing or has no legal value.
     #[error("{file}, line {line}, {place}: found {found}, expected {expected}")]
     Field {
-        /// The file's name, as given.
+        /// The name of the file, as given.
         file: String,
-        /// Counted from 1.
+        /// The line, counted from 1.
         line: usize,
         /// The field's path, such as `shapes[2].corners[0]`.
         place: String,
-        /// What stands there.
+        /// The value found there.
         found: String,
-        /// What could stand there.
+        /// The legal values there.
         expected: String,
     },
-    /// A mesh that cannot be had.
+    /// A mesh could not be read.
     #[error("{file}, line {line}, {place}: {mesh}")]
     Mesh {
-        /// The file's name, as given.
+        /// The name of the file, as given.
         file: String,
-        /// Counted from 1.
+        /// The line, counted from 1.
         line: usize,
         /// The path of the field that names the mesh.
         place: String,
-        /// What is wrong with it.
+        /// The error of the mesh.
         mesh: Box<ObjError>,
     },
     /// A file that cannot be read.
     #[error("cannot read scene {}: {}", file.display(), reason(error))]
     Read {
-        /// The file.
+        /// The path of the file.
         file: PathBuf,
-        /// What the system said; it is told in the words above, so it is no source.
+        /// The error of the system. The message contains it, so it is not the error's source.
         error: io::Error,
     },
-    /// A value that no scene can have.
+    /// A value that is not legal in a scene.
     #[error("{file}, {place}: found {found}, expected {expected}")]
     Value {
-        /// The file's name, as given.
+        /// The name of the file, as given.
         file: String,
         /// The field's path, such as `shapes.light.vertices`.
         place: String,
-        /// What stands there.
+        /// The value found there.
         found: String,
-        /// What could stand there.
+        /// The legal values there.
         expected: String,
     },
 }
 
-/// Why a text cannot be read, in words where the system's are not about the file.
+/// The reason why a text cannot be read, in words where the system's error is not about the file.
 fn reason(error: &io::Error) -> String {
     match error.kind() {
         io::ErrorKind::NotFound => "no such file".to_owned(),

@@ -1,4 +1,4 @@
-//! The shape of a scene file, as it is read and before any value is checked.
+//! The structure of a JSON scene file, before any value is checked.
 
 use std::collections::BTreeMap;
 
@@ -10,7 +10,7 @@ pub(super) struct SceneFile {
     pub camera: CameraFile,
     #[serde(default)]
     pub light_choice: LightChoiceFile,
-    // Sorted, so that the order of the surfaces does not depend on the parser.
+    // The map is sorted, so that the order of the surfaces does not depend on the parser.
     pub shapes: BTreeMap<String, ShapeFile>,
 }
 
@@ -25,7 +25,7 @@ pub(super) enum LightChoiceFile {
 #[derive(Deserialize)]
 pub(super) struct CameraFile {
     pub fov_deg: f64,
-    // Read only to refuse any other axis.
+    // The field is read only to refuse any other axis.
     #[serde(rename = "fov_axis")]
     _fov_axis: FovAxis,
     pub to_world: [[f64; 4]; 4],
@@ -69,7 +69,7 @@ pub(super) enum BsdfFile {
     TwoSided { bsdf: SheetFile },
 }
 
-/// What a two-sided surface can be made of: only mirrors have two sides.
+/// The materials of a two-sided surface: only mirrors have two sides.
 #[derive(Deserialize)]
 #[serde(tag = "type", rename_all = "lowercase", deny_unknown_fields)]
 pub(super) enum SheetFile {
@@ -79,7 +79,7 @@ pub(super) enum SheetFile {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct ConductorFile {
-    // Read only to refuse a metal, whose reflectance would depend on the angle.
+    // The field is read only to refuse a metal, whose reflectance would depend on the angle.
     #[serde(rename = "material")]
     _material: Material,
     pub specular_reflectance: Spectrum,

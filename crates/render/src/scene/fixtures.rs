@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use super::Scene;
 
-/// The unit cube's corners; the faces below show their fronts to its inside.
+/// The corners of the unit cube. The faces below have their fronts inside.
 const CUBE: [[f64; 3]; 8] = [
     [0.0, 0.0, 0.0],
     [1.0, 0.0, 0.0],
@@ -35,7 +35,7 @@ fn mirror(reflectance: f64) -> Value {
     json!({"type": "conductor", "material": "none", "specular_reflectance": rgb(reflectance)})
 }
 
-/// The camera stands inside and looks along -z, somewhat upwards by its wide view.
+/// A scene of these shapes. The camera is inside and looks along -z; its wide view reaches upwards.
 fn scene(shapes: &Value) -> Scene {
     let to_world = [
         [-1.0, 0.0, 0.0, 0.4],
@@ -48,8 +48,8 @@ fn scene(shapes: &Value) -> Scene {
     Scene::from_json("fixture", &text).expect("a scene")
 }
 
-/// The unit cube with walls of mirror; all its ceiling emits a radiance of 1 and, like the floor,
-/// absorbs what arrives.
+/// The unit cube with mirrors as walls. All of its ceiling emits a radiance of 1; ceiling and floor absorb
+/// the light that arrives.
 pub(crate) fn chamber(reflectance: f64) -> Scene {
     let mut ceiling = quads(&[CEILING], black());
     ceiling["emitter"] = json!({"type": "area", "radiance": rgb(1.0)});
@@ -60,7 +60,7 @@ pub(crate) fn chamber(reflectance: f64) -> Scene {
     }))
 }
 
-/// The unit cube with six perfect mirrors inside, and a light of a millionth of its area.
+/// The unit cube with six perfect mirrors inside, and a light with a millionth of its area.
 pub(crate) fn mirror_box() -> Scene {
     let mut light = quads(&[[0, 1, 2, 3]], black());
     let (a, b) = (0.5, 0.501);
@@ -71,8 +71,8 @@ pub(crate) fn mirror_box() -> Scene {
     scene(&json!({"light": light, "walls": quads(&faces, mirror(1.0))}))
 }
 
-/// How many walls of the [`chamber`] light meets on its way to a point at `(x, z)` of the plane
-/// where the walls' mirror images are laid out flat.
+/// The number of walls of the [`chamber`] that light meets on its way to a point at `(x, z)` of the plane in
+/// which the walls' mirror images are laid out flat.
 pub(crate) fn walls_met(x: f64, z: f64) -> i32 {
     (x.floor().abs() + z.floor().abs()) as i32
 }
@@ -89,7 +89,7 @@ pub(crate) fn chamber_with_glass() -> Scene {
     }))
 }
 
-/// A ball of glass in a cube whose faces all emit a radiance of 1 and absorb what arrives.
+/// A ball of glass in a cube whose faces all emit a radiance of 1 and absorb the light that arrives.
 pub(crate) fn glass_furnace() -> Scene {
     let mut faces = WALLS.to_vec();
     faces.extend([FLOOR, CEILING]);

@@ -1,13 +1,13 @@
-//! The smooth border of two media: how light is shared, and where it goes.
+//! The smooth border of two media: the shares and the directions of reflected and refracted light.
 
 use glam::DVec3;
 
-/// What a smooth border does with light of one direction.
+/// The reflection and refraction of light of one direction at a smooth border.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Border {
-    /// The part that is reflected, F, from 0 to 1; 1 where all is.
+    /// The reflected fraction F, from 0 to 1; 1 with total reflection.
     pub reflected: f64,
-    /// The unit direction of the rest; `None` where all is reflected.
+    /// The unit direction of the refracted light; `None` with total reflection.
     pub refracted: Option<DVec3>,
 }
 
@@ -78,7 +78,7 @@ mod tests {
     }
 
     proptest! {
-        /// Snell's law; the way back is the same way, with the same share.
+        /// Snell's law is symmetric: the way back is the way in, with an equal share.
         #[test]
         fn light_goes_back_as_it_came(sine in 0.0..0.999f64, ratio in 1.01..3.0f64) {
             let direction = down(sine);

@@ -1,8 +1,8 @@
-//! Which parts of a scene a ray may meet: a bounding volume hierarchy over all of them.
+//! Finds the parts of a scene that a ray may meet, with a bounding volume hierarchy over all parts.
 //!
-//! The crate `bvh` builds it and tests its boxes, all in f64. The way through the boxes is our own: the crate's
-//! iterators have room for 32 levels, which a mesh with one far larger triangle may exceed, and know nothing of
-//! the hits that have been found.
+//! The crate `bvh` builds the hierarchy and tests its boxes, all in f64. The traversal is our own. The
+//! crate's iterators have room for 32 levels, which a mesh with one far larger triangle may exceed, and they
+//! do not use the hits found so far.
 
 use bvh::aabb::{Aabb, Bounded};
 use bvh::bounding_hierarchy::{BHShape, BoundingHierarchy};
@@ -14,29 +14,29 @@ use super::Surface;
 use crate::camera::Ray;
 use crate::geometry::Hit;
 
-/// By how much a box is wider than its part, as a part of the longest way of a ray. A ray's distance to a
-/// box's side is off by a few roundings of that way (2^-53, 1e-16 of it): a thousandfold is never missed.
+/// The margin of a box around its part, as a fraction of the longest path of a ray. A ray's distance to a
+/// box's side is off by a few roundings of that path (2^-53, 1e-16 of it), a thousandth of the margin.
 const MARGIN: f64 = 1e-12;
 
-/// Boxes end here, so that no product of three sides overflows; no light gets that far.
+/// The limit of boxes, so that no product of three sides overflows. Light never gets that far.
 const FAR: f64 = 1e90;
 
-/// The parts of all surfaces in boxes in boxes.
+/// The hierarchy of the boxes of all parts of all surfaces.
 #[derive(Debug, Clone)]
 pub(super) struct Hierarchy {
     tree: Bvh<f64, 3>,
-    /// What the leaves of the tree name.
+    /// The parts, which the leaves of the tree refer to.
     parts: Vec<Part>,
 }
 
-/// One thing to test a ray against. The order decides among hits at one distance.
+/// A part of a surface to test a ray against. The order of parts decides among hits at one distance.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 struct Part {
     surface: u32,
     part: u32,
 }
 
-/// A part as the builder sees it.
+/// A part with its box, for the builder.
 struct Boxed {
     bounds: Aabb<f64, 3>,
     node: usize,
@@ -59,7 +59,7 @@ impl BHShape<f64, 3> for Boxed {
 }
 
 impl Hierarchy {
-    /// The hierarchy of `surfaces`, for rays that start at one of them or at `camera`.
+    /// Builds the hierarchy of `surfaces`, for rays that start at one of them or at `camera`.
     pub fn new(surfaces: &[Surface], camera: DVec3) -> Self {
         let parts: Vec<_> = (0_u32..)
             .zip(surfaces)
@@ -76,8 +76,8 @@ impl Hierarchy {
         };
         let margin = margin(parts.iter().map(bounds), camera);
         let boxed = |part| {
-            // On a grid of that margin, or a mesh of ever smaller triangles would make a tree as deep as
-            // numbers have powers.
+            // The boxes are on a grid of that margin. Otherwise a mesh of ever smaller triangles would make a
+            // tree as deep as the exponents of the numbers.
             let [low, high] = bounds(part).map(|corner| corner / margin);
             let [low, high] = [low.floor() - 1.0, high.ceil() + 1.0].map(|corner| margin * corner);
             Boxed {
@@ -92,8 +92,9 @@ impl Hierarchy {
         }
     }
 
-    /// The nearest hit over `t_min` and its surface's index; of several at one distance that of the first
-    /// surface, and of its first part: what trying one after the other finds, to the last bit.
+    /// The nearest hit over `t_min` and its surface's index. Of several hits at one distance it is that of
+    /// the first surface, and of its first part. The result equals a test of all parts, one by one, to the
+    /// last bit.
     pub fn nearest(&self, surfaces: &[Surface], ray: &Ray, t_min: f64) -> Option<(usize, Hit)> {
         let direction = Vector3::from(ray.direction.to_array());
         let mut cast = Cast {
@@ -113,7 +114,8 @@ impl Hierarchy {
     }
 }
 
-/// See [`MARGIN`]; the scene may be far from the origin, where its own coordinates are rounded.
+/// The margin of [`MARGIN`] in scene units. A scene may be far from the origin, where its own coordinates are
+/// rounded.
 fn margin(bounds: impl Iterator<Item = [DVec3; 2]>, camera: DVec3) -> f64 {
     let [low, high] = bounds.fold([camera; 2], |[low, high], part| {
         [low.min(part[0]), high.max(part[1])]
@@ -126,25 +128,25 @@ fn point(p: DVec3) -> Point3<f64> {
     Point3::from(p.clamp(DVec3::splat(-FAR), DVec3::splat(FAR)).to_array())
 }
 
-/// One ray on its way through the boxes.
+/// A ray during its traversal of the boxes.
 struct Cast<'a> {
     hierarchy: &'a Hierarchy,
     surfaces: &'a [Surface],
     ray: &'a Ray,
-    /// The same ray, for boxes.
+    /// The ray in the form that the box tests need.
     slabs: bvh::ray::Ray<f64, 3>,
     t_min: f64,
     nearest: Option<(Part, Hit)>,
 }
 
 impl Cast<'_> {
-    /// How far away what is looked for may be.
+    /// The largest distance at which a hit still counts.
     fn limit(&self) -> f64 {
         self.nearest.map_or(f64::INFINITY, |(_, hit)| hit.t)
     }
 
-    /// What is in the boxes of a node, the nearer box first. Each takes from its node a sixth of the room or half
-    /// of the parts, and boxes are on a grid, so this goes no deeper than some 200 levels.
+    /// Visits the boxes of a node, the nearer box first. Each box takes a sixth of its node's room or half of
+    /// its parts, and boxes are on a grid, so the recursion has at most some 200 levels.
     fn visit(&mut self, node: usize) {
         match &self.hierarchy.tree.nodes[node] {
             BvhNode::Leaf { shape_index, .. } => self.meet(self.hierarchy.parts[*shape_index]),
@@ -163,7 +165,8 @@ impl Cast<'_> {
                     (left, right)
                 };
                 for (entry, child) in [first, second] {
-                    // Equal too: of hits at one distance the first part's counts.
+                    // Equal distances are visited too, because of hits at one distance that of the first part
+                    // counts.
                     if entry.is_finite() && entry <= self.limit() {
                         self.visit(child);
                     }
@@ -172,7 +175,7 @@ impl Cast<'_> {
         }
     }
 
-    /// Where the ray enters a box; infinite where it passes by.
+    /// The distance at which the ray enters a box; infinite where it misses.
     fn entry(&self, bounds: &Aabb<f64, 3>) -> f64 {
         let slice = self.slabs.intersection_slice_for_aabb(bounds);
         slice.map_or(f64::INFINITY, |(entry, _)| entry)
@@ -199,7 +202,7 @@ mod tests {
     use crate::geometry::{Geometry, Mesh, Quad, Sphere};
     use crate::scene::Bsdf;
 
-    /// Every part after the other: the definition.
+    /// Tests every part, one after another: the definition.
     fn one_by_one(surfaces: &[Surface], ray: &Ray, t_min: f64) -> Option<(usize, Hit)> {
         let mut nearest: Option<(usize, Hit)> = None;
         for (index, surface) in surfaces.iter().enumerate() {
@@ -211,7 +214,8 @@ mod tests {
         nearest
     }
 
-    /// Multiples of a quarter make hits at equal distances, rays in planes and along the sides of boxes.
+    /// Multiples of a quarter, which make hits at equal distances, rays in planes and rays along the sides of
+    /// boxes.
     fn coordinate() -> impl Strategy<Value = f64> {
         prop_oneof![-2.0..2.0f64, (-8..=8_i32).prop_map(|i| f64::from(i) / 4.0)]
     }
@@ -250,7 +254,7 @@ mod tests {
     }
 
     proptest! {
-        /// The same surface and the same bits, also from far away and along axes.
+        /// Requires the surface and the bits of the one-by-one test, also from far away and along axes.
         #[test]
         fn hits_are_those_of_trying_all(
             shapes in prop::collection::vec(geometry(), 1..12),
@@ -273,8 +277,8 @@ mod tests {
         }
     }
 
-    /// Every triangle somewhat larger than the one before, over as many powers as areas have: the deepest tree
-    /// that there is, built and walked on the stack that a thread has.
+    /// Every triangle is somewhat larger than the one before, over as many exponents as areas have: the
+    /// deepest possible tree, built and traversed on a thread's stack.
     #[test]
     fn lopsided_meshes_are_walked() {
         let count = 1500;

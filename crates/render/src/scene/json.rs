@@ -1,4 +1,4 @@
-//! The scene file: the reference renderer's JSON, of which camera and shapes are read.
+//! Reads JSON scene files in the reference renderer's format: the camera and the shapes.
 
 use glam::DVec3;
 use photoncube_spec::did_you_mean;
@@ -11,8 +11,8 @@ use super::{Bsdf, LightChoice, MAX_RADIANCE, Scene, SceneError, Surface};
 use crate::camera::Camera;
 use crate::geometry::{Geometry, Quad, Sphere};
 
-/// How far a stated normal may lie from the corners' own, as the cosine: a stated normal only
-/// serves to catch a wrong winding, so one degree is plenty.
+/// The least cosine between a stated normal and the normal of the corners. A stated normal only serves to
+/// detect a wrong winding, so one degree is enough.
 const NORMAL_COSINE: f64 = 0.9998;
 
 pub(super) fn parse(file: &str, text: &str) -> Result<Scene, SceneError> {
@@ -40,7 +40,7 @@ pub(super) fn parse(file: &str, text: &str) -> Result<Scene, SceneError> {
 
 fn json_error(file: &str, error: &serde_json::Error) -> SceneError {
     let message = error.to_string();
-    // serde_json ends its message with the place, which stands in the error's own fields.
+    // serde_json ends its message with the place, which the error has in its own fields.
     let end = message.rfind(" at line ").unwrap_or(message.len());
     SceneError::Json {
         file: file.to_owned(),
@@ -50,8 +50,8 @@ fn json_error(file: &str, error: &serde_json::Error) -> SceneError {
     }
 }
 
-/// serde's message about a name that is not known, with the one that was meant: it lists all between backquotes, that
-/// which was found first.
+/// Adds a suggestion to serde's message about an unknown name. The message has all known names in backquotes,
+/// after the one that was found.
 fn with_meant(message: &str) -> String {
     let mut quoted = message.split('`').skip(1).step_by(2);
     match quoted.next() {
@@ -64,7 +64,7 @@ fn with_meant(message: &str) -> String {
     }
 }
 
-/// Checks values, knowing the file's name for its errors.
+/// Checks values; it knows the file's name for its errors.
 struct Reader<'a> {
     file: &'a str,
 }
@@ -164,7 +164,7 @@ impl Reader<'_> {
 
     fn dielectric(&self, place: &str, file: &DielectricFile) -> Result<Bsdf, SceneError> {
         for (field, ior) in [("int_ior", file.int_ior), ("ext_ior", file.ext_ior)] {
-            // From an X-ray's in anything to past every crystal's.
+            // From the index of X-rays in any medium to more than that of every crystal.
             if !(0.5..=10.0).contains(&ior) {
                 return Err(self.error(
                     &format!("{place}.{field}"),

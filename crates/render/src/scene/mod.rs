@@ -26,30 +26,30 @@ use self::hierarchy::Hierarchy;
 use crate::camera::{Camera, Ray};
 use crate::geometry::Hit;
 
-/// The scenes that come with the program: name and text.
+/// The built-in scenes: name and text.
 const BUILT_IN: [(&str, &str); 3] = [
     ("cornell", include_str!("../../scenes/cornell.json")),
     ("ring", include_str!("../../scenes/ring.json")),
     ("range", include_str!("../../scenes/range.json")),
 ];
 
-/// A ray that leaves a surface ignores hits nearer than this part of the scene's diagonal:
-/// 25 times the tilt of the reference scene's single-precision geometry (4e-8), and far below
-/// its smallest gap (0.01 between light and ceiling).
+/// The distance, as a fraction of the scene's diagonal, within which a ray that leaves a surface ignores
+/// hits. It is 25 times the tilt of the reference scene's single-precision geometry (4e-8), and far below its
+/// smallest gap (0.01 between light and ceiling).
 const LEAVE_DISTANCE: f64 = 1e-6;
 
-/// Far above any light, and no sum of squares of such numbers overflows.
+/// The largest radiance: far above any light, and a sum of squares of such numbers does not overflow.
 const MAX_RADIANCE: f64 = 1e30;
 
-/// How often each light is chosen to emit a photon. The mean of what photons carry to a place is
-/// the same by either; their number there and their powers are not.
+/// The frequency with which each light is chosen to emit a photon. The mean of the light that photons carry
+/// to a place is independent of it; the number and the powers of photons there are not.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum LightChoice {
     /// In proportion to its flux: all photons start with about equal power.
     #[default]
     Flux,
-    /// Every light equally often, for a scene where a weak light alone reaches a place: by flux,
-    /// hardly any photon would come there. Powers at the start then differ as the lights' fluxes.
+    /// Every light with equal probability, for a scene where only a weak light reaches some place: by flux,
+    /// hardly any photon would arrive there. Initial powers then differ as the lights' fluxes do.
     Uniform,
 }
 
@@ -90,12 +90,11 @@ impl Scene {
         Self::from_json(name, text)
     }
 
-    /// The scene that `text` describes, in the form of `scenes/cornell.json`; `file` is only
-    /// for the errors' wording. `scenes/ring.json` shows a shape of many quads and mirrors (a
-    /// `conductor` of material `none`, in `twosided` where its back is a mirror too),
-    /// `scenes/range.json` a `light_choice`, which is `flux` where it is left out, and
-    /// `docs/scenes/spheres.json` spheres of glass (a `dielectric`, in the words of the reference
-    /// renderer) and of metal.
+    /// The scene in the JSON text `text`, in the form of `scenes/cornell.json`; `file` is used only in error
+    /// messages. `scenes/ring.json` shows a shape of many quads and mirrors (a `conductor` of material
+    /// `none`, in `twosided` where its back is a mirror too). `scenes/range.json` shows a `light_choice`,
+    /// whose default is `flux`. `docs/scenes/spheres.json` shows spheres of glass (a `dielectric`, in the
+    /// words of the reference renderer) and of metal.
     ///
     /// # Errors
     /// [`SceneError::Json`] or [`SceneError::Value`], with the place.
@@ -103,11 +102,11 @@ impl Scene {
         json::parse(file, text)
     }
 
-    /// The scene in a file: of the extension `toml` by [`Self::from_toml`], of any other by
+    /// Reads the scene in a file: with the extension `toml` by [`Self::from_toml`], with any other by
     /// [`Self::from_json`].
     ///
     /// # Errors
-    /// [`SceneError::Read`], and those of either form.
+    /// [`SceneError::Read`], and the errors of either form.
     pub fn from_file(file: &Path) -> Result<Self, SceneError> {
         let text = fs::read_to_string(file).map_err(|error| SceneError::Read {
             file: file.to_owned(),
@@ -127,8 +126,8 @@ impl Scene {
         Ok(scene)
     }
 
-    /// The scene that `text` describes, in the form that `docs/scenes.md` states; `file` is only for the
-    /// errors' wording, and the files of meshes are looked for from `folder`.
+    /// The scene in the TOML text `text`, in the form that `docs/scenes.md` states. `file` is used only in
+    /// error messages; the files of meshes are relative to `folder`.
     ///
     /// # Errors
     /// [`SceneError::Toml`], [`SceneError::Field`] or [`SceneError::Mesh`], with line and field.
@@ -152,37 +151,37 @@ impl Scene {
         scene
     }
 
-    /// The scene's name, as its text gives it.
+    /// The scene's name, as stated in its text.
     #[must_use]
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// The files that it was read from: its own, if it is in one, and those of its meshes.
+    /// The files that the scene was read from: its own, if it is in one, and those of its meshes.
     #[must_use]
     pub fn files(&self) -> &[PathBuf] {
         &self.files
     }
 
-    /// The camera.
+    /// The camera of the view.
     #[must_use]
     pub fn camera(&self) -> &Camera {
         &self.camera
     }
 
-    /// All surfaces; photons and hits name one by its index here.
+    /// All surfaces. Photons and hits refer to a surface by its index here.
     #[must_use]
     pub fn surfaces(&self) -> &[Surface] {
         &self.surfaces
     }
 
-    /// How photons are shared among the lights.
+    /// The rule that divides photons among the lights.
     #[must_use]
     pub fn light_choice(&self) -> LightChoice {
         self.light_choice
     }
 
-    /// The smallest and the largest corner of the box around all surfaces (scene units).
+    /// The smallest and the largest corner of the bounding box of all surfaces, in scene units.
     #[must_use]
     pub fn bounds(&self) -> [DVec3; 2] {
         let corners = self.surfaces.iter().flat_map(|s| s.geometry.bounds());
@@ -191,8 +190,8 @@ impl Scene {
         })
     }
 
-    /// The nearest hit of a ray and its surface's index. Hits that touch the ray's start are
-    /// passed over, so that a ray can leave a surface.
+    /// The nearest hit of a ray and its surface's index. Hits at the ray's start are ignored, so that a ray
+    /// can leave a surface.
     #[must_use]
     pub fn intersect(&self, ray: &Ray) -> Option<(usize, Hit)> {
         self.hierarchy
@@ -200,7 +199,7 @@ impl Scene {
     }
 }
 
-/// Says why a text that is no JSON was read as such, unless its name says so.
+/// Adds to the error of a text that is not JSON that it was read as JSON, unless its name has that extension.
 fn read_as_json(file: &Path, mut error: SceneError) -> SceneError {
     let is_json = file
         .extension()

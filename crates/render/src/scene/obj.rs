@@ -1,7 +1,7 @@
-//! Meshes of OBJ files, which the crate `tobj` reads.
+//! Reads meshes from OBJ files, with the crate `tobj`.
 //!
-//! It is handed positions and the faces' position indices alone: texture coordinates, normals, groups and
-//! materials mean nothing here, and so cannot be wrong either. The line numbers stay the file's.
+//! Only positions and the faces' position indices are passed to it. Texture coordinates, normals, groups and
+//! materials are ignored, so they cannot be wrong. Line numbers are those of the file.
 
 use std::fs;
 use std::io::{self, BufRead, Read};
@@ -14,46 +14,46 @@ use tobj::{LoadError, LoadOptions, Model};
 use super::transform::Transform;
 use crate::geometry::{Mesh, MeshError};
 
-/// Why a file is no mesh.
+/// The reason why a file is not a mesh.
 #[derive(Debug, Error)]
 pub enum ObjError {
-    /// It is not there, or cannot be read.
+    /// The file is missing or cannot be read.
     #[error("{}: {source}", file.display())]
     Read {
-        /// The file.
+        /// The path of the file.
         file: PathBuf,
-        /// Why.
+        /// The error of the system.
         source: io::Error,
     },
-    /// A line that is no OBJ.
+    /// A line of the file is not legal OBJ.
     #[error("{}, line {line}: found {found:?}, expected {expected}", file.display())]
     Line {
-        /// The file.
+        /// The path of the file.
         file: PathBuf,
-        /// Counted from 1.
+        /// The line, counted from 1.
         line: usize,
-        /// The line.
+        /// The text of the line.
         found: String,
-        /// What could stand there.
+        /// The legal text there.
         expected: String,
     },
-    /// Lines that are OBJ, and no mesh together.
+    /// The lines are legal OBJ but do not make a mesh.
     #[error("{}, {mesh}", file.display())]
     Mesh {
-        /// The file.
+        /// The path of the file.
         file: PathBuf,
-        /// What is wrong.
+        /// The error of the mesh.
         mesh: MeshError,
     },
 }
 
-/// The mesh of all faces in a file, transformed.
+/// Reads the mesh of all faces in a file and transforms it.
 pub(super) fn load(file: &Path, transform: &Transform) -> Result<Mesh, ObjError> {
     let bytes = fs::read(file).map_err(|source| ObjError::Read {
         file: file.to_owned(),
         source,
     })?;
-    // Comments and names may be in any encoding.
+    // Comments and names may have any encoding.
     let text = String::from_utf8_lossy(&bytes);
     read(file, &text, transform)
 }
@@ -82,7 +82,7 @@ fn read(file: &Path, text: &str, transform: &Transform) -> Result<Mesh, ObjError
     })
 }
 
-/// Of a line what makes a mesh: a vertex's coordinates, a face's vertices.
+/// The part of a line that matters for a mesh: a vertex's coordinates or a face's vertices.
 fn kept(line: &str) -> String {
     let mut words = line
         .split('#')
@@ -93,7 +93,7 @@ fn kept(line: &str) -> String {
         Some("v") => format!("v {}", words.take(3).collect::<Vec<_>>().join(" ")),
         Some("f") => {
             let index = |word: &str| match word.split('/').next() {
-                // No vertex has this number.
+                // 0 is the number of no vertex.
                 None | Some("") => " 0".to_owned(),
                 Some(index) => format!(" {index}"),
             };
@@ -116,7 +116,7 @@ fn mesh(models: &[Model], transform: &Transform) -> Result<Mesh, MeshError> {
     Mesh::new(vertices, triangles)
 }
 
-/// Whether the line is a vertex with a NaN or an infinity, which are numbers to a parser.
+/// Whether the line is a vertex with a NaN or an infinity, which parsers accept as numbers.
 fn is_not_finite(line: &str) -> bool {
     let kept = kept(line);
     let mut words = kept.split(' ');
@@ -159,7 +159,8 @@ fn at_line(file: &Path, text: &str, line: usize, expected: &str) -> ObjError {
     }
 }
 
-/// The line of the first face with a vertex that is not there. The library finds it at the end of the file.
+/// The line of the first face with a missing vertex. The library reports this error only at the end of the
+/// file.
 fn stray_face(text: &str, vertices: usize) -> Option<usize> {
     let mut before = 0_i64;
     let stray = |line: &str| {
@@ -179,7 +180,7 @@ fn stray_face(text: &str, vertices: usize) -> Option<usize> {
         .map(|line| line + 1)
 }
 
-/// A text that counts the lines that were begun.
+/// A text that counts the lines that a reader has begun.
 struct Lines<'a> {
     rest: &'a [u8],
     begun: usize,
@@ -198,7 +199,7 @@ impl BufRead for Lines<'_> {
 
     fn consume(&mut self, amount: usize) {
         let (read, rest) = self.rest.split_at(amount);
-        // Readers of lines take them whole.
+        // Readers of lines consume whole lines.
         self.begun += usize::from(!read.is_empty());
         self.rest = rest;
     }
@@ -305,7 +306,7 @@ mod tests {
     }
 
     proptest! {
-        /// Words that OBJ knows in any order are read or refused; nothing panics.
+        /// OBJ keywords in any order are read or refused, without a panic.
         #[test]
         fn any_words_are_read_or_refused(words in prop::collection::vec(
             prop::sample::select(vec![

@@ -1,4 +1,4 @@
-//! A surface and what it does with light.
+//! Surfaces and their interaction with light.
 
 use glam::DVec3;
 use rand::RngExt;
@@ -10,22 +10,22 @@ use crate::facing::Facing;
 use crate::geometry::{Geometry, Hit};
 use crate::sample::cosine_direction;
 
-/// How a surface scatters light; what it does not reflect it absorbs.
+/// The scattering of light by a surface. Light that is not reflected is absorbed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Bsdf {
     /// Equal radiance in all directions, from the front; the back is black.
     Diffuse {
-        /// Of red, green, blue, each from 0 to 1.
+        /// The reflectance of red, green, blue, each from 0 to 1.
         reflectance: DVec3,
     },
     /// A perfect mirror. It holds no photons, and view rays follow it.
     Mirror {
-        /// Of red, green, blue, each from 0 to 1, at every angle.
+        /// The reflectance of red, green, blue, each from 0 to 1, at every angle.
         reflectance: DVec3,
-        /// Whether its back is a mirror too, as of a thin sheet of metal, or black.
+        /// Whether its back is a mirror too, as of a thin sheet of metal; otherwise the back is black.
         two_sided: bool,
     },
-    /// The smooth border of a clear medium, which is behind the surface: what it does not reflect goes on,
+    /// The smooth border of a clear medium behind the surface. Light that is not reflected continues,
     /// refracted. It holds no photons, and view rays follow it.
     Dielectric {
         /// The index of refraction behind the surface, over that before it; over 0.
@@ -33,21 +33,22 @@ pub enum Bsdf {
     },
 }
 
-/// One surface and what it does with light. Only the front of a quad emits.
+/// A surface of the scene. Only the front of a quad emits.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Surface {
-    /// The shape that it belongs to; a box gives six surfaces of one name.
+    /// The name of the shape that the surface belongs to. A box is six surfaces of one name.
     pub shape: String,
-    /// Its form and where it is.
+    /// The form and place of the surface.
     pub geometry: Geometry,
-    /// What it does with light that arrives.
+    /// The scattering of light that arrives.
     pub bsdf: Bsdf,
-    /// Emitted radiance of red, green, blue; zero for what is no light, as for all that is not a diffuse quad.
+    /// The emitted radiance of red, green, blue; zero for surfaces that are not lights, such as all but
+    /// diffuse quads.
     pub radiance: DVec3,
 }
 
 impl Surface {
-    /// The part of the light that it does not absorb, for red, green, blue.
+    /// The fraction of red, green and blue light that the surface does not absorb.
     #[must_use]
     pub fn reflectance(&self) -> DVec3 {
         match self.bsdf {
@@ -56,13 +57,14 @@ impl Surface {
         }
     }
 
-    /// Whether light of one direction leaves it in one or two, so that it stores no photons.
+    /// Whether light of one direction leaves the surface in only one or two directions, so that it stores no
+    /// photons.
     #[must_use]
     pub fn is_specular(&self) -> bool {
         !matches!(self.bsdf, Bsdf::Diffuse { .. })
     }
 
-    /// Where the front faces at a hit, as a photon remembers it.
+    /// The facing of the front at a hit, which a photon stores.
     pub(crate) fn facing(&self, hit: &Hit) -> Facing {
         match self.geometry.flat_normal() {
             Some(_) => Facing::FLAT,
@@ -70,14 +72,14 @@ impl Surface {
         }
     }
 
-    /// The unit normal by which photons of that facing are chosen for a query.
+    /// The unit normal by which photons of that facing are selected for a query.
     #[must_use]
     pub fn facing_normal(&self, facing: Facing) -> DVec3 {
         let flat = self.geometry.flat_normal();
         flat.unwrap_or_else(|| facing.normal())
     }
 
-    /// Whether the side that was hit does anything with light but absorb it.
+    /// Whether the side that was hit does anything but absorb light.
     pub(crate) fn is_lit(&self, hit: &Hit) -> bool {
         match self.bsdf {
             Bsdf::Diffuse { .. } => hit.front,
@@ -86,9 +88,9 @@ impl Surface {
         }
     }
 
-    /// The way on which light that arrived by `ray` leaves: for a diffuse surface a random one of
-    /// density cos / pi, for a mirror that of the law of reflection, at the border of a medium by chance, as
-    /// Fresnel's equations share it, the one or the other.
+    /// The ray by which light that arrived by `ray` leaves. For a diffuse surface it is random with density
+    /// cos / pi, for a mirror that of the law of reflection. At the border of a medium it is one of both ways
+    /// by chance, with the shares of Fresnel's equations.
     pub(crate) fn scatter(&self, ray: &Ray, hit: &Hit, rng: &mut Pcg64Mcg) -> Scattered {
         let on = |direction| Scattered {
             ray: Ray {
@@ -99,7 +101,7 @@ impl Surface {
         };
         match self.bsdf {
             Bsdf::Diffuse { .. } => on(cosine_direction(hit.normal, rng)),
-            // d - 2 (d . n) n, which does not care for the side.
+            // d - 2 (d . n) n, which is independent of the side.
             Bsdf::Mirror { .. } => on(ray.direction.reflect(hit.normal)),
             Bsdf::Dielectric { ratio } => {
                 let (normal, ratio) = if hit.front {
@@ -121,14 +123,14 @@ impl Surface {
     }
 }
 
-/// How light leaves a surface.
+/// The result of scattering light at a surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Scattered {
-    /// Where to.
+    /// The ray of the scattered light.
     pub ray: Ray,
-    /// Where a view ray goes this way: the radiance that comes back by it, for that which is there. In a
-    /// medium of index n a bundle of rays is n^2 times as narrow, so that L / n^2 stays what it is. The flux of
-    /// photons knows no such factor.
+    /// For a view ray along this way, the factor from the radiance at its end to the radiance here. In a
+    /// medium of index n a bundle of rays is n^2 times as narrow, so that L / n^2 is constant. The flux of
+    /// photons has no such factor.
     pub radiance: f64,
 }
 
@@ -158,8 +160,8 @@ mod tests {
     }
 
     proptest! {
-        /// The angles with the normal are equal, both rays lie in a plane with it, and nothing
-        /// is added to the direction's length, on either side.
+        /// The angles with the normal are equal, both rays lie in a plane with it, and the length of the
+        /// direction is unchanged, on either side.
         #[test]
         fn mirrors_obey_the_law_of_reflection(x in -1.0..1.0f64, y in 0.1..1.0f64, back in prop::bool::ANY) {
             let mirror = mirror(true);

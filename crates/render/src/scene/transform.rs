@@ -1,15 +1,16 @@
-//! Where a shape of a scene file is put: scaled, then turned, then moved.
+//! The transform of a shape of a scene file: scaled, then turned, then moved.
 
 use glam::{DMat3, DVec3};
 
-/// Lengths along the axes, a turn, a move, in this order.
+/// A scale along the axes, a rotation and a translation, in this order.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Transform {
-    /// By axis; all over 0, so that fronts stay fronts.
+    /// The scale factor of each axis; all over 0, so that fronts stay fronts.
     pub scale: DVec3,
-    /// About x, then y, then z, in degrees: counter-clockwise where the axis points at the viewer.
+    /// The rotations about x, then y, then z, in degrees: counter-clockwise where the axis points at the
+    /// viewer.
     pub rotate_deg: DVec3,
-    /// In scene units.
+    /// The translation in scene units.
     pub translate: DVec3,
 }
 
@@ -24,7 +25,7 @@ impl Default for Transform {
 }
 
 impl Transform {
-    /// What it does to a point.
+    /// The function that transforms a point.
     pub fn of_point(&self) -> impl Fn(DVec3) -> DVec3 + use<> {
         let [x, y, z] = self.rotate_deg.to_array().map(f64::to_radians);
         let turn =
@@ -32,7 +33,7 @@ impl Transform {
         let Self {
             scale, translate, ..
         } = *self;
-        // Points that are not moved keep their bits.
+        // Points without a rotation keep their bits.
         let turned = self.rotate_deg != DVec3::ZERO;
         move |p| {
             let scaled = scale * p;
@@ -41,7 +42,7 @@ impl Transform {
         }
     }
 
-    /// The one factor of all lengths, if there is one.
+    /// The factor of all lengths; `None` where the axes have different factors.
     pub fn uniform_scale(&self) -> Option<f64> {
         let DVec3 { x, y, z } = self.scale;
         (x == y && y == z).then_some(x)
@@ -65,7 +66,7 @@ mod tests {
             rotate_deg: DVec3::new(90.0, 90.0, 0.0),
             ..Transform::default()
         };
-        // y goes to z by the first turn, and z to x by the second.
+        // The first rotation takes y to z, the second z to x.
         assert!(tumbled.of_point()(DVec3::Y).distance(DVec3::X) < 1e-15);
         assert_eq!(transform.uniform_scale(), None);
         assert_eq!(tumbled.uniform_scale(), Some(1.0));

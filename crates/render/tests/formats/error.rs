@@ -1,17 +1,18 @@
-//! What a format costs at single queries, against f64 on the same photons.
+//! Measures the error of formats at single queries, against f64 on the same photons.
 
 use glam::DVec3;
 use photoncube_render::{FormatMap, Photon, PhotonMap, Scene, TraceOptions, trace};
 use photoncube_spec::{PhotonFormat, find_photon_format};
 
-/// Figures over many queries.
+/// The figures of many queries.
 #[derive(Debug, Default)]
 struct Measured {
-    /// Photons on the wrong side, over those in range.
+    /// Misclassified photons over photons in range.
     misclassified: f64,
-    /// rms relative error of the three channels' sum.
+    /// The rms relative error of the sum of the three channels.
     rms: f64,
-    /// rms of the Monte-Carlo noise, each query's from its own photons: sqrt(sum w^2) / sum w.
+    /// The rms of the Monte-Carlo noise; that of each query is estimated from its own photons: sqrt(sum w^2)
+    /// / sum w.
     noise: f64,
 }
 
@@ -51,7 +52,7 @@ fn traced(scene: &Scene, photons: u64, seed: u64) -> Vec<Photon> {
         .photons
 }
 
-/// A built-in scene's map for about `in_range` photons in range, and query points: the places of an
+/// A built-in scene's map for about `in_range` photons in range, and query points at the places of an
 /// independent map's photons.
 fn case(name: &str, in_range: f64) -> (PhotonMap, Vec<(DVec3, DVec3)>) {
     let scene = Scene::built_in(name).unwrap();
@@ -69,7 +70,7 @@ fn case(name: &str, in_range: f64) -> (PhotonMap, Vec<(DVec3, DVec3)>) {
     (map, queries.collect())
 }
 
-/// rms error over the Monte-Carlo noise.
+/// The rms error over the Monte-Carlo noise.
 fn ratio(found: &Measured) -> f64 {
     found.rms / found.noise
 }
@@ -109,8 +110,8 @@ fn the_error_is_below_a_tenth_of_the_noise_on_every_scene() {
     }
 }
 
-/// What a block's exponent cannot do: beside a photon of 1e6 times their power in the same block,
-/// the others round to nothing, and queries that reach only them see no light.
+/// The limit of a block's exponent: beside a photon of 1e6 times their power in the block, other photons
+/// round to zero, and queries that reach only these get no light.
 #[test]
 fn a_blocks_exponent_fails_on_the_wide_range() {
     let (map, queries) = case("range", 50.0);

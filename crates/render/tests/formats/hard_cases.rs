@@ -1,4 +1,4 @@
-//! The hard cases: every row holds and is hard, and the runner lets nothing pass that shows nothing.
+//! Tests the hard cases: every row holds and is hard, and the runner fails a case that shows nothing.
 
 use photoncube_render::{
     Bound, Engine, Grid, HARD_CASES, HardCase, HardCaseError, HardCaseReport, Outcome, PhotonMap,
@@ -58,7 +58,7 @@ fn every_row_says_what_and_why_under_a_name_of_its_own() {
     }
 }
 
-/// What the runner makes of an outcome.
+/// The runner's row for an outcome.
 fn row(measure: fn(&PhotonFormat) -> Result<Outcome, HardCaseError>) -> HardCaseReport {
     let case = HardCase {
         bound: Bound::Zero,
@@ -113,7 +113,8 @@ fn a_case_that_the_naive_arithmetic_passes_is_not_hard() {
     assert!(report.holds && !report.is_hard);
 }
 
-/// Ties in the words of every machine: counts from the way the photons were placed.
+/// Ties in the words of every machine are decided correctly; the counts follow from the placement of the
+/// photons.
 #[test]
 fn the_boundary_is_decided_right_by_the_golden_model_of_every_machine() {
     let case = HARD_CASES

@@ -1,4 +1,4 @@
-//! What the planted examples are made of.
+//! Macros and helpers for the planted examples.
 
 use rust_hdl::prelude::*;
 use rust_hdl_lint::{Finding, Rule, lint};
@@ -13,7 +13,7 @@ pub type BitI = Signal<In, Bit>;
 pub type BitO = Signal<Out, Bit>;
 pub type BitL = Signal<Local, Bit>;
 
-/// A mistake and its cure.
+/// A planted mistake and its corrected form.
 pub struct Case {
     pub name: &'static str,
     pub rule: Rule,
@@ -21,13 +21,13 @@ pub struct Case {
     pub good: fn() -> Vec<Finding>,
 }
 
-/// The lint's answer for a block as it is built in a test bench.
+/// The lint's findings for a block that is built as in a test bench.
 pub fn findings<B: Block>(mut block: B) -> Vec<Finding> {
     block.connect_all();
     lint(&block)
 }
 
-/// A block with the inputs that all examples share, fields of its own, and a kernel.
+/// Declares a block with the inputs that all examples share, its own fields, and a kernel.
 macro_rules! block {
     ($name:ident { $($field:ident: $type:ty $(= $value:expr)?),* $(,)? } $($kernel:tt)*) => {
         #[derive(LogicBlock)]
@@ -65,7 +65,7 @@ macro_rules! value_or_default {
     };
 }
 
-/// Pairs of a bad block and its good twin, as one table.
+/// Makes a table of pairs: a wrong block and its corrected twin.
 macro_rules! planted {
     ($($name:ident: $rule:ident
         bad { $($bad_field:tt)* } { $($bad:tt)* }

@@ -1,4 +1,4 @@
-//! Blocks that are good as written: the lint must say nothing.
+//! Correct blocks: the lint must report nothing.
 
 use crate::blocks::*;
 use rust_hdl::prelude::ast::{VerilogCase, VerilogExpression, VerilogMatch, VerilogStatement};
@@ -6,7 +6,7 @@ use rust_hdl::prelude::*;
 use rust_hdl_lint::Rule;
 use std::time::Duration;
 
-/// Everything that was compared with Icarus at this width and found equal.
+/// The unsigned operators. Each was compared with Icarus at this width and found equal.
 #[derive(LogicBlock)]
 struct Operators<const N: usize> {
     a: I<N>,
@@ -75,7 +75,7 @@ impl<const N: usize> Logic for Operators<N> {
     }
 }
 
-/// The same for signed values.
+/// The signed operators. Each was compared with Icarus at this width and found equal.
 #[derive(LogicBlock, Default)]
 struct SignedOperators<const N: usize> {
     a: SignedI<N>,
@@ -211,7 +211,7 @@ impl<const CW: usize, const W: usize> Logic for Cell<CW, W> {
     }
 }
 
-/// Sixteen cells, each beside its neighbours on two axes.
+/// Sixteen cells, each connected to its neighbours on two axes.
 #[derive(LogicBlock, Default)]
 struct Array {
     clock: Signal<In, Clock>,
@@ -304,7 +304,7 @@ impl Logic for Consumer {
     }
 }
 
-/// A stream that is joined inside, and one that goes through.
+/// A block with one stream joined inside and one stream that passes through.
 #[derive(LogicBlock, Default)]
 struct Streams {
     count: I<12>,

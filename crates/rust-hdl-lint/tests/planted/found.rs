@@ -1,4 +1,4 @@
-//! The lint against all planted mistakes.
+//! Tests of the lint on all planted mistakes.
 
 use std::collections::BTreeSet;
 

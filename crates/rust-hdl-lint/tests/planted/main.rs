@@ -1,7 +1,9 @@
-//! Planted mistakes: one for each form in which rust-hdl simulates one thing and prints another, beside the code
-//! that replaces it. The lint must find each for its own reason, and say nothing of what replaces it.
+//! Planted mistakes: one for each form in which rust-hdl's simulation and its Verilog differ, each beside its
+//! corrected code. The lint must report each mistake under its own rule, and must report nothing for the
+//! corrected code.
 
-// The kernels say what is to be printed as Verilog, not what reads best in Rust; and nobody calls their blocks.
+// The kernels are written for the Verilog that they print and not for readable Rust, and nothing calls their
+// blocks.
 #![allow(
     clippy::bool_comparison,
     clippy::collapsible_if,
@@ -25,21 +27,21 @@ use rust_hdl_lint::{Finding, Rule};
 
 use blocks::Case;
 
-/// A planted mistake and its cure, as the lint sees them.
+/// A planted mistake and its correction, with the lint's findings.
 #[derive(Debug)]
 struct Planted {
-    /// The mistake's name.
+    /// The name of the mistake.
     name: &'static str,
-    /// The rule that it breaks.
+    /// The rule that the mistake breaks.
     rule: Rule,
-    /// What the lint says of the mistake: of its rule and no other, if the lint is right.
+    /// The findings for the mistake. A correct lint reports its rule and no other.
     found: Vec<Finding>,
-    /// What it says of the cure: nothing, if the lint is right.
+    /// The findings for the correction. A correct lint reports none.
     false_alarms: Vec<Finding>,
 }
 
 impl Planted {
-    /// Whether the lint finds the mistake for its own reason, and nothing besides.
+    /// Whether the lint finds the mistake under its own rule, and reports nothing else.
     fn is_found(&self) -> bool {
         !self.found.is_empty() && self.found.iter().all(|finding| finding.rule == self.rule)
     }
@@ -51,7 +53,7 @@ fn cases() -> impl Iterator<Item = &'static Case> {
         .flatten()
 }
 
-/// What the lint says of every planted mistake and its cure.
+/// Runs the lint on every planted mistake and its correction.
 fn lint_planted() -> impl Iterator<Item = Planted> {
     cases().map(|case| Planted {
         name: case.name,

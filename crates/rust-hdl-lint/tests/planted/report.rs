@@ -1,4 +1,4 @@
-//! How findings and opaque blocks are reported.
+//! Planted cases for the reports of findings and opaque blocks.
 
 use crate::blocks::*;
 use rust_hdl::prelude::*;

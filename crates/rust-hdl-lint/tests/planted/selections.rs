@@ -1,9 +1,9 @@
-//! Planted mistakes in what is selected: slices, indices, array paths, patterns.
+//! Planted mistakes in selections: slices, indices, array paths, patterns.
 
 use crate::blocks::*;
 use rust_hdl::prelude::*;
 
-/// A child with an array of its own.
+/// A child block with an array of its own.
 #[derive(LogicBlock, Default)]
 pub struct Links {
     pub n: [Signal<Out, Bits<12>>; 2],

@@ -1,15 +1,15 @@
-//! Formats, limits and clocks of a machine, one a row.
+//! The formats, limits and clocks of a machine, one fact a row.
 
 use crate::format::Squarer;
 use crate::machine::{Machine, Numbers};
 use crate::spatial::Spatial;
 
-/// One of them, as people read it.
+/// One fact about a machine, as text for people.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fact {
-    /// What it is of.
+    /// The name of the quantity.
     pub name: &'static str,
-    /// What it is, with its unit.
+    /// The quantity's value with its unit.
     pub value: String,
 }
 
@@ -51,7 +51,7 @@ fn numbers(machine: &Machine) -> String {
     }
 }
 
-/// Of a machine without a pin for it.
+/// The fixed search radius of a machine that has no pin for it.
 fn radius(machine: &Machine) -> Option<String> {
     let radius_sq = machine.fixed_radius_sq()?;
     let format = machine.format()?;

@@ -1,6 +1,6 @@
-//! What an integrator must know of a machine: its ports, their protocol, its limits.
+//! The interface of a machine for an integrator: its ports, their protocol, its limits.
 //!
-//! The headers of the emitted Verilog, `docs/ports.md` and `photoncube list MACHINE` say what is written here.
+//! The headers of the emitted Verilog, `docs/ports.md` and `photoncube list MACHINE` print this interface.
 
 mod facts;
 mod ports;
@@ -11,19 +11,19 @@ use crate::machine::Machine;
 pub use facts::Fact;
 pub use ports::{Direction, Port};
 
-/// A machine as it is seen from outside.
+/// The interface of a machine.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Interface {
     /// The ports of the top module, grouped by stream; the clock is the first.
     pub ports: Vec<Port>,
-    /// How the streams move, a rule a line.
+    /// The rules of the streams' handshakes, one rule a line.
     pub protocol: Vec<String>,
     /// Formats, limits and clocks.
     pub facts: Vec<Fact>,
 }
 
 impl Interface {
-    /// That of a machine.
+    /// Describes the interface of a machine.
     pub fn of(machine: &Machine) -> Self {
         Self {
             ports: ports::ports(machine),

@@ -3,7 +3,7 @@
 use crate::machine::{Machine, Numbers};
 use crate::pins::{Pin, Pins};
 
-/// Which way a port goes.
+/// The direction of a port.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub enum Direction {
     /// Into the machine.
@@ -13,7 +13,7 @@ pub enum Direction {
 }
 
 impl Direction {
-    /// Verilog's word for it.
+    /// The direction as a Verilog keyword.
     pub fn name(self) -> &'static str {
         match self {
             Self::Input => "input",
@@ -22,20 +22,20 @@ impl Direction {
     }
 }
 
-/// A port of a machine's top module, or the ports of all lanes that differ in the lane's number alone.
+/// A port of a machine's top module, or the ports of all lanes that differ only in the lane's number.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Port {
-    /// Its name; `photon_x_0..3` stands for those of lanes 0 to 3.
+    /// The port's name; `photon_x_0..3` means the ports of lanes 0 to 3.
     pub name: String,
-    /// Its width in bits; that of each, if there are several.
+    /// The port's width in bits; for several lanes, the width of each.
     pub width: u32,
-    /// Which way it goes.
+    /// The port's direction.
     pub direction: Direction,
-    /// What it means, with its unit.
+    /// The port's meaning, with its unit.
     pub meaning: String,
 }
 
-/// All ports of a machine, in the order of [`Pins`] and the clock before them.
+/// All ports of a machine: the clock, then the others in the order of [`Pins`].
 pub(super) fn ports(machine: &Machine) -> Vec<Port> {
     let pins = Pins::of(machine);
     let outputs = &pins.observed[..pins.outputs];
@@ -55,7 +55,7 @@ pub(super) fn ports(machine: &Machine) -> Vec<Port> {
     ports
 }
 
-/// A pin's port; none for a lane's pin that its first lane's port stands for.
+/// The port of a pin; `None` for the pin of a lane that the first lane's port represents.
 fn port(machine: &Machine, pin: &Pin, direction: Direction) -> Option<Port> {
     let last_lane = machine.photons_per_iteration() - 1;
     let (stem, name) = match lane_of(&pin.name) {
@@ -71,7 +71,7 @@ fn port(machine: &Machine, pin: &Pin, direction: Direction) -> Option<Port> {
     })
 }
 
-/// The stem and the lane of `photon_x_2`.
+/// Splits `photon_x_2` into its stem and its lane.
 fn lane_of(name: &str) -> Option<(&str, usize)> {
     let (stem, lane) = name.rsplit_once('_')?;
     let lane = lane.parse().ok()?;

@@ -1,4 +1,4 @@
-//! How a machine's streams move, a rule a line.
+//! The rules of a machine's stream handshakes, one rule a line.
 
 use crate::machine::Machine;
 use crate::organisation::Organisation;
@@ -39,7 +39,7 @@ fn order(machine: &Machine) -> String {
     }
 }
 
-/// Only of machines with a photon memory.
+/// The rules that only machines with a photon memory have.
 fn memory(machine: &Machine) -> String {
     let groups = machine.spatial().map_or(0, |spatial| spatial.memory_groups);
     format!(

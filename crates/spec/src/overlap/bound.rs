@@ -1,4 +1,4 @@
-//! The bounds below which no interval can be: by the units, and by the registers.
+//! Lower bounds of the kernel's interval, set by the units and by the registers.
 
 use std::collections::BTreeMap;
 
@@ -7,12 +7,12 @@ use super::op::Unit;
 use super::register::Register;
 use crate::hypercube::{Axis, Role};
 
-/// What one op takes in one clock and nothing else can take then.
+/// A resource that an op occupies alone for one clock.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Resource {
     /// A unit of a cell, in the clock in which it starts an op.
     Unit(Role, Unit),
-    /// What a cell sends on an axis.
+    /// The link of a cell on an axis, as the sender.
     Link(Role, Axis),
     /// The write port of a cell's register.
     WritePort(Role, Register),
@@ -21,7 +21,7 @@ pub enum Resource {
 /// A resource with the clock, counted from a bundle's start, in which it is taken.
 pub(super) type Use = (Resource, u32);
 
-/// What an op takes.
+/// The resources that an op occupies, with their clocks.
 pub(super) fn part_uses(part: &Part) -> Vec<Use> {
     let (role, op, at) = (part.role, part.op, part.offset);
     let row = op.row();
@@ -40,11 +40,11 @@ pub(super) fn bundle_uses(bundle: &Bundle) -> Vec<Use> {
 /// How often a unit works in one iteration.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct UnitBound {
-    /// The unit.
+    /// The unit that is counted.
     pub unit: Unit,
-    /// Ops of one iteration in the four cells of a quad together.
+    /// The number of ops in one iteration, in the four cells of a quad together.
     pub uses: u32,
-    /// Ops in the cell that has most of them: no iteration is shorter than so many clocks.
+    /// The number of ops in the cell that has most of them. No iteration is shorter than so many clocks.
     pub clocks: u32,
 }
 
@@ -64,7 +64,7 @@ pub fn unit_bounds(graph: &Graph) -> Vec<UnitBound> {
     Unit::ALL.into_iter().map(of).collect()
 }
 
-/// The clocks that an iteration takes at least, because some resource is taken so often.
+/// The fewest clocks of an iteration that the resources allow: the uses of the resource that is used most.
 pub fn resource_bound(graph: &Graph) -> u32 {
     resource_counts(graph).into_values().max().unwrap_or(1)
 }
@@ -77,10 +77,11 @@ pub(super) fn resource_counts(graph: &Graph) -> BTreeMap<Resource, u32> {
     counts
 }
 
-/// The clocks that an iteration takes at least, because a register is written again only when its
-/// word has been read: the longest circuit of dependences, over the iterations that it spans.
+/// The fewest clocks of an iteration that the registers allow. A register is written again only after its
+/// word has been read. The bound is the longest cycle of dependences, divided by the iterations that it
+/// spans.
 pub fn recurrence_bound(graph: &Graph) -> u32 {
-    // Every delay is a few clocks, so their sum is past any bound.
+    // Every delay is a few clocks, so the sum of all delays exceeds any bound.
     let all: i64 = graph.edges.iter().map(|edge| edge.delay.max(0)).sum();
     let largest = u32::try_from(all).unwrap_or(u32::MAX).max(1);
     let mut range = 1..=largest;
@@ -89,18 +90,18 @@ pub fn recurrence_bound(graph: &Graph) -> u32 {
         .unwrap_or(largest)
 }
 
-/// The earliest start of each bundle with endless resources; none where a circuit of dependences
-/// does not fit the interval.
+/// The earliest start of each bundle with unlimited resources; `None` where a cycle of dependences does not
+/// fit the interval.
 pub(super) fn earliest_starts(graph: &Graph, interval: u32) -> Option<Vec<i64>> {
     longest_paths(graph, interval, |edge| (edge.from, edge.to))
 }
 
-/// The longest way from each bundle to the end of the iteration.
+/// The longest path from each bundle to the end of the iteration, in clocks.
 pub(super) fn heights(graph: &Graph, interval: u32) -> Option<Vec<i64>> {
     longest_paths(graph, interval, |edge| (edge.to, edge.from))
 }
 
-/// Bellman and Ford: after as many rounds as bundles, only a circuit still grows.
+/// Bellman and Ford: after as many rounds as bundles, only a path with a cycle still grows.
 fn longest_paths(
     graph: &Graph,
     interval: u32,

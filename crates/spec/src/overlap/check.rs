@@ -1,8 +1,8 @@
-//! The checker: what kind of value every register of a quad holds, clock by clock, over whole
-//! queries, with iterations on top of each other as in the machine.
+//! The checker of an overlapped program. It follows the kind of value in every register of a quad, clock by
+//! clock, over whole queries, with overlapping iterations as in the machine.
 //!
-//! It knows nothing of the scheduler and of its graph, only what must have happened before each op,
-//! and it is the oracle for the program that model and HDL both read.
+//! It is independent of the scheduler and its graph. It checks what must have happened before each op, and it
+//! is the oracle for the program that model and HDL both read.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -13,20 +13,20 @@ use super::program::{KernelOp, Program};
 use super::register::{POWER_WORDS, Register};
 use crate::hypercube::{Axis, Hypercube, Role};
 
-/// Checks a program: one op for each unit, one writer for each register and one word for each link
-/// and clock; every operand of the right group, complete, and not overwritten before it is read; and
-/// at the end of a query in every node the sum of all its groups, each once, across the photon axes.
-/// Queries of one group up to some more than the kernel has in flight are run, without a gap and
-/// with gaps.
+/// Checks a program. Each unit does one op, each register has one writer and each link one word in a clock.
+/// Every operand belongs to the right group, is complete, and is not overwritten before it is read. At the
+/// end of a query every node holds the sum of all its groups, each once, across the photon axes. The checker
+/// runs queries of one group up to some more groups than the kernel has in flight, with and without gaps.
 ///
 /// # Errors
 /// The first violation, with its clock and node.
 pub fn check_program(program: &Program) -> Result<(), ProgramError> {
     check_takes(program)?;
     let in_flight = program.stages() as usize * program.groups;
-    // The longest first: what comes over a word is then another group, and is named.
+    // The longest query first: a word that overwrites another is then of another group, and the error names
+    // it.
     for groups in (1..=in_flight + program.groups + 1).rev() {
-        // The last group is there by definition: its turn, the first, is that of no gap.
+        // The last group is always present, so the first pass of the loop is the query without a gap.
         for missing in (0..groups).rev() {
             let is_there = |slot| slot == groups - 1 || slot != missing;
             Query::run(program, (0..groups).map(is_there).collect())?;
@@ -37,7 +37,7 @@ pub fn check_program(program: &Program) -> Result<(), ProgramError> {
     Ok(())
 }
 
-/// A group stands on the pins for all nodes at once.
+/// Checks that a group is taken by all nodes at once, since it stands on the pins for all of them.
 fn check_takes(program: &Program) -> Result<(), ProgramError> {
     for op in &program.kernel {
         if op.clock >= program.interval {
@@ -84,22 +84,23 @@ struct Start {
     place: Box<Place>,
     role: Role,
     op: Op,
-    /// The group that it must work on, if it is there.
+    /// The group that the op must work on, if it is present.
     group: Option<u32>,
 }
 
-/// A result on its way.
+/// A result that is not yet written.
 struct Arriving {
-    /// The clock that ends with the write.
+    /// The clock whose ending edge writes the result.
     clock: u32,
     start: Start,
     content: Content,
 }
 
-/// A query in the machine.
+/// The state of a query that runs in the machine.
 struct Query<'a> {
     program: &'a Program,
-    /// Whether there is a group, in each clock in which one can be taken; the last is there.
+    /// Whether a group is present, for each clock in which one can be taken. The last group is always
+    /// present.
     slots: Vec<bool>,
     /// The cells of the quad, by role.
     cells: [Cell; 4],
@@ -120,7 +121,8 @@ impl<'a> Query<'a> {
         for clock in 0..taken + program.drain_clocks {
             query.clock(clock, query.kernel_starts(clock))?;
         }
-        // What is still on its way is not written: its control word does not come.
+        // A result that is not yet written is lost, because the control word that would write it does not
+        // come.
         query.results.clear();
         for clock in 0..program.epilogue_clocks() {
             query.clock(clock, query.epilogue_starts(clock))?;
@@ -140,7 +142,7 @@ impl<'a> Query<'a> {
         .collect()
     }
 
-    /// The group that an op of this pass is for, if there is one.
+    /// The group that an op of this pass works on, if it is present.
     fn group(&self, pass: u32, op: &KernelOp) -> Option<u32> {
         let iteration = pass.checked_sub(op.stage)?;
         let slot = iteration as usize * self.program.groups + op.group;
@@ -175,7 +177,7 @@ impl<'a> Query<'a> {
         self.write(clock)
     }
 
-    /// The clock edge.
+    /// Applies the clock edge: writes the results that arrive in this clock.
     fn write(&mut self, clock: u32) -> Result<(), ProgramError> {
         for cell in &mut self.cells {
             let square = cell[&Register::Square].clone();
@@ -221,7 +223,7 @@ impl<'a> Query<'a> {
         }
     }
 
-    /// The result of an op that leaves no trace by itself.
+    /// The result of an op whose result alone changes no sum.
     fn of_group(&self, start: &Start, group: u32) -> Result<Content, ProgramError> {
         let coordinate = start.role.coordinate().unwrap_or(2);
         let complete = Content::Squares(ALL_SQUARES, group);
@@ -256,7 +258,7 @@ impl<'a> Query<'a> {
         }
     }
 
-    /// Squares of the group, none of which is in `others` too.
+    /// The squares of the group, if none of them is in `others` too.
     fn squares(
         &self,
         start: &Start,
@@ -277,7 +279,7 @@ impl<'a> Query<'a> {
         }
     }
 
-    /// A power, or its absence.
+    /// The content of a power that is moved: a power, or its absence.
     fn moved(&self, start: &Start) -> Result<Content, ProgramError> {
         let register = start.op.reads()[0].register;
         match start.group {
@@ -316,7 +318,8 @@ impl<'a> Query<'a> {
         }
     }
 
-    /// All quads do the same, so the neighbour on a photon axis holds what the cell itself holds.
+    /// Receives a sum across a photon axis. All quads do the same, so the neighbour holds what the cell
+    /// itself holds.
     fn crossing(&self, start: &Start) -> Result<Content, ProgramError> {
         let (_, sum) = self.read(start, Register::Sum, None);
         let Content::Sum(groups, axes) = sum else {
@@ -342,7 +345,7 @@ impl<'a> Query<'a> {
         }
     }
 
-    /// The register's holder and what it holds.
+    /// The cell that holds a register, and the register's content.
     fn read(&self, start: &Start, register: Register, across: Option<Axis>) -> (Role, &Content) {
         let holder = across.map_or(start.role, |axis| start.role.across(axis));
         (holder, &self.cells[holder as usize][&register])
@@ -398,7 +401,7 @@ impl<'a> Query<'a> {
     }
 }
 
-/// A cell that has just taken a query.
+/// The cell in the clock after it has taken a query.
 fn loaded_cell() -> Cell {
     let content = |register| match register {
         Register::Query | Register::RadiusSq => Content::Query,

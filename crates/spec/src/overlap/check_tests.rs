@@ -45,7 +45,7 @@ fn no_op_can_be_left_out_done_twice_or_done_by_another_cell() {
     }
 }
 
-/// What is said of the program after a change of the ops that match.
+/// The checker's error for the program after `change` is applied to its ops.
 fn message(change: impl Fn(&mut KernelOp)) -> String {
     let mut wrong = program();
     wrong.kernel.iter_mut().for_each(change);

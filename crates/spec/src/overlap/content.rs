@@ -1,14 +1,14 @@
-//! What kind of value a register holds.
+//! The kinds of value that a register of an overlapped machine holds, as the checker distinguishes them.
 
 use std::collections::BTreeSet;
 use std::fmt;
 
 use crate::hypercube::Axis;
 
-/// What a register holds. Groups count from 0 in their query, missing ones too.
+/// The content of a register. Groups count from 0 in their query, and missing groups count too.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Content {
-    /// Something that nobody may look at.
+    /// A value that no op may read.
     Stale,
     /// A zero, or a power that is marked as absent.
     Nothing,
@@ -30,7 +30,7 @@ pub enum Content {
     SumAcross(Axis, BTreeSet<u32>, AxisSet),
 }
 
-/// The axes that a sum was crossed on (bit set), by index bit.
+/// The photon axes over which a sum was added (bit set), by index bit.
 pub type AxisSet = u32;
 
 /// The bits of all three squares.

@@ -1,8 +1,8 @@
-//! The control words: what the control block stores for each role and clock.
+//! The control words of an overlapped machine: one for each role and clock.
 //!
-//! First come the clocks of the kernel, then those of the epilogue; past the end, the word is 0 and
-//! does nothing. A word has a field for each thing that a cell selects or writes in that clock. What
-//! an op writes later than in its first clock is written by the word of that later clock.
+//! The words of the kernel's clocks come first, then those of the epilogue. Past the end, the word is 0 and
+//! does nothing. A word has a field for each thing that a cell selects or writes in that clock. A write that
+//! an op does later than in its first clock is in the control word of that later clock.
 
 use super::op::Op;
 use super::program::Program;
@@ -17,9 +17,9 @@ pub type ControlWord = u32;
 pub enum Field {
     /// Store the photon's coordinate.
     WritePhoton,
-    /// Store the photon's power. All roles do so in the same clocks, in which a group is taken.
+    /// Store the photon's power. All roles store it in the same clocks, in which a group is taken.
     WritePower,
-    /// Move powers on; bit i moves from place i to place i + 1.
+    /// Move powers in the queue; bit i moves the power from place i to place i + 1.
     MovePower,
     /// Store the square that leaves the square unit.
     WriteSquare,
@@ -29,10 +29,10 @@ pub enum Field {
     WriteSum,
     /// Store a distance.
     WriteDistance,
-    /// Which distance: 0 one's own, 1 the word on z, 2 the word on w.
+    /// The source of the distance: 0 the cell's own, 1 the word on z, 2 the word on w.
     DistanceSource,
-    /// The axis whose word is the next operand, one bit for each axis; without one, and without
-    /// the gate, the operand is 0.
+    /// The axis whose word is the next operand, one bit for each axis. Where neither an axis nor the gate is
+    /// selected, the operand is 0.
     Axis,
     /// The gate's power is the next operand.
     Gate,
@@ -47,11 +47,11 @@ pub enum Field {
 /// One row of the field table.
 #[derive(Copy, Clone, Debug)]
 pub struct FieldRow {
-    /// The field.
+    /// The field that the row describes.
     pub field: Field,
-    /// Its name in the emitted Verilog.
+    /// The field's name in the emitted Verilog.
     pub name: &'static str,
-    /// Its width in bits.
+    /// The field's width in bits.
     pub width: u32,
 }
 
@@ -59,7 +59,7 @@ const fn row(field: Field, name: &'static str, width: u32) -> FieldRow {
     FieldRow { field, name, width }
 }
 
-/// The control word, from bit 0 upwards, in the order of [`Field`].
+/// The field table: the layout of the control word from bit 0 upwards, in the order of [`Field`].
 pub const FIELDS: &[FieldRow] = &[
     row(Field::WritePhoton, "write_photon", 1),
     row(Field::WritePower, "write_power", 1),
@@ -77,7 +77,7 @@ pub const FIELDS: &[FieldRow] = &[
 ];
 
 impl Field {
-    /// The field's row.
+    /// The field's row in [`FIELDS`].
     pub fn row(self) -> &'static FieldRow {
         &FIELDS[self as usize]
     }
@@ -87,7 +87,7 @@ impl Field {
         FIELDS[..self as usize].iter().map(|row| row.width).sum()
     }
 
-    /// The field's value in a word.
+    /// Extracts the field's value from a control word.
     pub fn of(self, word: ControlWord) -> u32 {
         (word >> self.lsb()) & ((1 << self.row().width) - 1)
     }
@@ -103,17 +103,17 @@ pub fn control_word_bits() -> u32 {
 }
 
 impl Program {
-    /// The address of the epilogue's first word; that of the kernel's is 0.
+    /// The address of the epilogue's first word. The kernel's first word has address 0.
     pub fn epilogue_address(&self) -> u32 {
         self.interval
     }
 
-    /// The number of words, which is the first address past the end.
+    /// The number of control words, which is the first address past the end.
     pub fn end_address(&self) -> u32 {
         self.epilogue_address() + self.epilogue_clocks()
     }
 
-    /// The words of a role, by address.
+    /// The control words of a role, by address.
     pub fn control_words(&self, role: Role) -> Vec<ControlWord> {
         let mut words = vec![0; self.end_address() as usize];
         for op in &self.kernel {
@@ -127,8 +127,8 @@ impl Program {
     }
 }
 
-/// What an op of `doer` asks of the cell `role`, in the clock in which it writes: of the doer itself,
-/// and of whom it hears.
+/// The control-word fields that an op of the cell `doer` sets in the cell `role`, in the clock in which the
+/// op writes. Fields are set in the doer itself and in the neighbour that sends it a word.
 pub fn asked_of(op: Op, doer: Role, role: Role) -> ControlWord {
     let mut word = 0;
     if doer == role {
@@ -198,7 +198,7 @@ mod tests {
         words.sort_unstable();
         words.dedup();
         assert_eq!(words.len(), ops.len());
-        // The two that hear w differ in what the neighbour sends.
+        // The two roles that receive on w differ in the word that the neighbour sends.
         let sent = |op| asked_of(op, Role::X, Role::Z);
         assert_ne!(sent(Op::Keep(Some(Axis::W))), sent(Op::Relay));
     }

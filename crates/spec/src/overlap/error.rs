@@ -1,22 +1,22 @@
-//! Why a program is rejected: the clock, the node, what was found and what was expected.
+//! The errors of the program checker: the clock, the node, the value found and the value expected.
 
 use thiserror::Error;
 
 use super::content::Content;
 use crate::hypercube::Axis;
 
-/// Where in a run of the program something is wrong.
+/// The place of an error in a run of the program.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Place {
     /// `kernel` or `epilogue`.
     pub phase: &'static str,
     /// The pass of the kernel; 0 in the epilogue.
     pub pass: u32,
-    /// The clock of the pass or of the epilogue.
+    /// The clock, counted from 0 in its pass or in the epilogue.
     pub clock: u32,
-    /// The node, in the quad of photon 0; all quads do the same.
+    /// The node, in the quad of photon 0. All quads do the same.
     pub node: usize,
-    /// The op.
+    /// The op as it is written in listings.
     pub op: String,
 }
 
@@ -36,7 +36,7 @@ impl std::fmt::Display for Place {
     }
 }
 
-/// Why a program is rejected.
+/// The reason why the checker rejects a program.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[allow(missing_docs)] // the messages say what the fields are
 pub enum ProgramError {

@@ -1,25 +1,25 @@
 //! The dependence graph of one iteration of the kernel.
 //!
-//! An iteration is a few groups, one after the other. What the four cells of a quad do for a group
-//! is written down here once; the edges follow from the registers that the ops read and write. A
-//! register holds one group's word after the other's, so two kinds of edges bind neighbouring
-//! groups: a word is overwritten only after its last reader, and words come in the groups' order.
+//! An iteration is a few groups, one after another. The module describes once what the four cells of a quad
+//! do for a group; the edges follow from the registers that the ops read and write. A register holds the
+//! words of successive groups in turn, so two kinds of edges connect neighbouring groups: a word is
+//! overwritten only after its last reader, and words are written in the order of the groups.
 
 use super::op::Op;
 use super::register::{POWER_WORDS, Register};
 use crate::hypercube::{Axis, Role};
 
-/// Which cells add up a group's distance: `first` adds the squares of x and y, `second` adds that
-/// of z. They are neighbours across w.
+/// The cells that add up a group's distance: `first` adds the squares of x and y, `second` adds the square of
+/// z. The two are neighbours across w.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct Adders {
-    /// X or Y; it hears the other across z.
+    /// X or Y; this cell receives the other square across z.
     pub first: Role,
-    /// Z or D, beside it.
+    /// Z or D, the neighbour of `first` across w.
     pub second: Role,
 }
 
-/// The cells take turns: with the four accumulations of each group, two groups are three adds for
+/// Pairs of cells that take turns. With the four accumulations of each group, two groups need three adds on
 /// each of the four adders.
 pub const ROTATED: &[Adders] = &[
     Adders {
@@ -32,56 +32,56 @@ pub const ROTATED: &[Adders] = &[
     },
 ];
 
-/// The same two cells for every group, as in the paper.
+/// One pair of cells for every group, as in the paper.
 pub const FIXED: &[Adders] = &[ROTATED[0]];
 
 /// An op of one cell of the quad.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct Part {
-    /// The cell.
+    /// The role of the cell.
     pub role: Role,
-    /// What it does.
+    /// The op that the cell does.
     pub op: Op,
-    /// Clocks after the bundle's first op.
+    /// Clocks from the bundle's first op to this op.
     pub offset: u32,
 }
 
-/// Ops that stand at fixed distances from each other: the loads of a group, whose words are on the
-/// pins in one clock; and an operand with the add that it is for.
+/// Ops at fixed distances in time: the loads of a group, whose words are on the pins in one clock, or an
+/// operand and the add that uses it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Bundle {
-    /// The group in the iteration.
+    /// The group's index in the iteration.
     pub group: usize,
-    /// The ops.
+    /// The ops of the bundle.
     pub parts: Vec<Part>,
 }
 
-/// `start(to) + distance * interval >= start(from) + delay`.
+/// A dependence of two bundles: `start(to) + distance * interval >= start(from) + delay`.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Edge {
-    /// A bundle.
+    /// The bundle that starts first.
     pub from: usize,
-    /// The bundle that must not start too early after it.
+    /// The bundle that must not start too early after `from`.
     pub to: usize,
-    /// Clocks; negative where an overwriting op may start before the last reader.
+    /// The delay in clocks; negative where an overwriting op may start before the last reader.
     pub delay: i64,
-    /// Iterations between the two.
+    /// The iterations from `from` to `to`.
     pub distance: i64,
 }
 
-/// Bundles and what binds them.
+/// The dependence graph of one iteration.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Graph {
-    /// Groups in an iteration.
+    /// The number of groups in an iteration.
     pub groups: usize,
-    /// The bundles, by group.
+    /// The bundles, sorted by group.
     pub bundles: Vec<Bundle>,
-    /// The edges.
+    /// The dependences between bundles.
     pub edges: Vec<Edge>,
 }
 
 impl Graph {
-    /// The graph of an iteration with a group for each of `adders`.
+    /// Makes the graph of an iteration with one group for each of `adders`.
     pub fn new(adders: &[Adders]) -> Self {
         let bundles: Vec<_> = adders
             .iter()
@@ -99,7 +99,7 @@ impl Graph {
     }
 }
 
-/// All that a quad does for one group.
+/// All ops of a quad for one group, as bundles.
 fn group_parts(adders: Adders) -> Vec<Vec<Part>> {
     let Adders { first, second } = adders;
     let at = |offset, role, op| Part { role, op, offset };
@@ -128,9 +128,9 @@ fn group_parts(adders: Adders) -> Vec<Vec<Part>> {
     bundles
 }
 
-/// Whether a register holds one word of every group (or of every other), in the groups' order.
-/// Operands and the comparison live from one clock to the next, in a bundle; sums take groups in any order; the query
-/// stays.
+/// Whether a register holds one word of every group (or of every other group), in the order of the groups.
+/// Operands and comparisons are held for one clock, inside a bundle. Sums take groups in any order, and the
+/// query stays.
 fn is_queue(register: Register) -> bool {
     !matches!(
         register,
@@ -148,7 +148,7 @@ fn is_queue(register: Register) -> bool {
 struct Access {
     bundle: usize,
     group: usize,
-    /// The clock of the access after the bundle's start: that of a read, or the last of a write.
+    /// The clock of the access after the bundle's start: the clock of a read, or the last clock of a write.
     clock: i64,
 }
 
@@ -201,7 +201,8 @@ fn accesses(bundles: &[Bundle], clock: impl Fn(&Part) -> Option<i64>) -> Vec<Acc
     all.collect()
 }
 
-/// `writes` has at most one write of each group; they follow each other round and round.
+/// The edges of one register. `writes` has at most one write of each group; the writes follow each other
+/// cyclically.
 fn register_edges(writes: &[Access], reads: &[Access], groups: usize) -> Vec<Edge> {
     let mut edges = Vec::new();
     for (index, write) in writes.iter().enumerate() {

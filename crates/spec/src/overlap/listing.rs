@@ -1,7 +1,7 @@
-//! The listing of a program, for people.
+//! The listing of an overlapped program, for people.
 //!
-//! A line is what one cell of a quad does in one clock of the kernel, unit by unit. `b3` is the
-//! second group of the iteration that began three passes ago.
+//! A line shows what one cell of a quad does in one clock of the kernel, unit by unit. `b3` means the second
+//! group of the iteration that began three passes ago.
 
 use std::fmt;
 
@@ -81,7 +81,8 @@ impl Program {
     }
 }
 
-/// The queue's words go by their number, everything else by its mnemonic.
+/// The listing's entry of an op. A word of the power queue is written as its number, every other op as its
+/// mnemonic.
 fn entry(op: &KernelOp) -> String {
     let letter = char::from(b'a' + op.group as u8);
     let of = format!("{letter}{}", op.stage);

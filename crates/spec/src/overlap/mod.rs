@@ -1,13 +1,13 @@
-//! The machine whose units work at the same time, and whose program is found by a scheduler.
+//! The overlapped machine: its units work at the same time, and a scheduler finds its program.
 //!
-//! The cells, their units and the hypercube are the paper's (Ryu, Kim, Lee). Of a photon's quad,
-//! not all four cells add up the distance, only two do, and they take turns: for even groups Y adds
-//! x^2 + y^2 and D adds z^2, for odd groups X and Z do. The distance then goes to all four, each
-//! gates its own channel and adds it to its own sum. So two groups are twelve adds on four adders,
-//! three clocks. Only when the query ends do the sums cross the photon axes.
+//! The cells, their units and the hypercube are the paper's (Ryu, Kim, Lee). Only two of the four cells of a
+//! quad add up the distance, and the pairs take turns: for even groups Y adds x^2 + y^2 and D adds z^2, for
+//! odd groups X and Z do so. All four cells then receive the distance; each gates its own channel and adds it
+//! to its own sum. Two groups thus take twelve adds on four adders, which are three clocks. The sums cross
+//! the photon axes only when the query ends.
 //!
-//! The words op, unit and register mean here what they mean at the crate's root, in this other
-//! organisation of the cell.
+//! The words op, unit and register have the meaning that they have at the crate's root, applied to this
+//! organisation.
 
 mod bound;
 mod check;

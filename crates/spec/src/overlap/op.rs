@@ -1,8 +1,8 @@
-//! The op table: what a cell can do, on which unit, and how long it takes.
+//! The op table of an overlapped machine's cell: what it can do, on which unit, and with which latency.
 //!
-//! An op reads its operands in the clock in which it starts and writes its result with the clock
-//! edge that ends its last clock, so that a result can be read `latency` clocks after its start.
-//! Every unit can start an op in every clock.
+//! An op reads its operands in the clock in which it starts. It writes its result with the clock edge that
+//! ends its last clock, so that the result can be read `latency` clocks after the start. Every unit can start
+//! an op in every clock.
 
 use std::fmt;
 
@@ -52,54 +52,55 @@ impl fmt::Display for Unit {
     }
 }
 
-/// What a cell does.
+/// An op of an overlapped machine's cell.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Op {
     /// Load the photon's coordinate.
     LoadPhoton,
     /// Load the photon's power into the first place of the queue.
     LoadPower,
-    /// Move a power and its presence to that place of the queue, from the one before.
+    /// Move a power and its presence to that place of the queue, from the place before.
     MovePower(u8),
     /// Square the difference of the two coordinates.
     SquareDifference,
-    /// Make one's own square an operand, and receive the other from the neighbour on an axis: on z
-    /// its square, on w its sum of squares; on a photon axis its sum of the query.
+    /// Make the cell's own square an operand, and receive the other operand from the neighbour on an axis: on
+    /// z its square, on w its sum of squares, on a photon axis its sum of the query.
     Receive(Axis),
     /// Compare the distance with the squared radius.
     Compare,
-    /// Make the power, or 0 out of range or without a photon, the operand: the gate's second half.
+    /// Make the power the operand, or 0 where the photon is out of range or absent: the second half of the
+    /// gate.
     Gate,
     /// Add the two operands.
     Add,
     /// Add the operand to the sum of the query.
     Accumulate,
-    /// Keep a complete distance: one's own, or that of the neighbour on a role axis, which has just
+    /// Keep a complete distance: the cell's own, or that of the neighbour on a role axis, which has just
     /// added it up.
     Keep(Option<Axis>),
-    /// Keep the distance that the neighbour on w has kept.
+    /// Keep the distance that the neighbour on w keeps.
     Relay,
 }
 
 /// One row of the op table.
 #[derive(Copy, Clone, Debug)]
 pub struct OpRow {
-    /// Its name in listings, before place or axis.
+    /// The op's mnemonic in listings, without place or axis.
     pub mnemonic: &'static str,
-    /// The unit that does it; none for what only moves a word.
+    /// The unit that does the op; `None` for an op that only moves a word.
     pub unit: Option<Unit>,
-    /// Clocks from its start to the first in which its result can be read.
+    /// Clocks from the op's start to the first clock in which its result can be read.
     pub latency: u32,
-    /// Its meaning, in the registers' mnemonics; `n` is the word on the link.
+    /// The op's meaning as a formula over the registers' mnemonics; `n` is the word on the link.
     pub formula: &'static str,
 }
 
-/// A register that an op reads: its own cell's, or that of the neighbour on an axis.
+/// A register that an op reads, in its own cell or in the neighbour on an axis.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct Read {
-    /// The register.
+    /// The register that is read.
     pub register: Register,
-    /// The axis over which it comes.
+    /// The axis of the neighbour that holds the register; `None` for the op's own cell.
     pub across: Option<Axis>,
 }
 
@@ -186,7 +187,7 @@ pub const OPS: &[OpRow] = &[
 ];
 
 impl Op {
-    /// The op's row.
+    /// The op's row in [`OPS`].
     pub fn row(self) -> &'static OpRow {
         match self {
             Self::LoadPhoton => &LOAD_PHOTON,
@@ -203,7 +204,7 @@ impl Op {
         }
     }
 
-    /// The registers that it reads.
+    /// The registers that the op reads.
     pub fn reads(self) -> Vec<Read> {
         let own = |register| Read {
             register,
@@ -233,8 +234,8 @@ impl Op {
         }
     }
 
-    /// The register that it writes; with a power goes its presence, with an operand the addend,
-    /// which follows the square in every clock.
+    /// The register that the op writes. A write of a power includes its presence; a write of an operand
+    /// includes the addend, which follows the square in every clock.
     pub fn write(self) -> Register {
         match self {
             Self::LoadPhoton => Register::Photon,
@@ -249,7 +250,7 @@ impl Op {
         }
     }
 
-    /// The axis on which it hears its neighbour.
+    /// The axis on which the op receives a word from its neighbour.
     pub fn axis(self) -> Option<Axis> {
         match self {
             Self::Receive(axis) => Some(axis),
@@ -260,7 +261,7 @@ impl Op {
     }
 }
 
-/// What a cell sends on an axis for a [`Op::Receive`].
+/// The register that a cell sends on an axis for [`Op::Receive`].
 fn sent_as_operand(axis: Axis) -> Register {
     match axis {
         Axis::Z => Register::Square,

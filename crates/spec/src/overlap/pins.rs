@@ -1,4 +1,4 @@
-//! The registers of the machine as signals.
+//! The registers of an overlapped machine as signals.
 
 use super::control::control_word_bits;
 use super::program::Program;
@@ -7,9 +7,9 @@ use crate::format::{Widths, bits_for};
 use crate::machine::Machine;
 use crate::pins::{Pin, SignalPlace};
 
-/// The control block's registers: the address of the words that come next; "a query is in
-/// the machine"; "its last group is taken"; clocks since then; "the result waits to be taken"; the
-/// words at work, by role.
+/// The control block's registers, in order: the address of the next control words; "a query is in the
+/// machine"; "its last group is taken"; the clocks since then; "the result waits to be taken"; the current
+/// control words, by role.
 pub const CONTROL_REGISTERS: [&str; 9] = [
     "address", "occupied", "last", "drain", "done", "word_x", "word_y", "word_z", "word_d",
 ];
@@ -19,7 +19,7 @@ pub fn drain_bits(program: &Program) -> u32 {
     bits_for(program.drain_clocks.into())
 }
 
-/// All registers of a machine.
+/// All registers of an overlapped machine, in the order of [`crate::Pins`].
 pub(crate) fn pins(machine: &Machine, widths: &Widths) -> Vec<Pin> {
     let mut pins = control_pins(&machine.overlap_program().expect("its units overlap"));
     for node in 0..machine.hypercube().nodes() {

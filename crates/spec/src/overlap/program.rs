@@ -1,40 +1,39 @@
-//! The program: the kernel that runs as long as there are groups, and the epilogue that follows.
+//! The program of an overlapped machine: a kernel that runs as long as there are groups, and an epilogue.
 //!
-//! The kernel starts an iteration every `interval` clocks, before the earlier ones are done, and
-//! it is all there is: it also fills and empties itself. Every op is done in every pass, on a group
-//! or on nothing; only the power that a group brings, and that is absent where there is none, leaves
-//! a trace in a sum.
+//! The kernel starts an iteration every `interval` clocks, before the earlier iterations are complete. There
+//! is no prologue: the kernel also fills and empties the pipeline. Every op is done in every pass, on a group
+//! or on nothing. A missing group has an absent power, so it adds nothing to a sum.
 
 use super::graph::{Graph, ROTATED};
 use super::op::Op;
 use super::schedule::{Schedule, SchedulerError, schedule};
 use crate::hypercube::{Axis, Role};
 
-/// An op of the kernel, the same in every quad.
+/// An op of the kernel. All quads do it alike.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct KernelOp {
-    /// The clock of the pass in which it starts.
+    /// The clock of the pass in which the op starts.
     pub clock: u32,
-    /// How many passes after its group's it does so.
+    /// The number of passes from the one that takes the group to the one that does the op.
     pub stage: u32,
-    /// Its group in the iteration.
+    /// The index of the op's group in the iteration.
     pub group: usize,
-    /// The cell.
+    /// The role of the cell that does the op.
     pub role: Role,
-    /// What it does.
+    /// The op that the cell does.
     pub op: Op,
 }
 
-/// An op of the epilogue, the same in every cell.
+/// An op of the epilogue. All cells do it alike.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct EpilogueOp {
     /// The clock, counted from the epilogue's first.
     pub clock: u32,
-    /// What is done.
+    /// The op that all cells do.
     pub op: Op,
 }
 
-/// A program.
+/// The program of an overlapped machine.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Program {
     /// Clocks of a pass of the kernel.
@@ -43,24 +42,24 @@ pub struct Program {
     pub groups: usize,
     /// The ops of a pass, by clock, role and op.
     pub kernel: Vec<KernelOp>,
-    /// Crosses the sums over the photon axes.
+    /// The ops of the epilogue, which add the sums across the photon axes.
     pub epilogue: Vec<EpilogueOp>,
-    /// Clocks from that in which the last group is taken to the epilogue's first.
+    /// Clocks from the one in which the last group is taken to the first of the epilogue.
     pub drain_clocks: u32,
 }
 
 impl Program {
-    /// The program of the machine with rotated roles.
+    /// Makes the program of the machine whose roles rotate.
     ///
     /// # Errors
-    /// The scheduler finds none.
+    /// The scheduler finds no schedule.
     pub fn rotated() -> Result<Self, SchedulerError> {
         let graph = Graph::new(ROTATED);
         let schedule = schedule(&graph)?;
         Ok(Self::new(&graph, &schedule))
     }
 
-    /// The program of a schedule.
+    /// Makes the program of a schedule.
     pub fn new(graph: &Graph, schedule: &Schedule) -> Self {
         let interval = schedule.interval;
         let bundles = graph.bundles.iter().zip(&schedule.starts);
@@ -91,7 +90,7 @@ impl Program {
         program
     }
 
-    /// The clock in which an op starts, counted from the first of its iteration.
+    /// The clock in which an op starts, counted from the first clock of its iteration.
     pub fn time(&self, op: &KernelOp) -> u32 {
         op.stage * self.interval + op.clock
     }
@@ -102,26 +101,26 @@ impl Program {
         self.kernel.iter().find(is_take).map_or(0, |op| op.clock)
     }
 
-    /// Clocks from that in which a group is taken to the first after its last accumulation.
+    /// Clocks from the one in which a group is taken to the first after the group's last accumulation.
     pub fn latency(&self, group: usize) -> u32 {
         let of_group = self.kernel.iter().filter(|op| op.group == group);
         let ends = of_group.map(|op| self.time(op) + op.op.row().latency);
         ends.max().map_or(0, |end| end - self.take_clock(group))
     }
 
-    /// Passes in which ops of one iteration stand.
+    /// The number of passes over which the ops of one iteration are spread.
     pub fn stages(&self) -> u32 {
         self.kernel.iter().map(|op| op.stage + 1).max().unwrap_or(0)
     }
 
-    /// Clocks of the epilogue.
+    /// The number of clocks of the epilogue.
     pub fn epilogue_clocks(&self) -> u32 {
         let ends = self.epilogue.iter().map(|op| op.clock + 1);
         ends.max().unwrap_or(0)
     }
 
-    /// Clocks from that in which a query is taken to the first in which its result can be, with
-    /// `groups` groups and no waiting.
+    /// Clocks from the one in which a query is taken to the first in which its result can be taken, for
+    /// `groups` groups while no stream waits.
     pub fn latency_clocks(&self, groups: u64) -> u64 {
         let query = 1;
         let last = groups.saturating_sub(1);
@@ -131,8 +130,8 @@ impl Program {
         query + last_taken + u64::from(self.drain_clocks) + u64::from(self.epilogue_clocks())
     }
 
-    /// Clocks that a query occupies the machine with no waiting: its latency and the one clock in
-    /// which the result is taken.
+    /// Clocks that a query occupies the machine while no stream waits: the latency and the one clock in which
+    /// the result is taken.
     pub fn occupied_clocks(&self, groups: u64) -> u64 {
         self.latency_clocks(groups) + 1
     }
@@ -143,7 +142,8 @@ impl Program {
     }
 }
 
-/// Each axis takes two clocks: the sums are received, then added.
+/// The ops that add the sums across these axes. Each axis takes two clocks: the sums are received, then
+/// added.
 fn cross(axes: &[Axis]) -> Vec<EpilogueOp> {
     let ops = axes
         .iter()

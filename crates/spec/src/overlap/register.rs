@@ -1,12 +1,12 @@
-//! The register file of a cell whose units work at the same time.
+//! The register file of an overlapped machine's cell.
 
 use crate::format::Widths;
 
-/// Words of the power queue: what a photon's power needs to reach the gate together with the
-/// photon's distance. With fewer, [`super::recurrence_bound`] is above this kernel's interval.
+/// Words of the power queue. A photon's power needs so many to reach the gate together with the photon's
+/// distance. With fewer words, [`super::recurrence_bound`] exceeds the kernel's interval.
 pub const POWER_WORDS: u8 = 8;
 
-/// A register of a cell.
+/// A register of an overlapped machine's cell.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Register {
     /// `q`: the query's coordinate. D holds z, as Z does.
@@ -15,31 +15,31 @@ pub enum Register {
     RadiusSq,
     /// `p`: the photon's coordinate. D holds z, as Z does.
     Photon,
-    /// `|q - p|`, the square unit's first stage.
+    /// `|q - p|`, the first stage of the square unit.
     Magnitude,
-    /// The squares of the magnitude's two base-16 digits side by side: its second stage.
+    /// The squares of the magnitude's two base-16 digits, side by side: the second stage of the square unit.
     DigitSquares,
-    /// The product of the low digit and the lower half of the high one: its second stage too.
+    /// The product of the low digit and the lower half of the high one, also in the second stage.
     LowProduct,
-    /// The product of the low digit and the upper half of the high one: its second stage too.
+    /// The product of the low digit and the upper half of the high one, also in the second stage.
     HighProduct,
     /// `v`: the square.
     Square,
-    /// `c`: the adder's first operand where it is no sum: what the square was a clock ago.
+    /// `c`: the adder's first operand where that is not a sum; it holds the square of one clock ago.
     Addend,
-    /// `b`: the adder's second operand; what is put here is added in the very next clock.
+    /// `b`: the adder's second operand. A word written here is added in the next clock.
     Operand,
     /// `a`: a sum of squares.
     Work,
     /// `t`: a photon's squared distance, which the gate compares.
     Distance,
-    /// `f`: whether the distance of a clock ago is in range.
+    /// `f`: the in-range flag of the distance of one clock ago.
     InRange,
     /// `s`: the sum of the query.
     Sum,
     /// `w0`, `w1`, ...: the power queue, in this role's channel.
     Power(u8),
-    /// Whether there is a photon to the power of that place in the queue; it moves with it.
+    /// Whether the power at that place of the queue has a photon. The flag moves with the power.
     Present(u8),
 }
 
@@ -67,7 +67,7 @@ impl Register {
         fixed.into_iter().chain(queue)
     }
 
-    /// Its name in listings and formulas.
+    /// The register's name in listings and formulas.
     pub fn mnemonic(self) -> String {
         let letter = match self {
             Self::Query => "q",
@@ -90,7 +90,7 @@ impl Register {
         letter.to_owned()
     }
 
-    /// Its name in the emitted Verilog.
+    /// The register's name in the emitted Verilog.
     pub fn name(self) -> String {
         let name = match self {
             Self::Query => "query",
@@ -113,7 +113,7 @@ impl Register {
         name.to_owned()
     }
 
-    /// Its width in bits.
+    /// The register's width in bits.
     pub fn width(self, widths: &Widths) -> u32 {
         match self {
             Self::Query => widths.coordinate,
@@ -121,7 +121,7 @@ impl Register {
             Self::Photon => widths.photon,
             Self::Magnitude => widths.difference,
             Self::DigitSquares | Self::Square | Self::Addend => widths.square,
-            // Of a digit and half a digit.
+            // The width of a product of one digit and half a digit.
             Self::LowProduct | Self::HighProduct => 6,
             Self::Work | Self::Distance => widths.work,
             Self::Operand | Self::Sum => widths.sum,

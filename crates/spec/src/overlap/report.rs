@@ -1,20 +1,20 @@
-//! The utilisation of a program.
+//! The utilisation of an overlapped program.
 
 use super::bound::{UnitBound, resource_bound, unit_bounds};
 use super::graph::{Graph, ROTATED};
 use super::op::Unit;
 use super::program::Program;
 
-/// How much of the kernel's time a unit works.
+/// The utilisation of a unit in the kernel.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct UnitUse {
-    /// The unit.
+    /// The unit that is counted.
     pub unit: Unit,
-    /// Ops that it starts in one pass, in the four cells of a quad together.
+    /// The number of ops that the unit starts in one pass, in the four cells of a quad together.
     pub busy_clocks: u32,
-    /// Clocks of a pass, in four cells.
+    /// Clocks of a pass, summed over the four cells.
     pub clocks: u32,
-    /// Clocks below which no pass can be, because of this unit.
+    /// The fewest clocks of a pass that this unit allows.
     pub bound: u32,
 }
 
@@ -25,19 +25,19 @@ impl UnitUse {
     }
 }
 
-/// The utilisation of a program in its kernel. The ports are not among the units: the group stream
-/// gives them a word only so often.
+/// The utilisation of a program's kernel. The ports are not counted among the units, because their use is
+/// limited by the group stream.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ProgramReport {
-    /// Clocks of a pass.
+    /// The number of clocks of a pass.
     pub interval: u32,
-    /// Groups of a pass.
+    /// The number of groups of a pass.
     pub groups: usize,
-    /// Clocks of a pass that the resources allow.
+    /// The fewest clocks of a pass that the resources allow.
     pub resource_bound: u32,
-    /// Clocks from a group's first to its last, the longest of all groups.
+    /// Clocks from a group's first op to its last, the longest of all groups.
     pub latency_clocks: u32,
-    /// The paper's three units.
+    /// The use of the paper's three units.
     pub units: Vec<UnitUse>,
 }
 
@@ -48,13 +48,13 @@ impl ProgramReport {
         f64::from(sum(|unit| unit.busy_clocks)) / f64::from(sum(|unit| unit.clocks))
     }
 
-    /// The unit that sets the bound, with its use.
+    /// The unit that sets the resource bound, with its use.
     pub fn binding_unit(&self) -> Option<&UnitUse> {
         self.units.iter().max_by_key(|unit| unit.bound)
     }
 }
 
-/// Counts the use of the units over a pass of the kernel.
+/// Counts the use of the units over one pass of the kernel.
 pub fn program_report(program: &Program) -> ProgramReport {
     let graph = Graph::new(ROTATED);
     let cells = 4;

@@ -1,15 +1,15 @@
-//! The modulo scheduler.
+//! The modulo scheduler of overlapped programs.
 //!
-//! One iteration of the kernel is scheduled such that it can start again every `interval` clocks.
-//! A bundle's start is a *row*, its clock modulo the interval, and a stage. Units, links and write
-//! ports are taken in rows alone, and once all rows are chosen the starts follow: they are the
-//! longest paths of the dependence graph, rounded up to the rows. So the scheduler searches the
-//! rows, most wanted resources first, and takes a choice back as soon as no start is left.
+//! One iteration of the kernel is scheduled such that it can start again every `interval` clocks. A bundle's
+//! start consists of a *row*, its clock modulo the interval, and a stage. Units, links and write ports are
+//! occupied by rows alone. Once all rows are chosen, the starts follow: they are the longest paths of the
+//! dependence graph, rounded up to the rows. So the scheduler searches the rows, bundles of the most wanted
+//! resources first, and backtracks as soon as no start is left.
 //!
-//! Rau's iterative modulo scheduling (MICRO-27, 1994), which takes one bundle out for another, was
-//! tried first; at this kernel's interval, where every adder works in every clock, it found nothing
-//! in 400 placements for each bundle. The search needs some 90 choices, and where it ends without a
-//! schedule there is none with starts up to [`LATEST`].
+//! Rau's iterative modulo scheduling (MICRO-27, 1994), which evicts one bundle to place another, was tried
+//! first. At this kernel's interval, where every adder works in every clock, it found nothing in 400
+//! placements for each bundle. The search needs some 90 choices. Where it ends without a schedule, no
+//! schedule has starts up to [`LATEST`].
 
 use std::cmp::Reverse;
 use std::collections::BTreeSet;
@@ -22,27 +22,27 @@ use super::bound::{
 };
 use super::graph::Graph;
 
-/// Choices before an interval is given up.
+/// The number of choices after which the search gives an interval up.
 const PATIENCE: usize = 100_000;
 
-/// The latest start: far past any useful latency, it ends a search that has no other end.
+/// The latest start that is tried. It is far past any useful latency and bounds the search.
 const LATEST: i64 = 64;
 
-/// Intervals that are tried above the bound.
+/// The number of intervals above the bound that are tried.
 const INTERVALS: u32 = 8;
 
-/// Why there is no schedule.
+/// The reason why the scheduler finds no schedule.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum SchedulerError {
-    /// A unit, link or write port is needed too often for the interval.
+    /// A unit, link or write port is used more often than the interval has clocks.
     #[error(
         "an iteration of {interval} clocks is too short: a unit, a link or a register's write \
          port is needed in {bound}"
     )]
     Resources {
-        /// The interval asked for.
+        /// The interval that was given.
         interval: u32,
-        /// The smallest that the resources allow.
+        /// The smallest interval that the resources allow.
         bound: u32,
     },
     /// A register would be overwritten before its last reader.
@@ -51,30 +51,30 @@ pub enum SchedulerError {
          read are written again after {bound} at the earliest"
     )]
     Registers {
-        /// The interval asked for.
+        /// The interval that was given.
         interval: u32,
-        /// The smallest that the registers allow.
+        /// The smallest interval that the registers allow.
         bound: u32,
     },
-    /// All schedules with starts up to `LATEST` were tried.
+    /// No schedule exists with starts up to `LATEST`; all were tried.
     #[error("there is no schedule of {interval} clocks; all were tried, in {tries} choices")]
     None {
-        /// The interval.
+        /// The interval that was tried.
         interval: u32,
-        /// Choices made.
+        /// The number of choices made.
         tries: usize,
     },
-    /// There may be one.
+    /// The search was given up; a schedule may exist.
     #[error("no schedule of {interval} clocks was found in {tries} choices")]
     GaveUp {
-        /// The interval.
+        /// The interval that was tried.
         interval: u32,
-        /// Choices made.
+        /// The number of choices made.
         tries: usize,
     },
 }
 
-/// When each bundle of a graph starts.
+/// The start of each bundle of a graph.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Schedule {
     /// Clocks from one iteration to the next.
@@ -83,10 +83,10 @@ pub struct Schedule {
     pub starts: Vec<u32>,
 }
 
-/// The schedule of the smallest interval, from the larger bound upwards.
+/// Finds the schedule of the smallest interval, from the larger of the two bounds upwards.
 ///
 /// # Errors
-/// What came of the last interval that was tried.
+/// The error of the last interval that was tried.
 pub fn schedule(graph: &Graph) -> Result<Schedule, SchedulerError> {
     let bound = resource_bound(graph).max(recurrence_bound(graph));
     let mut found = schedule_at(graph, bound);
@@ -99,10 +99,10 @@ pub fn schedule(graph: &Graph) -> Result<Schedule, SchedulerError> {
     found
 }
 
-/// A schedule of that interval.
+/// Finds a schedule of that interval.
 ///
 /// # Errors
-/// The interval is below a bound, or nothing is found.
+/// The interval is below a bound, or the search finds no schedule.
 pub fn schedule_at(graph: &Graph, interval: u32) -> Result<Schedule, SchedulerError> {
     let bound = resource_bound(graph);
     if interval < bound {
@@ -129,9 +129,9 @@ struct Search<'a> {
     /// The bundles in the order in which they get their rows.
     order: Vec<usize>,
     uses: Vec<Vec<Use>>,
-    /// The row of each bundle that has one.
+    /// The row of each bundle; `None` for a bundle without one yet.
     rows: Vec<Option<i64>>,
-    /// What is taken in which row.
+    /// The resources that are occupied, by row.
     taken: BTreeSet<(Resource, i64)>,
     tries: usize,
 }
@@ -150,7 +150,8 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Gives rows to the bundles from `place` on in the order; the starts, if it works out.
+    /// Chooses rows for the bundles from `place` on in the order. Returns the starts, if all bundles get a
+    /// row.
     fn place(&mut self, place: usize, starts: &[i64]) -> Option<Vec<i64>> {
         let Some(&bundle) = self.order.get(place) else {
             return Some(starts.to_vec());
@@ -186,7 +187,7 @@ impl<'a> Search<'a> {
             .collect()
     }
 
-    /// The earliest starts that keep all edges and all rows given so far, not before `starts`.
+    /// The earliest starts, none before `starts`, that keep all edges and all rows chosen so far.
     fn earliest(&self, starts: &[i64]) -> Option<Vec<i64>> {
         let rows = starts.iter().zip(&self.rows);
         let mut starts: Vec<_> = rows.map(|(&start, &row)| self.in_row(start, row)).collect();
@@ -222,8 +223,8 @@ impl<'a> Search<'a> {
     }
 }
 
-/// The bundle whose resources are wanted most goes first; of equals, the one with the longest way
-/// to the end of the iteration.
+/// The order in which bundles get their rows. Bundles of the most wanted resources go first; of equals, the
+/// one with the longest path to the end of the iteration.
 fn order(graph: &Graph, uses: &[Vec<Use>], interval: u32) -> Vec<usize> {
     let counts = resource_counts(graph);
     let heights = heights(graph, interval).unwrap_or_default();
@@ -262,8 +263,7 @@ mod tests {
             let error = SchedulerError::Resources { interval, bound: 3 };
             assert_eq!(schedule_at(&graph, interval), Err(error));
         }
-        // A square that is still to be read 2 clocks after it is written, and is written again
-        // every clock.
+        // A square that is read 2 clocks after it is written, and is written again every clock.
         let mut graph = Graph::new(FIXED);
         for edge in &mut graph.edges {
             if edge.distance == 1 {

@@ -1,4 +1,4 @@
-//! The checker: the contents of every register of every node, clock by clock.
+//! The schedule checker: it follows the contents of every register of every node, clock by clock.
 
 use super::content::Content;
 use super::error::ScheduleError;
@@ -11,9 +11,9 @@ use crate::register::{REGISTERS, Register};
 pub(super) const QUERY: &str = "query";
 pub(super) const ITERATION: &str = "iteration";
 
-/// Checks a microprogram for a cube: one op in each clock (the cells share one instruction), one
-/// writer for each register and one word for each link and clock, every operand complete before
-/// it is read, and at the end of every iteration in every node the sum of all groups so far.
+/// Checks a microprogram for a cube. The cells share one instruction, so each clock has one op. Each register
+/// has one writer and each link one word in a clock. Every operand is complete before it is read. At the end
+/// of every iteration every node holds the sum of all groups so far.
 ///
 /// # Errors
 /// The first violation, with its clock and node.
@@ -22,7 +22,7 @@ pub fn check_schedule(program: &Microprogram, cube: Hypercube) -> Result<(), Sch
     let mut cells = vec![[Content::Stale; REGISTERS.len()]; cube.nodes()];
     run_phase(QUERY, &program.query, cube, &mut cells)?;
     expect_all(QUERY, program.query_clocks(), &cells, Content::SumOf(0))?;
-    // Twice: the second iteration must not lean on what the first left behind.
+    // Two iterations, because the second must not depend on values that the first left behind.
     for groups in 1..=2 {
         run_phase(ITERATION, &program.iteration, cube, &mut cells)?;
         let clocks = program.initiation_interval();
@@ -36,7 +36,7 @@ pub fn check_schedule(program: &Microprogram, cube: Hypercube) -> Result<(), Sch
     check_takers(program)
 }
 
-/// Two phases, one op in each clock, links that there are: what any control store can hold.
+/// Checks what any control store requires: two phases, one op in each clock, links that exist.
 pub(super) fn check_structure(
     program: &Microprogram,
     cube: Hypercube,
@@ -50,7 +50,8 @@ pub(super) fn check_structure(
     Ok(())
 }
 
-/// One instruction a clock for all cells; one op for each unit, writer for each register.
+/// Checks that each clock has one instruction for all cells, one op for each unit and one writer for each
+/// register.
 fn check_resources(
     phase: &'static str,
     steps: &[ScheduledStep],
@@ -81,7 +82,7 @@ fn check_resources(
     Ok(())
 }
 
-/// What two steps of one clock compete for; if nothing else, for the one instruction.
+/// Names the resource that two steps of one clock compete for: the one instruction, if nothing else.
 fn shared_resource(first: &ScheduledStep, second: &ScheduledStep) -> String {
     let (a, b) = (first.step.op.row(), second.step.op.row());
     if let (Some(unit), true) = (a.unit, a.unit == b.unit) {
@@ -119,7 +120,7 @@ fn run_phase(
     Ok(())
 }
 
-/// One node at one clock, with the contents of all cells before it.
+/// One node at one clock, with the contents of all cells before that clock.
 struct Place<'a> {
     phase: &'static str,
     scheduled: ScheduledStep,
@@ -169,7 +170,8 @@ impl Place<'_> {
         Ok(())
     }
 
-    /// The neighbour must hold the same kind of value, and the axis must not be in it already.
+    /// Checks an exchange-add: the neighbour must hold the same kind of value, and the axis must not be in it
+    /// already.
     fn exchange_add(&self) -> Result<Content, ScheduleError> {
         let Some(axis) = self.scheduled.step.axis else {
             return Err(self.wrong_phase(Op::ExchangeAdd));

@@ -1,13 +1,13 @@
-//! What kind of value a register holds.
+//! The kinds of value that a register of a sequential machine holds, as the checker distinguishes them.
 
 use std::fmt;
 
 use crate::hypercube::Axis;
 
-/// What a register holds.
+/// The content of a register.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub enum Content {
-    /// Nothing yet: never written, or left over from the iteration before.
+    /// No value that may be read: never written, or left over from the iteration before.
     Stale,
     /// A word loaded from a stream.
     Loaded,

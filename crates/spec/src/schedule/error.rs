@@ -1,11 +1,11 @@
-//! Why a microprogram is rejected: the clock, the node, what was found and what was expected.
+//! The errors of the schedule checker: the clock, the node, the value found and the value expected.
 
 use thiserror::Error;
 
 use super::content::Content;
 use crate::hypercube::Axis;
 
-/// Why a microprogram is rejected. Clocks count from 0 in their phase.
+/// The reason why the checker rejects a microprogram. Clocks count from 0 in their phase.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[allow(missing_docs)] // the messages say what the fields are
 pub enum ScheduleError {

@@ -1,9 +1,9 @@
 //! The schedule checker and the utilisation of a schedule.
 //!
-//! The checker follows, for every node, *what kind of value* each register holds, clock by clock:
-//! a distance that still lacks the w axis is not a distance that may be compared. It knows no
-//! photon values, only what must have happened before each op, and it is the oracle for the
-//! microprogram that model and HDL both read.
+//! The checker follows, for every node, the *kind of value* that each register holds, clock by clock: a
+//! distance that lacks the sum across w, for example, may not be compared. It uses no photon values, only
+//! what must have happened before each op. It is the oracle for the microprogram that model and HDL both
+//! read.
 
 mod check;
 mod content;

@@ -5,12 +5,13 @@ use crate::microprogram::Microprogram;
 use crate::op::Unit;
 use crate::register::{REGISTERS, Register};
 
-/// How many of the clocks of an iteration a unit works.
+/// The number of clocks of an iteration in which a unit works.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct UnitUse {
-    /// The unit.
+    /// The unit that is counted.
     pub unit: Unit,
-    /// Clocks of one iteration in which it works (in every cell: they share one instruction).
+    /// Clocks of one iteration in which the unit works. All cells share one instruction, so they are the same
+    /// in every cell.
     pub busy_clocks: u32,
 }
 
@@ -22,13 +23,13 @@ pub struct UnitUse {
 /// The paper reports 62 % "over ALUs and registers" for its machine without giving its formula.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ScheduleReport {
-    /// Clocks of an iteration.
+    /// The number of clocks of an iteration.
     pub initiation_interval: u32,
-    /// Photons tested in an iteration.
+    /// The number of photons that an iteration tests.
     pub photons: usize,
-    /// Each computing unit.
+    /// The use of each computing unit.
     pub units: Vec<UnitUse>,
-    /// Each register, with the clocks in which it is read or written.
+    /// Each register, with the number of clocks in which it is read or written.
     pub registers: Vec<(Register, u32)>,
 }
 
@@ -43,7 +44,7 @@ impl ScheduleReport {
         self.ratio(self.used_registers(), self.registers.len())
     }
 
-    /// Both together, the formula of the type's documentation.
+    /// Utilisation of units and registers together, by the formula above.
     pub fn utilisation(&self) -> f64 {
         self.ratio(
             self.busy_units() + self.used_registers(),

@@ -1,7 +1,7 @@
-//! What the sequencer needs of a program, whatever the cells compute.
+//! The stream rules of a program: what the sequencer needs, whatever the cells compute.
 //!
-//! A query is taken by its `ldq`, a group by the last step that reads it, and whether a group was
-//! the query's last is known from the clock after that on.
+//! A query is taken by its `ldq`, a group by the last step that reads it. The sequencer knows from the clock
+//! after that step whether the group was the query's last.
 
 use super::check::{ITERATION, QUERY, check_structure};
 use super::error::ScheduleError;
@@ -9,9 +9,8 @@ use crate::hypercube::Hypercube;
 use crate::microprogram::{Microprogram, ScheduledStep};
 use crate::op::OpRow;
 
-/// Checks that every query is taken once and has one result: one op in each clock, links that
-/// there are, one `ldq` in the query phase, and groups read in the iteration alone and not in its
-/// last clock.
+/// Checks that every query is taken once and has one result. Each clock has one op, every link exists, the
+/// query phase has one `ldq`, and groups are read only in the iteration and not in its last clock.
 ///
 /// # Errors
 /// The first violation, with its clock.
@@ -20,7 +19,7 @@ pub fn check_streams(program: &Microprogram, cube: Hypercube) -> Result<(), Sche
     check_takers(program)
 }
 
-/// The rules of the streams, of a program whose structure is sound.
+/// Checks the stream rules of a program whose structure is legal.
 pub(super) fn check_takers(program: &Microprogram) -> Result<(), ScheduleError> {
     refuse_in(QUERY, &program.query, |row| row.reads_group)?;
     refuse_in(ITERATION, &program.iteration, |row| row.reads_query)?;
@@ -56,7 +55,7 @@ fn not_taken(phase: &'static str, stream: &'static str, expected: &'static str) 
     }
 }
 
-/// The steps of such ops, by clock.
+/// The steps of a phase whose op satisfies `wanted`, by clock.
 fn clocks_of(phase: &[ScheduledStep], wanted: fn(&OpRow) -> bool) -> Vec<ScheduledStep> {
     let found = phase.iter().filter(|s| wanted(s.step.op.row()));
     let mut found: Vec<_> = found.copied().collect();

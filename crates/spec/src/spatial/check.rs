@@ -1,4 +1,4 @@
-//! Which spatial machines can be built.
+//! The rules that a spatial machine must satisfy so that its engines can be built.
 
 use thiserror::Error;
 
@@ -8,56 +8,57 @@ use crate::hypercube::Hypercube;
 use crate::machine::Machine;
 use crate::photon_format::FormatError;
 
-/// Why a spatial machine cannot be built.
+/// The reason why a spatial machine cannot be built.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum SpatialError {
-    /// A field is outside what the rules allow.
+    /// A field is outside its legal range.
     #[error("machine `{machine}`: {field} is {found}, expected {min} to {max}")]
     Field {
-        /// The machine.
+        /// The name of the machine.
         machine: &'static str,
-        /// Which of its fields.
+        /// The name of the field that is out of range.
         field: &'static str,
         /// The field's value.
         found: u64,
-        /// The smallest that works.
+        /// The smallest legal value.
         min: u64,
-        /// The largest that works.
+        /// The largest legal value.
         max: u64,
     },
-    /// There is no register where one must stand.
+    /// A required pipeline register is missing.
     #[error("machine `{machine}`: there is no register at the cut {cut:?}, which {needed_by}")]
     Cut {
-        /// The machine.
+        /// The name of the machine.
         machine: &'static str,
-        /// Where a register is missing.
+        /// The place where the register is missing.
         cut: Cut,
-        /// What needs it.
+        /// The part of the machine that needs the register.
         needed_by: &'static str,
     },
-    /// Kinds of engines differ from the decisions on, where all engines share the clocks.
+    /// Engines of different kinds differ at or after `RangeDelay`, where all engines must have the same
+    /// pipeline registers.
     #[error(
         "machine `{machine}`: engines with other squarers have {} at the cut {cut:?}, expected {}, \
          as the machine's own have from the decisions on",
         register(*.has), register(!*.has)
     )]
     SharedCut {
-        /// The machine.
+        /// The name of the machine.
         machine: &'static str,
-        /// Where they differ.
+        /// The place where the kinds differ.
         cut: Cut,
-        /// Whether those with other squarers have a register there.
+        /// Whether the engines with other squarers have a register there.
         has: bool,
     },
-    /// Plain numbers have no radius bits, which engines cut differences to.
+    /// The machine has plain numbers, which have no radius bits to reduce differences to.
     #[error("machine `{0}` has plain numbers, and an engine needs a photon format")]
     PlainNumbers(&'static str),
     /// The photon format is not legal.
     #[error("machine `{machine}`: {error}")]
     Format {
-        /// The machine.
+        /// The name of the machine.
         machine: &'static str,
-        /// What is wrong with its format.
+        /// The rule that the format violates.
         error: FormatError,
     },
 }
@@ -67,16 +68,17 @@ fn register(has: bool) -> &'static str {
 }
 
 impl Spatial {
-    /// Bits per radius that the squarers are made for.
+    /// The bits per radius that the squarers are made for.
     const RADIUS_BITS: [u64; 2] = [7, 8];
 
-    /// More than a large FPGA has block RAMs for.
+    /// The most groups of a memory bank: more than the block RAMs of a large FPGA hold.
     const MOST_MEMORY_GROUPS: u64 = 1 << 16;
 
-    /// Checks that engines can be built for a machine whose organisation this is.
+    /// Checks that the engines of a machine with this organisation can be built.
     ///
     /// # Errors
-    /// The first field outside its range, with what it could be, or the first cut that is missing.
+    /// The first field outside its range, with the range, or the first required pipeline register that is
+    /// missing.
     pub fn check(&self, machine: &Machine) -> Result<(), SpatialError> {
         let name = machine.name;
         let format = machine.format().ok_or(SpatialError::PlainNumbers(name))?;
@@ -100,7 +102,7 @@ impl Spatial {
             name,
             [
                 ("dimension", machine.dimension, [dimension; 2]),
-                // Sums are carried in 64 bits.
+                // The model holds sums in 64 bits.
                 ("bits of a sum", SpatialWidths::of(format).sum, [1, 64]),
                 (
                     "engines with squarers of other kinds",
@@ -113,7 +115,8 @@ impl Spatial {
         self.check_cuts(machine)
     }
 
-    /// A set of photons is no more than a query may be given, so it fits a bank of that size.
+    /// Checks that a memory bank holds `max_photons`. A set of photons is no larger than that, so it fits the
+    /// bank.
     fn check_memory(&self, machine: &Machine) -> Result<(), SpatialError> {
         let found = self.memory_groups;
         let needed = machine.max_photons().div_ceil(Self::LANES as u64);

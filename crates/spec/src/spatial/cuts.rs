@@ -1,28 +1,31 @@
-//! Where the pipeline of a spatial machine has registers.
+//! The places in the pipeline of a spatial machine's engine where pipeline registers may stand.
 
-/// A place in the pipeline of an engine where a register may stand. From a photon's position and
-/// the query on:
+/// A place in the pipeline of an engine where a pipeline register may stand. These places process a photon's
+/// position and the query:
 ///
-/// | cut | what is there, for each photon |
+/// | place | value in the register, for each photon |
 /// |---|---|
 /// | `Difference` | on each axis d = query - photon, signed |
-/// | `Magnitude` | on each axis |d|; d once more for a squarer that needs no magnitude |
-/// | `Products` | on each axis |d| modulo 2^r, whether it exceeds r bits, and the products of its digits, see [`super::EngineRegister::LowProduct`]; or d |
-/// | `Cross` | on each axis |d| modulo 2^r, whether it exceeds r bits, and the product of its two digits; or the square from a table or as one product |
-/// | `Square` | on each axis d^2 in 2 r bits, and whether |d| exceeds r bits |
+/// | `Magnitude` | on each axis the magnitude of d; or d, for a squarer that needs no magnitude |
+/// | `Products` | on each axis m, the magnitude modulo 2^r; the far flag; and the products of m's digits; or d |
+/// | `Cross` | on each axis m, the far flag, and the product of m's two digits; or the whole square |
+/// | `Square` | on each axis d^2 in 2 r bits, and the far flag |
 /// | `Pair` | x^2 + y^2; z^2; whether any axis is far |
 /// | `Distance` | the sum of the three squares; whether any axis is far |
-/// | `Range` | whether the photon is in range |
-/// | `RangeDelay` | the same once more, on its way to the sums, as the flags of a group have on theirs |
-/// | `Decision` | the same once more, for each word that is summed: one beside each of its sums |
+/// | `Range` | the in-range flag |
+/// | `RangeDelay` | the in-range flag one clock later, and the flags of the group one clock later |
+/// | `Decision` | a copy of the in-range flag for each word that is summed, beside the sum of that word |
 ///
-/// and from the powers of a group on:
+/// An axis is *far* where the magnitude exceeds r bits. For the products see
+/// [`super::EngineRegister::LowProduct`]. The whole square comes from a table or from one product.
 ///
-/// | cut | what is there |
+/// These places process the powers of a group:
+///
+/// | place | value in the register |
 /// |---|---|
-/// | `Gate` | powers and presence, cleared where out of range |
-/// | `PairPower` | their sums over photons 0 and 1, and over 2 and 3 |
-/// | `GroupPower` | their sums over the group |
+/// | `Gate` | powers and presence, 0 where the photon is out of range |
+/// | `PairPower` | the sums of powers and counts over photons 0 and 1, and over photons 2 and 3 |
+/// | `GroupPower` | the sums of powers and counts over the group |
 #[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[allow(missing_docs)] // the table says what they are
 pub enum Cut {
@@ -42,7 +45,7 @@ pub enum Cut {
 }
 
 impl Cut {
-    /// All cuts, in the order of the flow.
+    /// All places, in the order in which values pass them.
     pub const ALL: [Self; 13] = [
         Self::Difference,
         Self::Magnitude,
@@ -59,18 +62,19 @@ impl Cut {
         Self::GroupPower,
     ];
 
-    /// Whether the cut is in the flow of positions, whose latency the powers wait for.
+    /// Whether the place processes positions. The powers of a group are delayed by the latency of these
+    /// places.
     pub fn is_of_positions(self) -> bool {
         self <= Self::Decision
     }
 }
 
-/// A set of cuts: a register stands at each of them.
+/// A set of places: the pipeline registers of an engine.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Cuts(u16);
 
 impl Cuts {
-    /// These cuts.
+    /// The set of these places.
     pub const fn of(cuts: &[Cut]) -> Self {
         let mut set = 0;
         let mut index = 0;
@@ -81,18 +85,18 @@ impl Cuts {
         Self(set)
     }
 
-    /// These and that one.
+    /// This set with one more place.
     pub const fn and(self, cut: Cut) -> Self {
         Self(self.0 | 1 << cut as u16)
     }
 
-    /// Whether a register stands at the cut.
+    /// Whether a pipeline register stands at the place.
     pub const fn has(self, cut: Cut) -> bool {
         self.0 >> cut as u16 & 1 == 1
     }
 
-    /// Clocks from a position in an engine's hop register to the decision whether it is in range, if
-    /// it waits for no other engine's: the registers of the flow of positions.
+    /// Clocks from a position in an engine's hop register to the in-range flag of this engine, without waits
+    /// for slower engines: the number of registers that process positions.
     pub fn latency(self) -> u32 {
         let registers = Cut::ALL.into_iter().filter(|cut| cut.is_of_positions());
         registers.filter(|&cut| self.has(cut)).count() as u32

@@ -1,26 +1,27 @@
-//! What happens to a group, clock by clock: the listing of a machine without a program.
+//! The listing of a spatial machine, which has no program: the steps of a group through an engine, clock by
+//! clock.
 
 use super::cuts::Cut;
 use super::{EngineKind, Radius, Spatial};
 use crate::format::Squarer;
 
-/// A register, or a step without one, on a group's way through an engine.
+/// A step of a group through an engine, with or without a pipeline register.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FlowRow {
-    /// The clock at whose end the value is in its register, counted from the clock in which the
-    /// group arrives; a step without a register is in the clock of the next one.
+    /// The clock at whose end the step's value is in its register, counted from the clock in which the group
+    /// arrives. A step without a register has the clock of the next register.
     pub clock: u32,
-    /// The cells that do it: their roles.
+    /// The roles of the cells that do the step.
     pub cells: &'static str,
-    /// Which of an engine's units it takes, and how many of them.
+    /// The engine's units that the step uses, and how many of each.
     pub units: &'static str,
-    /// What is done.
+    /// A description of the step.
     pub step: &'static str,
-    /// Whether a register holds it.
+    /// Whether a pipeline register holds the step's value.
     pub registered: bool,
 }
 
-/// Units of an engine that work in every clock.
+/// The units of an engine. All of them work in every clock.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct EngineUnits {
     /// `(A-B)^2`: one for each coordinate of each photon.
@@ -34,8 +35,8 @@ pub struct EngineUnits {
 }
 
 impl EngineUnits {
-    /// The units of an engine, with so many channels. All adds together are 24 for three channels:
-    /// on 16 adders, one in each cell, they would take 1.5 clocks, so Y and D cells have two.
+    /// Counts the units of an engine for that number of channels. Three channels need 24 adds. On 16 adders,
+    /// one in each cell, these would take 1.5 clocks, so Y and D cells have two adders.
     pub fn of(channels: usize) -> Self {
         let words = channels + 1;
         Self {
@@ -46,13 +47,13 @@ impl EngineUnits {
         }
     }
 
-    /// All adds of a group.
+    /// All adds of a group: distances, powers and counts.
     pub fn adds(&self) -> usize {
         self.distance_adds + self.power_adds
     }
 }
 
-/// Cells, units and meaning of what stands at a cut.
+/// The cells, the units and the description of the value at a pipeline place.
 fn step(cut: Cut) -> (&'static str, &'static str, &'static str) {
     match cut {
         Cut::Difference => ("X Y Z", "square", "d = query - photon"),
@@ -76,7 +77,7 @@ fn step(cut: Cut) -> (&'static str, &'static str, &'static str) {
 }
 
 impl Spatial {
-    /// A group's way through an engine with the machine's own kind of squarer, `own`.
+    /// Lists the steps of a group through an engine whose squarers are the machine's own kind, `own`.
     pub fn flow(&self, own: Squarer) -> Vec<FlowRow> {
         let kind = EngineKind {
             squarer: own,
@@ -93,7 +94,7 @@ impl Spatial {
                     rows.push(row(clock, "D", "", wait, true));
                 }
             }
-            // These are no steps where they have no register.
+            // At these places there is nothing to list without a register.
             if [Cut::RangeDelay, Cut::Decision].contains(&cut) && !registered {
                 continue;
             }
@@ -109,7 +110,7 @@ impl Spatial {
         rows
     }
 
-    /// In a word, where the radius comes from.
+    /// A short text that states the source of the search radius.
     pub fn radius_name(&self) -> &'static str {
         match self.radius {
             Radius::Query => "of each query",

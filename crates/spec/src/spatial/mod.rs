@@ -6,28 +6,29 @@
 //! e is node `16 e + 4 R + g`. A machine has `2^query_axes` engines in a chain; `stream` has one.
 //! Each clock an engine tests the four photons of a group.
 //!
-//! # Waves
-//! A group enters at the *head*, waits a clock in the *entry*, a row of registers before engine 0,
-//! and passes from engine to engine, one a clock, through *hop* registers, so that every net is
-//! short and every photon is read once. Positions go first. Powers follow as a second wave,
-//! [`Spatial::latency`] clocks later, which is when an engine has decided which of the photons are in
-//! range; so only the head delays them, once for all engines. The head also decodes powers and
-//! clears those of absent photons.
+//! # The pipeline
+//! A group enters at the *head*, waits a clock in the *entry*, a row of registers before engine 0, and passes
+//! from engine to engine, one a clock, through *hop* registers. So every net is short and every photon is
+//! read once. The positions of a group go first. Its powers follow [`Spatial::latency`] clocks later, when an
+//! engine has decided which of the photons are in range. The powers therefore need one delay line, in the
+//! head, and none in the engines. The head also decodes powers and clears the powers of absent photons.
 //!
-//! Queries travel as *tokens* in the same direction: an engine without a next query keeps the first
-//! token that comes and passes on the later ones. The first group of a batch makes each engine take
-//! its next query as its query in the clock in which the group arrives, so a change costs none.
-//! With the last group, sums are complete; each engine then puts them on the result chain, which
-//! runs back to the head. Results of one batch never meet there, as engine e's leave 2 e clocks
-//! after the first; the head keeps batches far enough apart that no two do.
+//! A query on its way along the chain is called a *token*. It travels in the direction of the photons. An
+//! engine without a next query keeps the first token that arrives and passes the later ones on. When the
+//! first group of a batch arrives at an engine, the engine makes its next query the current one in that
+//! clock, so a new batch takes no extra clock. With the last group, the sums are complete; each engine then
+//! puts them on the result chain, which runs back to the head. Results of one batch never collide there,
+//! because engine e's result leaves 2 e clocks after the first. The head keeps batches far enough apart that
+//! results of two batches do not collide.
 //!
-//! Reset travels as a wave as well: each engine clears its flags when the wave arrives, and its
-//! place on the result chain in the clock after too, so that no result slips past the wave.
+//! Reset also passes from engine to engine. Each engine clears its flags when the reset arrives. It clears
+//! its place on the result chain in the following clock too, so that no result of the engine behind it gets
+//! past the reset.
 //!
 //! # Batches
-//! A *batch* is `2^query_axes` queries, the first for engine 0, and the groups of photons that all
-//! of them are tested against. Queries of the next batch are taken from the clock on in which the
-//! first group of this one is. Results come in the order of the queries.
+//! A *batch* is `2^query_axes` queries, the first for engine 0, and the groups of photons that all of them
+//! are tested against. The machine takes queries of the next batch from the clock on in which it takes the
+//! first group of the current batch. Results leave in the order of the queries.
 
 mod check;
 mod cuts;
@@ -49,42 +50,42 @@ pub use widths::SpatialWidths;
 
 use crate::format::Squarer;
 
-/// What a spatial machine has beside its numbers.
+/// The parameters of a spatial machine beside its numbers.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct Spatial {
-    /// Axes above the engine's four, which join queries: `2^query_axes` engines.
+    /// Axes above the engine's four, which select the query: `2^query_axes` engines.
     pub query_axes: u32,
-    /// Where the search radius comes from.
+    /// The source of the search radius.
     pub radius: Radius,
-    /// Where the pipeline of an engine with the machine's own kind of squarer has registers.
+    /// The pipeline registers of an engine with the machine's own kind of squarer.
     pub cuts: Cuts,
-    /// Engines with squarers of other kinds: so many of each, spread evenly over the chain. A device
-    /// has tables (block RAMs), products (DSP blocks) and LUTs to make squares of, each in columns
-    /// all over it, so engines of all kinds stand side by side.
+    /// Engines with squarers of other kinds, with the number of each. They are spread evenly over the chain:
+    /// a device has tables (block RAMs), products (DSP blocks) and LUTs to make squares of, each in columns
+    /// all over the chip, so engines of all kinds are placed side by side.
     pub others: &'static [(EngineKind, usize)],
-    /// Groups that each of the two banks of the photon memory holds, a power of two; 0: no memory,
-    /// the group stream goes straight to the head. See [`MemoryRegister`].
+    /// Groups that each of the two banks of the photon memory holds, a power of two. With 0 there is no
+    /// memory, and the group stream goes straight to the head. See [`MemoryRegister`].
     pub memory_groups: u32,
 }
 
-/// What an engine's squares are made of, and where its pipeline has registers. Kinds may differ in
-/// the cuts of the flow of positions, since a block RAM and a DSP block want registers around them that
-/// an adder does not need; where an engine decides sooner than the slowest kind, its decisions wait.
-/// From [`Cut::RangeDelay`] on, where all engines share the clocks, the cuts of all kinds are the machine's.
+/// A kind of engine: the implementation of its squares and its pipeline registers. Kinds may differ in the
+/// registers that process positions, since a block RAM and a DSP block need registers around them that an
+/// adder does not need. An engine that decides sooner than the slowest kind delays its in-range flags. From
+/// [`Cut::RangeDelay`] on, all engines have the machine's own pipeline registers.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct EngineKind {
-    /// What squares are made of.
+    /// The implementation of the squares.
     pub squarer: Squarer,
-    /// Where registers are.
+    /// The pipeline registers of the engine.
     pub cuts: Cuts,
 }
 
-/// Where the search radius comes from.
+/// The source of the search radius.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Radius {
-    /// Each query has its own, up to the format's.
+    /// Each query has its own radius, up to the format's.
     Query,
-    /// It is always the format's: a constant, and no pin.
+    /// Every query has the format's radius, which is a constant; there is no pin for it.
     Format,
 }
 
@@ -94,46 +95,46 @@ impl Spatial {
     /// Photons that an engine tests in a clock, one in each quad: the lanes of a group.
     pub const LANES: usize = 4;
 
-    /// Engines, so queries of a batch.
+    /// The number of engines, which is the number of queries in a batch.
     pub fn engines(&self) -> usize {
         1 << self.query_axes
     }
 
-    /// Clocks from that in which a batch's last group is taken to the first in which its first
-    /// result can be: the entry, the hop register, the two flows, the result chain, the queue's memory
-    /// and the pins.
-    /// Each further engine's result comes two clocks later.
+    /// Clocks from the one in which a batch's last group is taken to the first in which its first result can
+    /// be taken. The group passes the entry, the hop register, the stages of positions and of powers, the
+    /// result chain, the queue's memory and the pins. Each further engine's result comes two clocks later.
     pub fn latency_clocks(&self) -> u32 {
         self.latency() + self.cuts.power_latency() + 5
     }
 
-    /// Clocks between the last group of a batch and the first of the next in which no group is played: with a photon
-    /// memory, in two of them it learns that the batch is over, in the third whether the next may start. A set that is
-    /// longer than the one played before it may be waited for besides.
+    /// Clocks between the last group of a batch and the first of the next in which no group is played. A
+    /// photon memory needs two clocks to detect the end of the batch, and a third to decide whether the next
+    /// may start. A set that is longer than the one played before it may cause a further wait.
     pub fn batch_gap_clocks(&self) -> u32 {
         if self.memory_groups > 0 { 3 } else { 0 }
     }
 
-    /// The fewest clocks from a batch to the next, however few its groups: the results of two batches must not meet on
-    /// their way back.
+    /// The fewest clocks from a batch to the next, however few its groups. It keeps the results of two
+    /// batches from colliding on the result chain.
     pub fn least_batch_clocks(&self) -> u32 {
         HeadSizes::of(self).spacing + self.batch_gap_clocks()
     }
 
-    /// Clocks from a position in an engine's hop register to the decision whether it is in range, in
-    /// every engine: those of the slowest kind. Powers enter their hop register so much later.
+    /// Clocks from a position in an engine's hop register to the in-range flag, equal for all engines: the
+    /// clocks of the slowest kind. Powers enter the hop register that many clocks after positions.
     pub fn latency(&self) -> u32 {
         let others = self.others.iter().map(|(kind, _)| kind.cuts.latency());
         others.fold(self.cuts.latency(), u32::max)
     }
 
-    /// Clocks that the decisions of an engine of that kind wait for those of the slowest.
+    /// Clocks that the in-range flags of an engine of that kind are delayed, to arrive with those of the
+    /// slowest kind.
     pub fn range_waits(&self, kind: EngineKind) -> u32 {
         self.latency() - kind.cuts.latency()
     }
 
-    /// The kind of an engine of a machine whose own squarers are `own`: that which is furthest behind
-    /// its share of the engines up to this one, the first of several.
+    /// The kind of an engine of a machine whose own squarers are `own`. It is the kind whose number of
+    /// engines, up to and including this one, lags most behind its share; of equal kinds the first.
     pub fn kind(&self, own: Squarer, engine: usize) -> EngineKind {
         let others: usize = self.others.iter().map(|&(_, engines)| engines).sum();
         let own = EngineKind {

@@ -1,4 +1,4 @@
-//! The registers of a spatial machine as signals, in their order: head, photon memory, engines.
+//! The registers of a spatial machine as signals, in the order head, photon memory, engines.
 
 use super::{
     ENGINE_REGISTERS, HeadRegister, HeadSizes, Instances, MemoryRegister, Radius, Spatial,
@@ -7,7 +7,7 @@ use super::{
 use crate::machine::Machine;
 use crate::pins::{Pin, SignalPlace};
 
-/// The registers of a spatial machine.
+/// Lists the registers of a spatial machine.
 pub(crate) struct SpatialPins<'a> {
     machine: &'a Machine,
     spatial: &'a Spatial,

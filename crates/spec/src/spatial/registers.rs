@@ -8,28 +8,28 @@ use crate::format::Squarer;
 /// A register of an engine.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum EngineRegister {
-    /// The wave of a reset.
+    /// The reset, as it passes from engine to engine.
     Reset,
-    /// A query passes by.
+    /// `Token` holds a query that passes this engine.
     TokenValid,
-    /// Its coordinates.
+    /// The coordinates of the passing query.
     Token,
-    /// Its squared search radius.
+    /// The squared search radius of the passing query.
     TokenRadius,
-    /// There is a query for the next batch.
+    /// The engine has a query for the next batch.
     NextValid,
-    /// It came in the clock before: it is the token that stands in `Token`.
+    /// The next query arrived in the clock before and is still in `Token`.
     Keep,
-    /// Its coordinates, a clock after it came.
+    /// The coordinates of the next query, one clock after it arrived.
     Next,
-    /// Its squared search radius.
+    /// The squared search radius of the next query.
     NextRadius,
-    /// The query's coordinates.
+    /// The coordinates of the current query.
     Query,
-    /// Its squared search radius.
+    /// The squared search radius of the current query.
     QueryRadius,
-    /// The radius follows the photons that it is for: one at each cut from `Difference` to
-    /// `Distance`.
+    /// The radius, delayed to stay beside the photons that it is for: one register at each place from
+    /// `Difference` to `Distance`.
     RadiusDelay,
     /// Hop: the group whose positions arrive is the first of its batch, and the query changes.
     Swap,
@@ -39,7 +39,7 @@ pub enum EngineRegister {
     Difference,
     /// |d|, for squares from digits.
     Magnitude,
-    /// d once more, for other squares.
+    /// d, one clock after `Difference`, for squarers that need no magnitude.
     MagnitudeDelay,
     /// |d| modulo 2^r.
     ProductsMagnitude,
@@ -49,7 +49,7 @@ pub enum EngineRegister {
     HighProduct,
     /// |d| exceeds r bits.
     ProductsFar,
-    /// d once more, for other squares.
+    /// d, at the place `Products`, for squarers that need no magnitude.
     ProductsDelay,
     /// |d| modulo 2^r.
     CrossMagnitude,
@@ -61,8 +61,8 @@ pub enum EngineRegister {
     Lookup,
     /// d^2 as one product, in full.
     Product,
-    /// d^2 modulo 2^(2 r); from digits the square of |d| modulo 2^r, which is another number where
-    /// |d| exceeds r bits, and counts for nothing there.
+    /// d^2 modulo 2^(2 r). A squarer from digits gives the square of |d| modulo 2^r, which is a different
+    /// number where |d| exceeds r bits; the number is then unused.
     Square,
     /// |d| exceeds r bits.
     SquareFar,
@@ -78,14 +78,14 @@ pub enum EngineRegister {
     DistanceFar,
     /// The photon is in range: no axis far and distance <= `radius_sq`.
     InRange,
-    /// The same, while it waits for the slowest kind of engine: of lane g after i + 1 clocks at
-    /// 4 i + g.
+    /// In-range flag of an engine that is faster than the slowest kind, during its wait: that of lane g after
+    /// i + 1 clocks is at 4 i + g.
     RangeWait,
-    /// The same once more, between the lane and the sums.
+    /// In-range flag, one clock later, between the lane and the sums.
     RangeDelay,
-    /// The same once more, for each power.
+    /// In-range flag, one copy beside the sums for each lane and channel.
     Decision,
-    /// The same for each photon's presence.
+    /// In-range flag, one copy beside the count for each lane.
     PresenceDecision,
     /// Hop: the decoded powers of the photons, 0 for an absent one.
     Power,
@@ -99,97 +99,97 @@ pub enum EngineRegister {
     GatedPower,
     /// Whether there is a photon in range.
     GatedPresent,
-    /// `First` once more.
+    /// `First`, at the place `Gate`.
     GateFirst,
-    /// `Last` once more.
+    /// `Last`, at the place `Gate`.
     GateLast,
     /// Sums over photons 0 and 1, and over 2 and 3.
     PairPower,
-    /// How many of those are in range.
+    /// The photons in range of each pair.
     PairCount,
-    /// `First` once more.
+    /// `First`, at the place `PairPower`.
     PairFirst,
-    /// `Last` once more.
+    /// `Last`, at the place `PairPower`.
     PairLast,
-    /// `PairFirst` once more for each channel, on its way to `SumFirst`.
+    /// `PairFirst` one clock later, one copy for each channel, on its way to `SumFirst`.
     PairFirstDelay,
     /// Sums over the group.
     GroupPower,
-    /// How many of the group are in range.
+    /// The photons of the group that are in range.
     GroupCount,
-    /// `First` once more.
+    /// `First`, at the place `GroupPower`.
     GroupFirst,
-    /// `Last` once more.
+    /// `Last`, at the place `GroupPower`.
     GroupLast,
-    /// `GroupLast` once more for each channel, on its way to `SumDone`.
+    /// `GroupLast` one clock later, one copy for each channel, on its way to `SumDone`.
     GroupLastDelay,
-    /// `GroupFirst` once more for each channel's sum.
+    /// `GroupFirst` one clock later, one copy beside each channel's sum.
     SumFirst,
     /// The sums of the query so far; a first group replaces them.
     Sum,
-    /// The photons in range so far.
+    /// The photons in range of the query so far; a first group replaces the count.
     Count,
     /// The sums are complete.
     Done,
-    /// The same once more for each channel's sum.
+    /// `Done`, one copy beside each channel's sum.
     SumDone,
-    /// The result chain has a result here: this engine's, or one from further on.
+    /// `Result` holds a result: this engine's, or one from further along the chain.
     ResultValid,
-    /// Its sums.
+    /// The sums on the result chain.
     Result,
-    /// Its count.
+    /// The count on the result chain.
     ResultCount,
 }
 
-/// How many of a register an engine has, and in which order.
+/// The number of instances of a register in an engine, and their order.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Instances {
-    /// One.
+    /// One instance.
     One,
-    /// One for x, y, z.
+    /// One instance for each of x, y, z.
     Axes,
     /// Axis a of lane g is at 3 g + a.
     Coordinates,
-    /// One for each lane.
+    /// One instance for each lane.
     Lanes,
     /// Channel c of lane g is at `channels` g + c.
     LaneChannels,
-    /// Lanes 0 and 1, lanes 2 and 3.
+    /// Two instances: lanes 0 and 1, lanes 2 and 3.
     Pairs,
     /// Channel c of pair i is at `channels` i + c.
     PairChannels,
-    /// One for each channel.
+    /// One instance for each channel.
     Channels,
-    /// One for each cut from `Difference` to `Distance` that the engine has.
+    /// One instance for each place from `Difference` to `Distance` at which the engine has a register.
     RadiusDelays,
-    /// One for each lane and clock of [`Spatial::range_waits`].
+    /// One instance for each lane and each clock of [`Spatial::range_waits`].
     RangeWaits,
 }
 
 /// One row of the table of an engine's registers.
 #[derive(Copy, Clone, Debug)]
 pub struct EngineRow {
-    /// The register.
+    /// The register that the row describes.
     pub register: EngineRegister,
-    /// Its name in pins and in the emitted Verilog.
+    /// The register's name in pins and in the emitted Verilog.
     pub name: &'static str,
-    /// How many there are.
+    /// The number of instances and their order.
     pub instances: Instances,
-    /// The width of each in bits.
+    /// The width of each instance in bits.
     pub width: fn(&SpatialWidths) -> u32,
-    /// When a machine, or an engine of it, has the register.
+    /// The machines and engines that have the register.
     condition: Condition,
 }
 
 #[derive(Copy, Clone, Debug)]
 enum Condition {
     Always,
-    /// Queries have a radius of their own.
+    /// In machines whose queries have a radius of their own.
     QueryRadius,
     At(Cut),
-    /// At the cut in engines with squarers of this kind.
+    /// At this place, in engines with squarers of this kind.
     Squarer(Cut, Squarer),
-    /// At the cut in engines with squarers of another kind.
+    /// At this place, in engines with squarers of another kind.
     NotSquarer(Cut, Squarer),
 }
 
@@ -209,14 +209,14 @@ impl EngineRow {
 }
 
 impl EngineRegister {
-    /// The register's row.
+    /// The register's row in [`ENGINE_REGISTERS`].
     pub fn row(self) -> &'static EngineRow {
         &ENGINE_REGISTERS[self as usize]
     }
 }
 
 impl Instances {
-    /// How many there are in an engine of that kind, with so many channels.
+    /// The number of instances in an engine of that kind, for that number of channels.
     pub fn count(self, spatial: &Spatial, kind: EngineKind, channels: usize) -> usize {
         match self {
             Self::One => 1,
@@ -235,7 +235,7 @@ impl Instances {
         }
     }
 
-    /// What tells one from the others in names: empty for one, `_x`, `_x_2` (axis, lane), `_2`,
+    /// The suffix of an instance in names: empty for a single instance, `_x`, `_x_2` (axis, lane), `_2`,
     /// `_red_2` (channel, lane or pair), `_red`.
     pub fn suffix(self, index: usize, channels: &[&str]) -> String {
         const AXES: [&str; 3] = ["x", "y", "z"];
@@ -258,19 +258,20 @@ impl Instances {
 /// A register of the head.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum HeadRegister {
-    /// Queries taken for the next batch.
+    /// The number of queries taken for the next batch.
     Loaded,
-    /// A batch has begun and its last group is still to come.
+    /// A batch has begun, and its last group has not been taken.
     Open,
-    /// A batch is open or can be opened: what `Open` and `Loaded` say, as one bit.
+    /// A batch is open or can be opened. The bit follows from `Open` and `Loaded`.
     HasBatch,
     /// Clocks until a last group may be taken.
     Spacing,
-    /// They are not 0: what `Spacing` says, as one bit.
+    /// A last group must wait: `Spacing` is not 0.
     Waits,
     /// The last result of a batch was read from the queue's memory.
     BatchRead,
-    /// Batches whose results have places in the queue's memory and were not all read, in unary.
+    /// The number, in unary, of batches whose results have places in the queue's memory and were not all
+    /// read.
     Promised,
     /// The place in the queue that the next result goes to.
     WritePlace,
@@ -280,45 +281,46 @@ pub enum HeadRegister {
     ReadPlace,
     /// The queue's memory holds results that were not read.
     HasWaiting,
-    /// The result on the pins is one.
+    /// The result pins hold a result.
     HasResult,
-    /// A query was taken.
+    /// A query was taken in the clock before.
     EntryTokenValid,
-    /// Its coordinates.
+    /// The coordinates of the query.
     EntryToken,
-    /// Its squared search radius; where queries have one.
+    /// The squared search radius of the query; where queries have one.
     EntryRadius,
     /// The coordinates of the photons: axis a of lane g is at 3 g + a.
     EntryPhoton,
-    /// Their mantissas: channel c of lane g is at `channels` g + c.
+    /// The mantissas of the photons: channel c of lane g is at `channels` g + c.
     EntryPower,
-    /// Their exponent, for each lane; where photons have one.
+    /// The exponent of each lane's photon; where photons have one.
     EntryExponent,
     /// Whether there is a photon on the pins, for each lane.
     EntryPresent,
-    /// It is of a group that was taken.
+    /// The photons in the entry belong to a group that was taken.
     EntryTaken,
     /// A first group was taken.
     EntryFirst,
     /// A last group was taken.
     EntryLast,
-    /// The delay line of the powers, one for each stage, lane and channel: channel c of lane g in
+    /// The delay line of the powers, one register for each stage, lane and channel: channel c of lane g in
     /// stage i is at (4 i + g) `channels` + c. Stage 0 is nearest to the entry; there are
     /// [`Spatial::latency`] stages.
     DelayPower,
-    /// Whether there is a photon of a taken group: lane g in stage i is at 4 i + g.
+    /// The delay line of presence, whether there is a photon of a taken group: lane g in stage i is at 4 i +
+    /// g.
     DelayPresent,
-    /// There is none, beside stage 0, for each lane: its powers are cleared. At power-up, when there
-    /// is nothing to clear, 0 too.
+    /// The inverse of `DelayPresent` at stage 0, for each lane; it clears the lane's powers. At power-up it
+    /// is 0 too, since there is nothing to clear.
     DelayAbsent,
-    /// The same for the first group's flag, one for each stage.
+    /// The delay line of the first group's flag, one register for each stage.
     DelayFirst,
-    /// The same for the last group's flag.
+    /// The delay line of the last group's flag, one register for each stage.
     DelayLast,
 }
 
 impl HeadRegister {
-    /// All of them, in order.
+    /// All registers of the head, in their order as signals.
     pub const ALL: [Self; 27] = [
         Self::Loaded,
         Self::Open,
@@ -349,7 +351,7 @@ impl HeadRegister {
         Self::DelayLast,
     ];
 
-    /// Its name in pins and in the emitted Verilog.
+    /// The register's name in pins and in the emitted Verilog.
     pub fn name(self) -> &'static str {
         match self {
             Self::Loaded => "loaded",

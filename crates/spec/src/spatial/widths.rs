@@ -1,12 +1,12 @@
-//! The widths of a spatial machine, and why nothing overflows.
+//! The bit widths of every kind of value in a spatial machine, and why no value overflows.
 
 use super::Spatial;
 use crate::format::bits_for;
 use crate::format_widths::FormatWidths;
 use crate::photon_format::PhotonFormat;
 
-/// The width in bits of every kind of value in one spatial machine. With r the radius bits and C
-/// the coordinate's.
+/// The width in bits of every kind of value in one spatial machine. Below, r is the number of radius bits and
+/// C that of a coordinate.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct SpatialWidths {
     /// C: a coordinate of query or photon in the frame.
@@ -15,7 +15,7 @@ pub struct SpatialWidths {
     pub difference: u32,
     /// r: |d| of a photon that may be in range.
     pub radius: u32,
-    /// The low digit of |d|: r - 4; the high digit has [`Self::HIGH_DIGIT`].
+    /// The low digit of |d|: r - 4 bits. The high digit has [`Self::HIGH_DIGIT`] bits.
     pub low_digit: u32,
     /// The high digit times the two lowest bits of the low one.
     pub low_product: u32,
@@ -57,7 +57,7 @@ impl SpatialWidths {
     /// Bits of a group's count, 0 to 4.
     pub const GROUP_COUNT: u32 = 3;
 
-    /// The widths that follow from a format on whole steps.
+    /// Computes the widths of a format on whole steps.
     pub fn of(format: &PhotonFormat) -> Self {
         let widths = FormatWidths::of(format);
         let radius = format.radius_bits();
@@ -89,7 +89,7 @@ impl SpatialWidths {
     }
 }
 
-/// The high digit times so many bits of the low one.
+/// The bits of the product of the high digit and `low` bits of the low digit.
 fn product_bits(low: u32) -> u32 {
     match low {
         0 | 1 => SpatialWidths::HIGH_DIGIT,

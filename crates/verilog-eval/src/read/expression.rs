@@ -1,4 +1,4 @@
-//! Expressions and their numbers.
+//! Parses expressions and numbers.
 
 use winnow::Parser;
 use winnow::combinator::{delimited, separated};
@@ -8,7 +8,7 @@ use super::token::Kind;
 use super::{Parsed, Tokens, expect, is_next, line, mismatch, name, peek, take};
 use winnow::stream::Stream;
 
-/// An expression; `? :` binds least, from the right.
+/// Parses an expression; `? :` has the lowest precedence and associates to the right.
 pub fn expression(tokens: &mut Tokens<'_>) -> Parsed<Expression> {
     let line = line(tokens);
     let condition = binary(tokens, 0)?;
@@ -22,7 +22,7 @@ pub fn expression(tokens: &mut Tokens<'_>) -> Parsed<Expression> {
     Ok(Expression { kind, line })
 }
 
-/// Operators that bind tighter than `below`, from the left.
+/// Parses operators that bind tighter than `below`; they associate to the left.
 fn binary(tokens: &mut Tokens<'_>, below: u32) -> Parsed<Expression> {
     let line = line(tokens);
     let mut left = unary(tokens)?;
@@ -120,7 +120,7 @@ fn braces(tokens: &mut Tokens<'_>) -> Parsed<ExpressionKind> {
     Ok(ExpressionKind::Concatenation(parts))
 }
 
-/// What stands behind a name in brackets.
+/// Parses the selects in brackets after a name.
 pub fn selects(tokens: &mut Tokens<'_>) -> Parsed<Vec<Select>> {
     let mut selects = Vec::new();
     while take(tokens, "[") {
@@ -140,7 +140,7 @@ pub fn selects(tokens: &mut Tokens<'_>) -> Parsed<Vec<Select>> {
     Ok(selects)
 }
 
-/// `[left:right]`, if one comes next.
+/// Parses `[left:right]`, if it comes next.
 pub fn range(tokens: &mut Tokens<'_>) -> Parsed<Option<Range>> {
     if !take(tokens, "[") {
         return Ok(None);
@@ -152,7 +152,7 @@ pub fn range(tokens: &mut Tokens<'_>) -> Parsed<Option<Range>> {
     Ok(Some(Range { left, right }))
 }
 
-/// A number's value; none where a letter is no digit, or a bit is unknown.
+/// The value of a number; `None` where a character is not a digit, or a bit is unknown.
 fn number(text: &str) -> Option<Number> {
     let Some((size, based)) = text.split_once('\'') else {
         return Some(Number {

@@ -1,8 +1,8 @@
-//! From the text to the subset: a grammar of what `generate` emits and of what rust-hdl prints, on
-//! winnow's parsers. Whatever it has no rule for is refused with its line.
+//! Parses the subset: a grammar of the Verilog that `generate` emits and that rust-hdl prints, on winnow's
+//! parsers. A text that no rule matches is refused with its line.
 //!
-//! `sv-parser`, which knows all of SystemVerilog, was tried first: it takes minutes to build, and
-//! its trees know no precedence of operators.
+//! `sv-parser`, which knows all of SystemVerilog, was tried first. It takes minutes to build, and its trees
+//! have no precedence of operators.
 
 mod expression;
 mod module;
@@ -23,10 +23,10 @@ type Tokens<'t> = TokenSlice<'t, Token<'t>>;
 
 type Parsed<T> = Result<T, ErrMode<Mismatch>>;
 
-/// Where no rule goes on, and what would.
+/// The place at which no rule matches, and the tokens that would match.
 #[derive(Clone, Debug)]
 struct Mismatch {
-    /// Tokens from there to the end.
+    /// The number of tokens from that place to the end.
     left: usize,
     expected: &'static str,
 }
@@ -46,7 +46,7 @@ impl<'t> ParserError<Tokens<'t>> for Mismatch {
     }
 }
 
-/// Reads all modules of a text.
+/// Parses all modules of a text.
 pub fn read(text: &str) -> Result<Vec<Module>, Refusal> {
     let tokens = token::tokens(text)?;
     let mut rest = Tokens::new(&tokens);
@@ -64,7 +64,7 @@ fn refusal<T>(tokens: &[Token<'_>], error: ErrMode<Mismatch>) -> Result<T, Refus
     let (ErrMode::Backtrack(mismatch) | ErrMode::Cut(mismatch)) = error else {
         unreachable!("the text is all there");
     };
-    // The first token that no rule takes.
+    // The first token that no rule matches.
     let found = &tokens[tokens.len() - mismatch.left];
     refuse(
         found.line,
@@ -72,7 +72,7 @@ fn refusal<T>(tokens: &[Token<'_>], error: ErrMode<Mismatch>) -> Result<T, Refus
     )
 }
 
-/// The token that comes next; the last one stays.
+/// The next token. The last token is never removed.
 fn peek<'t>(tokens: &Tokens<'t>) -> Token<'t> {
     **tokens
         .peek_token()
@@ -89,7 +89,7 @@ fn is_next(tokens: &Tokens<'_>, text: &str) -> bool {
     token.text == text && token.kind != Kind::End
 }
 
-/// Takes the token of this text, if it comes next.
+/// Removes the token of this text, if it comes next.
 fn take(tokens: &mut Tokens<'_>, text: &str) -> bool {
     let taken = is_next(tokens, text);
     if taken {
@@ -98,7 +98,7 @@ fn take(tokens: &mut Tokens<'_>, text: &str) -> bool {
     taken
 }
 
-/// A rule is not met here.
+/// The error of a rule that does not match here.
 fn mismatch<T>(tokens: &Tokens<'_>, expected: &'static str) -> Parsed<T> {
     Err(ErrMode::Cut(Mismatch {
         left: tokens.eof_offset(),
@@ -106,7 +106,7 @@ fn mismatch<T>(tokens: &Tokens<'_>, expected: &'static str) -> Parsed<T> {
     }))
 }
 
-/// The token of this text, and no other.
+/// Parses the token of this text.
 fn expect<'t>(text: &'static str) -> impl Parser<Tokens<'t>, (), ErrMode<Mismatch>> {
     move |tokens: &mut Tokens<'t>| match take(tokens, text) {
         true => Ok(()),
@@ -114,7 +114,7 @@ fn expect<'t>(text: &'static str) -> impl Parser<Tokens<'t>, (), ErrMode<Mismatc
     }
 }
 
-/// Words that are no names: the keywords of IEEE 1364-2005 that stand where a name could.
+/// The keywords of IEEE 1364-2005 that can appear where a name could.
 const KEYWORDS: [&str; 60] = [
     "always",
     "and",

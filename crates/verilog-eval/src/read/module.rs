@@ -1,4 +1,4 @@
-//! Modules and what stands in them.
+//! Parses modules and their contents.
 
 use winnow::Parser;
 use winnow::combinator::{delimited, separated};
@@ -60,7 +60,7 @@ fn item(tokens: &mut Tokens<'_>, items: &mut Vec<Item>) -> Parsed<()> {
     Ok(())
 }
 
-/// A declaration of one name or several.
+/// Parses a declaration of one or several names.
 fn declarations(tokens: &mut Tokens<'_>) -> Parsed<Vec<Declaration>> {
     let direction = if take(tokens, "input") {
         Some(Direction::Input)
@@ -84,7 +84,7 @@ fn declarations(tokens: &mut Tokens<'_>) -> Parsed<Vec<Declaration>> {
     let mut declarations = Vec::new();
     let start = tokens.checkpoint();
     loop {
-        // Each name has the range, so it is read again for each.
+        // Each name has the range, so the range is parsed again for each.
         let after = tokens.checkpoint();
         tokens.reset(&start);
         let range = range(tokens)?;
@@ -154,7 +154,7 @@ fn always(tokens: &mut Tokens<'_>) -> Parsed<Always> {
     })
 }
 
-/// `*` or `posedge clock`.
+/// Parses `*` or `posedge clock`.
 fn event(tokens: &mut Tokens<'_>) -> Parsed<Option<String>> {
     if take(tokens, "*") {
         return Ok(None);

@@ -1,4 +1,4 @@
-//! Statements of blocks and functions.
+//! Parses the statements of blocks and functions.
 
 use winnow::Parser;
 use winnow::combinator::{delimited, separated};
@@ -90,7 +90,7 @@ fn repetition(tokens: &mut Tokens<'_>) -> Parsed<Statement> {
     })))
 }
 
-/// `target = value`.
+/// Parses `target = value`.
 pub fn plain(tokens: &mut Tokens<'_>) -> Parsed<Assignment> {
     let line = line(tokens);
     let target = target(tokens)?;
@@ -123,7 +123,7 @@ fn assignment(tokens: &mut Tokens<'_>) -> Parsed<Statement> {
     })
 }
 
-/// A signal, a part of one, or several in braces.
+/// Parses a signal, a part of one, or several in braces.
 fn target(tokens: &mut Tokens<'_>) -> Parsed<Expression> {
     let line = line(tokens);
     let kind = if is_next(tokens, "{") {

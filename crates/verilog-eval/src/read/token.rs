@@ -1,4 +1,5 @@
-//! The text in tokens. Comments and attributes `(* .. *)` mean nothing to a simulation and are gone.
+//! Splits the text into tokens. Comments and attributes `(* .. *)` have no meaning in a simulation and are
+//! dropped.
 
 use winnow::Parser;
 use winnow::combinator::{alt, delimited, not, opt, preceded};
@@ -14,7 +15,7 @@ pub enum Kind {
     Word,
     Number,
     Symbol,
-    /// After the last one.
+    /// The end of the text.
     End,
 }
 
@@ -25,7 +26,7 @@ pub struct Token<'t> {
     pub line: Line,
 }
 
-/// Of more than one letter, the longest first.
+/// The symbols of more than one character, the longest first.
 const SYMBOLS: [&str; 19] = [
     "<<<", ">>>", "===", "!==", "<<", ">>", "<=", ">=", "==", "!=", "&&", "||", "~&", "~|", "~^",
     "^~", "+:", "-:", "**",
@@ -69,7 +70,7 @@ fn blank(rest: &mut &str) -> Result<(), EmptyError> {
     let space = take_while(1.., char::is_whitespace).void();
     let comment = ("//", take_while(0.., |letter| letter != '\n')).void();
     let long_comment = ("/*", take_until(0.., "*/"), "*/").void();
-    // `@(*)` is no attribute.
+    // `@(*)` does not begin an attribute.
     let opening = ("(*", not((take_while(0.., ' '), ')')));
     let attribute = delimited(opening, take_until(0.., "*)"), "*)").void();
     alt((space, comment, long_comment, attribute)).parse_next(rest)

@@ -1,15 +1,16 @@
-//! Flags that follow another: what is refuted of a pair at one stage of a pipeline is at the stages behind it.
+//! Flags that follow another flag: a guess that is refuted for a pair at one stage of a pipeline is refuted
+//! for the pairs at later stages.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::Never;
 
-/// For each flag those whose next value depends on it and on no other flag but a reset.
+/// For each flag, the flags whose next value depends on it and on no other flag but a reset.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Followers(BTreeMap<usize, Vec<usize>>);
 
 impl Followers {
-    /// Of flags, each with the flags that its next value depends on.
+    /// Finds the followers of flags. Each flag is given with the flags that its next value depends on.
     pub fn of(depends_on: impl IntoIterator<Item = (usize, Vec<usize>)>) -> Self {
         let mut followers: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
         for (flag, before) in depends_on {
@@ -22,7 +23,8 @@ impl Followers {
         Self(followers)
     }
 
-    /// The guesses about two flags, and about all pairs that follow them. A guess about more or fewer is alone.
+    /// The refuted guesses about two flags, with the guesses about all pairs that follow them. Guesses about
+    /// other numbers of flags are returned alone.
     pub fn behind(&self, refuted: impl IntoIterator<Item = Never>) -> BTreeSet<Never> {
         let mut open: Vec<_> = refuted.into_iter().collect();
         let mut all = BTreeSet::new();
@@ -51,7 +53,7 @@ mod tests {
 
     #[test]
     fn a_pair_takes_those_that_follow_with_it() {
-        // 0 -> 1 -> 2 and 10 -> 11 -> 12; 3 depends on two, 4 on itself.
+        // The chains 0 -> 1 -> 2 and 10 -> 11 -> 12; 3 depends on two flags, 4 on itself.
         let flags = [
             (1, vec![0]),
             (2, vec![1]),

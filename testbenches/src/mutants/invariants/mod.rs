@@ -1,8 +1,8 @@
-//! What always holds of a machine's registers: the bits that are constant at a place of its program.
+//! Invariants of a machine's registers: bits that are constant at a place of its program.
 //!
-//! Which these are is guessed from the golden model's run and then proven of the emitted Verilog by induction: they
-//! hold at power-up, and where they hold they hold one clock later. A guess that is refuted by a counterexample is
-//! given up, until the rest is proven.
+//! They are guessed from a run of the golden model, then proven of the emitted Verilog by induction: they
+//! hold at power-up, and if they hold, they hold one clock later. A guess that a counterexample refutes is
+//! dropped, until the remaining guesses are proven.
 
 mod followers;
 mod relations;
@@ -24,43 +24,44 @@ use crate::device::{DeviceError, scratch_folder, write_file};
 use crate::tools::{Tool, run};
 use crate::verify::VerifyError;
 
-/// Rounds of counterexamples after which a guess is given up.
+/// The number of rounds of counterexamples after which guesses are dropped.
 const MOST_ROUNDS: usize = 100;
 
-/// Counterexamples of a round: to read the design takes Yosys seconds, and to find another a part of one.
+/// The number of counterexamples of a round. Yosys needs seconds to read the design, and less than one to
+/// find another counterexample.
 const MOST_AT_ONCE: usize = 256;
 
-/// Bits of a control block's register of which each value is looked at.
+/// The most bits of a control block's register of which each value is considered.
 const SMALL: u32 = 4;
 
-/// The registers of a control block that say where its program is: the address that comes next, whether a result waits
-/// there, and of a machine whose units overlap the word at work, which tells from where it came.
+/// The registers of a control block that show the place of the program: the next address, whether a result
+/// waits, and in an overlapped machine the current control word, which shows the previous place.
 const PLACE: [&str; 3] = ["control_address", "control_done", "control_word_x"];
 
-/// The most flags whose triples are looked at: there are 8 for each.
+/// The most flags whose triples are considered; each triple has 8 combinations.
 const MOST_NEAR: usize = 12;
 
-/// From the modules to the flat wrapper, which stands in `wrapper.sv`.
+/// Commands that make the flat wrapper from the modules; the wrapper is in `wrapper.sv`.
 const AROUND: &str =
     "read_verilog -formal -sv wrapper.sv\nhierarchy -top wrapper\nproc\nflatten\nopt_clean";
 
-/// [`AROUND`] for a comparison of two designs: logic that is alike in both becomes one.
+/// [`AROUND`] for a comparison of two designs, which also merges the logic that both share.
 pub(super) fn around_two() -> String {
     AROUND.replace("opt_clean", "opt -full")
 }
 
-/// The values of a register at a place.
+/// The values of a register at a place of the program.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 struct Values {
-    /// All of them, or-ed.
+    /// The OR of all values.
     any: u64,
-    /// All of them, and-ed.
+    /// The AND of all values.
     all: u64,
-    /// The largest.
+    /// The largest value.
     largest: u64,
 }
 
-/// Small registers, and what they never hold together.
+/// A combination of values of small registers that never occurs.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Never(Vec<(usize, u64)>);
 
@@ -72,56 +73,58 @@ impl Never {
     }
 }
 
-/// What a counterexample refutes.
+/// The guesses that a counterexample refutes.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 struct Refuted {
-    /// Where the program is when it does so.
+    /// The place of the program in the counterexample.
     place: u64,
-    /// The registers whose bits there were guessed wrong.
+    /// The registers whose bits at this place were guessed wrong.
     bits: Vec<usize>,
-    /// The registers whose largest value there was.
+    /// The registers whose largest value at this place was guessed wrong.
     largest: Vec<usize>,
-    /// What was guessed never to be, by its number; behind them the relations.
+    /// The guesses of combinations that occur, by number; the numbers of relations follow.
     never: Vec<usize>,
 }
 
-/// Any value at all.
+/// A register of which nothing is known.
 const UNKNOWN: Values = Values {
     any: u64::MAX,
     all: 0,
     largest: u64::MAX,
 };
 
-/// The design whose registers are ports, and what is known of these.
+/// The design with its registers as ports, and the guesses about them.
 pub(super) struct Invariants {
     /// The design in Yosys's own language, as module `gold`.
     gold: String,
     netlist: Netlist,
     /// The paths of the registers, and whether Yosys has a port for each.
     registers: Vec<String>,
-    /// Their names as pins.
+    /// The registers' names as pins.
     names: Vec<String>,
-    /// The registers of [`PLACE`] that there are; none of machines without a program.
+    /// The registers of [`PLACE`] that the machine has; empty for machines without a program.
     place: Vec<usize>,
-    /// For each place, these registers' values in a row, what the registers hold.
+    /// For each place, which is the values of the `place` registers in a row: the values of all registers.
     known: BTreeMap<u64, Vec<Values>>,
-    /// The most photons that a query may have: whoever drives the machine keeps to it, so this is not proven.
+    /// The most photons that a query may have. The driver of the machine ensures this, so it is assumed and
+    /// not proven.
     max_photons: u64,
-    /// The registers that hold a number of a query's photons.
+    /// The registers that count a query's photons.
     counts: Vec<usize>,
-    /// What small registers of the control block never hold together, or of machines without a program all flags.
+    /// Combinations that never occur: of small registers of the control block, or of all flags in machines
+    /// without a program.
     never: Vec<Never>,
-    /// What holds between registers of a photon memory.
+    /// Relations between registers of a photon memory.
     relations: Vec<Relation>,
-    /// Of machines without a program: flags that follow others.
+    /// In machines without a program, the flags that follow others.
     followers: Followers,
 }
 
 impl Invariants {
-    /// Guesses and proves them.
+    /// Guesses the invariants and proves them.
     ///
     /// # Errors
-    /// Yosys does not run, or the golden model is at odds with itself.
+    /// Yosys does not run, or the two readings of the golden model differ.
     pub fn new(
         machine: &Machine,
         design: &Emitted,
@@ -184,7 +187,7 @@ impl Invariants {
             let rows = blocks.iter().flat_map(|b| b.expected.chunks_exact(columns));
             rows.map(|row| &row[outputs..]).chain([&start[..]])
         };
-        // A program says where the work is, but for what its control block alone knows.
+        // A program shows the place of the work, except for the control block's own registers.
         self.never = match self.place.is_empty() {
             true => all_combinations(&flags, 2),
             false => {
@@ -200,7 +203,7 @@ impl Invariants {
             let before = |&(flag, _): &(usize, u32)| {
                 let before = self.flags_before(flag, &flags).into_iter();
                 let before = before.map(|(flag, _)| flag);
-                // What a reset, which travels too, clears follows all the same.
+                // A reset also passes from stage to stage; flags that it clears are followers all the same.
                 let is_reset = |flag: &usize| self.names[*flag].contains("reset");
                 (flag, before.filter(|flag| !is_reset(flag)).collect())
             };
@@ -215,7 +218,7 @@ impl Invariants {
         Ok(())
     }
 
-    /// Triples of the flags that those which stand still depend on, at one or two clocks' distance: what keeps them still.
+    /// Candidate invariants over triples of flags in the fan-in (1 or 2 clocks back) of constant flags.
     fn near_constants(&self, flags: &[(usize, u32)]) -> Vec<Never> {
         let is_constant = |(flag, _): &&(usize, u32)| {
             let mut values = self.known.values().map(|known| known[*flag]);
@@ -245,8 +248,8 @@ impl Invariants {
         flags.iter().copied().filter(is_input).collect()
     }
 
-    /// A reset may come anywhere: at the first place the cells' registers hold what they may at any. What a reset makes of
-    /// the control block, the run has shown.
+    /// Adds the values after a reset, which may occur at any place: at the first place, the cells' registers
+    /// may hold the values of every place. The run has shown the control block after resets.
     fn join_after_reset(&mut self, of_control: &dyn Fn(usize) -> bool) {
         let all = self.known.clone();
         let Some(first) = self.known.get_mut(&0) else {
@@ -263,7 +266,7 @@ impl Invariants {
         }
     }
 
-    /// Where the program is.
+    /// The place of the program in a row.
     fn place_of(&self, row: &[u64]) -> u64 {
         let place = self.place.iter();
         place.fold(0, |place, &index| {
@@ -272,7 +275,7 @@ impl Invariants {
         })
     }
 
-    /// Takes note of what the registers may hold.
+    /// Extends the guesses so that they allow the values in a row.
     fn weaken(&mut self, row: &[u64]) {
         self.never.retain(|never| !never.is_refuted_by(row));
         let place = self.place_of(row);
@@ -292,7 +295,8 @@ impl Invariants {
         }
     }
 
-    /// Gives up the largest values of what is no sum of squares, of so many bits: they are what the run happened to have.
+    /// Drops the largest values of registers of more than `most_bits` bits, which are no sums of squares: the
+    /// run reached these values by chance.
     fn forget_largest(&mut self, most_bits: u32) {
         for values in self.known.values_mut().flatten() {
             if self.place.is_empty() || values.largest >> most_bits != 0 {
@@ -301,7 +305,7 @@ impl Invariants {
         }
     }
 
-    /// Weakens the guess until it is proven.
+    /// Weakens the guesses until they are proven.
     fn settle(&mut self) -> Result<(), DeviceError> {
         for _ in 0..MOST_ROUNDS {
             let found = self.counterexamples()?;
@@ -318,8 +322,9 @@ impl Invariants {
         })
     }
 
-    /// What a counterexample refutes is given up, not cut down bit by bit, and so is the same guess of a register's bits
-    /// at other places, and that of the flags that follow a pair of flags. A largest value is given up where it was refuted: at another it may hold.
+    /// Drops the guesses that a counterexample refutes. The guess of a register's bits is dropped as a whole
+    /// and at all places, and so are the guesses of flags that follow a refuted pair. A largest value is
+    /// dropped only at the place at which it was refuted.
     fn give_up(&mut self, found: &[Refuted]) {
         let mut refuted_never: BTreeSet<usize> = BTreeSet::new();
         for refuted in found {
@@ -355,7 +360,7 @@ impl Invariants {
         });
     }
 
-    /// Ways in which what is known holds before a clock and not after it.
+    /// Counterexamples: the guesses hold before a clock and not after it.
     fn counterexamples(&self) -> Result<Vec<Refuted>, DeviceError> {
         let folder = scratch_folder()?;
         write_file(&folder.path().join("gold.il"), &self.gold)?;
@@ -382,7 +387,7 @@ impl Invariants {
         }
     }
 
-    /// What a model of the wrapper says.
+    /// The refuted guesses in a model of the wrapper.
     fn refuted_in(&self, model: &BTreeMap<&str, &str>) -> Refuted {
         let bits = model.get("refuted").copied().unwrap_or_default();
         let set = bits.bytes().rev().enumerate();
@@ -418,7 +423,7 @@ fn is_count(machine: &Machine, place: SignalPlace) -> bool {
     machine.hypercube().role(node) == Role::D
 }
 
-/// All values of each so many registers, which have so many bits.
+/// All combinations of values of `count` of these registers, each given with its bits.
 fn all_combinations(registers: &[(usize, u32)], count: usize) -> Vec<Never> {
     if count == 0 {
         return vec![Never(Vec::new())];
@@ -435,7 +440,8 @@ fn all_combinations(registers: &[(usize, u32)], count: usize) -> Vec<Never> {
     all
 }
 
-/// The signals of each model in Yosys's tables, by name, in binary: a line has name, decimal, hexadecimal, binary.
+/// The signals of each model in Yosys's tables, by name, in binary. A line has name, decimal, hexadecimal,
+/// binary.
 fn models(said: &str) -> Vec<BTreeMap<&str, &str>> {
     let mut models: Vec<BTreeMap<_, _>> = Vec::new();
     for line in said.lines() {

@@ -1,25 +1,26 @@
-//! What always holds between the registers of a photon memory, whatever the head says: by hand from the spec's words,
-//! and proven by induction with the invariants that are guessed.
+//! Relations between the registers of a photon memory that hold for any signals of the head. They are written
+//! by hand from the spec and proven by induction together with the guessed invariants.
 
-/// Verilog over the names of the registers. `FULL` and `END` are those of the bank that is played.
+/// The relations, as Verilog over the names of the registers. `FULL` and `END` are those of the bank that is
+/// played.
 const OF_MEMORY: &[&str] = &[
-    // Only a bank that is not full is filled, so a full bank's end stays.
+    // Only a bank that is not full is filled, so the end of a full bank stays.
     "~memory_fill_ready_0 | ~(memory_fill_bank_0 ? memory_full_1 : memory_full_0)",
-    // What is known of the bank that is played, a clock late, is right but for the clock after a batch's end.
+    // The delayed copies of the played bank's state are correct, except in the clock after a batch's end.
     "(memory_read_valid_0 & memory_read_last_0) | ~memory_play_full_0 \
      | (FULL & memory_play_end_0 == END & BEFORE)",
     // A batch begins at the first place.
     "memory_playing_0 | memory_play_place_0 == 0",
-    // A batch is read without a gap: behind a word that is not its last one comes another.
+    // A batch is read without a gap: each word but the last is followed by another.
     "~memory_read_valid_0 | memory_read_last_0 | memory_playing_0",
     "~memory_word_valid_0 | memory_word_last_0 | memory_playing_0 | (memory_read_valid_0 & memory_read_last_0)",
-    // While a batch is read, its set is whole, and the last place is known before it is read.
+    // While a batch is read, its set is complete, and the last place is known before it is read.
     "~(memory_playing_0 | memory_may_start_0) \
      | (FULL & BEFORE & memory_at_end_0 == (memory_play_place_0 == END) & memory_play_place_0 <= END)",
 ];
 
 const SHORTHANDS: [(&str, &str); 3] = [
-    // The sum has the width of its operands in a concatenation.
+    // In a concatenation, the sum has the width of its operands.
     ("BEFORE", "{memory_before_end_0 + ONE} == {END}"),
     (
         "FULL",
@@ -36,7 +37,7 @@ const SHORTHANDS: [(&str, &str); 3] = [
 pub(super) struct Relation(String);
 
 impl Relation {
-    /// Those of a machine with a photon memory whose places have so many bits.
+    /// The relations of a photon memory whose places have `place_bits` bits.
     pub fn of_memory(place_bits: u32) -> Vec<Self> {
         let written = |text: &&str| {
             let long = SHORTHANDS
@@ -49,7 +50,7 @@ impl Relation {
         OF_MEMORY.iter().map(written).collect()
     }
 
-    /// The relation with what stands for each register; nothing where there is nothing for one.
+    /// The relation with each register replaced by its expression; `None` where a register has none.
     pub fn with(&self, register: impl Fn(&str) -> Option<String>) -> Option<String> {
         let mut text = String::new();
         let mut rest = self.0.as_str();

@@ -1,14 +1,15 @@
-//! The module around the design whose inputs are its registers, in which what is known of these is assumed.
+//! The wrapper module: it has the design's registers as inputs and assumes the invariants.
 
 use super::{Invariants, Never, Relation, UNKNOWN, Values};
 
-/// The pin of a result's count.
+/// The output pin of a result's count.
 const COUNT: &str = "result_count";
 
-/// That all of some conditions hold: Yosys reads a list in a moment, and a chain of ten thousand `&&` in minutes, each time.
+/// The conjunction of conditions, as a list. Yosys reads a list quickly, and takes minutes for a chain of ten
+/// thousand `&&`, at each read.
 fn all_of(conditions: &[String]) -> String {
     match conditions.is_empty() {
-        // Nothing is known where every bit was seen to change.
+        // Without any condition, the conjunction is true.
         true => "1'd1".to_owned(),
         false => format!("(&{{\n    {}\n  }})", conditions.join(",\n    ")),
     }
@@ -24,12 +25,14 @@ impl Invariants {
             .unwrap_or(0)
     }
 
-    /// A module `wrapper` up to its last lines, around the design: all its ports, and what is known assumed.
+    /// The module `wrapper` without its last lines, around the design: it has all ports and assumes the
+    /// invariants.
     fn around_gold(&self) -> String {
         self.around("gold", |name, _| Some(name.to_owned()))
     }
 
-    /// The same around the comparison of two designs, which Yosys calls `miter`.
+    /// The module `wrapper` without its last lines, around the comparison of two designs, which Yosys calls
+    /// `miter`.
     pub fn around_miter(&self) -> String {
         let name = |name: &str, direction: &str| match direction {
             "input" => Some(format!("in_{name}")),
@@ -38,7 +41,7 @@ impl Invariants {
         self.around("miter", name) + "endmodule\n"
     }
 
-    /// A wrapper around a module that has some of the design's ports under other names.
+    /// A wrapper around a module in which some of the design's ports have other names.
     fn around(&self, module: &str, renamed: impl Fn(&str, &str) -> Option<String>) -> String {
         let (mut declared, mut connected) = (Vec::new(), Vec::new());
         for (number, (name, port)) in self.netlist.ports.iter().enumerate() {
@@ -56,7 +59,8 @@ impl Invariants {
         )
     }
 
-    /// That the pin of a result's count, and the registers that count, have no bit above those of the most photons.
+    /// The conditions that the result's count pin, and the registers that count, have no bit above those of
+    /// the most photons.
     fn declared_count(&self) -> Vec<String> {
         let above = self.max_photons.ilog2() + 1;
         let pin = self.netlist.ports.get(COUNT);
@@ -70,7 +74,7 @@ impl Invariants {
             .collect()
     }
 
-    /// What is known, of the registers as they are.
+    /// The invariants as conditions on the current registers.
     fn holds(&self) -> Vec<String> {
         let at = |(place, known): (&u64, &Vec<Values>)| {
             let mut terms: Vec<_> = self.is_at(*place, "q").into_iter().collect();
@@ -89,8 +93,8 @@ impl Invariants {
         all
     }
 
-    /// A wrapper with `refuted`, a bit for each register, each [`Never`] and each [`Relation`] that does not hold after a clock, and
-    /// `broken`, that something does not.
+    /// A wrapper with the outputs `refuted`, a bit for each register, each [`Never`] and each [`Relation`]
+    /// that does not hold after a clock, and `broken`, the OR of these bits.
     pub(super) fn refutation(&self) -> String {
         let all = 0..self.registers.len();
         let bits = all
@@ -128,7 +132,8 @@ impl Invariants {
         )
     }
 
-    /// That something of a register does not hold after a clock, where the program is then.
+    /// The condition that an invariant of a register does not hold after a clock, at the place of the program
+    /// then.
     fn breaks(&self, index: usize, holds: impl Fn(Values) -> Option<String>) -> String {
         let at = |(place, known): (&u64, &Vec<Values>)| {
             let holds = holds(known[index])?;
@@ -144,13 +149,13 @@ impl Invariants {
         }
     }
 
-    /// That the program is there; nothing of a machine without.
+    /// The condition that the program is at a place; `None` for a machine without a program.
     fn is_at(&self, place: u64, when: &str) -> Option<String> {
         let (name, bits) = self.place(when);
         (bits > 0).then(|| format!("{name} == {bits}'d{place}"))
     }
 
-    /// Where the program is, with its width.
+    /// The place of the program as an expression, with its width.
     fn place(&self, when: &str) -> (String, u32) {
         let registers = self.place.iter();
         let registers = registers.filter_map(|&index| self.register(index, when));
@@ -158,7 +163,7 @@ impl Invariants {
         (format!("{{{}}}", names.join(", ")), bits.iter().sum())
     }
 
-    /// That a register has one of its values, if that says anything.
+    /// The condition that a register has one of its values; `None` if all values are possible.
     fn has(&self, index: usize, values: Values, when: &str) -> Option<String> {
         let bits = self.has_bits(index, values, when);
         let largest = self.is_within(index, values, when);
@@ -166,7 +171,7 @@ impl Invariants {
         (!terms.is_empty()).then(|| terms.join(" && "))
     }
 
-    /// That its bits which are constant have these values.
+    /// The condition that the constant bits of a register have their values.
     fn has_bits(&self, index: usize, values: Values, when: &str) -> Option<String> {
         let (port, bits) = self.register(index, when)?;
         let never = !values.any & (u64::MAX >> (u64::BITS - bits));
@@ -180,7 +185,7 @@ impl Invariants {
         (!terms.is_empty()).then(|| terms.join(" && "))
     }
 
-    /// That it is no more than its largest value, where its bits do not say so.
+    /// The condition that a register is at most its largest value; `None` where its bits imply that.
     fn is_within(&self, index: usize, values: Values, when: &str) -> Option<String> {
         let (port, bits) = self.register(index, when)?;
         let as_bits = values.largest.wrapping_add(1).is_power_of_two();
@@ -188,7 +193,7 @@ impl Invariants {
             .then(|| format!("{port} <= {bits}'d{}", values.largest))
     }
 
-    /// That flags have the values that they never have together.
+    /// The condition that flags have the combination of values that never occurs.
     fn is(&self, never: &Never, when: &str) -> Option<String> {
         let literal = |&(register, value): &(usize, u64)| {
             let (port, bits) = self.register(register, when)?;
@@ -198,7 +203,7 @@ impl Invariants {
         Some(literals?.join(" && "))
     }
 
-    /// A relation between registers.
+    /// A relation between registers, as a condition.
     fn of(&self, relation: &Relation, when: &str) -> Option<String> {
         relation.with(|name| {
             let index = self.names.iter().position(|register| register == name)?;

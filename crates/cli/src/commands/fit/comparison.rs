@@ -1,4 +1,4 @@
-//! The fitted format's widths, area and clocks beside those of other machines.
+//! Compares the widths, area and clocks of the fitted format with those of other machines.
 
 use anyhow::Result;
 use photoncube_spec::{MACHINES, Machine, Numbers, PHOTON_FORMATS, PhotonFormat, Widths};
@@ -7,39 +7,39 @@ use serde::Serialize;
 use crate::fitted::Choices;
 use crate::measured::Measured;
 
-/// A machine, or one that there could be.
+/// A machine, existing or possible.
 #[derive(Serialize)]
 pub struct Compared {
-    /// Its name, or a word.
+    /// The name of the machine, or a word for a possible one.
     pub name: String,
-    /// Its photon format; none in plain numbers.
+    /// The photon format; `None` in plain numbers.
     pub format: Option<String>,
     /// Bits of a stored photon.
     pub bits_per_photon: u32,
-    /// Bits of a photon that the fitted format saves against it.
+    /// The bits of a photon that the fitted format saves compared with this machine.
     pub bits_per_photon_saved: i64,
-    /// What is squared.
+    /// Bits of the difference that is squared.
     pub radius_bits: u32,
-    /// A decoded power.
+    /// Bits of a decoded power.
     pub power_bits: u32,
-    /// The work register and the links.
+    /// Bits of the work register and of the links.
     pub work_bits: u32,
-    /// The sums.
+    /// Bits of the sums.
     pub sum_bits: u32,
-    /// Area without DSP, if it was measured.
+    /// LUT4 equivalents without DSP blocks; `None` if not measured.
     pub lut4_equivalents: Option<u64>,
-    /// Flip-flops, if they were.
+    /// The number of flip-flops; `None` if not measured.
     pub ff: Option<u64>,
-    /// Clock, if it was.
+    /// The highest clock in MHz; `None` if not measured.
     pub fmax_mhz: Option<f64>,
-    /// Clocks for one group of photons.
+    /// The number of clocks for one group of photons.
     pub initiation_interval: f64,
-    /// Photons in a group.
+    /// The number of photons in a group.
     pub photons_per_iteration: usize,
 }
 
-/// The fitted format, the machines that are taken for it where these are others, the default format's
-/// machine, and the paper's.
+/// The rows of the fitted format, of the chosen machines where these have other formats, of the default
+/// format's machine and of the paper's.
 pub fn comparison(fitted: &PhotonFormat, choices: Option<&Choices>) -> Result<Vec<Compared>> {
     let paper = &MACHINES[0];
     let default = (MACHINES.iter()).find(|machine| machine.format() == Some(&PHOTON_FORMATS[0]));

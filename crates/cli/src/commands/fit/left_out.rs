@@ -1,28 +1,28 @@
-//! What of the default format a scene does not need, and why.
+//! Lists the fields of the default format that a scene does not need, with reasons.
 
 use photoncube_render::{Prediction, SceneFacts, Trial};
 use photoncube_spec::{Channels, PHOTON_FORMATS, PhotonFormat};
 use serde::Serialize;
 
-/// A field of the default format beside the fitted one's.
+/// A field of the default format, compared with the fitted one's.
 #[derive(Serialize)]
 pub struct LeftOut {
-    /// Which.
+    /// The name of the field.
     pub field: &'static str,
-    /// What the default format has.
+    /// The value of the default format.
     pub default: u32,
-    /// What the fitted format has.
+    /// The value of the fitted format.
     pub fitted: u32,
-    /// Bits of a stored photon that the difference saves; negative where it costs some.
+    /// The bits of a stored photon that the difference saves; negative where it takes more bits.
     pub bits_saved: i64,
     /// The measured reason.
     pub because: String,
 }
 
-/// Axes of a position.
+/// The number of axes of a position.
 const AXES: i64 = 3;
 
-/// Field by field; the bits saved add up to the two formats' difference.
+/// Compares field by field. The bits saved add up to the difference of the two formats.
 pub fn left_out(chosen: &Trial, facts: &SceneFacts) -> Vec<LeftOut> {
     let (default, fitted) = (&PHOTON_FORMATS[0], &chosen.format);
     let prediction = chosen.predicted;
@@ -70,7 +70,7 @@ pub fn left_out(chosen: &Trial, facts: &SceneFacts) -> Vec<LeftOut> {
     ]
 }
 
-/// Even light is the same photons without a caustic or a shadow.
+/// The reason for the position bits. Even light means as many photons without a caustic or a shadow.
 fn positions(prediction: &Prediction) -> String {
     let part = prediction.position_error_over_noise;
     let times = part / prediction.law_error_over_noise;

@@ -1,10 +1,10 @@
-//! The report of `fit` for people.
+//! Prints the report of `fit` for people.
 
 use super::{Compared, MachineRow, RemovalRow, Report};
 use crate::fitted::FormatRow;
 use crate::table;
 
-/// All of it.
+/// The whole text of the report.
 pub fn text(report: &Report) -> String {
     let mut text = facts(report);
     text += "\nPredicted on the pilot, then measured on maps of their own; error / noise:\n";

@@ -1,4 +1,4 @@
-//! All that is known of one machine: numbers, clocks, ports, area, Fmax, how it was verified.
+//! The datasheet of one machine: numbers, clocks, ports, area, Fmax, verification.
 
 use anyhow::Result;
 use photoncube_hdl::interface_text;
@@ -17,23 +17,23 @@ use crate::verified::{self, Line, grouped};
 struct Datasheet {
     #[serde(flatten)]
     row: MachineRow,
-    /// The top module, and the file of it below `hdl-out`.
+    /// The path of the top module's file below `hdl-out`.
     verilog_module: String,
     verilog_file: String,
     ports: Vec<Port>,
-    /// How the streams move, a rule a line.
+    /// The rules of the streams' handshakes, one rule a line.
     protocol: Vec<String>,
-    /// The squared search radius where the machine fixes it; else it comes with each query.
+    /// The squared search radius where the machine fixes it; `None` where it comes with each query.
     fixed_radius_sq: Option<u32>,
     latency_clocks: Option<u32>,
     latency_clocks_one_group: Option<u64>,
-    /// Results about today's Verilog.
+    /// The verification results about today's Verilog.
     lines: Vec<Line>,
-    /// Results about other Verilog, which show nothing any more.
+    /// The verification results about other Verilog, which are no longer valid.
     stale: Vec<Line>,
 }
 
-/// A port of the top module; `photon_x_0..3` stands for those of lanes 0 to 3.
+/// A port of the top module; `photon_x_0..3` means the ports of lanes 0 to 3.
 #[derive(Debug, Serialize)]
 struct Port {
     port: String,
@@ -84,7 +84,7 @@ fn text(sheet: &Datasheet, machine: &Machine) -> String {
     design(sheet, machine) + &area_and_fmax(sheet) + &verified_by(sheet)
 }
 
-/// What the machine is, whoever measures it.
+/// The facts about the machine's design, without measurements.
 fn design(sheet: &Datasheet, machine: &Machine) -> String {
     let row = &sheet.row;
     let widths = format!(

@@ -1,4 +1,4 @@
-//! `list`: scenes and machines, each with its figures; of one machine its datasheet.
+//! The command `list`: scenes and machines with their figures, or the datasheet of one machine.
 
 mod datasheet;
 mod text;
@@ -23,7 +23,7 @@ struct Report {
     fits: Vec<FitRow>,
 }
 
-/// A photon format; machines that are built for one come with them.
+/// A photon format, with the machines that are built for it.
 #[derive(Serialize)]
 struct FormatRow {
     format: String,
@@ -69,7 +69,7 @@ struct MachineRow {
     measured: Measured,
 }
 
-/// Lists what there is, or all of one machine.
+/// Lists all scenes, machines and formats, or prints one machine's datasheet.
 pub fn execute(args: &ListArgs, json: bool) -> Result<()> {
     if let Some(name) = &args.machine {
         return datasheet::print(find_machine(name)?, json);

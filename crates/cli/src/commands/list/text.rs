@@ -1,4 +1,4 @@
-//! The lists as text: few figures that a terminal has room for, or all.
+//! Prints the lists as text: the figures that fit a terminal, or all of them.
 
 use super::{MachineRow, Report};
 use crate::measured::Area;
@@ -40,7 +40,7 @@ pub fn wide(report: &Report, fmax_source: &str) -> String {
     text + &tables::elsewhere(&report.machines.iter().flat_map(all).collect::<Vec<_>>())
 }
 
-/// Names, each with what it is.
+/// Lines of names with descriptions.
 fn names(report: &Report) -> String {
     let mut text = "Scenes:\n".to_owned();
     let scenes = report.scenes.iter();
@@ -56,7 +56,7 @@ fn names(report: &Report) -> String {
     }))
 }
 
-/// A line for each name, what is said of it in one column.
+/// A line for each name, with the descriptions in one column.
 fn padded<'a>(rows: impl Iterator<Item = (&'a str, String)> + Clone) -> String {
     let width = rows.clone().map(|(name, _)| name.len()).max().unwrap_or(0);
     rows.map(|(name, said)| format!("  {name:width$}  {said}\n"))

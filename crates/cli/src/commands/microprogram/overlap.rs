@@ -1,4 +1,4 @@
-//! `microprogram` of a machine whose units work at the same time: its modulo schedule.
+//! The command `microprogram` for an overlapped machine: its modulo schedule.
 
 use anyhow::Result;
 use photoncube_spec::overlap::{ProgramReport, check_program, program_report};
@@ -12,7 +12,7 @@ use crate::output;
 struct Report {
     machine: &'static str,
     photons_per_iteration: usize,
-    /// Clocks for as many photons, on average over a pass of the kernel.
+    /// The clocks for as many photons, on average over a pass of the kernel.
     initiation_interval: f64,
     kernel_clocks: u32,
     groups_per_pass: usize,
@@ -85,7 +85,7 @@ fn unit_rows(schedule: &ProgramReport) -> Vec<UnitRow> {
     schedule.units.iter().map(row).collect()
 }
 
-/// The program, and what its words mean.
+/// The program, with the meaning of its words.
 fn listing(program: &overlap::Program) -> String {
     let mut text = format!("{program}ops:\n");
     for row in overlap::OPS {

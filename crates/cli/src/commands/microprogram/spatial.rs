@@ -1,4 +1,4 @@
-//! The listing of a machine whose cells keep their instructions.
+//! The command `microprogram` for a spatial machine, whose cells keep their instructions.
 
 use anyhow::Result;
 use photoncube_spec::{EngineUnits, Machine, Spatial};
@@ -32,7 +32,7 @@ struct Step {
     registered: bool,
 }
 
-/// Prints a group's way through the machine.
+/// Prints the steps of a group through the machine.
 pub fn execute(machine: &'static Machine, spatial: &Spatial, json: bool) -> Result<()> {
     let report = report(machine, spatial);
     output::print(json, &report, || text(&report))
@@ -69,7 +69,7 @@ fn text(report: &Report) -> String {
     let row = |step: &Step| {
         let clock = match step.registered {
             true => step.clock.to_string(),
-            // No register: it happens before that of the clock.
+            // Without a register, the step happens before the register of that clock.
             false => format!("({})", step.clock),
         };
         [&clock, step.cells, step.unit, step.step]
@@ -102,7 +102,7 @@ fn text(report: &Report) -> String {
     )
 }
 
-/// What a change of the batch costs, where it costs anything.
+/// A line that states the clocks of a change of the batch, where there are any.
 fn batch_line(report: &Report) -> String {
     match (report.batch_gap_clocks, report.least_batch_clocks) {
         (0, 1) => String::new(),

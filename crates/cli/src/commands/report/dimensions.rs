@@ -1,5 +1,6 @@
-//! The tiles from dimension 4 to 10: what every further axis of queries gives and costs. Beside them the
-//! machines of the same engines with a photon memory, whose squares may come from blocks.
+//! Compares the tiles from dimension 4 to 10: the effect and the cost of every further axis of queries.
+//! Machines of equal engines with a photon memory, whose squares may come from blocks, are listed beside
+//! them.
 
 use anyhow::Result;
 use photoncube_spec::{MACHINES, Machine};
@@ -10,11 +11,11 @@ use crate::plots::{Panel, Place, panels};
 use crate::synth::flow::Flow;
 use crate::table;
 
-/// A machine of one dimension.
+/// A machine of one dimension, with its figures.
 #[derive(Serialize)]
 pub struct Row {
     machine: &'static str,
-    /// One of the tiles that differ in nothing but the dimension.
+    /// Whether the machine is one of the tiles that differ only in their dimension.
     #[serde(skip)]
     is_tile: bool,
     dimension: u32,
@@ -30,7 +31,7 @@ pub struct Row {
     photon_tests_per_second_at_fmax: Option<f64>,
 }
 
-/// The speed grade of the clock: the fastest, as for the chips that tiles are made for.
+/// The speed grade of the clocks: the fastest, as for the chips that tiles are made for.
 const SPEED_GRADE: u32 = 8;
 
 /// The tiles in the order of their dimensions, then the machines with a photon memory.
@@ -46,7 +47,7 @@ fn is_tile(machine: &Machine) -> bool {
 
 fn row(machine: &'static Machine) -> Result<Row> {
     let measured = Measured::of(machine)?;
-    // Of what is placed: without DSP blocks where the machine has no use for them.
+    // The area is that of the placed netlist: without DSP blocks where the machine does not use them.
     let area = match Flow::to_place(machine) {
         Flow::Ecp5 => measured.area_with_dsp.as_ref(),
         _ => measured.area_without_dsp.as_ref(),
@@ -128,7 +129,7 @@ const QUANTITIES: [Quantity; 3] = [
     },
 ];
 
-/// An SVG picture: a chart for each quantity, the dimension to the right.
+/// An SVG picture with a chart for each quantity and the dimension on the x axis.
 pub fn plot(rows: &[Row]) -> Result<String> {
     let charts = QUANTITIES.map(|quantity| {
         let place = |row: &Row| {
@@ -174,7 +175,7 @@ mod tests {
         for quantity in QUANTITIES {
             assert!(svg.contains(quantity.name), "{}", quantity.name);
         }
-        // Whole numbers where dimensions are counted.
+        // The dimension axis has whole numbers only.
         assert!(svg.contains("\n10\n") && !svg.contains("\n4.5\n"), "{svg}");
     }
 }

@@ -1,8 +1,8 @@
-//! The report's second table: forms of the estimate, what each costs and how wrong it is.
+//! The second table of `report`: forms of the estimate, with their cost and their error.
 //!
-//! The first table asks what a number format does to the plain estimate. This one asks what
-//! becomes of the others: the k nearest by bisection, and the ladder in place of a smooth kernel, in
-//! f64 (the ladder's own error) and in the default format.
+//! The first table shows the effect of a number format on the plain estimate. The second shows the other
+//! forms: the k nearest photons by bisection, and the ladder in place of a smooth kernel, in f64 (the
+//! ladder's own error) and in the default format.
 
 use photoncube_render::{
     Engine, ErrorBench, ErrorReport, Estimator, EstimatorReport, Kernel, MIN_K,
@@ -13,22 +13,22 @@ use serde::Serialize;
 use super::row::reason;
 use crate::{progress, table};
 
-/// Rungs of the ladders.
+/// The numbers of rungs of the ladders.
 const RUNGS: [usize; 3] = [2, 4, 8];
 
-/// k as a part of the photons that the search radius aims at: the k-th photon is then inside the
-/// radius wherever a quarter of the mean density or more is.
+/// k as a fraction of the photons that the search radius is chosen for. The k-th photon is then inside the
+/// radius wherever the density is at least a quarter of the mean.
 const PART_OF_IN_RANGE: f64 = 0.25;
 
 /// One form of the estimate in one engine.
 #[derive(Serialize)]
 pub struct Row {
     estimator: String,
-    /// What it stands for in f64; error and noise are against that.
+    /// The f64 estimate that it approximates; error and noise are relative to that.
     reference: String,
     engine: &'static str,
     format: Option<String>,
-    /// Why it cannot be made of this scene; null where it can, and the figures are there.
+    /// The reason why it cannot be made for this scene; null where it can, and the figures are present.
     cannot: Option<String>,
     #[serde(flatten)]
     measured: Option<Measured>,
@@ -49,7 +49,7 @@ struct Measured {
     estimates_too_noisy: u64,
 }
 
-/// Measures every form on the maps of `bench`, whose search radius aims at `in_range` photons.
+/// Measures every form on the maps of `bench`, whose search radius is chosen for `in_range` photons.
 pub fn measure(bench: &ErrorBench, in_range: f64) -> Vec<Row> {
     let cases = cases(&PHOTON_FORMATS[0], in_range);
     let bar = progress::bar("measuring estimators", cases.len() as u64);
@@ -115,7 +115,7 @@ fn percent(value: f64) -> String {
     format!("{:.3} %", 100.0 * value)
 }
 
-/// The table for people.
+/// The table as text for people.
 pub fn text(rows: &[Row]) -> String {
     let header = [
         "estimator",

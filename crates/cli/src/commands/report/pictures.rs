@@ -1,4 +1,4 @@
-//! The plots of figures against error.
+//! The plots of figures against the error.
 
 use std::ffi::OsString;
 
@@ -9,7 +9,7 @@ use super::row::Row;
 use crate::plots::{Better, Kind, Plot, Point, against_error, pareto_front};
 use crate::scenes;
 
-/// A figure that is held against the error.
+/// A figure of merit that is plotted against the error.
 pub struct Merit {
     title: &'static str,
     axis: &'static str,
@@ -38,7 +38,7 @@ pub const BITS: Merit = Merit {
     of: |row| Some(f64::from(row.bits_per_photon)),
 };
 
-/// Marks what is best within the bound.
+/// Marks the rows that are best within the bound.
 pub fn mark_fronts(rows: &mut [Row]) {
     for (merit, mark) in [
         (
@@ -76,7 +76,7 @@ impl Merit {
         })
     }
 
-    /// The SVG.
+    /// Draws the plot as SVG.
     pub fn draw(&self, report: &Report) -> Result<String> {
         let points: Vec<_> = report
             .rows

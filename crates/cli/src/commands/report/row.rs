@@ -1,4 +1,4 @@
-//! What is measured of a format or a machine.
+//! The figures of a format or a machine.
 
 use anyhow::Result;
 use photoncube_render::{BenchError, Engine, ErrorBench, ErrorReport, Measurement};
@@ -13,34 +13,35 @@ use crate::measured::{Area, Measured};
 pub struct Row {
     /// A format's or a machine's name.
     pub name: String,
-    /// A format by itself has no clocks and no area.
+    /// Whether it is a format or a machine. A format alone has no clocks and no area.
     pub kind: &'static str,
-    /// The machine's photon format; null in the paper's plain numbers.
+    /// The machine's photon format; null for plain numbers.
     pub format: Option<String>,
     /// Bits of a stored photon.
     pub bits_per_photon: u32,
-    /// Why it cannot take the scene; null where it can.
+    /// The reason why it cannot represent the scene; null where it can.
     pub cannot: Option<String>,
     /// Whether the measured error is within the bound.
     pub within_bound: bool,
-    /// None of a format.
+    /// The figures of the hardware; empty for a format.
     #[serde(flatten)]
     pub hardware: Hardware,
-    /// Of the golden model here, one thread; of a format alone, as a machine's model is that of its format.
+    /// The speed of the golden model on this computer, one thread. Only for a format, because a machine's
+    /// model is that of its format.
     pub photon_tests_per_second: Option<f64>,
-    /// Between repeats.
+    /// The spread of that speed between repeats.
     pub photon_tests_per_second_spread: Option<f64>,
     pub on_speed_front: bool,
     pub on_bits_front: bool,
     pub on_hardware_front: bool,
-    /// By the worst of luminance and channels, as `fit` bounds it.
+    /// The error of the worst of luminance and channels, which is what `fit` bounds.
     pub measurement: Option<Measurement>,
-    /// Of luminance.
+    /// The error of luminance.
     #[serde(flatten)]
     pub error: Option<ErrorReport>,
 }
 
-/// What a machine has and a format has not.
+/// The figures that only machines have.
 #[derive(Default, Serialize)]
 pub struct Hardware {
     pub initiation_interval: Option<f64>,
@@ -52,7 +53,7 @@ pub struct Hardware {
 }
 
 impl Row {
-    /// The error that is held against the bound.
+    /// The error that is compared with the bound.
     pub fn error_over_noise(&self) -> Option<f64> {
         Some(self.measurement?.error_over_noise)
     }
@@ -63,18 +64,18 @@ impl Row {
         Some(area.lut4_equivalents)
     }
 
-    /// At the machine's measured clock.
+    /// The speed at the machine's measured clock.
     pub fn pictures_per_second(&self) -> Option<f64> {
         self.hardware.time.pictures_per_second
     }
 
-    /// A format by itself.
+    /// Whether the row is a format alone.
     pub fn is_format(&self) -> bool {
         self.kind == "format"
     }
 }
 
-/// The row of a format or a machine; one that cannot take the scene says why.
+/// Measures the row of a format or a machine. A row that cannot represent the scene states the reason.
 pub fn row(bench: &ErrorBench, engine: Engine<'static>, bound: f64) -> Result<Row> {
     let measured = bench.measure_light(engine);
     let (measurement, error, cannot) = match &measured {
@@ -116,7 +117,7 @@ pub fn row(bench: &ErrorBench, engine: Engine<'static>, bound: f64) -> Result<Ro
     })
 }
 
-/// The innermost cause: that of the golden model, without the pixel or the map that it was found at.
+/// The innermost cause of an error: that of the golden model, without the pixel or the map.
 pub fn reason(error: &BenchError) -> String {
     let mut cause: &dyn std::error::Error = error;
     while let Some(deeper) = cause.source() {

@@ -1,5 +1,5 @@
-//! How fast the golden model gathers in each format on this machine. A machine's golden model is that of its format:
-//! one figure for a format, none for a machine.
+//! Measures how fast the golden model gathers in each format on this computer. A machine's golden model is
+//! that of its format, so formats have the figure and machines have none.
 
 use anyhow::Result;
 use photoncube_render::{Engine, ErrorBench, Speed, f32_speed, gather_speed};
@@ -9,21 +9,21 @@ use serde::Serialize;
 use super::row::Row;
 use crate::progress;
 
-/// A spread between repeats that makes figures worth a warning.
+/// The spread between repeats above which the report warns.
 const WIDE_SPREAD: f64 = 0.2;
 
-/// Plain loops beside the golden model, and how steady all were.
+/// The speeds of plain loops beside the golden model, and the largest spread.
 #[derive(Serialize)]
 pub struct Speeds {
-    /// The reference's loop.
+    /// The speed of the reference's loop in f64.
     pub f64_photon_tests_per_second: f64,
-    /// The loop of the reference in single precision.
+    /// The speed of the reference's loop in f32.
     pub f32_photon_tests_per_second: f64,
-    /// The widest spread between the repeats of one figure, by its median.
+    /// The largest spread between the repeats of one figure, divided by its median.
     pub widest_spread: f64,
 }
 
-/// Measures the formats that take the scene, and the plain loops.
+/// Measures the formats that can represent the scene, and the plain loops.
 pub fn measure(bench: &ErrorBench, rows: &mut [Row]) -> Result<Speeds> {
     let (map, queries) = (&bench.maps()[0], bench.queries());
     let formats = || rows.iter().filter(|row| is_measured(row));
@@ -55,7 +55,7 @@ fn is_measured(row: &Row) -> bool {
 }
 
 impl Speeds {
-    /// What is to be said where the figures are not steady.
+    /// A warning where the figures are not steady.
     pub fn warning(&self) -> Option<String> {
         (self.widest_spread > WIDE_SPREAD).then(|| {
             format!(

@@ -1,4 +1,4 @@
-//! The report for people: the verdict first.
+//! Prints the report for people, with the verdict first.
 
 use photoncube_render::{BATCH_PATHS, MAX_QUERY_NOISE};
 
@@ -7,7 +7,7 @@ use super::{Report, dimensions, estimators};
 use crate::hardware::digits;
 use crate::table;
 
-/// All of it.
+/// The whole text of the report.
 pub fn text(report: &Report) -> String {
     let facts = &report.facts;
     format!(
@@ -137,7 +137,7 @@ fn best_in(row: &Row) -> String {
     names.map(|(_, name)| *name).collect::<Vec<_>>().join(", ")
 }
 
-/// Why rows have no figures.
+/// Lines that state why some rows have no figures.
 fn cannot(report: &Report) -> String {
     let reasons = report.rows.iter().filter_map(|row| {
         let reason = row.cannot.as_ref()?;

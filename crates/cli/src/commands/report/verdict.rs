@@ -1,27 +1,28 @@
-//! What the rows come to: the bits that the scene needs, the smallest machine and the fastest. The one place that decides it.
+//! The verdict of the report: the bits that the scene needs, the smallest machine and the fastest. Only this
+//! module decides it.
 
 use serde::Serialize;
 
 use super::row::Row;
 use crate::hardware::digits;
 
-/// Of the listed formats and machines, those within the bound. `fit` searches all formats; this does not.
+/// The best listed formats and machines within the bound. `fit` searches all formats; the report does not.
 #[derive(Debug, Default, PartialEq, Serialize)]
 pub struct Verdict {
-    /// The fewest bits; none where no listed format is within the bound.
+    /// The format with the fewest bits; `None` where no listed format is within the bound.
     pub format: Option<String>,
-    /// Of that format.
+    /// The bits of a stored photon in that format.
     pub bits_per_photon: Option<u32>,
-    /// The fewest LUT4 equivalents.
+    /// The machine with the fewest LUT4 equivalents.
     pub smallest_machine: Option<String>,
-    /// The most pictures a second at the measured clock.
+    /// The machine with the most pictures per second at its measured clock.
     pub fastest_machine: Option<String>,
-    /// Of the fastest.
+    /// The pictures per second of the fastest machine.
     pub pictures_per_second: Option<f64>,
 }
 
 impl Verdict {
-    /// The verdict of the rows.
+    /// Finds the verdict of the rows.
     pub fn of(rows: &[Row]) -> Self {
         let within = || rows.iter().filter(|row| row.within_bound);
         let format = within().filter(|row| row.is_format());
@@ -40,7 +41,7 @@ impl Verdict {
         }
     }
 
-    /// In words.
+    /// The verdict as text.
     pub fn text(&self, bound: f64, query_points: u64) -> String {
         let needs = match (self.bits_per_photon, &self.format) {
             (Some(bits), Some(format)) => format!("needs {bits} bits per photon ({format})"),

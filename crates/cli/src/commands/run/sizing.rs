@@ -1,4 +1,4 @@
-//! The machine of a run: the one asked for, or the one that the scene needs.
+//! Chooses the machine of a run: the given one, or the one that the scene needs.
 
 use anyhow::Result;
 use photoncube_render::{BenchOptions, FitOptions, FormatMap, largest_query, view_queries};
@@ -9,17 +9,17 @@ use crate::args::RunArgs;
 use crate::commands::render::{Traced, view};
 use crate::fitted::{self, FormatRow};
 
-/// Why the machine is as wide as it is.
+/// The format that the scene needs, as the reason for the machine's widths.
 #[derive(Serialize)]
 pub struct Fitted {
-    /// The error's bound, as a part of the noise.
+    /// The bound of the error, as a fraction of the noise.
     pub noise_ratio: f64,
-    /// The format that the scene needs; the machine may be wider.
+    /// The needed format; the machine may be wider.
     #[serde(flatten)]
     pub row: FormatRow,
 }
 
-/// The machine asked for, or else the scene's fit and the smallest machine for it.
+/// The given machine, or else the smallest machine for the scene's fit.
 pub fn machine(args: &RunArgs, traced: &Traced) -> Result<(&'static Machine, Option<Fitted>)> {
     if let Some(machine) = args.machine.find()? {
         return Ok((machine, None));
@@ -34,8 +34,8 @@ pub fn machine(args: &RunArgs, traced: &Traced) -> Result<(&'static Machine, Opt
     Ok((choices.smallest.machine, Some(fitted)))
 }
 
-/// As `fit` does by default, with the run's seed and photons in range, and no more photons than the
-/// run has; the sums hold the picture's own queries.
+/// The options of the fit: the defaults of `fit` with the run's seed and photons in range, and no more
+/// photons than the run has. The sums hold the picture's own queries.
 fn options(args: &RunArgs, traced: &Traced) -> Result<FitOptions> {
     let options = FitOptions::default();
     let (bench, picture) = (options.bench, &args.picture);
@@ -55,7 +55,7 @@ fn options(args: &RunArgs, traced: &Traced) -> Result<FitOptions> {
     })
 }
 
-/// The format with the largest blocks for its radius, so with the largest queries.
+/// The format with the largest blocks for its radius, which has the largest queries.
 fn coarsest() -> PhotonFormat {
     PhotonFormat {
         position_bits: 4,

@@ -22,7 +22,7 @@ fn plan(arguments: &[&str]) -> Plan {
     Plan::new(&args, subjects.collect())
 }
 
-/// Speed grades and seeds.
+/// The speed grades and seeds of a plan.
 fn tries(plan: &Plan) -> Vec<(u32, u32)> {
     let tries = plan.tries().into_iter();
     tries.map(|what| (what.speed_grade, what.seed)).collect()
@@ -74,7 +74,7 @@ fn what_is_named_is_measured_alone_and_once() {
     assert_eq!(how, [(Placer::Static, Router::Router1)]);
 }
 
-/// As `--json` prints it, from the committed figures.
+/// A report from the committed figures, as `--json` prints it.
 fn report() -> Report {
     let plan = plan(&["--machine", "paper"]);
     let measured = measured::Measured::of(plan.subjects[0].machine).unwrap();

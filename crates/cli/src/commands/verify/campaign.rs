@@ -1,4 +1,4 @@
-//! All machines, seed after seed, until time is up.
+//! The method `--campaign`: all machines, with successive seeds, until a deadline.
 
 use std::io::ErrorKind;
 use std::path::Path;
@@ -24,7 +24,7 @@ struct Report<'a> {
     failures: &'a [Failure],
 }
 
-/// All jobs of a machine and a tool.
+/// The sum of all jobs of a machine and a tool.
 #[derive(Serialize)]
 struct Total {
     #[serde(flatten)]
@@ -44,7 +44,7 @@ impl<'a> Report<'a> {
     }
 }
 
-/// Goes on with the campaign of a state, or begins one, and prints all that it has done.
+/// Continues the campaign of a state file, or begins one, and prints its results.
 pub fn execute(args: &VerifyArgs, hours: f64, json: bool) -> Result<()> {
     let mut state = read(&args.state)?.unwrap_or_else(|| State::new(rand::random()));
     let deadline = Instant::now() + Duration::from_secs_f64(hours * 3600.0);
@@ -64,7 +64,7 @@ pub fn execute(args: &VerifyArgs, hours: f64, json: bool) -> Result<()> {
     conclusion(&report)
 }
 
-/// The state of a file, if it is there.
+/// Reads the state in a file; `None` if the file does not exist.
 fn read(path: &Path) -> Result<Option<State>> {
     match std::fs::read_to_string(path) {
         Ok(text) => {
@@ -76,7 +76,7 @@ fn read(path: &Path) -> Result<Option<State>> {
     }
 }
 
-/// Where a campaign keeps what it has.
+/// The files in which a campaign stores its results.
 struct Files<'a> {
     state: &'a Path,
     regressions: &'a Path,
@@ -101,7 +101,7 @@ impl Keeper for Files<'_> {
     }
 }
 
-/// A campaign without a vector has shown nothing.
+/// A campaign without a vector fails, because it has shown nothing.
 fn conclusion(report: &Report<'_>) -> Result<()> {
     if let Some(failure) = report.failures.first() {
         let message = format!(

@@ -1,4 +1,4 @@
-//! What a verification uses of the emitted Verilog.
+//! The method `--coverage`: the parts of the emitted Verilog that a verification uses.
 
 use anyhow::{Result, bail};
 use photoncube_testbench::{
@@ -11,7 +11,7 @@ use crate::failure::CheckFailed;
 use crate::verified::{Line, record};
 use crate::{output, progress, table};
 
-/// Verifies one machine in Verilator and counts what of its text that used.
+/// Verifies one machine in Verilator and counts the parts of its text that the stimulus used.
 pub fn execute(args: &VerifyArgs, json: bool) -> Result<()> {
     let machine = args.machine.find()?;
     let options = VerifyOptions {
@@ -125,7 +125,7 @@ fn counted(share: Share) -> String {
     format!("{}/{}", share.covered, share.points)
 }
 
-/// A share in percent, rounded down: 100 % only where nothing is left.
+/// A share in percent, rounded down, so that 100 % means that nothing is left.
 fn percent(share: Share) -> String {
     let tenths = (share.covered * 1000).checked_div(share.points);
     tenths.map_or("none".to_owned(), |tenths| {

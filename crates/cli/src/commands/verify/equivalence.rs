@@ -1,4 +1,4 @@
-//! A machine against the golden model, every visible signal in every clock.
+//! The default method: compares a machine with the golden model in every visible signal and every clock.
 
 use anyhow::Result;
 use photoncube_spec::Machine;
@@ -34,7 +34,7 @@ impl Report {
         }
     }
 
-    /// Takes note of a device; an error is what kept it from a verdict.
+    /// Records the verdict of a device, or the error that prevented one.
     fn record(&mut self, result: Result<Verdict, VerifyError>) -> Result<()> {
         match result {
             Ok(verdict) => {
@@ -51,7 +51,7 @@ impl Report {
         Ok(())
     }
 
-    /// Its lines in the table of results.
+    /// The lines of this report for the table of results.
     fn lines(&self) -> Vec<Line> {
         let line = |verdict: &Verdict| Line {
             method: "equivalence".to_owned(),
@@ -76,7 +76,7 @@ impl Report {
     }
 }
 
-/// Verifies in each device that was named, one after the other, up to the first difference.
+/// Verifies in each given device, one after another, up to the first difference.
 pub fn execute(args: &VerifyArgs, json: bool) -> Result<()> {
     let machine = args.machine.find()?;
     let mut report = Report::new(machine, args);
@@ -111,7 +111,7 @@ pub fn verify_with_bar(
     verdict
 }
 
-/// The devices of `--against`, each once, in the order given; those others where it is not given.
+/// The devices of `--against`, each once, in the given order; `default` without that option.
 pub fn devices(args: &VerifyArgs, default: &[DeviceKind]) -> Result<Vec<DeviceKind>> {
     let Some(names) = &args.against else {
         return Ok(default.to_vec());
@@ -131,7 +131,7 @@ pub fn devices(args: &VerifyArgs, default: &[DeviceKind]) -> Result<Vec<DeviceKi
     Ok(devices)
 }
 
-/// What was compared, for people.
+/// A table of the comparisons, for people.
 pub fn verdict_table(verdicts: &[Verdict]) -> String {
     let header = [
         "device",
@@ -184,7 +184,7 @@ mod tests {
             seed: args.seed,
             source: Source::Random,
         };
-        // A device that is the golden model, but for the first register of the last cell.
+        // A device that is the golden model, except for the first register of the last cell.
         let flip = |_clock, row: &mut [u64]| {
             if let Some(register) = row.iter_mut().rev().nth(5) {
                 *register ^= 1;

@@ -1,4 +1,4 @@
-//! What is finite, in full: every pair of inputs of every unit, every difference with every radius.
+//! The method `--exhaustive`: every pair of inputs of every unit, every difference with every radius.
 
 use anyhow::{Result, bail};
 use photoncube_hdl::{Unit, has_unit};
@@ -13,7 +13,7 @@ use crate::failure::CheckFailed;
 use crate::verified::{Line, grouped, record};
 use crate::{output, progress, table};
 
-/// What was compared.
+/// The comparisons of units and lanes.
 #[derive(Debug, Default, Serialize)]
 struct Report {
     parts: Vec<UnitVerdict>,
@@ -70,7 +70,7 @@ fn lanes(kind: DeviceKind, report: &mut Report) -> Result<()> {
     Ok(())
 }
 
-/// Nothing compared is no pass, as a mismatch is none.
+/// Fails on a mismatch, and where nothing was compared.
 fn verdict(report: &Report) -> Result<()> {
     let wrong = |unit: &&UnitVerdict| unit.mismatches > 0 || unit.pairs_compared == 0;
     let account = |unit: &UnitVerdict| {
@@ -148,7 +148,7 @@ fn text(report: &Report) -> String {
             lane.operand_bits.to_string(),
             grouped(lane.pairs_compared),
             grouped(lane.vectors_compared),
-            // The first one ends the comparison with an error.
+            // The first mismatch ends the comparison with an error.
             "none".to_owned(),
             lane.device.clone(),
         ]

@@ -1,4 +1,4 @@
-//! Faults from outside, by class: waiting streams, resets, unknown words, power-up.
+//! The method `--faults`: external faults by class: waiting streams, resets, unknown words, power-up.
 
 use anyhow::Result;
 use photoncube_testbench::{DeviceKind, FaultClass, FaultVerdict, VerifyError, verify_fault};
@@ -10,7 +10,7 @@ use crate::failure::CheckFailed;
 use crate::verified::{Line, grouped, record};
 use crate::{output, progress, table};
 
-/// What became of a machine under each class.
+/// The results of a machine under each class.
 #[derive(Debug, Serialize)]
 struct Report {
     machine: &'static str,
@@ -22,7 +22,7 @@ struct Report {
 }
 
 impl Report {
-    /// Takes note of a class; an error is what kept it from a verdict.
+    /// Records the verdict of a class, or the error that prevented one.
     fn record(
         &mut self,
         class: FaultClass,
@@ -42,7 +42,7 @@ impl Report {
         Ok(())
     }
 
-    /// No class may be left out, and none may have been there never.
+    /// Fails where a class is missing or its fault never occurred.
     fn conclusion(&self) -> Result<()> {
         if let Some(divergence) = &self.divergence {
             return Err(CheckFailed(divergence.clone()).into());
@@ -60,7 +60,7 @@ impl Report {
     }
 }
 
-/// Verifies one machine under each class: in each device, or in Icarus where that alone can show the fault.
+/// Verifies one machine under each class: in each device, or in Icarus where only that can show the fault.
 pub fn execute(args: &VerifyArgs, json: bool) -> Result<()> {
     let machine = args.machine.find()?;
     let kinds = devices(args, &[DeviceKind::fastest()])?;

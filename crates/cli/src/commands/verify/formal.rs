@@ -1,4 +1,4 @@
-//! Proofs about the emitted Verilog, for all inputs.
+//! The method `--formal`: proofs about the emitted Verilog, for all inputs.
 
 use anyhow::Result;
 use photoncube_testbench::{Formal, Proof, formal};
@@ -49,7 +49,7 @@ fn said(proof: &Proof) -> String {
     format!("{}: {why}", proof.property)
 }
 
-/// One line for each way of proving.
+/// One line for each method of proof.
 fn lines(found: &Formal) -> Result<Vec<Line>> {
     let machine = Line::of_machine(found.machine)?;
     let mut methods: Vec<_> = found.proofs.iter().map(|proof| proof.method).collect();
@@ -65,7 +65,7 @@ fn lines(found: &Formal) -> Result<Vec<Line>> {
         Line {
             method: format!("formal, by {method}"),
             by: match method {
-                // By the testbench's evaluator of the emitted text.
+                // Run in the testbench's evaluator of the emitted text.
                 "exhaustive" => format!("photoncube {}", env!("CARGO_PKG_VERSION")),
                 _ => found.tool_version.clone(),
             },

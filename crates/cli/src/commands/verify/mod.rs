@@ -1,4 +1,4 @@
-//! `verify`: a machine against the golden model, by one method after the other.
+//! The command `verify`: verifies a machine by one of several methods.
 
 mod campaign;
 mod coverage;
@@ -22,7 +22,7 @@ use crate::{output, verified};
 
 pub use self::equivalence::{verdict_table, verify_with_bar};
 
-/// Verifies by the method that was asked for.
+/// Runs the requested method.
 pub fn execute(args: &VerifyArgs, json: bool) -> Result<()> {
     if args.table {
         return results(json);
@@ -60,7 +60,8 @@ pub fn execute(args: &VerifyArgs, json: bool) -> Result<()> {
     equivalence::execute(args, json)
 }
 
-/// What was verified of today's Verilog; lines about other Verilog are not shown, and fail.
+/// Prints the results about today's Verilog. Fails if there are results about other Verilog, which are not
+/// printed.
 fn results(json: bool) -> Result<()> {
     let table = verified::committed()?;
     output::print(json, &table, || verified::table(&table.lines))?;

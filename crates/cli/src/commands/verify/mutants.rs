@@ -1,4 +1,4 @@
-//! Mutants of a machine's emitted Verilog: killed, equivalent, survived.
+//! The method `--mutants`: mutants of a machine's emitted Verilog are killed, equivalent or survive.
 
 use anyhow::{Result, bail};
 use photoncube_spec::Machine;
@@ -11,10 +11,10 @@ use crate::failure::CheckFailed;
 use crate::verified::{Line, grouped, record};
 use crate::{output, progress, table};
 
-/// Iterations for each mutant, before proofs are tried.
+/// The iterations for each mutant before proofs are tried.
 const ITERATIONS: u64 = 3_000;
 
-/// Draws mutants, kills what can be killed, and proves the rest equivalent; a survivor fails.
+/// Draws mutants, kills as many as possible, and proves the others equivalent. A survivor fails.
 pub fn execute(args: &VerifyArgs, wanted: u64, json: bool) -> Result<()> {
     let machine = args.machine.find()?;
     let options = MutantOptions {
@@ -46,7 +46,7 @@ pub fn execute(args: &VerifyArgs, wanted: u64, json: bool) -> Result<()> {
     }
 }
 
-/// The part of that name, or the whole.
+/// The part of that name; the whole machine without a name.
 fn part(machine: &Machine, name: Option<&str>) -> Result<MutantPart> {
     let parts = MutantPart::of(machine);
     let named = |part: &&MutantPart| name.is_none_or(|name| part.name() == name);

@@ -1,5 +1,5 @@
-//! The netlist that is placed on an ECP5: simulated against the golden model as Yosys maps it and after each pass, and
-//! each pass proven.
+//! The method `--placed`: the netlist that is placed on an ECP5. It is simulated against the golden model as
+//! Yosys maps it and after each pass, and each pass is proven.
 
 use anyhow::{Result, bail};
 use photoncube_testbench::{Source, Verdict, VerifyError, VerifyOptions};
@@ -20,9 +20,9 @@ struct Report {
     machine: &'static str,
     seed: u64,
     iterations: u64,
-    /// Of the netlist that is placed.
+    /// The digest of the netlist that is placed.
     netlist_sha256: String,
-    /// Yosys's.
+    /// The version of Yosys.
     tool_version: String,
     vectors_compared: u64,
     mismatches: u64,
@@ -33,17 +33,17 @@ struct Report {
     verilog_sha256: String,
 }
 
-/// What was compared of a netlist.
+/// The comparison of a netlist with the golden model.
 #[derive(Debug, Serialize)]
 struct StageVerdict {
-    /// Yosys's mapping, or the pass that made the netlist.
+    /// The name of the netlist: Yosys's mapping, or the pass that made it.
     netlist: &'static str,
     #[serde(flatten)]
     verdict: Verdict,
 }
 
 impl Report {
-    /// Takes note of a simulation; an error is what kept it from a verdict.
+    /// Records the verdict of a simulation, or the error that prevented one.
     fn record(&mut self, stage: &'static str, found: Result<Verdict, VerifyError>) -> Result<()> {
         match found {
             Ok(verdict) => {
@@ -86,7 +86,7 @@ impl Report {
         }
     }
 
-    /// Its lines in the table of results: one for what was simulated, one for what was proven.
+    /// The lines of this report for the table of results: one for the simulations, one for the proofs.
     fn lines(&self) -> Vec<Line> {
         let about = Line::about(self.machine.to_owned(), Some(self.verilog_sha256.clone()));
         let yosys = format!("Yosys {}", self.tool_version);
@@ -188,7 +188,7 @@ pub fn execute(args: &VerifyArgs, json: bool) -> Result<()> {
     }
 }
 
-/// Each netlist that is not the one before, in each simulator, up to the first difference.
+/// Simulates each netlist that differs from the one before, in each simulator, up to the first difference.
 fn simulate(
     placed: &Placed<'_>,
     args: &VerifyArgs,

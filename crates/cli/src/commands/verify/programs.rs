@@ -1,4 +1,4 @@
-//! Random microprograms in a machine.
+//! The method `--programs`: random microprograms in a machine.
 
 use anyhow::{Result, bail};
 use photoncube_testbench::{
@@ -12,7 +12,7 @@ use crate::failure::CheckFailed;
 use crate::verified::{Line, grouped, record};
 use crate::{output, progress, table};
 
-/// Iterations of the whole machine for each program.
+/// The iterations of the whole machine for each program.
 const ITERATIONS: u64 = 100;
 
 #[derive(Serialize)]
@@ -20,7 +20,7 @@ struct Report {
     verdicts: Vec<ProgramVerdict>,
 }
 
-/// Draws programs and compares each in each device that was named.
+/// Draws programs and compares each in each given device.
 pub fn execute(args: &VerifyArgs, programs: u64, json: bool) -> Result<()> {
     let machine = args.machine.find()?;
     let options = ProgramOptions {

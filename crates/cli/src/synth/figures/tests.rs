@@ -27,7 +27,7 @@ fn area(machine: &str, flow: Flow, gates: u64) -> AreaRow {
     }
 }
 
-/// Both machines in all flows.
+/// A file with both machines in all flows.
 fn file() -> Figured<AreaRow> {
     let mut file = Figured::<AreaRow>::new(AreaSetting::new(&versions("0.70")));
     for (name, digest) in [("paper", "00"), ("local", "01")] {

@@ -1,10 +1,10 @@
-//! What a pass has changed in a netlist, as questions whether it is still the same.
+//! Lists the changes of a pass over a netlist, as questions whether each preserves the function.
 //!
-//! Two netlists are compared cell by cell. A cell that is in both and differs stands, with the cells that are gone and
-//! read it, against what it has become: as two modules, whose inputs are the nets that come from elsewhere and whose
-//! outputs are those that are read elsewhere. Where all such modules are equal and everything else is the same,
-//! the netlists are. What a cell gives or takes where it is connected no more is an input of its own, `open`, so that a
-//! proof is about any value there.
+//! Two netlists are compared cell by cell. A cell that differs forms, together with the removed cells that
+//! read it, a module that is compared with the changed cell. The inputs of both modules are the nets from
+//! other cells, their outputs the nets that other cells read. If all such modules are equal and everything
+//! else is unchanged, the netlists are equal. A pin that is no longer connected is an input named `open`, so
+//! that the proof covers any value there.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
@@ -15,25 +15,26 @@ use serde_json::Value;
 use super::verilog::{instance, list};
 use super::{Cells, connections, readers, top};
 
-/// A change, in all its places.
+/// A change, with the number of places where it occurs.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Change {
-    /// The kind of cell.
+    /// The type of the changed cell.
     pub kind: String,
-    /// How often it was made.
+    /// The number of places of the change.
     pub places: usize,
-    /// One of these places: the name of the cell.
+    /// One of these places: the name of a cell.
     pub place: String,
-    /// The ports of the modules.
+    /// The ports of the modules, as Verilog.
     ports: String,
-    /// The cells before and after, and one that is wrong.
+    /// The cells before and after the change, and a wrong version.
     before: String,
     after: String,
     wrong: String,
 }
 
 impl Change {
-    /// Three modules of Verilog with the names that begin so: `_before`, `_after`, and `_wrong`, which is not the same.
+    /// Three Verilog modules with this name prefix: `_before`, `_after`, and `_wrong`, which is not
+    /// equivalent.
     pub fn modules(&self, name: &str) -> String {
         let all = [
             ("before", &self.before),
@@ -50,10 +51,11 @@ impl Change {
     }
 }
 
-/// What is different between the netlists, each once.
+/// The differences between the netlists, each once.
 ///
 /// # Errors
-/// They differ in more than cells that changed or are gone: a cell is new, or what is gone was read by others.
+/// The netlists differ in more than changed or removed cells: a cell is new, or other cells read a removed
+/// one.
 pub fn changes(before: &Value, after: &Value) -> Result<Vec<Change>> {
     let (before, after) = (top(before)?, top(after)?);
     ensure!(
@@ -97,7 +99,7 @@ pub fn changes(before: &Value, after: &Value) -> Result<Vec<Change>> {
     Ok(found.into_values().collect())
 }
 
-/// The cells that are gone and read this one, by the port that they read.
+/// The removed cells that read this cell, by the port that they read.
 fn taken(cell: &Value, readers: &super::Readers, gone: &mut BTreeSet<&str>) -> Vec<String> {
     let mut taken = Vec::new();
     for (_, _, bits) in connections(cell).filter(|(_, is_output, _)| *is_output) {
@@ -111,7 +113,7 @@ fn taken(cell: &Value, readers: &super::Readers, gone: &mut BTreeSet<&str>) -> V
     taken
 }
 
-/// Numbers of nets in the order in which they are met: the same change has the same numbers in all places.
+/// Numbers of nets in the order in which they are met, so that a change has equal numbers in all places.
 #[derive(Default)]
 struct Numbers {
     of_net: BTreeMap<u64, usize>,
@@ -205,7 +207,7 @@ fn change(
     })
 }
 
-/// The nets on a cell's pins, or on its outputs or its inputs.
+/// The nets on a cell's pins: on all, on its outputs, or on its inputs.
 fn nets(cell: &Value, outputs: Option<bool>) -> impl Iterator<Item = u64> {
     let wanted = connections(cell)
         .filter(move |(_, is_output, _)| outputs.is_none_or(|wanted| wanted == *is_output));
@@ -214,7 +216,8 @@ fn nets(cell: &Value, outputs: Option<bool>) -> impl Iterator<Item = u64> {
         .filter_map(Value::as_u64)
 }
 
-/// The cell after the change, wrong: its LUTs inverted; or, where it differs in parameters from before, those as before.
+/// A wrong version of the changed cell: with its LUTs inverted, or with its former parameters where these
+/// differ.
 fn wrong(old: &Value, new: &Value) -> Value {
     let mut wrong = new.clone();
     if old["parameters"] != new["parameters"] {

@@ -1,10 +1,11 @@
-//! The digest of a mapped netlist: of its cells and how they are connected, not of their names.
+//! The digest of a mapped netlist. It covers the cells and their connections, and not their names.
 //!
-//! Yosys names cells and nets after lines of the Verilog, and writes them in the order of their names; a
-//! comment line changes both. So cells and nets are told apart by what they are alone: a cell by its type, its
-//! parameters and the nets on its pins, a net by the pins that it connects, beginning with the ports of the
-//! module. Such classes are refined until no class falls apart any more; what is still in one class has the same
-//! surroundings, as two flip-flops that take the same net over. The digest is of the list of all cells by class.
+//! Yosys names cells and nets after lines of the Verilog and writes them in the order of their names, so a
+//! comment line changes both. The digest therefore distinguishes cells and nets only by their properties: a
+//! cell by its type, its parameters and the nets on its pins, a net by the pins that it connects, beginning
+//! with the ports of the module. These classes are refined until none can be split further. Members of one
+//! class have equal surroundings, such as two flip-flops that store one net. The digest is that of the list
+//! of all cells by class.
 
 use std::collections::HashMap;
 use std::fmt::Write;
@@ -15,23 +16,23 @@ use sha2::{Digest, Sha256};
 
 use super::{is_bookkeeping, top};
 
-/// Attributes that say where a cell comes from, and not what it is.
+/// The attributes that record the origin of a cell.
 const ORIGINS: [&str; 2] = ["src", "hdlname"];
 
-/// What a pin is connected to.
+/// The connection of a pin.
 #[derive(Copy, Clone, PartialEq, Eq, PartialOrd, Ord)]
 enum End {
     Constant(char),
     Net(usize),
 }
 
-/// A cell: what it is, and the ends of its pins in order.
+/// A cell: its properties, and the connections of its pins in order.
 struct Cell {
     label: String,
     ends: Vec<End>,
 }
 
-/// Numbers of nets in the order in which they are met, and the ports that each is on.
+/// Numbers of nets in the order in which they are met, with the ports on each net.
 #[derive(Default)]
 struct Nets {
     numbers: HashMap<u64, usize>,
@@ -53,12 +54,12 @@ impl Nets {
     }
 }
 
-/// SHA-256 of a netlist as `write_json` writes it, in hexadecimal digits: of the types, parameters, attributes and
-/// connections of the cells of its top module. Names of cells and nets, their order, where they come from, and
-/// what Yosys keeps of the hierarchy, do not count.
+/// SHA-256 of a netlist as `write_json` writes it, in hexadecimal digits. It covers the types, parameters,
+/// attributes and connections of the cells of the top module. It does not depend on the names of cells and
+/// nets, their order or origin, or on Yosys's records of the hierarchy.
 ///
 /// # Errors
-/// It has no top module.
+/// The netlist has no top module.
 pub fn sha256(netlist: &Value) -> Result<String> {
     let module = top(netlist)?;
     let mut nets = Nets::default();
@@ -86,7 +87,7 @@ fn read(cell: &Value, nets: &mut Nets) -> Cell {
         }
     }
     let mut ends = Vec::new();
-    // A map of `serde_json` is in the order of its keys.
+    // A map of `serde_json` is sorted by its keys.
     for (name, bits) in cell["connections"].as_object().into_iter().flatten() {
         let bits = bits.as_array().into_iter().flatten();
         let before = ends.len();
@@ -145,7 +146,7 @@ fn by_class(cell: &Cell, of_net: &[usize]) -> Vec<End> {
     cell.ends.iter().map(class).collect()
 }
 
-/// For each of these the place of what equals it among all that differ, in order; and how many differ.
+/// For each element, the rank of its value among all different values; and the number of different values.
 fn classes<T: Ord>(of: Vec<T>) -> (Vec<usize>, usize) {
     let mut order: Vec<_> = (0..of.len()).collect();
     order.sort_by(|&a, &b| of[a].cmp(&of[b]));
@@ -199,7 +200,7 @@ mod tests {
         })
     }
 
-    /// Two cells one behind the other: q = second(first(a[0], a[1]), 0).
+    /// Two cells in a row: q = second(first(a[0], a[1]), 0).
     fn chain(net: u64, names: [&str; 2]) -> Value {
         let mut cells = json!({});
         cells[names[0]] = cell("LUT4", "0110", json!({ "A": [2], "B": [3], "Z": [net] }));
@@ -246,7 +247,7 @@ mod tests {
 
     #[test]
     fn what_only_its_surroundings_tell_apart_is_told_apart() {
-        // Two rings of three flip-flops, or one of six: each cell by itself looks the same.
+        // Two rings of three flip-flops and one ring of six: each cell has equal neighbours.
         let ring = |nets: [(u64, u64); 6]| {
             let cells = nets.iter().enumerate().map(|(index, (d, q))| {
                 let cell = cell("TRELLIS_FF", "0", json!({ "DI": [d], "Q": [q] }));

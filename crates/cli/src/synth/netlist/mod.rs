@@ -1,8 +1,9 @@
-//! What Yosys leaves undone in a mapped netlist, and nextpnr does not do.
+//! Passes over a mapped netlist that Yosys and nextpnr lack.
 //!
-//! Each pass changes some cells of a mapped netlist and must not change what it computes. `photoncube verify --placed`
-//! checks that twice: [`changes()`] lists the cells that a pass changed, and Yosys proves that the changed logic is
-//! equivalent by the models of the cells; and the netlist is simulated after each pass.
+//! Each pass changes some cells of a mapped netlist and must preserve its function.
+//! `photoncube verify --placed` checks that twice: [`changes()`] lists the cells that a pass changed, and
+//! Yosys proves, with the models of the cells, that the changed logic is equivalent; and the netlist is
+//! simulated after each pass.
 
 mod changes;
 mod digest;
@@ -22,17 +23,17 @@ pub use unwrapped::unwrapped;
 
 /// The cells of a module, by name.
 type Cells = Map<String, Value>;
-/// What reads a net: a cell and its port, or no cell and a port of the module.
+/// The readers of each net: a cell and its port, or a port of the module without a cell.
 type Readers = HashMap<u64, Vec<(String, String)>>;
 
-/// A way to change the cells of a module.
+/// A pass over the cells of a module.
 struct Pass {
-    /// What it does.
+    /// The name of the pass.
     name: &'static str,
     run: fn(&mut Cells, &Readers),
 }
 
-/// The passes, in their order.
+/// The passes, in the order in which they run.
 const PASSES: [Pass; 2] = [
     Pass {
         name: "open carry ends",
@@ -44,19 +45,19 @@ const PASSES: [Pass; 2] = [
     },
 ];
 
-/// A netlist, as `write_json` writes it, and what was done last to it.
+/// A netlist, as `write_json` writes it, with the name of the last step.
 #[derive(Clone, Debug)]
 pub struct Stage {
-    /// Yosys's mapping, or the pass.
+    /// The name of the step: Yosys's mapping, or the pass.
     pub name: &'static str,
-    /// The netlist after it.
+    /// The netlist after that step.
     pub netlist: Value,
 }
 
-/// The netlist that Yosys's `write_json` wrote, then what each pass makes of it. The last is what is placed.
+/// The netlist that Yosys's `write_json` wrote, then the result of each pass. The last one is placed.
 ///
 /// # Errors
-/// It is not what `write_json` writes.
+/// The text is not an output of `write_json`.
 pub fn stages(mapped: &str) -> Result<Vec<Stage>> {
     let netlist: Value = serde_json::from_str(mapped).context("what `write_json` writes")?;
     netlist["modules"]
@@ -83,10 +84,10 @@ pub fn stages(mapped: &str) -> Result<Vec<Stage>> {
     Ok(stages)
 }
 
-/// The module that is placed: all others are models of cells.
+/// The module that is placed; all other modules are models of cells.
 ///
 /// # Errors
-/// There is none.
+/// There is no such module.
 pub fn top(netlist: &Value) -> Result<&Value> {
     let modules = netlist["modules"].as_object().into_iter().flatten();
     let mut tops = modules.filter(|(_, module)| module["attributes"]["top"].is_string());
@@ -94,7 +95,7 @@ pub fn top(netlist: &Value) -> Result<&Value> {
     Ok(module)
 }
 
-/// Whether a cell is Yosys's note of a module that it has taken apart.
+/// Whether a cell is Yosys's record of a module that was flattened.
 fn is_bookkeeping(cell: &Value) -> bool {
     cell["type"] == "$scopeinfo"
 }
@@ -120,7 +121,7 @@ fn readers(module: &Value) -> Readers {
     readers
 }
 
-/// The connections of a cell: each of its ports, and whether it is an output, with its bits.
+/// The connections of a cell: for each port its name, whether it is an output, and its bits.
 fn connections(cell: &Value) -> impl Iterator<Item = (&str, bool, &[Value])> {
     let connections = cell["connections"].as_object().into_iter().flatten();
     connections.map(|(port, bits)| {
@@ -133,12 +134,12 @@ fn connections(cell: &Value) -> impl Iterator<Item = (&str, bool, &[Value])> {
     })
 }
 
-/// A parameter that is a word, without the blank that Yosys puts behind a word of digits.
+/// A text parameter, without the blank that Yosys appends to texts of digits.
 fn word<'a>(cell: &'a Value, parameter: &str) -> Option<&'a str> {
     cell["parameters"][parameter].as_str().map(str::trim_end)
 }
 
-/// The numbers of the nets among these bits; the others are constants.
+/// The numbers of the nets among these bits; other bits are constants.
 fn numbers(bits: &Value) -> impl Iterator<Item = u64> {
     let bits = bits.as_array().into_iter().flatten();
     bits.filter_map(Value::as_u64)

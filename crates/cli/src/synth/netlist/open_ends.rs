@@ -1,23 +1,24 @@
-//! Open ends of carry chains in a mapped netlist.
+//! The pass that disconnects unused ends of carry chains.
 //!
-//! nextpnr leads the last carry of a chain out through a cell of its own where a net hangs on it, and
-//! a constant first carry in through another, though nobody reads the one, and the first LUT of
-//! some chains overrides the other. With tens of chains of ten bits in an engine that is a third
-//! more cells. Said to be unconnected, such ends cost nothing, and the logic is the same.
+//! nextpnr adds a cell to lead the last carry of a chain out where it has a net, and another cell to lead a
+//! constant first carry in. The first net often has no reader, and in some chains the first LUT overrides the
+//! constant. With tens of chains of ten bits in an engine, that is a third more cells. Disconnected ends need
+//! no cells, and the logic is unchanged.
 
 use serde_json::{Value, json};
 
 use super::{Cells, Readers};
 
-/// Opens these ends.
+/// Disconnects these ends in all cells.
 pub(super) fn open(cells: &mut Cells, readers: &Readers) {
     for cell in cells.values_mut().filter(|cell| cell["type"] == "CCU2C") {
         open_cell(cell, readers);
     }
 }
 
-/// Opens a carry cell's output that nobody reads, and its constant input where its first LUT is 0, so that the second
-/// gets the carry that the first overrides it with, and nobody reads the first sum.
+/// Disconnects a carry cell's output without readers. Disconnects its constant input where its first LUT is
+/// 0, so that the second LUT gets the carry with which the first overrides it, and where the first sum has no
+/// readers.
 fn open_cell(cell: &mut Value, readers: &Readers) {
     let overrides = overrides(cell);
     let Some(ends) = cell["connections"].as_object_mut() else {
@@ -36,7 +37,7 @@ fn open_cell(cell: &mut Value, readers: &Readers) {
     }
 }
 
-/// Whether a carry cell's first LUT is 0 whatever A and B are: by its bits, where C or D is 1.
+/// Whether a carry cell's first LUT is 0 for all A and B, by its bits where C or D is 1.
 fn overrides(cell: &Value) -> bool {
     let bits = cell["parameters"]["INIT0"].as_str();
     let is_zero =
@@ -73,7 +74,7 @@ mod tests {
         stages.remove(2).netlist["modules"]["top"]["cells"].take()
     }
 
-    /// What its first sum is read of, or what its C and D leave open, needs the constant.
+    /// The constant is needed where the first sum is read, or where C and D do not make the LUT 0.
     #[test]
     fn a_constant_that_is_looked_at_stays() {
         let first = || carry_cell("0000000000000010", json!("0"), 5);

@@ -1,15 +1,15 @@
-//! The output registers of block RAMs in a mapped netlist.
+//! The pass that moves flip-flops into the output registers of block RAMs.
 //!
-//! A block RAM of an ECP5 has a register for the word that was read and, behind it, one at its
-//! output. Yosys uses the first alone, and leaves the second to flip-flops, to which the way is long: a
-//! word takes most of a clock to come out of the block. Where all that a port shows goes to
-//! flip-flops that do nothing but take it over, they are the block's own register.
+//! A block RAM of an ECP5 has a register for the word that was read and a second one at its output. Yosys
+//! uses only the first and implements the second as flip-flops, at the end of a long net: the word takes most
+//! of a clock to leave the block. Where all outputs of a port feed flip-flops that only store them, these
+//! flip-flops become the block's own register.
 
 use serde_json::{Value, json};
 
 use super::{Cells, Readers};
 
-/// Puts such flip-flops into their blocks.
+/// Moves such flip-flops into their blocks.
 pub(super) fn fill(cells: &mut Cells, readers: &Readers) {
     let blocks = cells.iter().filter(|(_, cell)| cell["type"] == "DP16KD");
     let blocks: Vec<_> = blocks.map(|(name, _)| name.clone()).collect();
@@ -22,16 +22,17 @@ pub(super) fn fill(cells: &mut Cells, readers: &Readers) {
     }
 }
 
-/// A word that is read from a block.
+/// A word that is read from a block RAM.
 #[derive(Copy, Clone)]
 struct Word {
-    /// The ports on whose pins it is.
+    /// The ports that have the word on their pins.
     pins: &'static [char],
-    /// The port whose clock and enables its registers have.
+    /// The port whose clock and enables control its registers.
     control: char,
 }
 
-/// A word of 36 bits is read by port B on the pins of both; others each on the pins of its port.
+/// The words of a block. A word of 36 bits is read by port B on the pins of both ports; other words are on
+/// the pins of their port.
 fn words(block: &Value) -> &'static [Word] {
     const BOTH: &[Word] = &[Word {
         pins: &['A', 'B'],
@@ -54,8 +55,8 @@ fn words(block: &Value) -> &'static [Word] {
     }
 }
 
-/// The output pins of a word that are read, each with the flip-flop that takes it over; none where
-/// anything else reads one, or where nothing is read.
+/// The output pins of a word that are read, each with the flip-flop that stores it. `None` where another cell
+/// reads one, or where none is read.
 fn taken_over(
     cells: &Cells,
     readers: &Readers,
@@ -84,7 +85,7 @@ fn taken_over(
     (!taken_over.is_empty()).then_some(taken_over)
 }
 
-/// A flip-flop without enable and reset that starts as 0, on that clock.
+/// Whether a cell is a flip-flop on that clock, without enable and reset, that starts as 0.
 fn is_plain(cell: &Value, clock: &Value) -> bool {
     let parameters = &cell["parameters"];
     let is =
@@ -135,8 +136,8 @@ mod tests {
         })
     }
 
-    /// A block whose port B shows nets 10 and 11, and port A net 9; its width, what else there is, and what
-    /// becomes of it.
+    /// A block whose port B drives nets 10 and 11, and port A net 9. Takes its width and the other cells, and
+    /// returns the result of the pass.
     fn filled(width: u32, others: &[(&str, Value)]) -> Value {
         let output = json!("output");
         let mut cells = json!({ "block": {
@@ -169,7 +170,7 @@ mod tests {
             ],
         );
         assert_eq!(cells["block"]["parameters"]["REGMODE_B"], "OUTREG");
-        // Nothing is read from the other port.
+        // The other port is not read.
         assert_eq!(cells["block"]["parameters"]["REGMODE_A"], "NOREG");
         assert_eq!(cells["block"]["connections"]["DOB0"], json!([20]));
         assert_eq!(cells["block"]["connections"]["DOB1"], json!([21]));

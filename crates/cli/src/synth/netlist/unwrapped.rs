@@ -1,12 +1,13 @@
-//! The machine in the netlist that is placed, without the serial wrapper around it.
+//! Extracts the machine from the placed netlist, without the serial wrapper around it.
 //!
-//! What is placed has three pins, so nothing could be given to the machine in it clock by clock. Its wrapper is registers:
-//! one in front of each input bit, in a chain that begins at the pin; one behind each output bit; and a second chain, into
-//! which those are folded. Their cells say by `src` that they are the wrapper's. Each is checked to be what the wrapper's
-//! text says: a plain flip-flop in its place of the chain, an exclusive or between two of them. Then the nets behind
-//! the first chain are the machine's inputs, what the registers behind the outputs take over is its outputs, and
-//! every other cell of the netlist is kept. A cell of the machine that reads what is taken away, or a register of the
-//! wrapper that is left over, is an error: so what is simulated is all that is placed but the wrapper.
+//! The placed netlist has three pins, so a testbench could not drive the machine clock by clock. The wrapper
+//! consists of registers: one in front of each input bit, in a chain that begins at the pin; one behind each
+//! output bit; and a second chain into which these are folded. The `src` attribute marks the wrapper's cells.
+//! Each is checked to be what the wrapper's text states: a plain flip-flop in its place of the chain, or an
+//! exclusive or between two of them. The nets behind the first chain then become the machine's inputs, the
+//! inputs of the registers behind the outputs become its outputs, and every other cell of the netlist is
+//! kept. It is an error if a cell of the machine reads a removed net, or if a register of the wrapper
+//! remains. So the simulation covers everything that is placed but the wrapper.
 
 use std::collections::{HashMap, HashSet};
 use std::fmt::Write;
@@ -22,17 +23,17 @@ use super::{Readers, connections, is_bookkeeping, readers, top, word};
 struct Wrapped<'a> {
     module: &'a Value,
     readers: Readers,
-    /// The cell that drives each net.
+    /// The driver of each net, a cell.
     drivers: HashMap<u64, &'a str>,
-    /// The wrapper's flip-flops.
+    /// The flip-flops of the wrapper.
     registers: HashSet<&'a str>,
     clock: &'a Value,
 }
 
-/// The machine's own netlist as a module `name` with the machine's ports and its clock.
+/// The machine's netlist as a Verilog module `name` with the machine's ports and its clock.
 ///
 /// # Errors
-/// What surrounds the machine is not its wrapper.
+/// The machine's surroundings are not its wrapper.
 pub fn unwrapped(netlist: &Value, name: &str, ports: &[MachinePort]) -> Result<String> {
     let wrapped = Wrapped::of(top(netlist)?)?;
     let width = |is_input| {
@@ -77,7 +78,7 @@ impl<'a> Wrapped<'a> {
         &self.module["cells"][name]
     }
 
-    /// What a register takes over.
+    /// The input of a register.
     fn input(&self, register: &str) -> &'a Value {
         &self.cell(register)["connections"]["DI"][0]
     }
@@ -86,13 +87,14 @@ impl<'a> Wrapped<'a> {
         &self.cell(register)["connections"]["Q"][0]
     }
 
-    /// The wrapper's register that drives a net.
+    /// The wrapper's register that drives a net; `None` for other nets.
     fn register(&self, net: &Value) -> Option<&'a str> {
         let driver = self.drivers.get(&net.as_u64()?).copied()?;
         self.registers.contains(driver).then_some(driver)
     }
 
-    /// Takes its input over in every clock, but where it may have a reset.
+    /// Checks that a register stores its input in every clock, without enable, and without reset unless
+    /// `may_reset`.
     fn check_register(&self, name: &str, may_reset: bool) -> Result<()> {
         let cell = self.cell(name);
         let is = |parameter, expected| word(cell, parameter) == Some(expected);
@@ -107,7 +109,7 @@ impl<'a> Wrapped<'a> {
         Ok(())
     }
 
-    /// The registers in front of the inputs, in order. The last may be missing, if nothing reads them.
+    /// The registers in front of the inputs, in order. The last may be missing if nothing reads them.
     fn driven(&self, width: usize) -> Result<Vec<&'a str>> {
         let mut net = &self.module["ports"][SERIAL_IN]["bits"][0];
         let mut chain = Vec::new();
@@ -134,7 +136,7 @@ impl<'a> Wrapped<'a> {
         Ok(chain)
     }
 
-    /// What the machine shows on each bit, in order; the cells behind it are added to `removed`.
+    /// The machine's output bits, in order. Adds the cells behind them to `removed`.
     fn shown(&self, width: usize, removed: &mut HashSet<&'a str>) -> Result<Vec<String>> {
         let folded = self.module["netnames"][FOLDED]["bits"].as_array();
         let folded = folded.map_or(&[][..], Vec::as_slice);
@@ -161,7 +163,7 @@ impl<'a> Wrapped<'a> {
         Ok(shown)
     }
 
-    /// What `net` is an exclusive or of, beside `before`.
+    /// The other operand, where `net` is an exclusive or with `before`.
     fn added<'b>(
         &self,
         net: &'b Value,
@@ -175,7 +177,7 @@ impl<'a> Wrapped<'a> {
             return Ok(Added::Constant(false));
         }
         if net.is_string() || self.register(net).is_some() {
-            // In the first place there is nothing before.
+            // The first place has no predecessor.
             ensure!(
                 *before == "0",
                 "found {net} folded into nothing, expected {before}"
@@ -193,7 +195,7 @@ impl<'a> Wrapped<'a> {
             .with_context(|| format!("found {driver}, expected an exclusive or with net {before}"))
     }
 
-    /// What the register behind an output takes over.
+    /// The input of the register behind an output.
     fn taken(&self, net: &Value, removed: &mut HashSet<&'a str>) -> Result<String> {
         let register = self.register(net);
         let register = register.with_context(|| format!("found no register of net {net}"))?;
@@ -209,7 +211,7 @@ impl<'a> Wrapped<'a> {
         Ok(format!("{} ? 1'b{value} : {taken}", end(reset, name_of)))
     }
 
-    /// All of the wrapper is removed, and nothing else reads it.
+    /// Checks that all of the wrapper is removed, and that no other cell reads it.
     fn check(&self, driven: &[&str], removed: &HashSet<&str>) -> Result<()> {
         let mut left: Vec<_> = self
             .registers
@@ -221,7 +223,8 @@ impl<'a> Wrapped<'a> {
             left.is_empty(),
             "found {left:?} of the wrapper in no place of it"
         );
-        // What the registers in front of the inputs show is what the machine reads of the wrapper.
+        // The machine reads the outputs of the registers in front of its inputs, and no other net of the
+        // wrapper.
         for name in removed.iter().filter(|name| !driven.contains(name)) {
             let outputs = connections(self.cell(name)).filter(|(_, is_output, _)| *is_output);
             let nets = outputs
@@ -238,13 +241,13 @@ impl<'a> Wrapped<'a> {
     }
 }
 
-/// What is added to a bit that goes round.
+/// The second operand of the exclusive or in the second chain.
 enum Added<'a> {
     Constant(bool),
     Net(&'a Value),
 }
 
-/// What a LUT is an exclusive or of, beside the net `before`.
+/// The other operand, where a LUT is an exclusive or with the net `before`.
 fn exclusive_or<'a>(lut: &'a Value, before: &Value) -> Option<Added<'a>> {
     const PINS: [&str; 4] = ["A", "B", "C", "D"];
     let bits = lut["parameters"]["INIT"]
@@ -278,7 +281,7 @@ fn name_of(net: u64) -> String {
     format!("n{net}")
 }
 
-/// The module.
+/// The text of the module.
 fn text(
     wrapped: &Wrapped<'_>,
     removed: &HashSet<&str>,
@@ -325,7 +328,7 @@ fn text(
         wires.extend(nets);
         cells += &instance(name, cell, name_of)?;
     }
-    // An output may show an input, or what nothing drives, as it is.
+    // An output may be connected to an input, or to a net without a driver.
     wires.extend(known.keys());
     wires.sort_unstable();
     wires.dedup();

@@ -1,4 +1,4 @@
-//! Cells of a mapped netlist as Verilog.
+//! Prints cells of a mapped netlist as Verilog.
 
 use std::fmt::Write;
 
@@ -8,11 +8,11 @@ use serde_json::Value;
 use super::connections;
 use crate::synth::models::is_modelled;
 
-/// An instance of a cell, on a line of its own; `net` names each net. An end that is not connected is unknown where it
-/// is an input.
+/// An instance of a cell, on its own line; `net` returns the name of each net. An input that is not connected
+/// is unknown.
 ///
 /// # Errors
-/// There is no model of such a cell.
+/// The cell has no model.
 pub(super) fn instance(name: &str, cell: &Value, net: impl Fn(u64) -> String) -> Result<String> {
     let kind = cell["type"].as_str().unwrap_or_default();
     if !is_modelled(kind) {
@@ -48,7 +48,7 @@ pub(super) fn instance(name: &str, cell: &Value, net: impl Fn(u64) -> String) ->
     ))
 }
 
-/// A bit: a net, or a constant.
+/// A bit as Verilog: a net, or a constant.
 pub(super) fn end(bit: &Value, net: impl Fn(u64) -> String) -> String {
     match bit.as_u64() {
         Some(bit) => net(bit),
@@ -56,13 +56,13 @@ pub(super) fn end(bit: &Value, net: impl Fn(u64) -> String) -> String {
     }
 }
 
-/// A parameter: binary digits are a number, anything else is a word.
+/// A parameter as Verilog: binary digits are a number, other values are a text.
 fn literal(value: &str) -> String {
     let is_number = |text: &str| text.bytes().all(|digit| b"01xz".contains(&digit));
     match value {
         "" => "\"\"".to_owned(),
         digits if is_number(digits) => format!("{}'b{digits}", digits.len()),
-        // A word of such digits has a blank more behind it, so that it is none.
+        // A text of binary digits has a trailing blank, which distinguishes it from a number.
         word => {
             let bare = word
                 .strip_suffix(' ')

@@ -1,6 +1,6 @@
 use super::*;
 
-/// What nextpnr 0.11 reports of a machine, without the steps and keys that say nothing new.
+/// nextpnr 0.11's report of a machine, without redundant steps and keys.
 const REPORT: &str = r#"{
 "critical_paths": [
 {"from": "<async>", "to": "posedge $glbnet$clock$TRELLIS_IO_IN", "path": []},
@@ -64,7 +64,7 @@ fn the_path_is_told_in_a_few_facts() {
         dsp_levels: 0,
         binds: Binding::CarryChains,
     };
-    // 1.7130 and 2.5870 ns: nothing stands on the edge of rounding, but for the net.
+    // The sum of 1.7130 and 2.5870 ns is not near a rounding limit; the net's time is.
     assert!((path.longest_net_ns - 1.065).abs() < 0.006);
     let longest_net_ns = expected.longest_net_ns;
     assert_eq!(

@@ -1,4 +1,5 @@
-//! The netlist that is placed: a small machine of each organisation is the golden model in it, and planted faults are found.
+//! Tests of the placed netlist: small machines of each organisation equal the golden model in it, and planted
+//! faults are found.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -11,11 +12,12 @@ use serde_json::{Value, json};
 use super::super::tools::Purpose;
 use super::*;
 
-/// Enough for every fault here; Icarus, which needs no compiler, does some hundred clocks in a second.
+/// Enough iterations for every fault here; Icarus, which needs no compiler, simulates some hundred clocks in
+/// a second.
 const ITERATIONS: u64 = 60;
 
-/// Yosys, as `scripts/setup.sh` installs it, and Icarus; none where one is missing, which fails where `REQUIRE_EDA=1` asks
-/// for all.
+/// Yosys, as `scripts/setup.sh` installs it, and Icarus. `None` where one is missing, which fails with
+/// `REQUIRE_EDA=1`.
 fn tools() -> Option<Tools> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let said = Command::new(root.join("scripts/setup.sh"))
@@ -58,7 +60,8 @@ fn cells(netlist: &mut Value) -> &mut serde_json::Map<String, Value> {
         .unwrap()
 }
 
-/// The golden model in each stage that is different, the passes proven; then with a LUT that is wrong.
+/// Compares each different stage with the golden model and proves the passes; then requires that a wrong LUT
+/// is found.
 fn holds(machine: &str) {
     let Some(tools) = tools() else { return };
     let subject = Subject::of(find_machine(machine).unwrap()).unwrap();
@@ -94,7 +97,7 @@ fn inverted(bits: &str) -> String {
         .collect()
 }
 
-/// A pass that opens one end too many: its proof fails, and the netlist is wrong.
+/// A pass that disconnects one end too many: its proof fails, and the simulation differs.
 fn open_a_carry_that_is_read(placed: &Placed<'_>) {
     let mapped = &placed.stages()[0];
     let mut wrong = mapped.netlist.clone();
@@ -150,8 +153,8 @@ fn a_second_text_that_is_wrong_is_found() {
     );
 }
 
-/// A block RAM of 9 bits, two of whose outputs go to flip-flops with these parameters, and the same with the
-/// flip-flops in the block.
+/// A block RAM of 9 bits with two outputs that feed flip-flops with these parameters, and the block with
+/// these flip-flops moved inside.
 fn block(register: &Value) -> [Value; 2] {
     let mut block = json!({
         "type": "DP16KD",
@@ -204,7 +207,7 @@ fn netlist_of(cells: &[(&str, Value)]) -> Value {
     } } })
 }
 
-/// A flip-flop moved into a block RAM is proven where it is one that may be moved, and refuted where not.
+/// Moving a flip-flop into a block RAM is proven where it is allowed, and refuted where it is not.
 #[test]
 fn a_flip_flop_that_a_block_ram_does_not_have_is_found() {
     let Some(tools) = tools() else { return };
@@ -246,7 +249,7 @@ fn a_flip_flop_that_a_block_ram_does_not_have_is_found() {
         let passes = prove(&tools, folder.path(), &models, &stages).unwrap();
         assert_eq!(passes[0].proven, expected, "{what}: {passes:#?}");
         assert!(passes[0].control_refuted, "{what}: {passes:#?}");
-        // What is not moved by the pass itself is not asked.
+        // Flip-flops that the pass itself does not move are not examined.
         let moved = netlist::stages(&stages[0].netlist.to_string())
             .unwrap()
             .remove(2);
@@ -254,7 +257,7 @@ fn a_flip_flop_that_a_block_ram_does_not_have_is_found() {
     }
 }
 
-/// A block in a mode that the model does not know stops the run.
+/// A block in a mode that the model lacks stops the run.
 #[test]
 fn a_parameter_without_a_model_is_refused() {
     let Some(tools) = tools() else { return };
@@ -288,7 +291,7 @@ fn a_parameter_without_a_model_is_refused() {
     }
 }
 
-/// The modules of a text by their names, without the machine's own name in them, and without comments.
+/// The modules of a text by name, without the machine's name in them, and without comments.
 fn modules(text: &str, top: &str) -> BTreeMap<String, String> {
     let lines = text
         .lines()
@@ -302,7 +305,8 @@ fn modules(text: &str, top: &str) -> BTreeMap<String, String> {
     modules.collect()
 }
 
-/// What is too long to be simulated is made of modules that are: the names of those that are not.
+/// The names of the modules of a machine that is too large to simulate, which are not modules of the
+/// simulated machines.
 fn others(machine: &str, simulated: &[Subject]) -> [Vec<String>; 2] {
     let texts = |subject: &Subject| {
         let ecp5 = subject.ecp5_verilog.clone().unwrap_or_default();

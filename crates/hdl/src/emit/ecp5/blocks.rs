@@ -1,8 +1,8 @@
-//! Squarers whose registers are those inside a DSP block or a block RAM.
+//! Overrides for squarers that use the registers inside a DSP block or a block RAM.
 //!
-//! Yosys maps a product to a DSP block and a table to a block RAM, but leaves the registers before and
-//! behind them in flip-flops. These are far from the block where a chip is full, and the ways there
-//! bind its clock; the block's own cost no way and no flip-flop.
+//! Yosys maps a product to a DSP block and a table to a block RAM, but keeps the registers before and behind
+//! them in flip-flops. On a full chip these flip-flops are far from the block, and the nets between limit the
+//! clock. The block's own registers need no net and no flip-flop.
 
 use std::fmt::Write;
 
@@ -12,23 +12,23 @@ use crate::spatial::square_word;
 
 /// Bits of an operand of a MULT18X18D, and of its product (Lattice, FPGA-TN-02205).
 const OPERAND: usize = 18;
-/// Address and data bits of a DP16KD with two ports of full width, and the words that one of its
-/// initial values holds, each in 20 bits (Lattice, FPGA-TN-02204).
+/// Address and data bits of a DP16KD with two ports of full width, and the number of words in one of its
+/// initial-value parameters, each word in 20 bits (Lattice, FPGA-TN-02204).
 const ADDRESS: usize = 10;
 const DATA: usize = 18;
 const WORDS_OF_VALUE: usize = 16;
 const DIGITS_OF_WORD: usize = 5;
-/// The first address pin that counts words of full width.
+/// The lowest address pin that counts in words of full width.
 const FIRST_ADDRESS_PIN: usize = 4;
 
-/// `.A0(word[0]), ...` for so many pins.
+/// The connections `.A0(word[0]), ...` for `pins` pins.
 fn pins(pin: &str, word: &str, pins: usize) -> String {
     let connect = |i: usize| format!(".{pin}{i}({word}[{i}])");
     (0..pins).map(connect).collect::<Vec<_>>().join(", ")
 }
 
-/// The same for a word in the highest pins, above zeros: a block's inputs are 0 where nothing is led to
-/// them, and a sign need not be led to all pins above a word.
+/// The connections of a word at the highest pins, with zeros below. Inputs of a block that are not connected
+/// are 0, and at the highest pins the sign needs no extension.
 fn high_pins(pin: &str, word: &str, width: usize, pins: usize) -> String {
     let zeros = pins - width;
     let connect = |i: usize| match i.checked_sub(zeros) {
@@ -38,14 +38,14 @@ fn high_pins(pin: &str, word: &str, width: usize, pins: usize) -> String {
     (0..pins).map(connect).collect::<Vec<_>>().join(", ")
 }
 
-/// Whether an instance in a module is a register; a place without one is a wire.
+/// Whether an instance in a module is a register. A pipeline place without a register is a wire.
 fn is_register(module: &Module, instance: &str) -> bool {
     let end = format!(" {instance}(");
     let mut lines = module.body.lines();
     lines.any(|line| line.ends_with(&end) && line.contains("_register_"))
 }
 
-/// A place in the pipeline, outside of the block.
+/// A pipeline register or wire outside the block.
 fn stage(module: &Module, name: &str, instance: &str, d: &str, width: usize) -> String {
     let high = width - 1;
     match is_register(module, instance) {
@@ -57,7 +57,8 @@ fn stage(module: &Module, name: &str, instance: &str, d: &str, width: usize) -> 
     }
 }
 
-/// `square` and `far` of d^2, with registers before and behind the product; none where it has not both.
+/// The override of a squarer in a DSP block: `square` and `far` of d^2. `None` unless it has registers before
+/// and behind the product.
 pub(super) fn product(module: &Module, ports: &Ports) -> Option<String> {
     if !is_register(module, "products_delay") || !is_register(module, "product") {
         return None;
@@ -94,8 +95,8 @@ pub(super) fn product(module: &Module, ports: &Ports) -> Option<String> {
     ))
 }
 
-/// Two squares and their `far` from a table, with a register before it, that of its address, and
-/// one behind it; none where it has not both, or does not fit a block.
+/// The override of two squarers in a block RAM: two squares and their `far`. `None` unless it has a register
+/// before the table (that of its address) and one behind it, or if the table does not fit a block RAM.
 pub(super) fn lookup(module: &Module, ports: &Ports) -> Option<String> {
     let (difference, square) = (ports.width("difference_a"), ports.width("square_a"));
     let registers = ["square_stage_0", "square_stage_1"];
@@ -137,7 +138,7 @@ pub(super) fn lookup(module: &Module, ports: &Ports) -> Option<String> {
     Some(text + &ends.join(",") + ");\n")
 }
 
-/// The pins of one of the block's ports, which only reads.
+/// The pins of one of the block RAM's ports, used for reads only.
 fn port_of_block(port: char) -> String {
     let small = port.to_ascii_lowercase();
     let low = (0..FIRST_ADDRESS_PIN).map(|i| format!(".AD{port}{i}(1'b0)"));
@@ -153,7 +154,7 @@ fn port_of_block(port: char) -> String {
     )
 }
 
-/// The table's words as the block's parameters.
+/// The table's words as the block RAM's parameters.
 fn initial_values(difference: usize, square: usize) -> String {
     let words: Vec<_> = (0..1 << difference)
         .map(|d| square_word(d, difference, square))
@@ -179,7 +180,7 @@ mod tests {
     use super::*;
     use crate::level::Level;
 
-    /// A squarer's module with a register at each of these places.
+    /// A test module of a squarer with a register at each of these places.
     fn module(places: &[&str]) -> Module {
         let instances: String = ["products_delay", "product"]
             .map(|place| match places.contains(&place) {

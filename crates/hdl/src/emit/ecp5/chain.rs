@@ -1,17 +1,17 @@
-//! A carry chain, bit by bit.
+//! A carry chain of ECP5 cells, bit by bit.
 //!
-//! In a bit of a CCU2C, `p` is a LUT of A, B, C, D; the sum is `p ^ carry`; the carry goes on where p
-//! is 1, and is else `g`, the LUT's lowest four bits seen as a table of A and B alone (Lattice,
-//! FPGA-TN-02205, and Yosys's model). For a sum of two bits x + y: p = x ^ y, and g = x where x
-//! depends on A and B only.
+//! In a bit of a CCU2C, `p` is a LUT of A, B, C, D, and the sum is `p ^ carry`. The carry out is the carry in
+//! where p is 1, and `g` where p is 0; g is the LUT's lowest four bits as a table of A and B alone (Lattice,
+//! FPGA-TN-02205, and Yosys's model). For a sum of two bits x + y: p = x ^ y, and g = x where x depends on A
+//! and B only.
 
-/// A bit of a carry chain: the inputs of its LUT, where `1'b1` is what is not used, and the LUT.
+/// A bit of a carry chain: its LUT and the LUT's inputs. An unused input is `1'b1`.
 pub(super) struct Bit {
     inputs: [String; 4],
     lut: u16,
 }
 
-/// The LUT of a bit, from p(A, B, C, D) and g(A, B); where C and D are 0, p must be g.
+/// The LUT of a bit, from p(A, B, C, D) and g(A, B). Where C and D are 0, p must equal g.
 fn lut(p: impl Fn([bool; 4]) -> bool, g: impl Fn(bool, bool) -> bool) -> u16 {
     let mut table = 0;
     for index in 0..16_u16 {
@@ -36,7 +36,7 @@ impl Bit {
         }
     }
 
-    /// Shows the carry that comes in, and sends none on.
+    /// A last bit of the chain. Its sum shows the carry in, and its carry out is 0.
     pub(super) fn carry() -> Self {
         Self::new(&[], |_| false, |_, _| false)
     }
@@ -46,7 +46,7 @@ pub(super) fn bit(word: &str, index: usize) -> String {
     format!("{word}[{index}]")
 }
 
-/// The chain's cells; its sum bits are `chain`.
+/// The Verilog of the chain's cells; the sum bits are named `chain`.
 pub(super) fn cells(mut bits: Vec<Bit>) -> String {
     if bits.len() % 2 == 1 {
         bits.push(Bit::carry());

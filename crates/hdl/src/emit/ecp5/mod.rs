@@ -1,12 +1,12 @@
-//! Second texts of emitted modules for the ECP5, made of its own cells: carry chains in place of modules
-//! that add words of simple functions, squarers in blocks with registers (`blocks`), and a comparison in
-//! few levels of LUTs (`range`).
+//! Overrides of emitted modules for the ECP5, made of its own cells: carry chains for modules that add simple
+//! functions of words, squarers in blocks with registers (`blocks`), and a comparison in few levels of LUTs
+//! (`range`).
 //!
-//! A carry cell of an ECP5, CCU2C, has a LUT before each of its two adder bits. Yosys puts only plain
-//! words there and spends LUTs on what stands before an adder: the AND of a gate, the inversion
-//! of a subtrahend or of a negative difference. So each such module has a second text, which names
-//! the carry cells. The first is what is simulated and what other devices are built from; that both
-//! are the same function is proven for every module by `scripts/yosys/ecp5.sh`.
+//! A carry cell of an ECP5, CCU2C, has a LUT before each of its two adder bits. Yosys uses these LUTs only
+//! for plain words and spends further LUTs on the logic before an adder: the AND of a gate, the inversion of
+//! a subtrahend or of a negative difference. So each such module has an override, a second text that names
+//! the carry cells. Simulation and other devices use the first text. `scripts/yosys/ecp5.sh` proves for every
+//! module that both are the same function.
 
 mod blocks;
 mod chain;
@@ -18,17 +18,17 @@ mod sums;
 use super::modules::{Module, split};
 use ports::Ports;
 
-/// What makes a second text's body.
+/// The function that makes an override's body.
 #[derive(Copy, Clone)]
 enum Body {
-    /// Of a module without registers and other modules in it.
+    /// For a module without registers and submodules.
     Chain(fn(&Ports) -> String),
-    /// Of a module that has to look a certain way: a squarer with the registers of a block, or a
-    /// comparison with a limit of the right shape.
+    /// For a module that must have a certain form: a squarer with the registers of a block, or a comparison
+    /// with a limit of the right bit pattern.
     Shaped(fn(&Module, &Ports) -> Option<String>),
 }
 
-/// The end of a module's name, and the body of its second text.
+/// The end of a module's name, and the body of its override.
 const BODIES: &[(&str, Body)] = &[
     ("_subtract", Body::Chain(sums::subtract)),
     ("_magnitude_of", Body::Chain(sums::magnitude)),
@@ -43,14 +43,14 @@ const BODIES: &[(&str, Body)] = &[
     ("_range_of_format", Body::Shaped(range::range_of_format)),
 ];
 
-/// The second text of all modules that have one; none if no module has.
+/// The overrides of all modules that have one; `None` if no module has one.
 pub(super) fn second_texts(text: &str) -> Option<String> {
     let modules = split(text);
     let texts: Vec<_> = modules.iter().filter_map(second_text).collect();
     (!texts.is_empty()).then(|| texts.concat())
 }
 
-/// A module's second text, with the same ports.
+/// The override of one module, with the module's ports.
 fn second_text(module: &Module) -> Option<String> {
     let (_, body) = BODIES.iter().find(|(base, _)| is_named(module, base))?;
     let ports = Ports::of(module);
@@ -64,7 +64,7 @@ fn second_text(module: &Module) -> Option<String> {
     ))
 }
 
-/// Whether its name ends with that, or with that and a number.
+/// Whether the module's name ends with `base`, or with `base` and a number.
 fn is_named(module: &Module, base: &str) -> bool {
     let Some((_, last)) = module.name.rsplit_once(base) else {
         return false;

@@ -5,7 +5,7 @@ use super::chain::bit;
 
 /// A module's ports as it declares them.
 pub(super) struct Ports {
-    /// The list and the declarations, with all outputs as wires.
+    /// The port list and the declarations, with all outputs as wires.
     pub(super) declaration: String,
     widths: Vec<(String, usize)>,
 }
@@ -14,7 +14,7 @@ impl Ports {
     pub(super) fn of(module: &Module) -> Self {
         let is_port = |line: &&str| {
             let line = line.trim_start();
-            // Not the inputs of functions, which are no wires.
+            // Inputs of functions are left out, because they are not wires.
             ["input wire ", "output wire ", "output reg "]
                 .iter()
                 .any(|kind| line.starts_with(kind))
@@ -36,7 +36,8 @@ impl Ports {
         port.expect("the module has the ports of its block").1
     }
 
-    /// A bit of a port. A port of one bit is declared without a range, and may not be indexed.
+    /// A bit of a port as an expression. A port of one bit is declared without a range and may not be
+    /// indexed.
     pub(super) fn bit(&self, name: &str, index: usize) -> String {
         match self.width(name) {
             1 => name.to_owned(),
@@ -45,7 +46,7 @@ impl Ports {
     }
 }
 
-/// Name and width of a declared port.
+/// Parses name and width of a declared port.
 fn port(line: &str) -> Option<(String, usize)> {
     let line = line.trim().trim_end_matches(';');
     let name = line.rsplit(' ').next()?.to_owned();

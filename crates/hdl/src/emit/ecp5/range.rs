@@ -1,21 +1,22 @@
-//! The comparison with the format's radius, in two levels of LUTs.
+//! The override of the comparison with the format's radius, in two levels of LUTs.
 //!
-//! Yosys makes a carry chain of it and three or four levels of LUTs. Their nets are long where a chip is
-//! full, and bind its clock.
+//! Yosys maps this comparison to a carry chain and three or four levels of LUTs. On a full chip their nets
+//! are long and limit the clock.
 
 use super::super::modules::Module;
 use super::ports::Ports;
 
-/// Bits of the groups that a LUT, or two with a multiplexer behind them, look at: the lowest, the next
-/// and those above, which a limit of the right shape has as any number, zeros and ones.
+/// The limit's bits in three groups, each for a LUT or for two LUTs with a multiplexer. In a limit of the
+/// right pattern the lowest group is any number, the next is zeros, and the one above is ones.
 const LOWEST: usize = 5;
 const ZEROS: usize = 4;
 const ONES: usize = 5;
-/// Bits that are left for the LUT that looks at `far` too.
+/// The remaining bits, for the LUT that also has `far` as an input.
 const MOST_HIGHEST: usize = 3;
 
-/// `in_range = distance <= limit, and not far`, for a limit whose bits are, from the highest: zeros;
-/// `ONES` ones; `ZEROS` zeros; `LOWEST` of any kind, not all of them ones. None for others.
+/// The override of `in_range = distance <= limit, and not far`. The limit's bits must be, from the highest:
+/// zeros; `ONES` ones; `ZEROS` zeros; `LOWEST` bits of any kind, not all of them ones. `None` for other
+/// limits.
 pub(super) fn range_of_format(module: &Module, ports: &Ports) -> Option<String> {
     let width = ports.width("distance");
     let highest = width.checked_sub(LOWEST + ZEROS + ONES)?;
@@ -40,7 +41,7 @@ pub(super) fn range_of_format(module: &Module, ports: &Ports) -> Option<String> 
             lut(
                 "near",
                 &["above", "all", "middle", "low"].map(str::to_owned),
-                // Not above, and not all with any of the two.
+                // In range: not `above`, and neither `middle` nor `low` together with `all`.
                 |bits| matches!(bits, 0b0000 | 0b0010 | 0b0100 | 0b1000 | 0b1100),
             ),
             "    assign in_range = near;\n".to_owned(),
@@ -49,14 +50,14 @@ pub(super) fn range_of_format(module: &Module, ports: &Ports) -> Option<String> 
     )
 }
 
-/// The limit that stands in the module, `localparam limit = 16'h3e04;`.
+/// Parses the limit in the module's text, such as `localparam limit = 16'h3e04;`.
 fn limit(module: &Module) -> Option<u64> {
     let (_, rest) = module.body.split_once("localparam limit = ")?;
     let (_, digits) = rest.split_once(';')?.0.split_once("'h")?;
     u64::from_str_radix(digits, 16).ok()
 }
 
-/// A LUT of up to four inputs, the first of which is bit 0 of what `value` is asked of.
+/// A LUT of up to four inputs. The argument of `value` has the first input at bit 0.
 fn lut(name: &str, inputs: &[String], value: impl Fn(u16) -> bool) -> String {
     let table = (0..16_u16).filter(|&index| value(index % (1 << inputs.len())));
     let table: u16 = table.map(|index| 1 << index).sum();
@@ -72,7 +73,7 @@ fn lut(name: &str, inputs: &[String], value: impl Fn(u16) -> bool) -> String {
     )
 }
 
-/// Two LUTs and the multiplexer behind them in their slice, for five inputs.
+/// Two LUTs and the multiplexer of their slice, for five inputs.
 fn lut_5(name: &str, inputs: &[String], value: impl Fn(u16) -> bool) -> String {
     let (selected, low) = (&inputs[4], &inputs[..4]);
     let halves = [("without", 0), ("with", 16)];

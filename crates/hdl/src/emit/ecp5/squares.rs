@@ -1,10 +1,11 @@
-//! The squarer by digits: the products of the two digits, and their squares beside them.
+//! Overrides for the squarer from digits: the products of the two digits, and the sum of their squares and
+//! products.
 
 use super::chain::{Bit, bit, cells};
 use super::ports::Ports;
 
-/// Two rows of the high digit, the second one place up; where the low digit has three bits, the
-/// second product is one row and no sum.
+/// The two digit products. Each adds two rows of the high digit, the second row one place up. Where the low
+/// digit has three bits, the second product is one row and no sum.
 pub(super) fn digit_products(ports: &Ports) -> String {
     const HIGH: usize = photoncube_spec::SpatialWidths::HIGH_DIGIT as usize;
     let product = ports.width("high_product");
@@ -40,8 +41,8 @@ pub(super) fn digit_products(ports: &Ports) -> String {
     rows("low_product", 0) + &second
 }
 
-/// The squares of both digits, side by side, and twice their product between them. A bit of a square
-/// that depends on few bits of its digit needs no LUT before the chain.
+/// The sum of the squares of both digits, side by side, and of twice their product. A bit of a square that
+/// depends on few bits of its digit needs no LUT before the chain.
 pub(super) fn square_sum(ports: &Ports) -> String {
     const HIGH: usize = photoncube_spec::SpatialWidths::HIGH_DIGIT as usize;
     let (radius, square) = (ports.width("magnitude"), ports.width("square"));
@@ -72,12 +73,12 @@ pub(super) fn square_sum(ports: &Ports) -> String {
         )
 }
 
-/// A bit of the squares of the two digits of `magnitude`, as a function of bits of its digit.
+/// A bit of the squares of the two digits of `magnitude`, as a function of bits of one digit.
 struct SquareBit {
     index: usize,
-    /// The bits of `magnitude` that it depends on.
+    /// The bits of `magnitude` that the bit depends on.
     inputs: Vec<usize>,
-    /// Its value for each value of those.
+    /// The bit's value for each value of `inputs`.
     table: Vec<bool>,
 }
 
@@ -113,7 +114,7 @@ impl SquareBit {
         self.table[packed.sum::<usize>()]
     }
 
-    /// As a sum of products.
+    /// The bit as a sum of products, in Verilog.
     fn expression(&self) -> String {
         let ones = (0..self.table.len()).filter(|&packed| self.table[packed]);
         let product = |packed: usize| {
@@ -130,7 +131,7 @@ impl SquareBit {
         }
     }
 
-    /// The sum of this bit and another, or with none this bit alone.
+    /// The carry-chain bit for the sum of this bit and `other`, or for this bit alone.
     fn plus(&self, other: Option<String>) -> Bit {
         let name = |input: &usize| bit("magnitude", *input);
         let own: Vec<_> = self.inputs.iter().map(name).collect();
@@ -161,8 +162,8 @@ impl SquareBit {
         }
     }
 
-    /// An order of its inputs in which it is 0 where the last two are: a LUT's lowest bits, where C
-    /// and D are 0, are also g. With an input to spare, D is 1 and any order does.
+    /// An order of the inputs in which the bit is 0 where the last two inputs are 0: the LUT's lowest bits,
+    /// where C and D are 0, are also g. With an unused input, D is 1 and any order is possible.
     fn order(&self) -> Option<Vec<usize>> {
         let count = self.inputs.len();
         if count < 3 {

@@ -1,9 +1,9 @@
-//! Sums, differences and comparisons, each with the choice or inversion before it.
+//! Overrides for sums, differences and comparisons, each with the selection or inversion before the adder.
 
 use super::chain::{Bit, bit, cells};
 use super::ports::Ports;
 
-/// `difference = a - b`: a + ~b + 1. The first bit makes the carry.
+/// `difference = a - b`, computed as a + ~b + 1. The first bit of the chain makes the carry of 1.
 pub(super) fn subtract(ports: &Ports) -> String {
     let width = ports.width("a");
     let mut bits = vec![Bit::new(&[], |_| false, |a, b| a & b)];
@@ -14,13 +14,13 @@ pub(super) fn subtract(ports: &Ports) -> String {
             |a, b| a & !b,
         )
     }));
-    // Above both words stand a 0 and the inverse of a 0.
+    // Above both words, the operands are 0 and the inverse of 0.
     bits.push(Bit::new(&[], |_| true, |_, _| false));
     cells(bits) + &format!("    assign difference = chain[{}:1];\n", width + 1)
 }
 
-/// `(d ^ s) + s` with s the sign: bit 0 is that of d, and the carry from it is 1 where a negative d
-/// is even.
+/// `(d ^ s) + s` with s the sign of d. Bit 0 of the result is bit 0 of d, and its carry is 1 where d is
+/// negative and even.
 pub(super) fn magnitude(ports: &Ports) -> String {
     let sign = ports.width("difference") - 1;
     let negative = bit("difference", sign);
@@ -44,8 +44,8 @@ pub(super) fn magnitude(ports: &Ports) -> String {
         )
 }
 
-/// `in_range = distance <= largest, and not far`: whether largest + ~distance + 1 has a carry that
-/// nothing above stops. The last bit shows it.
+/// `in_range = distance <= largest, and not far`: largest + ~distance + 1 has a carry that no higher bit
+/// stops. The last bit of the chain shows the carry.
 pub(super) fn range_of_query(ports: &Ports) -> String {
     let (largest, distance) = (ports.width("largest"), ports.width("distance"));
     let digit = |i: usize| [bit("largest", i), bit("distance", i)];
@@ -104,7 +104,8 @@ pub(super) fn accumulate(ports: &Ports) -> String {
     cells(bits.collect()) + &format!("    assign next_sum = chain[{}:0];\n", sum - 1)
 }
 
-/// `total = (add_sum ? sum : addend) + operand`; above the bits that can be chosen with the sum alone.
+/// `total = (add_sum ? sum : addend) + operand`. Above the selectable bits the first operand is always the
+/// sum.
 pub(super) fn chosen_sum(ports: &Ports) -> String {
     let (sum, chosen, addend) = (
         ports.width("sum"),

@@ -1,7 +1,7 @@
 //! The photon memory, by the rules of `photoncube_spec::MemoryRegister`.
 //!
-//! Its depth and the layout of its words follow from the machine, which rust-hdl's widths cannot
-//! choose; so its Verilog is written by hand, with the block RAM and its registers inside.
+//! Its depth and the layout of its words follow from the machine, which rust-hdl's const generics cannot
+//! express. So its Verilog is written by hand, with the block RAM and its registers inside.
 
 mod pinned;
 mod text;
@@ -14,7 +14,7 @@ use rust_hdl::prelude::*;
 const LANES: usize = Spatial::LANES;
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// Two banks of groups, and what plays them. `C` coordinate, `B` mantissa, `E` exponent bits.
+/// Two banks of groups and the logic that plays them. `C` coordinate, `B` mantissa, `E` exponent bits.
 #[derive(LogicBlock)]
 pub(crate) struct PhotonMemory<const C: usize, const B: usize, const E: usize> {
     pub clock: Signal<In, Clock>,
@@ -26,12 +26,12 @@ pub(crate) struct PhotonMemory<const C: usize, const B: usize, const E: usize> {
     pub x: [Signal<In, Bits<C>>; LANES],
     pub y: [Signal<In, Bits<C>>; LANES],
     pub z: [Signal<In, Bits<C>>; LANES],
-    /// Channel c of lane g is at 4 c + g.
+    /// The mantissas: channel c of lane g is at 4 c + g.
     pub channel: Vec<Signal<In, Bits<B>>>,
     pub exponent: Vec<Signal<In, Bits<E>>>,
     pub release_in: Signal<In, Bit>,
-    /// What the head says: a query is taken; all of a batch are; there is room for its results; and
-    /// the clocks until a last group may be taken.
+    /// Signals from the head: a query is taken; all queries of a batch are taken; there is room for its
+    /// results; and the clocks until a last group may be taken.
     pub query_taken: Signal<In, Bit>,
     pub is_full: Signal<In, Bit>,
     pub has_room: Signal<In, Bit>,
@@ -45,9 +45,9 @@ pub(crate) struct PhotonMemory<const C: usize, const B: usize, const E: usize> {
     pub word_channel: Vec<Signal<Out, Bits<B>>>,
     pub word_exponent: Vec<Signal<Out, Bits<E>>>,
     _state: State,
-    /// Both banks; a word has a number for each of its fields.
+    /// The words of both banks; a word has a number for each of its fields.
     _groups: Vec<Vec<u64>>,
-    /// What is written; what was read, and that a clock later.
+    /// The word that is written; the word that was read; that word one clock later.
     _write: Vec<u64>,
     _read: Vec<u64>,
     _word: Vec<u64>,
@@ -55,7 +55,7 @@ pub(crate) struct PhotonMemory<const C: usize, const B: usize, const E: usize> {
     _channels: &'static [&'static str],
 }
 
-/// The registers, apart from the word.
+/// The registers, except those of the words.
 #[derive(Copy, Clone, Debug, Default)]
 struct State {
     fill_bank: usize,
@@ -83,7 +83,7 @@ struct State {
     word_last: bool,
 }
 
-/// A field of a word: its name in the ports and its width.
+/// A field of a word: its port name and its width.
 struct Field {
     name: String,
     width: usize,
@@ -134,8 +134,7 @@ impl<const C: usize, const B: usize, const E: usize> PhotonMemory<C, B, E> {
         memory
     }
 
-    /// The fields of a word, from bit 0 up: of each lane presence, coordinates, mantissas and
-    /// exponent.
+    /// The fields of a word, from bit 0 up: for each lane presence, coordinates, mantissas and exponent.
     fn fields(&self) -> Vec<Field> {
         let mut fields = Vec::new();
         let mut field = |name: String, width| fields.push(Field { name, width });
@@ -154,12 +153,12 @@ impl<const C: usize, const B: usize, const E: usize> PhotonMemory<C, B, E> {
         fields
     }
 
-    /// The words of both banks.
+    /// The number of words in both banks.
     pub fn words(&self) -> usize {
         2 * self._bank_groups
     }
 
-    /// The group on the pins, as a word.
+    /// Packs the group on the pins into a word.
     fn group(&self) -> Vec<u64> {
         let mut word = Vec::new();
         for lane in 0..LANES {
@@ -274,7 +273,7 @@ impl<const C: usize, const B: usize, const E: usize> PhotonMemory<C, B, E> {
         };
     }
 
-    /// A register's value in the simulation, counted as the spec does.
+    /// A register's value in the simulation, by the spec's index.
     pub fn value(&self, register: MemoryRegister, index: usize) -> u64 {
         let state = &self._state;
         match register {
@@ -321,9 +320,9 @@ impl<const C: usize, const B: usize, const E: usize> PhotonMemory<C, B, E> {
         }
     }
 
-    /// Its path in the block's text.
+    /// A register's path in the block's text, by the spec's index.
     pub fn path(&self, register: MemoryRegister, index: usize) -> String {
-        // Of a word's registers: `write`, `read` or `word`.
+        // The registers of words: `write`, `read` or `word`.
         let name = register.name();
         let word = name.split('_').next().unwrap_or_default();
         match register {
@@ -341,19 +340,19 @@ impl<const C: usize, const B: usize, const E: usize> PhotonMemory<C, B, E> {
             | MemoryRegister::WriteExponent
             | MemoryRegister::ReadExponent
             | MemoryRegister::WordExponent => format!("{name}_{index}"),
-            // `word_valid` and `word_last` are the pins that these registers drive.
+            // `WordValid` and `WordLast` drive the pins `word_valid` and `word_last`.
             MemoryRegister::WordValid => "valid".to_owned(),
             MemoryRegister::WordLast => "last".to_owned(),
             _ => name.to_owned(),
         }
     }
 
-    /// The end of a coordinate's name.
+    /// The suffix of a coordinate's name.
     fn position(&self, index: usize) -> String {
         format!("{}_{}", AXES[index % 3], index / 3)
     }
 
-    /// The end of a power's name.
+    /// The suffix of a power's name.
     fn power(&self, index: usize) -> String {
         let channels = self._channels;
         format!(
@@ -363,12 +362,12 @@ impl<const C: usize, const B: usize, const E: usize> PhotonMemory<C, B, E> {
         )
     }
 
-    /// Where a lane's field is in a word, counted as `fields` does.
+    /// The index in a word of a lane's field, in the order of `fields`.
     fn field_place(&self, lane: usize, field: usize) -> usize {
         lane * self._word.len() / LANES + field
     }
 
-    /// The same for a coordinate, a power and an exponent, counted as the spec does.
+    /// The index in a word of a coordinate, by the spec's index.
     fn position_place(&self, index: usize) -> usize {
         self.field_place(index / 3, 1 + index % 3)
     }
@@ -382,7 +381,7 @@ impl<const C: usize, const B: usize, const E: usize> PhotonMemory<C, B, E> {
         self.field_place(lane, 4 + self._channels.len())
     }
 
-    /// From channel c of lane g at `channels` g + c to the port's 4 c + g.
+    /// Converts the spec's index `channels` g + c, of channel c of lane g, to the port's index 4 c + g.
     fn channel_place(&self, index: usize) -> usize {
         let channels = self._channels.len();
         index % channels * LANES + index / channels
@@ -435,7 +434,7 @@ impl<const C: usize, const B: usize, const E: usize> Logic for PhotonMemory<C, B
                 )
             })
             .collect();
-        // The registers first: Verilog-2001 wants a net declared before it is used.
+        // The registers come first, because Verilog-2001 requires a declaration before use.
         Verilog::Custom(format!(
             "{}{}{outputs}",
             text::state(bits),

@@ -1,4 +1,4 @@
-//! The photon memory for itself, with its pins and registers in a row.
+//! Drives and observes a photon memory on its own by rows of numbers.
 
 use photoncube_spec::{MemoryRegister, SignalPlace};
 use rust_hdl::prelude::*;
@@ -8,7 +8,7 @@ use crate::emit::BlockRam;
 use crate::pinned::{Driver, Pinned, Word, sample, settle};
 
 impl<const C: usize, const B: usize, const E: usize> PhotonMemory<C, B, E> {
-    /// How many registers there are of a kind, as the spec counts them.
+    /// The number of instances of a register, as the spec counts them.
     fn instances(&self, register: MemoryRegister) -> usize {
         use MemoryRegister as M;
         match register {

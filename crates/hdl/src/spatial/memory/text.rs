@@ -1,11 +1,12 @@
-//! The photon memory's Verilog.
+//! The Verilog text of the photon memory.
 
 /// The name of the block RAM's array.
 pub(in crate::spatial) const GROUPS: &str = "groups";
 
-/// The block RAM: what is read stands in `read_word` a clock later and in `word` after two. Where a word
-/// is read and written in one clock nobody looks at it, so no logic needs to tell old from new. The words have no
-/// initial value: no word is played before it is written, and with one a Cyclone V's block RAM is not inferred.
+/// The block RAM. The word read is in `read_word` one clock later and in `word` after two. Where a word is
+/// read and written in one clock, its value is not used, so no logic needs to distinguish old from new. The
+/// words have no initial value: no word is played before it is written, and with initial values a Cyclone V's
+/// block RAM is not inferred.
 pub(super) fn block_ram(width: usize, bank_groups: usize, bits: usize, group: &str) -> String {
     format!(
         "(* no_rw_check *) reg [{high}:0] {GROUPS} [0:{last}];\n\
@@ -26,7 +27,7 @@ pub(super) fn block_ram(width: usize, bank_groups: usize, bits: usize, group: &s
     )
 }
 
-/// The registers and their next values.
+/// The registers of the memory and their next values.
 pub(super) fn state(bits: usize) -> String {
     let top = bits - 1;
     format!(

@@ -23,7 +23,7 @@ const VIEW: ViewOptions = ViewOptions {
     seed: 5,
 };
 
-/// A listed format, which lives as long as any engine.
+/// A listed format with a static lifetime, which an engine needs.
 fn format(name: &str) -> &'static PhotonFormat {
     let mut formats = PHOTON_FORMATS.iter();
     formats.find(|format| format.name() == name).unwrap()
@@ -50,7 +50,7 @@ fn estimates(estimator: Estimator, engine: Engine<'_>) -> Vec<Estimate> {
     queries.iter().map(estimate).collect()
 }
 
-/// The machines' and the formats' engines.
+/// The engines of the machines and the formats.
 fn integer_engines() -> Vec<Engine<'static>> {
     let machine = |name| Engine::Model(find_machine(name).unwrap());
     let mut engines = vec![machine("paper"), machine("paper-12")];
@@ -58,8 +58,8 @@ fn integer_engines() -> Vec<Engine<'static>> {
     engines
 }
 
-/// d^2 in fine steps, rounded up, of every photon that the query gathers, the nearest first: from
-/// the middles of both cells, in halves of a step.
+/// The d^2 in fine steps, rounded up, of every photon that the query gathers, in ascending order. It is
+/// computed from the middles of both cells, in halves of a step.
 fn sorted_distances(quantised: &FormatMap<'_>, query: &QueryPoint) -> Vec<u32> {
     let (format, centre) = (quantised.format(), quantised.query(query.position));
     let mut distances = Vec::new();
@@ -82,8 +82,8 @@ fn distance_sq(format: &PhotonFormat, query: &LocalQuery, offset: [u32; 3], cell
     quarters.div_ceil(4) as u32
 }
 
-/// The k-th photon of the format's own gathers is the k-th of its own sorted distances, and what
-/// is summed are those nearer. Exact, ties included.
+/// The k-th photon of the format's own gathers is the k-th of its own sorted distances, and exactly the
+/// nearer photons are summed. This is exact, ties included.
 #[test]
 fn the_kth_photon_in_a_format_is_the_kth_of_its_sorted_distances() {
     let (scene, map) = scene_and_map();
@@ -101,7 +101,7 @@ fn the_kth_photon_in_a_format_is_the_kth_of_its_sorted_distances() {
                 Some(kth) => (*kth, distances.partition_point(|d| d < kth)),
                 None => (max, distances.partition_point(|d| *d <= max)),
             };
-            // Where the k-th is in the query's own cell, the module's rule holds.
+            // Where the k-th photon is in the query's own cell, the rule of the module's documentation holds.
             if radius_sq > 0 {
                 assert_eq!(nearest.radius_sq, radius_sq, "{name}");
                 assert_eq!(nearest.disc.count, inside as u64, "{name}");
@@ -140,7 +140,7 @@ fn the_kth_photon_of_a_machine_is_the_kth_of_its_sorted_distances() {
     assert!(found > 100, "{found}");
 }
 
-/// One rung is one gather at the search radius: its sums over the same area, to the bit.
+/// One rung is one gather at the search radius: its sums over the same area, bit for bit.
 #[test]
 fn one_rung_is_the_fixed_radius() {
     let one = Estimator::Ladder {
@@ -163,7 +163,7 @@ fn one_rung_is_the_fixed_radius() {
     }
 }
 
-/// Every form in f64 is the brute force over all photons, in the map's order: to the bit.
+/// Every form in f64 equals the brute force over all photons, in the map's order, bit for bit.
 #[test]
 fn in_f64_every_form_is_the_brute_force() {
     let (scene, map) = scene_and_map();
@@ -221,7 +221,7 @@ fn a_ladders_error_falls_with_its_rungs() {
             };
             let errors = [1, 2, 4, 8, 16].map(error);
             assert!(errors.is_sorted_by(|a, b| a > b), "{errors:?}");
-            // A share of the noise that the format's own error bounds from below.
+            // The noise share is bounded from below by the format's own error.
             assert!(errors[4] < 0.08 && errors[0] > 0.3, "{errors:?}");
         }
     }
@@ -279,7 +279,7 @@ fn what_an_engine_cannot_make_is_refused_before_any_query() {
     assert!(bench.is_err());
 }
 
-/// Every gather is work: photons, groups and gathers count each.
+/// Every gather is work: photons, groups and gathers count all of them.
 #[test]
 fn a_pictures_figures_count_every_gather() {
     let (scene, map) = scene_and_map();
@@ -295,7 +295,8 @@ fn a_pictures_figures_count_every_gather() {
     assert_eq!(ladder.largest_query, fixed.largest_query);
 }
 
-/// Together by the fast gather, and query by query by the plain one: the same to the last bit.
+/// The estimates of queries gathered together by the fast gather equal those gathered one by one by the plain
+/// one, bit for bit.
 #[test]
 fn queries_together_are_what_they_are_alone() {
     let (scene, map) = scene_and_map();
@@ -319,7 +320,7 @@ fn queries_together_are_what_they_are_alone() {
     }
 }
 
-/// Every engine's inner disc has about half of the photons, and the same light where that is even.
+/// Every engine's inner disc has about half of the photons, and an equal estimate where the light is even.
 #[test]
 fn the_inner_disc_is_half_of_the_disc() {
     let (scene, map) = scene_and_map();

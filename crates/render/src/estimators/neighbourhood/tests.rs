@@ -6,7 +6,7 @@ use rand_pcg::Pcg64Mcg;
 use super::*;
 use crate::{TraceOptions, ViewOptions, trace, view_queries};
 
-/// A unit of power at each of the squared distances.
+/// A photon of power 1 at each of the squared distances.
 fn around(distances_sq: &[f64], reach: f64) -> Neighbourhood {
     let near = distances_sq.iter().map(|&distance_sq| Near {
         distance_sq,
@@ -18,7 +18,7 @@ fn around(distances_sq: &[f64], reach: f64) -> Neighbourhood {
     }
 }
 
-/// Uniform points: their number in a disc of radius 2, at squared distances uniform to 4.
+/// Uniform points, given by their squared distances, which are uniform up to 4 in a disc of radius 2.
 fn uniform(photons: usize, rng: &mut Pcg64Mcg) -> Neighbourhood {
     let distances: Vec<f64> = (0..photons).map(|_| 4.0 * rng.random::<f64>()).collect();
     around(&distances, f64::INFINITY)
@@ -42,7 +42,7 @@ fn the_block_walk_is_the_brute_force() {
     let queries = view_queries(&scene, &view).unwrap();
     let mut gathered = 0;
     for query in &queries {
-        // In the map's order both add the same numbers in the same order: equal to the bit.
+        // In the map's order both add the same numbers in the same order, so they are equal, bit for bit.
         let brute = Neighbourhood::brute_force(&scene, map.photons(), query);
         let walk = Neighbourhood::block_walk(&map, query);
         let ladder = Ladder::new(Kernel::Cone, 3).unwrap();
@@ -103,7 +103,7 @@ fn what_has_no_estimate_is_an_error() {
     assert!(k_nearest(3).is_ok());
 }
 
-/// All estimates of a uniform field of density 1 / pi are 1 / pi in the mean, for every kernel.
+/// The mean of all estimates of a uniform field of density 1 / pi is 1 / pi, for every kernel.
 #[test]
 fn estimates_of_a_uniform_field_are_unbiased() {
     let mut rng = Pcg64Mcg::seed_from_u64(11);

@@ -1,4 +1,4 @@
-//! Scene files in JSON, right and wrong.
+//! Tests of JSON scene files, legal and illegal.
 
 use serde_json::{Value, json};
 

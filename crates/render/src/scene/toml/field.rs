@@ -1,4 +1,4 @@
-//! Values of a TOML text that know their place in it, so that every error can name line and field.
+//! Values of a TOML text with their place in it, so that every error can name line and field.
 
 use std::collections::BTreeSet;
 
@@ -9,19 +9,19 @@ use toml::de::{DeTable, DeValue};
 
 use crate::scene::SceneError;
 
-/// Coordinates and lengths end here: their products are far from overflowing, and no unit needs more.
+/// The largest coordinate and length. Products of such numbers are far from overflow, and no unit needs more.
 const MAX_LENGTH: f64 = 1e12;
 
-/// The text that values are in.
+/// The text that values are read from.
 #[derive(Clone, Copy)]
 pub(super) struct Source<'a> {
-    /// The file's name, for errors.
+    /// The name of the file, for errors.
     pub file: &'a str,
     pub text: &'a str,
 }
 
 impl Source<'_> {
-    /// The line of a byte of the text, and the column, counted from 1.
+    /// The line and the column of a byte of the text, counted from 1.
     pub fn place(&self, at: usize) -> (usize, usize) {
         let before = &self.text.as_bytes()[..at.min(self.text.len())];
         let line_start = before
@@ -46,12 +46,12 @@ impl Source<'_> {
     }
 }
 
-/// A value and where it stands.
+/// A value with its place in the text.
 #[derive(Clone)]
 pub(super) struct Field<'a> {
     source: Source<'a>,
     value: &'a Spanned<DeValue<'a>>,
-    /// The way to it from the top, such as `shapes[2].corners[0]`.
+    /// The path of the value from the top, such as `shapes[2].corners[0]`.
     pub path: String,
 }
 
@@ -61,7 +61,7 @@ impl<'a> Field<'a> {
         self.source.error(at, &self.path, found, expected)
     }
 
-    /// That it is something else altogether.
+    /// The error of a value of the wrong type.
     fn wrong(&self, expected: &str) -> SceneError {
         self.error(describe(self.value.get_ref()), expected)
     }
@@ -80,7 +80,7 @@ impl<'a> Field<'a> {
         value.ok_or_else(|| self.wrong("true or false"))
     }
 
-    /// A number that holds.
+    /// A number that satisfies `holds`.
     pub fn number(&self, holds: impl Fn(f64) -> bool, expected: &str) -> Result<f64, SceneError> {
         let number = number(self.value.get_ref()).filter(|number| holds(*number));
         number.ok_or_else(|| self.wrong(expected))
@@ -92,20 +92,20 @@ impl<'a> Field<'a> {
         self.number(possible, "a number over 0, up to 1e12")
     }
 
-    /// A place or an offset in scene units.
+    /// A position or an offset in scene units.
     pub fn point(&self) -> Result<DVec3, SceneError> {
         let expected = "a number from -1e12 to 1e12";
         self.three(|c| c.abs() <= MAX_LENGTH, expected)
     }
 
-    /// Three numbers that hold.
+    /// Three numbers that satisfy `holds`.
     pub fn three(&self, holds: impl Fn(f64) -> bool, expected: &str) -> Result<DVec3, SceneError> {
         let [x, y, z] = self.items("an array of three numbers")?;
         let number = |field: Field| field.number(&holds, expected);
         Ok(DVec3::new(number(x)?, number(y)?, number(z)?))
     }
 
-    /// The items of an array of so many.
+    /// The items of an array of `N` items.
     pub fn items<const N: usize>(&self, expected: &str) -> Result<[Field<'a>; N], SceneError> {
         let items = self.array(expected)?;
         let count = items.len();
@@ -114,7 +114,7 @@ impl<'a> Field<'a> {
             .map_err(|_| self.error(format!("an array of {count}"), expected))
     }
 
-    /// The items of an array.
+    /// The items of an array of any length.
     pub fn array(&self, expected: &str) -> Result<Vec<Field<'a>>, SceneError> {
         let array = self.value.get_ref().as_array();
         let array = array.ok_or_else(|| self.wrong(expected))?;
@@ -136,7 +136,7 @@ impl<'a> Field<'a> {
         })
     }
 
-    /// What one of a list of words stands for.
+    /// The value that one of a list of words stands for.
     pub fn choice<T: Copy>(&self, choices: &[(&str, T)]) -> Result<T, SceneError> {
         let names = choices.iter().map(|(name, _)| format!("`{name}`"));
         let expected = names.collect::<Vec<_>>().join(", ");
@@ -149,19 +149,19 @@ impl<'a> Field<'a> {
     }
 }
 
-/// A table and where it starts.
+/// A table with its place in the text.
 #[derive(Clone)]
 pub(super) struct Fields<'a> {
     pub source: Source<'a>,
     pub table: &'a DeTable<'a>,
-    /// The first byte of its text.
+    /// The index of the first byte of its text.
     pub start: usize,
-    /// The way to it; empty for the top.
+    /// The path of the table; empty for the top.
     pub path: String,
 }
 
 impl<'a> Fields<'a> {
-    /// The way to one of its fields.
+    /// The path of one of the table's fields.
     pub fn path_to(&self, name: &str) -> String {
         match self.path.as_str() {
             "" => name.to_owned(),
@@ -169,13 +169,13 @@ impl<'a> Fields<'a> {
         }
     }
 
-    /// Refuses what is not in the list.
+    /// Refuses fields that are not in the list.
     pub fn only(&self, known: &[&str]) -> Result<(), SceneError> {
         let unknown = |name: &&Spanned<_>| {
             let name: &std::borrow::Cow<str> = name.get_ref();
             !known.contains(&name.as_ref())
         };
-        // The first in the text, whatever the table's order.
+        // The first unknown field in the text, whatever the order of the table.
         let stray = self.table.keys().filter(unknown);
         let Some(key) = stray.min_by_key(|key| key.span().start) else {
             return Ok(());
@@ -196,7 +196,7 @@ impl<'a> Fields<'a> {
         })
     }
 
-    /// A field that must be there.
+    /// A field that must exist.
     pub fn need(&self, name: &str, expected: &str) -> Result<Field<'a>, SceneError> {
         self.get(name).ok_or_else(|| {
             let path = self.path_to(name);
@@ -205,7 +205,7 @@ impl<'a> Fields<'a> {
         })
     }
 
-    /// All fields by name, in the names' order, so that nothing depends on the parser's.
+    /// All fields by name, sorted, so that nothing depends on the parser's order.
     pub fn all(&self) -> Vec<(&'a str, Field<'a>)> {
         let names: BTreeSet<&str> = self
             .table
@@ -227,7 +227,7 @@ fn number(value: &DeValue<'_>) -> Option<f64> {
     }
 }
 
-/// What stands there, in a few words.
+/// A short description of a value.
 fn describe(value: &DeValue<'_>) -> String {
     match value {
         DeValue::String(text) => format!("{text:?}"),

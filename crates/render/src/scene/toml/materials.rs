@@ -1,11 +1,11 @@
-//! `[materials.NAME]`.
+//! Reads the tables `[materials.NAME]`.
 
 use std::collections::BTreeMap;
 
 use super::field::{Field, Fields};
 use crate::scene::{Bsdf, SceneError};
 
-/// Materials by name.
+/// The materials by name.
 pub(super) type Materials<'a> = BTreeMap<&'a str, Bsdf>;
 
 pub(super) fn read<'a>(materials: &Fields<'a>) -> Result<Materials<'a>, SceneError> {
@@ -63,7 +63,7 @@ fn material(field: &Field<'_>) -> Result<Bsdf, SceneError> {
     }
 }
 
-/// From an X-ray's in anything to past every crystal's.
+/// From the index of X-rays in any medium to more than that of every crystal.
 const INDEX: &str = "a number from 0.5 to 10";
 
 fn index(field: &Field<'_>) -> Result<f64, SceneError> {

@@ -1,4 +1,4 @@
-//! The scene file in TOML; docs/scenes.md is its description.
+//! Reads scene files in TOML; docs/scenes.md describes the format.
 
 mod field;
 mod materials;
@@ -16,7 +16,7 @@ use self::field::{Fields, Source};
 use super::{LightChoice, Scene, SceneError};
 use crate::camera::{Camera, FovAxis};
 
-/// Reads the scene in `text`; meshes are looked for from `folder`.
+/// Reads the scene in `text`. The files of meshes are relative to `folder`.
 pub(super) fn parse(file: &str, text: &str, folder: &Path) -> Result<Scene, SceneError> {
     let source = Source { file, text };
     shallow(source)?;
@@ -38,11 +38,11 @@ pub(super) fn parse(file: &str, text: &str, folder: &Path) -> Result<Scene, Scen
     scene(&top, folder)
 }
 
-/// Brackets that are open at the same time: a scene has four at most.
+/// The most brackets that are open at once; a scene has at most four.
 const DEEPEST: usize = 64;
 
-/// Refuses brackets in brackets without end: the parser of the crate `toml` limits what it nests, but not the
-/// brackets that it skips after a mistake, and would overflow its stack.
+/// Refuses brackets that are nested too deeply. The parser of the crate `toml` limits the nesting of values,
+/// but not of the brackets that it skips after an error, and would overflow its stack.
 fn shallow(source: Source<'_>) -> Result<(), SceneError> {
     let mut open = 0_usize;
     for token in toml_parser::Source::new(source.text).lex() {

@@ -1,4 +1,4 @@
-//! `[[shapes]]`.
+//! Reads the tables `[[shapes]]`.
 
 use std::path::{Path, PathBuf};
 
@@ -18,7 +18,7 @@ enum Kind {
     Mesh,
 }
 
-/// What fields a shape of each kind has besides those of every shape.
+/// The fields that shapes of every kind have.
 const COMMON: [&str; 4] = ["type", "name", "material", "transform"];
 
 /// The surfaces of a shape.
@@ -69,14 +69,14 @@ pub(super) fn read(
     Ok(geometries.into_iter().map(surface).collect())
 }
 
-/// The file of a shape that is a mesh, the only kind with one.
+/// The file of a shape that is a mesh; `None` for other kinds.
 pub(super) fn mesh_file(shape: &Field<'_>, folder: &Path) -> Result<Option<PathBuf>, SceneError> {
     let file = shape.table("a table")?.get("file");
     let path = |file: Field<'_>| Ok(folder.join(file.text("the name of an OBJ file")?));
     file.map(path).transpose()
 }
 
-/// A sphere or a mesh with an emission is meant as a lamp: it gets a word of its own.
+/// Refuses an emission of a sphere or a mesh, which is meant as a lamp, with a message of its own.
 fn refuse_emission(fields: &Fields<'_>, kind: Kind) -> Result<(), SceneError> {
     match (kind, fields.get("emission")) {
         (Kind::Sphere | Kind::Mesh, Some(field)) => {
@@ -119,7 +119,7 @@ fn transform(fields: &Fields<'_>) -> Result<Transform, SceneError> {
     Ok(transform)
 }
 
-/// One factor for all axes, or one for each.
+/// One factor for all axes, or one for each axis.
 fn factors(field: &Field<'_>) -> Result<DVec3, SceneError> {
     let expected = "a number over 0, up to 1e12, or three of them";
     let possible = |factor: f64| factor > 0.0 && factor <= 1e12;
@@ -141,8 +141,8 @@ fn quad(fields: &Fields<'_>, transform: &Transform) -> Result<Quad, SceneError> 
     })
 }
 
-/// The faces of a box by its corners' numbers, whose bits say: 1 high in x, 2 in y, 4 in z. Their fronts are
-/// outside.
+/// The faces of a box by the numbers of its corners, whose bits mean: 1 high in x, 2 in y, 4 in z. Their
+/// fronts are outside.
 const FACES: [[usize; 4]; 6] = [
     [0, 4, 6, 2],
     [1, 3, 7, 5],

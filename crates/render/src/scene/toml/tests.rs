@@ -36,7 +36,7 @@ fn read(text: &str) -> Result<Scene, SceneError> {
     Scene::from_toml("my.toml", text, Path::new(env!("CARGO_MANIFEST_DIR")))
 }
 
-/// The error where `from` is replaced.
+/// The error of the scene with `from` replaced by `to`.
 fn message(from: &str, to: &str) -> String {
     assert!(SCENE.contains(from), "{from}");
     read(&SCENE.replacen(from, to, 1)).unwrap_err().to_string()
@@ -239,7 +239,7 @@ fn what_is_no_toml_names_line_and_column() {
     }
 }
 
-/// The fuzzer's input 948055, of seed 1, which overflowed the stack.
+/// Input 948055 of the fuzzer with seed 1, which overflowed the stack.
 #[test]
 fn brackets_without_end_are_refused_where_they_are_too_deep() {
     for deep in ["a = {[0.5]\n", "a = [", "a = {b = ", "[["] {
@@ -272,7 +272,7 @@ fn numbers_may_be_written_as_toml_allows() {
 }
 
 proptest! {
-    /// Text with one byte changed is read or refused, with a line; nothing panics.
+    /// A text with one byte changed is read or refused with a line, without a panic.
     #[test]
     fn spoilt_text_is_refused_with_a_line(at in 0..SCENE.len(), byte in 32..127_u8) {
         let mut bytes = SCENE.as_bytes().to_vec();

@@ -1,6 +1,6 @@
-//! How much memory this process has had.
+//! Measures the memory of this process.
 
-/// The most that was resident at any time, where the system tells: Linux does.
+/// The peak of the resident memory in MiB, where the system reports it, as Linux does.
 pub fn peak_mib() -> Option<u64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = status

@@ -1,7 +1,7 @@
-//! Everything that reads what people give, on inputs that are nearly right: it reads or refuses, and never
-//! panics, hangs or takes memory without bound.
+//! The method `--fuzz`: gives nearly correct inputs to everything that reads user input. A reader must accept
+//! or refuse each, and must never panic, hang or take unbounded memory.
 //!
-//! Input number I of a reader is a function of the seed and I alone, so that any can be had again.
+//! Input number I of a reader depends only on the seed and I, so each input can be reproduced.
 
 mod memory;
 mod mutate;
@@ -27,17 +27,17 @@ use crate::failure::CheckFailed;
 use crate::verified::{Line, record};
 use crate::{output, progress, table};
 
-/// Inputs that a thread takes at a time.
+/// The number of inputs that a thread takes at a time.
 const BATCH: u64 = 100;
 
-/// What memory may grow by while a reader runs: the readers' own inputs and what is made of them are far below, and
-/// a size that an input asks for without having the data is far above.
+/// The most MiB by which memory may grow while a reader runs. The readers' own inputs and results are far
+/// below it; a size that an input states without having the data is far above.
 const MEMORY_BOUND_MIB: u64 = 512;
 
-/// The failures that are told of a reader; there may be many of one cause.
+/// The most failures that are reported for a reader, because many may have one cause.
 const TOLD: usize = 5;
 
-/// What became of a reader's inputs.
+/// The results for a reader's inputs.
 #[derive(Debug, Serialize)]
 struct Fuzzed {
     reader: &'static str,
@@ -46,7 +46,7 @@ struct Fuzzed {
     inputs: u64,
     inputs_read: u64,
     inputs_refused: u64,
-    /// What memory grew by, where the system tells.
+    /// The growth of memory in MiB, where the system reports it.
     memory_mib: Option<u64>,
     failures: Vec<Failure>,
 }
@@ -54,11 +54,11 @@ struct Fuzzed {
 /// An input that broke a reader.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 struct Failure {
-    /// The input's number.
+    /// The number of the input.
     index: u64,
-    /// What happened.
+    /// The message of the failure.
     message: String,
-    /// The command that repeats it, and prints the input.
+    /// The command that repeats the failure and prints the input.
     command: String,
 }
 
@@ -68,7 +68,7 @@ struct Report {
     readers: Vec<Fuzzed>,
 }
 
-/// Gives each reader so many inputs.
+/// Gives `inputs` inputs to each reader.
 pub fn execute(args: &VerifyArgs, inputs: u64, json: bool) -> Result<()> {
     let mut report = Report {
         seed: args.seed,
@@ -108,7 +108,7 @@ fn chosen(name: Option<&str>) -> Result<Vec<&'static Reader>> {
     Ok(chosen)
 }
 
-/// One reader, on all cores.
+/// Runs one reader, on all cores.
 fn fuzz(reader: &'static Reader, args: &VerifyArgs, inputs: u64) -> Result<Fuzzed> {
     let folders = (0..thread::available_parallelism()?.get())
         .map(|_| tempfile::tempdir())
@@ -126,7 +126,7 @@ fn fuzz(reader: &'static Reader, args: &VerifyArgs, inputs: u64) -> Result<Fuzze
         memory_mib: None,
         failures: Vec::new(),
     });
-    // One input is run to look at it, and where it panics is told then.
+    // A single input is run for inspection, so its panic is printed at once.
     let quiet = (inputs > 1).then(Quiet::new);
     thread::scope(|scope| {
         let workers: Vec<_> = folders
@@ -170,7 +170,7 @@ fn fuzz(reader: &'static Reader, args: &VerifyArgs, inputs: u64) -> Result<Fuzze
     Ok(fuzzed)
 }
 
-/// Whether the input of that number is accepted; a failure where the reader panics.
+/// Whether the reader accepts input number `index`; a failure where it panics.
 fn one(open: &Open<'_>, args: &VerifyArgs, index: u64) -> Result<bool, Failure> {
     let input = input(open, args.seed, index);
     if args.fuzz == Some(1) {
@@ -189,7 +189,7 @@ fn one(open: &Open<'_>, args: &VerifyArgs, index: u64) -> Result<bool, Failure> 
 }
 
 fn input(open: &Open<'_>, seed: u64, index: u64) -> Input {
-    // Two numbers that do not meet: seeds are small, and indices below 2^40.
+    // The two numbers do not overlap: seeds are small, and indices are below 2^40.
     open.input(&mut Pcg64::seed_from_u64(seed << 40 ^ index))
 }
 
@@ -221,7 +221,7 @@ impl Fuzzed {
     }
 }
 
-/// Panics say nothing on standard error as long as this lives: each becomes a failure.
+/// Suppresses the output of panics on standard error during its life, since each panic becomes a failure.
 struct Quiet(Option<PanicHook>);
 
 type PanicHook = Box<dyn Fn(&panic::PanicHookInfo<'_>) + Send + Sync>;
@@ -242,7 +242,7 @@ impl Drop for Quiet {
     }
 }
 
-/// What a panic says.
+/// The message of a panic.
 fn said(panicked: &(dyn Any + Send)) -> String {
     let text = panicked.downcast_ref::<&str>().map(ToString::to_string);
     let text = text.or_else(|| panicked.downcast_ref::<String>().cloned());

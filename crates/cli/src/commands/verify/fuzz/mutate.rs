@@ -1,17 +1,17 @@
-//! Inputs made from good ones: as near to what is read as can be, and wrong in some place.
+//! Makes inputs from good ones: close to what a reader accepts, and wrong in some places.
 
 use std::ops::Range;
 
 use rand::seq::IndexedRandom;
 use rand::{Rng, RngExt};
 
-/// The longest input: repeated pieces grow fast.
+/// The longest input in bytes; repeated pieces grow fast.
 const LONGEST: usize = 1 << 16;
 
 /// The most changes of one input.
 const CHANGES: usize = 4;
 
-/// Numbers at which parsers and what stands behind them are known to fail.
+/// Numbers at which parsers and the code behind them are known to fail.
 const NUMBERS: [&str; 24] = [
     "0",
     "-0",
@@ -39,7 +39,7 @@ const NUMBERS: [&str; 24] = [
     ".5",
 ];
 
-/// Characters that mean something to one of the languages read, or nothing to any.
+/// Characters with a meaning in one of the languages, or in none.
 const CHARACTERS: [char; 24] = [
     '"',
     '\'',
@@ -67,7 +67,7 @@ const CHARACTERS: [char; 24] = [
     '\u{1f525}',
 ];
 
-/// One of the good texts, changed in one place to four.
+/// One of the good texts, with one to four changes.
 pub fn text(rng: &mut impl Rng, good: &[String]) -> String {
     let mut text = one_of(rng, good).clone();
     for _ in 0..rng.random_range(1..=CHANGES) {
@@ -78,7 +78,7 @@ pub fn text(rng: &mut impl Rng, good: &[String]) -> String {
     text
 }
 
-/// One of the good files, changed in one place to four.
+/// One of the good files, with one to four changes.
 pub fn bytes(rng: &mut impl Rng, good: &[Vec<u8>]) -> Vec<u8> {
     let mut bytes = one_of(rng, good).clone();
     for _ in 0..rng.random_range(1..=CHANGES) {
@@ -95,7 +95,7 @@ fn one_of<'a, T>(rng: &mut impl Rng, all: &'a [T]) -> &'a T {
 fn change_text(rng: &mut impl Rng, text: &mut String, other: &str) {
     match rng.random_range(0..10) {
         0..4 => {
-            // A word for a word, or for a number a hostile one.
+            // Replaces a word by a word, or a number by a hostile one.
             let number = *one_of(rng, &NUMBERS);
             let word = words(other)
                 .choose(rng)
@@ -113,7 +113,7 @@ fn change_text(rng: &mut impl Rng, text: &mut String, other: &str) {
             text.truncate(at);
         }
         7 => {
-            // Of two, the beginning of one and the end of the other.
+            // Joins the beginning of one text and the end of another.
             let (at, from) = (boundary(rng, text), boundary(rng, other));
             text.truncate(at);
             text.push_str(&other[from..]);
@@ -129,7 +129,7 @@ fn replace_word(rng: &mut impl Rng, text: &mut String, fresh: &str) {
     }
 }
 
-/// Where words and numbers stand.
+/// The ranges of words and numbers in a text.
 fn words(text: &str) -> Vec<Range<usize>> {
     let mut words: Vec<Range<usize>> = Vec::new();
     let of_word = |c: char| c.is_alphanumeric() || "_.-+".contains(c);
@@ -143,7 +143,7 @@ fn words(text: &str) -> Vec<Range<usize>> {
     words
 }
 
-/// A piece of up to 64 bytes, up to 4096 times: depth for parsers that recurse.
+/// Repeats a piece of up to 64 bytes up to 4096 times, which makes deep nesting for parsers that recurse.
 fn repeat_piece(rng: &mut impl Rng, text: &mut String) {
     let start = boundary(rng, text);
     let mut end = (start + rng.random_range(1..=64)).min(text.len());
@@ -164,7 +164,7 @@ fn swap_lines(rng: &mut impl Rng, text: &mut String) {
     *text = lines.join("\n");
 }
 
-/// A place between two characters.
+/// A random boundary between two characters.
 fn boundary(rng: &mut impl Rng, text: &str) -> usize {
     let mut at = rng.random_range(0..=text.len());
     while !text.is_char_boundary(at) {
@@ -196,7 +196,7 @@ fn change_bytes(rng: &mut impl Rng, bytes: &mut Vec<u8>) {
                 .for_each(|byte| *byte ^= bit);
         }
         2 => {
-            // A size or an offset, in either order of bytes.
+            // A hostile size or offset, in either byte order.
             let hostile: [u32; 6] = [0, 1, 0x7fff_ffff, 0x8000_0000, 0xffff_ffff, 0x0001_0000];
             let fresh = one_of(rng, &hostile).to_le_bytes();
             bytes
@@ -232,7 +232,7 @@ mod tests {
             .collect();
         assert!(made.iter().all(|text| text.len() <= LONGEST));
         let with = |word: &str| made.iter().filter(|text| text.contains(word)).count();
-        // Each of these by one kind of change at least, and often kept.
+        // Each of these words results from at least one kind of change, and is often kept.
         for word in ["1.5", "1e309", "c = \"d\"", "[a]", "\0", "\u{1f525}"] {
             assert!(with(word) > 0, "{word}");
         }

@@ -1,4 +1,4 @@
-//! What reads files and texts that people give, each with good ones to start from.
+//! The readers of user files and texts, each with good inputs to start from.
 
 use std::path::Path;
 
@@ -13,26 +13,26 @@ use super::mutate;
 use crate::args::Args;
 use crate::verified;
 
-/// One input.
+/// An input of a reader.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Input {
     Text(String),
     Bytes(Vec<u8>),
 }
 
-/// Something that reads.
+/// A function that reads user input.
 pub struct Reader {
-    /// Its name on the command line.
+    /// The reader's name on the command line.
     pub name: &'static str,
-    /// What it reads, for people.
+    /// A description of what it reads, for people.
     pub what: &'static str,
-    /// Good inputs; `folder` is one to work in.
+    /// Makes good inputs; `folder` is a working folder.
     good: fn(folder: &Path) -> Result<Vec<Input>>,
-    /// Reads an input; an error is a refusal.
+    /// Reads an input. An error is a refusal, which is not a failure.
     read: fn(folder: &Path, input: &Input) -> Result<()>,
 }
 
-/// All readers.
+/// All readers of user input.
 pub const READERS: [Reader; 7] = [
     Reader {
         name: "scene-toml",
@@ -104,7 +104,7 @@ const MESHES: [&str; 2] = [
     "v 0 0 0 0.5 0.5 0.5\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\ng a\nusemtl b\nf 1/1/1 2//1 -2 -1\n",
 ];
 
-/// The scene that a mesh is read for.
+/// The scene for which a mesh is read.
 const MESH_SCENE: &str = include_str!("mesh.toml");
 
 const RESULTS: [&str; 1] = [
@@ -112,7 +112,7 @@ const RESULTS: [&str; 1] = [
 "volume": 12, "unit": "vectors", "outcome": "0 mismatches", "command": "photoncube verify"}]"#,
 ];
 
-/// Commands with every kind of value.
+/// Command lines with every kind of value.
 const COMMANDS: [&str; 8] = [
     "photoncube run cornell --machine paper-12 --out out --photons 2000000 --size 64x48 --json",
     "photoncube render cornell -o box.png --engine f64 --photons 100 --samples 3 --in-range 0.5",
@@ -138,7 +138,7 @@ fn listings() -> Vec<Input> {
         .into()
 }
 
-/// A picture of each form of block that is written here.
+/// Pictures with each form of block that the project writes.
 fn good_picture() -> Result<Vec<Input>> {
     let pixels = (0..12).map(|i| glam::DVec3::splat(f64::from(i))).collect();
     let picture = Image::new(4, 3, pixels)?.encode(Path::new("good.exr"), 1.0)?;
@@ -159,7 +159,7 @@ fn read_mesh(folder: &Path, input: &Input) -> Result<()> {
     use_scene(&Scene::from_toml("fuzz.toml", MESH_SCENE, folder)?)
 }
 
-/// What is accepted must also be of use: some photons and a small picture, in which nothing panics either.
+/// Uses an accepted scene: traces some photons and renders a small picture, which must not panic either.
 fn use_scene(scene: &Scene) -> Result<()> {
     let options = TraceOptions {
         photons: 20,
@@ -186,7 +186,7 @@ fn text(input: &Input) -> &str {
 }
 
 impl Reader {
-    /// The reader with its good inputs at hand.
+    /// Opens the reader with its good inputs.
     pub fn open<'a>(&'a self, folder: &'a Path) -> Result<Open<'a>> {
         let (mut texts, mut files) = (Vec::new(), Vec::new());
         for input in (self.good)(folder)? {
@@ -206,7 +206,7 @@ impl Reader {
     }
 }
 
-/// A reader that runs.
+/// A reader with its good inputs.
 pub struct Open<'a> {
     reader: &'a Reader,
     folder: &'a Path,
@@ -220,7 +220,7 @@ impl Open<'_> {
         self.reader.name
     }
 
-    /// A changed input.
+    /// A randomly changed input.
     pub fn input(&self, rng: &mut impl Rng) -> Input {
         if self.files.is_empty() {
             Input::Text(mutate::text(rng, &self.texts))
@@ -229,7 +229,7 @@ impl Open<'_> {
         }
     }
 
-    /// Reads it; an error is a refusal.
+    /// Reads an input. An error is a refusal, which is not a failure.
     pub fn read(&self, input: &Input) -> Result<()> {
         (self.reader.read)(self.folder, input)
     }

@@ -1,14 +1,15 @@
-//! Work that must come to an end.
+//! Watches for work that does not end.
 
 use std::process;
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::thread;
 use std::time::Duration;
 
-/// A thousand times what the slowest input takes, so that a busy machine is not taken for a hang.
+/// The time limit, a thousand times that of the slowest input, so that a busy computer is not mistaken for a
+/// hang.
 const LIMIT: Duration = Duration::from_secs(60);
 
-/// Looks after one thread.
+/// Watches the work of one thread.
 pub struct Watch {
     tell: Sender<Event>,
 }
@@ -19,7 +20,8 @@ enum Event {
 }
 
 impl Watch {
-    /// A watch that names `what` hangs. As a thread cannot be stopped, the process ends then, as of a check that failed.
+    /// A watch that reports a hang of `what`. A thread cannot be stopped, so the process then ends with the
+    /// exit code of a failed check.
     pub fn new(what: &'static str) -> Self {
         let (tell, told) = channel();
         thread::spawn(move || {
@@ -44,9 +46,9 @@ impl Watch {
         Self { tell }
     }
 
-    /// Does the work of an index.
+    /// Does the work of index `index` under the watch.
     pub fn during<T>(&self, index: u64, work: impl FnOnce() -> T) -> T {
-        // The watching thread ends with this value, not before.
+        // The watching thread ends when this value is dropped, not before.
         let _ = self.tell.send(Event::Begins(index));
         let done = work();
         let _ = self.tell.send(Event::Ends);
