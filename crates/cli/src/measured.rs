@@ -1,6 +1,6 @@
 //! Measured figures that are committed as data: `docs/measured/`, written by `scripts/measure.sh`.
 //!
-//! They are read here and nowhere typed in: `list` and the README's table show them.
+//! They are read here and nowhere typed in: `list`, the README and docs/machines.md show them.
 
 use anyhow::{Context, Result};
 use photoncube_spec::{MACHINES, Machine};
@@ -36,7 +36,7 @@ pub struct Area {
     pub lut_ram: u64,
 }
 
-/// The speed grade that `list` and the README's table have the clock of: the slowest.
+/// The speed grade whose clock `fmax_mhz` is: the slowest.
 const SPEED_GRADE: u32 = DEFAULT_GRADES[0];
 
 /// The highest clock of the routed machine.
