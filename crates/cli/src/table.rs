@@ -1,4 +1,4 @@
-//! Plain tables: one text that reads well in a terminal and is Markdown in the README.
+//! Plain tables: one text that reads well in a terminal and is Markdown in the pages.
 
 /// A number rounded to so many significant digits, or to a whole one where that has more.
 pub fn significant(number: f64, digits: u32) -> String {
