@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Measures the figures that `photoncube list` and the README show, and writes them to docs/measured/:
+# Measures the figures that `photoncube list`, the README and docs/machines.md show, and writes them to docs/measured/:
 # area and Fmax by `photoncube synth`, then error, clocks and the proof by `photoncube run` for each
 # machine, on `cornell`, or on the scene that the machine is fitted to; and the fit of every built-in
 # scene. Also refreshes the README's picture.
@@ -76,4 +76,4 @@ for scene in cornell ring range; do
     cp "target/measured/fit-$scene.json" docs/measured/
 done
 cp target/measured/paper/cornell.png docs/cornell.png
-printf '\nmeasured; if a table of `photoncube list --wide` changed, paste it into README.md\n'
+printf '\nmeasured; a table of README.md, docs/machines.md or docs/formats.md may have changed: cargo test --bin photoncube prints it\n'

@@ -1,6 +1,6 @@
 //! The measured figures, which are committed as data in `docs/measured/` and written by `scripts/measure.sh`.
 //!
-//! `list` and the README's table read them here; no figure is typed into the source.
+//! `list`, the README and docs/machines.md show them; no figure is typed into the source.
 
 use anyhow::{Context, Result};
 use photoncube_spec::{MACHINES, Machine};
@@ -36,7 +36,7 @@ pub struct Area {
     pub lut_ram: u64,
 }
 
-/// The speed grade of the clocks in `list` and in the README's table: the slowest.
+/// The speed grade of the clocks in `list` and in the tables of the pages: the slowest.
 const SPEED_GRADE: u32 = DEFAULT_GRADES[0];
 
 /// The highest clock of the routed machine.

@@ -1,4 +1,4 @@
-//! Plain tables, which are readable in a terminal and are Markdown in the README.
+//! Plain tables, which are readable in a terminal and are Markdown in the pages.
 
 /// A number rounded to `digits` significant digits, or to a whole number where that has more.
 pub fn significant(number: f64, digits: u32) -> String {

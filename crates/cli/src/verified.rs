@@ -1,4 +1,4 @@
-//! The verification results: the lines of `docs/verification.md`, stored as data in
+//! The verification results: the lines of `docs/measured/verification.md`, stored as data in
 //! `docs/measured/verification.json`, which `verify --record` writes.
 
 use std::collections::BTreeMap;
@@ -70,6 +70,17 @@ impl Line {
             unit: String::new(),
             result: String::new(),
             command: String::new(),
+        }
+    }
+
+    /// The command with a placeholder for the machine, or for the reader.
+    fn command_of_any(&self) -> String {
+        let machine = format!("--machine {}", self.machine);
+        let reader = self.machine.replacen("reader ", "--reader ", 1);
+        let command = self.command.replace(&machine, "--machine MACHINE");
+        match reader.starts_with("--reader ") {
+            true => command.replace(&reader, "--reader NAME"),
+            false => command,
         }
     }
 
@@ -146,20 +157,71 @@ pub fn record(path: &Path, fresh: &[Line]) -> Result<()> {
     files::write(path, text.as_bytes())
 }
 
-/// The table as Markdown.
+/// The results as Markdown: a section for each method, and in it a table for each command and its tools.
 pub fn table(lines: &[Line]) -> String {
-    let header = ["machine", "method", "volume", "result", "by", "command"];
-    let row = |line: &Line| {
-        vec![
-            line.machine.clone(),
-            line.method.clone(),
-            format!("{} {}", grouped(line.volume), line.unit),
-            line.result.clone(),
-            line.by.clone(),
-            format!("`{}`", line.command),
-        ]
+    let mut methods: BTreeMap<&str, BTreeMap<(&str, String), Vec<&Line>>> = BTreeMap::new();
+    for line in lines {
+        let tables = methods.entry(&line.method).or_default();
+        let key = (line.by.as_str(), line.command_of_any());
+        tables.entry(key).or_default().push(line);
+    }
+    let mut text = String::new();
+    for (method, tables) in methods {
+        text += &format!("\n## {method}\n");
+        for ((by, command), lines) in tables {
+            text += &format!("\n`{command}`, by {by}:\n\n{}", results(&lines));
+        }
+    }
+    text
+}
+
+/// The table of lines that one command gave. What does not fit a cell goes on in the next row.
+fn results(lines: &[&Line]) -> String {
+    let unit = &lines[0].unit;
+    let one_unit = lines.iter().all(|line| line.unit == *unit);
+    let mut rows = Vec::new();
+    for line in lines {
+        let volume = match one_unit {
+            true => grouped(line.volume),
+            false => format!("{} {}", grouped(line.volume), line.unit),
+        };
+        let mut first = vec![line.machine.clone(), volume];
+        for part in parts(&with_short_digests(&line.result)) {
+            let mut row = std::mem::replace(&mut first, vec![String::new(); 2]);
+            row.push(part);
+            rows.push(row);
+        }
+    }
+    let volume = if one_unit { unit } else { "volume" };
+    table::markdown(&["machine", volume, "result"], &rows)
+}
+
+/// Characters of a result that stand in one row.
+const RESULT_WIDTH: usize = 64;
+
+/// A result in pieces that fit a cell, broken between words.
+fn parts(result: &str) -> Vec<String> {
+    let mut parts = vec![String::new()];
+    for word in result.split(' ') {
+        let last = parts.last_mut().expect("there is one from the start");
+        let length = last.chars().count() + 1 + word.chars().count();
+        match last.as_str() {
+            "" => last.push_str(word),
+            _ if length <= RESULT_WIDTH => *last += &format!(" {word}"),
+            _ => parts.push(word.to_owned()),
+        }
+    }
+    parts
+}
+
+/// Words of 64 hexadecimal digits by their first twelve. The data have them whole.
+fn with_short_digests(text: &str) -> String {
+    let is_digest = |word: &str| word.len() == 64 && word.chars().all(|c| c.is_ascii_hexdigit());
+    let short = |word| match is_digest(word) {
+        true => format!("{}...", &word[..12]),
+        false => word.to_owned(),
     };
-    table::markdown(&header, &lines.iter().map(row).collect::<Vec<_>>())
+    text.split(' ').map(short).collect::<Vec<_>>().join(" ")
 }
 
 /// A number with a comma before every three digits.
@@ -249,13 +311,70 @@ mod tests {
 
     #[test]
     fn the_docs_have_the_committed_table() {
-        let docs = include_str!("../../../docs/verification.md");
+        let docs = include_str!("../../../docs/measured/verification.md");
         let lines = committed().unwrap().lines;
         assert!(!lines.is_empty());
+        let table = table(&lines);
         assert!(
-            docs.contains(&table(&lines)),
-            "docs/verification.md has another table than docs/measured/verification.json: put what \
-             `photoncube verify --table` prints in its place, under `## Results`"
+            docs.ends_with(&table),
+            "docs/measured/verification.md has other results than docs/measured/verification.json: put what \
+             `photoncube verify --table` prints in place of its sections"
+        );
+        let sections = |text: &str| text.lines().filter(|line| line.starts_with("## ")).count();
+        assert_eq!(sections(docs), sections(&table));
+        for row in table.lines().filter(|line| line.starts_with('|')) {
+            assert!(row.chars().count() <= 120, "{row}");
+        }
+    }
+
+    #[test]
+    fn lines_of_one_command_stand_in_one_table() {
+        let of = |machine: &str, method: &str| Line {
+            method: method.into(),
+            command: format!("photoncube verify --machine {machine} --seed 1"),
+            ..line(machine, 1000)
+        };
+        let mut long = of("overlap", "b");
+        long.result = format!("{} {}", "y".repeat(60), "0".repeat(64));
+        let reader = Line {
+            command: "photoncube verify --fuzz 1000 --reader mesh".into(),
+            unit: "inputs".into(),
+            ..of("reader mesh", "c")
+        };
+        let lines = [of("paper", "a"), of("overlap", "a"), long, reader];
+        let text = table(&lines);
+        let wide = "y".repeat(60);
+        assert_eq!(
+            text,
+            format!(
+                "
+## a
+
+`photoncube verify --machine MACHINE --seed 1`, by icarus 11.0:
+
+| machine | vectors | result       |
+| ------- | ------- | ------------ |
+| paper   | 1,000   | 0 mismatches |
+| overlap | 1,000   | 0 mismatches |
+
+## b
+
+`photoncube verify --machine MACHINE --seed 1`, by icarus 11.0:
+
+| machine | vectors | result                                                       |
+| ------- | ------- | ------------------------------------------------------------ |
+| overlap | 1,000   | {wide} |
+|         |         | 000000000000...                                              |
+
+## c
+
+`photoncube verify --fuzz 1000 --reader NAME`, by icarus 11.0:
+
+| machine     | inputs | result       |
+| ----------- | ------ | ------------ |
+| reader mesh | 1,000  | 0 mismatches |
+"
+            )
         );
     }
 

@@ -42,7 +42,7 @@ pub struct FitArgs {
 }
 
 impl FitArgs {
-    /// The same for the library.
+    /// The options as the search of the crate `photoncube-render` takes them.
     pub fn options(&self) -> FitOptions {
         let options = FitOptions::default();
         FitOptions {

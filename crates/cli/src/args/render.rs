@@ -101,7 +101,7 @@ impl EngineArgs {
 }
 
 impl FoundEngine {
-    /// The same for the library.
+    /// The engine as the crate `photoncube-render` takes it.
     pub fn engine(&self) -> Engine<'_> {
         match self {
             Self::F64 => Engine::F64,
@@ -172,7 +172,7 @@ pub struct LightArgs {
 }
 
 impl LightArgs {
-    /// The same for the library.
+    /// The lighting as the crate `photoncube-render` takes it.
     pub fn lighting(&self) -> Lighting {
         Lighting {
             direct: self.direct,

@@ -26,7 +26,7 @@ Examples:
   photoncube verify --faults --machine overlap    needs Icarus
   photoncube verify --formal --machine paper
   photoncube verify --placed --machine stream     needs Yosys of scripts/setup.sh --synthesis, and Verilator
-  photoncube verify --table             what was verified so far, as docs/verification.md has it"
+  photoncube verify --table             what was verified so far; docs/measured/verification.md"
 )]
 pub struct VerifyArgs {
     #[command(flatten)]

@@ -14,7 +14,7 @@ const COLUMNS_SAY: &str = "LUT4: LUTs and what takes their place on ECP5, withou
 pub fn narrow(report: &Report, fmax_source: &str) -> String {
     let mut text = names(report);
     text += "\nFigures:\n";
-    text += &narrow_table(&report.machines);
+    text += &table_of(NARROW, report.machines.iter());
     text + &format!(
         "\n{}\n{}\n\nAll of one machine: `photoncube list MACHINE`. Every table: `photoncube list --wide`.\n",
         table::wrapped(COLUMNS_SAY, 0),
@@ -30,7 +30,7 @@ pub fn wide(report: &Report, fmax_source: &str) -> String {
     text += "\nWidths of the machines (bits):\n";
     text += &width_table(&report.machines);
     text += "\nFigures:\n";
-    text += &machine_table(&report.machines);
+    text += &machine_tables(&report.machines);
     text += &format!("\n{fmax_source}\n");
     text += "\nFmax in each speed grade, and what binds it:\n";
     let all = |row: &MachineRow| row.measured.fmax_by_grade.clone();
@@ -63,35 +63,78 @@ fn padded<'a>(rows: impl Iterator<Item = (&'a str, String)> + Clone) -> String {
         .collect()
 }
 
-fn narrow_table(machines: &[MachineRow]) -> String {
-    let header = [
-        "machine",
-        "clocks",
-        "LUT4",
-        "FF",
-        "MHz",
-        "G tests/s",
-        "bits",
-        "error",
-    ];
-    let row = |row: &MachineRow| {
-        let measured = &row.measured;
-        let area = measured.area_without_dsp.as_ref();
-        let area = area.or(measured.area_with_dsp.as_ref());
-        let or_dash = |text: Option<String>| text.unwrap_or_else(|| "-".to_owned());
-        let clock = measured.fastest();
-        vec![
-            row.machine.to_owned(),
-            clocks_cell(row),
-            or_dash(area.map(|area| area.lut4_equivalents.to_string())),
-            or_dash(area.map(|area| area.ff.to_string())),
-            or_dash(clock.map(|clock| format!("{:.0}", clock.fmax_mhz))),
-            or_dash(rate(row).map(|rate| format!("{rate:.3}"))),
-            row.bits_per_photon.to_string(),
-            or_dash(error(row)),
-        ]
-    };
-    table::markdown(&header, &machines.iter().map(row).collect::<Vec<_>>())
+/// A column of a table of machines: its header, and a machine's cell.
+type Column = (&'static str, fn(&MachineRow) -> String);
+
+/// The columns of the table that fits a terminal.
+const NARROW: &[Column] = &[
+    ("machine", |row| row.machine.to_owned()),
+    ("clocks", clocks_cell),
+    ("LUT4", |row| {
+        or_dash(any_area(row).map(|area| area.lut4_equivalents.to_string()))
+    }),
+    ("FF", |row| {
+        or_dash(any_area(row).map(|area| area.ff.to_string()))
+    }),
+    ("MHz", |row| {
+        let clock = row.measured.fastest();
+        or_dash(clock.map(|clock| format!("{:.0}", clock.fmax_mhz)))
+    }),
+    ("G tests/s", |row| {
+        or_dash(rate(row).map(|rate| format!("{rate:.3}")))
+    }),
+    ("bits", |row| row.bits_per_photon.to_string()),
+    ("error", |row| or_dash(error(row))),
+];
+
+/// The columns of speed and error.
+const SPEED: &[Column] = &[
+    ("machine", |row| row.machine.to_owned()),
+    ("clocks", clocks_cell),
+    ("Fmax, grade 6 / 8", fmax_cell),
+    ("G tests/s", fastest_cell),
+    ("bits per photon", |row| row.bits_per_photon.to_string()),
+    ("error", |row| error(row).unwrap_or_else(not_measured)),
+];
+
+/// The columns of area on ECP5.
+const AREA: &[Column] = &[
+    ("machine", |row| row.machine.to_owned()),
+    ("LUT4, no DSP", |row| match &row.measured.area_without_dsp {
+        None => not_measured(),
+        Some(area) => format!("{} + {} CCU2C", area.lut4, area.ccu2c),
+    }),
+    ("with DSP", |row| match &row.measured.area_with_dsp {
+        None => not_measured(),
+        Some(area) if area.dsp == 0 => "no use of DSP".to_owned(),
+        Some(area) => format!("{} + {} CCU2C, {} DSP", area.lut4, area.ccu2c, area.dsp),
+    }),
+    ("FF", |row| {
+        let area = row.measured.area_without_dsp.as_ref();
+        area.map_or_else(not_measured, |area| area.ff.to_string())
+    }),
+];
+
+/// A table of machines with these columns.
+fn table_of<'a>(columns: &[Column], machines: impl Iterator<Item = &'a MachineRow>) -> String {
+    let header: Vec<_> = columns.iter().map(|(header, _)| *header).collect();
+    let row = |row| columns.iter().map(|(_, cell)| cell(row)).collect();
+    table::markdown(&header, &machines.map(row).collect::<Vec<_>>())
+}
+
+fn or_dash(text: Option<String>) -> String {
+    text.unwrap_or_else(|| "-".to_owned())
+}
+
+fn not_measured() -> String {
+    "not measured".to_owned()
+}
+
+/// The area without DSP blocks or, where that was not measured, with them.
+fn any_area(row: &MachineRow) -> Option<&Area> {
+    let measured = &row.measured;
+    let area = measured.area_without_dsp.as_ref();
+    area.or(measured.area_with_dsp.as_ref())
 }
 
 fn width_table(machines: &[MachineRow]) -> String {
@@ -124,28 +167,29 @@ fn width_table(machines: &[MachineRow]) -> String {
     table::markdown(&header, &machines.iter().map(row).collect::<Vec<_>>())
 }
 
-/// The table of the README's first screen.
-fn machine_table(machines: &[MachineRow]) -> String {
-    let header = [
-        "machine",
-        "clocks",
-        "LUT4, no DSP",
-        "with DSP",
-        "FF",
-        "Fmax, grade 6 / 8",
-        "G tests/s",
-        "bits per photon",
-        "error",
-        "verified against",
-    ];
-    let rows: Vec<_> = machines.iter().map(table_row).collect();
-    table::markdown(&header, &rows)
+/// The tables of docs/machines.md: speed and error, area, proof.
+fn machine_tables(machines: &[MachineRow]) -> String {
+    let [speed, area] = [SPEED, AREA].map(|columns| table_of(columns, machines.iter()));
+    format!("{speed}\n{area}\n{}", proof_table(machines))
+}
+
+/// A row for each comparison of a machine's Verilog with the golden model.
+fn proof_table(machines: &[MachineRow]) -> String {
+    let header = ["machine", "verified against", "compared"];
+    let rows = machines.iter().flat_map(|row| {
+        let proofs = row.measured.verified_against.split("; ");
+        proofs.map(|proof| {
+            let (devices, compared) = proof.split_once(": ").unwrap_or((proof, ""));
+            [row.machine, devices, compared].map(str::to_owned).to_vec()
+        })
+    });
+    table::markdown(&header, &rows.collect::<Vec<_>>())
 }
 
 fn fmax_cell(row: &MachineRow) -> String {
     let clocks = row.measured.in_default_grades();
     if clocks.iter().all(Option::is_none) {
-        return "not measured".to_owned();
+        return not_measured();
     }
     let clock = |mhz: Option<f64>| mhz.map_or_else(|| "-".to_owned(), |mhz| format!("{mhz:.0}"));
     format!("{} MHz", clocks.map(clock).join(" / "))
@@ -153,7 +197,7 @@ fn fmax_cell(row: &MachineRow) -> String {
 
 /// Photon tests per second in the fastest speed grade that was measured.
 fn fastest_cell(row: &MachineRow) -> String {
-    rate(row).map_or_else(|| "not measured".to_owned(), |rate| format!("{rate:.3}"))
+    rate(row).map_or_else(not_measured, |rate| format!("{rate:.3}"))
 }
 
 /// A machine's peak of photon tests at its fastest measured clock, in G tests/s.
@@ -178,63 +222,5 @@ fn clocks_cell(row: &MachineRow) -> String {
     )
 }
 
-fn table_row(row: &MachineRow) -> Vec<String> {
-    let not_measured = || "not measured".to_owned();
-    let luts = |area: &Option<Area>| match area {
-        None => not_measured(),
-        Some(area) => format!("{} + {} CCU2C", area.lut4, area.ccu2c),
-    };
-    let dsp = |area: &Option<Area>| match area {
-        None => not_measured(),
-        Some(area) if area.dsp == 0 => "no use of DSP".to_owned(),
-        Some(area) => format!("{} + {} CCU2C, {} DSP", area.lut4, area.ccu2c, area.dsp),
-    };
-    let without = &row.measured.area_without_dsp;
-    vec![
-        row.machine.to_owned(),
-        clocks_cell(row),
-        luts(without),
-        dsp(&row.measured.area_with_dsp),
-        without
-            .as_ref()
-            .map_or_else(not_measured, |area| area.ff.to_string()),
-        fmax_cell(row),
-        fastest_cell(row),
-        row.bits_per_photon.to_string(),
-        error(row).unwrap_or_else(not_measured),
-        row.measured.verified_against.clone(),
-    ]
-}
-
 #[cfg(test)]
-mod tests {
-    use super::super::report;
-    use super::*;
-    use crate::measured;
-    use crate::measured_fits::fit_rows;
-
-    #[test]
-    fn the_readme_shows_the_table_that_list_prints() {
-        let readme = include_str!("../../../../../README.md");
-        let table = machine_table(&report().unwrap().machines);
-        assert!(
-            readme.contains(&table),
-            "the README's table is not what `photoncube list --wide` prints; paste this:\n{table}"
-        );
-        let fits = fit_table(&fit_rows().unwrap());
-        assert!(
-            readme.contains(&fits),
-            "the README's fits are not what `photoncube list --wide` prints; paste this:\n{fits}"
-        );
-        let paper = tables::elsewhere(&report().unwrap().machines[0].measured.areas);
-        assert!(
-            readme.contains(&paper),
-            "the README's gates are not what `photoncube list --wide` prints; paste this:\n{paper}"
-        );
-        let source = measured::fmax_source().unwrap();
-        assert!(
-            readme.contains(&source),
-            "the README does not say: {source}"
-        );
-    }
-}
+mod tests;
