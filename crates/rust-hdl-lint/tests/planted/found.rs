@@ -8,14 +8,18 @@ use rust_hdl_lint::Rule;
 #[test]
 fn every_planted_mistake_is_found_for_its_own_reason() {
     for planted in lint_planted() {
-        assert!(planted.is_found(), "{planted:#?}");
+        assert!(planted.is_found(), "{}: {planted:#?}", planted.name);
     }
 }
 
 #[test]
 fn every_cure_is_clean() {
     for planted in lint_planted() {
-        assert!(planted.false_alarms.is_empty(), "{planted:#?}");
+        assert!(
+            planted.false_alarms.is_empty(),
+            "{}: {planted:#?}",
+            planted.name
+        );
     }
 }
 
