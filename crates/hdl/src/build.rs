@@ -8,14 +8,11 @@ use photoncube_spec::{
 };
 use thiserror::Error;
 
-use crate::cell::Cell;
 use crate::level::Level;
-use crate::network::Network;
 use crate::overlap;
 use crate::pinned::Pinned;
-use crate::processor::Processor;
+use crate::sequential::{AddUnit, Cell, GateUnit, Network, Processor, SquareUnit};
 use crate::spatial::{PhotonMemory, SpatialMachine, SquarePair};
-use crate::units::{AddUnit, GateUnit, SquareUnit};
 
 /// The error of a machine whose widths are not compiled in.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]

@@ -5,19 +5,15 @@
 //! path of every register in the emitted text, so that a simulation can observe it.
 
 mod build;
-mod cell;
-mod control;
 mod emit;
 mod level;
-mod network;
 mod overlap;
+mod parts;
 mod pinned;
-mod ports;
-mod processor;
+mod sequential;
 mod simulator;
 mod spatial;
 mod unit;
-mod units;
 
 pub use build::{NotBuiltIn, most_steps};
 pub use emit::{

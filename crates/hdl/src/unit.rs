@@ -9,8 +9,8 @@ use photoncube_spec::{Cut, Cuts, Pins, Squarer};
 
 use crate::build::NotBuiltIn;
 use crate::pinned::{Pinned, block_pins};
+use crate::sequential::{AddUnit, GateUnit, SquareUnit};
 use crate::spatial::SquarePair;
-use crate::units::{AddUnit, GateUnit, SquareUnit};
 
 /// A unit that is built on its own.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

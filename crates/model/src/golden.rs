@@ -2,8 +2,8 @@
 
 use photoncube_spec::{Inputs, Machine, Organisation, Outputs};
 
-use crate::machine::StepMachine;
 use crate::overlap::OverlapMachine;
+use crate::sequential::StepMachine;
 use crate::spatial::SpatialMachine;
 
 /// A step-exact model with the state of all registers. It starts in the power-up state, in which all

@@ -7,26 +7,19 @@
 //! [`PhotonPlanes`] computes it fast, bit for bit. The crate does no I/O, uses no HDL, and shares no
 //! arithmetic with the HDL.
 
-mod cell;
 mod gather;
 mod golden;
-mod local;
-mod machine;
 mod overlap;
-mod overlap_cell;
 mod planes;
-mod range;
+mod sequential;
 mod spatial;
 
-pub use cell::{CellInputs, CellRules, CellState};
-pub use gather::{GatherError, gather};
-pub use golden::{GoldenMachine, golden_machine};
-pub use local::{
-    CountError, LocalError, LocalGather, LocalLimits, PackError, ValueError, pack, unpack,
+pub use gather::{
+    CountError, GatherError, Limits, LocalError, LocalGather, LocalLimits, PackError, RangeError,
+    ValueError, gather, pack, unpack,
 };
-pub use machine::StepMachine;
-pub use overlap::OverlapMachine;
-pub use overlap_cell::{CellPorts, OverlapCell};
+pub use golden::{GoldenMachine, golden_machine};
+pub use overlap::{CellPorts, OverlapCell, OverlapMachine};
 pub use planes::{Gathered, Instructions, LEAF, PhotonPlanes, Surroundings};
-pub use range::{Limits, RangeError};
+pub use sequential::{CellInputs, CellRules, CellState, StepMachine};
 pub use spatial::{GoldenMemory, HeadStatus, SpatialMachine};

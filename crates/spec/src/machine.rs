@@ -1,13 +1,11 @@
 //! The configuration of a machine and the figures that follow from it. `machines` has the table of named
 //! machines.
 
-use crate::format::{Squarer, Widths};
-use crate::format_widths::FormatWidths;
+use crate::formats::{Channels, FormatWidths, PhotonFormat, Squarer, Widths};
 use crate::hypercube::Hypercube;
-use crate::microprogram::Microprogram;
 use crate::organisation::{Organisation, Rate};
 use crate::overlap;
-use crate::photon_format::{Channels, PhotonFormat};
+use crate::sequential::Microprogram;
 use crate::spatial::{Radius, Spatial};
 
 /// A machine's configuration.

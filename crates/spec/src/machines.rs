@@ -2,12 +2,12 @@
 
 use thiserror::Error;
 
-use crate::format::Squarer;
+use crate::formats::{
+    Channels, Exponent, PHOTON_FORMATS, PhotonFormat, PowerFormat, Rounding, Squarer,
+};
 use crate::machine::{Machine, Numbers, PlainFormat};
 use crate::nearest::did_you_mean;
 use crate::organisation::Organisation;
-use crate::photon_format::{Channels, Exponent, PhotonFormat, PowerFormat, Rounding};
-use crate::photon_formats::PHOTON_FORMATS;
 use crate::spatial::{Cut, Cuts, EngineKind, Radius, Spatial};
 
 /// Plain numbers with 16-bit powers. The sum of 65,537 photons of full scale fits 32 bits exactly.
@@ -347,9 +347,9 @@ pub fn find_machine(name: &str) -> Result<&'static Machine, UnknownMachine> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::format::Widths;
+    use crate::formats::Widths;
     use crate::overlap;
-    use crate::schedule::check_schedule;
+    use crate::sequential::check_schedule;
 
     #[test]
     fn every_named_machine_runs_a_legal_program_in_a_frame_that_holds_it() {

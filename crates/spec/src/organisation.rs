@@ -1,6 +1,6 @@
 //! The organisation of a machine: how its work is laid out over its cells and clocks.
 
-use crate::own_program::OwnProgram;
+use crate::sequential::OwnProgram;
 use crate::spatial::Spatial;
 
 /// How a machine's work is laid out over its cells and clocks.

@@ -1,8 +1,8 @@
 //! Forecasts how many clocks a workload takes while no stream waits.
 
 use crate::machine::Machine;
-use crate::microprogram::Microprogram;
 use crate::overlap::Program;
+use crate::sequential::Microprogram;
 use crate::spatial::{HeadSizes, Spatial};
 
 /// A set of queries that are tested against one list of photons.

@@ -4,11 +4,11 @@
 //! number for each signal, in the order of [`Pins`]. With one table for all of them, each comparison is about
 //! the same signals, and a mismatch has a name.
 
-use crate::format::Widths;
+use crate::formats::Widths;
 use crate::machine::Machine;
 use crate::organisation::Organisation;
 use crate::overlap;
-use crate::register::{REGISTERS, Register};
+use crate::sequential::{self, Register};
 use crate::spatial::{EngineRegister, HeadRegister, MemoryRegister, SpatialPins, SpatialWidths};
 use crate::stream::{Group, Inputs, Lane, Outputs, Photon, Query, Sums};
 
@@ -28,7 +28,7 @@ pub struct Pin {
 pub enum SignalPlace {
     /// A pin of the top module.
     Top,
-    /// A register of the control block, by its index in [`CONTROL_REGISTERS`].
+    /// A register of the control block, by its index in [`crate::CONTROL_REGISTERS`].
     Control(usize),
     /// A register of a cell.
     Cell {
@@ -71,10 +71,6 @@ pub enum SignalPlace {
     },
 }
 
-/// The control block's registers: `address` is the program counter, `last` is set while the group at work is
-/// the query's last, `done` is set while the result waits to be taken.
-pub const CONTROL_REGISTERS: [&str; 3] = ["address", "last", "done"];
-
 const PHOTON_COORDINATES: [&str; 3] = ["x", "y", "z"];
 /// The name of the sum that counts the photons in range.
 const COUNT: &str = "count";
@@ -98,8 +94,7 @@ impl Pins {
         let outputs = observed.len();
         match &machine.organisation {
             Organisation::Sequential | Organisation::Programmed(_) => {
-                observed.extend(control_pins(machine));
-                observed.extend(cell_pins(machine, &widths));
+                observed.extend(sequential::pins(machine, &widths));
             }
             Organisation::Overlapped => observed.extend(overlap::pins(machine, &widths)),
             Organisation::Spatial(spatial) => {
@@ -302,39 +297,6 @@ fn output_pins(machine: &Machine, widths: &Widths) -> Vec<Pin> {
         _ => widths.sum,
     };
     pins.push(top(format!("result_{COUNT}"), count));
-    pins
-}
-
-fn control_pins(machine: &Machine) -> Vec<Pin> {
-    let program = machine
-        .microprogram()
-        .expect("a machine without engines has a program");
-    CONTROL_REGISTERS
-        .iter()
-        .zip([program.address_bits(), 1, 1])
-        .enumerate()
-        .map(|(index, (name, width))| Pin {
-            name: format!("control_{name}"),
-            width,
-            place: SignalPlace::Control(index),
-        })
-        .collect()
-}
-
-fn cell_pins(machine: &Machine, widths: &Widths) -> Vec<Pin> {
-    let mut pins = Vec::new();
-    for node in 0..machine.hypercube().nodes() {
-        for row in REGISTERS {
-            pins.push(Pin {
-                name: format!("cell_{node}_{}", row.name),
-                width: (row.width)(widths),
-                place: SignalPlace::Cell {
-                    node,
-                    register: row.register,
-                },
-            });
-        }
-    }
     pins
 }
 

@@ -9,7 +9,7 @@ use rust_hdl::prelude::*;
 use super::add::ChosenSum;
 use super::decoder::Decoder;
 use super::digits::Digits;
-use crate::units::Difference;
+use crate::parts::Difference;
 
 /// One cell. 8-bit coordinates; widths: `R` radius_sq, `P` power, `V` sums of squares, `S` sum, `W`
 /// control word.

@@ -11,7 +11,7 @@ use photoncube_spec::overlap::Program;
 use rust_hdl::prelude::*;
 
 use super::decoder::Decoder;
-use crate::control::ControlStore;
+use crate::parts::ControlStore;
 
 /// The control block. `A` address bits, `D` drain bits, `W` control-word bits.
 #[derive(LogicBlock)]

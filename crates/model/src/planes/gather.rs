@@ -8,7 +8,7 @@ use super::lanes::{Lanes, OfBytes, OfFlatBytes, OfWords, Positions};
 use super::portable::Portable;
 use super::store::PhotonPlanes;
 use super::surroundings::Surroundings;
-use crate::local::LocalError;
+use crate::gather::LocalError;
 
 /// The result of one query.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]

@@ -3,7 +3,7 @@
 use photoncube_spec::{PhotonFormat, PhotonRecord};
 
 use super::leaf::{LEAF, Leaf, into_leaves};
-use crate::local::{LocalGather, ValueError};
+use crate::gather::{LocalGather, ValueError};
 
 /// The planes of a leaf, with bytes behind them that the kernel may read and never uses, because it always
 /// reads a full leaf. There are at most 12 planes and one more, since positions of two bytes take two planes

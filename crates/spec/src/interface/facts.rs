@@ -1,6 +1,6 @@
 //! The formats, limits and clocks of a machine, one fact a row.
 
-use crate::format::Squarer;
+use crate::formats::Squarer;
 use crate::machine::{Machine, Numbers};
 use crate::spatial::Spatial;
 

@@ -3,7 +3,7 @@
 use super::control::control_word_bits;
 use super::program::Program;
 use super::register::Register;
-use crate::format::{Widths, bits_for};
+use crate::formats::{Widths, bits_for};
 use crate::machine::Machine;
 use crate::pins::{Pin, SignalPlace};
 

@@ -1,6 +1,6 @@
 //! The register file of an overlapped machine's cell.
 
-use crate::format::Widths;
+use crate::formats::Widths;
 
 /// Words of the power queue. A photon's power needs so many to reach the gate together with the photon's
 /// distance. With fewer words, [`super::recurrence_bound`] exceeds the kernel's interval.

@@ -3,10 +3,9 @@
 use thiserror::Error;
 
 use super::{Cut, EngineKind, Spatial, SpatialWidths};
-use crate::format::Squarer;
+use crate::formats::{FormatError, Squarer};
 use crate::hypercube::Hypercube;
 use crate::machine::Machine;
-use crate::photon_format::FormatError;
 
 /// The reason why a spatial machine cannot be built.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
@@ -215,10 +214,10 @@ impl Spatial {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::formats::PhotonFormat;
     use crate::machine::{Numbers, PlainFormat};
     use crate::machines::{MACHINES, find_machine};
     use crate::organisation::Organisation;
-    use crate::photon_format::PhotonFormat;
     use crate::spatial::Cuts;
 
     #[test]

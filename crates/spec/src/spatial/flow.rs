@@ -3,7 +3,7 @@
 
 use super::cuts::Cut;
 use super::{EngineKind, Radius, Spatial};
-use crate::format::Squarer;
+use crate::formats::Squarer;
 
 /// A step of a group through an engine, with or without a pipeline register.
 #[derive(Clone, Debug, PartialEq, Eq)]

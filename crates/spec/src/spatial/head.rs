@@ -79,7 +79,7 @@
 //!   engine); `ResultValid` := `Done` or engine e + 1's.
 
 use super::Spatial;
-use crate::format::bits_for;
+use crate::formats::bits_for;
 
 /// The sizes of the head's queue of results and of its counters.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]

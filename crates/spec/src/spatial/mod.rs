@@ -48,7 +48,7 @@ pub(crate) use pins::SpatialPins;
 pub use registers::{ENGINE_REGISTERS, EngineRegister, EngineRow, HeadRegister, Instances};
 pub use widths::SpatialWidths;
 
-use crate::format::Squarer;
+use crate::formats::Squarer;
 
 /// The parameters of a spatial machine beside its numbers.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]

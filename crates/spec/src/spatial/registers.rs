@@ -3,7 +3,7 @@
 use super::cuts::Cut;
 use super::widths::SpatialWidths;
 use super::{EngineKind, Radius, Spatial};
-use crate::format::Squarer;
+use crate::formats::Squarer;
 
 /// A register of an engine.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

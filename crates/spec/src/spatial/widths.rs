@@ -1,9 +1,7 @@
 //! The bit widths of every kind of value in a spatial machine, and why no value overflows.
 
 use super::Spatial;
-use crate::format::bits_for;
-use crate::format_widths::FormatWidths;
-use crate::photon_format::PhotonFormat;
+use crate::formats::{FormatWidths, PhotonFormat, bits_for};
 
 /// The width in bits of every kind of value in one spatial machine. Below, r is the number of radius bits and
 /// C that of a coordinate.

@@ -6,7 +6,7 @@
 use photoncube_spec::Squarer;
 use rust_hdl::prelude::*;
 
-use crate::units::{AddUnit, GateUnit, SquareUnit};
+use super::units::{AddUnit, GateUnit, SquareUnit};
 
 /// One cell. Widths: `C` query coordinate, `H` photon coordinate, `M` their difference, `Q = 2 M`
 /// its square, `R` radius_sq, `P` power, `V` work and link, `S` sum.

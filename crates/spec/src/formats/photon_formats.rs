@@ -2,8 +2,8 @@
 
 use thiserror::Error;
 
+use super::photon_format::{Channels, Exponent, FormatError, PhotonFormat, PowerFormat, Rounding};
 use crate::nearest::did_you_mean;
-use crate::photon_format::{Channels, Exponent, FormatError, PhotonFormat, PowerFormat, Rounding};
 
 /// A row of the table: p and x, then RGB rounded to nearest.
 const fn row(

@@ -4,8 +4,8 @@
 //! The encoding is horizontal: each thing that a cell selects or writes has a field, so a cell needs no
 //! decoder. [`encode`] is the only function that makes a control word.
 
-use crate::microprogram::Step;
-use crate::op::Op;
+use super::microprogram::Step;
+use super::op::Op;
 
 /// An encoded control word, fields from bit 0 in the order of [`FIELDS`].
 pub type ControlWord = u32;
@@ -194,7 +194,7 @@ pub fn encode(step: Step, takes_group: bool) -> ControlWord {
 mod tests {
     use super::*;
     use crate::hypercube::{Axis, Hypercube};
-    use crate::op::OPS;
+    use crate::sequential::OPS;
 
     #[test]
     fn rows_stand_in_the_order_of_the_enum_and_do_not_overlap() {
@@ -239,7 +239,7 @@ mod tests {
 
     #[test]
     fn a_word_writes_just_the_registers_of_its_op() {
-        use crate::register::Register;
+        use crate::sequential::Register;
         let writers = [
             (Register::Query, vec![Field::WriteQuery]),
             (Register::RadiusSq, vec![Field::WriteQuery]),

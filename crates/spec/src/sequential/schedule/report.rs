@@ -1,9 +1,7 @@
 //! The utilisation of a schedule.
 
 use crate::hypercube::Hypercube;
-use crate::microprogram::Microprogram;
-use crate::op::Unit;
-use crate::register::{REGISTERS, Register};
+use crate::sequential::{Microprogram, REGISTERS, Register, Unit};
 
 /// The number of clocks of an iteration in which a unit works.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
@@ -72,7 +70,7 @@ pub fn schedule_report(program: &Microprogram, cube: Hypercube) -> ScheduleRepor
         .iter()
         .map(|scheduled| scheduled.step.op.row())
         .collect();
-    let count = |used: &dyn Fn(&crate::op::OpRow) -> bool| {
+    let count = |used: &dyn Fn(&crate::sequential::OpRow) -> bool| {
         rows.iter().filter(|row| used(row)).count() as u32
     };
     ScheduleReport {

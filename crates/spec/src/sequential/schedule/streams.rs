@@ -6,8 +6,7 @@
 use super::check::{ITERATION, QUERY, check_structure};
 use super::error::ScheduleError;
 use crate::hypercube::Hypercube;
-use crate::microprogram::{Microprogram, ScheduledStep};
-use crate::op::OpRow;
+use crate::sequential::{Microprogram, OpRow, ScheduledStep};
 
 /// Checks that every query is taken once and has one result. Each clock has one op, every link exists, the
 /// query phase has one `ldq`, and groups are read only in the iteration and not in its last clock.
@@ -82,8 +81,7 @@ fn refuse_in(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::listing::parse_listing;
-    use crate::schedule::check_schedule;
+    use crate::sequential::{check_schedule, parse_listing};
 
     const PAPER: &str = "query:\n0 ldq\niteration:\n0 ldp\n1 ldw\n2 sqd\n3 add z\n4 add w\n\
                          5 gate\n6 add x\n7 add y\n8 acc\n";

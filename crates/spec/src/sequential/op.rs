@@ -5,9 +5,9 @@
 
 use std::fmt;
 
-use crate::control::{ControlFields, WorkSource};
-use crate::format::Widths;
-use crate::register::Register;
+use super::control::{ControlFields, WorkSource};
+use super::register::Register;
+use crate::formats::Widths;
 
 /// A unit of the cell; each does at most one op a clock.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

@@ -3,8 +3,8 @@
 use photoncube_spec::Squarer;
 use rust_hdl::prelude::*;
 
-use super::difference::Difference;
 use super::squarer::{Power, SquarerBlock};
+use crate::parts::Difference;
 
 /// The square of the difference of query `a` (`C` bits) and photon `b` (`H` bits), of which `M` bits are
 /// squared; `Q = 2 M`, exact. With the photon between two queries it is the half square, see

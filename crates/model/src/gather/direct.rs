@@ -3,7 +3,7 @@
 use photoncube_spec::{Machine, Photon, Query, Sums};
 use thiserror::Error;
 
-use crate::range::{Limits, RangeError};
+use super::range::{Limits, RangeError};
 
 /// The reason why a gather is refused.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]

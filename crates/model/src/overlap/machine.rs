@@ -9,8 +9,8 @@ use photoncube_spec::{
     Group, Hypercube, Inputs, Machine, Outputs, Photon, Pins, Role, Sums, Widths,
 };
 
+use super::cell::{CellPorts, OverlapCell};
 use crate::golden::GoldenMachine;
-use crate::overlap_cell::{CellPorts, OverlapCell};
 
 /// The registers of the control block.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]

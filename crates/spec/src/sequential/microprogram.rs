@@ -2,9 +2,9 @@
 
 use std::fmt;
 
-use crate::control::{ControlWord, encode};
+use super::control::{ControlWord, encode};
+use super::op::Op;
 use crate::hypercube::{Axis, Hypercube};
-use crate::op::Op;
 
 /// The fewest address bits of a control store. Every store has at least 16 places, so short programs need no
 /// program-counter width of their own. The places behind the program hold the control word that does nothing.
@@ -177,7 +177,7 @@ fn step_at(phase: &[ScheduledStep], clock: u32) -> Option<Step> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::control::Field;
+    use crate::sequential::Field;
 
     #[test]
     fn the_papers_program_takes_nine_clocks_for_four_photons() {

@@ -4,9 +4,7 @@ use super::content::Content;
 use super::error::ScheduleError;
 use super::streams::check_takers;
 use crate::hypercube::{Axis, Hypercube};
-use crate::microprogram::{Microprogram, ScheduledStep};
-use crate::op::Op;
-use crate::register::{REGISTERS, Register};
+use crate::sequential::{Microprogram, Op, REGISTERS, Register, ScheduledStep};
 
 pub(super) const QUERY: &str = "query";
 pub(super) const ITERATION: &str = "iteration";
@@ -271,7 +269,7 @@ fn expect_all(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::listing::parse_listing;
+    use crate::sequential::parse_listing;
 
     const PAPER: &str = "query:\n0 ldq\niteration:\n0 ldp\n1 ldw\n2 sqd\n3 add z\n4 add w\n\
                          5 gate\n6 add x\n7 add y\n8 acc\n";

@@ -4,10 +4,10 @@
 use photoncube_spec::Machine;
 use rust_hdl::prelude::*;
 
-use crate::cell::Cell;
-use crate::control::Control;
-use crate::network::Network;
-use crate::ports::Ports;
+use super::cell::Cell;
+use super::control::Control;
+use super::network::Network;
+use super::ports::Ports;
 
 /// The processor. Widths: `C` query coordinate, `H` photon coordinate, `M` difference, `Q` square,
 /// `R` radius_sq, `B` mantissa, `E` exponent, `P` power, `V` work, `S` sum; `A` address, `W` control

@@ -5,9 +5,9 @@
 //! rounds a value: every result is exact. A photon format clamps differences, and a clamped difference is out
 //! of range just as the unclamped one is.
 
-use crate::format_widths::FormatWidths;
+use super::format_widths::FormatWidths;
+use super::photon_format::PhotonFormat;
 use crate::machine::{Machine, Numbers, PlainFormat};
-use crate::photon_format::PhotonFormat;
 
 /// The implementation of the squarer of `(A-B)^2`. All implementations give the same square.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, Hash)]

@@ -1,6 +1,6 @@
 //! The register file of a sequential machine's cell.
 
-use crate::format::Widths;
+use crate::formats::Widths;
 
 /// A register of a cell.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

@@ -1,7 +1,7 @@
 //! The bit widths of every kind of value in a photon format, and why no value overflows.
 
-use crate::format::bits_for;
-use crate::photon_format::PhotonFormat;
+use super::format::bits_for;
+use super::photon_format::PhotonFormat;
 
 /// The width in bits of every kind of value in one photon format. The format must be legal, see
 /// [`PhotonFormat::check`].

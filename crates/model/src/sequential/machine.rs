@@ -8,7 +8,7 @@ use photoncube_spec::{
     Channels, Hypercube, Inputs, Machine, Op, Outputs, Photon, Pins, Role, Step, Sums,
 };
 
-use crate::cell::{CellInputs, CellRules, CellState};
+use super::cell::{CellInputs, CellRules, CellState};
 use crate::golden::GoldenMachine;
 
 /// The registers of the control block.

@@ -16,9 +16,9 @@ use std::fmt;
 
 use thiserror::Error;
 
+use super::microprogram::{Microprogram, ScheduledStep, Step};
+use super::op::{OPS, Op};
 use crate::hypercube::Axis;
-use crate::microprogram::{Microprogram, ScheduledStep, Step};
-use crate::op::{OPS, Op};
 
 /// The largest clock that a listing may name. It is far past any useful program and bounds memory.
 const MAX_CLOCK: u32 = 4095;

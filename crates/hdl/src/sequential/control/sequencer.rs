@@ -7,7 +7,7 @@ use photoncube_spec::Microprogram;
 use rust_hdl::prelude::*;
 
 use super::decoder::Decoder;
-use super::store::ControlStore;
+use crate::parts::ControlStore;
 
 /// The control block. `A` address bits, `W` control-word bits, `X` axis bits.
 #[derive(LogicBlock)]
