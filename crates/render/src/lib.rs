@@ -32,11 +32,9 @@
 
 mod band;
 mod batch;
-mod camera;
 mod compare;
 mod estimate;
 mod estimators;
-mod facing;
 mod fit;
 mod forecast;
 mod format_map;
@@ -44,7 +42,6 @@ mod geometry;
 mod hard_cases;
 mod image;
 mod lighting;
-mod lights;
 mod machine_map;
 mod metrics;
 mod photon_map;
@@ -53,15 +50,12 @@ mod progressive;
 mod quantise;
 mod render;
 mod renderer;
-mod sample;
 mod scene;
-mod sights;
 mod speed;
 mod trace;
 mod view;
 mod workload;
 
-pub use camera::{Camera, FovAxis, Ray};
 pub use compare::{
     CompareError, LIGHT_RADIANCE, light_mask, rel_mse, rms_relative_difference, rmse,
 };
@@ -69,7 +63,6 @@ pub use estimators::{
     Bisection, Estimator, EstimatorError, Kernel, KernelEstimate, Ladder, LadderError, MAX_RUNGS,
     MIN_K, Near, Neighbourhood, Rung, UnfitEstimator, UnknownEstimator, smallest_radius_sq,
 };
-pub use facing::Facing;
 pub use fit::{
     FieldNeed, Fit, FitError, FitOptions, FitProgress, Measurement, Prediction, Removal,
     SceneFacts, Trial, covering, covers, field_needs, fit, largest_query,
@@ -100,10 +93,10 @@ pub use render::{
     Engine, Light, RenderError, RenderStats, Rendering, render, render_lit, render_with,
 };
 pub use scene::{Bsdf, LightChoice, ObjError, Scene, SceneError, Surface};
-pub use sights::{Sights, sees_a_front};
 pub use speed::{Speed, f32_speed, gather_speed};
 pub use trace::{
-    BATCH_PATHS, MAX_PHOTONS, PathKind, Photon, PhotonTrace, TraceError, TraceOptions, trace,
+    BATCH_PATHS, Facing, MAX_PHOTONS, PathKind, Photon, PhotonTrace, TraceError, TraceOptions,
+    trace,
 };
-pub use view::{QueryPoint, ViewError, ViewOptions};
+pub use view::{Camera, FovAxis, QueryPoint, Ray, Sights, ViewError, ViewOptions, sees_a_front};
 pub use workload::{WorkloadError, workload};

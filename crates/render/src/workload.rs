@@ -7,8 +7,8 @@ use thiserror::Error;
 use crate::machine_map::MachineMap;
 use crate::photon_map::PhotonMap;
 use crate::render::RenderError;
-use crate::sample::{Purpose, stream};
 use crate::scene::Scene;
+use crate::trace::sample::{Purpose, stream};
 use crate::view::{ViewError, ViewOptions};
 
 /// The number of pixels tried in a row without a photon before the search ends. Where one in a hundred
