@@ -31,21 +31,16 @@
 //! meshes.
 
 mod band;
-mod batch;
 mod compare;
 mod estimate;
-mod estimators;
 mod fit;
 mod forecast;
-mod format_map;
 mod geometry;
 mod hard_cases;
 mod image;
 mod lighting;
-mod machine_map;
 mod metrics;
 mod photon_map;
-mod power_scale;
 mod progressive;
 mod quantise;
 mod render;
@@ -59,7 +54,7 @@ mod workload;
 pub use compare::{
     CompareError, LIGHT_RADIANCE, light_mask, rel_mse, rms_relative_difference, rmse,
 };
-pub use estimators::{
+pub use estimate::{
     Bisection, Estimator, EstimatorError, Kernel, KernelEstimate, Ladder, LadderError, MAX_RUNGS,
     MIN_K, Near, Neighbourhood, Rung, UnfitEstimator, UnknownEstimator, smallest_radius_sq,
 };
@@ -68,7 +63,6 @@ pub use fit::{
     SceneFacts, Trial, covering, covers, field_needs, fit, largest_query,
 };
 pub use forecast::forecast_clocks;
-pub use format_map::{FormatMap, FormatMapError};
 pub use geometry::{Geometry, Hit, Mesh, MeshError, Quad, Sphere};
 pub use hard_cases::{
     Bound, Contrast, Grid, HARD_CASES, HardCase, HardCaseError, HardCaseReport, Outcome, Setting,
@@ -78,7 +72,6 @@ pub use image::{IMAGE_ENDINGS, Image, ImageError, MAX_PIXELS, error_map, relativ
 pub use lighting::{
     Area, Caustics, DirectLight, Lighting, LightingError, PhotonMaps, Radii, UnknownLighting,
 };
-pub use machine_map::MachineMap;
 pub use metrics::{
     BenchError, BenchOptions, ErrorBench, ErrorReport, ErrorStudy, EstimatorReport, Interval,
     LightReport, LightStudy, MAX_QUERY_NOISE, Measure, MetricsError, Misclassified, Moments, Noise,
@@ -88,7 +81,7 @@ pub use photon_map::{Candidates, MapError, PhotonMap};
 pub use progressive::{
     ErrorEstimate, PixelBound, Progressive, ProgressiveError, ProgressiveOptions,
 };
-pub use quantise::{QuantiseError, QuantisedMap};
+pub use quantise::{FormatMap, FormatMapError, MachineMap, QuantiseError, QuantisedMap};
 pub use render::{
     Engine, Light, RenderError, RenderStats, Rendering, render, render_lit, render_with,
 };

@@ -6,14 +6,11 @@ use photoncube_model::{GatherError, LocalError};
 use photoncube_spec::{Machine, PhotonFormat};
 use thiserror::Error;
 
-use crate::estimate::{Estimate, Refusal};
-use crate::estimators::{Estimator, EstimatorError, Method, UnfitEstimator};
-use crate::format_map::{FormatMap, FormatMapError};
+use crate::estimate::{Estimate, Estimator, EstimatorError, Method, Refusal, UnfitEstimator};
 use crate::image::Image;
 use crate::lighting::{Lighting, LightingError};
-use crate::machine_map::MachineMap;
 use crate::photon_map::PhotonMap;
-use crate::quantise::{QuantiseError, QuantisedMap};
+use crate::quantise::{FormatMap, FormatMapError, MachineMap, QuantiseError, QuantisedMap};
 use crate::renderer::Renderer;
 use crate::scene::Scene;
 use crate::view::{QueryPoint, ViewError, ViewOptions};

@@ -6,8 +6,7 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use crate::band::{BAND_ROWS, Band, Queries};
-use crate::estimate::Estimate;
-use crate::estimators::Method;
+use crate::estimate::{Estimate, Method};
 use crate::image::Image;
 use crate::lighting::{Area, Fronts, Lit};
 use crate::photon_map::PhotonMap;

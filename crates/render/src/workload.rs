@@ -4,8 +4,8 @@ use photoncube_spec::{Machine, Photon, Query};
 use rand::RngExt;
 use thiserror::Error;
 
-use crate::machine_map::MachineMap;
 use crate::photon_map::PhotonMap;
+use crate::quantise::MachineMap;
 use crate::render::RenderError;
 use crate::scene::Scene;
 use crate::trace::sample::{Purpose, stream};

@@ -26,7 +26,7 @@ pub use self::maps::{PhotonMaps, Radii};
 pub use self::named::UnknownLighting;
 
 use self::direct::Shadows;
-use crate::estimators::Estimator;
+use crate::estimate::Estimator;
 use crate::scene::Scene;
 use crate::trace::PathKind;
 use crate::trace::sample::{Apart, cosine_direction_at};

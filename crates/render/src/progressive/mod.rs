@@ -32,7 +32,7 @@ use thiserror::Error;
 pub use self::error::{ErrorEstimate, PixelBound};
 
 use self::error::Pixel;
-use crate::estimators::{Estimator, Method};
+use crate::estimate::{Estimator, Method};
 use crate::image::Image;
 use crate::lighting::{Lighting, PhotonMaps, Radii};
 use crate::photon_map::MapError;
