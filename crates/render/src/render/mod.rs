@@ -1,17 +1,23 @@
 //! Stage 5 for a whole picture: the estimate at every query point, by the chosen engine.
 
+mod band;
+mod renderer;
+mod workload;
+
 use std::ops::AddAssign;
 
 use photoncube_model::{GatherError, LocalError};
 use photoncube_spec::{Machine, PhotonFormat};
 use thiserror::Error;
 
+pub(crate) use self::renderer::Renderer;
+pub use self::workload::{WorkloadError, workload};
+
 use crate::estimate::{Estimate, Estimator, EstimatorError, Method, Refusal, UnfitEstimator};
 use crate::image::Image;
 use crate::lighting::{Lighting, LightingError};
 use crate::photon_map::PhotonMap;
 use crate::quantise::{FormatMap, FormatMapError, MachineMap, QuantiseError, QuantisedMap};
-use crate::renderer::Renderer;
 use crate::scene::Scene;
 use crate::view::{QueryPoint, ViewError, ViewOptions};
 

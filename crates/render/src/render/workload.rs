@@ -4,9 +4,9 @@ use photoncube_spec::{Machine, Photon, Query};
 use rand::RngExt;
 use thiserror::Error;
 
+use super::RenderError;
 use crate::photon_map::PhotonMap;
 use crate::quantise::MachineMap;
-use crate::render::RenderError;
 use crate::scene::Scene;
 use crate::trace::sample::{Purpose, stream};
 use crate::view::{ViewError, ViewOptions};
