@@ -9,8 +9,8 @@
 //! [`smallest_radius_sq`] finds the k-th photon by bisection on the count, and a [`Ladder`] mixes rectangles
 //! of several radii to a smooth kernel.
 //!
-//! An [`Estimator`] names one of these forms, and a [`Method`] makes it with any engine. The sums of one query come
-//! from the file `gather.rs`, those of many queries from `batch.rs`.
+//! An [`Estimator`] names one of these forms, and a [`Method`] makes it with any engine. The file `gather.rs`
+//! gathers one query, and `batch.rs` many queries at once.
 
 mod batch;
 mod bisection;
