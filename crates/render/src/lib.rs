@@ -30,80 +30,60 @@
 //! Not modelled: glossy surfaces, colours of media and dispersion, textures, lens effects, smooth normals of
 //! meshes.
 
-mod band;
-mod batch;
-mod camera;
-mod compare;
 mod estimate;
-mod estimators;
-mod facing;
 mod fit;
-mod forecast;
-mod format_map;
 mod geometry;
 mod hard_cases;
 mod image;
 mod lighting;
-mod lights;
-mod machine_map;
 mod metrics;
+mod performance;
 mod photon_map;
-mod power_scale;
 mod progressive;
 mod quantise;
 mod render;
-mod renderer;
-mod sample;
 mod scene;
-mod sights;
-mod speed;
 mod trace;
 mod view;
-mod workload;
 
-pub use camera::{Camera, FovAxis, Ray};
-pub use compare::{
-    CompareError, LIGHT_RADIANCE, light_mask, rel_mse, rms_relative_difference, rmse,
-};
-pub use estimators::{
+pub use estimate::{
     Bisection, Estimator, EstimatorError, Kernel, KernelEstimate, Ladder, LadderError, MAX_RUNGS,
     MIN_K, Near, Neighbourhood, Rung, UnfitEstimator, UnknownEstimator, smallest_radius_sq,
 };
-pub use facing::Facing;
 pub use fit::{
     FieldNeed, Fit, FitError, FitOptions, FitProgress, Measurement, Prediction, Removal,
     SceneFacts, Trial, covering, covers, field_needs, fit, largest_query,
 };
-pub use forecast::forecast_clocks;
-pub use format_map::{FormatMap, FormatMapError};
 pub use geometry::{Geometry, Hit, Mesh, MeshError, Quad, Sphere};
 pub use hard_cases::{
     Bound, Contrast, Grid, HARD_CASES, HardCase, HardCaseError, HardCaseReport, Outcome, Setting,
     hard_case_formats, run_hard_case,
 };
-pub use image::{IMAGE_ENDINGS, Image, ImageError, MAX_PIXELS, error_map, relative_errors};
+pub use image::{
+    CompareError, IMAGE_ENDINGS, Image, ImageError, LIGHT_RADIANCE, MAX_PIXELS, error_map,
+    light_mask, rel_mse, relative_errors, rms_relative_difference, rmse,
+};
 pub use lighting::{
     Area, Caustics, DirectLight, Lighting, LightingError, PhotonMaps, Radii, UnknownLighting,
 };
-pub use machine_map::MachineMap;
 pub use metrics::{
     BenchError, BenchOptions, ErrorBench, ErrorReport, ErrorStudy, EstimatorReport, Interval,
     LightReport, LightStudy, MAX_QUERY_NOISE, Measure, MetricsError, Misclassified, Moments, Noise,
     NoiseMeter, RelativeErrors, RelativeSummary, luminance, view_queries,
 };
+pub use performance::{Speed, f32_speed, forecast_clocks, gather_speed};
 pub use photon_map::{Candidates, MapError, PhotonMap};
 pub use progressive::{
     ErrorEstimate, PixelBound, Progressive, ProgressiveError, ProgressiveOptions,
 };
-pub use quantise::{QuantiseError, QuantisedMap};
+pub use quantise::{FormatMap, FormatMapError, MachineMap, QuantiseError, QuantisedMap};
 pub use render::{
-    Engine, Light, RenderError, RenderStats, Rendering, render, render_lit, render_with,
+    Engine, Light, RenderError, RenderStats, Rendering, WorkloadError, render, render_lit,
+    render_with, workload,
 };
 pub use scene::{Bsdf, LightChoice, ObjError, Scene, SceneError, Surface};
-pub use sights::{Sights, sees_a_front};
-pub use speed::{Speed, f32_speed, gather_speed};
 pub use trace::{
-    BATCH_PATHS, MAX_PHOTONS, PathKind, Photon, PhotonTrace, TraceError, TraceOptions, trace,
+    BATCH_PATHS, Facing, MAX_PHOTONS, PathKind, Photon, PhotonTrace, TraceError, TraceOptions,
+    trace,
 };
-pub use view::{QueryPoint, ViewError, ViewOptions};
-pub use workload::{WorkloadError, workload};
+pub use view::{Camera, FovAxis, QueryPoint, Ray, Sights, ViewError, ViewOptions, sees_a_front};

@@ -6,8 +6,8 @@ use rayon::prelude::*;
 
 use super::pilot::{Part, Pilot};
 use crate::estimate::disc_area;
-use crate::format_map::FormatMap;
 use crate::metrics::BenchError;
+use crate::quantise::FormatMap;
 use crate::render::RenderError;
 use crate::view::QueryPoint;
 

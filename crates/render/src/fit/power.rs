@@ -8,9 +8,9 @@ use rayon::prelude::*;
 
 use super::pilot::{Part, Pilot};
 use crate::estimate::disc_area;
-use crate::format_map::FormatMap;
 use crate::metrics::BenchError;
 use crate::photon_map::PhotonMap;
+use crate::quantise::FormatMap;
 use crate::render::RenderError;
 use crate::view::QueryPoint;
 

@@ -4,7 +4,7 @@ use glam::DVec3;
 use thiserror::Error;
 
 use super::Hit;
-use crate::camera::Ray;
+use crate::view::Ray;
 
 /// A triangle with less area than this fraction of its squared size has no usable normal. The limit is far
 /// below any intended triangle, and far above the rounding of three corners in a line.

@@ -10,7 +10,7 @@ pub use mesh::{Mesh, MeshError};
 pub use quad::Quad;
 pub use sphere::Sphere;
 
-use crate::camera::Ray;
+use crate::view::Ray;
 
 /// The point where a ray meets a surface.
 #[derive(Debug, Clone, Copy, PartialEq)]

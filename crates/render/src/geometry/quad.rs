@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::Hit;
-use crate::camera::Ray;
+use crate::view::Ray;
 
 /// The largest distance, as a fraction of the quad's size, of the fourth corner from its place by the other
 /// three. The reference scene's single-precision transforms are off by 1e-7.

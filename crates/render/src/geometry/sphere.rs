@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::Hit;
-use crate::camera::Ray;
+use crate::view::Ray;
 
 /// A sphere. Its front is its outside.
 #[derive(Debug, Clone, PartialEq)]

@@ -8,8 +8,8 @@ use thiserror::Error;
 
 use super::grid::Grid;
 use super::setting::Setting;
-use crate::format_map::FormatMapError;
 use crate::photon_map::MapError;
+use crate::quantise::FormatMapError;
 use crate::render::RenderError;
 use crate::scene::SceneError;
 

@@ -12,7 +12,7 @@ use super::case::{Bound, Contrast, HardCase, HardCaseError, Outcome, every_forma
 use super::grid::Grid;
 use super::room::{COLOUR, RADIUS, Room, photon, photons, points};
 use super::setting::Setting;
-use crate::format_map::FormatMap;
+use crate::quantise::FormatMap;
 use crate::trace::Photon;
 
 pub(super) const MOVED: HardCase = HardCase {

@@ -14,8 +14,8 @@ use super::grid::Grid;
 use super::naive::in_range_absolute;
 use super::room::{COLOUR, NORMAL, RADIUS, Room, photon, points};
 use super::setting::Setting;
-use crate::format_map::FormatMap;
 use crate::metrics::MISCLASSIFIED_TIMES_STEPS;
+use crate::quantise::FormatMap;
 use crate::trace::Photon;
 
 pub(super) const BIAS: HardCase = HardCase {

@@ -8,8 +8,8 @@ use super::grid::Grid;
 use super::naive::in_range_wrapping_32;
 use super::room::{COLOUR, NORMAL, RADIUS, Room, photon, photons, points};
 use super::setting::Setting;
-use crate::format_map::FormatMap;
 use crate::photon_map::PhotonMap;
+use crate::quantise::FormatMap;
 use crate::trace::Photon;
 
 pub(super) const EXACTLY_ONE: HardCase = HardCase {

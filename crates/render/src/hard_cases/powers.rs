@@ -7,8 +7,7 @@ use super::case::{Bound, Contrast, HardCase, HardCaseError, Outcome, every_forma
 use super::grid::Grid;
 use super::room::{COLOUR, MIDDLE, RADIUS, Room, photon, points};
 use super::setting::Setting;
-use crate::format_map::FormatMap;
-use crate::power_scale::power_of_two;
+use crate::quantise::{FormatMap, power_of_two};
 use crate::trace::Photon;
 
 pub(super) const NONE: HardCase = HardCase {

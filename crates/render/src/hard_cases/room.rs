@@ -7,10 +7,9 @@ use serde_json::json;
 
 use super::case::HardCaseError;
 use super::grid::Grid;
-use crate::facing::Facing;
 use crate::photon_map::PhotonMap;
 use crate::scene::Scene;
-use crate::trace::Photon;
+use crate::trace::{Facing, Photon};
 
 /// The upward normal. All photons count as lying on the floor, wherever they are.
 pub(super) const NORMAL: DVec3 = DVec3::Y;

@@ -5,9 +5,8 @@ use photoncube_spec::{self as spec, LocalSums, Machine, PhotonFormat};
 
 use super::case::HardCaseError;
 use super::room::NORMAL;
-use crate::format_map::FormatMap;
-use crate::machine_map::MachineMap;
 use crate::photon_map::PhotonMap;
+use crate::quantise::{FormatMap, MachineMap};
 
 /// A photon map with query points.
 #[derive(Debug, Clone)]

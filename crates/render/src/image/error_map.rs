@@ -59,7 +59,7 @@ pub fn relative_errors(image: &[DVec3], reference: &[DVec3], mask: &[bool]) -> V
     let pairs = image.iter().zip(reference).zip(mask);
     let error = |((a, b), kept): ((&DVec3, &DVec3), &bool)| {
         let [a, b] = [a, b].map(|rgb| crate::metrics::luminance(*rgb));
-        kept.then(|| (a - b).abs() / crate::compare::relative_scale(b))
+        kept.then(|| (a - b).abs() / super::compare::relative_scale(b))
     };
     pairs.map(error).collect()
 }

@@ -1,5 +1,6 @@
 //! Stage 6: the image, which is linear until it is written.
 
+mod compare;
 mod error_map;
 mod files;
 
@@ -8,6 +9,10 @@ use std::path::{Path, PathBuf};
 use glam::DVec3;
 use thiserror::Error;
 
+pub(crate) use self::compare::relative_scale;
+pub use self::compare::{
+    CompareError, LIGHT_RADIANCE, light_mask, rel_mse, rms_relative_difference, rmse,
+};
 pub use self::error_map::{error_map, relative_errors};
 pub use self::files::IMAGE_ENDINGS;
 

@@ -2,12 +2,10 @@
 
 use glam::DVec3;
 
-use crate::camera::Ray;
 use crate::geometry::Quad;
-use crate::lights::emitters;
-use crate::sample::Apart;
-use crate::scene::Scene;
-use crate::view::QueryPoint;
+use crate::scene::{Scene, emitters};
+use crate::trace::sample::Apart;
+use crate::view::{QueryPoint, Ray};
 
 /// The lights of a scene as targets of shadow rays. Every light gets its own rays, so that a weak one is not
 /// lost beside one a million times as strong.

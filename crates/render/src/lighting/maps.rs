@@ -149,7 +149,7 @@ mod tests {
             position: step * DVec3::new(f64::from(x), 0.0, f64::from(z)),
             power: DVec3::ONE,
             surface: 0,
-            facing: crate::facing::Facing::FLAT,
+            facing: crate::trace::Facing::FLAT,
         };
         places.map(photon).collect()
     }

@@ -26,12 +26,11 @@ pub use self::maps::{PhotonMaps, Radii};
 pub use self::named::UnknownLighting;
 
 use self::direct::Shadows;
-use crate::camera::Ray;
-use crate::estimators::Estimator;
-use crate::sample::{Apart, cosine_direction_at};
+use crate::estimate::Estimator;
 use crate::scene::Scene;
 use crate::trace::PathKind;
-use crate::view::{QueryPoint, ViewSample, see};
+use crate::trace::sample::{Apart, cosine_direction_at};
+use crate::view::{QueryPoint, Ray, ViewSample, see};
 
 /// The source of direct light. On the command line: `map`, `rays`, `rays:16`.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]

@@ -2,7 +2,7 @@ use std::f64::consts::PI;
 
 use super::*;
 use crate::render::{Engine, Light, render_lit};
-use crate::sample::{Purpose, stream};
+use crate::trace::sample::{Purpose, stream};
 use crate::trace::{TraceOptions, trace};
 use crate::view::ViewOptions;
 use glam::DVec3;

@@ -12,8 +12,9 @@ use super::misclassified::Misclassified;
 use super::queries::{LUMINANCE, view_queries};
 use super::study::{ErrorReport, ErrorStudy};
 use super::verdicts::{f64_verdicts, format_verdicts, model_verdicts};
-use crate::estimate::{Estimate, Refusal, estimate_f64};
-use crate::estimators::{Estimator, EstimatorError, Method, UnfitEstimator};
+use crate::estimate::{
+    Estimate, Estimator, EstimatorError, Method, Refusal, UnfitEstimator, estimate_f64,
+};
 use crate::photon_map::{MapError, PhotonMap};
 use crate::render::{Engine, Prepared, RenderError};
 use crate::scene::Scene;

@@ -3,9 +3,8 @@
 use photoncube_model::{GatherError, gather};
 
 use super::misclassified::Misclassified;
-use crate::format_map::FormatMap;
 use crate::photon_map::PhotonMap;
-use crate::quantise::QuantisedMap;
+use crate::quantise::{FormatMap, QuantisedMap};
 use crate::trace::Photon;
 use crate::view::QueryPoint;
 

@@ -2,9 +2,8 @@
 
 use glam::DVec3;
 
-use crate::facing::Facing;
 use crate::scene::{Scene, Surface};
-use crate::trace::Photon;
+use crate::trace::{Facing, Photon};
 
 /// The facings of all surfaces, numbered in the order of the surfaces. In a scene of flat surfaces a group's
 /// number is that of its surface.

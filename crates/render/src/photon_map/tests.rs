@@ -1,8 +1,7 @@
 use proptest::prelude::*;
 
 use super::*;
-use crate::facing::Facing;
-use crate::trace::{TraceOptions, trace};
+use crate::trace::{Facing, TraceOptions, trace};
 
 fn scene() -> Scene {
     Scene::built_in("cornell").unwrap()

@@ -3,7 +3,7 @@
 use glam::DVec3;
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
-use crate::compare::relative_scale;
+use crate::image::relative_scale;
 use crate::metrics::{Moments, luminance};
 
 /// The statistics of a pixel over all passes.

@@ -32,12 +32,11 @@ use thiserror::Error;
 pub use self::error::{ErrorEstimate, PixelBound};
 
 use self::error::Pixel;
-use crate::estimators::{Estimator, Method};
+use crate::estimate::{Estimator, Method};
 use crate::image::Image;
 use crate::lighting::{Lighting, PhotonMaps, Radii};
 use crate::photon_map::MapError;
-use crate::render::{Engine, Light, RenderError, RenderStats};
-use crate::renderer::Renderer;
+use crate::render::{Engine, Light, RenderError, RenderStats, Renderer};
 use crate::scene::Scene;
 use crate::trace::{TraceError, TraceOptions, trace};
 use crate::view::ViewOptions;

@@ -1,7 +1,7 @@
 use photoncube_spec::PHOTON_FORMATS;
 
 use super::*;
-use crate::compare::{light_mask, rel_mse};
+use crate::image::{light_mask, rel_mse};
 use crate::{Area, render};
 
 const VIEW: ViewOptions = ViewOptions {

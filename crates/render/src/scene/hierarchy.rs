@@ -11,8 +11,8 @@ use glam::DVec3;
 use nalgebra::{Point3, Vector3};
 
 use super::Surface;
-use crate::camera::Ray;
 use crate::geometry::Hit;
+use crate::view::Ray;
 
 /// The margin of a box around its part, as a fraction of the longest path of a ray. A ray's distance to a
 /// box's side is off by a few roundings of that path (2^-53, 1e-16 of it), a thousandth of the margin.

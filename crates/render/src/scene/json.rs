@@ -8,8 +8,8 @@ use super::file::{
     SceneFile, ShapeFile, SheetFile, Spectrum,
 };
 use super::{Bsdf, LightChoice, MAX_RADIANCE, Scene, SceneError, Surface};
-use crate::camera::Camera;
 use crate::geometry::{Geometry, Quad, Sphere};
+use crate::view::Camera;
 
 /// The least cosine between a stated normal and the normal of the corners. A stated normal only serves to
 /// detect a wrong winding, so one degree is enough.

@@ -7,6 +7,7 @@ pub(crate) mod fixtures;
 mod fresnel;
 mod hierarchy;
 mod json;
+mod lights;
 mod obj;
 mod surface;
 mod toml;
@@ -18,13 +19,14 @@ use std::path::{Path, PathBuf};
 use glam::DVec3;
 
 pub use error::SceneError;
+pub(crate) use lights::{Lights, emitters};
 pub use obj::ObjError;
 pub use surface::{Bsdf, Surface};
 
 use self::hierarchy::Hierarchy;
 
-use crate::camera::{Camera, Ray};
 use crate::geometry::Hit;
+use crate::view::{Camera, Ray};
 
 /// The built-in scenes: name and text.
 const BUILT_IN: [(&str, &str); 3] = [

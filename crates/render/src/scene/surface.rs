@@ -5,10 +5,10 @@ use rand::RngExt;
 use rand_pcg::Pcg64Mcg;
 
 use super::fresnel::Border;
-use crate::camera::Ray;
-use crate::facing::Facing;
 use crate::geometry::{Geometry, Hit};
-use crate::sample::cosine_direction;
+use crate::trace::Facing;
+use crate::trace::sample::cosine_direction;
+use crate::view::Ray;
 
 /// The scattering of light by a surface. Light that is not reflected is absorbed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -140,7 +140,7 @@ mod tests {
 
     use super::*;
     use crate::geometry::Quad;
-    use crate::sample::{Purpose, stream};
+    use crate::trace::sample::{Purpose, stream};
 
     fn mirror(two_sided: bool) -> Surface {
         let [a, u, v] = [

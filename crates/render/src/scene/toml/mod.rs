@@ -14,7 +14,7 @@ use toml_parser::lexer::TokenKind;
 
 use self::field::{Fields, Source};
 use super::{LightChoice, Scene, SceneError};
-use crate::camera::{Camera, FovAxis};
+use crate::view::{Camera, FovAxis};
 
 /// Reads the scene in `text`. The files of meshes are relative to `folder`.
 pub(super) fn parse(file: &str, text: &str, folder: &Path) -> Result<Scene, SceneError> {

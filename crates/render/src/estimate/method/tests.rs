@@ -2,7 +2,7 @@ use photoncube_model::LocalGather;
 use photoncube_spec::{LocalQuery, PHOTON_FORMATS, PhotonFormat, find_machine};
 
 use super::*;
-use crate::estimators::integers::k_nearest;
+use crate::estimate::integers::k_nearest;
 use crate::{
     BenchOptions, ErrorBench, FormatMap, QuantisedMap, RenderError, Scene, TraceOptions,
     ViewOptions, render, render_with, trace, view_queries,

@@ -1,20 +1,23 @@
 //! Stage 5 for a whole picture: the estimate at every query point, by the chosen engine.
 
+mod band;
+mod renderer;
+mod workload;
+
 use std::ops::AddAssign;
 
 use photoncube_model::{GatherError, LocalError};
 use photoncube_spec::{Machine, PhotonFormat};
 use thiserror::Error;
 
-use crate::estimate::{Estimate, Refusal};
-use crate::estimators::{Estimator, EstimatorError, Method, UnfitEstimator};
-use crate::format_map::{FormatMap, FormatMapError};
+pub(crate) use self::renderer::Renderer;
+pub use self::workload::{WorkloadError, workload};
+
+use crate::estimate::{Estimate, Estimator, EstimatorError, Method, Refusal, UnfitEstimator};
 use crate::image::Image;
 use crate::lighting::{Lighting, LightingError};
-use crate::machine_map::MachineMap;
 use crate::photon_map::PhotonMap;
-use crate::quantise::{QuantiseError, QuantisedMap};
-use crate::renderer::Renderer;
+use crate::quantise::{FormatMap, FormatMapError, MachineMap, QuantiseError, QuantisedMap};
 use crate::scene::Scene;
 use crate::view::{QueryPoint, ViewError, ViewOptions};
 

@@ -4,11 +4,11 @@ use photoncube_spec::{Machine, Photon, Query};
 use rand::RngExt;
 use thiserror::Error;
 
-use crate::machine_map::MachineMap;
+use super::RenderError;
 use crate::photon_map::PhotonMap;
-use crate::render::RenderError;
-use crate::sample::{Purpose, stream};
+use crate::quantise::MachineMap;
 use crate::scene::Scene;
+use crate::trace::sample::{Purpose, stream};
 use crate::view::{ViewError, ViewOptions};
 
 /// The number of pixels tried in a row without a photon before the search ends. Where one in a hundred

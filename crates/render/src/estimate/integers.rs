@@ -6,8 +6,8 @@
 use glam::DVec3;
 
 use super::bisection::smallest_radius_sq;
+use super::gather::Estimate;
 use super::ladder::Ladder;
-use crate::estimate::Estimate;
 
 /// The result of one gather.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]

@@ -1,14 +1,19 @@
 //! Stage 4: supersampled view rays, which end at the points where the image needs light.
 
+mod camera;
+mod sights;
+
 use glam::DVec3;
 use rand::RngExt;
 use rand_pcg::Pcg64Mcg;
 use thiserror::Error;
 
-use crate::camera::Ray;
+pub use self::camera::{Camera, FovAxis, Ray};
+pub use self::sights::{Sights, sees_a_front};
+
 use crate::geometry::Hit;
-use crate::sample::{Purpose, stream};
 use crate::scene::{Scene, Surface};
+use crate::trace::sample::{Purpose, stream};
 
 /// The options of a picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -3,8 +3,8 @@
 use photoncube_model::{Gathered, Instructions, LocalError, Surroundings};
 use rayon::prelude::*;
 
-use crate::format_map::FormatMap;
 use crate::photon_map::PhotonMap;
+use crate::quantise::FormatMap;
 use crate::view::QueryPoint;
 
 /// The queries that one task of the thread pool gathers. They cover many blocks, and their results fit the

@@ -5,13 +5,13 @@ use std::f64::consts::SQRT_2;
 use photoncube_model::Gathered;
 
 use super::estimator::{Estimator, UnfitEstimator};
+use super::gather::{Estimate, Refusal, disc_area, estimate_f64, gather_format, gather_model};
 use super::integers::{Disc, Steps};
 use super::kernel::Kernel;
 use super::ladder::Ladder;
 use super::neighbourhood::{EstimatorError, KernelEstimate, Neighbourhood};
-use crate::estimate::{Estimate, Refusal, disc_area, estimate_f64, gather_format, gather_model};
-use crate::format_map::FormatMap;
 use crate::photon_map::PhotonMap;
+use crate::quantise::FormatMap;
 use crate::render::{Engine, Prepared};
 use crate::view::QueryPoint;
 

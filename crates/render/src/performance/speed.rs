@@ -11,8 +11,8 @@ use std::time::{Duration, Instant};
 use glam::Vec3;
 use rayon::ThreadPoolBuilder;
 
-use crate::format_map::FormatMap;
 use crate::photon_map::PhotonMap;
+use crate::quantise::FormatMap;
 use crate::render::{Engine, Prepared, RenderError};
 use crate::view::QueryPoint;
 

@@ -7,8 +7,8 @@ use std::fmt;
 use glam::DVec3;
 use rayon::prelude::*;
 
+use super::{Sight, ViewError, ViewOptions};
 use crate::scene::Scene;
-use crate::view::{Sight, ViewError, ViewOptions};
 
 /// The most surfaces that are named.
 const NAMED: usize = 3;

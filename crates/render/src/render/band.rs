@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use crate::estimate::Estimate;
 use crate::lighting::{Chances, Lit};
-use crate::sample::{Purpose, stream};
+use crate::trace::sample::{Purpose, stream};
 use crate::view::{QueryPoint, ViewOptions};
 
 /// The rows of a band, enough for a block to have many queries in it.

@@ -23,9 +23,9 @@ use photoncube_spec::{
 use rayon::prelude::*;
 use thiserror::Error;
 
+use super::power_scale::{PowerScale, power_of_two};
+use super::quantised_map::{fraction, in_steps};
 use crate::photon_map::{Candidates, MapError, PhotonMap};
-use crate::power_scale::{PowerScale, power_of_two};
-use crate::quantise::{fraction, in_steps};
 use crate::trace::Photon;
 
 /// The reason why a photon map has no form in a format.

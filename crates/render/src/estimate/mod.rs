@@ -1,4 +1,4 @@
-//! The f64 reference of the radiance estimate, in all its forms.
+//! The radiance estimate: its f64 reference, in all its forms, and the gathers of the engines.
 //!
 //! [`Neighbourhood`] is the photons around a query: those that face its way, with their squared distances,
 //! found by brute force or by a walk over the map's blocks. The estimates of irradiance E = sum(power K(d/r))
@@ -9,10 +9,13 @@
 //! [`smallest_radius_sq`] finds the k-th photon by bisection on the count, and a [`Ladder`] mixes rectangles
 //! of several radii to a smooth kernel.
 //!
-//! An [`Estimator`] names one of these forms, and a [`Method`] makes it with any engine.
+//! An [`Estimator`] names one of these forms, and a [`Method`] makes it with any engine. The file `gather.rs`
+//! gathers one query, and `batch.rs` many queries at once.
 
+mod batch;
 mod bisection;
 mod estimator;
+mod gather;
 mod integers;
 mod kernel;
 mod ladder;
@@ -21,7 +24,7 @@ mod neighbourhood;
 
 pub use bisection::{Bisection, smallest_radius_sq};
 pub use estimator::{Estimator, MIN_K, UnfitEstimator, UnknownEstimator};
-pub(crate) use integers::Disc;
+pub(crate) use gather::{Estimate, Refusal, disc_area, estimate_f64};
 pub use kernel::Kernel;
 pub use ladder::{Ladder, LadderError, MAX_RUNGS, Rung};
 pub(crate) use method::Method;

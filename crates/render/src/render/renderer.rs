@@ -5,13 +5,12 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use glam::DVec3;
 use rayon::prelude::*;
 
-use crate::band::{BAND_ROWS, Band, Queries};
-use crate::estimate::Estimate;
-use crate::estimators::Method;
+use super::band::{BAND_ROWS, Band, Queries};
+use super::{Engine, Light, Prepared, RenderError, RenderStats};
+use crate::estimate::{Estimate, Method};
 use crate::image::Image;
 use crate::lighting::{Area, Fronts, Lit};
 use crate::photon_map::PhotonMap;
-use crate::render::{Engine, Light, Prepared, RenderError, RenderStats};
 use crate::scene::Scene;
 use crate::view::ViewOptions;
 

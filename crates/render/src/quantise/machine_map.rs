@@ -3,9 +3,9 @@
 use glam::DVec3;
 use photoncube_spec::{self as spec, Machine, Numbers, PhotonBlock};
 
-use crate::format_map::FormatMap;
+use super::format_map::FormatMap;
+use super::quantised_map::QuantisedMap;
 use crate::photon_map::PhotonMap;
-use crate::quantise::QuantisedMap;
 use crate::render::RenderError;
 
 /// Photons and queries in the words that a machine reads.

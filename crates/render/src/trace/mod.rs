@@ -8,6 +8,9 @@
 //! strongest channel of every photon's power stays what the light gave it: powers are about
 //! equal, which is what a narrow linear power format and a low variance both need.
 
+mod facing;
+pub(crate) mod sample;
+
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use glam::DVec3;
@@ -16,11 +19,11 @@ use rand_pcg::Pcg64Mcg;
 use rayon::prelude::*;
 use thiserror::Error;
 
-use crate::camera::Ray;
-use crate::facing::Facing;
-use crate::lights::Lights;
-use crate::sample::{Purpose, cosine_direction, stream};
-use crate::scene::Scene;
+pub use self::facing::Facing;
+
+use self::sample::{Purpose, cosine_direction, stream};
+use crate::scene::{Lights, Scene};
+use crate::view::Ray;
 
 /// The number of paths in a batch. Paths are emitted in whole batches; a partial batch would favour early
 /// paths.
@@ -423,7 +426,7 @@ mod tests {
             trace(&scene, &options, &|_| ()),
             Err(TraceError::Count { found: 0 })
         );
-        let text = include_str!("../scenes/cornell.json");
+        let text = include_str!("../../scenes/cornell.json");
         let mut json: serde_json::Value = serde_json::from_str(text).unwrap();
         let light = json["shapes"]["light"].take();
         json["shapes"] = serde_json::json!({ "light": light });

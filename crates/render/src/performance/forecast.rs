@@ -4,8 +4,8 @@ use std::collections::HashMap;
 
 use photoncube_spec::{Machine, Pace, SharedGroups};
 
-use crate::format_map::FormatMap;
 use crate::photon_map::{MapError, PhotonMap};
+use crate::quantise::FormatMap;
 use crate::view::QueryPoint;
 
 /// The clocks for these queries of `map` while no stream waits. Queries that are tested against equal photons

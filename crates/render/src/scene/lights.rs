@@ -5,8 +5,8 @@ use glam::DVec3;
 use rand::RngExt;
 use rand_pcg::Pcg64Mcg;
 
+use super::{LightChoice, Scene, Surface};
 use crate::geometry::{Geometry, Quad};
-use crate::scene::{LightChoice, Scene, Surface};
 
 /// The lights, for a random choice in proportion to their weights.
 pub(crate) struct Lights<'a> {

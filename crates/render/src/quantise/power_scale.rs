@@ -4,8 +4,8 @@ use glam::DVec3;
 use photoncube_spec::{Channels, PhotonFormat, Rounding};
 
 use crate::photon_map::PhotonMap;
-use crate::sample::mix;
 use crate::trace::Photon;
+use crate::trace::sample::mix;
 
 /// The conversion of a map's powers to the integers of a format and back.
 #[derive(Debug, Clone, Copy, PartialEq)]

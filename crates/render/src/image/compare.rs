@@ -3,7 +3,7 @@
 use glam::DVec3;
 use thiserror::Error;
 
-use crate::image::Image;
+use super::Image;
 
 /// The constant of the reference's definition, which keeps the quotient of black pixels finite.
 const EPSILON: f64 = 1e-4;

@@ -3,17 +3,18 @@
 //! Every engine sums the power of the photons in range, d^2 <= r^2, and divides by the area of the disc: the
 //! paper's eq. 2 with the rectangle kernel, E = sum(power) / (pi r^2). The reflected radiance is E times the
 //! query's rho / pi, which [`crate::QueryPoint`] carries as `beta`. Other estimates from such gathers are in
-//! [`crate::estimators`].
+//! [`crate::estimate`].
 
 use glam::DVec3;
 use photoncube_model::{GatherError, LocalError, gather};
 use photoncube_spec as spec;
 use thiserror::Error;
 
-use crate::estimators::{Disc, EstimatorError, UnfitEstimator};
-use crate::format_map::FormatMap;
+use super::estimator::UnfitEstimator;
+use super::integers::Disc;
+use super::neighbourhood::EstimatorError;
 use crate::photon_map::PhotonMap;
-use crate::quantise::QuantisedMap;
+use crate::quantise::{FormatMap, QuantisedMap};
 use crate::view::QueryPoint;
 
 /// The estimate of a query, with the work that it took.
