@@ -9,8 +9,8 @@ Usage: scripts/bench.sh [FILTER | scaling | threads]
 Measures, in one run and on the same photons and queries, the fixed-point gather (with this processor's
 fastest instructions, and portably), a uniform grid of f32 photons in AVX2, and kiddo's kd-tree; on one
 thread and on two; photons on a floor, uniform, with a caustic, and on a floor that lies along no axis. Prints
-Criterion's measurements and a table of rates and ratios. docs/measured/bench.md has one, docs/speed.md explains its columns
-Six to ten minutes; FILTER takes those measurements only whose names contain it.
+Criterion's measurements and a table of rates and ratios. docs/measured/bench.md has such a table, and docs/speed.md
+explains its columns. Six to ten minutes; FILTER takes those measurements only whose names contain it.
 
 `scaling` measures on one thread how time and memory grow from 1e5 to 1e7 photons instead, with as many in
 range and with one radius. Three to five minutes and several GB of memory.

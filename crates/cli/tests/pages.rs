@@ -18,12 +18,18 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-/// All pages: those at the root and those below `docs/`.
+/// All pages: those at the root, those below `docs/`, and the READMEs of the crates.
 fn pages() -> Vec<PathBuf> {
     let mut pages = Vec::new();
     let mut folders = vec![root().join("docs")];
     let at_root = files(&root()).into_iter();
     pages.extend(at_root.filter(|path| is_page(path)));
+    let crates = files(&root().join("crates")).into_iter();
+    pages.extend(
+        crates
+            .map(|path| path.join("README.md"))
+            .filter(|path| path.exists()),
+    );
     while let Some(folder) = folders.pop() {
         for path in files(&folder) {
             match path.is_dir() {
