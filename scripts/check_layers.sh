@@ -27,6 +27,8 @@ from pathlib import Path
 LAYERS = [
     ("crates/rust-hdl-lint", "rust-hdl-lint", "", ""),
     ("crates/verilog-eval", "verilog-eval", "", ""),
+    # Its version 0.11, from outside.
+    ("crates/svg", "svg", "svg", ""),
     ("crates/spec", "photoncube-spec", "", ""),
     ("crates/model", "photoncube-model", "spec", ""),
     ("crates/hdl", "photoncube-hdl", "spec rust-hdl-lint", ""),

@@ -3,10 +3,12 @@
 use std::io::Cursor;
 use std::path::Path;
 
+use exr::meta::header::Header;
+use exr::prelude::{
+    Image as ExrImage, IntegerBounds, ReadChannels as _, ReadLayers as _, SpecificChannels, Vec2,
+    WritableImage as _,
+};
 use glam::DVec3;
-use image::codecs::openexr::{OpenExrDecoder, OpenExrEncoder};
-use image::codecs::png::PngEncoder;
-use image::{DynamicImage, ExtendedColorType, ImageDecoder, ImageEncoder};
 
 use super::{Image, ImageError, MAX_PIXELS};
 
@@ -32,31 +34,45 @@ fn format_of(path: &Path) -> Result<Format, ImageError> {
 }
 
 pub(super) fn encode(image: &Image, path: &Path, exposure: f64) -> Result<Vec<u8>, ImageError> {
-    let (width, height) = (image.width, image.height());
-    let mut bytes = Cursor::new(Vec::new());
     match format_of(path)? {
         Format::Png => {
             let pixels = image.to_srgb8(exposure);
-            PngEncoder::new(&mut bytes).write_image(&pixels, width, height, ExtendedColorType::Rgb8)
+            encode_png(image.width, image.height(), &pixels).map_err(|e| e.to_string())
         }
-        Format::Exr => OpenExrEncoder::new(&mut bytes).write_image(
-            &f32_bytes(image),
-            width,
-            height,
-            ExtendedColorType::Rgb32F,
-        ),
+        Format::Exr => encode_exr(image).map_err(|e| e.to_string()),
     }
-    .map_err(|error| ImageError::Encode {
+    .map_err(|message| ImageError::Encode {
         path: path.to_owned(),
-        message: error.to_string(),
-    })?;
-    Ok(bytes.into_inner())
+        message,
+    })
 }
 
-/// Three numbers for each pixel, in native byte order.
-fn f32_bytes(image: &Image) -> Vec<u8> {
-    let channels = image.pixels.iter().flat_map(|pixel| pixel.to_array());
-    channels.flat_map(|c| (c as f32).to_ne_bytes()).collect()
+/// A PNG of 8-bit sRGB pixels, three bytes each, row by row from the top.
+pub(super) fn encode_png(
+    width: u32,
+    height: u32,
+    pixels: &[u8],
+) -> Result<Vec<u8>, png::EncodingError> {
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, width, height);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_compression(png::Compression::Fast);
+    encoder.write_header()?.write_image_data(pixels)?;
+    Ok(bytes)
+}
+
+/// An OpenEXR of one layer with channels R, G and B of 32-bit floats, run-length coded.
+fn encode_exr(image: &Image) -> exr::error::Result<Vec<u8>> {
+    let size = Vec2(image.width as usize, image.height() as usize);
+    let channels = SpecificChannels::rgb(|pixel: Vec2<usize>| {
+        let [r, g, b] = image.pixels[pixel.flat_index_for_size(size)].to_array();
+        (r as f32, g as f32, b as f32)
+    });
+    let mut bytes = Cursor::new(Vec::new());
+    ExrImage::from_channels(size, channels)
+        .write()
+        .to_buffered(&mut bytes)?;
+    Ok(bytes.into_inner())
 }
 
 /// The most pixels for each byte of a file. Of OpenEXR's compressions deflate shrinks most, at most 1032
@@ -70,28 +86,71 @@ pub(super) fn read_exr(path: &Path) -> Result<Image, ImageError> {
     };
     let bytes = std::fs::read(path).map_err(|e| error(e.to_string()))?;
     let length = bytes.len() as u64;
-    let decoder = OpenExrDecoder::new(Cursor::new(bytes));
-    let decoder = decoder.map_err(|e| error(e.to_string()))?;
-    // The decoder allocates memory for as many pixels as the header states.
-    let (width, height) = decoder.dimensions();
+    let reader = exr::block::read(Cursor::new(bytes), false).map_err(|e| error(e.to_string()))?;
+    let header = reader.headers().iter().find(|header| has_colours(header));
+    let header = header.ok_or_else(|| {
+        error("found no flat layer with the channels R, G and B, expected one".to_owned())
+    })?;
+    let shown = header.shared_attributes.display_window;
+    let offset = header.own_attributes.layer_position - shown.position;
+    let Vec2(width, height) = shown.size;
+    // The reader allocates memory for as many pixels as the header states.
     let most = MAX_PIXELS.min(length * PIXELS_A_BYTE);
-    if u64::from(width) * u64::from(height) > most {
+    if (width as u64).saturating_mul(height as u64) > most {
         return Err(error(format!(
             "found {width}x{height} pixels, expected at most {most} in a file of {length} bytes"
         )));
     }
-    let read = DynamicImage::from_decoder(decoder);
-    let read = read.map_err(|e| error(e.to_string()))?.into_rgb32f();
-    let (width, height) = read.dimensions();
-    let pixels = read.pixels().map(|p| DVec3::from(p.0.map(f64::from)));
-    let pixels: Vec<_> = pixels.collect();
+    let read = exr::prelude::read()
+        .no_deep_data()
+        .largest_resolution_level()
+        .rgb_channels(
+            move |_, _| vec![DVec3::ZERO; width * height],
+            move |pixels, place, (r, g, b): (f32, f32, f32)| {
+                if let Some(place) = place_shown(place.to_i32() + offset, shown) {
+                    pixels[place] = DVec3::new(r.into(), g.into(), b.into());
+                }
+            },
+        )
+        .first_valid_layer()
+        .all_attributes()
+        .from_chunks(reader)
+        .map_err(|e| error(e.to_string()))?;
+    let pixels = read.layer_data.channel_data.pixels;
     if pixels.iter().any(|pixel| !pixel.is_finite()) {
         return Err(error("a pixel is not finite".to_owned()));
     }
-    Image::new(width, pixels.len() as u32 / width.max(1), pixels).map_err(|_| {
-        let found = format!("{width}x{height} pixels");
-        error(found)
-    })
+    Image::new(width as u32, height as u32, pixels)
+        .map_err(|_| error(format!("{width}x{height} pixels")))
+}
+
+/// Whether a layer is flat and has the three channels of a picture.
+fn has_colours(header: &Header) -> bool {
+    let has = |name: &str| {
+        header
+            .channels
+            .find_index_of_channel(&name.into())
+            .is_some()
+    };
+    !header.deep && ["R", "G", "B"].into_iter().all(has)
+}
+
+/// The index of a pixel in the window that is shown; a file may hold pixels beside it, which have none.
+fn place_shown(place: Vec2<i32>, shown: IntegerBounds) -> Option<usize> {
+    let Vec2(x, y) = place;
+    let Vec2(width, height) = shown.size;
+    let (x, y) = (usize::try_from(x).ok()?, usize::try_from(y).ok()?);
+    (x < width && y < height).then(|| y * width + x)
+}
+
+/// The width, the height and the pixels of an 8-bit RGB PNG.
+#[cfg(test)]
+pub(super) fn decode_png(bytes: &[u8]) -> (u32, u32, Vec<u8>) {
+    let mut reader = png::Decoder::new(Cursor::new(bytes)).read_info().unwrap();
+    let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+    let frame = reader.next_frame(&mut pixels).unwrap();
+    assert_eq!(frame.color_type, png::ColorType::Rgb);
+    (frame.width, frame.height, pixels)
 }
 
 #[cfg(test)]
@@ -111,9 +170,7 @@ mod tests {
     fn a_png_reads_back() {
         let image = two_pixels(f64::NAN);
         let png = image.encode(Path::new("two.png"), 1.0).unwrap();
-        let read = image::load_from_memory(&png).unwrap().into_rgb8();
-        assert_eq!(read.dimensions(), (2, 1));
-        assert_eq!(read.into_raw(), image.to_srgb8(1.0));
+        assert_eq!(decode_png(&png), (2, 1, image.to_srgb8(1.0)));
     }
 
     #[test]
