@@ -48,6 +48,8 @@ measure_area_and_clock() {
         "${synth[@]}" --machine "$1" --flow place --grade 8 "${chain_seeds[@]}"
     fi
 }
+# The folder has all machines only after they were generated.
+target/release/photoncube generate
 for folder in hdl-out/*/; do
     machine=$(basename "$folder")
     printf '\n=== %s\n' "$machine"

@@ -8,6 +8,7 @@ use std::collections::BTreeMap;
 use anyhow::{Context, Result};
 use photoncube_hdl::Emitted;
 use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
 
 /// The name of the file in the folder of all machines' Verilog.
 pub const FILE: &str = "digests.json";
@@ -37,6 +38,12 @@ impl Digests {
     }
 }
 
+/// SHA-256 of a whole file, comments and all, in hexadecimal digits; what `sha256sum` prints of it.
+pub fn of_file(text: &str) -> String {
+    let bytes = Sha256::digest(text);
+    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
 /// The text of the digests' file.
 pub fn text(digests: &ByMachine) -> Result<String> {
     Ok(serde_json::to_string_pretty(digests)? + "\n")
@@ -52,6 +59,13 @@ mod tests {
     use photoncube_spec::MACHINES;
 
     use super::*;
+
+    #[test]
+    fn a_file_has_the_digest_that_sha256sum_prints() {
+        // printf 'photon\n' | sha256sum
+        let printed = "4fb56389b4b4a07d0db7066b57a516cbc50dca0fa00496ae4031bf5cde507c56";
+        assert_eq!(of_file("photon\n"), printed);
+    }
 
     #[test]
     fn every_machine_has_its_digests() {

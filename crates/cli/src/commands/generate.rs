@@ -1,7 +1,7 @@
 //! The command `generate`: writes the Verilog of the machines, or checks the committed Verilog.
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Result, bail};
 use photoncube_spec::{MACHINES, Machine};
@@ -15,12 +15,20 @@ use crate::machines::MachineArgs;
 use crate::project::{self, ProjectFile};
 use crate::{files, output, outputs};
 
+/// One machine of each organisation, one of more than one engine and one with photon memory: their Verilog is
+/// committed in full, to be reviewed as a change of text. The others are committed as [`SUMS`].
+const IN_FULL: [&str; 5] = ["paper", "overlap", "stream", "tile-5", "tile-6-mixed"];
+
+/// The SHA-256 digests of the files of all machines, in the form that `sha256sum --check` reads.
+const SUMS: &str = "SHA256SUMS";
+
 #[derive(Serialize)]
 struct Report {
     machines: Vec<&'static str>,
     out: String,
     checked: bool,
     files: Vec<String>,
+    by_digest: Vec<&'static str>,
     stale: Vec<String>,
 }
 
@@ -42,7 +50,15 @@ pub fn execute(args: &GenerateArgs, json: bool) -> Result<()> {
         digests.map(|(machine, project)| (machine.name.to_owned(), project.digests.clone()));
     let digests: ByMachine = digests.collect();
     let mut project_files: Vec<_> = projects.into_iter().flat_map(|p| p.files).collect();
+    let mut by_digest = Vec::new();
     if args.machine.is_none() {
+        let sums = sums(&project_files);
+        if args.check {
+            by_digest = absent(&args.out);
+            let is_there = |file: &ProjectFile| !by_digest.iter().any(|m| file.path.starts_with(m));
+            project_files.retain(is_there);
+        }
+        project_files.push(sums);
         project_files.push(ProjectFile {
             path: digests::FILE.into(),
             text: digests::text(&digests)?,
@@ -60,6 +76,7 @@ pub fn execute(args: &GenerateArgs, json: bool) -> Result<()> {
         out: args.out.display().to_string(),
         checked: args.check,
         files: paths(&project_files),
+        by_digest,
         stale,
     };
     output::print(json, &report, || text(&report))?;
@@ -85,6 +102,25 @@ fn machines(args: &GenerateArgs) -> Result<Vec<&'static Machine>> {
         dimension: args.dimension,
     };
     Ok(vec![selection.find()?])
+}
+
+/// The machines that have no folder and need none, because the digests of their files are checked.
+fn absent(out: &Path) -> Vec<&'static str> {
+    let names = MACHINES.iter().map(|machine| machine.name);
+    let others = names.filter(|name| !IN_FULL.contains(name));
+    others.filter(|name| !out.join(name).exists()).collect()
+}
+
+/// The file of digests, in the order of the paths.
+fn sums(files: &[ProjectFile]) -> ProjectFile {
+    let line =
+        |file: &ProjectFile| format!("{}  {}\n", digests::of_file(&file.text), path_text(file));
+    let mut sorted: Vec<_> = files.iter().collect();
+    sorted.sort_by(|a, b| a.path.cmp(&b.path));
+    ProjectFile {
+        path: PathBuf::from(SUMS),
+        text: sorted.into_iter().map(line).collect(),
+    }
 }
 
 /// The files that differ or are missing, and the foreign files in a machine's folder.
@@ -118,11 +154,65 @@ fn path_text(file: &ProjectFile) -> String {
 
 fn text(report: &Report) -> String {
     let done = if report.checked { "checked" } else { "wrote" };
-    format!(
+    let mut text = format!(
         "{done} {} files of {} machines in {}: {}\n",
         report.files.len(),
         report.machines.len(),
         report.out,
         report.machines.join(", ")
-    )
+    );
+    if !report.by_digest.is_empty() {
+        text += &format!(
+            "by {SUMS} alone, {} machines without a folder: {}\n",
+            report.by_digest.len(),
+            report.by_digest.join(", ")
+        );
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn file(path: &str, text: &str) -> ProjectFile {
+        ProjectFile {
+            path: path.into(),
+            text: text.to_owned(),
+        }
+    }
+
+    #[test]
+    fn the_sums_are_lines_of_sha256sum_by_path() {
+        let files = [file("b/x.v", "photon\n"), file("a/y.v", "")];
+        let lines: Vec<_> = files
+            .iter()
+            .map(|file| format!("{}  {}\n", digests::of_file(&file.text), path_text(file)))
+            .collect();
+        assert_eq!(sums(&files).text, format!("{}{}", lines[1], lines[0]));
+    }
+
+    #[test]
+    fn only_a_machine_that_is_not_reviewed_in_full_may_lack_its_folder() {
+        let out = tempfile::tempdir().unwrap();
+        let others = MACHINES.len() - IN_FULL.len();
+        assert_eq!(absent(out.path()).len(), others);
+        fs::create_dir(out.path().join("tile-10")).unwrap();
+        let absent = absent(out.path());
+        assert_eq!(absent.len(), others - 1);
+        assert!(!absent.contains(&"tile-10") && !absent.contains(&"paper"));
+    }
+
+    #[test]
+    fn the_machines_in_full_are_those_that_git_keeps() {
+        let ignored = include_str!("../../../../hdl-out/.gitignore");
+        for name in IN_FULL {
+            assert!(
+                ignored.lines().any(|line| line == format!("!/{name}/")),
+                "{name}"
+            );
+        }
+        let kept = ignored.lines().filter(|line| line.starts_with("!/"));
+        assert_eq!(kept.count(), IN_FULL.len());
+    }
 }
