@@ -5,6 +5,17 @@
 //! [`Device`]. Every signal that the device shows must have the model's value, in every clock. [`verify`]
 //! does all of this. It fails on the first difference and describes it, and it fails if it has compared
 //! nothing.
+//!
+//! ```
+//! use photoncube_spec::find_machine;
+//! use photoncube_testbench::{DeviceKind, Source, VerifyOptions, verify};
+//!
+//! let options = VerifyOptions { iterations: 100, seed: 1, source: Source::Random };
+//! // `Text` runs the emitted Verilog in an evaluator of our own, and needs no tool.
+//! let verdict = verify(find_machine("paper")?, DeviceKind::Text, &options, &|_| ())?;
+//! assert!(verdict.registers_compared && verdict.vectors_compared >= 900);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod campaign;
 mod compare;

@@ -3,6 +3,16 @@
 //! Only this crate and `rust-hdl-lint` name rust-hdl. rust-hdl simulates Rust code and prints Verilog, and the two may
 //! differ. A block is therefore trusted only after its *emitted* Verilog has been simulated. [`emit`] also returns the
 //! path of every register in the emitted text, so that a simulation can observe it.
+//!
+//! ```
+//! use photoncube_hdl::{Level, emit};
+//! use photoncube_spec::find_machine;
+//!
+//! let design = emit(find_machine("paper")?, Level::Machine)?;
+//! assert_eq!(design.top, "photoncube_paper");
+//! assert!(design.text.contains("module photoncube_paper("));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod build;
 mod emit;

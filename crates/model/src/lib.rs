@@ -6,6 +6,18 @@
 //! computes this sum over blocks of stored records in a photon format, with the format's radius;
 //! [`PhotonPlanes`] computes it fast, bit for bit. The crate does no I/O, uses no HDL, and shares no
 //! arithmetic with the HDL.
+//!
+//! ```
+//! use photoncube_model::gather;
+//! use photoncube_spec::{Photon, Query, find_machine};
+//!
+//! let query = Query { position: [100, 100, 100], radius_sq: 25 };
+//! let photon = |x| Photon { position: [x, 100, 100], power: [300, 200, 100], exponent: 0 };
+//! // 5 steps away is in range, 6 are not.
+//! let sums = gather(find_machine("paper")?, &query, [photon(105), photon(106)])?;
+//! assert_eq!((sums.count, sums.power), (1, [300, 200, 100]));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod gather;
 mod golden;

@@ -21,6 +21,21 @@
 //! All results are a function of the scene, the options and the seed; the number of threads
 //! never matters.
 //!
+//! ```
+//! use photoncube_render::{Engine, PhotonMap, Scene, TraceOptions, ViewOptions, render, trace};
+//!
+//! let scene = Scene::built_in("cornell")?;
+//! let traced = trace(&scene, &TraceOptions { photons: 5_000, seed: 1 }, &|_| ())?;
+//! let radius = PhotonMap::radius_for(&scene, 5_000, 50.0);
+//! let map = PhotonMap::new(&scene, traced.photons, radius)?;
+//! let view = ViewOptions { width: 16, height: 16, samples_per_axis: 1, seed: 1 };
+//! // The f64 reference; `Engine::Model` gathers in a machine's integers.
+//! let rendering = render(&scene, &map, Engine::F64, &view, &|_| ())?;
+//! assert_eq!((rendering.image.width(), rendering.image.height()), (16, 16));
+//! assert!(rendering.stats.photons_in_range > 0);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
 //! # What is modelled
 //! Quads, boxes, spheres and meshes of triangles, each with diffuse (Lambertian) reflection on its front, as a
 //! perfect mirror of one side or two, or as the smooth border of a clear medium (Fresnel and Snell); a black back,

@@ -5,6 +5,19 @@
 //! meaning in prose and formulas and computes nothing on photon values. The difference `a - b` of two
 //! coordinates, for example, is written once in `photoncube-model` and once in `photoncube-hdl`, so the
 //! comparison of the two is a real check.
+//!
+//! ```
+//! use photoncube_spec::{Microprogram, check_schedule, find_machine};
+//!
+//! let machine = find_machine("paper")?;
+//! assert_eq!(machine.hypercube().nodes(), 16);
+//!
+//! // The paper's program takes a group of 4 photons every 9 clocks.
+//! let program = Microprogram::all_reduce(machine.hypercube());
+//! check_schedule(&program, machine.hypercube())?;
+//! assert_eq!(program.initiation_interval(), 9);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod formats;
 mod hypercube;
