@@ -16,17 +16,43 @@ fi
 export REQUIRE_EDA=1
 
 name=start
-report_failure() {
+times=()
+report() {
     local code=$?
+    printf '\nseconds by stage:\n'
+    ((${#times[@]} == 0)) || printf '%6d  %s\n' "${times[@]}"
+    printf '%6d  in all\n' "$SECONDS"
     ((code == 0)) || printf '\nstage failed: %s (exit code %d, at %d s)\n' "$name" "$code" "$SECONDS" >&2
 }
-trap report_failure EXIT
+trap report EXIT
 
 stage() {
+    local start=$SECONDS
     name=$1
     shift
     printf '\n=== %s (at %d s)\n' "$name" "$SECONDS"
     "$@"
+    times+=($((SECONDS - start)) "$name")
+}
+
+# The tests have built what follows; cargo would build it once more for one package alone.
+built=${CARGO_TARGET_DIR:-target}/debug
+
+# Each is a program of seconds.
+examples() {
+    local file
+    for file in crates/*/examples/*.rs testbenches/examples/*.rs; do
+        "$built/examples/$(basename "$file" .rs)" >/dev/null || {
+            echo "test: the example $file failed" >&2
+            return 1
+        }
+    done
+}
+
+# The Verilog of all machines, of which only some are committed in full; each file by its committed digest.
+all_verilog() {
+    "$built/photoncube" generate
+    (cd hdl-out && sha256sum --quiet --check SHA256SUMS)
 }
 
 stage "set-up" scripts/setup.sh
@@ -34,7 +60,10 @@ stage "format" cargo fmt --all --check
 stage "layers" scripts/check_layers.sh
 stage "clippy" cargo clippy --locked --workspace --all-targets -- -D warnings
 stage "docs" env RUSTDOCFLAGS="-D warnings" cargo doc --locked --workspace --no-deps
+stage "build" cargo test --locked --workspace --no-run --quiet
 stage "tests" cargo test --locked --workspace
+stage "examples" examples
+stage "all Verilog" all_verilog
 stage "Verilog checks" scripts/yosys/check.sh
 stage "Yosys scripts" scripts/yosys/scripts.sh
 stage "Quartus projects" scripts/quartus/check.sh
