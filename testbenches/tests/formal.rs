@@ -47,7 +47,7 @@ const QUICK: &[(&str, &[&str])] = &[
         "tile-6-mixed",
         &[
             "units::",
-            "memory::",
+            "memory::sets",
             "netlist::memory",
             "netlist::square_table",
         ],

@@ -7,7 +7,7 @@ use photoncube_spec::find_machine;
 use photoncube_testbench::{DeviceKind, Fate, MutantOptions, MutantPart, mutants};
 
 /// The number of mutants. `photoncube verify --mutants` judges more, and those of other machines.
-const MUTANTS: u64 = 40;
+const MUTANTS: u64 = 24;
 
 fn main() {
     let subjects = [

@@ -18,6 +18,7 @@ mod progress;
 mod project;
 mod scenes;
 mod sight;
+mod stages;
 mod synth;
 mod table;
 mod verified;

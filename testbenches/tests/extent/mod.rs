@@ -14,8 +14,8 @@ pub enum Extent {
     /// Chains with many times the signals. The tests check that they are assembled correctly; their engines
     /// are those of shorter chains.
     Chain,
-    /// Chains that take minutes to build in any Verilog simulator. They run only in rust-hdl and the
-    /// evaluator of the emitted text.
+    /// Chains that take minutes to build in any Verilog simulator. They run only in the evaluator of the
+    /// emitted text; `photoncube verify` runs them in rust-hdl.
     LongChain,
 }
 

@@ -1,49 +1,14 @@
 //! The command `compare`: measures the difference of two pictures.
 
-use anyhow::{Result, anyhow};
-use photoncube_render::{
-    Image, LIGHT_RADIANCE, error_map, light_mask, rel_mse, relative_errors,
-    rms_relative_difference, rmse,
-};
+use anyhow::Result;
+use photoncube_render::Image;
 use serde::Serialize;
 
 use crate::args::CompareArgs;
 use crate::failure::CheckFailed;
 use crate::outputs::{self, Output};
+use crate::stages::{Distance, map_of};
 use crate::{files, output};
-
-/// The difference of two pictures. Pixels that see the light, and their neighbours, are left out, as for the
-/// reference image.
-#[derive(Clone, Copy, Debug, Serialize)]
-pub struct Distance {
-    /// The rms relative difference.
-    pub rms_relative_error: f64,
-    /// The relative mean squared error, see [`rel_mse`].
-    pub rel_mse: f64,
-    /// The root mean squared error, see [`rmse`].
-    pub rmse: f64,
-}
-
-impl Distance {
-    /// The difference of `image` from `reference`.
-    pub fn between(image: &Image, reference: &Image) -> Result<Self> {
-        let mask = light_mask(reference, LIGHT_RADIANCE);
-        let explain = |error| anyhow!("the two pictures cannot be compared: {error}");
-        let rms = rms_relative_difference(image, reference, &mask).map_err(explain)?;
-        Ok(Self {
-            rms_relative_error: rms,
-            rel_mse: rel_mse(image, reference, &mask).map_err(explain)?,
-            rmse: rmse(image, reference, &mask).map_err(explain)?,
-        })
-    }
-}
-
-/// A map of the errors of `image` against `reference`, which must have equal sizes.
-pub fn map_of(image: &Image, reference: &Image, title: &str) -> String {
-    let mask = light_mask(reference, LIGHT_RADIANCE);
-    let errors = relative_errors(image.pixels(), reference.pixels(), &mask);
-    error_map(title, image.width(), &errors)
-}
 
 #[derive(Serialize)]
 struct Report {

@@ -10,13 +10,12 @@ use photoncube_render::{
 };
 use serde::Serialize;
 
-use super::compare::Distance;
-use super::render::write_picture;
 use crate::args::{EngineReport, LightingReport, ProgressiveArgs, short};
 use crate::failure::CheckFailed;
 use crate::interrupt::Interrupt;
 use crate::outputs::{self, Output};
 use crate::plots::{Curve, Reached, convergence_plot};
+use crate::stages::{Distance, write_picture};
 use crate::table::markdown;
 use crate::{files, output, progress, scenes, sight};
 

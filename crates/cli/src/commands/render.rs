@@ -1,21 +1,15 @@
 //! The command `render`: a picture of a scene.
 
-use std::path::Path;
 use std::time::Instant;
 
 use anyhow::Result;
-use photoncube_render::{
-    BATCH_PATHS, Engine, Estimator, Image, Light, Lighting, PhotonMap, PhotonMaps, Radii,
-    Rendering, Scene, TraceOptions, ViewOptions, render_lit, trace,
-};
+use photoncube_render::{BATCH_PATHS, PhotonMap};
 use serde::Serialize;
 
-use crate::args::{EngineReport, LightingReport, PictureArgs, RenderArgs};
+use crate::args::{EngineReport, LightingReport, RenderArgs};
 use crate::outputs::{self, Output};
-use crate::{files, output, progress, scenes, sight};
-
-/// The exposure of written pictures: radiance 1 is white.
-const EXPOSURE: f64 = 1.0;
+use crate::stages::{picture_lit, trace_scene, view, write_picture};
+use crate::{output, scenes, sight};
 
 #[derive(Serialize)]
 struct Report {
@@ -38,82 +32,6 @@ struct Report {
     caustic_radius: Option<f64>,
     seed: u64,
     seconds: f64,
-}
-
-/// A scene with its photon maps.
-pub struct Traced {
-    /// The scene that was traced.
-    pub scene: Scene,
-    /// The photon maps.
-    pub maps: PhotonMaps,
-    /// The number of paths that were emitted for the maps.
-    pub paths: u64,
-}
-
-impl Traced {
-    /// The map of all light, or of all light but that of the caustics' map.
-    pub fn map(&self) -> &PhotonMap {
-        &self.maps.global
-    }
-}
-
-/// Stages 2 and 3: traces the photons and makes the maps that the lighting needs.
-pub fn trace_scene(scene: Scene, picture: &PictureArgs, lighting: &Lighting) -> Result<Traced> {
-    let options = TraceOptions {
-        photons: picture.photons,
-        seed: picture.seed,
-    };
-    let bar = progress::bar("tracing photons", picture.photons);
-    let traced = trace(&scene, &options, &|stored| bar.set_position(stored))?;
-    bar.finish_and_clear();
-    let paths = traced.paths;
-    let radii = Radii::of(&scene, &traced, lighting, picture.in_range);
-    let maps = PhotonMaps::new(&scene, traced, lighting, radii)?;
-    Ok(Traced { scene, maps, paths })
-}
-
-/// The view of the picture's options.
-pub fn view(picture: &PictureArgs) -> ViewOptions {
-    ViewOptions {
-        width: picture.size.width,
-        height: picture.size.height,
-        samples_per_axis: picture.samples,
-        seed: picture.seed,
-    }
-}
-
-/// Stages 4 to 6 without writing: view rays, estimates, image. The search radius is fixed and all light comes
-/// from the map.
-pub fn picture(
-    traced: &Traced,
-    engine: Engine<'_>,
-    view: &ViewOptions,
-    what: &'static str,
-) -> Result<Rendering> {
-    let (lighting, estimator) = (Lighting::default(), Estimator::FixedRadius);
-    picture_lit(traced, engine, &lighting, estimator, view, what)
-}
-
-fn picture_lit(
-    traced: &Traced,
-    engine: Engine<'_>,
-    lighting: &Lighting,
-    estimator: Estimator,
-    view: &ViewOptions,
-    what: &'static str,
-) -> Result<Rendering> {
-    let pixels = u64::from(view.width) * u64::from(view.height);
-    let bar = progress::bar(what, pixels);
-    let light = Light {
-        lighting,
-        global: &traced.maps.global,
-        caustic: traced.maps.caustic.as_ref(),
-        estimator,
-    };
-    let progress = |done| bar.set_position(done);
-    let rendering = render_lit(&traced.scene, light, engine, view, &progress)?;
-    bar.finish_and_clear();
-    Ok(rendering)
 }
 
 /// Renders a scene to a file.
@@ -160,11 +78,6 @@ pub fn execute(args: &RenderArgs, json: bool) -> Result<()> {
         seconds: start.elapsed().as_secs_f64(),
     };
     output::print(json, &report, || text(&report))
-}
-
-/// Writes a picture in the format of its name's ending.
-pub fn write_picture(image: &Image, path: &Path) -> Result<()> {
-    files::write(path, &image.encode(path, EXPOSURE)?)
 }
 
 /// The mean; 0 where nothing was counted, as in a view without surfaces.

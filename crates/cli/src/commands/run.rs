@@ -12,13 +12,12 @@ use photoncube_testbench::{DeviceKind, Source, Verdict, VerifyError, VerifyOptio
 use serde::Serialize;
 
 use self::sizing::Fitted;
-use super::compare::{Distance, map_of};
-use super::render::{Traced, picture, trace_scene, view, write_picture};
 use super::verify::{verdict_table, verify_with_bar};
 use crate::args::RunArgs;
 use crate::failure::CheckFailed;
 use crate::hardware::PictureTime;
 use crate::outputs::{self, Output};
+use crate::stages::{Distance, Traced, map_of, picture, trace_scene, view, write_picture};
 use crate::{files, output, project, scenes, sight};
 
 #[derive(Serialize)]

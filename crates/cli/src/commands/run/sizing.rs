@@ -6,8 +6,8 @@ use photoncube_spec::{Machine, PHOTON_FORMATS, PhotonFormat};
 use serde::Serialize;
 
 use crate::args::RunArgs;
-use crate::commands::render::{Traced, view};
 use crate::fitted::{self, FormatRow};
+use crate::stages::{Traced, view};
 
 /// The format that the scene needs, as the reason for the machine's widths.
 #[derive(Serialize)]
