@@ -33,9 +33,10 @@ LAYERS = [
     ("crates/model", "photoncube-model", "spec", ""),
     ("crates/hdl", "photoncube-hdl", "spec rust-hdl-lint", ""),
     ("crates/render", "photoncube-render", "spec model", ""),
-    ("testbenches", "photoncube-testbench", "spec model hdl verilog-eval", "render"),
+    ("crates/hard-cases", "photoncube-hard-cases", "spec model render", ""),
+    ("testbenches", "photoncube-testbench", "spec model hdl verilog-eval", "render hard-cases"),
     ("benches", "photoncube-benches", "", "spec model render"),
-    ("crates/cli", "photoncube", "spec model hdl render testbench", ""),
+    ("crates/cli", "photoncube", "spec model hdl render hard-cases testbench", ""),
 ]
 GENERATOR = re.compile(r"rust-hdl(-(?!lint$).+)?")
 GENERATOR_SEEN_BY = ["photoncube-hdl", "rust-hdl-lint"]

@@ -5,8 +5,8 @@ mod extent;
 mod support;
 
 use libtest_mimic::{Arguments, Failed, Trial};
+use photoncube_hard_cases::{Grid, HARD_CASES, HardCase};
 use photoncube_model::gather;
-use photoncube_render::{Grid, HARD_CASES, HardCase};
 use photoncube_spec::{MACHINES, Machine, Photon, Query, Sums};
 use photoncube_testbench::{DeviceKind, Source, Verdict, VerifyOptions, verify};
 

@@ -48,7 +48,6 @@
 mod estimate;
 mod fit;
 mod geometry;
-mod hard_cases;
 mod image;
 mod lighting;
 mod metrics;
@@ -70,10 +69,6 @@ pub use fit::{
     SceneFacts, Trial, covering, covers, field_needs, fit, largest_query,
 };
 pub use geometry::{Geometry, Hit, Mesh, MeshError, Quad, Sphere};
-pub use hard_cases::{
-    Bound, Contrast, Grid, HARD_CASES, HardCase, HardCaseError, HardCaseReport, Outcome, Setting,
-    hard_case_formats, run_hard_case,
-};
 pub use image::{
     CompareError, IMAGE_ENDINGS, Image, ImageError, LIGHT_RADIANCE, MAX_PIXELS, error_map,
     light_mask, rel_mse, relative_errors, rms_relative_difference, rmse,
@@ -83,8 +78,9 @@ pub use lighting::{
 };
 pub use metrics::{
     BenchError, BenchOptions, ErrorBench, ErrorReport, ErrorStudy, EstimatorReport, Interval,
-    LightReport, LightStudy, MAX_QUERY_NOISE, Measure, MetricsError, Misclassified, Moments, Noise,
-    NoiseMeter, RelativeErrors, RelativeSummary, luminance, view_queries,
+    LightReport, LightStudy, MAX_QUERY_NOISE, MISCLASSIFIED_TIMES_STEPS, Measure, MetricsError,
+    Misclassified, Moments, Noise, NoiseMeter, RelativeErrors, RelativeSummary, luminance,
+    view_queries,
 };
 pub use performance::{Speed, f32_speed, forecast_clocks, gather_speed};
 pub use photon_map::{Candidates, MapError, PhotonMap};

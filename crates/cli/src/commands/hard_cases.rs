@@ -1,7 +1,7 @@
 //! The command `hard-cases`: the inputs at which some arithmetic is known to fail, in every format.
 
 use anyhow::Result;
-use photoncube_render::{HARD_CASES, HardCaseReport, hard_case_formats, run_hard_case};
+use photoncube_hard_cases::{HARD_CASES, HardCaseReport, hard_case_formats, run_hard_case};
 use photoncube_spec::{PhotonFormat, find_photon_format};
 use serde::Serialize;
 

@@ -6,7 +6,7 @@ use super::error::MetricsError;
 
 /// The share of the photons in range that u steps per radius misclassify, times u, for evenly spread photons;
 /// measured on a uniform scene.
-pub(crate) const MISCLASSIFIED_TIMES_STEPS: f64 = 0.67;
+pub const MISCLASSIFIED_TIMES_STEPS: f64 = 0.67;
 
 /// Counts of photon tests and of the disagreements among them.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]

@@ -37,7 +37,7 @@ pub use bench::{BenchError, BenchOptions, ErrorBench, EstimatorReport};
 pub use bias::Interval;
 pub use error::MetricsError;
 pub use light::{LightReport, LightStudy};
-pub(crate) use misclassified::MISCLASSIFIED_TIMES_STEPS;
+pub use misclassified::MISCLASSIFIED_TIMES_STEPS;
 pub use misclassified::Misclassified;
 pub use moments::Moments;
 pub use noise::{MAX_QUERY_NOISE, Noise, NoiseMeter};

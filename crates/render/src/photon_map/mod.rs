@@ -300,7 +300,8 @@ impl PhotonMap {
     /// The block that contains `position`, by its index on each axis of the grid, and the position in the
     /// block, 0 to 1 of its edge.
     #[inline]
-    pub(crate) fn place(&self, position: DVec3) -> (I64Vec3, DVec3) {
+    #[must_use]
+    pub fn place(&self, position: DVec3) -> (I64Vec3, DVec3) {
         let place = self.in_blocks(position);
         let (block, corner) = floors(place);
         (block, place - corner)

@@ -234,8 +234,10 @@ impl<'a> FormatMap<'a> {
         self.scale.flux(mantissa * power_of_two(exponent))
     }
 
-    /// The flux of one step of a stored photon's mantissa, in the strongest channel.
-    pub(crate) fn step(&self, index: usize) -> f64 {
+    /// The flux of one step of a stored photon's mantissa, in the strongest channel, with `index` as in
+    /// [`Self::records`].
+    #[must_use]
+    pub fn step(&self, index: usize) -> f64 {
         let exponent = self.block_exponent(index) + self.records[index].exponent;
         self.scale
             .flux(DVec3::ONE * power_of_two(exponent))

@@ -10,5 +10,4 @@ mod quantised_map;
 
 pub use format_map::{FormatMap, FormatMapError};
 pub use machine_map::MachineMap;
-pub(crate) use power_scale::power_of_two;
 pub use quantised_map::{QuantiseError, QuantisedMap};

@@ -7,9 +7,9 @@ use serde_json::json;
 
 use super::case::HardCaseError;
 use super::grid::Grid;
-use crate::photon_map::PhotonMap;
-use crate::scene::Scene;
-use crate::trace::{Facing, Photon};
+use photoncube_render::PhotonMap;
+use photoncube_render::Scene;
+use photoncube_render::{Facing, Photon};
 
 /// The upward normal. All photons count as lying on the floor, wherever they are.
 pub(super) const NORMAL: DVec3 = DVec3::Y;

@@ -1,10 +1,4 @@
-//! The hard cases: inputs at which some arithmetic for photon gathers is known to fail. Each has the result
-//! of a photon format, the bound on this result, and the result of the failing arithmetic on the same input.
-//!
-//! The last figure, the *contrast*, must be bad: a case that a naive arithmetic passes proves nothing. A case
-//! that has examined nothing fails too.
-//!
-//! Every case also makes [`Setting`]s, which a testbench turns into the words of a machine.
+#![doc = include_str!("../README.md")]
 
 mod boundary;
 mod case;

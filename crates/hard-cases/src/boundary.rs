@@ -10,7 +10,7 @@ use super::grid::Grid;
 use super::naive::{in_range_f32, in_range_f64};
 use super::room::{COLOUR, RADIUS, Room, photon};
 use super::setting::Setting;
-use crate::trace::Photon;
+use photoncube_render::Photon;
 
 pub(super) const TIES_F32: HardCase = HardCase {
     name: "boundary-ties-f32",

@@ -1,8 +1,11 @@
 //! Tests the hard cases: every row holds and is hard, and the runner fails a case that shows nothing.
 
+use photoncube_hard_cases::{
+    Bound, Grid, HARD_CASES, HardCase, HardCaseError, HardCaseReport, Outcome, hard_case_formats,
+    run_hard_case,
+};
 use photoncube_render::{
-    Bound, Engine, Grid, HARD_CASES, HardCase, HardCaseError, HardCaseReport, Outcome, PhotonMap,
-    RenderError, Scene, TraceOptions, ViewOptions, hard_case_formats, render, run_hard_case, trace,
+    Engine, PhotonMap, RenderError, Scene, TraceOptions, ViewOptions, render, trace,
 };
 use photoncube_spec::{Channels, MACHINES, PHOTON_FORMATS, PhotonFormat, Rounding};
 

@@ -5,7 +5,7 @@ use photoncube_spec::{LocalQuery, PhotonFormat, PhotonRecord};
 use super::case::HardCaseError;
 use super::room::NORMAL;
 use super::setting::Setting;
-use crate::quantise::FormatMap;
+use photoncube_render::FormatMap;
 
 /// A photon in the frame of a query of a format.
 #[derive(Debug, Clone, Copy)]

@@ -12,7 +12,7 @@ use super::grid::Grid;
 use super::naive::{in_range_wrapping_16, in_range_wrapping_32};
 use super::room::{COLOUR, NORMAL, RADIUS, Room, photon, points};
 use super::setting::Setting;
-use crate::quantise::FormatMap;
+use photoncube_render::FormatMap;
 
 pub(super) const OWN_WIDTH: HardCase = HardCase {
     name: "wrap-own-width",

@@ -12,8 +12,8 @@ use super::case::{Bound, Contrast, HardCase, HardCaseError, Outcome, every_forma
 use super::grid::Grid;
 use super::room::{COLOUR, RADIUS, Room, photon, photons, points};
 use super::setting::Setting;
-use crate::quantise::FormatMap;
-use crate::trace::Photon;
+use photoncube_render::FormatMap;
+use photoncube_render::Photon;
 
 pub(super) const MOVED: HardCase = HardCase {
     name: "moved-by-1e6",

@@ -14,9 +14,9 @@ use super::grid::Grid;
 use super::naive::in_range_absolute;
 use super::room::{COLOUR, NORMAL, RADIUS, Room, photon, points};
 use super::setting::Setting;
-use crate::metrics::MISCLASSIFIED_TIMES_STEPS;
-use crate::quantise::FormatMap;
-use crate::trace::Photon;
+use photoncube_render::FormatMap;
+use photoncube_render::MISCLASSIFIED_TIMES_STEPS;
+use photoncube_render::Photon;
 
 pub(super) const BIAS: HardCase = HardCase {
     name: "lattice-bias",

@@ -7,8 +7,8 @@ use super::case::{Bound, Contrast, HardCase, HardCaseError, Outcome, every_forma
 use super::grid::Grid;
 use super::room::{COLOUR, MIDDLE, RADIUS, Room, photon, points};
 use super::setting::Setting;
-use crate::quantise::{FormatMap, power_of_two};
-use crate::trace::Photon;
+use photoncube_render::FormatMap;
+use photoncube_render::Photon;
 
 pub(super) const NONE: HardCase = HardCase {
     name: "no-photon-no-light",
@@ -85,7 +85,7 @@ pub(super) const ROUNDING: HardCase = HardCase {
 /// The largest error of a power: half a step, or a whole step with dithering.
 fn allowed(format: &PhotonFormat, largest_of_scale: f64, largest_of_map: f64) -> f64 {
     let full = full(format);
-    let unit = largest_of_map / full / power_of_two(format.power.exponent_range() as u8);
+    let unit = largest_of_map / full / f64::from(1_u32 << format.power.exponent_range());
     // A mantissa is at least half of full scale, or the exponent is 0.
     let step = match format.power.exponent {
         Exponent::None => unit,

@@ -9,8 +9,8 @@ use photoncube_spec::{
 use super::case::{Bound, Contrast, HardCase, HardCaseError, Outcome, every_format, percent};
 use super::naive::absolute;
 use super::room::{COLOUR, MIDDLE, RADIUS, Room, photon};
-use crate::photon_map::PhotonMap;
-use crate::trace::Photon;
+use photoncube_render::Photon;
+use photoncube_render::PhotonMap;
 
 pub(super) const VALUES: HardCase = HardCase {
     name: "refused-values",

@@ -11,7 +11,7 @@ use super::grid::Grid;
 use super::naive::sum_f32;
 use super::room::{MIDDLE, NORMAL, RADIUS, Room, photon, photons};
 use super::setting::Setting;
-use crate::quantise::FormatMap;
+use photoncube_render::FormatMap;
 
 pub(super) const QUARTER_MILLION: HardCase = HardCase {
     name: "quarter-million-in-a-block",

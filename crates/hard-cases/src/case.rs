@@ -8,10 +8,10 @@ use thiserror::Error;
 
 use super::grid::Grid;
 use super::setting::Setting;
-use crate::photon_map::MapError;
-use crate::quantise::FormatMapError;
-use crate::render::RenderError;
-use crate::scene::SceneError;
+use photoncube_render::FormatMapError;
+use photoncube_render::MapError;
+use photoncube_render::RenderError;
+use photoncube_render::SceneError;
 
 /// A hard case: an input at which some arithmetic is known to fail.
 #[derive(Debug, Clone, Copy)]

@@ -8,9 +8,9 @@ use super::grid::Grid;
 use super::naive::in_range_wrapping_32;
 use super::room::{COLOUR, NORMAL, RADIUS, Room, photon, photons, points};
 use super::setting::Setting;
-use crate::photon_map::PhotonMap;
-use crate::quantise::FormatMap;
-use crate::trace::Photon;
+use photoncube_render::FormatMap;
+use photoncube_render::Photon;
+use photoncube_render::PhotonMap;
 
 pub(super) const EXACTLY_ONE: HardCase = HardCase {
     name: "position-of-one",

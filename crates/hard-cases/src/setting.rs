@@ -5,8 +5,8 @@ use photoncube_spec::{self as spec, LocalSums, Machine, PhotonFormat};
 
 use super::case::HardCaseError;
 use super::room::NORMAL;
-use crate::photon_map::PhotonMap;
-use crate::quantise::{FormatMap, MachineMap};
+use photoncube_render::PhotonMap;
+use photoncube_render::{FormatMap, MachineMap};
 
 /// A photon map with query points.
 #[derive(Debug, Clone)]
