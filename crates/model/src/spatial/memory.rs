@@ -1,4 +1,7 @@
-//! The photon memory of a spatial machine, see [`photoncube_spec::MemoryRegister`].
+//! The photon memory of a spatial machine, by the rules of [`photoncube_spec::MemoryRegister`].
+//!
+//! The model has one function for each paragraph of the rules. Each computes the registers after the clock edge from
+//! those before it, and changes nothing. The HDL changes its registers one after the other.
 
 use std::mem;
 
@@ -17,131 +20,246 @@ pub struct HeadStatus {
     pub takes_query: bool,
 }
 
-/// The registers and words of the memory.
+/// The memory: the words of both banks, and the three words on their way.
 #[derive(Clone, Debug)]
 pub(super) struct PhotonMemory {
-    banks: [Bank; 2],
-    fill_bank: usize,
-    fill_place: usize,
-    fill_ready: bool,
-    write: Write,
-    play_bank: usize,
-    play_full: bool,
-    play_end: usize,
-    before_end: usize,
-    play_place: usize,
-    at_end: bool,
-    may_start: bool,
-    playing: bool,
-    releases: bool,
-    release_taken: bool,
-    release_next: bool,
-    read: Word,
-    word: Word,
+    /// The words, bank by bank; those of a bank are a set from place 0 to its end.
+    banks: [Vec<Group>; 2],
+    /// The word that is written to its place in this clock, if [`Write::valid`].
+    write: Group,
+    /// The words that left the banks one and two clocks ago, if their [`Tag`]s are valid.
+    read: Group,
+    word: Group,
+    control: Control,
     channels: usize,
     has_exponent: bool,
 }
 
-/// A group that is written to its place one clock after it was taken.
-#[derive(Clone, Debug)]
-struct Write {
+/// The registers that are no words. All are 0 after a reset.
+#[derive(Copy, Clone, Debug, Default)]
+struct Control {
+    fill: Fill,
+    write: Write,
+    sets: [Set; 2],
+    play: Play,
+    seen: Seen,
+    release: Release,
+    read: Tag,
+    word: Tag,
+}
+
+/// The place for the next group, and the memory's ready.
+#[derive(Copy, Clone, Debug, Default)]
+struct Fill {
     bank: usize,
     place: usize,
-    word: Word,
+    ready: bool,
 }
 
-/// A group on its way to its place or to the head, with its valid flag.
-#[derive(Clone, Debug)]
-struct Word {
+/// The place of the group that was taken one clock before.
+#[derive(Copy, Clone, Debug, Default)]
+struct Write {
     valid: bool,
-    group: Group,
+    bank: usize,
+    place: usize,
 }
 
-impl Word {
-    /// Whether the word is valid and the last of its batch.
-    fn ends(&self) -> bool {
-        self.valid && self.group.last
-    }
-
-    fn reset(&mut self) {
-        self.valid = false;
-        self.group.last = false;
-    }
-
-    fn observe_presence(&self, row: &mut Vec<u64>) {
-        row.extend(self.group.lanes.iter().map(|lane| u64::from(lane.present)));
-    }
-
-    fn observe_positions(&self, row: &mut Vec<u64>) {
-        let positions = self
-            .group
-            .lanes
-            .iter()
-            .flat_map(|lane| lane.photon.position);
-        row.extend(positions.map(u64::from));
-    }
-
-    fn observe_powers(&self, channels: usize, row: &mut Vec<u64>) {
-        let lanes = self.group.lanes.iter();
-        let powers = lanes.flat_map(|lane| &lane.photon.power[..channels]);
-        row.extend(powers.map(|&power| u64::from(power)));
-    }
-
-    fn observe_exponents(&self, row: &mut Vec<u64>) {
-        let lanes = self.group.lanes.iter();
-        row.extend(lanes.map(|lane| u64::from(lane.photon.exponent)));
-    }
-}
-
-#[derive(Clone, Debug)]
-struct Bank {
-    groups: Vec<Group>,
+/// What a bank holds.
+#[derive(Copy, Clone, Debug, Default)]
+struct Set {
     full: bool,
     end: usize,
+}
+
+/// The batch that is played.
+#[derive(Copy, Clone, Debug, Default)]
+struct Play {
+    bank: usize,
+    place: usize,
+    at_end: bool,
+    may_start: bool,
+    playing: bool,
+}
+
+/// The set of the bank that is played, one clock late.
+#[derive(Copy, Clone, Debug, Default)]
+struct Seen {
+    full: bool,
+    end: usize,
+    before_end: usize,
+}
+
+/// Whether a query asks that its batch is the last on the set: the query taken in the clock before, any query
+/// of the next batch, any query of the batch that is played.
+#[derive(Copy, Clone, Debug, Default)]
+struct Release {
+    taken: bool,
+    next: bool,
+    batch: bool,
+}
+
+/// The flags of a word for the head.
+#[derive(Copy, Clone, Debug, Default)]
+struct Tag {
+    valid: bool,
+    last: bool,
+}
+
+/// What happens in a clock, by the registers and pins before its edge.
+#[derive(Copy, Clone, Debug)]
+struct Events {
+    /// A group is taken.
+    takes: bool,
+    /// A group is taken that completes its set.
+    completes: bool,
+    /// A batch begins.
+    starts: bool,
+    /// A place is read.
+    reads: bool,
+    /// The last place of the set is read, which ends the batch.
+    ends: bool,
+    /// The batch ends, and its set goes with it.
+    empties: bool,
+}
+
+impl Control {
+    fn events(&self, inputs: &Inputs, places: usize) -> Events {
+        let Self {
+            fill,
+            play,
+            release,
+            ..
+        } = self;
+        let takes = fill.ready && inputs.group_valid;
+        let reads = play.playing || play.may_start;
+        let ends = reads && play.at_end;
+        // In the clock in which a batch begins, its queries' wish is still that of the next batch.
+        let is_last_batch = match play.may_start {
+            true => release.next,
+            false => release.batch,
+        };
+        Events {
+            takes,
+            completes: takes && (inputs.group.last || fill.place == places - 1),
+            starts: play.may_start,
+            reads,
+            ends,
+            empties: ends && is_last_batch,
+        }
+    }
+
+    fn next(&self, events: Events, inputs: &Inputs, head: HeadStatus, places: usize) -> Self {
+        Self {
+            fill: self.next_fill(events),
+            write: Write {
+                valid: events.takes,
+                bank: self.fill.bank,
+                place: self.fill.place,
+            },
+            sets: [0, 1].map(|bank| self.next_set(bank, events)),
+            play: self.next_play(events, head),
+            seen: self.next_seen(places),
+            release: Release {
+                taken: head.takes_query && inputs.query_release,
+                next: self.release.taken || (self.release.next && !events.starts),
+                batch: match events.starts {
+                    true => self.release.next,
+                    false => self.release.batch,
+                },
+            },
+            read: Tag {
+                valid: events.reads,
+                last: events.ends,
+            },
+            word: self.read,
+        }
+    }
+
+    fn next_fill(&self, events: Events) -> Fill {
+        let Fill { bank, place, .. } = self.fill;
+        let ready = !self.sets[bank].full && !events.completes;
+        match (events.takes, events.completes) {
+            (_, true) => Fill {
+                bank: bank ^ 1,
+                place: 0,
+                ready,
+            },
+            (taken, false) => Fill {
+                bank,
+                place: place + usize::from(taken),
+                ready,
+            },
+        }
+    }
+
+    fn next_set(&self, bank: usize, events: Events) -> Set {
+        let Set { full, end } = self.sets[bank];
+        let (is_filled, is_played) = (bank == self.fill.bank, bank == self.play.bank);
+        Set {
+            full: (full || (is_filled && events.completes)) && !(is_played && events.empties),
+            end: match is_filled && self.fill.ready {
+                true => self.fill.place,
+                false => end,
+            },
+        }
+    }
+
+    fn next_play(&self, events: Events, head: HeadStatus) -> Play {
+        let Play {
+            bank,
+            place,
+            at_end,
+            ..
+        } = self.play;
+        let last_is_on_its_way = [self.read, self.word]
+            .iter()
+            .any(|tag| tag.valid && tag.last);
+        let may_start = !events.reads
+            && !last_is_on_its_way
+            && self.seen.full
+            && head.full
+            && head.has_room
+            && self.seen.end >= head.spacing as usize;
+        Play {
+            bank: bank ^ usize::from(events.empties),
+            place: match (events.reads, events.ends) {
+                (_, true) => 0,
+                (reads, false) => place + usize::from(reads),
+            },
+            at_end: match events.reads {
+                true => !at_end && place == self.seen.before_end,
+                // A batch begins at place 0.
+                false => self.seen.end == 0,
+            },
+            may_start,
+            playing: events.reads && !events.ends,
+        }
+    }
+
+    fn next_seen(&self, places: usize) -> Seen {
+        let Set { full, end } = self.sets[self.play.bank];
+        Seen {
+            full,
+            end,
+            before_end: if end == 0 { places - 1 } else { end - 1 },
+        }
+    }
 }
 
 impl PhotonMemory {
     /// Makes an empty memory; `None` if the machine has none.
     pub fn of(machine: &Machine, spatial: &Spatial) -> Option<Self> {
-        if !machine.has_memory() {
-            return None;
-        }
         let nothing = Group {
             lanes: vec![Lane::default(); Spatial::LANES],
             last: false,
         };
-        let bank = Bank {
-            groups: vec![nothing.clone(); spatial.memory_groups as usize],
-            full: false,
-            end: 0,
-        };
-        let word = Word {
-            valid: false,
-            group: nothing,
-        };
-        Some(Self {
+        let bank = vec![nothing.clone(); spatial.memory_groups as usize];
+        machine.has_memory().then(|| Self {
             banks: [bank.clone(), bank],
-            fill_bank: 0,
-            fill_place: 0,
-            fill_ready: false,
-            write: Write {
-                bank: 0,
-                place: 0,
-                word: word.clone(),
-            },
-            play_bank: 0,
-            play_full: false,
-            play_end: 0,
-            before_end: 0,
-            play_place: 0,
-            at_end: false,
-            may_start: false,
-            playing: false,
-            releases: false,
-            release_taken: false,
-            release_next: false,
-            read: word.clone(),
-            word,
+            write: nothing.clone(),
+            read: nothing.clone(),
+            word: nothing,
+            control: Control::default(),
             channels: machine.channels().names().len(),
             has_exponent: machine.has_exponent(),
         })
@@ -149,142 +267,38 @@ impl PhotonMemory {
 
     /// The memory's ready: it takes the group of this clock, if it is valid.
     pub fn group_ready(&self) -> bool {
-        self.fill_ready
+        self.control.fill.ready
     }
 
     /// The pins with the group replaced by the word that was read, as the head receives them.
     pub fn head_inputs(&self, inputs: &Inputs) -> Inputs {
         Inputs {
-            group_valid: self.word.valid,
-            group: self.word.group.clone(),
+            group_valid: self.control.word.valid,
+            group: self.word.clone(),
             ..inputs.clone()
         }
     }
 
     /// Applies one rising clock edge.
     pub fn clock(&mut self, inputs: &Inputs, head: HeadStatus) {
-        let starts = self.may_start;
-        self.may_start = self.may_start_next(head);
-        let reads = self.playing || starts;
-        let read = self.banks[self.play_bank].groups[self.play_place].clone();
-        let at_end = self.at_end;
-        self.at_end = self.at_end_next(reads);
-        let takes = inputs.group_valid && self.group_ready();
-        let was_full = self.banks[self.fill_bank].full;
-
-        let bank = &self.banks[self.play_bank];
-        (self.play_full, self.play_end) = (bank.full, bank.end);
-        self.before_end = bank.end.checked_sub(1).unwrap_or(bank.groups.len() - 1);
-        let read = Word {
-            valid: reads,
-            group: Group {
-                last: reads && at_end,
-                ..read
-            },
+        let before = self.control;
+        let places = self.banks[0].len();
+        let events = before.events(inputs, places);
+        self.control = match inputs.reset {
+            true => Control::default(),
+            false => before.next(events, inputs, head, places),
         };
-        self.word = mem::replace(&mut self.read, read);
-        if reads {
-            self.advance(starts, at_end);
+        // From the head back to the pins, so that each word moves by one register. A place that is read in the
+        // clock in which it is written gives its old word.
+        mem::swap(&mut self.word, &mut self.read);
+        self.read
+            .clone_from(&self.banks[before.play.bank][before.play.place]);
+        self.read.last = self.control.read.last;
+        self.word.last = self.control.word.last;
+        if before.write.valid {
+            self.banks[before.write.bank][before.write.place].clone_from(&self.write);
         }
-        if starts {
-            self.releases = self.release_next;
-            self.release_next = false;
-        }
-        self.release_next |= self.release_taken;
-        self.release_taken = head.takes_query && inputs.query_release;
-        self.write_and_take(takes, &inputs.group);
-        self.fill(takes, inputs.group.last, was_full);
-        if inputs.reset {
-            self.reset();
-        }
-    }
-
-    /// Whether a batch begins in the next clock.
-    fn may_start_next(&self, head: HeadStatus) -> bool {
-        let ends = self.read.ends() || self.word.ends();
-        !self.playing
-            && !self.may_start
-            && self.play_full
-            && head.full
-            && head.has_room
-            && head.spacing as usize <= self.play_end
-            && !ends
-    }
-
-    /// Whether the place that is read in the next clock is the last of its set.
-    fn at_end_next(&self, reads: bool) -> bool {
-        if reads {
-            !self.at_end && self.play_place == self.before_end
-        } else {
-            self.play_end == 0
-        }
-    }
-
-    fn advance(&mut self, starts: bool, at_end: bool) {
-        self.playing = !at_end;
-        if !at_end {
-            self.play_place += 1;
-            return;
-        }
-        self.play_place = 0;
-        let releases = if starts {
-            self.release_next
-        } else {
-            self.releases
-        };
-        if releases {
-            self.banks[self.play_bank].full = false;
-            self.play_bank = 1 - self.play_bank;
-        }
-    }
-
-    /// Writes the group that was taken one clock before, and stores the group on the pins.
-    fn write_and_take(&mut self, takes: bool, group: &Group) {
-        let Write { bank, place, word } = &mut self.write;
-        if word.valid {
-            self.banks[*bank].groups[*place].clone_from(&word.group);
-        }
-        (*bank, *place) = (self.fill_bank, self.fill_place);
-        word.valid = takes;
-        word.group.clone_from(group);
-    }
-
-    /// Advances the filling of a bank. `takes` is that a group is taken, `last` that it is a last one,
-    /// `was_full` that the bank was full before this clock.
-    fn fill(&mut self, takes: bool, last: bool, was_full: bool) {
-        let bank = &mut self.banks[self.fill_bank];
-        let place = self.fill_place;
-        if self.fill_ready {
-            bank.end = place;
-        }
-        self.fill_ready = !was_full;
-        if !takes {
-            return;
-        }
-        if last || place + 1 == bank.groups.len() {
-            bank.full = true;
-            self.fill_ready = false;
-            self.fill_place = 0;
-            self.fill_bank = 1 - self.fill_bank;
-        } else {
-            self.fill_place += 1;
-        }
-    }
-
-    fn reset(&mut self) {
-        for bank in &mut self.banks {
-            (bank.full, bank.end) = (false, 0);
-        }
-        (self.fill_bank, self.fill_place, self.fill_ready) = (0, 0, false);
-        (self.play_bank, self.play_place) = (0, 0);
-        (self.play_full, self.play_end, self.may_start) = (false, 0, false);
-        (self.before_end, self.at_end) = (0, false);
-        (self.playing, self.releases) = (false, false);
-        (self.release_taken, self.release_next) = (false, false);
-        (self.write.bank, self.write.place) = (0, 0);
-        self.write.word.reset();
-        self.read.reset();
-        self.word.reset();
+        self.write.clone_from(&inputs.group);
     }
 
     /// Appends the registers in the order of [`photoncube_spec::Pins`].
@@ -295,46 +309,61 @@ impl PhotonMemory {
     }
 
     fn observe_register(&self, register: MemoryRegister, row: &mut Vec<u64>) {
+        use MemoryRegister as M;
+        let Control {
+            fill,
+            write,
+            sets,
+            play,
+            seen,
+            release,
+            read,
+            word,
+        } = self.control;
+        let group = match register {
+            M::WritePresent | M::WritePosition | M::WritePower | M::WriteExponent => &self.write,
+            M::ReadPresent | M::ReadPosition | M::ReadPower | M::ReadExponent => &self.read,
+            _ => &self.word,
+        };
+        let lanes = group.lanes.iter();
         match register {
-            MemoryRegister::FillBank => row.push(self.fill_bank as u64),
-            MemoryRegister::FillPlace => row.push(self.fill_place as u64),
-            MemoryRegister::FillReady => row.push(self.fill_ready.into()),
-            MemoryRegister::WriteValid => row.push(self.write.word.valid.into()),
-            MemoryRegister::WriteBank => row.push(self.write.bank as u64),
-            MemoryRegister::WritePlace => row.push(self.write.place as u64),
-            MemoryRegister::WritePresent => self.write.word.observe_presence(row),
-            MemoryRegister::WritePosition => self.write.word.observe_positions(row),
-            MemoryRegister::WritePower => self.write.word.observe_powers(self.channels, row),
-            MemoryRegister::Full => row.extend(self.banks.iter().map(|b| u64::from(b.full))),
-            MemoryRegister::End => row.extend(self.banks.iter().map(|b| b.end as u64)),
-            MemoryRegister::PlayBank => row.push(self.play_bank as u64),
-            MemoryRegister::PlayFull => row.push(self.play_full.into()),
-            MemoryRegister::PlayEnd => row.push(self.play_end as u64),
-            MemoryRegister::BeforeEnd => row.push(self.before_end as u64),
-            MemoryRegister::PlayPlace => row.push(self.play_place as u64),
-            MemoryRegister::AtEnd => row.push(self.at_end.into()),
-            MemoryRegister::MayStart => row.push(self.may_start.into()),
-            MemoryRegister::Playing => row.push(self.playing.into()),
-            MemoryRegister::Releases => row.push(self.releases.into()),
-            MemoryRegister::ReleaseTaken => row.push(self.release_taken.into()),
-            MemoryRegister::ReleaseNext => row.push(self.release_next.into()),
-            MemoryRegister::ReadValid => row.push(self.read.valid.into()),
-            MemoryRegister::ReadLast => row.push(self.read.group.last.into()),
-            MemoryRegister::ReadPresent => self.read.observe_presence(row),
-            MemoryRegister::ReadPosition => self.read.observe_positions(row),
-            MemoryRegister::ReadPower => self.read.observe_powers(self.channels, row),
-            MemoryRegister::WordValid => row.push(self.word.valid.into()),
-            MemoryRegister::WordLast => row.push(self.word.group.last.into()),
-            MemoryRegister::WordPresent => self.word.observe_presence(row),
-            MemoryRegister::WordPosition => self.word.observe_positions(row),
-            MemoryRegister::WordPower => self.word.observe_powers(self.channels, row),
-            MemoryRegister::WriteExponent
-            | MemoryRegister::ReadExponent
-            | MemoryRegister::WordExponent
-                if !self.has_exponent => {}
-            MemoryRegister::WriteExponent => self.write.word.observe_exponents(row),
-            MemoryRegister::ReadExponent => self.read.observe_exponents(row),
-            MemoryRegister::WordExponent => self.word.observe_exponents(row),
+            M::FillBank => row.push(fill.bank as u64),
+            M::FillPlace => row.push(fill.place as u64),
+            M::FillReady => row.push(fill.ready.into()),
+            M::WriteValid => row.push(write.valid.into()),
+            M::WriteBank => row.push(write.bank as u64),
+            M::WritePlace => row.push(write.place as u64),
+            M::Full => row.extend(sets.map(|set| u64::from(set.full))),
+            M::End => row.extend(sets.map(|set| set.end as u64)),
+            M::PlayBank => row.push(play.bank as u64),
+            M::PlayFull => row.push(seen.full.into()),
+            M::PlayEnd => row.push(seen.end as u64),
+            M::BeforeEnd => row.push(seen.before_end as u64),
+            M::PlayPlace => row.push(play.place as u64),
+            M::AtEnd => row.push(play.at_end.into()),
+            M::MayStart => row.push(play.may_start.into()),
+            M::Playing => row.push(play.playing.into()),
+            M::Releases => row.push(release.batch.into()),
+            M::ReleaseTaken => row.push(release.taken.into()),
+            M::ReleaseNext => row.push(release.next.into()),
+            M::ReadValid => row.push(read.valid.into()),
+            M::ReadLast => row.push(read.last.into()),
+            M::WordValid => row.push(word.valid.into()),
+            M::WordLast => row.push(word.last.into()),
+            M::WritePresent | M::ReadPresent | M::WordPresent => {
+                row.extend(lanes.map(|lane| u64::from(lane.present)));
+            }
+            M::WritePosition | M::ReadPosition | M::WordPosition => {
+                row.extend(lanes.flat_map(|lane| lane.photon.position.map(u64::from)));
+            }
+            M::WritePower | M::ReadPower | M::WordPower => {
+                let powers = lanes.flat_map(|lane| &lane.photon.power[..self.channels]);
+                row.extend(powers.map(|&power| u64::from(power)));
+            }
+            M::WriteExponent | M::ReadExponent | M::WordExponent if self.has_exponent => {
+                row.extend(lanes.map(|lane| u64::from(lane.photon.exponent)));
+            }
+            M::WriteExponent | M::ReadExponent | M::WordExponent => {}
         }
     }
 }
@@ -358,7 +387,7 @@ impl GoldenMemory {
 
     /// The word for the head, with its valid flag.
     pub fn word(&self) -> (bool, &Group) {
-        (self.0.word.valid, &self.0.word.group)
+        (self.0.control.word.valid, &self.0.word)
     }
 
     /// Applies one rising clock edge. Of the inputs the memory uses the group, the reset and `query_release`.
