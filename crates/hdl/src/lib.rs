@@ -15,6 +15,7 @@
 //! ```
 
 mod build;
+mod defaults;
 mod emit;
 mod level;
 mod overlap;

@@ -1,5 +1,6 @@
 //! The adder of an overlapped machine's cell, with the selection of its first operand.
 
+use crate::defaults::defaulted;
 use rust_hdl::prelude::*;
 
 /// `total = (add_sum ? sum : addend) + operand`, modulo `2^S`. Widths: `V` sums of squares, `S` sum.
@@ -26,19 +27,11 @@ pub(crate) struct ChosenSum<const V: usize, const S: usize> {
 impl<const V: usize, const S: usize> Default for ChosenSum<V, S> {
     fn default() -> Self {
         let ones = |bits: usize| u64::MAX >> (64 - bits);
-        Self {
-            sum: Default::default(),
-            sum_low: Default::default(),
-            addend: Default::default(),
-            operand: Default::default(),
-            add_sum: Default::default(),
-            total: Default::default(),
-            low: Default::default(),
-            wide_low: Default::default(),
-            high: Default::default(),
-            first: Default::default(),
+        defaulted!(Self {
             high_bits: Constant::new((ones(S) & !ones(V)).to_bits()),
-        }
+        };
+            sum sum_low addend operand add_sum total low wide_low high first
+        )
     }
 }
 

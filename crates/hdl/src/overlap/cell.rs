@@ -4,6 +4,7 @@
 //! are written and their sources; see `photoncube_spec::overlap` for the words. The stages of the square
 //! unit, the addend and the operand are written in every clock.
 
+use crate::defaults::defaulted;
 use rust_hdl::prelude::*;
 
 use super::add::ChosenSum;
@@ -85,64 +86,16 @@ impl<const R: usize, const P: usize, const V: usize, const S: usize, const W: us
 {
     fn default() -> Self {
         assert!(16 <= V && R <= V && P <= V && V <= S && S <= 64);
-        Self {
-            clock: Default::default(),
-            word: Default::default(),
-            write_query: Default::default(),
-            query_in: Default::default(),
-            radius_sq_in: Default::default(),
-            photon_in: Default::default(),
-            present_in: Default::default(),
-            power_in: Default::default(),
-            link_x: Default::default(),
-            link_y: Default::default(),
-            link_z: Default::default(),
-            link_w: Default::default(),
-            sum_out: Default::default(),
-            z_out: Default::default(),
-            w_out: Default::default(),
-            query: Default::default(),
-            radius_sq: Default::default(),
-            photon: Default::default(),
-            magnitude: Default::default(),
-            digit_squares: Default::default(),
-            low_product: Default::default(),
-            high_product: Default::default(),
-            square: Default::default(),
-            addend: Default::default(),
-            operand: Default::default(),
-            work: Default::default(),
-            distance: Default::default(),
-            in_range: Default::default(),
-            sum: Default::default(),
-            power: Default::default(),
-            present: Default::default(),
+        defaulted!(Self {
             decoder: Decoder::new(),
-            difference: Default::default(),
-            digits: Default::default(),
-            chosen_sum: Default::default(),
-            wide_low: Default::default(),
-            wide_high: Default::default(),
-            shifted_low: Default::default(),
-            shifted_high: Default::default(),
-            products: Default::default(),
-            new_square: Default::default(),
-            wide_square: Default::default(),
-            from_x: Default::default(),
-            from_y: Default::default(),
-            from_z: Default::default(),
-            from_w: Default::default(),
-            wide_radius_sq: Default::default(),
-            in_range_now: Default::default(),
-            is_there: Default::default(),
-            opens: Default::default(),
-            wide_power: Default::default(),
-            from_gate: Default::default(),
-            from_role_axes: Default::default(),
-            from_photon_axes: Default::default(),
-            from_quad: Default::default(),
-            wide_from_quad: Default::default(),
-        }
+        };
+            clock word write_query query_in radius_sq_in photon_in present_in power_in link_x link_y link_z
+            link_w sum_out z_out w_out query radius_sq photon magnitude digit_squares low_product high_product
+            square addend operand work distance in_range sum power present difference digits chosen_sum wide_low
+            wide_high shifted_low shifted_high products new_square wide_square from_x from_y from_z from_w
+            wide_radius_sq in_range_now is_there opens wide_power from_gate from_role_axes from_photon_axes
+            from_quad wide_from_quad
+        )
     }
 }
 

@@ -6,6 +6,7 @@
 //! kernel repeats until the query's last group has been accumulated; then the epilogue runs. Past the
 //! epilogue's end the words are 0 until the result is taken and a query arrives.
 
+use crate::defaults::defaulted;
 use photoncube_spec::Role;
 use photoncube_spec::overlap::Program;
 use rust_hdl::prelude::*;
@@ -81,54 +82,22 @@ impl<const A: usize, const D: usize, const W: usize> Control<A, D, W> {
         // One clock until the last group is seen, and two for the epilogue's first words: one to their
         // address, one out of the store.
         let drain_end = u64::from(program.drain_clocks - 3);
-        Self {
-            clock: Default::default(),
-            reset: Default::default(),
-            query_valid: Default::default(),
-            query_ready: Default::default(),
-            group_valid: Default::default(),
-            group_last: Default::default(),
-            group_ready: Default::default(),
-            result_valid: Default::default(),
-            result_ready: Default::default(),
-            write_query: Default::default(),
-            group_taken: Default::default(),
-            to_x: Default::default(),
-            to_y: Default::default(),
-            to_z: Default::default(),
-            to_d: Default::default(),
-            address: Default::default(),
-            occupied: Default::default(),
-            last: Default::default(),
-            drain: Default::default(),
-            done: Default::default(),
-            word_x: Default::default(),
-            word_y: Default::default(),
-            word_z: Default::default(),
-            word_d: Default::default(),
+        defaulted!(Self {
             store_x: store(Role::X),
             store_y: store(Role::Y),
             store_z: store(Role::Z),
             store_d: store(Role::D),
             decoder: Decoder::new(),
-            accepts: Default::default(),
-            takes_query: Default::default(),
-            accepts_group: Default::default(),
-            takes_group: Default::default(),
-            takes_last: Default::default(),
-            drain_ends: Default::default(),
-            drained: Default::default(),
-            kernel_ends: Default::default(),
-            is_at_end: Default::default(),
-            is_at_work: Default::default(),
-            works: Default::default(),
-            fetches: Default::default(),
-            taken: Default::default(),
             kernel_end: address(program.epilogue_address() - 1),
             epilogue_address: address(program.epilogue_address()),
             end_address: address(program.end_address()),
             drain_end: Constant::new(drain_end.to_bits()),
-        }
+        };
+            clock reset query_valid query_ready group_valid group_last group_ready result_valid result_ready
+            write_query group_taken to_x to_y to_z to_d address occupied last drain done word_x word_y word_z
+            word_d accepts takes_query accepts_group takes_group takes_last drain_ends drained kernel_ends
+            is_at_end is_at_work works fetches taken
+        )
     }
 }
 

@@ -3,6 +3,7 @@
 //! The links are wires: a cell's neighbour on the axis of index bit b is `i + B - 2 B ((i / B) % 2)` with
 //! `B = 2^b`. Cells 0 to 3 are the X cells of the four quads; the Y, Z and D cells follow.
 
+use crate::defaults::defaulted;
 use photoncube_spec::Machine;
 use rust_hdl::prelude::*;
 
@@ -68,36 +69,14 @@ impl<
         let program = machine
             .overlap_program()
             .expect("the machine's units overlap");
-        Self {
-            clock: Default::default(),
-            reset: Default::default(),
-            query_valid: Default::default(),
-            query_x: Default::default(),
-            query_y: Default::default(),
-            query_z: Default::default(),
-            query_radius_sq: Default::default(),
-            group_valid: Default::default(),
-            group_last: Default::default(),
-            photon_present: Default::default(),
-            photon_x: Default::default(),
-            photon_y: Default::default(),
-            photon_z: Default::default(),
-            photon_red: Default::default(),
-            photon_green: Default::default(),
-            photon_blue: Default::default(),
-            result_ready: Default::default(),
-            query_ready: Default::default(),
-            group_ready: Default::default(),
-            result_valid: Default::default(),
-            result_red: Default::default(),
-            result_green: Default::default(),
-            result_blue: Default::default(),
-            result_count: Default::default(),
+        defaulted!(Self {
             control: Control::new(&program),
-            cell: Default::default(),
-            present: Default::default(),
             one: Constant::new(1.into()),
-        }
+        };
+            clock reset query_valid query_x query_y query_z query_radius_sq group_valid group_last
+            photon_present photon_x photon_y photon_z photon_red photon_green photon_blue result_ready
+            query_ready group_ready result_valid result_red result_green result_blue result_count cell present
+        )
     }
 }
 

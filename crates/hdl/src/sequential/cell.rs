@@ -3,6 +3,7 @@
 //! The cell is figure 2 of Ryu, Kim, Lee. In every clock the control word selects the registers that are
 //! written and the operands of the units; see `photoncube_spec::OPS` for the meaning of the ops.
 
+use crate::defaults::defaulted;
 use photoncube_spec::Squarer;
 use rust_hdl::prelude::*;
 
@@ -67,38 +68,14 @@ impl<
     pub fn new(squarer: Squarer) -> Self {
         assert!(Q == 2 * M && Q <= V && R <= V && P <= V && V <= S && S <= 64);
         let high_bits = (u64::MAX >> (64 - S)) & !(u64::MAX >> (64 - V));
-        Self {
-            clock: Default::default(),
-            write_query: Default::default(),
-            write_photon: Default::default(),
-            write_power: Default::default(),
-            write_work: Default::default(),
-            write_sum: Default::default(),
-            work_source: Default::default(),
-            add_sum: Default::default(),
-            query_in: Default::default(),
-            radius_sq_in: Default::default(),
-            photon_in: Default::default(),
-            present_in: Default::default(),
-            power_in: Default::default(),
-            link_in: Default::default(),
-            work_out: Default::default(),
-            sum_out: Default::default(),
-            query: Default::default(),
-            radius_sq: Default::default(),
-            photon: Default::default(),
-            power: Default::default(),
-            work: Default::default(),
-            sum: Default::default(),
+        defaulted!(Self {
             square_unit: SquareUnit::new(squarer),
-            gate_unit: Default::default(),
-            add_unit: Default::default(),
-            addend: Default::default(),
-            sum_low: Default::default(),
-            sum_high: Default::default(),
-            wide_addend: Default::default(),
             high_bits: Constant::new(high_bits.to_bits()),
-        }
+        };
+            clock write_query write_photon write_power write_work write_sum work_source add_sum query_in
+            radius_sq_in photon_in present_in power_in link_in work_out sum_out query radius_sq photon power
+            work sum gate_unit add_unit addend sum_low sum_high wide_addend
+        )
     }
 }
 

@@ -5,6 +5,7 @@
 //! channel, its quad selects the lane. A power with an exponent is decoded here, so that cells receive
 //! decoded powers only.
 
+use crate::defaults::signals;
 use photoncube_spec::{Channels, Hypercube, Role};
 use rust_hdl::core::ast::{VerilogExpression, VerilogLiteral, VerilogOp, VerilogStatement};
 use rust_hdl::prelude::*;
@@ -101,8 +102,8 @@ impl<
             x: std::array::from_fn(|_| Default::default()),
             y: std::array::from_fn(|_| Default::default()),
             z: std::array::from_fn(|_| Default::default()),
-            channel: (0..channels * G).map(|_| Default::default()).collect(),
-            exponent: (0..exponents).map(|_| Default::default()).collect(),
+            channel: signals(channels * G),
+            exponent: signals(exponents),
             sum: std::array::from_fn(|_| Default::default()),
             cell_query: std::array::from_fn(|_| Default::default()),
             cell_photon: std::array::from_fn(|_| Default::default()),

@@ -1,6 +1,7 @@
 //! The top block of a sequential machine: control block, ports, cells and network between valid/ready
 //! streams.
 
+use crate::defaults::defaulted;
 use photoncube_spec::Machine;
 use rust_hdl::prelude::*;
 
@@ -80,32 +81,22 @@ impl<
         let cube = machine.hypercube();
         let program = machine.microprogram().expect("a processor runs a program");
         let ports = Ports::new(cube, machine.channels());
-        Self {
-            clock: Default::default(),
-            reset: Default::default(),
-            query_valid: Default::default(),
-            query_x: Default::default(),
-            query_y: Default::default(),
-            query_z: Default::default(),
-            query_radius_sq: Default::default(),
-            group_valid: Default::default(),
-            group_last: Default::default(),
+        defaulted!(Self {
             photon_present: std::array::from_fn(|_| Default::default()),
             photon_x: std::array::from_fn(|_| Default::default()),
             photon_y: std::array::from_fn(|_| Default::default()),
             photon_z: std::array::from_fn(|_| Default::default()),
             photon_channel: ports.channel.iter().map(|_| Default::default()).collect(),
             photon_exponent: ports.exponent.iter().map(|_| Default::default()).collect(),
-            result_ready: Default::default(),
-            query_ready: Default::default(),
-            group_ready: Default::default(),
-            result_valid: Default::default(),
             result: ports.result.iter().map(|_| Default::default()).collect(),
             control: Control::new(&program, machine.dimension),
             ports,
             network: Network::new(cube),
             cell: std::array::from_fn(|_| Cell::new(machine.squarer)),
-        }
+        };
+            clock reset query_valid query_x query_y query_z query_radius_sq group_valid group_last result_ready
+            query_ready group_ready result_valid
+        )
     }
 }
 

@@ -4,6 +4,7 @@
 //! block's Verilog is written by hand, with its registers inside, and one set of compiled widths serves
 //! machines of any number of engines.
 
+use crate::defaults::defaulted;
 use photoncube_spec::{HeadSizes, Spatial};
 use rust_hdl::prelude::*;
 
@@ -58,32 +59,14 @@ struct Taken {
 
 impl Admission {
     pub fn new(spatial: &Spatial) -> Self {
-        Self {
-            clock: Default::default(),
-            reset: Default::default(),
-            query_valid: Default::default(),
-            group_valid: Default::default(),
-            group_last: Default::default(),
-            batch_read: Default::default(),
-            query_ready: Default::default(),
-            group_ready: Default::default(),
-            taken: Default::default(),
-            first_taken: Default::default(),
-            last_taken: Default::default(),
-            token_valid: Default::default(),
-            is_full: Default::default(),
-            has_room: Default::default(),
-            clocks_to_last: Default::default(),
-            _loaded: Default::default(),
-            _open: Default::default(),
-            _has_batch: Default::default(),
-            _spacing: Default::default(),
-            _waits: Default::default(),
-            _gives_back: Default::default(),
-            _promised: Default::default(),
+        defaulted!(Self {
             _engines: spatial.engines() as u64,
             _sizes: HeadSizes::of(spatial),
-        }
+        };
+            clock reset query_valid group_valid group_last batch_read query_ready group_ready taken first_taken
+            last_taken token_valid is_full has_room clocks_to_last _loaded _open _has_batch _spacing _waits
+            _gives_back _promised
+        )
     }
 
     /// Whether there is room for the results of a batch: the highest of the unary bits is 0.

@@ -1,6 +1,7 @@
 //! The small operations of the pipeline, one block each, so that each has one text. Operations that
 //! rust-hdl's kernels can express are kernels here; the parts of a square are in `digits`.
 
+use crate::defaults::defaulted;
 use rust_hdl::prelude::*;
 
 /// `sum = a + b`, exact: `S` bits are one more than the wider of `A` and `B`.
@@ -74,13 +75,11 @@ pub(crate) struct RangeOfFormat<const U: usize> {
 
 impl<const U: usize> RangeOfFormat<U> {
     pub fn new(radius_sq: u32) -> Self {
-        Self {
-            distance: Default::default(),
-            far: Default::default(),
-            in_range: Default::default(),
-            near: Default::default(),
+        defaulted!(Self {
             limit: Constant::new(u64::from(radius_sq).to_bits()),
-        }
+        };
+            distance far in_range near
+        )
     }
 }
 

@@ -1,5 +1,6 @@
 //! The head's delay line: it holds powers until an engine has decided which photons are in range.
 
+use crate::defaults::defaulted;
 use rust_hdl::prelude::*;
 
 use super::stage::{FlagStage, Stage};
@@ -18,13 +19,11 @@ pub(crate) struct WordDelay<const W: usize> {
 
 impl<const W: usize> WordDelay<W> {
     pub fn new(stages: usize) -> Self {
-        with_wires!(Self {
-            clock: Default::default(),
-            word: Default::default(),
-            delayed: Default::default(),
+        with_wires!(defaulted!(Self {
             stage: Stage::several(stages, true),
-            _wires: Default::default(),
-        })
+        };
+            clock word delayed _wires
+        ))
     }
 
     fn wires(&mut self, wiring: &mut Wiring) {
@@ -61,14 +60,11 @@ pub(crate) struct FlagDelay {
 impl FlagDelay {
     pub fn new(stages: usize) -> Self {
         assert!(stages > 0, "a decision takes a clock at least");
-        with_wires!(Self {
-            clock: Default::default(),
-            clear: Default::default(),
-            flag: Default::default(),
-            delayed: Default::default(),
+        with_wires!(defaulted!(Self {
             stage: (0..stages).map(|_| FlagStage::new(true)).collect(),
-            _wires: Default::default(),
-        })
+        };
+            clock clear flag delayed _wires
+        ))
     }
 
     fn wires(&mut self, wiring: &mut Wiring) {

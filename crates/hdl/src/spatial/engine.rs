@@ -1,5 +1,6 @@
 //! An engine: the 16 cells that test the photons against one query.
 
+use crate::defaults::{defaulted, signals};
 use photoncube_spec::{Cut, EngineKind, Machine, Spatial, SpatialWidths};
 use rust_hdl::prelude::*;
 
@@ -107,10 +108,6 @@ pub(crate) struct Engine<
     _wires: Wires,
 }
 
-fn signals<S: Default>(count: usize) -> Vec<S> {
-    (0..count).map(|_| S::default()).collect()
-}
-
 impl<
     const C: usize,
     const D: usize,
@@ -140,36 +137,13 @@ impl<
         let to_range = Cut::ALL.into_iter().filter(|&cut| cut < Cut::Range);
         let delays = radii * to_range.filter(|&cut| cuts.has(cut)).count();
         let pairs = 0..AXES * LANES / 2;
-        with_wires!(Self {
-            clock: Default::default(),
-            reset_in: Default::default(),
-            token_valid_in: Default::default(),
-            token_in: Default::default(),
+        with_wires!(defaulted!(Self {
             token_radius_sq_in: signals(radii),
-            swap_in: Default::default(),
-            photon_in: Default::default(),
             power_in: signals(channels * LANES),
-            present_in: Default::default(),
-            first_in: Default::default(),
-            last_in: Default::default(),
-            result_valid_in: Default::default(),
             result_in: signals(channels),
-            result_count_in: Default::default(),
-            reset_out: Default::default(),
-            token_valid_out: Default::default(),
-            token_out: Default::default(),
             token_radius_sq_out: signals(radii),
-            swap_out: Default::default(),
-            photon_out: Default::default(),
             power_out: signals(channels * LANES),
-            present_out: Default::default(),
-            first_out: Default::default(),
-            last_out: Default::default(),
-            result_valid_out: Default::default(),
             result_out: signals(channels),
-            result_count_out: Default::default(),
-            query_flags: Default::default(),
-            query: Default::default(),
             radius_word: signals(radii),
             radius_sq_delay: Stage::several(delays, true),
             photon: Stage::several(COORDINATES, true),
@@ -181,8 +155,11 @@ impl<
             channel_sum: (0..channels).map(|_| ChannelSum::new(cuts)).collect(),
             count_sum: ChannelSum::new(cuts),
             _channels: channels,
-            _wires: Default::default(),
-        })
+        };
+            clock reset_in token_valid_in token_in swap_in photon_in present_in first_in last_in result_valid_in
+            result_count_in reset_out token_valid_out token_out swap_out photon_out present_out first_out
+            last_out result_valid_out result_count_out query_flags query _wires
+        ))
     }
 
     fn wires(&mut self, wiring: &mut Wiring) {

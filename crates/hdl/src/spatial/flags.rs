@@ -1,6 +1,7 @@
 //! The flags of an engine: the waiting query, the position of a batch's groups in the pipeline, the complete
 //! sums.
 
+use crate::defaults::{defaulted, signals};
 use photoncube_spec::{Cut, Cuts};
 use rust_hdl::prelude::*;
 
@@ -128,20 +129,9 @@ impl GroupFlags {
         let stage = |cut| FlagStage::new(cuts.has(cut));
         let copies = channels * usize::from(cuts.has(Cut::Decision));
         let delays = channels * usize::from(cuts.has(Cut::RangeDelay));
-        Self {
-            clock: Default::default(),
-            reset_in: Default::default(),
-            reset: Default::default(),
-            first_in: Default::default(),
-            last_in: Default::default(),
-            result_valid_in: Default::default(),
-            first_out: Default::default(),
-            last_out: Default::default(),
-            replace: Default::default(),
-            sums_done: Default::default(),
-            replace_copy: (0..copies).map(|_| Default::default()).collect(),
-            sums_done_copy: (0..copies).map(|_| Default::default()).collect(),
-            result_valid_out: Default::default(),
+        defaulted!(Self {
+            replace_copy: signals(copies),
+            sums_done_copy: signals(copies),
             first: FlagStage::new(true),
             last: FlagStage::new(true),
             gate_first: stage(Cut::Gate),
@@ -150,13 +140,14 @@ impl GroupFlags {
             pair_last: stage(Cut::PairPower),
             group_first: stage(Cut::GroupPower),
             group_last: stage(Cut::GroupPower),
-            done: Default::default(),
-            pair_first_delay: (0..delays).map(|_| Default::default()).collect(),
-            group_last_delay: (0..delays).map(|_| Default::default()).collect(),
-            first_copy: (0..copies).map(|_| Default::default()).collect(),
-            done_copy: (0..copies).map(|_| Default::default()).collect(),
-            result_valid: Default::default(),
-        }
+            pair_first_delay: signals(delays),
+            group_last_delay: signals(delays),
+            first_copy: signals(copies),
+            done_copy: signals(copies),
+        };
+            clock reset_in reset first_in last_in result_valid_in first_out last_out replace sums_done
+            result_valid_out done result_valid
+        )
     }
 }
 

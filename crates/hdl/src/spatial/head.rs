@@ -1,5 +1,6 @@
 //! The head: the logic between the machine's pins and the first engine, except the entry.
 
+use crate::defaults::{defaulted, signals};
 use photoncube_spec::Spatial;
 use rust_hdl::prelude::*;
 
@@ -113,51 +114,27 @@ impl<const B: usize, const E: usize, const P: usize, const S: usize, const N: us
         let stages = spatial.latency() as usize;
         let exponents = if E > 0 { LANES } else { 0 };
         let words = channels * LANES;
-        with_wires!(Self {
-            clock: Default::default(),
-            reset: Default::default(),
-            query_valid: Default::default(),
-            query_ready: Default::default(),
-            group_valid: Default::default(),
-            group_last: Default::default(),
-            channel: (0..words).map(|_| Default::default()).collect(),
-            exponent: (0..exponents).map(|_| Default::default()).collect(),
-            group_ready: Default::default(),
-            taken: Default::default(),
-            first_taken: Default::default(),
-            last_taken: Default::default(),
-            present: Default::default(),
-            taken_in: Default::default(),
-            first_in: Default::default(),
-            last_in: Default::default(),
-            result_valid: Default::default(),
-            result: (0..channels).map(|_| Default::default()).collect(),
-            result_count: Default::default(),
-            result_ready: Default::default(),
-            token_valid: Default::default(),
-            is_full: Default::default(),
-            has_room: Default::default(),
-            clocks_to_last: Default::default(),
-            power: (0..words).map(|_| Default::default()).collect(),
-            power_present: Default::default(),
-            first: Default::default(),
-            last: Default::default(),
-            result_valid_in: Default::default(),
-            result_in: (0..channels).map(|_| Default::default()).collect(),
-            result_count_in: Default::default(),
+        with_wires!(defaulted!(Self {
+            channel: signals(words),
+            exponent: signals(exponents),
+            result: signals(channels),
+            power: signals(words),
+            result_in: signals(channels),
             admission: Admission::new(spatial),
-            power_decoder: (0..words).map(|_| Default::default()).collect(),
+            power_decoder: signals(words),
             decoded: Stage::several(words, true),
-            presence: Default::default(),
-            power_of_present: (0..words).map(|_| Default::default()).collect(),
+            power_of_present: signals(words),
             power_delay: (0..words).map(|_| WordDelay::new(stages - 1)).collect(),
             present_delay: (0..LANES).map(|_| WordDelay::new(stages - 1)).collect(),
             first_delay: FlagDelay::new(stages),
             last_delay: FlagDelay::new(stages),
             queue: ResultQueue::new(spatial, channels),
             _channels: channels,
-            _wires: Default::default(),
-        })
+        };
+            clock reset query_valid query_ready group_valid group_last group_ready taken first_taken last_taken
+            present taken_in first_in last_in result_valid result_count result_ready token_valid is_full
+            has_room clocks_to_last power_present first last result_valid_in result_count_in presence _wires
+        ))
     }
 
     fn wires(&mut self, wiring: &mut Wiring) {

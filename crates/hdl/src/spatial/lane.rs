@@ -1,5 +1,6 @@
 //! A lane: from the squares of one photon's differences to its in-range flag.
 
+use crate::defaults::defaulted;
 use photoncube_spec::{Cut, Cuts};
 use rust_hdl::prelude::*;
 
@@ -39,18 +40,11 @@ impl<const Q: usize, const T: usize, const U: usize> Lane<Q, T, U> {
     pub fn new(cuts: Cuts, range_waits: usize, fixed_radius_sq: Option<u32>) -> Self {
         assert!(T == Q + 1 && U == Q + 2);
         let own_radius = 0..usize::from(fixed_radius_sq.is_none());
-        with_wires!(Self {
-            clock: Default::default(),
-            axis_square: Default::default(),
-            axis_far: Default::default(),
+        with_wires!(defaulted!(Self {
             radius_sq: own_radius.clone().map(|_| Default::default()).collect(),
-            photon_in_range: Default::default(),
-            any_far: Default::default(),
-            pair_sum: Default::default(),
             pair_square: Stage::new(cuts.has(Cut::Pair)),
             pair_z: Stage::new(cuts.has(Cut::Pair)),
             pair_far: Stage::new(cuts.has(Cut::Pair)),
-            distance_sum: Default::default(),
             distance: Stage::new(cuts.has(Cut::Distance)),
             distance_far: Stage::new(cuts.has(Cut::Distance)),
             range_of_query: own_radius.map(|_| Default::default()).collect(),
@@ -61,8 +55,9 @@ impl<const Q: usize, const T: usize, const U: usize> Lane<Q, T, U> {
             in_range: Stage::new(cuts.has(Cut::Range)),
             range_wait: Stage::several(range_waits, true),
             range_delay: Stage::several(cuts.has(Cut::RangeDelay).into(), true),
-            _wires: Default::default(),
-        })
+        };
+            clock axis_square axis_far photon_in_range any_far pair_sum distance_sum _wires
+        ))
     }
 
     fn wires(&mut self, wiring: &mut Wiring) {

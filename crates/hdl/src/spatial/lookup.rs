@@ -1,5 +1,6 @@
 //! The parts of a square that a block RAM or a DSP block computes.
 
+use crate::defaults::defaulted;
 use rust_hdl::prelude::*;
 
 /// A table of squares with two read ports: `{far, |d|^2}` of a difference of `D` bits, with the square in
@@ -25,14 +26,11 @@ pub(crate) fn square_word(difference: u64, difference_bits: usize, square_bits: 
 
 impl<const D: usize, const L: usize> SquareTable<D, L> {
     pub fn new(register: bool) -> Self {
-        Self {
-            clock: Default::default(),
-            difference_a: Default::default(),
-            difference_b: Default::default(),
-            lookup_a: Default::default(),
-            lookup_b: Default::default(),
+        defaulted!(Self {
             _register: register,
-        }
+        };
+            clock difference_a difference_b lookup_a lookup_b
+        )
     }
 
     fn word(difference: u64) -> u64 {

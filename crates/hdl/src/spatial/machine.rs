@@ -1,5 +1,6 @@
 //! The top block of a spatial machine: the entry, the head and the chain of engines.
 
+use crate::defaults::{defaulted, signals};
 use photoncube_spec::{Machine, Pins, SignalPlace, Spatial};
 use rust_hdl::prelude::*;
 
@@ -112,29 +113,12 @@ impl<
         let memories = 0..usize::from(machine.has_memory());
         let pins = Pins::of(machine);
         let engine = |index| EngineShape::of(machine, spatial, index);
-        with_wires!(Self {
-            clock: Default::default(),
-            reset: Default::default(),
-            query_valid: Default::default(),
-            query_ready: Default::default(),
-            query_x: Default::default(),
-            query_y: Default::default(),
-            query_z: Default::default(),
-            query_radius_sq: (0..radii).map(|_| Default::default()).collect(),
+        with_wires!(defaulted!(Self {
+            query_radius_sq: signals(radii),
             query_release: memories.clone().map(|_| Default::default()).collect(),
-            group_valid: Default::default(),
-            group_ready: Default::default(),
-            group_last: Default::default(),
-            photon_present: Default::default(),
-            photon_x: Default::default(),
-            photon_y: Default::default(),
-            photon_z: Default::default(),
-            photon_channel: (0..channels * LANES).map(|_| Default::default()).collect(),
-            photon_exponent: (0..exponents).map(|_| Default::default()).collect(),
-            result_valid: Default::default(),
-            result_ready: Default::default(),
-            result: (0..channels).map(|_| Default::default()).collect(),
-            result_count: Default::default(),
+            photon_channel: signals(channels * LANES),
+            photon_exponent: signals(exponents),
+            result: signals(channels),
             memory: memories
                 .map(|_| PhotonMemory::new(spatial, names))
                 .collect(),
@@ -156,8 +140,10 @@ impl<
                 .iter()
                 .map(|pin| pin.place)
                 .collect(),
-            _wires: Default::default(),
-        })
+        };
+            clock reset query_valid query_ready query_x query_y query_z group_valid group_ready group_last
+            photon_present photon_x photon_y photon_z result_valid result_ready result_count _wires
+        ))
     }
 
     fn wires(&mut self, wiring: &mut Wiring) {

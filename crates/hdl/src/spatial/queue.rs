@@ -3,6 +3,7 @@
 //! Its depth follows from the number of engines, as the counters of `admission` do. So its Verilog is written
 //! by hand, with the memory, the places and the word on the pins inside.
 
+use crate::defaults::{defaulted, signals};
 use photoncube_spec::{HeadSizes, Spatial};
 use rust_hdl::prelude::*;
 
@@ -40,27 +41,17 @@ impl<const S: usize, const N: usize> ResultQueue<S, N> {
     pub fn new(spatial: &Spatial, channels: usize) -> Self {
         let sizes = HeadSizes::of(spatial);
         assert_eq!(sizes.queue, 1 << sizes.place_bits);
-        Self {
-            clock: Default::default(),
-            reset: Default::default(),
-            result_valid_in: Default::default(),
-            result_in: (0..channels).map(|_| Default::default()).collect(),
-            result_count_in: Default::default(),
-            result_ready: Default::default(),
-            result_valid: Default::default(),
-            result: (0..channels).map(|_| Default::default()).collect(),
-            result_count: Default::default(),
-            batch_read: Default::default(),
-            _write_place: Default::default(),
-            _newest_place: Default::default(),
-            _read_place: Default::default(),
-            _has_waiting: Default::default(),
-            _has_result: Default::default(),
+        defaulted!(Self {
+            result_in: signals(channels),
+            result: signals(channels),
             _results: vec![(vec![0; channels], 0); sizes.queue],
             _word: (vec![0; channels], 0),
             _place_bits: sizes.place_bits,
             _engines: spatial.engines(),
-        }
+        };
+            clock reset result_valid_in result_count_in result_ready result_valid result_count batch_read
+            _write_place _newest_place _read_place _has_waiting _has_result
+        )
     }
 
     fn is_valid(&self) -> bool {

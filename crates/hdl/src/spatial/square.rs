@@ -1,5 +1,6 @@
 //! The squares of the differences of two photons from one query on one axis.
 
+use crate::defaults::defaulted;
 use photoncube_spec::{Cut, Cuts, Squarer};
 use rust_hdl::prelude::*;
 
@@ -50,26 +51,18 @@ impl<
 > DigitSquarer<C, D, R, Q, LP, HP>
 {
     pub fn new(cuts: Cuts) -> Self {
-        with_wires!(Self {
-            clock: Default::default(),
-            difference: Default::default(),
-            square: Default::default(),
-            far: Default::default(),
-            magnitude_of: Default::default(),
+        with_wires!(defaulted!(Self {
             magnitude: Stage::new(cuts.has(Cut::Magnitude)),
-            split_magnitude: Default::default(),
-            digit_products: Default::default(),
             products_magnitude: Stage::new(cuts.has(Cut::Products)),
             low_product: Stage::new(cuts.has(Cut::Products)),
             high_product: Stage::new(cuts.has(Cut::Products)),
             products_far: Stage::new(cuts.has(Cut::Products)),
-            cross_sum: Default::default(),
             cross_magnitude: Stage::new(cuts.has(Cut::Cross)),
             cross_product: Stage::new(cuts.has(Cut::Cross)),
             cross_far: Stage::new(cuts.has(Cut::Cross)),
-            square_sum: Default::default(),
-            _wires: Default::default(),
-        })
+        };
+            clock difference square far magnitude_of split_magnitude digit_products cross_sum square_sum _wires
+        ))
     }
 
     fn wires(&mut self, wiring: &mut Wiring) {
@@ -137,23 +130,15 @@ pub(crate) struct TableSquarer<const D: usize, const Q: usize, const L: usize> {
 
 impl<const D: usize, const Q: usize, const L: usize> TableSquarer<D, Q, L> {
     pub fn new(cuts: Cuts) -> Self {
-        with_wires!(Self {
-            clock: Default::default(),
-            difference_a: Default::default(),
-            difference_b: Default::default(),
-            square_a: Default::default(),
-            square_b: Default::default(),
-            far_a: Default::default(),
-            far_b: Default::default(),
+        with_wires!(defaulted!(Self {
             magnitude_delay: Stage::several(2, cuts.has(Cut::Magnitude)),
             products_delay: Stage::several(2, cuts.has(Cut::Products)),
             square_table: SquareTable::new(cuts.has(Cut::Cross)),
-            split_0: Default::default(),
-            split_1: Default::default(),
             square_stage: Stage::several(2, cuts.has(Cut::Square)),
             far_stage: Stage::several(2, cuts.has(Cut::Square)),
-            _wires: Default::default(),
-        })
+        };
+            clock difference_a difference_b square_a square_b far_a far_b split_0 split_1 _wires
+        ))
     }
 
     fn wires(&mut self, wiring: &mut Wiring) {
@@ -207,18 +192,13 @@ pub(crate) struct ProductSquarer<const D: usize, const Q: usize, const PR: usize
 
 impl<const D: usize, const Q: usize, const PR: usize> ProductSquarer<D, Q, PR> {
     pub fn new(cuts: Cuts) -> Self {
-        with_wires!(Self {
-            clock: Default::default(),
-            difference: Default::default(),
-            square: Default::default(),
-            far: Default::default(),
+        with_wires!(defaulted!(Self {
             magnitude_delay: Stage::new(cuts.has(Cut::Magnitude)),
-            difference_product: Default::default(),
             products_delay: Stage::new(cuts.has(Cut::Products)),
             product: Stage::new(cuts.has(Cut::Cross)),
-            split_product: Default::default(),
-            _wires: Default::default(),
-        })
+        };
+            clock difference square far difference_product split_product _wires
+        ))
     }
 
     fn wires(&mut self, wiring: &mut Wiring) {
@@ -294,15 +274,7 @@ impl<
         let lookup = 0..count(Squarer::Table, 1);
         let product = 0..count(Squarer::Product, 2);
         let behind = cuts.has(Cut::Square) && squarer != Squarer::Table;
-        with_wires!(Self {
-            clock: Default::default(),
-            query: Default::default(),
-            photon_a: Default::default(),
-            photon_b: Default::default(),
-            square_a: Default::default(),
-            square_b: Default::default(),
-            far_a: Default::default(),
-            far_b: Default::default(),
+        with_wires!(defaulted!(Self {
             subtract: vec![Default::default(), Default::default()],
             difference: Stage::several(2, cuts.has(Cut::Difference)),
             digits: digits.map(|_| DigitSquarer::new(cuts)).collect(),
@@ -310,8 +282,9 @@ impl<
             product: product.map(|_| ProductSquarer::new(cuts)).collect(),
             square_stage: Stage::several(2, behind),
             far_stage: Stage::several(2, behind),
-            _wires: Default::default(),
-        })
+        };
+            clock query photon_a photon_b square_a square_b far_a far_b _wires
+        ))
     }
 
     fn wires(&mut self, wiring: &mut Wiring) {

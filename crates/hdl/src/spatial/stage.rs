@@ -1,5 +1,6 @@
 //! Pipeline stages that are registers or wires, as the machine's set of pipeline registers states.
 
+use crate::defaults::defaulted;
 use rust_hdl::core::ast::{VerilogExpression, VerilogStatement};
 use rust_hdl::prelude::*;
 
@@ -64,13 +65,11 @@ pub(crate) struct FlagStage {
 impl FlagStage {
     /// A stage that is a register where `register` is true, else a wire.
     pub fn new(register: bool) -> Self {
-        Self {
-            clock: Default::default(),
-            clear: Default::default(),
-            d: Default::default(),
-            q: Default::default(),
+        defaulted!(Self {
             flag: register.then(DFF::default).into_iter().collect(),
-        }
+        };
+            clock clear d q
+        )
     }
 }
 

@@ -1,5 +1,6 @@
 //! The sums of one channel, from the hop register to the result chain.
 
+use crate::defaults::{defaulted, signals};
 use photoncube_spec::{Cut, Cuts, Spatial};
 use rust_hdl::prelude::*;
 
@@ -48,29 +49,20 @@ impl<const P: usize, const PP: usize, const GP: usize, const S: usize> ChannelSu
         let gate_stages = if cuts.has(Cut::Gate) { LANES } else { 0 };
         let decisions = if cuts.has(Cut::Decision) { LANES } else { 0 };
         let behind_gate = if cuts.has(Cut::Gate) { PAIRS } else { 0 };
-        with_wires!(Self {
-            clock: Default::default(),
-            power_in: Default::default(),
-            power: Default::default(),
-            in_range: Default::default(),
-            first: Default::default(),
-            done: Default::default(),
-            result_in: Default::default(),
-            result_out: Default::default(),
+        with_wires!(defaulted!(Self {
             hop: Stage::several(LANES, true),
-            decision: (0..decisions).map(|_| Default::default()).collect(),
-            gate: (0..gate_stages).map(|_| Default::default()).collect(),
-            pair_sum: (0..behind_gate).map(|_| Default::default()).collect(),
+            decision: signals(decisions),
+            gate: signals(gate_stages),
+            pair_sum: signals(behind_gate),
             gated_sum: (behind_gate..PAIRS).map(|_| Default::default()).collect(),
             pair: Stage::several(PAIRS, cuts.has(Cut::PairPower)),
-            group_sum: Default::default(),
             group: Stage::new(cuts.has(Cut::GroupPower)),
-            accumulate: Default::default(),
             sum: Stage::new(true),
-            result_link: Default::default(),
             result: Stage::new(true),
-            _wires: Default::default(),
-        })
+        };
+            clock power_in power in_range first done result_in result_out group_sum accumulate result_link
+            _wires
+        ))
     }
 
     fn wires(&mut self, wiring: &mut Wiring) {

@@ -3,6 +3,7 @@
 //! The program counter is the only state machine. Address 0 waits for a query, and the first steps of the
 //! iteration wait for a group. After the query's last iteration the machine stops until its result is taken.
 
+use crate::defaults::defaulted;
 use photoncube_spec::Microprogram;
 use rust_hdl::prelude::*;
 
@@ -48,35 +49,16 @@ impl<const A: usize, const W: usize, const X: usize> Control<A, W, X> {
     pub fn new(program: &Microprogram, dimension: u32) -> Self {
         let words = program.control_words();
         let address = |address: u64| Constant::new(address.to_bits());
-        Self {
-            clock: Default::default(),
-            reset: Default::default(),
-            query_valid: Default::default(),
-            query_ready: Default::default(),
-            group_valid: Default::default(),
-            group_last: Default::default(),
-            group_ready: Default::default(),
-            result_valid: Default::default(),
-            result_ready: Default::default(),
-            write_query: Default::default(),
-            write_photon: Default::default(),
-            write_power: Default::default(),
-            write_work: Default::default(),
-            write_sum: Default::default(),
-            work_source: Default::default(),
-            add_sum: Default::default(),
-            axis: Default::default(),
-            address: Default::default(),
-            last: Default::default(),
-            done: Default::default(),
+        defaulted!(Self {
             iteration_address: address(u64::from(program.query_clocks())),
             final_address: address(words.len() as u64 - 1),
             store: ControlStore::new(words),
             decoder: Decoder::new(dimension),
-            runs: Default::default(),
-            at_end: Default::default(),
-            taken: Default::default(),
-        }
+        };
+            clock reset query_valid query_ready group_valid group_last group_ready result_valid result_ready
+            write_query write_photon write_power write_work write_sum work_source add_sum axis address last done
+            runs at_end taken
+        )
     }
 }
 

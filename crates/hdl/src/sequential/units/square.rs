@@ -1,5 +1,6 @@
 //! The square of the difference on one axis: `(A-B)^2`, or the half square of a photon format.
 
+use crate::defaults::defaulted;
 use photoncube_spec::Squarer;
 use rust_hdl::prelude::*;
 
@@ -25,13 +26,11 @@ impl<const C: usize, const H: usize, const M: usize, const Q: usize> SquareUnit<
         } else {
             Power::Square
         };
-        Self {
-            a: Default::default(),
-            b: Default::default(),
-            square: Default::default(),
-            difference: Default::default(),
+        defaulted!(Self {
             squarer: SquarerBlock::new(squarer, power),
-        }
+        };
+            a b square difference
+        )
     }
 }
 

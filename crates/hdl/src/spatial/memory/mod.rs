@@ -8,6 +8,7 @@ mod text;
 
 pub(super) use text::GROUPS;
 
+use crate::defaults::{defaulted, signals};
 use photoncube_spec::{MemoryRegister, Spatial};
 use rust_hdl::prelude::*;
 
@@ -94,31 +95,11 @@ impl<const C: usize, const B: usize, const E: usize> PhotonMemory<C, B, E> {
         let words = channels.len() * LANES;
         let exponents = if E > 0 { LANES } else { 0 };
         let bank_groups = spatial.memory_groups as usize;
-        let mut memory = Self {
-            clock: Default::default(),
-            reset: Default::default(),
-            group_valid: Default::default(),
-            group_ready: Default::default(),
-            group_last: Default::default(),
-            present: Default::default(),
-            x: Default::default(),
-            y: Default::default(),
-            z: Default::default(),
-            channel: (0..words).map(|_| Default::default()).collect(),
-            exponent: (0..exponents).map(|_| Default::default()).collect(),
-            release_in: Default::default(),
-            query_taken: Default::default(),
-            is_full: Default::default(),
-            has_room: Default::default(),
-            clocks_to_last: Default::default(),
-            word_valid: Default::default(),
-            word_last: Default::default(),
-            word_present: Default::default(),
-            word_x: Default::default(),
-            word_y: Default::default(),
-            word_z: Default::default(),
-            word_channel: (0..words).map(|_| Default::default()).collect(),
-            word_exponent: (0..exponents).map(|_| Default::default()).collect(),
+        let mut memory = defaulted!(Self {
+            channel: signals(words),
+            exponent: signals(exponents),
+            word_channel: signals(words),
+            word_exponent: signals(exponents),
             _state: State::default(),
             _groups: Vec::new(),
             _write: Vec::new(),
@@ -127,6 +108,9 @@ impl<const C: usize, const B: usize, const E: usize> PhotonMemory<C, B, E> {
             _bank_groups: bank_groups,
             _channels: channels,
         };
+            clock reset group_valid group_ready group_last present x y z release_in query_taken is_full has_room
+            clocks_to_last word_valid word_last word_present word_x word_y word_z
+        );
         memory._word = vec![0; memory.fields().len()];
         memory._read = memory._word.clone();
         memory._write = memory._word.clone();
