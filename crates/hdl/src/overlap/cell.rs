@@ -1,7 +1,7 @@
 //! The cell of an overlapped machine, whose units work at the same time.
 //!
 //! Every unit has its own registers at its output. In every clock the control word selects the registers that
-//! are written and their sources; see `photoncube_spec::overlap` for the words. The stages of the square
+//! are written and their sources; see `photoncube_spec::OVERLAPPED` for the words. The stages of the square
 //! unit, the addend and the operand are written in every clock.
 
 use rust_hdl::prelude::*;
@@ -117,7 +117,7 @@ impl<const R: usize, const P: usize, const V: usize, const S: usize, const W: us
             sum: Default::default(),
             power: Default::default(),
             present: Default::default(),
-            decoder: Decoder::new(),
+            decoder: Decoder::new(4),
             difference: Default::default(),
             digits: Default::default(),
             chosen_sum: Default::default(),

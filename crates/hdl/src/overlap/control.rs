@@ -110,7 +110,7 @@ impl<const A: usize, const D: usize, const W: usize> Control<A, D, W> {
             store_y: store(Role::Y),
             store_z: store(Role::Z),
             store_d: store(Role::D),
-            decoder: Decoder::new(),
+            decoder: Decoder::new(4),
             accepts: Default::default(),
             takes_query: Default::default(),
             accepts_group: Default::default(),
