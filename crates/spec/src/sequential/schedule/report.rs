@@ -92,16 +92,22 @@ pub fn schedule_report(program: &Microprogram, cube: Hypercube) -> ScheduleRepor
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cell::Unit;
 
     #[test]
     fn utilisation_counts_units_and_registers() {
         let cube = Hypercube::new(4);
         let report = schedule_report(&Microprogram::all_reduce(cube), cube);
-        let busy: Vec<_> = report.units.iter().map(|unit| unit.busy_clocks).collect();
-        assert_eq!(busy, [1, 1, 5], "square, gate, add");
+        let busy = |unit| {
+            let found = report.units.iter().find(|found| found.unit == unit);
+            found.map(|found| found.busy_clocks)
+        };
+        let units = [Unit::Square, Unit::Gate, Unit::Add];
+        assert_eq!(units.map(busy), [1, 1, 5].map(Some));
         // q: sqd. r: gate. p: ldp, sqd. w: ldw, gate. v: sqd, four adds, gate, acc. s: acc.
         let used: Vec<_> = report.registers.iter().map(|&(_, clocks)| clocks).collect();
         assert_eq!(used, [1, 1, 2, 2, 7, 1]);
-        assert_eq!(report.utilisation(), 21.0 / 81.0);
+        let all = report.units.len() + report.registers.len();
+        assert_eq!(report.utilisation(), 21.0 / (9.0 * all as f64));
     }
 }
