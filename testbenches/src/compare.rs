@@ -4,7 +4,7 @@
 use std::fmt;
 
 use photoncube_spec::{
-    EngineRegister, Inputs, Instances, Machine, Pins, REGISTERS, SignalPlace, Step,
+    EngineRegister, Inputs, Instances, Machine, Pins, Register, SEQUENTIAL, SignalPlace, Step,
 };
 
 use crate::device::Observed;
@@ -51,6 +51,8 @@ pub struct Divergence {
     pub signal: String,
     /// The signal's place in the machine.
     pub place: SignalPlace,
+    /// The name in listings of a register of a cell.
+    pub register: Option<&'static str>,
     /// The value of the golden model.
     pub expected: u64,
     /// The value of the device.
@@ -93,8 +95,8 @@ impl fmt::Display for Divergence {
             self.clock, self.chunk, self.seed
         )?;
         write!(f, "  signal    {}", self.signal)?;
-        if let SignalPlace::Cell { node, register } = self.place {
-            write!(f, ", node {node}, register {}", register.row().mnemonic)?;
+        if let (SignalPlace::Cell { node, .. }, Some(register)) = (self.place, self.register) {
+            write!(f, ", node {node}, register {register}")?;
         }
         match self.differing {
             1 => writeln!(f)?,
@@ -203,13 +205,8 @@ impl<'a> Comparer<'a> {
         let differing = (0..self.visible).filter(differs);
         // The control block causes differences in the cells, and both cause differences in the outputs.
         let rank = |&column: &usize| match self.pins.observed[column].place {
-            SignalPlace::Control(_)
-            | SignalPlace::OverlapControl(_)
-            | SignalPlace::Head { .. }
-            | SignalPlace::Memory { .. } => 0,
-            SignalPlace::Cell { .. }
-            | SignalPlace::OverlapCell { .. }
-            | SignalPlace::Engine { .. } => 1,
+            SignalPlace::Control(_) | SignalPlace::Head { .. } | SignalPlace::Memory { .. } => 0,
+            SignalPlace::Cell { .. } | SignalPlace::Engine { .. } => 1,
             SignalPlace::Top => 2,
         };
         let column = differing.clone().min_by_key(rank);
@@ -231,6 +228,7 @@ impl<'a> Comparer<'a> {
             clock: block.first_clock + row as u64,
             signal: pin.name.clone(),
             place: pin.place,
+            register: mnemonic(self.machine, pin.place),
             expected: expected[column],
             actual: actual(column),
             differing: differing.count(),
@@ -275,28 +273,36 @@ impl<'a> Comparer<'a> {
             }
             return (activity, operands);
         };
-        for row in REGISTERS {
+        for row in SEQUENTIAL.registers {
             let register = row.register;
             add(row.mnemonic, value(SignalPlace::Cell { node, register }));
         }
         let cube = self.machine.hypercube();
         if let Some(axis) = step.axis {
             let node = cube.neighbour(node, axis);
-            let register = photoncube_spec::Register::Work;
+            let register = Register::Work;
             add("n", value(SignalPlace::Cell { node, register }));
         }
         let lane = format!("_{}", cube.photon(node));
-        let row = step.op.row();
+        let row = SEQUENTIAL.op(step.op);
         for (pin, &value) in self.pins.inputs.iter().zip(inputs) {
             let name = pin.name.as_str();
-            if (row.reads_query && name.starts_with("query_"))
-                || (row.reads_group && name.starts_with("photon_") && name.ends_with(&lane))
+            if (row.reads_query() && name.starts_with("query_"))
+                || (row.reads_group() && name.starts_with("photon_") && name.ends_with(&lane))
             {
                 add(name, value);
             }
         }
         (activity, operands)
     }
+}
+
+/// The name in listings of a register of a cell.
+pub(crate) fn mnemonic(machine: &Machine, place: SignalPlace) -> Option<&'static str> {
+    let SignalPlace::Cell { register, .. } = place else {
+        return None;
+    };
+    Some(machine.cell()?.register(register).mnemonic)
 }
 
 /// Whether one register of a machine without single steps may feed another. It may if both are in the control
@@ -310,10 +316,8 @@ fn is_near(machine: &Machine, place: SignalPlace, other: SignalPlace) -> bool {
         _ => None,
     };
     match (place, other) {
-        (SignalPlace::OverlapControl(_), SignalPlace::OverlapControl(_)) => true,
-        (SignalPlace::OverlapCell { node, .. }, SignalPlace::OverlapCell { node: other, .. }) => {
-            node == other
-        }
+        (SignalPlace::Control(_), SignalPlace::Control(_)) => true,
+        (SignalPlace::Cell { node, .. }, SignalPlace::Cell { node: other, .. }) => node == other,
         (SignalPlace::Head { .. }, SignalPlace::Head { index, .. }) => index == 0,
         (SignalPlace::Memory { .. }, SignalPlace::Memory { .. } | SignalPlace::Head { .. }) => true,
         (
@@ -333,11 +337,11 @@ fn is_near(machine: &Machine, place: SignalPlace, other: SignalPlace) -> bool {
 }
 
 fn activity(step: Step, done: bool, inputs: &Inputs) -> Activity {
-    let row = step.op.row();
+    let row = SEQUENTIAL.op(step.op);
     if done {
         return Activity::HasResult;
     }
-    if (row.reads_query && !inputs.query_valid) || (row.reads_group && !inputs.group_valid) {
+    if (row.reads_query() && !inputs.query_valid) || (row.reads_group() && !inputs.group_valid) {
         return Activity::WaitsFor(step);
     }
     Activity::Step(step)

@@ -5,7 +5,7 @@ mod support;
 
 use libtest_mimic::{Arguments, Failed};
 use photoncube_hdl::{Emitted, Level, emit};
-use photoncube_spec::{MACHINES, Machine, find_machine};
+use photoncube_spec::{MACHINES, Machine, Unit, find_machine};
 use photoncube_testbench::{
     Actual, DeviceError, DeviceKind, Divergence, Icarus, Source, VerifyError, VerifyOptions,
     verify_device, verify_part_device,
@@ -200,10 +200,10 @@ fn caught(fault: &Fault) -> Result<(), Failed> {
 }
 
 fn part_caught() -> Result<(), Failed> {
-    let mut design = emit(PAPER, Level::Gate)?;
+    let mut design = emit(PAPER, Level::Unit(Unit::Gate))?;
     let verified = |design: &Emitted| {
         let mut device = Icarus::new(design)?;
-        verify_part_device(PAPER, Level::Gate, &mut device, 1_000, 1)
+        verify_part_device(PAPER, Level::Unit(Unit::Gate), &mut device, 1_000, 1)
     };
     verified(&design)?;
     let module = format!("module {}(", design.top);

@@ -5,7 +5,7 @@ mod support;
 
 use libtest_mimic::Arguments;
 use photoncube_hdl::Level;
-use photoncube_spec::{MACHINES, Machine};
+use photoncube_spec::{MACHINES, Machine, Unit};
 use photoncube_testbench::{DeviceKind, verify_part};
 
 /// The rows of inputs for one part. The squarer and the difference are written by hand, so the fastest device
@@ -13,7 +13,7 @@ use photoncube_testbench::{DeviceKind, verify_part};
 /// gets no other parts.
 fn vectors(kind: DeviceKind, part: Level) -> usize {
     match (kind, part) {
-        (DeviceKind::Verilator, Level::Square | Level::SquarePair) => 1 << 21,
+        (DeviceKind::Verilator, Level::Unit(Unit::Square) | Level::SquarePair) => 1 << 21,
         // Some sixty whole banks.
         (DeviceKind::Verilator, Level::Memory) => 1 << 17,
         // The pins of the memory show words that were never written, which a netlist's memory does not model.
@@ -37,7 +37,7 @@ fn is_new(machine: &Machine, part: Level) -> bool {
 fn main() {
     let mut trials = Vec::new();
     for machine in MACHINES {
-        let parts = Level::of(machine).iter().copied();
+        let parts = Level::of(machine).into_iter();
         for part in parts.filter(|&part| is_new(machine, part)) {
             for kind in DeviceKind::ALL {
                 let vectors = vectors(kind, part);

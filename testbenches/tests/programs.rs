@@ -150,7 +150,7 @@ fn adder_of_the_cell() -> Result<(), Failed> {
     let failure = failure(&open, &options(24))?;
     let ops = ops(&failure);
     assert!(ops.len() <= 4, "{failure}");
-    let adds = |op: &Op| matches!(op, Op::ExchangeAdd | Op::Accumulate);
+    let adds = |op: &Op| matches!(op, Op::Add | Op::Accumulate);
     assert!(ops.iter().any(adds), "{failure}");
     Ok(())
 }

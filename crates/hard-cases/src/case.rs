@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use photoncube_model::{GatherError, LocalError, PackError};
+use photoncube_model::{GatherError, PackError};
 use photoncube_spec::{FormatError, PhotonFormat};
 use thiserror::Error;
 
@@ -123,12 +123,9 @@ pub enum HardCaseError {
     /// The map has no form in the format.
     #[error(transparent)]
     FormatMap(#[from] FormatMapError),
-    /// The format refuses a query.
+    /// The format or a machine refuses a query.
     #[error(transparent)]
-    Gather(#[from] LocalError),
-    /// A machine refuses a query.
-    #[error(transparent)]
-    Machine(#[from] GatherError),
+    Gather(#[from] GatherError),
     /// The machine's numbers do not fit.
     #[error(transparent)]
     Numbers(#[from] RenderError),

@@ -159,7 +159,7 @@ fn a_query_of_too_many_photons_is_refused_with_the_pixel() {
         ..*DEFAULT
     };
     let error = render(&scene, &map, Engine::Format(&small), &view, &|_| ()).unwrap_err();
-    let RenderError::LocalGather { source, .. } = &error else {
+    let RenderError::Gather { source, .. } = &error else {
         panic!("{error:?}");
     };
     assert!(error.to_string().starts_with("pixel ("), "{error}");

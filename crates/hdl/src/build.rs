@@ -3,15 +3,13 @@
 //! rust-hdl's widths are const generics, so every set of widths is compiled for itself; each costs about a
 //! second of build time.
 
-use photoncube_spec::{
-    Machine, Organisation, Spatial, SpatialWidths, Squarer, Widths, control_word_bits,
-};
+use photoncube_spec::{Machine, Organisation, SEQUENTIAL, Spatial, SpatialWidths, Squarer, Widths};
 use thiserror::Error;
 
 use crate::level::Level;
 use crate::overlap;
 use crate::pinned::Pinned;
-use crate::sequential::{AddUnit, Cell, GateUnit, Network, Processor, SquareUnit};
+use crate::sequential::{Cell, Network, Processor, build_unit};
 use crate::spatial::{PhotonMemory, SpatialMachine, SquarePair};
 
 /// The error of a machine whose widths are not compiled in.
@@ -51,7 +49,7 @@ impl Shape {
         Some(Self {
             widths: Widths::of(machine),
             address: program.address_bits(),
-            word: control_word_bits(machine.dimension),
+            word: SEQUENTIAL.word_bits(machine.dimension),
             axis: machine.dimension,
             nodes: machine.hypercube().nodes(),
             lanes: machine.photons_per_iteration(),
@@ -83,9 +81,9 @@ macro_rules! built_in {
                         Level::Cell => Box::new(
                             Cell::<$c, $h, $m, $q, $r, $p, $v, $s>::new(machine.squarer)),
                         Level::Network => Box::new(Network::<$n, $v, $x>::new(machine.hypercube())),
-                        Level::Add => Box::new(AddUnit::<$s>::default()),
-                        Level::Square => Box::new(SquareUnit::<$c, $h, $m, $q>::new(machine.squarer)),
-                        Level::Gate => Box::new(GateUnit::<$v, $r, $p>::default()),
+                        Level::Unit(unit) => {
+                            build_unit::<$c, $h, $m, $q, $r, $p, $v, $s>(unit, machine.squarer)?
+                        }
                         Level::SquarePair | Level::Memory => return None,
                     });
                 }
@@ -213,7 +211,7 @@ mod tests {
     #[test]
     fn every_named_machine_is_built_in() {
         for machine in MACHINES {
-            for &level in Level::of(machine) {
+            for level in Level::of(machine) {
                 assert!(build(machine, level).is_ok(), "{} {level:?}", machine.name);
             }
         }

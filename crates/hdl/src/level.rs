@@ -1,6 +1,6 @@
 //! The levels: the parts of a machine that can be built, simulated and emitted on their own.
 
-use photoncube_spec::{Machine, Organisation};
+use photoncube_spec::{Machine, Organisation, SEQUENTIAL, Unit};
 
 /// A level: the whole machine, or one part of it on its own.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -11,12 +11,8 @@ pub enum Level {
     Cell,
     /// The hypercube network.
     Network,
-    /// The unit `A+B`.
-    Add,
-    /// The unit `(A-B)^2`.
-    Square,
-    /// The unit `if A>B, output 0`.
-    Gate,
+    /// A computing unit of a sequential cell.
+    Unit(Unit),
     /// A spatial machine's squares of the differences of two photons on one axis, with their pipeline
     /// registers.
     SquarePair,
@@ -26,21 +22,18 @@ pub enum Level {
 
 impl Level {
     /// The levels of a machine; the first is the whole machine.
-    pub fn of(machine: &Machine) -> &'static [Self] {
+    pub fn of(machine: &Machine) -> Vec<Self> {
         match machine.organisation {
-            Organisation::Sequential | Organisation::Programmed(_) => &[
-                Self::Machine,
-                Self::Cell,
-                Self::Network,
-                Self::Add,
-                Self::Square,
-                Self::Gate,
-            ],
-            Organisation::Overlapped => &[Self::Machine, Self::Cell],
-            Organisation::Spatial(_) if machine.has_memory() => {
-                &[Self::Machine, Self::SquarePair, Self::Memory]
+            Organisation::Sequential | Organisation::Programmed(_) => {
+                let units = SEQUENTIAL.computing_units().into_iter().map(Self::Unit);
+                let larger = [Self::Machine, Self::Cell, Self::Network];
+                larger.into_iter().chain(units).collect()
             }
-            Organisation::Spatial(_) => &[Self::Machine, Self::SquarePair],
+            Organisation::Overlapped => vec![Self::Machine, Self::Cell],
+            Organisation::Spatial(_) if machine.has_memory() => {
+                vec![Self::Machine, Self::SquarePair, Self::Memory]
+            }
+            Organisation::Spatial(_) => vec![Self::Machine, Self::SquarePair],
         }
     }
 
@@ -58,9 +51,7 @@ impl Level {
             Self::Machine => "machine",
             Self::Cell => "cell",
             Self::Network => "network",
-            Self::Add => "add_unit",
-            Self::Square => "square_unit",
-            Self::Gate => "gate_unit",
+            Self::Unit(unit) => unit.module(),
             Self::SquarePair => "square_pair",
             Self::Memory => "memory",
         }

@@ -1,7 +1,6 @@
 //! Blocks whose pins are driven and observed as rows of numbers.
 
-use photoncube_spec::{Machine, Organisation, REGISTERS, overlap};
-use photoncube_spec::{Pin, Pins, SignalPlace, Widths};
+use photoncube_spec::{Machine, Pin, Pins, SignalPlace, Widths};
 use rust_hdl::core::atom::{Atom, AtomKind};
 use rust_hdl::prelude::*;
 
@@ -53,18 +52,9 @@ pub(crate) fn pins(block: &dyn Pinned, machine: &Machine, level: Level) -> Pins 
         pins.observed.extend(registers.filter(of_memory));
         return pins;
     }
-    if level == Level::Cell {
+    if let (Level::Cell, Some(tables)) = (level, machine.cell()) {
         let widths = Widths::of(machine);
-        if machine.organisation == Organisation::Overlapped {
-            let registers = overlap::Register::all().map(|register| Pin {
-                name: format!("register_{}", register.name()),
-                width: register.width(&widths),
-                place: SignalPlace::OverlapCell { node: 0, register },
-            });
-            pins.observed.extend(registers);
-            return pins;
-        }
-        pins.observed.extend(REGISTERS.iter().map(|row| Pin {
+        pins.observed.extend(tables.registers.iter().map(|row| Pin {
             name: format!("register_{}", row.name),
             width: (row.width)(&widths),
             place: SignalPlace::Cell {
@@ -171,6 +161,9 @@ macro_rules! sample {
     ($self:ident, $row:ident: $($($signal:ident).+),+ $(,)?) => {
         $($row.push($self.$($signal).+.val().number());)+
     };
+    ($row:ident: $($($signal:ident).+),+ $(,)?) => {
+        $($row.push($($signal).+.val().number());)+
+    };
 }
 
 macro_rules! settle {
@@ -182,4 +175,22 @@ macro_rules! settle {
     };
 }
 
-pub(crate) use {drive, sample, settle};
+/// The pins of a unit without registers: its inputs, in the order in which the op reads them, and its output.
+macro_rules! unit_pins {
+    ($block:ident<$($width:ident),+>: $($input:ident),+ => $output:ident) => {
+        impl<$(const $width: usize),+> $crate::pinned::Pinned for $block<$($width),+> {
+            fn drive(&mut self, row: &[u64]) {
+                $crate::pinned::drive!(self, row: $($input),+);
+            }
+
+            fn sample(&self, row: &mut Vec<u64>) {
+                use $crate::pinned::Word;
+                $crate::pinned::sample!(self, row: $output);
+            }
+
+            $crate::pinned::settle!();
+        }
+    };
+}
+
+pub(crate) use {drive, sample, settle, unit_pins};

@@ -5,11 +5,11 @@
 
 use std::fmt;
 
-use photoncube_spec::{Cut, Cuts, Pins, Squarer};
+use photoncube_spec::{Cut, Cuts, Pins, Squarer, Unit as CellUnit};
 
 use crate::build::NotBuiltIn;
 use crate::pinned::{Pinned, block_pins};
-use crate::sequential::{AddUnit, GateUnit, SquareUnit};
+use crate::sequential;
 use crate::spatial::SquarePair;
 
 /// A unit that is built on its own.
@@ -62,6 +62,16 @@ impl Unit {
         }
     }
 
+    /// The unit of a cell that this is; `None` for a pair of squares.
+    pub fn of_cell(self) -> Option<CellUnit> {
+        match self {
+            Self::Add => Some(CellUnit::Add),
+            Self::SquareDigits | Self::SquareProduct => Some(CellUnit::Square),
+            Self::Gate => Some(CellUnit::Gate),
+            Self::PairDigits | Self::PairProduct | Self::PairTable => None,
+        }
+    }
+
     /// The implementation of the unit's squares; `None` for a unit without squares.
     pub fn squarer(self) -> Option<Squarer> {
         match self {
@@ -106,15 +116,15 @@ macro_rules! pair {
 /// bits and its low digit at least 3, so no pair from digits has 6-bit operands.
 fn find(unit: Unit, bits: u32) -> Option<Box<dyn Pinned>> {
     use Squarer::{Digits, Product, Table};
+    if let Some(of_cell) = unit.of_cell() {
+        let squarer = unit.squarer().unwrap_or(Digits);
+        return match bits {
+            6 => sequential::build_unit::<6, 6, 6, 12, 6, 6, 6, 6>(of_cell, squarer),
+            8 => sequential::build_unit::<8, 8, 8, 16, 8, 8, 8, 8>(of_cell, squarer),
+            _ => None,
+        };
+    }
     Some(match (unit, bits) {
-        (Unit::Add, 6) => Box::new(AddUnit::<6>::default()),
-        (Unit::Add, 8) => Box::new(AddUnit::<8>::default()),
-        (Unit::SquareDigits, 6) => Box::new(SquareUnit::<6, 6, 6, 12>::new(Digits)),
-        (Unit::SquareDigits, 8) => Box::new(SquareUnit::<8, 8, 8, 16>::new(Digits)),
-        (Unit::SquareProduct, 6) => Box::new(SquareUnit::<6, 6, 6, 12>::new(Product)),
-        (Unit::SquareProduct, 8) => Box::new(SquareUnit::<8, 8, 8, 16>::new(Product)),
-        (Unit::Gate, 6) => Box::new(GateUnit::<6, 6, 6>::default()),
-        (Unit::Gate, 8) => Box::new(GateUnit::<8, 8, 8>::default()),
         (Unit::PairDigits, 8) => pair!(Digits, 8 9 7 14 15 6 4 16),
         (Unit::PairProduct, 6) => pair!(Product, 6 7 5 10 11 4 4 12),
         (Unit::PairProduct, 8) => pair!(Product, 8 9 7 14 15 6 4 16),

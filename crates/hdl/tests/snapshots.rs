@@ -2,7 +2,7 @@
 //! change of the hardware as a change of this text.
 
 use photoncube_hdl::{Level, emit};
-use photoncube_spec::find_machine;
+use photoncube_spec::{Unit, find_machine};
 
 fn text(machine: &str, level: Level) -> String {
     let machine = find_machine(machine).unwrap();
@@ -32,30 +32,39 @@ fn the_cell() {
 
 #[test]
 fn the_unit_that_adds() {
-    insta::assert_snapshot!(text("paper", Level::Add));
+    insta::assert_snapshot!(text("paper", Level::Unit(Unit::Add)));
 }
 
 #[test]
 fn the_unit_that_squares_differences() {
-    insta::assert_snapshot!(text("paper", Level::Square));
+    insta::assert_snapshot!(text("paper", Level::Unit(Unit::Square)));
 }
 
 #[test]
 fn the_clamped_difference() {
-    insta::assert_snapshot!(only_module(&text("local", Level::Square), "_difference"));
+    insta::assert_snapshot!(only_module(
+        &text("local", Level::Unit(Unit::Square)),
+        "_difference"
+    ));
 }
 
 #[test]
 fn the_difference_from_a_grid_line() {
-    insta::assert_snapshot!(only_module(&text("fit-ring", Level::Square), "_difference"));
+    insta::assert_snapshot!(only_module(
+        &text("fit-ring", Level::Unit(Unit::Square)),
+        "_difference"
+    ));
 }
 
 #[test]
 fn the_half_squarer() {
-    insta::assert_snapshot!(only_module(&text("fit-ring", Level::Square), "_squarer"));
+    insta::assert_snapshot!(only_module(
+        &text("fit-ring", Level::Unit(Unit::Square)),
+        "_squarer"
+    ));
 }
 
 #[test]
 fn the_unit_that_gates() {
-    insta::assert_snapshot!(text("paper", Level::Gate));
+    insta::assert_snapshot!(text("paper", Level::Unit(Unit::Gate)));
 }

@@ -27,8 +27,8 @@ mod sequential;
 mod spatial;
 
 pub use gather::{
-    CountError, GatherError, Limits, LocalError, LocalGather, LocalLimits, PackError, RangeError,
-    ValueError, gather, pack, unpack,
+    CountError, GatherError, Limits, LocalGather, LocalLimits, PackError, RangeError, gather, pack,
+    unpack,
 };
 pub use golden::{GoldenMachine, golden_machine};
 pub use overlap::{CellPorts, OverlapCell, OverlapMachine};

@@ -3,7 +3,7 @@
 
 mod radius;
 
-use photoncube_model::{LocalError, LocalGather, pack, unpack};
+use photoncube_model::{GatherError, LocalGather, pack, unpack};
 use photoncube_spec::{
     Channels, Exponent, FormatWidths, LocalQuery, LocalSums, PHOTON_FORMATS, PhotonBlock,
     PhotonFormat, PhotonRecord, PowerFormat, Rounding, find_photon_format,
@@ -301,7 +301,7 @@ fn the_largest_declared_count_at_full_scale_is_exact_and_one_more_is_refused() {
         let error = gather
             .gather(&query, std::iter::repeat_n(block, repeat + 2))
             .unwrap_err();
-        assert!(matches!(error, LocalError::Count(_)));
+        assert!(matches!(error, GatherError::Count(_)));
         let message = error.to_string();
         assert!(message.contains("2048 over the 1048576"), "{message}");
     }

@@ -1,7 +1,7 @@
 //! Compares the fast gather with the plain one: bit for bit, in every format, with every instruction set.
 
 use photoncube_model::{
-    Gathered, Instructions, LEAF, LocalError, LocalGather, PhotonPlanes, Surroundings,
+    GatherError, Gathered, Instructions, LEAF, LocalGather, PhotonPlanes, Surroundings,
 };
 use photoncube_spec::{
     Channels, Exponent, LocalQuery, LocalSums, PHOTON_FORMATS, PhotonBlock, PhotonFormat,
@@ -374,15 +374,15 @@ fn what_the_plain_gather_refuses_is_refused() {
     };
     assert!(matches!(
         refused(&[photon; 4], [300; 3], 9),
-        LocalError::Count(_)
+        GatherError::Count(_)
     ));
     assert!(matches!(
         refused(&[photon; 2], [1024; 3], 9),
-        LocalError::Value(_)
+        GatherError::Range(_)
     ));
     assert!(matches!(
         refused(&[photon; 2], [300; 3], 254 * 254 + 1),
-        LocalError::Value(_)
+        GatherError::Range(_)
     ));
     let mut planes = PhotonPlanes::new(gather);
     let wrong = PhotonRecord {

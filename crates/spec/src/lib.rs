@@ -19,6 +19,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod cell;
 mod formats;
 mod hypercube;
 mod interface;
@@ -34,6 +35,11 @@ mod stream;
 
 pub mod overlap;
 
+pub use cell::{
+    CellTables, ControlWord, Field, FieldRow, OVERLAPPED, Op, OpRow, POWER_WORDS, Place, Read,
+    Register, RegisterRow, SEQUENTIAL, ScheduleError, ScheduledStep, Step, Stream, Unit, UnitUse,
+    unit_utilisation,
+};
 pub use formats::{
     Channels, Exponent, FormatError, FormatWidths, LocalQuery, LocalSums, PHOTON_FORMATS,
     PhotonBlock, PhotonFormat, PhotonRecord, PowerFormat, Rounding, Squarer, UnknownFormat, Widths,
@@ -48,10 +54,8 @@ pub use organisation::{Organisation, Rate};
 pub use pace::{Pace, SharedGroups};
 pub use pins::{Pin, Pins, SignalPlace};
 pub use sequential::{
-    CONTROL_REGISTERS, Content, ControlWord, FIELDS, Field, FieldRow, ListingError, MOST_OWN_STEPS,
-    Microprogram, OPS, Op, OpRow, OwnProgram, REGISTERS, Register, RegisterRow, ScheduleError,
-    ScheduleReport, ScheduledStep, Step, Unit, UnitUse, WorkSource, check_schedule, check_streams,
-    control_word_bits, encode, parse_listing, schedule_report,
+    Content, Contents, ListingError, MOST_OWN_STEPS, Microprogram, OwnProgram, ScheduleReport,
+    Unreadable, check_schedule, check_streams, encode, parse_listing, schedule_report,
 };
 pub use spatial::{
     Cut, Cuts, ENGINE_REGISTERS, EngineKind, EngineRegister, EngineRow, EngineUnits, FlowRow,

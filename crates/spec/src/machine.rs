@@ -1,6 +1,7 @@
 //! The configuration of a machine and the figures that follow from it. `machines` has the table of named
 //! machines.
 
+use crate::cell::{CellTables, OVERLAPPED, SEQUENTIAL};
 use crate::formats::{Channels, FormatWidths, PhotonFormat, Squarer, Widths};
 use crate::hypercube::Hypercube;
 use crate::organisation::{Organisation, Rate};
@@ -60,6 +61,15 @@ impl Machine {
     /// The machine's network.
     pub fn hypercube(&self) -> Hypercube {
         Hypercube::new(self.dimension)
+    }
+
+    /// The tables of the machine's cells; `None` for a spatial machine, whose engines have no program.
+    pub fn cell(&self) -> Option<&'static CellTables> {
+        match &self.organisation {
+            Organisation::Sequential | Organisation::Programmed(_) => Some(&SEQUENTIAL),
+            Organisation::Overlapped => Some(&OVERLAPPED),
+            Organisation::Spatial(_) => None,
+        }
     }
 
     /// The microprogram of a sequential machine, which does one op a clock; `None` for other organisations.

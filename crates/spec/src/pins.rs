@@ -4,11 +4,9 @@
 //! number for each signal, in the order of [`Pins`]. With one table for all of them, each comparison is about
 //! the same signals, and a mismatch has a name.
 
+use crate::cell::{self, OVERLAPPED, Register, SEQUENTIAL};
 use crate::formats::Widths;
 use crate::machine::Machine;
-use crate::organisation::Organisation;
-use crate::overlap;
-use crate::sequential::{self, Register};
 use crate::spatial::{EngineRegister, HeadRegister, MemoryRegister, SpatialPins, SpatialWidths};
 use crate::stream::{Group, Inputs, Lane, Outputs, Photon, Query, Sums};
 
@@ -28,7 +26,7 @@ pub struct Pin {
 pub enum SignalPlace {
     /// A pin of the top module.
     Top,
-    /// A register of the control block, by its index in [`crate::CONTROL_REGISTERS`].
+    /// A register of the control block, by its index in [`crate::CellTables::control_registers`].
     Control(usize),
     /// A register of a cell.
     Cell {
@@ -60,15 +58,6 @@ pub enum SignalPlace {
         /// The index among several such registers; see [`crate::Instances`].
         index: usize,
     },
-    /// A register of an overlapped machine's control block, by its index in [`overlap::CONTROL_REGISTERS`].
-    OverlapControl(usize),
-    /// A register of an overlapped machine's cell.
-    OverlapCell {
-        /// The cell's node index.
-        node: usize,
-        /// The register of the cell.
-        register: overlap::Register,
-    },
 }
 
 const PHOTON_COORDINATES: [&str; 3] = ["x", "y", "z"];
@@ -92,14 +81,14 @@ impl Pins {
         let widths = Widths::of(machine);
         let mut observed = output_pins(machine, &widths);
         let outputs = observed.len();
-        match &machine.organisation {
-            Organisation::Sequential | Organisation::Programmed(_) => {
-                observed.extend(sequential::pins(machine, &widths));
-            }
-            Organisation::Overlapped => observed.extend(overlap::pins(machine, &widths)),
-            Organisation::Spatial(spatial) => {
-                observed.extend(SpatialPins::of(machine, spatial).registers());
-            }
+        if let Some(program) = machine.microprogram() {
+            observed.extend(cell::pins(machine, &SEQUENTIAL, &program.control_widths()));
+        }
+        if let Some(program) = machine.overlap_program() {
+            observed.extend(cell::pins(machine, &OVERLAPPED, &program.control_widths()));
+        }
+        if let Some(spatial) = machine.spatial() {
+            observed.extend(SpatialPins::of(machine, spatial).registers());
         }
         Self {
             inputs: input_pins(machine, &widths),

@@ -1,6 +1,9 @@
 //! Snapshots of the programs, disassembled from the words of the control store into readable text.
 
-use photoncube_spec::{ControlWord, FIELDS, Field, Machine, find_machine};
+use photoncube_spec::overlap::Program;
+use photoncube_spec::{
+    CellTables, ControlWord, Machine, OVERLAPPED, Role, SEQUENTIAL, find_machine,
+};
 
 /// Lists every control word with its fields that are not zero.
 fn disassemble(machine: &Machine) -> String {
@@ -10,7 +13,9 @@ fn disassemble(machine: &Machine) -> String {
     let lines = steps.iter().zip(words).enumerate();
     lines
         .map(|(address, (step, word))| {
-            let fields = fields(word, machine.dimension);
+            let fields = fields(&SEQUENTIAL, word, machine.dimension, |value| {
+                value.to_string()
+            });
             format!(
                 "{address:>2}  {:<6}  {word:#07x}  {fields}\n",
                 step.to_string()
@@ -19,14 +24,23 @@ fn disassemble(machine: &Machine) -> String {
         .collect()
 }
 
-fn fields(word: ControlWord, dimension: u32) -> String {
-    let field = |field: Field| match field.of(word, dimension) {
-        0 => None,
-        1 if (field.row().width)(dimension) == 1 => Some(field.row().name.to_owned()),
-        value => Some(format!("{}={value}", field.row().name)),
-    };
-    let names: Vec<_> = FIELDS.iter().filter_map(|row| field(row.field)).collect();
-    names.join(" ")
+/// The fields of a word that are not zero: the name alone of one that is a bit.
+fn fields(
+    tables: &CellTables,
+    word: ControlWord,
+    dimension: u32,
+    value: impl Fn(u32) -> String,
+) -> String {
+    let fields =
+        tables
+            .fields
+            .iter()
+            .filter_map(|row| match tables.field(row.field, word, dimension) {
+                0 => None,
+                1 if (row.width)(dimension) == 1 => Some(row.name.to_owned()),
+                found => Some(format!("{}={}", row.name, value(found))),
+            });
+    fields.collect::<Vec<_>>().join(" ")
 }
 
 #[test]
@@ -41,23 +55,13 @@ fn the_control_store_of_five_dimensions() {
 
 /// The kernel of the overlapped machine, and the control store of each role.
 fn overlap_listing() -> String {
-    use photoncube_spec::Role;
-    use photoncube_spec::overlap::{FIELDS, Program};
     let program = Program::rotated().expect("the scheduler finds it");
     let mut text = program.to_string();
     for role in Role::ALL {
         text += &format!("control store of role {role}:\n");
         for (address, word) in program.control_words(role).into_iter().enumerate() {
-            let fields = FIELDS.iter().map(|row| (row, row.field.of(word)));
-            let fields = fields.filter(|(_, value)| *value != 0).map(|(row, value)| {
-                if row.width == 1 {
-                    row.name.to_owned()
-                } else {
-                    format!("{}={value:#b}", row.name)
-                }
-            });
-            let fields: Vec<_> = fields.collect();
-            let line = format!("{address:>2}  {word:#08x}  {}", fields.join(" "));
+            let fields = fields(&OVERLAPPED, word, 4, |value| format!("{value:#b}"));
+            let line = format!("{address:>2}  {word:#08x}  {fields}");
             text += &format!("{}\n", line.trim_end());
         }
     }

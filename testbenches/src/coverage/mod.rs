@@ -204,7 +204,7 @@ const SETTLING: u64 = 2;
 /// The points that were used in at least one run although a reason excludes it.
 fn contradictions(why: &Why<'_>, points: &[Point], lines: &[&str]) -> Vec<Gap> {
     let used = points.iter().filter(|point| point.hits > SETTLING).cloned();
-    let used = counted(why.machine, used.collect());
+    let used = counted(why.words.machine, used.collect());
     let mut gaps = grouped(why, &used, lines);
     gaps.retain(|gap| gap.reason.is_some());
     gaps
@@ -275,6 +275,7 @@ fn ranges(bits: &BTreeSet<u32>) -> String {
 mod tests {
     use std::collections::HashSet;
 
+    use super::words::Words;
     use super::*;
 
     fn point(what: &str, hits: u64) -> Point {
@@ -294,7 +295,8 @@ mod tests {
         let used = [point("no_such[2]", 1), point("no_such[0]", 9)];
         let machine = photoncube_spec::find_machine("paper").unwrap();
         let constants = HashSet::from([("cell_0.no_such".to_owned(), 1)]);
-        let why = Why { machine, constants };
+        let words = Words::of(machine).unwrap();
+        let why = Why { words, constants };
         let [gap, constant] = &grouped(&why, &unused, &[])[..] else {
             panic!("two gaps");
         };

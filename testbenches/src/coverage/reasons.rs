@@ -1,25 +1,25 @@
 //! The reasons why some points cannot be used by any stimulus.
 
 use photoncube_hdl::Emitted;
-use photoncube_spec::{Machine, PhotonFormat, Role, SpatialWidths, Squarer, Widths};
+use photoncube_spec::{Machine, Organisation, PhotonFormat, Role, SpatialWidths, Squarer, Widths};
 
 use super::constants::{Constants, constants};
 use super::points::{CoverageKind, Point};
-use super::words;
-use crate::device::DeviceError;
+use super::words::{self, Words};
+use crate::device::{DeviceError, hdl_error};
 
 /// The knowledge about a machine's points.
 pub(super) struct Why<'a> {
-    pub machine: &'a Machine,
+    pub words: Words<'a>,
     pub constants: Constants,
 }
 
 impl<'a> Why<'a> {
     /// # Errors
-    /// Yosys is missing or fails.
+    /// The machine's widths are not built in, or Yosys is missing or fails.
     pub fn new(machine: &'a Machine, design: &Emitted) -> Result<Self, DeviceError> {
         Ok(Self {
-            machine,
+            words: Words::of(machine).map_err(hdl_error(machine))?,
             constants: constants(design)?,
         })
     }
@@ -39,7 +39,7 @@ impl<'a> Why<'a> {
         RULES
             .iter()
             .filter(|rule| rule.kind == point.kind)
-            .find(|rule| (rule.holds)(self.machine, point, &path, bit.unwrap_or(0)))
+            .find(|rule| (rule.holds)(&self.words, point, &path, bit.unwrap_or(0)))
             .map(|rule| rule.why)
     }
 }
@@ -49,26 +49,26 @@ struct Rule {
     kind: CoverageKind,
     /// Whether the reason applies to this bit of a signal, or to this point. The path is that in the top
     /// instance.
-    holds: fn(&Machine, &Point, &str, u32) -> bool,
+    holds: fn(&Words<'_>, &Point, &str, u32) -> bool,
     why: &'static str,
 }
 
 const RULES: &[Rule] = &[
     Rule {
         kind: CoverageKind::Toggle,
-        holds: |machine, _, path, bit| words::bits(machine, path).is_some_and(|bits| bit >= bits),
+        holds: |words, _, path, bit| words.bits(path).is_some_and(|bits| bit >= bits),
         why: "all cells have the widest cell's registers; with this cell's role a distance, a power or a count is shorter",
     },
     Rule {
         kind: CoverageKind::Toggle,
-        holds: |machine, _, path, bit| bit == 0 && words::are_even(machine, path),
+        holds: |words, _, path, bit| bit == 0 && words.are_even(path),
         why: "a half square, m (m + 1), is even, and no power comes to this cell",
     },
     Rule {
         kind: CoverageKind::Toggle,
-        holds: |machine, _, path, _| {
-            machine.microprogram().is_some()
-                && words::roles(machine, path).any(|role| role == Role::D)
+        holds: |words, _, path, _| {
+            words.machine.microprogram().is_some()
+                && words::roles(words.machine, path).any(|role| role == Role::D)
                 && path.contains("square")
         },
         why: "a cell that counts photons has no coordinates: its square is always that of zeros",
@@ -76,29 +76,31 @@ const RULES: &[Rule] = &[
     Rule {
         kind: CoverageKind::Toggle,
         // 2 * 15 * 15 * 16 < 2^13.
-        holds: |machine, _, path, bit| {
-            machine.overlap_program().is_some() && path.ends_with(".products") && bit >= 13
+        holds: |words, _, path, bit| {
+            words.machine.organisation == Organisation::Overlapped
+                && path.ends_with(".products")
+                && bit >= 13
         },
         why: "twice the product of two digits of four bits, times 16, ends below",
     },
     Rule {
         kind: CoverageKind::Toggle,
-        holds: |machine, _, path, bit| {
+        holds: |words, _, path, bit| {
             let is_square = ["square", "squarer_square", "square_unit_square"];
             let name = path.rsplit('.').next().unwrap_or(path);
-            machine.squarer == Squarer::Product && is_square.contains(&name) && bit == 1
+            words.machine.squarer == Squarer::Product && is_square.contains(&name) && bit == 1
         },
         why: SQUARES,
     },
     Rule {
         kind: CoverageKind::Toggle,
-        holds: |machine, _, path, bit| bit == 1 && words::is_square(machine, path),
+        holds: |words, _, path, bit| bit == 1 && words::is_square(words.machine, path),
         why: SQUARES,
     },
     Rule {
         kind: CoverageKind::Toggle,
-        holds: |machine, _, path, bit| {
-            let widths = spatial_widths(machine);
+        holds: |words, _, path, bit| {
+            let widths = spatial_widths(words.machine);
             let bits = widths.map(|widths| 2 * widths.coordinate);
             path.ends_with(".squared") && bits.is_some_and(|bits| bit >= bits)
         },
@@ -106,8 +108,8 @@ const RULES: &[Rule] = &[
     },
     Rule {
         kind: CoverageKind::Toggle,
-        holds: |machine, _, path, _| {
-            let last = format!("engine_{}", machine.queries_at_once() - 1);
+        holds: |words, _, path, _| {
+            let last = format!("engine_{}", words.machine.queries_at_once() - 1);
             let leaves = ["_out", "_d", "_q", ".d", ".q"]
                 .iter()
                 .any(|end| path.ends_with(end));
@@ -117,7 +119,9 @@ const RULES: &[Rule] = &[
     },
     Rule {
         kind: CoverageKind::User,
-        holds: |machine, _, path, _| machine.microprogram().is_some() && path == "group_is_awaited",
+        holds: |words, _, path, _| {
+            words.machine.microprogram().is_some() && path == "group_is_awaited"
+        },
         why: "this machine's `group_ready` follows `group_valid`",
     },
     Rule {
@@ -127,9 +131,11 @@ const RULES: &[Rule] = &[
     },
     Rule {
         kind: CoverageKind::Line,
-        holds: |machine, point, path, _| {
-            let is_half = machine.format().is_some_and(PhotonFormat::half_steps);
-            let high_bits = Widths::of(machine).difference.saturating_sub(DIGIT_BITS);
+        holds: |words, point, path, _| {
+            let is_half = words.machine.format().is_some_and(PhotonFormat::half_steps);
+            let high_bits = Widths::of(words.machine)
+                .difference
+                .saturating_sub(DIGIT_BITS);
             point.module == "squarer"
                 && is_half
                 && high_bits < DIGIT_BITS

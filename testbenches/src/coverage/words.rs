@@ -1,7 +1,11 @@
 //! Computes which bits the words of a cell can use. All cells have equal hardware, as wide as the widest word
 //! needs; the words that a cell receives follow from its role.
 
-use photoncube_spec::{Axis, Machine, PhotonFormat, Role, Widths};
+use photoncube_hdl::{Level, NotBuiltIn, level_pins};
+use photoncube_spec::{
+    Axis, CellTables, Machine, OVERLAPPED, Organisation, PhotonFormat, Pin, Register, RegisterRow,
+    Role, Widths,
+};
 
 /// A kind of word that a signal of a cell may hold.
 #[derive(Copy, Clone)]
@@ -14,44 +18,41 @@ enum Word {
     Sum,
 }
 
-/// Signals that hold words, each by the end of its path, with numbers left out and dots replaced by
-/// underscores.
-type Holders = [(&'static str, &'static [Word])];
+/// A signal that holds words: the end of its path, with numbers left out and dots replaced by underscores.
+type Holder = (String, Vec<Word>);
 
-/// The signals of a sequential machine.
-const SEQUENTIAL: &Holders = &[
+/// The words of a register, or of a unit's operand that is read from it; none where the register's width is that
+/// of all its words.
+fn words_of(tables: &CellTables, register: Register) -> &'static [Word] {
+    let is_overlapped = std::ptr::eq(tables, &OVERLAPPED);
+    match register {
+        Register::Work => &[Word::Work],
+        Register::Sum => &[Word::Sum],
+        Register::Operand if is_overlapped => &[Word::Link, Word::Sum],
+        _ => &[],
+    }
+}
+
+/// The signals of a sequential machine that are neither registers nor pins of units.
+const SEQUENTIAL_WIRES: &[(&str, &[Word])] = &[
     ("link", &[Word::Link]),
     ("link_in", &[Word::Link]),
     ("addend", &[Word::Link, Word::Sum]),
-    ("add_unit_b", &[Word::Link, Word::Sum]),
-    ("add_unit_sum", &[Word::Work, Word::Sum]),
-    ("add_unit_a", &[Word::Work]),
-    ("gate_unit_a", &[Word::Work]),
-    ("work_d", &[Word::Work]),
-    ("work_q", &[Word::Work]),
-    ("work_out", &[Word::Work]),
     ("network_work", &[Word::Work]),
-    ("sum_d", &[Word::Sum]),
-    ("sum_q", &[Word::Sum]),
-    ("sum_out", &[Word::Sum]),
     ("sum_low", &[Word::Sum]),
     ("sum_high", &[Word::Sum]),
     ("ports_sum", &[Word::Sum]),
 ];
 
-/// The signals of an overlapped machine. The link is the one along w; sums cross x and y, and words that use
-/// all bits cross z.
-const OVERLAPPED: &Holders = &[
+/// The signals of an overlapped machine that are no registers. The link is the one along w; sums cross x and y,
+/// and words that use all bits cross z.
+const OVERLAPPED_WIRES: &[(&str, &[Word])] = &[
     ("link_w", &[Word::Link]),
     ("from_w", &[Word::Link]),
     ("from_role_axes", &[Word::Link]),
     ("from_quad", &[Word::Link]),
-    ("work_d", &[Word::Work]),
-    ("work_q", &[Word::Work]),
     ("w_out", &[Word::Work]),
     ("operand", &[Word::Link, Word::Sum]),
-    ("operand_d", &[Word::Link, Word::Sum]),
-    ("operand_q", &[Word::Link, Word::Sum]),
     ("link_x", &[Word::Sum]),
     ("link_y", &[Word::Sum]),
     ("from_x", &[Word::Sum]),
@@ -64,10 +65,44 @@ const OVERLAPPED: &Holders = &[
     ("chosen_sum_sum", &[Word::Sum]),
     ("chosen_sum_wide_low", &[Word::Sum]),
     ("sum_low", &[Word::Sum]),
-    ("sum_d", &[Word::Sum]),
-    ("sum_q", &[Word::Sum]),
-    ("sum_out", &[Word::Sum]),
 ];
+
+/// The pins of a machine's units, each with the words that the unit's ops read or write there. The word of the
+/// link is the last operand of an op that has one.
+fn unit_pins(machine: &Machine, tables: &CellTables) -> Result<Vec<Holder>, NotBuiltIn> {
+    let mut holders = Vec::new();
+    for level in Level::of(machine) {
+        let Level::Unit(unit) = level else { continue };
+        let pins = level_pins(machine, level)?;
+        let ops = || tables.ops.iter().filter(|row| row.unit == Some(unit));
+        let mut add = |pin: &Pin, words: Vec<Word>| {
+            let name = format!("{}_{}", unit.module(), pin.name);
+            holders.extend((!words.is_empty()).then_some((name, words)));
+        };
+        for (place, pin) in pins.inputs.iter().enumerate() {
+            let words = ops().flat_map(|row| match row.reads.get(place) {
+                Some(&register) => words_of(tables, register),
+                None if row.link.is_some() && place == row.reads.len() => &[Word::Link],
+                None => &[],
+            });
+            add(pin, words.copied().collect());
+        }
+        let written = ops().flat_map(|row| row.writes);
+        let written = written.flat_map(|&register| words_of(tables, register));
+        add(&pins.observed[0], written.copied().collect());
+    }
+    Ok(holders)
+}
+
+/// The registers that hold words: what they store, what they hold, and what a cell sends of them.
+fn registers(tables: &CellTables) -> Vec<Holder> {
+    let of = |row: &RegisterRow| {
+        let words = words_of(tables, row.register);
+        let ends = ["d", "q", "out"].map(|end| (format!("{}_{end}", row.name), words.to_vec()));
+        ends.into_iter().filter(|(_, words)| !words.is_empty())
+    };
+    tables.registers.iter().flat_map(of).collect()
+}
 
 /// The signals of a spatial machine that hold one square.
 const SQUARES: &[&str] = &[
@@ -97,25 +132,60 @@ const SQUARES: &[&str] = &[
 /// The output pins of the sums, with the role of the cells that hold them.
 const PINS: [(&str, Role); 2] = [("result_power", Role::X), ("result_count", Role::D)];
 
-/// The bits of the largest word that a signal receives; `None` for other signals, and for machines without
-/// cells. `path` is the signal's path in the top instance.
-pub(super) fn bits(machine: &Machine, path: &str) -> Option<u32> {
-    let holders = holders(machine)?;
-    if let Some((_, role)) = PINS.iter().find(|(pin, _)| path.ends_with(pin)) {
-        return Some(word_bits(machine, *role, Word::Sum));
-    }
-    let role = roles(machine, path).next()?;
-    let words = words(holders, path)?.iter();
-    words.map(|&word| word_bits(machine, role, word)).max()
+/// The words of a machine's signals.
+pub(super) struct Words<'a> {
+    pub machine: &'a Machine,
+    /// Empty for machines without cells.
+    holders: Vec<Holder>,
 }
 
-/// Whether all words that a signal of a sequential machine receives are half squares, or sums of half
-/// squares.
-pub(super) fn are_even(machine: &Machine, path: &str) -> bool {
-    machine.microprogram().is_some()
-        && machine.format().is_some_and(PhotonFormat::half_steps)
-        && roles(machine, path).any(|role| full_scale(machine, role) == 0)
-        && words(SEQUENTIAL, path).is_some()
+impl<'a> Words<'a> {
+    /// # Errors
+    /// The machine's widths are not built in.
+    pub fn of(machine: &'a Machine) -> Result<Self, NotBuiltIn> {
+        let mut holders = Vec::new();
+        if let Some(tables) = machine.cell() {
+            let wires = match machine.organisation {
+                Organisation::Overlapped => OVERLAPPED_WIRES,
+                _ => SEQUENTIAL_WIRES,
+            };
+            holders = unit_pins(machine, tables)?;
+            holders.extend(registers(tables));
+            let wires = wires.iter();
+            holders.extend(wires.map(|&(name, words)| (name.to_owned(), words.to_vec())));
+        }
+        Ok(Self { machine, holders })
+    }
+
+    /// The bits of the largest word that a signal receives; `None` for other signals, and for machines without
+    /// cells. `path` is the signal's path in the top instance.
+    pub fn bits(&self, path: &str) -> Option<u32> {
+        let machine = self.machine;
+        machine.cell()?;
+        if let Some((_, role)) = PINS.iter().find(|(pin, _)| path.ends_with(pin)) {
+            return Some(word_bits(machine, *role, Word::Sum));
+        }
+        let role = roles(machine, path).next()?;
+        let words = self.words(path)?.iter();
+        words.map(|&word| word_bits(machine, role, word)).max()
+    }
+
+    /// Whether all words that a signal of a sequential machine receives are half squares, or sums of half
+    /// squares.
+    pub fn are_even(&self, path: &str) -> bool {
+        let machine = self.machine;
+        machine.microprogram().is_some()
+            && machine.format().is_some_and(PhotonFormat::half_steps)
+            && roles(machine, path).any(|role| full_scale(machine, role) == 0)
+            && self.words(path).is_some()
+    }
+
+    fn words(&self, path: &str) -> Option<&[Word]> {
+        let name = without_numbers(path);
+        let mut holders = self.holders.iter();
+        let holder = holders.find(|(holder, _)| name.ends_with(holder));
+        holder.map(|(_, words)| &words[..])
+    }
 }
 
 /// Whether a signal of a spatial machine holds the square of one coordinate's difference, in whole steps.
@@ -132,19 +202,6 @@ pub(super) fn roles(machine: &Machine, path: &str) -> impl Iterator<Item = Role>
     let numbers = path.split(['.', '_']).filter_map(|name| name.parse().ok());
     let nodes = numbers.filter(move |&node| node < hypercube.nodes());
     nodes.map(move |node| hypercube.role(node))
-}
-
-fn holders(machine: &Machine) -> Option<&'static Holders> {
-    match machine.overlap_program() {
-        Some(_) => Some(OVERLAPPED),
-        None => machine.microprogram().map(|_| SEQUENTIAL),
-    }
-}
-
-fn words(holders: &Holders, path: &str) -> Option<&'static [Word]> {
-    let name = without_numbers(path);
-    let holder = holders.iter().find(|(holder, _)| name.ends_with(holder));
-    holder.map(|(_, words)| *words)
 }
 
 fn without_numbers(path: &str) -> String {
@@ -164,7 +221,9 @@ fn ends_with_name(path: &str, name: &str) -> bool {
 fn word_bits(machine: &Machine, role: Role, word: Word) -> u32 {
     match word {
         Word::Sum => power_bits(machine, role, machine.max_photons()),
-        _ if machine.overlap_program().is_some() => overlapped_bits(machine, role, word),
+        _ if machine.organisation == Organisation::Overlapped => {
+            overlapped_bits(machine, role, word)
+        }
         _ => sequential_bits(machine, role, word),
     }
 }
@@ -225,35 +284,39 @@ mod tests {
 
     use super::*;
 
+    fn words(machine: &str) -> Words<'static> {
+        Words::of(find_machine(machine).unwrap()).unwrap()
+    }
+
     #[test]
     fn a_cell_uses_what_its_role_is_given() {
-        let mono = find_machine("fit-ring").unwrap();
+        let mono = words("fit-ring");
         // One bit of power, 2^13 photons; 8 bits of a difference.
-        assert_eq!(bits(mono, "cell_0.sum_q"), Some(14));
-        assert_eq!(bits(mono, "ports.sum_4"), Some(0));
-        assert_eq!(bits(mono, "result_power"), Some(14));
-        assert_eq!(bits(mono, "network.link_0"), Some(16));
-        assert_eq!(bits(mono, "cell_8.add_unit.b"), Some(17));
-        assert_eq!(bits(mono, "cell_8.work_out"), Some(18));
-        assert_eq!(bits(mono, "cell_8.write_sum"), None, "a sum's, not a sum");
-        let coloured = find_machine("local").unwrap();
+        assert_eq!(mono.bits("cell_0.sum_q"), Some(14));
+        assert_eq!(mono.bits("ports.sum_4"), Some(0));
+        assert_eq!(mono.bits("result_power"), Some(14));
+        assert_eq!(mono.bits("network.link_0"), Some(16));
+        assert_eq!(mono.bits("cell_8.add_unit.b"), Some(17));
+        assert_eq!(mono.bits("cell_8.work_out"), Some(18));
+        assert_eq!(mono.bits("cell_8.write_sum"), None, "a sum's, not a sum");
+        let coloured = words("local");
         // Powers of 32 bits, 2^20 photons.
-        assert_eq!(bits(coloured, "cell_4.sum_q"), Some(52));
-        assert_eq!(bits(coloured, "cell_4.work.q"), Some(34));
-        assert_eq!(bits(coloured, "cell_12.sum_q"), Some(21));
-        assert_eq!(bits(coloured, "cell_12.work.q"), Some(18));
+        assert_eq!(coloured.bits("cell_4.sum_q"), Some(52));
+        assert_eq!(coloured.bits("cell_4.work.q"), Some(34));
+        assert_eq!(coloured.bits("cell_12.sum_q"), Some(21));
+        assert_eq!(coloured.bits("cell_12.work.q"), Some(18));
     }
 
     #[test]
     fn in_an_overlapped_machine_two_roles_add_the_third_square() {
-        let machine = find_machine("overlap").unwrap();
+        let overlap = words("overlap");
         for (node, own, link, sum) in [
             (0, 17, 18, 32),
             (4, 17, 18, 32),
             (8, 18, 17, 32),
             (12, 18, 17, 17),
         ] {
-            let bits = |name: &str| bits(machine, &format!("cell_{node}.{name}"));
+            let bits = |name: &str| overlap.bits(&format!("cell_{node}.{name}"));
             assert_eq!(bits("work.q"), Some(own));
             assert_eq!(bits("link_w"), Some(link));
             assert_eq!(bits("chosen_sum.sum"), Some(sum));
@@ -285,12 +348,12 @@ mod tests {
 
     #[test]
     fn half_squares_are_even_where_no_power_comes() {
-        let mono = find_machine("fit-ring").unwrap();
-        assert!(are_even(mono, "cell_4.work_q"));
-        assert!(!are_even(mono, "cell_0.work_q"), "a power comes");
-        let coloured = find_machine("fit-cornell").unwrap();
-        assert!(!are_even(coloured, "cell_4.work_q"), "a power comes");
-        let steps = find_machine("local").unwrap();
-        assert!(!are_even(steps, "cell_4.work_q"), "squares of whole steps");
+        let mono = words("fit-ring");
+        assert!(mono.are_even("cell_4.work_q"));
+        assert!(!mono.are_even("cell_0.work_q"), "a power comes");
+        let coloured = words("fit-cornell");
+        assert!(!coloured.are_even("cell_4.work_q"), "a power comes");
+        let steps = words("local");
+        assert!(!steps.are_even("cell_4.work_q"), "squares of whole steps");
     }
 }

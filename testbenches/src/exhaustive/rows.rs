@@ -4,10 +4,10 @@
 use std::collections::VecDeque;
 
 use photoncube_hdl::Unit;
-use photoncube_model::{CellInputs, CellRules, CellState};
-use photoncube_spec::{Cut, MACHINES, Machine, Numbers, Op, PlainFormat, Squarer};
+use photoncube_model::CellRules;
+use photoncube_spec::{Cut, Squarer, Unit as CellUnit, Widths};
 
-use crate::levels::square_of;
+use crate::levels::{op_of, result, square_of};
 
 /// Rows of inputs and of expected outputs.
 #[derive(Default)]
@@ -24,14 +24,9 @@ pub(super) struct Rows {
 const EVERY_POWER_BITS: u32 = 6;
 
 pub(super) fn rows(unit: Unit, bits: u32) -> Rows {
-    match unit {
-        Unit::Add => add(bits),
-        Unit::SquareDigits | Unit::SquareProduct => square(bits),
-        Unit::Gate => gate(bits),
-        Unit::PairDigits | Unit::PairProduct | Unit::PairTable => {
-            let squarer = unit.squarer().expect("a pair of squares has squarers");
-            square_pair(bits, squarer)
-        }
+    match (unit.of_cell(), unit.squarer()) {
+        (Some(unit), _) => of_cell(unit, bits),
+        (None, squarer) => square_pair(bits, squarer.expect("a pair of squares has squarers")),
     }
 }
 
@@ -41,68 +36,35 @@ fn pairs(bits: u32) -> impl Iterator<Item = (u64, u64)> {
     all().flat_map(move |a| all().map(move |b| (a, b)))
 }
 
-/// The rules of the cells of a machine like `paper` with other numbers.
-fn rules(format: PlainFormat) -> CellRules {
-    CellRules::of(&Machine {
-        numbers: Numbers::Plain(format),
-        ..MACHINES[0]
-    })
-}
-
-fn add(bits: u32) -> Rows {
-    // The numbers are chosen so that the sums have these bits.
-    let rules = rules(PlainFormat {
-        coordinate_bits: (bits - 2) / 2,
-        power_bits: bits - 2,
-        max_photons: 4,
-    });
-    assert_eq!(rules.widths().sum, bits);
-    let mut rows = Rows::default();
-    for (a, b) in pairs(bits) {
-        let mut cell = CellState {
-            sum: a,
-            work: b,
-            ..CellState::default()
-        };
-        cell.execute(Op::Accumulate, &CellInputs::default(), &rules);
-        rows.push(&[a, b], &[cell.sum]);
+/// The widths of a cell whose units have operands of `bits` bits.
+fn narrow(bits: u32) -> Widths {
+    Widths {
+        coordinate: bits,
+        photon: bits,
+        difference: bits,
+        square: 2 * bits,
+        radius_sq: bits,
+        mantissa: bits,
+        exponent: 0,
+        power: bits,
+        work: bits,
+        sum: bits,
     }
-    rows
 }
 
-fn square(bits: u32) -> Rows {
-    let rules = rules(PlainFormat {
-        coordinate_bits: bits,
-        power_bits: 16,
-        max_photons: 4,
-    });
+/// Every pair of a unit's first two operands; with each, if there is a third operand, every power.
+fn of_cell(unit: CellUnit, bits: u32) -> Rows {
+    let op = op_of(unit);
+    let rules = CellRules::plain(narrow(bits));
+    let powers = match op.reads.len() {
+        2 => vec![vec![]],
+        _ => powers(bits).into_iter().map(|power| vec![power]).collect(),
+    };
     let mut rows = Rows::default();
     for (a, b) in pairs(bits) {
-        let mut cell = CellState {
-            query: a as u32,
-            photon: b as u32,
-            ..CellState::default()
-        };
-        cell.execute(Op::SquareDifference, &CellInputs::default(), &rules);
-        rows.push(&[a, b], &[cell.work]);
-    }
-    rows
-}
-
-fn gate(bits: u32) -> Rows {
-    let rules = CellRules::of(&MACHINES[0]);
-    let powers = powers(bits);
-    let mut rows = Rows::default();
-    for (a, b) in pairs(bits) {
-        for (index, &power) in powers.iter().enumerate() {
-            let mut cell = CellState {
-                work: a,
-                radius_sq: b as u32,
-                power,
-                ..CellState::default()
-            };
-            cell.execute(Op::Gate, &CellInputs::default(), &rules);
-            rows.push(&[a, b, power], &[cell.work]);
+        for (index, power) in powers.iter().enumerate() {
+            let operands = [&[a, b], &power[..]].concat();
+            rows.push(&operands, &[result(op, &operands, &rules)]);
             rows.pairs -= u64::from(index > 0);
         }
     }
@@ -186,14 +148,14 @@ mod tests {
     /// Compares the golden model's ops with the paper's arithmetic.
     #[test]
     fn the_expected_values_are_the_papers_arithmetic() {
-        for row in pairs(6).zip(add(6).expected) {
+        for row in pairs(6).zip(of_cell(CellUnit::Add, 6).expected) {
             let ((a, b), sum) = row;
             assert_eq!(sum, (a + b) % 64);
         }
-        for ((a, b), square) in pairs(8).zip(square(8).expected) {
+        for ((a, b), square) in pairs(8).zip(of_cell(CellUnit::Square, 8).expected) {
             assert_eq!(square, a.abs_diff(b).pow(2));
         }
-        let gated = gate(6);
+        let gated = of_cell(CellUnit::Gate, 6);
         for (inputs, &out) in gated.inputs.chunks_exact(3).zip(&gated.expected) {
             assert_eq!(out, if inputs[0] > inputs[1] { 0 } else { inputs[2] });
         }

@@ -4,7 +4,7 @@
 use std::time::Instant;
 
 use photoncube_hdl::{Emitted, Level, emit};
-use photoncube_spec::{Machine, Widths};
+use photoncube_spec::{Machine, Unit, Widths};
 
 use super::{FormalError, Proof};
 use crate::device::{DeviceError, Text, hdl_error};
@@ -23,7 +23,7 @@ pub(super) fn prove(machine: &Machine) -> Result<Proof, FormalError> {
     let started = Instant::now();
     let part = match machine.spatial() {
         Some(_) => Level::SquarePair,
-        None => Level::Square,
+        None => Level::Unit(Unit::Square),
     };
     let widths = Widths::of(machine);
     let pairs = 1_usize << (widths.coordinate + widths.photon);

@@ -19,7 +19,7 @@ mod yosys;
 use std::time::Instant;
 
 use photoncube_hdl::{Emitted, Level, emit};
-use photoncube_spec::{Machine, Organisation};
+use photoncube_spec::{Machine, Organisation, Unit};
 use serde::Serialize;
 use thiserror::Error;
 
@@ -149,7 +149,7 @@ fn tasks(machine: &Machine, design: &Emitted) -> Vec<Task> {
     let properties = properties.into_iter().map(Task::Property);
     let has_square = Level::of(machine)
         .iter()
-        .any(|level| [Level::Square, Level::SquarePair].contains(level));
+        .any(|level| [Level::Unit(Unit::Square), Level::SquarePair].contains(level));
     let exhaustive = has_square.then_some(Task::Exhaustive);
     let is_gates = machine.spatial().is_none_or(spatial::has_short_memories);
     let modules = is_gates

@@ -1,10 +1,10 @@
 //! The properties of overlapped machines, whose units work at the same time.
 
-use photoncube_spec::overlap::{Field, Program, control_word_bits, drain_bits};
-use photoncube_spec::{Machine, Role, Widths};
+use photoncube_spec::overlap::{Program, control_word_bits, drain_bits};
+use photoncube_spec::{Field, Machine, OVERLAPPED, Role, Widths};
 
 use super::property::{Fault, Method, Open, Property, at, covers, of_logic};
-use super::sequential::{difference, width_macros};
+use super::sequential::{difference, fields, width_macros};
 use super::wires::Wires;
 
 /// All properties, the cheapest first.
@@ -16,7 +16,7 @@ pub(super) fn properties(machine: &Machine) -> Vec<Property> {
         digits(),
         chosen_sum(&widths),
         cell(machine, &widths),
-        control(&program),
+        control(machine, &program),
         links(machine, &widths),
     ]
 }
@@ -59,19 +59,12 @@ fn chosen_sum(widths: &Widths) -> Property {
 
 fn cell(machine: &Machine, widths: &Widths) -> Property {
     let largest = u128::from(machine.max_photons()) * machine.full_scale();
-    let fields = [
-        ("AXIS", Field::Axis),
-        ("GATE", Field::Gate),
-        ("WRITE_SUM", Field::WriteSum),
-        ("WRITE_SQUARE", Field::WriteSquare),
-        ("ADD_SUM", Field::AddSum),
-    ];
     let mut macros = width_macros(widths);
     macros.extend([
         ("WORD", control_word_bits().to_string()),
         ("LARGEST", format!("{}'d{largest}", widths.sum + 1)),
     ]);
-    macros.extend(fields.map(|(name, field)| (name, field.lsb().to_string())));
+    macros.extend(fields(&OVERLAPPED, machine.dimension));
     Property {
         macros,
         open: Open::Signals(&[
@@ -140,11 +133,12 @@ fn one_of(program: &Program, role: Role, name: &str) -> String {
     format!("assert ({}); ", words.join(" || "))
 }
 
-fn control(program: &Program) -> Property {
+fn control(machine: &Machine, program: &Program) -> Property {
     let address = program.end_address().ilog2() + 1;
     let roles = ["x", "y", "z", "d"];
     let one = |role| {
-        let (axis, gate) = (Field::Axis.lsb(), Field::Gate.lsb());
+        let lsb = |field| OVERLAPPED.lsb(field, machine.dimension);
+        let (axis, gate) = (lsb(Field::Axis), lsb(Field::Gate));
         format!(
             "assert ((to_{role}[{axis}+:4] & (to_{role}[{axis}+:4] - 4'd1)) == 0 && \
              !(to_{role}[{gate}] && to_{role}[{axis}+:4] != 0)); "
@@ -159,22 +153,23 @@ fn control(program: &Program) -> Property {
     let words = words.map(|(role, name)| one_of(program, role, name));
     // The clocks include some clocks of waiting.
     let whole = program.latency_clocks(1) as u32 + 6;
+    let mut macros: Vec<_> = fields(&OVERLAPPED, machine.dimension).collect();
+    macros.extend([
+        ("WORD", control_word_bits().to_string()),
+        ("ADDRESS", address.to_string()),
+        ("DRAIN", drain_bits(program).to_string()),
+        ("DRAIN_CLOCKS", program.drain_clocks.to_string()),
+        ("INTERVAL", program.interval.to_string()),
+        ("END", program.end_address().to_string()),
+        ("STEPS_X", steps(program, Role::X, "x")),
+        ("STEPS_Y", steps(program, Role::Y, "y")),
+        ("STEPS_Z", steps(program, Role::Z, "z")),
+        ("STEPS_D", steps(program, Role::D, "d")),
+        ("WORDS", words.concat()),
+        ("ONE_OPERAND", roles.map(one).concat()),
+    ]);
     Property {
-        macros: vec![
-            ("WORD", control_word_bits().to_string()),
-            ("ADDRESS", address.to_string()),
-            ("DRAIN", drain_bits(program).to_string()),
-            ("DRAIN_CLOCKS", program.drain_clocks.to_string()),
-            ("INTERVAL", program.interval.to_string()),
-            ("END", program.end_address().to_string()),
-            ("WRITE_POWER", Field::WritePower.lsb().to_string()),
-            ("STEPS_X", steps(program, Role::X, "x")),
-            ("STEPS_Y", steps(program, Role::Y, "y")),
-            ("STEPS_Z", steps(program, Role::Z, "z")),
-            ("STEPS_D", steps(program, Role::D, "d")),
-            ("WORDS", words.concat()),
-            ("ONE_OPERAND", roles.map(one).concat()),
-        ],
+        macros,
         open: Open::Signals(&["address_q", "occupied_q", "last_q", "drain_q", "done_q"]),
         method: Method::Induction(4),
         faults: vec![

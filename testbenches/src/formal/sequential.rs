@@ -1,6 +1,8 @@
 //! The properties of sequential machines, which do one op a clock.
 
-use photoncube_spec::{Field, Machine, Microprogram, Squarer, Widths, control_word_bits};
+use photoncube_spec::{
+    CellTables, Field, Machine, Microprogram, OpRow, Register, SEQUENTIAL, Squarer, Widths,
+};
 
 use super::property::{Fault, Method, Open, Property, at, covers, of_logic};
 use super::wires::Wires;
@@ -127,6 +129,48 @@ fn exchanges(machine: &Machine, widths: &Widths) -> String {
     (0..photons).map(exchange).collect()
 }
 
+/// Conditions: each op that writes the work register or the sum is its formula, from the values of the registers
+/// and of the link. A square is that of the square unit, which has properties of its own.
+fn formulas() -> String {
+    let formula = |row: &OpRow| {
+        let source = SEQUENTIAL.work_source(row);
+        let writes_sum = row.writes.contains(&Register::Sum) && !row.reads_query();
+        let when = match (source, writes_sum) {
+            (Some(source), _) => format!("write_work && work_source == {source}"),
+            (None, true) => "write_sum".to_owned(),
+            (None, false) => return String::new(),
+        };
+        let written = SEQUENTIAL.register(row.writes[0]).name;
+        format!(
+            "if ({when}) assert ({written}_d == ({})); ",
+            expression(row)
+        )
+    };
+    SEQUENTIAL.ops.iter().map(formula).collect()
+}
+
+/// The right-hand side of an op's formula in Verilog. A call of a unit's function is the output of that unit.
+fn expression(row: &OpRow) -> String {
+    let (_, right) = row.formula.split_once(" := ").expect("a formula");
+    let right = right.split_once(" (mod").map_or(right, |(sum, _)| sum);
+    if let Some(unit) = row
+        .unit
+        .filter(|unit| right.starts_with(&format!("{unit}(")))
+    {
+        return format!("{}_{unit}", unit.module());
+    }
+    let registers = SEQUENTIAL.registers.iter();
+    let named = |word: &str| match word {
+        "n" => "link_in".to_owned(),
+        _ => match registers.clone().find(|row| row.mnemonic == word) {
+            Some(row) => format!("{}_q", row.name),
+            None => word.to_owned(),
+        },
+    };
+    let words: Vec<_> = right.split(' ').map(named).collect();
+    words.join(" ")
+}
+
 /// A fault: a sum loses a bit.
 fn sum_fault() -> Fault {
     Fault::new("cell", "link_in | sum_low", "link_in | sum_low >> 1")
@@ -135,6 +179,7 @@ fn sum_fault() -> Fault {
 fn cell(machine: &Machine, widths: &Widths) -> Property {
     let mut macros = width_macros(widths);
     macros.push(("EXCHANGES", exchanges(machine, widths)));
+    macros.push(("OPS", formulas()));
     Property {
         macros,
         open: Open::Signals(&[
@@ -177,14 +222,23 @@ fn cell(machine: &Machine, widths: &Widths) -> Property {
     }
 }
 
+/// The lowest bit of each field of a control word, as macros.
+pub(super) fn fields(
+    tables: &CellTables,
+    dimension: u32,
+) -> impl Iterator<Item = (&'static str, String)> {
+    let fields = tables.fields.iter();
+    fields.map(move |row| (row.name, tables.lsb(row.field, dimension).to_string()))
+}
+
 /// The program and its fields, as macros.
 fn program_macros(machine: &Machine, program: &Microprogram) -> Vec<(&'static str, String)> {
     let words = program.control_words();
-    let bits = control_word_bits(machine.dimension);
+    let bits = SEQUENTIAL.word_bits(machine.dimension);
     let last = words.len() - 1;
     let step = |(address, word): (usize, &u32)| format!("{address}: word = {bits}'h{word:x};");
     let steps: Vec<_> = words.iter().enumerate().map(step).collect();
-    let takes = |word: &u32| Field::TakesGroup.of(*word, machine.dimension) == 1;
+    let takes = |word: &u32| SEQUENTIAL.field(Field::TakesGroup, *word, machine.dimension) == 1;
     let taking = words.iter().position(takes).expect("a group is taken");
     let mut macros = vec![
         ("DIMENSION", machine.dimension.to_string()),
@@ -195,20 +249,7 @@ fn program_macros(machine: &Machine, program: &Microprogram) -> Vec<(&'static st
         ("FIRST_OF_ITERATION", program.query_clocks().to_string()),
         ("TAKING_STEP", taking.to_string()),
     ];
-    let fields = [
-        ("WRITE_QUERY", Field::WriteQuery),
-        ("WRITE_PHOTON", Field::WritePhoton),
-        ("WRITE_POWER", Field::WritePower),
-        ("WRITE_WORK", Field::WriteWork),
-        ("WRITE_SUM", Field::WriteSum),
-        ("WORK_SOURCE", Field::WorkSource),
-        ("ADD_SUM", Field::AddSum),
-        ("TAKES_QUERY", Field::TakesQuery),
-        ("READS_GROUP", Field::ReadsGroup),
-        ("TAKES_GROUP", Field::TakesGroup),
-        ("AXIS", Field::Axis),
-    ];
-    macros.extend(fields.map(|(name, field)| (name, field.lsb().to_string())));
+    macros.extend(fields(&SEQUENTIAL, machine.dimension));
     macros
 }
 
@@ -314,6 +355,12 @@ fn network(machine: &Machine, widths: &Widths) -> Property {
     }
 }
 
+/// Whether a field goes to the cells, and not to the network or the sequencer.
+fn is_of_cell(field: Field) -> bool {
+    use Field::{Axis, ReadsGroup, TakesGroup, TakesQuery};
+    !matches!(field, Axis | ReadsGroup | TakesGroup | TakesQuery)
+}
+
 /// The property of the wires between network, control and cells.
 fn links(machine: &Machine, widths: &Widths) -> Property {
     let mut wires = Wires::default();
@@ -323,23 +370,13 @@ fn links(machine: &Machine, widths: &Widths) -> Property {
         wires.equal(&received, &[(&format!("network.link_{node}"), widths.work)]);
         let sent = format!("network.work_{node}");
         wires.equal(&sent, &[(&format!("cell_{node}.work_out"), widths.work)]);
-        for field in [
-            "write_query",
-            "write_photon",
-            "write_power",
-            "write_work",
-            "write_sum",
-            "add_sum",
-        ] {
-            wires.equal(
-                &format!("cell_{node}.{field}"),
-                &[(&format!("control.{field}"), 1)],
+        for row in SEQUENTIAL.fields.iter().filter(|row| is_of_cell(row.field)) {
+            let (taken, sent) = (
+                format!("cell_{node}.{}", row.name),
+                format!("control.{}", row.name),
             );
+            wires.equal(&taken, &[(&sent, (row.width)(machine.dimension))]);
         }
-        wires.equal(
-            &format!("cell_{node}.work_source"),
-            &[("control.work_source", 2)],
-        );
     }
     wires.property(
         "links::top",

@@ -2,7 +2,7 @@
 //! its waiting clocks.
 
 use photoncube_model::{CellInputs, CellRules, CellState};
-use photoncube_spec::{ControlWord, Machine, Microprogram, OPS, Step, encode};
+use photoncube_spec::{ControlWord, Machine, Microprogram, SEQUENTIAL, Step, encode};
 use rand::RngExt;
 use rand_pcg::Pcg64;
 
@@ -25,8 +25,9 @@ impl Trace {
         let axes: Vec<_> = machine.hypercube().axes().collect();
         let mut cell = CellState::default();
         for _ in 0..vectors {
-            let row = &OPS[rng.random_range(0..OPS.len())];
-            let axis = row.uses_link.then(|| axes[rng.random_range(0..axes.len())]);
+            let row = &SEQUENTIAL.ops[rng.random_range(0..SEQUENTIAL.ops.len())];
+            let any_axis = |_| axes[rng.random_range(0..axes.len())];
+            let axis = row.link.map(any_axis);
             let step = Step { op: row.op, axis };
             let asked = Asked {
                 step,
@@ -78,22 +79,25 @@ impl Trace {
         let widths = rules.widths();
         let mut any = |bits| corner(rng, bits);
         let inputs = CellInputs {
-            query: any(widths.coordinate) as u32,
-            radius_sq: any(widths.radius_sq) as u32,
-            photon: any(widths.photon) as u32,
+            query: any(widths.coordinate),
+            radius_sq: any(widths.radius_sq),
+            photon: any(widths.photon),
             present: any(2) != 0,
             power: any(widths.power),
             link: asked.step.axis.map_or(0, |_| any(widths.work)),
         };
         let fields = |name: &str| match name {
-            "query_in" => u64::from(inputs.query),
-            "radius_sq_in" => u64::from(inputs.radius_sq),
-            "photon_in" => u64::from(inputs.photon),
+            "query_in" => inputs.query,
+            "radius_sq_in" => inputs.radius_sq,
+            "photon_in" => inputs.photon,
             "present_in" => u64::from(inputs.present),
             "power_in" => inputs.power,
             "link_in" => inputs.link,
             write if asked.waits && write.starts_with("write_") => 0,
-            field => u64::from(field_named(field).of(asked.word, machine.dimension)),
+            field => {
+                let field = field_named(field);
+                u64::from(SEQUENTIAL.field(field, asked.word, machine.dimension))
+            }
         };
         let mut expected = vec![cell.work, cell.sum];
         expected.extend(cell.registers());

@@ -7,25 +7,27 @@
 mod cell;
 mod memory;
 mod overlap;
+mod unit;
 
 use photoncube_hdl::{Level, level_pins};
-use photoncube_model::{CellInputs, CellRules, CellState};
 use std::collections::VecDeque;
 
 use photoncube_spec::{
-    Cut, Field, Machine, Op, Organisation, Pin, Pins, SpatialWidths, Squarer, Step, Widths,
+    Cut, Field, Machine, Op, Organisation, Pin, Pins, SEQUENTIAL, SpatialWidths, Squarer, Step,
+    Widths,
 };
-use rand::{RngExt, SeedableRng};
+use rand::SeedableRng;
 use rand_pcg::Pcg64;
 use serde::Serialize;
 
-use crate::compare::{Activity, Actual, Divergence};
+use crate::compare::{Activity, Actual, Divergence, mnemonic};
 use crate::device::{Device, DeviceError, DeviceKind, Observed, hdl_error};
 use crate::stimulus::corner;
 use crate::verify::{VerifyError, nothing_compared, wrong_count};
 
 use memory::MemoryWalk;
 pub(crate) use memory::{scrub_rows as memory_scrub_rows, walk as memory_walk};
+pub(crate) use unit::{op_of, result};
 
 /// The most pairs of operands that every device squares: those of 8-bit coordinates.
 const EXHAUSTIVE_PAIRS: usize = 1 << 16;
@@ -139,9 +141,7 @@ impl Trace {
                 _ => trace.cell(machine, vectors, rng),
             },
             Level::Network => trace.network(machine, vectors, rng),
-            Level::Add => trace.add(machine, vectors, rng),
-            Level::Square => trace.square(machine, vectors, rng),
-            Level::Gate => trace.gate(machine, vectors, rng),
+            Level::Unit(unit) => trace.unit(machine, unit, vectors, rng),
             Level::SquarePair => trace.square_pair(machine, vectors, rng),
             Level::Memory => trace.memory(machine, vectors, seed)?,
         }
@@ -161,63 +161,6 @@ impl Trace {
         self.inputs.extend(self.pins.inputs.iter().map(value));
         self.expected.extend(expected);
         self.activities.push(activity);
-    }
-
-    fn add(&mut self, machine: &Machine, vectors: usize, rng: &mut Pcg64) {
-        let rules = CellRules::of(machine);
-        let widths = rules.widths();
-        let all = u64::MAX >> (u64::BITS - widths.sum);
-        for _ in 0..vectors {
-            let a = corner(rng, widths.sum);
-            // One in three is at the edge of a carry out.
-            let b = match rng.random_range(0..6) {
-                0 => !a & all,
-                1 => (!a).wrapping_add(1) & all,
-                _ => corner(rng, widths.sum),
-            };
-            let mut cell = CellState {
-                sum: a,
-                work: b,
-                ..CellState::default()
-            };
-            cell.execute(Op::Accumulate, &CellInputs::default(), &rules);
-            let operands = |name: &str| if name == "a" { a } else { b };
-            self.push(done(Op::Accumulate), operands, &[cell.sum]);
-        }
-    }
-
-    fn square(&mut self, machine: &Machine, vectors: usize, rng: &mut Pcg64) {
-        let rules = CellRules::of(machine);
-        let widths = rules.widths();
-        let queries = 0..=u32::MAX >> (u32::BITS - widths.coordinate);
-        let photons = 0..=u32::MAX >> (u32::BITS - widths.photon);
-        let all_pairs = 1 << (widths.coordinate + widths.photon);
-        let mut pairs: Vec<(u32, u32)> = if all_pairs <= vectors.max(EXHAUSTIVE_PAIRS) {
-            let all = |a| photons.clone().map(move |b| (a, b));
-            queries.flat_map(all).collect()
-        } else {
-            // Every difference, in both directions.
-            let (last_query, last_photon) = (*queries.end(), *photons.end());
-            let below = queries.flat_map(|d| [(d, 0), (d, last_photon)]);
-            below
-                .chain(photons.flat_map(|d| [(0, d), (last_query, d)]))
-                .collect()
-        };
-        while pairs.len() < vectors {
-            let mut any = |bits| corner(rng, bits) as u32;
-            pairs.push((any(widths.coordinate), any(widths.photon)));
-        }
-        for (a, b) in pairs {
-            let mut cell = CellState {
-                query: a,
-                photon: b,
-                ..CellState::default()
-            };
-            cell.execute(Op::SquareDifference, &CellInputs::default(), &rules);
-            let operands = |name: &str| u64::from(if name == "a" { a } else { b });
-            let step = done(Op::SquareDifference);
-            self.push(step, operands, &[cell.work]);
-        }
     }
 
     /// Rows for two squares of a spatial machine, a pair of operands a clock. The output belongs to the
@@ -255,36 +198,8 @@ impl Trace {
                 "photon_a" => photon_a,
                 _ => photon_b,
             };
-            self.push(done(Op::SquareDifference), value, &expected);
-        }
-    }
-
-    fn gate(&mut self, machine: &Machine, vectors: usize, rng: &mut Pcg64) {
-        let rules = CellRules::of(machine);
-        let widths = rules.widths();
-        let largest = u32::MAX >> (u32::BITS - widths.radius_sq);
-        for _ in 0..vectors {
-            let radius_sq = corner(rng, widths.radius_sq) as u32;
-            let work = match rng.random_range(0..6) {
-                0 | 1 => u64::from(radius_sq),
-                2 => u64::from(radius_sq.saturating_sub(1)),
-                3 => u64::from(radius_sq.saturating_add(1).min(largest)),
-                _ => corner(rng, widths.work),
-            };
-            let mut cell = CellState {
-                radius_sq,
-                work,
-                power: corner(rng, widths.power),
-                ..CellState::default()
-            };
-            let power = cell.power;
-            cell.execute(Op::Gate, &CellInputs::default(), &rules);
-            let operands = |name: &str| match name {
-                "a" => work,
-                "b" => u64::from(radius_sq),
-                _ => power,
-            };
-            self.push(done(Op::Gate), operands, &[cell.work]);
+            let step = Step::new(Op::SquareDifference);
+            self.push(Activity::Step(step), value, &expected);
         }
     }
 
@@ -347,6 +262,7 @@ impl Trace {
             clock: row as u64,
             signal: pin.name.clone(),
             place: pin.place,
+            register: mnemonic(machine, pin.place),
             expected: expected(index),
             actual: observed.at(index),
             differing: in_row.filter(differs).count(),
@@ -362,11 +278,6 @@ impl Trace {
     }
 }
 
-/// The activity of a step with that op.
-fn done(op: Op) -> Activity {
-    Activity::Step(Step::new(op))
-}
-
 /// The expected `Square` and `SquareFar` of a spatial machine, by the spec.
 pub(crate) fn square_of(query: u64, photon: u64, radius_bits: u32, squarer: Squarer) -> (u64, u64) {
     let distance = query.abs_diff(photon);
@@ -380,7 +291,8 @@ pub(crate) fn square_of(query: u64, photon: u64, radius_bits: u32, squarer: Squa
 }
 
 fn field_named(name: &str) -> Field {
-    let row = photoncube_spec::FIELDS.iter().find(|row| row.name == name);
+    let mut rows = SEQUENTIAL.fields.iter();
+    let row = rows.find(|row| row.name == name);
     row.expect("a cell's other pins are fields of the control word")
         .field
 }

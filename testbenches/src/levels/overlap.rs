@@ -1,8 +1,8 @@
 //! Compares an overlapped machine's cell, whose units work at the same time, on random ops.
 
 use photoncube_model::{CellPorts, OverlapCell};
-use photoncube_spec::overlap::{Op, POWER_WORDS, asked_of};
-use photoncube_spec::{Axis, Machine, Role, Widths};
+use photoncube_spec::overlap::asked_of;
+use photoncube_spec::{Axis, Machine, Op, POWER_WORDS, Role, Step, Widths};
 use rand::RngExt;
 use rand::seq::IndexedRandom;
 use rand_pcg::Pcg64;
@@ -37,8 +37,8 @@ impl Trace {
                 present: rng.random(),
             };
             let write_query = rng.random_ratio(1, 16);
-            let of_own = own.iter().map(|&op| asked_of(op, ROLE, ROLE));
-            let of_heard = heard.iter().map(|&op| asked_of(op, across(op), ROLE));
+            let of_own = own.iter().map(|&step| asked_of(step, ROLE, ROLE));
+            let of_heard = heard.iter().map(|&step| asked_of(step, across(step), ROLE));
             let word = of_own.chain(of_heard).fold(0, |word, fields| word | fields);
             let value = |name: &str| match name {
                 "word" => word.into(),
@@ -66,55 +66,61 @@ impl Trace {
     }
 }
 
-/// Random ops that write in one clock: at most one for each register, and one word for each axis.
-fn own_ops(rng: &mut Pcg64) -> Vec<Op> {
+/// Random steps that write in one clock: at most one for each register, and one word for each axis.
+fn own_ops(rng: &mut Pcg64) -> Vec<Step> {
     use Op::*;
-    let mut ops = Vec::new();
+    let mut steps = Vec::new();
     let alone = [LoadPhoton, LoadPower, SquareDifference];
     for op in alone.into_iter().chain((1..POWER_WORDS).map(MovePower)) {
-        ops.extend(rng.random::<bool>().then_some(op));
+        steps.extend(rng.random::<bool>().then_some(Step::new(op)));
     }
-    let receives = [Axis::X, Axis::Y, Axis::Z, Axis::W].map(|axis| Some(Receive(axis)));
-    let operands = [&receives[..], &[Some(Gate), Some(Gate), None]].concat();
+    let gate = Some(Step::new(Gate));
+    let receives =
+        [Axis::X, Axis::Y, Axis::Z, Axis::W].map(|axis| Some(Step::across(Receive, axis)));
+    let operands = [&receives[..], &[gate, gate, None]].concat();
     let operand = *operands.choose(rng).expect("a choice");
-    let adds = [Some(Add), Some(Accumulate), None];
-    let keeps = [None, Some(Axis::Z), Some(Axis::W)].map(|axis| Some(Keep(axis)));
-    let mut distances = [&keeps[..], &[Some(Relay), None]].concat();
+    let adds = [Some(Step::new(Add)), Some(Step::new(Accumulate)), None];
+    let keeps = [Step::new(Keep), KEEP_Z, Step::across(Keep, Axis::W)];
+    let mut distances = [&keeps.map(Some)[..], &[Some(RELAY), None]].concat();
     // A neighbour sends one word on an axis.
     distances.retain(|&distance| {
         let pair = (operand, distance);
-        pair != (Some(Receive(Axis::Z)), Some(Keep(Some(Axis::Z))))
-            && pair != (Some(Receive(Axis::W)), Some(Relay))
+        pair != (Some(Step::across(Receive, Axis::Z)), Some(KEEP_Z))
+            && pair != (Some(Step::across(Receive, Axis::W)), Some(RELAY))
     });
-    ops.extend(operand);
-    ops.extend(*adds.choose(rng).expect("a choice"));
-    ops.extend(*distances.choose(rng).expect("a choice"));
-    ops
+    steps.extend(operand);
+    steps.extend(*adds.choose(rng).expect("a choice"));
+    steps.extend(*distances.choose(rng).expect("a choice"));
+    steps
 }
 
-/// Random ops of neighbours that select the word which the cell sends.
-fn heard_ops(rng: &mut Pcg64) -> Vec<Op> {
-    let mut ops = vec![Op::Keep(Some(Axis::Z)), Op::Relay];
-    ops.retain(|_| rng.random());
-    ops
+/// The steps of a neighbour in which it receives another word than the cell sends otherwise.
+const KEEP_Z: Step = Step::across(Op::Keep, Axis::Z);
+const RELAY: Step = Step::across(Op::Relay, Axis::W);
+
+/// Random steps of neighbours that select the word which the cell sends.
+fn heard_ops(rng: &mut Pcg64) -> Vec<Step> {
+    let mut steps = vec![KEEP_Z, RELAY];
+    steps.retain(|_| rng.random());
+    steps
 }
 
-/// The role of the neighbour that receives the cell's word in an op.
-fn across(op: Op) -> Role {
-    ROLE.across(op.axis().expect("an op that hears"))
+/// The role of the neighbour that receives the cell's word in a step.
+fn across(step: Step) -> Role {
+    ROLE.across(step.axis.expect("a step that hears"))
 }
 
-/// The word that the cell sends on z for its neighbours' ops.
-fn word_on_z(cell: &OverlapCell, heard: &[Op]) -> u64 {
-    match heard.contains(&Op::Keep(Some(Axis::Z))) {
+/// The word that the cell sends on z for its neighbours' steps.
+fn word_on_z(cell: &OverlapCell, heard: &[Step]) -> u64 {
+    match heard.contains(&KEEP_Z) {
         true => cell.work,
         false => cell.square,
     }
 }
 
 /// The word that the cell sends on w.
-fn word_on_w(cell: &OverlapCell, heard: &[Op]) -> u64 {
-    match heard.contains(&Op::Relay) {
+fn word_on_w(cell: &OverlapCell, heard: &[Step]) -> u64 {
+    match heard.contains(&RELAY) {
         true => cell.distance,
         false => cell.work,
     }

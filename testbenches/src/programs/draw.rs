@@ -2,7 +2,7 @@
 
 use photoncube_hdl::most_steps;
 use photoncube_spec::{
-    Hypercube, Machine, Microprogram, OPS, OpRow, Step, check_schedule, check_streams,
+    Hypercube, Machine, Microprogram, OpRow, SEQUENTIAL, Step, check_schedule, check_streams,
 };
 use rand::seq::IndexedRandom;
 use rand::{RngExt, SeedableRng};
@@ -96,11 +96,11 @@ fn any_program(cube: Hypercube, most: usize, rng: &mut Pcg64) -> Microprogram {
 
 /// Random steps in both phases: the query phase has one `ldq` and no group step, the iteration has no `ldq`.
 fn random_steps(cube: Hypercube, query: usize, iteration: usize, rng: &mut Pcg64) -> Microprogram {
-    let inner = |row: &OpRow| !row.reads_query && !row.reads_group;
+    let inner = |row: &OpRow| row.stream.is_none();
     let mut steps: Vec<_> = (0..query).map(|_| any_step(cube, inner, rng)).collect();
     let loads = rng.random_range(0..query);
-    steps[loads] = any_step(cube, |row| row.reads_query, rng);
-    let outside = |row: &OpRow| !row.reads_query;
+    steps[loads] = any_step(cube, OpRow::reads_query, rng);
+    let outside = |row: &OpRow| !row.reads_query();
     let iteration: Vec<_> = (0..iteration)
         .map(|_| any_step(cube, outside, rng))
         .collect();
@@ -136,14 +136,14 @@ fn edited(program: &Microprogram, cube: Hypercube, rng: &mut Pcg64) -> Microprog
 
 /// A random step of the op table that satisfies `wanted`, on a random axis of the cube.
 fn any_step(cube: Hypercube, wanted: impl Fn(&OpRow) -> bool, rng: &mut Pcg64) -> Step {
-    let rows: Vec<_> = OPS.iter().filter(|row| wanted(row)).collect();
+    let rows: Vec<_> = SEQUENTIAL.ops.iter().filter(|row| wanted(row)).collect();
     let row = rows.choose(rng).expect("the op table has such an op");
     let axes: Vec<_> = cube.axes().collect();
     Step {
         op: row.op,
         axis: row
-            .uses_link
-            .then(|| *axes.choose(rng).expect("a cube has axes")),
+            .link
+            .map(|_| *axes.choose(rng).expect("a cube has axes")),
     }
 }
 
@@ -166,8 +166,9 @@ mod tests {
     fn every_op_on_every_axis_is_drawn_in_both_classes() {
         for name in ["paper", "paper-5d"] {
             let cube = find_machine(name).unwrap().hypercube();
-            let links = OPS.iter().filter(|row| row.uses_link).count();
-            let all = OPS.len() - links + links * cube.axes().count();
+            let ops = SEQUENTIAL.ops;
+            let links = ops.iter().filter(|row| row.link.is_some()).count();
+            let all = ops.len() - links + links * cube.axes().count();
             for class in [ProgramClass::Gather, ProgramClass::Free] {
                 let of_class = drawn(name, 200).into_iter().filter(|d| d.class == class);
                 let steps = of_class.flat_map(|drawn| drawn.program.steps());

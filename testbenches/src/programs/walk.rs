@@ -1,34 +1,14 @@
-//! Makes programs that compute a gather: a random walk over the steps that are possible next, which reserves
-//! enough clocks to finish and spends the others on useless steps.
+//! Makes programs that compute a gather: a random walk over the steps after which the checker still accepts the
+//! contents of the registers. It reserves enough clocks to finish and spends the others on useless steps.
 
-use photoncube_spec::{Axis, Hypercube, Microprogram, Op, Step};
+use photoncube_spec::{Content, Contents, Hypercube, Microprogram, Op, Register, SEQUENTIAL, Step};
 use rand::RngExt;
 use rand::seq::IndexedRandom;
 use rand_pcg::Pcg64;
 
-/// The contents of the cells' work register.
-#[derive(Clone)]
-enum Work {
-    Nothing,
-    /// Squares that are still to be added across these axes.
-    Squares(Vec<Axis>),
-    /// Powers that are still to be added across these axes.
-    Powers(Vec<Axis>),
-}
-
-/// The state of an iteration during the walk.
-#[derive(Clone)]
-struct State {
-    cube: Hypercube,
-    photon: bool,
-    power: bool,
-    work: Work,
-    accumulated: bool,
-}
-
 /// The fewest clocks of an iteration that computes a gather.
 pub(super) fn fewest_clocks(cube: Hypercube) -> usize {
-    State::start(cube).needed()
+    needed(&loaded(cube), cube)
 }
 
 /// A gather with a query phase of `query` clocks and an iteration of `iteration` clocks, at least
@@ -42,86 +22,52 @@ pub(super) fn gather_program(
     let mut query = vec![Step::new(Op::Nop); query];
     let loads = rng.random_range(0..query.len());
     query[loads] = Step::new(Op::LoadQuery);
-    let mut state = State::start(cube);
+    let mut cell = loaded(cube);
     let mut steps = Vec::new();
     for left in (0..iteration).rev() {
-        let mut may = state.steps();
-        may.retain(|&step| state.after(step).needed() <= left);
+        let mut may = next(&cell, cube);
+        may.retain(|(_, after)| needed(after, cube) <= left);
         // The group must be taken before the last clock of the iteration.
-        may.retain(|step| left > 0 || !step.op.row().reads_group);
-        let step = *may.choose(rng).expect("a nop is left, or what is needed");
-        state = state.after(step);
-        steps.push(step);
+        may.retain(|(step, _)| left > 0 || !SEQUENTIAL.op(step.op).reads_group());
+        let (step, after) = may.choose(rng).expect("a nop is left, or what is needed");
+        steps.push(*step);
+        cell = after.clone();
     }
     Microprogram::of_phases(&query, &steps)
 }
 
-impl State {
-    fn start(cube: Hypercube) -> Self {
-        Self {
-            cube,
-            photon: false,
-            power: false,
-            work: Work::Nothing,
-            accumulated: false,
-        }
-    }
+/// A cell's contents after the query is loaded.
+fn loaded(cube: Hypercube) -> Contents {
+    let load = Step::new(Op::LoadQuery);
+    let loaded = Contents::default().after(load, cube);
+    loaded.expect("the query's load reads no register")
+}
 
-    /// The fewest clocks to the end of the iteration.
-    fn needed(&self) -> usize {
-        if self.accumulated {
-            return 0;
-        }
-        let (roles, photons) = (
-            self.cube.role_axes().count(),
-            self.cube.photon_axes().count(),
-        );
-        let to_gate = usize::from(!self.power) + 1;
-        match &self.work {
-            Work::Powers(axes) => axes.len() + 1,
-            Work::Squares(axes) => axes.len() + to_gate + photons + 1,
-            Work::Nothing => usize::from(!self.photon) + 1 + roles + to_gate + photons + 1,
-        }
+/// The fewest clocks to the end of the iteration.
+fn needed(cell: &Contents, cube: Hypercube) -> usize {
+    if cell.of(Register::Sum) != Content::SumOf(0) {
+        return 0;
     }
+    let missing = |register| usize::from(cell.of(register) != Content::Loaded);
+    let without = |all: usize, axes: u32| all - axes.count_ones() as usize;
+    let (roles, photons) = (cube.role_axes().count(), cube.photon_axes().count());
+    let to_gate = missing(Register::Power(0)) + 1;
+    match cell.of(Register::Work) {
+        Content::Gated(axes) => without(photons, axes) + 1,
+        Content::Distance(axes) => without(roles, axes) + to_gate + photons + 1,
+        _ => missing(Register::Photon) + 1 + roles + to_gate + photons + 1,
+    }
+}
 
-    /// All steps that keep the gather correct, useless ones included.
-    fn steps(&self) -> Vec<Step> {
-        let mut steps: Vec<_> = [Op::Nop, Op::LoadPhoton, Op::LoadPower]
-            .map(Step::new)
-            .into();
-        if self.photon {
-            steps.push(Step::new(Op::SquareDifference));
-        }
-        match &self.work {
-            Work::Nothing => {}
-            Work::Squares(axes) if axes.is_empty() => {
-                steps.extend(self.power.then_some(Step::new(Op::Gate)));
-            }
-            Work::Powers(axes) if axes.is_empty() => {
-                steps.extend((!self.accumulated).then_some(Step::new(Op::Accumulate)));
-            }
-            Work::Squares(axes) | Work::Powers(axes) => {
-                steps.extend(axes.iter().copied().map(Step::exchange_add));
-            }
-        }
-        steps
-    }
-
-    fn after(&self, step: Step) -> Self {
-        let mut next = self.clone();
-        match step.op {
-            Op::Nop | Op::LoadQuery => {}
-            Op::LoadPhoton => next.photon = true,
-            Op::LoadPower => next.power = true,
-            Op::SquareDifference => next.work = Work::Squares(self.cube.role_axes().collect()),
-            Op::ExchangeAdd => {
-                if let Work::Squares(axes) | Work::Powers(axes) = &mut next.work {
-                    axes.retain(|&axis| Some(axis) != step.axis);
-                }
-            }
-            Op::Gate => next.work = Work::Powers(self.cube.photon_axes().collect()),
-            Op::Accumulate => next.accumulated = true,
-        }
-        next
-    }
+/// All steps that keep the gather correct, useless ones included, with the contents after each.
+fn next(cell: &Contents, cube: Hypercube) -> Vec<(Step, Contents)> {
+    let rows = SEQUENTIAL.ops.iter().filter(|row| !row.reads_query());
+    let steps = rows.flat_map(|row| match row.link {
+        None => vec![Step::new(row.op)],
+        Some(_) => cube.axes().map(|axis| Step::across(row.op, axis)).collect(),
+    });
+    let after = steps.filter_map(|step| Some((step, cell.after(step, cube).ok()?)));
+    after
+        .filter(|(_, after)| after.of(Register::Sum) != Content::SumOf(2))
+        .collect()
 }

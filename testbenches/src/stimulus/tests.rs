@@ -1,6 +1,6 @@
 //! Tests that the stimulus has the stated properties and is reproducible.
 
-use photoncube_spec::{Group, MACHINES, Register, Role, SignalPlace};
+use photoncube_spec::{Group, MACHINES, Register, Role, SEQUENTIAL, SignalPlace};
 
 use super::*;
 
@@ -74,7 +74,7 @@ fn reachable_bits(machine: &Machine, name: &str, all: u64) -> u64 {
     let distance_cell = machine.hypercube().role(node) == Role::D;
     match register {
         Register::Query | Register::Photon if distance_cell => 0,
-        Register::Power if distance_cell => 1,
+        Register::Power(_) if distance_cell => 1,
         Register::Sum if distance_cell => 0x1_ffff,
         _ => all,
     }
@@ -103,14 +103,14 @@ fn a_group_stays_until_it_is_taken_and_every_way_of_waiting_is_met() {
             if inputs.group_valid && !taken {
                 offered = Some(inputs.group.clone());
             }
-            let step = steps[shown[address] as usize].op.row();
+            let step = SEQUENTIAL.op(steps[shown[address] as usize].op);
             let garbage = !inputs.group_valid && inputs.group != Group::default();
             let events = [
                 inputs.reset && shown[address] > 1,
                 inputs.reset && outputs.result_valid,
                 outputs.query_ready && !inputs.query_valid,
                 !outputs.query_ready && inputs.query_valid,
-                step.reads_group && !inputs.group_valid,
+                step.reads_group() && !inputs.group_valid,
                 outputs.result_valid && !inputs.result_ready,
                 garbage,
             ];
@@ -213,14 +213,14 @@ fn a_lane_alone_is_given_all_of_a_querys_photons() {
         }
     }
     for (seen, pin) in seen.iter().zip(&pins.observed) {
-        let SignalPlace::OverlapCell { node, register } = pin.place else {
+        let SignalPlace::Cell { node, register } = pin.place else {
             continue;
         };
         let wanted = match machine.hypercube().role(node) {
             Role::D => 0x1_ffff,
             _ => 0xffff_ffff,
         };
-        if register == photoncube_spec::overlap::Register::Sum {
+        if register == Register::Sum {
             assert_eq!(seen & wanted, wanted, "{}: {seen:#x}", pin.name);
         }
     }

@@ -121,7 +121,7 @@ fn said(report: &Report, schedule: &ScheduleReport) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use photoncube_spec::{Axis, OPS, REGISTERS, find_machine};
+    use photoncube_spec::{Axis, SEQUENTIAL, find_machine};
 
     #[test]
     fn the_papers_schedule_report() {
@@ -139,12 +139,12 @@ mod tests {
     #[test]
     fn the_page_about_listings_has_todays_ops_and_registers_and_a_listing_that_is_accepted() {
         let page = include_str!("../../../../docs/microprograms.md");
-        for row in OPS {
+        for row in SEQUENTIAL.ops {
             let unit = row.unit.map_or("-", |unit| unit.name());
-            let line = format!("\n| `{}` | {unit} | {} |\n", row.mnemonic, row.formula);
+            let line = format!("\n| `{}` | {unit} | {} |\n", row.op.mnemonic(), row.formula);
             assert!(page.contains(&line), "{line}");
         }
-        for row in REGISTERS {
+        for row in SEQUENTIAL.registers {
             assert!(
                 page.contains(&format!("\n| `{}` | ", row.mnemonic)),
                 "{}",

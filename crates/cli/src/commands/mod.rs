@@ -18,7 +18,7 @@ use std::path::Path;
 use anyhow::{Result, anyhow};
 use clap::CommandFactory;
 use clap_complete::Shell;
-use photoncube_model::{GatherError, LocalError};
+use photoncube_model::GatherError;
 
 use crate::args::{Args, Command};
 use crate::{files, output, outputs};
@@ -47,11 +47,9 @@ pub fn execute(args: Args) -> Result<()> {
 /// Adds to an error of too many photons the option that makes the sums of a machine larger.
 fn with_hint(result: Result<()>) -> Result<()> {
     result.map_err(|error| {
-        let is_full = error.chain().any(|cause| {
-            let (machine, format) = (cause.downcast_ref(), cause.downcast_ref());
-            matches!(machine, Some(GatherError::TooManyPhotons { .. }))
-                || matches!(format, Some(LocalError::Count(_)))
-        });
+        let is_full = error
+            .chain()
+            .any(|cause| matches!(cause.downcast_ref(), Some(GatherError::Count(_))));
         match is_full {
             true => anyhow!("{error:#}: give a smaller --in-range"),
             false => error,

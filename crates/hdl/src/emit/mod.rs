@@ -12,7 +12,7 @@ mod header;
 mod merge;
 mod modules;
 
-use photoncube_spec::{CONTROL_REGISTERS, Machine, Pins, Register, SignalPlace, overlap};
+use photoncube_spec::{CellTables, Machine, Pins, SignalPlace};
 use rust_hdl::prelude::ModuleDefines;
 use thiserror::Error;
 
@@ -141,7 +141,10 @@ pub fn emit(machine: &Machine, level: Level) -> Result<Emitted, EmitError> {
             .iter()
             .map(|pin| {
                 let own = block.register_path(pin.place);
-                own.unwrap_or_else(|| register_path(level, pin.place))
+                own.unwrap_or_else(|| {
+                    let tables = machine.cell().expect("it has cells");
+                    register_path(tables, level, pin.place)
+                })
             })
             .collect(),
         block_rams: block.block_rams(),
@@ -188,26 +191,19 @@ fn printed(
 /// The name under which rust-hdl prints the outermost block.
 const TOP: &str = "top";
 
-/// The path of a register. Registers are instances of a register module, whose output is `q`.
-fn register_path(level: Level, place: SignalPlace) -> String {
-    let cell = |register: Register| format!("{}.q", register.row().name);
-    match (place, level) {
-        (SignalPlace::Cell { register, .. }, Level::Cell) => cell(register),
-        (SignalPlace::Cell { node, register }, _) => format!("cell_{node}.{}", cell(register)),
-        (SignalPlace::Control(index), _) => format!("control.{}.q", CONTROL_REGISTERS[index]),
-        (SignalPlace::OverlapCell { register, .. }, Level::Cell) => {
-            format!("{}.q", register.name())
+/// The path of a register of a machine with a program. Registers are instances of a register module, whose
+/// output is `q`.
+fn register_path(tables: &CellTables, level: Level, place: SignalPlace) -> String {
+    match place {
+        SignalPlace::Control(index) => format!("control.{}.q", tables.control_registers[index]),
+        SignalPlace::Cell { node, register } => {
+            let name = tables.register(register).name;
+            match level {
+                Level::Cell => format!("{name}.q"),
+                _ => format!("cell_{node}.{name}.q"),
+            }
         }
-        (SignalPlace::OverlapCell { node, register }, _) => {
-            format!("cell_{node}.{}.q", register.name())
-        }
-        (SignalPlace::OverlapControl(index), _) => {
-            format!("control.{}.q", overlap::CONTROL_REGISTERS[index])
-        }
-        (SignalPlace::Head { .. } | SignalPlace::Memory { .. } | SignalPlace::Engine { .. }, _) => {
-            unreachable!("a spatial machine knows its registers")
-        }
-        (SignalPlace::Top, _) => unreachable!("pins are not registers"),
+        _ => unreachable!("a spatial machine knows its registers, and pins are none"),
     }
 }
 
@@ -221,7 +217,7 @@ mod tests {
     #[test]
     fn every_level_of_every_machine_is_emitted_alike_twice() {
         for machine in MACHINES {
-            for &level in Level::of(machine) {
+            for level in Level::of(machine) {
                 let emitted = emit(machine, level).unwrap();
                 assert_eq!(emitted, emit(machine, level).unwrap());
                 assert!(emitted.text.contains(&format!("module {}(", emitted.top)));

@@ -37,11 +37,6 @@ pub(crate) fn build(machine: &Machine, level: Level) -> Option<Box<dyn Pinned>> 
             machine,
         ))),
         Level::Cell => Some(Box::new(Cell::<18, 16, 18, 32, 23>::default())),
-        Level::Network
-        | Level::Add
-        | Level::Square
-        | Level::Gate
-        | Level::SquarePair
-        | Level::Memory => None,
+        Level::Network | Level::Unit(_) | Level::SquarePair | Level::Memory => None,
     }
 }

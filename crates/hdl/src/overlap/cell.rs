@@ -1,7 +1,7 @@
 //! The cell of an overlapped machine, whose units work at the same time.
 //!
 //! Every unit has its own registers at its output. In every clock the control word selects the registers that
-//! are written and their sources; see `photoncube_spec::overlap` for the words. The stages of the square
+//! are written and their sources; see `photoncube_spec::OVERLAPPED` for the words. The stages of the square
 //! unit, the addend and the operand are written in every clock.
 
 use crate::defaults::defaulted;
@@ -87,7 +87,7 @@ impl<const R: usize, const P: usize, const V: usize, const S: usize, const W: us
     fn default() -> Self {
         assert!(16 <= V && R <= V && P <= V && V <= S && S <= 64);
         defaulted!(Self {
-            decoder: Decoder::new(),
+            decoder: Decoder::new(4),
         };
             clock word write_query query_in radius_sq_in photon_in present_in power_in link_x link_y link_z
             link_w sum_out z_out w_out query radius_sq photon magnitude digit_squares low_product high_product

@@ -87,7 +87,7 @@ impl<const A: usize, const D: usize, const W: usize> Control<A, D, W> {
             store_y: store(Role::Y),
             store_z: store(Role::Z),
             store_d: store(Role::D),
-            decoder: Decoder::new(),
+            decoder: Decoder::new(4),
             kernel_end: address(program.epilogue_address() - 1),
             epilogue_address: address(program.epilogue_address()),
             end_address: address(program.end_address()),

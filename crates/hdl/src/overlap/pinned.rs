@@ -1,34 +1,22 @@
 //! Drives and observes an overlapped machine by rows of numbers.
 
-use photoncube_spec::overlap::Register;
 use rust_hdl::prelude::*;
 
 use super::cell::Cell;
 use super::processor::Processor;
-use crate::pinned::{Driver, Pinned, Word};
+use crate::pinned::{Driver, Pinned, Word, drive, sample, settle};
 
 impl<const R: usize, const P: usize, const V: usize, const S: usize, const W: usize>
     Cell<R, P, V, S, W>
 {
     fn sample_registers(&self, row: &mut Vec<u64>) {
-        row.extend(Register::all().map(|register| match register {
-            Register::Query => self.query.q.val().number(),
-            Register::RadiusSq => self.radius_sq.q.val().number(),
-            Register::Photon => self.photon.q.val().number(),
-            Register::Magnitude => self.magnitude.q.val().number(),
-            Register::DigitSquares => self.digit_squares.q.val().number(),
-            Register::LowProduct => self.low_product.q.val().number(),
-            Register::HighProduct => self.high_product.q.val().number(),
-            Register::Square => self.square.q.val().number(),
-            Register::Addend => self.addend.q.val().number(),
-            Register::Operand => self.operand.q.val().number(),
-            Register::Work => self.work.q.val().number(),
-            Register::Distance => self.distance.q.val().number(),
-            Register::InRange => self.in_range.q.val().number(),
-            Register::Sum => self.sum.q.val().number(),
-            Register::Power(place) => self.power[usize::from(place)].q.val().number(),
-            Register::Present(place) => self.present[usize::from(place)].q.val().number(),
-        }));
+        sample!(
+            self, row: query.q, radius_sq.q, photon.q, magnitude.q, digit_squares.q, low_product.q,
+            high_product.q, square.q, addend.q, operand.q, work.q, distance.q, in_range.q, sum.q,
+        );
+        for (power, present) in self.power.iter().zip(&self.present) {
+            sample!(row: power.q, present.q);
+        }
     }
 }
 
@@ -40,31 +28,18 @@ impl<const R: usize, const P: usize, const V: usize, const S: usize, const W: us
     }
 
     fn drive(&mut self, row: &[u64]) {
-        let mut driver = Driver::new(row);
-        driver.put(&mut self.word);
-        driver.put(&mut self.write_query);
-        driver.put(&mut self.query_in);
-        driver.put(&mut self.radius_sq_in);
-        driver.put(&mut self.photon_in);
-        driver.put(&mut self.present_in);
-        driver.put(&mut self.power_in);
-        driver.put(&mut self.link_x);
-        driver.put(&mut self.link_y);
-        driver.put(&mut self.link_z);
-        driver.put(&mut self.link_w);
+        drive!(
+            self, row: word, write_query, query_in, radius_sq_in, photon_in, present_in, power_in,
+            link_x, link_y, link_z, link_w,
+        );
     }
 
     fn sample(&self, row: &mut Vec<u64>) {
-        row.push(self.sum_out.val().number());
-        row.push(self.z_out.val().number());
-        row.push(self.w_out.val().number());
+        sample!(self, row: sum_out, z_out, w_out);
         self.sample_registers(row);
     }
 
-    fn settle(&mut self) -> bool {
-        self.update_all();
-        !self.has_changed()
-    }
+    settle!();
 }
 
 impl<
@@ -104,30 +79,15 @@ impl<
     }
 
     fn sample(&self, row: &mut Vec<u64>) {
-        row.push(self.query_ready.val().number());
-        row.push(self.group_ready.val().number());
-        row.push(self.result_valid.val().number());
-        row.push(self.result_red.val().number());
-        row.push(self.result_green.val().number());
-        row.push(self.result_blue.val().number());
-        row.push(self.result_count.val().number());
-        let control = &self.control;
-        row.push(control.address.q.val().number());
-        row.push(control.occupied.q.val().number());
-        row.push(control.last.q.val().number());
-        row.push(control.drain.q.val().number());
-        row.push(control.done.q.val().number());
-        row.push(control.word_x.q.val().number());
-        row.push(control.word_y.q.val().number());
-        row.push(control.word_z.q.val().number());
-        row.push(control.word_d.q.val().number());
+        sample!(
+            self, row: query_ready, group_ready, result_valid, result_red, result_green, result_blue,
+            result_count, control.address.q, control.occupied.q, control.last.q, control.drain.q,
+            control.done.q, control.word_x.q, control.word_y.q, control.word_z.q, control.word_d.q,
+        );
         for cell in &self.cell {
             cell.sample_registers(row);
         }
     }
 
-    fn settle(&mut self) -> bool {
-        self.update_all();
-        !self.has_changed()
-    }
+    settle!();
 }

@@ -1,7 +1,7 @@
 //! The reconfigurable cell: register file, operand multiplexers, three units.
 //!
 //! The cell is figure 2 of Ryu, Kim, Lee. In every clock the control word selects the registers that are
-//! written and the operands of the units; see `photoncube_spec::OPS` for the meaning of the ops.
+//! written and the operands of the units; see `photoncube_spec::SEQUENTIAL` for the meaning of the ops.
 
 use crate::defaults::defaulted;
 use photoncube_spec::Squarer;

@@ -1,4 +1,4 @@
-//! The sequential machines in rust-hdl: all cells execute one op per clock; see `photoncube_spec::OPS`.
+//! The sequential machines in rust-hdl: all cells execute one op per clock; see `photoncube_spec::SEQUENTIAL`.
 
 mod cell;
 mod control;
@@ -11,4 +11,4 @@ mod units;
 pub(crate) use cell::Cell;
 pub(crate) use network::Network;
 pub(crate) use processor::Processor;
-pub(crate) use units::{AddUnit, GateUnit, SquareUnit};
+pub(crate) use units::build_unit;

@@ -1,51 +1,11 @@
 //! Drives and observes a sequential machine and its parts by rows of numbers.
 
-use photoncube_spec::{REGISTERS, Register};
 use rust_hdl::prelude::*;
 
 use super::cell::Cell;
 use super::network::Network;
 use super::processor::Processor;
-use super::units::{AddUnit, GateUnit, SquareUnit};
 use crate::pinned::{Driver, Pinned, Word, drive, sample, settle};
-
-impl<const S: usize> Pinned for AddUnit<S> {
-    fn drive(&mut self, row: &[u64]) {
-        drive!(self, row: a, b);
-    }
-
-    fn sample(&self, row: &mut Vec<u64>) {
-        sample!(self, row: sum);
-    }
-
-    settle!();
-}
-
-impl<const C: usize, const H: usize, const M: usize, const Q: usize> Pinned
-    for SquareUnit<C, H, M, Q>
-{
-    fn drive(&mut self, row: &[u64]) {
-        drive!(self, row: a, b);
-    }
-
-    fn sample(&self, row: &mut Vec<u64>) {
-        sample!(self, row: square);
-    }
-
-    settle!();
-}
-
-impl<const V: usize, const R: usize, const P: usize> Pinned for GateUnit<V, R, P> {
-    fn drive(&mut self, row: &[u64]) {
-        drive!(self, row: a, b, power);
-    }
-
-    fn sample(&self, row: &mut Vec<u64>) {
-        sample!(self, row: gated);
-    }
-
-    settle!();
-}
 
 impl<const N: usize, const V: usize, const X: usize> Pinned for Network<N, V, X> {
     fn drive(&mut self, row: &[u64]) {
@@ -75,16 +35,7 @@ impl<
 > Cell<C, H, M, Q, R, P, V, S>
 {
     fn sample_registers(&self, row: &mut Vec<u64>) {
-        for register in REGISTERS {
-            row.push(match register.register {
-                Register::Query => self.query.q.val().number(),
-                Register::RadiusSq => self.radius_sq.q.val().number(),
-                Register::Photon => self.photon.q.val().number(),
-                Register::Power => self.power.q.val().number(),
-                Register::Work => self.work.q.val().number(),
-                Register::Sum => self.sum.q.val().number(),
-            });
-        }
+        sample!(self, row: query.q, radius_sq.q, photon.q, power.q, work.q, sum.q);
     }
 }
 

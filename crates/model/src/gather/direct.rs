@@ -1,31 +1,9 @@
 //! The direct gather: the sums that a machine must return, computed photon by photon.
 
 use photoncube_spec::{Machine, Photon, Query, Sums};
-use thiserror::Error;
 
-use super::range::{Limits, RangeError};
-
-/// The reason why a gather is refused.
-#[derive(Clone, Debug, PartialEq, Eq, Error)]
-pub enum GatherError {
-    /// A value does not fit the machine's formats.
-    #[error(transparent)]
-    Range(#[from] RangeError),
-    /// The query has more photons than the sums are sized for.
-    #[error(
-        "a query of {found} photons is {} over the {max_photons} that machine `{machine}` declares: \
-         its sums could overflow; a smaller search radius or a machine with a larger `max_photons` has room",
-        .found - .max_photons
-    )]
-    TooManyPhotons {
-        /// The number of photons given.
-        found: u64,
-        /// The most photons that the machine declares for one query.
-        max_photons: u64,
-        /// The name of the machine.
-        machine: &'static str,
-    },
-}
+use super::error::{CountError, GatherError};
+use super::range::Limits;
 
 /// Sums the power and the number of the photons with `d^2 <= radius_sq`. The sums are exact.
 ///
@@ -56,11 +34,12 @@ pub fn gather(
         }
     }
     if given > machine.max_photons() {
-        return Err(GatherError::TooManyPhotons {
+        return Err(GatherError::Count(CountError {
             found: given,
             max_photons: machine.max_photons(),
-            machine: machine.name,
-        });
+            kind: "machine",
+            name: machine.name.to_owned(),
+        }));
     }
     Ok(sums)
 }

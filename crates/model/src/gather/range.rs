@@ -1,24 +1,8 @@
 //! The largest values that a machine can represent, and the check against them.
 
 use photoncube_spec::{Channels, Machine, Photon, PhotonFormat, Query, Widths};
-use thiserror::Error;
 
-/// The error of a value that does not fit its format.
-#[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[error(
-    "{what} is {value}, {} over the largest that machine `{machine}` holds, {largest}",
-    .value - .largest
-)]
-pub struct RangeError {
-    /// The name of the value.
-    pub what: &'static str,
-    /// The value that does not fit.
-    pub value: u32,
-    /// The largest value that fits.
-    pub largest: u32,
-    /// The name of the machine.
-    pub machine: &'static str,
-}
+use super::error::RangeError;
 
 const POSITION: [&str; 3] = ["position x", "position y", "position z"];
 const POWER: [&str; 3] = ["red power", "green power", "blue power"];
@@ -93,7 +77,7 @@ impl Limits {
             what,
             value,
             largest,
-            machine: self.machine,
+            holder: format!("machine `{}`", self.machine),
         })
     }
 }

@@ -1,11 +1,10 @@
 //! The cell of an overlapped machine: its registers and the effect of a clock on them.
 
-use photoncube_spec::overlap::{Op, POWER_WORDS};
-use photoncube_spec::{Axis, Widths};
+use photoncube_spec::{Axis, Op, POWER_WORDS, Step, Widths};
 
 const WORDS: usize = POWER_WORDS as usize;
 
-/// The registers of one cell; see [`photoncube_spec::overlap::Register`].
+/// The registers of one cell; see [`photoncube_spec::OVERLAPPED`].
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub struct OverlapCell {
     /// `q`: the query's coordinate.
@@ -58,11 +57,14 @@ pub struct CellPorts {
 }
 
 impl OverlapCell {
-    /// Applies one clock with the ops that write at its end. `neighbour` returns the cell across an axis, as
+    /// Applies one clock with the steps that write at its end. `neighbour` returns the cell across an axis, as
     /// it was before the clock.
+    ///
+    /// # Panics
+    /// Where an op is none of [`photoncube_spec::OVERLAPPED`].
     pub fn clock<'a>(
         &mut self,
-        ops: &[Op],
+        steps: &[Step],
         ports: &CellPorts,
         neighbour: impl Fn(Axis) -> &'a Self,
         widths: &Widths,
@@ -76,7 +78,7 @@ impl OverlapCell {
         self.addend = old.square;
         self.operand = 0;
         self.in_range = old.distance <= u64::from(old.radius_sq);
-        for &op in ops {
+        for &Step { op, axis } in steps {
             match op {
                 // The comparison is done in every clock, above.
                 Op::Compare => {}
@@ -93,13 +95,17 @@ impl OverlapCell {
                 Op::SquareDifference => {
                     self.square = old.digit_squares + 32 * old.low_product + 128 * old.high_product;
                 }
-                Op::Receive(axis) => self.operand = neighbour(axis).sent(axis),
+                Op::Receive => {
+                    self.operand = axis.map_or(0, |axis| neighbour(axis).sent(axis));
+                }
                 Op::Gate => self.operand = old.gated(),
                 Op::Add => self.work = (old.addend + old.operand) % (1 << widths.work),
                 Op::Accumulate => self.sum = (old.sum + old.operand) % (1 << widths.sum),
-                Op::Keep(None) => self.distance = old.work,
-                Op::Keep(Some(axis)) => self.distance = neighbour(axis).work,
-                Op::Relay => self.distance = neighbour(Axis::W).distance,
+                Op::Keep => self.distance = axis.map_or(old.work, |axis| neighbour(axis).work),
+                Op::Relay => {
+                    self.distance = axis.map_or(old.distance, |axis| neighbour(axis).distance);
+                }
+                _ => panic!("an overlapped cell has no op {op:?}"),
             }
         }
     }
@@ -130,7 +136,7 @@ impl OverlapCell {
         }
     }
 
-    /// The registers as numbers, in the order of [`photoncube_spec::overlap::Register::all`].
+    /// The registers as numbers, in the order of [`photoncube_spec::OVERLAPPED`].
     pub fn registers(&self) -> impl Iterator<Item = u64> {
         let fixed = [
             u64::from(self.query),

@@ -4,9 +4,10 @@
 //! It executes the program's ops. It uses control words only to show those in the control block's registers.
 //! Thus the comparison with the HDL also tests the encoding (spec) and the decoding (HDL) of control words.
 
-use photoncube_spec::overlap::{Op, Program, drain_bits};
+use photoncube_spec::overlap::{Program, drain_bits};
 use photoncube_spec::{
-    Group, Hypercube, Inputs, Machine, Outputs, Photon, Pins, Role, Sums, Widths,
+    Group, Hypercube, Inputs, Machine, OVERLAPPED, Op, Outputs, Photon, Pins, Role, Step, Sums,
+    Widths,
 };
 
 use super::cell::{CellPorts, OverlapCell};
@@ -37,8 +38,8 @@ pub struct OverlapMachine {
     widths: Widths,
     cube: Hypercube,
     program: Program,
-    /// For each address and role, the ops that write in that clock.
-    steps: Vec<[Vec<Op>; 4]>,
+    /// For each address and role, the steps that write in that clock.
+    steps: Vec<[Vec<Step>; 4]>,
     /// The control words of each role, by address.
     words: [Vec<u32>; 4],
     drain_bits: u32,
@@ -71,8 +72,9 @@ impl OverlapMachine {
 
     /// Whether a group is taken in this clock. All roles take a group in the same clocks.
     fn takes_group(&self) -> bool {
-        let takes =
-            |address| self.steps[address as usize][Role::X as usize].contains(&Op::LoadPower);
+        let takes = |address| {
+            self.steps[address as usize][Role::X as usize].contains(&Step::new(Op::LoadPower))
+        };
         self.control.at_work.is_some_and(takes) && !self.control.last
     }
 
@@ -150,17 +152,17 @@ fn ports(inputs: &Inputs, role: Role, lane: usize, group_taken: bool) -> CellPor
     }
 }
 
-/// The ops by the clock in which they write, the last clock of the op. The kernel's clocks repeat cyclically.
-fn steps(program: &Program) -> Vec<[Vec<Op>; 4]> {
+/// The steps by the clock in which they write, the last clock of the op. The kernel's clocks repeat cyclically.
+fn steps(program: &Program) -> Vec<[Vec<Step>; 4]> {
     let mut steps = vec![[const { Vec::new() }; 4]; program.end_address() as usize];
     for op in &program.kernel {
-        let last = (op.clock + op.op.row().latency - 1) % program.interval;
-        steps[last as usize][op.role as usize].push(op.op);
+        let last = (op.clock + OVERLAPPED.op(op.step.op).latency - 1) % program.interval;
+        steps[last as usize][op.role as usize].push(op.step);
     }
     for op in &program.epilogue {
         let address = (program.epilogue_address() + op.clock) as usize;
         for ops in &mut steps[address] {
-            ops.push(op.op);
+            ops.push(op.step);
         }
     }
     steps

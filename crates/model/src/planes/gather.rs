@@ -8,7 +8,7 @@ use super::lanes::{Lanes, OfBytes, OfFlatBytes, OfWords, Positions};
 use super::portable::Portable;
 use super::store::PhotonPlanes;
 use super::surroundings::Surroundings;
-use crate::gather::LocalError;
+use crate::gather::GatherError;
 
 /// The result of one query.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -80,7 +80,7 @@ impl PhotonPlanes {
         queries: &[LocalQuery],
         radius_sq: u32,
         found: &mut [Gathered],
-    ) -> Result<(), LocalError> {
+    ) -> Result<(), GatherError> {
         self.gather_by(Instructions::fastest(), around, queries, radius_sq, found)
     }
 
@@ -98,7 +98,7 @@ impl PhotonPlanes {
         queries: &[LocalQuery],
         radius_sq: u32,
         found: &mut [Gathered],
-    ) -> Result<(), LocalError> {
+    ) -> Result<(), GatherError> {
         assert_eq!(found.len(), queries.len(), "a place for each query");
         let edge = self.format().edge_steps();
         let elsewhere = |query: &&LocalQuery| {

@@ -3,7 +3,7 @@
 use photoncube_spec::{PhotonFormat, PhotonRecord};
 
 use super::leaf::{LEAF, Leaf, into_leaves};
-use crate::gather::{LocalGather, ValueError};
+use crate::gather::{LocalGather, RangeError};
 
 /// The planes of a leaf, with bytes behind them that the kernel may read and never uses, because it always
 /// reads a full leaf. There are at most 12 planes and one more, since positions of two bytes take two planes
@@ -76,7 +76,7 @@ impl PhotonPlanes {
         &mut self,
         block_exponent: u8,
         records: &[PhotonRecord],
-    ) -> Result<(), ValueError> {
+    ) -> Result<(), RangeError> {
         self.gather.limits().check_block_exponent(block_exponent)?;
         self.gather.limits().check_records(records)?;
         let mut records = records.to_vec();

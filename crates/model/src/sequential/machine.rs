@@ -5,7 +5,8 @@
 //! the encoding (spec) and the decoding (HDL) of control words.
 
 use photoncube_spec::{
-    Channels, Hypercube, Inputs, Machine, Op, Outputs, Photon, Pins, Role, Step, Sums,
+    Channels, Hypercube, Inputs, Machine, OpRow, Outputs, Photon, Pins, Role, SEQUENTIAL, Step,
+    Sums,
 };
 
 use super::cell::{CellInputs, CellRules, CellState};
@@ -50,7 +51,7 @@ impl StepMachine {
             .microprogram()
             .expect("a step machine is of a machine that runs a program");
         let steps = program.steps();
-        let reads_group = |step: &Step| matches!(step.op, Op::LoadPhoton | Op::LoadPower);
+        let reads_group = |step: &Step| SEQUENTIAL.op(step.op).reads_group();
         let cells = vec![CellState::default(); machine.hypercube().nodes()];
         Self {
             machine: *machine,
@@ -68,6 +69,16 @@ impl StepMachine {
     /// The step that this clock does, if it does not wait.
     pub fn step(&self) -> Step {
         self.steps[self.control.address]
+    }
+
+    fn row(&self) -> &'static OpRow {
+        SEQUENTIAL.op(self.step().op)
+    }
+
+    /// Whether the step waits for no stream.
+    fn has_words(&self, inputs: &Inputs) -> bool {
+        let row = self.row();
+        (!row.reads_query() || inputs.query_valid) && (!row.reads_group() || inputs.group_valid)
     }
 
     fn next_control(&self, runs: bool, inputs: &Inputs) -> ControlState {
@@ -104,13 +115,13 @@ impl StepMachine {
                 .unwrap_or_default();
             let sent = |axis| self.before[self.cube.neighbour(node, axis)].work;
             let ports = CellInputs {
-                query: role
-                    .coordinate()
-                    .map_or(self.rules.idle_query(), |axis| inputs.query.position[axis]),
-                radius_sq: inputs.query.radius_sq,
+                query: role.coordinate().map_or(self.rules.idle_query(), |axis| {
+                    inputs.query.position[axis].into()
+                }),
+                radius_sq: inputs.query.radius_sq.into(),
                 photon: role
                     .coordinate()
-                    .map_or(0, |axis| lane.photon.position[axis]),
+                    .map_or(0, |axis| lane.photon.position[axis].into()),
                 present: lane.present,
                 power: power(role, &lane.photon),
                 link: step.axis.map_or(0, sent),
@@ -129,7 +140,7 @@ impl GoldenMachine for StepMachine {
             Channels::Mono => [sum(Role::X), 0, 0],
         };
         Outputs {
-            query_ready: ready(self.step().op == Op::LoadQuery),
+            query_ready: ready(self.row().reads_query()),
             group_ready: ready(Some(self.control.address) == self.taker),
             result_valid: self.control.done,
             result: Sums {
@@ -151,12 +162,7 @@ impl GoldenMachine for StepMachine {
 
     fn clock(&mut self, inputs: &Inputs) {
         let step = self.step();
-        let waits = match step.op {
-            Op::LoadQuery => !inputs.query_valid,
-            Op::LoadPhoton | Op::LoadPower => !inputs.group_valid,
-            _ => false,
-        };
-        let runs = !self.control.done && !waits;
+        let runs = !self.control.done && self.has_words(inputs);
         if runs {
             self.execute(step, inputs);
         }
@@ -171,8 +177,7 @@ impl GoldenMachine for StepMachine {
         if self.control.done {
             return inputs.result_ready;
         }
-        let row = self.step().op.row();
-        (!row.reads_query || inputs.query_valid) && (!row.reads_group || inputs.group_valid)
+        self.has_words(inputs)
     }
 }
 

@@ -1,6 +1,6 @@
 //! Gathers many queries at once with the fast gather; the lookup for a block serves all queries in it.
 
-use photoncube_model::{Gathered, Instructions, LocalError, Surroundings};
+use photoncube_model::{GatherError, Gathered, Instructions, Surroundings};
 use rayon::prelude::*;
 
 use crate::photon_map::PhotonMap;
@@ -20,7 +20,7 @@ impl FormatMap<'_> {
     ///
     /// # Errors
     /// As for [`Self::gather`], for one of the queries.
-    pub fn gather_all(&self, queries: &[QueryPoint]) -> Result<Vec<Gathered>, LocalError> {
+    pub fn gather_all(&self, queries: &[QueryPoint]) -> Result<Vec<Gathered>, GatherError> {
         self.gather_all_by(Instructions::fastest(), queries)
     }
 
@@ -32,7 +32,7 @@ impl FormatMap<'_> {
         &self,
         instructions: Instructions,
         queries: &[QueryPoint],
-    ) -> Result<Vec<Gathered>, LocalError> {
+    ) -> Result<Vec<Gathered>, GatherError> {
         self.gather_at(instructions, queries, self.radius_sq())
     }
 
@@ -45,7 +45,7 @@ impl FormatMap<'_> {
         &self,
         queries: &[QueryPoint],
         radius_sq: u32,
-    ) -> Result<Vec<Gathered>, LocalError> {
+    ) -> Result<Vec<Gathered>, GatherError> {
         self.gather_at(Instructions::fastest(), queries, radius_sq)
     }
 
@@ -54,7 +54,7 @@ impl FormatMap<'_> {
         instructions: Instructions,
         queries: &[QueryPoint],
         radius_sq: u32,
-    ) -> Result<Vec<Gathered>, LocalError> {
+    ) -> Result<Vec<Gathered>, GatherError> {
         let mut found = vec![Gathered::default(); queries.len()];
         let tasks = queries.par_chunks(TASK_QUERIES);
         let places = found.par_chunks_mut(TASK_QUERIES);
@@ -70,7 +70,7 @@ impl FormatMap<'_> {
         queries: &[QueryPoint],
         radius_sq: u32,
         found: &mut [Gathered],
-    ) -> Result<(), LocalError> {
+    ) -> Result<(), GatherError> {
         let mut around = Surroundings::default();
         let mut blocks = Vec::with_capacity(queries.len());
         let mut local = Vec::with_capacity(queries.len());

@@ -6,7 +6,7 @@
 //! [`crate::estimate`].
 
 use glam::DVec3;
-use photoncube_model::{GatherError, LocalError, gather};
+use photoncube_model::{GatherError, gather};
 use photoncube_spec as spec;
 use thiserror::Error;
 
@@ -35,12 +35,9 @@ pub(crate) struct Estimate {
 /// The reason why an engine refused a query.
 #[derive(Debug, Error)]
 pub(crate) enum Refusal {
-    /// The machine's golden model refused it.
+    /// The golden model of the machine or of the photon format refused it.
     #[error(transparent)]
-    Machine(#[from] GatherError),
-    /// The photon format's golden model refused it.
-    #[error(transparent)]
-    Format(#[from] LocalError),
+    Gather(#[from] GatherError),
     /// The f64 reference has no such estimate.
     #[error(transparent)]
     Reference(#[from] EstimatorError),
@@ -99,7 +96,7 @@ pub(crate) fn gather_format(
     quantised: &FormatMap<'_>,
     query: &QueryPoint,
     radius_sq: u32,
-) -> Result<Disc, LocalError> {
+) -> Result<Disc, GatherError> {
     let blocks = quantised.blocks(query.position, query.normal);
     let tests = blocks.map(|block| block.photons.len() as u64).sum();
     let sums = quantised.gather_within(query.position, query.normal, radius_sq)?;

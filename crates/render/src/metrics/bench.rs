@@ -2,7 +2,7 @@
 //! view.
 
 use glam::DVec3;
-use photoncube_model::{GatherError, LocalError};
+use photoncube_model::GatherError;
 use rayon::prelude::*;
 use thiserror::Error;
 
@@ -70,12 +70,9 @@ pub enum BenchError {
     /// The rules of the machine or of the photon format do not fit.
     #[error(transparent)]
     Engine(#[from] RenderError),
-    /// The machine's golden model refused a query.
+    /// The golden model of the machine or of the photon format refused a query.
     #[error(transparent)]
     Gather(#[from] GatherError),
-    /// The photon format's golden model refused a query.
-    #[error(transparent)]
-    Local(#[from] LocalError),
     /// The f64 reference has no such estimate at a query.
     #[error(transparent)]
     Reference(#[from] EstimatorError),
@@ -90,8 +87,7 @@ pub enum BenchError {
 impl From<Refusal> for BenchError {
     fn from(refusal: Refusal) -> Self {
         match refusal {
-            Refusal::Machine(error) => Self::Gather(error),
-            Refusal::Format(error) => Self::Local(error),
+            Refusal::Gather(error) => Self::Gather(error),
             Refusal::Reference(error) => Self::Reference(error),
             Refusal::Estimator(error) => Self::Estimator(error),
         }

@@ -16,7 +16,7 @@ use std::borrow::Cow;
 use std::ops::Range;
 
 use glam::DVec3;
-use photoncube_model::{LocalError, LocalGather, PhotonPlanes};
+use photoncube_model::{GatherError, LocalGather, PhotonPlanes};
 use photoncube_spec::{
     Exponent, FormatError, LocalQuery, LocalSums, PhotonBlock, PhotonFormat, PhotonRecord,
 };
@@ -177,7 +177,7 @@ impl<'a> FormatMap<'a> {
     ///
     /// # Errors
     /// More photons are around the query than the format declares.
-    pub fn gather(&self, position: DVec3, normal: DVec3) -> Result<LocalSums, LocalError> {
+    pub fn gather(&self, position: DVec3, normal: DVec3) -> Result<LocalSums, GatherError> {
         self.gather_within(position, normal, self.radius_sq())
     }
 
@@ -197,7 +197,7 @@ impl<'a> FormatMap<'a> {
         position: DVec3,
         normal: DVec3,
         radius_sq: u32,
-    ) -> Result<LocalSums, LocalError> {
+    ) -> Result<LocalSums, GatherError> {
         let blocks = self.blocks(position, normal);
         let query = self.query(position);
         self.gather.gather_within(&query, radius_sq, blocks)

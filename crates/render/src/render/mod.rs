@@ -6,7 +6,7 @@ mod workload;
 
 use std::ops::AddAssign;
 
-use photoncube_model::{GatherError, LocalError};
+use photoncube_model::GatherError;
 use photoncube_spec::{Machine, PhotonFormat};
 use thiserror::Error;
 
@@ -60,7 +60,7 @@ pub enum RenderError {
         /// The error of the estimator.
         source: EstimatorError,
     },
-    /// The golden model of a machine refused a query.
+    /// The golden model of a machine or of a photon format refused a query.
     #[error("pixel ({x}, {y})")]
     Gather {
         /// Column, from the left.
@@ -70,24 +70,13 @@ pub enum RenderError {
         /// The error of the golden model.
         source: GatherError,
     },
-    /// The golden model of a photon format refused a query.
-    #[error("pixel ({x}, {y})")]
-    LocalGather {
-        /// Column, from the left.
-        x: u32,
-        /// Row, from the top.
-        y: u32,
-        /// The error of the golden model.
-        source: LocalError,
-    },
 }
 
 impl RenderError {
     /// Makes the error of a refused query, with its pixel.
     pub(crate) fn of(refusal: Refusal, x: u32, y: u32) -> Self {
         match refusal {
-            Refusal::Machine(source) => Self::Gather { x, y, source },
-            Refusal::Format(source) => Self::LocalGather { x, y, source },
+            Refusal::Gather(source) => Self::Gather { x, y, source },
             Refusal::Reference(source) => Self::Reference { x, y, source },
             Refusal::Estimator(source) => Self::Estimator(source),
         }
@@ -344,7 +333,7 @@ mod tests {
         };
         let error = render(&scene, &map, Engine::Format(&format), &OPTIONS, &|_| ()).unwrap_err();
         assert!(error.to_string().starts_with("pixel ("), "{error}");
-        assert!(matches!(error, RenderError::LocalGather { .. }));
+        assert!(matches!(error, RenderError::Gather { .. }));
     }
 
     #[test]

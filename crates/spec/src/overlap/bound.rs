@@ -3,8 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::graph::{Bundle, Edge, Graph, Part};
-use super::op::Unit;
-use super::register::Register;
+use crate::cell::{OVERLAPPED, Register, Unit};
 use crate::hypercube::{Axis, Role};
 
 /// A resource that an op occupies alone for one clock.
@@ -23,13 +22,14 @@ pub(super) type Use = (Resource, u32);
 
 /// The resources that an op occupies, with their clocks.
 pub(super) fn part_uses(part: &Part) -> Vec<Use> {
-    let (role, op, at) = (part.role, part.op, part.offset);
-    let row = op.row();
+    let (role, at) = (part.role, part.offset);
+    let row = OVERLAPPED.op(part.step.op);
     let written = at + row.latency - 1;
-    let mut uses = vec![(Resource::WritePort(role, op.write()), written)];
+    let written = |register| (Resource::WritePort(role, register), written);
+    let mut uses: Vec<_> = OVERLAPPED.writes(part.step).map(written).collect();
     uses.extend(row.unit.map(|unit| (Resource::Unit(role, unit), at)));
     let link = |axis| (Resource::Link(role.across(axis), axis), at);
-    uses.extend(op.axis().map(link));
+    uses.extend(part.step.axis.map(link));
     uses
 }
 
@@ -37,31 +37,12 @@ pub(super) fn bundle_uses(bundle: &Bundle) -> Vec<Use> {
     bundle.parts.iter().flat_map(part_uses).collect()
 }
 
-/// How often a unit works in one iteration.
-#[derive(Copy, Clone, Debug, PartialEq, Eq)]
-pub struct UnitBound {
-    /// The unit that is counted.
-    pub unit: Unit,
-    /// The number of ops in one iteration, in the four cells of a quad together.
-    pub uses: u32,
-    /// The number of ops in the cell that has most of them. No iteration is shorter than so many clocks.
-    pub clocks: u32,
-}
-
-/// The bound that each unit sets, in the order of [`Unit::ALL`].
-pub fn unit_bounds(graph: &Graph) -> Vec<UnitBound> {
-    let counts = resource_counts(graph);
-    let of = |unit| {
-        let of_unit = counts.iter().filter_map(move |(resource, &count)| {
-            matches!(resource, Resource::Unit(_, u) if *u == unit).then_some(count)
-        });
-        UnitBound {
-            unit,
-            uses: of_unit.clone().sum(),
-            clocks: of_unit.max().unwrap_or(0),
-        }
-    };
-    Unit::ALL.into_iter().map(of).collect()
+/// The fewest clocks of an iteration that a unit allows: its ops in the cell that has most of them.
+pub(super) fn unit_bound(graph: &Graph, unit: Unit) -> u32 {
+    let counts = resource_counts(graph).into_iter();
+    let of_unit =
+        counts.filter(|(resource, _)| matches!(resource, Resource::Unit(_, u) if *u == unit));
+    of_unit.map(|(_, count)| count).max().unwrap_or(0)
 }
 
 /// The fewest clocks of an iteration that the resources allow: the uses of the resource that is used most.

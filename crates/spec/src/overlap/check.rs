@@ -7,10 +7,10 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::content::{ALL_SQUARES, Content};
-use super::error::{Place, ProgramError};
-use super::op::{Op, Unit};
 use super::program::{KernelOp, Program};
-use super::register::{POWER_WORDS, Register};
+use crate::cell::{
+    OVERLAPPED, Op, POWER_WORDS, Place, Read, Register, ScheduleError, ScheduledStep, Step, Unit,
+};
 use crate::hypercube::{Axis, Hypercube, Role};
 
 /// Checks a program. Each unit does one op, each register has one writer and each link one word in a clock.
@@ -20,7 +20,7 @@ use crate::hypercube::{Axis, Hypercube, Role};
 ///
 /// # Errors
 /// The first violation, with its clock and node.
-pub fn check_program(program: &Program) -> Result<(), ProgramError> {
+pub fn check_program(program: &Program) -> Result<(), ScheduleError> {
     check_takes(program)?;
     let in_flight = program.stages() as usize * program.groups;
     // The longest query first: a word that overwrites another is then of another group, and the error names
@@ -38,11 +38,11 @@ pub fn check_program(program: &Program) -> Result<(), ProgramError> {
 }
 
 /// Checks that a group is taken by all nodes at once, since it stands on the pins for all of them.
-fn check_takes(program: &Program) -> Result<(), ProgramError> {
+fn check_takes(program: &Program) -> Result<(), ScheduleError> {
     for op in &program.kernel {
         if op.clock >= program.interval {
-            return Err(ProgramError::NoSuchClock {
-                place: place("kernel", 0, op.clock, op.role, op.op),
+            return Err(ScheduleError::NoSuchClock {
+                place: place("kernel", Some(0), op.clock, op.role, op.step),
                 clock: op.clock,
                 interval: program.interval,
             });
@@ -51,11 +51,11 @@ fn check_takes(program: &Program) -> Result<(), ProgramError> {
     for group in 0..program.groups {
         let clock = program.take_clock(group);
         for role in Role::ALL {
-            let is_take = |op: &&KernelOp| op.op == Op::LoadPower && op.group == group;
+            let is_take = |op: &&KernelOp| op.step.op == Op::LoadPower && op.group == group;
             let mut takes = program.kernel.iter().filter(is_take);
             if !takes.any(|op| (op.role, op.clock, op.stage) == (role, clock, 0)) {
                 let node = node(role);
-                return Err(ProgramError::NotTaken { clock, node });
+                return Err(ScheduleError::NotTakenByAll { clock, node });
             }
         }
     }
@@ -66,25 +66,25 @@ fn node(role: Role) -> usize {
     Hypercube::new(Hypercube::MIN_DIMENSION).result_node(role)
 }
 
-fn place(phase: &'static str, pass: u32, clock: u32, role: Role, op: Op) -> Box<Place> {
+fn place(phase: &'static str, pass: Option<u32>, clock: u32, role: Role, step: Step) -> Box<Place> {
     Box::new(Place {
         phase,
         pass,
         clock,
         node: node(role),
-        op: op.to_string(),
+        step: step.to_string(),
     })
 }
 
 type Cell = BTreeMap<Register, Content>;
 
-/// An op that starts in this clock.
+/// A step that starts in this clock.
 #[derive(Clone)]
 struct Start {
     place: Box<Place>,
     role: Role,
-    op: Op,
-    /// The group that the op must work on, if it is present.
+    step: Step,
+    /// The group that the step must work on, if it is present.
     group: Option<u32>,
 }
 
@@ -108,7 +108,7 @@ struct Query<'a> {
 }
 
 impl<'a> Query<'a> {
-    fn run(program: &'a Program, slots: Vec<bool>) -> Result<(), ProgramError> {
+    fn run(program: &'a Program, slots: Vec<bool>) -> Result<(), ScheduleError> {
         let mut query = Self {
             program,
             slots,
@@ -134,9 +134,9 @@ impl<'a> Query<'a> {
         let (pass, clock) = (clock / self.program.interval, clock % self.program.interval);
         let ops = self.program.kernel.iter().filter(|op| op.clock == clock);
         ops.map(|op| Start {
-            place: place("kernel", pass, clock, op.role, op.op),
+            place: place("kernel", Some(pass), clock, op.role, op.step),
             role: op.role,
-            op: op.op,
+            step: op.step,
             group: self.group(pass, op),
         })
         .collect()
@@ -152,22 +152,22 @@ impl<'a> Query<'a> {
 
     fn epilogue_starts(&self, clock: u32) -> Vec<Start> {
         let ops = self.program.epilogue.iter().filter(|op| op.clock == clock);
-        ops.flat_map(|op| {
+        ops.flat_map(|&ScheduledStep { step, .. }| {
             Role::ALL.map(|role| Start {
-                place: place("epilogue", 0, clock, role, op.op),
+                place: place("epilogue", None, clock, role, step),
                 role,
-                op: op.op,
+                step,
                 group: None,
             })
         })
         .collect()
     }
 
-    fn clock(&mut self, clock: u32, starts: Vec<Start>) -> Result<(), ProgramError> {
+    fn clock(&mut self, clock: u32, starts: Vec<Start>) -> Result<(), ScheduleError> {
         check_units_and_links(&starts)?;
         for start in starts {
             let content = self.result(&start)?;
-            let clock = clock + start.op.row().latency - 1;
+            let clock = clock + OVERLAPPED.op(start.step.op).latency - 1;
             self.results.push(Arriving {
                 clock,
                 start,
@@ -178,7 +178,7 @@ impl<'a> Query<'a> {
     }
 
     /// Applies the clock edge: writes the results that arrive in this clock.
-    fn write(&mut self, clock: u32) -> Result<(), ProgramError> {
+    fn write(&mut self, clock: u32) -> Result<(), ScheduleError> {
         for cell in &mut self.cells {
             let square = cell[&Register::Square].clone();
             cell.insert(Register::Addend, square);
@@ -191,43 +191,43 @@ impl<'a> Query<'a> {
         self.results = later;
         let mut written = BTreeMap::new();
         for Arriving { start, content, .. } in now {
-            let register = start.op.write();
-            if let Some(other) = written.insert((start.role, register), start.op) {
-                return Err(conflict(
-                    &start,
-                    other,
-                    format!("write {}", register.mnemonic()),
-                ));
+            for register in OVERLAPPED.writes(start.step) {
+                if let Some(other) = written.insert((start.role, register), start.step) {
+                    let what = format!("write {}", OVERLAPPED.register(register).mnemonic);
+                    return Err(conflict(&start, other, what));
+                }
+                self.cells[start.role as usize].insert(register, content.clone());
             }
-            self.cells[start.role as usize].insert(register, content);
         }
         Ok(())
     }
 
-    fn result(&self, start: &Start) -> Result<Content, ProgramError> {
+    fn result(&self, start: &Start) -> Result<Content, ScheduleError> {
         if start.place.phase == "epilogue" {
             return self.crossing(start);
         }
-        match start.op {
-            Op::Receive(Axis::X | Axis::Y) => Err(ProgramError::WrongPhase {
-                place: start.place.clone(),
-            }),
+        match start.step.op {
+            Op::Receive if matches!(start.step.axis, Some(Axis::X | Axis::Y)) => {
+                Err(ScheduleError::WrongPhase {
+                    place: start.place.clone(),
+                })
+            }
             Op::MovePower(_) => self.moved(start),
             Op::Gate => self.gated(start),
             Op::Accumulate => self.accumulated(start),
             _ => match start.group {
                 Some(group) => self.of_group(start, group),
-                None if start.op == Op::LoadPower => Ok(Content::Nothing),
+                None if start.step.op == Op::LoadPower => Ok(Content::Nothing),
                 None => Ok(Content::Stale),
             },
         }
     }
 
     /// The result of an op whose result alone changes no sum.
-    fn of_group(&self, start: &Start, group: u32) -> Result<Content, ProgramError> {
+    fn of_group(&self, start: &Start, group: u32) -> Result<Content, ScheduleError> {
         let coordinate = start.role.coordinate().unwrap_or(2);
         let complete = Content::Squares(ALL_SQUARES, group);
-        match start.op {
+        match start.step.op {
             Op::LoadPhoton => Ok(Content::Coordinate(coordinate, group)),
             Op::LoadPower => Ok(Content::Power(group)),
             Op::SquareDifference => {
@@ -236,24 +236,25 @@ impl<'a> Query<'a> {
                 self.expect(start, Register::Photon, None, photon)?;
                 Ok(Content::Squares(1 << coordinate, group))
             }
-            Op::Receive(axis) => {
-                let own = self.squares(start, Register::Square, None, group, 0)?;
-                let register = start.op.reads()[1].register;
-                let other = self.squares(start, register, Some(axis), group, own)?;
-                Ok(Content::Squares(other, group))
+            Op::Receive => {
+                let mut set = 0;
+                for Read { register, across } in OVERLAPPED.reads(start.step) {
+                    set = self.squares(start, register, across, group, set)?;
+                }
+                Ok(Content::Squares(set, group))
             }
             Op::Add => {
                 let own = self.squares(start, Register::Addend, None, group, 0)?;
                 let other = self.squares(start, Register::Operand, None, group, own)?;
                 Ok(Content::Squares(own | other, group))
             }
-            Op::Keep(axis) => self.expect(start, Register::Work, axis, complete),
+            Op::Keep => self.expect(start, Register::Work, start.step.axis, complete),
             Op::Compare => {
                 self.expect(start, Register::RadiusSq, None, Content::Query)?;
                 self.expect(start, Register::Distance, None, complete)?;
                 Ok(Content::InRange(group))
             }
-            Op::Relay => self.expect(start, Register::Distance, Some(Axis::W), complete),
+            Op::Relay => self.expect(start, Register::Distance, start.step.axis, complete),
             _ => unreachable!("has its own rule"),
         }
     }
@@ -266,7 +267,7 @@ impl<'a> Query<'a> {
         across: Option<Axis>,
         group: u32,
         others: u32,
-    ) -> Result<u32, ProgramError> {
+    ) -> Result<u32, ScheduleError> {
         match self.read(start, register, across) {
             (_, &Content::Squares(set, of)) if of == group && set & others == 0 => Ok(set),
             _ => {
@@ -280,15 +281,15 @@ impl<'a> Query<'a> {
     }
 
     /// The content of a power that is moved: a power, or its absence.
-    fn moved(&self, start: &Start) -> Result<Content, ProgramError> {
-        let register = start.op.reads()[0].register;
+    fn moved(&self, start: &Start) -> Result<Content, ScheduleError> {
+        let register = OVERLAPPED.reads(start.step)[0].register;
         match start.group {
             Some(group) => self.expect(start, register, None, Content::Power(group)),
             None => Ok(self.read(start, register, None).1.clone()),
         }
     }
 
-    fn gated(&self, start: &Start) -> Result<Content, ProgramError> {
+    fn gated(&self, start: &Start) -> Result<Content, ScheduleError> {
         let power = Register::Power(POWER_WORDS - 1);
         let Some(group) = start.group else {
             return self.expect(start, power, None, Content::Nothing);
@@ -298,7 +299,7 @@ impl<'a> Query<'a> {
         Ok(Content::Gated(group))
     }
 
-    fn accumulated(&self, start: &Start) -> Result<Content, ProgramError> {
+    fn accumulated(&self, start: &Start) -> Result<Content, ScheduleError> {
         let (_, sum) = self.read(start, Register::Sum, None);
         let Some(group) = start.group else {
             self.expect(start, Register::Operand, None, Content::Nothing)?;
@@ -320,17 +321,17 @@ impl<'a> Query<'a> {
 
     /// Receives a sum across a photon axis. All quads do the same, so the neighbour holds what the cell
     /// itself holds.
-    fn crossing(&self, start: &Start) -> Result<Content, ProgramError> {
+    fn crossing(&self, start: &Start) -> Result<Content, ScheduleError> {
         let (_, sum) = self.read(start, Register::Sum, None);
         let Content::Sum(groups, axes) = sum else {
             let expected = "the sum of the query".to_owned();
             return Err(self.precedence(start, Register::Sum, None, expected));
         };
-        match start.op {
-            Op::Receive(axis @ (Axis::X | Axis::Y)) if axes & (1 << axis.bit()) == 0 => {
+        match (start.step.op, start.step.axis) {
+            (Op::Receive, Some(axis @ (Axis::X | Axis::Y))) if axes & (1 << axis.bit()) == 0 => {
                 Ok(Content::SumAcross(axis, groups.clone(), *axes))
             }
-            Op::Accumulate => match self.read(start, Register::Operand, None).1 {
+            (Op::Accumulate, _) => match self.read(start, Register::Operand, None).1 {
                 Content::SumAcross(axis, g, a) if (g, a) == (groups, axes) => {
                     Ok(Content::Sum(groups.clone(), axes | (1 << axis.bit())))
                 }
@@ -339,7 +340,7 @@ impl<'a> Query<'a> {
                     Err(self.precedence(start, Register::Operand, None, expected))
                 }
             },
-            _ => Err(ProgramError::WrongPhase {
+            _ => Err(ScheduleError::WrongPhase {
                 place: start.place.clone(),
             }),
         }
@@ -357,7 +358,7 @@ impl<'a> Query<'a> {
         register: Register,
         across: Option<Axis>,
         expected: Content,
-    ) -> Result<Content, ProgramError> {
+    ) -> Result<Content, ScheduleError> {
         if *self.read(start, register, across).1 == expected {
             return Ok(expected);
         }
@@ -370,18 +371,18 @@ impl<'a> Query<'a> {
         register: Register,
         across: Option<Axis>,
         expected: String,
-    ) -> ProgramError {
+    ) -> ScheduleError {
         let (holder, found) = self.read(start, register, across);
-        ProgramError::Precedence {
+        ScheduleError::Precedence {
             place: start.place.clone(),
-            register: register.mnemonic(),
+            register: OVERLAPPED.register(register).mnemonic,
             holder: node(holder),
-            found: found.clone(),
+            found: found.to_string(),
             expected,
         }
     }
 
-    fn check_sums(&self) -> Result<(), ProgramError> {
+    fn check_sums(&self) -> Result<(), ScheduleError> {
         let there = (0..).zip(&self.slots).filter(|(_, there)| **there);
         let groups: BTreeSet<u32> = there.map(|(slot, _)| slot).collect();
         let axes = (1 << Axis::X.bit()) | (1 << Axis::Y.bit());
@@ -389,11 +390,12 @@ impl<'a> Query<'a> {
         for role in Role::ALL {
             let found = &self.cells[role as usize][&Register::Sum];
             if *found != expected {
-                return Err(ProgramError::Incomplete {
-                    groups: self.slots.iter().filter(|there| **there).count(),
+                let groups = self.slots.iter().filter(|there| **there).count();
+                return Err(ScheduleError::Incomplete {
+                    after: format!("a query of {groups} groups"),
                     node: node(role),
-                    found: found.clone(),
-                    expected,
+                    found: found.to_string(),
+                    expected: expected.to_string(),
                 });
             }
         }
@@ -409,32 +411,33 @@ fn loaded_cell() -> Cell {
         Register::Operand | Register::Power(_) => Content::Nothing,
         _ => Content::Stale,
     };
-    Register::all()
+    let registers = OVERLAPPED.registers.iter().map(|row| row.register);
+    registers
         .map(|register| (register, content(register)))
         .collect()
 }
 
-fn check_units_and_links(starts: &[Start]) -> Result<(), ProgramError> {
-    let mut units: BTreeMap<(Role, Unit), Op> = BTreeMap::new();
+fn check_units_and_links(starts: &[Start]) -> Result<(), ScheduleError> {
+    let mut units: BTreeMap<(Role, Unit), Step> = BTreeMap::new();
     let mut links: BTreeMap<(Role, Axis), Register> = BTreeMap::new();
     for start in starts {
-        if let Some(unit) = start.op.row().unit
-            && let Some(other) = units.insert((start.role, unit), start.op)
+        if let Some(unit) = OVERLAPPED.op(start.step.op).unit
+            && let Some(other) = units.insert((start.role, unit), start.step)
         {
             return Err(conflict(start, other, format!("need the {unit} unit")));
         }
-        let across = start.op.reads().into_iter();
+        let across = OVERLAPPED.reads(start.step).into_iter();
         for (read, axis) in across.filter_map(|read| Some((read, read.across?))) {
             let sender = start.role.across(axis);
             // On a photon axis the sender is the same role of another quad.
             let other = links.insert((sender, axis), read.register);
             if let Some(other) = other.filter(|other| *other != read.register) {
-                return Err(ProgramError::Link {
+                return Err(ScheduleError::Link {
                     place: start.place.clone(),
                     sender: node(sender),
                     axis,
-                    register: read.register.mnemonic(),
-                    other: other.mnemonic(),
+                    register: OVERLAPPED.register(read.register).mnemonic,
+                    other: OVERLAPPED.register(other).mnemonic,
                 });
             }
         }
@@ -442,8 +445,8 @@ fn check_units_and_links(starts: &[Start]) -> Result<(), ProgramError> {
     Ok(())
 }
 
-fn conflict(start: &Start, other: Op, what: String) -> ProgramError {
-    ProgramError::Conflict {
+fn conflict(start: &Start, other: Step, what: String) -> ScheduleError {
+    ScheduleError::Conflict {
         place: start.place.clone(),
         other: other.to_string(),
         what,

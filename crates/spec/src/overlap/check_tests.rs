@@ -60,7 +60,7 @@ fn later(op: &mut KernelOp, clocks: u32) {
 #[test]
 fn an_op_too_late_is_named_with_what_it_finds() {
     let said = message(|op| {
-        if (op.role, op.op, op.group) == (Role::D, Op::Keep(None), 0) {
+        if (op.role, op.step, op.group) == (Role::D, Step::new(Op::Keep), 0) {
             later(op, 3);
         }
     });
@@ -72,7 +72,7 @@ fn an_op_too_late_is_named_with_what_it_finds() {
 #[test]
 fn two_ops_on_one_unit_are_named() {
     let said = message(|op| {
-        if (op.role, op.op, op.group) == (Role::X, Op::Accumulate, 0) {
+        if (op.role, op.step.op, op.group) == (Role::X, Op::Accumulate, 0) {
             later(op, 1);
         }
     });
@@ -87,7 +87,7 @@ fn two_ops_on_one_unit_are_named() {
 #[test]
 fn a_word_that_is_overwritten_is_named_with_what_came_over_it() {
     let said = message(|op| {
-        if (op.role, op.op, op.group) == (Role::X, Op::SquareDifference, 0) {
+        if (op.role, op.step.op, op.group) == (Role::X, Op::SquareDifference, 0) {
             later(op, 2);
         }
     });
@@ -99,7 +99,7 @@ fn a_word_that_is_overwritten_is_named_with_what_came_over_it() {
 #[test]
 fn a_group_that_some_node_does_not_take_is_named() {
     let said = message(|op| {
-        if (op.role, op.op, op.group) == (Role::Y, Op::LoadPower, 1) {
+        if (op.role, op.step.op, op.group) == (Role::Y, Op::LoadPower, 1) {
             op.clock = 2;
         }
     });
@@ -112,10 +112,10 @@ fn a_group_that_some_node_does_not_take_is_named() {
 #[test]
 fn a_link_with_two_words_is_named() {
     let mut wrong = program();
-    let relay = wrong.kernel.iter().position(|op| op.op == Op::Relay);
+    let relay = wrong.kernel.iter().position(|op| op.step.op == Op::Relay);
     let KernelOp { role, .. } = wrong.kernel[relay.unwrap()];
     let keep = KernelOp {
-        op: Op::Keep(Some(Axis::W)),
+        step: Step::across(Op::Keep, Axis::W),
         ..wrong.kernel[relay.unwrap()]
     };
     wrong.kernel.push(keep);

@@ -5,8 +5,7 @@
 //! words of successive groups in turn, so two kinds of edges connect neighbouring groups: a word is
 //! overwritten only after its last reader, and words are written in the order of the groups.
 
-use super::op::Op;
-use super::register::{POWER_WORDS, Register};
+use crate::cell::{OVERLAPPED, Op, POWER_WORDS, Register, Step};
 use crate::hypercube::{Axis, Role};
 
 /// The cells that add up a group's distance: `first` adds the squares of x and y, `second` adds the square of
@@ -35,14 +34,14 @@ pub const ROTATED: &[Adders] = &[
 /// One pair of cells for every group, as in the paper.
 pub const FIXED: &[Adders] = &[ROTATED[0]];
 
-/// An op of one cell of the quad.
+/// A step of one cell of the quad.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct Part {
     /// The role of the cell.
     pub role: Role,
-    /// The op that the cell does.
-    pub op: Op,
-    /// Clocks from the bundle's first op to this op.
+    /// The step that the cell does.
+    pub step: Step,
+    /// Clocks from the bundle's first step to this one.
     pub offset: u32,
 }
 
@@ -102,8 +101,10 @@ impl Graph {
 /// All ops of a quad for one group, as bundles.
 fn group_parts(adders: Adders) -> Vec<Vec<Part>> {
     let Adders { first, second } = adders;
-    let at = |offset, role, op| Part { role, op, offset };
+    let part = |offset, role, step| Part { role, step, offset };
+    let at = |offset, role, op| part(offset, role, Step::new(op));
     let one = |role, op| vec![at(0, role, op)];
+    let across = |role, op, axis| part(0, role, Step::across(op, axis));
     let squaring = [Role::X, Role::Y, second];
     let mut bundles = Vec::new();
     let mut load: Vec<_> = Role::ALL.map(|role| at(0, role, Op::LoadPower)).into();
@@ -111,12 +112,15 @@ fn group_parts(adders: Adders) -> Vec<Vec<Part>> {
     bundles.push(load);
     bundles.extend(squaring.map(|role| one(role, Op::SquareDifference)));
     for (adder, axis) in [(first, Axis::Z), (second, Axis::W)] {
-        bundles.push(vec![at(0, adder, Op::Receive(axis)), at(1, adder, Op::Add)]);
+        bundles.push(vec![
+            across(adder, Op::Receive, axis),
+            at(1, adder, Op::Add),
+        ]);
     }
-    bundles.push(one(second, Op::Keep(None)));
-    bundles.push(one(first, Op::Keep(Some(Axis::W))));
-    bundles.push(one(second.across(Axis::Z), Op::Keep(Some(Axis::Z))));
-    bundles.push(one(first.across(Axis::Z), Op::Relay));
+    bundles.push(one(second, Op::Keep));
+    bundles.push(vec![across(first, Op::Keep, Axis::W)]);
+    bundles.push(vec![across(second.across(Axis::Z), Op::Keep, Axis::Z)]);
+    bundles.push(vec![across(first.across(Axis::Z), Op::Relay, Axis::W)]);
     for role in Role::ALL {
         bundles.extend((1..POWER_WORDS).map(|place| one(role, Op::MovePower(place))));
         bundles.push(vec![
@@ -143,6 +147,12 @@ fn is_queue(register: Register) -> bool {
     )
 }
 
+/// The registers of a cell that are queues.
+fn queues() -> impl Iterator<Item = Register> {
+    let registers = OVERLAPPED.registers.iter().map(|row| row.register);
+    registers.filter(|&register| is_queue(register))
+}
+
 /// A read or a write of one register.
 #[derive(Copy, Clone)]
 struct Access {
@@ -155,7 +165,7 @@ struct Access {
 fn edges(bundles: &[Bundle], groups: usize) -> Vec<Edge> {
     let mut edges = Vec::new();
     for role in Role::ALL {
-        for register in Register::all().filter(|&register| is_queue(register)) {
+        for register in queues() {
             let writes = writes(bundles, role, register);
             let reads = reads(bundles, role, register);
             edges.extend(register_edges(&writes, &reads, groups));
@@ -168,14 +178,17 @@ fn edges(bundles: &[Bundle], groups: usize) -> Vec<Edge> {
 
 fn writes(bundles: &[Bundle], role: Role, register: Register) -> Vec<Access> {
     accesses(bundles, |part| {
-        let writes = part.role == role && part.op.write() == register;
-        writes.then(|| i64::from(part.op.row().latency) - 1)
+        let writes = part.role == role
+            && OVERLAPPED
+                .writes(part.step)
+                .any(|written| written == register);
+        writes.then(|| i64::from(OVERLAPPED.op(part.step.op).latency) - 1)
     })
 }
 
 fn reads(bundles: &[Bundle], role: Role, register: Register) -> Vec<Access> {
     accesses(bundles, |part| {
-        let mut reads = part.op.reads().into_iter();
+        let mut reads = OVERLAPPED.reads(part.step).into_iter();
         let is_it = reads.any(|read| {
             let holder = read.across.map_or(part.role, |axis| part.role.across(axis));
             holder == role && read.register == register
@@ -233,7 +246,7 @@ mod tests {
         for adders in [ROTATED, FIXED] {
             let graph = Graph::new(adders);
             for role in Role::ALL {
-                for register in Register::all().filter(|&register| is_queue(register)) {
+                for register in queues() {
                     let writes = writes(&graph.bundles, role, register);
                     for read in reads(&graph.bundles, role, register) {
                         let of_group = writes.iter().filter(|write| write.group == read.group);
@@ -248,7 +261,7 @@ mod tests {
     fn a_group_is_six_adds_three_squares_and_four_gates() {
         for (group, adders) in ROTATED.iter().enumerate() {
             let parts: Vec<_> = group_parts(*adders).concat();
-            let count = |op: &dyn Fn(Op) -> bool| parts.iter().filter(|p| op(p.op)).count();
+            let count = |op: &dyn Fn(Op) -> bool| parts.iter().filter(|p| op(p.step.op)).count();
             assert_eq!(count(&|op| op == Op::SquareDifference), 3, "{group}");
             assert_eq!(count(&|op| op == Op::Add), 2, "{group}");
             assert_eq!(count(&|op| op == Op::Accumulate), 4, "{group}");

@@ -5,8 +5,8 @@
 
 use std::fmt;
 
-use super::op::Op;
 use super::program::{KernelOp, Program};
+use crate::cell::Op;
 use crate::hypercube::Role;
 
 /// A column of the listing.
@@ -30,7 +30,7 @@ const COLUMNS: &[Column] = &[
     },
     Column {
         title: "operand",
-        shows: |op| matches!(op, Op::Receive(_) | Op::Gate),
+        shows: |op| matches!(op, Op::Receive | Op::Gate),
     },
     Column {
         title: "adder",
@@ -38,7 +38,7 @@ const COLUMNS: &[Column] = &[
     },
     Column {
         title: "distance",
-        shows: |op| matches!(op, Op::Keep(_) | Op::Relay),
+        shows: |op| matches!(op, Op::Keep | Op::Relay),
     },
     Column {
         title: "power: word of the queue, and whose",
@@ -67,7 +67,7 @@ impl fmt::Display for Program {
         }
         writeln!(f, "epilogue, {} clocks:", self.epilogue_clocks())?;
         for op in &self.epilogue {
-            writeln!(f, "{:>5}  all   {}", op.clock, op.op)?;
+            writeln!(f, "{:>5}  all   {}", op.clock, op.step)?;
         }
         Ok(())
     }
@@ -75,7 +75,8 @@ impl fmt::Display for Program {
 
 impl Program {
     fn entry(&self, clock: u32, role: Role, column: &Column) -> String {
-        let here = |op: &&KernelOp| op.clock == clock && op.role == role && (column.shows)(op.op);
+        let here =
+            |op: &&KernelOp| op.clock == clock && op.role == role && (column.shows)(op.step.op);
         let entries: Vec<_> = self.kernel.iter().filter(here).map(entry).collect();
         entries.join(" ")
     }
@@ -86,10 +87,10 @@ impl Program {
 fn entry(op: &KernelOp) -> String {
     let letter = char::from(b'a' + op.group as u8);
     let of = format!("{letter}{}", op.stage);
-    match op.op {
+    match op.step.op {
         Op::LoadPower => format!("0:{of}"),
         Op::MovePower(place) => format!("{place}:{of}"),
-        other => format!("{other} {of}"),
+        _ => format!("{} {of}", op.step),
     }
 }
 

@@ -6,33 +6,22 @@
 //! to its own sum. Two groups thus take twelve adds on four adders, which are three clocks. The sums cross
 //! the photon axes only when the query ends.
 //!
-//! The words op, unit and register have the meaning that they have at the crate's root, applied to this
-//! organisation.
+//! The cell's ops, registers and control fields are the rows of [`crate::OVERLAPPED`].
 
 mod bound;
 mod check;
 mod content;
 mod control;
-mod error;
 mod graph;
 mod listing;
-mod op;
-mod pins;
 mod program;
-mod register;
 mod report;
 mod schedule;
 
-pub use bound::{Resource, UnitBound, recurrence_bound, resource_bound, unit_bounds};
+pub use bound::{Resource, recurrence_bound, resource_bound};
 pub use check::check_program;
-pub use content::{AxisSet, Content};
-pub use control::{ControlWord, FIELDS, Field, FieldRow, asked_of, control_word_bits};
-pub use error::{Place, ProgramError};
+pub use control::{asked_of, control_word_bits, drain_bits};
 pub use graph::{Adders, Bundle, Edge, FIXED, Graph, Part, ROTATED};
-pub use op::{OPS, Op, OpRow, Read, Unit};
-pub(crate) use pins::pins;
-pub use pins::{CONTROL_REGISTERS, drain_bits};
-pub use program::{EpilogueOp, KernelOp, Program};
-pub use register::{POWER_WORDS, Register};
-pub use report::{ProgramReport, UnitUse, program_report};
+pub use program::{KernelOp, Program};
+pub use report::{ProgramReport, program_report};
 pub use schedule::{Schedule, SchedulerError, schedule, schedule_at};

@@ -5,8 +5,8 @@
 //! or on nothing. A missing group has an absent power, so it adds nothing to a sum.
 
 use super::graph::{Graph, ROTATED};
-use super::op::Op;
 use super::schedule::{Schedule, SchedulerError, schedule};
+use crate::cell::{OVERLAPPED, Op, ScheduledStep, Step, phase_clocks};
 use crate::hypercube::{Axis, Role};
 
 /// An op of the kernel. All quads do it alike.
@@ -20,17 +20,8 @@ pub struct KernelOp {
     pub group: usize,
     /// The role of the cell that does the op.
     pub role: Role,
-    /// The op that the cell does.
-    pub op: Op,
-}
-
-/// An op of the epilogue. All cells do it alike.
-#[derive(Copy, Clone, Debug, PartialEq, Eq)]
-pub struct EpilogueOp {
-    /// The clock, counted from the epilogue's first.
-    pub clock: u32,
-    /// The op that all cells do.
-    pub op: Op,
+    /// The step that the cell does.
+    pub step: Step,
 }
 
 /// The program of an overlapped machine.
@@ -42,8 +33,8 @@ pub struct Program {
     pub groups: usize,
     /// The ops of a pass, by clock, role and op.
     pub kernel: Vec<KernelOp>,
-    /// The ops of the epilogue, which add the sums across the photon axes.
-    pub epilogue: Vec<EpilogueOp>,
+    /// The steps of the epilogue, which add the sums across the photon axes. All cells do them alike.
+    pub epilogue: Vec<ScheduledStep>,
     /// Clocks from the one in which the last group is taken to the first of the epilogue.
     pub drain_clocks: u32,
 }
@@ -72,12 +63,12 @@ impl Program {
                         stage: clock / interval,
                         group: bundle.group,
                         role: part.role,
-                        op: part.op,
+                        step: part.step,
                     }
                 })
             })
             .collect();
-        kernel.sort_by_key(|op| (op.clock, op.role, op.op, op.group));
+        kernel.sort_by_key(|op| (op.clock, op.role, op.step, op.group));
         let mut program = Self {
             interval,
             groups: graph.groups,
@@ -97,14 +88,14 @@ impl Program {
 
     /// The clock of a pass in which a group of the iteration is taken.
     pub fn take_clock(&self, group: usize) -> u32 {
-        let is_take = |op: &&KernelOp| op.op == Op::LoadPower && op.group == group;
+        let is_take = |op: &&KernelOp| op.step.op == Op::LoadPower && op.group == group;
         self.kernel.iter().find(is_take).map_or(0, |op| op.clock)
     }
 
     /// Clocks from the one in which a group is taken to the first after the group's last accumulation.
     pub fn latency(&self, group: usize) -> u32 {
         let of_group = self.kernel.iter().filter(|op| op.group == group);
-        let ends = of_group.map(|op| self.time(op) + op.op.row().latency);
+        let ends = of_group.map(|op| self.time(op) + OVERLAPPED.op(op.step.op).latency);
         ends.max().map_or(0, |end| end - self.take_clock(group))
     }
 
@@ -115,8 +106,7 @@ impl Program {
 
     /// The number of clocks of the epilogue.
     pub fn epilogue_clocks(&self) -> u32 {
-        let ends = self.epilogue.iter().map(|op| op.clock + 1);
-        ends.max().unwrap_or(0)
+        phase_clocks(&self.epilogue)
     }
 
     /// Clocks from the one in which a query is taken to the first in which its result can be taken, for
@@ -142,14 +132,11 @@ impl Program {
     }
 }
 
-/// The ops that add the sums across these axes. Each axis takes two clocks: the sums are received, then
+/// The steps that add the sums across these axes. Each axis takes two clocks: the sums are received, then
 /// added.
-fn cross(axes: &[Axis]) -> Vec<EpilogueOp> {
-    let ops = axes
+fn cross(axes: &[Axis]) -> Vec<ScheduledStep> {
+    let steps = axes
         .iter()
-        .flat_map(|&axis| [Op::Receive(axis), Op::Accumulate]);
-    (0..)
-        .zip(ops)
-        .map(|(clock, op)| EpilogueOp { clock, op })
-        .collect()
+        .flat_map(|&axis| [Step::across(Op::Receive, axis), Step::new(Op::Accumulate)]);
+    ScheduledStep::one_a_clock(&steps.collect::<Vec<_>>())
 }

@@ -1,29 +1,9 @@
 //! The utilisation of an overlapped program.
 
-use super::bound::{UnitBound, resource_bound, unit_bounds};
+use super::bound::{resource_bound, unit_bound};
 use super::graph::{Graph, ROTATED};
-use super::op::Unit;
 use super::program::Program;
-
-/// The utilisation of a unit in the kernel.
-#[derive(Copy, Clone, Debug, PartialEq, Eq)]
-pub struct UnitUse {
-    /// The unit that is counted.
-    pub unit: Unit,
-    /// The number of ops that the unit starts in one pass, in the four cells of a quad together.
-    pub busy_clocks: u32,
-    /// Clocks of a pass, summed over the four cells.
-    pub clocks: u32,
-    /// The fewest clocks of a pass that this unit allows.
-    pub bound: u32,
-}
-
-impl UnitUse {
-    /// Busy clocks over all clocks.
-    pub fn utilisation(&self) -> f64 {
-        f64::from(self.busy_clocks) / f64::from(self.clocks)
-    }
-}
+use crate::cell::{OVERLAPPED, UnitUse, unit_utilisation};
 
 /// The utilisation of a program's kernel. The ports are not counted among the units, because their use is
 /// limited by the group stream.
@@ -44,8 +24,7 @@ pub struct ProgramReport {
 impl ProgramReport {
     /// Busy unit clocks over all unit clocks.
     pub fn unit_utilisation(&self) -> f64 {
-        let sum = |count: fn(&UnitUse) -> u32| self.units.iter().map(count).sum::<u32>();
-        f64::from(sum(|unit| unit.busy_clocks)) / f64::from(sum(|unit| unit.clocks))
+        unit_utilisation(&self.units)
     }
 
     /// The unit that sets the resource bound, with its use.
@@ -58,30 +37,30 @@ impl ProgramReport {
 pub fn program_report(program: &Program) -> ProgramReport {
     let graph = Graph::new(ROTATED);
     let cells = 4;
-    let units = unit_bounds(&graph).into_iter().take(3);
+    let unit_use = |unit| {
+        let starts = program.kernel.iter();
+        let starts = starts.filter(|op| OVERLAPPED.op(op.step.op).unit == Some(unit));
+        UnitUse {
+            unit,
+            busy_clocks: starts.count() as u32,
+            clocks: cells * program.interval,
+            bound: unit_bound(&graph, unit),
+        }
+    };
+    let units = OVERLAPPED.computing_units().into_iter();
     ProgramReport {
         interval: program.interval,
         groups: program.groups,
         resource_bound: resource_bound(&graph),
         latency_clocks: program.drain_clocks,
-        units: units
-            .map(|UnitBound { unit, clocks, .. }| {
-                let starts = program.kernel.iter();
-                let starts = starts.filter(|op| op.op.row().unit == Some(unit));
-                UnitUse {
-                    unit,
-                    busy_clocks: starts.count() as u32,
-                    clocks: cells * program.interval,
-                    bound: clocks,
-                }
-            })
-            .collect(),
+        units: units.map(unit_use).collect(),
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cell::Unit;
 
     #[test]
     fn the_adders_bind_and_work_in_every_clock() {

@@ -16,8 +16,8 @@ use std::fmt;
 
 use thiserror::Error;
 
-use super::microprogram::{Microprogram, ScheduledStep, Step};
-use super::op::{OPS, Op};
+use super::microprogram::Microprogram;
+use crate::cell::{SEQUENTIAL, ScheduledStep, Step};
 use crate::hypercube::Axis;
 
 /// The largest clock that a listing may name. It is far past any useful program and bounds memory.
@@ -80,12 +80,13 @@ fn parse_step(line: usize, content: &str) -> Result<ScheduledStep, ListingError>
         .filter(|&clock| clock <= MAX_CLOCK)
         .ok_or_else(|| error(line, clock, &format!("a clock from 0 to {MAX_CLOCK}")))?;
     let mnemonic = words.next().unwrap_or_default();
-    let op = Op::from_mnemonic(mnemonic).ok_or_else(|| error(line, mnemonic, &mnemonics()))?;
+    let op = SEQUENTIAL.op_named(mnemonic);
+    let op = op.ok_or_else(|| error(line, mnemonic, &mnemonics()))?;
     let axis = words.next();
     if let Some(extra) = words.next() {
         return Err(error(line, extra, "the end of the line"));
     }
-    let axis = match (op.row().uses_link, axis) {
+    let axis = match (SEQUENTIAL.op(op).link.is_some(), axis) {
         (false, None) => None,
         (false, Some(word)) => return Err(error(line, word, "the end of the line")),
         (true, word) => {
@@ -101,7 +102,7 @@ fn parse_step(line: usize, content: &str) -> Result<ScheduledStep, ListingError>
 }
 
 fn mnemonics() -> String {
-    let names: Vec<_> = OPS.iter().map(|row| row.mnemonic).collect();
+    let names: Vec<_> = SEQUENTIAL.ops.iter().map(|row| row.op.mnemonic()).collect();
     format!("one of {}", names.join(", "))
 }
 
@@ -123,7 +124,7 @@ impl fmt::Display for Microprogram {
             writeln!(f, "{name}:")?;
             for scheduled in phase {
                 let step = scheduled.step.to_string();
-                let row = scheduled.step.op.row();
+                let row = SEQUENTIAL.op(scheduled.step.op);
                 let unit = row.unit.map_or("-", |unit| unit.name());
                 writeln!(
                     f,

@@ -1,57 +1,12 @@
 //! The microprogram of a sequential machine: which op runs in which clock.
 
-use std::fmt;
-
-use super::control::{ControlWord, encode};
-use super::op::Op;
-use crate::hypercube::{Axis, Hypercube};
+use super::control::encode;
+use crate::cell::{ControlWord, Op, SEQUENTIAL, ScheduledStep, Step, phase_clocks};
+use crate::hypercube::Hypercube;
 
 /// The fewest address bits of a control store. Every store has at least 16 places, so short programs need no
 /// program-counter width of their own. The places behind the program hold the control word that does nothing.
 const MIN_ADDRESS_BITS: u32 = 4;
-
-/// An op with the network axis that it uses, if it uses one.
-#[derive(Copy, Clone, Debug, PartialEq, Eq, Hash)]
-pub struct Step {
-    /// The op of the step.
-    pub op: Op,
-    /// The axis of the link; `Some` exactly where [`crate::OpRow::uses_link`] is true.
-    pub axis: Option<Axis>,
-}
-
-impl Step {
-    /// A step that uses no link.
-    pub fn new(op: Op) -> Self {
-        Self { op, axis: None }
-    }
-
-    /// A step that does the exchange-add on an axis.
-    pub fn exchange_add(axis: Axis) -> Self {
-        Self {
-            op: Op::ExchangeAdd,
-            axis: Some(axis),
-        }
-    }
-}
-
-impl fmt::Display for Step {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.op.row().mnemonic)?;
-        match self.axis {
-            Some(axis) => write!(f, " {axis}"),
-            None => Ok(()),
-        }
-    }
-}
-
-/// A step with the clock, counted from 0, in which every cell does it.
-#[derive(Copy, Clone, Debug, PartialEq, Eq)]
-pub struct ScheduledStep {
-    /// The clock, counted from 0 in its phase.
-    pub clock: u32,
-    /// The step that all cells do in that clock.
-    pub step: Step,
-}
 
 /// The program of a sequential machine. One phase runs once for each query, the other once for each group of
 /// photons.
@@ -80,16 +35,16 @@ impl Microprogram {
         steps.extend(cube.photon_axes().map(Step::exchange_add));
         steps.push(Step::new(Op::Accumulate));
         Self {
-            query: one_a_clock(&[Step::new(Op::LoadQuery)]),
-            iteration: one_a_clock(&steps),
+            query: ScheduledStep::one_a_clock(&[Step::new(Op::LoadQuery)]),
+            iteration: ScheduledStep::one_a_clock(&steps),
         }
     }
 
     /// Makes the program of these steps, one step in each clock.
     pub fn of_phases(query: &[Step], iteration: &[Step]) -> Self {
         Self {
-            query: one_a_clock(query),
-            iteration: one_a_clock(iteration),
+            query: ScheduledStep::one_a_clock(query),
+            iteration: ScheduledStep::one_a_clock(iteration),
         }
     }
 
@@ -106,7 +61,7 @@ impl Microprogram {
     /// Clocks from a query's first step to the step that takes the query, inclusive.
     pub fn clocks_up_to_the_query(&self) -> u64 {
         let mut query = self.query.iter();
-        let taker = query.find(|scheduled| scheduled.step.op.row().reads_query);
+        let taker = query.find(|scheduled| SEQUENTIAL.op(scheduled.step.op).reads_query());
         taker.map_or(0, |taker| u64::from(taker.clock) + 1)
     }
 
@@ -147,27 +102,23 @@ impl Microprogram {
         (usize::BITS - last.leading_zeros()).max(MIN_ADDRESS_BITS)
     }
 
+    /// The widths of the control block's registers, in the order of [`SEQUENTIAL`].
+    pub(crate) fn control_widths(&self) -> [u32; 3] {
+        [self.address_bits(), 1, 1]
+    }
+
     /// Encodes the program: one control word for each of [`Self::steps`].
     pub fn control_words(&self) -> Vec<ControlWord> {
         let steps = self.steps();
-        let taker = steps.iter().rposition(|step| step.op.row().reads_group);
+        let taker = steps
+            .iter()
+            .rposition(|step| SEQUENTIAL.op(step.op).reads_group());
         steps
             .iter()
             .enumerate()
             .map(|(address, &step)| encode(step, Some(address) == taker))
             .collect()
     }
-}
-
-fn one_a_clock(steps: &[Step]) -> Vec<ScheduledStep> {
-    (0..)
-        .zip(steps)
-        .map(|(clock, &step)| ScheduledStep { clock, step })
-        .collect()
-}
-
-fn phase_clocks(phase: &[ScheduledStep]) -> u32 {
-    phase.iter().map(|s| s.clock + 1).max().unwrap_or(0)
 }
 
 fn step_at(phase: &[ScheduledStep], clock: u32) -> Option<Step> {
@@ -177,7 +128,7 @@ fn step_at(phase: &[ScheduledStep], clock: u32) -> Option<Step> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sequential::Field;
+    use crate::cell::Field;
 
     #[test]
     fn the_papers_program_takes_nine_clocks_for_four_photons() {
@@ -198,7 +149,7 @@ mod tests {
         let words = Microprogram::all_reduce(Hypercube::new(4)).control_words();
         let takes: Vec<_> = words
             .iter()
-            .map(|&word| Field::TakesGroup.of(word, 4))
+            .map(|&word| SEQUENTIAL.field(Field::TakesGroup, word, 4))
             .collect();
         assert_eq!(takes, [0, 0, 1, 0, 0, 0, 0, 0, 0, 0]);
     }

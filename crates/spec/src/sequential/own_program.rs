@@ -1,7 +1,7 @@
 //! A user's own microprogram in a form small enough to be a part of a machine.
 
-use super::microprogram::{Microprogram, Step};
-use super::op::Op;
+use super::microprogram::Microprogram;
+use crate::cell::{Op, Step};
 
 /// The most steps of a user's own program: the reach of a 5-bit program counter, which has one bit more than
 /// the named machines have.

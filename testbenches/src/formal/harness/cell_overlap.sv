@@ -21,9 +21,9 @@ module harness(input wire clock, input wire [`WORD-1:0] word, input wire write_q
     .present_7_q(present_7_q), .in_range_q(in_range_q), .in_range_d(in_range_d), .square_q(square_q),
     .square_d(square_d), .digit_squares_q(digit_squares_q), .low_product_q(low_product_q),
     .high_product_q(high_product_q), .addend_d(addend_d));
-  wire [3:0] axis = word[`AXIS+:4];
-  wire gate = word[`GATE];
-  wire accumulates = word[`WRITE_SUM];
+  wire [3:0] axis = word[`axis+:4];
+  wire gate = word[`gate];
+  wire accumulates = word[`write_sum];
   reg [`SUM:0] bound = 0;
   wire [`SUM:0] next_bound = bound + operand_bound;
   wire [`SUM:0] exact = {1'b0, sum_q} + operand_q;
@@ -34,14 +34,14 @@ module harness(input wire clock, input wire [`WORD-1:0] word, input wire write_q
   always @(*) begin
     // As the control block's words are: one operand at most, and the adder's first operand of a sum is the sum.
     assume ((axis & (axis - 1'b1)) == 0 && !(gate && axis != 0));
-    assume (accumulates == word[`ADD_SUM]);
+    assume (accumulates == word[`add_sum]);
     // No more photons are given than are declared.
     assume (operand_q <= operand_bound && operand_bound <= `LARGEST);
     assume (!accumulates || next_bound <= `LARGEST);
     assert (sum_out == sum_q);
     assert (in_range_d == (distance_q <= radius_sq_q));
     assert (addend_d == square_q);
-    if (word[`WRITE_SQUARE]) assert (square_d - digit_squares_q == {low_product_q, 5'd0} + {high_product_q, 7'd0});
+    if (word[`write_square]) assert (square_d - digit_squares_q == {low_product_q, 5'd0} + {high_product_q, 7'd0});
     else assert (square_d == square_q);
     if (gate) assert (operand_d == (in_range_q && present_7_q ? power_7_q : 0));
     else case (axis)

@@ -31,7 +31,7 @@ module harness(input wire clock, input wire reset, input wire query_valid, input
   reg [1:0] queries = 0;
   wire query_taken = query_valid & ~busy;
   wire works = query_taken | (busy & ~done);
-  wire asks = at_x[`WRITE_POWER] & ~ended;
+  wire asks = at_x[`write_power] & ~ended;
   wire takes = asks & group_valid;
   // From the clock in which the last group is taken to that in which the epilogue's first word is at work: one clock
   // until the group counts as taken, one until the place is the epilogue's, one until its word is fetched.

@@ -27,8 +27,8 @@ module harness(input wire clock, input wire reset, input wire query_valid, input
     default: word = 0;
   endcase
 
-  wire query_awaited = word[`TAKES_QUERY] & ~query_valid;
-  wire group_awaited = word[`READS_GROUP] & ~group_valid;
+  wire query_awaited = word[`takes_query] & ~query_valid;
+  wire group_awaited = word[`reads_group] & ~group_valid;
   wire goes = ~done & ~query_awaited & ~group_awaited;
   wire at_last_step = step == `LAST_STEP;
   always @(posedge clock) begin
@@ -36,7 +36,7 @@ module harness(input wire clock, input wire reset, input wire query_valid, input
       step <= step + 1'b1;
       if (at_last_step) step <= last ? 0 : `FIRST_OF_ITERATION;
       if (at_last_step & last) done <= 1'b1;
-      if (word[`TAKES_GROUP]) last <= group_last;
+      if (word[`takes_group]) last <= group_last;
       if (at_last_step) groups <= groups + 1'b1;
     end
     if (done & result_ready) begin
@@ -54,17 +54,17 @@ module harness(input wire clock, input wire reset, input wire query_valid, input
     assert (address_q == step && last_q == last && done_q == done);
     assert (step <= `LAST_STEP);
     assert (!done || step == 0);
-    assert (query_ready == (word[`TAKES_QUERY] & ~done));
-    assert (group_ready == (word[`TAKES_GROUP] & ~done));
+    assert (query_ready == (word[`takes_query] & ~done));
+    assert (group_ready == (word[`takes_group] & ~done));
     assert (result_valid == done);
-    assert (write_query == (word[`WRITE_QUERY] & goes));
-    assert (write_photon == (word[`WRITE_PHOTON] & goes));
-    assert (write_power == (word[`WRITE_POWER] & goes));
-    assert (write_work == (word[`WRITE_WORK] & goes));
-    assert (write_sum == (word[`WRITE_SUM] & goes));
-    assert (work_source == word[`WORK_SOURCE+:2]);
-    assert (add_sum == word[`ADD_SUM]);
-    assert (axis == word[`AXIS+:`DIMENSION]);
+    assert (write_query == (word[`write_query] & goes));
+    assert (write_photon == (word[`write_photon] & goes));
+    assert (write_power == (word[`write_power] & goes));
+    assert (write_work == (word[`write_work] & goes));
+    assert (write_sum == (word[`write_sum] & goes));
+    assert (work_source == word[`work_source+:2]);
+    assert (add_sum == word[`add_sum]);
+    assert (axis == word[`axis+:`DIMENSION]);
     // At most one axis drives the links.
     assert ((axis & (axis - 1'b1)) == 0);
   end

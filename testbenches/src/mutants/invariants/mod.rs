@@ -12,7 +12,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::process::Command;
 
 use photoncube_hdl::Emitted;
-use photoncube_spec::{Machine, Register, Role, SignalPlace, Widths, overlap};
+use photoncube_spec::{Machine, Register, Role, SignalPlace, Widths};
 
 use followers::Followers;
 use relations::Relation;
@@ -173,13 +173,7 @@ impl Invariants {
         let blocks = kills.blocks();
         let (columns, outputs) = (design.pins.observed.len(), design.pins.outputs);
         let pin = |index: usize| &design.pins.observed[outputs + index];
-        let of_control = |index: usize| {
-            let place = pin(index).place;
-            matches!(
-                place,
-                SignalPlace::Control(_) | SignalPlace::OverlapControl(_)
-            )
-        };
+        let of_control = |index: usize| matches!(pin(index).place, SignalPlace::Control(_));
         let registers = (0..columns - outputs).map(|index| (index, pin(index).width));
         let flags: Vec<_> = registers.clone().filter(|(_, bits)| *bits == 1).collect();
         let start = vec![0; columns - outputs];
@@ -409,18 +403,8 @@ impl Invariants {
 
 /// Whether a register is the sum of a cell that counts photons.
 fn is_count(machine: &Machine, place: SignalPlace) -> bool {
-    let node = match place {
-        SignalPlace::Cell {
-            node,
-            register: Register::Sum,
-        } => node,
-        SignalPlace::OverlapCell {
-            node,
-            register: overlap::Register::Sum,
-        } => node,
-        _ => return false,
-    };
-    machine.hypercube().role(node) == Role::D
+    let sum = Register::Sum;
+    matches!(place, SignalPlace::Cell { node, register } if register == sum && machine.hypercube().role(node) == Role::D)
 }
 
 /// All combinations of values of `count` of these registers, each given with its bits.

@@ -1,8 +1,8 @@
 //! The command `microprogram` for an overlapped machine: its modulo schedule.
 
 use anyhow::Result;
-use photoncube_spec::overlap::{ProgramReport, check_program, program_report};
-use photoncube_spec::{Machine, overlap};
+use photoncube_spec::overlap::{Program, ProgramReport, check_program, program_report};
+use photoncube_spec::{Machine, OVERLAPPED, UnitUse};
 use serde::Serialize;
 
 use crate::failure::CheckFailed;
@@ -77,7 +77,7 @@ fn report(machine: &'static Machine) -> Report {
 }
 
 fn unit_rows(schedule: &ProgramReport) -> Vec<UnitRow> {
-    let row = |unit: &overlap::UnitUse| UnitRow {
+    let row = |unit: &UnitUse| UnitRow {
         unit: unit.unit.name(),
         utilisation: unit.utilisation(),
         resource_bound: f64::from(unit.bound) / schedule.groups as f64,
@@ -86,13 +86,15 @@ fn unit_rows(schedule: &ProgramReport) -> Vec<UnitRow> {
 }
 
 /// The program, with the meaning of its words.
-fn listing(program: &overlap::Program) -> String {
+fn listing(program: &Program) -> String {
     let mut text = format!("{program}ops:\n");
-    for row in overlap::OPS {
+    for row in OVERLAPPED.ops {
         let unit = row.unit.map_or("-", |unit| unit.name());
         text += &format!(
             "  {:<5} {unit:<12} latency {}  {}\n",
-            row.mnemonic, row.latency, row.formula
+            row.op.mnemonic(),
+            row.latency,
+            row.formula
         );
     }
     text

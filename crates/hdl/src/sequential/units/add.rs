@@ -2,6 +2,8 @@
 
 use rust_hdl::prelude::*;
 
+use crate::pinned::unit_pins;
+
 /// The adder: `sum = a + b`, modulo `2^S`.
 #[derive(LogicBlock, Default)]
 pub(crate) struct AddUnit<const S: usize> {
@@ -16,3 +18,5 @@ impl<const S: usize> Logic for AddUnit<S> {
         self.sum.next = self.a.val() + self.b.val();
     }
 }
+
+unit_pins!(AddUnit<S>: a, b => sum);

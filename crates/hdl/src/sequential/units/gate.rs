@@ -2,6 +2,8 @@
 
 use rust_hdl::prelude::*;
 
+use crate::pinned::unit_pins;
+
 /// The gate: `gated = a > b ? 0 : power`; `a` is a squared distance (V bits, like the work
 /// register it comes from), `b` is radius_sq (R bits), so the boundary is in range.
 #[derive(LogicBlock, Default)]
@@ -25,3 +27,5 @@ impl<const V: usize, const R: usize, const P: usize> Logic for GateUnit<V, R, P>
         }
     }
 }
+
+unit_pins!(GateUnit<V, R, P>: a, b, power => gated);

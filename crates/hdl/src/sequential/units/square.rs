@@ -6,6 +6,7 @@ use rust_hdl::prelude::*;
 
 use super::squarer::{Power, SquarerBlock};
 use crate::parts::Difference;
+use crate::pinned::unit_pins;
 
 /// The square of the difference of query `a` (`C` bits) and photon `b` (`H` bits), of which `M` bits are
 /// squared; `Q = 2 M`, exact. With the photon between two queries it is the half square, see
@@ -45,3 +46,5 @@ impl<const C: usize, const H: usize, const M: usize, const Q: usize> Logic
         self.square.next = self.squarer.square.val();
     }
 }
+
+unit_pins!(SquareUnit<C, H, M, Q>: a, b => square);

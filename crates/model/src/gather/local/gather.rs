@@ -4,8 +4,8 @@ use photoncube_spec::{
     FormatError, FormatWidths, LocalQuery, LocalSums, PhotonBlock, PhotonFormat, PhotonRecord,
 };
 
-use super::error::{CountError, LocalError};
 use super::limits::LocalLimits;
+use crate::gather::{CountError, GatherError};
 
 /// The gather of one format: eq. 2 of Ryu, Kim, Lee without its constant factor. The search radius is the
 /// format's or any smaller one.
@@ -66,7 +66,7 @@ impl LocalGather {
         &self,
         query: &LocalQuery,
         blocks: impl IntoIterator<Item = PhotonBlock<'b>>,
-    ) -> Result<LocalSums, LocalError> {
+    ) -> Result<LocalSums, GatherError> {
         self.gather_within(query, self.radius_sq, blocks)
     }
 
@@ -82,7 +82,7 @@ impl LocalGather {
         query: &LocalQuery,
         radius_sq: u32,
         blocks: impl IntoIterator<Item = PhotonBlock<'b>>,
-    ) -> Result<LocalSums, LocalError> {
+    ) -> Result<LocalSums, GatherError> {
         self.limits.check_query(query)?;
         self.limits.check_radius_sq(radius_sq)?;
         let mut sums = LocalSums::default();
@@ -117,7 +117,7 @@ impl LocalGather {
         radius_sq: u32,
         block: &PhotonBlock<'_>,
         sums: &mut LocalSums,
-    ) -> Result<(), LocalError> {
+    ) -> Result<(), GatherError> {
         self.limits.check_records(block.photons)?;
         let relative = self.relative(query, block.offset);
         if self.format.half_steps() {
@@ -155,7 +155,8 @@ impl LocalGather {
         Err(CountError {
             found,
             max_photons: self.format.max_photons,
-            format: self.format.name(),
+            kind: "format",
+            name: self.format.name(),
         })
     }
 

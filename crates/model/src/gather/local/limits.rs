@@ -5,7 +5,7 @@ use photoncube_spec::{
     PhotonRecord,
 };
 
-use super::error::ValueError;
+use crate::gather::RangeError;
 
 const POSITION: [&str; 3] = ["position x", "position y", "position z"];
 const MANTISSA: [&str; 3] = ["red mantissa", "green mantissa", "blue mantissa"];
@@ -56,7 +56,7 @@ impl LocalLimits {
     ///
     /// # Errors
     /// The first value that does not fit, with the limit.
-    pub fn check_query(&self, query: &LocalQuery) -> Result<(), ValueError> {
+    pub fn check_query(&self, query: &LocalQuery) -> Result<(), RangeError> {
         self.check_each(POSITION, query.position, [self.coordinate; 3])
     }
 
@@ -64,7 +64,7 @@ impl LocalLimits {
     ///
     /// # Errors
     /// The squared radius is larger, with the limit.
-    pub fn check_radius_sq(&self, radius_sq: u32) -> Result<(), ValueError> {
+    pub fn check_radius_sq(&self, radius_sq: u32) -> Result<(), RangeError> {
         self.check("radius_sq", radius_sq, self.radius_sq)
     }
 
@@ -72,7 +72,7 @@ impl LocalLimits {
     ///
     /// # Errors
     /// The first value that does not fit, with the limit.
-    pub fn check_block(&self, block: &PhotonBlock<'_>) -> Result<(), ValueError> {
+    pub fn check_block(&self, block: &PhotonBlock<'_>) -> Result<(), RangeError> {
         self.check_each(OFFSET, block.offset, [PhotonFormat::FRAME_BLOCKS - 1; 3])?;
         self.check_block_exponent(block.exponent)
     }
@@ -81,7 +81,7 @@ impl LocalLimits {
     ///
     /// # Errors
     /// The exponent does not fit, with the limit.
-    pub fn check_block_exponent(&self, exponent: u8) -> Result<(), ValueError> {
+    pub fn check_block_exponent(&self, exponent: u8) -> Result<(), RangeError> {
         self.check("block exponent", exponent.into(), self.block_exponent)
     }
 
@@ -89,7 +89,7 @@ impl LocalLimits {
     ///
     /// # Errors
     /// The first value that does not fit, with the limit.
-    pub fn check_record(&self, record: &PhotonRecord) -> Result<(), ValueError> {
+    pub fn check_record(&self, record: &PhotonRecord) -> Result<(), RangeError> {
         self.check_each(POSITION, record.position.map(u32::from), [self.position; 3])?;
         self.check_each(MANTISSA, record.mantissa.map(u32::from), self.mantissa)?;
         let exponent = u32::from(record.exponent);
@@ -100,7 +100,7 @@ impl LocalLimits {
     ///
     /// # Errors
     /// As for [`Self::check_record`], for the first record that does not fit.
-    pub fn check_records(&self, records: &[PhotonRecord]) -> Result<(), ValueError> {
+    pub fn check_records(&self, records: &[PhotonRecord]) -> Result<(), RangeError> {
         // Limits of positions and mantissas are all ones, so a value exceeds its limit exactly where the OR
         // of all values does.
         let (mut position, mut mantissa, mut exponent) = (0, [0; 3], 0);
@@ -130,20 +130,20 @@ impl LocalLimits {
         names: [&'static str; 3],
         values: [u32; 3],
         largest: [u32; 3],
-    ) -> Result<(), ValueError> {
+    ) -> Result<(), RangeError> {
         let mut named = names.into_iter().zip(values).zip(largest);
         named.try_for_each(|((what, value), largest)| self.check(what, value, largest))
     }
 
-    fn check(&self, what: &'static str, value: u32, largest: u32) -> Result<(), ValueError> {
+    fn check(&self, what: &'static str, value: u32, largest: u32) -> Result<(), RangeError> {
         if value <= largest {
             return Ok(());
         }
-        Err(ValueError {
+        Err(RangeError {
             what,
             value,
             largest,
-            format: self.format.name(),
+            holder: format!("format `{}`", self.format.name()),
         })
     }
 }

@@ -1,11 +1,9 @@
 //! The gather of a photon format, by the rules of [`photoncube_spec::PhotonFormat`], in integers.
 
-mod error;
 mod gather;
 mod limits;
 mod pack;
 
-pub use error::{CountError, LocalError, PackError, ValueError};
 pub use gather::LocalGather;
 pub use limits::LocalLimits;
 pub use pack::{pack, unpack};

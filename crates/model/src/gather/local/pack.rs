@@ -2,14 +2,14 @@
 
 use photoncube_spec::{Channels, FormatWidths, PhotonFormat, PhotonRecord};
 
-use super::error::{LocalError, PackError};
 use super::limits::LocalLimits;
+use crate::gather::{GatherError, PackError};
 
 /// Packs a record into the lowest [`FormatWidths::bits_per_photon`] bits; the other bits are 0.
 ///
 /// # Errors
 /// A value does not fit the format.
-pub fn pack(format: &PhotonFormat, record: &PhotonRecord) -> Result<u128, LocalError> {
+pub fn pack(format: &PhotonFormat, record: &PhotonRecord) -> Result<u128, GatherError> {
     LocalLimits::of(format)?.check_record(record)?;
     let mut bits = 0;
     let mut place = 0;

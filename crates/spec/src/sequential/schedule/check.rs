@@ -1,13 +1,19 @@
-//! The schedule checker: it follows the contents of every register of every node, clock by clock.
+//! The schedule checker: it follows the contents of a cell's registers, clock by clock.
+//!
+//! All cells do the same step in each clock, so they all hold the same kinds of values, and one cell stands for
+//! all: its neighbour on any axis holds what it holds itself.
 
-use super::content::Content;
-use super::error::ScheduleError;
+use super::content::{Content, Contents, Unreadable};
 use super::streams::check_takers;
-use crate::hypercube::{Axis, Hypercube};
-use crate::sequential::{Microprogram, Op, REGISTERS, Register, ScheduledStep};
+use crate::cell::{Op, Place, Register, SEQUENTIAL, ScheduleError, ScheduledStep};
+use crate::hypercube::Hypercube;
+use crate::sequential::Microprogram;
 
 pub(super) const QUERY: &str = "query";
 pub(super) const ITERATION: &str = "iteration";
+
+/// The node that stands for all.
+const NODE: usize = 0;
 
 /// Checks a microprogram for a cube. The cells share one instruction, so each clock has one op. Each register
 /// has one writer and each link one word in a clock. Every operand is complete before it is read. At the end
@@ -17,19 +23,15 @@ pub(super) const ITERATION: &str = "iteration";
 /// The first violation, with its clock and node.
 pub fn check_schedule(program: &Microprogram, cube: Hypercube) -> Result<(), ScheduleError> {
     check_structure(program, cube)?;
-    let mut cells = vec![[Content::Stale; REGISTERS.len()]; cube.nodes()];
-    run_phase(QUERY, &program.query, cube, &mut cells)?;
-    expect_all(QUERY, program.query_clocks(), &cells, Content::SumOf(0))?;
+    let mut cell = Contents::default();
+    run_phase(QUERY, &program.query, cube, &mut cell)?;
+    expect_sum(QUERY, program.query_clocks(), &cell, Content::SumOf(0))?;
     // Two iterations, because the second must not depend on values that the first left behind.
     for groups in 1..=2 {
-        run_phase(ITERATION, &program.iteration, cube, &mut cells)?;
+        run_phase(ITERATION, &program.iteration, cube, &mut cell)?;
         let clocks = program.initiation_interval();
-        expect_all(ITERATION, clocks, &cells, Content::SumOf(groups))?;
-        for cell in &mut cells {
-            for register in [Register::Photon, Register::Power, Register::Work] {
-                cell[register as usize] = Content::Stale;
-            }
-        }
+        expect_sum(ITERATION, clocks, &cell, Content::SumOf(groups))?;
+        cell.forget_iteration();
     }
     check_takers(program)
 }
@@ -60,7 +62,6 @@ fn check_resources(
             return Err(ScheduleError::NoSuchLink {
                 phase,
                 clock: later.clock,
-                node: 0,
                 axis,
                 dimension: cube.dimension(),
             });
@@ -68,11 +69,8 @@ fn check_resources(
         let same_clock = |earlier: &&ScheduledStep| earlier.clock == later.clock;
         if let Some(earlier) = steps[..index].iter().find(same_clock) {
             return Err(ScheduleError::Conflict {
-                phase,
-                clock: later.clock,
-                node: 0,
-                first: earlier.step.to_string(),
-                second: later.step.to_string(),
+                place: place(phase, *earlier),
+                other: later.step.to_string(),
                 what: shared_resource(earlier, later),
             });
         }
@@ -82,188 +80,76 @@ fn check_resources(
 
 /// Names the resource that two steps of one clock compete for: the one instruction, if nothing else.
 fn shared_resource(first: &ScheduledStep, second: &ScheduledStep) -> String {
-    let (a, b) = (first.step.op.row(), second.step.op.row());
+    let (a, b) = (SEQUENTIAL.op(first.step.op), SEQUENTIAL.op(second.step.op));
     if let (Some(unit), true) = (a.unit, a.unit == b.unit) {
         return format!("need the {unit} unit");
     }
     match a.writes.iter().find(|register| b.writes.contains(register)) {
-        Some(register) => format!("write register {}", register.row().mnemonic),
+        Some(&register) => {
+            let mnemonic = SEQUENTIAL.register(register).mnemonic;
+            format!("write register {mnemonic}")
+        }
         None => "need the one instruction that all cells share".to_owned(),
     }
 }
 
-type Cell = [Content; REGISTERS.len()];
+/// The place of a step. All cells do it, and the first is named.
+pub(super) fn place(phase: &'static str, scheduled: ScheduledStep) -> Box<Place> {
+    Box::new(Place {
+        phase,
+        pass: None,
+        clock: scheduled.clock,
+        node: NODE,
+        step: scheduled.step.to_string(),
+    })
+}
 
 fn run_phase(
     phase: &'static str,
     steps: &[ScheduledStep],
     cube: Hypercube,
-    cells: &mut Vec<Cell>,
+    cell: &mut Contents,
 ) -> Result<(), ScheduleError> {
     let mut steps = steps.to_vec();
     steps.sort_by_key(|step| step.clock);
     for scheduled in steps {
-        let before = cells.clone();
-        for (node, cell) in cells.iter_mut().enumerate() {
-            let at = Place {
-                phase,
-                scheduled,
-                cube,
-                cells: &before,
-                node,
-            };
-            at.execute(cell)?;
+        let op = scheduled.step.op;
+        let of_query = SEQUENTIAL.op(op).reads_query();
+        if op != Op::Nop && of_query != (phase == QUERY) {
+            let place = place(phase, scheduled);
+            return Err(ScheduleError::WrongPhase { place });
         }
+        *cell = cell
+            .after(scheduled.step, cube)
+            .map_err(
+                |Unreadable { register, expected }| ScheduleError::Precedence {
+                    place: place(phase, scheduled),
+                    register: SEQUENTIAL.register(register).mnemonic,
+                    holder: NODE,
+                    found: cell.of(register).to_string(),
+                    expected,
+                },
+            )?;
     }
     Ok(())
 }
 
-/// One node at one clock, with the contents of all cells before that clock.
-struct Place<'a> {
-    phase: &'static str,
-    scheduled: ScheduledStep,
-    cube: Hypercube,
-    cells: &'a [Cell],
-    node: usize,
-}
-
-impl Place<'_> {
-    fn execute(&self, cell: &mut Cell) -> Result<(), ScheduleError> {
-        let (register, content) = match self.scheduled.step.op {
-            Op::Nop => return Ok(()),
-            Op::LoadQuery => return self.load_query(cell),
-            op if self.phase == QUERY => return Err(self.wrong_phase(op)),
-            Op::LoadPhoton => (Register::Photon, Content::Loaded),
-            Op::LoadPower => (Register::Power, Content::Loaded),
-            Op::SquareDifference => {
-                self.expect(Register::Query, Content::Loaded)?;
-                self.expect(Register::Photon, Content::Loaded)?;
-                (Register::Work, Content::Distance(0))
-            }
-            Op::ExchangeAdd => (Register::Work, self.exchange_add()?),
-            Op::Gate => {
-                let complete = axis_set(self.cube.role_axes());
-                self.expect(Register::Work, Content::Distance(complete))?;
-                self.expect(Register::RadiusSq, Content::Loaded)?;
-                self.expect(Register::Power, Content::Loaded)?;
-                (Register::Work, Content::Gated(0))
-            }
-            Op::Accumulate => {
-                let complete = axis_set(self.cube.photon_axes());
-                self.expect(Register::Work, Content::Gated(complete))?;
-                (Register::Sum, self.one_group_more()?)
-            }
-        };
-        cell[register as usize] = content;
-        Ok(())
-    }
-
-    fn load_query(&self, cell: &mut Cell) -> Result<(), ScheduleError> {
-        if self.phase != QUERY {
-            return Err(self.wrong_phase(Op::LoadQuery));
-        }
-        cell[Register::Query as usize] = Content::Loaded;
-        cell[Register::RadiusSq as usize] = Content::Loaded;
-        cell[Register::Sum as usize] = Content::SumOf(0);
-        Ok(())
-    }
-
-    /// Checks an exchange-add: the neighbour must hold the same kind of value, and the axis must not be in it
-    /// already.
-    fn exchange_add(&self) -> Result<Content, ScheduleError> {
-        let Some(axis) = self.scheduled.step.axis else {
-            return Err(self.wrong_phase(Op::ExchangeAdd));
-        };
-        let own = self.cells[self.node][Register::Work as usize];
-        let bit = 1 << axis.bit();
-        let role_axes = axis_set(self.cube.role_axes());
-        let sum = match own {
-            Content::Distance(axes) if axes & bit == 0 && bit & role_axes != 0 => {
-                Content::Distance(axes | bit)
-            }
-            Content::Gated(axes) if axes & bit == 0 && bit & role_axes == 0 => {
-                Content::Gated(axes | bit)
-            }
-            _ => {
-                let expected = format!(
-                    "{} not yet summed across {axis}",
-                    if bit & role_axes == 0 {
-                        "gated powers"
-                    } else {
-                        "squares"
-                    }
-                );
-                return Err(self.precedence(Register::Work, self.node, expected));
-            }
-        };
-        let neighbour = self.cube.neighbour(self.node, axis);
-        if self.cells[neighbour][Register::Work as usize] != own {
-            return Err(self.precedence(Register::Work, neighbour, own.to_string()));
-        }
-        Ok(sum)
-    }
-
-    fn one_group_more(&self) -> Result<Content, ScheduleError> {
-        match self.cells[self.node][Register::Sum as usize] {
-            Content::SumOf(groups) => Ok(Content::SumOf(groups + 1)),
-            _ => Err(self.precedence(Register::Sum, self.node, "a cleared sum".to_owned())),
-        }
-    }
-
-    fn expect(&self, register: Register, expected: Content) -> Result<(), ScheduleError> {
-        if self.cells[self.node][register as usize] == expected {
-            return Ok(());
-        }
-        Err(self.precedence(register, self.node, expected.to_string()))
-    }
-
-    fn precedence(&self, register: Register, holder: usize, expected: String) -> ScheduleError {
-        ScheduleError::Precedence {
-            phase: self.phase,
-            clock: self.scheduled.clock,
-            node: self.node,
-            step: self.scheduled.step.to_string(),
-            register: register.row().mnemonic,
-            holder,
-            found: self.cells[holder][register as usize],
-            expected,
-        }
-    }
-
-    fn wrong_phase(&self, op: Op) -> ScheduleError {
-        ScheduleError::WrongPhase {
-            phase: self.phase,
-            clock: self.scheduled.clock,
-            node: self.node,
-            step: op.row().mnemonic.to_owned(),
-        }
-    }
-}
-
-fn axis_set(axes: impl Iterator<Item = Axis>) -> u32 {
-    axes.map(|axis| 1 << axis.bit()).sum()
-}
-
-fn expect_all(
+fn expect_sum(
     phase: &'static str,
     clocks: u32,
-    cells: &[Cell],
+    cell: &Contents,
     expected: Content,
 ) -> Result<(), ScheduleError> {
-    for (node, cell) in cells.iter().enumerate() {
-        let found = cell[Register::Sum as usize];
-        if found != expected {
-            return Err(ScheduleError::Incomplete {
-                phase,
-                clock: clocks - 1,
-                node,
-                register: Register::Sum.row().mnemonic,
-                found,
-                expected: expected.to_string(),
-            });
-        }
+    let found = cell.of(Register::Sum);
+    if found == expected {
+        return Ok(());
     }
-    Ok(())
+    Err(ScheduleError::Incomplete {
+        after: format!("{phase} clock {}", clocks - 1),
+        node: NODE,
+        found: found.to_string(),
+        expected: expected.to_string(),
+    })
 }
 
 #[cfg(test)]

@@ -1,17 +1,8 @@
 //! The utilisation of a schedule.
 
+use crate::cell::{OpRow, Register, SEQUENTIAL, UnitUse, unit_utilisation};
 use crate::hypercube::Hypercube;
-use crate::sequential::{Microprogram, REGISTERS, Register, Unit};
-
-/// The number of clocks of an iteration in which a unit works.
-#[derive(Copy, Clone, Debug, PartialEq, Eq)]
-pub struct UnitUse {
-    /// The unit that is counted.
-    pub unit: Unit,
-    /// Clocks of one iteration in which the unit works. All cells share one instruction, so they are the same
-    /// in every cell.
-    pub busy_clocks: u32,
-}
+use crate::sequential::Microprogram;
 
 /// The utilisation of a schedule.
 ///
@@ -34,7 +25,7 @@ pub struct ScheduleReport {
 impl ScheduleReport {
     /// Busy unit clocks over all unit clocks.
     pub fn unit_utilisation(&self) -> f64 {
-        self.ratio(self.busy_units(), self.units.len())
+        unit_utilisation(&self.units)
     }
 
     /// Used register clocks over all register clocks.
@@ -44,14 +35,11 @@ impl ScheduleReport {
 
     /// Utilisation of units and registers together, by the formula above.
     pub fn utilisation(&self) -> f64 {
+        let busy_units: u32 = self.units.iter().map(|unit| unit.busy_clocks).sum();
         self.ratio(
-            self.busy_units() + self.used_registers(),
+            busy_units + self.used_registers(),
             self.units.len() + self.registers.len(),
         )
-    }
-
-    fn busy_units(&self) -> u32 {
-        self.units.iter().map(|unit| unit.busy_clocks).sum()
     }
 
     fn used_registers(&self) -> u32 {
@@ -68,22 +56,29 @@ pub fn schedule_report(program: &Microprogram, cube: Hypercube) -> ScheduleRepor
     let rows: Vec<_> = program
         .iteration
         .iter()
-        .map(|scheduled| scheduled.step.op.row())
+        .map(|scheduled| SEQUENTIAL.op(scheduled.step.op))
         .collect();
-    let count = |used: &dyn Fn(&crate::sequential::OpRow) -> bool| {
-        rows.iter().filter(|row| used(row)).count() as u32
+    let count = |used: &dyn Fn(&OpRow) -> bool| rows.iter().filter(|row| used(row)).count() as u32;
+    let interval = program.initiation_interval();
+    let unit_use = |unit| {
+        let busy_clocks = count(&|row| row.unit == Some(unit));
+        UnitUse {
+            unit,
+            busy_clocks,
+            clocks: interval,
+            bound: busy_clocks,
+        }
     };
     ScheduleReport {
-        initiation_interval: program.initiation_interval(),
+        initiation_interval: interval,
         photons: cube.photons(),
-        units: Unit::COMPUTING
+        units: SEQUENTIAL
+            .computing_units()
             .into_iter()
-            .map(|unit| UnitUse {
-                unit,
-                busy_clocks: count(&|row| row.unit == Some(unit)),
-            })
+            .map(unit_use)
             .collect(),
-        registers: REGISTERS
+        registers: SEQUENTIAL
+            .registers
             .iter()
             .map(|register| {
                 let r = register.register;
@@ -97,16 +92,22 @@ pub fn schedule_report(program: &Microprogram, cube: Hypercube) -> ScheduleRepor
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cell::Unit;
 
     #[test]
     fn utilisation_counts_units_and_registers() {
         let cube = Hypercube::new(4);
         let report = schedule_report(&Microprogram::all_reduce(cube), cube);
-        let busy: Vec<_> = report.units.iter().map(|unit| unit.busy_clocks).collect();
-        assert_eq!(busy, [1, 1, 5], "square, gate, add");
+        let busy = |unit| {
+            let found = report.units.iter().find(|found| found.unit == unit);
+            found.map(|found| found.busy_clocks)
+        };
+        let units = [Unit::Square, Unit::Gate, Unit::Add];
+        assert_eq!(units.map(busy), [1, 1, 5].map(Some));
         // q: sqd. r: gate. p: ldp, sqd. w: ldw, gate. v: sqd, four adds, gate, acc. s: acc.
         let used: Vec<_> = report.registers.iter().map(|&(_, clocks)| clocks).collect();
         assert_eq!(used, [1, 1, 2, 2, 7, 1]);
-        assert_eq!(report.utilisation(), 21.0 / 81.0);
+        let all = report.units.len() + report.registers.len();
+        assert_eq!(report.utilisation(), 21.0 / (9.0 * all as f64));
     }
 }

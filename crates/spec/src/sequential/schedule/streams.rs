@@ -3,10 +3,10 @@
 //! A query is taken by its `ldq`, a group by the last step that reads it. The sequencer knows from the clock
 //! after that step whether the group was the query's last.
 
-use super::check::{ITERATION, QUERY, check_structure};
-use super::error::ScheduleError;
+use super::check::{ITERATION, QUERY, check_structure, place};
+use crate::cell::{OpRow, SEQUENTIAL, ScheduleError, ScheduledStep};
 use crate::hypercube::Hypercube;
-use crate::sequential::{Microprogram, OpRow, ScheduledStep};
+use crate::sequential::Microprogram;
 
 /// Checks that every query is taken once and has one result. Each clock has one op, every link exists, the
 /// query phase has one `ldq`, and groups are read only in the iteration and not in its last clock.
@@ -20,9 +20,9 @@ pub fn check_streams(program: &Microprogram, cube: Hypercube) -> Result<(), Sche
 
 /// Checks the stream rules of a program whose structure is legal.
 pub(super) fn check_takers(program: &Microprogram) -> Result<(), ScheduleError> {
-    refuse_in(QUERY, &program.query, |row| row.reads_group)?;
-    refuse_in(ITERATION, &program.iteration, |row| row.reads_query)?;
-    let queries = clocks_of(&program.query, |row| row.reads_query);
+    refuse_in(QUERY, &program.query, OpRow::reads_group)?;
+    refuse_in(ITERATION, &program.iteration, OpRow::reads_query)?;
+    let queries = clocks_of(&program.query, OpRow::reads_query);
     match queries[..] {
         [] => return Err(not_taken(QUERY, "query", "ldq")),
         [_] => {}
@@ -34,7 +34,7 @@ pub(super) fn check_takers(program: &Microprogram) -> Result<(), ScheduleError> 
             });
         }
     }
-    match clocks_of(&program.iteration, |row| row.reads_group).last() {
+    match clocks_of(&program.iteration, OpRow::reads_group).last() {
         None => Err(not_taken(ITERATION, "group", "ldp` or `ldw")),
         Some(taker) if taker.clock + 1 == program.initiation_interval() => {
             Err(ScheduleError::TakenLate {
@@ -56,7 +56,7 @@ fn not_taken(phase: &'static str, stream: &'static str, expected: &'static str) 
 
 /// The steps of a phase whose op satisfies `wanted`, by clock.
 fn clocks_of(phase: &[ScheduledStep], wanted: fn(&OpRow) -> bool) -> Vec<ScheduledStep> {
-    let found = phase.iter().filter(|s| wanted(s.step.op.row()));
+    let found = phase.iter().filter(|s| wanted(SEQUENTIAL.op(s.step.op)));
     let mut found: Vec<_> = found.copied().collect();
     found.sort_by_key(|s| s.clock);
     found
@@ -69,11 +69,8 @@ fn refuse_in(
 ) -> Result<(), ScheduleError> {
     match clocks_of(steps, unwanted).first() {
         None => Ok(()),
-        Some(found) => Err(ScheduleError::WrongPhase {
-            phase,
-            clock: found.clock,
-            node: 0,
-            step: found.step.to_string(),
+        Some(&found) => Err(ScheduleError::WrongPhase {
+            place: place(phase, found),
         }),
     }
 }

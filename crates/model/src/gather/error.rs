@@ -1,17 +1,17 @@
-//! The errors of values that a photon format cannot represent.
+//! The errors of values that a machine or a photon format cannot represent.
 
 use photoncube_spec::FormatError;
 use thiserror::Error;
 
-/// The reason why a gather in a photon format is refused.
+/// The reason why a gather is refused.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
-pub enum LocalError {
+pub enum GatherError {
     /// The format itself is not legal.
     #[error(transparent)]
     Format(#[from] FormatError),
     /// A value does not fit its format.
     #[error(transparent)]
-    Value(#[from] ValueError),
+    Range(#[from] RangeError),
     /// The query has more photons than the sums are sized for.
     #[error(transparent)]
     Count(#[from] CountError),
@@ -19,35 +19,34 @@ pub enum LocalError {
 
 /// The error of a value that does not fit its format.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[error(
-    "{what} is {value}, {} over the largest that format `{format}` holds, {largest}",
-    .value - .largest
-)]
-pub struct ValueError {
+#[error("{what} is {value}, {} over the largest that {holder} holds, {largest}", .value - .largest)]
+pub struct RangeError {
     /// The name of the value.
     pub what: &'static str,
     /// The value that does not fit.
     pub value: u32,
     /// The largest value that fits.
     pub largest: u32,
-    /// The name of the format.
-    pub format: String,
+    /// The machine or the format, by kind and name.
+    pub holder: String,
 }
 
-/// The error of a query with more photons than the format declares.
+/// The error of a query with more photons than its machine or format declares.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error(
-    "a query of {found} photons is {} over the {max_photons} that format `{format}` declares: \
-     its sums could overflow; a smaller search radius or a format with a larger `max_photons` has room",
+    "a query of {found} photons is {} over the {max_photons} that {kind} `{name}` declares: \
+     its sums could overflow; a smaller search radius or a {kind} with a larger `max_photons` has room",
     .found - .max_photons
 )]
 pub struct CountError {
     /// The number of photons given.
     pub found: u64,
-    /// The most photons that the format declares for one query.
+    /// The most photons that are declared for one query.
     pub max_photons: u64,
-    /// The name of the format.
-    pub format: String,
+    /// `machine` or `format`.
+    pub kind: &'static str,
+    /// The name of the machine or of the format.
+    pub name: String,
 }
 
 /// The error of bits that are not a packed record.
@@ -68,5 +67,5 @@ pub enum PackError {
     },
     /// A field has a value that no photon has.
     #[error(transparent)]
-    Value(#[from] ValueError),
+    Range(#[from] RangeError),
 }
