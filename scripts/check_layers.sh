@@ -27,10 +27,10 @@ from pathlib import Path
 LAYERS = [
     ("crates/rust-hdl-lint", "rust-hdl-lint", "", ""),
     ("crates/verilog-eval", "verilog-eval", "", ""),
-    ("crates/fpga-flow", "fpga-flow", "", ""),
+    ("crates/fpga-flow", "fpga-flow", "verilog-eval", ""),
     ("crates/spec", "photoncube-spec", "", ""),
     ("crates/model", "photoncube-model", "spec", ""),
-    ("crates/hdl", "photoncube-hdl", "spec rust-hdl-lint", ""),
+    ("crates/hdl", "photoncube-hdl", "spec rust-hdl-lint verilog-eval", ""),
     ("crates/render", "photoncube-render", "spec model", ""),
     ("testbenches", "photoncube-testbench", "spec model hdl verilog-eval fpga-flow", "render"),
     ("benches", "photoncube-benches", "", "spec model render"),

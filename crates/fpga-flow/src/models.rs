@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use verilog_eval::modules;
+
 use crate::error::{Result, ensure, unexpected};
 use crate::netlist::{Netlist, is_bookkeeping};
 
@@ -73,13 +75,9 @@ fn declares(module: &str, parameter: &str) -> bool {
 
 /// The text of a module.
 fn module(text: &str, name: &str) -> Result<String> {
-    const END: &str = "\nendmodule\n";
-    let begins = [format!("\nmodule {name}("), format!("\nmodule {name} (")];
-    let found = begins.iter().find_map(|begin| {
-        let text = &text[text.find(begin)?..];
-        Some(&text[..text.find(END)? + END.len()])
-    });
-    let found = found.map(str::to_owned);
+    let mut modules = modules(text).into_iter();
+    let found = modules.find(|module| module.name == name);
+    let found = found.map(|module| module.text.to_owned() + "\n");
     found.ok_or_else(|| unexpected(format!("found no model of {name}")))
 }
 
@@ -92,12 +90,12 @@ mod tests {
         let text = "x\nmodule LUT4(a);\n  b\nendmodule\n\nmodule CCU2C (\n c);\nendmodule\n";
         assert_eq!(
             module(text, "LUT4").unwrap(),
-            "\nmodule LUT4(a);\n  b\nendmodule\n"
+            "module LUT4(a);\n  b\nendmodule\n"
         );
         assert!(
             module(text, "CCU2C")
                 .unwrap()
-                .starts_with("\nmodule CCU2C (\n")
+                .starts_with("module CCU2C (\n")
         );
         let error = module(text, "LUT").unwrap_err().to_string();
         assert_eq!(error, "found no model of LUT");

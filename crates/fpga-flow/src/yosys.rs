@@ -86,6 +86,15 @@ impl Yosys {
         Ok(String::from_utf8_lossy(&said).into_owned())
     }
 
+    /// What Yosys says of one of its commands.
+    ///
+    /// # Errors
+    /// Yosys does not start.
+    pub fn help(&self, command: &str) -> Result<String, ToolError> {
+        let help = format!("help {command}");
+        run(&self.path, ["-p", &help], Path::new("."))
+    }
+
     /// Yosys's version, with its commit.
     ///
     /// # Errors

@@ -87,15 +87,9 @@ impl<'a> Module<'a> {
 
     /// The names of the input ports that an output port depends on, through the cells of this module.
     pub fn fan_in(self, output: &str) -> BTreeSet<String> {
-        let mut inputs_of: BTreeMap<u64, Vec<u64>> = BTreeMap::new();
-        for cell in self.json["cells"].as_object().into_iter().flatten() {
-            let nets = |outputs: bool| {
-                let ends =
-                    connections(cell.1).filter(move |(_, is_output, _)| *is_output == outputs);
-                let bits = ends.flat_map(|(_, _, bits)| bits);
-                bits.filter_map(Value::as_u64).collect::<Vec<_>>()
-            };
-            inputs_of.extend(nets(true).into_iter().map(|net| (net, nets(false))));
+        let mut drivers: BTreeMap<u64, &Value> = BTreeMap::new();
+        for (_, cell) in self.json["cells"].as_object().into_iter().flatten() {
+            drivers.extend(ends(cell, true).map(|net| (net, cell)));
         }
         let ports = self.ports();
         let nets = |port: &Port| {
@@ -124,11 +118,20 @@ impl<'a> Module<'a> {
                 Some(name) => {
                     found.insert((*name).to_owned());
                 }
-                None => open.extend(inputs_of.get(&net).into_iter().flatten()),
+                None => {
+                    let driver = drivers.get(&net).into_iter();
+                    open.extend(driver.flat_map(|cell| ends(cell, false)));
+                }
             }
         }
         found
     }
+}
+
+/// The nets on a cell's outputs, or on its other pins.
+fn ends(cell: &Value, outputs: bool) -> impl Iterator<Item = u64> {
+    let ends = connections(cell).filter(move |(_, is_output, _)| *is_output == outputs);
+    ends.flat_map(|(_, _, bits)| bits).filter_map(Value::as_u64)
 }
 
 #[cfg(test)]
