@@ -32,8 +32,11 @@ pub struct Flow {
     /// The figures that are computed from others.
     pub(crate) terms: &'static [Term],
     /// The technology whose transistors Yosys's `stat` adds up, and their check; `None` where there is none.
-    pub(crate) transistors: Option<(&'static str, fn(&Stat) -> Result<()>)>,
+    pub(crate) transistors: Option<Transistors>,
 }
+
+/// The name of a technology, and the check of Yosys's sum of transistors.
+type Transistors = (&'static str, fn(&Stat) -> Result<()>);
 
 impl Flow {
     /// Finds the flow of that name.

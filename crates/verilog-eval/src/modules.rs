@@ -100,9 +100,9 @@ fn passed_over(rest: &str) -> usize {
         to("*/", 2)
     } else if rest.starts_with('\\') {
         rest.find(char::is_whitespace).unwrap_or(rest.len())
-    } else if rest.starts_with('"') {
+    } else if let Some(quoted) = rest.strip_prefix('"') {
         let mut is_escaped = false;
-        let end = rest[1..].find(|letter| {
+        let end = quoted.find(|letter| {
             let ends = letter == '"' && !is_escaped;
             is_escaped = letter == '\\' && !is_escaped;
             ends

@@ -7,7 +7,7 @@ mod output_registers;
 mod unwrapped;
 
 use super::{Device, Family, Placement};
-use crate::figure::{CellCounts, CellRow, Figure, Figures};
+use crate::figure::{CellCounts, CellRow, Figure, Figures, Term};
 use crate::flow::Flow;
 use crate::netlist::Pass;
 use crate::path::{Binding, Hop, PathRules};
@@ -129,8 +129,7 @@ const CELLS: &[CellRow] = &[
     ("L6MUX21", None),
 ];
 
-const TERMS: &[(Figure, fn(&CellCounts, &Figures) -> u64)] =
-    &[(Figure::Lut4Equivalents, lut4_equivalents)];
+const TERMS: &[Term] = &[(Figure::Lut4Equivalents, lut4_equivalents)];
 
 /// A carry cell takes the place of two LUTs. A RAM of 16 x 4 takes that of three slices with two LUTs each:
 /// two hold it, one is its write port.
