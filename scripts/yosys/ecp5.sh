@@ -61,7 +61,7 @@ is_proven() {
         sat -verify -seq $clocks -prove-skip $((clocks - 1)) -prove trigger 0 miter"
     yosys_in "$scratch" "read_verilog $1; hierarchy -top dut; proc; flatten; memory -nomap; memory_map; opt_clean;
         rename -top gold; design -stash gold;
-        read_verilog +/ecp5/cells_sim.v; read_verilog -overwrite blocks.v; read_verilog $2;
+        read_verilog -D NO_INCLUDES +/ecp5/cells_sim.v; read_verilog -overwrite blocks.v; read_verilog $2;
         hierarchy -top dut; proc; flatten; select -assert-none t:not_modelled; opt; memory -nomap; memory_map; opt_clean;
         rename -top gate; design -stash gate;
         design -copy-from gold -as gold gold; design -copy-from gate -as gate gate;
