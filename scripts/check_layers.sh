@@ -29,14 +29,15 @@ LAYERS = [
     ("crates/verilog-eval", "verilog-eval", "", ""),
     # Its version 0.11, from outside.
     ("crates/svg", "svg", "svg", ""),
+    ("crates/fpga-flow", "fpga-flow", "verilog-eval", ""),
     ("crates/spec", "photoncube-spec", "", ""),
     ("crates/model", "photoncube-model", "spec", ""),
-    ("crates/hdl", "photoncube-hdl", "spec rust-hdl-lint", ""),
+    ("crates/hdl", "photoncube-hdl", "spec rust-hdl-lint verilog-eval", ""),
     ("crates/render", "photoncube-render", "spec model", ""),
     ("crates/hard-cases", "photoncube-hard-cases", "spec model render", ""),
-    ("testbenches", "photoncube-testbench", "spec model hdl verilog-eval", "render hard-cases"),
+    ("testbenches", "photoncube-testbench", "spec model hdl verilog-eval fpga-flow", "render hard-cases"),
     ("benches", "photoncube-benches", "", "spec model render"),
-    ("crates/cli", "photoncube", "spec model hdl render hard-cases testbench", ""),
+    ("crates/cli", "photoncube", "spec model hdl render hard-cases testbench fpga-flow", ""),
 ]
 GENERATOR = re.compile(r"rust-hdl(-(?!lint$).+)?")
 GENERATOR_SEEN_BY = ["photoncube-hdl", "rust-hdl-lint"]

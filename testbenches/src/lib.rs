@@ -58,5 +58,5 @@ pub use protocol::{
     without_initial_values,
 };
 pub use stimulus::{Block, Pressure, Protocol, Source, StimulusError, chunk_seed, generate};
-pub use tools::{MissingTool, Tool, ToolError};
+pub use tools::{MissingTool, Tool, ToolError, pinned_tools};
 pub use verify::{Verdict, VerifyError, VerifyOptions, verify, verify_device};

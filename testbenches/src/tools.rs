@@ -4,7 +4,9 @@ use std::env;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
+use std::sync::OnceLock;
 
+use fpga_flow::Yosys;
 use thiserror::Error;
 
 /// An external program that some device needs.
@@ -65,6 +67,14 @@ pub enum ToolError {
         /// The end of the tool's output.
         message: String,
     },
+    /// The tool's output has no version.
+    #[error("found no version in what `{program}` says: {said}")]
+    NoVersion {
+        /// The name of the program.
+        program: String,
+        /// Its output.
+        said: String,
+    },
 }
 
 impl Tool {
@@ -95,25 +105,115 @@ impl Tool {
     /// # Errors
     /// The tool is not on the PATH. The error has the command that installs it.
     pub fn find(self) -> Result<PathBuf, MissingTool> {
-        on_path(self.program()).ok_or(MissingTool {
-            program: self.program(),
-            package: self.package(),
-        })
+        let path = match self {
+            Self::Yosys => find_yosys().ok().map(|yosys| yosys.path().to_owned()),
+            _ => on_path(self.program()),
+        };
+        path.ok_or_else(|| self.missing())
     }
 
-    /// The first line of the tool's own version text.
+    fn missing(self) -> MissingTool {
+        MissingTool {
+            program: self.program(),
+            package: self.package(),
+        }
+    }
+
+    /// The first line of the tool's own version text; of Yosys the name and the version.
     ///
     /// # Errors
     /// The tool is missing or does not run.
     pub fn version(self) -> Result<String, ToolError> {
         let argument = match self {
-            Self::Iverilog | Self::Vvp | Self::Yosys => "-V",
+            Self::Yosys => return Ok(format!("Yosys {}", yosys()?.version()?)),
+            Self::Iverilog | Self::Vvp => "-V",
             Self::Verilator | Self::Gxx | Self::Make => "--version",
         };
         let output = output(Command::new(self.find()?).arg(argument))?;
         let text = String::from_utf8_lossy(&output.stdout).into_owned();
         Ok(text.lines().next().unwrap_or_default().trim().to_owned())
     }
+}
+
+/// The Yosys that every proof and every netlist is made with: the one of pinned version, or, where that is not
+/// installed, one on the PATH.
+///
+/// # Errors
+/// There is neither. The error has the command that installs one.
+pub(crate) fn yosys() -> Result<Yosys, ToolError> {
+    Ok(find_yosys()?)
+}
+
+/// The line of a script that makes plain assertions and assumptions of Yosys's `$check` cells, which its solver
+/// does not take.
+pub(crate) const LOWER: &str = "chformal -lower\n";
+
+/// A script, one command a line, for this Yosys: without [`LOWER`] where it is older than the `$check` cells.
+///
+/// # Errors
+/// Yosys does not start.
+pub(crate) fn script_for(yosys: &Yosys, script: &str) -> Result<String, ToolError> {
+    static KNOWN: OnceLock<bool> = OnceLock::new();
+    let is_known = match KNOWN.get() {
+        Some(known) => *known,
+        None => {
+            let help = yosys.help("chformal")?;
+            *KNOWN.get_or_init(|| help.contains("-lower"))
+        }
+    };
+    Ok(match is_known {
+        true => script.to_owned(),
+        false => script.replace(LOWER, ""),
+    })
+}
+
+fn find_yosys() -> Result<Yosys, fpga_flow::ToolError> {
+    Yosys::find(pinned_tools()).or_else(|_| Yosys::find(None))
+}
+
+impl From<fpga_flow::ToolError> for ToolError {
+    fn from(error: fpga_flow::ToolError) -> Self {
+        let name = |program: PathBuf| program.display().to_string();
+        match error {
+            fpga_flow::ToolError::Missing { .. } => Tool::Yosys.missing().into(),
+            fpga_flow::ToolError::NotStarted { program, source } => Self::NotStarted {
+                program: name(program),
+                source,
+            },
+            fpga_flow::ToolError::Failed {
+                program,
+                status,
+                said,
+            } => Self::Failed {
+                program: name(program),
+                status,
+                message: said,
+            },
+            fpga_flow::ToolError::NoVersion { program, said } => Self::NoVersion {
+                program: name(program),
+                said,
+            },
+        }
+    }
+}
+
+/// The script with the pinned versions of the tools, from the project's root.
+const SETUP: &str = "scripts/setup.sh";
+
+/// The folder of the tools of pinned versions that `scripts/setup.sh` of this project has installed; `None`
+/// where there are none, or where the current folder is not in the project. It is looked up once.
+pub fn pinned_tools() -> Option<&'static Path> {
+    static FOLDER: OnceLock<Option<PathBuf>> = OnceLock::new();
+    let folder = || {
+        let here = env::current_dir().ok()?;
+        let mut scripts = here.ancestors().map(|folder| folder.join(SETUP));
+        let script = scripts.find(|script| script.is_file())?;
+        let output = output(Command::new(script).arg("--where")).ok()?;
+        let said = String::from_utf8_lossy(&output.stdout).into_owned();
+        let folder = said.lines().last().map(PathBuf::from);
+        folder.filter(|_| output.status.success())
+    };
+    FOLDER.get_or_init(folder).as_deref()
 }
 
 /// The path of a program on the PATH; `None` where it is missing.

@@ -36,7 +36,7 @@ impl PictureTime {
         Ok(Self {
             clocks,
             fmax_mhz,
-            speed_grade: fastest.map(|clock| clock.speed_grade),
+            speed_grade: fastest.and_then(|clock| clock.speed_grade),
             seconds_per_picture: seconds,
             pictures_per_second: seconds.map(f64::recip),
         })

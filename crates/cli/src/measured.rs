@@ -3,17 +3,16 @@
 //! `list`, the README and docs/machines.md show them; no figure is typed into the source.
 
 use anyhow::{Context, Result};
+use fpga_flow::Figure;
 use photoncube_spec::{MACHINES, Machine};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use crate::digests::{self, Digests};
 use crate::failure::CheckFailed;
-use crate::synth::cells::Figure;
 use crate::synth::clock::{Clock, clocks};
 use crate::synth::figures::{AreaRow, Figured, PlaceRow, Row};
-use crate::synth::flow::Flow;
-use crate::synth::place::{self, DEFAULT_GRADES};
+use crate::synth::{DEFAULT_DEVICE, DEFAULT_GRADES};
 
 /// The area on ECP5, by Yosys's `synth_ecp5`.
 #[derive(Clone, Debug, Serialize)]
@@ -35,6 +34,10 @@ pub struct Area {
     /// The number of RAMs of 16 x 4 in LUTs, TRELLIS_DPR16X4.
     pub lut_ram: u64,
 }
+
+/// The flows of ECP5.
+const WITH_DSP: &str = "ecp5";
+const WITHOUT_DSP: &str = "ecp5-nodsp";
 
 /// The speed grade of the clocks in `list` and in the tables of the pages: the slowest.
 const SPEED_GRADE: u32 = DEFAULT_GRADES[0];
@@ -186,8 +189,8 @@ impl Measured {
             .collect();
         let fmax_by_grade = clocks(&placed);
         Ok(Self {
-            area_without_dsp: Area::of(&areas, Flow::Ecp5Nodsp),
-            area_with_dsp: Area::of(&areas, Flow::Ecp5),
+            area_without_dsp: Area::of(&areas, WITHOUT_DSP),
+            area_with_dsp: Area::of(&areas, WITH_DSP),
             fmax: Fmax::of(&fmax_by_grade),
             areas,
             fmax_by_grade,
@@ -255,19 +258,19 @@ impl Measured {
     pub fn in_default_grades(&self) -> [Option<f64>; DEFAULT_GRADES.len()] {
         DEFAULT_GRADES.map(|grade| {
             let mut clocks = self.fmax_by_grade.iter();
-            let clock = clocks.find(|clock| clock.speed_grade == grade);
+            let clock = clocks.find(|clock| clock.speed_grade == Some(grade));
             clock.map(|clock| clock.fmax_mhz)
         })
     }
 }
 
 impl Area {
-    fn of(rows: &[AreaRow], flow: Flow) -> Option<Self> {
-        let row = rows.iter().find(|row| row.flow == flow)?;
+    fn of(rows: &[AreaRow], flow: &str) -> Option<Self> {
+        let row = rows.iter().find(|row| row.flow.name == flow)?;
         let figure = |figure| row.figures.get(&figure).copied();
         Some(Self {
             options: match flow {
-                Flow::Ecp5Nodsp => "-nodsp".to_owned(),
+                WITHOUT_DSP => "-nodsp".to_owned(),
                 _ => String::new(),
             },
             lut4: figure(Figure::Lut4)?,
@@ -283,11 +286,13 @@ impl Area {
 
 impl Fmax {
     fn of(clocks: &[Clock]) -> Self {
-        let clock = clocks.iter().find(|clock| clock.speed_grade == SPEED_GRADE);
+        let clock = clocks
+            .iter()
+            .find(|clock| clock.speed_grade == Some(SPEED_GRADE));
         Self {
             fmax_mhz: clock.map(|clock| clock.fmax_mhz),
-            device: clock.map(|_| place::Device::default_one().name.to_owned()),
-            speed_grade: clock.map(|clock| clock.speed_grade),
+            device: clock.map(|_| DEFAULT_DEVICE.to_owned()),
+            speed_grade: clock.and_then(|clock| clock.speed_grade),
         }
     }
 }
@@ -303,7 +308,7 @@ pub fn lut4_equivalents(machine: &str) -> Result<Option<u64>> {
     let rows = synthesis()?.rows;
     let row = rows
         .iter()
-        .find(|row| row.machine == machine && row.flow == Flow::Ecp5Nodsp);
+        .find(|row| row.machine == machine && row.flow.name == WITHOUT_DSP);
     Ok(row.and_then(|row| row.figures.get(&Figure::Lut4Equivalents).copied()))
 }
 

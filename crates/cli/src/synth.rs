@@ -1,49 +1,65 @@
 //! Measures area and clock of the emitted machines, with one pinned version of Yosys and nextpnr.
 
-pub mod area;
-pub mod cells;
 pub mod clock;
 pub mod figures;
-pub mod flow;
-mod models;
-pub mod netlist;
-pub mod path;
-pub mod place;
 pub mod placed;
 pub mod plan;
-pub mod prove;
 pub mod tables;
-pub mod tools;
-mod transistors;
-mod wrapper;
 pub mod writer;
 
-use std::fs;
 use std::path::Path;
 
-use anyhow::Result;
-use clap::ValueEnum;
+use anyhow::{Result, anyhow, bail};
+use fpga_flow::{Device, Family, Flow, FlowError, ToolError, Tools, devices::ecp5};
 use photoncube_hdl::{Level, emit};
-use photoncube_spec::Machine;
+use photoncube_spec::{Machine, Squarer};
+use photoncube_testbench::pinned_tools;
 
-use flow::Flow;
+/// The device of the committed figures.
+pub const DEFAULT_DEVICE: &str = "LFE5U-85F";
 
-/// An enum's value as it is written on the command line.
-fn option_name(value: impl ValueEnum) -> String {
-    let value = value.to_possible_value();
-    value.map_or_else(String::new, |value| value.get_name().to_owned())
+/// The speed grades of the committed figures: the slowest, whose clocks `list` shows, and the fastest.
+pub const DEFAULT_GRADES: [u32; 2] = [6, 8];
+
+/// The target clock in MHz, higher than any machine reaches, so that no path counts as fast enough.
+pub const TARGET_MHZ: u32 = 400;
+
+/// The command that installs the tools.
+const INSTALL: &str = "scripts/setup.sh --synthesis";
+
+/// Finds Yosys, and the nextpnr of a family, in a folder, or else where `scripts/setup.sh --synthesis` has
+/// installed them.
+///
+/// # Errors
+/// A tool is missing; the error names the command that installs it.
+pub fn tools(folder: Option<&Path>, places_in: Option<&Family>) -> Result<Tools> {
+    let installed = pinned_tools();
+    let Some(folder) = folder.or(installed) else {
+        bail!(
+            "found no tools of `scripts/setup.sh --where`; `{INSTALL}` installs them, --tools names a folder"
+        );
+    };
+    Tools::find(Some(folder), places_in).map_err(|error| match error {
+        FlowError::Tool(ToolError::Missing { .. }) => anyhow!("{error}; `{INSTALL}` installs it"),
+        error => error.into(),
+    })
+}
+
+/// The flow in which a machine is placed: with DSP blocks only where its squarer is made for them. In other
+/// machines the synthesiser finds products elsewhere, and the measurement would be of its choice.
+pub fn flow_to_place(machine: &Machine, device: &Device) -> &'static Flow {
+    let others = machine.spatial().map_or(&[][..], |spatial| spatial.others);
+    let others = others.iter().map(|(kind, _)| kind.squarer);
+    let mut squarers = others.chain([machine.squarer]);
+    device.flow(squarers.any(|kind| kind == Squarer::Product))
 }
 
 /// A machine that is measured, with its emitted Verilog.
 pub struct Subject {
     /// The machine that is measured.
     pub machine: &'static Machine,
-    /// The name of its top module.
-    pub top: String,
-    /// The Verilog text of all modules.
-    pub verilog: String,
-    /// The overrides of some modules for an ECP5; `None` if there are none.
-    pub ecp5_verilog: Option<String>,
+    /// Its Verilog, with the overrides of some modules for an ECP5.
+    pub design: fpga_flow::Design,
     /// The digest of both texts, see [`Emitted::ecp5_sha256`](photoncube_hdl::Emitted::ecp5_sha256).
     pub verilog_sha256: String,
 }
@@ -52,34 +68,31 @@ impl Subject {
     /// Emits the machine.
     pub fn of(machine: &'static Machine) -> Result<Self> {
         let emitted = emit(machine, Level::Machine)?;
+        let overrides = emitted.ecp5_text.iter();
+        let overrides = overrides.map(|text| (ecp5::FAMILY.name, text.clone()));
         Ok(Self {
             machine,
             verilog_sha256: emitted.ecp5_sha256(),
-            top: emitted.top,
-            verilog: emitted.text,
-            ecp5_verilog: emitted.ecp5_text,
+            design: fpga_flow::Design {
+                overrides: overrides.collect(),
+                top: emitted.top,
+                verilog: emitted.text,
+            },
         })
     }
+}
 
-    /// The Yosys commands that read the machine for a flow, from the folder of its files.
-    pub fn read(&self, flow: Flow) -> String {
-        let top = &self.top;
-        let is_ecp5 = matches!(flow, Flow::Ecp5 | Flow::Ecp5Nodsp);
-        match &self.ecp5_verilog {
-            Some(_) if is_ecp5 => {
-                format!("read_verilog {top}.v; read_verilog -overwrite {top}_ecp5.v")
-            }
-            _ => format!("read_verilog {top}.v"),
-        }
-    }
+#[cfg(test)]
+mod tests {
+    use photoncube_spec::find_machine;
 
-    /// Writes the texts into a folder.
-    pub fn write(&self, folder: &Path) -> std::io::Result<()> {
-        let top = &self.top;
-        fs::write(folder.join(format!("{top}.v")), &self.verilog)?;
-        match &self.ecp5_verilog {
-            Some(text) => fs::write(folder.join(format!("{top}_ecp5.v")), text),
-            None => Ok(()),
-        }
+    use super::*;
+
+    #[test]
+    fn dsp_blocks_are_for_squarers_that_are_products() {
+        let device = Device::find(DEFAULT_DEVICE).unwrap();
+        let flow = |machine| flow_to_place(find_machine(machine).unwrap(), device).name;
+        assert_eq!(flow("paper"), "ecp5-nodsp");
+        assert_eq!(flow("paper-dsp"), "ecp5");
     }
 }

@@ -99,11 +99,12 @@ fn bad_usage_ends_2_says_what_was_expected_and_writes_nothing() {
     let cases: &[(&[&str], &str)] = &[
         (&["--machine", "pentium"], "the machines are paper"),
         (&["--flow", "asic"], "gates"),
-        (&["--grade", "9"], "6..=8"),
+        (&["--grade", "9"], "expected 6, 7, 8"),
         (&["--seeds", "0"], "1..=1000"),
         (&["--jobs", "0"], "--jobs"),
         (&["--device", "iCE40"], "LFE5U-85F"),
         (&["--device", "LFE5U-45F"], "is for LFE5U-85F"),
+        (&["--device", "up5k", "--grade", "6"], "has only one"),
         (&["--check", "--update"], "cannot be used with"),
         (&["--check", "--out", missing], "no folder"),
         (&["--tools", out], "scripts/setup.sh --synthesis"),

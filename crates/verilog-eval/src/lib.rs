@@ -15,6 +15,7 @@ mod flat;
 mod four_state;
 mod graph;
 mod instance;
+mod modules;
 mod node;
 mod program;
 mod read;
@@ -34,6 +35,7 @@ use program::Program;
 use run::Running;
 use syntax::Line;
 
+pub use modules::{ModuleText, modules};
 pub use value::Value;
 
 /// The widest signal that can be driven or observed, in bits.

@@ -1,14 +1,14 @@
 //! Finds the constant bits of a machine. Yosys propagates constants over the whole flattened machine, with
 //! the initial values of registers, and leaves these bits as 0 or 1.
 
-use std::collections::{BTreeMap, HashSet};
-use std::process::Command;
+use std::collections::HashSet;
 
+use fpga_flow::Netlist;
+use fpga_flow::netlist::Bit;
 use photoncube_hdl::Emitted;
-use serde::Deserialize;
 
 use crate::device::{DeviceError, scratch_folder, write_file};
-use crate::tools::{Tool, run};
+use crate::tools::yosys;
 
 /// Constant bits by their path in the top instance, such as `cell_12.photon_q`, with the bit.
 pub(super) type Constants = HashSet<(String, u32)>;
@@ -17,28 +17,6 @@ pub(super) type Constants = HashSet<(String, u32)>;
 /// are propagated too.
 const PASSES: &str =
     "proc -norom; flatten; setattr -set keep 1 w:*; opt -full; write_json netlist.json";
-
-#[derive(Deserialize)]
-struct Netlist {
-    modules: BTreeMap<String, Module>,
-}
-
-#[derive(Deserialize)]
-struct Module {
-    netnames: BTreeMap<String, Net>,
-}
-
-#[derive(Deserialize)]
-struct Net {
-    bits: Vec<Bit>,
-}
-
-#[derive(Deserialize)]
-#[serde(untagged)]
-enum Bit {
-    Constant(String),
-    Wire(#[allow(dead_code)] u64),
-}
 
 /// Finds the constant bits of a design.
 ///
@@ -49,29 +27,23 @@ pub(super) fn constants(design: &Emitted) -> Result<Constants, DeviceError> {
     write_file(&folder.path().join("design.v"), &design.text)?;
     let top = &design.top;
     let script = format!("read_verilog design.v; hierarchy -top {top}; {PASSES}");
-    run(Command::new(Tool::Yosys.find()?)
-        .current_dir(folder.path())
-        .args(["-q", "-p", &script]))?;
+    yosys()?.run(folder.path(), &script)?;
     let path = folder.path().join("netlist.json");
     let text = std::fs::read_to_string(&path).map_err(|source| DeviceError::File {
         action: "read",
         path: path.display().to_string(),
         source,
     })?;
-    let netlist: Netlist = serde_json::from_str(&text).map_err(|error| DeviceError::BrokeOff {
-        device: "yosys".to_owned(),
-        message: format!("cannot read its netlist: {error}"),
-    })?;
-    Ok(constants_of(&netlist))
+    Ok(constants_of(&Netlist::parse(&text)?))
 }
 
 fn constants_of(netlist: &Netlist) -> Constants {
-    let nets = netlist.modules.values().flat_map(|module| &module.netnames);
-    let bits = nets.flat_map(|(name, net)| {
+    let nets = netlist.modules().flat_map(|(_, module)| module.nets());
+    let bits = nets.flat_map(|(name, bits)| {
         // An undriven bit is `x`, which is not a constant.
-        let constant = |(_, bit): &(u32, &Bit)| matches!(bit, Bit::Constant(value) if value != "x");
-        let bits = (0..).zip(&net.bits).filter(constant);
-        bits.map(move |(index, _)| (name.clone(), index))
+        let is_constant = |bit: &Bit| matches!(bit, Bit::Constant(value) if value != "x");
+        let bits = (0..).zip(bits).filter(move |(_, bit)| is_constant(bit));
+        bits.map(move |(index, _)| (name.to_owned(), index))
     });
     bits.collect()
 }
@@ -83,7 +55,7 @@ mod tests {
     #[test]
     fn constant_bits_are_those_without_a_wire() {
         let text = r#"{"modules": {"top": {"netnames": {"a.q": {"bits": [4, "0", "1", "x"]}}}}}"#;
-        let constants = constants_of(&serde_json::from_str(text).unwrap());
+        let constants = constants_of(&Netlist::parse(text).unwrap());
         let expected = [1, 2].map(|bit| ("a.q".to_owned(), bit));
         assert_eq!(constants, HashSet::from(expected));
     }

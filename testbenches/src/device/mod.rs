@@ -119,6 +119,24 @@ pub enum DeviceError {
     },
 }
 
+impl From<fpga_flow::FlowError> for DeviceError {
+    fn from(error: fpga_flow::FlowError) -> Self {
+        match error {
+            fpga_flow::FlowError::Tool(error) => Self::Tool(error.into()),
+            other => Self::BrokeOff {
+                device: "yosys".to_owned(),
+                message: other.to_string(),
+            },
+        }
+    }
+}
+
+impl From<fpga_flow::ToolError> for DeviceError {
+    fn from(error: fpga_flow::ToolError) -> Self {
+        Self::Tool(error.into())
+    }
+}
+
 impl From<MissingTool> for DeviceError {
     fn from(missing: MissingTool) -> Self {
         Self::Tool(missing.into())

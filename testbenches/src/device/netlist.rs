@@ -1,12 +1,10 @@
 //! Synthesises a design to gates, with Yosys's generic synthesis.
 
-use std::process::Command;
-
 use photoncube_hdl::Emitted;
 use photoncube_spec::{Pins, SignalPlace};
 
 use super::{DeviceError, scratch_folder, write_file};
-use crate::tools::{Tool, run};
+use crate::tools::yosys;
 
 /// Yosys's `synth` with a modified step `memory_map` that keeps memories of more than 256 words. A photon
 /// memory as flip-flops would be hundreds of thousands of them.
@@ -54,9 +52,7 @@ pub(crate) fn netlist_text(design: &Emitted, is_flat: bool) -> Result<String, De
          write_verilog -noattr netlist.v",
         design.top
     );
-    run(Command::new(Tool::Yosys.find()?)
-        .current_dir(folder.path())
-        .args(["-q", "-p", &script]))?;
+    yosys()?.run(folder.path(), &script)?;
     let path = folder.path().join("netlist.v");
     std::fs::read_to_string(&path).map_err(|source| DeviceError::File {
         action: "read",

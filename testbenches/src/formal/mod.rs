@@ -295,11 +295,11 @@ fn module_text(design: &str, prefix: &str, module: &str) -> (String, std::ops::R
         "" => prefix.to_owned(),
         module => format!("{prefix}_{module}"),
     };
-    let begin = design.find(&format!("\nmodule {name}("));
-    let place = begin.map(|begin| {
-        let end = design[begin..].find("\nendmodule");
-        begin..end.map_or(design.len(), |end| begin + end)
-    });
+    let modules = verilog_eval::modules(design).into_iter();
+    let mut places = modules
+        .filter(|module| module.name == name)
+        .map(|module| module.place);
+    let place = places.next();
     (name, place.unwrap_or(0..0))
 }
 

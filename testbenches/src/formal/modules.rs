@@ -1,26 +1,19 @@
-//! Splits a Verilog text into modules and finds their instances.
+//! The modules of a Verilog text with their instances.
 
 use std::collections::{BTreeMap, BTreeSet};
+
+use verilog_eval::{ModuleText, modules};
 
 /// The text of each module, by name.
 #[derive(Debug)]
 pub(super) struct Modules<'a> {
-    texts: BTreeMap<&'a str, &'a str>,
+    texts: BTreeMap<&'a str, ModuleText<'a>>,
 }
 
 impl<'a> Modules<'a> {
     pub fn of(text: &'a str) -> Self {
-        let mut texts = BTreeMap::new();
-        let mut rest = text;
-        while let Some(begin) = find_module(rest) {
-            let module = &rest[begin..];
-            let end = module.find("\nendmodule");
-            let end = end.map_or(module.len(), |end| end + "\nendmodule\n".len());
-            let end = end.min(module.len());
-            let name = module["module ".len()..].split('(').next();
-            texts.insert(name.unwrap_or_default().trim(), &module[..end]);
-            rest = &module[end..];
-        }
+        let modules = modules(text).into_iter();
+        let texts = modules.map(|module| (module.name, module)).collect();
         Self { texts }
     }
 
@@ -31,18 +24,16 @@ impl<'a> Modules<'a> {
 
     /// The text of a module; empty where it does not exist.
     pub fn text(&self, module: &str) -> &'a str {
-        self.texts.get(module).copied().unwrap_or_default()
+        self.texts.get(module).map_or("", |module| module.text)
     }
 
     /// The instances in a module, each with its name and its module.
     pub fn instances(&self, module: &str) -> BTreeSet<(&'a str, &'a str)> {
-        let lines = self.text(module).lines();
-        let instance = |line: &'a str| {
-            let (module, rest) = line.trim().split_once(' ')?;
-            let (name, _) = rest.split_once('(')?;
-            (self.texts.contains_key(module)).then_some((name.trim(), module))
-        };
-        lines.filter_map(instance).collect()
+        let module = self.texts.get(module).into_iter();
+        let is_module = |name: &str| self.texts.contains_key(name);
+        module
+            .flat_map(|module| module.instances(is_module))
+            .collect()
     }
 
     /// The text of a module and of all modules below it.
@@ -50,15 +41,11 @@ impl<'a> Modules<'a> {
         let parts = self.instances(module).into_iter().map(|(_, part)| part);
         let mut names: BTreeSet<_> = parts.collect();
         names.insert(module);
-        names.into_iter().map(|name| self.text(name)).collect()
+        let texts = names
+            .into_iter()
+            .map(|name| self.text(name).to_owned() + "\n");
+        texts.collect()
     }
-}
-
-fn find_module(text: &str) -> Option<usize> {
-    if text.starts_with("module ") {
-        return Some(0);
-    }
-    text.find("\nmodule ").map(|at| at + 1)
 }
 
 #[cfg(test)]
@@ -75,8 +62,11 @@ mod tests {
         let instances = [("one", "part"), ("two", "part")];
         assert_eq!(modules.instances("top"), BTreeSet::from(instances));
         assert!(modules.instances("part").is_empty());
-        assert!(modules.text("top").ends_with("endmodule\n"));
+        assert!(modules.text("top").ends_with("endmodule"));
         assert_eq!(modules.text("none"), "");
-        assert_eq!(modules.with_parts("part"), modules.text("part"));
+        assert_eq!(
+            modules.with_parts("part"),
+            modules.text("part").to_owned() + "\n"
+        );
     }
 }

@@ -13,6 +13,7 @@ use super::modules::Modules;
 use super::yosys::{Answer, Question, SECONDS_EACH, ask, run};
 use super::{Proof, wrong};
 use crate::device::{DeviceError, netlist_text};
+use crate::tools::LOWER;
 
 /// The most mutants that are tried until one is refuted. Some mutants are equal to the module.
 const MUTANTS: usize = 6;
@@ -153,7 +154,7 @@ fn claim(name: &str) -> String {
 /// The commands that read one of the two sides.
 fn side(name: &str, file: &str, module: &str) -> String {
     format!(
-        "read_verilog -formal {file}\nhierarchy -top {module}\n{READ}{MAP}rename {module} {name}\nexpose -evert {name}/c:*\n"
+        "read_verilog -formal {file}\nhierarchy -top {module}\n{READ}{LOWER}{MAP}rename {module} {name}\nexpose -evert {name}/c:*\n"
     )
 }
 
@@ -168,9 +169,11 @@ fn miter(module: &str) -> String {
 
 /// The text with an assumption in the module that holds in each clock.
 fn with_assumption(text: &str, module: &str, condition: &str) -> String {
-    let begin = text.find(&format!("module {module}(")).unwrap_or(0);
-    let end = text[begin..].find("endmodule");
-    let end = end.map_or(text.len(), |end| begin + end);
+    let modules = verilog_eval::modules(text).into_iter();
+    let mut places = modules.filter(|of| of.name == module).map(|of| of.place);
+    let end = places
+        .next()
+        .map_or(text.len(), |place| place.end - "endmodule".len());
     let assumption = format!("  always @(*) assume({condition});\n");
     format!("{}{assumption}{}", &text[..end], &text[end..])
 }
@@ -256,12 +259,11 @@ fn refuted(module: &str, texts: &(String, String)) -> Result<bool, DeviceError> 
 /// Netlists with one assignment, or one input of a submodule, inverted.
 fn mutants(netlist: &str, module: &str) -> Vec<String> {
     let lines: Vec<_> = netlist.lines().collect();
-    let begin = format!("module {module}(");
-    let inside = lines.iter().position(|line| line.starts_with(&begin));
-    let inside = inside.map_or(0..0, |begin| {
-        let end = lines[begin..].iter().position(|line| *line == "endmodule");
-        begin..end.map_or(lines.len(), |end| begin + end)
-    });
+    let modules = verilog_eval::modules(netlist).into_iter();
+    let mut places = modules.filter(|of| of.name == module).map(|of| of.place);
+    let line_of = |at: usize| netlist[..at].matches('\n').count();
+    let inside = places.next();
+    let inside = inside.map_or(0..0, |place| line_of(place.start)..line_of(place.end));
     let inverted = |line: &str| {
         let (target, value) = line.strip_prefix("  assign ")?.split_once(" = ")?;
         let value = value.strip_suffix(';')?;

@@ -2,6 +2,7 @@
 //! check the proof.
 
 use super::yosys::Question;
+use crate::tools::LOWER;
 
 /// The method of a proof.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
@@ -127,7 +128,7 @@ impl Property {
         };
         format!(
             "read_verilog -defer design.v\nhierarchy -top {module}\nproc -norom\nrename {module} dut\n{open}\
-             read_verilog -formal -sv harness.sv\nhierarchy -check -top harness\nproc -norom\nflatten\n\
+             read_verilog -formal -sv harness.sv\nhierarchy -check -top harness\nproc -norom\n{LOWER}flatten\n\
              memory -nomap\nmemory_map\nopt_clean\ncheck -assert\n"
         )
     }

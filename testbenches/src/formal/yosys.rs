@@ -1,14 +1,10 @@
 //! Runs Yosys's `sat` for a list of questions and reads the answers: a proof, a counter-example, or neither.
 //! Only Yosys's last word on a question counts; no output, an error and a time-out prove nothing.
 
-use std::fs::File;
-use std::path::Path;
-use std::process::{Command, Stdio};
-use std::thread::sleep;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use crate::device::{DeviceError, scratch_folder, write_file};
-use crate::tools::{Tool, ToolError, tail};
+use crate::tools::{script_for, tail, yosys};
 
 /// The time limit of a question in seconds. The slowest question that is answered takes a twentieth of it on
 /// a small machine.
@@ -91,48 +87,10 @@ pub(super) fn run(files: &Files<'_>, script: &str, limit: Duration) -> Result<St
     for (name, text) in files {
         write_file(&folder.path().join(name), text)?;
     }
-    write_file(&folder.path().join("run.ys"), script)?;
-    let log = folder.path().join("log");
-    let file_error = |source| DeviceError::File {
-        action: "write",
-        path: log.display().to_string(),
-        source,
-    };
-    let output = File::create(&log).map_err(file_error)?;
-    let errors = output.try_clone().map_err(file_error)?;
-    let mut command = Command::new(Tool::Yosys.find()?);
-    command.current_dir(folder.path()).args(["-s", "run.ys"]);
-    command.stdin(Stdio::null()).stdout(output).stderr(errors);
-    end_within(&mut command, limit)?;
-    read(&log)
-}
-
-fn read(path: &Path) -> Result<String, DeviceError> {
-    let said = std::fs::read(path).map_err(|source| DeviceError::File {
-        action: "read",
-        path: path.display().to_string(),
-        source,
-    })?;
-    Ok(String::from_utf8_lossy(&said).into_owned())
-}
-
-/// Runs a command, and ends it after the time limit. Its log then shows that it is incomplete.
-fn end_within(command: &mut Command, limit: Duration) -> Result<(), ToolError> {
-    let failed = |source| ToolError::NotStarted {
-        program: Tool::Yosys.program().to_owned(),
-        source,
-    };
-    let mut child = command.spawn().map_err(failed)?;
-    let started = Instant::now();
-    while child.try_wait().map_err(failed)?.is_none() {
-        if started.elapsed() > limit {
-            child.kill().map_err(failed)?;
-            child.wait().map_err(failed)?;
-            break;
-        }
-        sleep(Duration::from_millis(5));
-    }
-    Ok(())
+    let yosys = yosys()?;
+    let script = script_for(&yosys, script)?;
+    write_file(&folder.path().join(fpga_flow::SCRIPT), &script)?;
+    Ok(yosys.log_within(folder.path(), limit)?)
 }
 
 /// The answer to each question in a log.

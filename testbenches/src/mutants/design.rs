@@ -2,14 +2,13 @@
 
 use std::collections::BTreeSet;
 use std::path::Path;
-use std::process::Command;
 
 use photoncube_hdl::Emitted;
 use photoncube_spec::{Pin, Pins, SignalPlace};
 use serde::Serialize;
 
 use crate::device::{DeviceError, scratch_folder, write_file};
-use crate::tools::{Tool, run};
+use crate::tools;
 
 /// The pin that selects the active mutation; 0 selects none.
 const PIN: &str = "mutant";
@@ -135,10 +134,11 @@ pub(super) fn yosys(folder: &Path, design: &Emitted, script: &str) -> Result<(),
         "read_verilog design.v\nhierarchy -top {top}\n{}\n{script}\n",
         ELABORATION.replace("; ", "\n")
     );
-    write_file(&folder.join("script.ys"), &script)?;
-    Ok(run(Command::new(Tool::Yosys.find()?)
-        .current_dir(folder)
-        .args(["-q", "script.ys"]))?)
+    let yosys = tools::yosys()?;
+    let script = tools::script_for(&yosys, &script)?;
+    write_file(&folder.join(fpga_flow::SCRIPT), &script)?;
+    yosys.run_script(folder)?;
+    Ok(())
 }
 
 pub(super) fn read(path: &Path) -> Result<String, DeviceError> {

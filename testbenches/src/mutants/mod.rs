@@ -7,7 +7,6 @@
 mod design;
 mod invariants;
 mod kill;
-mod netlist;
 mod prove;
 
 use std::collections::BTreeMap;

@@ -69,6 +69,12 @@ fn is_not_proven(error: &DeviceError) -> bool {
     let DeviceError::Tool(ToolError::Failed { message, .. }) = error else {
         return false;
     };
-    let reasons = ["proof did fail", "timeout", "to SAT database"];
+    // The last two are said of a register, by Yosys 0.23 and by Yosys 0.70.
+    let reasons = [
+        "proof did fail",
+        "timeout",
+        "to SAT database",
+        "No SAT model available for async FF cell",
+    ];
     reasons.iter().any(|reason| message.contains(reason))
 }

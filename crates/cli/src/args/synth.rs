@@ -3,12 +3,14 @@
 use std::num::NonZeroUsize;
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
+use std::sync::LazyLock;
 
-use clap::builder::PossibleValue;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args as ClapArgs, ValueEnum};
+use fpga_flow::{Device, FLOWS, Flow, Placer, Router};
 
-use crate::synth::flow::Flow;
-use crate::synth::place::{DEVICES, Device, Placer, Router};
+use crate::synth::DEFAULT_DEVICE;
+use crate::synth::figures::recorded_flows;
 
 /// `synth`
 #[derive(ClapArgs, Debug)]
@@ -18,24 +20,27 @@ Examples:
   photoncube synth --machine paper --grade 8 --seeds 1
   photoncube synth --machine paper --flow gates --flow intel --json
   photoncube synth --machine paper --update          replaces that machine's rows and keeps the others
+  photoncube synth --machine paper --device up5k     the area and the clock in an iCE40, or what it lacks
   photoncube synth --check                           fails where docs/measured/ is about other Verilog
 
-Yosys maps each machine in every flow; nextpnr places and routes it on an ECP5, in a serial wrapper
+Yosys maps each machine in every flow; nextpnr places and routes it on an FPGA, in a serial wrapper
 that gives each port a register, with DSP blocks only where the machine's squarer is a product. About
 5 s for each machine and flow, and half a minute for each machine, speed grade and seed; more where
-machines are larger. `scripts/setup.sh --synthesis` installs both tools.")]
+machines are larger. A machine that the FPGA cannot hold ends with exit code 1, with what is lacking.
+`scripts/setup.sh --synthesis` installs the tools.")]
 pub struct SynthArgs {
     /// Only this machine; can be given several times [default: all]
     #[arg(long = "machine", value_name = "M")]
     pub machines: Vec<String>,
-    /// Only this; can be given several times [default: all]
+    /// Only this; can be given several times [default: those of docs/measured and the clock; with an FPGA of
+    /// another family, its flows and the clock]
     #[arg(long = "flow", value_enum, value_name = "F")]
     pub flows: Vec<Measurement>,
-    /// The FPGA to place machines in
-    #[arg(long, default_value = DEVICES[0].name, value_name = "D", value_parser = Device::find)]
+    /// The FPGA to place machines in: LFE5U-85F, -45F, -25F, -12F (ECP5), iCE40UP5K, iCE40HX8K or iCE40HX1K
+    #[arg(long, default_value = DEFAULT_DEVICE, value_name = "D", value_parser = Device::find)]
     pub device: &'static Device,
-    /// Its speed grade, 6 (slowest) to 8; can be given several times [default: 6 and 8]
-    #[arg(long = "grade", value_name = "G", value_parser = clap::value_parser!(u32).range(6..=8))]
+    /// Its speed grade, for an ECP5 6 (slowest) to 8; can be given several times [default: slowest and fastest]
+    #[arg(long = "grade", value_name = "G")]
     pub grades: Vec<u32>,
     /// Place and route with the seeds 1 to N
     #[arg(long, default_value_t = 3, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
@@ -44,10 +49,10 @@ pub struct SynthArgs {
     #[arg(long, conflicts_with = "seeds", value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
     pub seed: Option<u32>,
     /// How to place
-    #[arg(long, value_enum, default_value_t, value_name = "P")]
+    #[arg(long, default_value = "heap", value_name = "P", value_parser = placers())]
     pub placer: Placer,
     /// How to route
-    #[arg(long, value_enum, default_value_t, value_name = "R")]
+    #[arg(long, default_value = "router1", value_name = "R", value_parser = routers())]
     pub router: Router,
     /// Runs at the same time [default: one for each core]
     #[arg(long, value_name = "N")]
@@ -70,39 +75,74 @@ pub struct SynthArgs {
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub enum Measurement {
     /// The area in a flow.
-    Area(Flow),
+    Area(&'static Flow),
     /// The clock, placed and routed.
     Place,
 }
 
 impl ValueEnum for Measurement {
     fn value_variants<'a>() -> &'a [Self] {
-        const ALL: [Measurement; 7] = [
-            Measurement::Area(Flow::Lut4),
-            Measurement::Area(Flow::Ecp5),
-            Measurement::Area(Flow::Ecp5Nodsp),
-            Measurement::Area(Flow::Gates),
-            Measurement::Area(Flow::Intel),
-            Measurement::Area(Flow::Max10),
-            Measurement::Place,
-        ];
+        static ALL: LazyLock<Vec<Measurement>> = LazyLock::new(|| {
+            let areas = FLOWS.into_iter().map(Measurement::Area);
+            areas.chain([Measurement::Place]).collect()
+        });
         &ALL
     }
 
     fn to_possible_value(&self) -> Option<PossibleValue> {
         match self {
-            Self::Area(flow) => flow.to_possible_value(),
+            Self::Area(flow) => Some(PossibleValue::new(flow.name).help(flow.help)),
             Self::Place => Some(PossibleValue::new("place").help("The clock, placed and routed")),
         }
     }
 }
 
+impl Measurement {
+    fn is_area(&self, flow: &Flow) -> bool {
+        matches!(self, Self::Area(area) if *area == flow)
+    }
+}
+
+/// The placers by nextpnr's names.
+fn placers() -> impl TypedValueParser<Value = Placer> {
+    let heap = "Analytically, with slow paths first: nextpnr's default";
+    let r#static = "By forces between cells: shorter nets, slow paths first only at the end; finds places in \
+                    full devices";
+    let names = [(Placer::Heap, heap), (Placer::Static, r#static)];
+    let values = names.map(|(placer, help)| PossibleValue::new(placer.name()).help(help));
+    PossibleValuesParser::new(values).map(|name| match name.as_str() {
+        "static" => Placer::Static,
+        _ => Placer::Heap,
+    })
+}
+
+/// The routers by nextpnr's names.
+fn routers() -> impl TypedValueParser<Value = Router> {
+    let router1 = "Net by net, with slow paths first: nextpnr's default";
+    let router2 = "All nets at once, dearer where they meet; finds routes in full devices";
+    let names = [(Router::Router1, router1), (Router::Router2, router2)];
+    let values = names.map(|(router, help)| PossibleValue::new(router.name()).help(help));
+    PossibleValuesParser::new(values).map(|name| match name.as_str() {
+        "router2" => Router::Router2,
+        _ => Router::Router1,
+    })
+}
+
 impl SynthArgs {
     /// The flows to count areas in.
-    pub fn area_flows(&self) -> Vec<Flow> {
-        let wanted =
-            |flow: &Flow| self.flows.is_empty() || self.flows.contains(&Measurement::Area(*flow));
-        Flow::all().filter(wanted).collect()
+    pub fn area_flows(&self) -> Vec<&'static Flow> {
+        let family = self.device.family();
+        match (
+            self.flows.is_empty(),
+            recorded_flows().any(|flow| flow.family == family.name),
+        ) {
+            (true, true) => recorded_flows().collect(),
+            (true, false) => family.flows().collect(),
+            (false, _) => {
+                let is_wanted = |flow: &&Flow| self.flows.iter().any(|of| of.is_area(flow));
+                FLOWS.into_iter().filter(is_wanted).collect()
+            }
+        }
     }
 
     /// Whether machines are placed.

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use anyhow::{Context, Result, bail};
+use fpga_flow::{Flow, Tools};
 use photoncube_spec::{MACHINES, Machine, find_machine};
 use rayon::prelude::*;
 use serde::Serialize;
@@ -11,11 +12,8 @@ use crate::args::SynthArgs;
 use crate::failure::CheckFailed;
 use crate::synth::clock::{Clock, clocks};
 use crate::synth::figures::{self, AreaRow, AreaSetting, COMMAND, PlaceRow, PlaceSetting, Row};
-use crate::synth::flow::Flow;
-use crate::synth::place::{Device, TARGET_MHZ};
-use crate::synth::plan::Plan;
-use crate::synth::tools::{Purpose, Tools};
-use crate::synth::{Subject, tables};
+use crate::synth::plan::{DeviceUse, Plan};
+use crate::synth::{self, DEFAULT_DEVICE, Subject, TARGET_MHZ, tables};
 use crate::{output, project};
 
 #[derive(Serialize)]
@@ -30,6 +28,7 @@ struct Report {
     areas: Vec<AreaRow>,
     placements: Vec<PlaceRow>,
     fmax_by_grade: Vec<Clock>,
+    device_use: Vec<DeviceUse>,
     files: Vec<String>,
 }
 
@@ -43,7 +42,7 @@ struct VerilogRow {
 /// The script of a flow.
 #[derive(Serialize)]
 struct ScriptRow {
-    flow: Flow,
+    flow: &'static Flow,
     script: String,
 }
 
@@ -67,20 +66,20 @@ pub fn execute(args: &SynthArgs, json: bool) -> Result<()> {
         }
         return check(args, &subjects(&machines)?, json);
     }
-    if writes(args) && *args.device != *Device::default_one() {
+    args.grades
+        .iter()
+        .try_for_each(|&grade| args.device.check_grade(grade))?;
+    if writes(args) && args.device.name != DEFAULT_DEVICE {
         bail!(
             "{} is for {}; `{COMMAND} --device {}` prints, if a machine, flow or grade is named and \
              --update is not",
             PlaceRow::FILE,
-            Device::default_one().name,
+            DEFAULT_DEVICE,
             args.device.name
         );
     }
-    let purpose = match args.places() {
-        true => Purpose::Place,
-        false => Purpose::Map,
-    };
-    let tools = Tools::find(args.tools.as_deref(), purpose)?;
+    let places_in = args.places().then(|| args.device.family());
+    let tools = synth::tools(args.tools.as_deref(), places_in)?;
     measure(args, &tools, subjects(&machines)?, json)
 }
 
@@ -178,7 +177,7 @@ fn measure(args: &SynthArgs, tools: &Tools, subjects: Vec<Subject>, json: bool) 
     plan.announce();
     plan.write_verilog(scratch.path())?;
     let areas = plan.areas(tools, scratch.path(), area_writer.as_ref())?;
-    let placements = plan.placements(tools, scratch.path(), place_writer.as_ref())?;
+    let (placements, device_use) = plan.placements(tools, scratch.path(), place_writer.as_ref())?;
     let written = [
         area_writer.map(|writer| writer.path()),
         place_writer.map(|writer| writer.path()),
@@ -194,9 +193,24 @@ fn measure(args: &SynthArgs, tools: &Tools, subjects: Vec<Subject>, json: bool) 
         fmax_by_grade: clocks(&placements),
         areas,
         placements,
+        device_use,
         files: written.into_iter().flatten().collect(),
     };
-    output::print(json, &report, || text(&report))
+    output::print(json, &report, || text(&report))?;
+    conclusion(&report)
+}
+
+/// Fails where the device cannot hold a machine.
+fn conclusion(report: &Report) -> Result<()> {
+    let too_large = report.device_use.iter().filter(|used| !used.fits);
+    let too_large = too_large.map(|used| {
+        let (machine, lacking) = (used.machine, used.lacking());
+        format!("{machine} does not fit in {}: {lacking}", report.device)
+    });
+    match too_large.collect::<Vec<_>>() {
+        none if none.is_empty() => Ok(()),
+        some => Err(CheckFailed(some.join("; ")).into()),
+    }
 }
 
 fn verilog_rows(plan: &Plan) -> Vec<VerilogRow> {
@@ -208,9 +222,9 @@ fn verilog_rows(plan: &Plan) -> Vec<VerilogRow> {
 }
 
 fn script_rows(plan: &Plan) -> Vec<ScriptRow> {
-    let row = |&flow: &Flow| ScriptRow {
+    let row = |&flow: &&'static Flow| ScriptRow {
         flow,
-        script: flow.script("TOP"),
+        script: flow.script("TOP", project::ABC9_TARGET_PS),
     };
     plan.flows.iter().map(row).collect()
 }
@@ -220,6 +234,12 @@ fn text(report: &Report) -> String {
     if !report.fmax_by_grade.is_empty() {
         text += &format!("Clock, {}, post-route:\n", report.device);
         text += &tables::clocks(&report.fmax_by_grade);
+        text += "\n";
+    }
+    // The committed figures are of machines in a device that holds them all.
+    if report.device != DEFAULT_DEVICE && !report.device_use.is_empty() {
+        text += &format!("Use of {}:\n", report.device);
+        text += &tables::uses(&report.device_use);
         text += "\n";
     }
     let versions = report.tool_versions.iter();

@@ -1,11 +1,9 @@
 //! The clock of a machine over several seeds of placement.
 
+use fpga_flow::{CriticalPath, Flow, Placer, Router};
 use serde::Serialize;
 
 use super::figures::PlaceRow;
-use super::flow::Flow;
-use super::path::CriticalPath;
-use super::place::{Placer, Router};
 
 /// The clock of a machine in a speed grade.
 #[derive(Clone, Debug, Serialize)]
@@ -13,9 +11,9 @@ pub struct Clock {
     /// The machine's name.
     pub machine: String,
     /// The flow that mapped the machine.
-    pub flow: Flow,
-    /// The speed grade of the device.
-    pub speed_grade: u32,
+    pub flow: &'static Flow,
+    /// The speed grade of the device; `None` where it has only one.
+    pub speed_grade: Option<u32>,
     /// The placer of the machine.
     pub placer: Placer,
     /// The router of the machine.
@@ -32,9 +30,17 @@ pub struct Clock {
     pub path: Option<CriticalPath>,
 }
 
+impl Clock {
+    /// The speed grade as text.
+    pub fn grade(&self) -> String {
+        let grade = self.speed_grade.map(|grade| grade.to_string());
+        grade.unwrap_or_else(|| "only one".to_owned())
+    }
+}
+
 /// The clocks: one for each machine and speed grade, in the order of the rows.
 pub fn clocks(rows: &[PlaceRow]) -> Vec<Clock> {
-    let mut keys: Vec<(&str, u32)> = Vec::new();
+    let mut keys: Vec<(&str, Option<u32>)> = Vec::new();
     for row in rows {
         let key = (row.machine.as_str(), row.speed_grade);
         if !keys.contains(&key) {
@@ -85,14 +91,15 @@ fn median(mut values: Vec<f64>) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::path::{Binding, CriticalPath};
+    use fpga_flow::Binding;
+
     use super::*;
 
     fn row(machine: &str, speed_grade: u32, seed: u32, fmax_mhz: f64) -> PlaceRow {
         PlaceRow {
             machine: machine.to_owned(),
-            flow: Flow::Ecp5Nodsp,
-            speed_grade,
+            flow: Flow::find("ecp5-nodsp").unwrap(),
+            speed_grade: Some(speed_grade),
             seed,
             placer: Placer::default(),
             router: Router::default(),
@@ -134,7 +141,10 @@ mod tests {
         assert_eq!((first.seeds, first.fmax_mhz), (3, 80.0));
         assert_eq!((first.fmax_mhz_low, first.fmax_mhz_high), (70.25, 90.5));
         assert_eq!(first.path.as_ref().unwrap().from, "near");
-        assert_eq!((clocks[1].speed_grade, clocks[1].fmax_mhz), (8, 100.0));
+        assert_eq!(
+            (clocks[1].speed_grade, clocks[1].fmax_mhz),
+            (Some(8), 100.0)
+        );
         assert_eq!(clocks[2].path, None);
     }
 

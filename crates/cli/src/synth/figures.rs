@@ -6,20 +6,26 @@ use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
+use fpga_flow::{CriticalPath, Device, FLOWS, Figures, Flow, Placer, Router};
 use photoncube_spec::Machine;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
-use super::Subject;
-use super::cells::Figures;
-use super::flow::Flow;
-use super::path::CriticalPath;
-use super::place::{DEFAULT_GRADES, Device, Placer, Router, TARGET_MHZ};
+use super::{DEFAULT_DEVICE, DEFAULT_GRADES, Subject, TARGET_MHZ, flow_to_place};
 use crate::files;
 use crate::project::ABC9_TARGET_PS;
 
 /// The command that writes the files.
 pub const COMMAND: &str = "photoncube synth";
+
+/// The families whose flows are in the committed figures; `any` is for flows of none.
+const RECORDED_FAMILIES: [&str; 4] = ["any", "ecp5", "cyclonev", "max10"];
+
+/// The flows of the committed figures.
+pub fn recorded_flows() -> impl Iterator<Item = &'static Flow> {
+    let flows = FLOWS.into_iter();
+    flows.filter(|flow| RECORDED_FAMILIES.contains(&flow.family))
+}
 
 /// The area of a machine in a flow.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -27,7 +33,7 @@ pub struct AreaRow {
     /// The machine's name.
     pub machine: String,
     /// The flow that mapped the machine.
-    pub flow: Flow,
+    pub flow: &'static Flow,
     /// The figures of the area.
     #[serde(flatten)]
     pub figures: Figures,
@@ -39,9 +45,9 @@ pub struct PlaceRow {
     /// The machine's name.
     pub machine: String,
     /// The flow that mapped the machine.
-    pub flow: Flow,
-    /// The speed grade of the device; a larger grade is faster.
-    pub speed_grade: u32,
+    pub flow: &'static Flow,
+    /// The speed grade of the device, of which a larger one is faster; `None` where it has only one.
+    pub speed_grade: Option<u32>,
     /// The seed of placement.
     pub seed: u32,
     /// The placer of the machine.
@@ -52,8 +58,8 @@ pub struct PlaceRow {
     pub router: Router,
     /// The highest clock in MHz.
     pub fmax_mhz: f64,
-    /// The digest of the netlist that was placed, see [`netlist::sha256`](super::netlist::sha256); `None` in
-    /// rows that are older than this field.
+    /// The digest of the netlist that was placed, see [`Netlist::sha256`](fpga_flow::Netlist::sha256);
+    /// `None` in rows that are older than this field.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub netlist_sha256: Option<String>,
     /// The critical path; `None` where it was not read.
@@ -83,18 +89,19 @@ pub struct Group {
 
 impl Group {
     /// The rows of a machine in a flow.
-    pub fn area(machine: &str, flow: Flow) -> Self {
+    pub fn area(machine: &str, flow: &Flow) -> Self {
         Self {
             machine: machine.to_owned(),
-            what: format!("flow {}", flow.name()),
+            what: format!("flow {flow}"),
         }
     }
 
     /// The rows of a machine in a speed grade, with all seeds.
-    pub fn place(machine: &str, speed_grade: u32) -> Self {
+    pub fn place(machine: &str, speed_grade: Option<u32>) -> Self {
+        let grade = speed_grade.map(|grade| format!("speed grade {grade}"));
         Self {
             machine: machine.to_owned(),
-            what: format!("speed grade {speed_grade}"),
+            what: grade.unwrap_or_else(|| "the only speed grade".to_owned()),
         }
     }
 }
@@ -105,7 +112,7 @@ pub struct AreaSetting {
     /// See [`ABC9_TARGET_PS`].
     pub abc9_target_ps: u32,
     /// The Yosys commands of each flow.
-    pub scripts: BTreeMap<Flow, String>,
+    pub scripts: BTreeMap<&'static Flow, String>,
     /// The versions of the tools.
     pub tool_versions: BTreeMap<String, String>,
 }
@@ -132,7 +139,9 @@ impl AreaSetting {
         tool_versions.retain(|tool, _| tool.contains("yosys"));
         Self {
             abc9_target_ps: ABC9_TARGET_PS,
-            scripts: Flow::all().map(|flow| (flow, flow.script("TOP"))).collect(),
+            scripts: recorded_flows()
+                .map(|flow| (flow, flow.script("TOP", ABC9_TARGET_PS)))
+                .collect(),
             tool_versions,
         }
     }
@@ -325,7 +334,7 @@ fn is_chain(machine: &Machine) -> bool {
 }
 
 fn expected_areas(machine: &Machine) -> Vec<Group> {
-    let flows = Flow::all().filter(|_| !is_chain(machine));
+    let flows = recorded_flows().filter(|_| !is_chain(machine));
     flows.map(|flow| Group::area(machine.name, flow)).collect()
 }
 
@@ -357,13 +366,15 @@ pub fn faults(folder: &Path, subjects: &[Subject], all: bool) -> Result<Vec<Stri
         Some(file) => {
             let machines = subjects.iter().map(|subject| subject.machine);
             let placed = machines.filter(|machine| !is_chain(machine));
-            let expected = placed
-                .flat_map(|machine| DEFAULT_GRADES.map(|grade| Group::place(machine.name, grade)));
+            let expected = placed.flat_map(|machine| {
+                DEFAULT_GRADES.map(|grade| Group::place(machine.name, Some(grade)))
+            });
             let expected: Vec<_> = expected.collect();
             faults.extend(file.faults(&expected, subjects, all));
+            let device = Device::find(DEFAULT_DEVICE)?;
             let flows = subjects
                 .iter()
-                .map(|s| (s.machine, Flow::to_place(s.machine)));
+                .map(|s| (s.machine, flow_to_place(s.machine, device)));
             for (machine, flow) in flows {
                 let mut rows = file.rows.iter().filter(|row| row.machine == machine.name);
                 if rows.any(|row| row.flow != flow) {
@@ -371,7 +382,6 @@ pub fn faults(folder: &Path, subjects: &[Subject], all: bool) -> Result<Vec<Stri
                     faults.push(format!("{}: {fault}", PlaceRow::FILE));
                 }
             }
-            let device = Device::default_one();
             if file.setting != PlaceSetting::new(device, &file.setting.tool_versions) {
                 faults.push(format!("{}: its settings are not today's", PlaceRow::FILE));
             }

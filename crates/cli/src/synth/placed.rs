@@ -3,6 +3,10 @@
 use std::path::Path;
 
 use anyhow::{Context, Result};
+use fpga_flow::devices::ecp5;
+use fpga_flow::{
+    Device as Fpga, Mapped, Models, Netlist, PassProof, Stage, Target, Tools, map, prove,
+};
 use photoncube_hdl::{Level, emit};
 use photoncube_testbench::{
     Device, DeviceKind, Icarus, Verdict, VerifyError, VerifyOptions, Verilator, verify_device,
@@ -10,12 +14,8 @@ use photoncube_testbench::{
 };
 use tempfile::TempDir;
 
-use super::models::{check_parameters, models};
-use super::netlist::{self, Stage};
-use super::place::{self, Mapped};
-use super::prove::{PassProof, prove};
-use super::tools::Tools;
-use super::{Subject, netlist::unwrapped};
+use super::{DEFAULT_DEVICE, Subject, flow_to_place};
+use crate::project::ABC9_TARGET_PS;
 
 /// The simulators that can run the models of the cells.
 pub const SIMULATORS: [DeviceKind; 2] = [DeviceKind::Verilator, DeviceKind::Icarus];
@@ -26,7 +26,7 @@ pub struct Placed<'a> {
     folder: TempDir,
     subject: &'a Subject,
     mapped: Mapped,
-    models: String,
+    models: Models,
 }
 
 impl<'a> Placed<'a> {
@@ -36,10 +36,18 @@ impl<'a> Placed<'a> {
     /// Yosys fails, or refuses the machine.
     pub fn map(tools: &'a Tools, subject: &'a Subject) -> Result<Self> {
         let folder = tempfile::tempdir().context("cannot make a scratch folder")?;
-        subject.write(folder.path())?;
+        subject.design.write(folder.path())?;
+        let device = Fpga::find(DEFAULT_DEVICE)?;
+        let target = Target {
+            device,
+            flow: flow_to_place(subject.machine, device),
+            abc9_target_ps: ABC9_TARGET_PS,
+        };
+        let yosys = tools.yosys();
         Ok(Self {
-            mapped: place::map(tools, folder.path(), subject)?,
-            models: models(tools, folder.path())?,
+            mapped: map(yosys, folder.path(), &subject.design, &target)
+                .with_context(|| format!("machine {} in its wrapper", subject.machine.name))?,
+            models: ecp5::models(yosys, folder.path())?,
             tools,
             folder,
             subject,
@@ -57,7 +65,7 @@ impl<'a> Placed<'a> {
     /// The netlist is not legal.
     pub fn netlist_sha256(&self) -> Result<String> {
         let placed = self.mapped.stages.last().context("there is a netlist")?;
-        netlist::sha256(&placed.netlist)
+        Ok(placed.netlist.sha256()?)
     }
 
     /// Yosys's version.
@@ -65,7 +73,7 @@ impl<'a> Placed<'a> {
     /// # Errors
     /// Yosys prints no version.
     pub fn yosys_version(&self) -> Result<String> {
-        self.tools.yosys_version(self.folder())
+        Ok(self.tools.yosys().version()?)
     }
 
     fn folder(&self) -> &Path {
@@ -77,19 +85,18 @@ impl<'a> Placed<'a> {
     /// # Errors
     /// A pass has done more than change cells, or Yosys fails.
     pub fn prove(&self) -> Result<Vec<PassProof>> {
-        prove(self.tools, self.folder(), &self.models, &self.mapped.stages)
+        let (yosys, stages) = (self.tools.yosys(), &self.mapped.stages);
+        Ok(prove(yosys, self.folder(), &self.models, stages)?)
     }
 
     /// The Verilog of the machine in a netlist, with the models of its cells.
     ///
     /// # Errors
     /// A cell has no model, or the machine's surroundings are not its wrapper.
-    pub fn text(&self, netlist: &serde_json::Value) -> Result<String> {
-        let machine = unwrapped(netlist, &self.subject.top, &self.mapped.ports)?;
-        if let Some(cells) = netlist::top(netlist)?["cells"].as_object() {
-            check_parameters(&self.models, cells)?;
-        }
-        Ok(machine + &self.models)
+    pub fn text(&self, netlist: &Netlist) -> Result<String> {
+        self.models.check(netlist)?;
+        let top = &self.subject.design.top;
+        Ok(ecp5::unwrapped(netlist, top, &self.mapped.ports)? + self.models.verilog())
     }
 
     /// Verifies the machine in a netlist in a simulator. Its output pins are compared in every clock.
@@ -99,7 +106,7 @@ impl<'a> Placed<'a> {
     /// failure of the simulator.
     pub fn verify(
         &self,
-        netlist: &serde_json::Value,
+        netlist: &Netlist,
         simulator: DeviceKind,
         options: &VerifyOptions<'_>,
         progress: &dyn Fn(u64),

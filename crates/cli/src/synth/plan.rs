@@ -6,19 +6,21 @@ use std::ops::RangeInclusive;
 use std::path::Path;
 use std::thread::available_parallelism;
 
-use anyhow::Result;
+use anyhow::{Context, Result};
+use fpga_flow::{
+    Device, Flow, Placed, Placer, Resource, Router, Target, Tools, Try, area, map, place,
+};
 use indicatif::ProgressBar;
 use photoncube_spec::Machine;
 use rayon::ThreadPoolBuilder;
 use rayon::prelude::*;
+use serde::Serialize;
 
 use super::figures::{AreaRow, Group, PlaceRow, Row};
-use super::flow::Flow;
-use super::place::{DEFAULT_GRADES, Device, Placer, Router, Try};
-use super::tools::Tools;
 use super::writer::{Others, Writer};
-use super::{Subject, area, place};
+use super::{Subject, TARGET_MHZ, flow_to_place};
 use crate::args::SynthArgs;
+use crate::project::ABC9_TARGET_PS;
 use crate::{measured, progress};
 
 /// The measurements to make.
@@ -26,12 +28,12 @@ pub struct Plan {
     /// The machines to measure.
     pub subjects: Vec<Subject>,
     /// The flows in which areas are counted.
-    pub flows: Vec<Flow>,
+    pub flows: Vec<&'static Flow>,
     /// Whether machines are placed.
     pub places: bool,
     /// The FPGA to place in.
     pub device: &'static Device,
-    grades: Vec<u32>,
+    grades: Vec<Option<u32>>,
     seeds: RangeInclusive<u32>,
     placer: Placer,
     router: Router,
@@ -41,9 +43,11 @@ pub struct Plan {
 impl Plan {
     /// The plan of the arguments, for these machines.
     pub fn new(args: &SynthArgs, subjects: Vec<Subject>) -> Self {
-        let grades: BTreeSet<u32> = match args.grades.is_empty() {
-            true => DEFAULT_GRADES.into(),
-            false => args.grades.iter().copied().collect(),
+        let all = args.device.grades;
+        let grades: BTreeSet<Option<u32>> = match (&args.grades[..], all) {
+            ([], [slowest, .., fastest]) => [Some(*slowest), Some(*fastest)].into(),
+            ([], _) => [all.first().copied()].into(),
+            (named, _) => named.iter().copied().map(Some).collect(),
         };
         let cores = || available_parallelism().map_or(1, usize::from);
         Self {
@@ -77,6 +81,7 @@ impl Plan {
             seed,
             placer: self.placer,
             router: self.router,
+            target_mhz: TARGET_MHZ,
         };
         grades
             .flat_map(|&grade| self.seeds.clone().map(move |seed| with(grade, seed)))
@@ -107,7 +112,7 @@ impl Plan {
         for subject in &self.subjects {
             let folder = scratch.join(subject.machine.name);
             fs::create_dir(&folder)?;
-            subject.write(&folder)?;
+            subject.design.write(&folder)?;
         }
         Ok(())
     }
@@ -125,26 +130,49 @@ impl Plan {
             .into_iter()
             .map(|(subject, flow)| (subject, Size::of(subject.machine).map_ms(), flow));
         self.in_parallel("areas", work.collect(), |subject, flow| {
-            let row = area::measure(tools, &scratch.join(subject.machine.name), subject, flow)?;
+            let machine = subject.machine.name;
+            let folder = scratch.join(machine);
+            let figures = area(
+                tools.yosys(),
+                &folder,
+                &subject.design,
+                flow,
+                ABC9_TARGET_PS,
+            );
+            let row = AreaRow {
+                machine: machine.to_owned(),
+                flow,
+                figures: figures.with_context(|| format!("machine {machine} in flow {flow}"))?,
+            };
             writer.map_or(Ok(()), |writer| writer.take(subject, &row))?;
             Ok(row)
         })
     }
 
-    /// Maps each machine in its wrapper, then places it in each speed grade with each seed.
+    /// Maps each machine in its wrapper, then places it in each speed grade with each seed. Machines that the
+    /// device cannot hold have no rows.
     pub fn placements(
         &self,
         tools: &Tools,
         scratch: &Path,
         writer: Option<&Writer<PlaceRow>>,
-    ) -> Result<Vec<PlaceRow>> {
+    ) -> Result<(Vec<PlaceRow>, Vec<DeviceUse>)> {
         if !self.places {
-            return Ok(Vec::new());
+            return Ok((Vec::new(), Vec::new()));
         }
         let all = self.subjects.iter();
         let mappings = all.clone().map(|s| (s, Size::of(s.machine).map_ms(), ()));
         self.in_parallel("mappings", mappings.collect(), |subject, ()| {
-            place::map(tools, &scratch.join(subject.machine.name), subject).map(|_| ())
+            let machine = subject.machine.name;
+            let target = self.target(subject);
+            map(
+                tools.yosys(),
+                &scratch.join(machine),
+                &subject.design,
+                &target,
+            )
+            .with_context(|| format!("machine {machine} in its wrapper"))
+            .map(|_| ())
         })?;
         let tries = self.tries();
         let each = |subject| tries.iter().map(move |&what| (subject, what));
@@ -152,12 +180,61 @@ impl Plan {
         let work = work
             .into_iter()
             .map(|(subject, what)| (subject, Size::of(subject.machine).place_ms(), what));
-        self.in_parallel("placements", work.collect(), |subject, what| {
-            let folder = scratch.join(subject.machine.name);
-            let row = place::measure(tools, &folder, subject, what)?;
-            writer.map_or(Ok(()), |writer| writer.take(subject, &row))?;
-            Ok(row)
-        })
+        let placed = self.in_parallel("placements", work.collect(), |subject, what| {
+            let (row, used) = self.place(tools, scratch, subject, &what)?;
+            if let (Some(writer), Some(row)) = (writer, &row) {
+                writer.take(subject, row)?;
+            }
+            Ok((row, used))
+        })?;
+        let (rows, mut uses): (Vec<_>, Vec<_>) = placed.into_iter().unzip();
+        // A machine needs as much in every speed grade and with every seed.
+        uses.dedup_by_key(|used| used.machine);
+        Ok((rows.into_iter().flatten().collect(), uses))
+    }
+
+    fn target(&self, subject: &Subject) -> Target {
+        Target {
+            device: self.device,
+            flow: flow_to_place(subject.machine, self.device),
+            abc9_target_ps: ABC9_TARGET_PS,
+        }
+    }
+
+    /// Places one machine once.
+    fn place(
+        &self,
+        tools: &Tools,
+        scratch: &Path,
+        subject: &Subject,
+        what: &Try,
+    ) -> Result<(Option<PlaceRow>, DeviceUse)> {
+        let machine = subject.machine.name;
+        let placed = place(tools, &scratch.join(machine), what).with_context(|| {
+            let group = Group::place(machine, what.speed_grade).what;
+            format!("machine {machine}, {group}, seed {}", what.seed)
+        })?;
+        let used = |fits, resources| DeviceUse {
+            machine,
+            fits,
+            resources,
+        };
+        let routed = match placed {
+            Placed::TooLarge(resources) => return Ok((None, used(false, resources))),
+            Placed::Routed(routed) => routed,
+        };
+        let row = PlaceRow {
+            machine: machine.to_owned(),
+            flow: self.target(subject).flow,
+            speed_grade: what.speed_grade,
+            seed: what.seed,
+            placer: what.placer,
+            router: what.router,
+            fmax_mhz: routed.fmax_mhz,
+            netlist_sha256: Some(routed.netlist_sha256),
+            path: Some(routed.path),
+        };
+        Ok((Some(row), used(true, routed.resources)))
     }
 
     /// Does the work in parallel with a progress bar; each item has an estimated time.
@@ -201,6 +278,34 @@ impl Plan {
             &self.subjects,
             rows_each,
         )
+    }
+}
+
+/// What of the device a machine needs.
+#[derive(Debug, Serialize)]
+pub struct DeviceUse {
+    /// The machine's name.
+    pub machine: &'static str,
+    /// Whether the device has enough of everything.
+    pub fits: bool,
+    /// The resources that the machine needs, wrapper included.
+    pub resources: Vec<Resource>,
+}
+
+impl DeviceUse {
+    /// What the device lacks, in words; empty where the machine fits.
+    pub fn lacking(&self) -> String {
+        let lacking = self
+            .resources
+            .iter()
+            .filter(|resource| resource.is_lacking());
+        let words = lacking.map(|of| {
+            format!(
+                "{} {} needed, {} available, {} lacking",
+                of.needed, of.resource, of.available, of.lacking
+            )
+        });
+        words.collect::<Vec<_>>().join(", ")
     }
 }
 

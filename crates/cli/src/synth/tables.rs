@@ -1,24 +1,23 @@
 //! Areas and clocks as tables for people.
 
-use super::cells::Figure;
+use fpga_flow::{CriticalPath, FLOWS, Figure, Flow};
+
 use super::clock::Clock;
 use super::figures::AreaRow;
-use super::flow::Flow;
-use super::option_name;
-use super::path::CriticalPath;
+use super::plan::DeviceUse;
 use crate::table;
 
 /// A table for each flow that has rows.
 pub fn areas(rows: &[AreaRow]) -> String {
     let mut text = String::new();
-    for flow in Flow::all() {
+    for flow in FLOWS {
         let rows: Vec<_> = rows.iter().filter(|row| row.flow == flow).collect();
         if rows.is_empty() {
             continue;
         }
-        text += &format!("Area, {} ({}):\n", flow.heading(), flow.name());
-        let figures = flow.figures();
-        let header: Vec<_> = figures.iter().map(|figure| heading(*figure)).collect();
+        text += &format!("Area, {} ({}):\n", flow.heading, flow.name);
+        let figures = flow.figures;
+        let header: Vec<_> = figures.iter().map(|figure| figure.heading()).collect();
         let header = [&["machine"][..], &header].concat();
         let cells: Vec<_> = rows.iter().map(|row| area_cells(row, figures)).collect();
         text += &table::markdown(&header, &cells);
@@ -41,12 +40,12 @@ fn area_cells(row: &AreaRow, figures: &[Figure]) -> Vec<String> {
 /// The areas on other devices than ECP5: a row for each machine, in the order of the rows.
 pub fn elsewhere(rows: &[AreaRow]) -> String {
     let columns = [
-        ("LUT4, no carry chains", Flow::Lut4, Figure::Lut4),
-        ("gates", Flow::Gates, Figure::Gates),
-        ("NAND2 equivalents", Flow::Gates, Figure::Nand2Equivalents),
-        ("Cyclone V", Flow::Intel, Figure::Alut),
-        ("MAX 10", Flow::Max10, Figure::LogicCells),
-        ("FF", Flow::Gates, Figure::Ff),
+        ("LUT4, no carry chains", "lut4", Figure::Lut4),
+        ("gates", "gates", Figure::Gates),
+        ("NAND2 equivalents", "gates", Figure::Nand2Equivalents),
+        ("Cyclone V", "intel", Figure::Alut),
+        ("MAX 10", "max10", Figure::LogicCells),
+        ("FF", "gates", Figure::Ff),
     ];
     let mut machines: Vec<&str> = Vec::new();
     for row in rows {
@@ -54,8 +53,8 @@ pub fn elsewhere(rows: &[AreaRow]) -> String {
             machines.push(&row.machine);
         }
     }
-    let cell = |machine: &str, flow: Flow, figure: Figure| {
-        let of_it = |row: &&AreaRow| row.machine == machine && row.flow == flow;
+    let cell = |machine: &str, flow: &str, figure: Figure| {
+        let of_it = |row: &&AreaRow| row.machine == machine && row.flow.name == flow;
         let number = rows
             .iter()
             .find(of_it)
@@ -76,21 +75,22 @@ pub fn elsewhere(rows: &[AreaRow]) -> String {
     table::markdown(&header, &machines.iter().map(row).collect::<Vec<_>>())
 }
 
-fn heading(figure: Figure) -> &'static str {
-    match figure {
-        Figure::Lut4 => "LUT4",
-        Figure::Ccu2c => "CCU2C",
-        Figure::Lut4Equivalents => "LUT4 equivalents",
-        Figure::Gates => "gates",
-        Figure::Nand2Equivalents => "NAND2 equivalents",
-        Figure::Alut => "ALUT",
-        Figure::AlmAtLeast => "ALM, at least",
-        Figure::LogicCells => "logic cells",
-        Figure::Ff => "FF",
-        Figure::Dsp => "DSP",
-        Figure::BlockRam => "block RAM",
-        Figure::LutRam => "LUT RAM",
-    }
+/// What of a device each machine needs.
+pub fn uses(rows: &[DeviceUse]) -> String {
+    let row = |row: &DeviceUse| {
+        let resources = row.resources.iter();
+        let resources: Vec<_> = resources
+            .map(|of| format!("{} {} of {}", of.resource, of.needed, of.available))
+            .collect();
+        let verdict = if row.fits { "fits" } else { "does not fit" };
+        vec![
+            row.machine.to_owned(),
+            verdict.to_owned(),
+            resources.join(", "),
+        ]
+    };
+    let rows: Vec<_> = rows.iter().map(row).collect();
+    table::markdown(&["machine", "in the device", "needed"], &rows)
 }
 
 /// The clocks, each with its critical path.
@@ -112,8 +112,8 @@ pub fn clocks(clocks: &[Clock]) -> String {
         let of_path = |text: fn(&CriticalPath) -> String| path.map_or("not read".to_owned(), text);
         vec![
             clock.machine.clone(),
-            clock.flow.name(),
-            clock.speed_grade.to_string(),
+            clock.flow.to_string(),
+            clock.grade(),
             format!("{:.1}", clock.fmax_mhz),
             match clock.seeds {
                 1 => "1".to_owned(),
@@ -122,21 +122,17 @@ pub fn clocks(clocks: &[Clock]) -> String {
                     clock.fmax_mhz_low, clock.fmax_mhz_high
                 ),
             },
-            format!(
-                "{}, {}",
-                option_name(clock.placer),
-                option_name(clock.router)
-            ),
+            format!("{}, {}", clock.placer.name(), clock.router.name()),
             of_path(|path| format!("{} to {}", path.from, path.to)),
             of_path(|path| format!("{:.1} + {:.1}", path.logic_ns, path.routing_ns)),
-            of_path(levels),
+            path.map_or("not read".to_owned(), |path| levels(path, clock.flow)),
             of_path(|path| path.binds.words().to_owned()),
         ]
     };
     table::markdown(&header, &clocks.iter().map(row).collect::<Vec<_>>())
 }
 
-fn levels(path: &CriticalPath) -> String {
+fn levels(path: &CriticalPath, flow: &Flow) -> String {
     let mut levels = Vec::new();
     let mut name = |number: u64, one: &str, more: &str| match number {
         0 => {}
@@ -144,9 +140,14 @@ fn levels(path: &CriticalPath) -> String {
         n => levels.push(format!("{n} {more}")),
     };
     let chains = format!(
-        "carry chain{} of {} CCU2C",
+        "carry chain{} of {} {}",
         if path.carry_chains == 1 { "" } else { "s" },
-        path.carry_cells
+        path.carry_cells,
+        if flow.figures.contains(&Figure::Ccu2c) {
+            "CCU2C"
+        } else {
+            "cells"
+        }
     );
     name(path.carry_chains, &chains, &chains);
     name(path.dsp_levels, "DSP", "DSPs");
@@ -160,16 +161,16 @@ mod tests {
 
     #[test]
     fn each_flow_has_a_table_of_its_figures() {
-        let row = |flow: Flow, numbers: &[u64]| AreaRow {
+        let row = |flow: &str, numbers: &[u64]| AreaRow {
             machine: "paper".to_owned(),
-            flow,
-            figures: (flow.figures().iter().copied())
+            flow: Flow::find(flow).unwrap(),
+            figures: (Flow::find(flow).unwrap().figures.iter().copied())
                 .zip(numbers.iter().copied())
                 .collect(),
         };
         let rows = [
-            row(Flow::Gates, &[12_817, 20_119, 972]),
-            row(Flow::Lut4, &[3663, 972]),
+            row("gates", &[12_817, 20_119, 972]),
+            row("lut4", &[3663, 972]),
         ];
         let expected = "\
 Area, 4-input LUTs without carry chains (lut4):

@@ -104,21 +104,20 @@ fn kept<R: Row>(folder: &Path, setting: &R::Setting) -> Result<Figured<R>> {
 
 #[cfg(test)]
 mod tests {
+    use fpga_flow::{FLOWS, Flow};
+
     use super::super::figures::{AreaRow, AreaSetting};
-    use super::super::flow::Flow;
     use super::*;
 
     fn subject(machine: &str) -> Subject {
         Subject {
             machine: find_machine(machine).unwrap(),
-            top: "top".to_owned(),
-            verilog: String::new(),
-            ecp5_verilog: None,
+            design: fpga_flow::Design::default(),
             verilog_sha256: "00".to_owned(),
         }
     }
 
-    fn row(machine: &str, flow: Flow) -> AreaRow {
+    fn row(machine: &str, flow: &'static Flow) -> AreaRow {
         AreaRow {
             machine: machine.to_owned(),
             flow,
@@ -126,16 +125,21 @@ mod tests {
         }
     }
 
-    const FLOWS: [Flow; 2] = [Flow::Lut4, Flow::Gates];
+    /// The first two flows.
+    fn flows() -> [&'static Flow; 2] {
+        [FLOWS[0], FLOWS[1]]
+    }
 
     /// Writes two rows of a machine, and returns the rows of the file then.
     fn write(folder: &Path, machine: &str, others: Others) -> Vec<AreaRow> {
         let setting = AreaSetting::new(&BTreeMap::new());
-        let groups = FLOWS.map(|flow| Group::area(machine, flow)).into();
+        let groups = flows().map(|flow| Group::area(machine, flow)).into();
         let subjects = [subject(machine)];
         let writer = Writer::new(folder, setting, others, &groups, &subjects, 2).unwrap();
         let before = Figured::<AreaRow>::read(folder).unwrap();
-        writer.take(&subjects[0], &row(machine, FLOWS[1])).unwrap();
+        writer
+            .take(&subjects[0], &row(machine, flows()[1]))
+            .unwrap();
         let half_way = Figured::<AreaRow>::read(folder).unwrap();
         let count = |file: Option<Figured<AreaRow>>| file.map_or(0, |file| file.rows.len());
         assert_eq!(
@@ -143,14 +147,16 @@ mod tests {
             count(half_way),
             "half a machine is not written"
         );
-        writer.take(&subjects[0], &row(machine, FLOWS[0])).unwrap();
+        writer
+            .take(&subjects[0], &row(machine, flows()[0]))
+            .unwrap();
         Figured::<AreaRow>::read(folder).unwrap().unwrap().rows
     }
 
     #[test]
     fn a_machine_is_written_when_all_of_it_is_there() {
         let folder = tempfile::tempdir().unwrap();
-        let of = |machine: &str| FLOWS.map(|flow| row(machine, flow)).to_vec();
+        let of = |machine: &str| flows().map(|flow| row(machine, flow)).to_vec();
         let by_order = |mut rows: Vec<AreaRow>| {
             rows.sort_by_key(Row::order);
             rows
@@ -169,12 +175,12 @@ mod tests {
         let setting = AreaSetting::new(&BTreeMap::new());
         let machines = ["paper", "local"];
         let writers = machines.map(|machine| {
-            let groups = [Group::area(machine, FLOWS[0])].into();
+            let groups = [Group::area(machine, flows()[0])].into();
             let (setting, subjects) = (setting.clone(), [subject(machine)]);
             Writer::new(folder.path(), setting, Others::Keep, &groups, &subjects, 1).unwrap()
         });
         for (writer, machine) in writers.iter().zip(machines) {
-            let row = row(machine, FLOWS[0]);
+            let row = row(machine, flows()[0]);
             writer.take(&subject(machine), &row).unwrap();
         }
         let rows = Figured::<AreaRow>::read(folder.path()).unwrap().unwrap();

@@ -9,19 +9,14 @@ pub(super) struct Module {
     pub body: String,
 }
 
-/// Splits the text at `module NAME(` and `endmodule`. The modules keep the order of the text.
+/// Splits the text into its modules, which keep the order of the text.
 pub(super) fn split(text: &str) -> Vec<Module> {
-    text.split("endmodule")
-        .filter_map(|chunk| {
-            let start = chunk.find("module ")?;
-            let declaration = &chunk[start + "module ".len()..];
-            let end = declaration.find('(')?;
-            Some(Module {
-                name: declaration[..end].trim().to_owned(),
-                body: declaration[end..].to_owned(),
-            })
-        })
-        .collect()
+    let modules = verilog_eval::modules(text).into_iter();
+    let module = |module: verilog_eval::ModuleText<'_>| Module {
+        name: module.name.to_owned(),
+        body: module.body().to_owned(),
+    };
+    modules.map(module).collect()
 }
 
 /// Replaces every identifier of a text by the result of `rename`. A number such as `8'hff` is not an

@@ -9,8 +9,9 @@ mod relations;
 mod wrapper;
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::process::Command;
 
+use fpga_flow::Netlist;
+use fpga_flow::netlist::{Module, Port};
 use photoncube_hdl::Emitted;
 use photoncube_spec::{Machine, Register, Role, SignalPlace, Widths};
 
@@ -19,9 +20,8 @@ use relations::Relation;
 
 use super::design::{FLAT, read, yosys};
 use super::kill::Kills;
-use super::netlist::Netlist;
 use crate::device::{DeviceError, scratch_folder, write_file};
-use crate::tools::{Tool, run};
+use crate::tools;
 use crate::verify::VerifyError;
 
 /// The number of rounds of counterexamples after which guesses are dropped.
@@ -42,8 +42,7 @@ const PLACE: [&str; 3] = ["control_address", "control_done", "control_word_x"];
 const MOST_NEAR: usize = 12;
 
 /// Commands that make the flat wrapper from the modules; the wrapper is in `wrapper.sv`.
-const AROUND: &str =
-    "read_verilog -formal -sv wrapper.sv\nhierarchy -top wrapper\nproc\nflatten\nopt_clean";
+const AROUND: &str = "read_verilog -formal -sv wrapper.sv\nhierarchy -top wrapper\nproc\nchformal -lower\nflatten\nopt_clean";
 
 /// [`AROUND`] for a comparison of two designs, which also merges the logic that both share.
 pub(super) fn around_two() -> String {
@@ -98,6 +97,8 @@ pub(super) struct Invariants {
     /// The design in Yosys's own language, as module `gold`.
     gold: String,
     netlist: Netlist,
+    /// The ports of `gold`, by name.
+    ports: BTreeMap<String, Port>,
     /// The paths of the registers, and whether Yosys has a port for each.
     registers: Vec<String>,
     /// The registers' names as pins.
@@ -120,6 +121,11 @@ pub(super) struct Invariants {
     followers: Followers,
 }
 
+/// The design in its netlist.
+fn gold(netlist: &Netlist) -> Result<Module<'_>, DeviceError> {
+    Ok(netlist.module("gold")?)
+}
+
 impl Invariants {
     /// Guesses the invariants and proves them.
     ///
@@ -133,15 +139,21 @@ impl Invariants {
         let folder = scratch_folder()?;
         let script = format!(
             "{FLAT}\nrename {} gold\nexpose -evert-dff -dff gold\nopt_clean\n\
-             write_ilang gold.il\nwrite_json gold.json",
+             write_rtlil gold.il\nwrite_json gold.json",
             design.top
         );
         yosys(folder.path(), design, &script)?;
         let json = read(&folder.path().join("gold.json"))?;
+        let netlist = Netlist::parse(&json).map_err(DeviceError::from)?;
         let registers = design.pins.observed[design.pins.outputs..].iter();
         let mut invariants = Self {
             gold: read(&folder.path().join("gold.il"))?,
-            netlist: Netlist::parse(&json, "gold")?,
+            ports: gold(&netlist)?
+                .ports()
+                .into_iter()
+                .map(|port| (port.name.clone(), port))
+                .collect(),
+            netlist,
             place: PLACE
                 .iter()
                 .filter_map(|name| registers.clone().position(|pin| pin.name == *name))
@@ -235,10 +247,12 @@ impl Invariants {
 
     /// The flags that a flag's next value depends on.
     fn flags_before(&self, flag: usize, flags: &[(usize, u32)]) -> Vec<(usize, u32)> {
-        let inputs = self.netlist.fan_in(&format!("{}.d", self.registers[flag]));
-        let is_input = |(flag, _): &(usize, u32)| {
-            inputs.contains(format!("{}.q", self.registers[*flag]).as_str())
-        };
+        let output = format!("{}.d", self.registers[flag]);
+        let inputs = gold(&self.netlist)
+            .expect("its ports were read")
+            .fan_in(&output);
+        let is_input =
+            |(flag, _): &(usize, u32)| inputs.contains(&format!("{}.q", self.registers[*flag]));
         flags.iter().copied().filter(is_input).collect()
     }
 
@@ -360,13 +374,13 @@ impl Invariants {
         write_file(&folder.path().join("gold.il"), &self.gold)?;
         write_file(&folder.path().join("wrapper.sv"), &self.refutation())?;
         let script = format!(
-            "read_ilang gold.il\n{AROUND}\ntee -o found.txt sat -set-assumes -set broken 1 \
+            "read_rtlil gold.il\n{AROUND}\ntee -o found.txt sat -set-assumes -set broken 1 \
              -max {MOST_AT_ONCE} -show refuted -show place wrapper\n"
         );
-        write_file(&folder.path().join("script.ys"), &script)?;
-        run(Command::new(Tool::Yosys.find()?)
-            .current_dir(folder.path())
-            .args(["-q", "script.ys"]))?;
+        let yosys = tools::yosys()?;
+        let script = tools::script_for(&yosys, &script)?;
+        write_file(&folder.path().join(fpga_flow::SCRIPT), &script)?;
+        yosys.run_script(folder.path())?;
         let said = read(&folder.path().join("found.txt"))?;
         let found: Vec<_> = models(&said)
             .into_iter()

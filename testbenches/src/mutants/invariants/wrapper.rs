@@ -18,11 +18,7 @@ fn all_of(conditions: &[String]) -> String {
 impl Invariants {
     /// The number of a port in the wrapper.
     fn port_number(&self, name: &str) -> usize {
-        self.netlist
-            .ports
-            .keys()
-            .position(|port| port == name)
-            .unwrap_or(0)
+        self.ports.keys().position(|port| port == name).unwrap_or(0)
     }
 
     /// The module `wrapper` without its last lines, around the design: it has all ports and assumes the
@@ -44,7 +40,7 @@ impl Invariants {
     /// A wrapper around a module in which some of the design's ports have other names.
     fn around(&self, module: &str, renamed: impl Fn(&str, &str) -> Option<String>) -> String {
         let (mut declared, mut connected) = (Vec::new(), Vec::new());
-        for (number, (name, port)) in self.netlist.ports.iter().enumerate() {
+        for (number, (name, port)) in self.ports.iter().enumerate() {
             let (direction, high) = (&port.direction, port.width() - 1);
             if let Some(name) = renamed(name, direction) {
                 declared.push(format!("  {direction} [{high}:0] p{number}"));
@@ -63,7 +59,7 @@ impl Invariants {
     /// the most photons.
     fn declared_count(&self) -> Vec<String> {
         let above = self.max_photons.ilog2() + 1;
-        let pin = self.netlist.ports.get(COUNT);
+        let pin = self.ports.get(COUNT);
         let pin = pin.map(|port| (format!("p{}", self.port_number(COUNT)), port.width() as u32));
         let registers = self.counts.iter();
         let counts = registers.filter_map(|&index| self.register(index, "q"));
@@ -214,7 +210,7 @@ impl Invariants {
     /// The wrapper's name of a register, with its width.
     pub(super) fn register(&self, index: usize, when: &str) -> Option<(String, u32)> {
         let name = format!("{}.{when}", self.registers[index]);
-        let port = self.netlist.ports.get(&name)?;
+        let port = self.ports.get(&name)?;
         let bits = u32::try_from(port.width()).ok()?;
         Some((format!("p{}", self.port_number(&name)), bits))
     }

@@ -127,7 +127,8 @@ fn clock(clock: &Clock) -> String {
     };
     let mut text = format!(
         "  grade {}  {:.1} MHz, {seeds}\n",
-        clock.speed_grade, clock.fmax_mhz
+        clock.grade(),
+        clock.fmax_mhz
     );
     if let Some(path) = &clock.path {
         text += &format!(

@@ -3,12 +3,13 @@
 //! them.
 
 use anyhow::Result;
+use fpga_flow::Device;
 use photoncube_spec::{MACHINES, Machine};
 use serde::Serialize;
 
 use crate::measured::Measured;
 use crate::plots::{Panel, Place, panels};
-use crate::synth::flow::Flow;
+use crate::synth::{DEFAULT_DEVICE, flow_to_place};
 use crate::table;
 
 /// A machine of one dimension, with its figures.
@@ -48,12 +49,12 @@ fn is_tile(machine: &Machine) -> bool {
 fn row(machine: &'static Machine) -> Result<Row> {
     let measured = Measured::of(machine)?;
     // The area is that of the placed netlist: without DSP blocks where the machine does not use them.
-    let area = match Flow::to_place(machine) {
-        Flow::Ecp5 => measured.area_with_dsp.as_ref(),
+    let area = match flow_to_place(machine, Device::find(DEFAULT_DEVICE)?).name {
+        "ecp5" => measured.area_with_dsp.as_ref(),
         _ => measured.area_without_dsp.as_ref(),
     };
     let mut clocks = measured.fmax_by_grade.iter();
-    let clock = clocks.find(|clock| clock.speed_grade == SPEED_GRADE);
+    let clock = clocks.find(|clock| clock.speed_grade == Some(SPEED_GRADE));
     let fmax_mhz = clock.map(|clock| clock.fmax_mhz);
     let rate = machine.photon_tests_per_clock();
     Ok(Row {

@@ -1,10 +1,10 @@
 use clap::Parser;
+use fpga_flow::{Placer, Resource, Router};
 use serde_json::Value;
 
 use super::*;
 use crate::args::{Args, Command};
 use crate::measured;
-use crate::synth::place::{Placer, Router};
 
 fn plan(arguments: &[&str]) -> Plan {
     let arguments = [&["photoncube", "synth"][..], arguments].concat();
@@ -14,9 +14,7 @@ fn plan(arguments: &[&str]) -> Plan {
     let subjects = machines(&args.machines).unwrap();
     let subjects = subjects.into_iter().map(|machine| Subject {
         machine,
-        top: "top".to_owned(),
-        verilog: String::new(),
-        ecp5_verilog: None,
+        design: fpga_flow::Design::default(),
         verilog_sha256: "00".to_owned(),
     });
     Plan::new(&args, subjects.collect())
@@ -25,7 +23,8 @@ fn plan(arguments: &[&str]) -> Plan {
 /// The speed grades and seeds of a plan.
 fn tries(plan: &Plan) -> Vec<(u32, u32)> {
     let tries = plan.tries().into_iter();
-    tries.map(|what| (what.speed_grade, what.seed)).collect()
+    let grade = |what: &fpga_flow::Try| what.speed_grade.expect("an ECP5 has speed grades");
+    tries.map(|what| (grade(&what), what.seed)).collect()
 }
 
 #[test]
@@ -55,7 +54,7 @@ fn what_is_named_is_measured_alone_and_once() {
         "8",
     ]);
     assert_eq!(named.subjects.len(), 1);
-    assert_eq!(named.flows, [Flow::Gates]);
+    assert_eq!(named.flows, [Flow::find("gates").unwrap()]);
     assert!(tries(&named).is_empty());
     let placed = plan(&[
         "--flow", "place", "--grade", "8", "--grade", "7", "--seeds", "2",
@@ -74,6 +73,53 @@ fn what_is_named_is_measured_alone_and_once() {
     assert_eq!(how, [(Placer::Static, Router::Router1)]);
 }
 
+/// A machine that needs so many logic cells.
+fn used(needed: u64) -> DeviceUse {
+    let lacking = needed.saturating_sub(5280);
+    DeviceUse {
+        machine: "paper",
+        fits: lacking == 0,
+        resources: vec![Resource {
+            resource: "ICESTORM_LC".to_owned(),
+            needed,
+            available: 5280,
+            lacking,
+        }],
+    }
+}
+
+#[test]
+fn a_device_of_another_family_is_measured_by_its_flows_without_speed_grades() {
+    let plan = plan(&["--machine", "paper", "--device", "up5k", "--seeds", "2"]);
+    let names: Vec<_> = plan.flows.iter().map(|flow| flow.name).collect();
+    assert_eq!(names, ["ice40", "ice40-up"]);
+    let tries: Vec<_> = plan
+        .tries()
+        .iter()
+        .map(|t| (t.speed_grade, t.seed))
+        .collect();
+    assert_eq!(tries, [(None, 1), (None, 2)]);
+}
+
+#[test]
+fn a_machine_that_does_not_fit_ends_1_and_says_what_is_lacking() {
+    let mut report = Report {
+        device: "iCE40UP5K",
+        device_use: vec![used(5280)],
+        ..report()
+    };
+    assert!(conclusion(&report).is_ok());
+    assert!(text(&report).contains("| paper   | fits          | ICESTORM_LC 5280 of 5280 |"));
+    report.device_use = vec![used(5290)];
+    assert!(text(&report).contains("| paper   | does not fit  | ICESTORM_LC 5290 of 5280 |"));
+    let error = conclusion(&report).unwrap_err();
+    assert!(error.is::<CheckFailed>());
+    assert_eq!(
+        error.to_string(),
+        "paper does not fit in iCE40UP5K: 5290 ICESTORM_LC needed, 5280 available, 10 lacking"
+    );
+}
+
 /// A report from the committed figures, as `--json` prints it.
 fn report() -> Report {
     let plan = plan(&["--machine", "paper"]);
@@ -89,6 +135,7 @@ fn report() -> Report {
         areas: measured.areas,
         placements: Vec::new(),
         fmax_by_grade: measured.fmax_by_grade,
+        device_use: Vec::new(),
         files: Vec::new(),
     }
 }
@@ -121,7 +168,9 @@ fn every_key_is_documented() {
             _ => {}
         }
     }
-    let mut report = serde_json::to_value(report()).unwrap();
+    let mut report = report();
+    report.device_use = vec![used(5281)];
+    let mut report = serde_json::to_value(report).unwrap();
     report["tool_versions"] = Value::Null;
     let mut found = Vec::new();
     keys(&report, &mut found);

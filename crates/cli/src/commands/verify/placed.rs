@@ -2,16 +2,15 @@
 //! Yosys maps it and after each pass, and each pass is proven.
 
 use anyhow::{Result, bail};
+use fpga_flow::PassProof;
 use photoncube_testbench::{Source, Verdict, VerifyError, VerifyOptions};
 use serde::Serialize;
 
 use super::equivalence::devices;
 use crate::args::VerifyArgs;
 use crate::failure::CheckFailed;
-use crate::synth::Subject;
 use crate::synth::placed::{Placed, SIMULATORS};
-use crate::synth::prove::PassProof;
-use crate::synth::tools::{Purpose, Tools};
+use crate::synth::{self, Subject};
 use crate::verified::{Line, grouped, record};
 use crate::{output, progress, table};
 
@@ -160,7 +159,7 @@ pub fn execute(args: &VerifyArgs, json: bool) -> Result<()> {
     if let Some(missing) = simulators.iter().find_map(|kind| kind.missing_tool()) {
         return Err(missing.into());
     }
-    let tools = Tools::find(None, Purpose::Map)?;
+    let tools = synth::tools(None, None)?;
     let subject = Subject::of(machine)?;
     let spinner = progress::spinner("mapping");
     let placed = Placed::map(&tools, &subject)?;

@@ -1,6 +1,6 @@
+use fpga_flow::Figure;
 use photoncube_spec::find_machine;
 
-use super::super::cells::Figure;
 use super::*;
 
 fn versions(yosys: &str) -> BTreeMap<String, String> {
@@ -12,14 +12,12 @@ fn versions(yosys: &str) -> BTreeMap<String, String> {
 fn subject(machine: &str, digest: &str) -> Subject {
     Subject {
         machine: find_machine(machine).unwrap(),
-        top: "top".to_owned(),
-        verilog: String::new(),
-        ecp5_verilog: None,
+        design: fpga_flow::Design::default(),
         verilog_sha256: digest.to_owned(),
     }
 }
 
-fn area(machine: &str, flow: Flow, gates: u64) -> AreaRow {
+fn area(machine: &str, flow: &'static Flow, gates: u64) -> AreaRow {
     AreaRow {
         machine: machine.to_owned(),
         flow,
@@ -27,11 +25,15 @@ fn area(machine: &str, flow: Flow, gates: u64) -> AreaRow {
     }
 }
 
+fn of(flow: &str) -> &'static Flow {
+    Flow::find(flow).unwrap()
+}
+
 /// A file with both machines in all flows.
 fn file() -> Figured<AreaRow> {
     let mut file = Figured::<AreaRow>::new(AreaSetting::new(&versions("0.70")));
     for (name, digest) in [("paper", "00"), ("local", "01")] {
-        let rows: Vec<_> = Flow::all().map(|flow| area(name, flow, 1)).collect();
+        let rows: Vec<_> = recorded_flows().map(|flow| area(name, flow, 1)).collect();
         file.update(file.setting.clone(), &subject(name, digest), &rows);
     }
     file
@@ -39,26 +41,29 @@ fn file() -> Figured<AreaRow> {
 
 fn expected(machines: &[&str]) -> Vec<Group> {
     let machines = machines.iter();
-    let groups = machines.flat_map(|name| Flow::all().map(|flow| Group::area(name, flow)));
+    let groups = machines.flat_map(|name| recorded_flows().map(|flow| Group::area(name, flow)));
     groups.collect()
 }
 
 #[test]
 fn an_update_replaces_its_rows_and_keeps_the_others() {
     let mut file = file();
-    let rows = [area("paper", Flow::Gates, 7)];
+    let rows = [area("paper", of("gates"), 7)];
     let subjects = [subject("paper", "00")];
     let groups = rows.iter().map(Row::group).collect();
     file.check_update(&file.setting.clone(), &groups, &subjects)
         .unwrap();
     file.update(file.setting.clone(), &subjects[0], &rows);
     assert_eq!(file.rows.len(), 12);
-    let of = |machine, gates: u64| {
+    let number = |machine, gates: u64| {
         let rows = file.rows.iter().filter(|row| row.machine == machine);
         rows.filter(|row| row.figures[&Figure::Gates] == gates)
             .count()
     };
-    assert_eq!((of("paper", 7), of("paper", 1), of("local", 1)), (1, 5, 6));
+    assert_eq!(
+        (number("paper", 7), number("paper", 1), number("local", 1)),
+        (1, 5, 6)
+    );
     assert_eq!(file.verilog_sha256["local"], "01");
     assert!(file.rows.is_sorted_by_key(Row::order));
 }
@@ -66,7 +71,7 @@ fn an_update_replaces_its_rows_and_keeps_the_others() {
 #[test]
 fn rows_of_other_verilog_or_other_tools_do_not_stand_side_by_side() {
     let file = file();
-    let one: BTreeSet<_> = [Group::area("paper", Flow::Gates)].into();
+    let one: BTreeSet<_> = [Group::area("paper", of("gates"))].into();
     let all: BTreeSet<_> = expected(&["paper"]).into_iter().collect();
     let changed = [subject("paper", "02")];
     let setting = file.setting.clone();
@@ -100,7 +105,7 @@ fn faults_are_stale_missing_and_gone_machines() {
 
     let mut less = file.clone();
     less.rows
-        .retain(|row| row.group() != Group::area("paper", Flow::Intel));
+        .retain(|row| row.group() != Group::area("paper", of("intel")));
     less.verilog_sha256.remove("local");
     less.rows.retain(|row| row.machine != "local");
     let found = faults(&less, &subjects, true);

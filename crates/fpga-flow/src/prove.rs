@@ -2,15 +2,14 @@
 //! cells.
 
 use std::fmt::Write;
-use std::fs;
 use std::path::Path;
 
-use anyhow::{Result, ensure};
 use serde::Serialize;
 
-use super::models::WORDS;
-use super::netlist::{Change, Stage, changes};
-use super::tools::Tools;
+use crate::error::{Result, ensure, read, write};
+use crate::models::Models;
+use crate::netlist::{Change, Stage, changes};
+use crate::yosys::Yosys;
 
 /// The number of clocks of the induction. A word is compared at the output, behind at most two registers in a
 /// row.
@@ -24,7 +23,7 @@ const REFUTED: [&str; 2] = [
 ];
 
 /// A mark in the log before the output of each question.
-const MARK: &str = "photoncube-question";
+const MARK: &str = "fpga-flow-question";
 
 /// The proof of one pass over a netlist.
 #[derive(Clone, Debug, Serialize)]
@@ -46,25 +45,28 @@ pub struct PassProof {
 /// Proves each pass, with the models of the cells.
 ///
 /// # Errors
-/// A pass has done more than change cells, or Yosys fails.
+/// A pass has done more than change cells, a cell has no model, or Yosys fails.
 pub fn prove(
-    tools: &Tools,
+    yosys: &Yosys,
     folder: &Path,
-    models: &str,
+    models: &Models,
     stages: &[Stage],
 ) -> Result<Vec<PassProof>> {
+    stages
+        .iter()
+        .try_for_each(|stage| models.check(&stage.netlist))?;
     let pairs = stages.windows(2);
     let proof = |pair: &[Stage]| {
         let found = changes(&pair[0].netlist, &pair[1].netlist)?;
-        prove_pass(tools, folder, models, pair[1].name, &found)
+        prove_pass(yosys, folder, models, pair[1].name, &found)
     };
     pairs.map(proof).collect()
 }
 
 fn prove_pass(
-    tools: &Tools,
+    yosys: &Yosys,
     folder: &Path,
-    models: &str,
+    models: &Models,
     pass: &'static str,
     found: &[Change],
 ) -> Result<PassProof> {
@@ -80,7 +82,7 @@ fn prove_pass(
         return Ok(proof);
     }
     let mut wrong = Vec::new();
-    for (change, [sound, fault]) in found.iter().zip(asked(tools, folder, models, found)?) {
+    for (change, [sound, fault]) in found.iter().zip(asked(yosys, folder, models, found)?) {
         let place = format!(
             "{} {} and {} others",
             change.kind,
@@ -104,8 +106,13 @@ fn prove_pass(
 }
 
 /// Yosys's answers for each change, and for the fault in it.
-fn asked(tools: &Tools, folder: &Path, models: &str, found: &[Change]) -> Result<Vec<[String; 2]>> {
-    let (mut text, mut all) = (models.to_owned(), String::new());
+fn asked(
+    yosys: &Yosys,
+    folder: &Path,
+    models: &Models,
+    found: &[Change],
+) -> Result<Vec<[String; 2]>> {
+    let (mut text, mut all) = (models.verilog().to_owned(), String::new());
     for (index, change) in found.iter().enumerate() {
         let name = format!("change_{index}");
         text += &change.modules(&name);
@@ -114,19 +121,17 @@ fn asked(tools: &Tools, folder: &Path, models: &str, found: &[Change]) -> Result
         }
     }
     let _ = write!(text, "module all();\n{all}endmodule\n");
-    fs::write(folder.join("changes.v"), text)?;
+    write(&folder.join("changes.v"), &text)?;
     let log = folder.join("changes.log");
-    fs::write(&log, "")?;
-    tools.yosys(folder, &script(found.len()))?;
-    let said = fs::read_to_string(&log)?;
+    write(&log, "")?;
+    yosys.run(folder, &script(found.len(), models.words))?;
+    let said = read(&log)?;
     let mut parts = said.split(MARK).skip(1).map(str::to_owned);
     let answers: Vec<_> = std::iter::from_fn(|| Some([parts.next()?, parts.next()?])).collect();
-    ensure!(
-        answers.len() == found.len(),
-        "found {} answers in Yosys's log, expected {}",
-        answers.len(),
-        found.len()
-    );
+    let (asked, answered) = (found.len(), answers.len());
+    ensure(answered == asked, || {
+        format!("found {answered} answers in Yosys's log, expected {asked}")
+    })?;
     Ok(answers)
 }
 
@@ -134,11 +139,11 @@ const SIDES: [&str; 3] = ["before", "after", "wrong"];
 
 /// The Yosys script. The words of a block RAM are removed: they are free, and the effect of both sides on
 /// them must be equal. Unknown values are 0 on both sides.
-fn script(count: usize) -> String {
+fn script(count: usize, words: &str) -> String {
     let mut script = format!(
-        "read_verilog changes.v; blackbox {WORDS}; hierarchy -top all; proc; flatten change_*; \
+        "read_verilog changes.v; blackbox {words}; hierarchy -top all; proc; flatten change_*; \
          select -assert-none change_*/t:not_modelled; \
-         expose -evert change_*/t:{WORDS}; setundef -zero change_*; opt_clean"
+         expose -evert change_*/t:{words}; setundef -zero change_*; opt_clean"
     );
     for index in 0..count {
         for side in &SIDES[1..] {

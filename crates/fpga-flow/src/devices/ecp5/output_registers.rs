@@ -7,7 +7,7 @@
 
 use serde_json::{Value, json};
 
-use super::{Cells, Readers};
+use crate::netlist::{Cells, Readers};
 
 /// Moves such flip-flops into their blocks.
 pub(super) fn fill(cells: &mut Cells, readers: &Readers) {
@@ -116,8 +116,9 @@ fn fill_word(cells: &mut Cells, block: &str, word: Word, taken_over: &[(String, 
 
 #[cfg(test)]
 mod tests {
-    use super::super::stages;
+    use super::super::PASSES;
     use super::*;
+    use crate::netlist::{Netlist, stages};
 
     fn register(d: u64, q: u64, enable: &str) -> Value {
         json!({
@@ -155,8 +156,8 @@ mod tests {
             cells[*name] = cell.clone();
         }
         let netlist = json!({ "modules": { "top": { "ports": {}, "cells": cells } } });
-        let mut netlist = stages(&netlist.to_string()).unwrap().remove(2).netlist;
-        netlist["modules"]["top"]["cells"].take()
+        let mut stages = stages(Netlist::from(netlist), &PASSES);
+        stages[2].netlist.json_mut()["modules"]["top"]["cells"].take()
     }
 
     #[test]

@@ -9,11 +9,11 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
-use anyhow::{Context, Result, bail, ensure};
 use serde_json::Value;
 
 use super::verilog::{instance, list};
-use super::{Cells, connections, readers, top};
+use super::{Cells, Netlist, Readers, cells, connections, readers};
+use crate::error::{Result, ensure, unexpected};
 
 /// A change, with the number of places where it occurs.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -56,19 +56,14 @@ impl Change {
 /// # Errors
 /// The netlists differ in more than changed or removed cells: a cell is new, or other cells read a removed
 /// one.
-pub fn changes(before: &Value, after: &Value) -> Result<Vec<Change>> {
-    let (before, after) = (top(before)?, top(after)?);
-    ensure!(
-        before["ports"] == after["ports"],
-        "the pass has changed the ports"
-    );
-    let cells = |module: &'static str| format!("{module} has no cells");
-    let old = before["cells"]
-        .as_object()
-        .with_context(|| cells("before"))?;
-    let new = after["cells"].as_object().with_context(|| cells("after"))?;
+pub fn changes(before: &Netlist, after: &Netlist) -> Result<Vec<Change>> {
+    let (before, after) = (before.top()?, after.top()?);
+    ensure(before["ports"] == after["ports"], || {
+        "the pass has changed the ports".to_owned()
+    })?;
+    let (old, new) = (cells(before)?, cells(after)?);
     if let Some(name) = new.keys().find(|name| !old.contains_key(*name)) {
-        bail!("the pass has made a cell, {name}");
+        return Err(unexpected(format!("the pass has made a cell, {name}")));
     }
     let mut gone: BTreeSet<&str> = old.keys().map(String::as_str).collect();
     gone.retain(|name| !new.contains_key(*name));
@@ -94,13 +89,15 @@ pub fn changes(before: &Value, after: &Value) -> Result<Vec<Change>> {
             .or_insert(change);
     }
     if let Some(name) = gone.first() {
-        bail!("the pass has removed {name}, which reads no cell that it has changed");
+        return Err(unexpected(format!(
+            "the pass has removed {name}, which reads no cell that it has changed"
+        )));
     }
     Ok(found.into_values().collect())
 }
 
 /// The removed cells that read this cell, by the port that they read.
-fn taken(cell: &Value, readers: &super::Readers, gone: &mut BTreeSet<&str>) -> Vec<String> {
+fn taken(cell: &Value, readers: &Readers, gone: &mut BTreeSet<&str>) -> Vec<String> {
     let mut taken = Vec::new();
     for (_, _, bits) in connections(cell).filter(|(_, is_output, _)| *is_output) {
         let nets = bits.iter().filter_map(Value::as_u64);
@@ -155,11 +152,11 @@ fn change(
         .collect();
     let outputs: BTreeSet<_> = driven.iter().copied().filter(|net| is_read(net)).collect();
     let drives: BTreeSet<_> = nets(new, Some(true)).collect();
-    ensure!(
-        drives.is_subset(&driven)
-            && nets(new, Some(false)).all(|net| numbers.of_net.contains_key(&net)),
-        "the pass has connected {name} to what it was not connected to"
-    );
+    let is_known = |net| numbers.of_net.contains_key(&net);
+    let has_old_ends = drives.is_subset(&driven) && nets(new, Some(false)).all(is_known);
+    ensure(has_old_ends, || {
+        format!("the pass has connected {name} to what it was not connected to")
+    })?;
     let inputs = numbers.of_net.keys().filter(|net| !driven.contains(net));
     let side = |nets: Vec<u64>| {
         let mut names: Vec<_> = nets.into_iter().map(|net| numbers.of_net[&net]).collect();
@@ -248,16 +245,16 @@ mod tests {
         })
     }
 
-    fn netlist(cells: &[(&str, Value)]) -> Value {
+    fn netlist(cells: &[(&str, Value)]) -> Netlist {
         let cells: serde_json::Map<_, _> = cells
             .iter()
             .map(|(name, cell)| ((*name).to_owned(), cell.clone()))
             .collect();
-        json!({ "modules": { "serial": {
+        Netlist::from(json!({ "modules": { "serial": {
             "attributes": { "top": "1" },
             "ports": { "out": { "direction": "output", "bits": [9] } },
             "cells": cells,
-        } } })
+        } } }))
     }
 
     #[test]
@@ -305,7 +302,7 @@ mod tests {
         let cell = |cin: u64| carry(json!(cin), json!(5));
         let one = netlist(&[("a", cell(3))]);
         let two = netlist(&[("a", cell(3)), ("b", cell(4))]);
-        let error = |old, new| changes(old, new).unwrap_err().to_string();
+        let error = |old: &Netlist, new: &Netlist| changes(old, new).unwrap_err().to_string();
         assert!(error(&one, &two).contains("has made a cell, b"));
         assert!(error(&two, &one).contains("has removed b"));
         assert!(error(&one, &netlist(&[("a", cell(8))])).contains("connected a to"));

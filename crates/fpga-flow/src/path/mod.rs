@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use anyhow::{Context, Result, bail};
 use serde::{Deserialize, Serialize};
 
-use super::wrapper::INSTANCE;
+use crate::error::{FlowError, Result, unexpected};
+use crate::wrapper::INSTANCE;
 
 /// The slowest path from register to register.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -22,7 +22,7 @@ pub struct CriticalPath {
     pub longest_net_ns: f64,
     /// The number of carry chains on the path.
     pub carry_chains: u64,
-    /// The number of carry cells (CCU2C) in these chains.
+    /// The number of carry cells in these chains: CCU2C of two bits on ECP5, logic cells of one bit on iCE40.
     pub carry_cells: u64,
     /// The number of LUTs; the muxes that join the LUTs of a slice are not counted.
     pub lut_levels: u64,
@@ -100,27 +100,60 @@ struct Pin {
     port: String,
 }
 
-/// Parses the highest clock in MHz that the routed design allows, and its critical path.
-pub fn parse(report: &str) -> Result<(f64, CriticalPath)> {
-    let report: Report =
-        serde_json::from_str(report).context("what nextpnr's `--report` writes")?;
+/// The names by which the cells of a family are known in nextpnr's report.
+#[derive(Debug)]
+pub struct PathRules {
+    /// The kinds in cell names. Yosys names a cell `NET_KIND_PORT`, where the net itself may have such a name,
+    /// and nextpnr preserves the kinds of cells only in these names.
+    pub(crate) kinds: &'static [(&'static str, Binding)],
+    /// The carry cell that a step in a cell passes; `None` where it passes none.
+    pub(crate) carry_cell: for<'a> fn(&Hop<'a>) -> Option<&'a str>,
+    /// The input port of the carry from the previous cell.
+    pub(crate) carry_in: &'static str,
+    /// The inputs of the muxes that join the LUTs of a slice.
+    pub(crate) wide_mux_inputs: &'static [&'static str],
+    /// Whether the set-up time of a register may have a LUT in it.
+    pub(crate) has_lut_in_set_up: bool,
+}
+
+/// A step in a cell.
+pub(crate) struct Hop<'a> {
+    /// The name of the cell.
+    pub cell: &'a str,
+    /// The port by which the path leaves it.
+    pub output: &'a str,
+}
+
+/// The highest clock in MHz that the routed design allows, and its critical path, from the text that nextpnr's
+/// `--report` writes.
+///
+/// # Errors
+/// The text is no such report, or has not one clock with a path.
+pub fn parse(report: &str, rules: &PathRules) -> Result<(f64, CriticalPath)> {
+    let report: Report = serde_json::from_str(report).map_err(|source| FlowError::Json {
+        writer: "nextpnr's `--report`",
+        source,
+    })?;
     let clocks: Vec<_> = report.fmax.iter().collect();
     let &[(clock, fmax)] = clocks.as_slice() else {
-        bail!(
+        return Err(unexpected(format!(
             "found the clocks {:?} in nextpnr's report, expected one",
             report.fmax.keys()
-        );
+        )));
     };
     // Other paths begin or end at pins.
     let own = |path: &&PathReport| path.from == path.to && path.from.ends_with(clock.as_str());
     let path = report.critical_paths.iter().find(own);
-    let path = path.with_context(|| format!("found no critical path of the clock {clock}"))?;
-    Ok((round(fmax.achieved, 2), facts(&path.path)?))
+    let path =
+        path.ok_or_else(|| unexpected(format!("found no critical path of the clock {clock}")))?;
+    Ok((round(fmax.achieved, 2), facts(&path.path, rules)?))
 }
 
-fn facts(steps: &[Step]) -> Result<CriticalPath> {
+fn facts(steps: &[Step], rules: &PathRules) -> Result<CriticalPath> {
     let (Some(first), Some(last)) = (steps.first(), steps.last()) else {
-        bail!("found a critical path without steps in nextpnr's report");
+        return Err(unexpected(
+            "found a critical path without steps in nextpnr's report",
+        ));
     };
     let nets = steps.iter().filter(|step| step.is_net());
     let longest_net_ns = nets.map(|step| step.delay).fold(0.0, f64::max);
@@ -137,21 +170,23 @@ fn facts(steps: &[Step]) -> Result<CriticalPath> {
             on_nets += step.delay;
             continue;
         }
-        let part = step.part();
+        let part = step.part(rules);
         *taken.entry(part).or_default() += std::mem::take(&mut on_nets) + step.delay;
         if step.kind != "logic" {
+            let is_in_set_up = rules.has_lut_in_set_up && step.kind == "setup";
+            lut_levels += u64::from(is_in_set_up && part == Binding::Luts);
             continue;
         }
         match part {
             Binding::CarryChains => {
-                carry_chains += u64::from(step.from.port != CARRY_IN);
-                let (cell, _half) = step.to.cell.rsplit_once(CARRY_HALF).unwrap_or_default();
+                carry_chains += u64::from(step.from.port != rules.carry_in);
+                let cell = (rules.carry_cell)(&step.hop()).unwrap_or_default();
                 if carry_cells.last() != Some(&cell) {
                     carry_cells.push(cell);
                 }
             }
             Binding::DspBlocks => dsp_levels += 1,
-            _ => lut_levels += u64::from(!step.is_wide_mux()),
+            _ => lut_levels += u64::from(!step.is_wide_mux(rules)),
         }
     }
     let by_time = |a: &(&Binding, &f64), b: &(&Binding, &f64)| a.1.total_cmp(b.1);
@@ -162,8 +197,8 @@ fn facts(steps: &[Step]) -> Result<CriticalPath> {
         _ => Binding::OneNet,
     };
     Ok(CriticalPath {
-        from: register(&first.from.cell),
-        to: register(&last.to.cell),
+        from: register(&first.from.cell, rules),
+        to: register(&last.to.cell, rules),
         logic_ns: round(sum(false), 2),
         routing_ns: round(sum(true), 2),
         longest_net_ns: round(longest_net_ns, 2),
@@ -175,40 +210,19 @@ fn facts(steps: &[Step]) -> Result<CriticalPath> {
     })
 }
 
-/// The input port of the carry from the previous cell.
-const CARRY_IN: &str = "FCI";
-/// The inputs of the muxes beside the LUTs: data from a LUT or another mux, and the select input.
-const WIDE_MUX_INPUTS: &[&str] = &["F1", "FXA", "FXB", "M"];
-/// nextpnr's name of a half of a carry cell, which a number follows.
-const CARRY_HALF: &str = "$CCU2_COMB";
-/// The kinds in cell names. Yosys names a cell `NET_KIND_PORT`, where the net itself may have such a name,
-/// and nextpnr preserves the kinds of cells only in these names.
-const KINDS: &[(&str, Binding)] = &[
-    ("_CCU2C", Binding::CarryChains),
-    ("_LUT4", Binding::Luts),
-    ("_PFUMX", Binding::Luts),
-    ("_L6MUX21", Binding::Luts),
-    ("_TRELLIS_FF", Binding::Registers),
-    ("_TRELLIS_DPR16X4", Binding::Memories),
-    ("_DP16KD", Binding::Memories),
-    ("_PDPW16KD", Binding::Memories),
-    ("_MULT18X18D", Binding::DspBlocks),
-];
-
 impl Step {
     fn is_net(&self) -> bool {
         self.kind == "routing"
     }
 
     /// The kind of the cell, by the last kind in its name.
-    fn part(&self) -> Binding {
+    fn part(&self, rules: &PathRules) -> Binding {
         let cell = &self.to.cell;
-        if cell.contains(CARRY_HALF) {
+        if (rules.carry_cell)(&self.hop()).is_some() {
             return Binding::CarryChains;
         }
-        let places = KINDS
-            .iter()
-            .filter_map(|&(kind, part)| cell.rfind(kind).map(|at| (at, part)));
+        let kinds = rules.kinds.iter();
+        let places = kinds.filter_map(|&(kind, part)| cell.rfind(kind).map(|at| (at, part)));
         let last = places.max_by_key(|&(at, _)| at).map(|(_, part)| part);
         match (last, self.kind.as_str()) {
             // A register with a LUT in front of it has the LUT's name after its own.
@@ -219,18 +233,25 @@ impl Step {
     }
 
     /// Whether the step passes one of the muxes that join the LUTs of a slice, and not a LUT.
-    fn is_wide_mux(&self) -> bool {
-        WIDE_MUX_INPUTS.contains(&self.from.port.as_str())
+    fn is_wide_mux(&self, rules: &PathRules) -> bool {
+        rules.wide_mux_inputs.contains(&self.from.port.as_str())
+    }
+
+    fn hop(&self) -> Hop<'_> {
+        Hop {
+            cell: &self.to.cell,
+            output: &self.to.port,
+        }
     }
 }
 
 /// The name of a cell's register, without the wrapper's prefix and without Yosys's additions.
-fn register(cell: &str) -> String {
+fn register(cell: &str, rules: &PathRules) -> String {
     let cell = cell
         .strip_prefix(INSTANCE)
         .and_then(|cell| cell.strip_prefix('.'))
         .unwrap_or(cell);
-    let ends = KINDS.iter().filter_map(|(kind, _)| cell.find(kind));
+    let ends = rules.kinds.iter().filter_map(|(kind, _)| cell.find(kind));
     let end = ends.min().unwrap_or(cell.len());
     cell[..end].to_owned()
 }

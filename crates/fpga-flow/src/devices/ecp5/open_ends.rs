@@ -7,7 +7,7 @@
 
 use serde_json::{Value, json};
 
-use super::{Cells, Readers};
+use crate::netlist::{Cells, Readers};
 
 /// Disconnects these ends in all cells.
 pub(super) fn open(cells: &mut Cells, readers: &Readers) {
@@ -50,8 +50,9 @@ fn overrides(cell: &Value) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::super::stages;
+    use super::super::PASSES;
     use super::*;
+    use crate::netlist::{Netlist, stages};
 
     fn carry_cell(first_lut: &str, cin: Value, cout: u64) -> Value {
         json!({
@@ -70,8 +71,8 @@ mod tests {
             "ports": { "out": { "direction": "output", "bits": [9] } },
             "cells": cells.collect::<Cells>(),
         } } });
-        let mut stages = stages(&netlist.to_string()).unwrap();
-        stages.remove(2).netlist["modules"]["top"]["cells"].take()
+        let mut stages = stages(Netlist::from(netlist), &PASSES);
+        stages[2].netlist.json_mut()["modules"]["top"]["cells"].take()
     }
 
     /// The constant is needed where the first sum is read, or where C and D do not make the LUT 0.

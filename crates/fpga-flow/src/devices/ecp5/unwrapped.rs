@@ -12,12 +12,12 @@
 use std::collections::{HashMap, HashSet};
 use std::fmt::Write;
 
-use anyhow::{Context, Result, bail, ensure};
 use serde_json::Value;
 
-use super::super::wrapper::{CLOCK, FILE, FOLDED, MachinePort, SERIAL_IN};
-use super::verilog::{end, instance, list};
-use super::{Readers, connections, is_bookkeeping, readers, top, word};
+use crate::error::{FlowError, Result, ensure, unexpected};
+use crate::netlist::verilog::{end, instance, list};
+use crate::netlist::{Netlist, Port, Readers, cells, connections, is_bookkeeping, readers, word};
+use crate::wrapper::{CLOCK, FILE, FOLDED, SERIAL_IN};
 
 /// A netlist in its wrapper.
 struct Wrapped<'a> {
@@ -34,11 +34,11 @@ struct Wrapped<'a> {
 ///
 /// # Errors
 /// The machine's surroundings are not its wrapper.
-pub fn unwrapped(netlist: &Value, name: &str, ports: &[MachinePort]) -> Result<String> {
-    let wrapped = Wrapped::of(top(netlist)?)?;
+pub fn unwrapped(netlist: &Netlist, name: &str, ports: &[Port]) -> Result<String> {
+    let wrapped = Wrapped::of(netlist.top()?)?;
     let width = |is_input| {
-        let ports = ports.iter().filter(|port| port.is_input == is_input);
-        ports.map(|port| port.width).sum::<usize>()
+        let ports = ports.iter().filter(|port| port.is_input() == is_input);
+        ports.map(Port::width).sum::<usize>()
     };
     let driven = wrapped.driven(width(true))?;
     let mut removed: HashSet<&str> = driven.iter().copied().collect();
@@ -50,7 +50,7 @@ pub fn unwrapped(netlist: &Value, name: &str, ports: &[MachinePort]) -> Result<S
 
 impl<'a> Wrapped<'a> {
     fn of(module: &'a Value) -> Result<Self> {
-        let cells = module["cells"].as_object().context("a module has cells")?;
+        let cells = cells(module)?;
         let mut drivers = HashMap::new();
         for (name, cell) in cells {
             for (_, _, bits) in connections(cell).filter(|(_, is_output, _)| *is_output) {
@@ -101,12 +101,13 @@ impl<'a> Wrapped<'a> {
         let is_plain = is("CEMUX", "1") && is("CLKMUX", "CLK") && is("LSRMUX", "LSR");
         let ends = &cell["connections"];
         let has_no_reset = ends["LSR"][0] == "0";
-        ensure!(
-            is_plain && ends["CLK"][0] == *self.clock && (may_reset || has_no_reset),
-            "found {name} of the wrapper as {cell}, expected a flip-flop without enable{}",
-            if may_reset { "" } else { " and reset" }
-        );
-        Ok(())
+        let holds = is_plain && ends["CLK"][0] == *self.clock && (may_reset || has_no_reset);
+        ensure(holds, || {
+            let and_reset = if may_reset { "" } else { " and reset" };
+            format!(
+                "found {name} of the wrapper as {cell}, expected a flip-flop without enable{and_reset}"
+            )
+        })
     }
 
     /// The registers in front of the inputs, in order. The last may be missing if nothing reads them.
@@ -126,11 +127,13 @@ impl<'a> Wrapped<'a> {
                     chain.push(register);
                     net = self.output(register);
                 }
-                _ => bail!(
-                    "found {} behind place {} of the wrapper's chain, expected one",
-                    next.join(" and "),
-                    chain.len()
-                ),
+                _ => {
+                    return Err(unexpected(format!(
+                        "found {} behind place {} of the wrapper's chain, expected one",
+                        next.join(" and "),
+                        chain.len()
+                    )));
+                }
             }
         }
         Ok(chain)
@@ -140,18 +143,16 @@ impl<'a> Wrapped<'a> {
     fn shown(&self, width: usize, removed: &mut HashSet<&'a str>) -> Result<Vec<String>> {
         let folded = self.module["netnames"][FOLDED]["bits"].as_array();
         let folded = folded.map_or(&[][..], Vec::as_slice);
-        ensure!(
-            folded.len() == width,
-            "found {} bits of the wrapper's register {FOLDED}, expected {width}",
-            folded.len()
-        );
+        ensure(folded.len() == width, || {
+            let found = folded.len();
+            format!("found {found} bits of the wrapper's register {FOLDED}, expected {width}")
+        })?;
         let zero = Value::from("0");
         let mut before = &zero;
         let mut shown = Vec::new();
         for net in folded {
             let register = self.register(net);
-            let register =
-                register.with_context(|| format!("found no register {FOLDED} of net {net}"))?;
+            let register = register.ok_or_else(|| missing("register folded of", net))?;
             self.check_register(register, false)?;
             removed.insert(register);
             shown.push(match self.added(self.input(register), before, removed)? {
@@ -178,10 +179,9 @@ impl<'a> Wrapped<'a> {
         }
         if net.is_string() || self.register(net).is_some() {
             // The first place has no predecessor.
-            ensure!(
-                *before == "0",
-                "found {net} folded into nothing, expected {before}"
-            );
+            ensure(*before == "0", || {
+                format!("found {net} folded into nothing, expected {before}")
+            })?;
             return Ok(match net.as_str() {
                 Some(bit) => Added::Constant(bit == "1"),
                 None => Added::Net(net),
@@ -189,16 +189,19 @@ impl<'a> Wrapped<'a> {
         }
         let driver = net.as_u64().and_then(|net| self.drivers.get(&net).copied());
         let driver = driver.filter(|driver| self.cell(driver)["type"] == "LUT4");
-        let driver = driver.with_context(|| format!("found no LUT that drives net {net}"))?;
+        let driver = driver.ok_or_else(|| missing("LUT that drives", net))?;
         removed.insert(driver);
-        exclusive_or(self.cell(driver), before)
-            .with_context(|| format!("found {driver}, expected an exclusive or with net {before}"))
+        exclusive_or(self.cell(driver), before).ok_or_else(|| {
+            unexpected(format!(
+                "found {driver}, expected an exclusive or with net {before}"
+            ))
+        })
     }
 
     /// The input of the register behind an output.
     fn taken(&self, net: &Value, removed: &mut HashSet<&'a str>) -> Result<String> {
         let register = self.register(net);
-        let register = register.with_context(|| format!("found no register of net {net}"))?;
+        let register = register.ok_or_else(|| missing("register of", net))?;
         self.check_register(register, true)?;
         removed.insert(register);
         let taken = end(self.input(register), name_of);
@@ -219,10 +222,9 @@ impl<'a> Wrapped<'a> {
             .filter(|name| !removed.contains(*name))
             .collect();
         left.sort_unstable();
-        ensure!(
-            left.is_empty(),
-            "found {left:?} of the wrapper in no place of it"
-        );
+        ensure(left.is_empty(), || {
+            format!("found {left:?} of the wrapper in no place of it")
+        })?;
         // The machine reads the outputs of the registers in front of its inputs, and no other net of the
         // wrapper.
         for name in removed.iter().filter(|name| !driven.contains(name)) {
@@ -234,11 +236,17 @@ impl<'a> Wrapped<'a> {
             let mut others =
                 read.filter(|(reader, _)| !reader.is_empty() && !removed.contains(reader.as_str()));
             if let Some((reader, port)) = others.next() {
-                bail!("found {port} of {reader} on {name}, which is the wrapper's");
+                return Err(unexpected(format!(
+                    "found {port} of {reader} on {name}, which is the wrapper's"
+                )));
             }
         }
         Ok(())
     }
+}
+
+fn missing(what: &str, net: &Value) -> FlowError {
+    unexpected(format!("found no {what} net {net}"))
 }
 
 /// The second operand of the exclusive or in the second chain.
@@ -286,7 +294,7 @@ fn text(
     wrapped: &Wrapped<'_>,
     removed: &HashSet<&str>,
     name: &str,
-    ports: &[MachinePort],
+    ports: &[Port],
     inputs: &[&Value],
     shown: &[String],
 ) -> Result<String> {
@@ -298,20 +306,17 @@ fn text(
     if let Some(clock) = wrapped.clock.as_u64() {
         known.insert(clock, CLOCK.to_owned());
     }
-    for MachinePort {
-        name,
-        is_input,
-        width,
-    } in ports
-    {
-        let direction = if *is_input { "input" } else { "output" };
-        let _ = writeln!(text, "  {direction} [{}:0] {name};", width - 1);
-        for bit in 0..*width {
-            if *is_input {
+    for port in ports {
+        let (name, direction) = (&port.name, &port.direction);
+        let _ = writeln!(text, "  {direction} [{}:0] {name};", port.width() - 1);
+        for bit in 0..port.width() {
+            if port.is_input() {
                 let net = driven.next().and_then(|net| net.as_u64());
                 known.extend(net.map(|net| (net, format!("{name}[{bit}]"))));
             } else {
-                let value = taken.next().context("each output bit is shown")?;
+                let value = taken
+                    .next()
+                    .ok_or_else(|| unexpected(format!("found no value of {name}[{bit}]")))?;
                 let _ = writeln!(assigns, "  assign {name}[{bit}] = {value};");
             }
         }
@@ -346,6 +351,7 @@ mod tests {
     use serde_json::json;
 
     use super::*;
+    use crate::netlist::Bit;
 
     /// The wrapper of a machine with two input bits, a and b, and two outputs, `a & b` and 0.
     fn wrapped() -> Value {
@@ -386,23 +392,23 @@ mod tests {
         } } })
     }
 
-    fn ports() -> Vec<MachinePort> {
-        let port = |name: &str, is_input, width| MachinePort {
+    fn ports() -> Vec<Port> {
+        let port = |name: &str, direction: &str| Port {
             name: name.to_owned(),
-            is_input,
-            width,
+            direction: direction.to_owned(),
+            bits: vec![Bit::Net(2)],
         };
         vec![
-            port("a", true, 1),
-            port("b", true, 1),
-            port("both", false, 1),
-            port("none", false, 1),
+            port("a", "input"),
+            port("b", "input"),
+            port("both", "output"),
+            port("none", "output"),
         ]
     }
 
     #[test]
     fn the_machine_is_all_that_is_left() {
-        let text = unwrapped(&wrapped(), "the_top", &ports()).unwrap();
+        let text = unwrapped(&wrapped().into(), "the_top", &ports()).unwrap();
         for expected in [
             "module the_top(",
             "  wire n4 = a[0];",
@@ -439,10 +445,8 @@ mod tests {
             *netlist
                 .pointer_mut(&format!("/modules/serial/cells{place}"))
                 .unwrap() = value;
-            let error = format!(
-                "{:#}",
-                unwrapped(&netlist, "the_top", &ports()).unwrap_err()
-            );
+            let error = unwrapped(&netlist.into(), "the_top", &ports()).unwrap_err();
+            let error = error.to_string();
             assert!(error.contains(expected), "{place}: {error}");
         }
     }

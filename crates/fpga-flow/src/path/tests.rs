@@ -1,4 +1,5 @@
 use super::*;
+use crate::devices::ecp5::PATH;
 
 /// nextpnr 0.11's report of a machine, without redundant steps and keys.
 const REPORT: &str = r#"{
@@ -50,7 +51,7 @@ const REPORT: &str = r#"{
 
 #[test]
 fn the_path_is_told_in_a_few_facts() {
-    let (fmax_mhz, path) = parse(REPORT).unwrap();
+    let (fmax_mhz, path) = parse(REPORT, &PATH).unwrap();
     assert_eq!(fmax_mhz, 95.38);
     let expected = CriticalPath {
         from: "cell_5.square_unit_a".to_owned(),
@@ -78,7 +79,7 @@ fn the_path_is_told_in_a_few_facts() {
 
 #[test]
 fn one_net_binds_where_it_takes_more_than_all_else() {
-    let (_, path) = parse(&REPORT.replace("0.118", "5.0")).unwrap();
+    let (_, path) = parse(&REPORT.replace("0.118", "5.0"), &PATH).unwrap();
     assert_eq!(path.binds, Binding::OneNet);
     assert_eq!(path.longest_net_ns, 5.0);
 }
@@ -98,7 +99,7 @@ fn blocks_are_told_by_the_last_kind_in_a_name() {
             from,
             to,
         }
-        .part()
+        .part(&PATH)
     };
     for (cell, kind, part) in [
         (
@@ -122,14 +123,14 @@ fn blocks_are_told_by_the_last_kind_in_a_name() {
     ] {
         assert_eq!(step(cell, kind), part, "{cell}");
     }
-    assert_eq!(register("machine.store_DP16KD_DOA0"), "store");
-    assert_eq!(register("driven_TRELLIS_FF_Q_12"), "driven");
-    assert_eq!(register("serial_out"), "serial_out");
+    assert_eq!(register("machine.store_DP16KD_DOA0", &PATH), "store");
+    assert_eq!(register("driven_TRELLIS_FF_Q_12", &PATH), "driven");
+    assert_eq!(register("serial_out", &PATH), "serial_out");
 }
 
 #[test]
 fn a_report_without_its_path_or_with_two_clocks_is_refused() {
-    let error = |report: &str| format!("{:#}", parse(report).unwrap_err());
+    let error = |report: &str| format!("{:#}", parse(report, &PATH).unwrap_err());
     let other = REPORT.replace(r#""to": "posedge $glb"#, r#""to": "posedge other$glb"#);
     assert!(error(&other).contains("no critical path"));
     let clocks = REPORT.replace(r#""fmax": {"#, r#""fmax": {"second": {"achieved": 1.0}, "#);

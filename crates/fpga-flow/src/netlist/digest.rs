@@ -10,11 +10,11 @@
 use std::collections::HashMap;
 use std::fmt::Write;
 
-use anyhow::{Context, Result};
 use serde_json::Value;
 use sha2::{Digest, Sha256};
 
-use super::{is_bookkeeping, top};
+use super::{cells, is_bookkeeping};
+use crate::error::Result;
 
 /// The attributes that record the origin of a cell.
 const ORIGINS: [&str; 2] = ["src", "hdlname"];
@@ -54,14 +54,8 @@ impl Nets {
     }
 }
 
-/// SHA-256 of a netlist as `write_json` writes it, in hexadecimal digits. It covers the types, parameters,
-/// attributes and connections of the cells of the top module. It does not depend on the names of cells and
-/// nets, their order or origin, or on Yosys's records of the hierarchy.
-///
-/// # Errors
-/// The netlist has no top module.
-pub fn sha256(netlist: &Value) -> Result<String> {
-    let module = top(netlist)?;
+/// The digest of a module, see [`Netlist::sha256`](super::Netlist::sha256).
+pub(super) fn sha256(module: &Value) -> Result<String> {
     let mut nets = Nets::default();
     for (name, port) in module["ports"].as_object().into_iter().flatten() {
         let bits = port["bits"].as_array().into_iter().flatten();
@@ -71,8 +65,7 @@ pub fn sha256(netlist: &Value) -> Result<String> {
             }
         }
     }
-    let cells = module["cells"].as_object().context("a module has cells")?;
-    let cells = cells.values().filter(|cell| !is_bookkeeping(cell));
+    let cells = cells(module)?.values().filter(|cell| !is_bookkeeping(cell));
     let cells: Vec<_> = cells.map(|cell| read(cell, &mut nets)).collect();
     Ok(hexadecimal(&listing(&cells, nets.ports)))
 }
@@ -172,6 +165,7 @@ fn hexadecimal(text: &str) -> String {
 mod tests {
     use serde_json::json;
 
+    use super::super::Netlist;
     use super::*;
 
     fn cell(kind: &str, init: &str, connections: Value) -> Value {
@@ -209,7 +203,7 @@ mod tests {
     }
 
     fn of(netlist: &Value) -> String {
-        sha256(netlist).unwrap()
+        Netlist::from(netlist.clone()).sha256().unwrap()
     }
 
     #[test]
@@ -262,7 +256,8 @@ mod tests {
 
     #[test]
     fn a_netlist_without_a_top_module_is_refused() {
-        let error = sha256(&json!({ "modules": {} })).unwrap_err().to_string();
+        let error = Netlist::from(json!({ "modules": {} })).sha256();
+        let error = error.unwrap_err().to_string();
         assert!(error.contains("top"), "{error}");
     }
 }

@@ -1,0 +1,93 @@
+//! Measures the area of a design in one flow.
+
+use std::path::Path;
+
+use serde::Deserialize;
+
+use crate::design::Design;
+use crate::error::{FlowError, Result, read};
+use crate::figure::{CellCounts, Figures};
+use crate::flow::Flow;
+use crate::yosys::Yosys;
+
+/// The used parts of the output of Yosys's `stat -json`.
+#[derive(Debug)]
+pub(crate) struct Stat {
+    /// The number of cells of each type in the whole design.
+    pub cells: CellCounts,
+    /// The sum of their transistors, as text; `None` without a technology.
+    pub transistors: Option<String>,
+}
+
+#[derive(Deserialize)]
+struct Written {
+    design: OfDesign,
+}
+
+#[derive(Deserialize)]
+struct OfDesign {
+    num_cells_by_type: CellCounts,
+    estimated_num_transistors: Option<String>,
+}
+
+impl Stat {
+    pub fn parse(text: &str) -> Result<Self> {
+        let stat: Written = serde_json::from_str(text).map_err(|source| FlowError::Json {
+            writer: "Yosys's `stat -json`",
+            source,
+        })?;
+        Ok(Self {
+            cells: stat.design.num_cells_by_type,
+            transistors: stat.design.estimated_num_transistors,
+        })
+    }
+}
+
+/// Maps a design, whose files are in the folder (see [`Design::write`]), and counts its cells.
+///
+/// # Errors
+/// Yosys fails, or a cell adds to none of the flow's figures.
+pub fn area(
+    yosys: &Yosys,
+    folder: &Path,
+    design: &Design,
+    flow: &Flow,
+    abc9_target_ps: u32,
+) -> Result<Figures> {
+    let file = format!("{flow}.json");
+    let script = format!(
+        "{}; {}; tee -q -o {file} stat {}",
+        design.read_commands(flow.family),
+        flow.script(&design.top, abc9_target_ps),
+        flow.stat_options()
+    );
+    yosys.run(folder, &script)?;
+    flow.count(&read(&folder.join(&file))?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::figure::Figure;
+
+    /// The end of the output of Yosys 0.70; earlier versions had numbers in quotation marks.
+    const STAT: &str = r#"{
+        "creator": "Yosys 0.70 (git sha1 28ba3cb92, Release)",
+        "modules": {"\\top": {"num_cells": 14, "num_cells_by_type": {"$_NAND_": 10, "$_DFF_P_": 4}}},
+        "design": {
+            "num_wires": 22,
+            "num_cells_by_type": {"$_NAND_": 10, "$_DFF_P_": 4},
+            "estimated_num_transistors": "104"
+        }
+    }"#;
+
+    #[test]
+    fn the_designs_cells_are_counted() {
+        let [gates, ecp5] = ["gates", "ecp5"].map(|name| Flow::find(name).unwrap());
+        let figures = gates.count(STAT).unwrap();
+        assert_eq!(figures[&Figure::Nand2Equivalents], 26);
+        let error = ecp5.count(STAT).unwrap_err().to_string();
+        assert!(error.contains("$_DFF_P_"), "{error}");
+        assert!(ecp5.count("{}").is_err());
+    }
+}
