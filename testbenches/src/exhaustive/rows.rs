@@ -1,13 +1,10 @@
-//! Every pair of operands of a unit, with the expected outputs: by the golden model's ops, or for a spatial
-//! machine's squares by the spec's formula.
-
-use std::collections::VecDeque;
+//! Every pair of operands of a unit, with the expected outputs.
 
 use photoncube_hdl::Unit;
-use photoncube_model::{CellInputs, CellRules, CellState};
-use photoncube_spec::{Cut, MACHINES, Machine, Numbers, Op, PlainFormat, Squarer};
+use photoncube_model::CellRules;
+use photoncube_spec::{Cut, MACHINES, Machine, Numbers, PlainFormat, Squarer};
 
-use crate::levels::square_of;
+use crate::units::{self, SquarePair};
 
 /// Rows of inputs and of expected outputs.
 #[derive(Default)]
@@ -59,13 +56,7 @@ fn add(bits: u32) -> Rows {
     assert_eq!(rules.widths().sum, bits);
     let mut rows = Rows::default();
     for (a, b) in pairs(bits) {
-        let mut cell = CellState {
-            sum: a,
-            work: b,
-            ..CellState::default()
-        };
-        cell.execute(Op::Accumulate, &CellInputs::default(), &rules);
-        rows.push(&[a, b], &[cell.sum]);
+        rows.push(&[a, b], &[units::add(&rules, a, b)]);
     }
     rows
 }
@@ -78,13 +69,7 @@ fn square(bits: u32) -> Rows {
     });
     let mut rows = Rows::default();
     for (a, b) in pairs(bits) {
-        let mut cell = CellState {
-            query: a as u32,
-            photon: b as u32,
-            ..CellState::default()
-        };
-        cell.execute(Op::SquareDifference, &CellInputs::default(), &rules);
-        rows.push(&[a, b], &[cell.work]);
+        rows.push(&[a, b], &[units::square(&rules, a as u32, b as u32)]);
     }
     rows
 }
@@ -95,14 +80,8 @@ fn gate(bits: u32) -> Rows {
     let mut rows = Rows::default();
     for (a, b) in pairs(bits) {
         for (index, &power) in powers.iter().enumerate() {
-            let mut cell = CellState {
-                work: a,
-                radius_sq: b as u32,
-                power,
-                ..CellState::default()
-            };
-            cell.execute(Op::Gate, &CellInputs::default(), &rules);
-            rows.push(&[a, b, power], &[cell.work]);
+            let gated = units::gate(&rules, a, b as u32, power);
+            rows.push(&[a, b, power], &[gated]);
             rows.pairs -= u64::from(index > 0);
         }
     }
@@ -133,14 +112,11 @@ fn square_pair(bits: u32, squarer: Squarer) -> Rows {
         latency: of_squares.count(),
         ..Rows::default()
     };
-    // The registers start as 0, and the last squares appear after the last operands.
-    let mut squares = VecDeque::from(vec![[0; 4]; rows.latency]);
+    // The last squares appear after the last operands.
+    let mut squares = SquarePair::new(rows.latency, radius, squarer);
     let flush = std::iter::repeat_n((0, 0), rows.latency);
     for (query, photon) in pairs(bits).chain(flush) {
-        let square = |photon| square_of(query, photon, radius, squarer);
-        let ((square_a, far_a), (square_b, far_b)) = (square(photon), square(photon ^ half));
-        squares.push_back([square_a, square_b, far_a, far_b]);
-        let out = squares.pop_front().expect("one was pushed");
+        let out = squares.clock(query, [photon, photon ^ half]);
         rows.push(&[query, photon, photon ^ half], &out);
     }
     rows.pairs -= rows.latency as u64;

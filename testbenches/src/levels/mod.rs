@@ -9,11 +9,9 @@ mod memory;
 mod overlap;
 
 use photoncube_hdl::{Level, level_pins};
-use photoncube_model::{CellInputs, CellRules, CellState};
-use std::collections::VecDeque;
-
+use photoncube_model::CellRules;
 use photoncube_spec::{
-    Cut, Field, Machine, Op, Organisation, Pin, Pins, SpatialWidths, Squarer, Step, Widths,
+    Cut, Field, Machine, Op, Organisation, Pin, Pins, SpatialWidths, Step, Widths,
 };
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
@@ -22,6 +20,7 @@ use serde::Serialize;
 use crate::compare::{Activity, Actual, Divergence};
 use crate::device::{Device, DeviceError, DeviceKind, Observed, hdl_error};
 use crate::stimulus::corner;
+use crate::units::{self, SquarePair};
 use crate::verify::{VerifyError, nothing_compared, wrong_count};
 
 use memory::MemoryWalk;
@@ -175,14 +174,9 @@ impl Trace {
                 1 => (!a).wrapping_add(1) & all,
                 _ => corner(rng, widths.sum),
             };
-            let mut cell = CellState {
-                sum: a,
-                work: b,
-                ..CellState::default()
-            };
-            cell.execute(Op::Accumulate, &CellInputs::default(), &rules);
             let operands = |name: &str| if name == "a" { a } else { b };
-            self.push(done(Op::Accumulate), operands, &[cell.sum]);
+            let sum = units::add(&rules, a, b);
+            self.push(done(Op::Accumulate), operands, &[sum]);
         }
     }
 
@@ -208,15 +202,9 @@ impl Trace {
             pairs.push((any(widths.coordinate), any(widths.photon)));
         }
         for (a, b) in pairs {
-            let mut cell = CellState {
-                query: a,
-                photon: b,
-                ..CellState::default()
-            };
-            cell.execute(Op::SquareDifference, &CellInputs::default(), &rules);
             let operands = |name: &str| u64::from(if name == "a" { a } else { b });
-            let step = done(Op::SquareDifference);
-            self.push(step, operands, &[cell.work]);
+            let square = units::square(&rules, a, b);
+            self.push(done(Op::SquareDifference), operands, &[square]);
         }
     }
 
@@ -243,13 +231,10 @@ impl Trace {
             }
             false => [(); 3].map(|()| corner(rng, widths.coordinate)),
         };
-        let mut squares = VecDeque::from(vec![[0; 4]; latency]);
+        let mut squares = SquarePair::new(latency, widths.radius, machine.squarer);
         for index in 0..vectors.max(latency + 1) {
             let [query, photon_a, photon_b] = operands(index, rng);
-            let square = |photon| square_of(query, photon, widths.radius, machine.squarer);
-            let ((square_a, far_a), (square_b, far_b)) = (square(photon_a), square(photon_b));
-            squares.push_back([square_a, square_b, far_a, far_b]);
-            let expected = squares.pop_front().expect("one was pushed");
+            let expected = squares.clock(query, [photon_a, photon_b]);
             let value = |name: &str| match name {
                 "query" => query,
                 "photon_a" => photon_a,
@@ -271,20 +256,14 @@ impl Trace {
                 3 => u64::from(radius_sq.saturating_add(1).min(largest)),
                 _ => corner(rng, widths.work),
             };
-            let mut cell = CellState {
-                radius_sq,
-                work,
-                power: corner(rng, widths.power),
-                ..CellState::default()
-            };
-            let power = cell.power;
-            cell.execute(Op::Gate, &CellInputs::default(), &rules);
+            let power = corner(rng, widths.power);
+            let gated = units::gate(&rules, work, radius_sq, power);
             let operands = |name: &str| match name {
                 "a" => work,
                 "b" => u64::from(radius_sq),
                 _ => power,
             };
-            self.push(done(Op::Gate), operands, &[cell.work]);
+            self.push(done(Op::Gate), operands, &[gated]);
         }
     }
 
@@ -365,18 +344,6 @@ impl Trace {
 /// The activity of a step with that op.
 fn done(op: Op) -> Activity {
     Activity::Step(Step::new(op))
-}
-
-/// The expected `Square` and `SquareFar` of a spatial machine, by the spec.
-pub(crate) fn square_of(query: u64, photon: u64, radius_bits: u32, squarer: Squarer) -> (u64, u64) {
-    let distance = query.abs_diff(photon);
-    let modulus = 1 << radius_bits;
-    let squared = match squarer {
-        Squarer::Digits => distance % modulus,
-        Squarer::Product | Squarer::Table => distance,
-    };
-    let square = squared * squared % (modulus * modulus);
-    (square, u64::from(distance >= modulus))
 }
 
 fn field_named(name: &str) -> Field {

@@ -153,7 +153,10 @@ fn verified_by(sheet: &Datasheet) -> String {
         let volume = grouped(line.volume);
         let said = format!(
             "  {}: {volume} {}; {} ({})",
-            line.method, line.unit, line.result, line.by
+            line.heading(),
+            line.unit,
+            line.result,
+            line.by
         );
         text += &wrapped(&said, 4);
         text += "\n";

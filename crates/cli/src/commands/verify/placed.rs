@@ -1,19 +1,45 @@
-//! The method `--placed`: the netlist that is placed on an ECP5. It is simulated against the golden model as
-//! Yosys maps it and after each pass, and each pass is proven.
+//! The method `placed`: the netlist that is placed on an ECP5. It is simulated against the golden model as Yosys maps
+//! it and after each pass, and each pass is proven.
 
-use anyhow::{Result, bail};
-use photoncube_testbench::{Source, Verdict, VerifyError, VerifyOptions};
+use anyhow::Result;
+use clap::Args;
+use photoncube_testbench::{
+    Control, Controls, DeviceKind, Tool, Verdict, VerifyError, comparison_control,
+};
 use serde::Serialize;
 
-use super::equivalence::devices;
-use crate::args::VerifyArgs;
-use crate::failure::CheckFailed;
+use super::method::Method;
+use super::options::{Devices, StimulusArgs, devices, tools};
+use super::outcome::{Outcome, compared};
+use crate::machines::MachineArgs;
+use crate::progress;
 use crate::synth::Subject;
-use crate::synth::placed::{Placed, SIMULATORS};
+use crate::synth::placed::{Placed as Netlists, SIMULATORS};
 use crate::synth::prove::PassProof;
 use crate::synth::tools::{Purpose, Tools};
-use crate::verified::{Line, grouped, record};
-use crate::{output, progress, table};
+use crate::verified::{Line, grouped};
+
+/// See [`Method::ABOUT`].
+#[derive(Args, Debug)]
+pub struct Placed {
+    #[command(flatten)]
+    machine: MachineArgs,
+    /// What simulates the netlists: verilator, icarus
+    #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "verilator", value_parser = simulator)]
+    against: Vec<Devices>,
+    #[command(flatten)]
+    stimulus: StimulusArgs,
+}
+
+/// Reads the name of a simulator that can run the models of the cells.
+fn simulator(name: &str) -> Result<Devices, String> {
+    let named: Devices = name.parse().map_err(|error| format!("{error}"))?;
+    let known = devices(std::slice::from_ref(&named));
+    match known.iter().all(|kind| SIMULATORS.contains(kind)) {
+        true => Ok(named),
+        false => Err("the netlist has models of cells, so expected verilator or icarus".to_owned()),
+    }
+}
 
 #[derive(Debug, Serialize)]
 struct Report {
@@ -28,7 +54,8 @@ struct Report {
     mismatches: u64,
     netlist_passes: Vec<PassProof>,
     netlists: Vec<StageVerdict>,
-    divergence: Option<String>,
+    #[serde(skip)]
+    differences: Vec<String>,
     #[serde(skip)]
     verilog_sha256: String,
 }
@@ -42,48 +69,121 @@ struct StageVerdict {
     verdict: Verdict,
 }
 
-impl Report {
-    /// Records the verdict of a simulation, or the error that prevented one.
-    fn record(&mut self, stage: &'static str, found: Result<Verdict, VerifyError>) -> Result<()> {
-        match found {
-            Ok(verdict) => {
-                self.vectors_compared += verdict.vectors_compared;
-                let verilog_sha256 = Some(self.verilog_sha256.clone());
-                let verdict = Verdict {
-                    verilog_sha256,
-                    ..verdict
-                };
-                self.netlists.push(StageVerdict {
-                    netlist: stage,
-                    verdict,
-                });
+impl Method for Placed {
+    const NAME: &'static str = "placed";
+    const ABOUT: &'static str = "Map the machine as `synth` does for an ECP5, prove the passes over its netlist, and simulate \
+        the netlist as Yosys makes it and after each pass, with models of its cells; the last is what is placed. Needs \
+        Yosys of scripts/setup.sh --synthesis";
+    const EXAMPLES: &'static [&'static str] = &["photoncube verify placed --machine stream"];
+
+    fn tools(&self) -> Vec<Tool> {
+        tools(&self.against)
+    }
+
+    fn run(&self) -> Result<Outcome> {
+        let machine = self.machine.find()?;
+        let yosys = Tools::find(None, Purpose::Map)?;
+        let subject = Subject::of(machine)?;
+        let spinner = progress::spinner("mapping");
+        let placed = Netlists::map(&yosys, &subject)?;
+        let emitted = photoncube_hdl::emit(machine, photoncube_hdl::Level::Machine)?;
+        let mut report = Report {
+            machine: machine.name,
+            seed: self.stimulus.seed.seed,
+            iterations: self.stimulus.iterations,
+            netlist_sha256: placed.netlist_sha256()?,
+            tool_version: placed.yosys_version()?,
+            vectors_compared: 0,
+            mismatches: 0,
+            netlist_passes: placed.prove()?,
+            netlists: Vec::new(),
+            differences: Vec::new(),
+            verilog_sha256: emitted.verilog_sha256(),
+        };
+        spinner.finish_and_clear();
+        self.simulate(&placed, &devices(&self.against), &mut report)?;
+        report.outcome()
+    }
+}
+
+impl Placed {
+    /// Simulates each netlist that differs from the one before, in each simulator, up to the first difference.
+    fn simulate(
+        &self,
+        placed: &Netlists<'_>,
+        simulators: &[DeviceKind],
+        report: &mut Report,
+    ) -> Result<()> {
+        let options = self.stimulus.random();
+        let mut before = None;
+        for stage in placed.stages() {
+            if before == Some(&stage.netlist) {
+                continue;
             }
-            Err(VerifyError::Diverged(divergence)) => {
-                self.vectors_compared += divergence.vectors_compared + 1;
-                self.mismatches += 1;
-                self.divergence = Some(format!("netlist, {stage}: {divergence}"));
+            before = Some(&stage.netlist);
+            for &simulator in simulators {
+                let bar = progress::bar(stage.name, options.iterations);
+                let position = |done| bar.set_position(done);
+                let ended = placed.verify(&stage.netlist, simulator, &options, &position);
+                bar.finish_and_clear();
+                if !report.add(stage.name, ended?)? {
+                    return Ok(());
+                }
             }
-            Err(error) => return Err(error.into()),
         }
         Ok(())
     }
+}
 
-    fn conclusion(&self) -> Result<()> {
-        let holds = |pass: &&PassProof| pass.proven && pass.control_refuted;
-        let failed: Vec<_> = self
-            .netlist_passes
-            .iter()
-            .filter(|pass| !holds(pass))
-            .map(said)
-            .collect();
-        match &self.divergence {
-            Some(divergence) => Err(CheckFailed(divergence.clone()).into()),
-            None if !failed.is_empty() => Err(CheckFailed(failed.join("\n")).into()),
-            None if self.netlists.is_empty() => {
-                Err(CheckFailed("no netlist was simulated".to_owned()).into())
+impl Report {
+    /// Adds the verdict of a simulation, or the difference. Returns whether there was none.
+    fn add(&mut self, stage: &'static str, ended: Result<Verdict, VerifyError>) -> Result<bool> {
+        match compared(ended)? {
+            Ok(verdict) => {
+                self.vectors_compared += verdict.vectors_compared;
+                self.netlists.push(StageVerdict {
+                    netlist: stage,
+                    verdict: Verdict {
+                        verilog_sha256: Some(self.verilog_sha256.clone()),
+                        ..verdict
+                    },
+                });
+                Ok(true)
             }
-            None => Ok(()),
+            Err(difference) => {
+                self.mismatches += 1;
+                self.differences
+                    .push(format!("netlist, {stage}: {difference}"));
+                Ok(false)
+            }
         }
+    }
+
+    fn outcome(&self) -> Result<Outcome> {
+        let passes: Vec<_> = self.netlist_passes.iter().map(pass_row).collect();
+        let stages: Vec<_> = self.netlists.iter().map(stage_row).collect();
+        let unproven = self.netlist_passes.iter().filter(|pass| !pass.proven);
+        // A pass that changes nothing has no place for a fault.
+        let changed = self.netlist_passes.iter();
+        let changed = changed.filter(|pass| pass.different_changes > 0);
+        let controls = Controls::new(comparison_control()?, changed.map(control));
+        let placed = format!(
+            "{}: mapped by Yosys {}; the netlist that is placed is {}",
+            self.machine, self.tool_version, self.netlist_sha256
+        );
+        Ok(Outcome::new::<Placed>(controls, self)?
+            .table(
+                &["pass", "cells changed", "different", "the same", "faults"],
+                &passes,
+            )
+            .table(
+                &["netlist", "in", "results", "vectors", "outputs", "clocks/s"],
+                &stages,
+            )
+            .note(placed)
+            .lines(self.lines())
+            .findings(self.differences.iter().cloned())
+            .findings(unproven.map(told)))
     }
 
     /// The lines of this report for the table of results: one for the simulations, one for the proofs.
@@ -91,7 +191,7 @@ impl Report {
         let about = Line::about(self.machine.to_owned(), Some(self.verilog_sha256.clone()));
         let yosys = format!("Yosys {}", self.tool_version);
         let command = format!(
-            "photoncube verify --placed --machine {} --iterations {} --seed {}",
+            "photoncube verify placed --machine {} --iterations {} --seed {}",
             self.machine, self.iterations, self.seed
         );
         let names: Vec<_> = self.netlists.iter().map(|stage| stage.netlist).collect();
@@ -108,7 +208,7 @@ impl Report {
             .first()
             .map_or(0, |stage| stage.verdict.signals_per_vector);
         let simulated = Line {
-            method: "placed, simulated".to_owned(),
+            aspect: "simulated".to_owned(),
             by: format!("{yosys}; {}", simulators.join(", ")),
             volume: self.vectors_compared,
             unit: format!("vectors of {signals} signals"),
@@ -124,7 +224,7 @@ impl Report {
         let of =
             |count: fn(&PassProof) -> usize| self.netlist_passes.iter().map(count).sum::<usize>();
         let proven = Line {
-            method: "placed, passes proven".to_owned(),
+            aspect: "passes proven".to_owned(),
             by: yosys,
             volume: of(|pass| pass.cells_changed) as u64,
             unit: "changed cells".to_owned(),
@@ -135,11 +235,22 @@ impl Report {
             command,
             ..about
         };
-        vec![simulated, proven]
+        let changed = (proven.volume > 0).then_some(proven);
+        [simulated].into_iter().chain(changed).collect()
     }
 }
 
-fn said(pass: &PassProof) -> String {
+fn control(pass: &PassProof) -> Control {
+    Control {
+        planted: match pass.control_refuted {
+            true => format!("a fault in each change of {}", pass.pass),
+            false => told(pass),
+        },
+        found: pass.control_refuted,
+    }
+}
+
+fn told(pass: &PassProof) -> String {
     let why = pass.not_proven_because.as_deref();
     format!(
         "the pass `{}`: {}",
@@ -148,114 +259,26 @@ fn said(pass: &PassProof) -> String {
     )
 }
 
-/// Maps one machine as `synth` does, proves the passes, and simulates the netlist after each.
-pub fn execute(args: &VerifyArgs, json: bool) -> Result<()> {
-    let machine = args.machine.find()?;
-    let simulators = devices(args, &SIMULATORS[..1])?;
-    if let Some(other) = simulators.iter().find(|kind| !SIMULATORS.contains(kind)) {
-        bail!(
-            "`--placed` runs models of cells, so found --against {other}, expected verilator or icarus"
-        );
-    }
-    if let Some(missing) = simulators.iter().find_map(|kind| kind.missing_tool()) {
-        return Err(missing.into());
-    }
-    let tools = Tools::find(None, Purpose::Map)?;
-    let subject = Subject::of(machine)?;
-    let spinner = progress::spinner("mapping");
-    let placed = Placed::map(&tools, &subject)?;
-    let mut report = Report {
-        machine: machine.name,
-        seed: args.seed,
-        iterations: args.iterations,
-        netlist_sha256: placed.netlist_sha256()?,
-        tool_version: placed.yosys_version()?,
-        vectors_compared: 0,
-        mismatches: 0,
-        netlist_passes: placed.prove()?,
-        netlists: Vec::new(),
-        divergence: None,
-        verilog_sha256: photoncube_hdl::emit(machine, photoncube_hdl::Level::Machine)?
-            .verilog_sha256(),
-    };
-    spinner.finish_and_clear();
-    simulate(&placed, args, &simulators, &mut report)?;
-    output::print(json, &report, || text(&report))?;
-    report.conclusion()?;
-    match &args.record {
-        Some(path) => record(path, &report.lines()),
-        None => Ok(()),
-    }
-}
-
-/// Simulates each netlist that differs from the one before, in each simulator, up to the first difference.
-fn simulate(
-    placed: &Placed<'_>,
-    args: &VerifyArgs,
-    simulators: &[photoncube_testbench::DeviceKind],
-    report: &mut Report,
-) -> Result<()> {
-    let options = VerifyOptions {
-        iterations: args.iterations,
-        seed: args.seed,
-        source: Source::Random,
-    };
-    let mut before = None;
-    for stage in placed.stages() {
-        if before == Some(&stage.netlist) {
-            continue;
-        }
-        before = Some(&stage.netlist);
-        for &simulator in simulators {
-            let bar = progress::bar(stage.name, options.iterations);
-            let found = placed.verify(&stage.netlist, simulator, &options, &|done| {
-                bar.set_position(done)
-            });
-            bar.finish_and_clear();
-            report.record(stage.name, found?)?;
-            if report.divergence.is_some() {
-                return Ok(());
-            }
-        }
-    }
-    Ok(())
-}
-
-fn text(report: &Report) -> String {
+fn pass_row(pass: &PassProof) -> Vec<String> {
     let yes = |holds, yes: &str, no: &str| if holds { yes } else { no }.to_owned();
-    let pass = |pass: &PassProof| {
-        vec![
-            pass.pass.to_owned(),
-            pass.cells_changed.to_string(),
-            pass.different_changes.to_string(),
-            yes(pass.proven, "proven", "NOT PROVEN"),
-            yes(pass.control_refuted, "refuted", "NOT REFUTED"),
-        ]
-    };
-    let passes: Vec<_> = report.netlist_passes.iter().map(pass).collect();
-    let stage = |StageVerdict { netlist, verdict }: &StageVerdict| {
-        vec![
-            (*netlist).to_owned(),
-            verdict.device.clone(),
-            verdict.results_compared.to_string(),
-            verdict.vectors_compared.to_string(),
-            verdict.signals_per_vector.to_string(),
-            grouped(verdict.clocks_per_second),
-        ]
-    };
-    let stages: Vec<_> = report.netlists.iter().map(stage).collect();
-    table::markdown(
-        &["pass", "cells changed", "different", "the same", "faults"],
-        &passes,
-    ) + "\n"
-        + &table::markdown(
-            &["netlist", "in", "results", "vectors", "outputs", "clocks/s"],
-            &stages,
-        )
-        + &format!(
-            "{}: mapped by Yosys {}; the netlist that is placed is {}\n",
-            report.machine, report.tool_version, report.netlist_sha256
-        )
+    vec![
+        pass.pass.to_owned(),
+        pass.cells_changed.to_string(),
+        pass.different_changes.to_string(),
+        yes(pass.proven, "proven", "NOT PROVEN"),
+        yes(pass.control_refuted, "refuted", "NOT REFUTED"),
+    ]
+}
+
+fn stage_row(StageVerdict { netlist, verdict }: &StageVerdict) -> Vec<String> {
+    vec![
+        (*netlist).to_owned(),
+        verdict.device.clone(),
+        verdict.results_compared.to_string(),
+        verdict.vectors_compared.to_string(),
+        verdict.signals_per_vector.to_string(),
+        grouped(verdict.clocks_per_second),
+    ]
 }
 
 #[cfg(test)]
@@ -302,18 +325,19 @@ mod tests {
             mismatches: 0,
             netlist_passes,
             netlists: Vec::new(),
-            divergence: None,
+            differences: Vec::new(),
             verilog_sha256: "11".to_owned(),
         };
         for netlist in ["mapped", "open carry ends"] {
-            report.record(netlist, Ok(verdict())).unwrap();
+            assert!(report.add(netlist, Ok(verdict())).unwrap());
         }
         report
     }
 
     #[test]
     fn a_pass_without_proof_or_control_and_nothing_simulated_fail() {
-        assert!(report(vec![pass()]).conclusion().is_ok());
+        let concluded = |report: &Report| report.outcome().unwrap().conclusion();
+        assert!(concluded(&report(vec![pass()])).is_ok());
         let wrong: [fn(&mut PassProof); 2] = [
             |pass| pass.proven = false,
             |pass| pass.control_refuted = false,
@@ -322,14 +346,15 @@ mod tests {
             let mut pass = pass();
             make_wrong(&mut pass);
             pass.not_proven_because = Some("CCU2C sum".to_owned());
-            let error = report(vec![pass]).conclusion().unwrap_err().to_string();
+            let error = concluded(&report(vec![pass])).unwrap_err().to_string();
             assert!(error.contains("`open carry ends`: CCU2C sum"), "{error}");
         }
         let nothing = Report {
             netlists: Vec::new(),
+            vectors_compared: 0,
             ..report(vec![pass()])
         };
-        assert!(nothing.conclusion().is_err());
+        assert!(concluded(&nothing).is_err());
     }
 
     #[test]

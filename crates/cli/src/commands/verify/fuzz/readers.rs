@@ -84,6 +84,17 @@ pub const READERS: [Reader; 7] = [
     },
 ];
 
+/// A reader with a planted mistake, which the method must find.
+pub const PLANTED: Reader = Reader {
+    name: "planted",
+    what: "texts that panics without a closing bracket",
+    good: |_| Ok(texts(&["{ 1 }"])),
+    read: |_, input| match text(input).contains('}') {
+        true => Ok(()),
+        false => panic!("no closing bracket"),
+    },
+};
+
 const TOML_SCENES: [&str; 7] = [
     include_str!("../../../../../../docs/scenes/balls.toml"),
     include_str!("../../../../../../docs/scenes/boxes.toml"),
@@ -108,18 +119,19 @@ const MESHES: [&str; 2] = [
 const MESH_SCENE: &str = include_str!("mesh.toml");
 
 const RESULTS: [&str; 1] = [
-    r#"[{"machine": "paper", "method": "equivalence", "by": "icarus: 11.0",
+    r#"[{"machine": "paper", "method": "equivalence", "aspect": "", "by": "icarus: 11.0",
 "volume": 12, "unit": "vectors", "outcome": "0 mismatches", "command": "photoncube verify"}]"#,
 ];
 
 /// Command lines with every kind of value.
-const COMMANDS: [&str; 8] = [
+const COMMANDS: [&str; 9] = [
     "photoncube run cornell --machine paper-12 --out out --photons 2000000 --size 64x48 --json",
     "photoncube render cornell -o box.png --engine f64 --photons 100 --samples 3 --in-range 0.5",
     "photoncube render ring -o x.exr --estimator ladder:8:cone --direct rays:4 --caustics own:50 --area covered",
     "photoncube progressive cornell -o b.png --error-target 0.1 --confidence 0.9 --passes 10 --alpha 0.7",
     "photoncube fit ring --noise-ratio 0.1 --maps 8 --seed 3",
     "photoncube verify --machine paper-5d --against icarus,verilator --iterations 20 --seed 7",
+    "photoncube verify formal --machine stream --property units:: --json",
     "photoncube generate --machine paper --coordinate-bits 12 --dimension 5 --check",
     "photoncube synth --machine tile-4 --flow place --grade 8 --seed 2",
 ];
