@@ -10,6 +10,7 @@ use photoncube_spec::find_machine;
 use serde::{Deserialize, Serialize};
 
 use crate::commands::METHODS;
+use crate::table::grouped;
 use crate::{digests, files, table};
 
 /// A result of one verification method on one machine.
@@ -255,19 +256,6 @@ fn with_short_digests(text: &str) -> String {
     text.split(' ').map(short).collect::<Vec<_>>().join(" ")
 }
 
-/// A number with a comma before every three digits.
-pub fn grouped(number: u64) -> String {
-    let digits = number.to_string();
-    let mut text = String::new();
-    for (index, digit) in digits.chars().enumerate() {
-        if index > 0 && (digits.len() - index).is_multiple_of(3) {
-            text.push(',');
-        }
-        text.push(digit);
-    }
-    text
-}
-
 #[cfg(test)]
 mod tests {
     use std::collections::BTreeSet;
@@ -418,11 +406,5 @@ mod tests {
 "
             )
         );
-    }
-
-    #[test]
-    fn digits_are_grouped() {
-        let grouped = [0, 999, 1000, 1_234_567].map(grouped);
-        assert_eq!(grouped, ["0", "999", "1,000", "1,234,567"]);
     }
 }

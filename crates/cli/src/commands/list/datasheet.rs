@@ -10,8 +10,8 @@ use super::{MachineRow, machine_row};
 use crate::output;
 use crate::synth::clock::Clock;
 use crate::synth::tables;
-use crate::table::wrapped;
-use crate::verified::{self, Line, grouped};
+use crate::table::{grouped, wrapped};
+use crate::verified::{self, Line};
 
 #[derive(Serialize)]
 struct Datasheet {

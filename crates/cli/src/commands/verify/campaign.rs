@@ -15,7 +15,8 @@ use serde::Serialize;
 
 use super::method::Method;
 use super::outcome::Outcome;
-use crate::verified::{Line, grouped};
+use crate::table::grouped;
+use crate::verified::Line;
 use crate::{files, progress};
 
 /// See [`Method::ABOUT`].
@@ -31,6 +32,9 @@ pub struct Campaign {
     #[arg(long, value_name = "DIR", default_value = "testbenches/regressions")]
     regressions: PathBuf,
 }
+
+/// The columns of the table.
+const COLUMNS: &str = "machine device jobs iterations results_compared vectors_compared";
 
 /// A time that a clock can hold.
 fn hours(text: &str) -> Result<f64, String> {
@@ -98,14 +102,6 @@ fn outcome(state: &State) -> Result<Outcome> {
         totals: state.totals().into_iter().map(total).collect(),
         failures: &state.failures,
     };
-    let header = [
-        "machine",
-        "device",
-        "seeds",
-        "iterations",
-        "results",
-        "vectors",
-    ];
     let sum = format!(
         "{} vectors compared, {} mismatches; seed {}",
         grouped(report.vectors_compared),
@@ -114,7 +110,7 @@ fn outcome(state: &State) -> Result<Outcome> {
     );
     let controls = Controls::new(comparison_control()?, []);
     Ok(Outcome::new::<Campaign>(controls, &report)?
-        .table(&header, &report.totals.iter().map(row).collect::<Vec<_>>())
+        .rows("totals", COLUMNS)
         .note(sum)
         .lines(
             report
@@ -150,18 +146,6 @@ fn line(total: &Total, failures: &[Failure]) -> Line {
         command: "photoncube verify campaign --hours H".to_owned(),
         ..Line::about(summary.machine.clone(), summary.verilog_sha256.clone())
     }
-}
-
-fn row(total: &Total) -> Vec<String> {
-    let summary = &total.summary;
-    vec![
-        summary.machine.clone(),
-        summary.device.clone(),
-        total.jobs.to_string(),
-        grouped(summary.iterations),
-        grouped(summary.results_compared),
-        grouped(summary.vectors_compared),
-    ]
 }
 
 /// Reads the state in a file; `None` if the file does not exist.

@@ -3,8 +3,8 @@
 use anyhow::Result;
 use clap::Args;
 use photoncube_testbench::{
-    Controls, Coverage as Found, CoverageKind, DeviceKind, Gap, ModuleCoverage, Share, Tool,
-    corners, coverage,
+    Controls, Coverage as Found, CoverageKind, DeviceKind, ModuleCoverage, Share, Tool, corners,
+    coverage,
 };
 
 use super::method::Method;
@@ -12,6 +12,7 @@ use super::options::StimulusArgs;
 use super::outcome::{Outcome, equal};
 use crate::machines::MachineArgs;
 use crate::progress;
+use crate::table::markdown;
 use crate::verified::Line;
 
 /// See [`Method::ABOUT`].
@@ -48,7 +49,6 @@ impl Method for Coverage {
         bar.finish_and_clear();
         let header = CoverageKind::ALL.map(CoverageKind::name);
         let header = [&["module"], &header[..]].concat();
-        let gaps = ["module", "kind", "not used", "points", "because"];
         let verdict = &found.verdict;
         let counts = format!(
             "{} in {} iterations, {} vectors, all equal",
@@ -56,8 +56,8 @@ impl Method for Coverage {
         );
         Ok(
             Outcome::new::<Self>(Controls::gathered(found.controls.clone())?, &found)?
-                .table(&header, &rows(&found))
-                .table(&gaps, &found.gaps.iter().map(gap_row).collect::<Vec<_>>())
+                .table(&markdown(&header, &rows(&found)))
+                .rows("gaps", "module counter what points reason")
                 .note(counts)
                 .lines([self.line(&found)?])
                 .findings(findings(&found)),
@@ -128,16 +128,6 @@ fn rows(found: &Found) -> Vec<Vec<String>> {
         format!("{} ({})", counted(share), percent(share))
     }));
     found.modules.iter().map(row).chain([total]).collect()
-}
-
-fn gap_row(gap: &Gap) -> Vec<String> {
-    vec![
-        gap.module.clone(),
-        gap.kind.name().to_owned(),
-        gap.what.clone(),
-        gap.points.to_string(),
-        gap.reason.unwrap_or("NOT KNOWN").to_owned(),
-    ]
 }
 
 fn counted(share: Share) -> String {

@@ -6,13 +6,13 @@ use photoncube_spec::Machine;
 use photoncube_testbench::{
     Controls, DeviceKind, Tool, Verdict, VerifyError, VerifyOptions, comparison_control, verify,
 };
-use serde::Serialize;
+use serde_json::json;
 
 use super::method::Method;
 use super::options::{AGAINST, Devices, StimulusArgs, devices, tools};
-use super::outcome::{Outcome, compared};
+use super::outcome::{Outcome, UpToDifference};
 use crate::machines::MachineArgs;
-use crate::verified::{Line, grouped};
+use crate::verified::Line;
 use crate::{progress, table};
 
 /// See [`Method::ABOUT`].
@@ -26,47 +26,18 @@ pub struct Equivalence {
     stimulus: StimulusArgs,
 }
 
-/// The comparisons of a machine, up to the first difference.
-#[derive(Serialize)]
-struct Comparisons {
-    machine: &'static str,
-    seed: u64,
-    iterations: u64,
-    vectors_compared: u64,
-    mismatches: u64,
-    devices: Vec<Verdict>,
-    #[serde(skip)]
-    differences: Vec<String>,
-}
-
-impl Comparisons {
-    /// Adds the verdict of a device, or the difference. Returns whether there was none.
-    fn add(&mut self, ended: Result<Verdict, VerifyError>) -> Result<bool> {
-        match compared(ended)? {
-            Ok(verdict) => {
-                self.vectors_compared += verdict.vectors_compared;
-                self.devices.push(verdict);
-                Ok(true)
-            }
-            Err(difference) => {
-                self.mismatches += 1;
-                self.differences.push(difference);
-                Ok(false)
-            }
-        }
-    }
-
+impl Equivalence {
     fn line(&self, verdict: &Verdict) -> Line {
         Line {
             by: format!("{}: {}", verdict.device, verdict.tool_version),
             volume: verdict.vectors_compared,
             unit: format!("vectors of {} signals", verdict.signals_per_vector),
-            result: format!("{} mismatches", self.mismatches),
+            result: "0 mismatches".to_owned(),
             command: format!(
                 "photoncube verify equivalence --machine {} --against {} --iterations {} --seed {}",
-                self.machine, verdict.device, self.iterations, self.seed
+                verdict.machine, verdict.device, self.stimulus.iterations, self.stimulus.seed.seed
             ),
-            ..Line::about(self.machine.to_owned(), verdict.verilog_sha256.clone())
+            ..Line::about(verdict.machine.to_owned(), verdict.verilog_sha256.clone())
         }
     }
 }
@@ -87,25 +58,26 @@ impl Method for Equivalence {
 
     fn run(&self) -> Result<Outcome> {
         let machine = self.machine.find()?;
-        let mut all = Comparisons {
-            machine: machine.name,
-            seed: self.stimulus.seed.seed,
-            iterations: self.stimulus.iterations,
-            vectors_compared: 0,
-            mismatches: 0,
-            devices: Vec::new(),
-            differences: Vec::new(),
-        };
+        let mut all = UpToDifference::new(|verdict: &Verdict| verdict.vectors_compared);
         for device in devices(&self.against) {
-            if !all.add(verify_with_bar(machine, device, &self.stimulus.random()))? {
+            let ended = verify_with_bar(machine, device, &self.stimulus.random());
+            if !all.add(device.name(), ended)? {
                 break;
             }
         }
+        let details = json!({
+            "machine": machine.name,
+            "seed": self.stimulus.seed.seed,
+            "iterations": self.stimulus.iterations,
+            "vectors_compared": all.vectors_compared,
+            "mismatches": all.mismatches(),
+            "devices": all.verdicts,
+        });
         let controls = Controls::new(comparison_control()?, []);
-        Ok(Outcome::new::<Self>(controls, &all)?
-            .note(verdict_table(&all.devices))
-            .lines(all.devices.iter().map(|verdict| all.line(verdict)))
-            .findings(all.differences))
+        Ok(Outcome::new::<Self>(controls, &details)?
+            .rows("devices", COLUMNS)
+            .lines(all.verdicts.iter().map(|verdict| self.line(verdict)))
+            .findings(all.difference))
     }
 }
 
@@ -121,33 +93,13 @@ pub fn verify_with_bar(
     verdict
 }
 
-/// A table of the comparisons, for people.
+/// The columns of a table of comparisons.
+const COLUMNS: &str = "device iterations results_compared vectors_compared signals_per_vector registers_compared clocks_per_second tool_version";
+
+/// A table of comparisons, for people.
 pub fn verdict_table(verdicts: &[Verdict]) -> String {
-    let header = [
-        "device",
-        "iterations",
-        "results",
-        "vectors",
-        "signals each",
-        "clocks/s",
-        "tool",
-    ];
-    let row = |verdict: &Verdict| {
-        let scope = match verdict.registers_compared {
-            true => "all registers",
-            false => "outputs only",
-        };
-        vec![
-            verdict.device.clone(),
-            verdict.iterations.to_string(),
-            verdict.results_compared.to_string(),
-            verdict.vectors_compared.to_string(),
-            format!("{} ({scope})", verdict.signals_per_vector),
-            grouped(verdict.clocks_per_second),
-            verdict.tool_version.clone(),
-        ]
-    };
-    table::markdown(&header, &verdicts.iter().map(row).collect::<Vec<_>>())
+    let rows = json!(verdicts);
+    table::of_rows(rows.as_array().into_iter().flatten(), COLUMNS)
 }
 
 #[cfg(test)]
@@ -173,7 +125,10 @@ mod tests {
         };
         let mut mutant = Mutant::sound(machine).with_row_fault(flip);
         let ended = verify_device(machine, &mut mutant, &options, &|_| {});
-        let found = compared(ended).unwrap().unwrap_err();
+        let mut all = UpToDifference::new(|verdict: &Verdict| verdict.vectors_compared);
+        assert!(!all.add("mutant", ended).unwrap());
+        assert_eq!(all.mismatches(), 1);
+        let found = all.difference.unwrap();
         assert!(found.contains("node 15, register q"), "{found}");
         assert!(found.contains("repeat    photoncube verify"), "{found}");
     }

@@ -13,7 +13,8 @@ use super::method::Method;
 use super::options::{AGAINST, Devices, devices, tools};
 use super::outcome::{Outcome, equal};
 use crate::progress;
-use crate::verified::{Line, grouped};
+use crate::table::grouped;
+use crate::verified::Line;
 
 /// See [`Method::ABOUT`].
 #[derive(Args, Debug)]
@@ -21,6 +22,10 @@ pub struct Exhaustive {
     #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "fastest", help = AGAINST)]
     against: Vec<Devices>,
 }
+
+/// The columns of the tables.
+const UNIT_COLUMNS: &str = "part operand_bits pairs_compared vectors_compared mismatches device";
+const LANE_COLUMNS: &str = "machine scope operand_bits pairs_compared vectors_compared device";
 
 /// The comparisons of units and lanes.
 #[derive(Debug, Default, Serialize)]
@@ -48,13 +53,11 @@ impl Method for Exhaustive {
             units(kind, &mut all)?;
             lanes(kind, &mut all)?;
         }
-        let header = ["unit", "bits", "pairs", "vectors", "mismatches", "device"];
-        let rows = all.parts.iter().map(unit_row);
-        let rows: Vec<_> = rows.chain(all.lanes.iter().map(lane_row)).collect();
         let lines = all.parts.iter().map(unit_line);
         let lines = lines.chain(all.lanes.iter().map(lane_line));
         Ok(Outcome::new::<Self>(controls, &all)?
-            .table(&header, &rows)
+            .rows("parts", UNIT_COLUMNS)
+            .rows("lanes", LANE_COLUMNS)
             .lines(lines.collect::<Result<Vec<_>>>()?)
             .findings(all.parts.iter().filter_map(finding)))
     }
@@ -137,29 +140,6 @@ fn lane_line(lane: &LaneVerdict) -> Result<Line> {
         command: command(&lane.device),
         ..Line::of_machine(lane.machine)?
     })
-}
-
-fn unit_row(unit: &UnitVerdict) -> Vec<String> {
-    vec![
-        unit.unit.to_owned(),
-        unit.operand_bits.to_string(),
-        grouped(unit.pairs_compared),
-        grouped(unit.vectors_compared),
-        unit.mismatches.to_string(),
-        unit.device.clone(),
-    ]
-}
-
-fn lane_row(lane: &LaneVerdict) -> Vec<String> {
-    vec![
-        format!("{}: difference and {}", lane.machine, lane.scope),
-        lane.operand_bits.to_string(),
-        grouped(lane.pairs_compared),
-        grouped(lane.vectors_compared),
-        // The first mismatch ends the comparison with an error.
-        "none".to_owned(),
-        lane.device.clone(),
-    ]
 }
 
 #[cfg(test)]

@@ -3,16 +3,17 @@
 use anyhow::Result;
 use clap::Args;
 use photoncube_testbench::{
-    Controls, DeviceKind, FaultClass, FaultVerdict, Tool, VerifyError, fault_controls, verify_fault,
+    Controls, DeviceKind, FaultClass, FaultVerdict, Tool, fault_controls, verify_fault,
 };
-use serde::Serialize;
+use serde_json::json;
 
 use super::method::Method;
 use super::options::{AGAINST, Devices, SeedArgs, devices, tools};
-use super::outcome::{Outcome, compared};
+use super::outcome::{Outcome, UpToDifference};
 use crate::machines::MachineArgs;
 use crate::progress;
-use crate::verified::{Line, grouped};
+use crate::table::grouped;
+use crate::verified::Line;
 
 /// See [`Method::ABOUT`].
 #[derive(Args, Debug)]
@@ -25,51 +26,26 @@ pub struct Faults {
     seed: SeedArgs,
 }
 
-/// The results of a machine under each class, up to the first difference.
-#[derive(Debug, Serialize)]
-struct Classes {
-    machine: &'static str,
-    seed: u64,
-    faults: Vec<FaultVerdict>,
-    vectors_compared: u64,
-    mismatches: u64,
-    #[serde(skip)]
-    differences: Vec<String>,
+/// The columns of the table.
+const COLUMNS: &str =
+    "fault injections injected results_compared vectors_compared signals_per_vector device";
+
+/// The difference; without one, each class that is missing or whose fault never occurred.
+fn findings(all: &UpToDifference<FaultVerdict>) -> Vec<String> {
+    if let Some(difference) = &all.difference {
+        return vec![difference.clone()];
+    }
+    let is_done = |class: &FaultClass| {
+        let mut of_class = all.verdicts.iter().filter(|f| f.fault == class.name());
+        of_class.any(|fault| fault.injections > 0 && fault.vectors_compared > 0)
+    };
+    let missing = FaultClass::ALL.iter().filter(|class| !is_done(class));
+    missing
+        .map(|class| format!("nothing was done of: {}", class.name()))
+        .collect()
 }
 
-impl Classes {
-    /// Adds the verdict of a class, or the difference. Returns whether there was none.
-    fn add(&mut self, class: FaultClass, ended: Result<FaultVerdict, VerifyError>) -> Result<bool> {
-        match compared(ended)? {
-            Ok(verdict) => {
-                self.vectors_compared += verdict.vectors_compared;
-                self.faults.push(verdict);
-                Ok(true)
-            }
-            Err(difference) => {
-                self.mismatches += 1;
-                self.differences
-                    .push(format!("{}: {difference}", class.name()));
-                Ok(false)
-            }
-        }
-    }
-
-    /// The difference; without one, each class that is missing or whose fault never occurred.
-    fn findings(&self) -> Vec<String> {
-        if !self.differences.is_empty() {
-            return self.differences.clone();
-        }
-        let is_done = |class: &FaultClass| {
-            let mut of_class = self.faults.iter().filter(|f| f.fault == class.name());
-            of_class.any(|fault| fault.injections > 0 && fault.vectors_compared > 0)
-        };
-        let missing = FaultClass::ALL.iter().filter(|class| !is_done(class));
-        missing
-            .map(|class| format!("nothing was done of: {}", class.name()))
-            .collect()
-    }
-
+impl Faults {
     fn line(&self, verdict: &FaultVerdict, about: &Line) -> Line {
         let mut four_state = FaultClass::ALL.iter().filter(|class| class.is_four_state());
         let against = match four_state.any(|class| class.name() == verdict.fault) {
@@ -82,14 +58,13 @@ impl Classes {
             volume: verdict.vectors_compared,
             unit: format!("vectors of {} signals", verdict.signals_per_vector),
             result: format!(
-                "{} mismatches; {} {}",
-                self.mismatches,
+                "0 mismatches; {} {}",
                 grouped(verdict.injections),
                 verdict.injected
             ),
             command: format!(
                 "photoncube verify faults --machine {}{against} --seed {}",
-                verdict.machine, self.seed
+                verdict.machine, self.seed.seed
             ),
             ..about.clone()
         }
@@ -112,14 +87,7 @@ impl Method for Faults {
         let machine = self.machine.find()?;
         let controls = Controls::gathered(fault_controls()?)?;
         let kinds = devices(&self.against);
-        let mut all = Classes {
-            machine: machine.name,
-            seed: self.seed.seed,
-            faults: Vec::new(),
-            vectors_compared: 0,
-            mismatches: 0,
-            differences: Vec::new(),
-        };
+        let mut all = UpToDifference::new(|verdict: &FaultVerdict| verdict.vectors_compared);
         let of_class = |&class: &FaultClass| match class.is_four_state() {
             true => vec![(class, DeviceKind::Icarus)],
             false => kinds.iter().map(|&kind| (class, kind)).collect(),
@@ -127,38 +95,32 @@ impl Method for Faults {
         let jobs: Vec<_> = FaultClass::ALL.iter().flat_map(of_class).collect();
         let bar = progress::bar("faults", jobs.len() as u64);
         for (class, kind) in jobs {
-            if !all.add(class, verify_fault(machine, class, kind, self.seed.seed))? {
+            let ended = verify_fault(machine, class, kind, self.seed.seed);
+            if !all.add(class.name(), ended)? {
                 break;
             }
             bar.inc(1);
         }
         bar.finish_and_clear();
         let about = Line::of_machine(machine.name)?;
-        let header = ["fault", "injections", "results", "vectors", "device"];
-        let rows: Vec<_> = all.faults.iter().map(row).collect();
-        let mut outcome = Outcome::new::<Self>(controls, &all)?
-            .table(&header, &rows)
-            .lines(all.faults.iter().map(|verdict| all.line(verdict, &about)))
-            .findings(all.findings());
-        for known in all.faults.iter().filter_map(known_after_reset) {
-            outcome = outcome.note(known);
-        }
-        Ok(outcome)
+        let details = json!({
+            "machine": machine.name,
+            "seed": self.seed.seed,
+            "vectors_compared": all.vectors_compared,
+            "mismatches": all.mismatches(),
+            "faults": all.verdicts,
+        });
+        let outcome = Outcome::new::<Self>(controls, &details)?
+            .rows("faults", COLUMNS)
+            .lines(
+                all.verdicts
+                    .iter()
+                    .map(|verdict| self.line(verdict, &about)),
+            )
+            .findings(findings(&all));
+        let known = all.verdicts.iter().filter_map(known_after_reset);
+        Ok(known.fold(outcome, |outcome, known| outcome.note(known)))
     }
-}
-
-fn row(verdict: &FaultVerdict) -> Vec<String> {
-    vec![
-        verdict.fault.to_owned(),
-        format!("{} {}", grouped(verdict.injections), verdict.injected),
-        verdict.results_compared.to_string(),
-        format!(
-            "{} of {} signals",
-            grouped(verdict.vectors_compared),
-            verdict.signals_per_vector
-        ),
-        verdict.device.clone(),
-    ]
 }
 
 fn known_after_reset(verdict: &FaultVerdict) -> Option<String> {
@@ -173,7 +135,7 @@ fn known_after_reset(verdict: &FaultVerdict) -> Option<String> {
 
 #[cfg(test)]
 mod tests {
-    use photoncube_testbench::UnknownDifference;
+    use photoncube_testbench::{UnknownDifference, VerifyError};
 
     use super::*;
 
@@ -192,34 +154,29 @@ mod tests {
         }
     }
 
-    fn classes(faults: Vec<FaultVerdict>) -> Classes {
-        Classes {
-            machine: "paper",
-            seed: 1,
-            faults,
-            vectors_compared: 1,
-            mismatches: 0,
-            differences: Vec::new(),
-        }
+    fn all(verdicts: Vec<FaultVerdict>) -> UpToDifference<FaultVerdict> {
+        let mut all = UpToDifference::new(|verdict: &FaultVerdict| verdict.vectors_compared);
+        all.verdicts = verdicts;
+        all
     }
 
     #[test]
     fn a_class_that_is_left_out_or_was_never_there_is_a_finding() {
-        let all = FaultClass::ALL.map(|class| verdict(class, 1)).to_vec();
-        assert_eq!(classes(all.clone()).findings(), [""; 0]);
-        assert_eq!(classes(all[1..].to_vec()).findings().len(), 1);
-        let mut never = all;
+        let each = FaultClass::ALL.map(|class| verdict(class, 1)).to_vec();
+        assert_eq!(findings(&all(each.clone())), [""; 0]);
+        assert_eq!(findings(&all(each[1..].to_vec())).len(), 1);
+        let mut never = each;
         never[2].injections = 0;
-        let [finding] = &classes(never).findings()[..] else {
+        let [finding] = &findings(&all(never))[..] else {
             panic!("expected one");
         };
         assert!(finding.contains(FaultClass::ALL[2].name()), "{finding}");
-        assert_eq!(classes(Vec::new()).findings().len(), FaultClass::ALL.len());
+        assert_eq!(findings(&all(Vec::new())).len(), FaultClass::ALL.len());
     }
 
     #[test]
     fn a_difference_is_told_with_its_class() {
-        let mut classes = classes(Vec::new());
+        let mut all = all(Vec::new());
         let unknown = UnknownDifference {
             machine: "paper",
             device: "icarus".into(),
@@ -230,8 +187,8 @@ mod tests {
             repeat: "photoncube".into(),
         };
         let ended = Err(VerifyError::Unknown(Box::new(unknown)));
-        assert!(!classes.add(FaultClass::IdleUnknown, ended).unwrap());
-        let finding = &classes.findings()[0];
+        assert!(!all.add(FaultClass::IdleUnknown.name(), ended).unwrap());
+        let finding = &findings(&all)[0];
         assert!(
             finding.contains("X on idle inputs") && finding.contains("cell_0_query"),
             "{finding}"

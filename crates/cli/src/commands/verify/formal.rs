@@ -10,6 +10,9 @@ use crate::machines::MachineArgs;
 use crate::progress;
 use crate::verified::Line;
 
+/// The columns of the table.
+const COLUMNS: &str = "property module method depth proven cover_reached control_refuted seconds";
+
 /// See [`Method::ABOUT`].
 #[derive(Args, Debug)]
 pub struct Formal {
@@ -48,13 +51,10 @@ impl Method for Formal {
 
 fn outcome(found: &Found) -> Result<Outcome> {
     let controls = Controls::gathered(found.proofs.iter().map(control))?;
-    let header = [
-        "property", "module", "method", "depth", "proven", "cover", "faults", "seconds",
-    ];
     let holds = found.proofs.iter().filter(|proof| proof.holds()).count();
     let of = found.proofs.len();
     Ok(Outcome::new::<Formal>(controls, found)?
-        .table(&header, &found.proofs.iter().map(row).collect::<Vec<_>>())
+        .rows("proofs", COLUMNS)
         .note(format!(
             "{}: {holds} of {of} properties hold",
             found.machine
@@ -106,23 +106,6 @@ fn lines(found: &Found) -> Result<Vec<Line>> {
         }
     };
     Ok(methods.into_iter().map(line).collect())
-}
-
-fn row(proof: &Proof) -> Vec<String> {
-    let yes = |holds, yes: &str, no: &str| if holds { yes } else { no }.to_owned();
-    vec![
-        proof.property.clone(),
-        proof.module.clone(),
-        proof.method.to_owned(),
-        proof.depth.to_string(),
-        yes(proof.proven, "proven", "NOT PROVEN"),
-        match proof.cover_reached {
-            Some(reached) => yes(reached, "reached", "NOT REACHED"),
-            None => "nothing assumed".to_owned(),
-        },
-        yes(proof.control_refuted, "refuted", "NOT REFUTED"),
-        format!("{:.1}", proof.seconds),
-    ]
 }
 
 #[cfg(test)]

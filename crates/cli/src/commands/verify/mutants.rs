@@ -4,8 +4,8 @@ use anyhow::{Result, bail};
 use clap::Args;
 use photoncube_spec::Machine;
 use photoncube_testbench::{
-    Controls, DeviceKind, Fate, Judged, MutantOptions, MutantPart, MutantReport, Tool,
-    comparison_control, mutants,
+    Controls, DeviceKind, Fate, MutantOptions, MutantPart, MutantReport, Tool, comparison_control,
+    mutants,
 };
 
 use super::method::Method;
@@ -14,7 +14,8 @@ use super::outcome::{Outcome, equal};
 use crate::args::count;
 use crate::machines::MachineArgs;
 use crate::progress;
-use crate::verified::{Line, grouped};
+use crate::table::{grouped, markdown};
+use crate::verified::Line;
 
 /// The iterations for each mutant before proofs are tried.
 const ITERATIONS: u64 = 3_000;
@@ -57,6 +58,8 @@ impl Method for Mutants {
         let report = equal(mutants(machine, &options, &|done| bar.set_position(done)))?;
         bar.finish_and_clear();
         let controls = Controls::new(comparison_control()?, report.controls.clone());
+        let header = ["module", "killed", "equivalent", "survived"];
+        let columns = "mutant module fate reason mutation";
         let counts = format!(
             "{}: {} mutants, {} vectors compared",
             report.machine,
@@ -68,14 +71,8 @@ impl Method for Mutants {
             "{survived} mutants survived: the stimulus has a hole where none is equivalent"
         );
         Ok(Outcome::new::<Self>(controls, &report)?
-            .table(
-                &["module", "killed", "equivalent", "survived"],
-                &fates(&report),
-            )
-            .table(
-                &["mutant", "module", "", "because", "`mutate`"],
-                &not_killed(&report),
-            )
+            .table(&markdown(&header, &fates(&report)))
+            .rows_where("mutants", columns, |mutant| mutant["fate"] != "killed")
             .note(counts)
             .lines([self.line(&report)?])
             .findings((survived > 0).then_some(finding)))
@@ -141,25 +138,4 @@ fn fates(report: &MutantReport) -> Vec<Vec<String>> {
     let fates = [Fate::Killed, Fate::Equivalent, Fate::Survived];
     let all = row(("all", fates.map(|fate| report.count(fate))));
     report.counts().into_iter().map(row).chain([all]).collect()
-}
-
-/// Each mutant that was not killed, with its proof.
-fn not_killed(report: &MutantReport) -> Vec<Vec<String>> {
-    let row = |judged: &Judged| {
-        let fate = match judged.fate {
-            Fate::Equivalent => "equivalent",
-            _ => "SURVIVED",
-        };
-        vec![
-            judged.mutation.mutant.to_string(),
-            judged.mutation.module.clone(),
-            fate.to_owned(),
-            judged.reason.clone().unwrap_or_default(),
-            judged.mutation.options.clone(),
-        ]
-    };
-    let left = report.mutants.iter();
-    left.filter(|judged| judged.fate != Fate::Killed)
-        .map(row)
-        .collect()
 }

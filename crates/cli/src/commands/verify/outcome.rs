@@ -43,12 +43,24 @@ impl Outcome {
     }
 
     /// Adds a table to the text.
-    pub fn table(mut self, header: &[&str], rows: &[Vec<String>]) -> Self {
-        if !rows.is_empty() {
-            self.text += &table::markdown(header, rows);
+    pub fn table(mut self, table: &str) -> Self {
+        if !table.is_empty() {
+            self.text += table;
             self.text.push('\n');
         }
         self
+    }
+
+    /// Adds the rows of the details under `key`, with these keys of theirs as columns.
+    pub fn rows(self, key: &str, columns: &str) -> Self {
+        self.rows_where(key, columns, |_| true)
+    }
+
+    /// Adds those rows of the details under `key` for which `is_told` holds.
+    pub fn rows_where(self, key: &str, columns: &str, is_told: impl Fn(&Value) -> bool) -> Self {
+        let rows = self.details[key].as_array().into_iter().flatten();
+        let table = table::of_rows(rows.filter(|row| is_told(row)), columns);
+        self.table(&table)
     }
 
     /// Adds a line to the text.
@@ -117,26 +129,63 @@ impl Outcome {
     }
 }
 
-/// The verdict, or the difference that ended the verification, as words.
-///
-/// # Errors
-/// The verification did not run.
-pub fn compared<T>(ended: Result<T, VerifyError>) -> Result<Result<T, String>> {
-    match ended {
-        Ok(verdict) => Ok(Ok(verdict)),
-        Err(error @ (VerifyError::Diverged(_) | VerifyError::Unknown(_))) => {
-            Ok(Err(error.to_string()))
-        }
-        Err(error) => Err(error.into()),
-    }
-}
-
-/// The verdict of a verification that has nothing to report after a difference.
+/// The verdict of a verification that has nothing more to report after a difference.
 ///
 /// # Errors
 /// The difference, as a check that failed; or the verification did not run.
 pub fn equal<T>(ended: Result<T, VerifyError>) -> Result<T> {
-    compared(ended)?.map_err(|difference| CheckFailed(difference).into())
+    match ended {
+        Err(error @ VerifyError::Diverged(_)) => bail!(CheckFailed(error.to_string())),
+        ended => Ok(ended?),
+    }
+}
+
+/// The verdicts of several verifications, up to the first difference.
+#[derive(Debug)]
+pub struct UpToDifference<V> {
+    pub verdicts: Vec<V>,
+    pub vectors_compared: u64,
+    pub difference: Option<String>,
+    vectors: fn(&V) -> u64,
+}
+
+impl<V> UpToDifference<V> {
+    /// No verdict yet. `vectors` says how many vectors a verdict is about.
+    pub fn new(vectors: fn(&V) -> u64) -> Self {
+        Self {
+            verdicts: Vec::new(),
+            vectors_compared: 0,
+            difference: None,
+            vectors,
+        }
+    }
+
+    /// Adds the verdict, or the difference in `what`. Returns whether there was none.
+    ///
+    /// # Errors
+    /// The verification did not run.
+    pub fn add(&mut self, what: &str, ended: Result<V, VerifyError>) -> Result<bool> {
+        let difference = match ended {
+            Ok(verdict) => {
+                self.vectors_compared += (self.vectors)(&verdict);
+                self.verdicts.push(verdict);
+                return Ok(true);
+            }
+            Err(VerifyError::Diverged(difference)) => {
+                self.vectors_compared += difference.vectors_compared + 1;
+                difference.to_string()
+            }
+            Err(VerifyError::Unknown(difference)) => difference.to_string(),
+            Err(error) => return Err(error.into()),
+        };
+        self.difference = Some(format!("{what}: {difference}"));
+        Ok(false)
+    }
+
+    /// 1 where a difference was found: the first ends the verification.
+    pub fn mismatches(&self) -> u64 {
+        u64::from(self.difference.is_some())
+    }
 }
 
 #[cfg(test)]
@@ -152,7 +201,11 @@ mod tests {
     fn outcome(found: bool) -> Outcome {
         let planted = "a lost carry".to_owned();
         let controls = Controls::new(Control { planted, found }, []);
-        Outcome::new::<Lint>(controls, &serde_json::json!({ "machine": "paper" })).unwrap()
+        Outcome::new::<Lint>(
+            controls,
+            &serde_json::json!({ "machine": "paper", "blocks": [{ "block": "cell" }] }),
+        )
+        .unwrap()
     }
 
     fn line(volume: u64) -> Line {
@@ -188,8 +241,8 @@ mod tests {
     #[test]
     fn every_outcome_has_one_shape() {
         let outcome = outcome(true)
-            .table(&["block"], &[vec!["cell".to_owned()]])
-            .table(&["empty"], &[])
+            .rows("blocks", "block")
+            .rows_where("blocks", "block", |_| false)
             .lines([line(3)]);
         let json = serde_json::to_value(&outcome).unwrap();
         assert_eq!(json["method"], "lint");

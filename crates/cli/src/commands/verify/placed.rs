@@ -7,17 +7,18 @@ use photoncube_testbench::{
     Control, Controls, DeviceKind, Tool, Verdict, VerifyError, comparison_control,
 };
 use serde::Serialize;
+use serde_json::json;
 
 use super::method::Method;
 use super::options::{Devices, StimulusArgs, devices, tools};
-use super::outcome::{Outcome, compared};
+use super::outcome::{Outcome, UpToDifference};
 use crate::machines::MachineArgs;
 use crate::progress;
 use crate::synth::Subject;
 use crate::synth::placed::{Placed as Netlists, SIMULATORS};
 use crate::synth::prove::PassProof;
 use crate::synth::tools::{Purpose, Tools};
-use crate::verified::{Line, grouped};
+use crate::verified::Line;
 
 /// See [`Method::ABOUT`].
 #[derive(Args, Debug)]
@@ -41,7 +42,11 @@ fn simulator(name: &str) -> Result<Devices, String> {
     }
 }
 
-#[derive(Debug, Serialize)]
+/// The columns of the tables.
+const PASS_COLUMNS: &str = "pass cells_changed different_changes proven control_refuted";
+const NETLIST_COLUMNS: &str =
+    "netlist device results_compared vectors_compared signals_per_vector clocks_per_second";
+
 struct Report {
     machine: &'static str,
     seed: u64,
@@ -50,13 +55,8 @@ struct Report {
     netlist_sha256: String,
     /// The version of Yosys.
     tool_version: String,
-    vectors_compared: u64,
-    mismatches: u64,
-    netlist_passes: Vec<PassProof>,
-    netlists: Vec<StageVerdict>,
-    #[serde(skip)]
-    differences: Vec<String>,
-    #[serde(skip)]
+    passes: Vec<PassProof>,
+    netlists: UpToDifference<StageVerdict>,
     verilog_sha256: String,
 }
 
@@ -93,11 +93,8 @@ impl Method for Placed {
             iterations: self.stimulus.iterations,
             netlist_sha256: placed.netlist_sha256()?,
             tool_version: placed.yosys_version()?,
-            vectors_compared: 0,
-            mismatches: 0,
-            netlist_passes: placed.prove()?,
-            netlists: Vec::new(),
-            differences: Vec::new(),
+            passes: placed.prove()?,
+            netlists: UpToDifference::new(|stage| stage.verdict.vectors_compared),
             verilog_sha256: emitted.verilog_sha256(),
         };
         spinner.finish_and_clear();
@@ -137,53 +134,46 @@ impl Placed {
 
 impl Report {
     /// Adds the verdict of a simulation, or the difference. Returns whether there was none.
-    fn add(&mut self, stage: &'static str, ended: Result<Verdict, VerifyError>) -> Result<bool> {
-        match compared(ended)? {
-            Ok(verdict) => {
-                self.vectors_compared += verdict.vectors_compared;
-                self.netlists.push(StageVerdict {
-                    netlist: stage,
-                    verdict: Verdict {
-                        verilog_sha256: Some(self.verilog_sha256.clone()),
-                        ..verdict
-                    },
-                });
-                Ok(true)
-            }
-            Err(difference) => {
-                self.mismatches += 1;
-                self.differences
-                    .push(format!("netlist, {stage}: {difference}"));
-                Ok(false)
-            }
-        }
+    fn add(&mut self, netlist: &'static str, ended: Result<Verdict, VerifyError>) -> Result<bool> {
+        let verilog_sha256 = Some(self.verilog_sha256.clone());
+        let ended = ended.map(|verdict| StageVerdict {
+            netlist,
+            verdict: Verdict {
+                verilog_sha256,
+                ..verdict
+            },
+        });
+        self.netlists.add(&format!("netlist, {netlist}"), ended)
     }
 
-    fn outcome(&self) -> Result<Outcome> {
-        let passes: Vec<_> = self.netlist_passes.iter().map(pass_row).collect();
-        let stages: Vec<_> = self.netlists.iter().map(stage_row).collect();
-        let unproven = self.netlist_passes.iter().filter(|pass| !pass.proven);
+    fn outcome(self) -> Result<Outcome> {
+        let details = json!({
+            "machine": self.machine,
+            "seed": self.seed,
+            "iterations": self.iterations,
+            "netlist_sha256": self.netlist_sha256,
+            "tool_version": self.tool_version,
+            "vectors_compared": self.netlists.vectors_compared,
+            "mismatches": self.netlists.mismatches(),
+            "netlist_passes": self.passes,
+            "netlists": self.netlists.verdicts,
+        });
+        let unproven = self.passes.iter().filter(|pass| !pass.proven);
         // A pass that changes nothing has no place for a fault.
-        let changed = self.netlist_passes.iter();
+        let changed = self.passes.iter();
         let changed = changed.filter(|pass| pass.different_changes > 0);
         let controls = Controls::new(comparison_control()?, changed.map(control));
         let placed = format!(
             "{}: mapped by Yosys {}; the netlist that is placed is {}",
             self.machine, self.tool_version, self.netlist_sha256
         );
-        Ok(Outcome::new::<Placed>(controls, self)?
-            .table(
-                &["pass", "cells changed", "different", "the same", "faults"],
-                &passes,
-            )
-            .table(
-                &["netlist", "in", "results", "vectors", "outputs", "clocks/s"],
-                &stages,
-            )
+        Ok(Outcome::new::<Placed>(controls, &details)?
+            .rows("netlist_passes", PASS_COLUMNS)
+            .rows("netlists", NETLIST_COLUMNS)
             .note(placed)
             .lines(self.lines())
-            .findings(self.differences.iter().cloned())
-            .findings(unproven.map(told)))
+            .findings(unproven.map(told))
+            .findings(self.netlists.difference.clone()))
     }
 
     /// The lines of this report for the table of results: one for the simulations, one for the proofs.
@@ -194,35 +184,30 @@ impl Report {
             "photoncube verify placed --machine {} --iterations {} --seed {}",
             self.machine, self.iterations, self.seed
         );
-        let names: Vec<_> = self.netlists.iter().map(|stage| stage.netlist).collect();
-        let mut simulators: Vec<_> = self
-            .netlists
-            .iter()
-            .map(|StageVerdict { verdict, .. }| {
-                format!("{}: {}", verdict.device, verdict.tool_version)
-            })
-            .collect();
+        let stages = &self.netlists.verdicts;
+        let names: Vec<_> = stages.iter().map(|stage| stage.netlist).collect();
+        let simulator = |StageVerdict { verdict, .. }: &StageVerdict| {
+            format!("{}: {}", verdict.device, verdict.tool_version)
+        };
+        let mut simulators: Vec<_> = stages.iter().map(simulator).collect();
         simulators.dedup();
-        let signals = self
-            .netlists
-            .first()
-            .map_or(0, |stage| stage.verdict.signals_per_vector);
+        let first = stages.first();
+        let signals = first.map_or(0, |stage| stage.verdict.signals_per_vector);
         let simulated = Line {
             aspect: "simulated".to_owned(),
             by: format!("{yosys}; {}", simulators.join(", ")),
-            volume: self.vectors_compared,
+            volume: self.netlists.vectors_compared,
             unit: format!("vectors of {signals} signals"),
             result: format!(
                 "{} mismatches; netlists: {}; placed is {}",
-                self.mismatches,
+                self.netlists.mismatches(),
                 names.join(", "),
                 self.netlist_sha256
             ),
             command: command.clone(),
             ..about.clone()
         };
-        let of =
-            |count: fn(&PassProof) -> usize| self.netlist_passes.iter().map(count).sum::<usize>();
+        let of = |count: fn(&PassProof) -> usize| self.passes.iter().map(count).sum::<usize>();
         let proven = Line {
             aspect: "passes proven".to_owned(),
             by: yosys,
@@ -259,28 +244,6 @@ fn told(pass: &PassProof) -> String {
     )
 }
 
-fn pass_row(pass: &PassProof) -> Vec<String> {
-    let yes = |holds, yes: &str, no: &str| if holds { yes } else { no }.to_owned();
-    vec![
-        pass.pass.to_owned(),
-        pass.cells_changed.to_string(),
-        pass.different_changes.to_string(),
-        yes(pass.proven, "proven", "NOT PROVEN"),
-        yes(pass.control_refuted, "refuted", "NOT REFUTED"),
-    ]
-}
-
-fn stage_row(StageVerdict { netlist, verdict }: &StageVerdict) -> Vec<String> {
-    vec![
-        (*netlist).to_owned(),
-        verdict.device.clone(),
-        verdict.results_compared.to_string(),
-        verdict.vectors_compared.to_string(),
-        verdict.signals_per_vector.to_string(),
-        grouped(verdict.clocks_per_second),
-    ]
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -314,18 +277,15 @@ mod tests {
     }
 
     /// A report of two netlists.
-    fn report(netlist_passes: Vec<PassProof>) -> Report {
+    fn report(passes: Vec<PassProof>) -> Report {
         let mut report = Report {
             machine: "paper",
             seed: 1,
             iterations: 9,
             netlist_sha256: "00".to_owned(),
             tool_version: "0.70".to_owned(),
-            vectors_compared: 0,
-            mismatches: 0,
-            netlist_passes,
-            netlists: Vec::new(),
-            differences: Vec::new(),
+            passes,
+            netlists: UpToDifference::new(|stage| stage.verdict.vectors_compared),
             verilog_sha256: "11".to_owned(),
         };
         for netlist in ["mapped", "open carry ends"] {
@@ -336,8 +296,8 @@ mod tests {
 
     #[test]
     fn a_pass_without_proof_or_control_and_nothing_simulated_fail() {
-        let concluded = |report: &Report| report.outcome().unwrap().conclusion();
-        assert!(concluded(&report(vec![pass()])).is_ok());
+        let concluded = |report: Report| report.outcome().unwrap().conclusion();
+        assert!(concluded(report(vec![pass()])).is_ok());
         let wrong: [fn(&mut PassProof); 2] = [
             |pass| pass.proven = false,
             |pass| pass.control_refuted = false,
@@ -346,20 +306,19 @@ mod tests {
             let mut pass = pass();
             make_wrong(&mut pass);
             pass.not_proven_because = Some("CCU2C sum".to_owned());
-            let error = concluded(&report(vec![pass])).unwrap_err().to_string();
+            let error = concluded(report(vec![pass])).unwrap_err().to_string();
             assert!(error.contains("`open carry ends`: CCU2C sum"), "{error}");
         }
         let nothing = Report {
-            netlists: Vec::new(),
-            vectors_compared: 0,
+            netlists: UpToDifference::new(|stage| stage.verdict.vectors_compared),
             ..report(vec![pass()])
         };
-        assert!(concluded(&nothing).is_err());
+        assert!(concluded(nothing).is_err());
     }
 
     #[test]
     fn every_key_is_documented() {
-        let report = serde_json::to_value(report(vec![pass()])).unwrap();
+        let report = serde_json::to_value(report(vec![pass()]).outcome().unwrap()).unwrap();
         let rows = ["netlist_passes", "netlists"].map(|rows| &report[rows][0]);
         let objects = rows
             .into_iter()

@@ -14,10 +14,14 @@ use crate::args::count;
 use crate::failure::CheckFailed;
 use crate::machines::MachineArgs;
 use crate::progress;
-use crate::verified::{Line, grouped};
+use crate::table::grouped;
+use crate::verified::Line;
 
 /// The iterations of the whole machine for each program.
 const ITERATIONS: u64 = 100;
+
+/// The columns of the table.
+const COLUMNS: &str = "device programs gather_programs drawn program_steps cell_vectors vectors_compared results_compared tool_version";
 
 /// See [`Method::ABOUT`].
 #[derive(Args, Debug)]
@@ -64,22 +68,10 @@ impl Method for Programs {
                 Err(error) => return Err(error.into()),
             }
         }
-        let header = [
-            "device",
-            "programs",
-            "gathers",
-            "drawn",
-            "steps",
-            "vectors of one cell",
-            "vectors of the machine",
-            "results",
-            "tool",
-        ];
-        let rows: Vec<_> = verdicts.iter().map(row).collect();
         let lines: Vec<_> = verdicts.iter().map(line).collect::<Result<_>>()?;
         let details = json!({ "verdicts": verdicts });
         Ok(Outcome::new::<Self>(controls, &details)?
-            .table(&header, &rows)
+            .rows("verdicts", COLUMNS)
             .lines(lines))
     }
 }
@@ -101,18 +93,4 @@ fn line(verdict: &ProgramVerdict) -> Result<Line> {
         ),
         ..Line::of_machine(verdict.machine)?
     })
-}
-
-fn row(verdict: &ProgramVerdict) -> Vec<String> {
-    vec![
-        verdict.device.clone(),
-        verdict.programs.to_string(),
-        verdict.gather_programs.to_string(),
-        grouped(verdict.drawn),
-        grouped(verdict.steps),
-        grouped(verdict.cell_vectors),
-        grouped(verdict.vectors_compared),
-        grouped(verdict.results_compared),
-        verdict.tool_version.clone(),
-    ]
 }

@@ -46,8 +46,7 @@ const TOLD: usize = 5;
 #[derive(Debug, Serialize)]
 struct Fuzzed {
     reader: &'static str,
-    #[serde(skip)]
-    what: &'static str,
+    reads: &'static str,
     inputs: u64,
     inputs_read: u64,
     inputs_refused: u64,
@@ -101,23 +100,17 @@ impl Method for Fuzz {
         let controls = Controls::new(control()?, []);
         let readers = chosen.into_iter().map(|reader| fuzz(reader, self));
         let readers: Vec<_> = readers.collect::<Result<_>>()?;
-        let header = [
-            "reader",
-            "reads",
-            "inputs",
-            "read",
-            "refused",
-            "failures",
-            "memory, MiB",
-        ];
         let details = json!({ "seed": self.seed.seed, "readers": readers });
         let failures = readers.iter().flat_map(|fuzzed| &fuzzed.failures);
         Ok(Outcome::new::<Self>(controls, &details)?
-            .table(&header, &readers.iter().map(row).collect::<Vec<_>>())
+            .rows("readers", COLUMNS)
             .lines(readers.iter().map(|fuzzed| self.line(fuzzed)))
             .findings(failures.map(|f| format!("{}\n  repeat    {}", f.message, f.command))))
     }
 }
+
+/// The columns of the table.
+const COLUMNS: &str = "reader reads inputs inputs_read inputs_refused memory_mib";
 
 /// The number of inputs of the planted reader.
 const CONTROL_INPUTS: u64 = BATCH;
@@ -132,7 +125,7 @@ fn control() -> Result<Control> {
     };
     let fuzzed = fuzz(&PLANTED, &options)?;
     Ok(Control {
-        planted: format!("a reader of {}", PLANTED.what),
+        planted: format!("a reader of {}", PLANTED.reads),
         found: !fuzzed.failures.is_empty(),
     })
 }
@@ -166,7 +159,7 @@ fn fuzz(reader: &'static Reader, options: &Fuzz) -> Result<Fuzzed> {
     let (next, done) = (AtomicU64::new(0), AtomicU64::new(0));
     let count = Mutex::new(Fuzzed {
         reader: reader.name,
-        what: reader.what,
+        reads: reader.reads,
         inputs,
         inputs_read: 0,
         inputs_refused: 0,
@@ -315,17 +308,4 @@ impl Fuzz {
             ..Line::of_no_verilog(format!("reader {}", fuzzed.reader))
         }
     }
-}
-
-fn row(fuzzed: &Fuzzed) -> Vec<String> {
-    let memory = fuzzed.memory_mib.map(|mib| mib.to_string());
-    vec![
-        fuzzed.reader.to_owned(),
-        fuzzed.what.to_owned(),
-        fuzzed.inputs.to_string(),
-        fuzzed.inputs_read.to_string(),
-        fuzzed.inputs_refused.to_string(),
-        fuzzed.failures.len().to_string(),
-        memory.unwrap_or_else(|| "not told".to_owned()),
-    ]
 }

@@ -25,7 +25,7 @@ pub struct Reader {
     /// The reader's name on the command line.
     pub name: &'static str,
     /// A description of what it reads, for people.
-    pub what: &'static str,
+    pub reads: &'static str,
     /// Makes good inputs; `folder` is a working folder.
     good: fn(folder: &Path) -> Result<Vec<Input>>,
     /// Reads an input. An error is a refusal, which is not a failure.
@@ -36,7 +36,7 @@ pub struct Reader {
 pub const READERS: [Reader; 7] = [
     Reader {
         name: "scene-toml",
-        what: "scenes in TOML",
+        reads: "scenes in TOML",
         good: |folder| {
             std::fs::write(folder.join("knot.obj"), MESHES[0])?;
             Ok(texts(&TOML_SCENES))
@@ -45,37 +45,37 @@ pub const READERS: [Reader; 7] = [
     },
     Reader {
         name: "scene-json",
-        what: "scenes in JSON",
+        reads: "scenes in JSON",
         good: |_| Ok(texts(&JSON_SCENES)),
         read: |_, input| use_scene(&Scene::from_json("fuzz.json", text(input))?),
     },
     Reader {
         name: "mesh",
-        what: "meshes in OBJ",
+        reads: "meshes in OBJ",
         good: |_| Ok(texts(&MESHES)),
         read: read_mesh,
     },
     Reader {
         name: "listing",
-        what: "microprogram listings",
+        reads: "microprogram listings",
         good: |_| Ok(listings()),
         read: |_, input| Ok(parse_listing(text(input)).map(drop)?),
     },
     Reader {
         name: "picture",
-        what: "pictures in OpenEXR",
+        reads: "pictures in OpenEXR",
         good: |_| good_picture(),
         read: read_picture,
     },
     Reader {
         name: "results",
-        what: "tables of results in JSON",
+        reads: "tables of results in JSON",
         good: |_| Ok(texts(&RESULTS)),
         read: |_, input| verified::parse(text(input)).map(drop),
     },
     Reader {
         name: "arguments",
-        what: "command lines",
+        reads: "command lines",
         good: |_| Ok(texts(&COMMANDS)),
         read: |_, input| {
             let words = text(input).split_whitespace();
@@ -87,7 +87,7 @@ pub const READERS: [Reader; 7] = [
 /// A reader with a planted mistake, which the method must find.
 pub const PLANTED: Reader = Reader {
     name: "planted",
-    what: "texts that panics without a closing bracket",
+    reads: "texts that panics without a closing bracket",
     good: |_| Ok(texts(&["{ 1 }"])),
     read: |_, input| match text(input).contains('}') {
         true => Ok(()),
