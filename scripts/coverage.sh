@@ -13,7 +13,7 @@ Runs the tests of photoncube-model, the unit tests of the testbench and its comp
 emitted text, under cargo llvm-cov $VERSION, which it installs with rustup's llvm-tools if they are not there (some
 minutes). Prints for each file of the golden model its lines and those that were used, then each line that was not, with
 the reason in scripts/coverage_reasons.toml. What the coverage of the emitted Verilog is, says
-\`photoncube verify --coverage\`.
+\`photoncube verify coverage\`.
 
 Exit codes: 0 each unused line has a reason; 1 one has none, a reason is for no line, or an installation or a test
 failed; 2 bad usage.
@@ -41,7 +41,7 @@ trap 'rm -f "$report"' EXIT
 cargo llvm-cov clean --profraw-only
 count --lib --test local_gather --test machine_equals_gather --test planes --test spatial --test streams --test comparison
 # `text` is in the names of its trials.
-count --test machines -- text
+count --test equivalence -- text
 cargo llvm-cov report --ignore-filename-regex '/(testbenches|crates/(hdl|render|spec)|tests)/|tests\.rs$' --json \
     --output-path "$report" >&2
 python3 scripts/coverage.py "$report" scripts/coverage_reasons.toml

@@ -57,7 +57,7 @@ for folder in hdl-out/*/; do
     case $machine in
         stream | overlap | tile-* | chip-*)
             if ((random_groups)); then
-                target/release/photoncube verify --machine "$machine" --against verilator \
+                target/release/photoncube verify equivalence --machine "$machine" --against verilator \
                     --iterations 1000000 --json >"target/measured/verify-$machine.json"
                 cp "target/measured/verify-$machine.json" docs/measured/
             fi

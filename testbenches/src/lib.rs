@@ -19,14 +19,16 @@
 
 mod campaign;
 mod compare;
+mod controls;
 mod coverage;
 mod device;
 mod exhaustive;
+mod faults;
 mod formal;
 mod levels;
 mod mutants;
 mod programs;
-mod protocol;
+mod squares;
 mod stimulus;
 mod tools;
 mod trace;
@@ -37,25 +39,26 @@ pub use campaign::{
     minimised, pairs,
 };
 pub use compare::{Activity, Actual, Divergence};
+pub use controls::{Control, Controls, NoControl, PlantedFault, comparison_control, plant};
 pub use coverage::{Coverage, CoverageKind, Gap, ModuleCoverage, Share, corners, coverage};
 pub use device::{
     Device, DeviceError, DeviceKind, Icarus, Mutant, Observed, RustHdl, Text, Unknown,
     UnknownDevice, Verilator, netlist, with_outputs_alone,
 };
 pub use exhaustive::{
-    LaneVerdict, Radii, UnitVerdict, exhaustive_lane, exhaustive_lane_device, exhaustive_unit,
-    exhaustive_unit_device,
+    LaneVerdict, Radii, UnitVerdict, exhaustive_controls, exhaustive_lane, exhaustive_lane_device,
+    exhaustive_unit, exhaustive_unit_device,
+};
+pub use faults::{
+    FaultClass, FaultOfClass, FaultVerdict, PLANTED_FAULTS, UnknownDifference, fault_controls,
+    verify_fault, verify_fault_text, without_initial_values,
 };
 pub use formal::{Formal, FormalError, Proof, formal};
 pub use levels::{PartVerdict, verify_part, verify_part_device};
 pub use mutants::{Fate, Judged, MutantOptions, MutantPart, MutantReport, Mutation, mutants};
 pub use programs::{
     DrawnProgram, MOST_PROGRAM_ITERATIONS, Open, ProgramClass, ProgramFailure, ProgramOptions,
-    ProgramVerdict, ProgramsError, draw_program, programmed, verify_programs,
-};
-pub use protocol::{
-    FaultClass, FaultVerdict, UnknownDifference, verify_fault, verify_fault_text,
-    without_initial_values,
+    ProgramVerdict, ProgramsError, draw_program, program_control, programmed, verify_programs,
 };
 pub use stimulus::{Block, Pressure, Protocol, Source, StimulusError, chunk_seed, generate};
 pub use tools::{MissingTool, Tool, ToolError, pinned_tools};

@@ -12,7 +12,7 @@ use thiserror::Error;
 
 use crate::compare::{Comparer, Divergence};
 use crate::device::{Device, DeviceError, DeviceKind, Observed, hdl_error};
-use crate::protocol::UnknownDifference;
+use crate::faults::UnknownDifference;
 use crate::stimulus::{Block, Pressure, Source, StimulusError, generate};
 
 /// The stimulus of a verification and its length.
@@ -252,7 +252,7 @@ fn repeat_command(
     match options.source {
         Source::Workload { repeat, .. } => repeat.to_owned(),
         Source::Protocol(_) => format!(
-            "photoncube verify --faults --machine {} --against {device} --seed {}",
+            "photoncube verify faults --machine {} --against {device} --seed {}",
             machine.name, options.seed
         ),
         Source::FullThenEmpty => repeat_corner("full_then_empty", machine, device),
@@ -269,7 +269,7 @@ fn repeat_command(
 
 fn repeat_corner(corner: &str, machine: &Machine, device: &str) -> String {
     format!(
-        "cargo test -p photoncube-testbench --test machines -- {corner}::{}::{device}",
+        "cargo test -p photoncube-testbench --test equivalence -- {corner}::{}::{device}",
         machine.name
     )
 }

@@ -2,17 +2,13 @@
 //! stimulus for banks. Random stimulus misses the faults that need a full bank without a last group, or a
 //! reset late in a set.
 
-mod planted;
-
 use libtest_mimic::{Arguments, Failed, Trial};
 use photoncube_hdl::{Level, emit};
 use photoncube_spec::{Machine, find_machine};
 use photoncube_testbench::{
     DeviceError, DeviceKind, Source, StimulusError, Text, Verdict, VerifyError, VerifyOptions,
-    verify, verify_device,
+    plant, verify, verify_device,
 };
-
-use planted::edit;
 
 const MACHINE: &str = "tile-6-mixed";
 
@@ -97,7 +93,7 @@ fn run(
     let mut design = emit(machine, Level::Machine).expect("a named machine is emitted");
     if let Some(fault) = text {
         let module = format!("module {}_{}(", machine.module_prefix(), fault.module);
-        design.text = edit(&design.text, &module, fault.from, fault.to);
+        design.text = plant(&design.text, &module, fault.from, fault.to)?;
     }
     let options = VerifyOptions {
         iterations,

@@ -47,6 +47,8 @@ fn all_is_used_or_explained(machine: &str) -> Result<(), Failed> {
         assert!(found.total(kind).covered > 0, "{kind:?}");
     }
     assert!(found.verdict.vectors_compared >= ENOUGH);
+    let controls = &found.controls;
+    assert!(!controls.is_empty() && controls.iter().all(|control| control.found));
     Ok(())
 }
 

@@ -1,4 +1,4 @@
-//! The quick formal proofs, each with its covers and its planted faults. `photoncube verify --formal` runs
+//! The quick formal proofs, each with its covers and its planted faults. `photoncube verify formal` runs
 //! all proofs.
 
 mod support;

@@ -1,7 +1,6 @@
 //! Verifies random microprograms, on one cell, 16 and 32; finds the shortest program that shows a planted
 //! fault; and requires that programs which differ from the model are found.
 
-mod planted;
 mod support;
 
 use libtest_mimic::{Arguments, Failed, Trial};
@@ -9,13 +8,11 @@ use photoncube_hdl::{Level, emit};
 use photoncube_spec::{Machine, Microprogram, Op, Step, check_streams, find_machine};
 use photoncube_testbench::{
     Device, DeviceError, DeviceKind, Mutant, Open, ProgramFailure, ProgramOptions, ProgramsError,
-    Source, Text, VerifyError, VerifyOptions, draw_program, programmed, verify_device,
-    verify_programs,
+    Source, Text, VerifyError, VerifyOptions, draw_program, plant, program_control, programmed,
+    verify_device, verify_programs,
 };
 
-use planted::edit;
-
-/// The number of programs for a machine in a device. `photoncube verify --programs` runs more.
+/// The number of programs for a machine in a device. `photoncube verify programs` runs more.
 const RUNS: [(&str, DeviceKind, u64); 6] = [
     ("paper", DeviceKind::Text, 32),
     ("paper-5d", DeviceKind::Text, 16),
@@ -39,11 +36,12 @@ fn main() {
             run,
         ));
     }
-    let plain: [(&str, Run); 6] = [
+    let plain: [(&str, Run); 7] = [
         ("shrunk::a_nop_that_is_skipped", skipped_nop),
         ("shrunk::a_gate_that_squares", gate_that_squares),
         ("shrunk::an_adder_of_the_cell", adder_of_the_cell),
         ("repeated::a_failure_fails_by_its_command", repeated),
+        ("control::of_every_run", control),
         ("control::one_other_step", one_other_step),
         ("refused::nothing_and_a_machine_without_program", refused),
     ];
@@ -109,7 +107,7 @@ fn skipped_nop() -> Result<(), Failed> {
             let module = format!("module {}_control(", machine.module_prefix());
             let from = "address_d = address_q + 32'h1;";
             let to = "address_d = address_q + ((store_word == 15'h0) ? 32'h2 : 32'h1);";
-            design.text = edit(&design.text, &module, from, to);
+            design.text = plant(&design.text, &module, from, to)?;
         }
         Ok(Box::new(Text::new(&design)?))
     };
@@ -164,8 +162,14 @@ fn repeated() -> Result<(), Failed> {
     let again = failure(&*open, &ProgramOptions { seed, ..options(1) })?;
     assert_eq!(first.to_string(), again.to_string());
     let command =
-        format!("photoncube verify --programs 1 --machine paper --against text --seed {seed}");
+        format!("photoncube verify programs 1 --machine paper --against text --seed {seed}");
     assert!(first.to_string().contains(&command), "{first}");
+    Ok(())
+}
+
+/// The fault that every run of `photoncube verify programs` plants.
+fn control() -> Result<(), Failed> {
+    assert!(program_control()?.found);
     Ok(())
 }
 

@@ -11,7 +11,8 @@ use photoncube_render::{
     BenchOptions, FitOptions, MAX_PHOTONS, MAX_PIXELS, TraceOptions, ViewOptions,
 };
 
-use self::numbers::{count, positive, seed, with_negative_values};
+use self::numbers::{positive, with_negative_values};
+use crate::commands::{VerifyArgs, with_method};
 use crate::machines::{ChosenMachineArgs, MachineArgs};
 use crate::scenes::SceneName;
 
@@ -22,15 +23,13 @@ mod numbers;
 mod progressive;
 mod render;
 mod synth;
-mod verify;
 
 pub use self::compare::CompareArgs;
 pub use self::fit::FitArgs;
-pub use self::numbers::short;
+pub use self::numbers::{count, seed, short};
 pub use self::progressive::ProgressiveArgs;
 pub use self::render::{EngineArgs, EngineReport, LightArgs, LightingReport, RenderArgs};
 pub use self::synth::SynthArgs;
-pub use self::verify::VerifyArgs;
 
 /// From a scene to a proven photon-mapping processor.
 ///
@@ -50,17 +49,22 @@ impl Args {
     /// The arguments of this process. What is wrong with them is printed and ends it with code 2; so does, with
     /// code 0, what only asks for help.
     pub fn read() -> Self {
-        Self::try_read(std::env::args_os()).unwrap_or_else(|error| error.exit())
+        let (words, hint) = with_method(std::env::args_os().collect());
+        if let Some(hint) = hint {
+            eprintln!("{hint}");
+        }
+        Self::try_read(words).unwrap_or_else(|error| error.exit())
     }
 
     /// The arguments in `words`, of which the first is the program's name.
     ///
     /// # Errors
     /// What clap refuses, and an option that the command does not use in the way that was chosen.
-    pub fn try_read<T: Into<OsString> + Clone>(
+    pub fn try_read<T: Into<OsString>>(
         words: impl IntoIterator<Item = T>,
     ) -> Result<Self, clap::Error> {
         let mut command = with_negative_values(Self::command());
+        let (words, _) = with_method(words.into_iter().map(Into::into).collect());
         let matches = command.try_get_matches_from_mut(words)?;
         applies::check(&mut command, &matches)?;
         Self::from_arg_matches(&matches).map_err(|error| error.format(&mut command))
@@ -93,7 +97,7 @@ pub enum Command {
     List(ListArgs),
     /// Write the Verilog of the machines, with project files for Yosys and Quartus
     Generate(GenerateArgs),
-    /// Compare a machine with the golden model, bit for bit, every register, every clock
+    /// Verify a machine by one of several methods; without one, compare it with the golden model, bit for bit
     Verify(VerifyArgs),
     /// Render a scene to a picture
     Render(RenderArgs),

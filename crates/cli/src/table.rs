@@ -1,5 +1,7 @@
 //! Plain tables, which are readable in a terminal and are Markdown in the pages.
 
+use serde_json::Value;
+
 /// A number rounded to `digits` significant digits, or to a whole number where that has more.
 pub fn significant(number: f64, digits: u32) -> String {
     let last = f64::from(digits) - 1.0;
@@ -28,6 +30,45 @@ pub fn markdown(header: &[&str], rows: &[Vec<String>]) -> String {
     let mut text = line(header.iter().map(ToString::to_string).collect());
     text += &line(widths.iter().map(|&w| "-".repeat(w)).collect());
     text.extend(rows.iter().map(|row| line(row.clone())));
+    text
+}
+
+/// A Markdown table of objects, with these keys of theirs, which spaces separate, as columns; empty without a row.
+pub fn of_rows<'a>(rows: impl IntoIterator<Item = &'a Value>, keys: &str) -> String {
+    let keys: Vec<_> = keys.split(' ').collect();
+    let header: Vec<_> = keys.iter().map(|key| key.replace('_', " ")).collect();
+    let header: Vec<_> = header.iter().map(String::as_str).collect();
+    let row = |row: &Value| keys.iter().map(|key| cell(&row[*key])).collect();
+    let rows: Vec<_> = rows.into_iter().map(row).collect();
+    match rows.is_empty() {
+        true => String::new(),
+        false => markdown(&header, &rows),
+    }
+}
+
+fn cell(value: &Value) -> String {
+    match value {
+        Value::Null => "none".to_owned(),
+        Value::Bool(holds) => if *holds { "yes" } else { "NO" }.to_owned(),
+        Value::Number(number) => match number.as_u64() {
+            Some(number) => grouped(number),
+            None => format!("{:.1}", number.as_f64().unwrap_or(f64::NAN)),
+        },
+        Value::String(text) => text.clone(),
+        other => other.to_string(),
+    }
+}
+
+/// A number with a comma before every three digits.
+pub fn grouped(number: u64) -> String {
+    let digits = number.to_string();
+    let mut text = String::new();
+    for (index, digit) in digits.chars().enumerate() {
+        if index > 0 && (digits.len() - index).is_multiple_of(3) {
+            text.push(',');
+        }
+        text.push(digit);
+    }
     text
 }
 
@@ -64,6 +105,28 @@ mod tests {
     fn columns_are_padded() {
         let table = super::markdown(&["a", "bb"], &[vec!["ccc".into(), "d".into()]]);
         assert_eq!(table, "| a   | bb |\n| --- | -- |\n| ccc | d  |\n");
+    }
+
+    #[test]
+    fn objects_are_rows_with_the_keys_that_are_asked_for() {
+        let rows = [
+            serde_json::json!({ "proven": true, "vectors_compared": 1234, "seconds": 0.25, "a": 1 }),
+            serde_json::json!({ "proven": false, "vectors_compared": 0, "seconds": null }),
+        ];
+        assert_eq!(
+            super::of_rows(&rows, "vectors_compared proven seconds"),
+            "| vectors compared | proven | seconds |\n\
+             | ---------------- | ------ | ------- |\n\
+             | 1,234            | yes    | 0.2     |\n\
+             | 0                | NO     | none    |\n"
+        );
+        assert_eq!(super::of_rows(&[], "a"), "");
+    }
+
+    #[test]
+    fn digits_are_grouped() {
+        let grouped = [0, 999, 1000, 1_234_567].map(super::grouped);
+        assert_eq!(grouped, ["0", "999", "1,000", "1,234,567"]);
     }
 
     #[test]

@@ -4,11 +4,13 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, bail};
 use photoncube_hdl::{Level, Unit, emit, emit_unit, has_unit};
 use photoncube_spec::find_machine;
 use serde::{Deserialize, Serialize};
 
+use crate::commands::METHODS;
+use crate::table::grouped;
 use crate::{digests, files, table};
 
 /// A result of one verification method on one machine.
@@ -20,8 +22,10 @@ pub struct Line {
     /// The digest of the Verilog that was verified, see [`photoncube_hdl::Emitted::verilog_sha256`]; `None`
     /// where the result is about no Verilog.
     pub verilog_sha256: Option<String>,
-    /// The method, such as `equivalence` or `mutants`.
+    /// The method, by its name in [`METHODS`].
     pub method: String,
+    /// What of the method the line is about, such as a class of faults; empty where it is about all of it.
+    pub aspect: String,
     /// The tools of the method, with their versions.
     pub by: String,
     /// The amount that was verified, in `unit`.
@@ -65,6 +69,7 @@ impl Line {
             machine,
             verilog_sha256,
             method: String::new(),
+            aspect: String::new(),
             by: String::new(),
             volume: 0,
             unit: String::new(),
@@ -84,9 +89,22 @@ impl Line {
         }
     }
 
-    /// The key of a line. A new line replaces an earlier one of equal machine, method and tools.
-    fn key(&self) -> [&str; 3] {
-        [&self.machine, &self.method, &self.by]
+    /// The key of a line. A new line replaces an earlier one with an equal key.
+    fn key(&self) -> [&str; 4] {
+        [&self.machine, &self.method, &self.aspect, &self.by]
+    }
+
+    /// The place of the method in [`METHODS`]; `None` where it is none of them.
+    fn place(&self) -> Option<usize> {
+        METHODS.iter().position(|entry| entry.name == self.method)
+    }
+
+    /// The method and its aspect, for people.
+    pub fn heading(&self) -> String {
+        match self.aspect.as_str() {
+            "" => self.method.clone(),
+            aspect => format!("{}: {aspect}", self.method),
+        }
     }
 }
 
@@ -136,9 +154,17 @@ fn unit_name(unit: Unit, bits: u32) -> String {
 
 /// Parses a table.
 pub fn parse(text: &str) -> Result<Vec<Line>> {
-    serde_json::from_str(text).context(
-        "expected a list of lines as `verify --record` writes; remove the file to start anew",
-    )
+    let expected =
+        "expected a list of lines as `verify --record` writes; remove the file to start anew";
+    let lines: Vec<Line> = serde_json::from_str(text).context(expected)?;
+    if let Some(line) = lines.iter().find(|line| line.place().is_none()) {
+        let names = METHODS.map(|entry| entry.name).join(", ");
+        bail!(
+            "found the method `{}`, expected one of {names}; {expected}",
+            line.method
+        );
+    }
+    Ok(lines)
 }
 
 /// Adds lines to the table in a file, which is made if it does not exist.
@@ -157,20 +183,26 @@ pub fn record(path: &Path, fresh: &[Line]) -> Result<()> {
     files::write(path, text.as_bytes())
 }
 
-/// The results as Markdown: a section for each method, and in it a table for each command and its tools.
+/// The results as Markdown: a section for each method and aspect, in the order of [`METHODS`], and in it a table for
+/// each command and its tools.
 pub fn table(lines: &[Line]) -> String {
-    let mut methods: BTreeMap<&str, BTreeMap<(&str, String), Vec<&Line>>> = BTreeMap::new();
+    let mut tables: BTreeMap<_, Vec<&Line>> = BTreeMap::new();
     for line in lines {
-        let tables = methods.entry(&line.method).or_default();
-        let key = (line.by.as_str(), line.command_of_any());
+        let key = (
+            line.place(),
+            line.heading(),
+            &line.by,
+            line.command_of_any(),
+        );
         tables.entry(key).or_default().push(line);
     }
-    let mut text = String::new();
-    for (method, tables) in methods {
-        text += &format!("\n## {method}\n");
-        for ((by, command), lines) in tables {
-            text += &format!("\n`{command}`, by {by}:\n\n{}", results(&lines));
+    let (mut text, mut section) = (String::new(), String::new());
+    for ((_, heading, by, command), lines) in tables {
+        if heading != section {
+            text += &format!("\n## {heading}\n");
+            section = heading;
         }
+        text += &format!("\n`{command}`, by {by}:\n\n{}", results(&lines));
     }
     text
 }
@@ -222,19 +254,6 @@ fn with_short_digests(text: &str) -> String {
         false => word.to_owned(),
     };
     text.split(' ').map(short).collect::<Vec<_>>().join(" ")
-}
-
-/// A number with a comma before every three digits.
-pub fn grouped(number: u64) -> String {
-    let digits = number.to_string();
-    let mut text = String::new();
-    for (index, digit) in digits.chars().enumerate() {
-        if index > 0 && (digits.len() - index).is_multiple_of(3) {
-            text.push(',');
-        }
-        text.push(digit);
-    }
-    text
 }
 
 #[cfg(test)]
@@ -300,6 +319,16 @@ mod tests {
     }
 
     #[test]
+    fn a_method_that_does_not_exist_is_refused_with_those_that_do() {
+        let text = COMMITTED.replacen("\"formal\"", "\"formal, by sat\"", 1);
+        let error = parse(&text).unwrap_err().to_string();
+        assert!(
+            error.contains("`formal, by sat`, expected one of equivalence, lint"),
+            "{error}"
+        );
+    }
+
+    #[test]
     fn no_committed_line_is_stale() {
         let table = committed().unwrap();
         let stale: BTreeSet<_> = table.stale.iter().map(|line| &line.command).collect();
@@ -318,7 +347,7 @@ mod tests {
         assert!(
             docs.ends_with(&table),
             "docs/measured/verification.md has other results than docs/measured/verification.json: put what \
-             `photoncube verify --table` prints in place of its sections"
+             `photoncube verify table` prints in place of its sections"
         );
         let sections = |text: &str| text.lines().filter(|line| line.starts_with("## ")).count();
         assert_eq!(sections(docs), sections(&table));
@@ -329,17 +358,18 @@ mod tests {
 
     #[test]
     fn lines_of_one_command_stand_in_one_table() {
-        let of = |machine: &str, method: &str| Line {
-            method: method.into(),
+        let of = |machine: &str, aspect: &str| Line {
+            aspect: aspect.into(),
             command: format!("photoncube verify --machine {machine} --seed 1"),
             ..line(machine, 1000)
         };
         let mut long = of("overlap", "b");
         long.result = format!("{} {}", "y".repeat(60), "0".repeat(64));
         let reader = Line {
-            command: "photoncube verify --fuzz 1000 --reader mesh".into(),
+            command: "photoncube verify fuzz 1000 --reader mesh".into(),
             unit: "inputs".into(),
-            ..of("reader mesh", "c")
+            method: "fuzz".into(),
+            ..of("reader mesh", "")
         };
         let lines = [of("paper", "a"), of("overlap", "a"), long, reader];
         let text = table(&lines);
@@ -348,7 +378,7 @@ mod tests {
             text,
             format!(
                 "
-## a
+## equivalence: a
 
 `photoncube verify --machine MACHINE --seed 1`, by icarus 11.0:
 
@@ -357,7 +387,7 @@ mod tests {
 | paper   | 1,000   | 0 mismatches |
 | overlap | 1,000   | 0 mismatches |
 
-## b
+## equivalence: b
 
 `photoncube verify --machine MACHINE --seed 1`, by icarus 11.0:
 
@@ -366,9 +396,9 @@ mod tests {
 | overlap | 1,000   | {wide} |
 |         |         | 000000000000...                                              |
 
-## c
+## fuzz
 
-`photoncube verify --fuzz 1000 --reader NAME`, by icarus 11.0:
+`photoncube verify fuzz 1000 --reader NAME`, by icarus 11.0:
 
 | machine     | inputs | result       |
 | ----------- | ------ | ------------ |
@@ -376,11 +406,5 @@ mod tests {
 "
             )
         );
-    }
-
-    #[test]
-    fn digits_are_grouped() {
-        let grouped = [0, 999, 1000, 1_234_567].map(grouped);
-        assert_eq!(grouped, ["0", "999", "1,000", "1,234,567"]);
     }
 }

@@ -1,9 +1,12 @@
 //! Tests the commands as a user sees them: their output, their files, their exit codes.
 
 mod estimators;
+mod fuzz;
 mod json_keys;
+mod lint;
 mod outputs;
 mod pictures;
+mod placed;
 mod reports;
 mod robustness;
 mod scenes;

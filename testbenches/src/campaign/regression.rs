@@ -30,7 +30,7 @@ pub struct Regression {
 #[derive(Debug, Error)]
 pub enum RegressionError {
     /// The text is not a regression case.
-    #[error("it is no regression case; expected what `verify --campaign` writes")]
+    #[error("it is no regression case; expected what `verify campaign` writes")]
     Format(#[from] serde_json::Error),
     /// There is no such machine.
     #[error(transparent)]
@@ -165,7 +165,7 @@ pub(super) fn compare(
     if !comparer.is_complete(block, &observed) {
         return Err(wrong_count(device, block.clocks, &observed).into());
     }
-    let repeat = || "cargo test -p photoncube-testbench --test regressions".to_owned();
+    let repeat = || "cargo test -p photoncube-testbench --test campaign".to_owned();
     let compared = comparer.compare(block, &observed, device.name(), repeat);
     compared.map_err(VerifyError::Diverged)
 }

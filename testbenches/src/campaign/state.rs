@@ -90,7 +90,7 @@ pub struct Failure {
 pub enum StateError {
     /// The text does not have the format of a state.
     #[error(
-        "it is not the state of a campaign; expected what `verify --campaign` writes: give another \
+        "it is not the state of a campaign; expected what `verify campaign` writes: give another \
          file with --state, or remove this one to start anew"
     )]
     Format(#[from] serde_json::Error),

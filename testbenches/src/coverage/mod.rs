@@ -14,6 +14,7 @@ use photoncube_hdl::{Level, emit};
 use photoncube_spec::Machine;
 use serde::Serialize;
 
+use crate::controls::Control;
 use crate::device::{DeviceError, DeviceKind, Verilator, hdl_error};
 use crate::stimulus::Source;
 use crate::trace::TRACE;
@@ -35,6 +36,9 @@ pub struct Coverage {
     pub gaps: Vec<Gap>,
     /// The points that were used although a recorded reason excludes it; such a reason is wrong.
     pub contradictions: Vec<Gap>,
+    /// The controls: a used point with a planted reason, and a used point whose use is not counted.
+    #[serde(skip)]
+    pub controls: Vec<Control>,
 }
 
 /// The coverage of a module, over all its instances.
@@ -119,16 +123,54 @@ pub fn coverage(
         points.extend(more);
     }
     let lines: Vec<_> = design.text.lines().collect();
-    let why = Why::new(machine, &design)?;
+    let mut why = Why::new(machine, &design)?;
+    let controls = controls(&mut why, &points, &lines);
     let contradictions = contradictions(&why, &points, &lines);
     let points = counted(machine, points);
-    let unused = points.iter().filter(|point| point.hits == 0);
     Ok(Coverage {
         verdict,
         modules: modules(&points),
-        gaps: grouped(&why, unused, &lines),
+        gaps: gaps(&why, &points, &lines),
         contradictions,
+        controls,
     })
+}
+
+/// Plants a reason for a point that was used, and takes the use of the point away: the first must be a
+/// contradiction, the second a gap without a reason. Empty where no bit of a signal is used.
+fn controls(why: &mut Why<'_>, points: &[Point], lines: &[&str]) -> Vec<Control> {
+    let used = points.iter().find(|point| {
+        let (name, bit) = named(point, lines);
+        point.kind == CoverageKind::Toggle
+            && point.module != TRACE
+            && point.hits > SETTLING
+            && why.reason(point, &name, bit).is_none()
+    });
+    let Some(used) = used else {
+        return Vec::new();
+    };
+    let (name, bit) = named(used, lines);
+    let constant = (reasons::path(used, &name), bit.unwrap_or(0));
+    let place = format!("{}.{}", used.instance, used.what);
+    let used = [used.clone()];
+    why.constants.insert(constant.clone());
+    let of_reason = Control {
+        planted: format!("a reason for {place}, which is used"),
+        found: !contradictions(why, &used, lines).is_empty(),
+    };
+    why.constants.remove(&constant);
+    let unused = used.map(|point| Point { hits: 0, ..point });
+    let found = gaps(why, &counted(why.words.machine, unused.to_vec()), lines);
+    let of_use = Control {
+        planted: format!("no use of {place}"),
+        found: found.iter().any(|gap| gap.reason.is_none()),
+    };
+    vec![of_reason, of_use]
+}
+
+/// The points that were not used, with their reasons.
+fn gaps(why: &Why<'_>, points: &[Point], lines: &[&str]) -> Vec<Gap> {
+    grouped(why, points.iter().filter(|point| point.hits == 0), lines)
 }
 
 /// The stimulus of corners that random stimulus reaches too rarely.
@@ -316,5 +358,24 @@ mod tests {
         let points = [unused.to_vec(), used.to_vec()].concat();
         let share = modules(&points)[0].kinds[&CoverageKind::Toggle];
         assert_eq!((share.covered, share.points), (2, 6));
+    }
+
+    #[test]
+    fn controls_are_planted_at_a_used_point_and_found() {
+        let machine = photoncube_spec::find_machine("paper").unwrap();
+        let constants = HashSet::from([("cell_0.no_such".to_owned(), 1)]);
+        let words = Words::of(machine).unwrap();
+        let mut why = Why { words, constants };
+        let points = [
+            ("no_such[0]", SETTLING),
+            ("no_such[1]", 9),
+            ("no_such[2]", 9),
+        ];
+        let points = points.map(|(what, hits)| point(what, hits));
+        let found = controls(&mut why, &points, &[]);
+        assert!(found.len() == 2 && found.iter().all(|control| control.found));
+        assert!(found[0].planted.contains("no_such[2]"), "{found:?}");
+        assert_eq!(why.constants.len(), 1);
+        assert_eq!(controls(&mut why, &points[..2], &[]), []);
     }
 }

@@ -27,10 +27,7 @@ impl<'a> Why<'a> {
     /// The reason why a point cannot be used; `None` if there is none. `name` and `bit` are those of the
     /// point's signal.
     pub fn reason(&self, point: &Point, name: &str, bit: Option<u32>) -> Option<&'static str> {
-        let path = match point.instance.as_str() {
-            "" => name.to_owned(),
-            instance => format!("{instance}.{name}"),
-        };
+        let path = path(point, name);
         if point.kind == CoverageKind::Toggle
             && self.constants.contains(&(path.clone(), bit.unwrap_or(0)))
         {
@@ -41,6 +38,14 @@ impl<'a> Why<'a> {
             .filter(|rule| rule.kind == point.kind)
             .find(|rule| (rule.holds)(&self.words, point, &path, bit.unwrap_or(0)))
             .map(|rule| rule.why)
+    }
+}
+
+/// The path in the top instance of a point's signal of that name.
+pub(super) fn path(point: &Point, name: &str) -> String {
+    match point.instance.as_str() {
+        "" => name.to_owned(),
+        instance => format!("{instance}.{name}"),
     }
 }
 

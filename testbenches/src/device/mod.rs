@@ -117,6 +117,16 @@ pub enum DeviceError {
         /// The last output of the device, or the error in its answer.
         message: String,
     },
+    /// A text that a planted fault replaces does not occur once where it should.
+    #[error(
+        "a planted fault replaces `{find}`, which was found {times} times, expected once; correct the fault's row"
+    )]
+    NotPlanted {
+        /// The text.
+        find: String,
+        /// The number of times that it was found.
+        times: usize,
+    },
 }
 
 impl From<fpga_flow::FlowError> for DeviceError {

@@ -159,7 +159,7 @@ fn compare_run(
         seed: 0,
         source: Source::Workload {
             queries,
-            repeat: "photoncube verify --exhaustive",
+            repeat: "photoncube verify exhaustive",
         },
     };
     let verdict = verify_device(machine, device, &options, &|_| ())?;

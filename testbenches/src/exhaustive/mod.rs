@@ -4,11 +4,12 @@
 mod lane;
 mod rows;
 
-use photoncube_hdl::{Unit, unit_pins};
+use photoncube_hdl::{Unit, emit_unit, unit_pins};
 use photoncube_spec::Pins;
 use serde::Serialize;
 
 use crate::compare::Actual;
+use crate::controls::{Control, PlantedFault, plant};
 use crate::device::{Device, DeviceKind, Observed, hdl_error_of};
 use crate::verify::{VerifyError, nothing_compared, wrong_count};
 
@@ -84,6 +85,37 @@ pub fn exhaustive_unit_device(
             .first()
             .map(|&row| account(&rows, &pins, &observed, row)),
     })
+}
+
+/// A lane that counts a photon on the boundary as out of range.
+const BOUNDARY: PlantedFault = PlantedFault {
+    what: "a difference on the boundary is out of range",
+    machine: "stream",
+    module: "range_of_query",
+    edits: &[("distance <= limit", "distance < limit")],
+};
+
+/// Plants a sum that is wrong for a single pair of operands, and [`BOUNDARY`] in the lanes, in the built-in
+/// evaluator.
+///
+/// # Errors
+/// The evaluator does not run.
+pub fn exhaustive_controls() -> Result<Vec<Control>, VerifyError> {
+    let (unit, bits) = (Unit::Add, 8);
+    let mut sum = emit_unit(unit, bits).map_err(hdl_error_of(unit.name()))?;
+    let heading = format!("module {}(", sum.top);
+    let wrong = "(a + b) ^ ((a == 8'd171) && (b == 8'd205))";
+    sum.text = plant(&sum.text, &heading, "a + b", wrong)?;
+    let mut device = DeviceKind::Text.open_text(&sum)?;
+    let verdict = exhaustive_unit_device(unit, bits, device.as_mut())?;
+    let of_sum = Control {
+        planted: format!("{unit} of {bits} bits: one of all sums is off by one"),
+        found: verdict.mismatches == 1,
+    };
+    let (_, lanes) = BOUNDARY.plant()?;
+    let mut open = || DeviceKind::Text.open_text(&lanes);
+    let ended = exhaustive_lane_device(&mut open, Radii::Squares, &|_| ());
+    Ok(vec![of_sum, Control::of(BOUNDARY.told(), ended)?])
 }
 
 fn wrong_rows(rows: &Rows, pins: &Pins, observed: &Observed) -> Vec<usize> {

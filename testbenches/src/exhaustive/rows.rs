@@ -1,13 +1,11 @@
-//! Every pair of operands of a unit, with the expected outputs: by the golden model's ops, or for a spatial
-//! machine's squares by the spec's formula.
-
-use std::collections::VecDeque;
+//! Every pair of operands of a unit, with the expected outputs.
 
 use photoncube_hdl::Unit;
 use photoncube_model::CellRules;
 use photoncube_spec::{Cut, Squarer, Unit as CellUnit, Widths};
 
-use crate::levels::{op_of, result, square_of};
+use crate::levels::{op_of, result};
+use crate::squares::SquarePair;
 
 /// Rows of inputs and of expected outputs.
 #[derive(Default)]
@@ -95,14 +93,11 @@ fn square_pair(bits: u32, squarer: Squarer) -> Rows {
         latency: of_squares.count(),
         ..Rows::default()
     };
-    // The registers start as 0, and the last squares appear after the last operands.
-    let mut squares = VecDeque::from(vec![[0; 4]; rows.latency]);
+    // The last squares appear after the last operands.
+    let mut squares = SquarePair::new(rows.latency, radius, squarer);
     let flush = std::iter::repeat_n((0, 0), rows.latency);
     for (query, photon) in pairs(bits).chain(flush) {
-        let square = |photon| square_of(query, photon, radius, squarer);
-        let ((square_a, far_a), (square_b, far_b)) = (square(photon), square(photon ^ half));
-        squares.push_back([square_a, square_b, far_a, far_b]);
-        let out = squares.pop_front().expect("one was pushed");
+        let out = squares.clock(query, [photon, photon ^ half]);
         rows.push(&[query, photon, photon ^ half], &out);
     }
     rows.pairs -= rows.latency as u64;

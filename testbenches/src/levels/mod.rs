@@ -10,11 +10,8 @@ mod overlap;
 mod unit;
 
 use photoncube_hdl::{Level, level_pins};
-use std::collections::VecDeque;
-
 use photoncube_spec::{
-    Cut, Field, Machine, Op, Organisation, Pin, Pins, SEQUENTIAL, SpatialWidths, Squarer, Step,
-    Widths,
+    Cut, Field, Machine, Op, Organisation, Pin, Pins, SEQUENTIAL, SpatialWidths, Step, Widths,
 };
 use rand::SeedableRng;
 use rand_pcg::Pcg64;
@@ -22,6 +19,7 @@ use serde::Serialize;
 
 use crate::compare::{Activity, Actual, Divergence, mnemonic};
 use crate::device::{Device, DeviceError, DeviceKind, Observed, hdl_error};
+use crate::squares::SquarePair;
 use crate::stimulus::corner;
 use crate::verify::{VerifyError, nothing_compared, wrong_count};
 
@@ -186,13 +184,10 @@ impl Trace {
             }
             false => [(); 3].map(|()| corner(rng, widths.coordinate)),
         };
-        let mut squares = VecDeque::from(vec![[0; 4]; latency]);
+        let mut squares = SquarePair::new(latency, widths.radius, machine.squarer);
         for index in 0..vectors.max(latency + 1) {
             let [query, photon_a, photon_b] = operands(index, rng);
-            let square = |photon| square_of(query, photon, widths.radius, machine.squarer);
-            let ((square_a, far_a), (square_b, far_b)) = (square(photon_a), square(photon_b));
-            squares.push_back([square_a, square_b, far_a, far_b]);
-            let expected = squares.pop_front().expect("one was pushed");
+            let expected = squares.clock(query, [photon_a, photon_b]);
             let value = |name: &str| match name {
                 "query" => query,
                 "photon_a" => photon_a,
@@ -276,18 +271,6 @@ impl Trace {
             ),
         })
     }
-}
-
-/// The expected `Square` and `SquareFar` of a spatial machine, by the spec.
-pub(crate) fn square_of(query: u64, photon: u64, radius_bits: u32, squarer: Squarer) -> (u64, u64) {
-    let distance = query.abs_diff(photon);
-    let modulus = 1 << radius_bits;
-    let squared = match squarer {
-        Squarer::Digits => distance % modulus,
-        Squarer::Product | Squarer::Table => distance,
-    };
-    let square = squared * squared % (modulus * modulus);
-    (square, u64::from(distance >= modulus))
 }
 
 fn field_named(name: &str) -> Field {

@@ -17,6 +17,7 @@ use photoncube_spec::Machine;
 use rayon::prelude::*;
 use serde::Serialize;
 
+use crate::controls::Control;
 use crate::device::{DeviceKind, hdl_error};
 use crate::tools::Tool;
 use crate::verify::VerifyError;
@@ -79,9 +80,9 @@ pub struct MutantReport {
     pub seed: u64,
     /// The number of vectors compared, over all mutants, until each was killed or the stimulus ended.
     pub vectors_compared: u64,
-    /// The number of killed mutants that served as controls: the proofs were tried on them and proved none of
-    /// them equal.
-    pub controls: usize,
+    /// The controls: killed mutants, of which the proofs must prove none equal.
+    #[serde(skip)]
+    pub controls: Vec<Control>,
     /// The mutants, in the order in which Yosys drew them.
     pub mutants: Vec<Judged>,
 }
@@ -141,7 +142,7 @@ pub fn mutants(
         design: &design,
         invariants: &invariants,
     };
-    let controls = refuted_controls(&mutations, &dead, &prover)?;
+    let controls = killed_controls(&mutations, &dead, &prover)?;
     let judge = |(mutation, dead): (&Mutation, &bool)| {
         let (fate, reason) = match dead {
             true => (Fate::Killed, None),
@@ -176,42 +177,26 @@ pub fn mutants(
     })
 }
 
-/// The number of killed mutants on which the proofs are tried. If one is proven equal, the proofs are
-/// worthless.
+/// The number of killed mutants on which the proofs are tried.
 const CONTROLS: usize = 8;
 
-/// Tries the proofs on killed mutants and returns their number.
-fn refuted_controls(
+/// Tries the proofs on killed mutants. A proof that one of them is equal is wrong.
+fn killed_controls(
     mutations: &[Mutation],
     dead: &[bool],
     prover: &Prover<'_>,
-) -> Result<usize, VerifyError> {
-    let killed: Vec<_> = mutations
-        .iter()
-        .zip(dead)
-        .filter(|(_, dead)| **dead)
-        .collect();
+) -> Result<Vec<Control>, VerifyError> {
+    let all = mutations.iter().zip(dead);
+    let killed: Vec<_> = all.filter(|(_, dead)| **dead).collect();
     let step = killed.len().div_ceil(CONTROLS).max(1);
-    let controls: Vec<_> = killed
-        .iter()
-        .step_by(step)
-        .map(|(control, _)| control)
-        .collect();
-    let proofs: Vec<_> = controls
-        .par_iter()
-        .map(|control| Ok((**control, prover.proof(control)?)))
-        .collect::<Result<_, VerifyError>>()?;
-    match proofs.iter().find(|(_, proof)| proof.is_some()) {
-        None => Ok(proofs.len()),
-        Some((control, _)) => Err(crate::DeviceError::BrokeOff {
-            device: "yosys".to_owned(),
-            message: format!(
-                "it proved a mutant equal that the stimulus killed, so its proofs are wrong: {}",
-                control.options
-            ),
-        }
-        .into()),
-    }
+    let control = |&(mutation, _): &(&Mutation, _)| {
+        Ok(Control {
+            planted: format!("a killed mutant, to be proven equal: {}", mutation.options),
+            found: prover.proof(mutation)?.is_none(),
+        })
+    };
+    let chosen: Vec<_> = killed.into_iter().step_by(step).collect();
+    chosen.par_iter().map(control).collect()
 }
 
 /// Judges a mutant that the first iterations did not kill.

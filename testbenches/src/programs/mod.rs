@@ -11,13 +11,14 @@ mod walk;
 use std::collections::HashSet;
 use std::fmt;
 
-use photoncube_hdl::{Level, most_steps};
-use photoncube_spec::{Machine, Microprogram, Organisation, OwnProgram};
+use photoncube_hdl::{Level, emit, most_steps};
+use photoncube_spec::{MACHINES, Machine, Microprogram, Organisation, OwnProgram};
 use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::compare::Divergence;
-use crate::device::{Device, DeviceError};
+use crate::controls::{Control, plant};
+use crate::device::{Device, DeviceError, DeviceKind, hdl_error};
 use crate::levels::verify_part_device;
 use crate::stimulus::{Source, chunk_seed};
 use crate::verify::{VerifyError, VerifyOptions, nothing_compared, verify_device};
@@ -235,6 +236,38 @@ fn one(
     })
 }
 
+/// The programs of which one at least must show the planted fault; most do.
+const CONTROL_PROGRAMS: u64 = 8;
+/// The iterations of each of these programs.
+const CONTROL_ITERATIONS: u64 = 50;
+
+/// Plants an adder that loses its carries under random programs, in the built-in evaluator.
+///
+/// # Errors
+/// The evaluator does not run.
+pub fn program_control() -> Result<Control, VerifyError> {
+    let machine = &MACHINES[0];
+    let open = |machine: &Machine, level| {
+        let mut design = emit(machine, level).map_err(hdl_error(machine))?;
+        let heading = "_add_unit(a, b, sum);";
+        design.text = plant(&design.text, heading, "a + b", "a ^ b")?;
+        DeviceKind::Text.open_text(&design)
+    };
+    let mut control = Control {
+        planted: format!("{}: the adder loses its carries", machine.name),
+        found: false,
+    };
+    for seed in 0..CONTROL_PROGRAMS {
+        let drawn = draw_program(machine, seed);
+        let ended = one(machine, &drawn, CONTROL_ITERATIONS, &open);
+        control = Control::of(control.planted, ended)?;
+        if control.found {
+            break;
+        }
+    }
+    Ok(control)
+}
+
 /// If the error is a difference: the failure of the shortest program that fails, with the least stimulus.
 fn shrunk(
     machine: &Machine,
@@ -282,7 +315,7 @@ fn shortest(
     }
     // A run with the program's seed begins with this program.
     divergence.repeat = format!(
-        "photoncube verify --programs 1 --machine {} --against {} --seed {}",
+        "photoncube verify programs 1 --machine {} --against {} --seed {}",
         machine.name, divergence.device, drawn.seed
     );
     Ok(ProgramFailure {

@@ -9,7 +9,7 @@ pub enum Extent {
     /// which takes long to build.
     Full,
     /// Other machines of up to a few times as many cells, which differ in numbers and sizes.
-    /// `photoncube verify --campaign` compares them in Verilator.
+    /// `photoncube verify campaign` compares them in Verilator.
     Brief,
     /// Chains with many times the signals. The tests check that they are assembled correctly; their engines
     /// are those of shorter chains.

@@ -80,7 +80,7 @@ fn digits(text: &str) -> Option<&str> {
 /// do not exist.
 pub fn with_negative_values(command: Command) -> Command {
     command.mut_subcommands(|command| {
-        command.mut_args(|argument| {
+        with_negative_values(command).mut_args(|argument| {
             let is_option = !argument.is_positional() && argument.get_action().takes_values();
             // `-16x16` is no number.
             let is_size = argument.get_id() == "size";

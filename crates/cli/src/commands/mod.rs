@@ -13,13 +13,14 @@ mod run;
 mod synth;
 mod verify;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Result, anyhow};
 use clap::CommandFactory;
 use clap_complete::Shell;
 use photoncube_model::GatherError;
 
+pub use self::verify::{METHODS, VerifyArgs, with_method};
 use crate::args::{Args, Command};
 use crate::{files, output, outputs};
 
@@ -68,13 +69,22 @@ fn manual(out: &Path) -> Result<()> {
     outputs::check_folder("--out", out)?;
     let mut command = Args::command();
     command.build();
-    let commands = command.get_subcommands().filter(|c| c.get_name() != "help");
     let mut pages = Vec::new();
-    for command in commands.chain([&command]) {
-        let page = clap_mangen::Man::new(command.clone());
-        let mut text = Vec::new();
-        page.render(&mut text)?;
-        pages.push((out.join(page.get_filename()), text));
-    }
+    pages_of(&command, out, &mut pages)?;
     files::write_all(pages.iter().map(|(path, text)| (path.clone(), &text[..])))
+}
+
+/// The pages of a command and of its subcommands, with their paths in a folder.
+fn pages_of(
+    command: &clap::Command,
+    out: &Path,
+    pages: &mut Vec<(PathBuf, Vec<u8>)>,
+) -> Result<()> {
+    let page = clap_mangen::Man::new(command.clone());
+    let mut text = Vec::new();
+    page.render(&mut text)?;
+    pages.push((out.join(page.get_filename()), text));
+    let commands = command.get_subcommands();
+    let mut commands = commands.filter(|command| command.get_name() != "help");
+    commands.try_for_each(|command| pages_of(command, out, pages))
 }

@@ -10,8 +10,8 @@ use super::{MachineRow, machine_row};
 use crate::output;
 use crate::synth::clock::Clock;
 use crate::synth::tables;
-use crate::table::wrapped;
-use crate::verified::{self, Line, grouped};
+use crate::table::{grouped, wrapped};
+use crate::verified::{self, Line};
 
 #[derive(Serialize)]
 struct Datasheet {
@@ -154,7 +154,10 @@ fn verified_by(sheet: &Datasheet) -> String {
         let volume = grouped(line.volume);
         let said = format!(
             "  {}: {volume} {}; {} ({})",
-            line.method, line.unit, line.result, line.by
+            line.heading(),
+            line.unit,
+            line.result,
+            line.by
         );
         text += &wrapped(&said, 4);
         text += "\n";

@@ -1,20 +1,49 @@
-//! The method `--campaign`: all machines, with successive seeds, until a deadline.
+//! The method `campaign`: all machines, with successive seeds, until a deadline.
 
 use std::io::ErrorKind;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use anyhow::{Context, Result};
+use clap::Args;
 use indicatif::ProgressBar;
 use photoncube_testbench::{
-    Divergence, Failure, Keeper, Pair, State, Summary, campaign, minimised, pairs,
+    Controls, Divergence, Failure, Keeper, Pair, State, Summary, Tool, campaign,
+    comparison_control, minimised, pairs,
 };
 use serde::Serialize;
 
-use crate::args::VerifyArgs;
-use crate::failure::CheckFailed;
-use crate::verified::{Line, grouped, record};
-use crate::{files, output, progress, table};
+use super::method::Method;
+use super::outcome::Outcome;
+use crate::table::grouped;
+use crate::verified::Line;
+use crate::{files, progress};
+
+/// See [`Method::ABOUT`].
+#[derive(Args, Debug)]
+pub struct Campaign {
+    /// Begin no job of about 20 seconds after so long; 0: print what the campaign has done
+    #[arg(long, value_name = "H", value_parser = hours)]
+    hours: f64,
+    /// The state of the campaign
+    #[arg(long, value_name = "FILE", default_value = "out/campaign.json")]
+    state: PathBuf,
+    /// Where regression cases are kept; `cargo test` replays those of this folder
+    #[arg(long, value_name = "DIR", default_value = "testbenches/regressions")]
+    regressions: PathBuf,
+}
+
+/// The columns of the table.
+const COLUMNS: &str = "machine device jobs iterations results_compared vectors_compared";
+
+/// A time that a clock can hold.
+fn hours(text: &str) -> Result<f64, String> {
+    let hours: f64 = text.parse().map_err(|_| "expected a number".to_owned())?;
+    match (0.0..=24.0 * 366.0).contains(&hours) {
+        true => Ok(hours),
+        false => Err("expected 0 up to a year".to_owned()),
+    }
+}
 
 #[derive(Serialize)]
 struct Report<'a> {
@@ -32,36 +61,91 @@ struct Total {
     jobs: usize,
 }
 
-impl<'a> Report<'a> {
-    fn of(state: &'a State) -> Self {
-        let total = |(summary, jobs)| Total { summary, jobs };
-        Self {
-            seed: state.seed,
-            vectors_compared: state.vectors(),
-            totals: state.totals().into_iter().map(total).collect(),
-            failures: &state.failures,
+impl Method for Campaign {
+    const NAME: &'static str = "campaign";
+    const ABOUT: &'static str = "Verify all machines with seed after seed, on all cores; what is done stands in the file of \
+        --state, so that a campaign that was stopped or killed goes on, and a difference becomes a regression case";
+    const EXAMPLES: &'static [&'static str] = &["photoncube verify campaign --hours 8"];
+
+    /// None where the campaign only prints what it has done.
+    fn tools(&self) -> Vec<Tool> {
+        match self.hours > 0.0 {
+            true => pairs()
+                .iter()
+                .flat_map(|pair| pair.1.tools())
+                .copied()
+                .collect(),
+            false => Vec::new(),
         }
+    }
+
+    fn run(&self) -> Result<Outcome> {
+        let mut state = read(&self.state)?.unwrap_or_else(|| State::new(rand::random()));
+        let deadline = Instant::now() + Duration::from_secs_f64(self.hours * 3600.0);
+        let mut files = Files {
+            state: &self.state,
+            regressions: &self.regressions,
+            bar: progress::spinner("vectors compared:"),
+        };
+        files.bar.enable_steady_tick(Duration::from_millis(200));
+        campaign(&mut state, &pairs(), deadline, &mut files)?;
+        files.bar.finish_and_clear();
+        outcome(&state)
     }
 }
 
-/// Continues the campaign of a state file, or begins one, and prints its results.
-pub fn execute(args: &VerifyArgs, hours: f64, json: bool) -> Result<()> {
-    let mut state = read(&args.state)?.unwrap_or_else(|| State::new(rand::random()));
-    let deadline = Instant::now() + Duration::from_secs_f64(hours * 3600.0);
-    let mut files = Files {
-        state: &args.state,
-        regressions: &args.regressions,
-        bar: progress::spinner("vectors compared:"),
+fn outcome(state: &State) -> Result<Outcome> {
+    let total = |(summary, jobs)| Total { summary, jobs };
+    let report = Report {
+        seed: state.seed,
+        vectors_compared: state.vectors(),
+        totals: state.totals().into_iter().map(total).collect(),
+        failures: &state.failures,
     };
-    files.bar.enable_steady_tick(Duration::from_millis(200));
-    campaign(&mut state, &pairs(), deadline, &mut files)?;
-    files.bar.finish_and_clear();
-    let report = Report::of(&state);
-    output::print(json, &report, || text(&report))?;
-    if let Some(path) = &args.record {
-        record(path, &lines(&report))?;
+    let sum = format!(
+        "{} vectors compared, {} mismatches; seed {}",
+        grouped(report.vectors_compared),
+        report.failures.len(),
+        report.seed
+    );
+    let controls = Controls::new(comparison_control()?, []);
+    Ok(Outcome::new::<Campaign>(controls, &report)?
+        .rows("totals", COLUMNS)
+        .note(sum)
+        .lines(
+            report
+                .totals
+                .iter()
+                .map(|total| line(total, report.failures)),
+        )
+        .findings(findings(&report)))
+}
+
+/// A campaign without a vector has shown nothing.
+fn findings(report: &Report<'_>) -> Vec<String> {
+    let failures = report.failures.iter();
+    let failures = failures.map(|f| format!("kept in {}:\n{}", f.file, f.divergence));
+    let nothing = report.vectors_compared == 0 && report.failures.is_empty();
+    let nothing = nothing
+        .then(|| "the campaign has compared nothing yet; give it time with --hours".to_owned());
+    failures.chain(nothing).collect()
+}
+
+fn line(total: &Total, failures: &[Failure]) -> Line {
+    let summary = &total.summary;
+    let failed = |f: &&Failure| f.machine == summary.machine && f.device == summary.device;
+    Line {
+        by: format!("{}: {}", summary.device, summary.tool_version),
+        volume: summary.vectors_compared,
+        unit: "vectors".to_owned(),
+        result: format!(
+            "{} mismatches; {} seeds",
+            failures.iter().filter(failed).count(),
+            total.jobs
+        ),
+        command: "photoncube verify campaign --hours H".to_owned(),
+        ..Line::about(summary.machine.clone(), summary.verilog_sha256.clone())
     }
-    conclusion(&report)
 }
 
 /// Reads the state in a file; `None` if the file does not exist.
@@ -101,75 +185,6 @@ impl Keeper for Files<'_> {
     }
 }
 
-/// A campaign without a vector fails, because it has shown nothing.
-fn conclusion(report: &Report<'_>) -> Result<()> {
-    if let Some(failure) = report.failures.first() {
-        let message = format!(
-            "{} failures; the first, kept in {}:\n{}",
-            report.failures.len(),
-            failure.file,
-            failure.divergence
-        );
-        return Err(CheckFailed(message).into());
-    }
-    if report.vectors_compared == 0 {
-        let message = "the campaign has compared nothing yet; give it time with --hours";
-        return Err(CheckFailed(message.to_owned()).into());
-    }
-    Ok(())
-}
-
-fn lines(report: &Report<'_>) -> Vec<Line> {
-    let line = |total: &Total| {
-        let summary = &total.summary;
-        let failed = |f: &&Failure| f.machine == summary.machine && f.device == summary.device;
-        Line {
-            method: "campaign".to_owned(),
-            by: format!("{}: {}", summary.device, summary.tool_version),
-            volume: summary.vectors_compared,
-            unit: "vectors".to_owned(),
-            result: format!(
-                "{} mismatches; {} seeds",
-                report.failures.iter().filter(failed).count(),
-                total.jobs
-            ),
-            command: "photoncube verify --campaign --hours H".to_owned(),
-            ..Line::about(summary.machine.clone(), summary.verilog_sha256.clone())
-        }
-    };
-    report.totals.iter().map(line).collect()
-}
-
-fn text(report: &Report<'_>) -> String {
-    let header = [
-        "machine",
-        "device",
-        "seeds",
-        "iterations",
-        "results",
-        "vectors",
-    ];
-    let row = |total: &Total| {
-        let summary = &total.summary;
-        vec![
-            summary.machine.clone(),
-            summary.device.clone(),
-            total.jobs.to_string(),
-            grouped(summary.iterations),
-            grouped(summary.results_compared),
-            grouped(summary.vectors_compared),
-        ]
-    };
-    let rows: Vec<_> = report.totals.iter().map(row).collect();
-    format!(
-        "{}\n{} vectors compared, {} mismatches; seed {}\n",
-        table::markdown(&header, &rows),
-        grouped(report.vectors_compared),
-        report.failures.len(),
-        report.seed
-    )
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -177,7 +192,8 @@ mod tests {
     #[test]
     fn nothing_done_is_no_pass_and_a_failure_is_told() {
         let mut state = State::new(1);
-        assert!(conclusion(&Report::of(&state)).is_err());
+        let concluded = |state: &State| outcome(state).unwrap().conclusion().unwrap_err();
+        assert!(concluded(&state).to_string().contains("--hours"));
         state.failures.push(Failure {
             machine: "paper".into(),
             device: "verilator".into(),
@@ -185,7 +201,7 @@ mod tests {
             divergence: "it differs".into(),
             file: "case.json".into(),
         });
-        let error = conclusion(&Report::of(&state)).unwrap_err().to_string();
+        let error = concluded(&state).to_string();
         assert!(
             error.contains("case.json") && error.contains("it differs"),
             "{error}"

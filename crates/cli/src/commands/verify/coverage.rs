@@ -1,124 +1,133 @@
-//! The method `--coverage`: the parts of the emitted Verilog that a verification uses.
+//! The method `coverage`: the parts of the emitted Verilog that a verification uses.
 
-use anyhow::{Result, bail};
+use anyhow::Result;
+use clap::Args;
 use photoncube_testbench::{
-    Coverage, CoverageKind, Gap, ModuleCoverage, Share, Source, VerifyError, VerifyOptions,
-    corners, coverage,
+    Controls, Coverage as Found, CoverageKind, DeviceKind, ModuleCoverage, Share, Tool, corners,
+    coverage,
 };
 
-use crate::args::VerifyArgs;
-use crate::failure::CheckFailed;
-use crate::verified::{Line, record};
-use crate::{output, progress, table};
+use super::method::Method;
+use super::options::StimulusArgs;
+use super::outcome::{Outcome, equal};
+use crate::machines::MachineArgs;
+use crate::progress;
+use crate::table::markdown;
+use crate::verified::Line;
 
-/// Verifies one machine in Verilator and counts the parts of its text that the stimulus used.
-pub fn execute(args: &VerifyArgs, json: bool) -> Result<()> {
-    let machine = args.machine.find()?;
-    let options = VerifyOptions {
-        iterations: args.iterations,
-        seed: args.seed,
-        source: Source::Random,
-    };
-    let bar = progress::bar("coverage", args.iterations);
-    let found = match coverage(machine, &options, &corners(machine), &|done| {
-        bar.set_position(done)
-    }) {
-        Ok(found) => found,
-        Err(VerifyError::Diverged(divergence)) => bail!(CheckFailed(divergence.to_string())),
-        Err(error) => return Err(error.into()),
-    };
-    bar.finish_and_clear();
-    output::print(json, &found, || text(&found))?;
-    if let Some(gap) = found.contradictions.first() {
-        let message = format!(
+/// See [`Method::ABOUT`].
+#[derive(Args, Debug)]
+pub struct Coverage {
+    #[command(flatten)]
+    machine: MachineArgs,
+    #[command(flatten)]
+    stimulus: StimulusArgs,
+}
+
+impl Method for Coverage {
+    const NAME: &'static str = "coverage";
+    const ABOUT: &'static str = "Count what a verification in Verilator uses of the emitted lines, branches and bits, and \
+        list what it does not";
+    const EXAMPLES: &'static [&'static str] =
+        &["photoncube verify coverage --machine stream --iterations 200000"];
+
+    fn tools(&self) -> Vec<Tool> {
+        [&[Tool::Yosys], DeviceKind::Verilator.tools()].concat()
+    }
+
+    fn run(&self) -> Result<Outcome> {
+        let machine = self.machine.find()?;
+        let bar = progress::bar("coverage", self.stimulus.iterations);
+        let position = |done| bar.set_position(done);
+        let corners = corners(machine);
+        let found = equal(coverage(
+            machine,
+            &self.stimulus.random(),
+            &corners,
+            &position,
+        ))?;
+        bar.finish_and_clear();
+        let header = CoverageKind::ALL.map(CoverageKind::name);
+        let header = [&["module"], &header[..]].concat();
+        let verdict = &found.verdict;
+        let counts = format!(
+            "{} in {} iterations, {} vectors, all equal",
+            verdict.machine, verdict.iterations, verdict.vectors_compared,
+        );
+        Ok(
+            Outcome::new::<Self>(Controls::gathered(found.controls.clone())?, &found)?
+                .table(&markdown(&header, &rows(&found)))
+                .rows("gaps", "module counter what points reason")
+                .note(counts)
+                .lines([self.line(&found)?])
+                .findings(findings(&found)),
+        )
+    }
+}
+
+impl Coverage {
+    fn line(&self, found: &Found) -> Result<Line> {
+        let verdict = &found.verdict;
+        let totals = CoverageKind::ALL.map(|kind| (kind, found.total(kind)));
+        let part =
+            |(kind, share): &(CoverageKind, Share)| format!("{} {}", kind.name(), percent(*share));
+        let explained = found.gaps.iter().filter(|gap| gap.reason.is_some());
+        Ok(Line {
+            by: verdict.tool_version.clone(),
+            volume: totals.iter().map(|(_, share)| share.points as u64).sum(),
+            unit: "points".to_owned(),
+            result: format!(
+                "{}; {} gaps with a reason, {} without",
+                totals.iter().map(part).collect::<Vec<_>>().join(", "),
+                explained.count(),
+                found.unexplained().count()
+            ),
+            command: format!(
+                "photoncube verify coverage --machine {} --iterations {} --seed {}",
+                verdict.machine, self.stimulus.iterations, self.stimulus.seed.seed
+            ),
+            ..Line::of_machine(verdict.machine)?
+        })
+    }
+}
+
+fn findings(found: &Found) -> Vec<String> {
+    let contradictions = found.contradictions.iter().map(|gap| {
+        format!(
             "{} of {} was used, and cannot be for the reason \"{}\": that is wrong, in \
-             testbenches/src/coverage/reasons.rs; --json lists all {}",
+             testbenches/src/coverage/reasons.rs",
             gap.what,
             gap.module,
-            gap.reason.unwrap_or_default(),
-            found.contradictions.len()
-        );
-        return Err(CheckFailed(message).into());
-    }
-    if let Some(path) = &args.record {
-        record(path, &[line(args, &found)?])?;
-    }
+            gap.reason.unwrap_or_default()
+        )
+    });
     let unexplained = found.unexplained().count();
-    if unexplained > 0 {
-        let message = format!(
-            "{unexplained} gaps have no reason: more iterations may use them (--iterations), or a \
-             row in testbenches/src/coverage/reasons.rs is missing"
-        );
-        return Err(CheckFailed(message).into());
-    }
-    Ok(())
+    let gaps = (unexplained > 0).then(|| {
+        format!(
+            "{unexplained} gaps have no reason: more iterations may use them (--iterations), or a row in \
+             testbenches/src/coverage/reasons.rs is missing"
+        )
+    });
+    contradictions.chain(gaps).collect()
 }
 
-fn line(args: &VerifyArgs, found: &Coverage) -> Result<Line> {
-    let verdict = &found.verdict;
-    let totals = CoverageKind::ALL.map(|kind| (kind, found.total(kind)));
-    let part =
-        |(kind, share): &(CoverageKind, Share)| format!("{} {}", kind.name(), percent(*share));
-    let explained = found.gaps.iter().filter(|gap| gap.reason.is_some());
-    Ok(Line {
-        method: "coverage".to_owned(),
-        by: verdict.tool_version.clone(),
-        volume: totals.iter().map(|(_, share)| share.points as u64).sum(),
-        unit: "points".to_owned(),
-        result: format!(
-            "{}; {} gaps with a reason, {} without",
-            totals.iter().map(part).collect::<Vec<_>>().join(", "),
-            explained.count(),
-            found.unexplained().count()
-        ),
-        command: format!(
-            "photoncube verify --coverage --machine {} --iterations {} --seed {}",
-            verdict.machine, args.iterations, args.seed
-        ),
-        ..Line::of_machine(verdict.machine)?
-    })
-}
-
-fn text(found: &Coverage) -> String {
-    let mut header = vec!["module"];
-    header.extend(CoverageKind::ALL.map(CoverageKind::name));
+/// The points used of each module, and of all.
+fn rows(found: &Found) -> Vec<Vec<String>> {
     let row = |module: &ModuleCoverage| {
         let share = |kind| {
-            module
-                .kinds
-                .get(&kind)
-                .map_or(String::new(), |s| counted(*s))
+            let share = module.kinds.get(&kind);
+            share.map_or(String::new(), |share| counted(*share))
         };
         let mut row = vec![module.module.clone()];
         row.extend(CoverageKind::ALL.map(share));
         row
     };
-    let mut rows: Vec<_> = found.modules.iter().map(row).collect();
     let mut total = vec!["all".to_owned()];
     total.extend(CoverageKind::ALL.map(|kind| {
         let share = found.total(kind);
         format!("{} ({})", counted(share), percent(share))
     }));
-    rows.push(total);
-    let gap = |gap: &Gap| {
-        vec![
-            gap.module.clone(),
-            gap.kind.name().to_owned(),
-            gap.what.clone(),
-            gap.points.to_string(),
-            gap.reason.unwrap_or("NOT KNOWN").to_owned(),
-        ]
-    };
-    let gaps: Vec<_> = found.gaps.iter().map(gap).collect();
-    let verdict = &found.verdict;
-    format!(
-        "{}\n{}\n{} in {} iterations, {} vectors, all equal\n",
-        table::markdown(&header, &rows),
-        table::markdown(&["module", "kind", "not used", "points", "because"], &gaps),
-        verdict.machine,
-        verdict.iterations,
-        verdict.vectors_compared,
-    )
+    found.modules.iter().map(row).chain([total]).collect()
 }
 
 fn counted(share: Share) -> String {

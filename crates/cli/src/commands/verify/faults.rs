@@ -1,164 +1,141 @@
-//! The method `--faults`: external faults by class: waiting streams, resets, unknown words, power-up.
+//! The method `faults`: external faults by class: waiting streams, resets, unknown words, power-up.
 
 use anyhow::Result;
-use photoncube_testbench::{DeviceKind, FaultClass, FaultVerdict, VerifyError, verify_fault};
-use serde::Serialize;
+use clap::Args;
+use photoncube_testbench::{
+    Controls, DeviceKind, FaultClass, FaultVerdict, Tool, fault_controls, verify_fault,
+};
+use serde_json::json;
 
-use super::equivalence::devices;
-use crate::args::VerifyArgs;
-use crate::failure::CheckFailed;
-use crate::verified::{Line, grouped, record};
-use crate::{output, progress, table};
+use super::method::Method;
+use super::options::{AGAINST, Devices, SeedArgs, devices, tools};
+use super::outcome::{Outcome, UpToDifference};
+use crate::machines::MachineArgs;
+use crate::progress;
+use crate::table::grouped;
+use crate::verified::Line;
 
-/// The results of a machine under each class.
-#[derive(Debug, Serialize)]
-struct Report {
-    machine: &'static str,
-    seed: u64,
-    faults: Vec<FaultVerdict>,
-    vectors_compared: u64,
-    mismatches: u64,
-    divergence: Option<String>,
+/// See [`Method::ABOUT`].
+#[derive(Args, Debug)]
+pub struct Faults {
+    #[command(flatten)]
+    machine: MachineArgs,
+    #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "fastest", help = AGAINST)]
+    against: Vec<Devices>,
+    #[command(flatten)]
+    seed: SeedArgs,
 }
 
-impl Report {
-    /// Records the verdict of a class, or the error that prevented one.
-    fn record(
-        &mut self,
-        class: FaultClass,
-        found: Result<FaultVerdict, VerifyError>,
-    ) -> Result<()> {
-        match found {
-            Ok(verdict) => {
-                self.vectors_compared += verdict.vectors_compared;
-                self.faults.push(verdict);
-            }
-            Err(error @ (VerifyError::Diverged(_) | VerifyError::Unknown(_))) => {
-                self.mismatches += 1;
-                self.divergence = Some(format!("{}: {error}", class.name()));
-            }
-            Err(error) => return Err(error.into()),
-        }
-        Ok(())
-    }
+/// The columns of the table.
+const COLUMNS: &str =
+    "fault injections injected results_compared vectors_compared signals_per_vector device";
 
-    /// Fails where a class is missing or its fault never occurred.
-    fn conclusion(&self) -> Result<()> {
-        if let Some(divergence) = &self.divergence {
-            return Err(CheckFailed(divergence.clone()).into());
-        }
-        let is_done = |class: &FaultClass| {
-            let mut of_class = self.faults.iter().filter(|f| f.fault == class.name());
-            of_class.any(|fault| fault.injections > 0 && fault.vectors_compared > 0)
-        };
-        match FaultClass::ALL.iter().find(|class| !is_done(class)) {
-            None => Ok(()),
-            Some(class) => {
-                Err(CheckFailed(format!("nothing was done of: {}", class.name())).into())
-            }
-        }
+/// The difference; without one, each class that is missing or whose fault never occurred.
+fn findings(all: &UpToDifference<FaultVerdict>) -> Vec<String> {
+    if let Some(difference) = &all.difference {
+        return vec![difference.clone()];
     }
-}
-
-/// Verifies one machine under each class: in each device, or in Icarus where only that can show the fault.
-pub fn execute(args: &VerifyArgs, json: bool) -> Result<()> {
-    let machine = args.machine.find()?;
-    let kinds = devices(args, &[DeviceKind::fastest()])?;
-    let mut report = Report {
-        machine: machine.name,
-        seed: args.seed,
-        faults: Vec::new(),
-        vectors_compared: 0,
-        mismatches: 0,
-        divergence: None,
+    let is_done = |class: &FaultClass| {
+        let mut of_class = all.verdicts.iter().filter(|f| f.fault == class.name());
+        of_class.any(|fault| fault.injections > 0 && fault.vectors_compared > 0)
     };
-    let of_class = |&class: &FaultClass| match class.is_four_state() {
-        true => vec![(class, DeviceKind::Icarus)],
-        false => kinds.iter().map(|&kind| (class, kind)).collect(),
-    };
-    let all: Vec<_> = FaultClass::ALL.iter().flat_map(of_class).collect();
-    let bar = progress::bar("faults", all.len() as u64);
-    for (class, kind) in all {
-        report.record(class, verify_fault(machine, class, kind, args.seed))?;
-        bar.inc(1);
-        if report.divergence.is_some() {
-            break;
-        }
-    }
-    bar.finish_and_clear();
-    output::print(json, &report, || text(&report))?;
-    report.conclusion()?;
-    match &args.record {
-        Some(path) => record(path, &lines(&report)?),
-        None => Ok(()),
-    }
+    let missing = FaultClass::ALL.iter().filter(|class| !is_done(class));
+    missing
+        .map(|class| format!("nothing was done of: {}", class.name()))
+        .collect()
 }
 
-fn lines(report: &Report) -> Result<Vec<Line>> {
-    let against = |verdict: &FaultVerdict| {
-        let four_state = FaultClass::ALL.iter().filter(|class| class.is_four_state());
-        let mut names = four_state.map(|class| class.name());
-        match names.any(|name| name == verdict.fault) {
+impl Faults {
+    fn line(&self, verdict: &FaultVerdict, about: &Line) -> Line {
+        let mut four_state = FaultClass::ALL.iter().filter(|class| class.is_four_state());
+        let against = match four_state.any(|class| class.name() == verdict.fault) {
             true => String::new(),
             false => format!(" --against {}", verdict.device),
+        };
+        Line {
+            aspect: verdict.fault.to_owned(),
+            by: format!("{}: {}", verdict.device, verdict.tool_version),
+            volume: verdict.vectors_compared,
+            unit: format!("vectors of {} signals", verdict.signals_per_vector),
+            result: format!(
+                "0 mismatches; {} {}",
+                grouped(verdict.injections),
+                verdict.injected
+            ),
+            command: format!(
+                "photoncube verify faults --machine {}{against} --seed {}",
+                verdict.machine, self.seed.seed
+            ),
+            ..about.clone()
         }
-    };
-    let about = Line::of_machine(report.machine)?;
-    let line = |verdict: &FaultVerdict| Line {
-        method: format!("faults: {}", verdict.fault),
-        by: format!("{}: {}", verdict.device, verdict.tool_version),
-        volume: verdict.vectors_compared,
-        unit: format!("vectors of {} signals", verdict.signals_per_vector),
-        result: format!(
-            "{} mismatches; {} {}",
-            report.mismatches,
-            grouped(verdict.injections),
-            verdict.injected
-        ),
-        command: format!(
-            "photoncube verify --faults --machine {}{} --seed {}",
-            verdict.machine,
-            against(verdict),
-            report.seed
-        ),
-        ..about.clone()
-    };
-    Ok(report.faults.iter().map(line).collect())
+    }
 }
 
-fn text(report: &Report) -> String {
-    let header = ["fault", "injections", "results", "vectors", "device"];
-    let row = |verdict: &FaultVerdict| {
-        vec![
-            verdict.fault.to_owned(),
-            format!("{} {}", grouped(verdict.injections), verdict.injected),
-            verdict.results_compared.to_string(),
-            format!(
-                "{} of {} signals",
-                grouped(verdict.vectors_compared),
-                verdict.signals_per_vector
-            ),
-            verdict.device.clone(),
-        ]
-    };
-    let rows: Vec<_> = report.faults.iter().map(row).collect();
-    let known: Vec<_> = report
-        .faults
-        .iter()
-        .filter(|verdict| !verdict.known_after_reset.is_empty())
-        .map(|verdict| {
-            format!(
-                "known a clock after the reset, by it or from the pins: {}\n",
-                verdict.known_after_reset.join(", ")
+impl Method for Faults {
+    const NAME: &'static str = "faults";
+    const ABOUT: &'static str = "Apply faults from outside, by class: streams that wait at random, long and in patterns, a \
+        reset in every clock of a query; and in Icarus, whatever --against says, unknown words on idle pins and power-up \
+        without reset";
+    const EXAMPLES: &'static [&'static str] = &["photoncube verify faults --machine overlap"];
+
+    fn tools(&self) -> Vec<Tool> {
+        [tools(&self.against), DeviceKind::Icarus.tools().to_vec()].concat()
+    }
+
+    /// Verifies the machine under each class: in each device, or in Icarus where only that can show the fault.
+    fn run(&self) -> Result<Outcome> {
+        let machine = self.machine.find()?;
+        let controls = Controls::gathered(fault_controls()?)?;
+        let kinds = devices(&self.against);
+        let mut all = UpToDifference::new(|verdict: &FaultVerdict| verdict.vectors_compared);
+        let of_class = |&class: &FaultClass| match class.is_four_state() {
+            true => vec![(class, DeviceKind::Icarus)],
+            false => kinds.iter().map(|&kind| (class, kind)).collect(),
+        };
+        let jobs: Vec<_> = FaultClass::ALL.iter().flat_map(of_class).collect();
+        let bar = progress::bar("faults", jobs.len() as u64);
+        for (class, kind) in jobs {
+            let ended = verify_fault(machine, class, kind, self.seed.seed);
+            if !all.add(class.name(), ended)? {
+                break;
+            }
+            bar.inc(1);
+        }
+        bar.finish_and_clear();
+        let about = Line::of_machine(machine.name)?;
+        let details = json!({
+            "machine": machine.name,
+            "seed": self.seed.seed,
+            "vectors_compared": all.vectors_compared,
+            "mismatches": all.mismatches(),
+            "faults": all.verdicts,
+        });
+        let outcome = Outcome::new::<Self>(controls, &details)?
+            .rows("faults", COLUMNS)
+            .lines(
+                all.verdicts
+                    .iter()
+                    .map(|verdict| self.line(verdict, &about)),
             )
-        })
-        .collect();
-    table::markdown(&header, &rows) + &known.concat()
+            .findings(findings(&all));
+        let known = all.verdicts.iter().filter_map(known_after_reset);
+        Ok(known.fold(outcome, |outcome, known| outcome.note(known)))
+    }
+}
+
+fn known_after_reset(verdict: &FaultVerdict) -> Option<String> {
+    let known = &verdict.known_after_reset;
+    (!known.is_empty()).then(|| {
+        format!(
+            "known a clock after the reset, by it or from the pins: {}",
+            known.join(", ")
+        )
+    })
 }
 
 #[cfg(test)]
 mod tests {
-    use photoncube_testbench::UnknownDifference;
+    use photoncube_testbench::{UnknownDifference, VerifyError};
 
     use super::*;
 
@@ -177,35 +154,29 @@ mod tests {
         }
     }
 
-    fn report(faults: Vec<FaultVerdict>) -> Report {
-        Report {
-            machine: "paper",
-            seed: 1,
-            faults,
-            vectors_compared: 1,
-            mismatches: 0,
-            divergence: None,
-        }
+    fn all(verdicts: Vec<FaultVerdict>) -> UpToDifference<FaultVerdict> {
+        let mut all = UpToDifference::new(|verdict: &FaultVerdict| verdict.vectors_compared);
+        all.verdicts = verdicts;
+        all
     }
 
     #[test]
-    fn a_class_that_is_left_out_or_was_never_there_fails() {
-        let all: Vec<_> = FaultClass::ALL
-            .iter()
-            .map(|&class| verdict(class, 1))
-            .collect();
-        assert!(report(all.clone()).conclusion().is_ok());
-        assert!(report(all[1..].to_vec()).conclusion().is_err());
-        let mut never = all;
+    fn a_class_that_is_left_out_or_was_never_there_is_a_finding() {
+        let each = FaultClass::ALL.map(|class| verdict(class, 1)).to_vec();
+        assert_eq!(findings(&all(each.clone())), [""; 0]);
+        assert_eq!(findings(&all(each[1..].to_vec())).len(), 1);
+        let mut never = each;
         never[2].injections = 0;
-        let error = report(never).conclusion().unwrap_err().to_string();
-        assert!(error.contains(FaultClass::ALL[2].name()), "{error}");
-        assert!(report(Vec::new()).conclusion().is_err());
+        let [finding] = &findings(&all(never))[..] else {
+            panic!("expected one");
+        };
+        assert!(finding.contains(FaultClass::ALL[2].name()), "{finding}");
+        assert_eq!(findings(&all(Vec::new())).len(), FaultClass::ALL.len());
     }
 
     #[test]
     fn a_difference_is_told_with_its_class() {
-        let mut report = report(Vec::new());
+        let mut all = all(Vec::new());
         let unknown = UnknownDifference {
             machine: "paper",
             device: "icarus".into(),
@@ -215,16 +186,12 @@ mod tests {
             found: "xx".into(),
             repeat: "photoncube".into(),
         };
-        report
-            .record(
-                FaultClass::IdleUnknown,
-                Err(VerifyError::Unknown(Box::new(unknown))),
-            )
-            .unwrap();
-        let error = report.conclusion().unwrap_err().to_string();
+        let ended = Err(VerifyError::Unknown(Box::new(unknown)));
+        assert!(!all.add(FaultClass::IdleUnknown.name(), ended).unwrap());
+        let finding = &findings(&all)[0];
         assert!(
-            error.contains("X on idle inputs") && error.contains("cell_0_query"),
-            "{error}"
+            finding.contains("X on idle inputs") && finding.contains("cell_0_query"),
+            "{finding}"
         );
     }
 }

@@ -1,127 +1,67 @@
-//! `verify --lint`: every statement of a machine that rust-hdl generates means in Verilog what it means in Rust.
+//! The method `lint`: every statement of a machine that rust-hdl generates means in Verilog what it means in Rust.
 
 use anyhow::Result;
+use clap::Args;
 use photoncube_hdl::{Linted, lint_control, lint_machine};
-use photoncube_spec::Machine;
-use serde::Serialize;
+use photoncube_testbench::{Control, Controls, Tool};
+use serde_json::json;
 
-use crate::args::VerifyArgs;
-use crate::failure::CheckFailed;
-use crate::output;
-use crate::verified::{Line, record};
+use super::method::Method;
+use super::outcome::Outcome;
+use crate::machines::MachineArgs;
+use crate::verified::Line;
 
-#[derive(Serialize)]
-struct Report {
-    machine: &'static str,
-    /// Blocks whose statements are generated, and so were read.
-    generated_blocks: usize,
-    library_registers: usize,
-    hand_written_blocks: usize,
-    findings: Vec<String>,
-    /// Whether the lint found the mistake in a block with a planted one, and nothing else there.
-    control_found: bool,
+/// See [`Method::ABOUT`].
+#[derive(Args, Debug)]
+pub struct Lint {
+    #[command(flatten)]
+    machine: MachineArgs,
 }
 
-impl Report {
-    fn of(machine: &Machine) -> Result<Self> {
+impl Method for Lint {
+    const NAME: &'static str = "lint";
+    const ABOUT: &'static str = "Check that every statement of the machine which rust-hdl generates means in Verilog \
+        what it means in Rust";
+    const EXAMPLES: &'static [&'static str] = &["photoncube verify lint --machine stream"];
+
+    fn tools(&self) -> Vec<Tool> {
+        Vec::new()
+    }
+
+    fn run(&self) -> Result<Outcome> {
+        let machine = self.machine.find()?;
         let Linted {
             generated,
             registers,
             hand_written,
             findings,
         } = lint_machine(machine)?;
-        Ok(Self {
-            machine: machine.name,
-            generated_blocks: generated,
-            library_registers: registers,
-            hand_written_blocks: hand_written,
-            findings,
-            control_found: lint_control(),
-        })
-    }
-}
-
-/// Lints a machine, and a block with a planted mistake beside it.
-pub fn execute(args: &VerifyArgs, json: bool) -> Result<()> {
-    let report = Report::of(args.machine.find()?)?;
-    output::print(json, &report, || text(&report))?;
-    verdict(&report)?;
-    match &args.record {
-        Some(path) => record(path, &[line(&report)?]),
-        None => Ok(()),
-    }
-}
-
-/// Nothing read is no pass, nor is a control that is not found.
-fn verdict(report: &Report) -> Result<()> {
-    let wrong = if !report.findings.is_empty() {
-        format!("the lint found {}", report.findings.join("\n"))
-    } else if report.generated_blocks == 0 {
-        "the lint read no block".to_owned()
-    } else if !report.control_found {
-        "the lint is wrong: it did not find the planted mistake, and that alone, in the control"
-            .to_owned()
-    } else {
-        return Ok(());
-    };
-    Err(CheckFailed(wrong).into())
-}
-
-fn line(report: &Report) -> Result<Line> {
-    Ok(Line {
-        method: "lint".to_owned(),
-        by: format!("photoncube {}", env!("CARGO_PKG_VERSION")),
-        volume: report.generated_blocks as u64,
-        unit: "generated blocks".to_owned(),
-        result: format!(
-            "{} findings; the planted mistake found",
-            report.findings.len()
-        ),
-        command: format!("photoncube verify --lint --machine {}", report.machine),
-        ..Line::of_machine(report.machine)?
-    })
-}
-
-fn text(report: &Report) -> String {
-    let mut text = format!(
-        "{}: {} blocks with generated statements, {} registers of the library, {} blocks written by hand\n",
-        report.machine,
-        report.generated_blocks,
-        report.library_registers,
-        report.hand_written_blocks
-    );
-    for finding in &report.findings {
-        text += &format!("{finding}\n");
-    }
-    let control = if report.control_found {
-        "found"
-    } else {
-        "not found"
-    };
-    text + &format!(
-        "{} findings; the planted mistake {control}\n",
-        report.findings.len()
-    )
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use photoncube_spec::MACHINES;
-
-    #[test]
-    fn a_finding_a_missed_control_and_nothing_read_fail() {
-        let report = || Report::of(&MACHINES[0]).unwrap();
-        verdict(&report()).unwrap();
-        let failed = |report: Report| verdict(&report).unwrap_err().to_string();
-        let mut found = report();
-        found.findings.push("top$cell: CastOfExpression".to_owned());
-        assert!(failed(found).contains("top$cell"));
-        let mut missed = report();
-        missed.control_found = false;
-        assert!(failed(missed).contains("did not find the planted mistake"));
-        let mut empty = report();
-        empty.generated_blocks = 0;
-        assert!(failed(empty).contains("no block"));
+        let control = Control {
+            planted: "a sum whose carry rust-hdl loses and Verilog keeps".to_owned(),
+            found: lint_control(),
+        };
+        let details = json!({
+            "machine": machine.name,
+            "generated_blocks": generated,
+            "library_registers": registers,
+            "hand_written_blocks": hand_written,
+        });
+        let line = Line {
+            by: format!("photoncube {}", env!("CARGO_PKG_VERSION")),
+            volume: generated as u64,
+            unit: "generated blocks".to_owned(),
+            result: format!("{} findings; the planted mistake found", findings.len()),
+            command: format!("photoncube verify lint --machine {}", machine.name),
+            ..Line::of_machine(machine.name)?
+        };
+        let counts = format!(
+            "{}: {generated} blocks with generated statements, {registers} registers of the library, {hand_written} \
+             blocks written by hand",
+            machine.name
+        );
+        Ok(Outcome::new::<Self>(Controls::new(control, []), &details)?
+            .note(counts)
+            .lines([line])
+            .findings(findings))
     }
 }

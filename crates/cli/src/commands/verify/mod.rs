@@ -1,4 +1,7 @@
-//! The command `verify`: verifies a machine by one of several methods.
+//! The command `verify`: finds out in one of several ways whether a machine, or the program itself, is right.
+//!
+//! A way is a [`method::Method`] in a file or folder of its name and a row of [`METHODS`]. The subcommands, the order of the
+//! table of results and the names in it are those of the rows.
 
 mod campaign;
 mod coverage;
@@ -8,56 +11,133 @@ mod faults;
 mod formal;
 mod fuzz;
 mod lint;
+mod method;
 mod mutants;
+mod old_flags;
+mod options;
+mod outcome;
 mod placed;
 mod programs;
+#[cfg(test)]
+mod tests;
 
 use std::collections::BTreeSet;
+use std::path::PathBuf;
 
 use anyhow::Result;
+use clap::{Arg, ArgMatches, Args, Command, FromArgMatches, value_parser};
 
-use crate::args::VerifyArgs;
 use crate::failure::CheckFailed;
 use crate::{output, verified};
 
 pub use self::equivalence::{verdict_table, verify_with_bar};
+pub use self::old_flags::with_method;
+use campaign::Campaign;
+use coverage::Coverage;
+use equivalence::Equivalence;
+use exhaustive::Exhaustive;
+use faults::Faults;
+use formal::Formal;
+use fuzz::Fuzz;
+use lint::Lint;
+use method::{Chosen, Entry};
+use mutants::Mutants;
+use placed::Placed;
+use programs::Programs;
 
-/// Runs the requested method.
+/// All methods. The first is the one of `verify` without a method.
+pub const METHODS: [Entry; 11] = [
+    Entry::of::<Equivalence>(),
+    Entry::of::<Lint>(),
+    Entry::of::<Exhaustive>(),
+    Entry::of::<Faults>(),
+    Entry::of::<Programs>(),
+    Entry::of::<Coverage>(),
+    Entry::of::<Mutants>(),
+    Entry::of::<Campaign>(),
+    Entry::of::<Formal>(),
+    Entry::of::<Placed>(),
+    Entry::of::<Fuzz>(),
+];
+
+/// The subcommand that prints the table of results.
+const TABLE: &str = "table";
+
+/// `verify`
+#[derive(Debug)]
+pub struct VerifyArgs {
+    /// The method; `None` for the table of results.
+    method: Option<Box<dyn Chosen>>,
+    record: Option<PathBuf>,
+}
+
+impl Args for VerifyArgs {
+    fn augment_args(command: Command) -> Command {
+        let record = Arg::new("record")
+            .long("record")
+            .value_name("FILE")
+            .value_parser(value_parser!(PathBuf))
+            .help("Put what was found into this table of results, a JSON file, if the run passes");
+        let methods = METHODS.map(|entry| entry.command().arg(&record));
+        let table = Command::new(TABLE).about(
+            "Print the committed table of results, docs/measured/verification.md; verifies nothing",
+        );
+        let examples = METHODS.map(|entry| format!("\n  {}", entry.examples[0]));
+        command
+            .subcommand_required(true)
+            .subcommand_value_name("METHOD")
+            .subcommand_help_heading("Methods")
+            .subcommands(methods)
+            .subcommand(table)
+            .after_help(format!(
+                "Without METHOD it is {}, with its options.\n\nExamples:\n  photoncube verify{}",
+                METHODS[0].name,
+                examples.concat()
+            ))
+    }
+
+    fn augment_args_for_update(command: Command) -> Command {
+        Self::augment_args(command)
+    }
+}
+
+impl FromArgMatches for VerifyArgs {
+    fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
+        let chosen = matches.subcommand().and_then(|(name, matches)| {
+            let entry = METHODS.iter().find(|entry| entry.name == name)?;
+            Some((entry, matches))
+        });
+        let Some((entry, matches)) = chosen else {
+            let (method, record) = (None, None);
+            return Ok(Self { method, record });
+        };
+        Ok(Self {
+            method: Some(entry.chosen(matches)?),
+            record: matches.get_one("record").cloned(),
+        })
+    }
+
+    fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {
+        *self = Self::from_arg_matches(matches)?;
+        Ok(())
+    }
+}
+
+/// Runs the method, prints its outcome, and records it if it passes.
 pub fn execute(args: &VerifyArgs, json: bool) -> Result<()> {
-    if args.table {
+    let Some(method) = &args.method else {
         return results(json);
+    };
+    if let Some(missing) = method.tools().iter().find_map(|tool| tool.find().err()) {
+        return Err(missing.into());
     }
-    if args.lint {
-        return lint::execute(args, json);
+    let outcome = method.run()?;
+    output::print(json, &outcome, || outcome.text())?;
+    outcome.conclusion()?;
+    match &args.record {
+        Some(path) => verified::record(path, outcome.recorded()),
+        None => Ok(()),
     }
-    if let (true, Some(hours)) = (args.campaign, args.hours) {
-        return campaign::execute(args, hours, json);
-    }
-    if args.coverage {
-        return coverage::execute(args, json);
-    }
-    if let Some(wanted) = args.mutants {
-        return mutants::execute(args, wanted, json);
-    }
-    if let Some(programs) = args.programs {
-        return programs::execute(args, programs, json);
-    }
-    if args.exhaustive {
-        return exhaustive::execute(args, json);
-    }
-    if args.faults {
-        return faults::execute(args, json);
-    }
-    if args.formal {
-        return formal::execute(args, json);
-    }
-    if args.placed {
-        return placed::execute(args, json);
-    }
-    if let Some(inputs) = args.fuzz {
-        return fuzz::execute(args, inputs, json);
-    }
-    equivalence::execute(args, json)
 }
 
 /// Prints the results about today's Verilog. Fails if there are results about other Verilog, which are not

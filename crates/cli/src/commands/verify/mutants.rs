@@ -1,48 +1,111 @@
-//! The method `--mutants`: mutants of a machine's emitted Verilog are killed, equivalent or survive.
+//! The method `mutants`: mutants of a machine's emitted Verilog are killed, equivalent or survive.
 
 use anyhow::{Result, bail};
+use clap::Args;
 use photoncube_spec::Machine;
 use photoncube_testbench::{
-    Fate, Judged, MutantOptions, MutantPart, MutantReport, VerifyError, mutants,
+    Controls, DeviceKind, Fate, MutantOptions, MutantPart, MutantReport, Tool, comparison_control,
+    mutants,
 };
 
-use crate::args::VerifyArgs;
-use crate::failure::CheckFailed;
-use crate::verified::{Line, grouped, record};
-use crate::{output, progress, table};
+use super::method::Method;
+use super::options::StimulusArgs;
+use super::outcome::{Outcome, equal};
+use crate::args::count;
+use crate::machines::MachineArgs;
+use crate::progress;
+use crate::table::{grouped, markdown};
+use crate::verified::Line;
 
 /// The iterations for each mutant before proofs are tried.
 const ITERATIONS: u64 = 3_000;
 
-/// Draws mutants, kills as many as possible, and proves the others equivalent. A survivor fails.
-pub fn execute(args: &VerifyArgs, wanted: u64, json: bool) -> Result<()> {
-    let machine = args.machine.find()?;
-    let options = MutantOptions {
-        part: part(machine, args.part.as_deref())?,
-        mutants: wanted,
-        seed: args.seed,
-        iterations: ITERATIONS,
-        more_iterations: args.iterations,
-    };
-    let bar = progress::bar("mutants", wanted);
-    let report = match mutants(machine, &options, &|done| bar.set_position(done)) {
-        Ok(report) => report,
-        Err(VerifyError::Diverged(divergence)) => bail!(CheckFailed(divergence.to_string())),
-        Err(error) => return Err(error.into()),
-    };
-    bar.finish_and_clear();
-    output::print(json, &report, || text(&report))?;
-    if let Some(path) = &args.record {
-        record(path, &[line(&report, wanted, args.iterations)?])?;
+/// See [`Method::ABOUT`].
+#[derive(Args, Debug)]
+pub struct Mutants {
+    /// About how many mutants
+    #[arg(value_name = "N", value_parser = count(1..=(1_u64 << 15) - 1))]
+    mutants: u64,
+    #[command(flatten)]
+    machine: MachineArgs,
+    /// Only that part of the machine, for itself: memory, whose --iterations are clocks
+    #[arg(long, value_name = "NAME")]
+    part: Option<String>,
+    #[command(flatten)]
+    stimulus: StimulusArgs,
+}
+
+impl Method for Mutants {
+    const NAME: &'static str = "mutants";
+    const ABOUT: &'static str = "Plant about N mutations in the emitted Verilog, one at a time, and see whether the stimulus \
+        finds each; a mutant that is not found in --iterations must be proven equivalent";
+    const EXAMPLES: &'static [&'static str] = &["photoncube verify mutants 700 --machine overlap"];
+
+    fn tools(&self) -> Vec<Tool> {
+        [&[Tool::Yosys], DeviceKind::Verilator.tools()].concat()
     }
-    match report.count(Fate::Survived) {
-        0 => Ok(()),
-        survived => {
-            let message = format!(
-                "{survived} mutants survived: the stimulus has a hole where none is equivalent"
-            );
-            Err(CheckFailed(message).into())
-        }
+
+    fn run(&self) -> Result<Outcome> {
+        let machine = self.machine.find()?;
+        let options = MutantOptions {
+            part: part(machine, self.part.as_deref())?,
+            mutants: self.mutants,
+            seed: self.stimulus.seed.seed,
+            iterations: ITERATIONS,
+            more_iterations: self.stimulus.iterations,
+        };
+        let bar = progress::bar("mutants", self.mutants);
+        let report = equal(mutants(machine, &options, &|done| bar.set_position(done)))?;
+        bar.finish_and_clear();
+        let controls = Controls::new(comparison_control()?, report.controls.clone());
+        let header = ["module", "killed", "equivalent", "survived"];
+        let columns = "mutant module fate reason mutation";
+        let counts = format!(
+            "{}: {} mutants, {} vectors compared",
+            report.machine,
+            report.mutants.len(),
+            grouped(report.vectors_compared)
+        );
+        let survived = report.count(Fate::Survived);
+        let finding = format!(
+            "{survived} mutants survived: the stimulus has a hole where none is equivalent"
+        );
+        Ok(Outcome::new::<Self>(controls, &report)?
+            .table(&markdown(&header, &fates(&report)))
+            .rows_where("mutants", columns, |mutant| mutant["fate"] != "killed")
+            .note(counts)
+            .lines([self.line(&report)?])
+            .findings((survived > 0).then_some(finding)))
+    }
+}
+
+impl Mutants {
+    fn line(&self, report: &MutantReport) -> Result<Line> {
+        let part = match report.part == MutantPart::Machine.name() {
+            true => "",
+            false => report.part,
+        };
+        let option = match part {
+            "" => String::new(),
+            part => format!(" --part {part}"),
+        };
+        Ok(Line {
+            aspect: part.to_owned(),
+            by: report.tool_version.clone(),
+            volume: report.mutants.len() as u64,
+            unit: "mutants".to_owned(),
+            result: format!(
+                "{} killed, {} proven equivalent, {} survived",
+                report.count(Fate::Killed),
+                report.count(Fate::Equivalent),
+                report.count(Fate::Survived)
+            ),
+            command: format!(
+                "photoncube verify mutants {} --machine {}{option} --iterations {} --seed {}",
+                self.mutants, report.machine, self.stimulus.iterations, report.seed
+            ),
+            ..Line::of_machine(report.machine)?
+        })
     }
 }
 
@@ -65,76 +128,14 @@ fn part(machine: &Machine, name: Option<&str>) -> Result<MutantPart> {
     }
 }
 
-fn line(report: &MutantReport, wanted: u64, iterations: u64) -> Result<Line> {
-    let whole = MutantPart::Machine.name();
-    let part = if report.part == whole {
-        ""
-    } else {
-        report.part
-    };
-    let option = if part.is_empty() {
-        String::new()
-    } else {
-        format!(" --part {part}")
-    };
-    Ok(Line {
-        method: match part {
-            "" => "mutants".to_owned(),
-            part => format!("mutants of its {part}"),
-        },
-        by: report.tool_version.clone(),
-        volume: report.mutants.len() as u64,
-        unit: "mutants".to_owned(),
-        result: format!(
-            "{} killed, {} proven equivalent, {} survived",
-            report.count(Fate::Killed),
-            report.count(Fate::Equivalent),
-            report.count(Fate::Survived)
-        ),
-        command: format!(
-            "photoncube verify --mutants {wanted} --machine {}{option} --iterations {iterations} --seed {}",
-            report.machine, report.seed
-        ),
-        ..Line::of_machine(report.machine)?
-    })
-}
-
-fn text(report: &MutantReport) -> String {
+/// The number of mutants of each fate, by module and in all.
+fn fates(report: &MutantReport) -> Vec<Vec<String>> {
     let row = |(module, counts): (&str, [usize; 3])| {
         let mut row = vec![module.to_owned()];
         row.extend(counts.map(|count| count.to_string()));
         row
     };
-    let mut rows: Vec<_> = report.counts().into_iter().map(row).collect();
     let fates = [Fate::Killed, Fate::Equivalent, Fate::Survived];
-    rows.push(row(("all", fates.map(|fate| report.count(fate)))));
-    let alive = |judged: &&Judged| judged.fate != Fate::Killed;
-    let left: Vec<_> = report
-        .mutants
-        .iter()
-        .filter(alive)
-        .map(|judged| {
-            let fate = match judged.fate {
-                Fate::Equivalent => "equivalent",
-                _ => "SURVIVED",
-            };
-            vec![
-                judged.mutation.mutant.to_string(),
-                judged.mutation.module.clone(),
-                fate.to_owned(),
-                judged.reason.clone().unwrap_or_default(),
-                judged.mutation.options.clone(),
-            ]
-        })
-        .collect();
-    format!(
-        "{}\n{}\n{}: {} mutants, {} vectors compared; the proofs were refuted on {} killed \
-         ones\n",
-        table::markdown(&["module", "killed", "equivalent", "survived"], &rows),
-        table::markdown(&["mutant", "module", "", "because", "`mutate`"], &left),
-        report.machine,
-        report.mutants.len(),
-        grouped(report.vectors_compared),
-        report.controls
-    )
+    let all = row(("all", fates.map(|fate| report.count(fate))));
+    report.counts().into_iter().map(row).chain([all]).collect()
 }

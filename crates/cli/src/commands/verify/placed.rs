@@ -1,20 +1,51 @@
-//! The method `--placed`: the netlist that is placed on an ECP5. It is simulated against the golden model as
-//! Yosys maps it and after each pass, and each pass is proven.
+//! The method `placed`: the netlist that is placed on an ECP5. It is simulated against the golden model as Yosys maps
+//! it and after each pass, and each pass is proven.
 
-use anyhow::{Result, bail};
-use fpga_flow::PassProof;
-use photoncube_testbench::{Source, Verdict, VerifyError, VerifyOptions};
+use anyhow::Result;
+use clap::Args;
+use photoncube_testbench::{
+    Control, Controls, DeviceKind, Tool, Verdict, VerifyError, comparison_control,
+};
 use serde::Serialize;
+use serde_json::json;
 
-use super::equivalence::devices;
-use crate::args::VerifyArgs;
-use crate::failure::CheckFailed;
-use crate::synth::placed::{Placed, SIMULATORS};
+use super::method::Method;
+use super::options::{Devices, StimulusArgs, devices, tools};
+use super::outcome::{Outcome, UpToDifference};
+use crate::machines::MachineArgs;
+use crate::progress;
+use crate::synth::placed::{Placed as Netlists, SIMULATORS};
 use crate::synth::{self, Subject};
-use crate::verified::{Line, grouped, record};
-use crate::{output, progress, table};
+use crate::verified::Line;
+use fpga_flow::PassProof;
 
-#[derive(Debug, Serialize)]
+/// See [`Method::ABOUT`].
+#[derive(Args, Debug)]
+pub struct Placed {
+    #[command(flatten)]
+    machine: MachineArgs,
+    /// What simulates the netlists: verilator, icarus
+    #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "verilator", value_parser = simulator)]
+    against: Vec<Devices>,
+    #[command(flatten)]
+    stimulus: StimulusArgs,
+}
+
+/// Reads the name of a simulator that can run the models of the cells.
+fn simulator(name: &str) -> Result<Devices, String> {
+    let named: Devices = name.parse().map_err(|error| format!("{error}"))?;
+    let known = devices(std::slice::from_ref(&named));
+    match known.iter().all(|kind| SIMULATORS.contains(kind)) {
+        true => Ok(named),
+        false => Err("the netlist has models of cells, so expected verilator or icarus".to_owned()),
+    }
+}
+
+/// The columns of the tables.
+const PASS_COLUMNS: &str = "pass cells_changed different_changes proven control_refuted";
+const NETLIST_COLUMNS: &str =
+    "netlist device results_compared vectors_compared signals_per_vector clocks_per_second";
+
 struct Report {
     machine: &'static str,
     seed: u64,
@@ -23,12 +54,8 @@ struct Report {
     netlist_sha256: String,
     /// The version of Yosys.
     tool_version: String,
-    vectors_compared: u64,
-    mismatches: u64,
-    netlist_passes: Vec<PassProof>,
-    netlists: Vec<StageVerdict>,
-    divergence: Option<String>,
-    #[serde(skip)]
+    passes: Vec<PassProof>,
+    netlists: UpToDifference<StageVerdict>,
     verilog_sha256: String,
 }
 
@@ -41,48 +68,111 @@ struct StageVerdict {
     verdict: Verdict,
 }
 
-impl Report {
-    /// Records the verdict of a simulation, or the error that prevented one.
-    fn record(&mut self, stage: &'static str, found: Result<Verdict, VerifyError>) -> Result<()> {
-        match found {
-            Ok(verdict) => {
-                self.vectors_compared += verdict.vectors_compared;
-                let verilog_sha256 = Some(self.verilog_sha256.clone());
-                let verdict = Verdict {
-                    verilog_sha256,
-                    ..verdict
-                };
-                self.netlists.push(StageVerdict {
-                    netlist: stage,
-                    verdict,
-                });
+impl Method for Placed {
+    const NAME: &'static str = "placed";
+    const ABOUT: &'static str = "Map the machine as `synth` does for an ECP5, prove the passes over its netlist, and simulate \
+        the netlist as Yosys makes it and after each pass, with models of its cells; the last is what is placed. Needs \
+        Yosys of scripts/setup.sh --synthesis";
+    const EXAMPLES: &'static [&'static str] = &["photoncube verify placed --machine stream"];
+
+    fn tools(&self) -> Vec<Tool> {
+        tools(&self.against)
+    }
+
+    fn run(&self) -> Result<Outcome> {
+        let machine = self.machine.find()?;
+        let yosys = synth::tools(None, None)?;
+        let subject = Subject::of(machine)?;
+        let spinner = progress::spinner("mapping");
+        let placed = Netlists::map(&yosys, &subject)?;
+        let emitted = photoncube_hdl::emit(machine, photoncube_hdl::Level::Machine)?;
+        let mut report = Report {
+            machine: machine.name,
+            seed: self.stimulus.seed.seed,
+            iterations: self.stimulus.iterations,
+            netlist_sha256: placed.netlist_sha256()?,
+            tool_version: placed.yosys_version()?,
+            passes: placed.prove()?,
+            netlists: UpToDifference::new(|stage| stage.verdict.vectors_compared),
+            verilog_sha256: emitted.verilog_sha256(),
+        };
+        spinner.finish_and_clear();
+        self.simulate(&placed, &devices(&self.against), &mut report)?;
+        report.outcome()
+    }
+}
+
+impl Placed {
+    /// Simulates each netlist that differs from the one before, in each simulator, up to the first difference.
+    fn simulate(
+        &self,
+        placed: &Netlists<'_>,
+        simulators: &[DeviceKind],
+        report: &mut Report,
+    ) -> Result<()> {
+        let options = self.stimulus.random();
+        let mut before = None;
+        for stage in placed.stages() {
+            if before == Some(&stage.netlist) {
+                continue;
             }
-            Err(VerifyError::Diverged(divergence)) => {
-                self.vectors_compared += divergence.vectors_compared + 1;
-                self.mismatches += 1;
-                self.divergence = Some(format!("netlist, {stage}: {divergence}"));
+            before = Some(&stage.netlist);
+            for &simulator in simulators {
+                let bar = progress::bar(stage.name, options.iterations);
+                let position = |done| bar.set_position(done);
+                let ended = placed.verify(&stage.netlist, simulator, &options, &position);
+                bar.finish_and_clear();
+                if !report.add(stage.name, ended?)? {
+                    return Ok(());
+                }
             }
-            Err(error) => return Err(error.into()),
         }
         Ok(())
     }
+}
 
-    fn conclusion(&self) -> Result<()> {
-        let holds = |pass: &&PassProof| pass.proven && pass.control_refuted;
-        let failed: Vec<_> = self
-            .netlist_passes
-            .iter()
-            .filter(|pass| !holds(pass))
-            .map(said)
-            .collect();
-        match &self.divergence {
-            Some(divergence) => Err(CheckFailed(divergence.clone()).into()),
-            None if !failed.is_empty() => Err(CheckFailed(failed.join("\n")).into()),
-            None if self.netlists.is_empty() => {
-                Err(CheckFailed("no netlist was simulated".to_owned()).into())
-            }
-            None => Ok(()),
-        }
+impl Report {
+    /// Adds the verdict of a simulation, or the difference. Returns whether there was none.
+    fn add(&mut self, netlist: &'static str, ended: Result<Verdict, VerifyError>) -> Result<bool> {
+        let verilog_sha256 = Some(self.verilog_sha256.clone());
+        let ended = ended.map(|verdict| StageVerdict {
+            netlist,
+            verdict: Verdict {
+                verilog_sha256,
+                ..verdict
+            },
+        });
+        self.netlists.add(&format!("netlist, {netlist}"), ended)
+    }
+
+    fn outcome(self) -> Result<Outcome> {
+        let details = json!({
+            "machine": self.machine,
+            "seed": self.seed,
+            "iterations": self.iterations,
+            "netlist_sha256": self.netlist_sha256,
+            "tool_version": self.tool_version,
+            "vectors_compared": self.netlists.vectors_compared,
+            "mismatches": self.netlists.mismatches(),
+            "netlist_passes": self.passes,
+            "netlists": self.netlists.verdicts,
+        });
+        let unproven = self.passes.iter().filter(|pass| !pass.proven);
+        // A pass that changes nothing has no place for a fault.
+        let changed = self.passes.iter();
+        let changed = changed.filter(|pass| pass.different_changes > 0);
+        let controls = Controls::new(comparison_control()?, changed.map(control));
+        let placed = format!(
+            "{}: mapped by Yosys {}; the netlist that is placed is {}",
+            self.machine, self.tool_version, self.netlist_sha256
+        );
+        Ok(Outcome::new::<Placed>(controls, &details)?
+            .rows("netlist_passes", PASS_COLUMNS)
+            .rows("netlists", NETLIST_COLUMNS)
+            .note(placed)
+            .lines(self.lines())
+            .findings(unproven.map(told))
+            .findings(self.netlists.difference.clone()))
     }
 
     /// The lines of this report for the table of results: one for the simulations, one for the proofs.
@@ -90,40 +180,35 @@ impl Report {
         let about = Line::about(self.machine.to_owned(), Some(self.verilog_sha256.clone()));
         let yosys = format!("Yosys {}", self.tool_version);
         let command = format!(
-            "photoncube verify --placed --machine {} --iterations {} --seed {}",
+            "photoncube verify placed --machine {} --iterations {} --seed {}",
             self.machine, self.iterations, self.seed
         );
-        let names: Vec<_> = self.netlists.iter().map(|stage| stage.netlist).collect();
-        let mut simulators: Vec<_> = self
-            .netlists
-            .iter()
-            .map(|StageVerdict { verdict, .. }| {
-                format!("{}: {}", verdict.device, verdict.tool_version)
-            })
-            .collect();
+        let stages = &self.netlists.verdicts;
+        let names: Vec<_> = stages.iter().map(|stage| stage.netlist).collect();
+        let simulator = |StageVerdict { verdict, .. }: &StageVerdict| {
+            format!("{}: {}", verdict.device, verdict.tool_version)
+        };
+        let mut simulators: Vec<_> = stages.iter().map(simulator).collect();
         simulators.dedup();
-        let signals = self
-            .netlists
-            .first()
-            .map_or(0, |stage| stage.verdict.signals_per_vector);
+        let first = stages.first();
+        let signals = first.map_or(0, |stage| stage.verdict.signals_per_vector);
         let simulated = Line {
-            method: "placed, simulated".to_owned(),
+            aspect: "simulated".to_owned(),
             by: format!("{yosys}; {}", simulators.join(", ")),
-            volume: self.vectors_compared,
+            volume: self.netlists.vectors_compared,
             unit: format!("vectors of {signals} signals"),
             result: format!(
                 "{} mismatches; netlists: {}; placed is {}",
-                self.mismatches,
+                self.netlists.mismatches(),
                 names.join(", "),
                 self.netlist_sha256
             ),
             command: command.clone(),
             ..about.clone()
         };
-        let of =
-            |count: fn(&PassProof) -> usize| self.netlist_passes.iter().map(count).sum::<usize>();
+        let of = |count: fn(&PassProof) -> usize| self.passes.iter().map(count).sum::<usize>();
         let proven = Line {
-            method: "placed, passes proven".to_owned(),
+            aspect: "passes proven".to_owned(),
             by: yosys,
             volume: of(|pass| pass.cells_changed) as u64,
             unit: "changed cells".to_owned(),
@@ -134,127 +219,28 @@ impl Report {
             command,
             ..about
         };
-        vec![simulated, proven]
+        let changed = (proven.volume > 0).then_some(proven);
+        [simulated].into_iter().chain(changed).collect()
     }
 }
 
-fn said(pass: &PassProof) -> String {
+fn control(pass: &PassProof) -> Control {
+    Control {
+        planted: match pass.control_refuted {
+            true => format!("a fault in each change of {}", pass.pass),
+            false => told(pass),
+        },
+        found: pass.control_refuted,
+    }
+}
+
+fn told(pass: &PassProof) -> String {
     let why = pass.not_proven_because.as_deref();
     format!(
         "the pass `{}`: {}",
         pass.pass,
         why.unwrap_or("nothing was said")
     )
-}
-
-/// Maps one machine as `synth` does, proves the passes, and simulates the netlist after each.
-pub fn execute(args: &VerifyArgs, json: bool) -> Result<()> {
-    let machine = args.machine.find()?;
-    let simulators = devices(args, &SIMULATORS[..1])?;
-    if let Some(other) = simulators.iter().find(|kind| !SIMULATORS.contains(kind)) {
-        bail!(
-            "`--placed` runs models of cells, so found --against {other}, expected verilator or icarus"
-        );
-    }
-    if let Some(missing) = simulators.iter().find_map(|kind| kind.missing_tool()) {
-        return Err(missing.into());
-    }
-    let tools = synth::tools(None, None)?;
-    let subject = Subject::of(machine)?;
-    let spinner = progress::spinner("mapping");
-    let placed = Placed::map(&tools, &subject)?;
-    let mut report = Report {
-        machine: machine.name,
-        seed: args.seed,
-        iterations: args.iterations,
-        netlist_sha256: placed.netlist_sha256()?,
-        tool_version: placed.yosys_version()?,
-        vectors_compared: 0,
-        mismatches: 0,
-        netlist_passes: placed.prove()?,
-        netlists: Vec::new(),
-        divergence: None,
-        verilog_sha256: photoncube_hdl::emit(machine, photoncube_hdl::Level::Machine)?
-            .verilog_sha256(),
-    };
-    spinner.finish_and_clear();
-    simulate(&placed, args, &simulators, &mut report)?;
-    output::print(json, &report, || text(&report))?;
-    report.conclusion()?;
-    match &args.record {
-        Some(path) => record(path, &report.lines()),
-        None => Ok(()),
-    }
-}
-
-/// Simulates each netlist that differs from the one before, in each simulator, up to the first difference.
-fn simulate(
-    placed: &Placed<'_>,
-    args: &VerifyArgs,
-    simulators: &[photoncube_testbench::DeviceKind],
-    report: &mut Report,
-) -> Result<()> {
-    let options = VerifyOptions {
-        iterations: args.iterations,
-        seed: args.seed,
-        source: Source::Random,
-    };
-    let mut before = None;
-    for stage in placed.stages() {
-        if before == Some(&stage.netlist) {
-            continue;
-        }
-        before = Some(&stage.netlist);
-        for &simulator in simulators {
-            let bar = progress::bar(stage.name, options.iterations);
-            let found = placed.verify(&stage.netlist, simulator, &options, &|done| {
-                bar.set_position(done)
-            });
-            bar.finish_and_clear();
-            report.record(stage.name, found?)?;
-            if report.divergence.is_some() {
-                return Ok(());
-            }
-        }
-    }
-    Ok(())
-}
-
-fn text(report: &Report) -> String {
-    let yes = |holds, yes: &str, no: &str| if holds { yes } else { no }.to_owned();
-    let pass = |pass: &PassProof| {
-        vec![
-            pass.pass.to_owned(),
-            pass.cells_changed.to_string(),
-            pass.different_changes.to_string(),
-            yes(pass.proven, "proven", "NOT PROVEN"),
-            yes(pass.control_refuted, "refuted", "NOT REFUTED"),
-        ]
-    };
-    let passes: Vec<_> = report.netlist_passes.iter().map(pass).collect();
-    let stage = |StageVerdict { netlist, verdict }: &StageVerdict| {
-        vec![
-            (*netlist).to_owned(),
-            verdict.device.clone(),
-            verdict.results_compared.to_string(),
-            verdict.vectors_compared.to_string(),
-            verdict.signals_per_vector.to_string(),
-            grouped(verdict.clocks_per_second),
-        ]
-    };
-    let stages: Vec<_> = report.netlists.iter().map(stage).collect();
-    table::markdown(
-        &["pass", "cells changed", "different", "the same", "faults"],
-        &passes,
-    ) + "\n"
-        + &table::markdown(
-            &["netlist", "in", "results", "vectors", "outputs", "clocks/s"],
-            &stages,
-        )
-        + &format!(
-            "{}: mapped by Yosys {}; the netlist that is placed is {}\n",
-            report.machine, report.tool_version, report.netlist_sha256
-        )
 }
 
 #[cfg(test)]
@@ -290,29 +276,27 @@ mod tests {
     }
 
     /// A report of two netlists.
-    fn report(netlist_passes: Vec<PassProof>) -> Report {
+    fn report(passes: Vec<PassProof>) -> Report {
         let mut report = Report {
             machine: "paper",
             seed: 1,
             iterations: 9,
             netlist_sha256: "00".to_owned(),
             tool_version: "0.70".to_owned(),
-            vectors_compared: 0,
-            mismatches: 0,
-            netlist_passes,
-            netlists: Vec::new(),
-            divergence: None,
+            passes,
+            netlists: UpToDifference::new(|stage| stage.verdict.vectors_compared),
             verilog_sha256: "11".to_owned(),
         };
         for netlist in ["mapped", "open carry ends"] {
-            report.record(netlist, Ok(verdict())).unwrap();
+            assert!(report.add(netlist, Ok(verdict())).unwrap());
         }
         report
     }
 
     #[test]
     fn a_pass_without_proof_or_control_and_nothing_simulated_fail() {
-        assert!(report(vec![pass()]).conclusion().is_ok());
+        let concluded = |report: Report| report.outcome().unwrap().conclusion();
+        assert!(concluded(report(vec![pass()])).is_ok());
         let wrong: [fn(&mut PassProof); 2] = [
             |pass| pass.proven = false,
             |pass| pass.control_refuted = false,
@@ -321,19 +305,19 @@ mod tests {
             let mut pass = pass();
             make_wrong(&mut pass);
             pass.not_proven_because = Some("CCU2C sum".to_owned());
-            let error = report(vec![pass]).conclusion().unwrap_err().to_string();
+            let error = concluded(report(vec![pass])).unwrap_err().to_string();
             assert!(error.contains("`open carry ends`: CCU2C sum"), "{error}");
         }
         let nothing = Report {
-            netlists: Vec::new(),
+            netlists: UpToDifference::new(|stage| stage.verdict.vectors_compared),
             ..report(vec![pass()])
         };
-        assert!(nothing.conclusion().is_err());
+        assert!(concluded(nothing).is_err());
     }
 
     #[test]
     fn every_key_is_documented() {
-        let report = serde_json::to_value(report(vec![pass()])).unwrap();
+        let report = serde_json::to_value(report(vec![pass()]).outcome().unwrap()).unwrap();
         let rows = ["netlist_passes", "netlists"].map(|rows| &report[rows][0]);
         let objects = rows
             .into_iter()

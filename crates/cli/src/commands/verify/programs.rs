@@ -1,60 +1,84 @@
-//! The method `--programs`: random microprograms in a machine.
+//! The method `programs`: random microprograms in a machine.
 
 use anyhow::{Result, bail};
+use clap::Args;
 use photoncube_testbench::{
-    DeviceKind, ProgramOptions, ProgramVerdict, ProgramsError, verify_programs,
+    Controls, ProgramOptions, ProgramVerdict, ProgramsError, Tool, program_control, verify_programs,
 };
-use serde::Serialize;
+use serde_json::json;
 
-use super::equivalence::devices;
-use crate::args::VerifyArgs;
+use super::method::Method;
+use super::options::{AGAINST, Devices, SeedArgs, devices, tools};
+use super::outcome::Outcome;
+use crate::args::count;
 use crate::failure::CheckFailed;
-use crate::verified::{Line, grouped, record};
-use crate::{output, progress, table};
+use crate::machines::MachineArgs;
+use crate::progress;
+use crate::table::grouped;
+use crate::verified::Line;
 
 /// The iterations of the whole machine for each program.
 const ITERATIONS: u64 = 100;
 
-#[derive(Serialize)]
-struct Report {
-    verdicts: Vec<ProgramVerdict>,
+/// The columns of the table.
+const COLUMNS: &str = "device programs gather_programs drawn program_steps cell_vectors vectors_compared results_compared tool_version";
+
+/// See [`Method::ABOUT`].
+#[derive(Args, Debug)]
+pub struct Programs {
+    /// How many programs
+    #[arg(value_name = "N", value_parser = count(1..=(1_u64 << 20) - 1))]
+    programs: u64,
+    #[command(flatten)]
+    machine: MachineArgs,
+    #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "text", help = AGAINST)]
+    against: Vec<Devices>,
+    #[command(flatten)]
+    seed: SeedArgs,
 }
 
-/// Draws programs and compares each in each given device.
-pub fn execute(args: &VerifyArgs, programs: u64, json: bool) -> Result<()> {
-    let machine = args.machine.find()?;
-    let options = ProgramOptions {
-        programs,
-        seed: args.seed,
-        iterations: ITERATIONS,
-    };
-    let mut verdicts = Vec::new();
-    for device in devices(args, &[DeviceKind::Text])? {
-        let bar = progress::bar(device.name(), programs);
-        let open = |machine: &_, level| device.open(machine, level);
-        let verdict = verify_programs(machine, &options, &open, &|| bar.inc(1));
-        bar.finish_and_clear();
-        match verdict {
-            Ok(verdict) => verdicts.push(verdict),
-            Err(ProgramsError::Failed(failure)) => bail!(CheckFailed(failure.to_string())),
-            Err(error) => return Err(error.into()),
-        }
+impl Method for Programs {
+    const NAME: &'static str = "programs";
+    const ABOUT: &'static str = "Draw N different microprograms, gathers and any others that end, and compare each in one \
+        cell and in the machine; one that differs is made as short as it can be";
+    const EXAMPLES: &'static [&'static str] =
+        &["photoncube verify programs 1000 --machine paper-5d --against text"];
+
+    fn tools(&self) -> Vec<Tool> {
+        tools(&self.against)
     }
-    let report = Report { verdicts };
-    output::print(json, &report, || text(&report))?;
-    match &args.record {
-        Some(path) => {
-            let lines: Vec<_> = report.verdicts.iter().map(line).collect::<Result<_>>()?;
-            record(path, &lines)
+
+    fn run(&self) -> Result<Outcome> {
+        let machine = self.machine.find()?;
+        let controls = Controls::new(program_control()?, []);
+        let options = ProgramOptions {
+            programs: self.programs,
+            seed: self.seed.seed,
+            iterations: ITERATIONS,
+        };
+        let mut verdicts = Vec::new();
+        for device in devices(&self.against) {
+            let bar = progress::bar(device.name(), self.programs);
+            let open = |machine: &_, level| device.open(machine, level);
+            let verdict = verify_programs(machine, &options, &open, &|| bar.inc(1));
+            bar.finish_and_clear();
+            match verdict {
+                Ok(verdict) => verdicts.push(verdict),
+                Err(ProgramsError::Failed(failure)) => bail!(CheckFailed(failure.to_string())),
+                Err(error) => return Err(error.into()),
+            }
         }
-        None => Ok(()),
+        let lines: Vec<_> = verdicts.iter().map(line).collect::<Result<_>>()?;
+        let details = json!({ "verdicts": verdicts });
+        Ok(Outcome::new::<Self>(controls, &details)?
+            .rows("verdicts", COLUMNS)
+            .lines(lines))
     }
 }
 
 fn line(verdict: &ProgramVerdict) -> Result<Line> {
     let vectors = verdict.cell_vectors + verdict.vectors_compared;
     Ok(Line {
-        method: "random programs".to_owned(),
         by: format!("{}: {}", verdict.device, verdict.tool_version),
         volume: verdict.programs as u64,
         unit: "programs, each in one cell and in all".to_owned(),
@@ -64,38 +88,9 @@ fn line(verdict: &ProgramVerdict) -> Result<Line> {
             verdict.gather_programs
         ),
         command: format!(
-            "photoncube verify --programs {} --machine {} --against {} --seed {}",
+            "photoncube verify programs {} --machine {} --against {} --seed {}",
             verdict.programs, verdict.machine, verdict.device, verdict.seed
         ),
         ..Line::of_machine(verdict.machine)?
     })
-}
-
-fn text(report: &Report) -> String {
-    let header = [
-        "device",
-        "programs",
-        "gathers",
-        "drawn",
-        "steps",
-        "vectors of one cell",
-        "vectors of the machine",
-        "results",
-        "tool",
-    ];
-    let row = |verdict: &ProgramVerdict| {
-        vec![
-            verdict.device.clone(),
-            verdict.programs.to_string(),
-            verdict.gather_programs.to_string(),
-            grouped(verdict.drawn),
-            grouped(verdict.steps),
-            grouped(verdict.cell_vectors),
-            grouped(verdict.vectors_compared),
-            grouped(verdict.results_compared),
-            verdict.tool_version.clone(),
-        ]
-    };
-    let rows: Vec<_> = report.verdicts.iter().map(row).collect();
-    table::markdown(&header, &rows)
 }

@@ -1,4 +1,4 @@
-//! The method `--fuzz`: gives nearly correct inputs to everything that reads user input. A reader must accept
+//! The method `fuzz`: gives nearly correct inputs to everything that reads user input. A reader must accept
 //! or refuse each, and must never panic, hang or take unbounded memory.
 //!
 //! Input number I of a reader depends only on the seed and I, so each input can be reproduced.
@@ -15,17 +15,22 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::thread;
 
 use anyhow::{Context, Result, bail};
+use clap::Args;
 use photoncube_spec::did_you_mean;
+use photoncube_testbench::{Control, Controls, Tool};
 use rand::SeedableRng;
 use rand_pcg::Pcg64;
 use serde::Serialize;
+use serde_json::json;
 
-use self::readers::{Input, Open, READERS, Reader};
+use self::readers::{Input, Open, PLANTED, READERS, Reader};
 use self::watch::Watch;
-use crate::args::VerifyArgs;
-use crate::failure::CheckFailed;
-use crate::verified::{Line, record};
-use crate::{output, progress, table};
+use super::method::Method;
+use super::options::SeedArgs;
+use super::outcome::Outcome;
+use crate::args::count;
+use crate::progress;
+use crate::verified::Line;
 
 /// The number of inputs that a thread takes at a time.
 const BATCH: u64 = 100;
@@ -41,8 +46,7 @@ const TOLD: usize = 5;
 #[derive(Debug, Serialize)]
 struct Fuzzed {
     reader: &'static str,
-    #[serde(skip)]
-    what: &'static str,
+    reads: &'static str,
     inputs: u64,
     inputs_read: u64,
     inputs_refused: u64,
@@ -62,33 +66,68 @@ struct Failure {
     command: String,
 }
 
-#[derive(Serialize)]
-struct Report {
-    seed: u64,
-    readers: Vec<Fuzzed>,
+/// See [`Method::ABOUT`].
+#[derive(Args, Clone, Debug)]
+pub struct Fuzz {
+    /// How many inputs for each reader
+    #[arg(value_name = "N", value_parser = count(1..=(1_u64 << 39) - 1))]
+    inputs: u64,
+    /// Only the reader of that name
+    #[arg(long, value_name = "NAME")]
+    reader: Option<String>,
+    /// Begin with that input
+    #[arg(long, default_value_t = 0, value_name = "I", value_parser = count(0..=(1_u64 << 39) - 1))]
+    from: u64,
+    #[command(flatten)]
+    seed: SeedArgs,
 }
 
-/// Gives `inputs` inputs to each reader.
-pub fn execute(args: &VerifyArgs, inputs: u64, json: bool) -> Result<()> {
-    let mut report = Report {
-        seed: args.seed,
-        readers: Vec::new(),
+impl Method for Fuzz {
+    const NAME: &'static str = "fuzz";
+    const ABOUT: &'static str = "Give everything that reads scenes, meshes, listings, pictures, tables and command lines N \
+        inputs that are nearly right: it must read or refuse them, and never panic, hang or take memory without bound";
+    const EXAMPLES: &'static [&'static str] = &[
+        "photoncube verify fuzz 100000",
+        "photoncube verify fuzz 1 --reader listing --from 7",
+    ];
+
+    fn tools(&self) -> Vec<Tool> {
+        Vec::new()
+    }
+
+    fn run(&self) -> Result<Outcome> {
+        let chosen = chosen(self.reader.as_deref())?;
+        let controls = Controls::new(control()?, []);
+        let readers = chosen.into_iter().map(|reader| fuzz(reader, self));
+        let readers: Vec<_> = readers.collect::<Result<_>>()?;
+        let details = json!({ "seed": self.seed.seed, "readers": readers });
+        let failures = readers.iter().flat_map(|fuzzed| &fuzzed.failures);
+        Ok(Outcome::new::<Self>(controls, &details)?
+            .rows("readers", COLUMNS)
+            .lines(readers.iter().map(|fuzzed| self.line(fuzzed)))
+            .findings(failures.map(|f| format!("{}\n  repeat    {}", f.message, f.command))))
+    }
+}
+
+/// The columns of the table.
+const COLUMNS: &str = "reader reads inputs inputs_read inputs_refused memory_mib";
+
+/// The number of inputs of the planted reader.
+const CONTROL_INPUTS: u64 = BATCH;
+
+/// Gives inputs to a reader that panics where a bracket is missing.
+fn control() -> Result<Control> {
+    let options = Fuzz {
+        inputs: CONTROL_INPUTS,
+        reader: None,
+        from: 0,
+        seed: SeedArgs { seed: 1 },
     };
-    for reader in chosen(args.reader.as_deref())? {
-        report.readers.push(fuzz(reader, args, inputs)?);
-    }
-    output::print(json, &report, || text(&report))?;
-    let failures = report.readers.iter().flat_map(|fuzzed| &fuzzed.failures);
-    let told: Vec<_> = failures
-        .map(|f| format!("{}\n  repeat    {}", f.message, f.command))
-        .collect();
-    if !told.is_empty() {
-        return Err(CheckFailed(told.join("\n")).into());
-    }
-    match &args.record {
-        Some(path) => record(path, &lines(&report, args)),
-        None => Ok(()),
-    }
+    let fuzzed = fuzz(&PLANTED, &options)?;
+    Ok(Control {
+        planted: format!("a reader of {}", PLANTED.reads),
+        found: !fuzzed.failures.is_empty(),
+    })
 }
 
 fn chosen(name: Option<&str>) -> Result<Vec<&'static Reader>> {
@@ -109,7 +148,8 @@ fn chosen(name: Option<&str>) -> Result<Vec<&'static Reader>> {
 }
 
 /// Runs one reader, on all cores.
-fn fuzz(reader: &'static Reader, args: &VerifyArgs, inputs: u64) -> Result<Fuzzed> {
+fn fuzz(reader: &'static Reader, options: &Fuzz) -> Result<Fuzzed> {
+    let inputs = options.inputs;
     let folders = (0..thread::available_parallelism()?.get())
         .map(|_| tempfile::tempdir())
         .collect::<std::io::Result<Vec<_>>>()
@@ -119,7 +159,7 @@ fn fuzz(reader: &'static Reader, args: &VerifyArgs, inputs: u64) -> Result<Fuzze
     let (next, done) = (AtomicU64::new(0), AtomicU64::new(0));
     let count = Mutex::new(Fuzzed {
         reader: reader.name,
-        what: reader.what,
+        reads: reader.reads,
         inputs,
         inputs_read: 0,
         inputs_refused: 0,
@@ -142,8 +182,8 @@ fn fuzz(reader: &'static Reader, args: &VerifyArgs, inputs: u64) -> Result<Fuzze
                             return Ok(());
                         }
                         for number in first..inputs.min(first + BATCH) {
-                            let index = args.from + number;
-                            let found = watch.during(index, || one(&open, args, index));
+                            let index = options.from + number;
+                            let found = watch.during(index, || one(&open, options, index));
                             let mut count = count.lock().expect("no worker panics");
                             match found {
                                 Ok(true) => count.inputs_read += 1,
@@ -166,14 +206,14 @@ fn fuzz(reader: &'static Reader, args: &VerifyArgs, inputs: u64) -> Result<Fuzze
     let mut fuzzed = count.into_inner().expect("no worker panics");
     fuzzed.failures.sort();
     fuzzed.failures.truncate(TOLD);
-    fuzzed.check_memory(before, args)?;
+    fuzzed.check_memory(before, options)?;
     Ok(fuzzed)
 }
 
 /// Whether the reader accepts input number `index`; a failure where it panics.
-fn one(open: &Open<'_>, args: &VerifyArgs, index: u64) -> Result<bool, Failure> {
-    let input = input(open, args.seed, index);
-    if args.fuzz == Some(1) {
+fn one(open: &Open<'_>, options: &Fuzz, index: u64) -> Result<bool, Failure> {
+    let input = input(open, options.seed.seed, index);
+    if options.inputs == 1 {
         eprintln!("{}: input {index}: {input:?}", open.name());
     }
     let read = panic::catch_unwind(AssertUnwindSafe(|| open.read(&input)));
@@ -184,7 +224,7 @@ fn one(open: &Open<'_>, args: &VerifyArgs, index: u64) -> Result<bool, Failure> 
             open.name(),
             said(panicked.as_ref())
         ),
-        command: repeat(args.seed, open.name(), index),
+        command: repeat(options.seed.seed, open.name(), index),
     })
 }
 
@@ -194,11 +234,11 @@ fn input(open: &Open<'_>, seed: u64, index: u64) -> Input {
 }
 
 fn repeat(seed: u64, reader: &str, index: u64) -> String {
-    format!("photoncube verify --fuzz 1 --reader {reader} --from {index} --seed {seed}")
+    format!("photoncube verify fuzz 1 --reader {reader} --from {index} --seed {seed}")
 }
 
 impl Fuzzed {
-    fn check_memory(&mut self, before: Option<u64>, args: &VerifyArgs) -> Result<()> {
+    fn check_memory(&mut self, before: Option<u64>, options: &Fuzz) -> Result<()> {
         let (Some(before), Some(after)) = (before, memory::peak_mib()) else {
             return Ok(());
         };
@@ -206,14 +246,14 @@ impl Fuzzed {
         self.memory_mib = Some(grown);
         if grown > MEMORY_BOUND_MIB {
             self.failures.push(Failure {
-                index: args.from,
+                index: options.from,
                 message: format!(
                     "{}: memory grew by {grown} MiB, expected at most {MEMORY_BOUND_MIB}",
                     self.reader
                 ),
                 command: format!(
-                    "photoncube verify --fuzz {} --reader {} --from {} --seed {}",
-                    self.inputs, self.reader, args.from, args.seed
+                    "photoncube verify fuzz {} --reader {} --from {} --seed {}",
+                    self.inputs, self.reader, options.from, options.seed.seed
                 ),
             });
         }
@@ -249,49 +289,23 @@ fn said(panicked: &(dyn Any + Send)) -> String {
     text.unwrap_or_else(|| "a panic without words".to_owned())
 }
 
-fn lines(report: &Report, args: &VerifyArgs) -> Vec<Line> {
-    let line = |fuzzed: &Fuzzed| Line {
-        method: "fuzz".to_owned(),
-        by: format!("photoncube {}", env!("CARGO_PKG_VERSION")),
-        volume: fuzzed.inputs,
-        unit: "inputs".to_owned(),
-        result: format!(
-            "{} read, {} refused, {} failures",
-            fuzzed.inputs_read,
-            fuzzed.inputs_refused,
-            fuzzed.failures.len()
-        ),
-        command: format!(
-            "photoncube verify --fuzz {} --reader {} --seed {}",
-            fuzzed.inputs, fuzzed.reader, args.seed
-        ),
-        ..Line::of_no_verilog(format!("reader {}", fuzzed.reader))
-    };
-    report.readers.iter().map(line).collect()
-}
-
-fn text(report: &Report) -> String {
-    let header = [
-        "reader",
-        "reads",
-        "inputs",
-        "read",
-        "refused",
-        "failures",
-        "memory, MiB",
-    ];
-    let row = |fuzzed: &Fuzzed| {
-        vec![
-            fuzzed.reader.to_owned(),
-            fuzzed.what.to_owned(),
-            fuzzed.inputs.to_string(),
-            fuzzed.inputs_read.to_string(),
-            fuzzed.inputs_refused.to_string(),
-            fuzzed.failures.len().to_string(),
-            fuzzed
-                .memory_mib
-                .map_or("not told".to_owned(), |mib| mib.to_string()),
-        ]
-    };
-    table::markdown(&header, &report.readers.iter().map(row).collect::<Vec<_>>())
+impl Fuzz {
+    fn line(&self, fuzzed: &Fuzzed) -> Line {
+        Line {
+            by: format!("photoncube {}", env!("CARGO_PKG_VERSION")),
+            volume: fuzzed.inputs,
+            unit: "inputs".to_owned(),
+            result: format!(
+                "{} read, {} refused, {} failures",
+                fuzzed.inputs_read,
+                fuzzed.inputs_refused,
+                fuzzed.failures.len()
+            ),
+            command: format!(
+                "photoncube verify fuzz {} --reader {} --seed {}",
+                fuzzed.inputs, fuzzed.reader, self.seed.seed
+            ),
+            ..Line::of_no_verilog(format!("reader {}", fuzzed.reader))
+        }
+    }
 }

@@ -25,7 +25,7 @@ pub struct Reader {
     /// The reader's name on the command line.
     pub name: &'static str,
     /// A description of what it reads, for people.
-    pub what: &'static str,
+    pub reads: &'static str,
     /// Makes good inputs; `folder` is a working folder.
     good: fn(folder: &Path) -> Result<Vec<Input>>,
     /// Reads an input. An error is a refusal, which is not a failure.
@@ -36,7 +36,7 @@ pub struct Reader {
 pub const READERS: [Reader; 7] = [
     Reader {
         name: "scene-toml",
-        what: "scenes in TOML",
+        reads: "scenes in TOML",
         good: |folder| {
             std::fs::write(folder.join("knot.obj"), MESHES[0])?;
             Ok(texts(&TOML_SCENES))
@@ -45,37 +45,37 @@ pub const READERS: [Reader; 7] = [
     },
     Reader {
         name: "scene-json",
-        what: "scenes in JSON",
+        reads: "scenes in JSON",
         good: |_| Ok(texts(&JSON_SCENES)),
         read: |_, input| use_scene(&Scene::from_json("fuzz.json", text(input))?),
     },
     Reader {
         name: "mesh",
-        what: "meshes in OBJ",
+        reads: "meshes in OBJ",
         good: |_| Ok(texts(&MESHES)),
         read: read_mesh,
     },
     Reader {
         name: "listing",
-        what: "microprogram listings",
+        reads: "microprogram listings",
         good: |_| Ok(listings()),
         read: |_, input| Ok(parse_listing(text(input)).map(drop)?),
     },
     Reader {
         name: "picture",
-        what: "pictures in OpenEXR",
+        reads: "pictures in OpenEXR",
         good: |_| good_picture(),
         read: read_picture,
     },
     Reader {
         name: "results",
-        what: "tables of results in JSON",
+        reads: "tables of results in JSON",
         good: |_| Ok(texts(&RESULTS)),
         read: |_, input| verified::parse(text(input)).map(drop),
     },
     Reader {
         name: "arguments",
-        what: "command lines",
+        reads: "command lines",
         good: |_| Ok(texts(&COMMANDS)),
         read: |_, input| {
             let words = text(input).split_whitespace();
@@ -83,6 +83,17 @@ pub const READERS: [Reader; 7] = [
         },
     },
 ];
+
+/// A reader with a planted mistake, which the method must find.
+pub const PLANTED: Reader = Reader {
+    name: "planted",
+    reads: "texts that panics without a closing bracket",
+    good: |_| Ok(texts(&["{ 1 }"])),
+    read: |_, input| match text(input).contains('}') {
+        true => Ok(()),
+        false => panic!("no closing bracket"),
+    },
+};
 
 const TOML_SCENES: [&str; 7] = [
     include_str!("../../../../../../docs/scenes/balls.toml"),
@@ -108,18 +119,19 @@ const MESHES: [&str; 2] = [
 const MESH_SCENE: &str = include_str!("mesh.toml");
 
 const RESULTS: [&str; 1] = [
-    r#"[{"machine": "paper", "method": "equivalence", "by": "icarus: 11.0",
+    r#"[{"machine": "paper", "method": "equivalence", "aspect": "", "by": "icarus: 11.0",
 "volume": 12, "unit": "vectors", "outcome": "0 mismatches", "command": "photoncube verify"}]"#,
 ];
 
 /// Command lines with every kind of value.
-const COMMANDS: [&str; 8] = [
+const COMMANDS: [&str; 9] = [
     "photoncube run cornell --machine paper-12 --out out --photons 2000000 --size 64x48 --json",
     "photoncube render cornell -o box.png --engine f64 --photons 100 --samples 3 --in-range 0.5",
     "photoncube render ring -o x.exr --estimator ladder:8:cone --direct rays:4 --caustics own:50 --area covered",
     "photoncube progressive cornell -o b.png --error-target 0.1 --confidence 0.9 --passes 10 --alpha 0.7",
     "photoncube fit ring --noise-ratio 0.1 --maps 8 --seed 3",
     "photoncube verify --machine paper-5d --against icarus,verilator --iterations 20 --seed 7",
+    "photoncube verify formal --machine stream --property units:: --json",
     "photoncube generate --machine paper --coordinate-bits 12 --dimension 5 --check",
     "photoncube synth --machine tile-4 --flow place --grade 8 --seed 2",
 ];

@@ -1,6 +1,5 @@
 //! Replays the regression cases, each in every device, and tests the campaign that makes them.
 
-mod planted;
 mod support;
 
 use std::fs;
@@ -12,10 +11,8 @@ use photoncube_hdl::{Emitted, Level, emit};
 use photoncube_spec::{Machine, find_machine};
 use photoncube_testbench::{
     Device, DeviceError, DeviceKind, Divergence, Keeper, Pair, Regression, Source, State, Text,
-    VerifyError, VerifyOptions, campaign, minimised, verify_device,
+    VerifyError, VerifyOptions, campaign, minimised, plant, verify_device,
 };
-
-use planted::edit;
 
 /// The folder of the stored cases, and the command that replays one.
 const FOLDER: &str = "regressions";
@@ -67,7 +64,7 @@ fn broken() -> Result<Emitted, Failed> {
     let machine = find_machine("paper")?;
     let mut design = emit(machine, Level::Machine)?;
     let module = format!("module {}_add_unit(", machine.module_prefix());
-    design.text = edit(&design.text, &module, "a + b", "a ^ b");
+    design.text = plant(&design.text, &module, "a + b", "a ^ b")?;
     Ok(design)
 }
 

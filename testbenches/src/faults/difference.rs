@@ -50,7 +50,7 @@ pub(super) fn difference(
             Actual::Unknown(text) => format!("{text} in hexadecimal, unknown bits"),
         },
         repeat: format!(
-            "photoncube verify --faults --machine {} --seed {}",
+            "photoncube verify faults --machine {} --seed {}",
             machine.name, block.seed
         ),
     }))

@@ -160,7 +160,7 @@ fn scene(machine: &Machine, kind: DeviceKind, iterations: u64) -> Result<(), Fai
         seed: 1,
         source: Source::Workload {
             queries: &queries,
-            repeat: "cargo test -p photoncube-testbench --test machines -- scene",
+            repeat: "cargo test -p photoncube-testbench --test equivalence -- scene",
         },
     };
     let verdict = verify(machine, kind, &options, &|_| {})?;

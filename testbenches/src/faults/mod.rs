@@ -5,6 +5,7 @@
 
 mod difference;
 mod idle;
+mod planted;
 mod power_up;
 
 use photoncube_hdl::{Emitted, Level, emit};
@@ -16,6 +17,7 @@ use crate::stimulus::{Protocol, Source};
 use crate::verify::{Verdict, VerifyError, VerifyOptions, nothing_compared, verify_device};
 
 pub use difference::UnknownDifference;
+pub use planted::{FaultOfClass, PLANTED_FAULTS, fault_controls};
 pub use power_up::without_initial_values;
 
 /// A class of external faults.

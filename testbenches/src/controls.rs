@@ -1,0 +1,191 @@
+//! Planted faults. A method of verification plants at least one in each run and must find it, since a method
+//! that finds nothing may also be blind.
+
+use photoncube_hdl::{Emitted, Level, emit};
+use photoncube_spec::{Machine, find_machine};
+use serde::Serialize;
+use thiserror::Error;
+
+use crate::device::{DeviceError, DeviceKind, hdl_error};
+use crate::stimulus::Source;
+use crate::verify::{VerifyError, VerifyOptions, verify_device};
+
+/// A planted fault, and whether the method found it.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Control {
+    /// The fault, for people.
+    pub planted: String,
+    /// Whether the method found it.
+    #[serde(rename = "control_found")]
+    pub found: bool,
+}
+
+impl Control {
+    /// The control of a verification with a planted fault, which must end with a difference.
+    ///
+    /// # Errors
+    /// The verification ended for another reason.
+    pub fn of<T>(
+        planted: impl Into<String>,
+        ended: Result<T, VerifyError>,
+    ) -> Result<Self, VerifyError> {
+        let found = match ended {
+            Ok(_) => false,
+            Err(VerifyError::Diverged(_) | VerifyError::Unknown(_)) => true,
+            Err(other) => return Err(other),
+        };
+        let planted = planted.into();
+        Ok(Self { planted, found })
+    }
+}
+
+/// The controls of one run of a method. There is at least one.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[serde(transparent)]
+pub struct Controls(Vec<Control>);
+
+/// The error of a run that planted no fault.
+#[derive(Copy, Clone, Debug, PartialEq, Eq, Error)]
+#[error("no fault was planted, so the run shows nothing: expected at least one")]
+pub struct NoControl;
+
+impl Controls {
+    /// One control, or more.
+    pub fn new(first: Control, more: impl IntoIterator<Item = Control>) -> Self {
+        Self([first].into_iter().chain(more).collect())
+    }
+
+    /// The controls that a method gathered in its run.
+    ///
+    /// # Errors
+    /// It gathered none.
+    pub fn gathered(all: impl IntoIterator<Item = Control>) -> Result<Self, NoControl> {
+        let mut all = all.into_iter();
+        Ok(Self::new(all.next().ok_or(NoControl)?, all))
+    }
+
+    /// The number of controls; never 0.
+    pub fn count(&self) -> usize {
+        self.0.len()
+    }
+
+    /// The controls that the method did not find.
+    pub fn missed(&self) -> impl Iterator<Item = &Control> {
+        self.0.iter().filter(|control| !control.found)
+    }
+}
+
+/// A fault in the emitted text of a machine.
+#[derive(Copy, Clone, Debug)]
+pub struct PlantedFault {
+    /// The fault, for people.
+    pub what: &'static str,
+    /// The name of the machine.
+    pub machine: &'static str,
+    /// The module, without the machine's prefix.
+    pub module: &'static str,
+    /// Each a text that occurs once in the module, and the text that replaces it.
+    pub edits: &'static [(&'static str, &'static str)],
+}
+
+impl PlantedFault {
+    /// The machine, and its text with the fault.
+    ///
+    /// # Errors
+    /// The machine cannot be emitted, or an edited text does not occur once.
+    ///
+    /// # Panics
+    /// There is no machine of that name.
+    pub fn plant(&self) -> Result<(&'static Machine, Emitted), DeviceError> {
+        let machine = find_machine(self.machine).expect("a fault names a built-in machine");
+        let mut design = emit(machine, Level::Machine).map_err(hdl_error(machine))?;
+        let heading = format!("module {}_{}(", machine.module_prefix(), self.module);
+        for (from, to) in self.edits {
+            design.text = plant(&design.text, &heading, from, to)?;
+        }
+        Ok((machine, design))
+    }
+
+    /// The fault and its machine, for people.
+    pub fn told(&self) -> String {
+        format!("{}: {}", self.machine, self.what)
+    }
+}
+
+/// Replaces a text that occurs once in the module with that heading.
+///
+/// # Errors
+/// The heading, or the text in the module, does not occur once.
+pub fn plant(text: &str, heading: &str, from: &str, to: &str) -> Result<String, DeviceError> {
+    once(text, heading)?;
+    let (before, rest) = text.split_at(text.find(heading).unwrap_or_default());
+    let (body, after) = rest.split_at(rest.find("endmodule").unwrap_or(rest.len()));
+    once(body, from)?;
+    Ok(format!("{before}{}{after}", body.replacen(from, to, 1)))
+}
+
+fn once(text: &str, find: &str) -> Result<(), DeviceError> {
+    match text.matches(find).count() {
+        1 => Ok(()),
+        times => Err(DeviceError::NotPlanted {
+            find: find.to_owned(),
+            times,
+        }),
+    }
+}
+
+/// The fault by which a run shows that its comparison finds differences.
+const LOST_CARRIES: PlantedFault = PlantedFault {
+    what: "the adder loses its carries",
+    machine: "paper",
+    module: "add_unit",
+    edits: &[("a + b", "a ^ b")],
+};
+
+/// The control of every method that compares a machine with the golden model: a fault in the text of the
+/// smallest machine, in the built-in evaluator.
+///
+/// # Errors
+/// The text cannot be made or evaluated.
+pub fn comparison_control() -> Result<Control, VerifyError> {
+    let (machine, design) = LOST_CARRIES.plant()?;
+    let options = VerifyOptions {
+        iterations: 1_000,
+        seed: 1,
+        source: Source::Random,
+    };
+    let mut device = DeviceKind::Text.open_text(&design)?;
+    let ended = verify_device(machine, device.as_mut(), &options, &|_| ());
+    Control::of(LOST_CARRIES.told(), ended)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_control_of_comparisons_is_found() {
+        assert!(comparison_control().unwrap().found);
+    }
+
+    #[test]
+    fn a_run_without_a_planted_fault_has_no_controls() {
+        assert_eq!(Controls::gathered([]), Err(NoControl));
+        let control = |found| Control {
+            planted: "a fault".to_owned(),
+            found,
+        };
+        let controls = Controls::new(control(true), [control(false)]);
+        assert_eq!((controls.count(), controls.missed().count()), (2, 1));
+    }
+
+    #[test]
+    fn a_text_that_does_not_occur_once_is_refused() {
+        let text = "module a(x);\n  b b c\nendmodule\nmodule d(x);\n  c\nendmodule\n";
+        let planted = plant(text, "module a(", "c", "e").unwrap();
+        assert_eq!(planted, text.replacen("b c", "b e", 1));
+        for (heading, from) in [("module a(", "b"), ("module d(", "b"), ("module e(", "c")] {
+            assert!(plant(text, heading, from, "e").is_err(), "{heading} {from}");
+        }
+    }
+}
