@@ -95,7 +95,7 @@ const BOUNDARY: PlantedFault = PlantedFault {
     edits: &[("distance <= limit", "distance < limit")],
 };
 
-/// Plants a sum that is wrong for a single pair of operands, and [`BOUNDARY`] in the lanes, in the built-in
+/// Plants a sum that is wrong for a single pair of operands, and a lane that leaves the boundary out, in the built-in
 /// evaluator.
 ///
 /// # Errors

@@ -2,8 +2,8 @@
 
 use serde_json::Value;
 
-use super::json;
 use super::shared::{FIT, HARD_CASES, REPORT, RUN};
+use super::{json, photoncube};
 
 const COMMITTED_FIGURES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/measured");
 
@@ -77,8 +77,13 @@ pub fn of_a_method_with_tools(args: &[&str]) {
     if std::env::var_os("REQUIRE_EDA").is_none() {
         return;
     }
+    // `verify placed` asks `scripts/setup.sh` where its tools are.
+    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+    let mut command = photoncube(args);
+    let output = command.arg("--json").current_dir(root).assert().success();
+    let report = serde_json::from_slice(&output.get_output().stdout).unwrap();
     let mut found = Vec::new();
-    keys(&json(args), &mut found);
+    keys(&report, &mut found);
     assert!(!found.is_empty(), "{args:?}");
     are_documented(found);
 }
