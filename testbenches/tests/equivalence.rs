@@ -14,7 +14,7 @@ use photoncube_testbench::{DeviceKind, Source, Verdict, VerifyOptions, verify};
 use extent::Extent;
 
 /// The machines whose netlists are simulated: those of which all devices run, and the widest numbers relative to
-/// the search radius. Those of the others are compared by `photoncube verify --placed`, part by part in `parts`.
+/// the search radius. Those of the others are compared by `photoncube verify placed`, part by part in `parts`.
 fn has_netlist_trial(machine: &Machine) -> bool {
     Extent::of(machine) == Extent::Full || machine.name == "local-half"
 }

@@ -108,7 +108,7 @@ fn unknown_texts(part: &str, opaque: &[Opaque]) -> Vec<String> {
 }
 
 /// Whether a finding is about a memory that the block declares as one without initial values. A simulation
-/// fills such a memory, and the power-up faults of `photoncube verify --faults` show that no word is used
+/// fills such a memory, and the power-up faults of `photoncube verify faults` show that no word is used
 /// before it is written.
 fn is_block_ram(finding: &Finding, block_rams: &[BlockRam]) -> bool {
     let Some(memory) = finding.statement.strip_prefix("memory ") else {
