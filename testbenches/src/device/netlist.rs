@@ -9,7 +9,13 @@ use crate::tools::yosys;
 /// Yosys's `synth` with a modified step `memory_map` that keeps memories of more than 256 words. A photon
 /// memory as flip-flops would be hundreds of thousands of them.
 const SYNTH_WITH_MEMORY: &str = "-run begin:fine; opt -fast -full; memory_map t:$mem_v2 r:SIZE<=256 %i; \
-                                 opt -undriven -fine; techmap; opt -fast; abc -fast; opt_clean";
+                                 opt -undriven -fine; techmap; opt -fast; abc; opt_clean";
+
+/// Writes a memory, which may give any word where it is read in the clock that writes it, as a plain memory with
+/// the attribute that says so, and not as logic that makes that word unknown. Yosys does not read its own logic for
+/// this back as a memory.
+const WRITE_WITH_MEMORY: &str =
+    "setparam -set RD_COLLISION_X_MASK 1'0 t:$mem_v2; setattr -unset src *; write_verilog";
 
 /// Synthesises the design to a flat netlist of generic gates and flip-flops, with the design's ports. Its
 /// registers are single bits without their names, so only the output pins are observed.
@@ -46,10 +52,13 @@ pub(crate) fn netlist_text(design: &Emitted, is_flat: bool) -> Result<String, De
     let mut registers = design.pins.observed.iter();
     let has_memory = registers.any(|pin| matches!(pin.place, SignalPlace::Memory { .. }));
     let steps = if has_memory { SYNTH_WITH_MEMORY } else { "" };
-    let flatten = if is_flat { "-flatten" } else { "" };
+    let (flatten, write) = match (is_flat, has_memory) {
+        (true, _) => ("-flatten", "write_verilog -noattr"),
+        (false, false) => ("", "write_verilog -noattr"),
+        (false, true) => ("", WRITE_WITH_MEMORY),
+    };
     let script = format!(
-        "read_verilog design.v; synth {flatten} -top {} {steps}; check -assert; \
-         write_verilog -noattr netlist.v",
+        "read_verilog design.v; synth {flatten} -top {} {steps}; check -assert; {write} netlist.v",
         design.top
     );
     yosys()?.run(folder.path(), &script)?;
