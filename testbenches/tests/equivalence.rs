@@ -1,4 +1,5 @@
-//! Verifies every named machine in every device, on random stimulus and on the photons of the built-in scene.
+//! Verifies every named machine on random stimulus and on the photons of the built-in scene, in the devices that its
+//! size allows ([`Extent`]).
 
 mod extent;
 mod support;

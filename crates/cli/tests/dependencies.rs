@@ -88,12 +88,17 @@ fn every_licence_is_allowed_and_stands_on_the_page() {
         by_licence.entry(licence).or_default().push(name);
     }
     assert!(!by_licence.is_empty());
+    let rows: Vec<_> = by_licence
+        .into_iter()
+        .map(|(licence, mut names)| {
+            names.dedup();
+            format!("- `{licence}`: {}", names.join(", "))
+        })
+        .collect();
     let page = fs::read_to_string(root().join(PAGE)).unwrap();
-    for (licence, mut names) in by_licence {
-        names.dedup();
-        let row = format!("- `{licence}`: {}\n", names.join(", "));
-        assert!(page.contains(&row), "{PAGE}: expected the line\n{row}");
-    }
+    let found: Vec<_> = page.lines().filter(|line| line.starts_with("- ")).collect();
+    let expected = rows.join("\n");
+    assert!(found == rows, "{PAGE}: expected the lines\n{expected}");
 }
 
 /// The text of all Rust files below a folder.

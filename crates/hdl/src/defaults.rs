@@ -1,8 +1,8 @@
 //! Constructors of blocks, whose signals and parts mostly start as their types' default.
 
-/// A block from the fields that need a value, and the names of those that are default: `defaulted!(Self { q: Stage::new(true) };
-/// clock d)`. Rust's `..Default::default()` needs a type that has one, which a block with arrays of a const generic's
-/// length, or with a size that its constructor is given, has not.
+/// Makes a block from the fields that are given a value and the names of the fields that start as their types' default:
+/// `defaulted!(Self { q: Stage::new(true) }; clock d)`. Rust's `..Default::default()` would need a default of the whole
+/// block. A block whose constructor is given a size has none.
 macro_rules! defaulted {
     (Self { $($given:ident $(: $value:expr)?),* $(,)? }; $($field:ident)*) => {
         Self {
@@ -12,7 +12,7 @@ macro_rules! defaulted {
     };
 }
 
-/// So many signals.
+/// Makes `count` signals, each the default of its type.
 pub(crate) fn signals<S: Default>(count: usize) -> Vec<S> {
     (0..count).map(|_| S::default()).collect()
 }

@@ -1,7 +1,8 @@
 //! The adder of an overlapped machine's cell, with the selection of its first operand.
 
-use crate::defaults::defaulted;
 use rust_hdl::prelude::*;
+
+use crate::defaults::defaulted;
 
 /// `total = (add_sum ? sum : addend) + operand`, modulo `2^S`. Widths: `V` sums of squares, `S` sum.
 ///

@@ -4,12 +4,12 @@
 //! are written and their sources; see `photoncube_spec::OVERLAPPED` for the words. The stages of the square
 //! unit, the addend and the operand are written in every clock.
 
-use crate::defaults::defaulted;
 use rust_hdl::prelude::*;
 
 use super::add::ChosenSum;
 use super::decoder::Decoder;
 use super::digits::Digits;
+use crate::defaults::defaulted;
 use crate::parts::Difference;
 
 /// One cell. 8-bit coordinates; widths: `R` radius_sq, `P` power, `V` sums of squares, `S` sum, `W`

@@ -6,12 +6,12 @@
 //! kernel repeats until the query's last group has been accumulated; then the epilogue runs. Past the
 //! epilogue's end the words are 0 until the result is taken and a query arrives.
 
-use crate::defaults::defaulted;
 use photoncube_spec::Role;
 use photoncube_spec::overlap::Program;
 use rust_hdl::prelude::*;
 
 use super::decoder::Decoder;
+use crate::defaults::defaulted;
 use crate::parts::ControlStore;
 
 /// The control block. `A` address bits, `D` drain bits, `W` control-word bits.

@@ -3,12 +3,12 @@
 //! The links are wires: a cell's neighbour on the axis of index bit b is `i + B - 2 B ((i / B) % 2)` with
 //! `B = 2^b`. Cells 0 to 3 are the X cells of the four quads; the Y, Z and D cells follow.
 
-use crate::defaults::defaulted;
 use photoncube_spec::Machine;
 use rust_hdl::prelude::*;
 
 use super::cell::Cell;
 use super::control::Control;
+use crate::defaults::defaulted;
 
 /// The processor: 16 cells, 8-bit coordinates. Widths: `R` radius_sq, `P` power, `V` sums of
 /// squares, `S` sum; `A` address, `D` drain, `W` control word.

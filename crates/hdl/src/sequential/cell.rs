@@ -3,11 +3,11 @@
 //! The cell is figure 2 of Ryu, Kim, Lee. In every clock the control word selects the registers that are
 //! written and the operands of the units; see `photoncube_spec::SEQUENTIAL` for the meaning of the ops.
 
-use crate::defaults::defaulted;
 use photoncube_spec::Squarer;
 use rust_hdl::prelude::*;
 
 use super::units::{AddUnit, GateUnit, SquareUnit};
+use crate::defaults::defaulted;
 
 /// One cell. Widths: `C` query coordinate, `H` photon coordinate, `M` their difference, `Q = 2 M`
 /// its square, `R` radius_sq, `P` power, `V` work and link, `S` sum.

@@ -5,10 +5,11 @@
 //! channel, its quad selects the lane. A power with an exponent is decoded here, so that cells receive
 //! decoded powers only.
 
-use crate::defaults::signals;
 use photoncube_spec::{Channels, Hypercube, Role};
 use rust_hdl::core::ast::{VerilogExpression, VerilogLiteral, VerilogOp, VerilogStatement};
 use rust_hdl::prelude::*;
+
+use crate::defaults::signals;
 
 /// `N` cells, `G` lanes (photons of a group); `C` query coordinate, `H` photon coordinate, `B`
 /// mantissa, `E` exponent, `P` power, `S` sum bits.

@@ -1,7 +1,6 @@
 //! The top block of a sequential machine: control block, ports, cells and network between valid/ready
 //! streams.
 
-use crate::defaults::defaulted;
 use photoncube_spec::Machine;
 use rust_hdl::prelude::*;
 
@@ -9,6 +8,7 @@ use super::cell::Cell;
 use super::control::Control;
 use super::network::Network;
 use super::ports::Ports;
+use crate::defaults::defaulted;
 
 /// The processor. Widths: `C` query coordinate, `H` photon coordinate, `M` difference, `Q` square,
 /// `R` radius_sq, `B` mantissa, `E` exponent, `P` power, `V` work, `S` sum; `A` address, `W` control

@@ -4,11 +4,11 @@
 //! block's Verilog is written by hand, with its registers inside, and one set of compiled widths serves
 //! machines of any number of engines.
 
-use crate::defaults::defaulted;
 use photoncube_spec::{HeadSizes, Spatial};
 use rust_hdl::prelude::*;
 
 use super::hidden::Hidden;
+use crate::defaults::defaulted;
 
 /// Takes queries and groups by the rules in the module of `photoncube_spec::HeadSizes`.
 #[derive(LogicBlock)]

@@ -1,8 +1,9 @@
 //! The small operations of the pipeline, one block each, so that each has one text. Operations that
 //! rust-hdl's kernels can express are kernels here; the parts of a square are in `digits`.
 
-use crate::defaults::defaulted;
 use rust_hdl::prelude::*;
+
+use crate::defaults::defaulted;
 
 /// `sum = a + b`, exact: `S` bits are one more than the wider of `A` and `B`.
 #[derive(LogicBlock, Default)]

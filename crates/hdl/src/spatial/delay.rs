@@ -1,10 +1,10 @@
 //! The head's delay line: it holds powers until an engine has decided which photons are in range.
 
-use crate::defaults::defaulted;
 use rust_hdl::prelude::*;
 
 use super::stage::{FlagStage, Stage};
 use super::wiring::{Wires, Wiring, logic_of_wires, wires, with_wires};
+use crate::defaults::defaulted;
 
 /// A word's delay line, one clock for each stage. Without stages it is a wire.
 #[derive(LogicBlock)]

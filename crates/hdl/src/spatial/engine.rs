@@ -1,6 +1,5 @@
 //! An engine: the 16 cells that test the photons against one query.
 
-use crate::defaults::{defaulted, signals};
 use photoncube_spec::{Cut, EngineKind, Machine, Spatial, SpatialWidths};
 use rust_hdl::prelude::*;
 
@@ -10,6 +9,7 @@ use super::square::SquarePair;
 use super::stage::Stage;
 use super::sums::ChannelSum;
 use super::wiring::{Wires, Wiring, logic_of_wires, wires, with_wires};
+use crate::defaults::{defaulted, signals};
 
 const LANES: usize = Spatial::LANES;
 const AXES: usize = 3;

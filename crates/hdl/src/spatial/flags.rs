@@ -1,12 +1,12 @@
 //! The flags of an engine: the waiting query, the position of a batch's groups in the pipeline, the complete
 //! sums.
 
-use crate::defaults::{defaulted, signals};
 use photoncube_spec::{Cut, Cuts};
 use rust_hdl::prelude::*;
 
 use super::copy::RegisterCopy;
 use super::stage::FlagStage;
+use crate::defaults::{defaulted, signals};
 
 /// The handling of tokens, and the pipeline of the reset and of a batch's first positions.
 #[derive(LogicBlock, Default)]

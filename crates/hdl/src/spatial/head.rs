@@ -1,6 +1,5 @@
 //! The head: the logic between the machine's pins and the first engine, except the entry.
 
-use crate::defaults::{defaulted, signals};
 use photoncube_spec::Spatial;
 use rust_hdl::prelude::*;
 
@@ -10,6 +9,7 @@ use super::presence::{PowerOfPresent, Presence};
 use super::queue::ResultQueue;
 use super::stage::Stage;
 use super::wiring::{Wires, Wiring, logic_of_wires, wires, with_wires};
+use crate::defaults::{defaulted, signals};
 
 const LANES: usize = Spatial::LANES;
 

@@ -1,12 +1,12 @@
 //! A lane: from the squares of one photon's differences to its in-range flag.
 
-use crate::defaults::defaulted;
 use photoncube_spec::{Cut, Cuts};
 use rust_hdl::prelude::*;
 
 use super::arithmetic::{AnyFar, RangeOfFormat, RangeOfQuery, Sum};
 use super::stage::Stage;
 use super::wiring::{Wires, Wiring, logic_of_wires, wires, with_wires};
+use crate::defaults::defaulted;
 
 /// The D cell of one photon. Widths: `Q` square, `T = Q + 1` pair, `U = Q + 2` distance.
 #[derive(LogicBlock)]

@@ -1,7 +1,8 @@
 //! The parts of a square that a block RAM or a DSP block computes.
 
-use crate::defaults::defaulted;
 use rust_hdl::prelude::*;
+
+use crate::defaults::defaulted;
 
 /// A table of squares with two read ports: `{far, |d|^2}` of a difference of `D` bits, with the square in
 /// `L - 1 = 2 r` bits. Two coordinates share the table, because a block RAM has two ports.

@@ -1,6 +1,5 @@
 //! The top block of a spatial machine: the entry, the head and the chain of engines.
 
-use crate::defaults::{defaulted, signals};
 use photoncube_spec::{Machine, Pins, SignalPlace, Spatial};
 use rust_hdl::prelude::*;
 
@@ -9,6 +8,7 @@ use super::head::Head;
 use super::memory::PhotonMemory;
 use super::stage::{FlagStage, Stage};
 use super::wiring::{Wires, Wiring, logic_of_wires, wires, with_wires, zeros};
+use crate::defaults::{defaulted, signals};
 
 const LANES: usize = Spatial::LANES;
 const AXES: usize = 3;

@@ -3,11 +3,11 @@
 //! Its depth follows from the number of engines, as the counters of `admission` do. So its Verilog is written
 //! by hand, with the memory, the places and the word on the pins inside.
 
-use crate::defaults::{defaulted, signals};
 use photoncube_spec::{HeadSizes, Spatial};
 use rust_hdl::prelude::*;
 
 use super::hidden::Hidden;
+use crate::defaults::{defaulted, signals};
 
 /// Results are written where `result_valid_in`, are read from the memory into a register, and leave where
 /// valid and ready. `S` bits of a sum, `N` of the count.

@@ -1,6 +1,5 @@
 //! The squares of the differences of two photons from one query on one axis.
 
-use crate::defaults::defaulted;
 use photoncube_spec::{Cut, Cuts, Squarer};
 use rust_hdl::prelude::*;
 
@@ -9,6 +8,7 @@ use super::digits::{CrossSum, DigitProducts, Magnitude, SplitMagnitude, SquareSu
 use super::lookup::{DifferenceProduct, SplitLookup, SplitProduct, SquareTable};
 use super::stage::Stage;
 use super::wiring::{Wires, Wiring, logic_of_wires, wires, with_wires};
+use crate::defaults::defaulted;
 
 /// The squarer from digits, d to d^2. Widths: `C` coordinate, `D = C + 1` difference, `R` bits that are
 /// squared, `Q = 2 R`; `LP` and `HP` bits of the two products.

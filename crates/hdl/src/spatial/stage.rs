@@ -1,8 +1,9 @@
 //! Pipeline stages that are registers or wires, as the machine's set of pipeline registers states.
 
-use crate::defaults::defaulted;
 use rust_hdl::core::ast::{VerilogExpression, VerilogStatement};
 use rust_hdl::prelude::*;
+
+use crate::defaults::defaulted;
 
 /// A pipeline stage: a register, or a wire. The ports have the order of rust-hdl's own register, and the text
 /// is that register's, so that both are merged into one module.

@@ -1,6 +1,5 @@
 //! The sums of one channel, from the hop register to the result chain.
 
-use crate::defaults::{defaulted, signals};
 use photoncube_spec::{Cut, Cuts, Spatial};
 use rust_hdl::prelude::*;
 
@@ -8,6 +7,7 @@ use super::arithmetic::{Accumulate, GateStage, GatedSum, ResultLink, Sum};
 use super::copy::RegisterCopy;
 use super::stage::Stage;
 use super::wiring::{Wires, Wiring, logic_of_wires, wires, with_wires};
+use crate::defaults::{defaulted, signals};
 
 const LANES: usize = Spatial::LANES;
 const PAIRS: usize = LANES / 2;

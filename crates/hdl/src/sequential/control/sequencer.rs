@@ -3,11 +3,11 @@
 //! The program counter is the only state machine. Address 0 waits for a query, and the first steps of the
 //! iteration wait for a group. After the query's last iteration the machine stops until its result is taken.
 
-use crate::defaults::defaulted;
 use photoncube_spec::Microprogram;
 use rust_hdl::prelude::*;
 
 use super::decoder::Decoder;
+use crate::defaults::defaulted;
 use crate::parts::ControlStore;
 
 /// The control block. `A` address bits, `W` control-word bits, `X` axis bits.

@@ -1,10 +1,10 @@
 //! The square of the difference on one axis: `(A-B)^2`, or the half square of a photon format.
 
-use crate::defaults::defaulted;
 use photoncube_spec::Squarer;
 use rust_hdl::prelude::*;
 
 use super::squarer::{Power, SquarerBlock};
+use crate::defaults::defaulted;
 use crate::parts::Difference;
 use crate::pinned::unit_pins;
 

@@ -8,9 +8,10 @@ mod text;
 
 pub(super) use text::GROUPS;
 
-use crate::defaults::{defaulted, signals};
 use photoncube_spec::{MemoryRegister, Spatial};
 use rust_hdl::prelude::*;
+
+use crate::defaults::{defaulted, signals};
 
 const LANES: usize = Spatial::LANES;
 const AXES: [&str; 3] = ["x", "y", "z"];
