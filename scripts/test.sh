@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Every check that this project holds, from a fresh clone: installs what is missing, then runs them
-# one after the other and stops at the first that fails.
+# Every check that this project holds, from a fresh clone: installs what is missing, then runs the checks. The
+# tests run in two streams; a stage that fails ends its stream.
 #
 # Only the dev profile is built (it is optimised, see Cargo.toml). The tests themselves hold the hard cases, the
 # committed Verilog and its figures: `hard-cases`, `generate --check` and `synth --check` would say them again.
@@ -15,24 +15,29 @@ fi
 
 export REQUIRE_EDA=1
 
-name=start
-times=()
+scratch=$(mktemp -d)
+streams=()
 report() {
-    local code=$?
+    local code=$? stream
+    for stream in "${streams[@]}"; do
+        kill -- -"$stream" 2>/dev/null || true
+    done
     printf '\nseconds by stage:\n'
-    ((${#times[@]} == 0)) || printf '%6d  %s\n' "${times[@]}"
+    cat "$scratch/seconds" 2>/dev/null || true
     printf '%6d  in all\n' "$SECONDS"
-    ((code == 0)) || printf '\nstage failed: %s (exit code %d, at %d s)\n' "$name" "$code" "$SECONDS" >&2
+    ((code == 0)) || printf '\nfailed: %s (exit code %d, at %d s)\n' "$(cat "$scratch"/running.* 2>/dev/null)" "$code" "$SECONDS" >&2
+    rm -rf "$scratch"
 }
 trap report EXIT
 
+# Runs a command as a stage of this name. `running.N` names the stage in which process N is.
 stage() {
     local start=$SECONDS
-    name=$1
-    shift
-    printf '\n=== %s (at %d s)\n' "$name" "$SECONDS"
-    "$@"
-    times+=($((SECONDS - start)) "$name")
+    printf 'stage "%s" ' "$1" >"$scratch/running.$BASHPID"
+    printf '\n=== %s (at %d s)\n' "$1" "$SECONDS"
+    "${@:2}"
+    printf '%6d  %s\n' $((SECONDS - start)) "$1" >>"$scratch/seconds"
+    rm "$scratch/running.$BASHPID"
 }
 
 # The tests have built what follows; cargo would build it once more for one package alone.
@@ -63,13 +68,37 @@ stage "layers" scripts/check_layers.sh
 stage "clippy" cargo clippy --locked --workspace --all-targets -- -D warnings
 stage "docs" env RUSTDOCFLAGS="-D warnings" cargo doc --locked --workspace --no-deps
 stage "build" cargo test --locked --workspace --no-run --quiet
-stage "tests" cargo test --locked --workspace
 stage "examples" examples
 stage "all Verilog" all_verilog
-stage "Verilog checks" scripts/yosys/check.sh
-stage "Yosys scripts" scripts/yosys/scripts.sh
-stage "Quartus projects" scripts/quartus/check.sh
-stage "second texts" scripts/yosys/ecp5.sh
-stage "copies of registers" scripts/yosys/copies.sh
+
+# Two streams, because most checks wait for one simulator or one Yosys at a time. Every test is in one of them:
+# the second has the test files that the first leaves out.
+first_stream() {
+    stage "test files a to d" cargo test --locked --workspace --test '[a-d]*'
+    stage "unit tests" cargo test --locked --workspace --lib --bins
+    stage "doc tests" cargo test --locked --workspace --doc
+    stage "Verilog checks" scripts/yosys/check.sh
+    stage "Yosys scripts" scripts/yosys/scripts.sh
+    stage "Quartus projects" scripts/quartus/check.sh
+    stage "second texts" scripts/yosys/ecp5.sh
+    stage "copies of registers" scripts/yosys/copies.sh
+}
+second_stream() {
+    stage "test files e to z" cargo test --locked --workspace --test '[!a-d]*'
+}
+
+# With job control, each stream is a process group, which ends as one when the script is interrupted.
+set -m
+first_stream &
+second_stream >"$scratch/second.log" 2>&1 &
+set +m
+streams=($(jobs -p))
+code=0
+for stream in "${streams[@]}"; do
+    wait "$stream" || code=$?
+done
+streams=()
+cat "$scratch/second.log"
+((code == 0)) || exit "$code"
 
 printf '\nall stages passed\n'
