@@ -1,6 +1,6 @@
 //! What the workspace depends on: each direct dependency is used, and each licence is allowed and listed.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -17,25 +17,47 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
+/// The package that gives builds of one package the features of the workspace. It has no code to name.
+const FEATURES: &str = "photoncube-features";
+
+/// What a command of cargo prints, which must succeed.
+fn cargo(arguments: &[&str]) -> String {
+    let cargo = std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned());
+    let mut command = Command::new(cargo);
+    let output = command
+        .args(arguments)
+        .current_dir(root())
+        .output()
+        .unwrap();
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(output.status.success(), "cargo {arguments:?}: {said}");
+    String::from_utf8(output.stdout).unwrap()
+}
+
 /// What cargo knows of the workspace and of what is built for this machine.
 fn metadata() -> Value {
-    let cargo = std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned());
-    let run = |arguments: &[&str]| {
-        let mut command = Command::new(&cargo);
-        let output = command
-            .args(arguments)
-            .current_dir(root())
-            .output()
-            .unwrap();
-        let said = String::from_utf8_lossy(&output.stderr).into_owned();
-        assert!(output.status.success(), "cargo {arguments:?}: {said}");
-        String::from_utf8(output.stdout).unwrap()
-    };
-    let version = run(&["-vV"]);
+    let version = cargo(&["-vV"]);
     let host = version.lines().find_map(|line| line.strip_prefix("host: "));
     let filter = ["--filter-platform", host.unwrap()];
     let options = ["metadata", "--locked", "--offline", "--format-version", "1"];
-    serde_json::from_str(&run(&[&options[..], &filter].concat())).unwrap()
+    serde_json::from_str(&cargo(&[&options[..], &filter].concat())).unwrap()
+}
+
+/// The packages from outside that a test build takes, each with its features, as `name vVERSION [FEATURES]`.
+fn built(of: &[&str]) -> BTreeSet<String> {
+    let format = [
+        "--edges",
+        "normal,build,dev",
+        "--prefix",
+        "none",
+        "--format",
+        "{p} [{f}]",
+    ];
+    let options = ["tree", "--locked", "--offline"];
+    let tree = cargo(&[&options[..], of, &format].concat());
+    let lines = tree.lines().map(|line| line.trim_end_matches(" (*)"));
+    let outside = lines.filter(|line| !line.is_empty() && !line.contains(" (/"));
+    outside.map(str::to_owned).collect()
 }
 
 fn list<'a>(value: &'a Value, key: &str) -> &'a [Value] {
@@ -125,7 +147,11 @@ fn every_package_names_each_of_its_dependencies() {
     for package in own {
         let folder = Path::new(text(package, "manifest_path")).parent().unwrap();
         let sources = rust_text(folder);
-        for dependency in list(package, "dependencies") {
+        if text(package, "name") == FEATURES {
+            continue;
+        }
+        let dependencies = list(package, "dependencies").iter();
+        for dependency in dependencies.filter(|dependency| alias(dependency) != FEATURES) {
             let name = alias(dependency).replace('-', "_");
             let found = ["::", ";", " as "]
                 .iter()
@@ -153,5 +179,24 @@ fn every_dependency_of_the_workspace_has_a_member_that_takes_it() {
     assert!(!names.is_empty());
     for (name, _) in names {
         assert!(taken(name), "no member of the workspace takes `{name}`");
+    }
+}
+
+#[test]
+fn one_package_builds_the_features_of_the_workspace() {
+    let all = built(&["--workspace"]);
+    let metadata = metadata();
+    // Both packages only pass on others.
+    let passes_on = ["svg", FEATURES];
+    let own = packages(&metadata, true).into_iter();
+    let names = own.map(|package| text(package, "name"));
+    for name in names.filter(|name| !passes_on.contains(name)) {
+        let alone = built(&["--package", name]);
+        assert!(!alone.is_empty());
+        let others: Vec<_> = alone.difference(&all).collect();
+        assert!(
+            others.is_empty(),
+            "-p {name} builds other features than --workspace: {others:#?}; crates/features/Cargo.toml lacks rows"
+        );
     }
 }

@@ -1,0 +1,3 @@
+//! Lets the manifest have build-dependencies, whose features are those of procedural macros.
+
+fn main() {}
