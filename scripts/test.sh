@@ -74,8 +74,8 @@ stage "all Verilog" all_verilog
 # Two streams, because most checks wait for one simulator or one Yosys at a time. Every test is in one of them:
 # the second has the test files that the first leaves out.
 first_stream() {
-    stage "test files a to d" cargo test --locked --workspace --test '[a-d]*'
-    stage "unit tests" cargo test --locked --workspace --lib --bins
+    stage "test files a to d" cargo test --locked --workspace --test '[a-d]*' -- --include-ignored
+    stage "unit tests" cargo test --locked --workspace --lib --bins -- --include-ignored
     stage "doc tests" cargo test --locked --workspace --doc
     stage "Verilog checks" scripts/yosys/check.sh
     stage "Yosys scripts" scripts/yosys/scripts.sh
@@ -84,7 +84,7 @@ first_stream() {
     stage "copies of registers" scripts/yosys/copies.sh
 }
 second_stream() {
-    stage "test files e to z" cargo test --locked --workspace --test '[!a-d]*'
+    stage "test files e to z" cargo test --locked --workspace --test '[!a-d]*' -- --include-ignored
 }
 
 # With job control, each stream is a process group, which ends as one when the script is interrupted.
