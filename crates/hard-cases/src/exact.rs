@@ -1,11 +1,11 @@
 //! The exact in-range decision, from the definition alone: no clamp, no half squares, no saturation.
 
-use photoncube_spec::{LocalQuery, PhotonFormat, PhotonRecord};
+use photoncube_spec::{PhotonFormat, PhotonRecord, Query};
 
 use super::case::HardCaseError;
 use super::room::NORMAL;
 use super::setting::Setting;
-use photoncube_render::FormatMap;
+use photoncube_render::QuantisedMap;
 
 /// A photon in the frame of a query of a format.
 #[derive(Debug, Clone, Copy)]
@@ -31,7 +31,7 @@ impl Met {
 
 /// Every pair of a query and a photon that it gathers, for a setting.
 pub(super) fn all_met(setting: &Setting, format: &PhotonFormat) -> Result<Vec<Met>, HardCaseError> {
-    let quantised = FormatMap::new(&setting.map, format)?;
+    let quantised = QuantisedMap::new(&setting.map, &format.into())?;
     let mut all = Vec::new();
     for &place in &setting.queries {
         let query = quantised.query(place);
@@ -54,7 +54,7 @@ pub(super) fn all_met(setting: &Setting, format: &PhotonFormat) -> Result<Vec<Me
 
 fn halves(
     format: &PhotonFormat,
-    query: &LocalQuery,
+    query: &Query,
     offset: [u32; 3],
     record: &PhotonRecord,
 ) -> [i64; 3] {

@@ -1,12 +1,12 @@
 //! A setting: photons with queries among them.
 
 use glam::DVec3;
-use photoncube_spec::{self as spec, LocalSums, Machine, PhotonFormat};
+use photoncube_spec::{Machine, Photon, PhotonFormat, Query, Sums};
 
 use super::case::HardCaseError;
 use super::room::NORMAL;
 use photoncube_render::PhotonMap;
-use photoncube_render::{FormatMap, MachineMap};
+use photoncube_render::QuantisedMap;
 
 /// A photon map with query points.
 #[derive(Debug, Clone)]
@@ -39,8 +39,8 @@ impl Setting {
     }
 
     /// The sums of every query in a format.
-    pub(super) fn sums(&self, format: &PhotonFormat) -> Result<Vec<LocalSums>, HardCaseError> {
-        let quantised = FormatMap::new(&self.map, format)?;
+    pub(super) fn sums(&self, format: &PhotonFormat) -> Result<Vec<Sums>, HardCaseError> {
+        let quantised = QuantisedMap::new(&self.map, &format.into())?;
         let sums = self.queries.iter().map(|&q| quantised.gather(q, NORMAL));
         Ok(sums.collect::<Result<_, _>>()?)
     }
@@ -56,14 +56,11 @@ impl Setting {
     ///
     /// # Errors
     /// The machine's numbers do not fit.
-    pub fn workload(
-        &self,
-        machine: &Machine,
-    ) -> Result<Vec<(spec::Query, Vec<spec::Photon>)>, HardCaseError> {
-        let words = MachineMap::new(&self.map, machine)?;
+    pub fn workload(&self, machine: &Machine) -> Result<Vec<(Query, Vec<Photon>)>, HardCaseError> {
+        let words = QuantisedMap::new(&self.map, &machine.numbers)?;
         let queries = self.queries.iter();
         Ok(queries
-            .map(|&query| (words.query(query), words.photons(query, NORMAL)))
+            .map(|&query| (words.query(query), words.photons(query, NORMAL).collect()))
             .collect())
     }
 }

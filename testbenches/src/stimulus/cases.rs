@@ -351,7 +351,7 @@ mod tests {
         for machine in MACHINES {
             let mut rng = Pcg64::seed_from_u64(1);
             let mut cases = Cases::new(machine, &mut rng);
-            let limits = Limits::of(machine);
+            let limits = Limits::of(&machine.numbers).unwrap();
             let mut met = BTreeSet::new();
             for _ in 0..5_000 {
                 let case = cases.case();

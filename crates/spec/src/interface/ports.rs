@@ -1,6 +1,7 @@
 //! A machine's ports: one row for each kind of pin.
 
-use crate::machine::{Machine, Numbers};
+use crate::formats::Numbers;
+use crate::machine::Machine;
 use crate::pins::{Pin, Pins};
 
 /// The direction of a port.
@@ -110,7 +111,7 @@ fn meaning(machine: &Machine, stem: &str) -> String {
 }
 
 fn coordinate(machine: &Machine, of_query: bool) -> String {
-    let frame = Machine::FRAME_BLOCKS;
+    let frame = Numbers::FRAME_BLOCKS;
     match &machine.numbers {
         Numbers::Plain(format) => format!(
             "unsigned; steps of 2^-{} block edge, in a frame of {frame} block edges",
