@@ -5,8 +5,7 @@ use photoncube_spec::{Machine, Photon, PhotonFormat, Query, Sums};
 
 use super::case::HardCaseError;
 use super::room::NORMAL;
-use photoncube_render::PhotonMap;
-use photoncube_render::QuantisedMap;
+use photoncube_render::{PhotonMap, QuantisedMap, QueryPoint};
 
 /// A photon map with query points.
 #[derive(Debug, Clone)]
@@ -38,11 +37,17 @@ impl Setting {
         }
     }
 
-    /// The sums of every query in a format.
+    /// The sums of every query in a format, by the fast gather.
     pub(super) fn sums(&self, format: &PhotonFormat) -> Result<Vec<Sums>, HardCaseError> {
         let quantised = QuantisedMap::new(&self.map, &format.into())?;
-        let sums = self.queries.iter().map(|&q| quantised.gather(q, NORMAL));
-        Ok(sums.collect::<Result<_, _>>()?)
+        let query = |&position: &DVec3| QueryPoint {
+            position,
+            normal: NORMAL,
+            beta: DVec3::ONE,
+        };
+        let queries: Vec<_> = self.queries.iter().map(query).collect();
+        let found = quantised.gather_all(&queries, quantised.radius_sq())?;
+        Ok(found.into_iter().map(|found| found.sums).collect())
     }
 
     /// The number of photons that a format counts too much or too little.

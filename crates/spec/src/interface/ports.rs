@@ -165,7 +165,7 @@ fn power(machine: &Machine) -> String {
 }
 
 fn exponent(machine: &Machine) -> String {
-    let most = machine.format().map_or(0, |f| f.power.exponent_range());
+    let most = machine.numbers.power().exponent_range();
     format!("0 to {most}; more is not defined")
 }
 
