@@ -2,8 +2,8 @@
 //! thread pool.
 
 use glam::DVec3;
-use photoncube_model::Instructions;
-use photoncube_render::{FormatMap, QueryPoint};
+use photoncube_model::{Instructions, PhotonPlanes};
+use photoncube_render::{QuantisedMap, QueryPoint};
 use photoncube_spec::PhotonFormat;
 use rayon::prelude::*;
 
@@ -78,7 +78,7 @@ fn sum<Q: Sync>(
 }
 
 struct FixedPoint<'a> {
-    map: FormatMap<'a>,
+    map: QuantisedMap<'a>,
     instructions: Instructions,
     queries: &'a [QueryPoint],
 }
@@ -86,7 +86,7 @@ struct FixedPoint<'a> {
 impl<'a> FixedPoint<'a> {
     fn new(format: &PhotonFormat, data: &'a Data, instructions: Instructions) -> Self {
         Self {
-            map: FormatMap::new(&data.map, format).expect("a legal radius"),
+            map: QuantisedMap::new(&data.map, &format.into()).expect("a legal radius"),
             instructions,
             queries: &data.queries,
         }
@@ -102,12 +102,14 @@ impl Contestant for FixedPoint<'_> {
     }
 
     fn bytes(&self) -> usize {
-        self.map.planes().bytes() + self.map.map().index_bytes()
+        self.map.planes().map_or(0, PhotonPlanes::bytes) + self.map.map().index_bytes()
     }
 
     fn gather(&self, every: usize) -> Found {
         sum(self.queries, every, |tile| {
-            let found = self.map.gather_all_by(self.instructions, tile);
+            let found = self
+                .map
+                .gather_all_by(self.instructions, tile, self.map.radius_sq());
             let mut all = Found::default();
             for query in found.expect("fewer photons than the format declares") {
                 all += Found {

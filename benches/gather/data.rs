@@ -1,7 +1,7 @@
 //! The data of the benchmark: photons of equal power on a floor, and queries at photons.
 
 use glam::{DQuat, DVec3};
-use photoncube_render::{Facing, FormatMap, Photon, PhotonMap, QueryPoint, Scene};
+use photoncube_render::{Facing, Photon, PhotonMap, QuantisedMap, QueryPoint, Scene};
 use photoncube_spec::PhotonFormat;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
@@ -119,7 +119,7 @@ impl Data {
             .collect();
         // The blocks have the format's edge. The queries are sorted by them, for all contestants alike.
         let map = |radius| {
-            let edge = FormatMap::edge_for(format, radius);
+            let edge = QuantisedMap::edge_for(format, radius);
             PhotonMap::with_edge(&scene, places.clone(), radius, edge).expect("a legal radius")
         };
         let radius = radius_for(&map, photons, &queries, in_range);

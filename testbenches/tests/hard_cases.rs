@@ -83,7 +83,7 @@ fn largest_sums(machine: &Machine) -> Sums {
         ..Sums::default()
     };
     let channels = machine.channels().names().len();
-    sums.power[..channels].fill(u64::try_from(power).expect("sums of machines fit 64 bits"));
+    sums.power[..channels].fill(power);
     sums
 }
 

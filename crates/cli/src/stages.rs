@@ -68,7 +68,7 @@ pub fn picture(
     what: &'static str,
 ) -> Result<Rendering> {
     let (lighting, estimator) = (Lighting::default(), Estimator::FixedRadius);
-    picture_lit(traced, engine, &lighting, estimator, view, what)
+    picture_lit(traced, engine, &lighting, &estimator, view, what)
 }
 
 /// Stages 4 to 6 without writing, with a lighting and an estimator.
@@ -76,7 +76,7 @@ pub fn picture_lit(
     traced: &Traced,
     engine: Engine<'_>,
     lighting: &Lighting,
-    estimator: Estimator,
+    estimator: &Estimator,
     view: &ViewOptions,
     what: &'static str,
 ) -> Result<Rendering> {

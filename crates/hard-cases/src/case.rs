@@ -8,9 +8,8 @@ use thiserror::Error;
 
 use super::grid::Grid;
 use super::setting::Setting;
-use photoncube_render::FormatMapError;
 use photoncube_render::MapError;
-use photoncube_render::RenderError;
+use photoncube_render::QuantiseError;
 use photoncube_render::SceneError;
 
 /// A hard case: an input at which some arithmetic is known to fail.
@@ -120,15 +119,12 @@ pub enum HardCaseError {
     /// The format is not legal.
     #[error(transparent)]
     Format(#[from] FormatError),
-    /// The map has no form in the format.
+    /// The map has no form in the numbers of the format or of a machine.
     #[error(transparent)]
-    FormatMap(#[from] FormatMapError),
+    Quantise(#[from] QuantiseError),
     /// The format or a machine refuses a query.
     #[error(transparent)]
     Gather(#[from] GatherError),
-    /// The machine's numbers do not fit.
-    #[error(transparent)]
-    Numbers(#[from] RenderError),
     /// A packed record is not legal.
     #[error(transparent)]
     Pack(#[from] PackError),

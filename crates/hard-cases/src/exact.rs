@@ -1,11 +1,12 @@
 //! The exact in-range decision, from the definition alone: no clamp, no half squares, no saturation.
 
-use photoncube_spec::{LocalQuery, PhotonFormat, PhotonRecord};
+use photoncube_model::{GatherError, Gathered, PhotonPlanes, Surroundings};
+use photoncube_spec::{PhotonBlock, PhotonFormat, PhotonRecord, Query};
 
 use super::case::HardCaseError;
 use super::room::NORMAL;
 use super::setting::Setting;
-use photoncube_render::FormatMap;
+use photoncube_render::QuantisedMap;
 
 /// A photon in the frame of a query of a format.
 #[derive(Debug, Clone, Copy)]
@@ -29,32 +30,45 @@ impl Met {
     }
 }
 
-/// Every pair of a query and a photon that it gathers, for a setting.
+/// Every pair of a query and a photon that it gathers, for a setting. The fast gather decides, whose arithmetic
+/// has a clamp, half squares and saturation.
 pub(super) fn all_met(setting: &Setting, format: &PhotonFormat) -> Result<Vec<Met>, HardCaseError> {
-    let quantised = FormatMap::new(&setting.map, format)?;
+    let quantised = QuantisedMap::new(&setting.map, &format.into())?;
     let mut all = Vec::new();
     for &place in &setting.queries {
         let query = quantised.query(place);
-        let verdicts = quantised
-            .verdicts(place, NORMAL)
-            .map(|(_, verdict)| verdict);
-        let blocks = quantised.blocks(place, NORMAL);
-        let photons = blocks.flat_map(|block| block.photons.iter().map(move |p| (block.offset, p)));
-        all.extend(
-            photons
-                .zip(verdicts)
-                .map(|((offset, record), in_range)| Met {
-                    halves: halves(format, &query, offset, record),
-                    in_range,
-                }),
-        );
+        for block in quantised.blocks(place, NORMAL) {
+            for record in block.photons {
+                let photons = std::slice::from_ref(record);
+                all.push(Met {
+                    halves: halves(format, &query, block.offset, record),
+                    in_range: counts(format, &query, &PhotonBlock { photons, ..block })?,
+                });
+            }
+        }
     }
     Ok(all)
 }
 
+/// Whether the fast gather counts the one photon of a block.
+fn counts(
+    format: &PhotonFormat,
+    query: &Query,
+    block: &PhotonBlock<'_>,
+) -> Result<bool, HardCaseError> {
+    let mut planes = PhotonPlanes::new(format)?;
+    let stored = planes.push_run(block.exponent, block.photons);
+    stored.map_err(GatherError::from)?;
+    let mut around = Surroundings::default();
+    around.set(&planes, [(block.offset, 0)]);
+    let mut found = [Gathered::default()];
+    planes.gather(&around, std::slice::from_ref(query), &mut found)?;
+    Ok(found[0].sums.count == 1)
+}
+
 fn halves(
     format: &PhotonFormat,
-    query: &LocalQuery,
+    query: &Query,
     offset: [u32; 3],
     record: &PhotonRecord,
 ) -> [i64; 3] {

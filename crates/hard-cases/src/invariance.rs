@@ -12,8 +12,8 @@ use super::case::{Bound, Contrast, HardCase, HardCaseError, Outcome, every_forma
 use super::grid::Grid;
 use super::room::{COLOUR, RADIUS, Room, photon, photons, points};
 use super::setting::Setting;
-use photoncube_render::FormatMap;
 use photoncube_render::Photon;
+use photoncube_render::QuantisedMap;
 
 pub(super) const MOVED: HardCase = HardCase {
     name: "moved-by-1e6",
@@ -158,11 +158,11 @@ const fn scaled_by(size: f64) -> Room {
 
 /// The number of queries and photons that differ from those of the first setting, without a contrast.
 fn same(format: &PhotonFormat, settings: &[Setting]) -> Result<Outcome, HardCaseError> {
-    let first = FormatMap::new(&settings[0].map, format)?;
+    let first = QuantisedMap::new(&settings[0].map, &format.into())?;
     let sums = settings[0].sums(format)?;
     let (mut differ, mut looked_at) = (0, 0);
     for other in &settings[1..] {
-        let quantised = FormatMap::new(&other.map, format)?;
+        let quantised = QuantisedMap::new(&other.map, &format.into())?;
         let records = first.records().iter().zip(quantised.records());
         differ += records.filter(|(a, b)| a != b).count();
         let others = other.sums(format)?;

@@ -6,17 +6,17 @@
 use std::f64::consts::PI;
 
 use glam::DVec3;
-use photoncube_model::LocalGather;
-use photoncube_spec::{LocalQuery, PhotonFormat, PhotonRecord};
+use photoncube_model::Gather;
+use photoncube_spec::{PhotonFormat, PhotonRecord, Query};
 
 use super::case::{Bound, Contrast, HardCase, HardCaseError, Outcome, every_format, percent};
 use super::grid::Grid;
 use super::naive::in_range_absolute;
 use super::room::{COLOUR, NORMAL, RADIUS, Room, photon, points};
 use super::setting::Setting;
-use photoncube_render::FormatMap;
 use photoncube_render::MISCLASSIFIED_TIMES_STEPS;
 use photoncube_render::Photon;
+use photoncube_render::QuantisedMap;
 
 pub(super) const BIAS: HardCase = HardCase {
     name: "lattice-bias",
@@ -81,13 +81,14 @@ fn plane(grid: &Grid) -> Result<Setting, HardCaseError> {
 }
 
 fn bias(format: &PhotonFormat) -> Result<Outcome, HardCaseError> {
-    let gather = LocalGather::new(format)?;
+    let gather = Gather::new(&format.into())?;
     let sub = 1_u32 << format.query_extra_bits;
     let (mut cells, mut places) = (0, 0);
     for (x, z) in (0..sub).flat_map(|x| (0..sub).map(move |z| (x, z))) {
         let edge = format.edge_steps();
-        let query = LocalQuery {
+        let query = Query {
             position: [edge + x, edge, edge + z],
+            radius_sq: format.largest_in_range(),
         };
         cells += cells_in_disc(format, &gather, &query);
         places += 1;
@@ -103,7 +104,7 @@ fn bias(format: &PhotonFormat) -> Result<Outcome, HardCaseError> {
 
 /// The number of cells in range in the query's own layer. The ends of every row are searched, because the
 /// cells in range are those between.
-fn cells_in_disc(format: &PhotonFormat, gather: &LocalGather, query: &LocalQuery) -> u64 {
+fn cells_in_disc(format: &PhotonFormat, gather: &Gather, query: &Query) -> u64 {
     let edge = 1_i64 << format.position_bits;
     let in_range = |x: i64, z: i64| {
         let at = [x, edge, z];
@@ -169,7 +170,7 @@ fn tight(format: &PhotonFormat) -> Result<Outcome, HardCaseError> {
     let grid = Grid::of_format(format);
     let setting = caustic(&grid)?;
     let radius = setting.map.radius();
-    let quantised = FormatMap::new(&setting.map, format)?;
+    let quantised = QuantisedMap::new(&setting.map, &format.into())?;
     let (mut wrong, mut truly, mut absolute) = (0, 0, 0);
     for &query in &setting.queries {
         for (photon, verdict) in quantised.verdicts(query, NORMAL) {

@@ -3,15 +3,15 @@
 //! In trials a sequential sum in f32 was 1 % off at a million photons.
 
 use glam::DVec3;
-use photoncube_model::LocalGather;
-use photoncube_spec::{Exponent, LocalQuery, LocalSums, PhotonBlock, PhotonFormat, PhotonRecord};
+use photoncube_model::Gather;
+use photoncube_spec::{Exponent, PhotonBlock, PhotonFormat, PhotonRecord, Query, Sums};
 
 use super::case::{Bound, Contrast, HardCase, HardCaseError, Outcome, every_format, percent};
 use super::grid::Grid;
 use super::naive::sum_f32;
 use super::room::{MIDDLE, NORMAL, RADIUS, Room, photon, photons};
 use super::setting::Setting;
-use photoncube_render::FormatMap;
+use photoncube_render::QuantisedMap;
 
 pub(super) const QUARTER_MILLION: HardCase = HardCase {
     name: "quarter-million-in-a-block",
@@ -82,7 +82,7 @@ fn identical(grid: &Grid, count: usize) -> Result<Setting, HardCaseError> {
 
 fn quarter_million(format: &PhotonFormat) -> Result<Outcome, HardCaseError> {
     let setting = identical(&Grid::of_format(format), QUARTER)?;
-    let quantised = FormatMap::new(&setting.map, format)?;
+    let quantised = QuantisedMap::new(&setting.map, &format.into())?;
     let sums = quantised.gather(MIDDLE, NORMAL)?;
     let count = setting.counts[0];
     let one = one(&quantised)?;
@@ -110,8 +110,9 @@ fn fullest(format: &PhotonFormat) -> Result<Outcome, HardCaseError> {
         exponent: block_exponent,
         photons: &vec![full; REPEATED],
     };
-    let query = LocalQuery {
+    let query = Query {
         position: [format.edge_steps(); 3],
+        radius_sq: format.largest_in_range(),
     };
     let sums = repeated(format, &query, block, format.max_photons)?;
     let mantissa = (1_u128 << format.power.mantissa_bits) - 1;
@@ -122,7 +123,7 @@ fn fullest(format: &PhotonFormat) -> Result<Outcome, HardCaseError> {
 }
 
 /// The difference from the exact sums and counts; the contrast is the loss in 32 bits.
-fn difference(expected: [u128; 3], count: u64, sums: &LocalSums) -> Outcome {
+fn difference(expected: [u128; 3], count: u64, sums: &Sums) -> Outcome {
     let pairs = expected.iter().zip(sums.power);
     let off: u128 = pairs.map(|(a, b)| a.abs_diff(b)).sum();
     let brightest = expected.into_iter().max().unwrap_or_default();
@@ -140,9 +141,9 @@ fn million(format: &PhotonFormat) -> Result<Outcome, HardCaseError> {
     let power = 0.1;
     let photons = vec![photon(MIDDLE, DVec3::splat(power)); REPEATED];
     let map = Room::UNIT.map(&Grid::of_format(format), photons, RADIUS)?;
-    let quantised = FormatMap::new(&map, format)?;
+    let quantised = QuantisedMap::new(&map, &format.into())?;
     let query = quantised.query(MIDDLE);
-    let (mut sums, mut looked_at) = (LocalSums::default(), 0);
+    let (mut sums, mut looked_at) = (Sums::default(), 0);
     for block in quantised.blocks(MIDDLE, NORMAL) {
         sums = repeated(format, &query, block, count)?;
         looked_at += sums.count;
@@ -163,10 +164,10 @@ const REPEATED: usize = 1 << 10;
 /// The sums of a block's photons, repeated to `count` in all: the count matters and not the memory.
 fn repeated(
     format: &PhotonFormat,
-    query: &LocalQuery,
+    query: &Query,
     block: PhotonBlock<'_>,
     count: u64,
-) -> Result<LocalSums, HardCaseError> {
+) -> Result<Sums, HardCaseError> {
     let photons = block.photons.len() as u64;
     let times = usize::try_from(count / photons).unwrap_or(usize::MAX);
     let rest = PhotonBlock {
@@ -174,17 +175,17 @@ fn repeated(
         ..block
     };
     let blocks = std::iter::repeat_n(block, times).chain([rest]);
-    Ok(LocalGather::new(format)?.gather(query, blocks)?)
+    Ok(Gather::new(&format.into())?.sums(query, blocks)?)
 }
 
 /// The sums of one of the map's photons, which are all equal.
-fn one(quantised: &FormatMap<'_>) -> Result<LocalSums, HardCaseError> {
-    let gather = LocalGather::new(quantised.format())?;
+fn one(quantised: &QuantisedMap<'_>) -> Result<Sums, HardCaseError> {
+    let gather = Gather::new(quantised.numbers())?;
     let blocks = quantised.blocks(MIDDLE, NORMAL).map(|mut block| {
         block.photons = &block.photons[..1];
         block
     });
-    Ok(gather.gather(&quantised.query(MIDDLE), blocks)?)
+    Ok(gather.sums(&quantised.query(MIDDLE), blocks)?)
 }
 
 /// Photons of powers over 1e6:1, with the first `from` moved to the end and the others reversed.

@@ -8,9 +8,9 @@ use super::grid::Grid;
 use super::naive::in_range_wrapping_32;
 use super::room::{COLOUR, NORMAL, RADIUS, Room, photon, photons, points};
 use super::setting::Setting;
-use photoncube_render::FormatMap;
 use photoncube_render::Photon;
 use photoncube_render::PhotonMap;
+use photoncube_render::QuantisedMap;
 
 pub(super) const EXACTLY_ONE: HardCase = HardCase {
     name: "position-of-one",
@@ -89,7 +89,7 @@ fn borders(grid: &Grid) -> Result<Vec<Setting>, HardCaseError> {
 fn exactly_one(format: &PhotonFormat) -> Result<Outcome, HardCaseError> {
     let (mut wrong, mut carried, mut looked_at) = (0, 0, 0);
     for setting in borders(&Grid::of_format(format))? {
-        let quantised = FormatMap::new(&setting.map, format)?;
+        let quantised = QuantisedMap::new(&setting.map, &format.into())?;
         let position = setting.queries[0];
         let query = quantised.query(position).position;
         let of_query = query.map(|q| (q - format.edge_steps()) >> format.query_extra_bits);

@@ -7,8 +7,8 @@ use super::case::{Bound, Contrast, HardCase, HardCaseError, Outcome, every_forma
 use super::grid::Grid;
 use super::room::{COLOUR, MIDDLE, RADIUS, Room, photon, points};
 use super::setting::Setting;
-use photoncube_render::FormatMap;
 use photoncube_render::Photon;
+use photoncube_render::QuantisedMap;
 
 pub(super) const NONE: HardCase = HardCase {
     name: "no-photon-no-light",
@@ -108,7 +108,7 @@ fn worst_error(
     format: &PhotonFormat,
     scale_of: impl Fn(&Photon) -> f64,
 ) -> Result<f64, HardCaseError> {
-    let quantised = FormatMap::new(&setting.map, format)?;
+    let quantised = QuantisedMap::new(&setting.map, &format.into())?;
     let photons = quantised.map().photons();
     let brightest = photons
         .iter()
@@ -232,7 +232,7 @@ fn many(grid: &Grid) -> Result<Setting, HardCaseError> {
 
 fn rounding(format: &PhotonFormat) -> Result<Outcome, HardCaseError> {
     let setting = many(&Grid::of_format(format))?;
-    let quantised = FormatMap::new(&setting.map, format)?;
+    let quantised = QuantisedMap::new(&setting.map, &format.into())?;
     let photons = quantised.map().photons();
     let (mut error, mut truncated) = (0.0, 0.0);
     for (index, photon) in photons.iter().enumerate() {

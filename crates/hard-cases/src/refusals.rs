@@ -1,9 +1,9 @@
 //! Hard cases: values that cannot be represented are refused, with the limit and the excess.
 
 use glam::DVec3;
-use photoncube_model::LocalGather;
+use photoncube_model::Gather;
 use photoncube_spec::{
-    Exponent, FormatWidths, LocalQuery, PhotonBlock, PhotonFormat, PhotonRecord,
+    Exponent, FormatWidths, Numbers, PhotonBlock, PhotonFormat, PhotonRecord, Query,
 };
 
 use super::case::{Bound, Contrast, HardCase, HardCaseError, Outcome, every_format, percent};
@@ -58,7 +58,7 @@ struct Past {
     record: PhotonRecord,
     offset: [u32; 3],
     block_exponent: u8,
-    query: LocalQuery,
+    query: Query,
     value: u32,
     largest: u32,
 }
@@ -71,7 +71,7 @@ fn past(format: &PhotonFormat, over: u32) -> Vec<Past> {
         record: PhotonRecord::default(),
         offset: [1; 3],
         block_exponent: 0,
-        query: LocalQuery::default(),
+        query: Query::default(),
         value,
         largest,
     };
@@ -83,7 +83,7 @@ fn past(format: &PhotonFormat, over: u32) -> Vec<Past> {
         let mut one = good(ones(widths.coordinate) + over, ones(widths.coordinate));
         one.query.position[axis] = one.value;
         all.push(one);
-        let last = PhotonFormat::FRAME_BLOCKS - 1;
+        let last = Numbers::FRAME_BLOCKS - 1;
         let mut one = good(last + over, last);
         one.offset[axis] = one.value;
         all.push(one);
@@ -110,7 +110,7 @@ fn past(format: &PhotonFormat, over: u32) -> Vec<Past> {
 }
 
 fn values(format: &PhotonFormat) -> Result<Outcome, HardCaseError> {
-    let gather = LocalGather::new(format)?;
+    let gather = Gather::new(&format.into())?;
     let (mut taken, mut cut, mut looked_at) = (0, 0, 0);
     for over in [1, 45] {
         for past in past(format, over) {
@@ -121,9 +121,7 @@ fn values(format: &PhotonFormat) -> Result<Outcome, HardCaseError> {
             };
             let said = format!("is {}, {over} over the largest", past.value);
             let limit = format!(", {}", past.largest);
-            let refused = gather
-                .gather(&past.query, [block])
-                .map_err(|e| e.to_string());
+            let refused = gather.sums(&past.query, [block]).map_err(|e| e.to_string());
             let refuses = |e: String| e.contains(&said) && e.ends_with(&limit);
             taken += u64::from(!refused.err().is_some_and(refuses));
             let bits = u32::BITS - past.largest.leading_zeros();
@@ -135,9 +133,9 @@ fn values(format: &PhotonFormat) -> Result<Outcome, HardCaseError> {
 }
 
 fn counts(format: &PhotonFormat) -> Result<Outcome, HardCaseError> {
-    let gather = LocalGather::new(format)?;
+    let gather = Gather::new(&format.into())?;
     let photons = [PhotonRecord::default(); 1 << 10];
-    let query = LocalQuery::default();
+    let query = Query::default();
     let overs = [1, 2_000, 3 * format.max_photons];
     let mut taken = 0;
     for over in overs {
@@ -151,7 +149,7 @@ fn counts(format: &PhotonFormat) -> Result<Outcome, HardCaseError> {
         let rest = block(&photons[..(given % (1 << 10)) as usize]);
         let blocks = std::iter::repeat_n(block(&photons[..]), times).chain([rest]);
         let said = format!("{given} photons is {over} over the {}", format.max_photons);
-        let refused = gather.gather(&query, blocks).map_err(|e| e.to_string());
+        let refused = gather.sums(&query, blocks).map_err(|e| e.to_string());
         taken += u64::from(!refused.err().is_some_and(|e| e.contains(&said)));
     }
     let widths = FormatWidths::of(format);

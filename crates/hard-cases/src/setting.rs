@@ -1,12 +1,11 @@
 //! A setting: photons with queries among them.
 
 use glam::DVec3;
-use photoncube_spec::{self as spec, LocalSums, Machine, PhotonFormat};
+use photoncube_spec::{Machine, Photon, PhotonFormat, Query, Sums};
 
 use super::case::HardCaseError;
 use super::room::NORMAL;
-use photoncube_render::PhotonMap;
-use photoncube_render::{FormatMap, MachineMap};
+use photoncube_render::{PhotonMap, QuantisedMap, QueryPoint};
 
 /// A photon map with query points.
 #[derive(Debug, Clone)]
@@ -38,11 +37,17 @@ impl Setting {
         }
     }
 
-    /// The sums of every query in a format.
-    pub(super) fn sums(&self, format: &PhotonFormat) -> Result<Vec<LocalSums>, HardCaseError> {
-        let quantised = FormatMap::new(&self.map, format)?;
-        let sums = self.queries.iter().map(|&q| quantised.gather(q, NORMAL));
-        Ok(sums.collect::<Result<_, _>>()?)
+    /// The sums of every query in a format, by the fast gather.
+    pub(super) fn sums(&self, format: &PhotonFormat) -> Result<Vec<Sums>, HardCaseError> {
+        let quantised = QuantisedMap::new(&self.map, &format.into())?;
+        let query = |&position: &DVec3| QueryPoint {
+            position,
+            normal: NORMAL,
+            beta: DVec3::ONE,
+        };
+        let queries: Vec<_> = self.queries.iter().map(query).collect();
+        let found = quantised.gather_all(&queries, quantised.radius_sq())?;
+        Ok(found.into_iter().map(|found| found.sums).collect())
     }
 
     /// The number of photons that a format counts too much or too little.
@@ -56,14 +61,11 @@ impl Setting {
     ///
     /// # Errors
     /// The machine's numbers do not fit.
-    pub fn workload(
-        &self,
-        machine: &Machine,
-    ) -> Result<Vec<(spec::Query, Vec<spec::Photon>)>, HardCaseError> {
-        let words = MachineMap::new(&self.map, machine)?;
+    pub fn workload(&self, machine: &Machine) -> Result<Vec<(Query, Vec<Photon>)>, HardCaseError> {
+        let words = QuantisedMap::new(&self.map, &machine.numbers)?;
         let queries = self.queries.iter();
         Ok(queries
-            .map(|&query| (words.query(query), words.photons(query, NORMAL)))
+            .map(|&query| (words.query(query), words.photons(query, NORMAL).collect()))
             .collect())
     }
 }

@@ -12,7 +12,7 @@ use super::grid::Grid;
 use super::naive::{in_range_wrapping_16, in_range_wrapping_32};
 use super::room::{COLOUR, NORMAL, RADIUS, Room, photon, points};
 use super::setting::Setting;
-use photoncube_render::FormatMap;
+use photoncube_render::QuantisedMap;
 
 pub(super) const OWN_WIDTH: HardCase = HardCase {
     name: "wrap-own-width",
@@ -173,7 +173,7 @@ fn scene_wide(
     setting: Setting,
     naive: InRange,
 ) -> Result<Outcome, HardCaseError> {
-    let quantised = FormatMap::new(&setting.map, format)?;
+    let quantised = QuantisedMap::new(&setting.map, &format.into())?;
     let beyond = SMALL_RADIUS + 3_f64.sqrt() * Grid::of_format(format).cell(SMALL_RADIUS);
     let (mut wrong, mut truly, mut falsely, mut looked_at) = (0, 0, 0, 0);
     for &query in &setting.queries {

@@ -158,7 +158,7 @@ fn a_query_of_too_many_photons_is_refused_with_the_pixel() {
         max_photons: 3,
         ..*DEFAULT
     };
-    let error = render(&scene, &map, Engine::Format(&small), &view, &|_| ()).unwrap_err();
+    let error = render(&scene, &map, Engine::from(&small), &view, &|_| ()).unwrap_err();
     let RenderError::Gather { source, .. } = &error else {
         panic!("{error:?}");
     };
@@ -172,7 +172,7 @@ fn a_query_of_too_many_photons_is_refused_with_the_pixel() {
         position_bits: 13,
         ..*DEFAULT
     };
-    let error = render(&scene, &map, Engine::Format(&illegal), &view, &|_| ()).unwrap_err();
+    let error = render(&scene, &map, Engine::from(&illegal), &view, &|_| ()).unwrap_err();
     assert!(
         error
             .to_string()

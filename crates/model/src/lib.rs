@@ -2,9 +2,9 @@
 //!
 //! The crate has two independent readings of the spec. A [`GoldenMachine`] models the hardware register by
 //! register, in every clock ([`StepMachine`] runs programs, [`SpatialMachine`] is a pipeline). [`gather`] is
-//! the sum over photons that a machine must return. A property test shows that both agree. [`LocalGather`]
-//! computes this sum over blocks of stored records in a photon format, with the format's radius;
-//! [`PhotonPlanes`] computes it fast, bit for bit. The crate does no I/O, uses no HDL, and shares no
+//! the sum over photons that a machine must return. A property test shows that both agree. [`Gather`]
+//! computes this sum over blocks of stored records, in the numbers of any machine; [`PhotonPlanes`] computes
+//! it fast in a photon format, bit for bit. The crate does no I/O, uses no HDL, and shares no
 //! arithmetic with the HDL.
 //!
 //! ```
@@ -27,8 +27,7 @@ mod sequential;
 mod spatial;
 
 pub use gather::{
-    CountError, GatherError, Limits, LocalGather, LocalLimits, PackError, RangeError, gather, pack,
-    unpack,
+    CountError, Gather, GatherError, Limits, PackError, RangeError, gather, pack, unpack,
 };
 pub use golden::{GoldenMachine, golden_machine};
 pub use overlap::{CellPorts, OverlapCell, OverlapMachine};

@@ -3,10 +3,10 @@
 
 mod radius;
 
-use photoncube_model::{GatherError, LocalGather, pack, unpack};
+use photoncube_model::{Gather, GatherError, pack, unpack};
 use photoncube_spec::{
-    Channels, Exponent, FormatWidths, LocalQuery, LocalSums, PHOTON_FORMATS, PhotonBlock,
-    PhotonFormat, PhotonRecord, PowerFormat, Rounding, find_photon_format,
+    Channels, Exponent, FormatWidths, Numbers, PHOTON_FORMATS, PhotonBlock, PhotonFormat,
+    PhotonRecord, PowerFormat, Query, Rounding, Sums, find_photon_format,
 };
 use proptest::prelude::*;
 
@@ -28,21 +28,14 @@ impl Block {
     }
 }
 
-fn gather(format: &PhotonFormat, query: &LocalQuery, blocks: &[Block]) -> LocalSums {
-    let gather = LocalGather::new(format).unwrap();
-    gather
-        .gather(query, blocks.iter().map(Block::view))
-        .unwrap()
+fn gather(format: &PhotonFormat, query: &Query, blocks: &[Block]) -> Sums {
+    let gather = Gather::new(&format.into()).unwrap();
+    gather.sums(query, blocks.iter().map(Block::view)).unwrap()
 }
 
 /// 4 d^2 of a photon in squared fine steps, an integer. It is computed from the middles of both cells in
 /// halves of a fine step, without clamp, half squares or saturation.
-fn quarters(
-    format: &PhotonFormat,
-    query: &LocalQuery,
-    offset: [u32; 3],
-    record: &PhotonRecord,
-) -> i128 {
+fn quarters(format: &PhotonFormat, query: &Query, offset: [u32; 3], record: &PhotonRecord) -> i128 {
     let x = format.query_extra_bits;
     (0..3)
         .map(|axis| {
@@ -57,14 +50,14 @@ fn quarters(
 /// Whether a photon is in range of the format's own radius, by the plain geometry.
 fn naively_in_range(
     format: &PhotonFormat,
-    query: &LocalQuery,
+    query: &Query,
     offset: [u32; 3],
     record: &PhotonRecord,
 ) -> bool {
     quarters(format, query, offset, record) <= (2 * i128::from(format.radius_steps())).pow(2)
 }
 
-fn naive(format: &PhotonFormat, query: &LocalQuery, blocks: &[Block]) -> ([i128; 3], i128) {
+fn naive(format: &PhotonFormat, query: &Query, blocks: &[Block]) -> ([i128; 3], i128) {
     let (mut power, mut count) = ([0; 3], 0);
     for block in blocks {
         for record in &block.photons {
@@ -140,12 +133,12 @@ fn block(format: PhotonFormat) -> impl Strategy<Value = Block> {
     })
 }
 
-fn case() -> impl Strategy<Value = (PhotonFormat, LocalQuery, Vec<Block>)> {
+fn case() -> impl Strategy<Value = (PhotonFormat, Query, Vec<Block>)> {
     let named = prop::sample::select(PHOTON_FORMATS);
     prop_oneof![named, any_format()].prop_flat_map(|format| {
         let edge = format.edge_steps();
         let query = prop::array::uniform3(edge..2 * edge);
-        let query = query.prop_map(|position| LocalQuery { position });
+        let query = query.prop_map(move |position| query_at(&format, position));
         (
             Just(format),
             query,
@@ -202,8 +195,12 @@ proptest! {
 
 const DEFAULT: &PhotonFormat = &PHOTON_FORMATS[0];
 
-fn query_at(position: [u32; 3]) -> LocalQuery {
-    LocalQuery { position }
+/// A query with the format's own radius.
+fn query_at(format: &PhotonFormat, position: [u32; 3]) -> Query {
+    Query {
+        position,
+        radius_sq: format.largest_in_range(),
+    }
 }
 
 fn photon(position: [u16; 3]) -> PhotonRecord {
@@ -218,9 +215,9 @@ fn photon(position: [u16; 3]) -> PhotonRecord {
 /// decide about half of such ties wrongly.
 #[test]
 fn exact_boundary_ties_are_all_in_range_and_one_step_further_none() {
-    let gather = LocalGather::new(DEFAULT).unwrap();
+    let gather = Gather::new(&DEFAULT.into()).unwrap();
     let radius = DEFAULT.radius_steps() as i32;
-    let query = query_at([256 + 255; 3]);
+    let query = query_at(DEFAULT, [256 + 255; 3]);
     let mut ties = 0;
     for (dx, dy) in (0..=radius).flat_map(|x| (0..=radius).map(move |y| (x, y))) {
         let rest = radius * radius - dx * dx - dy * dy;
@@ -241,9 +238,9 @@ fn exact_boundary_ties_are_all_in_range_and_one_step_further_none() {
 #[test]
 fn distances_saturate_and_never_wrap() {
     for format in PHOTON_FORMATS {
-        let gather = LocalGather::new(format).unwrap();
+        let gather = Gather::new(&format.into()).unwrap();
         let largest = ((1_u32 << format.position_bits) - 1) as u16;
-        let query = query_at([format.edge_steps(); 3]);
+        let query = query_at(format, [format.edge_steps(); 3]);
         for offset in [[0; 3], [3; 3], [0, 3, 1], [1, 1, 3]] {
             for corner in [0, largest] {
                 let record = photon([corner; 3]);
@@ -256,13 +253,13 @@ fn distances_saturate_and_never_wrap() {
 
 #[test]
 fn none_one_and_a_quarter_million_identical_photons() {
-    let query = query_at([300; 3]);
+    let query = query_at(DEFAULT, [300; 3]);
     let many = |count| Block {
         offset: [1; 3],
         exponent: 0,
         photons: vec![photon([44; 3]); count],
     };
-    assert_eq!(gather(DEFAULT, &query, &[]), LocalSums::default());
+    assert_eq!(gather(DEFAULT, &query, &[]), Sums::default());
     for count in [0, 1, 250_000] {
         let sums = gather(DEFAULT, &query, &[many(count)]);
         let count = count as u64;
@@ -288,18 +285,18 @@ fn the_largest_declared_count_at_full_scale_is_exact_and_one_more_is_refused() {
             exponent: block_exponent,
             photons: &photons,
         };
-        let gather = LocalGather::new(format).unwrap();
-        let query = query_at([format.edge_steps(); 3]);
+        let gather = Gather::new(&format.into()).unwrap();
+        let query = query_at(format, [format.edge_steps(); 3]);
         let repeat = format.max_photons as usize >> 10;
         let sums = gather
-            .gather(&query, std::iter::repeat_n(block, repeat))
+            .sums(&query, std::iter::repeat_n(block, repeat))
             .unwrap();
         let full_scale = ((1_u128 << widths.mantissa) - 1) << format.power.exponent_range();
         assert_eq!(sums.power, [full_scale << 20; 3]);
         assert!(sums.power[0] < 1 << widths.sum);
         assert_eq!(sums.count, format.max_photons);
         let error = gather
-            .gather(&query, std::iter::repeat_n(block, repeat + 2))
+            .sums(&query, std::iter::repeat_n(block, repeat + 2))
             .unwrap_err();
         assert!(matches!(error, GatherError::Count(_)));
         let message = error.to_string();
@@ -320,7 +317,7 @@ fn powers_of_1e6_to_1_keep_their_small_ones() {
         exponent: 0,
         photons: vec![of(255, 24), of(1, 0), of(255, 4)],
     };
-    let sums = gather(DEFAULT, &query_at([256; 3]), &[block]);
+    let sums = gather(DEFAULT, &query_at(DEFAULT, [256; 3]), &[block]);
     assert_eq!(sums.power, [(255 << 24) + 1 + (255 << 4); 3]);
 }
 
@@ -334,7 +331,7 @@ fn a_bright_photon_just_outside_adds_nothing() {
         ("local6x2-rgb8e5", 64),
     ] {
         let format = &find_photon_format(name).unwrap();
-        let query = query_at([format.edge_steps(); 3]);
+        let query = query_at(format, [format.edge_steps(); 3]);
         let cells = 1_u16 << format.position_bits;
         let in_range = |&place: &u16| {
             let bright = PhotonRecord {
@@ -358,7 +355,7 @@ fn a_bright_photon_just_outside_adds_nothing() {
 
 #[test]
 fn what_does_not_fit_is_refused_with_the_limit_and_by_how_much() {
-    let gather = LocalGather::new(DEFAULT).unwrap();
+    let gather = Gather::new(&DEFAULT.into()).unwrap();
     let of = |record: PhotonRecord, offset, exponent, position| {
         let photons = [record];
         let block = PhotonBlock {
@@ -367,7 +364,7 @@ fn what_does_not_fit_is_refused_with_the_limit_and_by_how_much() {
             photons: &photons,
         };
         gather
-            .gather(&query_at(position), [block])
+            .sums(&query_at(DEFAULT, position), [block])
             .unwrap_err()
             .to_string()
     };

@@ -1,9 +1,7 @@
 //! Compares the step-exact machine with the direct gather, two independent readings of one spec.
 
 use photoncube_model::{gather, golden_machine};
-use photoncube_spec::{
-    Group, Inputs, Lane, MACHINES, Machine, Photon, PhotonFormat, Query, Sums, Widths,
-};
+use photoncube_spec::{Group, Inputs, Lane, MACHINES, Machine, Photon, Query, Sums, Widths};
 use proptest::prelude::*;
 
 /// Runs one query through the machine, group by group, with streams that wait as long as needed. A machine
@@ -50,7 +48,7 @@ fn run(machine: &Machine, query: Query, groups: &[Group]) -> (Sums, u64) {
 fn photon(machine: &Machine) -> impl Strategy<Value = Photon> + use<> {
     let widths = Widths::of(machine);
     let channels = machine.channels().names().len();
-    let exponents = machine.format().map_or(0, |f| f.power.exponent_range());
+    let exponents = machine.numbers.power().exponent_range();
     (
         prop::array::uniform3(0..1_u32 << widths.photon),
         prop::array::uniform3(0..1_u32 << widths.mantissa),
@@ -69,10 +67,7 @@ fn photon(machine: &Machine) -> impl Strategy<Value = Photon> + use<> {
 /// Any radius that the machine accepts, its largest radius, or its only one.
 fn query(machine: &Machine) -> impl Strategy<Value = Query> + use<> {
     let widths = Widths::of(machine);
-    let largest = machine.format().map_or(
-        u32::MAX >> (u32::BITS - widths.radius_sq),
-        PhotonFormat::largest_in_range,
-    );
+    let largest = machine.numbers.largest_radius_word();
     let radius_sq = match machine.fixed_radius_sq() {
         Some(radius_sq) => Just(radius_sq).boxed(),
         None => prop_oneof![0..=largest, Just(largest)].boxed(),

@@ -1,11 +1,11 @@
 //! Compares the fast gather with the plain one: bit for bit, in every format, with every instruction set.
 
 use photoncube_model::{
-    GatherError, Gathered, Instructions, LEAF, LocalGather, PhotonPlanes, Surroundings,
+    Gather, GatherError, Gathered, Instructions, LEAF, PhotonPlanes, Surroundings,
 };
 use photoncube_spec::{
-    Channels, Exponent, LocalQuery, LocalSums, PHOTON_FORMATS, PhotonBlock, PhotonFormat,
-    PhotonRecord, PowerFormat, Rounding,
+    Channels, Exponent, PHOTON_FORMATS, PhotonBlock, PhotonFormat, PhotonRecord, PowerFormat,
+    Query, Rounding, Sums,
 };
 use proptest::prelude::*;
 use proptest::sample::select;
@@ -22,8 +22,7 @@ struct Run {
 #[derive(Clone, Debug)]
 struct Scene {
     format: PhotonFormat,
-    radius_sq: u32,
-    queries: Vec<LocalQuery>,
+    queries: Vec<Query>,
     runs: Vec<Run>,
 }
 
@@ -52,6 +51,13 @@ fn formats() -> impl Strategy<Value = PhotonFormat> {
             ..PHOTON_FORMATS[0]
         },
     )
+}
+
+fn query(position: [u32; 3], radius_sq: u32) -> Query {
+    Query {
+        position,
+        radius_sq,
+    }
 }
 
 fn ones(bits: u32) -> u16 {
@@ -117,30 +123,30 @@ fn run(format: PhotonFormat) -> impl Strategy<Value = Run> {
 fn scene() -> impl Strategy<Value = Scene> {
     formats().prop_flat_map(|format| {
         let edge = format.edge_steps();
-        let radius_sq = format.radius_steps().pow(2);
+        let largest = format.largest_in_range();
         let coordinate = prop_oneof![edge..2 * edge, Just(edge), Just(2 * edge - 1)];
-        let query = prop::array::uniform3(coordinate).prop_map(|position| LocalQuery { position });
         (
-            prop_oneof![Just(radius_sq), 0..=radius_sq, Just(0)],
-            prop::collection::vec(query, 1..6),
+            prop_oneof![Just(largest), 0..=largest, Just(0)],
+            prop::collection::vec(prop::array::uniform3(coordinate), 1..6),
             prop::collection::vec(run(format), 0..12),
         )
-            .prop_map(move |(radius_sq, queries, runs)| Scene {
-                format,
-                radius_sq,
-                queries,
-                runs,
+            .prop_map(move |(radius_sq, positions, runs)| {
+                let query = |position| Query {
+                    position,
+                    radius_sq,
+                };
+                Scene {
+                    format,
+                    queries: positions.into_iter().map(query).collect(),
+                    runs,
+                }
             })
     })
 }
 
 impl Scene {
-    fn gather(&self) -> LocalGather {
-        LocalGather::new(&self.format).unwrap()
-    }
-
     fn planes(&self) -> PhotonPlanes {
-        let mut planes = PhotonPlanes::new(self.gather());
+        let mut planes = PhotonPlanes::new(&self.format).unwrap();
         for run in &self.runs {
             planes.push_run(run.exponent, &run.records).unwrap();
         }
@@ -154,32 +160,22 @@ impl Scene {
     }
 
     /// The sums of the plain gather.
-    fn expected(&self) -> Vec<LocalSums> {
+    fn expected(&self) -> Vec<Sums> {
         let blocks = self.runs.iter().map(|run| PhotonBlock {
             offset: run.offset,
             exponent: run.exponent,
             photons: &run.records,
         });
-        let gather = self.gather();
-        let sums = |query| {
-            gather
-                .gather_within(query, self.radius_sq, blocks.clone())
-                .unwrap()
-        };
+        let gather = Gather::new(&self.format.into()).unwrap();
+        let sums = |query| gather.sums(query, blocks.clone()).unwrap();
         self.queries.iter().map(sums).collect()
     }
 }
 
-fn fast(scene: &Scene, planes: &PhotonPlanes, instructions: Instructions) -> Vec<LocalSums> {
+fn fast(scene: &Scene, planes: &PhotonPlanes, instructions: Instructions) -> Vec<Sums> {
     let around = scene.surroundings(planes);
     let mut found = vec![Gathered::default(); scene.queries.len()];
-    let done = planes.gather_by(
-        instructions,
-        &around,
-        &scene.queries,
-        scene.radius_sq,
-        &mut found,
-    );
+    let done = planes.gather_by(instructions, &around, &scene.queries, &mut found);
     done.unwrap();
     assert!(
         found
@@ -218,12 +214,12 @@ proptest! {
 #[test]
 fn the_border_of_the_sphere_is_decided_alike() {
     for format in PHOTON_FORMATS {
-        let (edge, radius) = (format.edge_steps(), format.radius_steps());
+        let edge = format.edge_steps();
         let mut scene = Scene {
             format: *format,
-            radius_sq: radius.pow(2),
-            queries: vec![LocalQuery {
+            queries: vec![Query {
                 position: [edge + edge / 2 + 1, edge, 2 * edge - 1],
+                radius_sq: format.largest_in_range(),
             }],
             runs: Vec::new(),
         };
@@ -278,9 +274,9 @@ fn full_scale_sums_do_not_wrap() {
     };
     let scene = Scene {
         format,
-        radius_sq: format.radius_steps().pow(2),
-        queries: vec![LocalQuery {
+        queries: vec![Query {
             position: [256 + 7; 3],
+            radius_sq: format.largest_in_range(),
         }],
         runs: vec![Run {
             offset: [1; 3],
@@ -293,7 +289,7 @@ fn full_scale_sums_do_not_wrap() {
         let found = fast(&scene, &scene.planes(), instructions);
         assert_eq!(
             found,
-            [LocalSums {
+            [Sums {
                 power: [total; 3],
                 count: 1 << 20
             }]
@@ -310,8 +306,7 @@ fn what_the_sphere_cannot_touch_is_not_tested() {
     };
     let scene = Scene {
         format: PHOTON_FORMATS[0],
-        radius_sq: 254 * 254,
-        queries: vec![LocalQuery { position: [256; 3] }],
+        queries: vec![query([256; 3], 254 * 254)],
         runs: vec![
             Run {
                 offset: [2; 3],
@@ -328,12 +323,7 @@ fn what_the_sphere_cannot_touch_is_not_tested() {
     let planes = scene.planes();
     let mut found = [Gathered::default()];
     planes
-        .gather(
-            &scene.surroundings(&planes),
-            &scene.queries,
-            scene.radius_sq,
-            &mut found,
-        )
+        .gather(&scene.surroundings(&planes), &scene.queries, &mut found)
         .unwrap();
     assert_eq!((found[0].tests, found[0].sums.count), (3, 3));
 }
@@ -344,31 +334,27 @@ fn what_the_plain_gather_refuses_is_refused() {
         max_photons: 3,
         ..PHOTON_FORMATS[0]
     };
-    let gather = LocalGather::new(&format).unwrap();
+    let gather = Gather::new(&format.into()).unwrap();
     let photon = PhotonRecord {
         position: [9; 3],
         mantissa: [1; 3],
         exponent: 0,
     };
     let refused = |records: &[PhotonRecord], position, radius_sq| {
-        let mut planes = PhotonPlanes::new(gather);
+        let mut planes = PhotonPlanes::new(&format).unwrap();
         planes.push_run(0, records).unwrap();
         let mut around = Surroundings::default();
         around.set(&planes, [([1; 3], 0)]);
-        let query = LocalQuery { position };
+        let query = query(position, radius_sq);
         let mut found = [Gathered::default()];
-        let fast = planes
-            .gather(&around, &[query], radius_sq, &mut found)
-            .unwrap_err();
+        let fast = planes.gather(&around, &[query], &mut found).unwrap_err();
         assert_eq!(found, [Gathered::default()]);
         let block = PhotonBlock {
             offset: [1; 3],
             exponent: 0,
             photons: records,
         };
-        let plain = gather
-            .gather_within(&query, radius_sq, [block])
-            .unwrap_err();
+        let plain = gather.sums(&query, [block]).unwrap_err();
         assert_eq!(fast, plain);
         fast
     };
@@ -384,7 +370,7 @@ fn what_the_plain_gather_refuses_is_refused() {
         refused(&[photon; 2], [300; 3], 254 * 254 + 1),
         GatherError::Range(_)
     ));
-    let mut planes = PhotonPlanes::new(gather);
+    let mut planes = PhotonPlanes::new(&format).unwrap();
     let wrong = PhotonRecord {
         position: [256, 0, 0],
         ..photon
@@ -397,9 +383,16 @@ fn what_the_plain_gather_refuses_is_refused() {
 #[test]
 #[should_panic(expected = "is not in the block that the surroundings are of")]
 fn a_query_of_another_block_is_a_mistake() {
-    let gather = LocalGather::new(&PHOTON_FORMATS[0]).unwrap();
-    let planes = PhotonPlanes::new(gather);
-    let query = LocalQuery { position: [0; 3] };
+    let planes = PhotonPlanes::new(&PHOTON_FORMATS[0]).unwrap();
     let mut found = [Gathered::default()];
-    let _ = planes.gather(&Surroundings::default(), &[query], 1, &mut found);
+    let _ = planes.gather(&Surroundings::default(), &[query([0; 3], 1)], &mut found);
+}
+
+#[test]
+#[should_panic(expected = "has another radius")]
+fn queries_of_different_radii_are_a_mistake() {
+    let planes = PhotonPlanes::new(&PHOTON_FORMATS[0]).unwrap();
+    let queries = [1, 2].map(|radius_sq| query([256; 3], radius_sq));
+    let mut found = [Gathered::default(); 2];
+    let _ = planes.gather(&Surroundings::default(), &queries, &mut found);
 }

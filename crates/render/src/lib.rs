@@ -7,8 +7,7 @@
 //! 3. [`PhotonMap`]: photons in blocks of a grid whose edge is at least the search radius;
 //! 4. [`ViewOptions`]: view rays, supersampled, end at [`QueryPoint`]s;
 //! 5. [`render`] with an [`Engine`] and an [`Estimator`]: the radiance estimate, by the f64 reference or by the
-//!    golden model on photons that [`QuantisedMap`] turned into a machine's integers, or
-//!    [`FormatMap`] into those of a photon format;
+//!    golden model on photons that [`QuantisedMap`] turned into the integers of a machine or a photon format;
 //! 6. [`Image`]: linear RGB, tone mapping, PNG and OpenEXR, maps of the error.
 //!
 //! [`Lighting`] decides which light comes from the maps, which from shadow rays and which from gather rays:
@@ -29,7 +28,7 @@
 //! let radius = PhotonMap::radius_for(&scene, 5_000, 50.0);
 //! let map = PhotonMap::new(&scene, traced.photons, radius)?;
 //! let view = ViewOptions { width: 16, height: 16, samples_per_axis: 1, seed: 1 };
-//! // The f64 reference; `Engine::Model` gathers in a machine's integers.
+//! // The f64 reference; `Engine::Integers` gathers in a machine's integers.
 //! let rendering = render(&scene, &map, Engine::F64, &view, &|_| ())?;
 //! assert_eq!((rendering.image.width(), rendering.image.height()), (16, 16));
 //! assert!(rendering.stats.photons_in_range > 0);
@@ -87,10 +86,9 @@ pub use photon_map::{Candidates, MapError, PhotonMap};
 pub use progressive::{
     ErrorEstimate, PixelBound, Progressive, ProgressiveError, ProgressiveOptions,
 };
-pub use quantise::{FormatMap, FormatMapError, MachineMap, QuantiseError, QuantisedMap};
+pub use quantise::{QuantiseError, QuantisedMap};
 pub use render::{
-    Engine, Light, RenderError, RenderStats, Rendering, WorkloadError, render, render_lit,
-    render_with, workload,
+    Engine, Light, RenderError, RenderStats, Rendering, WorkloadError, render, render_lit, workload,
 };
 pub use scene::{Bsdf, LightChoice, ObjError, Scene, SceneError, Surface};
 pub use trace::{

@@ -4,8 +4,6 @@
 //! The anchors were measured on uniform photons of equal power. The Cornell box has shadows, edges and
 //! coloured walls, so every tolerance states the effect of these.
 
-use glam::DVec3;
-use photoncube_model::gather;
 use photoncube_render::{
     BenchOptions, Engine, ErrorBench, ErrorReport, ErrorStudy, Kernel, KernelEstimate, Ladder,
     Misclassified, Neighbourhood, NoiseMeter, PhotonMap, QuantisedMap, QueryPoint, RelativeErrors,
@@ -24,7 +22,7 @@ fn bench(in_range: f64) -> ErrorBench {
 }
 
 fn report(bench: &ErrorBench, machine: &str) -> ErrorReport {
-    let engine = Engine::Model(find_machine(machine).unwrap());
+    let engine = Engine::from(find_machine(machine).unwrap());
     let report = bench.measure(engine).unwrap();
     println!("{machine}: {report:#?}");
     report
@@ -135,16 +133,14 @@ fn bisection_on_the_models_count_finds_the_kth_photon() {
     let (k, mut found) = (50, 0);
     let map = &bench.maps()[0];
     for name in ["paper", "paper-12"] {
-        let quantised = QuantisedMap::new(map, find_machine(name).unwrap()).unwrap();
+        let quantised = QuantisedMap::new(map, &find_machine(name).unwrap().numbers).unwrap();
         for query in bench.queries().iter().step_by(3) {
             let near = Neighbourhood::block_walk(map, query);
             let exact = near.k_nearest(k, Kernel::Rectangle).unwrap();
-            let mut integers = quantised.query(query.position);
-            let max = integers.radius_sq;
+            let max = quantised.radius_sq();
             let count = |radius_sq: u64| {
-                integers.radius_sq = radius_sq as u32;
-                let photons = quantised.photons(query.position, query.normal);
-                gather(quantised.machine(), &integers, photons).map(|sums| sums.count)
+                let sums = quantised.gather_within(query.position, query.normal, radius_sq as u32);
+                sums.map(|sums| sums.count)
             };
             let Some(kth) = smallest_radius_sq(k, u64::from(max), count).unwrap() else {
                 continue;
@@ -211,19 +207,12 @@ fn ladders_err_as_predicted() {
 
 /// A ladder in the machine's integers: the golden model's sums at the rungs' integer radii.
 fn integer_ladder(quantised: &QuantisedMap<'_>, query: &QueryPoint, ladder: &Ladder) -> f64 {
-    let mut integers = quantised.query(query.position);
-    let steps_sq = f64::from(integers.radius_sq);
+    let steps_sq = quantised.radius_sq();
     let mut sum = 0.0;
-    for (radius_sq, rung) in ladder
-        .radii_sq(integers.radius_sq)
-        .iter()
-        .zip(ladder.rungs())
-    {
-        integers.radius_sq = *radius_sq;
-        let photons = quantised.photons(query.position, query.normal);
-        let sums = gather(quantised.machine(), &integers, photons).unwrap();
-        let power = DVec3::from(sums.power.map(|p| p as f64)) * quantised.power_step();
-        sum += rung.weight * luminance(power) * (steps_sq / f64::from(*radius_sq));
+    for (radius_sq, rung) in ladder.radii_sq(steps_sq).iter().zip(ladder.rungs()) {
+        let sums = quantised.gather_within(query.position, query.normal, *radius_sq);
+        let power = quantised.flux(sums.unwrap().power);
+        sum += rung.weight * luminance(power) * (f64::from(steps_sq) / f64::from(*radius_sq));
     }
     sum
 }
@@ -249,7 +238,7 @@ fn ladder_error_over_noise(bench: &ErrorBench, machine: &str, ladder: &Ladder) -
     let machine = find_machine(machine).unwrap();
     let mut study = ErrorStudy::new(bench.queries().len());
     for map in bench.maps() {
-        let quantised = QuantisedMap::new(map, machine).unwrap();
+        let quantised = QuantisedMap::new(map, &machine.numbers).unwrap();
         let (mut integers, mut floats) = (Vec::new(), Vec::new());
         for query in bench.queries() {
             let near = Neighbourhood::block_walk(map, query);

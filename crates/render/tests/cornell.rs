@@ -41,7 +41,7 @@ fn the_golden_models_image_agrees_with_the_path_tracer() {
     let scene = Scene::built_in("cornell").unwrap();
     let map = map(&scene, &TraceOptions::default());
     let paper = find_machine("paper").unwrap();
-    let image = rendered(&scene, &map, Engine::Model(paper), 128).image;
+    let image = rendered(&scene, &map, Engine::from(paper), 128).image;
     let reference = reference();
     let mask = light_mask(&reference, LIGHT_RADIANCE);
     let error = rel_mse(&image, &reference, &mask).unwrap();
@@ -63,7 +63,7 @@ fn the_format_error_is_small_and_falls_with_the_step() {
     let exact = rendered(&scene, &map, Engine::F64, 64).image;
     let mask = light_mask(&exact, LIGHT_RADIANCE);
     let error = |machine| {
-        let engine = Engine::Model(find_machine(machine).unwrap());
+        let engine = Engine::from(find_machine(machine).unwrap());
         let image = rendered(&scene, &map, engine, 64).image;
         rms_relative_difference(&image, &exact, &mask).unwrap()
     };
@@ -102,7 +102,7 @@ fn passes_in_integers_come_as_near_to_the_path_tracer_as_those_of_f64() {
     const PASSES: u64 = 64;
     let reference = reference();
     let mask = light_mask(&reference, LIGHT_RADIANCE);
-    let (integers, error) = progressive(Engine::Format(&PHOTON_FORMATS[0]), PASSES);
+    let (integers, error) = progressive(Engine::from(&PHOTON_FORMATS[0]), PASSES);
     let (exact, _) = progressive(Engine::F64, PASSES);
     let of = |image: &Image| rel_mse(image, &reference, &mask).unwrap();
     let difference = rel_mse(&integers, &exact, &mask).unwrap().sqrt();

@@ -1,7 +1,7 @@
 //! Measures the error of formats at single queries, against f64 on the same photons.
 
 use glam::DVec3;
-use photoncube_render::{FormatMap, Photon, PhotonMap, Scene, TraceOptions, trace};
+use photoncube_render::{Photon, PhotonMap, QuantisedMap, Scene, TraceOptions, trace};
 use photoncube_spec::{PhotonFormat, find_photon_format};
 
 /// The figures of many queries.
@@ -17,7 +17,7 @@ struct Measured {
 }
 
 fn measure(map: &PhotonMap, queries: &[(DVec3, DVec3)], format: &PhotonFormat) -> Measured {
-    let quantised = FormatMap::new(map, format).unwrap();
+    let quantised = QuantisedMap::new(map, &format.into()).unwrap();
     let (mut wrong, mut in_range, mut count) = (0, 0, 0.0);
     let (mut squares, mut noise) = (0.0, 0.0);
     for &(position, normal) in queries {

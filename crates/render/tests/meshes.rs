@@ -240,7 +240,7 @@ fn a_hundred_thousand_triangles_render() {
     let by_f64 = picture(&scene, photons.clone(), 0.1, Engine::F64);
     println!("rendered: {:?}", start.elapsed());
     let format = find_photon_format("local8-rgb8e5").unwrap();
-    let by_format = picture(&scene, photons, 0.1, Engine::Format(&format));
+    let by_format = picture(&scene, photons, 0.1, Engine::from(&format));
     println!("rendered by {}: {:?}", format, start.elapsed());
     let pairs = squares(&by_f64).into_iter().zip(squares(&by_format));
     for (a, b) in pairs {

@@ -71,7 +71,7 @@ fn every_example_renders_by_both_engines() {
             file.display()
         );
         let by_f64 = rendered(&scene, 20_000, Engine::F64);
-        let by_format = rendered(&scene, 20_000, Engine::Format(&format));
+        let by_format = rendered(&scene, 20_000, Engine::from(&format));
         let sum = |r: &Rendering| {
             r.image
                 .pixels()

@@ -41,13 +41,13 @@ pub use cell::{
     unit_utilisation,
 };
 pub use formats::{
-    Channels, Exponent, FormatError, FormatWidths, LocalQuery, LocalSums, PHOTON_FORMATS,
-    PhotonBlock, PhotonFormat, PhotonRecord, PowerFormat, Rounding, Squarer, UnknownFormat, Widths,
+    Channels, Exponent, FormatError, FormatWidths, Numbers, PHOTON_FORMATS, PhotonBlock,
+    PhotonFormat, PhotonRecord, PlainFormat, PowerFormat, Rounding, Squarer, UnknownFormat, Widths,
     find_photon_format,
 };
 pub use hypercube::{Axis, Hypercube, Role};
 pub use interface::{Direction, Fact, Interface, Port};
-pub use machine::{Machine, Numbers, PlainFormat};
+pub use machine::Machine;
 pub use machines::{MACHINES, UnknownMachine, find_machine};
 pub use nearest::did_you_mean;
 pub use organisation::{Organisation, Rate};

@@ -2,7 +2,7 @@
 //! machines.
 
 use crate::cell::{CellTables, OVERLAPPED, SEQUENTIAL};
-use crate::formats::{Channels, FormatWidths, PhotonFormat, Squarer, Widths};
+use crate::formats::{Channels, Numbers, PhotonFormat, PlainFormat, Squarer};
 use crate::hypercube::Hypercube;
 use crate::organisation::{Organisation, Rate};
 use crate::overlap;
@@ -26,38 +26,7 @@ pub struct Machine {
     pub squarer: Squarer,
 }
 
-/// The number format of a machine's words.
-#[derive(Copy, Clone, Debug, PartialEq, Eq)]
-pub enum Numbers {
-    /// The paper's plain arithmetic at full width; the square is `(A-B)^2`.
-    Plain(PlainFormat),
-    /// Numbers relative to the search radius, by the rules of [`PhotonFormat`].
-    Local(PhotonFormat),
-}
-
-/// The paper's numbers: coordinates of the frame, linear powers in three channels.
-#[derive(Copy, Clone, Debug, PartialEq, Eq)]
-pub struct PlainFormat {
-    /// Bits of a coordinate. The frame of a query is [`Machine::FRAME_BLOCKS`] block edges wide.
-    pub coordinate_bits: u32,
-    /// Bits of a photon's power in one channel.
-    pub power_bits: u32,
-    /// The most photons that one query may be given; the sums are sized for it.
-    pub max_photons: u64,
-}
-
-impl PlainFormat {
-    /// Fraction bits of a position in its block.
-    pub fn position_bits(&self) -> u32 {
-        self.coordinate_bits - Machine::FRAME_BLOCKS.ilog2()
-    }
-}
-
 impl Machine {
-    /// The block edges that coordinates span: the query's block, one block on each side, and a fourth that
-    /// makes the count a power of two.
-    pub const FRAME_BLOCKS: u32 = 4;
-
     /// The machine's network.
     pub fn hypercube(&self) -> Hypercube {
         Hypercube::new(self.dimension)
@@ -109,8 +78,7 @@ impl Machine {
 
     /// Whether a stored photon has an exponent beside its mantissas.
     pub fn has_exponent(&self) -> bool {
-        let format = self.format();
-        format.is_some_and(|format| format.power.exponent_range() > 0)
+        self.numbers.power().exponent_range() > 0
     }
 
     /// The photons of one iteration, which is the number of lanes of a group.
@@ -142,10 +110,7 @@ impl Machine {
 
     /// The machine's photon format; `None` in plain numbers.
     pub fn format(&self) -> Option<&PhotonFormat> {
-        match &self.numbers {
-            Numbers::Plain(_) => None,
-            Numbers::Local(format) => Some(format),
-        }
+        self.numbers.format()
     }
 
     /// The machine's plain format; `None` where it has a photon format.
@@ -158,10 +123,7 @@ impl Machine {
 
     /// Fraction bits of a photon's position in its block.
     pub fn position_bits(&self) -> u32 {
-        match &self.numbers {
-            Numbers::Plain(format) => format.position_bits(),
-            Numbers::Local(format) => format.position_bits,
-        }
+        self.numbers.position_bits()
     }
 
     /// The squared search radius of all queries in square steps, where the machine fixes it; `None` where
@@ -175,32 +137,22 @@ impl Machine {
 
     /// The most photons that one query may be given.
     pub fn max_photons(&self) -> u64 {
-        match &self.numbers {
-            Numbers::Plain(format) => format.max_photons,
-            Numbers::Local(format) => format.max_photons,
-        }
+        self.numbers.max_photons()
     }
 
     /// The channels of a photon's power.
     pub fn channels(&self) -> Channels {
-        match &self.numbers {
-            Numbers::Plain(_) => Channels::Rgb,
-            Numbers::Local(format) => format.power.channels,
-        }
+        self.numbers.power().channels
     }
 
     /// The largest decoded power: a mantissa of all ones at the largest exponent.
     pub fn full_scale(&self) -> u128 {
-        let exponent_range = self.format().map_or(0, |f| f.power.exponent_range());
-        ((1 << Widths::of(self).mantissa) - 1) << exponent_range
+        self.numbers.power().full_scale()
     }
 
     /// Bits of a stored photon: a position in its block, its mantissas and its exponent.
     pub fn bits_per_photon(&self) -> u32 {
-        match &self.numbers {
-            Numbers::Plain(format) => 3 * (format.position_bits() + format.power_bits),
-            Numbers::Local(format) => FormatWidths::of(format).bits_per_photon,
-        }
+        self.numbers.bits_per_photon()
     }
 
     /// Photon tests per clock while no stream waits.

@@ -3,9 +3,10 @@
 use thiserror::Error;
 
 use crate::formats::{
-    Channels, Exponent, PHOTON_FORMATS, PhotonFormat, PowerFormat, Rounding, Squarer,
+    Channels, Exponent, Numbers, PHOTON_FORMATS, PhotonFormat, PlainFormat, PowerFormat, Rounding,
+    Squarer,
 };
-use crate::machine::{Machine, Numbers, PlainFormat};
+use crate::machine::Machine;
 use crate::nearest::did_you_mean;
 use crate::organisation::Organisation;
 use crate::spatial::{Cut, Cuts, EngineKind, Radius, Spatial};
@@ -371,7 +372,7 @@ mod tests {
                 }
             }
             assert_eq!(
-                Machine::FRAME_BLOCKS << machine.position_bits(),
+                Numbers::FRAME_BLOCKS << machine.position_bits(),
                 1 << Widths::of(machine).photon
             );
         }

@@ -188,7 +188,9 @@ impl Pins {
             u64::from(outputs.group_ready),
             u64::from(outputs.result_valid),
         ];
-        row.extend(&outputs.result.power[..PhotonPins::of(machine).channels]);
+        // A sum has at most 64 bits.
+        let powers = &outputs.result.power[..PhotonPins::of(machine).channels];
+        row.extend(powers.iter().map(|&power| power as u64));
         row.push(outputs.result.count);
         row
     }
@@ -200,14 +202,13 @@ impl Pins {
     pub fn outputs_of(machine: &Machine, row: &[u64]) -> Outputs {
         let (ready, sums) = row.split_at(3);
         let channels = PhotonPins::of(machine).channels;
-        let mut power = [0; 3];
-        power[..channels].copy_from_slice(&sums[..channels]);
+        let power = |channel| (channel < channels).then(|| u128::from(sums[channel]));
         Outputs {
             query_ready: ready[0] != 0,
             group_ready: ready[1] != 0,
             result_valid: ready[2] != 0,
             result: Sums {
-                power,
+                power: std::array::from_fn(|channel| power(channel).unwrap_or(0)),
                 count: sums[channels],
             },
         }
@@ -331,7 +332,7 @@ mod tests {
             assert_eq!(row.len(), pins.inputs.len());
             assert_eq!(Pins::inputs_of(machine, &row), inputs);
             let power = [1, 2, 3].map(|value| {
-                if value <= shape.channels as u64 {
+                if value <= shape.channels as u128 {
                     value
                 } else {
                     0

@@ -6,7 +6,8 @@ pub struct Query {
     /// Its coordinates x, y, z in steps of the frame, [`crate::Widths::coordinate`] wide.
     pub position: [u32; 3],
     /// The squared search radius in square steps, [`crate::Widths::radius_sq`] wide. A photon with
-    /// `d^2 <= radius_sq` is in range.
+    /// `d^2 <= radius_sq` is in range. On half steps it bounds the sum of half squares instead, see
+    /// [`crate::Numbers::radius_word`].
     pub radius_sq: u32,
 }
 
@@ -43,9 +44,9 @@ pub struct Group {
 /// The sums of a query over the photons in range.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Sums {
-    /// The summed power in red, green, blue, in power steps. With one channel, the first is used and the
-    /// others are 0.
-    pub power: [u64; 3],
+    /// The summed power in red, green, blue, in the map's power unit, [`crate::Widths::sum`] wide. With one
+    /// channel, the first is used and the others are 0.
+    pub power: [u128; 3],
     /// The number of photons in range.
     pub count: u64,
 }

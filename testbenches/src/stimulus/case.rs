@@ -1,6 +1,6 @@
 //! A case: the queries that a machine tests at once, with their groups.
 
-use photoncube_spec::{Group, Lane, Machine, Photon, PhotonFormat, Query, Widths};
+use photoncube_spec::{Group, Lane, Machine, Photon, Query, Widths};
 
 use super::aim::Aim;
 
@@ -111,7 +111,7 @@ impl Case {
     pub fn full_scale(machine: &Machine, photons: u64) -> Self {
         let count = usize::try_from(photons).expect("a test's photons fit the memory");
         let query = Query {
-            radius_sq: largest_radius_sq(machine),
+            radius_sq: machine.numbers.largest_radius_word(),
             ..Query::default()
         };
         Self::pack(machine, &[query], &vec![full_scale(machine); count])
@@ -125,16 +125,8 @@ pub(super) fn full_scale(machine: &Machine) -> Photon {
     Photon {
         position: [0; 3],
         power,
-        exponent: machine.format().map_or(0, |f| f.power.exponent_range()),
+        exponent: machine.numbers.power().exponent_range(),
     }
-}
-
-/// The largest `radius_sq` that a query may have.
-pub(super) fn largest_radius_sq(machine: &Machine) -> u32 {
-    let all_ones = largest(Widths::of(machine).radius_sq);
-    machine
-        .format()
-        .map_or(all_ones, PhotonFormat::largest_in_range)
 }
 
 /// The number whose `bits` bits are all ones.

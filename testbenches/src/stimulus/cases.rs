@@ -4,7 +4,7 @@ use photoncube_spec::{Group, Lane, Machine, Photon, Query, Widths};
 use rand::{Rng, RngExt};
 
 use super::aim::Aim;
-use super::case::{Case, full_scale, largest, largest_radius_sq};
+use super::case::{Case, full_scale, largest};
 
 /// The places of the photons of a case.
 #[derive(Copy, Clone, Debug)]
@@ -41,7 +41,7 @@ impl<'a, R: Rng> Cases<'a, R> {
             widths: Widths::of(machine),
             aim: Aim::of(machine),
             full: full_scale(machine),
-            largest_radius_sq: largest_radius_sq(machine),
+            largest_radius_sq: machine.numbers.largest_radius_word(),
             fixed_radius_sq: machine.fixed_radius_sq(),
             at_once: machine.queries_at_once(),
             lanes: machine.photons_per_iteration(),
@@ -351,7 +351,7 @@ mod tests {
         for machine in MACHINES {
             let mut rng = Pcg64::seed_from_u64(1);
             let mut cases = Cases::new(machine, &mut rng);
-            let limits = Limits::of(machine);
+            let limits = Limits::of(&machine.numbers).unwrap();
             let mut met = BTreeSet::new();
             for _ in 0..5_000 {
                 let case = cases.case();
@@ -362,7 +362,7 @@ mod tests {
                 let query = case.queries[0];
                 let tie = u64::from(query.radius_sq);
                 met.insert(if tie == 0 { "radius 0" } else { "radius" });
-                if query.radius_sq == largest_radius_sq(machine) {
+                if query.radius_sq == machine.numbers.largest_radius_word() {
                     met.insert("radius max");
                 }
                 if case.groups.iter().all(|g| g.photons().count() == 0) {

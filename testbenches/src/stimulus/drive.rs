@@ -426,8 +426,7 @@ impl<'a> Driver<'a> {
             machine: self.machine.name,
             seed: self.block.seed,
             clock: self.clocks,
-            machine_sums: outputs.result,
-            gathered,
+            sums: Box::new([outputs.result, gathered]),
             machine_clocks,
             program_clocks,
         })

@@ -111,8 +111,10 @@ pub enum StimulusError {
     /// The two readings of the golden model differ.
     #[error(
         "the golden model of `{machine}` is wrong: seed {seed}, clock {clock}: the step-exact \
-         machine gave {machine_sums:?} in {machine_clocks} clocks, the direct gather {gathered:?}, \
-         the program {program_clocks} clocks"
+         machine gave {:?} in {machine_clocks} clocks, the direct gather {:?}, the program \
+         {program_clocks} clocks",
+        .sums[0],
+        .sums[1]
     )]
     ModelsDiffer {
         /// The name of the machine.
@@ -121,10 +123,8 @@ pub enum StimulusError {
         seed: u64,
         /// The clock, counted from the chunk's start.
         clock: u64,
-        /// The sums of the step-exact machine.
-        machine_sums: Sums,
-        /// The sums of the direct gather.
-        gathered: Sums,
+        /// The sums of the step-exact machine, and those of the direct gather.
+        sums: Box<[Sums; 2]>,
         /// The clocks that the machine worked on the query.
         machine_clocks: u64,
         /// The clocks that the program should take.

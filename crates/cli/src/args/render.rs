@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use anyhow::Result;
 use clap::{Args as ClapArgs, ValueEnum};
 use photoncube_render::{Area, Caustics, DirectLight, Engine, Estimator, Lighting};
-use photoncube_spec::{Machine, PHOTON_FORMATS, PhotonFormat, find_photon_format};
+use photoncube_spec::{PHOTON_FORMATS, PhotonFormat, find_photon_format};
 use serde::Serialize;
 
 use super::PictureArgs;
@@ -76,52 +76,16 @@ pub enum EngineName {
     Format,
 }
 
-/// An engine that was found.
-#[derive(Copy, Clone, Debug)]
-pub enum FoundEngine {
-    /// The reference.
-    F64,
-    /// The golden model of a machine.
-    Model(&'static Machine),
-    /// That of a photon format.
-    Format(PhotonFormat),
-}
-
 impl EngineArgs {
     /// The engine asked for. A machine or a format that does not exist is an error, also where it is not used.
-    pub fn find(&self) -> Result<FoundEngine> {
+    pub fn find(&self) -> Result<Engine<'static>> {
         let machine = self.machine.find()?;
         let format = find_photon_format(&self.format)?;
         Ok(match self.engine {
-            EngineName::F64 => FoundEngine::F64,
-            EngineName::Model => FoundEngine::Model(machine),
-            EngineName::Format => FoundEngine::Format(format),
+            EngineName::F64 => Engine::F64,
+            EngineName::Model => machine.into(),
+            EngineName::Format => (&format).into(),
         })
-    }
-}
-
-impl FoundEngine {
-    /// The engine as the crate `photoncube-render` takes it.
-    pub fn engine(&self) -> Engine<'_> {
-        match self {
-            Self::F64 => Engine::F64,
-            Self::Model(machine) => Engine::Model(machine),
-            Self::Format(format) => Engine::Format(format),
-        }
-    }
-
-    /// What reports say of it.
-    pub fn report(&self) -> EngineReport {
-        let (engine, machine, format) = match self {
-            Self::F64 => ("f64", None, None),
-            Self::Model(machine) => ("model", Some(machine.name), None),
-            Self::Format(format) => ("format", None, Some(format.name())),
-        };
-        EngineReport {
-            engine,
-            machine,
-            format,
-        }
     }
 }
 
@@ -129,8 +93,26 @@ impl FoundEngine {
 #[derive(Debug, Serialize)]
 pub struct EngineReport {
     engine: &'static str,
-    machine: Option<&'static str>,
+    machine: Option<String>,
     format: Option<String>,
+}
+
+impl EngineReport {
+    /// That of an engine.
+    pub fn of(engine: Engine<'_>) -> Self {
+        let (engine, machine, format) = match engine {
+            Engine::F64 => ("f64", None, None),
+            Engine::Integers(_, Some(machine)) => ("model", Some(machine.name.to_owned()), None),
+            Engine::Integers(numbers, None) => {
+                ("format", None, numbers.format().map(PhotonFormat::name))
+            }
+        };
+        Self {
+            engine,
+            machine,
+            format,
+        }
+    }
 }
 
 /// A lighting in reports.

@@ -80,10 +80,10 @@ enum End {
 
 /// Renders until the error is as small as requested, or the passes are made.
 pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
-    let found = args.engine.find()?;
+    let engine = args.engine.find()?;
     let scene = scenes::load(&args.scene)?;
     let lighting = args.light.lighting();
-    lighting.check(&scene, Estimator::FixedRadius)?;
+    lighting.check(&scene, &Estimator::FixedRadius)?;
     let (view, options) = (view(args), options(args));
     check_outputs(args, &scene)?;
     sight::check(&scene, &view)?;
@@ -99,7 +99,7 @@ pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
             args.size
         );
     }
-    let progressive = Progressive::new(&scene, found.engine(), lighting, view, options)?;
+    let progressive = Progressive::new(&scene, engine, lighting, view, options)?;
     let mut work = Work {
         args,
         progressive,
@@ -117,7 +117,7 @@ pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
     let passes = work.progressive.passes();
     let report = Report {
         scene: args.scene.to_string(),
-        engine: found.report(),
+        engine: EngineReport::of(engine),
         light: LightingReport::of(&lighting),
         output: args.output.display().to_string(),
         seed: args.seed,
@@ -411,7 +411,7 @@ mod tests {
         let light = LightingReport::of(&args.light.lighting());
         Report {
             scene: "cornell".to_owned(),
-            engine: args.engine.find().unwrap().report(),
+            engine: EngineReport::of(args.engine.find().unwrap()),
             light,
             output: "o.png".to_owned(),
             seed: 1,

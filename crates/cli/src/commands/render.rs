@@ -36,12 +36,11 @@ struct Report {
 
 /// Renders a scene to a file.
 pub fn execute(args: &RenderArgs, json: bool) -> Result<()> {
-    let found = args.engine.find()?;
-    let engine = found.engine();
+    let engine = args.engine.find()?;
     args.estimator.check(engine)?;
     let scene = scenes::load(&args.scene)?;
     let lighting = args.light.lighting();
-    lighting.check(&scene, args.estimator)?;
+    lighting.check(&scene, &args.estimator)?;
     outputs::check(&[Output::picture("-o", &args.output)], scene.files())?;
     let view = view(&args.picture);
     sight::check(&scene, &view)?;
@@ -51,7 +50,7 @@ pub fn execute(args: &RenderArgs, json: bool) -> Result<()> {
         &traced,
         engine,
         &lighting,
-        args.estimator,
+        &args.estimator,
         &view,
         "rendering",
     )?;
@@ -60,7 +59,7 @@ pub fn execute(args: &RenderArgs, json: bool) -> Result<()> {
     let caustic = traced.maps.caustic.as_ref();
     let report = Report {
         scene: args.scene.to_string(),
-        engine: found.report(),
+        engine: EngineReport::of(engine),
         estimator: args.estimator.to_string(),
         light: LightingReport::of(&lighting),
         output: args.output.display().to_string(),

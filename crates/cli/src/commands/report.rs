@@ -87,8 +87,8 @@ fn options(args: &ReportArgs) -> BenchOptions {
 }
 
 fn measure(args: &ReportArgs, scene: &Scene, options: &BenchOptions) -> Result<Report> {
-    let formats = PHOTON_FORMATS.iter().map(Engine::Format);
-    let engines: Vec<_> = formats.chain(MACHINES.iter().map(Engine::Model)).collect();
+    let formats = PHOTON_FORMATS.iter().map(Engine::from);
+    let engines: Vec<_> = formats.chain(MACHINES.iter().map(Engine::from)).collect();
     let bar = progress::bar("measuring formats", args.maps + engines.len() as u64);
     let bench = ErrorBench::traced(scene, options, &|maps| bar.set_position(maps))?;
     // This measurement has no error of its own: if it fails, the scene is the cause and not a format.

@@ -103,7 +103,7 @@ pub fn execute(args: &RunArgs, json: bool) -> Result<()> {
         picture(&traced, Engine::F64, &view, "rendering, f64")
     })?;
     let rendering = timed(&mut seconds.render_model, || {
-        picture(&traced, Engine::Model(machine), &view, "rendering, model")
+        picture(&traced, Engine::from(machine), &view, "rendering, model")
     })?;
     write_picture(&rendering.image, &paths.picture)?;
     write_picture(&reference.image, &paths.reference)?;

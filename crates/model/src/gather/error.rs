@@ -1,4 +1,4 @@
-//! The errors of values that a machine or a photon format cannot represent.
+//! The errors of values that the numbers of a machine cannot represent.
 
 use photoncube_spec::FormatError;
 use thiserror::Error;
@@ -27,15 +27,15 @@ pub struct RangeError {
     pub value: u32,
     /// The largest value that fits.
     pub largest: u32,
-    /// The machine or the format, by kind and name.
+    /// The numbers, by kind and name.
     pub holder: String,
 }
 
-/// The error of a query with more photons than its machine or format declares.
+/// The error of a query with more photons than its numbers declare.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error(
-    "a query of {found} photons is {} over the {max_photons} that {kind} `{name}` declares: \
-     its sums could overflow; a smaller search radius or a {kind} with a larger `max_photons` has room",
+    "a query of {found} photons is {} over the {max_photons} that {holder} declares: \
+     its sums could overflow; a smaller search radius or a format with a larger `max_photons` has room",
     .found - .max_photons
 )]
 pub struct CountError {
@@ -43,10 +43,8 @@ pub struct CountError {
     pub found: u64,
     /// The most photons that are declared for one query.
     pub max_photons: u64,
-    /// `machine` or `format`.
-    pub kind: &'static str,
-    /// The name of the machine or of the format.
-    pub name: String,
+    /// The numbers, by kind and name.
+    pub holder: String,
 }
 
 /// The error of bits that are not a packed record.

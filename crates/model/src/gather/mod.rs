@@ -1,11 +1,12 @@
-//! The plain gathers, photon by photon: of a machine's numbers, and of the records of a photon format.
+//! The plain gather, photon by photon, in the numbers of a machine: of stored records in blocks, and of the
+//! words on a machine's pins.
 
 mod direct;
 mod error;
-mod local;
+mod pack;
 mod range;
 
-pub use direct::gather;
+pub use direct::{Gather, gather};
 pub use error::{CountError, GatherError, PackError, RangeError};
-pub use local::{LocalGather, LocalLimits, pack, unpack};
+pub use pack::{pack, unpack};
 pub use range::Limits;

@@ -176,7 +176,7 @@ impl GoldenMachine for OverlapMachine {
             group_ready: self.takes_group(),
             result_valid: self.control.done,
             result: Sums {
-                power: [Role::X, Role::Y, Role::Z].map(sum),
+                power: [Role::X, Role::Y, Role::Z].map(|role| sum(role).into()),
                 count: sum(Role::D),
             },
         }

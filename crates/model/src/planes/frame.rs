@@ -22,15 +22,13 @@ impl Frame {
     /// 31 bits.
     pub const FURTHEST: u16 = (1 << 14) - 1;
 
-    /// The frame of a format. `None` where nothing can be in range, as on half steps at small radii, where
-    /// d^2 is the sum plus 3/4.
-    pub fn new(format: &PhotonFormat, radius_sq: u32) -> Option<Self> {
-        let half_steps = format.half_steps();
-        Some(Self {
+    /// The frame of a format, for queries of this `radius_sq`.
+    pub fn new(format: &PhotonFormat, radius_sq: u32) -> Self {
+        Self {
             edge: format.edge_steps(),
-            half_steps,
-            largest: radius_sq.checked_sub(half_steps.into())?,
-        })
+            half_steps: format.half_steps(),
+            largest: radius_sq,
+        }
     }
 
     /// The lowest corner of the block at `offset`, in fine steps from the middle of the frame.
@@ -79,7 +77,7 @@ mod tests {
                 query_extra_bits,
                 ..PHOTON_FORMATS[0]
             };
-            let frame = Frame::new(&format, 9).unwrap();
+            let frame = Frame::new(&format, 9);
             let edge = format.edge_steps();
             let places = || {
                 (0..3 * edge)

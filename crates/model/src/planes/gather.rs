@@ -1,6 +1,6 @@
 //! Gathers the sums of many queries at once, with the fastest instructions that the processor has.
 
-use photoncube_spec::{LocalQuery, LocalSums};
+use photoncube_spec::{Query, Sums};
 
 use super::frame::Frame;
 use super::kernel::Work;
@@ -14,7 +14,7 @@ use crate::gather::GatherError;
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Gathered {
     /// Power and number of the photons in range.
-    pub sums: LocalSums,
+    pub sums: Sums,
     /// The number of photons in the blocks around the query, which a machine tests one by one.
     pub photons: u64,
     /// The number of photons that this gather tested, in the leaves that the query's sphere may touch.
@@ -64,24 +64,24 @@ impl Instructions {
 }
 
 impl PhotonPlanes {
-    /// Gathers the sums of `queries` and writes each into its place of `found`. All queries must be in the
-    /// block that `around` was set for. The sums and the errors are those of
-    /// [`crate::LocalGather::gather_within`], bit for bit.
+    /// Gathers the sums of `queries` and writes each into its place of `found`. All queries must have one
+    /// radius, and be in the block that `around` was set for. The sums and the errors are those of
+    /// [`crate::Gather::sums`], bit for bit.
     ///
     /// # Errors
-    /// A query does not fit the format, there are more photons around it than its sums are sized for, or
-    /// `radius_sq` (squared fine steps) is over the format's. Nothing is written in these cases.
+    /// A query does not fit the format, or there are more photons around it than its sums are sized for.
+    /// Nothing is written in these cases.
     ///
     /// # Panics
-    /// Where `found` and `queries` differ in length, or a query is outside the frame's middle block.
+    /// Where `found` and `queries` differ in length, a query is outside the frame's middle block, or the
+    /// queries differ in their radii.
     pub fn gather(
         &self,
         around: &Surroundings,
-        queries: &[LocalQuery],
-        radius_sq: u32,
+        queries: &[Query],
         found: &mut [Gathered],
     ) -> Result<(), GatherError> {
-        self.gather_by(Instructions::fastest(), around, queries, radius_sq, found)
+        self.gather_by(Instructions::fastest(), around, queries, found)
     }
 
     /// Gathers as [`Self::gather`] does, with the given instruction set, which affects only the time.
@@ -95,34 +95,31 @@ impl PhotonPlanes {
         &self,
         instructions: Instructions,
         around: &Surroundings,
-        queries: &[LocalQuery],
-        radius_sq: u32,
+        queries: &[Query],
         found: &mut [Gathered],
     ) -> Result<(), GatherError> {
         assert_eq!(found.len(), queries.len(), "a place for each query");
-        let edge = self.format().edge_steps();
-        let elsewhere = |query: &&LocalQuery| {
-            let [x, y, z] = query.position.map(|at| at.wrapping_sub(edge) < edge);
-            !(x && y && z)
-        };
-        if let Some(query) = queries.iter().find(elsewhere) {
-            self.gather.limits().check_query(query)?;
-            panic!("{query:?} is not in the block that the surroundings are of");
-        }
-        self.gather.limits().check_radius_sq(radius_sq)?;
-        self.gather.check_count(around.photons())?;
-        let Some(frame) = Frame::new(self.format(), radius_sq) else {
-            found.fill(Gathered {
-                photons: around.photons(),
-                ..Gathered::default()
-            });
+        let Some(first) = queries.first() else {
             return Ok(());
         };
+        self.limits.check_query(first)?;
+        let edge = self.format().edge_steps();
+        let unlike = |query: &&Query| {
+            let [x, y, z] = query.position.map(|at| at.wrapping_sub(edge) < edge);
+            !(x && y && z) || query.radius_sq != first.radius_sq
+        };
+        if let Some(query) = queries.iter().find(unlike) {
+            self.limits.check_query(query)?;
+            panic!(
+                "{query:?} is not in the block that the surroundings are of, or has another radius"
+            );
+        }
+        self.limits.check_count(around.photons())?;
         let work = Work {
             planes: self,
             around,
             queries,
-            frame,
+            frame: Frame::new(self.format(), first.radius_sq),
             found,
         };
         match instructions.0 {

@@ -1,6 +1,6 @@
 //! The loop over leaves and queries, generic over the instruction set.
 
-use photoncube_spec::LocalQuery;
+use photoncube_spec::Query;
 
 use super::frame::Frame;
 use super::gather::Gathered;
@@ -13,7 +13,7 @@ use super::tray::{TRAY, Tray, ordered};
 pub(super) struct Work<'a> {
     pub planes: &'a PhotonPlanes,
     pub around: &'a Surroundings,
-    pub queries: &'a [LocalQuery],
+    pub queries: &'a [Query],
     pub frame: Frame,
     /// The results, one for each query.
     pub found: &'a mut [Gathered],
@@ -76,7 +76,7 @@ impl<L: Lanes, P: Positions<L>, const PLANES: usize> Tray<L, P, PLANES> {
         &self,
         lanes: L,
         frame: &Frame,
-        queries: &[LocalQuery],
+        queries: &[Query],
         exponent: u8,
         found: &mut [Gathered],
     ) {

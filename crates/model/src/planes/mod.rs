@@ -1,4 +1,4 @@
-//! The fast gather: the sums of [`crate::LocalGather`], bit for bit, many photons at a time.
+//! The fast gather: the sums of [`crate::Gather`], bit for bit, many photons at a time.
 //!
 //! - [`PhotonPlanes`] stores photons in planes of bytes: all x of a leaf, all y, all z, then the mantissas. A
 //!   *leaf* is up to [`LEAF`] neighbouring photons of one run (one block, one surface) and one exponent, with

@@ -274,3 +274,99 @@ impl Positions<Portable> for OfWords {
         in_range
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use photoncube_spec::{Numbers, PHOTON_FORMATS, PhotonFormat};
+
+    use super::super::store::centre;
+    use super::*;
+
+    /// Formats of bytes with the fewest and with the most bits per radius, half steps included.
+    fn formats() -> impl Iterator<Item = PhotonFormat> {
+        let bits = [(4, 0), (4, 1), (4, 2), (8, 0), (7, 1), (6, 2)];
+        let format = |(position_bits, query_extra_bits)| PhotonFormat {
+            position_bits,
+            query_extra_bits,
+            ..PHOTON_FORMATS[0]
+        };
+        bits.into_iter().map(format)
+    }
+
+    /// A query on one place of all axes, in fine steps from the middle of the frame.
+    fn query(format: &PhotonFormat, radius_sq: u32, place: i16) -> Query {
+        Query {
+            frame: Frame::new(format, radius_sq),
+            place: [place; 3],
+        }
+    }
+
+    /// Compares the squares, at every pair of places on one axis, with the distance from the definition. In
+    /// halves of a fine step that distance is an integer.
+    #[test]
+    fn squares_are_exact_or_out_of_range_at_every_difference() {
+        for format in formats() {
+            let x = format.query_extra_bits;
+            let largest = format.largest_in_range();
+            let quarters_of_limit = (2 * i64::from(format.radius_steps())).pow(2);
+            let three_quarters_left = i64::from(x > 0);
+            let frame = Frame::new(&format, largest);
+            for at in 0..4 * format.edge_steps() {
+                let query = query(&format, largest, frame.place([at; 3])[0]);
+                for place in 0..4 << format.position_bits {
+                    let cell = (place % (1 << format.position_bits)) as u16;
+                    let [corner, ..] = frame.corner([(place >> format.position_bits) as u8; 3]);
+                    let photon = corner + centre(&format, cell) as i16;
+                    let square = i64::from(byte_square(&query, 0, photon));
+                    let halves = (2 * i64::from(at) + 1) - ((2 * i64::from(place) + 1) << x);
+                    let quarters = 4 * square + three_quarters_left;
+                    let is_exact = quarters == halves * halves;
+                    let both_out = halves * halves > quarters_of_limit && square > largest.into();
+                    assert!(is_exact || both_out, "{format:?} {at} {place}");
+                }
+            }
+        }
+    }
+
+    /// Compares the decision, at every triple of clamped differences, with f64, which is exact at this size.
+    #[test]
+    fn the_compare_is_exact_at_every_distance() {
+        for format in formats().filter(|format| format.radius_bits() <= 5) {
+            let numbers = Numbers::from(&format);
+            let half = if format.half_steps() { 0.5 } else { 0.0 };
+            let largest = format.radius_steps().pow(2);
+            let all = 0..=format.radius_steps() as i16 + 1;
+            for (x, y) in all.clone().flat_map(|x| all.clone().map(move |y| (x, y))) {
+                for z in all.clone() {
+                    // The query is x, y and z steps above the photon.
+                    let photon = [x, y, z].map(|m| [-m; LEAF]);
+                    let is_within = |radius_sq| {
+                        let query = numbers.radius_word(radius_sq);
+                        let query = query.map(|word| self::query(&format, word, 0));
+                        query.is_some_and(|query| in_range::<3>(&query, &photon, [0; LEAF])[0] != 0)
+                    };
+                    let squares = [x, y, z].map(|m| (f64::from(m) + half).powi(2));
+                    let distance_sq: f64 = squares.iter().sum();
+                    let decided = is_within(largest);
+                    let expected = distance_sq <= f64::from(largest);
+                    assert_eq!(decided, expected, "{format:?} {x} {y} {z}");
+                    // Up to R, d^2 rounded up is the smallest squared radius at which the photon is in range.
+                    let reaches = distance_sq.ceil() as u32;
+                    if reaches <= largest {
+                        assert!(is_within(reaches));
+                        assert!(reaches == 0 || !is_within(reaches - 1));
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn below_a_half_step_the_inversion_gives_the_same_as_above() {
+        let format = formats().find(|format| format.query_extra_bits == 1);
+        let query = query(&format.unwrap(), 9, 0);
+        for d in 0..40_i16 {
+            assert_eq!(byte_square(&query, 0, -d), byte_square(&query, 0, -!d));
+        }
+    }
+}

@@ -1,9 +1,9 @@
 //! Stores photons in planes of bytes.
 
-use photoncube_spec::{PhotonFormat, PhotonRecord};
+use photoncube_spec::{FormatError, PhotonFormat, PhotonRecord};
 
 use super::leaf::{LEAF, Leaf, into_leaves};
-use crate::gather::{LocalGather, RangeError};
+use crate::gather::{Limits, RangeError};
 
 /// The planes of a leaf, with bytes behind them that the kernel may read and never uses, because it always
 /// reads a full leaf. There are at most 12 planes and one more, since positions of two bytes take two planes
@@ -44,7 +44,8 @@ impl Layout {
 /// a byte or, over 8 bits, two. Each leaf takes 12 further bytes.
 #[derive(Debug, Clone)]
 pub struct PhotonPlanes {
-    pub(super) gather: LocalGather,
+    format: PhotonFormat,
+    pub(super) limits: Limits,
     pub(super) layout: Layout,
     /// The planes of all photons, followed by [`SLACK`] bytes.
     pub(super) bytes: Vec<u8>,
@@ -56,16 +57,19 @@ pub struct PhotonPlanes {
 
 impl PhotonPlanes {
     /// Makes planes without photons.
-    #[must_use]
-    pub fn new(gather: LocalGather) -> Self {
-        Self {
-            gather,
-            layout: Layout::of(gather.format()),
+    ///
+    /// # Errors
+    /// The format is not legal.
+    pub fn new(format: &PhotonFormat) -> Result<Self, FormatError> {
+        Ok(Self {
+            format: *format,
+            limits: Limits::of(&format.into())?,
+            layout: Layout::of(format),
             bytes: vec![0; SLACK],
             leaves: Vec::new(),
             runs: vec![0],
             photons: 0,
-        }
+        })
     }
 
     /// Appends a run: the photons of one block, or of one surface in it, with the block's exponent.
@@ -77,8 +81,7 @@ impl PhotonPlanes {
         block_exponent: u8,
         records: &[PhotonRecord],
     ) -> Result<(), RangeError> {
-        self.gather.limits().check_block_exponent(block_exponent)?;
-        self.gather.limits().check_records(records)?;
+        self.limits.check_records(block_exponent, records)?;
         let mut records = records.to_vec();
         self.bytes.truncate(self.bytes.len() - SLACK);
         for place in into_leaves(&mut records) {
@@ -96,7 +99,7 @@ impl PhotonPlanes {
     }
 
     fn push_planes(&mut self, records: &[PhotonRecord]) {
-        let format = *self.format();
+        let format = self.format;
         for axis in 0..3 {
             for record in records {
                 let centre = centre(&format, record.position[axis]).to_le_bytes();
@@ -130,7 +133,7 @@ impl PhotonPlanes {
     /// The format of the photons.
     #[must_use]
     pub fn format(&self) -> &PhotonFormat {
-        self.gather.format()
+        &self.format
     }
 
     /// The number of photons stored.

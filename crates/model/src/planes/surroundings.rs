@@ -1,6 +1,6 @@
 //! The leaves in the blocks around a block, shared by all queries in it.
 
-use photoncube_spec::PhotonFormat;
+use photoncube_spec::{Numbers, PhotonFormat};
 
 use super::leaf::Leaf;
 use super::store::{PhotonPlanes, centre};
@@ -62,11 +62,7 @@ impl Surroundings {
         let format = planes.format();
         // Chained iterators are faster by internal iteration.
         runs.into_iter().for_each(|(offset, run)| {
-            assert!(
-                offset
-                    .iter()
-                    .all(|&blocks| blocks < PhotonFormat::FRAME_BLOCKS)
-            );
+            assert!(offset.iter().all(|&blocks| blocks < Numbers::FRAME_BLOCKS));
             let leaves = planes.leaves_of(run).iter();
             self.seen
                 .extend(leaves.map(|leaf| Seen::new(format, offset, *leaf)));

@@ -144,7 +144,7 @@ impl GoldenMachine for StepMachine {
             group_ready: ready(Some(self.control.address) == self.taker),
             result_valid: self.control.done,
             result: Sums {
-                power,
+                power: power.map(u128::from),
                 count: sum(Role::D),
             },
         }

@@ -1,6 +1,6 @@
 //! Lists all registers as numbers, in the order of [`photoncube_spec::Pins::observed`].
 
-use photoncube_spec::{ENGINE_REGISTERS, EngineRegister, HeadRegister, Machine, Spatial};
+use photoncube_spec::{ENGINE_REGISTERS, EngineRegister, HeadRegister, Machine, Spatial, Sums};
 
 use super::axis::{Axis, Square};
 use super::engine::Engine;
@@ -156,21 +156,21 @@ impl Writer<'_> {
             R::GatedPower => self.channels(&sums.gated.power),
             R::GatedPresent => self.row.extend(sums.gated.present.map(u64::from)),
             R::GateFirst | R::GateLast => self.flag(sums.gated.flags, register == R::GateFirst),
-            R::PairPower => self.channels(&sums.pairs.sums.map(|pair| pair.power)),
+            R::PairPower => self.powers(&sums.pairs.sums),
             R::PairCount => self.row.extend(sums.pairs.sums.map(|pair| pair.count)),
             R::PairFirst | R::PairLast => self.flag(sums.pairs.flags, register == R::PairFirst),
             R::PairFirstDelay => self.channels(&[[sums.pairs.flags.first.into(); 3]]),
-            R::GroupPower => self.channels(&[sums.group.sums.power]),
+            R::GroupPower => self.powers(&[sums.group.sums]),
             R::GroupCount => self.one(sums.group.sums.count),
             R::GroupFirst | R::GroupLast => self.flag(sums.group.flags, register == R::GroupFirst),
             R::GroupLastDelay => self.channels(&[[sums.group.flags.last.into(); 3]]),
             R::SumFirst => self.channels(&[[sums.group.flags.first.into(); 3]]),
-            R::Sum => self.channels(&[sums.sum.power]),
+            R::Sum => self.powers(&[sums.sum]),
             R::Count => self.one(sums.sum.count),
             R::Done => self.one(sums.done),
             R::SumDone => self.channels(&[[sums.done.into(); 3]]),
             R::ResultValid => self.one(sums.result.valid),
-            R::Result => self.channels(&[sums.result.sums.power]),
+            R::Result => self.powers(&[sums.result.sums]),
             R::ResultCount => self.one(sums.result.sums.count),
         }
     }
@@ -198,7 +198,14 @@ impl Writer<'_> {
         self.row.extend(lanes.map(|lane| value(lane).into()));
     }
 
-    /// Appends the powers of the machine's channels, for each lane, pair or group.
+    /// Appends the summed powers of the machine's channels, at most 64 bits each.
+    fn powers(&mut self, sums: &[Sums]) {
+        for sums in sums {
+            self.channels(&[sums.power.map(|power| power as u64)]);
+        }
+    }
+
+    /// Appends the powers of the machine's channels, for each lane.
     fn channels(&mut self, powers: &[[u64; 3]]) {
         let channels = self.channels;
         self.row

@@ -77,7 +77,7 @@ impl Powers {
 
     fn pairs(&self) -> Pairs {
         let lane = |lane: usize| Sums {
-            power: self.power[lane],
+            power: self.power[lane].map(u128::from),
             count: self.present[lane].into(),
         };
         Pairs {
@@ -107,16 +107,15 @@ impl Group {
         };
         let Sums { power, count } = plus(before, self.sums);
         Sums {
-            power: power.map(|channel| channel & ones(rules.widths.sum)),
+            power: power.map(|channel| channel & u128::from(ones(rules.widths.sum))),
             count: count & ones(rules.widths.count),
         }
     }
 }
 
-/// Adds modulo 2^64, which is the widest sum.
 fn plus(a: Sums, b: Sums) -> Sums {
     Sums {
-        power: [0, 1, 2].map(|channel| a.power[channel].wrapping_add(b.power[channel])),
+        power: [0, 1, 2].map(|channel| a.power[channel] + b.power[channel]),
         count: a.count + b.count,
     }
 }

@@ -4,8 +4,8 @@ use std::f64::consts::PI;
 
 use glam::DVec3;
 use photoncube_render::{
-    BenchOptions, Engine, ErrorBench, ErrorReport, ErrorStudy, FormatMap, Interval, Misclassified,
-    PhotonMap, QueryPoint, Scene, ViewOptions, luminance,
+    BenchOptions, Engine, ErrorBench, ErrorReport, ErrorStudy, Interval, Misclassified, PhotonMap,
+    QuantisedMap, QueryPoint, Scene, ViewOptions, luminance,
 };
 use photoncube_spec::{FormatWidths, PhotonFormat, find_photon_format};
 use rayon::prelude::*;
@@ -75,7 +75,7 @@ impl Figures {
 
     /// Measures a format by the golden model.
     pub fn of_format(bench: &ErrorBench, name: &str) -> Self {
-        let study = bench.study(Engine::Format(&format(name)));
+        let study = bench.study(Engine::from(&format(name)));
         Self::of(&study.expect("a legal format"))
     }
 }
@@ -88,8 +88,8 @@ pub fn bits(name: &str) -> u32 {
     FormatWidths::of(&format(name)).bits_per_photon
 }
 
-pub fn quantised<'a>(map: &'a PhotonMap, name: &str) -> FormatMap<'a> {
-    FormatMap::new(map, &format(name)).expect("a legal format")
+pub fn quantised<'a>(map: &'a PhotonMap, name: &str) -> QuantisedMap<'a> {
+    QuantisedMap::new(map, &format(name).into()).expect("a legal format")
 }
 
 /// A study of estimates that no engine makes. `answer` returns the flux in range and the in-range decisions.
@@ -120,7 +120,7 @@ pub fn study<'a, P: Sync>(
 pub fn power_alone(
     bench: &ErrorBench,
     name: &str,
-    powers: impl Fn(&FormatMap<'_>) -> Vec<DVec3>,
+    powers: impl Fn(&QuantisedMap<'_>) -> Vec<DVec3>,
 ) -> ErrorStudy {
     let prepare = |map| {
         let quantised = quantised(map, name);
@@ -144,7 +144,7 @@ pub fn power_alone(
 }
 
 /// The powers as the format stores them.
-pub fn stored_powers(quantised: &FormatMap<'_>) -> Vec<DVec3> {
+pub fn stored_powers(quantised: &QuantisedMap<'_>) -> Vec<DVec3> {
     let photons = 0..quantised.records().len();
     photons.map(|photon| quantised.power(photon)).collect()
 }

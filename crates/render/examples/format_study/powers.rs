@@ -1,6 +1,6 @@
 //! Measures the bits and the rounding of mantissas.
 
-use photoncube_render::FormatMap;
+use photoncube_render::QuantisedMap;
 
 use crate::measure::{Case, Figures, bits, power_alone, stored_powers};
 use crate::rounding::{self, Sharing};
@@ -69,7 +69,7 @@ pub fn hash(cases: &[Case]) -> Table {
         "local5-rgb3e5d",
         "local4-rgb3e5d",
     ] {
-        let random = |map: &FormatMap<'_>| rounding::powers(map, Sharing::Photon, true);
+        let random = |map: &QuantisedMap<'_>| rounding::powers(map, Sharing::Photon, true);
         let mut rows = [("hash", Vec::new()), ("random", Vec::new())];
         for Case { bench, .. } in cases {
             let studies = [

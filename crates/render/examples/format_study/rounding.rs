@@ -1,7 +1,7 @@
 //! Rounds powers in ways that no format has: with other exponents and other dithering.
 
 use glam::DVec3;
-use photoncube_render::{FormatMap, Photon};
+use photoncube_render::{Photon, QuantisedMap};
 use rand::rngs::StdRng;
 use rand::{RngExt, SeedableRng};
 
@@ -16,9 +16,9 @@ pub enum Sharing {
 
 /// The powers of a map whose format has an exponent for each photon. They are rounded to nearest, or dithered
 /// by random numbers in place of the hash, with the largest exponent of the photons that share one.
-pub fn powers(quantised: &FormatMap<'_>, sharing: Sharing, dithered: bool) -> Vec<DVec3> {
+pub fn powers(quantised: &QuantisedMap<'_>, sharing: Sharing, dithered: bool) -> Vec<DVec3> {
     let unit = quantised.flux([1; 3]);
-    let full = f64::from((1_u32 << quantised.format().power.mantissa_bits) - 1);
+    let full = f64::from((1_u32 << quantised.numbers().power().mantissa_bits) - 1);
     // Another sequence for each map, so that maps stay independent.
     let seed = quantised.map().photons()[0].position.x.to_bits();
     let mut rng = StdRng::seed_from_u64(seed);
@@ -34,7 +34,7 @@ pub fn powers(quantised: &FormatMap<'_>, sharing: Sharing, dithered: bool) -> Ve
     photons.zip(exponents).map(round).collect()
 }
 
-fn exponents(quantised: &FormatMap<'_>, sharing: Sharing) -> Vec<u8> {
+fn exponents(quantised: &QuantisedMap<'_>, sharing: Sharing) -> Vec<u8> {
     let own = quantised.records().iter().map(|record| record.exponent);
     match sharing {
         Sharing::Photon => own.collect(),
@@ -42,9 +42,9 @@ fn exponents(quantised: &FormatMap<'_>, sharing: Sharing) -> Vec<u8> {
     }
 }
 
-fn shared_exponents(quantised: &FormatMap<'_>, s: u32) -> Vec<u8> {
+fn shared_exponents(quantised: &QuantisedMap<'_>, s: u32) -> Vec<u8> {
     let mut found = vec![0; quantised.records().len()];
-    let shift = quantised.format().position_bits - s;
+    let shift = quantised.numbers().position_bits() - s;
     for block in quantised.map().block_slices() {
         let records = &quantised.records()[block.clone()];
         let mut largest = vec![0; 1 << (3 * s)];

@@ -1,6 +1,6 @@
 //! Measures exponents that a block, or a part of a block, shares.
 
-use photoncube_render::FormatMap;
+use photoncube_render::QuantisedMap;
 
 use crate::measure::{Case, Figures, power_alone, quantised};
 use crate::rounding::{self, Sharing, place};
@@ -36,7 +36,7 @@ pub fn exponents(cases: &[Case]) -> Table {
             let mut row = vec![Cell::text(name), Cell::Number(mantissa.into(), 0)];
             let format = format!("local8-rgb{mantissa}e5d");
             for Case { bench, .. } in cases {
-                let powers = |map: &FormatMap<'_>| rounding::powers(map, sharing, true);
+                let powers = |map: &QuantisedMap<'_>| rounding::powers(map, sharing, true);
                 let found = Figures::of(&power_alone(bench, &format, powers));
                 let bits = cost(&quantised(&bench.maps()[0], &format), sharing);
                 row.push(Cell::Number(found.ratio.mean, 3));
@@ -49,12 +49,12 @@ pub fn exponents(cases: &[Case]) -> Table {
 }
 
 /// Exponent bits per photon.
-fn cost(quantised: &FormatMap<'_>, sharing: Sharing) -> f64 {
+fn cost(quantised: &QuantisedMap<'_>, sharing: Sharing) -> f64 {
     let Sharing::SubBlock(s) = sharing else {
         return EXPONENT;
     };
     let parts = 1 << (3 * s);
-    let shift = quantised.format().position_bits - s;
+    let shift = quantised.numbers().position_bits() - s;
     let mut total = 0.0;
     for block in quantised.map().block_slices() {
         let mut held = vec![false; parts];

@@ -4,8 +4,8 @@
 //! bits. Every format knows where blocks and runs begin, and so their number of photons; no figure here
 //! counts that.
 
-use photoncube_render::FormatMap;
-use photoncube_spec::{FormatWidths, PhotonRecord};
+use photoncube_render::QuantisedMap;
+use photoncube_spec::PhotonRecord;
 
 use crate::measure::{Case, quantised};
 use crate::table::{Cell, Table};
@@ -82,7 +82,7 @@ fn per_map(
     cases.iter().map(cell).collect()
 }
 
-fn groups<'a>(quantised: &'a FormatMap<'_>, by_run: bool) -> Vec<&'a [PhotonRecord]> {
+fn groups<'a>(quantised: &'a QuantisedMap<'_>, by_run: bool) -> Vec<&'a [PhotonRecord]> {
     let photons = quantised.map().photons();
     let mut groups = Vec::new();
     for block in quantised.map().block_slices() {
@@ -97,14 +97,14 @@ fn groups<'a>(quantised: &'a FormatMap<'_>, by_run: bool) -> Vec<&'a [PhotonReco
 }
 
 /// Bits per photon of the whole records where runs share the top bits of positions and exponents.
-pub fn shared_record(quantised: &FormatMap<'_>) -> f64 {
-    let widths = FormatWidths::of(quantised.format());
-    let channels = quantised.format().power.channels.count();
+pub fn shared_record(quantised: &QuantisedMap<'_>) -> f64 {
+    let (numbers, power) = (quantised.numbers(), quantised.numbers().power());
+    let powers = power.channels.count() * power.mantissa_bits;
     let bits = |run: &[PhotonRecord]| {
         let exponents = run.iter().map(|record| record.exponent.into());
-        shared(run, widths.position)
-            + shared_field(exponents, widths.exponent)
-            + f64::from(channels * widths.mantissa) * run.len() as f64
+        shared(run, numbers.position_bits())
+            + shared_field(exponents, power.record_exponent_bits())
+            + f64::from(powers) * run.len() as f64
     };
     let total: f64 = groups(quantised, true).into_iter().map(bits).sum();
     total / quantised.records().len() as f64

@@ -1,27 +1,31 @@
 //! Gathers many queries at once with the fast gather; the lookup for a block serves all queries in it.
 
-use photoncube_model::{GatherError, Gathered, Instructions, Surroundings};
+use photoncube_model::{GatherError, Gathered, Instructions, PhotonPlanes, Surroundings};
 use rayon::prelude::*;
 
 use crate::photon_map::PhotonMap;
-use crate::quantise::FormatMap;
+use crate::quantise::QuantisedMap;
 use crate::view::QueryPoint;
 
 /// The queries that one task of the thread pool gathers. They cover many blocks, and their results fit the
 /// caches.
 const TASK_QUERIES: usize = 1024;
 
-impl FormatMap<'_> {
-    /// Gathers the sums of all queries at the search radius, in their order. They equal those of
-    /// [`Self::gather`], bit for bit.
+impl QuantisedMap<'_> {
+    /// Gathers the sums of all queries with a search radius of `radius_sq` squared fine steps, in their order.
+    /// They equal those of [`Self::gather_within`], bit for bit.
     ///
-    /// Consecutive queries in one block, on surfaces that face alike, share the lookup of the photons around
-    /// them: see [`PhotonMap::sort_queries`].
+    /// In a photon format, consecutive queries in one block, on surfaces that face alike, share the lookup of
+    /// the photons around them: see [`PhotonMap::sort_queries`].
     ///
     /// # Errors
-    /// As for [`Self::gather`], for one of the queries.
-    pub fn gather_all(&self, queries: &[QueryPoint]) -> Result<Vec<Gathered>, GatherError> {
-        self.gather_all_by(Instructions::fastest(), queries)
+    /// As for [`Self::gather_within`], for one of the queries.
+    pub fn gather_all(
+        &self,
+        queries: &[QueryPoint],
+        radius_sq: u32,
+    ) -> Result<Vec<Gathered>, GatherError> {
+        self.gather_all_by(Instructions::fastest(), queries, radius_sq)
     }
 
     /// Gathers as [`Self::gather_all`] does, with the given instruction set.
@@ -32,43 +36,50 @@ impl FormatMap<'_> {
         &self,
         instructions: Instructions,
         queries: &[QueryPoint],
-    ) -> Result<Vec<Gathered>, GatherError> {
-        self.gather_at(instructions, queries, self.radius_sq())
-    }
-
-    /// Gathers the sums of all queries with another search radius. They equal those of
-    /// [`Self::gather_within`], bit for bit.
-    ///
-    /// # Errors
-    /// As for [`Self::gather_within`], of one of the queries.
-    pub fn gather_all_within(
-        &self,
-        queries: &[QueryPoint],
-        radius_sq: u32,
-    ) -> Result<Vec<Gathered>, GatherError> {
-        self.gather_at(Instructions::fastest(), queries, radius_sq)
-    }
-
-    fn gather_at(
-        &self,
-        instructions: Instructions,
-        queries: &[QueryPoint],
         radius_sq: u32,
     ) -> Result<Vec<Gathered>, GatherError> {
         let mut found = vec![Gathered::default(); queries.len()];
         let tasks = queries.par_chunks(TASK_QUERIES);
-        let places = found.par_chunks_mut(TASK_QUERIES);
-        tasks.zip(places).try_for_each(|(queries, found)| {
-            self.gather_task(instructions, queries, radius_sq, found)
-        })?;
+        let tasks = tasks.zip(found.par_chunks_mut(TASK_QUERIES));
+        match (self.planes(), self.numbers().radius_word(radius_sq)) {
+            (Some(planes), Some(word)) => tasks.try_for_each(|(queries, found)| {
+                self.gather_task(planes, instructions, queries, word, found)
+            }),
+            _ => tasks.try_for_each(|(queries, found)| {
+                let mut places = queries.iter().zip(found);
+                places.try_for_each(|(query, found)| {
+                    *found = self.gather_one(query, radius_sq)?;
+                    Ok(())
+                })
+            }),
+        }?;
         Ok(found)
+    }
+
+    /// Gathers the sums of one query by the plain gather, which tests every photon.
+    ///
+    /// # Errors
+    /// As for [`Self::gather_within`].
+    pub(super) fn gather_one(
+        &self,
+        query: &QueryPoint,
+        radius_sq: u32,
+    ) -> Result<Gathered, GatherError> {
+        let blocks = self.blocks(query.position, query.normal);
+        let photons = blocks.map(|block| block.photons.len() as u64).sum();
+        Ok(Gathered {
+            sums: self.gather_within(query.position, query.normal, radius_sq)?,
+            photons,
+            tests: photons,
+        })
     }
 
     fn gather_task(
         &self,
+        planes: &PhotonPlanes,
         instructions: Instructions,
         queries: &[QueryPoint],
-        radius_sq: u32,
+        radius_word: u32,
         found: &mut [Gathered],
     ) -> Result<(), GatherError> {
         let mut around = Surroundings::default();
@@ -77,7 +88,7 @@ impl FormatMap<'_> {
         for query in queries {
             let (block, fraction) = self.map().place(query.position);
             blocks.push(block);
-            local.push(self.query_at(fraction));
+            local.push(self.query_at(fraction, radius_word));
         }
         let mut first = 0;
         while first < queries.len() {
@@ -85,10 +96,9 @@ impl FormatMap<'_> {
             let alike = |place: &usize| blocks[*place] == block && queries[*place].normal == normal;
             let end = first + (first..queries.len()).take_while(alike).count();
             let runs = self.map().around(block, normal);
-            around.set(self.planes(), runs.map(|run| (run.offset, run.run)));
+            around.set(planes, runs.map(|run| (run.offset, run.run)));
             let (here, found) = (&local[first..end], &mut found[first..end]);
-            self.planes()
-                .gather_by(instructions, &around, here, radius_sq, found)?;
+            planes.gather_by(instructions, &around, here, found)?;
             first = end;
         }
         Ok(())

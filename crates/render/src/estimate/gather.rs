@@ -6,15 +6,14 @@
 //! [`crate::estimate`].
 
 use glam::DVec3;
-use photoncube_model::{GatherError, gather};
-use photoncube_spec as spec;
+use photoncube_model::GatherError;
 use thiserror::Error;
 
 use super::estimator::UnfitEstimator;
 use super::integers::Disc;
 use super::neighbourhood::EstimatorError;
 use crate::photon_map::PhotonMap;
-use crate::quantise::{FormatMap, QuantisedMap};
+use crate::quantise::QuantisedMap;
 use crate::view::QueryPoint;
 
 /// The estimate of a query, with the work that it took.
@@ -35,7 +34,7 @@ pub(crate) struct Estimate {
 /// The reason why an engine refused a query.
 #[derive(Debug, Error)]
 pub(crate) enum Refusal {
-    /// The golden model of the machine or of the photon format refused it.
+    /// The golden model refused it.
     #[error(transparent)]
     Gather(#[from] GatherError),
     /// The f64 reference has no such estimate.
@@ -67,45 +66,15 @@ pub(crate) fn estimate_f64(map: &PhotonMap, query: &QueryPoint) -> Estimate {
     estimate
 }
 
-/// One gather of a machine's golden model, from integer photons to integer sums. The sums' scale converts
-/// them to floats. `radius_sq` is the value of the machine's pin.
-pub(crate) fn gather_model(
+/// One gather of the golden model, from integer photons to integer sums. The sums' scale converts them to
+/// floats. `radius_sq` is in squared fine steps.
+pub(crate) fn gather(
     quantised: &QuantisedMap<'_>,
     query: &QueryPoint,
     radius_sq: u32,
 ) -> Result<Disc, GatherError> {
-    let mut tests = 0;
-    let photons = quantised.photons(query.position, query.normal);
-    let counted = photons.inspect(|_| tests += 1);
-    let centre = spec::Query {
-        radius_sq,
-        ..quantised.query(query.position)
-    };
-    let sums = gather(quantised.machine(), &centre, counted)?;
-    Ok(Disc {
-        power: DVec3::from(sums.power.map(|p| p as f64)) * quantised.power_step(),
-        tests,
-        skipped: 0,
-        count: sums.count,
-    })
-}
-
-/// One gather in a photon format, from integer photons to integer sums. `radius_sq` is in squared fine steps
-/// of the format.
-pub(crate) fn gather_format(
-    quantised: &FormatMap<'_>,
-    query: &QueryPoint,
-    radius_sq: u32,
-) -> Result<Disc, GatherError> {
-    let blocks = quantised.blocks(query.position, query.normal);
-    let tests = blocks.map(|block| block.photons.len() as u64).sum();
-    let sums = quantised.gather_within(query.position, query.normal, radius_sq)?;
-    Ok(Disc {
-        power: quantised.flux(sums.power),
-        tests,
-        skipped: 0,
-        count: sums.count,
-    })
+    let gathered = quantised.gather_one(query, radius_sq)?;
+    Ok(Disc::of(quantised, &gathered))
 }
 
 /// pi r^2 of the search radius (scene units squared).
@@ -118,8 +87,7 @@ mod tests {
     use photoncube_spec::{PHOTON_FORMATS, find_machine};
 
     use super::*;
-    use crate::render::{Engine, Prepared};
-    use crate::{Photon, Scene};
+    use crate::{Estimator, Photon, Scene};
 
     /// One photon on the floor's middle, surface found by name.
     fn one_photon() -> PhotonMap {
@@ -149,11 +117,12 @@ mod tests {
     #[test]
     fn one_photon_gives_its_power_over_the_disc() {
         let map = one_photon();
-        let quantised = QuantisedMap::new(&map, find_machine("paper").unwrap()).unwrap();
+        let quantised = QuantisedMap::new(&map, &find_machine("paper").unwrap().numbers).unwrap();
         let expected = DVec3::new(4.0, 2.0, 1.0) / (std::f64::consts::PI * 0.25);
         let reference = estimate_f64(&map, &query(0.1, DVec3::Y));
-        let model = Prepared::Model(quantised);
-        let model = model.estimate(&map, &query(0.1, DVec3::Y)).unwrap();
+        let fixed = Estimator::FixedRadius;
+        let model = fixed.estimate(&map, Some(&quantised), &query(0.1, DVec3::Y));
+        let model = model.unwrap();
         assert_eq!((reference.tests, reference.in_range), (1, 1));
         assert_eq!((model.tests, model.in_range), (1, 1));
         assert!(reference.irradiance.distance(expected) < 1e-12);
@@ -166,8 +135,10 @@ mod tests {
         let map = one_photon();
         let reference = estimate_f64(&map, &query(0.1, DVec3::Y));
         for format in PHOTON_FORMATS {
-            let quantised = Prepared::new(&map, Engine::Format(format)).unwrap();
-            let found = quantised.estimate(&map, &query(0.1, DVec3::Y)).unwrap();
+            let quantised = QuantisedMap::new(&map, &format.into()).unwrap();
+            let fixed = Estimator::FixedRadius;
+            let found = fixed.estimate(&map, Some(&quantised), &query(0.1, DVec3::Y));
+            let found = found.unwrap();
             assert_eq!((found.tests, found.in_range), (1, 1));
             let error = (found.irradiance - reference.irradiance)
                 .abs()

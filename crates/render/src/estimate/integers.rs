@@ -4,10 +4,12 @@
 //! estimates here combine the sums of one or several gathers.
 
 use glam::DVec3;
+use photoncube_model::Gathered;
 
 use super::bisection::smallest_radius_sq;
-use super::gather::Estimate;
+use super::gather::{Estimate, disc_area};
 use super::ladder::Ladder;
+use crate::quantise::QuantisedMap;
 
 /// The result of one gather.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -20,6 +22,18 @@ pub(crate) struct Disc {
     pub skipped: u64,
     /// The number of photons in range.
     pub count: u64,
+}
+
+impl Disc {
+    /// The sums of a gather, converted to floats.
+    pub fn of(map: &QuantisedMap<'_>, gathered: &Gathered) -> Self {
+        Self {
+            power: map.flux(gathered.sums.power),
+            tests: gathered.photons,
+            skipped: gathered.photons - gathered.tests,
+            count: gathered.sums.count,
+        }
+    }
 }
 
 /// The result of the search for the k-th nearest photon, in a machine's steps.
@@ -45,6 +59,15 @@ pub(crate) struct Steps {
 }
 
 impl Steps {
+    /// The search radius of the queries of a map.
+    pub fn of(map: &QuantisedMap<'_>) -> Self {
+        Self {
+            radius_sq: map.radius_sq(),
+            exact_radius_sq: map.exact_radius_sq(),
+            disc_area: disc_area(map.map()),
+        }
+    }
+
     /// The area of the disc of `radius_sq` in scene units squared. At the search radius it equals
     /// `disc_area`, bit for bit.
     fn area_of(&self, radius_sq: u32) -> f64 {

@@ -67,7 +67,9 @@ impl Ladder {
     /// # Errors
     /// No rung, or more than [`MAX_RUNGS`].
     pub fn new(kernel: Kernel, rungs: usize) -> Result<Self, LadderError> {
-        Self::check(rungs)?;
+        if !(1..=MAX_RUNGS).contains(&rungs) {
+            return Err(LadderError { found: rungs });
+        }
         let steps = match kernel {
             Kernel::Rectangle => vec![1.0],
             Kernel::Cone | Kernel::Epanechnikov => steps(kernel, rungs),
@@ -76,17 +78,6 @@ impl Ladder {
             kernel,
             rungs: rungs_of(&steps, &levels(kernel, &steps).0),
         })
-    }
-
-    /// Checks a number of rungs.
-    ///
-    /// # Errors
-    /// No rung, or more than [`MAX_RUNGS`].
-    pub fn check(rungs: usize) -> Result<(), LadderError> {
-        if (1..=MAX_RUNGS).contains(&rungs) {
-            return Ok(());
-        }
-        Err(LadderError { found: rungs })
     }
 
     /// The kernel that the ladder approximates.

@@ -9,17 +9,17 @@
 //! [`smallest_radius_sq`] finds the k-th photon by bisection on the count, and a [`Ladder`] mixes rectangles
 //! of several radii to a smooth kernel.
 //!
-//! An [`Estimator`] names one of these forms, and a [`Method`] makes it with any engine. The file `gather.rs`
+//! An [`Estimator`] is one of these forms, and makes it by any engine (`estimates.rs`). The file `gather.rs`
 //! gathers one query, and `batch.rs` many queries at once.
 
 mod batch;
 mod bisection;
+mod estimates;
 mod estimator;
 mod gather;
 mod integers;
 mod kernel;
 mod ladder;
-mod method;
 mod neighbourhood;
 
 pub use bisection::{Bisection, smallest_radius_sq};
@@ -27,5 +27,4 @@ pub use estimator::{Estimator, MIN_K, UnfitEstimator, UnknownEstimator};
 pub(crate) use gather::{Estimate, Refusal, disc_area, estimate_f64};
 pub use kernel::Kernel;
 pub use ladder::{Ladder, LadderError, MAX_RUNGS, Rung};
-pub(crate) use method::Method;
 pub use neighbourhood::{EstimatorError, KernelEstimate, Near, Neighbourhood};

@@ -212,7 +212,7 @@ impl Fit {
     /// # Errors
     /// As for [`ErrorBench::measure`].
     pub fn measure(&self, format: &PhotonFormat) -> Result<Measurement, BenchError> {
-        let report = self.bench.measure_light(Engine::Format(format))?;
+        let report = self.bench.measure_light(Engine::from(format))?;
         Ok(Measurement::of(&report))
     }
 }

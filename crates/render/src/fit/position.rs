@@ -7,8 +7,7 @@ use rayon::prelude::*;
 use super::pilot::{Part, Pilot};
 use crate::estimate::disc_area;
 use crate::metrics::BenchError;
-use crate::quantise::FormatMap;
-use crate::render::RenderError;
+use crate::quantise::QuantisedMap;
 use crate::view::QueryPoint;
 
 /// The number of shifts of the lattice that each map is measured with. The error depends on the lattice's
@@ -24,11 +23,11 @@ pub(super) fn position_part(
     let format = positions(position_bits, query_extra_bits);
     let mut part = Part::default();
     for (index, map) in pilot.bench.maps().iter().enumerate() {
-        let edge = FormatMap::edge_for(&format, map.radius());
+        let edge = QuantisedMap::edge_for(&format, map.radius());
         for draw in 0..SHIFTS {
             let shift = lattice_shift(index * SHIFTS + draw);
             let shifted = map.reblocked_at(edge, shift)?;
-            let rounded = FormatMap::new(&shifted, &format).map_err(RenderError::from)?;
+            let rounded = QuantisedMap::new(&shifted, &format.into())?;
             let queries = pilot.bench.queries().par_iter();
             let estimates: Vec<DVec3> = queries.map(|query| light(&rounded, query)).collect();
             pilot.push(&mut part, index, &estimates);
@@ -38,7 +37,7 @@ pub(super) fn position_part(
 }
 
 /// The reflected light of the photons that the format finds in range, with exact powers.
-fn light(rounded: &FormatMap<'_>, query: &QueryPoint) -> DVec3 {
+fn light(rounded: &QuantisedMap<'_>, query: &QueryPoint) -> DVec3 {
     let verdicts = rounded.verdicts(query.position, query.normal);
     let in_range = verdicts.filter(|(_, in_range)| *in_range);
     let power: DVec3 = in_range.map(|(photon, _)| photon.power).sum();

@@ -10,8 +10,7 @@ use super::pilot::{Part, Pilot};
 use crate::estimate::disc_area;
 use crate::metrics::BenchError;
 use crate::photon_map::PhotonMap;
-use crate::quantise::FormatMap;
-use crate::render::RenderError;
+use crate::quantise::QuantisedMap;
 use crate::view::QueryPoint;
 
 /// The photons in range of every query of the pilot, found once for any number of power formats.
@@ -33,9 +32,8 @@ struct GatheredMap {
 impl Gathered {
     pub fn new(pilot: &Pilot) -> Result<Self, BenchError> {
         let gathered = |map: &PhotonMap| -> Result<GatheredMap, BenchError> {
-            let edge = FormatMap::edge_for(&PHOTON_FORMATS[0], map.radius());
-            let map = map.reblocked(edge)?;
-            Ok(GatheredMap::new(map, pilot.bench.queries()))
+            let map = QuantisedMap::blocked(map, &PHOTON_FORMATS[0].into())?;
+            Ok(GatheredMap::new(map.into_owned(), pilot.bench.queries()))
         };
         let maps = pilot.bench.maps().iter().map(gathered);
         Ok(Self {
@@ -61,7 +59,7 @@ impl Gathered {
         };
         let mut part = Part::default();
         for (index, gathered) in self.maps.iter().take(maps).enumerate() {
-            let rounded = FormatMap::new(&gathered.map, &format).map_err(RenderError::from)?;
+            let rounded = QuantisedMap::new(&gathered.map, &format.into())?;
             let photons = (0..gathered.map.photons().len()).into_par_iter();
             let powers: Vec<DVec3> = photons.map(|photon| rounded.power(photon)).collect();
             let estimates = gathered.lights(&powers, pilot.bench.queries());

@@ -184,7 +184,7 @@ mod tests {
         ] {
             let format = find_photon_format(name).unwrap();
             let predicted = predictor.predict(&format).unwrap();
-            let joint = bench.measure_light(Engine::Format(&format)).unwrap();
+            let joint = bench.measure_light(Engine::from(&format)).unwrap();
             let ratio = predicted.error_over_noise / joint.worst().1.error_over_noise;
             println!("{name}: {predicted:?}, ratio {ratio:.3}");
             assert!((ratio - 1.0).abs() < 0.12, "{name}: {ratio}");

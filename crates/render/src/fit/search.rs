@@ -115,7 +115,7 @@ impl Search<'_> {
         let predicted = self.predictor.predict(format)?;
         let measured = match self.measured.get(format) {
             Some(measured) => *measured,
-            None => Measurement::of(&self.proof.measure_light(Engine::Format(format))?),
+            None => Measurement::of(&self.proof.measure_light(Engine::from(format))?),
         };
         self.measured.insert(*format, measured);
         self.report_progress();

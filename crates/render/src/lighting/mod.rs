@@ -79,7 +79,7 @@ pub struct Lighting {
 }
 
 /// The reason why a scene does not allow a lighting.
-#[derive(Debug, Clone, Copy, Error, PartialEq)]
+#[derive(Debug, Clone, Error, PartialEq)]
 pub enum LightingError {
     /// A final gather needs direct light from shadow rays, because its rays would have to find the lights.
     #[error(
@@ -104,9 +104,9 @@ impl Lighting {
     ///
     /// # Errors
     /// A [`LightingError`] that names the conflict.
-    pub fn check(&self, scene: &Scene, estimator: Estimator) -> Result<(), LightingError> {
-        if self.area == Area::Covered && estimator != Estimator::FixedRadius {
-            return Err(LightingError::AreaOf(estimator));
+    pub fn check(&self, scene: &Scene, estimator: &Estimator) -> Result<(), LightingError> {
+        if self.area == Area::Covered && *estimator != Estimator::FixedRadius {
+            return Err(LightingError::AreaOf(estimator.clone()));
         }
         if self.final_gather == 0 {
             return Ok(());

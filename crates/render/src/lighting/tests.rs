@@ -101,7 +101,7 @@ fn pixels(scene: &Scene, lighting: &Lighting, engine: Engine<'_>) -> Vec<DVec3> 
         lighting,
         global: &maps.global,
         caustic: maps.caustic.as_ref(),
-        estimator: Estimator::FixedRadius,
+        estimator: &Estimator::FixedRadius,
     };
     let view = ViewOptions {
         width: 32,
@@ -116,7 +116,7 @@ fn pixels(scene: &Scene, lighting: &Lighting, engine: Engine<'_>) -> Vec<DVec3> 
 /// However light is divided among photons and rays, the result is equal.
 #[test]
 fn every_lighting_gives_the_same_light() {
-    let format = Engine::Format(&PHOTON_FORMATS[0]);
+    let format = Engine::from(&PHOTON_FORMATS[0]);
     for (name, scene) in [
         ("cornell", Scene::built_in("cornell").unwrap()),
         ("spheres", spheres()),
@@ -167,7 +167,7 @@ fn the_covered_area_keeps_borders_bright() {
 fn what_does_not_fit_together_is_an_error() {
     let scene = Scene::built_in("ring").unwrap();
     let check = |lighting: Lighting, estimator| lighting.check(&scene, estimator);
-    let fixed = Estimator::FixedRadius;
+    let fixed = &Estimator::FixedRadius;
     assert_eq!(check(Lighting::default(), fixed), Ok(()));
     assert_eq!(check(named("rays", "own", 8, "covered"), fixed), Ok(()));
     let error = check(named("map", "own", 8, "disc"), fixed).unwrap_err();
@@ -176,7 +176,7 @@ fn what_does_not_fit_together_is_an_error() {
     assert!(error.to_string().contains("map of their own"), "{error}");
     let error = check(
         named("map", "map", 0, "covered"),
-        Estimator::KNearest { k: 50 },
+        &Estimator::KNearest { k: 50 },
     );
     assert!(error.unwrap_err().to_string().contains("knn:50"));
     // Without mirrors there are no caustics that a map of their own would have to hold.

@@ -11,12 +11,11 @@ use super::light::{LightReport, LightStudy};
 use super::misclassified::Misclassified;
 use super::queries::{LUMINANCE, view_queries};
 use super::study::{ErrorReport, ErrorStudy};
-use super::verdicts::{f64_verdicts, format_verdicts, model_verdicts};
-use crate::estimate::{
-    Estimate, Estimator, EstimatorError, Method, Refusal, UnfitEstimator, estimate_f64,
-};
+use super::verdicts::verdicts;
+use crate::estimate::{Estimate, Estimator, EstimatorError, Refusal, UnfitEstimator, estimate_f64};
 use crate::photon_map::{MapError, PhotonMap};
-use crate::render::{Engine, Prepared, RenderError};
+use crate::quantise::{QuantiseError, QuantisedMap};
+use crate::render::Engine;
 use crate::scene::Scene;
 use crate::trace::{TraceError, TraceOptions, trace};
 use crate::view::{QueryPoint, ViewError, ViewOptions};
@@ -67,10 +66,10 @@ pub enum BenchError {
     /// The radius allows no map.
     #[error(transparent)]
     Map(#[from] MapError),
-    /// The rules of the machine or of the photon format do not fit.
+    /// The engine's numbers do not fit.
     #[error(transparent)]
-    Engine(#[from] RenderError),
-    /// The golden model of the machine or of the photon format refused a query.
+    Quantise(#[from] QuantiseError),
+    /// The golden model refused a query.
     #[error(transparent)]
     Gather(#[from] GatherError),
     /// The f64 reference has no such estimate at a query.
@@ -207,10 +206,10 @@ impl ErrorBench {
     /// # Errors
     /// As for [`Self::measure`].
     pub fn measure_light(&self, engine: Engine<'_>) -> Result<LightReport, BenchError> {
-        let method = Method::new(Estimator::FixedRadius, engine)?;
+        let estimator = Estimator::FixedRadius;
         let mut study = LightStudy::new(self.queries.len());
         for (map, lights) in self.maps.iter().zip(&self.lights) {
-            let answers = self.answers(&method, engine, map)?;
+            let answers = self.answers(&estimator, engine, map)?;
             study.push_map(&answers.lights, lights, answers.verdicts)?;
         }
         Ok(study.report()?)
@@ -221,7 +220,7 @@ impl ErrorBench {
     /// # Errors
     /// The engine's number formats do not fit the maps, or the golden model refuses a query.
     pub fn study(&self, engine: Engine<'_>) -> Result<ErrorStudy, BenchError> {
-        let (study, _) = self.compare(engine, Estimator::FixedRadius, &self.references)?;
+        let (study, _) = self.compare(engine, &Estimator::FixedRadius, &self.references)?;
         Ok(study)
     }
 
@@ -234,13 +233,14 @@ impl ErrorBench {
     pub fn measure_estimator(
         &self,
         engine: Engine<'_>,
-        estimator: Estimator,
+        estimator: &Estimator,
     ) -> Result<EstimatorReport, BenchError> {
-        let method = Method::new(estimator.reference(), Engine::F64)?;
+        let exact = estimator.reference();
+        exact.check(Engine::F64)?;
         let reference = |map: &PhotonMap| -> Result<Vec<f64>, Refusal> {
             let queries = self.queries.par_iter();
             let estimates = queries.map(|query| {
-                let estimate = method.estimate(&Prepared::F64, map, query)?;
+                let estimate = exact.estimate(map, None, query)?;
                 Ok(self.weights.dot(reflected(query, &estimate)))
             });
             estimates.collect()
@@ -260,14 +260,14 @@ impl ErrorBench {
     fn compare(
         &self,
         engine: Engine<'_>,
-        estimator: Estimator,
+        estimator: &Estimator,
         references: &[Vec<f64>],
     ) -> Result<(ErrorStudy, u64), BenchError> {
-        let method = Method::new(estimator, engine)?;
+        estimator.check(engine)?;
         let mut study = ErrorStudy::new(self.queries.len());
         let mut gathers = 0;
         for (map, references) in self.maps.iter().zip(references) {
-            let answers = self.answers(&method, engine, map)?;
+            let answers = self.answers(estimator, engine, map)?;
             gathers += answers.gathers;
             let estimates = answers.lights.iter().map(|light| self.weights.dot(*light));
             study.push_map(&estimates.collect::<Vec<_>>(), references, answers.verdicts)?;
@@ -278,13 +278,13 @@ impl ErrorBench {
     /// The engine's estimates at every query of a map.
     fn answers(
         &self,
-        method: &Method,
+        estimator: &Estimator,
         engine: Engine<'_>,
         map: &PhotonMap,
     ) -> Result<Answers, BenchError> {
-        let prepared = Prepared::new(map, engine)?;
+        let quantised = engine.quantised(map)?;
         let answers = self.queries.par_iter();
-        let answers = answers.map(|query| answer(method, &prepared, map, query));
+        let answers = answers.map(|query| answer(estimator, map, quantised.as_ref(), query));
         let answers = answers.collect::<Result<Vec<_>, _>>()?;
         let mut verdicts = Misclassified::default();
         answers
@@ -325,21 +325,16 @@ struct Answer {
 }
 
 fn answer(
-    method: &Method,
-    prepared: &Prepared<'_>,
+    estimator: &Estimator,
     map: &PhotonMap,
+    quantised: Option<&QuantisedMap<'_>>,
     query: &QueryPoint,
 ) -> Result<Answer, BenchError> {
-    let estimate = method.estimate(prepared, map, query)?;
-    let verdicts = match prepared {
-        Prepared::F64 => f64_verdicts(map, query),
-        Prepared::Model(quantised) => model_verdicts(map, quantised, query)?,
-        Prepared::Format(quantised, _) => format_verdicts(quantised, query),
-    };
+    let estimate = estimator.estimate(map, quantised, query)?;
     Ok(Answer {
         light: reflected(query, &estimate),
         gathers: estimate.gathers,
-        verdicts,
+        verdicts: verdicts(map, quantised, query),
     })
 }
 
@@ -377,8 +372,8 @@ mod tests {
         let bench = bench();
         let reference = bench.measure(Engine::F64).unwrap();
         let engines = [
-            Engine::Model(find_machine("paper").unwrap()),
-            Engine::Format(&PHOTON_FORMATS[0]),
+            Engine::from(find_machine("paper").unwrap()),
+            Engine::from(&PHOTON_FORMATS[0]),
         ];
         for engine in engines {
             let report = bench.measure(engine).unwrap();
@@ -403,7 +398,7 @@ mod tests {
     fn threads_do_not_matter() {
         let on = |threads| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
-            let measure = || bench().measure(Engine::Format(&PHOTON_FORMATS[0])).unwrap();
+            let measure = || bench().measure(Engine::from(&PHOTON_FORMATS[0])).unwrap();
             pool.build().unwrap().install(measure)
         };
         assert_eq!(on(1), on(3));

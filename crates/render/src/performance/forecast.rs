@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use photoncube_spec::{Machine, Pace, SharedGroups};
 
 use crate::photon_map::{MapError, PhotonMap};
-use crate::quantise::FormatMap;
+use crate::quantise::QuantisedMap;
 use crate::view::QueryPoint;
 
 /// The clocks for these queries of `map` while no stream waits. Queries that are tested against equal photons
@@ -21,13 +21,7 @@ pub fn forecast_clocks(
     let Some(pace) = Pace::of(machine) else {
         return Ok(None);
     };
-    let lists = match machine.format() {
-        Some(format) => {
-            let edge = FormatMap::edge_for(format, map.radius());
-            shared(&map.reblocked(edge)?, queries)
-        }
-        None => shared(map, queries),
-    };
+    let lists = shared(&*QuantisedMap::blocked(map, &machine.numbers)?, queries);
     let lanes = machine.photons_per_iteration() as u64;
     let lists = lists.values().map(|(queries, photons)| SharedGroups {
         queries: *queries,
@@ -74,7 +68,7 @@ mod tests {
         let machine = find_machine(machine).unwrap();
         let queries = view_queries(&scene, &view).unwrap();
         let clocks = forecast_clocks(&map, &queries, machine).unwrap().unwrap();
-        let stats = render(&scene, &map, Engine::Model(machine), &view, &|_| ()).unwrap();
+        let stats = render(&scene, &map, Engine::from(machine), &view, &|_| ()).unwrap();
         (clocks, stats.stats.photon_groups, stats.stats.query_points)
     }
 

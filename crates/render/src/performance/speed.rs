@@ -11,9 +11,10 @@ use std::time::{Duration, Instant};
 use glam::Vec3;
 use rayon::ThreadPoolBuilder;
 
+use crate::estimate::{Estimator, estimate_f64};
 use crate::photon_map::PhotonMap;
-use crate::quantise::FormatMap;
-use crate::render::{Engine, Prepared, RenderError};
+use crate::quantise::QuantisedMap;
+use crate::render::{Engine, RenderError};
 use crate::view::QueryPoint;
 
 /// The duration of a measurement, long compared with a clock tick.
@@ -31,8 +32,8 @@ pub struct Speed {
     pub spread: f64,
 }
 
-/// The speed of an engine's gather at these queries, as in rendering: photon formats gather all queries of a
-/// block together. [`Engine::F64`] is the plain f64 loop.
+/// The speed of an engine's gather at these queries, as in rendering: engines of integers gather all queries
+/// together, photon formats those of a block. [`Engine::F64`] is the plain f64 loop.
 ///
 /// # Errors
 /// Formats that do not fit the map, or a query that the golden model refuses.
@@ -41,32 +42,27 @@ pub fn gather_speed(
     queries: &[QueryPoint],
     engine: Engine<'_>,
 ) -> Result<Speed, RenderError> {
-    let prepared = Prepared::new(map, engine)?;
+    let quantised = engine.quantised(map)?;
     for (index, query) in queries.iter().enumerate() {
-        let estimate = prepared.estimate(map, query);
+        let estimate = Estimator::FixedRadius.estimate(map, quantised.as_ref(), query);
         // The query's index takes the place of its pixel.
         estimate.map_err(|refusal| RenderError::of(refusal, index as u32, 0))?;
     }
-    if let Prepared::Format(map, _) = &prepared {
-        return Ok(fast_speed(map, queries));
+    if let Some(quantised) = &quantised {
+        return Ok(fast_speed(quantised, queries));
     }
-    Ok(speed(|| {
-        let tests = queries.iter().map(|query| {
-            let estimate = black_box(prepared.estimate(map, query));
-            estimate.map_or(0, |estimate| estimate.tests)
-        });
-        tests.sum()
-    }))
+    let tests_of = |query: &QueryPoint| black_box(estimate_f64(map, query)).tests;
+    Ok(speed(|| queries.iter().map(tests_of).sum()))
 }
 
 /// The speed of the fast gather, with the queries in the order in which it is fastest.
-fn fast_speed(map: &FormatMap<'_>, queries: &[QueryPoint]) -> Speed {
+fn fast_speed(map: &QuantisedMap<'_>, queries: &[QueryPoint]) -> Speed {
     let mut queries = queries.to_vec();
     map.map().sort_queries(&mut queries);
     let pool = ThreadPoolBuilder::new().num_threads(1).build();
     pool.expect("a thread").install(|| {
         speed(|| {
-            let found = black_box(map.gather_all(&queries));
+            let found = black_box(map.gather_all(&queries, map.radius_sq()));
             found.map_or(0, |found| found.iter().map(|query| query.photons).sum())
         })
     })
@@ -147,8 +143,8 @@ mod tests {
         let (map, queries) = (&bench.maps()[0], bench.queries());
         let engines = [
             Engine::F64,
-            Engine::Model(find_machine("paper").unwrap()),
-            Engine::Format(&find_photon_format("local8-rgb8e5").unwrap()),
+            Engine::from(find_machine("paper").unwrap()),
+            Engine::from(&find_photon_format("local8-rgb8e5").unwrap()),
         ];
         for engine in engines {
             let speed = gather_speed(map, queries, engine).unwrap();

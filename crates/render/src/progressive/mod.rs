@@ -32,7 +32,7 @@ use thiserror::Error;
 pub use self::error::{ErrorEstimate, PixelBound};
 
 use self::error::Pixel;
-use crate::estimate::{Estimator, Method};
+use crate::estimate::Estimator;
 use crate::image::Image;
 use crate::lighting::{Lighting, PhotonMaps, Radii};
 use crate::photon_map::MapError;
@@ -165,11 +165,11 @@ impl<'a> Progressive<'a> {
             lighting: &self.lighting,
             global: &maps.global,
             caustic: maps.caustic.as_ref(),
-            estimator: Estimator::FixedRadius,
+            estimator: &Estimator::FixedRadius,
         };
         let view = ViewOptions { seed, ..self.view };
         let renderer = Renderer::new(self.scene, light, self.engine, &view)?;
-        let rendered = renderer.render(&[Method::FixedRadius, Method::Inner], &|_| ())?;
+        let rendered = renderer.render(&[Estimator::FixedRadius, Estimator::Inner], &|_| ())?;
         let [whole, inner] = [0, 1].map(|index| rendered.images[index].pixels());
         self.pixels.resize(whole.len(), Pixel::default());
         for ((pixel, whole), inner) in self.pixels.iter_mut().zip(whole).zip(inner) {

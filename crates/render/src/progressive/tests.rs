@@ -22,7 +22,7 @@ fn options(photons: u64, alpha: f64) -> ProgressiveOptions {
 #[test]
 fn the_first_pass_is_the_plain_picture() {
     let scene = Scene::built_in("cornell").unwrap();
-    let engine = Engine::Format(&PHOTON_FORMATS[0]);
+    let engine = Engine::from(&PHOTON_FORMATS[0]);
     let lighting = Lighting::default();
     let options = options(20_000, 0.5);
     let mut progressive = Progressive::new(&scene, engine, lighting, VIEW, options).unwrap();

@@ -1,7 +1,7 @@
 //! Rounds powers by the rules of [`photoncube_spec::PhotonFormat`], "Power".
 
 use glam::DVec3;
-use photoncube_spec::{Channels, PhotonFormat, Rounding};
+use photoncube_spec::{Channels, PowerFormat, Rounding};
 
 use crate::photon_map::PhotonMap;
 use crate::trace::Photon;
@@ -22,8 +22,7 @@ pub(crate) struct PowerScale {
 }
 
 impl PowerScale {
-    pub fn new(map: &PhotonMap, format: &PhotonFormat) -> Self {
-        let power = format.power;
+    pub fn new(map: &PhotonMap, power: PowerFormat) -> Self {
         let full = f64::from((1_u32 << power.mantissa_bits) - 1);
         let exponent_range = power.exponent_range() as u8;
         let largest = strongest(map.photons());
@@ -150,7 +149,7 @@ mod tests {
         let third = DVec3::new(0.37, 0.0, 0.0);
         let map = map(&[DVec3::X, third]);
         let mean = |name| {
-            let scale = PowerScale::new(&map, &find_photon_format(name).unwrap());
+            let scale = PowerScale::new(&map, find_photon_format(name).unwrap().power);
             let cells = (0..100).flat_map(|x| (0..100).map(move |y| [x, y, 3]));
             let total: f64 = cells
                 .map(|cell| f64::from(scale.mantissa(third, 0, cell)[0]))
@@ -174,7 +173,7 @@ mod tests {
                 "local8-rgb1b1d",
             ] {
                 let format = find_photon_format(name).unwrap();
-                let scale = PowerScale::new(&map, &format);
+                let scale = PowerScale::new(&map, format.power);
                 let exponent = scale.exponent(map.photons());
                 assert_eq!(u32::from(exponent), format.power.exponent_range());
                 let mantissa = scale.mantissa(map.photons()[0].power, exponent, [0; 3]);
@@ -194,7 +193,7 @@ mod tests {
     fn one_channel_holds_light_of_one_colour() {
         let colour = DVec3::new(0.5, 1.0, 0.25);
         let map = map(&[3.0 * colour, 2.0 * colour, 0.5 * colour]);
-        let scale = PowerScale::new(&map, &find_photon_format("local8-mono16").unwrap());
+        let scale = PowerScale::new(&map, find_photon_format("local8-mono16").unwrap().power);
         for photon in map.photons() {
             let [mantissa, none @ ..] = scale.mantissa(photon.power, 0, [0; 3]);
             assert_eq!(none, [0; 2]);
@@ -214,7 +213,7 @@ mod tests {
         let photons = trace(&scene, &options, &|_| ()).unwrap().photons;
         let map = PhotonMap::new(&scene, photons, 0.1).unwrap();
         let format = find_photon_format("local8-rgb5e5d").unwrap();
-        let quantised = crate::FormatMap::new(&map, &format).unwrap();
+        let quantised = crate::QuantisedMap::new(&map, &format.into()).unwrap();
         let total: DVec3 = (0..quantised.records().len())
             .map(|index| quantised.power(index))
             .sum();

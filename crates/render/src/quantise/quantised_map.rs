@@ -1,189 +1,390 @@
-//! Converts photons and queries to the integers of a machine with plain numbers.
+//! Photons and queries in the integers of [`Numbers`], plain or of a photon format.
 //!
-//! A position is an unsigned fraction of its block, `floor(fraction * 2^f)` with f =
-//! [`PlainFormat::position_bits`]. Queries follow the same rule, so that the mean error of a difference is
-//! zero. The machine's coordinates span a frame of four block edges that starts one block before the query's
-//! own. A block's offset of 0, 1 or 2 is added to the fraction, and no coordinate can overflow (the largest
-//! is 3 * 2^f - 1). Where block edge and search radius are equal, as in [`PhotonMap::new`], the squared
-//! radius is exactly 2^(2f); otherwise it is rounded down to a square step.
+//! A position is an unsigned fraction of its block, `floor(fraction * 2^p)` with p =
+//! [`Numbers::position_bits`]. Queries follow the same rule with [`Numbers::radius_bits`]. The coordinates
+//! span a frame of four block edges that starts one block before the query's own. A block's offset of 0, 1
+//! or 2 is added to the fraction, so no coordinate can overflow (the largest is 3 * 2^p - 1).
 //!
-//! Power is linear. The whole map has one step: the largest channel of any photon over `2^power_bits - 1`.
-//! Powers are rounded to nearest, because truncation would bias every estimate, and more photons would not
-//! remove the bias.
+//! In a photon format, block edge and search radius have the ratio that the format fixes, so the radius is
+//! exact. In plain numbers, blocks are those of the map: where block edge and search radius are equal, as in
+//! [`PhotonMap::new`], the squared radius is exactly 2^(2p); otherwise it is rounded down to a square step.
+//!
+//! Powers are rounded by the rules of [`PhotonFormat`], plain ones to nearest with one step for the whole map.
+//! Truncation would bias every estimate, and more photons would not remove the bias.
+//!
+//! Nothing depends on the scene's place or size. Precisely: the records, the block exponents and every sum
+//! are bit-identical
+//! - after moving scene, photons and queries by a vector that rounds none of their coordinates
+//!   (only their differences from the scene's corner are used, and those are exact);
+//! - after scaling scene, radius and photons by a power of two; by any other factor, except
+//!   for coordinates that f64 rounding carries across the border of a cell (relative 1e-15 of the
+//!   scene), hence always for those in the middle of theirs;
+//! - after scaling all powers by a power of two;
+//! - up to the order of the records, after permuting the photons.
 
-use photoncube_spec::{self as spec, Machine, Numbers, PlainFormat};
+use std::borrow::Cow;
+use std::ops::Range;
+
+use glam::DVec3;
+use photoncube_model::{Gather, GatherError, PhotonPlanes};
+use photoncube_spec::{
+    self as spec, Exponent, FormatError, Numbers, PhotonBlock, PhotonFormat, PhotonRecord, Query,
+    Sums,
+};
 use rayon::prelude::*;
 use thiserror::Error;
 
-use glam::DVec3;
+use super::power_scale::{PowerScale, power_of_two};
+use crate::photon_map::{Candidates, MapError, PhotonMap};
+use crate::trace::Photon;
 
-use crate::photon_map::{Candidates, PhotonMap};
-
-/// The error of a machine to whose numbers the photon map cannot be converted.
-#[derive(Debug, Error, PartialEq, Eq)]
+/// The reason why a photon map has no form in these numbers.
+#[derive(Debug, Error, PartialEq)]
 pub enum QuantiseError {
-    /// A field is outside its legal range.
-    #[error("machine `{machine}`: {field} is {found}, expected {min} to {max}")]
-    Field {
-        /// The name of the machine.
-        machine: &'static str,
-        /// The name of the field.
-        field: &'static str,
-        /// The field's value.
-        found: u32,
-        /// The smallest legal value.
-        min: u32,
-        /// The largest legal value.
-        max: u32,
-    },
-    /// The machine has a photon format.
-    #[error("machine `{machine}` has the photon format {format}, expected plain numbers")]
-    NotPlain {
-        /// The name of the machine.
-        machine: &'static str,
-        /// The name of its photon format.
-        format: String,
-    },
+    /// The numbers are not legal.
+    #[error(transparent)]
+    Format(#[from] FormatError),
+    /// The map cannot have the blocks that the photon format needs.
+    #[error(transparent)]
+    Map(#[from] MapError),
 }
 
-/// The photons of a map in one machine's integers, in the order of the map.
+/// The photons of a map in the integers of one number format.
 #[derive(Debug, Clone)]
 pub struct QuantisedMap<'a> {
-    map: &'a PhotonMap,
-    machine: &'a Machine,
-    format: &'a PlainFormat,
-    photons: Vec<StoredPhoton>,
-    power_step: f64,
+    map: Cow<'a, PhotonMap>,
+    gather: Gather,
+    /// The search radius squared in squared fine steps, not rounded.
+    exact_radius_sq: f64,
+    /// The stored photons, in the order of the map.
+    records: Vec<PhotonRecord>,
+    /// The stored photons of a photon format in planes, run by run, for the fast gather.
+    planes: Option<PhotonPlanes>,
+    /// The exponents of blocks; empty where a photon has its own, or none.
+    exponents: Vec<BlockExponent>,
+    scale: PowerScale,
 }
 
-/// A stored photon; its position is relative to its block.
+/// The exponent of a block, with the index of the block's first record.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-struct StoredPhoton {
-    fraction: [u16; 3],
-    power: [u16; 3],
+struct BlockExponent {
+    start: usize,
+    exponent: u8,
 }
 
 impl<'a> QuantisedMap<'a> {
-    /// Rounds every photon of `map` to the plain numbers of `machine`.
+    /// Rounds every photon of `map` to `numbers`. In a photon format, blocks have the edge [`Self::edge_for`]
+    /// the map's radius; a map with blocks of another edge is sorted anew.
     ///
     /// # Errors
-    /// Coordinates outside 3 to 17 bits (a fraction of 1 to 15 bits, whose squared radius fits 32 bits),
-    /// powers outside 1 to 16 bits, or a machine with a photon format.
-    pub fn new(map: &'a PhotonMap, machine: &'a Machine) -> Result<Self, QuantiseError> {
-        let format = match &machine.numbers {
-            Numbers::Plain(format) => format,
-            Numbers::Local(format) => {
-                return Err(QuantiseError::NotPlain {
-                    machine: machine.name,
-                    format: format.name(),
-                });
-            }
+    /// The numbers are not legal, or the map cannot have such blocks.
+    pub fn new(map: &'a PhotonMap, numbers: &Numbers) -> Result<Self, QuantiseError> {
+        let gather = Gather::new(numbers)?;
+        let map = Self::blocked(map, numbers)?;
+        let power = numbers.power();
+        let scale = PowerScale::new(&map, power);
+        let exponents = match power.exponent {
+            Exponent::Block { .. } => block_exponents(&map, &scale),
+            Exponent::None | Exponent::Photon { .. } => Vec::new(),
         };
-        check(machine, "coordinate_bits", format.coordinate_bits, 3, 17)?;
-        check(machine, "power_bits", format.power_bits, 1, 16)?;
-        let power_step = power_step(map, format.power_bits);
-        let stored = |photon: &crate::Photon| StoredPhoton {
-            fraction: fraction(map, photon.position, format.position_bits()).map(|f| f as u16),
-            // Rounds half away from zero; the result cannot exceed the largest power.
-            power: (photon.power / power_step)
-                .round()
-                .to_array()
-                .map(|p| p as u16),
+        let record = |(index, photon)| {
+            let block_exponent = exponent_of(&exponents, index);
+            record(&map, numbers, &scale, block_exponent, photon)
         };
+        let photons = map.photons().par_iter().enumerate();
+        let records: Vec<_> = photons.map(record).collect();
+        let planes = numbers.format();
+        let planes = planes.map(|format| planes_of(&map, format, &records, &exponents));
         Ok(Self {
+            exact_radius_sq: exact_radius_sq(&map, numbers),
+            planes: planes.transpose()?,
+            records,
+            gather,
+            exponents,
+            scale,
             map,
-            machine,
-            format,
-            photons: map.photons().par_iter().map(stored).collect(),
-            power_step,
         })
     }
 
-    /// The machine that the integers are for.
+    /// The edge of blocks, in scene units, with which `radius` is exact in the format.
     #[must_use]
-    pub fn machine(&self) -> &'a Machine {
-        self.machine
+    pub fn edge_for(format: &PhotonFormat, radius: f64) -> f64 {
+        radius * f64::from(format.edge_steps()) / f64::from(format.radius_steps())
     }
 
-    /// The flux of one step of the integer power.
-    #[must_use]
-    pub fn power_step(&self) -> f64 {
-        self.power_step
+    /// The map in the blocks that `numbers` need; plain numbers take any blocks.
+    pub(crate) fn blocked(
+        map: &'a PhotonMap,
+        numbers: &Numbers,
+    ) -> Result<Cow<'a, PhotonMap>, MapError> {
+        let edge = numbers
+            .format()
+            .map_or(map.edge(), |format| Self::edge_for(format, map.radius()));
+        if map.edge() == edge {
+            return Ok(Cow::Borrowed(map));
+        }
+        Ok(Cow::Owned(map.reblocked(edge)?))
     }
 
-    /// The search radius squared in the machine's steps, not rounded.
-    pub(crate) fn exact_radius_sq(&self) -> f64 {
-        let edge = 1 << self.machine.position_bits();
-        let radius = f64::from(edge) * (self.map.radius() / self.map.edge());
-        radius.powi(2)
+    /// The numbers of the records.
+    #[must_use]
+    pub fn numbers(&self) -> &Numbers {
+        self.gather.numbers()
     }
 
-    /// The machine's query at `position`: the fraction in its block, plus the edge of one block.
+    /// The stored photons in planes, as the fast gather uses them; `None` in plain numbers.
     #[must_use]
-    pub fn query(&self, position: DVec3) -> spec::Query {
-        let edge = 1 << self.format.position_bits();
-        spec::Query {
-            position: fraction(self.map, position, self.format.position_bits()).map(|f| edge + f),
-            // The rounding of the quotient must not reduce a radius of whole steps by a square step.
-            radius_sq: (self.exact_radius_sq() * (1.0 + 1e-12)) as u32,
+    pub fn planes(&self) -> Option<&PhotonPlanes> {
+        self.planes.as_ref()
+    }
+
+    /// The map before rounding, in the blocks of the records.
+    #[must_use]
+    pub fn map(&self) -> &PhotonMap {
+        &self.map
+    }
+
+    /// The stored photons, in the order of [`Self::map`].
+    #[must_use]
+    pub fn records(&self) -> &[PhotonRecord] {
+        &self.records
+    }
+
+    /// The flux that sums of powers represent.
+    #[inline]
+    #[must_use]
+    pub fn flux(&self, power: [u128; 3]) -> DVec3 {
+        self.scale.flux(DVec3::from(power.map(float)))
+    }
+
+    /// The search radius squared in squared fine steps, not rounded. It is whole in a photon format, and in
+    /// plain numbers where the block edge is the search radius.
+    #[must_use]
+    pub fn exact_radius_sq(&self) -> f64 {
+        self.exact_radius_sq
+    }
+
+    /// The search radius squared in whole squared fine steps, the largest radius of a gather.
+    #[must_use]
+    pub fn radius_sq(&self) -> u32 {
+        // The rounding of the quotient must not reduce a radius of whole steps by a square step.
+        (self.exact_radius_sq * (1.0 + 1e-12)) as u32
+    }
+
+    /// The query at `position` with the map's search radius, in its own frame.
+    #[must_use]
+    pub fn query(&self, position: DVec3) -> Query {
+        let query = self.query_within(position, self.radius_sq());
+        query.expect("the search radius has two steps or more")
+    }
+
+    /// The query at `position` with another search radius, `radius_sq` in squared fine steps. `None` where no
+    /// photon can be in range.
+    #[must_use]
+    pub fn query_within(&self, position: DVec3, radius_sq: u32) -> Option<Query> {
+        let fraction = self.map.place(position).1;
+        let radius_sq = self.numbers().radius_word(radius_sq)?;
+        Some(self.query_at(fraction, radius_sq))
+    }
+
+    /// The query at `fraction` of the edge in its block, with this word as the radius.
+    pub(crate) fn query_at(&self, fraction: DVec3, radius_sq: u32) -> Query {
+        let bits = self.numbers().radius_bits();
+        Query {
+            position: in_steps(fraction, bits).map(|step| (1 << bits) + step),
+            radius_sq,
         }
     }
 
-    /// The photons that a query at `position` on a surface of unit normal `normal` gathers, in the query's
-    /// frame, in the order of the stream.
-    pub fn photons(&self, position: DVec3, normal: DVec3) -> impl Iterator<Item = spec::Photon> {
+    /// The photons that a query at `position` on a surface of unit normal `normal` gathers, by the
+    /// rule of [`PhotonMap`].
+    pub fn blocks(&self, position: DVec3, normal: DVec3) -> impl Iterator<Item = PhotonBlock<'_>> {
         let runs = self.map.candidates(position, normal);
-        runs.flat_map(
+        runs.map(
             |Candidates {
                  offset, photons, ..
-             }| {
-                let base = offset.map(|blocks| blocks << self.format.position_bits());
-                self.photons[photons].iter().map(move |p| spec::Photon {
-                    position: std::array::from_fn(|axis| base[axis] + u32::from(p.fraction[axis])),
-                    power: p.power.map(u32::from),
-                    exponent: 0,
+             }| PhotonBlock {
+                offset,
+                exponent: exponent_of(&self.exponents, photons.start),
+                photons: &self.records[photons],
+            },
+        )
+    }
+
+    /// The photons of [`Self::blocks`] as the words of a machine's stream, in order. A block's offset is the
+    /// top of their coordinates, and its exponent is a part of each word.
+    pub fn photons(
+        &self,
+        position: DVec3,
+        normal: DVec3,
+    ) -> impl Iterator<Item = spec::Photon> + '_ {
+        let bits = self.numbers().position_bits();
+        let blocks = self.blocks(position, normal);
+        blocks.flat_map(move |block| {
+            let base = block.offset.map(|blocks| blocks << bits);
+            block.photons.iter().map(move |record| spec::Photon {
+                position: [0, 1, 2].map(|axis| base[axis] + u32::from(record.position[axis])),
+                power: record.mantissa.map(u32::from),
+                exponent: u32::from(block.exponent + record.exponent),
+            })
+        })
+    }
+
+    /// Gathers the sums of a query at the search radius.
+    ///
+    /// # Errors
+    /// More photons are around the query than the numbers declare.
+    pub fn gather(&self, position: DVec3, normal: DVec3) -> Result<Sums, GatherError> {
+        self.gather_within(position, normal, self.radius_sq())
+    }
+
+    /// Gathers the sums of a query with another search radius, `radius_sq` in squared fine steps.
+    ///
+    /// # Errors
+    /// More photons are around the query than the numbers declare, or `radius_sq` is over that of a photon
+    /// format.
+    pub fn gather_within(
+        &self,
+        position: DVec3,
+        normal: DVec3,
+        radius_sq: u32,
+    ) -> Result<Sums, GatherError> {
+        match self.query_within(position, radius_sq) {
+            Some(query) => self.gather.sums(&query, self.blocks(position, normal)),
+            None => Ok(Sums::default()),
+        }
+    }
+
+    /// Every photon that a query gathers, before rounding, with the in-range decision of the integers.
+    /// Misclassified photons are counted from these.
+    pub fn verdicts(
+        &self,
+        position: DVec3,
+        normal: DVec3,
+    ) -> impl Iterator<Item = (&Photon, bool)> {
+        let query = self.query(position);
+        let runs = self.map.candidates(position, normal);
+        runs.flat_map(
+            move |Candidates {
+                      offset, photons, ..
+                  }| {
+                photons.map(move |index| {
+                    let record = &self.records[index];
+                    let in_range = self.gather.in_range(&query, offset, record);
+                    (&self.map.photons()[index], in_range)
                 })
             },
         )
     }
-}
 
-fn check(
-    machine: &Machine,
-    field: &'static str,
-    found: u32,
-    min: u32,
-    max: u32,
-) -> Result<(), QuantiseError> {
-    if (min..=max).contains(&found) {
-        return Ok(());
+    /// The flux of a stored photon, with `index` as in [`Self::records`].
+    #[must_use]
+    pub fn power(&self, index: usize) -> DVec3 {
+        let mantissa = DVec3::from(self.records[index].mantissa.map(f64::from));
+        self.scale
+            .flux(mantissa * power_of_two(self.exponent(index)))
     }
-    Err(QuantiseError::Field {
-        machine: machine.name,
-        field,
-        found,
-        min,
-        max,
-    })
+
+    /// The flux of one step of a stored photon's mantissa, in the strongest channel, with `index` as in
+    /// [`Self::records`].
+    #[must_use]
+    pub fn step(&self, index: usize) -> f64 {
+        let step = DVec3::ONE * power_of_two(self.exponent(index));
+        self.scale.flux(step).max_element()
+    }
+
+    fn exponent(&self, index: usize) -> u8 {
+        exponent_of(&self.exponents, index) + self.records[index].exponent
+    }
 }
 
-/// The power of one integer step; 1 where no photon has any power.
-fn power_step(map: &PhotonMap, bits: u32) -> f64 {
-    let powers = map.photons().iter().map(|p| p.power.max_element());
-    let largest = powers.fold(0.0, f64::max);
-    let step = largest / f64::from((1u32 << bits) - 1);
-    // A subnormal step would round differently; such powers are practically no light.
-    if step.is_normal() { step } else { 1.0 }
+/// The nearest f64. Most sums fit 63 bits, which processors convert with one instruction, with equal results.
+#[inline]
+fn float(sum: u128) -> f64 {
+    i64::try_from(sum).map_or_else(|_| long_float(sum), |sum| sum as f64)
 }
 
-/// floor(fraction * 2^bits) of a position in its block, below 2^bits also where rounding makes
-/// the fraction exactly 1.
-pub(crate) fn fraction(map: &PhotonMap, position: DVec3, bits: u32) -> [u32; 3] {
-    in_steps(map.place(position).1, bits)
+/// A separate function, because the compiler otherwise converts all sums in this way.
+#[cold]
+#[inline(never)]
+fn long_float(sum: u128) -> f64 {
+    sum as f64
 }
 
-/// A fraction of a block's edge in steps of 2^-`bits`.
-pub(crate) fn in_steps(fraction: DVec3, bits: u32) -> [u32; 3] {
+/// The search radius squared in squared fine steps: exact in a photon format, whose blocks are made for it.
+fn exact_radius_sq(map: &PhotonMap, numbers: &Numbers) -> f64 {
+    match numbers {
+        Numbers::Plain(format) => {
+            let edge = f64::from(1 << format.position_bits());
+            (edge * (map.radius() / map.edge())).powi(2)
+        }
+        Numbers::Local(format) => f64::from(format.radius_steps().pow(2)),
+    }
+}
+
+fn block_exponents(map: &PhotonMap, scale: &PowerScale) -> Vec<BlockExponent> {
+    let slices: Vec<_> = map.block_slices().collect();
+    let exponent = |slice: &Range<usize>| BlockExponent {
+        start: slice.start,
+        exponent: scale.exponent(&map.photons()[slice.clone()]),
+    };
+    slices.par_iter().map(exponent).collect()
+}
+
+/// The exponent of the block of a photon; 0 where blocks have none.
+fn exponent_of(exponents: &[BlockExponent], photon: usize) -> u8 {
+    let next = exponents.partition_point(|block| block.start <= photon);
+    let block = next.checked_sub(1).map(|block| exponents[block]);
+    block.map_or(0, |block| block.exponent)
+}
+
+/// The planes of all runs, made in parallel by parts.
+fn planes_of(
+    map: &PhotonMap,
+    format: &PhotonFormat,
+    records: &[PhotonRecord],
+    exponents: &[BlockExponent],
+) -> Result<PhotonPlanes, FormatError> {
+    /// The runs of a part, some hundred thousand photons. The parts are joined one after another.
+    const PART_RUNS: usize = 4096;
+    let none = PhotonPlanes::new(format)?;
+    let runs: Vec<_> = map.runs().collect();
+    let part = |runs: &[Range<usize>]| {
+        let mut planes = none.clone();
+        for run in runs {
+            let exponent = exponent_of(exponents, run.start);
+            let stored = planes.push_run(exponent, &records[run.clone()]);
+            stored.expect("rounded to the format");
+        }
+        planes
+    };
+    let parts: Vec<_> = runs.par_chunks(PART_RUNS).map(part).collect();
+    Ok(parts.iter().fold(none, PhotonPlanes::joined))
+}
+
+fn record(
+    map: &PhotonMap,
+    numbers: &Numbers,
+    scale: &PowerScale,
+    block_exponent: u8,
+    photon: &Photon,
+) -> PhotonRecord {
+    let exponent = match numbers.power().exponent {
+        Exponent::Photon { .. } => scale.exponent(std::slice::from_ref(photon)),
+        Exponent::None | Exponent::Block { .. } => 0,
+    };
+    let fraction = map.place(photon.position).1;
+    let position = in_steps(fraction, numbers.position_bits()).map(|cell| cell as u16);
+    PhotonRecord {
+        position,
+        mantissa: scale.mantissa(photon.power, block_exponent + exponent, position),
+        exponent,
+    }
+}
+
+/// A fraction of a block's edge in steps of 2^-`bits`, below 2^bits also where rounding makes the fraction
+/// exactly 1.
+fn in_steps(fraction: DVec3, bits: u32) -> [u32; 3] {
     let steps = 1u32 << bits;
     let fraction = fraction * f64::from(steps);
     // `as` saturates and converts NaN to 0.
@@ -191,126 +392,4 @@ pub(crate) fn in_steps(fraction: DVec3, bits: u32) -> [u32; 3] {
 }
 
 #[cfg(test)]
-mod tests {
-    use photoncube_spec::find_machine;
-    use proptest::prelude::*;
-
-    use super::*;
-    use crate::{Photon, Scene, TraceOptions, trace};
-
-    const RADIUS: f64 = 0.2;
-
-    fn map() -> PhotonMap {
-        let scene = Scene::built_in("cornell").unwrap();
-        let options = TraceOptions {
-            photons: 5_000,
-            seed: 4,
-        };
-        let photons = trace(&scene, &options, &|_| ()).unwrap().photons;
-        PhotonMap::new(&scene, photons, RADIUS).unwrap()
-    }
-
-    #[test]
-    fn positions_are_off_by_less_than_a_step() {
-        let map = map();
-        for name in ["paper", "paper-12"] {
-            let machine = find_machine(name).unwrap();
-            let quantised = QuantisedMap::new(&map, machine).unwrap();
-            let step = RADIUS / f64::from(1 << machine.position_bits());
-            for query in map.photons().iter().step_by(211) {
-                let normal = DVec3::Y;
-                let integers: Vec<_> = quantised.photons(query.position, normal).collect();
-                let floats: Vec<usize> = map
-                    .candidates(query.position, normal)
-                    .flat_map(|c| c.photons)
-                    .collect();
-                assert_eq!(integers.len(), floats.len());
-                let centre = quantised.query(query.position).position;
-                for (integer, &index) in integers.iter().zip(&floats) {
-                    let difference = map.photons()[index].position - query.position;
-                    for axis in 0..3 {
-                        let steps = f64::from(integer.position[axis]) - f64::from(centre[axis]);
-                        // Two floors: the error of the difference is less than one step, plus rounding.
-                        assert!((steps * step - difference[axis]).abs() < step * 1.000001);
-                    }
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn the_radius_is_the_maps_also_in_larger_blocks() {
-        let machine = find_machine("paper").unwrap();
-        for (edge, radius_sq) in [(RADIUS, 64 * 64), (RADIUS * 16.0 / 14.0, 56 * 56)] {
-            let map = map().reblocked(edge).unwrap();
-            let quantised = QuantisedMap::new(&map, machine).unwrap();
-            assert_eq!(quantised.query(DVec3::ZERO).radius_sq, radius_sq);
-        }
-    }
-
-    #[test]
-    fn powers_use_the_whole_range_and_round_to_nearest() {
-        let map = map();
-        let quantised = QuantisedMap::new(&map, find_machine("paper").unwrap()).unwrap();
-        let powers = || quantised.photons.iter().map(|p| p.power);
-        assert_eq!(powers().flatten().max(), Some(u16::MAX));
-        for (stored, photon) in powers().zip(map.photons()) {
-            let error = DVec3::from(stored.map(f64::from)) - photon.power / quantised.power_step();
-            // Half a step, and the rounding of the quotient.
-            assert!(error.abs().max_element() < 0.500001);
-        }
-    }
-
-    #[test]
-    fn a_map_without_light_is_all_zero() {
-        let scene = Scene::built_in("cornell").unwrap();
-        let dark = Photon {
-            position: DVec3::ZERO,
-            power: DVec3::ZERO,
-            surface: 0,
-            facing: crate::Facing::FLAT,
-        };
-        let map = PhotonMap::new(&scene, vec![dark], RADIUS).unwrap();
-        let quantised = QuantisedMap::new(&map, find_machine("paper").unwrap()).unwrap();
-        assert_eq!(quantised.photons[0].power, [0; 3]);
-    }
-
-    #[test]
-    fn formats_that_do_not_fit_are_errors() {
-        let map = map();
-        let paper = find_machine("paper").unwrap();
-        let with = |coordinate_bits, power_bits| Machine {
-            numbers: Numbers::Plain(PlainFormat {
-                coordinate_bits,
-                power_bits,
-                ..*paper.plain().unwrap()
-            }),
-            ..*paper
-        };
-        for (coordinate_bits, power_bits) in [(2, 16), (18, 16), (8, 0), (8, 17)] {
-            assert!(QuantisedMap::new(&map, &with(coordinate_bits, power_bits)).is_err());
-        }
-        let error = QuantisedMap::new(&map, &with(8, 17)).unwrap_err();
-        let expected = "machine `paper`: power_bits is 17, expected 1 to 16";
-        assert_eq!(error.to_string(), expected);
-        let error = QuantisedMap::new(&map, find_machine("local").unwrap()).unwrap_err();
-        assert!(
-            error
-                .to_string()
-                .contains("photon format local8-rgb8e5, expected plain")
-        );
-    }
-
-    proptest! {
-        /// At any position, the query is in the frame's second block.
-        #[test]
-        fn queries_stay_in_their_block(x in prop::num::f64::ANY, y in -1.0..1.0f64, z in -1e-9..1e-9f64) {
-            let map = PhotonMap::new(&Scene::built_in("cornell").unwrap(), vec![], RADIUS).unwrap();
-            let machine = find_machine("paper").unwrap();
-            let quantised = QuantisedMap::new(&map, machine).unwrap();
-            let query = quantised.query(DVec3::new(x, y, z));
-            prop_assert!(query.position.iter().all(|c| (64..128).contains(c)));
-            prop_assert_eq!(query.radius_sq, 64 * 64);
-        }
-    }
-}
+mod tests;

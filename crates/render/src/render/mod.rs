@@ -7,29 +7,63 @@ mod workload;
 use std::ops::AddAssign;
 
 use photoncube_model::GatherError;
-use photoncube_spec::{Machine, PhotonFormat};
+use photoncube_spec::{Machine, Numbers, PhotonFormat};
 use thiserror::Error;
 
 pub(crate) use self::renderer::Renderer;
 pub use self::workload::{WorkloadError, workload};
 
-use crate::estimate::{Estimate, Estimator, EstimatorError, Method, Refusal, UnfitEstimator};
+use crate::estimate::{Estimator, EstimatorError, Refusal, UnfitEstimator};
 use crate::image::Image;
 use crate::lighting::{Lighting, LightingError};
 use crate::photon_map::PhotonMap;
-use crate::quantise::{FormatMap, FormatMapError, MachineMap, QuantiseError, QuantisedMap};
+use crate::quantise::{QuantiseError, QuantisedMap};
 use crate::scene::Scene;
-use crate::view::{QueryPoint, ViewError, ViewOptions};
+use crate::view::{ViewError, ViewOptions};
 
 /// The engine that makes the radiance estimates.
 #[derive(Debug, Clone, Copy)]
 pub enum Engine<'a> {
     /// The reference, in f64.
     F64,
-    /// The golden model of this machine, on photons rounded to its numbers.
-    Model(&'a Machine),
-    /// The golden model of this photon format, which no machine needs to have.
-    Format(&'a PhotonFormat),
+    /// The golden model in these numbers, on photons rounded to them. Groups of photons are counted for the
+    /// machine; numbers need not belong to one.
+    Integers(Numbers, Option<&'a Machine>),
+}
+
+/// The golden model of a machine.
+impl<'a> From<&'a Machine> for Engine<'a> {
+    fn from(machine: &'a Machine) -> Self {
+        Self::Integers(machine.numbers, Some(machine))
+    }
+}
+
+/// The golden model of a photon format, which no machine needs to have.
+impl From<&PhotonFormat> for Engine<'_> {
+    fn from(format: &PhotonFormat) -> Self {
+        Self::Integers(format.into(), None)
+    }
+}
+
+impl Engine<'_> {
+    /// The map in the engine's integers; `None` for f64.
+    pub(crate) fn quantised(
+        self,
+        map: &PhotonMap,
+    ) -> Result<Option<QuantisedMap<'_>>, QuantiseError> {
+        match self {
+            Self::F64 => Ok(None),
+            Self::Integers(numbers, _) => QuantisedMap::new(map, &numbers).map(Some),
+        }
+    }
+
+    /// The number of the machine's iterations for that many photons; 0 without a machine.
+    fn groups(self, photons: u64) -> u64 {
+        let Self::Integers(_, Some(machine)) = self else {
+            return 0;
+        };
+        photons.div_ceil(machine.photons_per_iteration() as u64)
+    }
 }
 
 /// The reason why a picture could not be rendered.
@@ -38,12 +72,9 @@ pub enum RenderError {
     /// The options describe no picture.
     #[error(transparent)]
     View(#[from] ViewError),
-    /// The machine's numbers do not fit.
+    /// The numbers do not fit.
     #[error(transparent)]
     Quantise(#[from] QuantiseError),
-    /// The photon format does not fit.
-    #[error(transparent)]
-    Format(#[from] FormatMapError),
     /// The scene does not allow this lighting.
     #[error(transparent)]
     Lighting(#[from] LightingError),
@@ -60,7 +91,7 @@ pub enum RenderError {
         /// The error of the estimator.
         source: EstimatorError,
     },
-    /// The golden model of a machine or of a photon format refused a query.
+    /// The golden model refused a query.
     #[error("pixel ({x}, {y})")]
     Gather {
         /// Column, from the left.
@@ -128,11 +159,11 @@ pub struct Rendering {
     pub stats: RenderStats,
 }
 
-/// Renders the scene's view from the photon map with its search radius: [`render_with`] and
-/// [`Estimator::FixedRadius`].
+/// Renders the scene's view from one photon map of all light, with its search radius: [`render_lit`] with the
+/// default lighting and [`Estimator::FixedRadius`].
 ///
 /// # Errors
-/// As for [`render_with`].
+/// As for [`render_lit`].
 pub fn render(
     scene: &Scene,
     map: &PhotonMap,
@@ -140,28 +171,11 @@ pub fn render(
     options: &ViewOptions,
     progress: &(dyn Fn(u64) + Sync),
 ) -> Result<Rendering, RenderError> {
-    let estimator = Estimator::FixedRadius;
-    render_with(scene, map, engine, estimator, options, progress)
-}
-
-/// Renders the scene's view from one photon map of all light. All engines see the same query points.
-///
-/// # Errors
-/// As for [`render_lit`].
-pub fn render_with(
-    scene: &Scene,
-    map: &PhotonMap,
-    engine: Engine<'_>,
-    estimator: Estimator,
-    options: &ViewOptions,
-    progress: &(dyn Fn(u64) + Sync),
-) -> Result<Rendering, RenderError> {
-    let lighting = Lighting::default();
     let light = Light {
-        lighting: &lighting,
+        lighting: &Lighting::default(),
         global: map,
         caustic: None,
-        estimator,
+        estimator: &Estimator::FixedRadius,
     };
     render_lit(scene, light, engine, options, progress)
 }
@@ -176,7 +190,7 @@ pub struct Light<'a> {
     /// The photons of the map of caustics: [`crate::PhotonMaps::caustic`].
     pub caustic: Option<&'a PhotonMap>,
     /// The form of the estimates in both maps.
-    pub estimator: Estimator,
+    pub estimator: &'a Estimator,
 }
 
 /// Renders the scene's view. All engines see the same query points, shadow rays and gather rays.
@@ -194,58 +208,20 @@ pub fn render_lit(
     options: &ViewOptions,
     progress: &(dyn Fn(u64) + Sync),
 ) -> Result<Rendering, RenderError> {
-    let method = Method::new(light.estimator, engine)?;
+    light.estimator.check(engine)?;
     let renderer = Renderer::new(scene, light, engine, options)?;
-    let mut rendered = renderer.render(&[method], progress)?;
-    let image = rendered.images.pop().expect("one method");
+    let estimators = std::slice::from_ref(light.estimator);
+    let mut rendered = renderer.render(estimators, progress)?;
+    let image = rendered.images.pop().expect("one estimator");
     let stats = rendered.stats;
     Ok(Rendering { image, stats })
-}
-
-pub(crate) enum Prepared<'a> {
-    F64,
-    Model(QuantisedMap<'a>),
-    /// A map in a photon format, with the machine if the format is a machine's.
-    Format(Box<FormatMap<'a>>, Option<&'a Machine>),
-}
-
-impl<'a> Prepared<'a> {
-    pub(crate) fn new(map: &'a PhotonMap, engine: Engine<'a>) -> Result<Self, RenderError> {
-        Ok(match engine {
-            Engine::F64 => Self::F64,
-            Engine::Model(machine) => match MachineMap::new(map, machine)? {
-                MachineMap::Plain(quantised) => Self::Model(quantised),
-                MachineMap::Local(quantised) => Self::Format(quantised, Some(machine)),
-            },
-            Engine::Format(format) => Self::Format(Box::new(FormatMap::new(map, format)?), None),
-        })
-    }
-
-    /// The estimate at the map's search radius.
-    pub(crate) fn estimate(
-        &self,
-        map: &PhotonMap,
-        query: &QueryPoint,
-    ) -> Result<Estimate, Refusal> {
-        Method::FixedRadius.estimate(self, map, query)
-    }
-
-    /// The number of a machine's iterations for that many photons.
-    pub(crate) fn groups(&self, photons: u64) -> u64 {
-        let machine = match self {
-            Self::F64 => None,
-            Self::Model(quantised) => Some(quantised.machine()),
-            Self::Format(_, machine) => *machine,
-        };
-        machine.map_or(0, |m| photons.div_ceil(m.photons_per_iteration() as u64))
-    }
 }
 
 #[cfg(test)]
 mod tests {
     use std::sync::atomic::{AtomicU64, Ordering};
 
-    use photoncube_spec::{Numbers, PHOTON_FORMATS, PlainFormat, find_machine};
+    use photoncube_spec::{PHOTON_FORMATS, PlainFormat, find_machine};
 
     use super::*;
     use crate::{TraceOptions, trace};
@@ -273,8 +249,8 @@ mod tests {
         let (scene, map) = scene_and_map();
         let engines = [
             Engine::F64,
-            Engine::Model(find_machine("paper").unwrap()),
-            Engine::Format(&PHOTON_FORMATS[0]),
+            Engine::from(find_machine("paper").unwrap()),
+            Engine::from(&PHOTON_FORMATS[0]),
         ];
         for engine in engines {
             let on = |threads| {
@@ -295,7 +271,7 @@ mod tests {
         let f64 = render(&scene, &map, Engine::F64, &OPTIONS, &|_| ())
             .unwrap()
             .stats;
-        let model = render(&scene, &map, Engine::Model(machine), &OPTIONS, &|_| ())
+        let model = render(&scene, &map, Engine::from(machine), &OPTIONS, &|_| ())
             .unwrap()
             .stats;
         assert_eq!(f64.photon_tests, model.photon_tests);
@@ -316,7 +292,7 @@ mod tests {
                 .stats
         };
         let f64 = stats(Engine::F64);
-        let format = stats(Engine::Format(&PHOTON_FORMATS[0]));
+        let format = stats(Engine::from(&PHOTON_FORMATS[0]));
         assert_eq!(f64.query_points, format.query_points);
         assert_eq!(format.photon_groups, 0);
         // 0.26 % of the photons are misclassified, about half of them in each direction.
@@ -331,7 +307,7 @@ mod tests {
             max_photons: 3,
             ..PHOTON_FORMATS[0]
         };
-        let error = render(&scene, &map, Engine::Format(&format), &OPTIONS, &|_| ()).unwrap_err();
+        let error = render(&scene, &map, Engine::from(&format), &OPTIONS, &|_| ()).unwrap_err();
         assert!(error.to_string().starts_with("pixel ("), "{error}");
         assert!(matches!(error, RenderError::Gather { .. }));
     }
@@ -358,7 +334,7 @@ mod tests {
             }),
             ..*paper
         };
-        let error = render(&scene, &map, Engine::Model(&machine), &OPTIONS, &|_| ()).unwrap_err();
+        let error = render(&scene, &map, Engine::from(&machine), &OPTIONS, &|_| ()).unwrap_err();
         assert!(error.to_string().starts_with("pixel ("), "{error}");
         assert!(matches!(error, RenderError::Gather { .. }));
     }

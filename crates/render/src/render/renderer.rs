@@ -1,4 +1,4 @@
-//! Stage 5: renders bands of a picture, with every map and every requested method.
+//! Stage 5: renders bands of a picture, with every map and every requested estimator.
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -6,26 +6,25 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::band::{BAND_ROWS, Band, Queries};
-use super::{Engine, Light, Prepared, RenderError, RenderStats};
-use crate::estimate::{Estimate, Method};
+use super::{Engine, Light, RenderError, RenderStats};
+use crate::estimate::{Estimate, Estimator};
 use crate::image::Image;
 use crate::lighting::{Area, Fronts, Lit};
 use crate::photon_map::PhotonMap;
+use crate::quantise::QuantisedMap;
 use crate::scene::Scene;
 use crate::view::ViewOptions;
 
-/// A photon map with the engine that makes estimates in it.
+/// A photon map with its photons in the engine's integers.
 struct Source<'a> {
     map: &'a PhotonMap,
-    engine: Prepared<'a>,
+    quantised: Option<QuantisedMap<'a>>,
 }
 
 impl<'a> Source<'a> {
-    fn new(map: &'a PhotonMap, engine: Engine<'a>) -> Result<Self, RenderError> {
-        Ok(Self {
-            map,
-            engine: Prepared::new(map, engine)?,
-        })
+    fn new(map: &'a PhotonMap, engine: Engine<'_>) -> Result<Self, RenderError> {
+        let quantised = engine.quantised(map)?;
+        Ok(Self { map, quantised })
     }
 }
 
@@ -34,18 +33,19 @@ pub(crate) struct Renderer<'a> {
     lit: Lit<'a>,
     /// The flat fronts that the covered area consists of, where the lighting divides by it.
     fronts: Option<Fronts>,
+    engine: Engine<'a>,
     global: Source<'a>,
     caustic: Option<Source<'a>>,
     options: &'a ViewOptions,
 }
 
-/// Pictures from the same view rays, one for each method.
+/// Pictures from the same view rays, one for each estimator.
 pub(crate) struct Rendered {
     pub images: Vec<Image>,
     pub stats: RenderStats,
 }
 
-/// The pixels of a band, for each method.
+/// The pixels of a band, for each estimator.
 type Pixels = Vec<Vec<DVec3>>;
 
 impl<'a> Renderer<'a> {
@@ -64,33 +64,34 @@ impl<'a> Renderer<'a> {
         Ok(Self {
             lit: Lit::new(scene, *light.lighting),
             fronts: covered.then(|| Fronts::of(scene)),
+            engine,
             global: Source::new(light.global, engine)?,
             caustic: caustic.transpose()?,
             options,
         })
     }
 
-    /// Renders a picture with each of `methods`.
+    /// Renders a picture with each of `estimators`.
     ///
     /// # Errors
     /// An engine refuses a query.
     pub fn render(
         &self,
-        methods: &[Method],
+        estimators: &[Estimator],
         progress: &(dyn Fn(u64) + Sync),
     ) -> Result<Rendered, RenderError> {
         let done = AtomicU64::new(0);
         let band = |band: u32| {
             let first = band * BAND_ROWS;
             let end = self.options.height.min(first + BAND_ROWS);
-            let found = self.band(first, end, methods)?;
+            let found = self.band(first, end, estimators)?;
             let count = u64::from(end - first) * u64::from(self.options.width);
             progress(done.fetch_add(count, Ordering::Relaxed) + count);
             Ok(found)
         };
         let bands = (0..self.options.height.div_ceil(BAND_ROWS)).into_par_iter();
         let bands: Result<Vec<_>, RenderError> = bands.map(band).collect();
-        let mut pixels: Pixels = vec![Vec::new(); methods.len()];
+        let mut pixels: Pixels = vec![Vec::new(); estimators.len()];
         let mut stats = RenderStats::default();
         for (band, band_stats) in bands? {
             for (all, band) in pixels.iter_mut().zip(band) {
@@ -111,7 +112,7 @@ impl<'a> Renderer<'a> {
         &self,
         first: u32,
         end: u32,
-        methods: &[Method],
+        estimators: &[Estimator],
     ) -> Result<(Pixels, RenderStats), RenderError> {
         let band = Band::new(&self.lit, self.options, first, end);
         let mut stats = RenderStats {
@@ -119,23 +120,22 @@ impl<'a> Renderer<'a> {
             ..RenderStats::default()
         };
         let mut pixels = Vec::new();
-        for method in methods {
+        for estimator in estimators {
             let mut radiance = band.known.clone();
             let caustic = self
                 .caustic
                 .as_ref()
                 .map(|caustic| (caustic, &band.caustic));
             for (source, queries) in [(&self.global, &band.global)].into_iter().chain(caustic) {
-                let found = method.estimate_all(&source.engine, source.map, queries.points());
+                let quantised = source.quantised.as_ref();
+                let found = estimator.estimate_all(source.map, quantised, queries.points());
                 let found = found.map_err(|(query, refusal)| {
                     let pixel = queries.pixel(query);
                     let (x, y) = (pixel % self.options.width, pixel / self.options.width);
                     RenderError::of(refusal, x, first + y)
                 })?;
-                self.shade(method, source, queries, &found, &mut radiance);
-                found
-                    .iter()
-                    .for_each(|found| stats += stats_of(source, found));
+                self.shade(estimator, source, queries, &found, &mut radiance);
+                found.iter().for_each(|found| stats += self.stats_of(found));
             }
             let samples = f64::from(self.options.samples_per_pixel());
             radiance.iter_mut().for_each(|pixel| *pixel /= samples);
@@ -147,13 +147,13 @@ impl<'a> Renderer<'a> {
     /// Adds the estimates to the pixels, divided by the disc's area or by the covered area.
     fn shade(
         &self,
-        method: &Method,
+        estimator: &Estimator,
         source: &Source<'_>,
         queries: &Queries,
         found: &[Estimate],
         radiance: &mut [DVec3],
     ) {
-        let radius = method.radius(source.map.radius());
+        let radius = estimator.radius(source.map.radius());
         match (&self.fronts, radius) {
             (Some(fronts), Some(radius)) => queries.shade(
                 found,
@@ -163,16 +163,16 @@ impl<'a> Renderer<'a> {
             _ => queries.shade(found, |_| 1.0, radiance),
         }
     }
-}
 
-fn stats_of(source: &Source<'_>, found: &Estimate) -> RenderStats {
-    RenderStats {
-        query_points: 0,
-        gathers: found.gathers,
-        photon_tests: found.gathers * found.tests,
-        photons_skipped: found.skipped,
-        photons_in_range: found.in_range,
-        photon_groups: found.gathers * source.engine.groups(found.tests),
-        largest_query: found.tests,
+    fn stats_of(&self, found: &Estimate) -> RenderStats {
+        RenderStats {
+            query_points: 0,
+            gathers: found.gathers,
+            photon_tests: found.gathers * found.tests,
+            photons_skipped: found.skipped,
+            photons_in_range: found.in_range,
+            photon_groups: found.gathers * self.engine.groups(found.tests),
+            largest_query: found.tests,
+        }
     }
 }

@@ -4,9 +4,8 @@ use photoncube_spec::{Machine, Photon, Query};
 use rand::RngExt;
 use thiserror::Error;
 
-use super::RenderError;
 use crate::photon_map::PhotonMap;
-use crate::quantise::MachineMap;
+use crate::quantise::{QuantiseError, QuantisedMap};
 use crate::scene::Scene;
 use crate::trace::sample::{Purpose, stream};
 use crate::view::{ViewError, ViewOptions};
@@ -23,7 +22,7 @@ pub enum WorkloadError {
     View(#[from] ViewError),
     /// The machine's numbers do not fit.
     #[error(transparent)]
-    Numbers(#[from] RenderError),
+    Numbers(#[from] QuantiseError),
     /// No query gathers a photon.
     #[error(
         "workload: found no query with a photon in {BARREN_PIXELS} pixels, expected one: \
@@ -51,7 +50,7 @@ pub fn workload(
     seed: u64,
 ) -> Result<Vec<(Query, Vec<Photon>)>, WorkloadError> {
     options.check()?;
-    let quantised = MachineMap::new(map, machine)?;
+    let quantised = QuantisedMap::new(map, &machine.numbers)?;
     let mut rng = stream(seed, Purpose::Workload, 0);
     let mut queries = Vec::new();
     let (mut have, mut barren) = (0, 0);
@@ -105,7 +104,7 @@ impl Pixel {
 fn seen(
     scene: &Scene,
     options: &ViewOptions,
-    quantised: &MachineMap<'_>,
+    quantised: &QuantisedMap<'_>,
     pixel: Pixel,
 ) -> Option<(Query, Vec<Photon>)> {
     let sample = options
@@ -113,6 +112,7 @@ fn seen(
         .nth(pixel.sample as usize);
     let point = sample?.query?;
     let photons = quantised.photons(point.position, point.normal);
+    let photons: Vec<_> = photons.collect();
     (!photons.is_empty()).then(|| (quantised.query(point.position), photons))
 }
 

@@ -6,8 +6,9 @@
 //! of range just as the unclamped one is.
 
 use super::format_widths::FormatWidths;
+use super::numbers::{Numbers, PlainFormat};
 use super::photon_format::PhotonFormat;
-use crate::machine::{Machine, Numbers, PlainFormat};
+use crate::machine::Machine;
 
 /// The implementation of the squarer of `(A-B)^2`. All implementations give the same square.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, Hash)]

@@ -1,6 +1,7 @@
 //! The bit widths of every kind of value in a photon format, and why no value overflows.
 
 use super::format::bits_for;
+use super::numbers::Numbers;
 use super::photon_format::PhotonFormat;
 
 /// The width in bits of every kind of value in one photon format. The format must be legal, see
@@ -41,7 +42,7 @@ impl FormatWidths {
         let full_scale = ((1_u128 << mantissa) - 1) << exponent_range;
         let radius_bits = format.radius_bits();
         Self {
-            coordinate: radius_bits + PhotonFormat::FRAME_BLOCKS.ilog2(),
+            coordinate: radius_bits + Numbers::FRAME_BLOCKS.ilog2(),
             position: format.position_bits,
             difference: radius_bits,
             square: 2 * radius_bits,
@@ -67,7 +68,7 @@ mod tests {
     fn no_value_of_any_named_format_can_overflow() {
         for format in PHOTON_FORMATS {
             let widths = FormatWidths::of(format);
-            let largest_offset = u128::from(PhotonFormat::FRAME_BLOCKS - 1);
+            let largest_offset = u128::from(Numbers::FRAME_BLOCKS - 1);
             let edge = u128::from(format.edge_steps());
             assert!(largest_offset * edge + (edge - 1) < 1 << widths.coordinate);
             let m = (1_u128 << widths.difference) - 1;

@@ -1,7 +1,8 @@
-//! The number formats: the widths of a machine's words, the photon formats and their records.
+//! The number formats: the widths of a machine's words, plain numbers and photon formats, stored photons.
 
 mod format;
 mod format_widths;
+mod numbers;
 mod photon_format;
 mod photon_formats;
 mod photon_record;
@@ -9,6 +10,7 @@ mod photon_record;
 pub(crate) use format::bits_for;
 pub use format::{Squarer, Widths};
 pub use format_widths::FormatWidths;
+pub use numbers::{Numbers, PlainFormat};
 pub use photon_format::{Channels, Exponent, FormatError, PhotonFormat, PowerFormat, Rounding};
 pub use photon_formats::{PHOTON_FORMATS, UnknownFormat, find_photon_format};
-pub use photon_record::{LocalQuery, LocalSums, PhotonBlock, PhotonRecord};
+pub use photon_record::{PhotonBlock, PhotonRecord};

@@ -13,7 +13,7 @@
 //!   of that cell.
 //! - The search radius is R = 2^(p+x) - 2 = edge - 2, exactly. A scene's radius is never rounded:
 //!   the blocks' edge is chosen so that this ratio holds.
-//! - Coordinates are counted in a frame of [`PhotonFormat::FRAME_BLOCKS`] block edges. A photon of the block
+//! - Coordinates are counted in a frame of [`crate::Numbers::FRAME_BLOCKS`] block edges. A photon of the block
 //!   with offset o is shifted by o edges.
 //!
 //! # Distance
@@ -59,7 +59,7 @@ use std::fmt;
 
 use thiserror::Error;
 
-use crate::machine::Machine;
+use super::numbers::Numbers;
 
 /// The channels of a photon's power.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, Hash)]
@@ -144,6 +144,11 @@ impl PowerFormat {
         ((1 << self.exponent.bits().min(8)) - 1).min(Self::LARGEST_EXPONENT)
     }
 
+    /// The largest decoded power: a mantissa of all ones at the largest exponent.
+    pub fn full_scale(self) -> u128 {
+        ((1 << self.mantissa_bits) - 1) << self.exponent_range()
+    }
+
     /// Bits of the exponent in a photon's record; 0 where the exponent belongs to the block.
     pub fn record_exponent_bits(self) -> u32 {
         match self.exponent {
@@ -166,12 +171,12 @@ pub struct PhotonFormat {
     pub max_photons: u64,
 }
 
-/// The error of [`PhotonFormat::check`]: a field is outside its legal range.
+/// The error of [`PhotonFormat::check`] and [`crate::PlainFormat::check`]: a field is outside its legal range.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[error("format `{format}`: {field} is {found}, expected {min} to {max}")]
+#[error("{numbers}: {field} is {found}, expected {min} to {max}")]
 pub struct FormatError {
-    /// The name of the format.
-    pub format: String,
+    /// The format, by kind and name.
+    pub numbers: String,
     /// The name of the field that is out of range.
     pub field: &'static str,
     /// The field's value.
@@ -182,10 +187,28 @@ pub struct FormatError {
     pub max: u64,
 }
 
-impl PhotonFormat {
-    /// Block edges that coordinates span; the query's block has offset 1.
-    pub const FRAME_BLOCKS: u32 = Machine::FRAME_BLOCKS;
+impl FormatError {
+    /// The error of the first of these fields that is outside its range. A row is a field's name, its value,
+    /// its smallest and its largest legal value.
+    pub(super) fn check(
+        numbers: impl Into<Numbers>,
+        rows: &[(&'static str, u64, u64, u64)],
+    ) -> Result<(), Self> {
+        let outside = |&&(_, found, min, max): &&(_, u64, u64, u64)| found < min || found > max;
+        match rows.iter().find(outside) {
+            None => Ok(()),
+            Some(&(field, found, min, max)) => Err(Self {
+                numbers: numbers.into().to_string(),
+                field,
+                found,
+                min,
+                max,
+            }),
+        }
+    }
+}
 
+impl PhotonFormat {
     /// The default of [`Self::max_photons`]: four times the quarter million photons in one block of the hard
     /// cases.
     pub const DEFAULT_MAX_PHOTONS: u64 = 1 << 20;
@@ -244,9 +267,10 @@ impl PhotonFormat {
         self.query_extra_bits > 0
     }
 
-    /// The largest sum of squares, or of half squares, of a photon in range.
+    /// The largest sum of squares, or of half squares, of a photon in range: the word of the search radius.
     pub fn largest_in_range(&self) -> u32 {
-        self.radius_steps().pow(2) - u32::from(self.half_steps())
+        let word = Numbers::from(self).radius_word(self.radius_steps().pow(2));
+        word.unwrap_or(0)
     }
 
     /// Checks every field against its documented range.
@@ -267,19 +291,7 @@ impl PhotonFormat {
             ("exponent_bits", exponent.bits().into(), least_exponent, 8),
             ("max_photons", self.max_photons, 1, 1 << 32),
         ];
-        match rows
-            .into_iter()
-            .find(|(_, found, min, max)| !(min..=max).contains(&found))
-        {
-            None => Ok(()),
-            Some((field, found, min, max)) => Err(FormatError {
-                format: self.name(),
-                field,
-                found,
-                min,
-                max,
-            }),
-        }
+        FormatError::check(self, &rows)
     }
 }
 

@@ -1,4 +1,4 @@
-//! The words of a photon format: a stored photon, a block of photons, a query and its sums.
+//! A photon as it is stored, and a block of such photons.
 //!
 //! A record packed into bits holds, from bit 0 up: position x, y, z; a mantissa for each channel; the
 //! exponent, if each photon has one.
@@ -23,20 +23,4 @@ pub struct PhotonBlock<'a> {
     pub exponent: u8,
     /// The photons, in any order.
     pub photons: &'a [PhotonRecord],
-}
-
-/// A query point: the index of its fine cell in the frame, on x, y, z. The search radius is the format's.
-#[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
-pub struct LocalQuery {
-    /// The position on x, y, z in fine steps of the frame.
-    pub position: [u32; 3],
-}
-
-/// The sums of a query over the photons in range.
-#[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
-pub struct LocalSums {
-    /// The summed power in red, green, blue, in the map's power unit. With one channel, the first is used.
-    pub power: [u128; 3],
-    /// The number of photons in range.
-    pub count: u64,
 }

@@ -1,7 +1,8 @@
 //! The formats, limits and clocks of a machine, one fact a row.
 
+use crate::formats::Numbers;
 use crate::formats::Squarer;
-use crate::machine::{Machine, Numbers};
+use crate::machine::Machine;
 use crate::spatial::Spatial;
 
 /// One fact about a machine, as text for people.

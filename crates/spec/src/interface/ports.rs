@@ -1,6 +1,7 @@
 //! A machine's ports: one row for each kind of pin.
 
-use crate::machine::{Machine, Numbers};
+use crate::formats::Numbers;
+use crate::machine::Machine;
 use crate::pins::{Pin, Pins};
 
 /// The direction of a port.
@@ -110,7 +111,7 @@ fn meaning(machine: &Machine, stem: &str) -> String {
 }
 
 fn coordinate(machine: &Machine, of_query: bool) -> String {
-    let frame = Machine::FRAME_BLOCKS;
+    let frame = Numbers::FRAME_BLOCKS;
     match &machine.numbers {
         Numbers::Plain(format) => format!(
             "unsigned; steps of 2^-{} block edge, in a frame of {frame} block edges",
@@ -164,7 +165,7 @@ fn power(machine: &Machine) -> String {
 }
 
 fn exponent(machine: &Machine) -> String {
-    let most = machine.format().map_or(0, |f| f.power.exponent_range());
+    let most = machine.numbers.power().exponent_range();
     format!("0 to {most}; more is not defined")
 }
 

@@ -215,7 +215,7 @@ impl Spatial {
 mod tests {
     use super::*;
     use crate::formats::PhotonFormat;
-    use crate::machine::{Numbers, PlainFormat};
+    use crate::formats::{Numbers, PlainFormat};
     use crate::machines::{MACHINES, find_machine};
     use crate::organisation::Organisation;
     use crate::spatial::Cuts;

@@ -5,7 +5,7 @@
 //! ladder's own error) and in the default format.
 
 use photoncube_render::{
-    Engine, ErrorBench, ErrorReport, Estimator, EstimatorReport, Kernel, MIN_K,
+    Engine, ErrorBench, ErrorReport, Estimator, EstimatorReport, Kernel, Ladder, MIN_K,
 };
 use photoncube_spec::{PHOTON_FORMATS, PhotonFormat};
 use serde::Serialize;
@@ -55,32 +55,32 @@ pub fn measure(bench: &ErrorBench, in_range: f64) -> Vec<Row> {
     let bar = progress::bar("measuring estimators", cases.len() as u64);
     let mut rows = Vec::new();
     for (estimator, engine) in cases {
-        rows.push(row(bench, estimator, engine));
+        rows.push(row(bench, &estimator, engine));
         bar.inc(1);
     }
     bar.finish_and_clear();
     rows
 }
 
-fn cases(format: &'static PhotonFormat, in_range: f64) -> Vec<(Estimator, Engine<'static>)> {
+fn cases(format: &PhotonFormat, in_range: f64) -> Vec<(Estimator, Engine<'static>)> {
     // `as` saturates.
     let k = ((PART_OF_IN_RANGE * in_range).round() as u64).max(MIN_K);
-    let mut cases = vec![(Estimator::KNearest { k }, Engine::Format(format))];
+    let mut cases = vec![(Estimator::KNearest { k }, Engine::from(format))];
     for kernel in [Kernel::Cone, Kernel::Epanechnikov] {
-        for engine in [Engine::F64, Engine::Format(format)] {
-            let ladder = |rungs| (Estimator::Ladder { kernel, rungs }, engine);
-            cases.extend(RUNGS.map(ladder));
+        for engine in [Engine::F64, Engine::from(format)] {
+            let ladders = RUNGS.map(|rungs| Ladder::new(kernel, rungs));
+            let ladders = ladders.into_iter().flatten();
+            cases.extend(ladders.map(|ladder| (Estimator::Ladder(ladder), engine)));
         }
     }
     cases
 }
 
-fn row(bench: &ErrorBench, estimator: Estimator, engine: Engine<'static>) -> Row {
+fn row(bench: &ErrorBench, estimator: &Estimator, engine: Engine<'_>) -> Row {
     let measured = bench.measure_estimator(engine, estimator);
     let (engine, format) = match engine {
         Engine::F64 => ("f64", None),
-        Engine::Model(_) => ("model", None),
-        Engine::Format(format) => ("format", Some(format.name())),
+        Engine::Integers(numbers, _) => ("format", numbers.format().map(PhotonFormat::name)),
     };
     Row {
         estimator: estimator.to_string(),

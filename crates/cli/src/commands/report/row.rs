@@ -2,7 +2,7 @@
 
 use anyhow::Result;
 use photoncube_render::{BenchError, Engine, ErrorBench, ErrorReport, Measurement};
-use photoncube_spec::{FormatWidths, PhotonFormat};
+use photoncube_spec::PhotonFormat;
 use serde::Serialize;
 
 use crate::hardware::PictureTime;
@@ -76,7 +76,7 @@ impl Row {
 }
 
 /// Measures the row of a format or a machine. A row that cannot represent the scene states the reason.
-pub fn row(bench: &ErrorBench, engine: Engine<'static>, bound: f64) -> Result<Row> {
+pub fn row(bench: &ErrorBench, engine: Engine<'_>, bound: f64) -> Result<Row> {
     let measured = bench.measure_light(engine);
     let (measurement, error, cannot) = match &measured {
         Ok(report) => (
@@ -88,16 +88,17 @@ pub fn row(bench: &ErrorBench, engine: Engine<'static>, bound: f64) -> Result<Ro
     };
     let (name, kind, format, bits_per_photon) = match engine {
         Engine::F64 => ("f64".to_owned(), "reference", None, 0),
-        Engine::Format(format) => {
-            let bits = FormatWidths::of(format).bits_per_photon;
-            (format.name(), "format", Some(format.name()), bits)
+        Engine::Integers(numbers, machine) => {
+            let format = numbers.format().map(PhotonFormat::name);
+            let (name, kind) = match machine {
+                Some(machine) => (machine.name.to_owned(), "machine"),
+                None => (
+                    format.clone().unwrap_or_else(|| numbers.to_string()),
+                    "format",
+                ),
+            };
+            (name, kind, format, numbers.bits_per_photon())
         }
-        Engine::Model(machine) => (
-            machine.name.to_owned(),
-            "machine",
-            machine.format().map(PhotonFormat::name),
-            machine.bits_per_photon(),
-        ),
     };
     Ok(Row {
         name,
@@ -126,8 +127,8 @@ pub fn reason(error: &BenchError) -> String {
     cause.to_string()
 }
 
-fn hardware(bench: &ErrorBench, engine: Engine<'static>, takes_scene: bool) -> Result<Hardware> {
-    let Engine::Model(machine) = engine else {
+fn hardware(bench: &ErrorBench, engine: Engine<'_>, takes_scene: bool) -> Result<Hardware> {
+    let Engine::Integers(_, Some(machine)) = engine else {
         return Ok(Hardware::default());
     };
     let rate = machine.photon_tests_per_clock();

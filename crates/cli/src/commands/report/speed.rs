@@ -35,7 +35,7 @@ pub fn measure(bench: &ErrorBench, rows: &mut [Row]) -> Result<Speeds> {
     let mut widest_spread = loops.iter().map(|speed| speed.spread).fold(0.0, f64::max);
     for row in rows.iter_mut().filter(|row| is_measured(row)) {
         let format = find_photon_format(&row.name)?;
-        let speed: Speed = gather_speed(map, queries, Engine::Format(&format))?;
+        let speed: Speed = gather_speed(map, queries, Engine::from(&format))?;
         row.photon_tests_per_second = Some(speed.photon_tests_per_second);
         row.photon_tests_per_second_spread = Some(speed.spread);
         widest_spread = widest_spread.max(speed.spread);

@@ -1,7 +1,7 @@
 //! Chooses the machine of a run: the given one, or the one that the scene needs.
 
 use anyhow::Result;
-use photoncube_render::{BenchOptions, FitOptions, FormatMap, largest_query, view_queries};
+use photoncube_render::{BenchOptions, FitOptions, QuantisedMap, largest_query, view_queries};
 use photoncube_spec::{Machine, PHOTON_FORMATS, PhotonFormat};
 use serde::Serialize;
 
@@ -41,7 +41,7 @@ fn options(args: &RunArgs, traced: &Traced) -> Result<FitOptions> {
     let (bench, picture) = (options.bench, &args.picture);
     let queries = view_queries(&traced.scene, &view(picture))?;
     let map = traced.map();
-    let map = map.reblocked(FormatMap::edge_for(&coarsest(), map.radius()))?;
+    let map = map.reblocked(QuantisedMap::edge_for(&coarsest(), map.radius()))?;
     let bench = BenchOptions {
         photons: bench.photons.min(picture.photons),
         in_range: picture.in_range,

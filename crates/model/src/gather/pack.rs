@@ -2,15 +2,15 @@
 
 use photoncube_spec::{Channels, FormatWidths, PhotonFormat, PhotonRecord};
 
-use super::limits::LocalLimits;
-use crate::gather::{GatherError, PackError};
+use super::error::{GatherError, PackError};
+use super::range::Limits;
 
 /// Packs a record into the lowest [`FormatWidths::bits_per_photon`] bits; the other bits are 0.
 ///
 /// # Errors
 /// A value does not fit the format.
 pub fn pack(format: &PhotonFormat, record: &PhotonRecord) -> Result<u128, GatherError> {
-    LocalLimits::of(format)?.check_record(record)?;
+    Limits::of(&format.into())?.check_record(record)?;
     let mut bits = 0;
     let mut place = 0;
     for (value, width) in values(record).into_iter().zip(field_widths(format)) {
@@ -26,7 +26,7 @@ pub fn pack(format: &PhotonFormat, record: &PhotonRecord) -> Result<u128, Gather
 /// Bits past the record's width are set, or a field exceeds its limit, such as an exponent over
 /// [`photoncube_spec::PowerFormat::exponent_range`].
 pub fn unpack(format: &PhotonFormat, bits: u128) -> Result<PhotonRecord, PackError> {
-    let limits = LocalLimits::of(format)?;
+    let limits = Limits::of(&format.into())?;
     let width = FormatWidths::of(format).bits_per_photon;
     if bits >> width != 0 {
         return Err(PackError::TooWide {

@@ -1,11 +1,13 @@
-use photoncube_model::LocalGather;
-use photoncube_spec::{LocalQuery, PHOTON_FORMATS, PhotonFormat, find_machine};
+use photoncube_spec::{Numbers, PHOTON_FORMATS, PhotonFormat, Query, find_machine};
 
 use super::*;
 use crate::estimate::integers::k_nearest;
+use crate::estimate::ladder::Ladder;
+use crate::lighting::Lighting;
+use crate::render::{Engine, Light, Rendering};
 use crate::{
-    BenchOptions, ErrorBench, FormatMap, QuantisedMap, RenderError, Scene, TraceOptions,
-    ViewOptions, render, render_with, trace, view_queries,
+    BenchOptions, ErrorBench, RenderError, Scene, TraceOptions, ViewOptions, render, render_lit,
+    trace, view_queries,
 };
 
 /// Bits per radius from 4 (where nearly every k-th photon ties) to 8, on whole and on half steps.
@@ -23,7 +25,7 @@ const VIEW: ViewOptions = ViewOptions {
     seed: 5,
 };
 
-/// A listed format with a static lifetime, which an engine needs.
+/// A listed format.
 fn format(name: &str) -> &'static PhotonFormat {
     let mut formats = PHOTON_FORMATS.iter();
     formats.find(|format| format.name() == name).unwrap()
@@ -41,41 +43,58 @@ fn scene_and_map() -> (Scene, PhotonMap) {
 }
 
 /// The estimate at every query of the view.
-fn estimates(estimator: Estimator, engine: Engine<'_>) -> Vec<Estimate> {
+fn estimates(estimator: &Estimator, engine: Engine<'_>) -> Vec<Estimate> {
     let (scene, map) = scene_and_map();
-    let method = Method::new(estimator, engine).unwrap();
-    let prepared = Prepared::new(&map, engine).unwrap();
+    let quantised = engine.quantised(&map).unwrap();
     let queries = view_queries(&scene, &VIEW).unwrap();
-    let estimate = |query: &QueryPoint| method.estimate(&prepared, &map, query).unwrap();
-    queries.iter().map(estimate).collect()
+    let estimate = |query| estimator.estimate(&map, quantised.as_ref(), query);
+    queries
+        .iter()
+        .map(|query| estimate(query).unwrap())
+        .collect()
+}
+
+/// The picture of the view by an estimator.
+fn render_with(
+    (scene, map): &(Scene, PhotonMap),
+    engine: Engine<'_>,
+    estimator: &Estimator,
+) -> Result<Rendering, RenderError> {
+    let light = Light {
+        lighting: &Lighting::default(),
+        global: map,
+        caustic: None,
+        estimator,
+    };
+    render_lit(scene, light, engine, &VIEW, &|_| ())
 }
 
 /// The engines of the machines and the formats.
 fn integer_engines() -> Vec<Engine<'static>> {
-    let machine = |name| Engine::Model(find_machine(name).unwrap());
+    let machine = |name| Engine::from(find_machine(name).unwrap());
     let mut engines = vec![machine("paper"), machine("paper-12")];
-    engines.extend(FORMATS.map(|name| Engine::Format(format(name))));
+    engines.extend(FORMATS.map(|name| Engine::from(format(name))));
     engines
 }
 
 /// The d^2 in fine steps, rounded up, of every photon that the query gathers, in ascending order. It is
 /// computed from the middles of both cells, in halves of a step.
-fn sorted_distances(quantised: &FormatMap<'_>, query: &QueryPoint) -> Vec<u32> {
-    let (format, centre) = (quantised.format(), quantised.query(query.position));
+fn sorted_distances(quantised: &QuantisedMap<'_>, query: &QueryPoint) -> Vec<u32> {
+    let (numbers, centre) = (quantised.numbers(), quantised.query(query.position));
     let mut distances = Vec::new();
     for block in quantised.blocks(query.position, query.normal) {
         for record in block.photons {
-            distances.push(distance_sq(format, &centre, block.offset, record.position));
+            distances.push(distance_sq(numbers, &centre, block.offset, record.position));
         }
     }
     distances.sort_unstable();
     distances
 }
 
-fn distance_sq(format: &PhotonFormat, query: &LocalQuery, offset: [u32; 3], cell: [u16; 3]) -> u32 {
+fn distance_sq(numbers: &Numbers, query: &Query, offset: [u32; 3], cell: [u16; 3]) -> u32 {
     let halves = |axis| {
-        let cells = (i64::from(offset[axis]) << format.position_bits) + i64::from(cell[axis]);
-        let photon = (2 * cells + 1) << format.query_extra_bits;
+        let cells = (i64::from(offset[axis]) << numbers.position_bits()) + i64::from(cell[axis]);
+        let photon = (2 * cells + 1) << numbers.query_extra_bits();
         photon.abs_diff(2 * i64::from(query.position[axis]) + 1)
     };
     let quarters: u64 = (0..3).map(|axis| halves(axis).pow(2)).sum();
@@ -90,12 +109,12 @@ fn the_kth_photon_in_a_format_is_the_kth_of_its_sorted_distances() {
     let queries = view_queries(&scene, &VIEW).unwrap();
     let (mut found, mut ties) = (0, 0);
     for name in FORMATS {
-        let quantised = FormatMap::new(&map, format(name)).unwrap();
-        let max = LocalGather::new(format(name)).unwrap().radius_sq();
+        let quantised = QuantisedMap::new(&map, &format(name).into()).unwrap();
+        let max = quantised.radius_sq();
         for (query, k) in queries.iter().zip([1, 5, 20, 50].into_iter().cycle()) {
             let distances = sorted_distances(&quantised, query);
             let kth = distances.get(k as usize - 1).filter(|d| **d <= max);
-            let gather = |radius_sq| gather_format(&quantised, query, radius_sq);
+            let gather = |radius_sq| gather(&quantised, query, radius_sq);
             let nearest = k_nearest(k, max, gather).unwrap();
             let (radius_sq, inside) = match kth {
                 Some(kth) => (*kth, distances.partition_point(|d| d < kth)),
@@ -116,7 +135,7 @@ fn the_kth_photon_in_a_format_is_the_kth_of_its_sorted_distances() {
 #[test]
 fn the_kth_photon_of_a_machine_is_the_kth_of_its_sorted_distances() {
     let (scene, map) = scene_and_map();
-    let quantised = QuantisedMap::new(&map, find_machine("paper").unwrap()).unwrap();
+    let quantised = QuantisedMap::new(&map, &find_machine("paper").unwrap().numbers).unwrap();
     let mut found = 0;
     for query in view_queries(&scene, &VIEW).unwrap() {
         let centre = quantised.query(query.position);
@@ -130,7 +149,7 @@ fn the_kth_photon_of_a_machine_is_the_kth_of_its_sorted_distances() {
             .collect();
         distances.sort_unstable();
         let kth = distances.get(19).filter(|d| **d <= centre.radius_sq);
-        let gather = |radius_sq| gather_model(&quantised, &query, radius_sq);
+        let gather = |radius_sq| gather(&quantised, &query, radius_sq);
         let nearest = k_nearest(20, centre.radius_sq, gather).unwrap();
         assert_eq!(nearest.radius_sq, *kth.unwrap_or(&centre.radius_sq));
         // 13 bits of 4096, and one.
@@ -143,17 +162,14 @@ fn the_kth_photon_of_a_machine_is_the_kth_of_its_sorted_distances() {
 /// One rung is one gather at the search radius: its sums over the same area, bit for bit.
 #[test]
 fn one_rung_is_the_fixed_radius() {
-    let one = Estimator::Ladder {
-        kernel: Kernel::Rectangle,
-        rungs: 1,
-    };
+    let one = Estimator::Ladder(Ladder::new(Kernel::Rectangle, 1).unwrap());
     for engine in integer_engines() {
-        let fixed = estimates(Estimator::FixedRadius, engine);
-        assert_eq!(estimates(one, engine), fixed);
+        let fixed = estimates(&Estimator::FixedRadius, engine);
+        assert_eq!(estimates(&one, engine), fixed);
     }
     let (rung, fixed) = (
-        estimates(one, Engine::F64),
-        estimates(Estimator::FixedRadius, Engine::F64),
+        estimates(&one, Engine::F64),
+        estimates(&Estimator::FixedRadius, Engine::F64),
     );
     for (rung, fixed) in rung.iter().zip(&fixed) {
         assert_eq!((rung.in_range, rung.tests), (fixed.in_range, fixed.tests));
@@ -170,7 +186,7 @@ fn in_f64_every_form_is_the_brute_force() {
     let queries = view_queries(&scene, &VIEW).unwrap();
     let ladder = Ladder::new(Kernel::Cone, 4).unwrap();
     let forms = ["knn:20", "cone", "epanechnikov", "ladder:4:cone"];
-    let found = forms.map(|form| estimates(form.parse().unwrap(), Engine::F64));
+    let found = forms.map(|form| estimates(&form.parse().unwrap(), Engine::F64));
     for (index, query) in queries.iter().enumerate() {
         let all = Neighbourhood::brute_force(&scene, map.photons(), query);
         let radius = map.radius();
@@ -211,11 +227,11 @@ fn bench() -> ErrorBench {
 #[test]
 fn a_ladders_error_falls_with_its_rungs() {
     let bench = bench();
-    for engine in [Engine::F64, Engine::Format(format("local8-rgb8e5"))] {
+    for engine in [Engine::F64, Engine::from(format("local8-rgb8e5"))] {
         for kernel in [Kernel::Cone, Kernel::Epanechnikov] {
             let error = |rungs| {
-                let ladder = Estimator::Ladder { kernel, rungs };
-                let report = bench.measure_estimator(engine, ladder).unwrap();
+                let ladder = Estimator::Ladder(Ladder::new(kernel, rungs).unwrap());
+                let report = bench.measure_estimator(engine, &ladder).unwrap();
                 assert_eq!(report.gathers_per_query, rungs as f64);
                 report.error.error_over_noise
             };
@@ -232,20 +248,20 @@ fn a_bench_measures_every_form_against_its_own_reference() {
     let bench = bench();
     for form in ["fixed", "knn:25", "cone", "epanechnikov"] {
         let report = bench
-            .measure_estimator(Engine::F64, form.parse().unwrap())
+            .measure_estimator(Engine::F64, &form.parse().unwrap())
             .unwrap();
         assert_eq!(
             (report.error.rms_relative_error, report.gathers_per_query),
             (0.0, 1.0)
         );
     }
-    let engine = Engine::Format(format("local8-rgb8e5"));
+    let engine = Engine::from(format("local8-rgb8e5"));
     let fixed = bench
-        .measure_estimator(engine, Estimator::FixedRadius)
+        .measure_estimator(engine, &Estimator::FixedRadius)
         .unwrap();
     assert_eq!(fixed.error, bench.measure(engine).unwrap());
     let nearest = bench
-        .measure_estimator(engine, Estimator::KNearest { k: 25 })
+        .measure_estimator(engine, &Estimator::KNearest { k: 25 })
         .unwrap();
     // 16 bits of radius_sq and one gather; one alone where the reach holds fewer than 25.
     assert!(nearest.gathers_per_query > 12.0 && nearest.gathers_per_query <= 17.0);
@@ -257,11 +273,8 @@ fn a_bench_measures_every_form_against_its_own_reference() {
 
 #[test]
 fn what_an_engine_cannot_make_is_refused_before_any_query() {
-    let (scene, map) = scene_and_map();
-    let with = |engine, estimator| {
-        let rendering = render_with(&scene, &map, engine, estimator, &VIEW, &|_| ());
-        rendering.unwrap_err()
-    };
+    let scene = scene_and_map();
+    let with = |engine, estimator| render_with(&scene, engine, &estimator).unwrap_err();
     for engine in integer_engines() {
         let kernel = Kernel::Epanechnikov;
         let error = with(engine, Estimator::Smooth { kernel });
@@ -275,18 +288,18 @@ fn what_an_engine_cannot_make_is_refused_before_any_query() {
         RenderError::Estimator(UnfitEstimator::TooFewAsked(1))
     ));
     let kernel = Kernel::Epanechnikov;
-    let bench = bench().measure_estimator(integer_engines()[0], Estimator::Smooth { kernel });
+    let bench = bench().measure_estimator(integer_engines()[0], &Estimator::Smooth { kernel });
     assert!(bench.is_err());
 }
 
 /// Every gather is work: photons, groups and gathers count all of them.
 #[test]
 fn a_pictures_figures_count_every_gather() {
-    let (scene, map) = scene_and_map();
-    let engine = Engine::Model(find_machine("paper").unwrap());
-    let fixed = render(&scene, &map, engine, &VIEW, &|_| ()).unwrap().stats;
-    let ladder = "ladder:3".parse().unwrap();
-    let ladder = render_with(&scene, &map, engine, ladder, &VIEW, &|_| ()).unwrap();
+    let scene = scene_and_map();
+    let engine = Engine::from(find_machine("paper").unwrap());
+    let fixed = render(&scene.0, &scene.1, engine, &VIEW, &|_| ());
+    let fixed = fixed.unwrap().stats;
+    let ladder = render_with(&scene, engine, &"ladder:3".parse().unwrap()).unwrap();
     let ladder = ladder.stats;
     assert_eq!(fixed.gathers, fixed.query_points);
     assert_eq!(ladder.gathers, 3 * fixed.gathers);
@@ -302,19 +315,19 @@ fn queries_together_are_what_they_are_alone() {
     let (scene, map) = scene_and_map();
     let queries = view_queries(&scene, &VIEW).unwrap();
     for name in FORMATS {
-        let engine = Engine::Format(format(name));
-        let prepared = Prepared::new(&map, engine).unwrap();
+        let quantised = QuantisedMap::new(&map, &format(name).into()).unwrap();
+        let quantised = Some(&quantised);
         let ladder: Estimator = "ladder:3:cone".parse().unwrap();
-        let ladder = Method::new(ladder, engine).unwrap();
-        for method in [Method::FixedRadius, Method::Inner, ladder] {
-            let together = method.estimate_all(&prepared, &map, &queries).unwrap();
+        for estimator in [Estimator::FixedRadius, Estimator::Inner, ladder] {
+            let together = estimator.estimate_all(&map, quantised, &queries).unwrap();
             assert!(together.iter().any(|found| found.skipped > 0), "{name}");
             for (query, found) in queries.iter().zip(together) {
                 let found = Estimate {
                     skipped: 0,
                     ..found
                 };
-                assert_eq!(method.estimate(&prepared, &map, query).unwrap(), found);
+                let alone = estimator.estimate(&map, quantised, query).unwrap();
+                assert_eq!(alone, found);
             }
         }
     }
@@ -326,9 +339,11 @@ fn the_inner_disc_is_half_of_the_disc() {
     let (scene, map) = scene_and_map();
     let queries = view_queries(&scene, &VIEW).unwrap();
     for engine in integer_engines().into_iter().chain([Engine::F64]) {
-        let prepared = Prepared::new(&map, engine).unwrap();
-        let [whole, inner] = [Method::FixedRadius, Method::Inner].map(|method| {
-            let found = method.estimate_all(&prepared, &map, &queries).unwrap();
+        let quantised = engine.quantised(&map).unwrap();
+        let [whole, inner] = [Estimator::FixedRadius, Estimator::Inner].map(|estimator| {
+            let found = estimator
+                .estimate_all(&map, quantised.as_ref(), &queries)
+                .unwrap();
             let light: f64 = found.iter().map(|e| e.irradiance.element_sum()).sum();
             (found.iter().map(|e| e.in_range).sum::<u64>() as f64, light)
         });

@@ -1,0 +1,157 @@
+//! Makes the estimates of an [`Estimator`], by any engine.
+
+use std::f64::consts::SQRT_2;
+
+use super::estimator::{Estimator, UnfitEstimator};
+use super::gather::{Estimate, Refusal, estimate_f64, gather};
+use super::integers::{Disc, Steps};
+use super::kernel::Kernel;
+use super::neighbourhood::{EstimatorError, KernelEstimate, Neighbourhood};
+use crate::photon_map::PhotonMap;
+use crate::quantise::QuantisedMap;
+use crate::view::QueryPoint;
+
+/// An engine's maps are a photon map and, in an engine of integers, `quantised`, which is that map in its
+/// integers.
+impl Estimator {
+    /// The estimate at a query.
+    ///
+    /// # Errors
+    /// The engine refuses the query.
+    pub(crate) fn estimate(
+        &self,
+        map: &PhotonMap,
+        quantised: Option<&QuantisedMap<'_>>,
+        query: &QueryPoint,
+    ) -> Result<Estimate, Refusal> {
+        match quantised {
+            None => Ok(self.in_f64(map, query)?),
+            Some(quantised) => {
+                let gather = |radius_sq| Ok(gather(quantised, query, radius_sq)?);
+                self.in_integers(&Steps::of(quantised), gather)
+            }
+        }
+    }
+
+    /// The estimates at all queries, in their order. They equal those of [`Self::estimate`]; the fast gather
+    /// makes them sooner where it can.
+    ///
+    /// # Errors
+    /// The engine refuses a query; the error has its index.
+    pub(crate) fn estimate_all(
+        &self,
+        map: &PhotonMap,
+        quantised: Option<&QuantisedMap<'_>>,
+        queries: &[QueryPoint],
+    ) -> Result<Vec<Estimate>, (usize, Refusal)> {
+        if let Some(found) = quantised.and_then(|quantised| self.together(quantised, queries)) {
+            return Ok(found);
+        }
+        let estimate = |(index, query)| {
+            let estimate = self.estimate(map, quantised, query);
+            estimate.map_err(|refusal| (index, refusal))
+        };
+        queries.iter().enumerate().map(estimate).collect()
+    }
+
+    /// The estimates from gathers of all queries at once. `None` where each query has its own radii, and where
+    /// a query was refused; going on query by query then finds which.
+    fn together(&self, map: &QuantisedMap<'_>, queries: &[QueryPoint]) -> Option<Vec<Estimate>> {
+        let steps = Steps::of(map);
+        let radii = match self {
+            Self::FixedRadius
+            | Self::Smooth {
+                kernel: Kernel::Rectangle,
+            } => vec![steps.radius_sq],
+            Self::Inner => vec![steps.inner_radius_sq()],
+            Self::Ladder(ladder) => ladder.radii_sq(steps.radius_sq),
+            Self::KNearest { .. } | Self::Smooth { .. } => return None,
+        };
+        let mut order: Vec<usize> = (0..queries.len()).collect();
+        order.sort_by_cached_key(|index| map.map().sort_key(&queries[*index]));
+        let sorted: Vec<_> = order.iter().map(|index| queries[*index]).collect();
+        let at = |radius_sq: &u32| map.gather_all(&sorted, *radius_sq).ok();
+        let gathered: Vec<_> = radii.iter().map(at).collect::<Option<_>>()?;
+        let mut found = vec![Estimate::default(); queries.len()];
+        for (place, query) in order.iter().enumerate() {
+            // The gathers are in the order of the radii.
+            let mut discs = gathered.iter().map(|all| Disc::of(map, &all[place]));
+            let estimate = self.in_integers(&steps, |_| Ok(discs.next().expect("one for each")));
+            found[*query] = estimate.ok()?;
+        }
+        Some(found)
+    }
+
+    /// The radius of the estimate's area for a map of search radius `radius`, where it is equal for all
+    /// queries and not a mixture of several; else `None`.
+    pub(crate) fn radius(&self, radius: f64) -> Option<f64> {
+        match self {
+            Self::FixedRadius => Some(radius),
+            Self::Inner => Some(radius / SQRT_2),
+            Self::KNearest { .. } | Self::Smooth { .. } | Self::Ladder(_) => None,
+        }
+    }
+
+    /// The estimate in f64. A ladder counts one gather for each rung, as a machine does; all others count one.
+    fn in_f64(&self, map: &PhotonMap, query: &QueryPoint) -> Result<Estimate, EstimatorError> {
+        let radius = map.radius();
+        match self {
+            // The reference of all engines, which needs no list of distances.
+            Self::FixedRadius
+            | Self::Smooth {
+                kernel: Kernel::Rectangle,
+            } => Ok(estimate_f64(map, query)),
+            Self::Inner => walk(map, query, 1, |near| {
+                near.fixed_radius(radius / SQRT_2, Kernel::Rectangle)
+            }),
+            Self::KNearest { k } => {
+                walk(map, query, 1, |near| near.k_nearest(*k, Kernel::Rectangle))
+            }
+            Self::Smooth { kernel } => {
+                walk(map, query, 1, |near| near.fixed_radius(radius, *kernel))
+            }
+            Self::Ladder(ladder) => {
+                let rungs = ladder.rungs().len() as u64;
+                walk(map, query, rungs, |near| near.ladder(radius, ladder))
+            }
+        }
+    }
+
+    fn in_integers(
+        &self,
+        steps: &Steps,
+        gather: impl FnMut(u32) -> Result<Disc, Refusal>,
+    ) -> Result<Estimate, Refusal> {
+        match self {
+            Self::FixedRadius
+            | Self::Smooth {
+                kernel: Kernel::Rectangle,
+            } => steps.fixed_radius(gather),
+            Self::Inner => steps.inner(gather),
+            Self::KNearest { k } => steps.k_nearest(*k, gather),
+            Self::Smooth { kernel } => Err(UnfitEstimator::SmoothInIntegers(*kernel).into()),
+            Self::Ladder(ladder) => steps.ladder(ladder, gather),
+        }
+    }
+}
+
+/// An estimate from the photons of the blocks around the query.
+fn walk(
+    map: &PhotonMap,
+    query: &QueryPoint,
+    gathers: u64,
+    estimate: impl FnOnce(&Neighbourhood) -> Result<KernelEstimate, EstimatorError>,
+) -> Result<Estimate, EstimatorError> {
+    let near = Neighbourhood::block_walk(map, query);
+    let found = estimate(&near)?;
+    Ok(Estimate {
+        irradiance: found.irradiance,
+        tests: near.near().len() as u64,
+        skipped: 0,
+        in_range: found.in_range,
+        gathers,
+    })
+}
+
+#[cfg(test)]
+mod tests;
