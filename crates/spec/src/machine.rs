@@ -2,7 +2,7 @@
 //! machines.
 
 use crate::cell::{CellTables, OVERLAPPED, SEQUENTIAL};
-use crate::formats::{Channels, FormatWidths, PhotonFormat, Squarer, Widths};
+use crate::formats::{Channels, PhotonFormat, Squarer, Widths};
 use crate::hypercube::Hypercube;
 use crate::organisation::{Organisation, Rate};
 use crate::overlap;
@@ -197,10 +197,7 @@ impl Machine {
 
     /// Bits of a stored photon: a position in its block, its mantissas and its exponent.
     pub fn bits_per_photon(&self) -> u32 {
-        match &self.numbers {
-            Numbers::Plain(format) => 3 * (format.position_bits() + format.power_bits),
-            Numbers::Local(format) => FormatWidths::of(format).bits_per_photon,
-        }
+        Widths::of(self).bits_per_photon
     }
 
     /// Photon tests per clock while no stream waits.

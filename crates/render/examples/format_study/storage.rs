@@ -5,7 +5,7 @@
 //! counts that.
 
 use photoncube_render::FormatMap;
-use photoncube_spec::{FormatWidths, PhotonRecord};
+use photoncube_spec::{PhotonRecord, Widths};
 
 use crate::measure::{Case, quantised};
 use crate::table::{Cell, Table};
@@ -98,12 +98,12 @@ fn groups<'a>(quantised: &'a FormatMap<'_>, by_run: bool) -> Vec<&'a [PhotonReco
 
 /// Bits per photon of the whole records where runs share the top bits of positions and exponents.
 pub fn shared_record(quantised: &FormatMap<'_>) -> f64 {
-    let widths = FormatWidths::of(quantised.format());
+    let widths = Widths::of_format(quantised.format());
     let channels = quantised.format().power.channels.count();
     let bits = |run: &[PhotonRecord]| {
         let exponents = run.iter().map(|record| record.exponent.into());
         shared(run, widths.position)
-            + shared_field(exponents, widths.exponent)
+            + shared_field(exponents, widths.record_exponent)
             + f64::from(channels * widths.mantissa) * run.len() as f64
     };
     let total: f64 = groups(quantised, true).into_iter().map(bits).sum();

@@ -2,7 +2,7 @@
 
 use anyhow::Result;
 use photoncube_render::{BenchError, Engine, ErrorBench, ErrorReport, Measurement};
-use photoncube_spec::{FormatWidths, PhotonFormat};
+use photoncube_spec::{PhotonFormat, Widths};
 use serde::Serialize;
 
 use crate::hardware::PictureTime;
@@ -89,7 +89,7 @@ pub fn row(bench: &ErrorBench, engine: Engine<'static>, bound: f64) -> Result<Ro
     let (name, kind, format, bits_per_photon) = match engine {
         Engine::F64 => ("f64".to_owned(), "reference", None, 0),
         Engine::Format(format) => {
-            let bits = FormatWidths::of(format).bits_per_photon;
+            let bits = Widths::of_format(format).bits_per_photon;
             (format.name(), "format", Some(format.name()), bits)
         }
         Engine::Model(machine) => (

@@ -1,7 +1,7 @@
 //! The direct gather of a photon format: the sum over the photons in range, in the format's integers.
 
 use photoncube_spec::{
-    FormatError, FormatWidths, LocalQuery, LocalSums, PhotonBlock, PhotonFormat, PhotonRecord,
+    FormatError, LocalQuery, LocalSums, PhotonBlock, PhotonFormat, PhotonRecord, Widths,
 };
 
 use super::limits::LocalLimits;
@@ -28,13 +28,13 @@ impl LocalGather {
     /// The format is not legal.
     pub fn new(format: &PhotonFormat) -> Result<Self, FormatError> {
         let limits = LocalLimits::of(format)?;
-        let widths = FormatWidths::of(format);
+        let widths = Widths::of_format(format);
         Ok(Self {
             format: *format,
             limits,
             clamp: (1 << format.radius_bits()) - 1,
             radius_sq: format.radius_steps().pow(2),
-            saturated: (1 << widths.distance) - 1,
+            saturated: (1 << widths.saturated_distance) - 1,
         })
     }
 

@@ -1,8 +1,7 @@
 //! The largest value of every field of a photon format, and the checks against them.
 
 use photoncube_spec::{
-    Channels, Exponent, FormatError, FormatWidths, LocalQuery, PhotonBlock, PhotonFormat,
-    PhotonRecord,
+    Channels, Exponent, FormatError, LocalQuery, PhotonBlock, PhotonFormat, PhotonRecord, Widths,
 };
 
 use crate::gather::RangeError;
@@ -30,7 +29,7 @@ impl LocalLimits {
     /// The format is not legal.
     pub fn of(format: &PhotonFormat) -> Result<Self, FormatError> {
         format.check()?;
-        let widths = FormatWidths::of(format);
+        let widths = Widths::of_format(format);
         let ones = |bits| u32::MAX >> (u32::BITS - bits);
         let range = format.power.exponent_range();
         let (photon_exponent, block_exponent) = match format.power.exponent {
