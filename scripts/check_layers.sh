@@ -39,7 +39,7 @@ LAYERS = [
     ("crates/hard-cases", "photoncube-hard-cases", "spec model render", ""),
     ("testbenches", "photoncube-testbench", "spec model hdl verilog-eval fpga-flow", "render hard-cases"),
     ("benches", "photoncube-benches", "", "spec model render"),
-    ("crates/cli", "photoncube", "spec model hdl render hard-cases testbench fpga-flow", ""),
+    ("crates/cli", "photoncube", "spec model hdl render hard-cases testbench fpga-flow", "verilog-eval"),
 ]
 GENERATOR = re.compile(r"rust-hdl(-(?!lint$).+)?")
 GENERATOR_SEEN_BY = ["photoncube-hdl", "rust-hdl-lint"]

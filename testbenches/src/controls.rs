@@ -1,6 +1,8 @@
 //! Planted faults. A method of verification plants at least one in each run and must find it, since a method
 //! that finds nothing may also be blind.
 
+use std::ops::Range;
+
 use photoncube_hdl::{Emitted, Level, emit};
 use photoncube_spec::{Machine, find_machine};
 use serde::Serialize;
@@ -99,9 +101,9 @@ impl PlantedFault {
     pub fn plant(&self) -> Result<(&'static Machine, Emitted), DeviceError> {
         let machine = find_machine(self.machine).expect("a fault names a built-in machine");
         let mut design = emit(machine, Level::Machine).map_err(hdl_error(machine))?;
-        let heading = format!("module {}_{}(", machine.module_prefix(), self.module);
+        let module = format!("{}_{}", machine.module_prefix(), self.module);
         for (from, to) in self.edits {
-            design.text = plant(&design.text, &heading, from, to)?;
+            design.text = plant(&design.text, &module, from, to)?;
         }
         Ok((machine, design))
     }
@@ -112,26 +114,28 @@ impl PlantedFault {
     }
 }
 
-/// Replaces a text that occurs once in the module with that heading.
+/// Replaces a text that occurs once in the module of that name.
 ///
 /// # Errors
-/// The heading, or the text in the module, does not occur once.
-pub fn plant(text: &str, heading: &str, from: &str, to: &str) -> Result<String, DeviceError> {
-    once(text, heading)?;
-    let (before, rest) = text.split_at(text.find(heading).unwrap_or_default());
-    let (body, after) = rest.split_at(rest.find("endmodule").unwrap_or(rest.len()));
-    once(body, from)?;
-    Ok(format!("{before}{}{after}", body.replacen(from, to, 1)))
-}
-
-fn once(text: &str, find: &str) -> Result<(), DeviceError> {
-    match text.matches(find).count() {
-        1 => Ok(()),
+/// There is no such module, or the text does not occur in it once.
+pub fn plant(text: &str, module: &str, from: &str, to: &str) -> Result<String, DeviceError> {
+    let place = module_place(text, module);
+    let body = &text[place.clone()];
+    match body.matches(from).count() {
+        1 => Ok(text[..place.start].to_owned() + &body.replacen(from, to, 1) + &text[place.end..]),
         times => Err(DeviceError::NotPlanted {
-            find: find.to_owned(),
+            module: module.to_owned(),
+            find: from.to_owned(),
             times,
         }),
     }
+}
+
+/// The place of the text of a module; an empty place where there is no such module.
+pub(crate) fn module_place(text: &str, module: &str) -> Range<usize> {
+    let mut modules = verilog_eval::modules(text).into_iter();
+    let module = modules.find(|of| of.name == module);
+    module.map_or(0..0, |module| module.place)
 }
 
 /// The fault by which a run shows that its comparison finds differences.
@@ -182,10 +186,10 @@ mod tests {
     #[test]
     fn a_text_that_does_not_occur_once_is_refused() {
         let text = "module a(x);\n  b b c\nendmodule\nmodule d(x);\n  c\nendmodule\n";
-        let planted = plant(text, "module a(", "c", "e").unwrap();
+        let planted = plant(text, "a", "c", "e").unwrap();
         assert_eq!(planted, text.replacen("b c", "b e", 1));
-        for (heading, from) in [("module a(", "b"), ("module d(", "b"), ("module e(", "c")] {
-            assert!(plant(text, heading, from, "e").is_err(), "{heading} {from}");
+        for (module, from) in [("a", "b"), ("d", "b"), ("e", "c")] {
+            assert!(plant(text, module, from, "e").is_err(), "{module} {from}");
         }
     }
 }

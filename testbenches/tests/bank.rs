@@ -92,7 +92,7 @@ fn run(
 ) -> Result<Verdict, VerifyError> {
     let mut design = emit(machine, Level::Machine).expect("a named machine is emitted");
     if let Some(fault) = text {
-        let module = format!("module {}_{}(", machine.module_prefix(), fault.module);
+        let module = format!("{}_{}", machine.module_prefix(), fault.module);
         design.text = plant(&design.text, &module, fault.from, fault.to)?;
     }
     let options = VerifyOptions {

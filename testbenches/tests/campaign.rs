@@ -63,7 +63,7 @@ fn kept() -> Vec<(String, Regression)> {
 fn broken() -> Result<Emitted, Failed> {
     let machine = find_machine("paper")?;
     let mut design = emit(machine, Level::Machine)?;
-    let module = format!("module {}_add_unit(", machine.module_prefix());
+    let module = format!("{}_add_unit", machine.module_prefix());
     design.text = plant(&design.text, &module, "a + b", "a ^ b")?;
     Ok(design)
 }

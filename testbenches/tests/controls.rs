@@ -189,7 +189,7 @@ fn diverges(machine: &Machine, design: &Emitted) -> Result<Divergence, Failed> {
 fn caught(fault: &Fault) -> Result<(), Failed> {
     let machine = find_machine(fault.machine)?;
     let mut design = emit(machine, Level::Machine)?;
-    let module = format!("module {}_{}(", machine.module_prefix(), fault.module);
+    let module = format!("{}_{}", machine.module_prefix(), fault.module);
     design.text = plant(&design.text, &module, fault.from, fault.to)?;
     let account = diverges(machine, &design)?.to_string();
     assert!(account.contains(fault.names), "{account}");
@@ -203,8 +203,7 @@ fn part_caught() -> Result<(), Failed> {
         verify_part_device(PAPER, Level::Unit(Unit::Gate), &mut device, 1_000, 1)
     };
     verified(&design)?;
-    let module = format!("module {}(", design.top);
-    design.text = plant(&design.text, &module, "a > wide_b", "a >= wide_b")?;
+    design.text = plant(&design.text, &design.top, "a > wide_b", "a >= wide_b")?;
     match verified(&design) {
         Err(VerifyError::Diverged(divergence)) => {
             assert_eq!(divergence.signal, "gated");
@@ -218,7 +217,7 @@ fn part_caught() -> Result<(), Failed> {
 
 fn stops() -> Result<(), Failed> {
     let mut design = emit(PAPER, Level::Machine)?;
-    let module = format!("module {}_store(", PAPER.module_prefix());
+    let module = format!("{}_store", PAPER.module_prefix());
     let from = "    // Update code";
     let stop = "    initial #301 $finish;";
     design.text = plant(&design.text, &module, from, stop)?;
@@ -245,7 +244,7 @@ fn no_verilog() -> Result<(), Failed> {
 fn unknown_at_power_up() -> Result<(), Failed> {
     let mut design = emit(PAPER, Level::Machine)?;
     let initial = "initial begin\n       q = 32'h0;\n    end";
-    let module = format!("module {}_register_32(", PAPER.module_prefix());
+    let module = format!("{}_register_32", PAPER.module_prefix());
     design.text = plant(&design.text, &module, initial, "")?;
     let divergence = diverges(PAPER, &design)?;
     assert_eq!(divergence.actual, Actual::Unknown("xxxxxxxx".into()));

@@ -11,6 +11,7 @@ use photoncube_testbench::{
     Source, Text, VerifyError, VerifyOptions, draw_program, plant, program_control, programmed,
     verify_device, verify_programs,
 };
+use verilog_eval::modules;
 
 /// The number of programs for a machine in a device. `photoncube verify programs` runs more.
 const RUNS: [(&str, DeviceKind, u64); 6] = [
@@ -76,10 +77,13 @@ fn equal(machine: &str, kind: DeviceKind, programs: u64) -> Result<(), Failed> {
 fn edited(module: &'static str, from: &'static str, to: &'static str) -> Box<Open<'static>> {
     Box::new(move |machine, level| {
         let mut design = emit(machine, level).expect("the machine is emitted");
-        if let Some(start) = design.text.find(&format!("_{module}(address")) {
-            let end = start + design.text[start..].find("endmodule").expect("it ends");
-            let body = design.text[start..end].replace(from, to);
-            design.text.replace_range(start..end, &body);
+        let module = format!("{}_{module}", design.top);
+        let place = modules(&design.text)
+            .into_iter()
+            .find(|of| of.name == module);
+        if let Some(place) = place.map(|module| module.place) {
+            let body = design.text[place.clone()].replace(from, to);
+            design.text.replace_range(place, &body);
         }
         Ok(Box::new(Text::new(&design)?))
     })
@@ -104,7 +108,7 @@ fn skipped_nop() -> Result<(), Failed> {
     let open = |machine: &Machine, level| -> Result<Box<dyn Device>, DeviceError> {
         let mut design = emit(machine, level).expect("the machine is emitted");
         if level == Level::Machine {
-            let module = format!("module {}_control(", machine.module_prefix());
+            let module = format!("{}_control", machine.module_prefix());
             let from = "address_d = address_q + 32'h1;";
             let to = "address_d = address_q + ((store_word == 15'h0) ? 32'h2 : 32'h1);";
             design.text = plant(&design.text, &module, from, to)?;

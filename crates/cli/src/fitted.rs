@@ -4,9 +4,7 @@ use anyhow::Result;
 use photoncube_render::{
     FieldNeed, Fit, FitOptions, Measurement, Prediction, Scene, Trial, covering, field_needs, fit,
 };
-use photoncube_spec::{
-    Channels, Exponent, FormatWidths, MACHINES, Machine, PhotonFormat, Rounding,
-};
+use photoncube_spec::{Channels, Exponent, MACHINES, Machine, PhotonFormat, Rounding, Widths};
 use serde::Serialize;
 
 use crate::args::short;
@@ -148,7 +146,7 @@ fn by_size(mut candidates: Vec<Candidate>, needed: &PhotonFormat) -> Vec<Candida
     candidates.sort_by_key(|candidate| {
         (
             candidate.format != *needed,
-            FormatWidths::of(&candidate.format).bits_per_photon,
+            Widths::of_format(&candidate.format).bits_per_photon,
             candidate.lut4_equivalents.unwrap_or(u64::MAX),
         )
     });

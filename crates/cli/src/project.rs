@@ -97,47 +97,9 @@ fn constraints() -> String {
 
 #[cfg(test)]
 mod tests {
-    use photoncube_spec::{MACHINES, find_machine};
+    use photoncube_spec::MACHINES;
 
     use super::*;
-
-    /// The head of an emitted file, up to its first empty line.
-    fn head(machine: &str) -> String {
-        let files = project(find_machine(machine).unwrap()).unwrap().files;
-        let head = files[0].text.split("\n\n").next();
-        head.unwrap_or_default().to_owned()
-    }
-
-    #[test]
-    fn the_ports_page_has_the_head_of_one_machine_of_each_family() {
-        let page = include_str!("../../../docs/ports.md");
-        let blocks: Vec<_> = page.split("```verilog\n").skip(1).collect();
-        let mut shown = Vec::new();
-        for block in blocks {
-            let block = block.split("\n```").next().unwrap_or_default();
-            let named = |machine: &&&str| block.contains(&format!("\n// {machine}: "));
-            let names: Vec<_> = MACHINES.iter().map(|machine| machine.name).collect();
-            let name = *names
-                .iter()
-                .find(named)
-                .expect("a block is a machine's head");
-            assert_eq!(
-                block,
-                head(name),
-                "paste the head of {name} into docs/ports.md"
-            );
-            shown.push(name);
-        }
-        let families = [
-            "paper",
-            "fit-range",
-            "overlap",
-            "stream",
-            "tile-6",
-            "tile-6-mixed",
-        ];
-        assert_eq!(shown, families);
-    }
 
     #[test]
     fn no_script_checks_the_hierarchy_before_the_cells_are_read() {

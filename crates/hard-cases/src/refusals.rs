@@ -2,9 +2,7 @@
 
 use glam::DVec3;
 use photoncube_model::Gather;
-use photoncube_spec::{
-    Exponent, FormatWidths, Numbers, PhotonBlock, PhotonFormat, PhotonRecord, Query,
-};
+use photoncube_spec::{Exponent, Numbers, PhotonBlock, PhotonFormat, PhotonRecord, Query, Widths};
 
 use super::case::{Bound, Contrast, HardCase, HardCaseError, Outcome, every_format, percent};
 use super::naive::absolute;
@@ -65,7 +63,7 @@ struct Past {
 
 /// Values that exceed each limit of a format by `over`.
 fn past(format: &PhotonFormat, over: u32) -> Vec<Past> {
-    let widths = FormatWidths::of(format);
+    let widths = Widths::of_format(format);
     let ones = |bits: u32| u32::MAX >> (u32::BITS - bits);
     let good = |value: u32, largest: u32| Past {
         record: PhotonRecord::default(),
@@ -152,7 +150,7 @@ fn counts(format: &PhotonFormat) -> Result<Outcome, HardCaseError> {
         let refused = gather.sums(&query, blocks).map_err(|e| e.to_string());
         taken += u64::from(!refused.err().is_some_and(|e| e.contains(&said)));
     }
-    let widths = FormatWidths::of(format);
+    let widths = Widths::of_format(format);
     let full = ((1_u128 << widths.mantissa) - 1) << format.power.exponent_range();
     let sum = 4 * u128::from(format.max_photons) * full;
     let kept = sum % (1 << widths.sum);

@@ -4,7 +4,7 @@
 //! share grows as 1/r: with r a hundredth of the scene there are fewer.
 
 use glam::DVec3;
-use photoncube_spec::{FormatWidths, PhotonFormat};
+use photoncube_spec::{PhotonFormat, Widths};
 
 use super::case::{Bound, Contrast, HardCase, HardCaseError, Outcome, every_format};
 use super::exact::{Met, all_met};
@@ -97,7 +97,7 @@ fn cloud(grid: &Grid) -> Result<Vec<Setting>, HardCaseError> {
 
 fn own_width(format: &PhotonFormat) -> Result<Outcome, HardCaseError> {
     let half = u64::from(format.half_steps());
-    let mask = (1_u64 << FormatWidths::of(format).distance) - 1;
+    let mask = (1_u64 << Widths::of_format(format).saturated_distance) - 1;
     in_frame(format, |met| {
         let sum: u64 = met.steps().iter().map(|m| m * (m + half)).sum();
         sum & mask
@@ -106,7 +106,7 @@ fn own_width(format: &PhotonFormat) -> Result<Outcome, HardCaseError> {
 
 fn truncated(format: &PhotonFormat) -> Result<Outcome, HardCaseError> {
     let half = u64::from(format.half_steps());
-    let mask = (1_u64 << FormatWidths::of(format).difference) - 1;
+    let mask = (1_u64 << Widths::of_format(format).difference) - 1;
     in_frame(format, |met| {
         let low = met.steps().map(|m| m & mask);
         low.iter().map(|m| m * (m + half)).sum()

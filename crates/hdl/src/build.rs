@@ -3,7 +3,7 @@
 //! rust-hdl's widths are const generics, so every set of widths is compiled for itself; each costs about a
 //! second of build time.
 
-use photoncube_spec::{Machine, Organisation, SEQUENTIAL, Spatial, SpatialWidths, Squarer, Widths};
+use photoncube_spec::{Machine, Organisation, SEQUENTIAL, Spatial, Squarer, Widths};
 use thiserror::Error;
 
 use crate::level::Level;
@@ -27,10 +27,55 @@ pub struct NotBuiltIn {
     pub built_in: String,
 }
 
+/// The widths that select a compiled block with a program, in the order of its table.
+pub(crate) fn program_widths(widths: &Widths) -> [(&'static str, u32); 10] {
+    [
+        ("coordinate", widths.coordinate),
+        ("photon", widths.photon),
+        ("difference", widths.difference),
+        ("square", widths.square),
+        ("radius_sq", widths.radius_sq),
+        ("mantissa", widths.mantissa),
+        ("exponent", widths.exponent),
+        ("power", widths.power),
+        ("work", widths.work),
+        ("sum", widths.sum),
+    ]
+}
+
+/// The widths that select a compiled spatial block, in the order of its table.
+fn spatial_widths(widths: &Widths) -> [(&'static str, u32); 17] {
+    [
+        ("coordinate", widths.coordinate),
+        ("signed difference", widths.signed_difference()),
+        ("difference", widths.difference),
+        ("square", widths.square),
+        ("table's word", widths.square + 1),
+        ("low product", widths.low_product()),
+        ("high product", widths.high_product()),
+        ("product", widths.product()),
+        ("pair", widths.pair()),
+        ("distance", widths.distance),
+        ("mantissa", widths.mantissa),
+        ("exponent", widths.exponent),
+        ("power", widths.power),
+        ("pair's power", widths.pair_power()),
+        ("group's power", widths.group_power()),
+        ("sum", widths.sum),
+        ("count", widths.count),
+    ]
+}
+
+/// The widths without their names.
+pub(crate) fn bits<const N: usize>(widths: [(&'static str, u32); N]) -> [u32; N] {
+    widths.map(|(_, bits)| bits)
+}
+
 /// The sizes that select a compiled block.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 struct Shape {
-    widths: Widths,
+    /// Those of [`program_widths`].
+    widths: [u32; 10],
     address: u32,
     word: u32,
     axis: u32,
@@ -47,7 +92,7 @@ impl Shape {
         }
         let program = machine.microprogram()?;
         Some(Self {
-            widths: Widths::of(machine),
+            widths: bits(program_widths(&Widths::of(machine))),
             address: program.address_bits(),
             word: SEQUENTIAL.word_bits(machine.dimension),
             axis: machine.dimension,
@@ -62,10 +107,7 @@ macro_rules! built_in {
        $b:literal $e:literal $p:literal $v:literal $s:literal
        $a:literal $w:literal $x:literal $n:literal $g:literal;)+) => {
         const BUILT_IN: &[Shape] = &[$(Shape {
-            widths: Widths {
-                coordinate: $c, photon: $h, difference: $m, square: $q, radius_sq: $r,
-                mantissa: $b, exponent: $e, power: $p, work: $v, sum: $s,
-            },
+            widths: [$c, $h, $m, $q, $r, $b, $e, $p, $v, $s],
             address: $a, word: $w, axis: $x, nodes: $n, lanes: $g,
         },)+];
 
@@ -112,21 +154,17 @@ macro_rules! built_in_spatial {
     ($($c:literal $d:literal $r:literal $q:literal $l:literal
        $lp:literal $hp:literal $pr:literal $t:literal $u:literal;
        $b:literal $e:literal $p:literal $pp:literal $gp:literal $s:literal $n:literal;)+) => {
-        const BUILT_IN_SPATIAL: &[SpatialWidths] = &[$(SpatialWidths {
-            coordinate: $c, difference: $d, radius: $r, low_digit: $r - 4,
-            low_product: $lp, high_product: $hp, cross: $r, square: $q, product: $pr,
-            pair: $t, distance: $u, radius_sq: $q, mantissa: $b, exponent: $e,
-            power: $p, pair_power: $pp, group_power: $gp, sum: $s, count: $n,
-        },)+];
+        const BUILT_IN_SPATIAL: &[[u32; 17]] = &[$([
+            $c, $d, $r, $q, $l, $lp, $hp, $pr, $t, $u, $b, $e, $p, $pp, $gp, $s, $n,
+        ],)+];
 
         fn find_spatial(
             machine: &Machine,
             spatial: &Spatial,
             level: Level,
         ) -> Option<Box<dyn Pinned>> {
-            let format = machine.format()?;
-            let widths = SpatialWidths::of(format);
-            if format.half_steps() {
+            let widths = bits(spatial_widths(&Widths::of(machine)));
+            if machine.format()?.half_steps() {
                 return None;
             }
             let mut row = BUILT_IN_SPATIAL.iter();
@@ -160,23 +198,39 @@ built_in_spatial! {
     9 10 7 14 15 6 4 18 15 16;  6 0 6 7 8 18 13;
 }
 
+/// Describes the needed widths and the rows of a table.
+fn described<const N: usize>(
+    needed: [(&'static str, u32); N],
+    table: impl Iterator<Item = [u32; N]>,
+) -> (String, String) {
+    let described = |row: [u32; N]| {
+        let named = needed.iter().zip(row);
+        let named: Vec<_> = named
+            .map(|((name, _), bits)| format!("{name}: {bits}"))
+            .collect();
+        format!("[{}]", named.join(", "))
+    };
+    let table: Vec<_> = table.map(described).collect();
+    (described(bits(needed)), table.join(", "))
+}
+
 fn not_built_in(machine: &Machine, level: Level) -> NotBuiltIn {
-    let (needed, built_in) = match (machine.spatial(), machine.format()) {
-        (Some(_), Some(format)) => (
-            format!("{level:?} of {:?}", SpatialWidths::of(format)),
-            format!("{BUILT_IN_SPATIAL:?}"),
+    let widths = Widths::of(machine);
+    let (needed, built_in) = match &machine.organisation {
+        Organisation::Sequential | Organisation::Programmed(_) => described(
+            program_widths(&widths),
+            BUILT_IN.iter().map(|row| row.widths),
         ),
-        _ => (
-            format!("{level:?} of {:?}", Widths::of(machine)),
-            match machine.organisation {
-                Organisation::Overlapped => overlap::BUILT_IN.to_owned(),
-                _ => format!("{BUILT_IN:?}"),
-            },
-        ),
+        Organisation::Overlapped => {
+            described(program_widths(&widths), [overlap::WIDTHS].into_iter())
+        }
+        Organisation::Spatial(_) => {
+            described(spatial_widths(&widths), BUILT_IN_SPATIAL.iter().copied())
+        }
     };
     NotBuiltIn {
         machine: machine.name.to_owned(),
-        needed,
+        needed: format!("{level:?} of {needed}"),
         built_in,
     }
 }

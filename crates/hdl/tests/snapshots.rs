@@ -3,6 +3,7 @@
 
 use photoncube_hdl::{Level, emit};
 use photoncube_spec::{Unit, find_machine};
+use verilog_eval::modules;
 
 fn text(machine: &str, level: Level) -> String {
     let machine = find_machine(machine).unwrap();
@@ -11,18 +12,14 @@ fn text(machine: &str, level: Level) -> String {
 
 /// The first module of the text: the part itself, without the modules that it instantiates.
 fn first_module(text: &str) -> String {
-    let end = text.find("endmodule").unwrap() + "endmodule".len();
-    text[..end].to_owned() + "\n"
+    text[..modules(text)[0].place.end].to_owned() + "\n"
 }
 
 /// The module whose name ends with `name`.
 fn only_module(text: &str, name: &str) -> String {
-    let (_, modules) = text.split_once("\nmodule ").unwrap();
-    let module = modules.split("\nmodule ").find(|module| {
-        let declared = module.split_once('(').map_or("", |(declared, _)| declared);
-        declared.ends_with(name)
-    });
-    format!("module {}", module.unwrap())
+    let mut modules = modules(text).into_iter();
+    let module = modules.find(|module| module.name.ends_with(name));
+    module.unwrap().text.to_owned() + "\n"
 }
 
 #[test]

@@ -5,8 +5,8 @@ mod radius;
 
 use photoncube_model::{Gather, GatherError, pack, unpack};
 use photoncube_spec::{
-    Channels, Exponent, FormatWidths, Numbers, PHOTON_FORMATS, PhotonBlock, PhotonFormat,
-    PhotonRecord, PowerFormat, Query, Rounding, Sums, find_photon_format,
+    Channels, Exponent, Numbers, PHOTON_FORMATS, PhotonBlock, PhotonFormat, PhotonRecord,
+    PowerFormat, Query, Rounding, Sums, Widths, find_photon_format,
 };
 use proptest::prelude::*;
 
@@ -107,7 +107,7 @@ fn any_format() -> impl Strategy<Value = PhotonFormat> {
 }
 
 fn record(format: PhotonFormat) -> impl Strategy<Value = PhotonRecord> {
-    let widths = FormatWidths::of(&format);
+    let widths = Widths::of_format(&format);
     let position = prop::array::uniform3(0..1_u16 << widths.position);
     let mantissa = prop::array::uniform3(0..=u16::MAX >> (16 - widths.mantissa));
     let channels = format.power.channels.names().len();
@@ -175,7 +175,7 @@ proptest! {
             .prop_flat_map(|format| (Just(format), record(format)))
     ) {
         let bits = pack(&format, &record).unwrap();
-        prop_assert!(bits >> FormatWidths::of(&format).bits_per_photon == 0);
+        prop_assert!(bits >> Widths::of_format(&format).bits_per_photon == 0);
         prop_assert_eq!(unpack(&format, bits), Ok(record));
     }
 
@@ -185,7 +185,7 @@ proptest! {
         format in any_format(),
         bits in any::<u128>(),
     ) {
-        let width = FormatWidths::of(&format).bits_per_photon;
+        let width = Widths::of_format(&format).bits_per_photon;
         let bits = bits & ((1 << width) - 1);
         if let Ok(record) = unpack(&format, bits) {
             prop_assert_eq!(pack(&format, &record), Ok(bits));
@@ -271,7 +271,7 @@ fn none_one_and_a_quarter_million_identical_photons() {
 #[test]
 fn the_largest_declared_count_at_full_scale_is_exact_and_one_more_is_refused() {
     for format in PHOTON_FORMATS {
-        let widths = FormatWidths::of(format);
+        let widths = Widths::of_format(format);
         let (block_exponent, exponent) = exponents(format);
         let full = PhotonRecord {
             position: [0; 3],

@@ -41,8 +41,8 @@ pub use cell::{
     unit_utilisation,
 };
 pub use formats::{
-    Channels, Exponent, FormatError, FormatWidths, Numbers, PHOTON_FORMATS, PhotonBlock,
-    PhotonFormat, PhotonRecord, PlainFormat, PowerFormat, Rounding, Squarer, UnknownFormat, Widths,
+    Channels, Exponent, FormatError, Numbers, PHOTON_FORMATS, PhotonBlock, PhotonFormat,
+    PhotonRecord, PlainFormat, PowerFormat, Rounding, Squarer, UnknownFormat, Widths,
     find_photon_format,
 };
 pub use hypercube::{Axis, Hypercube, Role};
@@ -60,6 +60,5 @@ pub use sequential::{
 pub use spatial::{
     Cut, Cuts, ENGINE_REGISTERS, EngineKind, EngineRegister, EngineRow, EngineUnits, FlowRow,
     HeadRegister, HeadSizes, Instances, MemoryRegister, Radius, Spatial, SpatialError,
-    SpatialWidths,
 };
 pub use stream::{Group, Inputs, Lane, Outputs, Photon, Query, Sums};

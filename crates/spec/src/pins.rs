@@ -7,7 +7,7 @@
 use crate::cell::{self, OVERLAPPED, Register, SEQUENTIAL};
 use crate::formats::Widths;
 use crate::machine::Machine;
-use crate::spatial::{EngineRegister, HeadRegister, MemoryRegister, SpatialPins, SpatialWidths};
+use crate::spatial::{EngineRegister, HeadRegister, MemoryRegister, SpatialPins};
 use crate::stream::{Group, Inputs, Lane, Outputs, Photon, Query, Sums};
 
 /// A signal with its width. Its Verilog name is that at the top level or in the trace module.
@@ -281,12 +281,7 @@ fn output_pins(machine: &Machine, widths: &Widths) -> Vec<Pin> {
     for channel in machine.channels().names() {
         pins.push(top(format!("result_{channel}"), widths.sum));
     }
-    // Where the count has an adder of its own, it has a width of its own.
-    let count = match (machine.spatial(), machine.format()) {
-        (Some(_), Some(format)) => SpatialWidths::of(format).count,
-        _ => widths.sum,
-    };
-    pins.push(top(format!("result_{COUNT}"), count));
+    pins.push(top(format!("result_{COUNT}"), widths.count));
     pins
 }
 

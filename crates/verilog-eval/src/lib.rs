@@ -35,7 +35,7 @@ use program::Program;
 use run::Running;
 use syntax::Line;
 
-pub use modules::{ModuleText, modules};
+pub use modules::{ModuleText, initial_values, modules};
 pub use value::Value;
 
 /// The widest signal that can be driven or observed, in bits.

@@ -63,6 +63,53 @@ pub fn modules(text: &str) -> Vec<ModuleText<'_>> {
     modules
 }
 
+/// The places of the initial values of a text, in their order: each `initial` statement as a whole, and in each
+/// declaration `reg NAME = VALUE;` the text from the equals sign to the end of the value.
+pub fn initial_values(text: &str) -> Vec<Range<usize>> {
+    let mut places: Vec<Range<usize>> = Vec::new();
+    for word in words(text) {
+        let is_inside = places.last().is_some_and(|place| word.start < place.end);
+        match &text[word.clone()] {
+            "initial" if !is_inside => places.push(word.start..statement_end(text, word.end)),
+            "reg" if !is_inside => {
+                let declaration = &text[word.end..statement_end(text, word.end)];
+                let value = declaration.find(['=', ';', ',', ')']);
+                let value = value.filter(|&at| declaration[at..].starts_with('='));
+                places.extend(value.map(|at| {
+                    let end = declaration.trim_end_matches(';').len();
+                    word.end + declaration[..at].trim_end().len()..word.end + end
+                }));
+            }
+            _ => {}
+        }
+    }
+    places
+}
+
+/// The end of the statement that begins at `from`: its semicolon, or the `end` of its block.
+fn statement_end(text: &str, from: usize) -> usize {
+    let (mut at, mut brackets, mut blocks) = (from, 0_u32, 0_u32);
+    while let Some(first) = text[at..].chars().next() {
+        let rest = &text[at..];
+        let length = match rest.find(|letter| !is_word(letter)) {
+            Some(0) => passed_over(rest),
+            Some(length) => length,
+            None => rest.len(),
+        };
+        at += length;
+        match &rest[..length] {
+            "begin" => blocks += 1,
+            "end" if blocks == 1 => return at,
+            "end" => blocks = blocks.saturating_sub(1),
+            _ if first == '(' => brackets += 1,
+            _ if first == ')' => brackets = brackets.saturating_sub(1),
+            _ if first == ';' && brackets == 0 && blocks == 0 => return at,
+            _ => {}
+        }
+    }
+    at
+}
+
 /// The places of the words of a text: names, keywords and numbers.
 fn words(text: &str) -> impl Iterator<Item = Range<usize>> {
     let mut at = 0;
@@ -137,6 +184,25 @@ mod tests {
         assert_eq!(modules("module a(); // endmodule"), []);
         assert_eq!(modules("endmodule \"module"), []);
         assert_eq!(modules("module"), []);
+    }
+
+    #[test]
+    fn initial_values_are_statements_and_values_of_declarations() {
+        let text = "module m(input wire a, output reg b);\n  reg [7:0] c = 8'd1;\n  reg d; // initial e = 1;\n  \
+                    initial b = f(1'd0);\n  initial for (i = 0; i < 2; i = i + 1) w[i] = 0;\n  initial begin\n    \
+                    if (a) begin c = 2; end\n    d = 1;\n  end\n  reg [1:0] w [0:1];\nendmodule";
+        let found: Vec<_> = initial_values(text)
+            .into_iter()
+            .map(|place| &text[place])
+            .collect();
+        let expected = [
+            " = 8'd1",
+            "initial b = f(1'd0);",
+            "initial for (i = 0; i < 2; i = i + 1) w[i] = 0;",
+            "initial begin\n    if (a) begin c = 2; end\n    d = 1;\n  end",
+        ];
+        assert_eq!(found, expected);
+        assert_eq!(initial_values("initial begin a = 1;"), [0..20]);
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! The reasons why some points cannot be used by any stimulus.
 
 use photoncube_hdl::Emitted;
-use photoncube_spec::{Machine, Organisation, PhotonFormat, Role, SpatialWidths, Squarer, Widths};
+use photoncube_spec::{Machine, Organisation, PhotonFormat, Role, Squarer, Widths};
 
 use super::constants::{Constants, constants};
 use super::points::{CoverageKind, Point};
@@ -105,9 +105,8 @@ const RULES: &[Rule] = &[
     Rule {
         kind: CoverageKind::Toggle,
         holds: |words, _, path, bit| {
-            let widths = spatial_widths(words.machine);
-            let bits = widths.map(|widths| 2 * widths.coordinate);
-            path.ends_with(".squared") && bits.is_some_and(|bits| bit >= bits)
+            let product = Widths::of(words.machine).product();
+            words.machine.spatial().is_some() && path.ends_with(".squared") && bit >= product
         },
         why: "a difference of coordinates of n bits is never -2^n, whose square alone has 2 n + 1 bits",
     },
@@ -152,11 +151,6 @@ const RULES: &[Rule] = &[
 
 /// Of every square of a whole number.
 const SQUARES: &str = "a square is 0 or 1 modulo 4";
-
-fn spatial_widths(machine: &Machine) -> Option<SpatialWidths> {
-    machine.spatial()?;
-    machine.format().map(SpatialWidths::of)
-}
 
 /// Bits of a digit of a square.
 const DIGIT_BITS: u32 = 4;

@@ -117,11 +117,14 @@ pub enum DeviceError {
         /// The last output of the device, or the error in its answer.
         message: String,
     },
-    /// A text that a planted fault replaces does not occur once where it should.
+    /// A text that a planted fault replaces does not occur once in its module.
     #[error(
-        "a planted fault replaces `{find}`, which was found {times} times, expected once; correct the fault's row"
+        "a planted fault replaces `{find}` in module `{module}`, which was found {times} times, expected once; correct \
+         the fault's row"
     )]
     NotPlanted {
+        /// The name of the module.
+        module: String,
         /// The text.
         find: String,
         /// The number of times that it was found.

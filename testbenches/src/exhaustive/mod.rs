@@ -103,9 +103,8 @@ const BOUNDARY: PlantedFault = PlantedFault {
 pub fn exhaustive_controls() -> Result<Vec<Control>, VerifyError> {
     let (unit, bits) = (Unit::Add, 8);
     let mut sum = emit_unit(unit, bits).map_err(hdl_error_of(unit.name()))?;
-    let heading = format!("module {}(", sum.top);
     let wrong = "(a + b) ^ ((a == 8'd171) && (b == 8'd205))";
-    sum.text = plant(&sum.text, &heading, "a + b", wrong)?;
+    sum.text = plant(&sum.text, &sum.top, "a + b", wrong)?;
     let mut device = DeviceKind::Text.open_text(&sum)?;
     let verdict = exhaustive_unit_device(unit, bits, device.as_mut())?;
     let of_sum = Control {

@@ -2,7 +2,7 @@
 
 use photoncube_hdl::Unit;
 use photoncube_model::CellRules;
-use photoncube_spec::{Cut, Squarer, Unit as CellUnit, Widths};
+use photoncube_spec::{Cut, Numbers, PlainFormat, Squarer, Unit as CellUnit, Widths};
 
 use crate::levels::{op_of, result};
 use crate::squares::SquarePair;
@@ -37,16 +37,14 @@ fn pairs(bits: u32) -> impl Iterator<Item = (u64, u64)> {
 /// The widths of a cell whose units have operands of `bits` bits.
 fn narrow(bits: u32) -> Widths {
     Widths {
-        coordinate: bits,
-        photon: bits,
-        difference: bits,
-        square: 2 * bits,
         radius_sq: bits,
-        mantissa: bits,
-        exponent: 0,
-        power: bits,
         work: bits,
         sum: bits,
+        ..Widths::of_numbers(&Numbers::Plain(PlainFormat {
+            coordinate_bits: bits,
+            power_bits: bits,
+            max_photons: 1,
+        }))
     }
 }
 

@@ -17,53 +17,22 @@ use crate::verify::{VerifyError, nothing_compared, wrong_count};
 /// keep their values. Block RAMs start with unknown words. Also returns the number of initial values that
 /// were removed.
 pub fn without_initial_values(design: &Emitted) -> (Emitted, usize) {
-    let lines: Vec<_> = design.text.lines().collect();
-    let mut text = String::new();
-    let (mut index, mut removed) = (0, 0);
-    while index < lines.len() {
-        let line = lines[index];
-        let next = lines.get(index + 1).map_or("", |line| line.trim());
-        if line.trim() == "initial begin" && next.starts_with("q = ") {
-            // `initial begin`, the value, `end`.
-            removed += 1;
-            index += 3;
-            continue;
-        }
-        let line_alone = ["initial for ", "initial q = "];
-        if line_alone
-            .iter()
-            .any(|start| line.trim().starts_with(start))
-        {
-            removed += 1;
-            index += 1;
-            continue;
-        }
-        match declaration(line) {
-            Some(bare) => {
-                removed += 1;
-                text += bare;
-                text += ";\n";
-            }
-            None => {
-                text += line;
-                text += "\n";
-            }
-        }
-        index += 1;
+    // A table is a block that assigns words of an array.
+    let is_table = |value: &str| value.starts_with("initial begin") && value.contains("] = ");
+    let places = verilog_eval::initial_values(&design.text).into_iter();
+    let removed: Vec<_> = places
+        .filter(|place| !is_table(&design.text[place.clone()]))
+        .collect();
+    let mut text = design.text.clone();
+    for place in removed.iter().rev() {
+        text.replace_range(place.clone(), "");
     }
     let design = Emitted {
         text,
         block_rams: Vec::new(),
         ..design.clone()
     };
-    (design, removed)
-}
-
-/// The text `reg [..] name = value;` up to the value; `None` for other lines.
-fn declaration(line: &str) -> Option<&str> {
-    let is_register = line.trim().starts_with("reg ") || line.contains("*) reg ");
-    let (bare, value) = line.split_once(" = ")?;
-    (is_register && value.ends_with(';') && value.contains('\'')).then_some(bare)
+    (design, removed.len())
 }
 
 /// Verifies a text without its initial values. Until a reset and the first queries have passed, a value must

@@ -2,7 +2,7 @@
 //! of a few groups, in which a search reaches the last place.
 
 use photoncube_hdl::{Level, emit};
-use photoncube_spec::{Machine, Organisation, Spatial, SpatialWidths};
+use photoncube_spec::{Machine, Organisation, Spatial, Widths};
 
 use super::property::{Fault, Method, Open, Property, at, of_logic};
 
@@ -41,11 +41,7 @@ const SIGNALS: &[&str] = &[
 ];
 
 /// The properties of a machine with a photon memory.
-pub(super) fn properties(
-    machine: &Machine,
-    spatial: &Spatial,
-    widths: &SpatialWidths,
-) -> Vec<Property> {
+pub(super) fn properties(machine: &Machine, spatial: &Spatial, widths: &Widths) -> Vec<Property> {
     if !machine.has_memory() {
         return Vec::new();
     }
@@ -69,7 +65,7 @@ pub(super) fn properties(
         .collect()
 }
 
-fn property(machine: &Machine, widths: &SpatialWidths, groups: u32) -> Property {
+fn property(machine: &Machine, widths: &Widths, groups: u32) -> Property {
     let (ports, word) = ports(machine, widths);
     let is_small = groups == FEW;
     let bits = groups.ilog2();
@@ -129,7 +125,7 @@ fn small_faults(bits: u32) -> Vec<Fault> {
 
 /// The ports of a group and of a word, as slices of the harness's words in the order of the block RAM's, with
 /// their width.
-fn ports(machine: &Machine, widths: &SpatialWidths) -> (String, u32) {
+fn ports(machine: &Machine, widths: &Widths) -> (String, u32) {
     let (mut text, mut low) = (String::new(), 0);
     let channels = machine.channels().names();
     for lane in 0..Spatial::LANES {

@@ -23,6 +23,7 @@ use photoncube_spec::{Machine, Organisation, Unit};
 use serde::Serialize;
 use thiserror::Error;
 
+use crate::controls::{module_place, plant};
 use crate::device::{DeviceError, hdl_error};
 use crate::tools::{Tool, ToolError};
 use netlist::Netlist;
@@ -90,21 +91,6 @@ pub enum FormalError {
     /// Yosys is missing.
     #[error(transparent)]
     Tool(#[from] ToolError),
-    /// The text of a planted fault does not occur exactly once in its module.
-    #[error(
-        "property `{property}`: the text of its fault, `{find}`, stands {times} times in module `{module}`, once \
-         expected; correct the row in testbenches/src/formal/"
-    )]
-    Fault {
-        /// The name of the property.
-        property: &'static str,
-        /// The name of the module.
-        module: String,
-        /// The text that the fault replaces.
-        find: String,
-        /// The number of times that the text occurs.
-        times: usize,
-    },
     /// No property has the given name.
     #[error("machine `{machine}` has no property of such a name; it has: {known}")]
     Nothing {
@@ -117,7 +103,8 @@ pub enum FormalError {
 
 /// The properties of the machine's organisation.
 fn properties(machine: &Machine, design: &Emitted) -> Vec<Property> {
-    let has_module = |module: &str| !module_text(&design.text, &design.top, module).1.is_empty();
+    let has_module =
+        |module: &str| !module_place(&design.text, &full_name(&design.top, module)).is_empty();
     match machine.organisation {
         Organisation::Sequential | Organisation::Programmed(_) => sequential::properties(machine),
         Organisation::Overlapped => overlap::properties(machine),
@@ -229,7 +216,7 @@ fn prove(property: &Property, design: &str, prefix: &str) -> Result<Proof, Forma
     }
     let mut control_refuted = !property.faults.is_empty();
     for fault in &property.faults {
-        let planted = plant(property, fault, design, prefix)?;
+        let planted = planted(fault, design, prefix)?;
         let answers = put(&planted, &[property.refutation()])?;
         let missed = wrong(&fault.put, &answers[0], &Answer::Refuted);
         control_refuted &= missed.is_none();
@@ -269,38 +256,21 @@ fn name_of(module: &str) -> String {
 }
 
 /// Plants a fault in the design.
-fn plant(
-    property: &Property,
-    fault: &Fault,
-    design: &str,
-    prefix: &str,
-) -> Result<String, FormalError> {
-    let (module, place) = module_text(design, prefix, fault.module);
-    let times = design[place.clone()].matches(&fault.find).count();
-    if times != 1 {
-        return Err(FormalError::Fault {
-            property: property.name,
-            module,
-            find: fault.find.clone(),
-            times,
-        });
-    }
-    let changed = design[place.clone()].replace(&fault.find, &fault.put);
-    Ok(design[..place.start].to_owned() + &changed + &design[place.end..])
+fn planted(fault: &Fault, design: &str, prefix: &str) -> Result<String, DeviceError> {
+    plant(
+        design,
+        &full_name(prefix, fault.module),
+        &fault.find,
+        &fault.put,
+    )
 }
 
-/// A module's full name and the place of its text; an empty place where there is no such module.
-fn module_text(design: &str, prefix: &str, module: &str) -> (String, std::ops::Range<usize>) {
-    let name = match module {
+/// The name of a module in the text, from its name without the prefix.
+fn full_name(prefix: &str, module: &str) -> String {
+    match module {
         "" => prefix.to_owned(),
         module => format!("{prefix}_{module}"),
-    };
-    let modules = verilog_eval::modules(design).into_iter();
-    let mut places = modules
-        .filter(|module| module.name == name)
-        .map(|module| module.place);
-    let place = places.next();
-    (name, place.unwrap_or(0..0))
+    }
 }
 
 #[cfg(test)]
@@ -323,7 +293,7 @@ mod tests {
                 assert!(!property.faults.is_empty() && !property.covers.is_empty());
                 for fault in &property.faults {
                     let text = property.design.as_ref().unwrap_or(&design.text);
-                    let planted = plant(property, fault, text, &design.top).unwrap();
+                    let planted = planted(fault, text, &design.top).unwrap();
                     assert_ne!(&planted, text);
                 }
             }
@@ -338,14 +308,13 @@ mod tests {
     fn a_fault_that_is_not_there_is_an_error() {
         let machine = find_machine("paper").unwrap();
         let design = emit(machine, Level::Machine).unwrap();
-        let property = &properties(machine, &design)[0];
         for (module, find) in [
             ("difference", "no such text"),
             ("no_such_module", "a"),
             ("difference", "a"),
         ] {
             let fault = Fault::new(module, find, "b");
-            let error = plant(property, &fault, &design.text, &design.top).unwrap_err();
+            let error = planted(&fault, &design.text, &design.top).unwrap_err();
             assert!(error.to_string().contains("once"), "{error}");
         }
     }

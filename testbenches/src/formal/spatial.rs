@@ -1,7 +1,7 @@
 //! The properties of spatial machines: those of each unit that the machine has, of its sums, and of its queue
 //! where it is short enough; for one engine, those of its admission.
 
-use photoncube_spec::{HeadSizes, Machine, PhotonFormat, Spatial, SpatialWidths};
+use photoncube_spec::{HeadSizes, Machine, Spatial, Widths};
 
 use super::memory;
 use super::property::{Fault, Method, Open, Property, at, covers, of_logic};
@@ -18,28 +18,25 @@ pub(super) fn has_short_memories(spatial: &Spatial) -> bool {
 
 /// All properties, the cheapest first. `has_module` returns whether the emitted text has a module.
 pub(super) fn properties(machine: &Machine, has_module: &dyn Fn(&str) -> bool) -> Vec<Property> {
-    let format = machine
-        .format()
-        .expect("a spatial machine has a photon format");
     let spatial = machine.spatial().expect("it is spatial");
-    let widths = SpatialWidths::of(format);
+    let widths = Widths::of(machine);
     let sizes = HeadSizes::of(spatial);
     let full_scale = machine.full_scale();
     let units = UNITS.iter().filter(|unit| has_module(unit.module));
-    let mut properties: Vec<_> = units.map(|unit| unit.property(format)).collect();
+    let mut properties: Vec<_> = units.map(|unit| unit.property(machine)).collect();
     properties.extend([
         sum(
             "sums::power",
             "accumulate",
             machine,
-            [widths.group_power, widths.sum],
+            [widths.group_power(), widths.sum],
             full_scale,
         ),
         sum(
             "sums::count",
             "accumulate_2",
             machine,
-            [SpatialWidths::GROUP_COUNT, widths.count],
+            [Widths::GROUP_COUNT, widths.count],
             1,
         ),
     ]);
@@ -67,7 +64,7 @@ struct Unit {
     fault: (&'static str, &'static str),
 }
 
-type Width = fn(&SpatialWidths) -> u32;
+type Width = fn(&Widths) -> u32;
 
 const BIT: Width = |_| 1;
 
@@ -80,7 +77,7 @@ const UNITS: &[Unit] = &[
         module: "subtract",
         claim: "difference = a - b in two's complement",
         inputs: &[("a", |w| w.coordinate), ("b", |w| w.coordinate)],
-        output: ("difference", |w| w.difference),
+        output: ("difference", |w| w.signed_difference()),
         second: None,
         claims: "assert (result[`OUT-1] == (a < b)); assert (result[`OUT-2:0] + b == {1'b0, a} + {result[`OUT-1], {`OUT-1{1'b0}}});",
         covers: ["a < b", "a > b"],
@@ -90,7 +87,7 @@ const UNITS: &[Unit] = &[
         name: "units::magnitude",
         module: "magnitude_of",
         claim: "magnitude = |difference|; assumed: not below the smallest difference of two coordinates",
-        inputs: &[("difference", |w| w.difference)],
+        inputs: &[("difference", |w| w.signed_difference())],
         output: ("magnitude", |w| w.coordinate),
         second: None,
         claims: "assume (difference != {1'b1, {`OUT{1'b0}}}); \
@@ -103,7 +100,7 @@ const UNITS: &[Unit] = &[
         module: "split_magnitude",
         claim: "counted = magnitude modulo 2^radius; far = the rest is not 0",
         inputs: &[("magnitude", |w| w.coordinate)],
-        output: ("counted", |w| w.radius),
+        output: ("counted", |w| w.difference),
         second: Some("far"),
         claims: "assert (second == (magnitude >= (1 << `OUT))); assert (second || result == magnitude);",
         covers: ["second", "~second & result != 0"],
@@ -113,8 +110,8 @@ const UNITS: &[Unit] = &[
         name: "units::digit_products",
         module: "digit_products",
         claim: "low_product + 4 high_product = the product of the two digits",
-        inputs: &[("magnitude", |w| w.radius)],
-        output: ("low_product", |w| w.low_product),
+        inputs: &[("magnitude", |w| w.difference)],
+        output: ("low_product", |w| w.low_product()),
         second: Some("high_product"),
         claims: "assert (result + 4 * second == magnitude[`LOW+:4] * magnitude[`LOW-1:0]);",
         covers: ["second != 0", "result != 0"],
@@ -125,10 +122,10 @@ const UNITS: &[Unit] = &[
         module: "cross_sum",
         claim: "cross_product = low_product + 4 high_product, modulo its width",
         inputs: &[
-            ("low_product", |w| w.low_product),
-            ("high_product", |w| w.high_product),
+            ("low_product", |w| w.low_product()),
+            ("high_product", |w| w.high_product()),
         ],
-        output: ("cross_product", |w| w.cross),
+        output: ("cross_product", |w| w.cross()),
         second: None,
         claims: "assert (result == (low_product + 4 * high_product) % (1 << `OUT));",
         covers: ["high_product != 0", "low_product != 0"],
@@ -141,7 +138,10 @@ const UNITS: &[Unit] = &[
         name: "units::square_sum",
         module: "square_sum",
         claim: "square = magnitude * magnitude, for every magnitude; assumed: the product of its digits is given",
-        inputs: &[("magnitude", |w| w.radius), ("cross_product", |w| w.cross)],
+        inputs: &[
+            ("magnitude", |w| w.difference),
+            ("cross_product", |w| w.cross()),
+        ],
         output: ("square", |w| w.square),
         second: None,
         claims: "assume (cross_product == magnitude[`LOW+:4] * magnitude[`LOW-1:0]); assert (result == 1 * magnitude * magnitude);",
@@ -153,7 +153,7 @@ const UNITS: &[Unit] = &[
         module: "pair_sum",
         claim: "sum = a + b, exactly",
         inputs: &[("a", |w| w.square), ("b", |w| w.square)],
-        output: ("sum", |w| w.pair),
+        output: ("sum", |w| w.pair()),
         second: None,
         claims: "assert ({1'b0, result} - b == a);",
         covers: ["result[`OUT-1]", "result == 0"],
@@ -163,7 +163,7 @@ const UNITS: &[Unit] = &[
         name: "units::distance_sum",
         module: "distance_sum",
         claim: "sum = a + b, exactly",
-        inputs: &[("a", |w| w.pair), ("b", |w| w.square)],
+        inputs: &[("a", |w| w.pair()), ("b", |w| w.square)],
         output: ("sum", |w| w.distance),
         second: None,
         claims: "assert ({1'b0, result} - b == a);",
@@ -217,7 +217,7 @@ const UNITS: &[Unit] = &[
             ("a_in_range", BIT),
             ("b_in_range", BIT),
         ],
-        output: ("sum", |w| w.pair_power),
+        output: ("sum", |w| w.pair_power()),
         second: None,
         claims: "assert ({1'b0, result} - (a_in_range ? a : 0) == (b_in_range ? b : 0));",
         covers: ["result[`OUT-1]", "a != 0 & b != 0 & result == 0"],
@@ -233,7 +233,7 @@ const UNITS: &[Unit] = &[
             ("a_in_range", BIT),
             ("b_in_range", BIT),
         ],
-        output: ("sum", |_| SpatialWidths::PAIR_COUNT),
+        output: ("sum", |_| Widths::PAIR_COUNT),
         second: None,
         claims: "if (a & a_in_range & b & b_in_range) assert (result == 2); \
                  else if ((a & a_in_range) | (b & b_in_range)) assert (result == 1); else assert (result == 0);",
@@ -244,8 +244,8 @@ const UNITS: &[Unit] = &[
         name: "units::group_sum",
         module: "group_sum",
         claim: "sum = a + b, exactly",
-        inputs: &[("a", |w| w.pair_power), ("b", |w| w.pair_power)],
-        output: ("sum", |w| w.group_power),
+        inputs: &[("a", |w| w.pair_power()), ("b", |w| w.pair_power())],
+        output: ("sum", |w| w.group_power()),
         second: None,
         claims: "assert ({1'b0, result} - b == a);",
         covers: ["result[`OUT-1]", "result == 0"],
@@ -255,11 +255,8 @@ const UNITS: &[Unit] = &[
         name: "units::group_count",
         module: "group_sum_2",
         claim: "sum = a + b, exactly",
-        inputs: &[
-            ("a", |_| SpatialWidths::PAIR_COUNT),
-            ("b", |_| SpatialWidths::PAIR_COUNT),
-        ],
-        output: ("sum", |_| SpatialWidths::GROUP_COUNT),
+        inputs: &[("a", |_| Widths::PAIR_COUNT), ("b", |_| Widths::PAIR_COUNT)],
+        output: ("sum", |_| Widths::GROUP_COUNT),
         second: None,
         claims: "assert ({1'b0, result} - b == a);",
         covers: ["result[`OUT-1]", "result == 0"],
@@ -285,8 +282,10 @@ pub(super) fn unit_modules() -> impl Iterator<Item = &'static str> {
 }
 
 impl Unit {
-    fn property(&self, format: &PhotonFormat) -> Property {
-        let widths = &SpatialWidths::of(format);
+    fn property(&self, machine: &Machine) -> Property {
+        let widths = &Widths::of(machine);
+        let format = machine.format();
+        let format = format.expect("a spatial machine has a photon format");
         let (output, width) = self.output;
         let input =
             |(name, width): &(&str, Width)| format!("input wire [{}-1:0] {name}, ", width(widths));
@@ -295,7 +294,7 @@ impl Unit {
             .second
             .map_or(String::new(), |name| format!(", .{name}(second)"));
         let second_width = match self.second {
-            Some("high_product") => widths.high_product,
+            Some("high_product") => widths.high_product(),
             _ => 1,
         };
         let declared = self.second.map_or(String::new(), |_| {
@@ -305,7 +304,7 @@ impl Unit {
         Property {
             macros: vec![
                 ("OUT", width(widths).to_string()),
-                ("LOW", widths.low_digit.to_string()),
+                ("LOW", widths.low_digit().to_string()),
                 ("LIMIT", format.largest_in_range().to_string()),
                 ("INPUTS", self.inputs.iter().map(input).collect()),
                 ("SECOND", declared),
@@ -362,7 +361,7 @@ fn sum(
     }
 }
 
-fn queue(widths: &SpatialWidths, sizes: &HeadSizes, engines: usize) -> Property {
+fn queue(widths: &Widths, sizes: &HeadSizes, engines: usize) -> Property {
     let sum = widths.sum;
     let bits = 3 * sum + widths.count;
     let slice = |channel: u32| format!("[{}*{sum}+:{sum}]", channel);

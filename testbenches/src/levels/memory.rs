@@ -3,7 +3,7 @@
 
 use photoncube_hdl::{Level, level_pins};
 use photoncube_model::{GoldenMemory, HeadStatus};
-use photoncube_spec::{Group, Inputs, Lane, Machine, Photon, Pin, Pins, Spatial, SpatialWidths};
+use photoncube_spec::{Group, Inputs, Lane, Machine, Photon, Pin, Pins, Spatial, Widths};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
@@ -108,7 +108,7 @@ pub(crate) struct MemoryWalk<'a> {
     model: GoldenMemory,
     /// The number of groups of a bank.
     bank: usize,
-    widths: SpatialWidths,
+    widths: Widths,
     rng: Pcg64,
     stretch: Stretch,
     /// The number of groups taken of the set that is being filled.
@@ -133,11 +133,7 @@ impl<'a> MemoryWalk<'a> {
     /// The machine has no memory that can be emitted.
     pub fn new(machine: &'a Machine, seed: u64) -> Result<Self, DeviceError> {
         let pins = level_pins(machine, Level::Memory).map_err(hdl_error(machine))?;
-        let (Some(model), Some(spatial), Some(format)) = (
-            GoldenMemory::of(machine),
-            machine.spatial(),
-            machine.format(),
-        ) else {
+        let (Some(model), Some(spatial)) = (GoldenMemory::of(machine), machine.spatial()) else {
             unreachable!("a machine whose memory is emitted has one");
         };
         let bank = spatial.memory_groups as usize;
@@ -147,7 +143,7 @@ impl<'a> MemoryWalk<'a> {
             pins,
             model,
             bank,
-            widths: SpatialWidths::of(format),
+            widths: Widths::of(machine),
             stretch: Stretch::any(&mut rng, bank),
             rng,
             place: 0,

@@ -10,9 +10,7 @@ mod overlap;
 mod unit;
 
 use photoncube_hdl::{Level, level_pins};
-use photoncube_spec::{
-    Cut, Field, Machine, Op, Organisation, Pin, Pins, SEQUENTIAL, SpatialWidths, Step, Widths,
-};
+use photoncube_spec::{Cut, Field, Machine, Op, Organisation, Pin, Pins, SEQUENTIAL, Step, Widths};
 use rand::SeedableRng;
 use rand_pcg::Pcg64;
 use serde::Serialize;
@@ -164,10 +162,9 @@ impl Trace {
     /// Rows for two squares of a spatial machine, a pair of operands a clock. The output belongs to the
     /// operands of as many clocks before as the squares have registers; before that it is 0.
     fn square_pair(&mut self, machine: &Machine, vectors: usize, rng: &mut Pcg64) {
-        let (Some(spatial), Some(format)) = (machine.spatial(), machine.format()) else {
-            panic!("only spatial machines have pairs of squares");
-        };
-        let widths = SpatialWidths::of(format);
+        let spatial = machine.spatial();
+        let spatial = spatial.expect("only spatial machines have pairs of squares");
+        let widths = Widths::of(machine);
         let of_squares = |cut: &Cut| *cut < Cut::Pair && spatial.cuts.has(*cut);
         let latency = Cut::ALL.iter().filter(|cut| of_squares(cut)).count();
         let mask = (1 << widths.coordinate) - 1;
@@ -184,7 +181,7 @@ impl Trace {
             }
             false => [(); 3].map(|()| corner(rng, widths.coordinate)),
         };
-        let mut squares = SquarePair::new(latency, widths.radius, machine.squarer);
+        let mut squares = SquarePair::new(latency, widths.difference, machine.squarer);
         for index in 0..vectors.max(latency + 1) {
             let [query, photon_a, photon_b] = operands(index, rng);
             let expected = squares.clock(query, [photon_a, photon_b]);

@@ -249,8 +249,8 @@ pub fn program_control() -> Result<Control, VerifyError> {
     let machine = &MACHINES[0];
     let open = |machine: &Machine, level| {
         let mut design = emit(machine, level).map_err(hdl_error(machine))?;
-        let heading = "_add_unit(a, b, sum);";
-        design.text = plant(&design.text, heading, "a + b", "a ^ b")?;
+        let module = format!("{}_add_unit", design.top);
+        design.text = plant(&design.text, &module, "a + b", "a ^ b")?;
         DeviceKind::Text.open_text(&design)
     };
     let mut control = Control {

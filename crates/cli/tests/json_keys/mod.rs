@@ -1,10 +1,12 @@
-//! Tests that every JSON key that a command prints is documented.
+//! Tests that every JSON key that a command prints is explained in docs/json.md, under that command or under the
+//! keys of several commands.
 
 use serde_json::Value;
 
 use super::shared::{FIT, HARD_CASES, REPORT, RUN};
 use super::{json, photoncube};
 
+const PAGE: &str = include_str!("../../../../docs/json.md");
 const COMMITTED_FIGURES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/measured");
 
 /// A campaign with a job.
@@ -40,7 +42,6 @@ fn every_json_key_is_documented() {
     let state = folder.path().join("state.json");
     let state = state.to_str().unwrap();
     std::fs::write(state, CAMPAIGN).unwrap();
-    let mut found = Vec::new();
     for args in [
         &["list"][..],
         &["list", "tile-6"],
@@ -57,19 +58,56 @@ fn every_json_key_is_documented() {
         &["verify", "campaign", "--hours", "0", "--state", state],
         &[&render[..], &small[..]].concat(),
     ] {
-        keys(&json(args), &mut found);
+        are_explained(args[0], &json(args));
     }
-    for report in [&RUN.report, &REPORT.report, &FIT, &HARD_CASES] {
-        keys(report, &mut found);
+    for (command, report) in [
+        ("run", &RUN.report),
+        ("report", &REPORT.report),
+        ("fit", &FIT),
+        ("hard-cases", &HARD_CASES),
+    ] {
+        are_explained(command, report);
     }
-    assert!(found.len() > 50, "the commands print keys: {found:?}");
-    are_documented(found);
 }
 
-fn are_documented(mut found: Vec<String>) {
-    let documented = include_str!("../../../../docs/json.md");
-    found.retain(|key| !documented.contains(&format!("`{key}`")));
-    assert!(found.is_empty(), "docs/json.md does not explain {found:?}");
+/// Fails where docs/json.md does not explain a key of `report`, an output of `command`.
+#[track_caller]
+fn are_explained(command: &str, report: &Value) {
+    let mut found = Vec::new();
+    keys(report, &mut found);
+    assert!(!found.is_empty(), "{command} prints keys");
+    let mut sections = PAGE.split("\n## ").map(|text| text.split_once('\n'));
+    let command = format!("`{command}`");
+    let of_command = |heading: &str| heading.contains(&command);
+    let own = sections
+        .clone()
+        .flatten()
+        .find(|(heading, _)| of_command(heading));
+    let shared = sections.find_map(|section| section.filter(|(h, _)| *h == "Several commands"));
+    let (Some((_, own)), Some((_, shared))) = (own, shared) else {
+        panic!("docs/json.md has no section of {command}");
+    };
+    found.retain(|key| {
+        [own, shared]
+            .iter()
+            .all(|text| !text.contains(&format!("`{key}`")))
+    });
+    assert!(found.is_empty(), "docs/json.md, {command}: no {found:?}");
+}
+
+#[test]
+fn a_key_is_explained_once_and_no_line_is_wider_than_the_page() {
+    let rows = PAGE.lines().filter_map(|line| line.strip_prefix("- `"));
+    let mut explained: Vec<_> = rows
+        .filter_map(|row| row.split_once(": "))
+        .flat_map(|(keys, _)| keys.split('`').step_by(2))
+        .collect();
+    assert!(explained.len() > 200, "{explained:?}");
+    explained.sort_unstable();
+    let twice = explained.windows(2).filter(|pair| pair[0] == pair[1]);
+    assert_eq!(twice.collect::<Vec<_>>(), [[""; 2]; 0]);
+    let wide = PAGE.lines().filter(|line| line.chars().count() > 120);
+    assert_eq!(wide.collect::<Vec<_>>(), [""; 0]);
 }
 
 /// The keys of methods that need Verilator, Icarus or Yosys. Each must succeed.
@@ -79,10 +117,7 @@ pub fn of_a_method_with_tools(args: &[&str]) {
     let mut command = photoncube(args);
     let output = command.arg("--json").current_dir(root).assert().success();
     let report = serde_json::from_slice(&output.get_output().stdout).unwrap();
-    let mut found = Vec::new();
-    keys(&report, &mut found);
-    assert!(!found.is_empty(), "{args:?}");
-    are_documented(found);
+    are_explained(args[0], &report);
 }
 
 #[test]

@@ -247,7 +247,7 @@ mod tests {
 
     /// The ports that the first module declares, with their widths.
     fn declared_ports(text: &str) -> BTreeSet<(String, u32)> {
-        let top = text.split("endmodule").next().unwrap_or_default();
+        let top = verilog_eval::modules(text)[0].text;
         let declaration = |line: &str| {
             let line = line.trim().trim_end_matches(';');
             let port = ["input wire ", "output reg ", "output wire "]
@@ -283,10 +283,7 @@ mod tests {
     #[test]
     fn equal_modules_are_merged() {
         let text = emit(&MACHINES[0], Level::Machine).unwrap().text;
-        let modules = text
-            .lines()
-            .filter(|line| line.starts_with("module "))
-            .count();
+        let modules = verilog_eval::modules(&text).len();
         // processor, control, store, decoder, ports, network, cell, square unit, difference,
         // squarer, gate unit, add unit, and registers of 1, 4, 8, 16, 18 and 32 bits.
         assert_eq!(modules, 18);

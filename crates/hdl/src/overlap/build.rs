@@ -4,29 +4,16 @@ use photoncube_spec::{Machine, Squarer, Widths};
 
 use super::cell::Cell;
 use super::processor::Processor;
+use crate::build::{bits, program_widths};
 use crate::level::Level;
 use crate::pinned::Pinned;
 
-/// A description of the compiled widths, for messages.
-pub(crate) const BUILT_IN: &str = "overlapped: 16 cells, 8-bit coordinates, 16-bit powers, \
-                                   32-bit sums, squarers for LUTs; whole or by cell";
-
-const WIDTHS: Widths = Widths {
-    coordinate: 8,
-    photon: 8,
-    difference: 8,
-    square: 16,
-    radius_sq: 18,
-    mantissa: 16,
-    exponent: 0,
-    power: 16,
-    work: 18,
-    sum: 32,
-};
+/// The compiled widths, see [`program_widths`].
+pub(crate) const WIDTHS: [u32; 10] = [8, 8, 8, 16, 18, 16, 0, 16, 18, 32];
 
 /// Builds the block of an overlapped machine at a level; `None` if its widths are not compiled in.
 pub(crate) fn build(machine: &Machine, level: Level) -> Option<Box<dyn Pinned>> {
-    let is_built_in = Widths::of(machine) == WIDTHS
+    let is_built_in = bits(program_widths(&Widths::of(machine))) == WIDTHS
         && machine.dimension == 4
         && machine.squarer == Squarer::Digits;
     if !is_built_in {

@@ -9,4 +9,4 @@ mod digits;
 mod pinned;
 mod processor;
 
-pub(crate) use build::{BUILT_IN, build};
+pub(crate) use build::{WIDTHS, build};

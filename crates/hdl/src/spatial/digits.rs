@@ -5,11 +5,11 @@
 //! so their Verilog is written by hand. The square as a whole is simulated from the emitted text for every
 //! pair of coordinates.
 
-use photoncube_spec::SpatialWidths;
+use photoncube_spec::Widths;
 use rust_hdl::prelude::*;
 
 /// Bits of the high digit.
-const HIGH: usize = SpatialWidths::HIGH_DIGIT as usize;
+const HIGH: usize = Widths::HIGH_DIGIT as usize;
 /// Bits of the low digit that the first of the two products uses.
 const FIRST: usize = 2;
 

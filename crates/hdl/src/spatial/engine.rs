@@ -1,6 +1,6 @@
 //! An engine: the 16 cells that test the photons against one query.
 
-use photoncube_spec::{Cut, EngineKind, Machine, Spatial, SpatialWidths};
+use photoncube_spec::{Cut, EngineKind, Machine, Spatial, Widths};
 use rust_hdl::prelude::*;
 
 use super::flags::{GroupFlags, QueryFlags, QueryWord};
@@ -16,8 +16,8 @@ const AXES: usize = 3;
 const COORDINATES: usize = AXES * LANES;
 /// Bits of a photon's presence, of the count of a pair and of the count of a group.
 const PRESENCE: usize = 1;
-const PAIR_COUNT: usize = SpatialWidths::PAIR_COUNT as usize;
-const GROUP_COUNT: usize = SpatialWidths::GROUP_COUNT as usize;
+const PAIR_COUNT: usize = Widths::PAIR_COUNT as usize;
+const GROUP_COUNT: usize = Widths::GROUP_COUNT as usize;
 
 /// The parameters that an engine is built from.
 #[derive(Copy, Clone)]

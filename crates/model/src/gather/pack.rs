@@ -1,11 +1,11 @@
 //! Packs records into bits, in the order that the module of [`photoncube_spec::PhotonRecord`] states.
 
-use photoncube_spec::{Channels, FormatWidths, PhotonFormat, PhotonRecord};
+use photoncube_spec::{Channels, PhotonFormat, PhotonRecord, Widths};
 
 use super::error::{GatherError, PackError};
 use super::range::Limits;
 
-/// Packs a record into the lowest [`FormatWidths::bits_per_photon`] bits; the other bits are 0.
+/// Packs a record into the lowest [`Widths::bits_per_photon`] bits; the other bits are 0.
 ///
 /// # Errors
 /// A value does not fit the format.
@@ -27,7 +27,7 @@ pub fn pack(format: &PhotonFormat, record: &PhotonRecord) -> Result<u128, Gather
 /// [`photoncube_spec::PowerFormat::exponent_range`].
 pub fn unpack(format: &PhotonFormat, bits: u128) -> Result<PhotonRecord, PackError> {
     let limits = Limits::of(&format.into())?;
-    let width = FormatWidths::of(format).bits_per_photon;
+    let width = Widths::of_format(format).bits_per_photon;
     if bits >> width != 0 {
         return Err(PackError::TooWide {
             found: bits,
@@ -57,11 +57,11 @@ fn values(record: &PhotonRecord) -> [u16; 7] {
 }
 
 fn field_widths(format: &PhotonFormat) -> [u32; 7] {
-    let widths = FormatWidths::of(format);
+    let widths = Widths::of_format(format);
     let (p, m) = (widths.position, widths.mantissa);
     let rest = match format.power.channels {
         Channels::Rgb => m,
         Channels::Mono => 0,
     };
-    [p, p, p, m, rest, rest, widths.exponent]
+    [p, p, p, m, rest, rest, widths.record_exponent]
 }

@@ -1,7 +1,7 @@
 //! The largest value of every word in the numbers of a machine, and the checks against them.
 
 use photoncube_spec::{
-    Channels, Exponent, FormatError, Numbers, Photon, PhotonBlock, PhotonRecord, Query,
+    Channels, Exponent, FormatError, Numbers, Photon, PhotonBlock, PhotonRecord, Query, Widths,
 };
 
 use super::error::{CountError, RangeError};
@@ -36,22 +36,22 @@ impl Limits {
     /// The numbers are not legal.
     pub fn of(numbers: &Numbers) -> Result<Self, FormatError> {
         numbers.check()?;
+        let widths = Widths::of_numbers(numbers);
         let ones = |bits: u32| u32::MAX >> (u32::BITS - bits);
         let power = numbers.power();
-        let mantissa = ones(power.mantissa_bits);
+        let mantissa = ones(widths.mantissa);
         let exponent = power.exponent_range();
         let (photon_exponent, block_exponent) = match power.exponent {
             Exponent::None => (0, 0),
             Exponent::Block { .. } => (0, exponent),
             Exponent::Photon { .. } => (exponent, 0),
         };
-        let frame_bits = Numbers::FRAME_BLOCKS.ilog2();
         Ok(Self {
             numbers: *numbers,
-            coordinate: ones(numbers.radius_bits() + frame_bits),
+            coordinate: ones(widths.coordinate),
             radius_sq: numbers.largest_radius_word(),
-            photon: ones(numbers.position_bits() + frame_bits),
-            position: ones(numbers.position_bits()),
+            photon: ones(widths.photon),
+            position: ones(widths.position),
             mantissa: match power.channels {
                 Channels::Rgb => [mantissa; 3],
                 Channels::Mono => [mantissa, 0, 0],

@@ -79,7 +79,7 @@ impl Axis {
         let crossed = rules.cut(Cut::Cross, &mut self.crossed, crossed);
         // (high 2^l + low)^2 contains the product of the digits twice, l bits up.
         let [high, low] = digits(rules, crossed.magnitude);
-        let low_digit = rules.widths.low_digit;
+        let low_digit = rules.widths.low_digit();
         let squares = (high.pow(2) << (2 * low_digit)) + low.pow(2);
         Square {
             word: squares + (crossed.cross << (low_digit + 1)),
@@ -112,7 +112,7 @@ fn squared(d: i32) -> u64 {
 
 impl Magnitude {
     fn of(rules: &Rules, magnitude: u32) -> Self {
-        let word = magnitude % (1 << rules.widths.radius);
+        let word = magnitude % (1 << rules.widths.difference);
         Self {
             word,
             far: word != magnitude,
@@ -123,7 +123,7 @@ impl Magnitude {
 /// The high and the low digit of a magnitude.
 fn digits(rules: &Rules, magnitude: Magnitude) -> [u64; 2] {
     let word = u64::from(magnitude.word);
-    let low_digit = rules.widths.low_digit;
+    let low_digit = rules.widths.low_digit();
     [word >> low_digit, word % (1 << low_digit)]
 }
 
@@ -169,8 +169,8 @@ mod tests {
                     let [right, left] = [[magnitude, 0], [0, magnitude]]
                         .map(|[query, photon]| Axis::default().clock(&rules, query, photon));
                     assert_eq!(right, left);
-                    assert_eq!(right.far, magnitude >> rules.widths.radius != 0);
-                    let inside = u64::from(magnitude % (1 << rules.widths.radius));
+                    assert_eq!(right.far, magnitude >> rules.widths.difference != 0);
+                    let inside = u64::from(magnitude % (1 << rules.widths.difference));
                     let expected = match squarer {
                         Squarer::Digits => inside.pow(2),
                         Squarer::Product | Squarer::Table => u64::from(magnitude).pow(2) % modulus,

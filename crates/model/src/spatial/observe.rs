@@ -102,7 +102,7 @@ impl Writer<'_> {
         let engine = self.engine;
         let (hop, sums) = (&engine.hop, &engine.sums);
         let widths = &engine.rules.widths;
-        let signed = |d: i32| d as u64 & ones(widths.difference);
+        let signed = |d: i32| d as u64 & ones(widths.signed_difference());
         let lookup = |square: Square| u64::from(square.far) << widths.square | square.word;
         match register {
             R::Reset => self.one(hop.reset),

@@ -2,7 +2,7 @@
 
 use std::mem;
 
-use photoncube_spec::{Cut, EngineKind, EngineRegister, Machine, Spatial, SpatialWidths};
+use photoncube_spec::{Cut, EngineKind, EngineRegister, Machine, Spatial, Widths};
 
 /// The number of places from `Difference` to `Distance`. A radius has at most that many delays. Kinds of
 /// engines differ by at most that many clocks, because all have a register at `Range`.
@@ -12,7 +12,7 @@ pub(super) const CUTS_BEFORE_RANGE: usize = Cut::Range as usize;
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub(super) struct Rules {
     pub(super) kind: EngineKind,
-    pub(super) widths: SpatialWidths,
+    pub(super) widths: Widths,
     /// The squared radius, where all queries share it.
     pub(super) fixed_radius_sq: Option<u32>,
     /// The number of registers that a query's radius passes on its way to the compare.
@@ -23,12 +23,11 @@ pub(super) struct Rules {
 
 impl Rules {
     pub(super) fn of(machine: &Machine, spatial: &Spatial, engine: usize) -> Self {
-        let format = machine.format();
         let kind = spatial.kind(machine.squarer, engine);
         let delays = EngineRegister::RadiusDelay.row().instances;
         Self {
             kind,
-            widths: SpatialWidths::of(format.expect("a legal spatial machine has a photon format")),
+            widths: Widths::of(machine),
             fixed_radius_sq: machine.fixed_radius_sq(),
             range_waits: spatial.range_waits(kind) as usize,
             radius_delays: delays.count(spatial, kind, machine.channels().names().len()),

@@ -7,7 +7,7 @@ use photoncube_render::{
     BenchOptions, Engine, ErrorBench, ErrorReport, ErrorStudy, Interval, Misclassified, PhotonMap,
     QuantisedMap, QueryPoint, Scene, ViewOptions, luminance,
 };
-use photoncube_spec::{FormatWidths, PhotonFormat, find_photon_format};
+use photoncube_spec::{PhotonFormat, Widths, find_photon_format};
 use rayon::prelude::*;
 
 /// A built-in scene's maps and queries.
@@ -85,7 +85,7 @@ pub fn format(name: &str) -> PhotonFormat {
 }
 
 pub fn bits(name: &str) -> u32 {
-    FormatWidths::of(&format(name)).bits_per_photon
+    Widths::of_format(&format(name)).bits_per_photon
 }
 
 pub fn quantised<'a>(map: &'a PhotonMap, name: &str) -> QuantisedMap<'a> {

@@ -5,7 +5,7 @@
 //! counts that.
 
 use photoncube_render::QuantisedMap;
-use photoncube_spec::PhotonRecord;
+use photoncube_spec::{PhotonRecord, Widths};
 
 use crate::measure::{Case, quantised};
 use crate::table::{Cell, Table};
@@ -98,13 +98,13 @@ fn groups<'a>(quantised: &'a QuantisedMap<'_>, by_run: bool) -> Vec<&'a [PhotonR
 
 /// Bits per photon of the whole records where runs share the top bits of positions and exponents.
 pub fn shared_record(quantised: &QuantisedMap<'_>) -> f64 {
-    let (numbers, power) = (quantised.numbers(), quantised.numbers().power());
-    let powers = power.channels.count() * power.mantissa_bits;
+    let widths = Widths::of_numbers(quantised.numbers());
+    let channels = quantised.numbers().power().channels.count();
     let bits = |run: &[PhotonRecord]| {
         let exponents = run.iter().map(|record| record.exponent.into());
-        shared(run, numbers.position_bits())
-            + shared_field(exponents, power.record_exponent_bits())
-            + f64::from(powers) * run.len() as f64
+        shared(run, widths.position)
+            + shared_field(exponents, widths.record_exponent)
+            + f64::from(channels * widths.mantissa) * run.len() as f64
     };
     let total: f64 = groups(quantised, true).into_iter().map(bits).sum();
     total / quantised.records().len() as f64

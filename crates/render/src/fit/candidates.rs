@@ -3,7 +3,7 @@
 
 use std::ops::RangeInclusive;
 
-use photoncube_spec::{Channels, Exponent, FormatWidths, PhotonFormat, PowerFormat, Rounding};
+use photoncube_spec::{Channels, Exponent, PhotonFormat, PowerFormat, Rounding, Widths};
 
 use super::facts::SceneFacts;
 
@@ -20,7 +20,7 @@ const LARGEST_QUERY_MARGIN: u64 = 2;
 /// The cost of a format as a sort key: first memory, then the squarers' width, then the adders' width. Of
 /// equal formats the one without dither comes first, because it needs less explanation.
 pub(super) fn cost(format: &PhotonFormat) -> impl Ord + use<> {
-    let widths = FormatWidths::of(format);
+    let widths = Widths::of_format(format);
     (
         widths.bits_per_photon,
         widths.difference,

@@ -3,7 +3,7 @@
 
 use std::collections::HashMap;
 
-use photoncube_spec::{Channels, FormatWidths, PhotonFormat};
+use photoncube_spec::{Channels, PhotonFormat, Widths};
 use serde::Serialize;
 
 use super::candidates::{cost, one_bit_less};
@@ -142,7 +142,7 @@ impl Trial {
     /// The number of bits of a stored photon.
     #[must_use]
     pub fn bits_per_photon(&self) -> u32 {
-        FormatWidths::of(&self.format).bits_per_photon
+        Widths::of_format(&self.format).bits_per_photon
     }
 }
 

@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-use super::format_widths::FormatWidths;
 use super::photon_format::{Channels, Exponent, FormatError, PhotonFormat, PowerFormat, Rounding};
+use super::widths::Widths;
 
 /// The number format of a machine's words.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
@@ -124,10 +124,7 @@ impl Numbers {
 
     /// Bits of a stored photon: a position in its block, its mantissas and its exponent.
     pub fn bits_per_photon(&self) -> u32 {
-        match self {
-            Self::Plain(format) => 3 * (format.position_bits() + format.power_bits),
-            Self::Local(format) => FormatWidths::of(format).bits_per_photon,
-        }
+        Widths::of_numbers(self).bits_per_photon
     }
 
     /// The largest word of [`crate::Query::radius_sq`]. A radius of a photon format is at most the format's

@@ -46,7 +46,7 @@
 //!   photon's stored position and the channel. Thus photons of equal power do not all round alike. The
 //!   exponent is then the smallest at which the strongest channel itself is at most 2^m - 1, so that no t
 //!   makes the mantissa overflow.
-//! - Overflow: sums are sized for `max_photons` photons of full scale, see [`crate::FormatWidths::sum`]. A
+//! - Overflow: sums are sized for `max_photons` photons of full scale, see [`crate::Widths::sum`]. A
 //!   query of more photons is refused.
 //!
 //! # Names

@@ -2,8 +2,8 @@
 
 use thiserror::Error;
 
-use super::{Cut, EngineKind, Spatial, SpatialWidths};
-use crate::formats::{FormatError, Squarer};
+use super::{Cut, EngineKind, Spatial};
+use crate::formats::{FormatError, Squarer, Widths};
 use crate::hypercube::Hypercube;
 use crate::machine::Machine;
 
@@ -102,7 +102,7 @@ impl Spatial {
             [
                 ("dimension", machine.dimension, [dimension; 2]),
                 // The model holds sums in 64 bits.
-                ("bits of a sum", SpatialWidths::of(format).sum, [1, 64]),
+                ("bits of a sum", Widths::of(machine).sum, [1, 64]),
                 (
                     "engines with squarers of other kinds",
                     u32::try_from(other_squarers).unwrap_or(u32::MAX),

@@ -46,7 +46,6 @@ pub use head::HeadSizes;
 pub use memory::MemoryRegister;
 pub(crate) use pins::SpatialPins;
 pub use registers::{ENGINE_REGISTERS, EngineRegister, EngineRow, HeadRegister, Instances};
-pub use widths::SpatialWidths;
 
 use crate::formats::Squarer;
 

@@ -2,8 +2,8 @@
 
 use super::{
     ENGINE_REGISTERS, HeadRegister, HeadSizes, Instances, MemoryRegister, Radius, Spatial,
-    SpatialWidths,
 };
+use crate::formats::Widths;
 use crate::machine::Machine;
 use crate::pins::{Pin, SignalPlace};
 
@@ -11,19 +11,16 @@ use crate::pins::{Pin, SignalPlace};
 pub(crate) struct SpatialPins<'a> {
     machine: &'a Machine,
     spatial: &'a Spatial,
-    widths: SpatialWidths,
+    widths: Widths,
     channels: &'static [&'static str],
 }
 
 impl<'a> SpatialPins<'a> {
     pub(crate) fn of(machine: &'a Machine, spatial: &'a Spatial) -> Self {
-        let format = machine
-            .format()
-            .expect("a spatial machine has a photon format");
         Self {
             machine,
             spatial,
-            widths: SpatialWidths::of(format),
+            widths: Widths::of(machine),
             channels: machine.channels().names(),
         }
     }

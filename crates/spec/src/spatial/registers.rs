@@ -1,9 +1,8 @@
 //! The registers of a spatial machine, one row each.
 
 use super::cuts::Cut;
-use super::widths::SpatialWidths;
 use super::{EngineKind, Radius, Spatial};
-use crate::formats::Squarer;
+use crate::formats::{Squarer, Widths};
 
 /// A register of an engine.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -176,7 +175,7 @@ pub struct EngineRow {
     /// The number of instances and their order.
     pub instances: Instances,
     /// The width of each instance in bits.
-    pub width: fn(&SpatialWidths) -> u32,
+    pub width: fn(&Widths) -> u32,
     /// The machines and engines that have the register.
     condition: Condition,
 }
@@ -415,27 +414,27 @@ rows! {
     RadiusDelay "radius_sq_delay" RadiusDelays |w| w.radius_sq, QueryRadius;
     Swap "swap" One |_| 1, Always;
     Photon "photon" Coordinates |w| w.coordinate, Always;
-    Difference "difference" Coordinates |w| w.difference, At(Cut::Difference);
+    Difference "difference" Coordinates |w| w.signed_difference(), At(Cut::Difference);
     Magnitude "magnitude" Coordinates |w| w.coordinate, Condition::Squarer(Cut::Magnitude, Digits);
-    MagnitudeDelay "magnitude_delay" Coordinates |w| w.difference,
+    MagnitudeDelay "magnitude_delay" Coordinates |w| w.signed_difference(),
         NotSquarer(Cut::Magnitude, Digits);
-    ProductsMagnitude "products_magnitude" Coordinates |w| w.radius,
+    ProductsMagnitude "products_magnitude" Coordinates |w| w.difference,
         Condition::Squarer(Cut::Products, Digits);
-    LowProduct "low_product" Coordinates |w| w.low_product,
+    LowProduct "low_product" Coordinates |w| w.low_product(),
         Condition::Squarer(Cut::Products, Digits);
-    HighProduct "high_product" Coordinates |w| w.high_product,
+    HighProduct "high_product" Coordinates |w| w.high_product(),
         Condition::Squarer(Cut::Products, Digits);
     ProductsFar "products_far" Coordinates |_| 1, Condition::Squarer(Cut::Products, Digits);
-    ProductsDelay "products_delay" Coordinates |w| w.difference, NotSquarer(Cut::Products, Digits);
-    CrossMagnitude "cross_magnitude" Coordinates |w| w.radius,
+    ProductsDelay "products_delay" Coordinates |w| w.signed_difference(), NotSquarer(Cut::Products, Digits);
+    CrossMagnitude "cross_magnitude" Coordinates |w| w.difference,
         Condition::Squarer(Cut::Cross, Digits);
-    Cross "cross" Coordinates |w| w.cross, Condition::Squarer(Cut::Cross, Digits);
+    Cross "cross" Coordinates |w| w.cross(), Condition::Squarer(Cut::Cross, Digits);
     CrossFar "cross_far" Coordinates |_| 1, Condition::Squarer(Cut::Cross, Digits);
     Lookup "lookup" Coordinates |w| w.square + 1, Condition::Squarer(Cut::Cross, Table);
-    Product "product" Coordinates |w| w.product, Condition::Squarer(Cut::Cross, Product);
+    Product "product" Coordinates |w| w.product(), Condition::Squarer(Cut::Cross, Product);
     Square "square" Coordinates |w| w.square, At(Cut::Square);
     SquareFar "square_far" Coordinates |_| 1, At(Cut::Square);
-    PairSquare "pair_square" Lanes |w| w.pair, At(Cut::Pair);
+    PairSquare "pair_square" Lanes |w| w.pair(), At(Cut::Pair);
     PairZ "pair_z" Lanes |w| w.square, At(Cut::Pair);
     PairFar "pair_far" Lanes |_| 1, At(Cut::Pair);
     Distance "distance" Lanes |w| w.distance, At(Cut::Distance);
@@ -453,13 +452,13 @@ rows! {
     GatedPresent "gated_present" Lanes |_| 1, At(Cut::Gate);
     GateFirst "gate_first" One |_| 1, At(Cut::Gate);
     GateLast "gate_last" One |_| 1, At(Cut::Gate);
-    PairPower "pair_power" PairChannels |w| w.pair_power, At(Cut::PairPower);
-    PairCount "pair_count" Pairs |_| SpatialWidths::PAIR_COUNT, At(Cut::PairPower);
+    PairPower "pair_power" PairChannels |w| w.pair_power(), At(Cut::PairPower);
+    PairCount "pair_count" Pairs |_| Widths::PAIR_COUNT, At(Cut::PairPower);
     PairFirst "pair_first" One |_| 1, At(Cut::PairPower);
     PairLast "pair_last" One |_| 1, At(Cut::PairPower);
     PairFirstDelay "pair_first_delay" Channels |_| 1, At(Cut::RangeDelay);
-    GroupPower "group_power" Channels |w| w.group_power, At(Cut::GroupPower);
-    GroupCount "group_count" One |_| SpatialWidths::GROUP_COUNT, At(Cut::GroupPower);
+    GroupPower "group_power" Channels |w| w.group_power(), At(Cut::GroupPower);
+    GroupCount "group_count" One |_| Widths::GROUP_COUNT, At(Cut::GroupPower);
     GroupFirst "group_first" One |_| 1, At(Cut::GroupPower);
     GroupLast "group_last" One |_| 1, At(Cut::GroupPower);
     GroupLastDelay "group_last_delay" Channels |_| 1, At(Cut::RangeDelay);

@@ -75,7 +75,7 @@ fn compared(
     let widths = Widths::of(machine);
     let figures = measured.map(Measured::of).transpose()?;
     let area = figures.as_ref().and_then(|f| f.area_without_dsp.as_ref());
-    let own = photoncube_spec::FormatWidths::of(fitted).bits_per_photon;
+    let own = Widths::of_format(fitted).bits_per_photon;
     Ok(Compared {
         name: machine.name.to_owned(),
         format: machine.format().map(PhotonFormat::name),

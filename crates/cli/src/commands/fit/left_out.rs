@@ -95,7 +95,7 @@ fn powers(facts: &SceneFacts) -> String {
 #[cfg(test)]
 mod tests {
     use photoncube_render::{BenchOptions, FitOptions, Scene, ViewOptions, fit};
-    use photoncube_spec::FormatWidths;
+    use photoncube_spec::Widths;
 
     use super::*;
 
@@ -125,7 +125,7 @@ mod tests {
             let saved: i64 = (left_out(&chosen, &fit.facts).iter())
                 .map(|row| row.bits_saved)
                 .sum();
-            let default = FormatWidths::of(&PHOTON_FORMATS[0]).bits_per_photon;
+            let default = Widths::of_format(&PHOTON_FORMATS[0]).bits_per_photon;
             assert_eq!(
                 saved,
                 i64::from(default) - i64::from(chosen.bits_per_photon())

@@ -5,9 +5,7 @@ mod text;
 
 use anyhow::Result;
 use photoncube_render::Scene;
-use photoncube_spec::{
-    FormatWidths, MACHINES, Machine, PHOTON_FORMATS, PhotonFormat, Widths, find_machine,
-};
+use photoncube_spec::{MACHINES, Machine, PHOTON_FORMATS, PhotonFormat, Widths, find_machine};
 use serde::Serialize;
 
 use crate::args::ListArgs;
@@ -97,7 +95,7 @@ fn report() -> Result<Report> {
 }
 
 fn format_row(format: &PhotonFormat) -> FormatRow {
-    let widths = FormatWidths::of(format);
+    let widths = Widths::of_format(format);
     FormatRow {
         format: format.name(),
         summary: format.summary(),

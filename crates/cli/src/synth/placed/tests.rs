@@ -150,11 +150,8 @@ fn modules(text: &str, top: &str) -> BTreeMap<String, String> {
         .lines()
         .filter(|line| !line.trim_start().starts_with("//"));
     let text = lines.collect::<Vec<_>>().join("\n").replace(top, "the");
-    let modules = text.split("\nendmodule").filter_map(|module| {
-        let module = &module[module.find("module ")?..];
-        let name = module["module ".len()..].split(['(', ' ']).next()?;
-        Some((name.to_owned(), module.to_owned()))
-    });
+    let modules = verilog_eval::modules(&text).into_iter();
+    let modules = modules.map(|module| (module.name.to_owned(), module.text.to_owned()));
     modules.collect()
 }
 

@@ -7,7 +7,7 @@ use super::ports::Ports;
 /// The two digit products. Each adds two rows of the high digit, the second row one place up. Where the low
 /// digit has three bits, the second product is one row and no sum.
 pub(super) fn digit_products(ports: &Ports) -> String {
-    const HIGH: usize = photoncube_spec::SpatialWidths::HIGH_DIGIT as usize;
+    const HIGH: usize = photoncube_spec::Widths::HIGH_DIGIT as usize;
     let product = ports.width("high_product");
     let low_digit = if product == HIGH { 3 } else { 4 };
     let high = |i: usize| bit("magnitude", low_digit + i);
@@ -44,7 +44,7 @@ pub(super) fn digit_products(ports: &Ports) -> String {
 /// The sum of the squares of both digits, side by side, and of twice their product. A bit of a square that
 /// depends on few bits of its digit needs no LUT before the chain.
 pub(super) fn square_sum(ports: &Ports) -> String {
-    const HIGH: usize = photoncube_spec::SpatialWidths::HIGH_DIGIT as usize;
+    const HIGH: usize = photoncube_spec::Widths::HIGH_DIGIT as usize;
     let (radius, square) = (ports.width("magnitude"), ports.width("square"));
     let low = radius - HIGH;
     let place = low + 1;
@@ -84,7 +84,7 @@ struct SquareBit {
 
 impl SquareBit {
     fn of(index: usize, low: usize) -> Self {
-        const HIGH: usize = photoncube_spec::SpatialWidths::HIGH_DIGIT as usize;
+        const HIGH: usize = photoncube_spec::Widths::HIGH_DIGIT as usize;
         let (first, width, power) = match index.checked_sub(2 * low) {
             Some(power) => (low, HIGH, power),
             None => (0, low, index),
