@@ -214,12 +214,19 @@ mod tests {
     use photoncube_spec::MACHINES;
     use std::collections::BTreeSet;
 
+    /// The most engines of a chain whose whole text is made twice here. The text of longer chains takes seconds;
+    /// `generate --check` compares it with what was emitted when it was committed.
+    const LONGEST_CHAIN: usize = 8;
+
     #[test]
     fn every_level_of_every_machine_is_emitted_alike_twice() {
         for machine in MACHINES {
+            let is_long = machine.queries_at_once() > LONGEST_CHAIN;
             for level in Level::of(machine) {
                 let emitted = emit(machine, level).unwrap();
-                assert_eq!(emitted, emit(machine, level).unwrap());
+                if !(is_long && level == Level::Machine) {
+                    assert_eq!(emitted, emit(machine, level).unwrap());
+                }
                 assert!(emitted.text.contains(&format!("module {}(", emitted.top)));
                 assert!(!emitted.text.contains('$'), "{}", emitted.text);
             }
