@@ -1,4 +1,4 @@
-//! What the workspace depends on: each direct dependency is used, and each licence is allowed and listed.
+//! The dependencies of the workspace: each direct dependency is used, and each licence is allowed and listed.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -17,7 +17,7 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-/// What cargo knows of the workspace and of what is built for this machine.
+/// The output of `cargo metadata` for the packages that are built on this machine.
 fn metadata() -> Value {
     let cargo = std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned());
     let run = |arguments: &[&str]| {

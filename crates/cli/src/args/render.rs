@@ -110,7 +110,7 @@ impl FoundEngine {
         }
     }
 
-    /// What reports say of it.
+    /// The engine as reports have it.
     pub fn report(&self) -> EngineReport {
         let (engine, machine, format) = match self {
             Self::F64 => ("f64", None, None),
