@@ -3,9 +3,10 @@ use photoncube_spec::{LocalQuery, PHOTON_FORMATS, PhotonFormat, find_machine};
 
 use super::*;
 use crate::estimate::integers::k_nearest;
+use crate::scene::fixtures::traced_cornell;
 use crate::{
-    BenchOptions, ErrorBench, FormatMap, QuantisedMap, RenderError, Scene, TraceOptions,
-    ViewOptions, render, render_with, trace, view_queries,
+    BenchOptions, ErrorBench, FormatMap, QuantisedMap, RenderError, Scene, ViewOptions, render,
+    render_with, view_queries,
 };
 
 /// Bits per radius from 4 (where nearly every k-th photon ties) to 8, on whole and on half steps.
@@ -30,14 +31,7 @@ fn format(name: &str) -> &'static PhotonFormat {
 }
 
 fn scene_and_map() -> (Scene, PhotonMap) {
-    let scene = Scene::built_in("cornell").unwrap();
-    let options = TraceOptions {
-        photons: 20_000,
-        seed: 5,
-    };
-    let photons = trace(&scene, &options, &|_| ()).unwrap().photons;
-    let map = PhotonMap::new(&scene, photons, 0.15).unwrap();
-    (scene, map)
+    traced_cornell(20_000, 5, 0.15)
 }
 
 /// The estimate at every query of the view.
