@@ -100,7 +100,7 @@ impl FitRow {
         }
     }
 
-    /// What was found for the scene.
+    /// The format and the machines that were found for the scene.
     fn choice(&self) -> Vec<String> {
         vec![
             self.scene.clone(),

@@ -24,7 +24,7 @@ pub struct Line {
     pub verilog_sha256: Option<String>,
     /// The method, by its name in [`METHODS`].
     pub method: String,
-    /// What of the method the line is about, such as a class of faults; empty where it is about all of it.
+    /// The part of the method that the line is about, such as a class of faults; empty for the whole method.
     pub aspect: String,
     /// The tools of the method, with their versions.
     pub by: String,

@@ -1,4 +1,4 @@
-//! What the workspace depends on: each direct dependency is used, and each licence is allowed and listed.
+//! The dependencies of the workspace: each direct dependency is used, and each licence is allowed and listed.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -20,7 +20,7 @@ fn root() -> PathBuf {
 /// The package that gives builds of one package the features of the workspace. It has no code to name.
 const FEATURES: &str = "photoncube-features";
 
-/// What a command of cargo prints, which must succeed.
+/// The standard output of a command of cargo, which must succeed.
 fn cargo(arguments: &[&str]) -> String {
     let cargo = std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned());
     let mut command = Command::new(cargo);
@@ -34,7 +34,7 @@ fn cargo(arguments: &[&str]) -> String {
     String::from_utf8(output.stdout).unwrap()
 }
 
-/// What cargo knows of the workspace and of what is built for this machine.
+/// The output of `cargo metadata` for the packages that are built on this machine.
 fn metadata() -> Value {
     let version = cargo(&["-vV"]);
     let host = version.lines().find_map(|line| line.strip_prefix("host: "));

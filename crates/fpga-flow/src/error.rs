@@ -14,7 +14,7 @@ pub enum ToolError {
     Missing {
         /// The names of the program that were looked for.
         names: Vec<&'static str>,
-        /// Where it was looked for: a folder, or the PATH.
+        /// The place of the search: a folder, or the PATH.
         place: String,
     },
     /// The program could not be started.
@@ -54,7 +54,7 @@ pub enum FlowError {
     /// A file could not be read or written.
     #[error("cannot {action} {}: {source}", path.display())]
     File {
-        /// What was tried: `read` or `write`.
+        /// The action that failed: `read` or `write`.
         action: &'static str,
         /// The path of the file.
         path: PathBuf,

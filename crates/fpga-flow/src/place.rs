@@ -26,7 +26,7 @@ pub struct Mapped {
     pub stages: Vec<Stage>,
 }
 
-/// What a design is mapped to before it is placed.
+/// The device and the flow that a design is mapped to before it is placed.
 #[derive(Copy, Clone, Debug)]
 pub struct Target {
     /// The FPGA, whose family has the passes.

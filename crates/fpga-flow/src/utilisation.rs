@@ -1,4 +1,4 @@
-//! What of a device a design uses, or would need.
+//! The resources of a device that a design uses, or would need.
 
 use serde::Serialize;
 

@@ -86,7 +86,7 @@ impl Yosys {
         Ok(String::from_utf8_lossy(&said).into_owned())
     }
 
-    /// What Yosys says of one of its commands.
+    /// The help text of a command of Yosys.
     ///
     /// # Errors
     /// Yosys does not start.

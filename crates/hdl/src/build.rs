@@ -74,7 +74,7 @@ pub(crate) fn bits<const N: usize>(widths: [(&'static str, u32); N]) -> [u32; N]
 /// The sizes that select a compiled block.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 struct Shape {
-    /// Those of [`program_widths`].
+    /// The widths in the order of [`program_widths`].
     widths: [u32; 10],
     address: u32,
     word: u32,

@@ -49,7 +49,7 @@ fn the_golden_models_image_agrees_with_the_path_tracer() {
     assert!(error <= 0.01, "relMSE {error}");
 }
 
-/// What the number format alone costs: both engines on the same photons and query points.
+/// The error of the number format alone: both engines have the same photons and query points.
 /// Position error scales with the root of the step, so 12 bits for 8, a step 16 times finer, must
 /// be about 4 times better; 3 leaves room for the powers' rounding.
 #[test]

@@ -14,7 +14,7 @@ pub struct SharedGroups {
     pub groups: u64,
 }
 
-/// What the number of clocks depends on, for each organisation.
+/// The data that the number of clocks follows from, for each organisation.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Pace {
     /// A sequential machine: one op a clock for all cells, one query after another.

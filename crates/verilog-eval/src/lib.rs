@@ -84,7 +84,7 @@ impl<'a> Signal<'a> {
     }
 }
 
-/// A text and what is asked of it.
+/// A text with its top module, and the signals that the evaluator drives and shows.
 #[derive(Clone, Debug)]
 pub struct Design<'a> {
     /// The Verilog of all modules.

@@ -149,7 +149,7 @@ const RULES: &[Rule] = &[
     },
 ];
 
-/// Of every square of a whole number.
+/// The reason for bit 1 of every square of a whole number.
 const SQUARES: &str = "a square is 0 or 1 modulo 4";
 
 /// Bits of a digit of a square.

@@ -69,7 +69,7 @@ fn is_not_proven(error: &DeviceError) -> bool {
     let DeviceError::Tool(ToolError::Failed { message, .. }) = error else {
         return false;
     };
-    // The last two are said of a register, by Yosys 0.23 and by Yosys 0.70.
+    // Yosys 0.23 and Yosys 0.70 print the last two for a register.
     let reasons = [
         "proof did fail",
         "timeout",

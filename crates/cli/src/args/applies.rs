@@ -1,4 +1,4 @@
-//! Which options a command with `--engine` uses, by its engine.
+//! The options that a command with `--engine` uses, by its engine.
 //!
 //! `render` and `progressive` have three engines, none of which uses every option. An option that is given and not
 //! used is refused: whoever reads the result would take it for one that used it.
@@ -79,7 +79,7 @@ fn refusal(command: &str, (engine, taken): &Engine, option: &str) -> String {
 mod tests {
     use crate::args::Args;
 
-    /// What the code of each engine reads of its arguments, written here a second time.
+    /// The arguments that the code of each engine reads, as an independent table.
     const USED: &str = "
                 machine coordinate-bits dimension format
     model       x       x               x         .

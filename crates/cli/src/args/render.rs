@@ -98,7 +98,7 @@ pub struct EngineReport {
 }
 
 impl EngineReport {
-    /// That of an engine.
+    /// The engine as reports have it.
     pub fn of(engine: Engine<'_>) -> Self {
         let (engine, machine, format) = match engine {
             Engine::F64 => ("f64", None, None),

@@ -281,7 +281,7 @@ impl Plan {
     }
 }
 
-/// What of the device a machine needs.
+/// The resources of the device that a machine needs.
 #[derive(Debug, Serialize)]
 pub struct DeviceUse {
     /// The machine's name.
@@ -293,7 +293,7 @@ pub struct DeviceUse {
 }
 
 impl DeviceUse {
-    /// What the device lacks, in words; empty where the machine fits.
+    /// The resources that the device lacks, in words; empty where the machine fits.
     pub fn lacking(&self) -> String {
         let lacking = self
             .resources

@@ -75,7 +75,7 @@ pub fn elsewhere(rows: &[AreaRow]) -> String {
     table::markdown(&header, &machines.iter().map(row).collect::<Vec<_>>())
 }
 
-/// What of a device each machine needs.
+/// The resources of a device that each machine needs, a line for each machine.
 pub fn uses(rows: &[DeviceUse]) -> String {
     let row = |row: &DeviceUse| {
         let resources = row.resources.iter();

@@ -1,4 +1,4 @@
-//! What a design must pass before it is printed: rust-hdl's own checks, and the lint.
+//! The checks that a design must pass before it is printed: rust-hdl's own checks, and the lint.
 
 use photoncube_spec::Machine;
 use rust_hdl::prelude::check_all;
@@ -34,7 +34,7 @@ const HAND_WRITTEN: &[&str] = &[
     "done_copy",
 ];
 
-/// What the lint read of a design.
+/// The parts of a design that the lint read, and its findings.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Linted {
     /// Blocks whose statements rust-hdl generates. Without a finding each statement is shown to mean in Verilog what
@@ -44,7 +44,7 @@ pub struct Linted {
     pub registers: usize,
     /// Blocks whose Verilog is written by hand and stands in the list of those that are simulated exhaustively.
     pub hand_written: usize,
-    /// What is wrong, one statement or block each.
+    /// The findings, one for each wrong statement or block.
     pub findings: Vec<String>,
 }
 

@@ -64,7 +64,7 @@ struct Write {
     place: usize,
 }
 
-/// What a bank holds.
+/// The contents of a bank.
 #[derive(Copy, Clone, Debug, Default)]
 struct Set {
     full: bool,
@@ -105,7 +105,7 @@ struct Tag {
     last: bool,
 }
 
-/// What happens in a clock, by the registers and pins before its edge.
+/// The events of a clock, which follow from the registers and pins before its edge.
 #[derive(Copy, Clone, Debug)]
 struct Events {
     /// A group is taken.

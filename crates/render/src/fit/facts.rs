@@ -77,23 +77,12 @@ fn power_spread(map: &PhotonMap) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Photon, Scene};
-
-    fn map(powers: &[DVec3]) -> PhotonMap {
-        let photons = powers.iter().map(|&power| Photon {
-            position: DVec3::ZERO,
-            power,
-            surface: 0,
-            facing: crate::Facing::FLAT,
-        });
-        let scene = Scene::built_in("cornell").unwrap();
-        PhotonMap::new(&scene, photons.collect(), 0.2).unwrap()
-    }
+    use crate::scene::fixtures::map_of_powers;
 
     #[test]
     fn only_equal_colours_are_one_colour() {
         let colour = DVec3::new(0.3, 0.7, 0.1);
-        let of = |powers: &[DVec3]| SceneFacts::of(&[map(powers)], &[]);
+        let of = |powers: &[DVec3]| SceneFacts::of(&[map_of_powers(powers)], &[]);
         let equal = of(&[colour, colour / 3.0, DVec3::ZERO, 1e-6 * colour]);
         assert!(equal.one_colour, "{equal:?}");
         assert!((equal.power_spread / 1e6 - 1.0).abs() < 1e-12);

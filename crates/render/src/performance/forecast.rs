@@ -49,16 +49,11 @@ mod tests {
     use photoncube_spec::find_machine;
 
     use super::*;
-    use crate::{Engine, Scene, TraceOptions, ViewOptions, render, trace, view_queries};
+    use crate::scene::fixtures::traced_cornell;
+    use crate::{Engine, ViewOptions, render, view_queries};
 
     fn of_the_box(machine: &str) -> (u64, u64, u64) {
-        let scene = Scene::built_in("cornell").unwrap();
-        let options = TraceOptions {
-            photons: 20_000,
-            seed: 9,
-        };
-        let photons = trace(&scene, &options, &|_| ()).unwrap().photons;
-        let map = PhotonMap::new(&scene, photons, 0.15).unwrap();
+        let (scene, map) = traced_cornell(20_000, 9, 0.15);
         let view = ViewOptions {
             width: 24,
             height: 16,

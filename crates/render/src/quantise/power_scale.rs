@@ -117,18 +117,7 @@ mod tests {
     use photoncube_spec::find_photon_format;
 
     use super::*;
-    use crate::{Scene, TraceOptions, trace};
-
-    fn map(powers: &[DVec3]) -> PhotonMap {
-        let scene = Scene::built_in("cornell").unwrap();
-        let photons = powers.iter().map(|&power| Photon {
-            position: DVec3::ZERO,
-            power,
-            surface: 0,
-            facing: crate::Facing::FLAT,
-        });
-        PhotonMap::new(&scene, photons.collect(), 0.2).unwrap()
-    }
+    use crate::scene::fixtures::{map_of_powers, traced_cornell};
 
     #[test]
     fn dither_is_uniform() {
@@ -147,7 +136,7 @@ mod tests {
     #[test]
     fn dithered_powers_have_no_bias() {
         let third = DVec3::new(0.37, 0.0, 0.0);
-        let map = map(&[DVec3::X, third]);
+        let map = map_of_powers(&[DVec3::X, third]);
         let mean = |name| {
             let scale = PowerScale::new(&map, find_photon_format(name).unwrap().power);
             let cells = (0..100).flat_map(|x| (0..100).map(move |y| [x, y, 3]));
@@ -165,7 +154,7 @@ mod tests {
     #[test]
     fn the_strongest_photon_is_full_scale_however_it_is_rounded() {
         for largest in [1.0, 0.1, 1.0 / 3.0, 7e-7] {
-            let map = map(&[DVec3::splat(largest)]);
+            let map = map_of_powers(&[DVec3::splat(largest)]);
             for name in [
                 "local8-rgb8e5",
                 "local8-rgb8e5d",
@@ -192,7 +181,7 @@ mod tests {
     #[test]
     fn one_channel_holds_light_of_one_colour() {
         let colour = DVec3::new(0.5, 1.0, 0.25);
-        let map = map(&[3.0 * colour, 2.0 * colour, 0.5 * colour]);
+        let map = map_of_powers(&[3.0 * colour, 2.0 * colour, 0.5 * colour]);
         let scale = PowerScale::new(&map, find_photon_format("local8-mono16").unwrap().power);
         for photon in map.photons() {
             let [mantissa, none @ ..] = scale.mantissa(photon.power, 0, [0; 3]);
@@ -205,13 +194,7 @@ mod tests {
 
     #[test]
     fn traced_light_keeps_its_mean_when_dithered() {
-        let scene = Scene::built_in("cornell").unwrap();
-        let options = TraceOptions {
-            photons: 20_000,
-            seed: 4,
-        };
-        let photons = trace(&scene, &options, &|_| ()).unwrap().photons;
-        let map = PhotonMap::new(&scene, photons, 0.1).unwrap();
+        let (_, map) = traced_cornell(20_000, 4, 0.1);
         let format = find_photon_format("local8-rgb5e5d").unwrap();
         let quantised = crate::QuantisedMap::new(&map, &format.into()).unwrap();
         let total: DVec3 = (0..quantised.records().len())

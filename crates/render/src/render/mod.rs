@@ -224,7 +224,7 @@ mod tests {
     use photoncube_spec::{PHOTON_FORMATS, PlainFormat, find_machine};
 
     use super::*;
-    use crate::{TraceOptions, trace};
+    use crate::scene::fixtures::traced_cornell;
 
     const OPTIONS: ViewOptions = ViewOptions {
         width: 24,
@@ -234,14 +234,7 @@ mod tests {
     };
 
     fn scene_and_map() -> (Scene, PhotonMap) {
-        let scene = Scene::built_in("cornell").unwrap();
-        let options = TraceOptions {
-            photons: 20_000,
-            seed: 9,
-        };
-        let photons = trace(&scene, &options, &|_| ()).unwrap().photons;
-        let map = PhotonMap::new(&scene, photons, 0.15).unwrap();
-        (scene, map)
+        traced_cornell(20_000, 9, 0.15)
     }
 
     #[test]

@@ -122,21 +122,11 @@ mod tests {
     use photoncube_spec::find_machine;
 
     use super::*;
-    use crate::{TraceOptions, trace};
-
-    fn map(scene: &Scene) -> PhotonMap {
-        let options = TraceOptions {
-            photons: 20_000,
-            seed: 9,
-        };
-        let photons = trace(scene, &options, &|_| ()).unwrap().photons;
-        PhotonMap::new(scene, photons, 0.1).unwrap()
-    }
+    use crate::scene::fixtures::traced_cornell;
 
     #[test]
     fn there_are_enough_groups_and_the_model_takes_them() {
-        let scene = Scene::built_in("cornell").unwrap();
-        let map = map(&scene);
+        let (scene, map) = traced_cornell(20_000, 9, 0.1);
         let machine = find_machine("paper").unwrap();
         let make =
             |seed| workload(&scene, &map, machine, &ViewOptions::default(), 1000, seed).unwrap();

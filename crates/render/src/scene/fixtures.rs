@@ -1,8 +1,32 @@
-//! Small scenes of mirrors and glass for the tests of tracing and viewing.
+//! Small scenes of mirrors and glass for the tests of tracing and viewing, and photon maps of the Cornell box.
 
+use glam::DVec3;
 use serde_json::{Value, json};
 
 use super::Scene;
+use crate::photon_map::PhotonMap;
+use crate::trace::{Facing, Photon, TraceOptions, trace};
+
+/// The Cornell box with the map of at least so many traced photons and of that search radius in scene units.
+pub(crate) fn traced_cornell(photons: u64, seed: u64, radius: f64) -> (Scene, PhotonMap) {
+    let scene = Scene::built_in("cornell").unwrap();
+    let options = TraceOptions { photons, seed };
+    let photons = trace(&scene, &options, &|_| ()).unwrap().photons;
+    let map = PhotonMap::new(&scene, photons, radius).unwrap();
+    (scene, map)
+}
+
+/// A map of photons of these powers, all in one place.
+pub(crate) fn map_of_powers(powers: &[DVec3]) -> PhotonMap {
+    let photons = powers.iter().map(|&power| Photon {
+        position: DVec3::ZERO,
+        power,
+        surface: 0,
+        facing: Facing::FLAT,
+    });
+    let scene = Scene::built_in("cornell").unwrap();
+    PhotonMap::new(&scene, photons.collect(), 0.2).unwrap()
+}
 
 /// The corners of the unit cube. The faces below have their fronts inside.
 const CUBE: [[f64; 3]; 8] = [

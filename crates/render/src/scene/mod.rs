@@ -55,7 +55,7 @@ pub enum LightChoice {
     Uniform,
 }
 
-/// What is to be rendered: surfaces and a camera.
+/// A scene: surfaces and a camera.
 #[derive(Debug, Clone)]
 pub struct Scene {
     name: String,

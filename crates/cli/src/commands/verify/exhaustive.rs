@@ -92,7 +92,7 @@ fn lanes(kind: DeviceKind, all: &mut Comparisons) -> Result<()> {
     Ok(())
 }
 
-/// What is wrong with a unit, if anything is.
+/// The finding of a unit that has a mismatch.
 fn finding(unit: &UnitVerdict) -> Option<String> {
     (unit.mismatches > 0).then(|| {
         format!(

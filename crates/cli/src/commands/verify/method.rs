@@ -13,9 +13,9 @@ pub trait Method: Args + Debug {
     /// The name: of its file or folder here, of its subcommand, of its test file, and of its lines in a table of
     /// results.
     const NAME: &'static str;
-    /// What it does, for its help.
+    /// A description of the method, for its help.
     const ABOUT: &'static str;
-    /// Command lines, for its help.
+    /// Command lines of the method, for its help.
     const EXAMPLES: &'static [&'static str];
 
     /// The external tools that it needs with these options.

@@ -10,17 +10,17 @@ use crate::failure::CheckFailed;
 use crate::table;
 use crate::verified::Line;
 
-/// What a method found. It cannot be made without the faults that the method planted.
+/// The outcome of a method. It cannot be made without the faults that the method planted.
 #[derive(Debug, Serialize)]
 pub struct Outcome {
     method: &'static str,
     controls: Controls,
-    /// What is wrong with the subject, each with what is needed to repeat it. Any fails the run.
+    /// Defects of the subject, each with the command that repeats it. Any finding fails the run.
     findings: Vec<String>,
-    /// What the method reports beyond what all report.
+    /// The keys of the report that only this method has.
     #[serde(flatten)]
     details: Value,
-    /// What was verified: subject, digest, volume and outcome.
+    /// The verified subjects, each with digest, volume and outcome.
     lines: Vec<Line>,
     #[serde(skip)]
     text: String,

@@ -70,12 +70,12 @@ fn each_method_has_options_of_its_own_and_examples_that_are_read() {
     );
 }
 
-/// What the table of results says to run again can be run.
+/// The command line of each recorded result is accepted.
 #[test]
 fn the_recorded_commands_are_taken() {
     let table = verified::committed().unwrap();
     for line in &table.lines {
-        // A campaign takes as long as one likes.
+        // The user chooses the duration of a campaign.
         let words = line.command.split_whitespace();
         let words = words.map(|word| if word == "H" { "1" } else { word });
         if let Err(error) = args::Args::try_read(words) {

@@ -5,9 +5,9 @@ use crate::estimate::integers::k_nearest;
 use crate::estimate::ladder::Ladder;
 use crate::lighting::Lighting;
 use crate::render::{Engine, Light, Rendering};
+use crate::scene::fixtures::traced_cornell;
 use crate::{
-    BenchOptions, ErrorBench, RenderError, Scene, TraceOptions, ViewOptions, render, render_lit,
-    trace, view_queries,
+    BenchOptions, ErrorBench, RenderError, Scene, ViewOptions, render, render_lit, view_queries,
 };
 
 /// Bits per radius from 4 (where nearly every k-th photon ties) to 8, on whole and on half steps.
@@ -32,14 +32,7 @@ fn format(name: &str) -> &'static PhotonFormat {
 }
 
 fn scene_and_map() -> (Scene, PhotonMap) {
-    let scene = Scene::built_in("cornell").unwrap();
-    let options = TraceOptions {
-        photons: 20_000,
-        seed: 5,
-    };
-    let photons = trace(&scene, &options, &|_| ()).unwrap().photons;
-    let map = PhotonMap::new(&scene, photons, 0.15).unwrap();
-    (scene, map)
+    traced_cornell(20_000, 5, 0.15)
 }
 
 /// The estimate at every query of the view.

@@ -4,7 +4,8 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 use super::*;
-use crate::{TraceOptions, ViewOptions, trace, view_queries};
+use crate::scene::fixtures::traced_cornell;
+use crate::{ViewOptions, view_queries};
 
 /// A photon of power 1 at each of the squared distances.
 fn around(distances_sq: &[f64], reach: f64) -> Neighbourhood {
@@ -26,13 +27,7 @@ fn uniform(photons: usize, rng: &mut Pcg64Mcg) -> Neighbourhood {
 
 #[test]
 fn the_block_walk_is_the_brute_force() {
-    let scene = Scene::built_in("cornell").unwrap();
-    let options = TraceOptions {
-        photons: 20_000,
-        seed: 3,
-    };
-    let photons = trace(&scene, &options, &|_| ()).unwrap().photons;
-    let map = PhotonMap::new(&scene, photons, 0.15).unwrap();
+    let (scene, map) = traced_cornell(20_000, 3, 0.15);
     let view = ViewOptions {
         width: 16,
         height: 16,
