@@ -1,8 +1,6 @@
 //! The pages that show figures hold the tables that are made of the measured figures.
 
-use std::collections::BTreeMap;
-
-use photoncube_spec::{Interface, MACHINES, Machine, Spatial};
+use photoncube_spec::{Interface, MACHINES, Machine, Port, Widths};
 
 use super::super::report;
 use super::*;
@@ -75,115 +73,78 @@ fn the_page_of_machines_shows_what_list_wide_prints() {
     assert_eq!(wide_rows(MACHINES_PAGE, 120), [""; 0]);
 }
 
-/// The ports of a machine by their names, without the number of a lane.
-fn ports(machine: &Machine) -> BTreeMap<String, u32> {
-    let ports = Interface::of(machine).ports.into_iter();
-    let stem = |name: &str| name.split("_0..").next().unwrap_or_default().to_owned();
-    ports.map(|port| (stem(&port.name), port.width)).collect()
+/// A table with a row for each machine: its name and these numbers, `-` where there is none.
+fn table_of_machines(header: &str, row: impl Fn(&Machine) -> Vec<Option<f64>>) -> String {
+    let cell = |number: Option<f64>| number.map_or("-".to_owned(), |number| number.to_string());
+    let cells = |machine: &Machine| {
+        let name = [machine.name.to_owned()].into_iter();
+        name.chain(row(machine).into_iter().map(cell)).collect()
+    };
+    let header: Vec<_> = header.split(", ").collect();
+    table::markdown(&header, &MACHINES.iter().map(cells).collect::<Vec<_>>())
 }
 
-/// A row for each machine with the widths of its ports.
-fn widths_table() -> String {
-    let columns = [
-        ("query", "query_x"),
-        ("radius_sq", "query_radius_sq"),
-        ("photon", "photon_x"),
-        ("power", "photon_red photon_power"),
-        ("exponent", "photon_exponent"),
-        ("sum", "result_red result_power"),
-        ("count", "result_count"),
+/// The widths of a machine's ports and the number of its channels; `None` where it has no such port.
+fn widths(machine: &Machine) -> Vec<Option<f64>> {
+    let of = Widths::of(machine);
+    let radius_sq = machine.fixed_radius_sq().map_or(of.radius_sq, |_| 0);
+    let channels = machine.channels().count();
+    let all = [
+        of.coordinate,
+        radius_sq,
+        of.photon,
+        channels,
+        of.mantissa,
+        of.exponent,
+        of.sum,
+        of.count,
     ];
-    let row = |machine: &Machine| {
-        let ports = ports(machine);
-        let bits = |names: &str| names.split(' ').find_map(|name| ports.get(name));
-        let cells = columns.map(|(_, names)| bits(names).map_or("-".to_owned(), u32::to_string));
-        let channels = machine.channels().count().to_string();
-        let mut cells = [&[machine.name.to_owned()], &cells[..]].concat();
-        cells.insert(4, channels);
-        cells
-    };
-    let header = [
-        "machine",
-        "query",
-        "radius_sq",
-        "photon",
-        "channels",
-        "power",
-        "exponent",
-        "sum",
-        "count",
-    ];
-    table::markdown(&header, &MACHINES.iter().map(row).collect::<Vec<_>>())
+    all.map(|bits| (bits > 0).then_some(bits.into())).to_vec()
 }
 
-/// A row for each machine with its clocks.
-fn timing_table() -> String {
-    let row = |machine: &Machine| {
-        let spatial = machine.spatial();
-        let overlapped = machine.overlap_program().map(|p| p.occupied_clocks(2));
-        let program = machine.microprogram().map(|p| p.occupied_clocks(2));
-        let interval = machine.rate().interval();
-        let more = match (spatial, overlapped.or(program)) {
-            (Some(spatial), _) => spatial.batch_gap_clocks().into(),
-            (None, two) => two.map_or(0.0, |clocks| clocks as f64 - 2.0 * interval),
-        };
-        let least = spatial.filter(|spatial| spatial.engines() > 1);
-        let clocks = [
-            if interval == 1.0 {
-                "n".to_owned()
-            } else {
-                format!("{interval} n")
-            },
-            if more == 0.0 {
-                String::new()
-            } else {
-                format!(" + {more}")
-            },
-            least.map_or_else(String::new, |s| {
-                format!(", at least {}", s.least_batch_clocks())
-            }),
-        ];
-        let latency = spatial.map(Spatial::latency_clocks);
-        vec![
-            machine.name.to_owned(),
-            machine.queries_at_once().to_string(),
-            machine.photons_per_iteration().to_string(),
-            clocks.concat(),
-            latency.map_or("-".to_owned(), |clocks| clocks.to_string()),
-            machine.max_photons().to_string(),
-        ]
-    };
-    let header = [
-        "machine",
-        "queries",
-        "lanes",
-        "clocks of n groups",
-        "latency",
-        "max photons",
-    ];
-    table::markdown(&header, &MACHINES.iter().map(row).collect::<Vec<_>>())
+/// The clocks of a machine.
+fn clocks(machine: &Machine) -> Vec<Option<f64>> {
+    let spatial = machine.spatial();
+    let group = machine.rate().interval();
+    let overlapped = machine.overlap_program().map(|p| p.occupied_clocks(2));
+    let two = overlapped.or(machine.microprogram().map(|p| p.occupied_clocks(2)));
+    let more = two.map(|clocks| clocks as f64 - 2.0 * group);
+    vec![
+        Some(machine.queries_at_once() as f64),
+        Some(machine.photons_per_iteration() as f64),
+        Some(group),
+        more.or(spatial.map(|spatial| spatial.batch_gap_clocks().into())),
+        spatial.map(|spatial| spatial.least_batch_clocks().into()),
+        spatial.map(|spatial| spatial.latency_clocks().into()),
+        Some(machine.max_photons() as f64),
+    ]
 }
 
 #[test]
 fn the_page_of_ports_has_every_port_width_and_clock_of_every_machine() {
     let name = "docs/ports.md";
-    shows(PORTS_PAGE, name, &widths_table());
-    shows(PORTS_PAGE, name, &timing_table());
+    let header = "machine, query, radius_sq, photon, channels, power, exponent, sum, count";
+    shows(PORTS_PAGE, name, &table_of_machines(header, widths));
+    let header = "machine, queries, lanes, a group, more, at least, latency, max photons";
+    shows(PORTS_PAGE, name, &table_of_machines(header, clocks));
     assert_eq!(wide_rows(PORTS_PAGE, table::COLUMNS), [""; 0]);
     let rows = PORTS_PAGE.lines().filter(|line| line.starts_with("| `"));
     let row = |port: &str| rows.clone().find(|row| row.contains(&format!("`{port}")));
     for machine in MACHINES {
-        for (port, width) in ports(machine) {
-            // A row begins with its first axis or its first channel.
-            let first = [
-                ("_y", "_x"),
-                ("_z", "_x"),
-                ("_green", "_red"),
-                ("_blue", "_red"),
-            ]
-            .into_iter()
-            .find_map(|(end, first)| Some(port.strip_suffix(end)?.to_owned() + first))
-            .unwrap_or(port);
+        for Port {
+            name: port, width, ..
+        } in Interface::of(machine).ports
+        {
+            // A row begins with its first lane, its first axis or its first channel.
+            let first = port
+                .split("..")
+                .next()
+                .unwrap_or_default()
+                .replace("_y", "_x");
+            let first = first
+                .replace("_z", "_x")
+                .replace("_green", "_red")
+                .replace("_blue", "_red");
             let row = row(&first).unwrap_or_else(|| panic!("{name} has no row of {first}"));
             assert!(width == 1 || !row.contains("| 1 "), "{first}: {width} bits");
         }
