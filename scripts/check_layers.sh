@@ -28,7 +28,7 @@ LAYERS = [
     ("crates/rust-hdl-lint", "rust-hdl-lint", "", ""),
     ("crates/verilog-eval", "verilog-eval", "", ""),
     # No code: the features that all builds share. The tests of every other package depend on it.
-    ("crates/features", "photoncube-features", "", ""),
+    ("crates/workspace-features", "workspace-features", "", ""),
     # Its version 0.11, from outside.
     ("crates/svg", "svg", "svg", ""),
     ("crates/fpga-flow", "fpga-flow", "verilog-eval", ""),
@@ -88,7 +88,7 @@ for name in sorted(set(packages) | set(layers)):
             elif other == "rust-hdl" and dependency["req"] != GENERATOR_VERSION:
                 fault(manifest, f'rust-hdl = "{dependency["req"]}"', f'"{GENERATOR_VERSION}"')
         elif other in packages:
-            may = allowed + ([*tests, "features"] if kind == "dev" else [])
+            may = allowed + ([*tests, "workspace-features"] if kind == "dev" else [])
             if short(other) not in may:
                 fault(manifest, f"a {kind} dependency on {other}", f"none but on {', '.join(may) or 'nothing of ours'}")
 

@@ -18,7 +18,7 @@ fn root() -> PathBuf {
 }
 
 /// The package that gives builds of one package the features of the workspace. It has no code to name.
-const FEATURES: &str = "photoncube-features";
+const FEATURES: &str = "workspace-features";
 
 /// The standard output of a command of cargo, which must succeed.
 fn cargo(arguments: &[&str]) -> String {
@@ -196,7 +196,7 @@ fn one_package_builds_the_features_of_the_workspace() {
         let others: Vec<_> = alone.difference(&all).collect();
         assert!(
             others.is_empty(),
-            "-p {name} builds other features than --workspace: {others:#?}; crates/features/Cargo.toml lacks rows"
+            "-p {name} builds other features than --workspace: {others:#?}; crates/workspace-features/Cargo.toml lacks rows"
         );
     }
 }

@@ -132,7 +132,9 @@ impl Numbers {
     pub fn largest_radius_word(&self) -> u32 {
         match self {
             // Every squared distance, in at most 32 bits.
-            Self::Plain(format) => u32::MAX >> 30_u32.saturating_sub(2 * format.coordinate_bits),
+            Self::Plain(_) => {
+                u32::MAX >> u32::BITS.saturating_sub(Widths::of_numbers(self).radius_sq)
+            }
             Self::Local(format) => format.largest_in_range(),
         }
     }

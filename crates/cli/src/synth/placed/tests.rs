@@ -15,7 +15,12 @@ const ITERATIONS: u64 = 60;
 
 /// Yosys, as `scripts/setup.sh` installs it.
 fn tools() -> Tools {
-    Tools::find(pinned_tools(), None).unwrap()
+    let folder = pinned_tools();
+    assert!(
+        folder.is_some(),
+        "no Yosys of `scripts/setup.sh --where`; scripts/setup.sh installs it"
+    );
+    Tools::find(folder, None).unwrap()
 }
 
 fn simulated(placed: &Placed<'_>, netlist: &Netlist) -> Result<Verdict, VerifyError> {

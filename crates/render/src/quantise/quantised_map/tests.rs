@@ -3,18 +3,13 @@ use photoncube_spec::{MACHINES, PlainFormat, find_machine};
 use proptest::prelude::*;
 
 use super::*;
-use crate::{Photon, Scene, TraceOptions, trace};
+use crate::scene::fixtures::traced_cornell;
+use crate::{Photon, Scene};
 
 const RADIUS: f64 = 0.2;
 
 fn map() -> PhotonMap {
-    let scene = Scene::built_in("cornell").unwrap();
-    let options = TraceOptions {
-        photons: 5_000,
-        seed: 4,
-    };
-    let photons = trace(&scene, &options, &|_| ()).unwrap().photons;
-    PhotonMap::new(&scene, photons, RADIUS).unwrap()
+    traced_cornell(5_000, 4, RADIUS).1
 }
 
 #[test]
@@ -117,7 +112,7 @@ proptest! {
 /// The sums of a machine on its words equal those of its numbers' gather on the records.
 #[test]
 fn a_machine_sums_what_its_format_does() {
-    let (scene, map) = (Scene::built_in("cornell").unwrap(), map());
+    let (scene, map) = traced_cornell(5_000, 4, RADIUS);
     for machine in MACHINES {
         let quantised = QuantisedMap::new(&map, &machine.numbers).unwrap();
         let mut in_range = 0;
