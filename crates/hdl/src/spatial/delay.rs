@@ -42,9 +42,7 @@ impl<const W: usize> WordDelay<W> {
     }
 }
 
-impl<const W: usize> Logic for WordDelay<W> {
-    logic_of_wires!();
-}
+logic_of_wires!(WordDelay<W>);
 
 /// A flag's delay line. A reset clears it.
 #[derive(LogicBlock)]
@@ -83,6 +81,4 @@ impl FlagDelay {
     }
 }
 
-impl Logic for FlagDelay {
-    logic_of_wires!();
-}
+logic_of_wires!(FlagDelay);

@@ -218,8 +218,4 @@ impl<const B: usize, const E: usize, const P: usize, const S: usize, const N: us
     }
 }
 
-impl<const B: usize, const E: usize, const P: usize, const S: usize, const N: usize> Logic
-    for Head<B, E, P, S, N>
-{
-    logic_of_wires!();
-}
+logic_of_wires!(Head<B, E, P, S, N>);

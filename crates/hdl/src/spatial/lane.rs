@@ -118,6 +118,4 @@ impl<const Q: usize, const T: usize, const U: usize> Lane<Q, T, U> {
     }
 }
 
-impl<const Q: usize, const T: usize, const U: usize> Logic for Lane<Q, T, U> {
-    logic_of_wires!();
-}
+logic_of_wires!(Lane<Q, T, U>);

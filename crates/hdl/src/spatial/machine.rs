@@ -388,25 +388,4 @@ impl<
     }
 }
 
-impl<
-    const C: usize,
-    const D: usize,
-    const R: usize,
-    const Q: usize,
-    const L: usize,
-    const LP: usize,
-    const HP: usize,
-    const PR: usize,
-    const T: usize,
-    const U: usize,
-    const B: usize,
-    const E: usize,
-    const P: usize,
-    const PP: usize,
-    const GP: usize,
-    const S: usize,
-    const N: usize,
-> Logic for SpatialMachine<C, D, R, Q, L, LP, HP, PR, T, U, B, E, P, PP, GP, S, N>
-{
-    logic_of_wires!();
-}
+logic_of_wires!(SpatialMachine<C, D, R, Q, L, LP, HP, PR, T, U, B, E, P, PP, GP, S, N>);

@@ -96,17 +96,7 @@ impl<
     }
 }
 
-impl<
-    const C: usize,
-    const D: usize,
-    const R: usize,
-    const Q: usize,
-    const LP: usize,
-    const HP: usize,
-> Logic for DigitSquarer<C, D, R, Q, LP, HP>
-{
-    logic_of_wires!();
-}
+logic_of_wires!(DigitSquarer<C, D, R, Q, LP, HP>);
 
 /// The squarer from a table that two coordinates share, d to d^2; a word has `L = Q + 1` bits.
 #[derive(LogicBlock)]
@@ -171,9 +161,7 @@ impl<const D: usize, const Q: usize, const L: usize> TableSquarer<D, Q, L> {
     }
 }
 
-impl<const D: usize, const Q: usize, const L: usize> Logic for TableSquarer<D, Q, L> {
-    logic_of_wires!();
-}
+logic_of_wires!(TableSquarer<D, Q, L>);
 
 /// The squarer that is one product, d to d^2; `PR = 2 (D - 1)`.
 #[derive(LogicBlock)]
@@ -217,9 +205,7 @@ impl<const D: usize, const Q: usize, const PR: usize> ProductSquarer<D, Q, PR> {
     }
 }
 
-impl<const D: usize, const Q: usize, const PR: usize> Logic for ProductSquarer<D, Q, PR> {
-    logic_of_wires!();
-}
+logic_of_wires!(ProductSquarer<D, Q, PR>);
 
 /// The squares of the differences of two photons from one query on one axis. The block serves two photons,
 /// because a table has two ports. `L = Q + 1`; the other widths are those of the squarers.
@@ -337,16 +323,4 @@ impl<
     }
 }
 
-impl<
-    const C: usize,
-    const D: usize,
-    const R: usize,
-    const Q: usize,
-    const L: usize,
-    const LP: usize,
-    const HP: usize,
-    const PR: usize,
-> Logic for SquarePair<C, D, R, Q, L, LP, HP, PR>
-{
-    logic_of_wires!();
-}
+logic_of_wires!(SquarePair<C, D, R, Q, L, LP, HP, PR>);

@@ -136,8 +136,4 @@ impl<const P: usize, const PP: usize, const GP: usize, const S: usize> ChannelSu
     }
 }
 
-impl<const P: usize, const PP: usize, const GP: usize, const S: usize> Logic
-    for ChannelSum<P, PP, GP, S>
-{
-    logic_of_wires!();
-}
+logic_of_wires!(ChannelSum<P, PP, GP, S>);

@@ -86,19 +86,22 @@ macro_rules! zeros {
     };
 }
 
-/// Implements the methods of [`rust_hdl::prelude::Logic`] for a block with `wires` and `_wires`.
+/// Implements [`rust_hdl::prelude::Logic`] for a block with `wires` and `_wires`. The block's widths are given as in
+/// its type: `logic_of_wires!(Stage<W>);`.
 macro_rules! logic_of_wires {
-    () => {
-        fn update(&mut self) {
-            self.wires(&mut $crate::spatial::wiring::Wiring::Update);
-        }
+    ($block:ident $(<$($width:ident),+>)?) => {
+        impl $(<$(const $width: usize),+>)? Logic for $block $(<$($width),+>)? {
+            fn update(&mut self) {
+                self.wires(&mut $crate::spatial::wiring::Wiring::Update);
+            }
 
-        fn connect(&mut self) {
-            self.wires(&mut $crate::spatial::wiring::Wiring::Connect);
-        }
+            fn connect(&mut self) {
+                self.wires(&mut $crate::spatial::wiring::Wiring::Connect);
+            }
 
-        fn hdl(&self) -> Verilog {
-            $crate::spatial::wiring::verilog(&self._wires)
+            fn hdl(&self) -> Verilog {
+                $crate::spatial::wiring::verilog(&self._wires)
+            }
         }
     };
 }
