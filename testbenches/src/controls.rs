@@ -1,6 +1,7 @@
 //! Planted faults. A method of verification plants at least one in each run and must find it, since a method
 //! that finds nothing may also be blind.
 
+use std::collections::BTreeSet;
 use std::ops::Range;
 
 use photoncube_hdl::{Emitted, Level, emit};
@@ -64,6 +65,13 @@ impl Controls {
     pub fn gathered(all: impl IntoIterator<Item = Control>) -> Result<Self, NoControl> {
         let mut all = all.into_iter();
         Ok(Self::new(all.next().ok_or(NoControl)?, all))
+    }
+
+    /// These controls and more.
+    #[must_use]
+    pub fn with(mut self, more: impl IntoIterator<Item = Control>) -> Self {
+        self.0.extend(more);
+        self
     }
 
     /// The number of controls; never 0.
@@ -146,21 +154,32 @@ const LOST_CARRIES: PlantedFault = PlantedFault {
     edits: &[("a + b", "a ^ b")],
 };
 
-/// The control of every method that compares a machine with the golden model: a fault in the text of the
-/// smallest machine, in the built-in evaluator.
+/// The controls of a method that compares machines with the golden model: in each device that it compares in, a
+/// fault in the text of the smallest machine. rust-hdl has none, since it simulates no text; where it is alone, and
+/// where there is no device, the built-in evaluator has the control.
 ///
 /// # Errors
-/// The text cannot be made or evaluated.
-pub fn comparison_control() -> Result<Control, VerifyError> {
+/// The text cannot be made, or a device does not run.
+pub fn comparison_controls(
+    kinds: impl IntoIterator<Item = DeviceKind>,
+) -> Result<Controls, VerifyError> {
+    let kinds = kinds.into_iter();
+    let mut kinds: BTreeSet<_> = kinds.filter(|kind| *kind != DeviceKind::RustHdl).collect();
+    let first = kinds.pop_first().unwrap_or(DeviceKind::Text);
+    let more: Result<Vec<_>, _> = kinds.into_iter().map(comparison_control).collect();
+    Ok(Controls::new(comparison_control(first)?, more?))
+}
+
+fn comparison_control(kind: DeviceKind) -> Result<Control, VerifyError> {
     let (machine, design) = LOST_CARRIES.plant()?;
     let options = VerifyOptions {
         iterations: 1_000,
         seed: 1,
         source: Source::Random,
     };
-    let mut device = DeviceKind::Text.open_text(&design)?;
+    let mut device = kind.open_emitted(&design)?;
     let ended = verify_device(machine, device.as_mut(), &options, &|_| ());
-    Control::of(LOST_CARRIES.told(), ended)
+    Control::of(format!("{}, in {kind}", LOST_CARRIES.told()), ended)
 }
 
 #[cfg(test)]
@@ -168,8 +187,12 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_control_of_comparisons_is_found() {
-        assert!(comparison_control().unwrap().found);
+    fn the_control_of_comparisons_is_found_once_in_each_device() {
+        use DeviceKind::{RustHdl, Text};
+        for kinds in [vec![], vec![RustHdl], vec![RustHdl, Text, Text]] {
+            let controls = comparison_controls(kinds).unwrap();
+            assert_eq!((controls.count(), controls.missed().count()), (1, 0));
+        }
     }
 
     #[test]

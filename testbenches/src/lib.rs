@@ -39,7 +39,7 @@ pub use campaign::{
     minimised, pairs,
 };
 pub use compare::{Activity, Actual, Divergence};
-pub use controls::{Control, Controls, NoControl, PlantedFault, comparison_control, plant};
+pub use controls::{Control, Controls, NoControl, PlantedFault, comparison_controls, plant};
 pub use coverage::{Coverage, CoverageKind, Gap, ModuleCoverage, Share, corners, coverage};
 pub use device::{
     Device, DeviceError, DeviceKind, Icarus, Mutant, Observed, RustHdl, Text, Unknown,

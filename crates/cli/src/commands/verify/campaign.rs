@@ -8,8 +8,8 @@ use anyhow::{Context, Result};
 use clap::Args;
 use indicatif::ProgressBar;
 use photoncube_testbench::{
-    Controls, Divergence, Failure, Keeper, Pair, State, Summary, Tool, campaign,
-    comparison_control, minimised, pairs,
+    DeviceKind, Divergence, Failure, Keeper, Pair, State, Summary, Tool, campaign,
+    comparison_controls, minimised, pairs,
 };
 use serde::Serialize;
 
@@ -90,11 +90,12 @@ impl Method for Campaign {
         files.bar.enable_steady_tick(Duration::from_millis(200));
         campaign(&mut state, &pairs(), deadline, &mut files)?;
         files.bar.finish_and_clear();
-        outcome(&state)
+        let devices = pairs().into_iter().map(|pair| pair.1);
+        outcome(&state, devices.filter(|_| self.hours > 0.0))
     }
 }
 
-fn outcome(state: &State) -> Result<Outcome> {
+fn outcome(state: &State, devices: impl Iterator<Item = DeviceKind>) -> Result<Outcome> {
     let total = |(summary, jobs)| Total { summary, jobs };
     let report = Report {
         seed: state.seed,
@@ -108,7 +109,7 @@ fn outcome(state: &State) -> Result<Outcome> {
         report.failures.len(),
         report.seed
     );
-    let controls = Controls::new(comparison_control()?, []);
+    let controls = comparison_controls(devices)?;
     Ok(Outcome::new::<Campaign>(controls, &report)?
         .rows("totals", COLUMNS)
         .note(sum)
@@ -192,7 +193,12 @@ mod tests {
     #[test]
     fn nothing_done_is_no_pass_and_a_failure_is_told() {
         let mut state = State::new(1);
-        let concluded = |state: &State| outcome(state).unwrap().conclusion().unwrap_err();
+        let concluded = |state: &State| {
+            outcome(state, [].into_iter())
+                .unwrap()
+                .conclusion()
+                .unwrap_err()
+        };
         assert!(concluded(&state).to_string().contains("--hours"));
         state.failures.push(Failure {
             machine: "paper".into(),

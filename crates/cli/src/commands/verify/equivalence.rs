@@ -4,7 +4,7 @@ use anyhow::Result;
 use clap::Args;
 use photoncube_spec::Machine;
 use photoncube_testbench::{
-    Controls, DeviceKind, Tool, Verdict, VerifyError, VerifyOptions, comparison_control, verify,
+    DeviceKind, Tool, Verdict, VerifyError, VerifyOptions, comparison_controls, verify,
 };
 use serde_json::json;
 
@@ -73,7 +73,7 @@ impl Method for Equivalence {
             "mismatches": all.mismatches(),
             "devices": all.verdicts,
         });
-        let controls = Controls::new(comparison_control()?, []);
+        let controls = comparison_controls(devices(&self.against))?;
         Ok(Outcome::new::<Self>(controls, &details)?
             .rows("devices", COLUMNS)
             .lines(all.verdicts.iter().map(|verdict| self.line(verdict)))

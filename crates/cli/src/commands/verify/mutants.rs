@@ -4,8 +4,7 @@ use anyhow::{Result, bail};
 use clap::Args;
 use photoncube_spec::Machine;
 use photoncube_testbench::{
-    Controls, DeviceKind, Fate, MutantOptions, MutantPart, MutantReport, Tool, comparison_control,
-    mutants,
+    DeviceKind, Fate, MutantOptions, MutantPart, MutantReport, Tool, comparison_controls, mutants,
 };
 
 use super::method::Method;
@@ -57,7 +56,7 @@ impl Method for Mutants {
         let bar = progress::bar("mutants", self.mutants);
         let report = equal(mutants(machine, &options, &|done| bar.set_position(done)))?;
         bar.finish_and_clear();
-        let controls = Controls::new(comparison_control()?, report.controls.clone());
+        let controls = comparison_controls([DeviceKind::Verilator])?.with(report.controls.clone());
         let header = ["module", "killed", "equivalent", "survived"];
         let columns = "mutant module fate reason mutation";
         let counts = format!(

@@ -3,9 +3,7 @@
 
 use anyhow::Result;
 use clap::Args;
-use photoncube_testbench::{
-    Control, Controls, DeviceKind, Tool, Verdict, VerifyError, comparison_control,
-};
+use photoncube_testbench::{Control, DeviceKind, Tool, Verdict, VerifyError, comparison_controls};
 use serde::Serialize;
 use serde_json::json;
 
@@ -97,8 +95,9 @@ impl Method for Placed {
             verilog_sha256: emitted.verilog_sha256(),
         };
         spinner.finish_and_clear();
-        self.simulate(&placed, &devices(&self.against), &mut report)?;
-        report.outcome()
+        let simulators = devices(&self.against);
+        self.simulate(&placed, &simulators, &mut report)?;
+        report.outcome(simulators)
     }
 }
 
@@ -145,7 +144,7 @@ impl Report {
         self.netlists.add(&format!("netlist, {netlist}"), ended)
     }
 
-    fn outcome(self) -> Result<Outcome> {
+    fn outcome(self, simulators: Vec<DeviceKind>) -> Result<Outcome> {
         let details = json!({
             "machine": self.machine,
             "seed": self.seed,
@@ -161,7 +160,7 @@ impl Report {
         // A pass that changes nothing has no place for a fault.
         let changed = self.passes.iter();
         let changed = changed.filter(|pass| pass.different_changes > 0);
-        let controls = Controls::new(comparison_control()?, changed.map(control));
+        let controls = comparison_controls(simulators)?.with(changed.map(control));
         let placed = format!(
             "{}: mapped by Yosys {}; the netlist that is placed is {}",
             self.machine, self.tool_version, self.netlist_sha256
@@ -295,7 +294,7 @@ mod tests {
 
     #[test]
     fn a_pass_without_proof_or_control_and_nothing_simulated_fail() {
-        let concluded = |report: Report| report.outcome().unwrap().conclusion();
+        let concluded = |report: Report| report.outcome(Vec::new()).unwrap().conclusion();
         assert!(concluded(report(vec![pass()])).is_ok());
         let wrong: [fn(&mut PassProof); 2] = [
             |pass| pass.proven = false,
@@ -317,7 +316,8 @@ mod tests {
 
     #[test]
     fn every_key_is_documented() {
-        let report = serde_json::to_value(report(vec![pass()]).outcome().unwrap()).unwrap();
+        let report =
+            serde_json::to_value(report(vec![pass()]).outcome(Vec::new()).unwrap()).unwrap();
         let rows = ["netlist_passes", "netlists"].map(|rows| &report[rows][0]);
         let objects = rows
             .into_iter()
