@@ -44,9 +44,10 @@ pub(crate) fn program_widths(widths: &Widths) -> [(&'static str, u32); 10] {
 }
 
 /// The widths that select a compiled spatial block, in the order of its table.
-fn spatial_widths(widths: &Widths) -> [(&'static str, u32); 17] {
+fn spatial_widths(widths: &Widths) -> [(&'static str, u32); 18] {
     [
         ("coordinate", widths.coordinate),
+        ("photon", widths.photon),
         ("signed difference", widths.signed_difference()),
         ("difference", widths.difference),
         ("square", widths.square),
@@ -151,11 +152,11 @@ built_in! {
 }
 
 macro_rules! built_in_spatial {
-    ($($c:literal $d:literal $r:literal $q:literal $l:literal
+    ($($c:literal $h:literal $d:literal $r:literal $q:literal $l:literal
        $lp:literal $hp:literal $pr:literal $t:literal $u:literal;
        $b:literal $e:literal $p:literal $pp:literal $gp:literal $s:literal $n:literal;)+) => {
-        const BUILT_IN_SPATIAL: &[[u32; 17]] = &[$([
-            $c, $d, $r, $q, $l, $lp, $hp, $pr, $t, $u, $b, $e, $p, $pp, $gp, $s, $n,
+        const BUILT_IN_SPATIAL: &[[u32; 18]] = &[$([
+            $c, $h, $d, $r, $q, $l, $lp, $hp, $pr, $t, $u, $b, $e, $p, $pp, $gp, $s, $n,
         ],)+];
 
         fn find_spatial(
@@ -164,23 +165,20 @@ macro_rules! built_in_spatial {
             level: Level,
         ) -> Option<Box<dyn Pinned>> {
             let widths = bits(spatial_widths(&Widths::of(machine)));
-            if machine.format()?.half_steps() {
-                return None;
-            }
             let mut row = BUILT_IN_SPATIAL.iter();
             $(
                 if row.next() == Some(&widths) {
                     return match level {
                         Level::Machine => Some(Box::new(SpatialMachine::<
-                            $c, $d, $r, $q, $l, $lp, $hp, $pr, $t, $u,
+                            $c, $h, $d, $r, $q, $l, $lp, $hp, $pr, $t, $u,
                             $b, $e, $p, $pp, $gp, $s, $n,
                         >::new(machine, spatial))),
                         Level::SquarePair => Some(Box::new(
-                            SquarePair::<$c, $d, $r, $q, $l, $lp, $hp, $pr>::new(
+                            SquarePair::<$c, $h, $d, $r, $q, $l, $lp, $hp, $pr>::new(
                                 spatial.cuts, machine.squarer))),
                         Level::Memory if machine.has_memory() => {
                             let channels = machine.channels().names();
-                            Some(Box::new(PhotonMemory::<$c, $b, $e>::new(spatial, channels)))
+                            Some(Box::new(PhotonMemory::<$h, $b, $e>::new(spatial, channels)))
                         }
                         _ => None,
                     };
@@ -191,11 +189,11 @@ macro_rules! built_in_spatial {
     };
 }
 
-// coordinate, difference, radius, square, table's word, two digit products, product, pair, distance;
+// coordinate, photon, difference, radius, square, table's word, two digit products, product, pair, distance;
 // mantissa, exponent, power, pair's power, group's power, sum, count
 built_in_spatial! {
-    10 11 8 16 17 6 6 20 17 18;  8 0 8 9 10 22 15;
-    9 10 7 14 15 6 4 18 15 16;  6 0 6 7 8 18 13;
+    10 10 11 8 16 17 6 6 20 17 18;  8 0 8 9 10 22 15;
+    9 9 10 7 14 15 6 4 18 15 16;  6 0 6 7 8 18 13;
 }
 
 /// Describes the needed widths and the rows of a table.

@@ -106,7 +106,7 @@ const CUTS: Cuts = Cuts::of(&Cut::ALL);
 
 macro_rules! pair {
     ($squarer:expr, $c:literal $d:literal $r:literal $q:literal $l:literal $lp:literal $hp:literal $pr:literal) => {
-        Box::new(SquarePair::<$c, $d, $r, $q, $l, $lp, $hp, $pr>::new(
+        Box::new(SquarePair::<$c, $c, $d, $r, $q, $l, $lp, $hp, $pr>::new(
             CUTS, $squarer,
         ))
     };

@@ -24,22 +24,58 @@ impl<const A: usize, const B: usize, const S: usize> Logic for Sum<A, B, S> {
     }
 }
 
-/// `difference = a - b` in two's complement; `D = C + 1`.
+/// `difference = a - b` in two's complement, where query and photon have equal steps; `H = C`, `D = C + 1`.
 #[derive(LogicBlock, Default)]
-pub(crate) struct Subtract<const C: usize, const D: usize> {
+pub(crate) struct Subtract<const C: usize, const H: usize, const D: usize> {
     pub a: Signal<In, Bits<C>>,
-    pub b: Signal<In, Bits<C>>,
+    pub b: Signal<In, Bits<H>>,
     pub difference: Signal<Out, Bits<D>>,
     wide_a: Signal<Local, Bits<D>>,
     wide_b: Signal<Local, Bits<D>>,
 }
 
-impl<const C: usize, const D: usize> Logic for Subtract<C, D> {
+impl<const C: usize, const H: usize, const D: usize> Logic for Subtract<C, H, D> {
     #[hdl_gen]
     fn update(&mut self) {
         self.wide_a.next = bit_cast::<D, C>(self.a.val());
-        self.wide_b.next = bit_cast::<D, C>(self.b.val());
+        self.wide_b.next = bit_cast::<D, H>(self.b.val());
         self.difference.next = self.wide_a.val() - self.wide_b.val();
+    }
+}
+
+/// `difference = a - line` in two's complement. The photon `b` is on a grid line between two queries, the line's place
+/// being `C - H` bits finer; `D = C + 1`.
+#[derive(LogicBlock)]
+pub(crate) struct SubtractLine<const C: usize, const H: usize, const D: usize> {
+    pub a: Signal<In, Bits<C>>,
+    pub b: Signal<In, Bits<H>>,
+    pub difference: Signal<Out, Bits<D>>,
+    wide_a: Signal<Local, Bits<D>>,
+    wide_b: Signal<Local, Bits<D>>,
+    line: Signal<Local, Bits<D>>,
+    places: Constant<Bits<2>>,
+    middle: Constant<Bits<D>>,
+}
+
+impl<const C: usize, const H: usize, const D: usize> Default for SubtractLine<C, H, D> {
+    fn default() -> Self {
+        let places = (C - H) as u64;
+        defaulted!(Self {
+            places: Constant::new(places.to_bits()),
+            middle: Constant::new((1_u64 << (places - 1)).to_bits()),
+        };
+            a b difference wide_a wide_b line
+        )
+    }
+}
+
+impl<const C: usize, const H: usize, const D: usize> Logic for SubtractLine<C, H, D> {
+    #[hdl_gen]
+    fn update(&mut self) {
+        self.wide_a.next = bit_cast::<D, C>(self.a.val());
+        self.wide_b.next = bit_cast::<D, H>(self.b.val());
+        self.line.next = (self.wide_b.val() << self.places.val()) | self.middle.val();
+        self.difference.next = self.wide_a.val() - self.line.val();
     }
 }
 

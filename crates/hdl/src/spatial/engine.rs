@@ -43,12 +43,13 @@ impl EngineShape {
     }
 }
 
-/// An engine. Widths: `C` coordinate, `D` difference, `R` radius bits, `Q` square and radius_sq,
+/// An engine. Widths: `C` query's and `H` photon's coordinate, `D` difference, `R` radius bits, `Q` square and radius_sq,
 /// `L` table's word, `LP`, `HP` digit products, `PR` product, `T` pair, `U` distance; `P` power,
 /// `PP` of a pair, `GP` of a group, `S` sum, `N` count.
 #[derive(LogicBlock)]
 pub(crate) struct Engine<
     const C: usize,
+    const H: usize,
     const D: usize,
     const R: usize,
     const Q: usize,
@@ -71,7 +72,7 @@ pub(crate) struct Engine<
     pub token_radius_sq_in: Vec<Signal<In, Bits<Q>>>,
     pub swap_in: Signal<In, Bit>,
     /// The coordinates: axis a of lane g is at 3 g + a.
-    pub photon_in: [Signal<In, Bits<C>>; COORDINATES],
+    pub photon_in: [Signal<In, Bits<H>>; COORDINATES],
     /// The powers: channel c of lane g is at `channels` g + c.
     pub power_in: Vec<Signal<In, Bits<P>>>,
     pub present_in: [Signal<In, Bits<PRESENCE>>; LANES],
@@ -85,7 +86,7 @@ pub(crate) struct Engine<
     pub token_out: [Signal<Out, Bits<C>>; AXES],
     pub token_radius_sq_out: Vec<Signal<Out, Bits<Q>>>,
     pub swap_out: Signal<Out, Bit>,
-    pub photon_out: [Signal<Out, Bits<C>>; COORDINATES],
+    pub photon_out: [Signal<Out, Bits<H>>; COORDINATES],
     pub power_out: Vec<Signal<Out, Bits<P>>>,
     pub present_out: [Signal<Out, Bits<PRESENCE>>; LANES],
     pub first_out: Signal<Out, Bit>,
@@ -97,9 +98,9 @@ pub(crate) struct Engine<
     pub(super) query: [QueryWord<C>; AXES],
     pub(super) radius_word: Vec<QueryWord<Q>>,
     pub(super) radius_sq_delay: Vec<Stage<Bits<Q>>>,
-    pub(super) photon: Vec<Stage<Bits<C>>>,
+    pub(super) photon: Vec<Stage<Bits<H>>>,
     /// The squarers: axis a of pair i is at 3 i + a.
-    pub(super) square_pair: Vec<SquarePair<C, D, R, Q, L, LP, HP, PR>>,
+    pub(super) square_pair: Vec<SquarePair<C, H, D, R, Q, L, LP, HP, PR>>,
     pub(super) lane: Vec<Lane<Q, T, U>>,
     pub(super) group_flags: GroupFlags,
     pub(super) channel_sum: Vec<ChannelSum<P, PP, GP, S>>,
@@ -110,6 +111,7 @@ pub(crate) struct Engine<
 
 impl<
     const C: usize,
+    const H: usize,
     const D: usize,
     const R: usize,
     const Q: usize,
@@ -124,7 +126,7 @@ impl<
     const GP: usize,
     const S: usize,
     const N: usize,
-> Engine<C, D, R, Q, L, LP, HP, PR, T, U, P, PP, GP, S, N>
+> Engine<C, H, D, R, Q, L, LP, HP, PR, T, U, P, PP, GP, S, N>
 {
     pub fn new(shape: EngineShape) -> Self {
         let EngineShape {
@@ -298,4 +300,4 @@ impl<
     }
 }
 
-logic_of_wires!(Engine<C, D, R, Q, L, LP, HP, PR, T, U, P, PP, GP, S, N>);
+logic_of_wires!(Engine<C, H, D, R, Q, L, LP, HP, PR, T, U, P, PP, GP, S, N>);

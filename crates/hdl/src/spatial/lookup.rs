@@ -107,18 +107,32 @@ impl<const Q: usize, const L: usize> Logic for SplitLookup<Q, L> {
     }
 }
 
-/// `product = difference^2` in `PR = 2 (D - 1)` bits, for a DSP block.
-#[derive(LogicBlock, Default)]
+/// `product = difference^2` in `PR = 2 (D - 1)` bits, for a DSP block. On half steps it is `d (d + 1)`, the half square
+/// of the distance `|d + 1/2|`.
+#[derive(LogicBlock)]
 pub(crate) struct DifferenceProduct<const D: usize, const PR: usize> {
     pub difference: Signal<In, Bits<D>>,
     pub product: Signal<Out, Bits<PR>>,
+    _half_steps: bool,
+}
+
+impl<const D: usize, const PR: usize> DifferenceProduct<D, PR> {
+    pub fn new(half_steps: bool) -> Self {
+        defaulted!(Self { _half_steps: half_steps }; difference product)
+    }
 }
 
 impl<const D: usize, const PR: usize> Logic for DifferenceProduct<D, PR> {
     fn update(&mut self) {
         let difference = self.difference.val().to_u64();
-        let magnitude = difference.min((1 << D) - difference);
-        self.product.next = (magnitude * magnitude % (1 << PR)).to_bits();
+        let negative = difference >> (D - 1) == 1;
+        let product = match (self._half_steps, negative) {
+            (false, false) => difference * difference,
+            (false, true) => ((1 << D) - difference).pow(2),
+            (true, false) => difference * (difference + 1),
+            (true, true) => ((1 << D) - difference) * ((1 << D) - difference - 1),
+        };
+        self.product.next = (product % (1 << PR)).to_bits();
     }
 
     fn connect(&mut self) {
@@ -127,9 +141,10 @@ impl<const D: usize, const PR: usize> Logic for DifferenceProduct<D, PR> {
 
     fn hdl(&self) -> Verilog {
         let high = D - 1;
+        let half_step = if self._half_steps { " + d" } else { "" };
         Verilog::Custom(format!(
             "wire signed [{high}:0] d = difference;\n\
-             wire signed [{}:0] squared = d * d;\n\
+             wire signed [{}:0] squared = d * d{half_step};\n\
              always @(*) product = squared[{}:0];\n",
             2 * D - 1,
             PR - 1,

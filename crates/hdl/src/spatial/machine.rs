@@ -17,6 +17,7 @@ const AXES: usize = 3;
 #[derive(LogicBlock)]
 pub(crate) struct SpatialMachine<
     const C: usize,
+    const H: usize,
     const D: usize,
     const R: usize,
     const Q: usize,
@@ -49,9 +50,9 @@ pub(crate) struct SpatialMachine<
     pub group_ready: Signal<Out, Bit>,
     pub group_last: Signal<In, Bit>,
     pub photon_present: [Signal<In, Bits<1>>; LANES],
-    pub photon_x: [Signal<In, Bits<C>>; LANES],
-    pub photon_y: [Signal<In, Bits<C>>; LANES],
-    pub photon_z: [Signal<In, Bits<C>>; LANES],
+    pub photon_x: [Signal<In, Bits<H>>; LANES],
+    pub photon_y: [Signal<In, Bits<H>>; LANES],
+    pub photon_z: [Signal<In, Bits<H>>; LANES],
     /// The mantissas: channel c of lane g is at 4 c + g.
     pub photon_channel: Vec<Signal<In, Bits<B>>>,
     pub photon_exponent: Vec<Signal<In, Bits<E>>>,
@@ -60,7 +61,7 @@ pub(crate) struct SpatialMachine<
     pub result: Vec<Signal<Out, Bits<S>>>,
     pub result_count: Signal<Out, Bits<N>>,
     /// One photon memory, or none.
-    pub(super) memory: Vec<PhotonMemory<C, B, E>>,
+    pub(super) memory: Vec<PhotonMemory<H, B, E>>,
     /// The entry, which holds the values of the pins or of the memory one clock later. So the nets from the
     /// pins to the engines, and from the logic that decides whether a group is taken, start and end at
     /// registers.
@@ -69,7 +70,7 @@ pub(crate) struct SpatialMachine<
     /// One radius; empty where queries have none.
     pub(super) entry_radius: Vec<Stage<Bits<Q>>>,
     /// The photons' coordinates: axis a of lane g is at 3 g + a.
-    pub(super) entry_photon: Vec<Stage<Bits<C>>>,
+    pub(super) entry_photon: Vec<Stage<Bits<H>>>,
     /// The photons' mantissas: channel c of lane g is at 4 c + g.
     pub(super) entry_mantissa: Vec<Stage<Bits<B>>>,
     pub(super) entry_exponent: Vec<Stage<Bits<E>>>,
@@ -78,7 +79,7 @@ pub(crate) struct SpatialMachine<
     pub(super) entry_first: FlagStage,
     pub(super) entry_last: FlagStage,
     pub(super) head: Head<B, E, P, S, N>,
-    pub(super) engine: Vec<Engine<C, D, R, Q, L, LP, HP, PR, T, U, P, PP, GP, S, N>>,
+    pub(super) engine: Vec<Engine<C, H, D, R, Q, L, LP, HP, PR, T, U, P, PP, GP, S, N>>,
     /// The places of the registers, in the order of the machine's pins.
     pub(super) _places: Vec<SignalPlace>,
     _wires: Wires,
@@ -86,6 +87,7 @@ pub(crate) struct SpatialMachine<
 
 impl<
     const C: usize,
+    const H: usize,
     const D: usize,
     const R: usize,
     const Q: usize,
@@ -102,7 +104,7 @@ impl<
     const GP: usize,
     const S: usize,
     const N: usize,
-> SpatialMachine<C, D, R, Q, L, LP, HP, PR, T, U, B, E, P, PP, GP, S, N>
+> SpatialMachine<C, H, D, R, Q, L, LP, HP, PR, T, U, B, E, P, PP, GP, S, N>
 {
     /// Builds a machine. The type's widths must be those of the machine.
     pub fn new(machine: &Machine, spatial: &Spatial) -> Self {
@@ -388,4 +390,4 @@ impl<
     }
 }
 
-logic_of_wires!(SpatialMachine<C, D, R, Q, L, LP, HP, PR, T, U, B, E, P, PP, GP, S, N>);
+logic_of_wires!(SpatialMachine<C, H, D, R, Q, L, LP, HP, PR, T, U, B, E, P, PP, GP, S, N>);

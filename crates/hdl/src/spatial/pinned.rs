@@ -15,6 +15,7 @@ const MEMORY: &str = "memory_0.";
 
 impl<
     const C: usize,
+    const H: usize,
     const D: usize,
     const R: usize,
     const Q: usize,
@@ -22,7 +23,7 @@ impl<
     const LP: usize,
     const HP: usize,
     const PR: usize,
-> Pinned for SquarePair<C, D, R, Q, L, LP, HP, PR>
+> Pinned for SquarePair<C, H, D, R, Q, L, LP, HP, PR>
 {
     fn set_clock(&mut self, level: bool) {
         self.clock.next = level.into();
@@ -41,6 +42,7 @@ impl<
 
 impl<
     const C: usize,
+    const H: usize,
     const D: usize,
     const R: usize,
     const Q: usize,
@@ -57,7 +59,7 @@ impl<
     const GP: usize,
     const S: usize,
     const N: usize,
-> SpatialMachine<C, D, R, Q, L, LP, HP, PR, T, U, B, E, P, PP, GP, S, N>
+> SpatialMachine<C, H, D, R, Q, L, LP, HP, PR, T, U, B, E, P, PP, GP, S, N>
 {
     fn ask(&self, place: SignalPlace, ask: Ask) -> Answer {
         match place {
@@ -81,6 +83,7 @@ impl<
 
 impl<
     const C: usize,
+    const H: usize,
     const D: usize,
     const R: usize,
     const Q: usize,
@@ -97,7 +100,7 @@ impl<
     const GP: usize,
     const S: usize,
     const N: usize,
-> Pinned for SpatialMachine<C, D, R, Q, L, LP, HP, PR, T, U, B, E, P, PP, GP, S, N>
+> Pinned for SpatialMachine<C, H, D, R, Q, L, LP, HP, PR, T, U, B, E, P, PP, GP, S, N>
 {
     fn set_clock(&mut self, level: bool) {
         self.clock.next = level.into();

@@ -60,6 +60,7 @@ const LANES: usize = Spatial::LANES;
 /// A register of an engine, by the index of the spec's table.
 pub(super) fn engine<
     const C: usize,
+    const H: usize,
     const D: usize,
     const R: usize,
     const Q: usize,
@@ -75,7 +76,7 @@ pub(super) fn engine<
     const S: usize,
     const N: usize,
 >(
-    e: &Engine<C, D, R, Q, L, LP, HP, PR, T, U, P, PP, GP, S, N>,
+    e: &Engine<C, H, D, R, Q, L, LP, HP, PR, T, U, P, PP, GP, S, N>,
     register: EngineRegister,
     i: usize,
     ask: Ask,
@@ -187,6 +188,7 @@ pub(super) fn engine<
 /// A register of the head or of the entry, by the spec's index.
 pub(super) fn head<
     const C: usize,
+    const H: usize,
     const D: usize,
     const R: usize,
     const Q: usize,
@@ -204,7 +206,7 @@ pub(super) fn head<
     const S: usize,
     const N: usize,
 >(
-    m: &SpatialMachine<C, D, R, Q, L, LP, HP, PR, T, U, B, E, P, PP, GP, S, N>,
+    m: &SpatialMachine<C, H, D, R, Q, L, LP, HP, PR, T, U, B, E, P, PP, GP, S, N>,
     register: HeadRegister,
     i: usize,
     ask: Ask,

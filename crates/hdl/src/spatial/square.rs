@@ -3,7 +3,7 @@
 use photoncube_spec::{Cut, Cuts, Squarer};
 use rust_hdl::prelude::*;
 
-use super::arithmetic::Subtract;
+use super::arithmetic::{Subtract, SubtractLine};
 use super::digits::{CrossSum, DigitProducts, Magnitude, SplitMagnitude, SquareSum};
 use super::lookup::{DifferenceProduct, SplitLookup, SplitProduct, SquareTable};
 use super::stage::Stage;
@@ -163,7 +163,7 @@ impl<const D: usize, const Q: usize, const L: usize> TableSquarer<D, Q, L> {
 
 logic_of_wires!(TableSquarer<D, Q, L>);
 
-/// The squarer that is one product, d to d^2; `PR = 2 (D - 1)`.
+/// The squarer that is one product, d to d^2 or on half steps to d (d + 1); `PR = 2 (D - 1)`.
 #[derive(LogicBlock)]
 pub(crate) struct ProductSquarer<const D: usize, const Q: usize, const PR: usize> {
     pub clock: Signal<In, Clock>,
@@ -179,13 +179,14 @@ pub(crate) struct ProductSquarer<const D: usize, const Q: usize, const PR: usize
 }
 
 impl<const D: usize, const Q: usize, const PR: usize> ProductSquarer<D, Q, PR> {
-    pub fn new(cuts: Cuts) -> Self {
+    pub fn new(cuts: Cuts, half_steps: bool) -> Self {
         with_wires!(defaulted!(Self {
+            difference_product: DifferenceProduct::new(half_steps),
             magnitude_delay: Stage::new(cuts.has(Cut::Magnitude)),
             products_delay: Stage::new(cuts.has(Cut::Products)),
             product: Stage::new(cuts.has(Cut::Cross)),
         };
-            clock difference square far difference_product split_product _wires
+            clock difference square far split_product _wires
         ))
     }
 
@@ -208,10 +209,12 @@ impl<const D: usize, const Q: usize, const PR: usize> ProductSquarer<D, Q, PR> {
 logic_of_wires!(ProductSquarer<D, Q, PR>);
 
 /// The squares of the differences of two photons from one query on one axis. The block serves two photons,
-/// because a table has two ports. `L = Q + 1`; the other widths are those of the squarers.
+/// because a table has two ports. `H` photon's coordinate, `L = Q + 1`; the other widths are those of the squarers. Where
+/// `H < C`, the photons are on grid lines between two queries.
 #[derive(LogicBlock)]
 pub(crate) struct SquarePair<
     const C: usize,
+    const H: usize,
     const D: usize,
     const R: usize,
     const Q: usize,
@@ -222,13 +225,16 @@ pub(crate) struct SquarePair<
 > {
     pub clock: Signal<In, Clock>,
     pub query: Signal<In, Bits<C>>,
-    pub photon_a: Signal<In, Bits<C>>,
-    pub photon_b: Signal<In, Bits<C>>,
+    pub photon_a: Signal<In, Bits<H>>,
+    pub photon_b: Signal<In, Bits<H>>,
     pub square_a: Signal<Out, Bits<Q>>,
     pub square_b: Signal<Out, Bits<Q>>,
     pub far_a: Signal<Out, Bit>,
     pub far_b: Signal<Out, Bit>,
-    subtract: Vec<Subtract<C, D>>,
+    /// Two, or none where the photons are on grid lines.
+    subtract: Vec<Subtract<C, H, D>>,
+    /// Two, or none where the photons have the steps of the query.
+    subtract_line: Vec<SubtractLine<C, H, D>>,
     pub difference: Vec<Stage<Bits<D>>>,
     /// Two squarers, or none where the squarer is of another kind.
     pub digits: Vec<DigitSquarer<C, D, R, Q, LP, HP>>,
@@ -244,6 +250,7 @@ pub(crate) struct SquarePair<
 
 impl<
     const C: usize,
+    const H: usize,
     const D: usize,
     const R: usize,
     const Q: usize,
@@ -251,21 +258,24 @@ impl<
     const LP: usize,
     const HP: usize,
     const PR: usize,
-> SquarePair<C, D, R, Q, L, LP, HP, PR>
+> SquarePair<C, H, D, R, Q, L, LP, HP, PR>
 {
     pub fn new(cuts: Cuts, squarer: Squarer) -> Self {
         assert!(D == C + 1 && Q == 2 * R && L == Q + 1 && PR == 2 * C);
+        let half_steps = H < C;
+        let lines = if half_steps { 2 } else { 0 };
         let count = |kind, count| if squarer == kind { count } else { 0 };
         let digits = 0..count(Squarer::Digits, 2);
         let lookup = 0..count(Squarer::Table, 1);
         let product = 0..count(Squarer::Product, 2);
         let behind = cuts.has(Cut::Square) && squarer != Squarer::Table;
         with_wires!(defaulted!(Self {
-            subtract: vec![Default::default(), Default::default()],
+            subtract: (lines..2).map(|_| Default::default()).collect(),
+            subtract_line: (0..lines).map(|_| Default::default()).collect(),
             difference: Stage::several(2, cuts.has(Cut::Difference)),
             digits: digits.map(|_| DigitSquarer::new(cuts)).collect(),
             lookup: lookup.map(|_| TableSquarer::new(cuts)).collect(),
-            product: product.map(|_| ProductSquarer::new(cuts)).collect(),
+            product: product.map(|_| ProductSquarer::new(cuts, half_steps)).collect(),
             square_stage: Stage::several(2, behind),
             far_stage: Stage::several(2, behind),
         };
@@ -274,15 +284,32 @@ impl<
     }
 
     fn wires(&mut self, wiring: &mut Wiring) {
-        wires!(self, wiring:
-            (subtract[0].b) = (photon_a);
-            (subtract[1].b) = (photon_b);
-        );
-        for photon in 0..2 {
+        if self.subtract.is_empty() {
             wires!(self, wiring:
-                (subtract[photon].a) = (query);
-                (difference[photon].clock) = (clock);
-                (difference[photon].d) = (subtract[photon].difference);
+                (subtract_line[0].b) = (photon_a);
+                (subtract_line[1].b) = (photon_b);
+            );
+        } else {
+            wires!(self, wiring:
+                (subtract[0].b) = (photon_a);
+                (subtract[1].b) = (photon_b);
+            );
+        }
+        for photon in 0..2 {
+            if self.subtract.is_empty() {
+                wires!(self, wiring:
+                    (subtract_line[photon].a) = (query);
+                    (difference[photon].clock) = (clock);
+                    (difference[photon].d) = (subtract_line[photon].difference);
+                );
+            } else {
+                wires!(self, wiring:
+                    (subtract[photon].a) = (query);
+                    (difference[photon].clock) = (clock);
+                    (difference[photon].d) = (subtract[photon].difference);
+                );
+            }
+            wires!(self, wiring:
                 (square_stage[photon].clock) = (clock);
                 (far_stage[photon].clock) = (clock);
             );
@@ -323,4 +350,4 @@ impl<
     }
 }
 
-logic_of_wires!(SquarePair<C, D, R, Q, L, LP, HP, PR>);
+logic_of_wires!(SquarePair<C, H, D, R, Q, L, LP, HP, PR>);

@@ -8,7 +8,8 @@ use super::rules::Rules;
 /// registers, and the model has its exact value.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Square {
-    /// The word of the square: d^2 modulo 2^(2 r) from a table or product, (|d| modulo 2^r)^2 from digits.
+    /// The word of the square: d^2 or the half square modulo 2^(2 r) from a table or product, (|d| modulo 2^r)^2
+    /// from digits.
     pub(super) word: u64,
     pub(super) far: bool,
 }
@@ -52,7 +53,7 @@ pub(super) struct Axis {
 impl Axis {
     /// Applies one clock and returns the value after `Cut::Square`.
     pub(super) fn clock(&mut self, rules: &Rules, query: u32, photon: u32) -> Square {
-        let d = query as i32 - photon as i32;
+        let d = query as i32 - rules.place(photon) as i32;
         let d = rules.cut(Cut::Difference, &mut self.difference, d);
         let square = match rules.kind.squarer {
             Squarer::Digits => self.digits_square(rules, d),
@@ -95,19 +96,15 @@ impl Axis {
 
     fn table_square(&mut self, rules: &Rules, d: i32) -> Square {
         let d = self.delayed(rules, d);
-        let lookup = Square::of_product(rules, squared(d));
+        let lookup = Square::of_product(rules, rules.power(d));
         rules.cut(Cut::Cross, &mut self.lookup, lookup)
     }
 
     fn product_square(&mut self, rules: &Rules, d: i32) -> Square {
         let d = self.delayed(rules, d);
-        let product = rules.cut(Cut::Cross, &mut self.product, squared(d));
+        let product = rules.cut(Cut::Cross, &mut self.product, rules.power(d));
         Square::of_product(rules, product)
     }
-}
-
-fn squared(d: i32) -> u64 {
-    u64::from(d.unsigned_abs()).pow(2)
 }
 
 impl Magnitude {

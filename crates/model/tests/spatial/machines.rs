@@ -101,12 +101,28 @@ fn cuts() -> impl Strategy<Value = Cuts> {
 }
 
 fn built() -> impl Strategy<Value = Machine> {
-    let formats = [
+    use Squarer::Product;
+    let by_any = [
         "local7-rgb6d-n4096",
         "local8-rgb8e5-n4096",
         "local8-rgb8b4-n4096",
         "local7-mono1-n8",
         "local8-mono16e8-n4096",
+    ];
+    // Half squares, and radii of other bits, have one squarer.
+    let by_product = [
+        "local4-rgb1-n8",
+        "local6x2-rgb6d-n4096",
+        "local7x1-mono1-n8192",
+        "local4x2-rgb4e5d-n64",
+        "local12x2-rgb16e8-n4096",
+    ];
+    let numbers = prop_oneof![
+        (
+            prop::sample::select(by_any.to_vec()),
+            prop::sample::select(SQUARERS.to_vec())
+        ),
+        (prop::sample::select(by_product.to_vec()), Just(Product)),
     ];
     let others: [&'static [(Squarer, usize)]; 4] = [
         &[],
@@ -115,18 +131,19 @@ fn built() -> impl Strategy<Value = Machine> {
         &[(Squarer::Table, 1), (Squarer::Digits, 1)],
     ];
     (
-        prop::sample::select(formats.to_vec()),
+        numbers,
         0_u32..=3,
         prop::bool::ANY,
         cuts(),
-        prop::sample::select(SQUARERS.to_vec()),
         prop::sample::select(others.to_vec()),
         prop::array::uniform2(cuts()),
     )
         .prop_map(
-            |(format, query_axes, own_radius, cuts, squarer, others, of_others)| {
+            move |((format, squarer), query_axes, own_radius, cuts, others, of_others)| {
+                let is_by_product = by_product.contains(&format);
                 let kind = |(&(squarer, engines), positions)| {
                     let cuts = with_positions(cuts, positions);
+                    let squarer = if is_by_product { Product } else { squarer };
                     (EngineKind { squarer, cuts }, engines)
                 };
                 let most = others.len().min((1 << query_axes) as usize);

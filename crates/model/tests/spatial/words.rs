@@ -80,7 +80,7 @@ impl Noise {
         let channels = self.machine.channels().names().len();
         let exponents = self.machine.format().unwrap().power.exponent_range();
         let mut photon = Photon {
-            position: [0; 3].map(|_| self.coordinate()),
+            position: [0; 3].map(|_| self.coordinate() >> extra_bits(&self.machine)),
             power: [0; 3].map(|_| self.random.below(1 << self.widths.mantissa)),
             exponent: self.random.below(exponents + 1),
         };
@@ -139,6 +139,16 @@ fn coordinate(machine: &Machine) -> impl Strategy<Value = u32> + use<> {
     ]
 }
 
+/// A photon's coordinate, whose steps are coarser than a query's by the extra bits.
+fn photon_coordinate(machine: &Machine) -> impl Strategy<Value = u32> + use<> {
+    let extra_bits = extra_bits(machine);
+    coordinate(machine).prop_map(move |place| place >> extra_bits)
+}
+
+fn extra_bits(machine: &Machine) -> u32 {
+    machine.format().unwrap().query_extra_bits
+}
+
 fn query(machine: &Machine) -> impl Strategy<Value = Query> + use<> {
     let largest = machine.format().unwrap().largest_in_range();
     let radius_sq = match machine.fixed_radius_sq() {
@@ -158,7 +168,7 @@ fn lane(machine: &Machine) -> impl Strategy<Value = Lane> + use<> {
     let channels = machine.channels().names().len();
     (
         prop::bool::weighted(0.8),
-        prop::array::uniform3(coordinate(machine)),
+        prop::array::uniform3(photon_coordinate(machine)),
         prop::array::uniform3(0..1_u32 << widths.mantissa),
         0..=machine.format().unwrap().power.exponent_range(),
     )

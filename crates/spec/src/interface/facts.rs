@@ -56,8 +56,12 @@ fn numbers(machine: &Machine) -> String {
 fn radius(machine: &Machine) -> Option<String> {
     let radius_sq = machine.fixed_radius_sq()?;
     let format = machine.format()?;
+    let distance = match format.half_steps() {
+        false => "d^2",
+        true => "the sum of m (m + 1)",
+    };
     Some(format!(
-        "fixed, {} of a block edge's {} steps: in range where d^2 <= {radius_sq}",
+        "fixed, {} of a block edge's {} steps: in range where {distance} <= {radius_sq}",
         format.radius_steps(),
         format.edge_steps()
     ))

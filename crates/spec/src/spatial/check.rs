@@ -3,7 +3,7 @@
 use thiserror::Error;
 
 use super::{Cut, EngineKind, Spatial};
-use crate::formats::{FormatError, Squarer, Widths};
+use crate::formats::{FormatError, PhotonFormat, Squarer, Widths};
 use crate::hypercube::Hypercube;
 use crate::machine::Machine;
 
@@ -67,7 +67,7 @@ fn register(has: bool) -> &'static str {
 }
 
 impl Spatial {
-    /// The bits per radius that the squarers are made for.
+    /// The bits per radius that the squarers from digits and from tables are made for.
     const RADIUS_BITS: [u64; 2] = [7, 8];
 
     /// The most groups of a memory bank: more than the block RAMs of a large FPGA hold.
@@ -88,13 +88,11 @@ impl Spatial {
         let most_axes = Hypercube::MAX_DIMENSION - Hypercube::MIN_DIMENSION;
         self.check_fields(
             name,
-            [
-                // Half squares would need other squarers.
-                ("query_extra_bits", format.query_extra_bits, [0, 0]),
-                ("radius bits", format.radius_bits(), Self::RADIUS_BITS),
-                ("query_axes", self.query_axes, [0, most_axes.into()]),
-            ],
+            [("query_axes", self.query_axes, [0, most_axes.into()])],
         )?;
+        for engine in 0..self.engines() {
+            self.check_squarer(name, format, self.kind(machine.squarer, engine).squarer)?;
+        }
         let dimension = u64::from(Hypercube::MIN_DIMENSION + self.query_axes);
         let other_squarers: usize = self.others.iter().map(|&(_, engines)| engines).sum();
         self.check_fields(
@@ -112,6 +110,26 @@ impl Spatial {
         )?;
         self.check_memory(machine)?;
         self.check_cuts(machine)
+    }
+
+    /// Checks that a squarer of that kind can be made for the format. One product is as wide as it needs to be.
+    fn check_squarer(
+        &self,
+        machine: &'static str,
+        format: &PhotonFormat,
+        squarer: Squarer,
+    ) -> Result<(), SpatialError> {
+        if squarer == Squarer::Product {
+            return Ok(());
+        }
+        self.check_fields(
+            machine,
+            [
+                // Half squares would need other digits and other tables.
+                ("query_extra_bits", format.query_extra_bits, [0, 0]),
+                ("radius bits", format.radius_bits(), Self::RADIUS_BITS),
+            ],
+        )
     }
 
     /// Checks that a memory bank holds `max_photons`. A set of photons is no larger than that, so it fits the
@@ -214,7 +232,6 @@ impl Spatial {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::formats::PhotonFormat;
     use crate::formats::{Numbers, PlainFormat};
     use crate::machines::{MACHINES, find_machine};
     use crate::organisation::Organisation;

@@ -64,7 +64,7 @@ impl<'a> SpatialPins<'a> {
             HeadRegister::EntryToken => (3, self.widths.coordinate),
             HeadRegister::EntryRadius if self.spatial.radius == Radius::Format => (0, 0),
             HeadRegister::EntryRadius => (1, self.widths.radius_sq),
-            HeadRegister::EntryPhoton => (3 * Spatial::LANES, self.widths.coordinate),
+            HeadRegister::EntryPhoton => (3 * Spatial::LANES, self.widths.photon),
             HeadRegister::EntryPower => {
                 (Spatial::LANES * self.channels.len(), self.widths.mantissa)
             }
@@ -98,7 +98,7 @@ impl<'a> SpatialPins<'a> {
             | MemoryRegister::WordPresent => (lanes, 1),
             MemoryRegister::WritePosition
             | MemoryRegister::ReadPosition
-            | MemoryRegister::WordPosition => (3 * lanes, self.widths.coordinate),
+            | MemoryRegister::WordPosition => (3 * lanes, self.widths.photon),
             MemoryRegister::WritePower | MemoryRegister::ReadPower | MemoryRegister::WordPower => {
                 (lanes * self.channels.len(), self.widths.mantissa)
             }

@@ -58,7 +58,7 @@ pub enum EngineRegister {
     CrossFar,
     /// d^2 modulo 2^(2 r) from a table, and above it whether |d| exceeds r bits.
     Lookup,
-    /// d^2 as one product, in full.
+    /// d^2 as one product, in full; on half steps d (d + 1).
     Product,
     /// d^2 modulo 2^(2 r). A squarer from digits gives the square of |d| modulo 2^r, which is a different
     /// number where |d| exceeds r bits; the number is then unused.
@@ -413,7 +413,7 @@ rows! {
     QueryRadius "query_radius_sq" One |w| w.radius_sq, QueryRadius;
     RadiusDelay "radius_sq_delay" RadiusDelays |w| w.radius_sq, QueryRadius;
     Swap "swap" One |_| 1, Always;
-    Photon "photon" Coordinates |w| w.coordinate, Always;
+    Photon "photon" Coordinates |w| w.photon, Always;
     Difference "difference" Coordinates |w| w.signed_difference(), At(Cut::Difference);
     Magnitude "magnitude" Coordinates |w| w.coordinate, Condition::Squarer(Cut::Magnitude, Digits);
     MagnitudeDelay "magnitude_delay" Coordinates |w| w.signed_difference(),

@@ -16,18 +16,18 @@ use crate::defaults::{defaulted, signals};
 const LANES: usize = Spatial::LANES;
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// Two banks of groups and the logic that plays them. `C` coordinate, `B` mantissa, `E` exponent bits.
+/// Two banks of groups and the logic that plays them. `H` coordinate, `B` mantissa, `E` exponent bits.
 #[derive(LogicBlock)]
-pub(crate) struct PhotonMemory<const C: usize, const B: usize, const E: usize> {
+pub(crate) struct PhotonMemory<const H: usize, const B: usize, const E: usize> {
     pub clock: Signal<In, Clock>,
     pub reset: Signal<In, Bit>,
     pub group_valid: Signal<In, Bit>,
     pub group_ready: Signal<Out, Bit>,
     pub group_last: Signal<In, Bit>,
     pub present: [Signal<In, Bits<1>>; LANES],
-    pub x: [Signal<In, Bits<C>>; LANES],
-    pub y: [Signal<In, Bits<C>>; LANES],
-    pub z: [Signal<In, Bits<C>>; LANES],
+    pub x: [Signal<In, Bits<H>>; LANES],
+    pub y: [Signal<In, Bits<H>>; LANES],
+    pub z: [Signal<In, Bits<H>>; LANES],
     /// The mantissas: channel c of lane g is at 4 c + g.
     pub channel: Vec<Signal<In, Bits<B>>>,
     pub exponent: Vec<Signal<In, Bits<E>>>,
@@ -41,9 +41,9 @@ pub(crate) struct PhotonMemory<const C: usize, const B: usize, const E: usize> {
     pub word_valid: Signal<Out, Bit>,
     pub word_last: Signal<Out, Bit>,
     pub word_present: [Signal<Out, Bits<1>>; LANES],
-    pub word_x: [Signal<Out, Bits<C>>; LANES],
-    pub word_y: [Signal<Out, Bits<C>>; LANES],
-    pub word_z: [Signal<Out, Bits<C>>; LANES],
+    pub word_x: [Signal<Out, Bits<H>>; LANES],
+    pub word_y: [Signal<Out, Bits<H>>; LANES],
+    pub word_z: [Signal<Out, Bits<H>>; LANES],
     pub word_channel: Vec<Signal<Out, Bits<B>>>,
     pub word_exponent: Vec<Signal<Out, Bits<E>>>,
     _state: State,
@@ -91,7 +91,7 @@ struct Field {
     width: usize,
 }
 
-impl<const C: usize, const B: usize, const E: usize> PhotonMemory<C, B, E> {
+impl<const H: usize, const B: usize, const E: usize> PhotonMemory<H, B, E> {
     pub fn new(spatial: &Spatial, channels: &'static [&'static str]) -> Self {
         let words = channels.len() * LANES;
         let exponents = if E > 0 { LANES } else { 0 };
@@ -126,7 +126,7 @@ impl<const C: usize, const B: usize, const E: usize> PhotonMemory<C, B, E> {
         for lane in 0..LANES {
             field(format!("present${lane}"), 1);
             for axis in AXES {
-                field(format!("{axis}${lane}"), C);
+                field(format!("{axis}${lane}"), H);
             }
             for place in (lane..self.channel.len()).step_by(LANES) {
                 field(format!("channel${place}"), B);
@@ -373,7 +373,7 @@ impl<const C: usize, const B: usize, const E: usize> PhotonMemory<C, B, E> {
     }
 }
 
-impl<const C: usize, const B: usize, const E: usize> Logic for PhotonMemory<C, B, E> {
+impl<const H: usize, const B: usize, const E: usize> Logic for PhotonMemory<H, B, E> {
     fn update(&mut self) {
         if self.clock.pos_edge() {
             self.step();

@@ -7,7 +7,7 @@ use super::{GROUPS, LANES, PhotonMemory};
 use crate::emit::BlockRam;
 use crate::pinned::{Driver, Pinned, Word, sample, settle};
 
-impl<const C: usize, const B: usize, const E: usize> PhotonMemory<C, B, E> {
+impl<const H: usize, const B: usize, const E: usize> PhotonMemory<H, B, E> {
     /// The number of instances of a register, as the spec counts them.
     fn instances(&self, register: MemoryRegister) -> usize {
         use MemoryRegister as M;
@@ -22,7 +22,7 @@ impl<const C: usize, const B: usize, const E: usize> PhotonMemory<C, B, E> {
     }
 }
 
-impl<const C: usize, const B: usize, const E: usize> Pinned for PhotonMemory<C, B, E> {
+impl<const H: usize, const B: usize, const E: usize> Pinned for PhotonMemory<H, B, E> {
     fn set_clock(&mut self, level: bool) {
         self.clock.next = level.into();
     }
