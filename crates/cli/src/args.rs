@@ -1,5 +1,6 @@
 //! The command line.
 
+use photoncube_spec::CustomOrganisation;
 use std::ffi::OsString;
 use std::fmt;
 use std::path::PathBuf;
@@ -195,7 +196,12 @@ pub struct ListArgs {
 Examples:
   photoncube generate                      all named machines into hdl-out/
   photoncube generate --check              fails where hdl-out/ is not what would be written
-  photoncube generate --machine paper --coordinate-bits 12 --out /tmp/verilog")]
+  photoncube generate --machine paper --coordinate-bits 12 --out /tmp/verilog
+  photoncube generate --format local6x2-rgb4d-n4096 --organisation stream --out /tmp/verilog
+
+A machine of a format of one's own is compiled when it is used for the first time, by cargo and from
+the sources of photoncube. Its name, such as stream-local6x2-rgb4d-n4096, is accepted by --machine of
+every command.")]
 pub struct GenerateArgs {
     /// Only this machine [default: all]
     #[arg(long, value_name = "M")]
@@ -206,6 +212,17 @@ pub struct GenerateArgs {
     /// The variant of it on a hypercube of N dimensions
     #[arg(long, value_name = "N", requires = "machine")]
     pub dimension: Option<u32>,
+    /// A machine of this photon format, by name (see docs/formats.md)
+    #[arg(
+        long,
+        value_name = "F",
+        requires = "organisation",
+        conflicts_with = "machine"
+    )]
+    pub format: Option<String>,
+    /// The organisation of the machine of that format: sequential, stream, or tile-4 to tile-10
+    #[arg(long, value_name = "O", requires = "format", value_parser = CustomOrganisation::from_name)]
+    pub organisation: Option<CustomOrganisation>,
     /// The folder to write, one folder in it for each machine
     #[arg(long, default_value = "hdl-out", value_name = "DIR")]
     pub out: PathBuf,

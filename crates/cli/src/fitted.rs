@@ -4,7 +4,9 @@ use anyhow::Result;
 use photoncube_render::{
     FieldNeed, Fit, FitOptions, Measurement, Prediction, Scene, Trial, covering, field_needs, fit,
 };
-use photoncube_spec::{Channels, Exponent, MACHINES, Machine, PhotonFormat, Rounding, Widths};
+use photoncube_spec::{
+    CustomError, CustomOrganisation, MACHINES, Machine, PhotonFormat, Widths, custom_machine,
+};
 use serde::Serialize;
 
 use crate::args::short;
@@ -128,6 +130,8 @@ impl Candidate {
 fn candidates(fit: &Fit, needed: &Trial) -> Result<Vec<Candidate>> {
     let (map, queries) = (&fit.bench.maps()[0], fit.bench.queries());
     let covering = covering(MACHINES, &needed.format);
+    let custom = custom_candidate(&needed.format);
+    let custom = custom.and_then(|machine| Some((machine, machine.format()?)));
     let candidate = |(machine, format): (&'static Machine, &PhotonFormat)| {
         let area = Measured::of(machine)?.area_without_dsp;
         Ok(Candidate {
@@ -137,7 +141,21 @@ fn candidates(fit: &Fit, needed: &Trial) -> Result<Vec<Candidate>> {
             time: PictureTime::of(machine, map, queries)?,
         })
     };
-    covering.map(candidate).collect()
+    covering.chain(custom).map(candidate).collect()
+}
+
+/// The custom machine of the format, where no named machine has exactly this format.
+fn custom_candidate(format: &PhotonFormat) -> Option<&'static Machine> {
+    let is_named = MACHINES
+        .iter()
+        .any(|machine| machine.format() == Some(format));
+    custom(format).ok().filter(|_| !is_named)
+}
+
+/// The machine that a format gets which no named machine has: one engine takes fewer LUTs than the paper's cells, and
+/// tests a group in every clock.
+fn custom(format: &PhotonFormat) -> Result<&'static Machine, CustomError> {
+    custom_machine(CustomOrganisation::Stream, format)
 }
 
 /// Sorts machines by size: first those of exactly the format, then by the bits of a stored photon, then by
@@ -180,69 +198,13 @@ pub fn no_format(options: &FitOptions) -> String {
     )
 }
 
-/// A message that states why there is no machine, and how to add one.
+/// A message that states why there is no machine.
 pub fn no_machine(format: &PhotonFormat) -> String {
-    format!(
-        "no machine is wide enough for {format}; to have one, {}",
-        row_to_add(format)
-    )
-}
-
-/// Instructions and source text for adding a machine of exactly this format.
-pub fn row_to_add(format: &PhotonFormat) -> String {
-    format!(
-        "add this row to MACHINES in crates/spec/src/machines.rs:\n\n{}\nand, where its widths are new, a row to the \
-         table in crates/hdl/src/build.rs",
-        row(
-            "fit-own",
-            "16 cells, the photon format that `fit` finds for a scene of one's own",
-            format
-        )
-    )
-}
-
-/// The source text of a sequential machine of that format, in the form of `machines.rs`.
-fn row(name: &str, summary: &str, format: &PhotonFormat) -> String {
-    let power = format.power;
-    let channels = match power.channels {
-        Channels::Rgb => "Rgb",
-        Channels::Mono => "Mono",
+    let why = match custom(format) {
+        Err(error) => error.to_string(),
+        Ok(machine) => format!("the error of {} is measured above the bound", machine.name),
     };
-    let exponent = match power.exponent {
-        Exponent::None => "None".to_owned(),
-        Exponent::Photon { bits } => format!("Photon {{ bits: {bits} }}"),
-        Exponent::Block { bits } => format!("Block {{ bits: {bits} }}"),
-    };
-    let rounding = match power.rounding {
-        Rounding::Nearest => "Nearest",
-        Rounding::Dithered => "Dithered",
-    };
-    let photons = match format.max_photons.is_power_of_two() {
-        true => format!("1 << {}", format.max_photons.ilog2()),
-        false => format.max_photons.to_string(),
-    };
-    format!(
-        "    Machine {{
-        name: \"{name}\",
-        summary: \"{summary}\",
-        organisation: Organisation::Sequential,
-        dimension: 4,
-        numbers: Numbers::Local(PhotonFormat {{
-            position_bits: {},
-            query_extra_bits: {},
-            power: PowerFormat {{
-                channels: Channels::{channels},
-                mantissa_bits: {},
-                exponent: Exponent::{exponent},
-                rounding: Rounding::{rounding},
-            }},
-            max_photons: {photons},
-        }}),
-        squarer: Squarer::Digits,
-    }},
-",
-        format.position_bits, format.query_extra_bits, power.mantissa_bits,
-    )
+    format!("no machine is wide enough for {format}: {why}")
 }
 
 #[cfg(test)]
@@ -317,21 +279,19 @@ mod tests {
         assert_eq!(names(&sorted), ["stream", "tile-4", "tile-5"]);
     }
 
-    /// For existing machines, the proposed row is text of the source.
     #[test]
-    fn the_row_to_add_is_a_row_of_the_source() {
-        let source = include_str!("../../spec/src/machines.rs");
-        for name in ["fit-cornell", "fit-ring", "fit-range"] {
-            let machine = find_machine(name).unwrap();
-            let row = row(name, machine.summary, machine.format().unwrap());
-            assert!(source.contains(&row), "{row}");
-        }
+    fn a_format_without_a_named_machine_has_one_of_its_own() {
+        let named = find_machine("fit-cornell").unwrap().format().unwrap();
+        assert!(custom_candidate(named).is_none());
         let format = find_photon_format("local6x1-rgb4b5d-n5000").unwrap();
-        let row = row_to_add(&format);
+        let machine = custom_candidate(&format).unwrap();
+        assert_eq!(machine.name, "stream-local6x1-rgb4b5d-n5000");
+        let too_wide = find_photon_format("local6-rgb16e8-n4294967296").unwrap();
+        assert!(custom_candidate(&too_wide).is_none());
         assert!(
-            row.contains("exponent: Exponent::Block { bits: 5 }"),
-            "{row}"
+            no_machine(&too_wide).contains("bits of a sum is 72"),
+            "{}",
+            no_machine(&too_wide)
         );
-        assert!(row.contains("max_photons: 5000,"), "{row}");
     }
 }

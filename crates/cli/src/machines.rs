@@ -1,8 +1,13 @@
 //! A machine by name, and variations of it that are built in.
 
+use std::time::Duration;
+
 use anyhow::{Result, bail};
 use clap::Args;
+use photoncube_hdl::generator::{self, Step};
 use photoncube_spec::{MACHINES, Machine, Widths, find_machine};
+
+use crate::progress;
 
 /// Which machine.
 #[derive(Args, Clone, Debug)]
@@ -44,7 +49,27 @@ impl ChosenMachineArgs {
     }
 }
 
+/// Makes what a custom machine's Verilog comes from: its generator, which cargo builds when a machine is used for the
+/// first time. It shows what cargo compiles. A named machine needs none.
+pub fn prepare(machine: &Machine) -> Result<()> {
+    if MACHINES.contains(machine) {
+        return Ok(());
+    }
+    let spinner = progress::spinner("building the machine's generator:");
+    spinner.enable_steady_tick(Duration::from_millis(200));
+    generator::prepare(machine, &mut |Step::Compiles(_)| spinner.inc(1))?;
+    spinner.finish_and_clear();
+    Ok(())
+}
+
 impl MachineArgs {
+    /// The machine asked for, whose Verilog can be emitted.
+    pub fn find_to_emit(&self) -> Result<&'static Machine> {
+        let machine = self.find()?;
+        prepare(machine)?;
+        Ok(machine)
+    }
+
     /// The machine asked for.
     pub fn find(&self) -> Result<&'static Machine> {
         let named = find_machine(&self.machine)?;

@@ -1,12 +1,14 @@
 //! Makes the files of a machine: its Verilog and the project files for Yosys and Quartus.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use anyhow::Result;
 use photoncube_hdl::{Level, emit};
 use photoncube_spec::Machine;
 
 use crate::digests::Digests;
+use crate::files;
+use crate::outputs::{self, Output};
 
 /// The contents of a machine's folder.
 pub struct Project {
@@ -52,6 +54,25 @@ pub fn project(machine: &Machine) -> Result<Project> {
         text,
     }));
     Ok(Project { files, digests })
+}
+
+/// Writes the files of a machine into a folder of its name in `out`, which `option` gave, and returns their paths, the
+/// Verilog first. None of them may be one of `inputs`.
+pub fn write(
+    machine: &Machine,
+    option: &'static str,
+    out: &Path,
+    inputs: &[PathBuf],
+) -> Result<Vec<String>> {
+    let files = project(machine)?.files;
+    let path = |file: &ProjectFile| out.join(&file.path);
+    let outputs = files.iter().map(|file| Output::within(option, path(file)));
+    outputs::check(&outputs.collect::<Vec<_>>(), inputs)?;
+    files::write_all(files.iter().map(|file| (path(file), file.text.as_bytes())))?;
+    Ok(files
+        .iter()
+        .map(|file| path(file).display().to_string())
+        .collect())
 }
 
 fn yosys(top: &str, has_second_texts: bool) -> String {

@@ -1,7 +1,7 @@
 //! Builds the rust-hdl block of a machine from the table of widths that are compiled in.
 //!
 //! rust-hdl's widths are const generics, so every set of widths is compiled for itself; each costs about a
-//! second of build time.
+//! second of build time. Custom machines have generators of their own, see [`crate::generator`].
 
 use photoncube_spec::{Machine, Organisation, SEQUENTIAL, Spatial, Squarer, Widths};
 use thiserror::Error;
@@ -103,34 +103,57 @@ impl Shape {
     }
 }
 
+/// The block of a machine with a program, at a level.
+pub(crate) fn sequential_block<
+    const C: usize,
+    const H: usize,
+    const M: usize,
+    const Q: usize,
+    const R: usize,
+    const B: usize,
+    const E: usize,
+    const P: usize,
+    const V: usize,
+    const S: usize,
+    const A: usize,
+    const W: usize,
+    const X: usize,
+    const N: usize,
+    const G: usize,
+>(
+    machine: &Machine,
+    level: Level,
+) -> Option<Box<dyn Pinned>> {
+    Some(match level {
+        Level::Machine => {
+            Box::new(Processor::<C, H, M, Q, R, B, E, P, V, S, A, W, X, N, G>::new(machine))
+        }
+        Level::Cell => Box::new(Cell::<C, H, M, Q, R, P, V, S>::new(machine.squarer)),
+        Level::Network => Box::new(Network::<N, V, X>::new(machine.hypercube())),
+        Level::Unit(unit) => build_unit::<C, H, M, Q, R, P, V, S>(unit, machine.squarer)?,
+        Level::SquarePair | Level::Memory => return None,
+    })
+}
+
 macro_rules! built_in {
     ($($c:literal $h:literal $m:literal $q:literal $r:literal
        $b:literal $e:literal $p:literal $v:literal $s:literal
-       $a:literal $w:literal $x:literal $n:literal $g:literal;)+) => {
+       $a:literal $w:literal $x:literal $n:literal $g:literal;)*) => {
         const BUILT_IN: &[Shape] = &[$(Shape {
             widths: [$c, $h, $m, $q, $r, $b, $e, $p, $v, $s],
             address: $a, word: $w, axis: $x, nodes: $n, lanes: $g,
-        },)+];
+        },)*];
 
         fn find(machine: &Machine, level: Level) -> Option<Box<dyn Pinned>> {
             let shape = Shape::of(machine)?;
             let mut row = BUILT_IN.iter();
             $(
                 if row.next() == Some(&shape) {
-                    return Some(match level {
-                        Level::Machine => Box::new(
-                            Processor::<$c, $h, $m, $q, $r, $b, $e, $p, $v, $s, $a, $w, $x, $n, $g>
-                                ::new(machine)),
-                        Level::Cell => Box::new(
-                            Cell::<$c, $h, $m, $q, $r, $p, $v, $s>::new(machine.squarer)),
-                        Level::Network => Box::new(Network::<$n, $v, $x>::new(machine.hypercube())),
-                        Level::Unit(unit) => {
-                            build_unit::<$c, $h, $m, $q, $r, $p, $v, $s>(unit, machine.squarer)?
-                        }
-                        Level::SquarePair | Level::Memory => return None,
-                    });
+                    return sequential_block::<$c, $h, $m, $q, $r, $b, $e, $p, $v, $s, $a, $w, $x, $n, $g>(
+                        machine, level,
+                    );
                 }
-            )+
+            )*
             None
         }
     };
@@ -138,6 +161,7 @@ macro_rules! built_in {
 
 // coordinate, photon, difference, square, radius_sq; mantissa, exponent, power, work, sum;
 // address, control word, axes; cells, lanes
+#[cfg(feature = "named-machines")]
 built_in! {
     8 8 8 16 18  16 0 16 18 32  4 15 4  16 4;
     12 12 12 24 26  16 0 16 26 32  4 15 4  16 4;
@@ -151,13 +175,71 @@ built_in! {
     9 8 7 14 14  4 5 28 30 42  4 15 4  16 4;
 }
 
+/// The block of a spatial machine, at a level.
+pub(crate) fn spatial_block<
+    const C: usize,
+    const H: usize,
+    const D: usize,
+    const R: usize,
+    const Q: usize,
+    const L: usize,
+    const LP: usize,
+    const HP: usize,
+    const PR: usize,
+    const T: usize,
+    const U: usize,
+    const B: usize,
+    const E: usize,
+    const P: usize,
+    const PP: usize,
+    const GP: usize,
+    const S: usize,
+    const N: usize,
+>(
+    machine: &Machine,
+    spatial: &Spatial,
+    level: Level,
+) -> Option<Box<dyn Pinned>> {
+    Some(match level {
+        Level::Machine => Box::new(SpatialMachine::<
+            C,
+            H,
+            D,
+            R,
+            Q,
+            L,
+            LP,
+            HP,
+            PR,
+            T,
+            U,
+            B,
+            E,
+            P,
+            PP,
+            GP,
+            S,
+            N,
+        >::new(machine, spatial)),
+        Level::SquarePair => Box::new(SquarePair::<C, H, D, R, Q, L, LP, HP, PR>::new(
+            spatial.cuts,
+            machine.squarer,
+        )),
+        Level::Memory if machine.has_memory() => Box::new(PhotonMemory::<H, B, E>::new(
+            spatial,
+            machine.channels().names(),
+        )),
+        _ => return None,
+    })
+}
+
 macro_rules! built_in_spatial {
     ($($c:literal $h:literal $d:literal $r:literal $q:literal $l:literal
        $lp:literal $hp:literal $pr:literal $t:literal $u:literal;
-       $b:literal $e:literal $p:literal $pp:literal $gp:literal $s:literal $n:literal;)+) => {
+       $b:literal $e:literal $p:literal $pp:literal $gp:literal $s:literal $n:literal;)*) => {
         const BUILT_IN_SPATIAL: &[[u32; 18]] = &[$([
             $c, $h, $d, $r, $q, $l, $lp, $hp, $pr, $t, $u, $b, $e, $p, $pp, $gp, $s, $n,
-        ],)+];
+        ],)*];
 
         fn find_spatial(
             machine: &Machine,
@@ -168,22 +250,11 @@ macro_rules! built_in_spatial {
             let mut row = BUILT_IN_SPATIAL.iter();
             $(
                 if row.next() == Some(&widths) {
-                    return match level {
-                        Level::Machine => Some(Box::new(SpatialMachine::<
-                            $c, $h, $d, $r, $q, $l, $lp, $hp, $pr, $t, $u,
-                            $b, $e, $p, $pp, $gp, $s, $n,
-                        >::new(machine, spatial))),
-                        Level::SquarePair => Some(Box::new(
-                            SquarePair::<$c, $h, $d, $r, $q, $l, $lp, $hp, $pr>::new(
-                                spatial.cuts, machine.squarer))),
-                        Level::Memory if machine.has_memory() => {
-                            let channels = machine.channels().names();
-                            Some(Box::new(PhotonMemory::<$h, $b, $e>::new(spatial, channels)))
-                        }
-                        _ => None,
-                    };
+                    return spatial_block::<
+                        $c, $h, $d, $r, $q, $l, $lp, $hp, $pr, $t, $u, $b, $e, $p, $pp, $gp, $s, $n,
+                    >(machine, spatial, level);
                 }
-            )+
+            )*
             None
         }
     };
@@ -191,9 +262,36 @@ macro_rules! built_in_spatial {
 
 // coordinate, photon, difference, radius, square, table's word, two digit products, product, pair, distance;
 // mantissa, exponent, power, pair's power, group's power, sum, count
+#[cfg(feature = "named-machines")]
 built_in_spatial! {
     10 10 11 8 16 17 6 6 20 17 18;  8 0 8 9 10 22 15;
     9 9 10 7 14 15 6 4 18 15 16;  6 0 6 7 8 18 13;
+}
+
+// A generator has one machine of its own, and no table.
+#[cfg(not(feature = "named-machines"))]
+built_in! {}
+#[cfg(not(feature = "named-machines"))]
+built_in_spatial! {}
+
+/// The widths and sizes of a machine with a program, in the order of the table.
+pub(crate) fn sequential_sizes(machine: &Machine) -> Vec<u32> {
+    let Some(shape) = Shape::of(machine) else {
+        return Vec::new();
+    };
+    let sizes = [
+        shape.address,
+        shape.word,
+        shape.axis,
+        shape.nodes as u32,
+        shape.lanes as u32,
+    ];
+    shape.widths.into_iter().chain(sizes).collect()
+}
+
+/// The widths of a spatial machine, in the order of the table.
+pub(crate) fn spatial_sizes(machine: &Machine) -> Vec<u32> {
+    bits(spatial_widths(&Widths::of(machine))).to_vec()
 }
 
 /// Describes the needed widths and the rows of a table.
@@ -212,24 +310,27 @@ fn described<const N: usize>(
     (described(bits(needed)), table.join(", "))
 }
 
-fn not_built_in(machine: &Machine, level: Level) -> NotBuiltIn {
-    let widths = Widths::of(machine);
-    let (needed, built_in) = match &machine.organisation {
-        Organisation::Sequential | Organisation::Programmed(_) => described(
-            program_widths(&widths),
-            BUILT_IN.iter().map(|row| row.widths),
-        ),
-        Organisation::Overlapped => {
-            described(program_widths(&widths), [overlap::WIDTHS].into_iter())
+impl NotBuiltIn {
+    /// The error of a machine's level.
+    pub(crate) fn of(machine: &Machine, level: Level) -> Self {
+        let widths = Widths::of(machine);
+        let (needed, built_in) = match &machine.organisation {
+            Organisation::Sequential | Organisation::Programmed(_) => described(
+                program_widths(&widths),
+                BUILT_IN.iter().map(|row| row.widths),
+            ),
+            Organisation::Overlapped => {
+                described(program_widths(&widths), [overlap::WIDTHS].into_iter())
+            }
+            Organisation::Spatial(_) => {
+                described(spatial_widths(&widths), BUILT_IN_SPATIAL.iter().copied())
+            }
+        };
+        NotBuiltIn {
+            machine: machine.name.to_owned(),
+            needed: format!("{level:?} of {needed}"),
+            built_in,
         }
-        Organisation::Spatial(_) => {
-            described(spatial_widths(&widths), BUILT_IN_SPATIAL.iter().copied())
-        }
-    };
-    NotBuiltIn {
-        machine: machine.name.to_owned(),
-        needed: format!("{level:?} of {needed}"),
-        built_in,
     }
 }
 
@@ -250,7 +351,7 @@ pub(crate) fn build(machine: &Machine, level: Level) -> Result<Box<dyn Pinned>, 
         Organisation::Overlapped => overlap::build(machine, level),
         Organisation::Spatial(spatial) => find_spatial(machine, spatial, level),
     };
-    let mut block = block.ok_or_else(|| not_built_in(machine, level))?;
+    let mut block = block.ok_or_else(|| NotBuiltIn::of(machine, level))?;
     block.connect_all();
     Ok(block)
 }

@@ -14,9 +14,16 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+// Without the named machines the tables have no rows.
+#![cfg_attr(
+    not(feature = "named-machines"),
+    allow(unused_variables, unused_mut, dead_code)
+)]
+
 mod build;
 mod defaults;
 mod emit;
+pub mod generator;
 mod level;
 mod overlap;
 mod parts;

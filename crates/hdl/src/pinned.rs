@@ -41,7 +41,11 @@ pub(crate) fn block_pins(block: &dyn Pinned) -> Pins {
 /// Lists the pins of a part in the order of their declaration, then the registers of a cell or a photon
 /// memory.
 pub(crate) fn pins(block: &dyn Pinned, machine: &Machine, level: Level) -> Pins {
-    let mut pins = block_pins(block);
+    with_registers(block_pins(block), machine, level)
+}
+
+/// Adds to the ports of a part the registers of a cell or a photon memory.
+pub(crate) fn with_registers(mut pins: Pins, machine: &Machine, level: Level) -> Pins {
     if level == Level::Memory {
         let channels = ChannelNames::of(machine);
         for pin in pins.inputs.iter_mut().chain(&mut pins.observed) {

@@ -4,6 +4,7 @@ use photoncube_spec::{Machine, Pins};
 use thiserror::Error;
 
 use crate::build::{NotBuiltIn, build};
+use crate::generator::{self, GeneratorError};
 use crate::level::Level;
 use crate::pinned::{Pinned, pins};
 use crate::unit::{Unit, build_unit};
@@ -30,6 +31,11 @@ impl Simulator {
         Ok(Self {
             block: build(machine, level)?,
         })
+    }
+
+    /// Simulates a block whose signals are claimed.
+    pub(crate) fn of_block(block: Box<dyn Pinned>) -> Self {
+        Self { block }
     }
 
     /// Builds a unit on its own, with operands of `bits` bits.
@@ -65,11 +71,13 @@ impl Simulator {
 /// Lists the pins and registers of a block, in the order of its rows.
 ///
 /// # Errors
-/// The machine's widths are not built in.
-pub fn level_pins(machine: &Machine, level: Level) -> Result<Pins, NotBuiltIn> {
+/// The machine is neither built in nor has a generator.
+pub fn level_pins(machine: &Machine, level: Level) -> Result<Pins, GeneratorError> {
     if level == Level::Machine {
         return Ok(Pins::of(machine));
     }
-    let block = build(machine, level)?;
-    Ok(pins(block.as_ref(), machine, level))
+    match build(machine, level) {
+        Ok(block) => Ok(pins(block.as_ref(), machine, level)),
+        Err(_) => Ok(generator::emit(machine, level)?.pins),
+    }
 }

@@ -12,7 +12,7 @@ use crate::spatial::{Radius, Spatial};
 /// A machine's configuration.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct Machine {
-    /// The machine's name on the command line and in the emitted Verilog.
+    /// The machine's name on the command line and in the emitted Verilog; that of a custom machine states all of it.
     pub name: &'static str,
     /// A description of the machine in one line, for listings and headers.
     pub summary: &'static str,

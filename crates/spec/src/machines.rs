@@ -1,7 +1,9 @@
-//! The table of the named machines. Each row sets every field; no field has a default.
+//! The table of the named machines, and the search for a machine by its name. Each row sets every field; no field has
+//! a default.
 
 use thiserror::Error;
 
+use crate::custom::{self, CustomError};
 use crate::formats::{
     Channels, Exponent, Numbers, PHOTON_FORMATS, PhotonFormat, PlainFormat, PowerFormat, Rounding,
     Squarer,
@@ -9,7 +11,8 @@ use crate::formats::{
 use crate::machine::Machine;
 use crate::nearest::did_you_mean;
 use crate::organisation::Organisation;
-use crate::spatial::{Cut, Cuts, EngineKind, Radius, Spatial};
+use crate::spatial::pipelines::{DECISIONS, DIGITS, FINE, PRODUCT, TABLE};
+use crate::spatial::{Cuts, EngineKind, Radius, Spatial};
 
 /// Plain numbers with 16-bit powers. The sum of 65,537 photons of full scale fits 32 bits exactly.
 const fn plain(coordinate_bits: u32) -> Numbers {
@@ -19,55 +22,6 @@ const fn plain(coordinate_bits: u32) -> Numbers {
         max_photons: 65_537,
     })
 }
-
-/// Pipeline registers at every place but `RangeDelay`, `Decision` and `Gate`: at most one adder or table
-/// between two registers.
-const FINE: Cuts = Cuts::of(&[
-    Cut::Difference,
-    Cut::Magnitude,
-    Cut::Products,
-    Cut::Cross,
-    Cut::Square,
-    Cut::Pair,
-    Cut::Distance,
-    Cut::Range,
-    Cut::PairPower,
-    Cut::GroupPower,
-]);
-
-/// Pipeline registers for a chip of many engines, where flip-flops are as scarce as LUTs: at most two adders
-/// between two registers, whatever the squarers are made of.
-const COARSE: Cuts = Cuts::of(&[
-    Cut::Magnitude,
-    Cut::Cross,
-    Cut::Pair,
-    Cut::Distance,
-    Cut::Range,
-    Cut::PairPower,
-    Cut::GroupPower,
-]);
-
-/// `COARSE` with a pipeline register between the two adder chains that make a magnitude.
-const DIGITS: Cuts = COARSE.and(Cut::Difference);
-
-/// `DIGITS` with an in-range flag beside each sum, and a pipeline register between the lane and these flags.
-/// On a full chip the sums of an engine are placed near their chains of powers and results, which may be far
-/// from its lanes.
-const DECISIONS: Cuts = DIGITS.and(Cut::RangeDelay).and(Cut::Decision);
-
-/// Engines whose squarers are tables in block RAMs: `DECISIONS` with the block RAM's own output register.
-const TABLE: EngineKind = EngineKind {
-    squarer: Squarer::Table,
-    cuts: DECISIONS.and(Cut::Square),
-};
-
-/// Engines whose squarers are DSP blocks: the DSP block's own registers stand before and behind the product
-/// (behind it at the cut `Cross`), and one more register on each net to and from the block. DSP blocks stand
-/// in a few rows of the chip, and the products of two of them meet at one adder.
-const PRODUCT: EngineKind = EngineKind {
-    squarer: Squarer::Product,
-    cuts: DECISIONS.and(Cut::Products).and(Cut::Square),
-};
 
 /// A tile of `2^query_axes` engines. Its format has one scale for all powers and seven bits for the radius;
 /// `photoncube report SCENE` measures what the format costs in accuracy.
@@ -316,25 +270,39 @@ pub const MACHINES: &[Machine] = &[
     ),
 ];
 
-/// The error of [`find_machine`]: no machine has that name.
+/// The error of [`find_machine`].
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[error("there is no machine `{found}`{meant}; the machines are {expected}")]
-pub struct UnknownMachine {
-    /// The name that was given.
-    pub found: String,
-    /// A hint with the nearest name, made by [`did_you_mean`]; empty where none is near.
-    pub meant: String,
-    /// The names of all machines.
-    pub expected: String,
+pub enum UnknownMachine {
+    /// No machine has that name.
+    #[error(
+        "there is no machine `{found}`{meant}; the machines are {expected}, or an organisation with a photon format, \
+         such as stream-local7-rgb6d-n4096"
+    )]
+    Name {
+        /// The name that was given.
+        found: String,
+        /// A hint with the nearest name, made by [`did_you_mean`]; empty where none is near.
+        meant: String,
+        /// The names of all named machines.
+        expected: String,
+    },
+    /// The name is that of a custom machine which cannot be made.
+    #[error(transparent)]
+    Custom(#[from] CustomError),
 }
 
-/// Finds the machine of that name.
+/// Finds the machine of that name: a named one, or a custom one.
 ///
 /// # Errors
-/// No machine has that name; the error lists all names.
+/// No machine has that name, and the error lists the names; or the custom machine cannot be made.
 pub fn find_machine(name: &str) -> Result<&'static Machine, UnknownMachine> {
-    let found = MACHINES.iter().find(|machine| machine.name == name);
-    found.ok_or_else(|| UnknownMachine {
+    if let Some(machine) = MACHINES.iter().find(|machine| machine.name == name) {
+        return Ok(machine);
+    }
+    if let Some(custom) = custom::find(name) {
+        return Ok(custom?);
+    }
+    Err(UnknownMachine::Name {
         found: name.to_owned(),
         meant: did_you_mean(name, MACHINES.iter().map(|machine| machine.name)),
         expected: MACHINES

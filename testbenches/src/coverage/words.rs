@@ -1,7 +1,8 @@
 //! Computes which bits the words of a cell can use. All cells have equal hardware, as wide as the widest word
 //! needs; the words that a cell receives follow from its role.
 
-use photoncube_hdl::{Level, NotBuiltIn, level_pins};
+use photoncube_hdl::generator::GeneratorError;
+use photoncube_hdl::{Level, level_pins};
 use photoncube_spec::{
     Axis, CellTables, Machine, OVERLAPPED, Organisation, PhotonFormat, Pin, Register, RegisterRow,
     Role, Widths,
@@ -69,7 +70,7 @@ const OVERLAPPED_WIRES: &[(&str, &[Word])] = &[
 
 /// The pins of a machine's units, each with the words that the unit's ops read or write there. The word of the
 /// link is the last operand of an op that has one.
-fn unit_pins(machine: &Machine, tables: &CellTables) -> Result<Vec<Holder>, NotBuiltIn> {
+fn unit_pins(machine: &Machine, tables: &CellTables) -> Result<Vec<Holder>, GeneratorError> {
     let mut holders = Vec::new();
     for level in Level::of(machine) {
         let Level::Unit(unit) = level else { continue };
@@ -142,7 +143,7 @@ pub(super) struct Words<'a> {
 impl<'a> Words<'a> {
     /// # Errors
     /// The machine's widths are not built in.
-    pub fn of(machine: &'a Machine) -> Result<Self, NotBuiltIn> {
+    pub fn of(machine: &'a Machine) -> Result<Self, GeneratorError> {
         let mut holders = Vec::new();
         if let Some(tables) = machine.cell() {
             let wires = match machine.organisation {

@@ -1,15 +1,36 @@
 //! Runs machines in rust-hdl's own simulation.
 
-use photoncube_hdl::{Level, Simulator, Unit, level_pins, unit_pins};
-use photoncube_spec::Machine;
+use std::io::{Read, Write};
 
-use super::{Device, DeviceError, Observed};
+use photoncube_hdl::{Level, Simulator, Unit, generator, level_pins, unit_pins};
+use photoncube_spec::Machine;
+use tempfile::TempDir;
+
+use super::process::Process;
+use super::{Device, DeviceError, Observed, scratch_folder};
+
+/// The device's name.
+const NAME: &str = "rust-hdl";
+
+/// Clocks in a frame of a custom machine's simulation.
+const FRAME_CLOCKS: usize = 512;
 
 /// A machine, or a part of one, in rust-hdl's simulation.
 pub struct RustHdl {
-    simulator: Simulator,
+    runs: Runs,
     columns: usize,
     visible: usize,
+}
+
+/// Where the simulation runs.
+enum Runs {
+    /// In this process: the widths are compiled in.
+    Here(Simulator),
+    /// In the generator of a custom machine, whose standard error is in the folder.
+    Generator(
+        Process,
+        #[expect(dead_code, reason = "the folder lives as long as the process")] TempDir,
+    ),
 }
 
 impl RustHdl {
@@ -19,8 +40,21 @@ impl RustHdl {
     /// The machine's widths are not built in.
     pub fn new(machine: &Machine, level: Level) -> Result<Self, DeviceError> {
         let pins = level_pins(machine, level).map_err(hdl_error(machine))?;
+        let runs = match Simulator::new(machine, level) {
+            Ok(simulator) => Runs::Here(simulator),
+            Err(_) => {
+                let simulation = generator::simulation(machine, level);
+                let folder = scratch_folder()?;
+                let process = Process::start(
+                    NAME,
+                    &mut simulation.map_err(hdl_error(machine))?,
+                    folder.path(),
+                )?;
+                Runs::Generator(process, folder)
+            }
+        };
         Ok(Self {
-            simulator: Simulator::new(machine, level).map_err(hdl_error(machine))?,
+            runs,
             columns: pins.inputs.len(),
             visible: pins.observed.len(),
         })
@@ -33,7 +67,7 @@ impl RustHdl {
     pub fn of_unit(unit: Unit, bits: u32) -> Result<Self, DeviceError> {
         let pins = unit_pins(unit, bits).map_err(hdl_error_of(unit.name()))?;
         Ok(Self {
-            simulator: Simulator::of_unit(unit, bits).map_err(hdl_error_of(unit.name()))?,
+            runs: Runs::Here(Simulator::of_unit(unit, bits).map_err(hdl_error_of(unit.name()))?),
             columns: pins.inputs.len(),
             visible: pins.observed.len(),
         })
@@ -42,7 +76,7 @@ impl RustHdl {
 
 impl Device for RustHdl {
     fn name(&self) -> &str {
-        "rust-hdl"
+        NAME
     }
 
     fn tool_version(&self) -> &str {
@@ -54,14 +88,41 @@ impl Device for RustHdl {
     }
 
     fn replay(&mut self, inputs: &[u64], observed: &mut Observed) -> Result<(), DeviceError> {
-        for row in inputs.chunks_exact(self.columns) {
-            let clock = self.simulator.clock(row, &mut observed.values);
-            clock.map_err(|error| DeviceError::BrokeOff {
-                device: "rust-hdl".to_owned(),
-                message: error.to_string(),
-            })?;
+        let (columns, visible) = (self.columns, self.visible);
+        match &mut self.runs {
+            Runs::Here(simulator) => {
+                for row in inputs.chunks_exact(columns) {
+                    let clock = simulator.clock(row, &mut observed.values);
+                    clock.map_err(|error| DeviceError::BrokeOff {
+                        device: NAME.to_owned(),
+                        message: error.to_string(),
+                    })?;
+                }
+                Ok(())
+            }
+            Runs::Generator(process, _) => process.converse(
+                |stdin| {
+                    for rows in inputs.chunks(FRAME_CLOCKS * columns) {
+                        let clocks = u32::try_from(rows.len() / columns).expect("a frame is short");
+                        stdin.write_all(&clocks.to_le_bytes())?;
+                        let bytes: Vec<_> =
+                            rows.iter().flat_map(|value| value.to_le_bytes()).collect();
+                        stdin.write_all(&bytes)?;
+                    }
+                    Ok(())
+                },
+                |stdout| {
+                    let mut bytes = vec![0; 8 * visible];
+                    for _ in 0..inputs.len() / columns {
+                        stdout.read_exact(&mut bytes)?;
+                        let (values, _) = bytes.as_chunks::<8>();
+                        let values = values.iter().map(|value| u64::from_le_bytes(*value));
+                        observed.values.extend(values);
+                    }
+                    Ok(())
+                },
+            ),
         }
-        Ok(())
     }
 }
 

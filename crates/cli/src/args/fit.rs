@@ -1,5 +1,7 @@
 //! The arguments of `fit`.
 
+use std::path::PathBuf;
+
 use clap::Args as ClapArgs;
 use photoncube_render::{BenchOptions, FitOptions, MAX_PHOTONS, ViewOptions};
 
@@ -14,6 +16,7 @@ Examples:
   photoncube fit ring
   photoncube fit cornell --noise-ratio 0.05 --json
   photoncube fit range --photons 1000000 --in-range 500
+  photoncube fit mine.toml --emit verilog      writes the smallest machine of exactly this format
 
 Every format is predicted on a pilot, the smallest below the bound is measured on photon maps of
 its own, and so is each format with one bit less: exit code 0 says that it holds and they do not.")]
@@ -36,6 +39,9 @@ pub struct FitArgs {
     /// The view whose pixels are the queries
     #[arg(long, default_value_t = Size::of(&FitOptions::default().bench.view), value_name = "WxH")]
     pub size: Size,
+    /// Write the Verilog of the smallest machine into a folder in this one
+    #[arg(long, value_name = "DIR")]
+    pub emit: Option<PathBuf>,
     /// Seed of all random numbers
     #[arg(long, default_value_t = FitOptions::default().bench.seed, value_name = "S", value_parser = seed)]
     pub seed: u64,

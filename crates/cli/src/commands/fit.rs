@@ -8,7 +8,6 @@ use std::time::Instant;
 
 use anyhow::Result;
 use photoncube_render::{Engine, FieldNeed, Fit, FitOptions, Measurement, Removal, SceneFacts};
-use photoncube_spec::MACHINES;
 use serde::Serialize;
 
 use self::comparison::Compared;
@@ -17,7 +16,7 @@ use crate::args::FitArgs;
 use crate::failure::CheckFailed;
 use crate::fitted::{self, Choices, FormatRow, MachineChoice};
 use crate::hardware::PictureTime;
-use crate::{output, scenes, sight};
+use crate::{machines, output, project, scenes, sight};
 
 #[derive(Serialize)]
 struct Report {
@@ -46,8 +45,8 @@ struct Report {
     machine: Option<MachineRow>,
     /// The fastest machine within the bound.
     fastest: Option<MachineRow>,
-    /// Instructions for adding a machine of exactly the fitted format; `None` where one exists.
-    row_to_add: Option<String>,
+    /// The files of the smallest machine that were written; empty without `--emit`.
+    emitted: Vec<String>,
     /// The command that runs the chosen machine.
     next: Option<String>,
     seconds: f64,
@@ -86,6 +85,10 @@ pub fn execute(args: &FitArgs, json: bool) -> Result<()> {
         None => None,
     };
     let mut report = report(args, &options, &fit, choices.as_ref())?;
+    if let (Some(out), Some(choices)) = (&args.emit, &choices) {
+        machines::prepare(choices.smallest.machine)?;
+        report.emitted = project::write(choices.smallest.machine, "--emit", out, scene.files())?;
+    }
     report.seconds = start.elapsed().as_secs_f64();
     output::print(json, &report, || text::text(&report))?;
     match (&fit.chosen, &choices) {
@@ -128,9 +131,7 @@ fn report(
         fastest: fastest.map(MachineRow::of),
         photons_in_range_mean: photons_in_range_mean(fit)?,
         query_points: fit.bench.queries().len() as u64,
-        row_to_add: chosen
-            .filter(|chosen| MACHINES.iter().all(|m| m.format() != Some(&chosen.format)))
-            .map(|chosen| fitted::row_to_add(&chosen.format)),
+        emitted: Vec::new(),
         next: smallest.map(|choice| next(args, choice)),
         seconds: 0.0,
     })

@@ -4,14 +4,14 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Result, bail};
-use photoncube_spec::{MACHINES, Machine};
+use photoncube_spec::{MACHINES, Machine, custom_machine, find_photon_format};
 use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::args::GenerateArgs;
 use crate::digests::{self, ByMachine};
 use crate::failure::CheckFailed;
-use crate::machines::MachineArgs;
+use crate::machines::{self, MachineArgs};
 use crate::project::{self, ProjectFile};
 use crate::{files, output, outputs};
 
@@ -51,7 +51,7 @@ pub fn execute(args: &GenerateArgs, json: bool) -> Result<()> {
     let digests: ByMachine = digests.collect();
     let mut project_files: Vec<_> = projects.into_iter().flat_map(|p| p.files).collect();
     let mut by_digest = Vec::new();
-    if args.machine.is_none() {
+    if args.machine.is_none() && args.format.is_none() {
         let sums = sums(&project_files);
         if args.check {
             by_digest = absent(&args.out);
@@ -93,6 +93,11 @@ pub fn execute(args: &GenerateArgs, json: bool) -> Result<()> {
 }
 
 fn machines(args: &GenerateArgs) -> Result<Vec<&'static Machine>> {
+    if let (Some(organisation), Some(format)) = (args.organisation, &args.format) {
+        let machine = custom_machine(organisation, &find_photon_format(format)?)?;
+        machines::prepare(machine)?;
+        return Ok(vec![machine]);
+    }
     let Some(name) = &args.machine else {
         return Ok(MACHINES.iter().collect());
     };
@@ -101,7 +106,7 @@ fn machines(args: &GenerateArgs) -> Result<Vec<&'static Machine>> {
         coordinate_bits: args.coordinate_bits,
         dimension: args.dimension,
     };
-    Ok(vec![selection.find()?])
+    Ok(vec![selection.find_to_emit()?])
 }
 
 /// The machines that have no folder and need none, because the digests of their files are checked.

@@ -2,7 +2,7 @@
 
 mod sizing;
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Instant;
 
 use anyhow::Result;
@@ -18,7 +18,7 @@ use crate::failure::CheckFailed;
 use crate::hardware::PictureTime;
 use crate::outputs::{self, Output};
 use crate::stages::{Distance, Traced, map_of, picture, trace_scene, view, write_picture};
-use crate::{files, output, project, scenes, sight};
+use crate::{files, machines, output, project, scenes, sight};
 
 #[derive(Serialize)]
 struct Report {
@@ -94,8 +94,9 @@ pub fn execute(args: &RunArgs, json: bool) -> Result<()> {
     })?;
     let sized = timed(&mut seconds.fit, || sizing::machine(args, &traced));
     let (machine, fitted) = sight::explained(sized, &traced.scene, &view)?;
-    let verilog = timed(&mut seconds.emit, || {
-        emit(machine, &args.out, traced.scene.files())
+    let written = timed(&mut seconds.emit, || {
+        machines::prepare(machine)?;
+        project::write(machine, "--out", &args.out, traced.scene.files())
     })?;
     let proof = timed(&mut seconds.verify, || prove(args, machine, &traced));
     let proof = sight::explained(proof, &traced.scene, &view)?;
@@ -144,7 +145,7 @@ pub fn execute(args: &RunArgs, json: bool) -> Result<()> {
         picture: paths.picture.display().to_string(),
         reference_picture: paths.reference.display().to_string(),
         error_map: paths.error_map.display().to_string(),
-        verilog,
+        verilog: written[0].clone(),
         seconds,
     };
     let summary = serde_json::to_string_pretty(&report)? + "\n";
@@ -193,16 +194,6 @@ fn timed<T>(seconds: &mut f64, work: impl FnOnce() -> Result<T>) -> Result<T> {
     let result = work();
     *seconds = start.elapsed().as_secs_f64();
     result
-}
-
-/// Writes the machine's Verilog and project files, and returns the path of the Verilog.
-fn emit(machine: &Machine, out: &Path, inputs: &[PathBuf]) -> Result<String> {
-    let files = project::project(machine)?.files;
-    let path = |file: &project::ProjectFile| out.join(&file.path);
-    let outputs = files.iter().map(|file| Output::within("--out", path(file)));
-    outputs::check(&outputs.collect::<Vec<_>>(), inputs)?;
-    files::write_all(files.iter().map(|file| (path(file), file.text.as_bytes())))?;
-    Ok(out.join(&files[0].path).display().to_string())
 }
 
 struct Proof {

@@ -3,9 +3,11 @@
 use photoncube_spec::Machine;
 use rust_hdl::prelude::check_all;
 use rust_hdl_lint::{Finding, Opaque, OpaqueKind, Rule, generated_blocks, lint, opaque_blocks};
+use serde::{Deserialize, Serialize};
 
 use super::{BlockRam, EmitError, TOP};
-use crate::build::{NotBuiltIn, build};
+use crate::build::build;
+use crate::generator::{self, GeneratorError};
 use crate::level::Level;
 use crate::pinned::Pinned;
 
@@ -35,7 +37,7 @@ const HAND_WRITTEN: &[&str] = &[
 ];
 
 /// The parts of a design that the lint read, and its findings.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Linted {
     /// Blocks whose statements rust-hdl generates. Without a finding each statement is shown to mean in Verilog what
     /// it means in Rust.
@@ -51,20 +53,26 @@ pub struct Linted {
 /// The whole machine as the lint sees it.
 ///
 /// # Errors
-/// The widths are not built in.
-pub fn lint_machine(machine: &Machine) -> Result<Linted, NotBuiltIn> {
-    let block = build(machine, Level::Machine)?;
-    let block = block.as_ref();
+/// The machine is neither built in nor has a generator.
+pub fn lint_machine(machine: &Machine) -> Result<Linted, GeneratorError> {
+    match build(machine, Level::Machine) {
+        Ok(block) => Ok(lint_block(block.as_ref())),
+        Err(_) => generator::lint(machine),
+    }
+}
+
+/// The block of a whole machine as the lint sees it.
+pub(crate) fn lint_block(block: &dyn Pinned) -> Linted {
     let opaque = opaque_blocks(block);
     let is_register = |opaque: &&Opaque| opaque.kind == OpaqueKind::Register;
     let registers = opaque.iter().filter(is_register).count();
     let unknown = unknown_texts(Level::Machine.name(), &opaque);
-    Ok(Linted {
+    Linted {
         generated: generated_blocks(block).len(),
         registers,
         hand_written: opaque.len() - registers - unknown.len(),
         findings: [statement_findings(block), unknown].concat(),
-    })
+    }
 }
 
 pub(super) fn check(name: &str, part: &str, block: &dyn Pinned) -> Result<(), EmitError> {

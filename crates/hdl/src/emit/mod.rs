@@ -14,12 +14,13 @@ mod modules;
 
 use photoncube_spec::{CellTables, Machine, Pins, SignalPlace};
 use rust_hdl::prelude::ModuleDefines;
+use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use crate::build::{NotBuiltIn, build};
+use crate::generator::{self, GeneratorError};
 use crate::level::Level;
-use crate::pinned::Pinned;
-use crate::simulator::level_pins;
+use crate::pinned::{Pinned, pins};
 use crate::unit::{Unit, build_unit, label, unit_pins};
 
 pub(crate) use channels::ChannelNames;
@@ -27,6 +28,7 @@ use checks::check;
 use digest::sha256;
 use header::{header, override_header, unit_header};
 
+pub(crate) use checks::lint_block;
 pub use checks::{Linted, lint_control, lint_machine};
 pub use header::interface_text;
 
@@ -55,7 +57,7 @@ pub struct Emitted {
 /// A memory in an emitted design whose words have no initial value. The golden model's memory starts as
 /// zeros, and registers store what is read from it. A simulation must therefore fill the memory with zeros
 /// before the first clock.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct BlockRam {
     /// The path of the array in the top instance.
     pub path: String,
@@ -84,9 +86,12 @@ impl Emitted {
 /// The reason why a design is not emitted.
 #[derive(Debug, Error)]
 pub enum EmitError {
-    /// The machine's widths are not compiled in.
+    /// The unit's widths are not compiled in.
     #[error(transparent)]
     NotBuiltIn(#[from] NotBuiltIn),
+    /// The machine is not compiled in, and has no generator either.
+    #[error(transparent)]
+    Generator(#[from] GeneratorError),
     /// rust-hdl's own checks found an open signal, a loop or an input that is written.
     #[error("the design of machine `{machine}` does not pass rust-hdl's checks: {reason}")]
     Check {
@@ -120,17 +125,31 @@ pub enum EmitError {
 /// Emits the Verilog of a machine at a level.
 ///
 /// # Errors
-/// The widths are not built in, or the design does not pass the checks or the lint.
+/// The machine is neither built in nor has a generator, or the design does not pass the checks or the lint.
 pub fn emit(machine: &Machine, level: Level) -> Result<Emitted, EmitError> {
-    let block = build(machine, level)?;
+    match build(machine, level) {
+        Ok(block) => emit_block(machine, level, block.as_ref()),
+        Err(_) => Ok(generator::emit(machine, level)?),
+    }
+}
+
+/// Emits the Verilog of a block, which is a machine at a level.
+pub(crate) fn emit_block(
+    machine: &Machine,
+    level: Level,
+    block: &dyn Pinned,
+) -> Result<Emitted, EmitError> {
     let prefix = match level {
         Level::Machine => machine.module_prefix(),
         part => format!("{}_{}", machine.module_prefix(), part.name()),
     };
     let channels = ChannelNames::of(machine);
     let part = level.name();
-    let merged = printed([machine.name, part], block.as_ref(), &prefix, &channels)?;
-    let pins = level_pins(machine, level)?;
+    let merged = printed([machine.name, part], block, &prefix, &channels)?;
+    let pins = match level {
+        Level::Machine => Pins::of(machine),
+        part => pins(block, machine, part),
+    };
     Ok(Emitted {
         ecp5_text: ecp5::second_texts(&merged)
             .map(|texts| override_header(machine, &texts) + &texts),

@@ -36,6 +36,7 @@ mod flow;
 mod head;
 mod memory;
 mod pins;
+pub(crate) mod pipelines;
 mod registers;
 mod widths;
 

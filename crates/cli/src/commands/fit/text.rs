@@ -27,8 +27,8 @@ pub fn text(report: &Report) -> String {
         text += &format!("fastest within the bound {}\n", machine_line(fastest));
         text += &format!("a picture is {} queries here\n", report.query_points);
     }
-    if let Some(row) = &report.row_to_add {
-        text += &format!("for a machine of exactly this format, {row}\n");
+    for file in &report.emitted {
+        text += &format!("wrote {file}\n");
     }
     if let Some(next) = &report.next {
         text += &format!("go on with: {next}\n");

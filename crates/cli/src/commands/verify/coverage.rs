@@ -36,7 +36,7 @@ impl Method for Coverage {
     }
 
     fn run(&self) -> Result<Outcome> {
-        let machine = self.machine.find()?;
+        let machine = self.machine.find_to_emit()?;
         let bar = progress::bar("coverage", self.stimulus.iterations);
         let position = |done| bar.set_position(done);
         let corners = corners(machine);

@@ -57,7 +57,7 @@ impl Method for Equivalence {
     }
 
     fn run(&self) -> Result<Outcome> {
-        let machine = self.machine.find()?;
+        let machine = self.machine.find_to_emit()?;
         let mut all = UpToDifference::new(|verdict: &Verdict| verdict.vectors_compared);
         for device in devices(&self.against) {
             let ended = verify_with_bar(machine, device, &self.stimulus.random());

@@ -84,7 +84,7 @@ impl Method for Faults {
 
     /// Verifies the machine under each class: in each device, or in Icarus where only that can show the fault.
     fn run(&self) -> Result<Outcome> {
-        let machine = self.machine.find()?;
+        let machine = self.machine.find_to_emit()?;
         let controls = Controls::gathered(fault_controls()?)?;
         let kinds = devices(&self.against);
         let mut all = UpToDifference::new(|verdict: &FaultVerdict| verdict.vectors_compared);

@@ -37,7 +37,7 @@ impl Method for Formal {
     }
 
     fn run(&self) -> Result<Outcome> {
-        let machine = self.machine.find()?;
+        let machine = self.machine.find_to_emit()?;
         let prefix = self.property.as_deref().unwrap_or_default();
         let bar = progress::bar("formal", 0);
         let found = formal(machine, &|name| name.starts_with(prefix), &|done, of| {

@@ -29,7 +29,7 @@ impl Method for Lint {
     }
 
     fn run(&self) -> Result<Outcome> {
-        let machine = self.machine.find()?;
+        let machine = self.machine.find_to_emit()?;
         let Linted {
             generated,
             registers,

@@ -45,7 +45,7 @@ impl Method for Mutants {
     }
 
     fn run(&self) -> Result<Outcome> {
-        let machine = self.machine.find()?;
+        let machine = self.machine.find_to_emit()?;
         let options = MutantOptions {
             part: part(machine, self.part.as_deref())?,
             mutants: self.mutants,

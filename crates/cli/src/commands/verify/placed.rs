@@ -78,7 +78,7 @@ impl Method for Placed {
     }
 
     fn run(&self) -> Result<Outcome> {
-        let machine = self.machine.find()?;
+        let machine = self.machine.find_to_emit()?;
         let yosys = synth::tools(None, None)?;
         let subject = Subject::of(machine)?;
         let spinner = progress::spinner("mapping");

@@ -49,7 +49,7 @@ impl Method for Programs {
     }
 
     fn run(&self) -> Result<Outcome> {
-        let machine = self.machine.find()?;
+        let machine = self.machine.find_to_emit()?;
         let controls = Controls::new(program_control()?, []);
         let options = ProgramOptions {
             programs: self.programs,

@@ -1,0 +1,227 @@
+//! Generators of custom machines.
+//!
+//! rust-hdl's widths are const generics, so a machine whose widths are not compiled into this program needs a program of
+//! its own. The *generator* of a machine is a small crate that names the widths and calls [`serve`]. This module writes
+//! the crate, builds it with cargo, keeps the program in the user's cache under the digest of all its sources, and asks
+//! it for what [`crate::emit`] and the simulation need. The named machines are rows of the same two functions,
+//! [`sequential`] and [`spatial`].
+
+mod cache;
+mod cargo;
+mod package;
+mod protocol;
+mod serve;
+
+use std::path::PathBuf;
+use std::process::Command;
+
+use photoncube_spec::{Machine, Pins, find_machine};
+use serde::de::DeserializeOwned;
+use thiserror::Error;
+
+use crate::build::{NotBuiltIn, sequential_block, spatial_block};
+use crate::emit::{Emitted, Linted};
+use crate::level::Level;
+use crate::pinned::{Pinned, with_registers};
+use protocol::{Design, EMIT, LINT, SIMULATE};
+
+pub use serve::serve;
+
+/// A block of a machine, for [`serve`].
+pub struct Block(pub(crate) Box<dyn Pinned>);
+
+/// Builds the block of a machine at a level; `None` where the machine has no such level.
+pub type Build = fn(&Machine, Level) -> Option<Block>;
+
+/// The reason why the generator of a custom machine does not work.
+#[derive(Debug, Error)]
+pub enum GeneratorError {
+    /// The machine is neither compiled in nor a custom machine.
+    #[error(transparent)]
+    NotBuiltIn(#[from] NotBuiltIn),
+    /// The sources of this crate are not where they were when this program was built.
+    #[error(
+        "machine `{machine}` needs a generator, which is built from the sources of photoncube: found none in {path}; set \
+         PHOTONCUBE_SOURCES to a clone of the project"
+    )]
+    NoSources {
+        /// The name of the machine.
+        machine: &'static str,
+        /// The folder in which the sources were expected.
+        path: String,
+    },
+    /// cargo could not be started.
+    #[error(
+        "machine `{machine}` needs a generator, which cargo builds: cannot start {cargo}: {reason}; install Rust by rustup, \
+         or set CARGO to the path of cargo"
+    )]
+    NoCargo {
+        /// The name of the machine.
+        machine: &'static str,
+        /// The program that was tried.
+        cargo: String,
+        /// The error of the operating system.
+        reason: String,
+    },
+    /// cargo could not build the generator.
+    #[error("cargo cannot build the generator of machine `{machine}` in {folder}:\n{said}")]
+    NotBuilt {
+        /// The name of the machine.
+        machine: &'static str,
+        /// The folder of the generator's crate.
+        folder: String,
+        /// The last lines of cargo.
+        said: String,
+    },
+    /// A file of the cache cannot be read or written.
+    #[error("cannot {action} {path}: {reason}")]
+    File {
+        /// The action that failed.
+        action: &'static str,
+        /// The path of the file or folder.
+        path: String,
+        /// The error of the operating system.
+        reason: String,
+    },
+    /// The generator ran and ended with an error.
+    #[error("the generator of machine `{machine}` failed: {said}")]
+    Failed {
+        /// The name of the machine.
+        machine: &'static str,
+        /// The output of the generator.
+        said: String,
+    },
+}
+
+/// The steps of making a generator, for a progress bar.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Step {
+    /// cargo compiles a crate; the first generator compiles about a hundred, later ones compile one.
+    Compiles(String),
+}
+
+/// The block of a sequential machine: the widths of the table in crates/hdl/src/build.rs.
+pub fn sequential<
+    const C: usize,
+    const H: usize,
+    const M: usize,
+    const Q: usize,
+    const R: usize,
+    const B: usize,
+    const E: usize,
+    const P: usize,
+    const V: usize,
+    const S: usize,
+    const A: usize,
+    const W: usize,
+    const X: usize,
+    const N: usize,
+    const G: usize,
+>(
+    machine: &Machine,
+    level: Level,
+) -> Option<Block> {
+    sequential_block::<C, H, M, Q, R, B, E, P, V, S, A, W, X, N, G>(machine, level).map(Block)
+}
+
+/// The block of a spatial machine: the widths of the table in crates/hdl/src/build.rs.
+pub fn spatial<
+    const C: usize,
+    const H: usize,
+    const D: usize,
+    const R: usize,
+    const Q: usize,
+    const L: usize,
+    const LP: usize,
+    const HP: usize,
+    const PR: usize,
+    const T: usize,
+    const U: usize,
+    const B: usize,
+    const E: usize,
+    const P: usize,
+    const PP: usize,
+    const GP: usize,
+    const S: usize,
+    const N: usize,
+>(
+    machine: &Machine,
+    level: Level,
+) -> Option<Block> {
+    let block = spatial_block::<C, H, D, R, Q, L, LP, HP, PR, T, U, B, E, P, PP, GP, S, N>;
+    block(machine, machine.spatial()?, level).map(Block)
+}
+
+/// The generator of a custom machine: built where the cache has none of today's sources, else the cached program.
+/// `progress` is told what cargo does.
+///
+/// # Errors
+/// The sources or cargo are missing, or the generator cannot be built or stored.
+pub fn prepare(
+    machine: &Machine,
+    progress: &mut dyn FnMut(&Step),
+) -> Result<PathBuf, GeneratorError> {
+    let custom = find_machine(machine.name)
+        .ok()
+        .filter(|found| *found == machine);
+    let custom = custom.ok_or_else(|| NotBuiltIn::of(machine, Level::Machine))?;
+    cache::program(custom, progress)
+}
+
+/// The command that simulates a level of a custom machine in rust-hdl. It reads frames of rows from its standard input and
+/// answers with rows on its standard output: a frame is a number of clocks, in 4 bytes, and their rows of inputs; all
+/// numbers are little-endian, and a value of a row has 8 bytes.
+///
+/// # Errors
+/// As [`prepare`].
+pub fn simulation(machine: &Machine, level: Level) -> Result<Command, GeneratorError> {
+    let mut command = Command::new(prepare(machine, &mut |_| ())?);
+    command.args([SIMULATE, level.name()]);
+    Ok(command)
+}
+
+/// Emits a level of a custom machine.
+pub(crate) fn emit(machine: &Machine, level: Level) -> Result<Emitted, GeneratorError> {
+    let design: Design = ask(machine, &[EMIT, level.name()])?;
+    let outputs = design.outputs.len();
+    let pins = match level {
+        Level::Machine => Pins::of(machine),
+        part => {
+            let ports = Pins {
+                inputs: design.inputs.into_iter().map(protocol::pin).collect(),
+                observed: design.outputs.into_iter().map(protocol::pin).collect(),
+                outputs,
+            };
+            with_registers(ports, machine, part)
+        }
+    };
+    Ok(Emitted {
+        text: design.text,
+        top: design.top,
+        ecp5_text: design.ecp5_text,
+        clocked: level.is_clocked(),
+        pins,
+        register_paths: design.register_paths,
+        block_rams: design.block_rams,
+    })
+}
+
+/// Lints a custom machine.
+pub(crate) fn lint(machine: &Machine) -> Result<Linted, GeneratorError> {
+    ask(machine, &[LINT])
+}
+
+/// The answer of the generator, from JSON.
+fn ask<T: DeserializeOwned>(machine: &Machine, arguments: &[&str]) -> Result<T, GeneratorError> {
+    let program = prepare(machine, &mut |_| ())?;
+    let failed = |said: String| GeneratorError::Failed {
+        machine: machine.name,
+        said,
+    };
+    let output = Command::new(program).args(arguments).output();
+    let output = output.map_err(|error| failed(error.to_string()))?;
+    if !output.status.success() {
+        return Err(failed(String::from_utf8_lossy(&output.stderr).into_owned()));
+    }
+    serde_json::from_slice(&output.stdout).map_err(|error| failed(error.to_string()))
+}

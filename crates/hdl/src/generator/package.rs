@@ -1,0 +1,42 @@
+//! The text of a generator's crate.
+
+use std::path::Path;
+
+use photoncube_spec::{Machine, Organisation};
+
+use crate::build::{sequential_sizes, spatial_sizes};
+
+/// The manifest, for the sources of photoncube in that folder. The digest makes the program's name its own, as all
+/// generators are built into one folder.
+pub(super) fn manifest(sources: &Path, digest: &str) -> String {
+    // A literal string, in which nothing is escaped; no path has a quote.
+    let path = |folder: &str| format!("'{}'", sources.join(folder).display());
+    format!(
+        "[package]\nname = \"photoncube-generator-{digest}\"\nversion = \"0.0.0\"\nedition = \"2024\"\npublish = false\n\n\
+         [dependencies]\nphotoncube-hdl = {{ path = {}, default-features = false }}\n\n\
+         [patch.crates-io]\nsvg = {{ path = {} }}\n\n\
+         [profile.release]\nopt-level = 1\ndebug = false\nlto = \"off\"\n\n\
+         # Compiled once for all generators, in half the time. What runs is generic, and compiled with the program.\n\
+         [profile.release.package.\"*\"]\nopt-level = 0\n\n\
+         [workspace]\n",
+        path("crates/hdl"),
+        path("crates/svg"),
+    )
+}
+
+/// The program: the machine's name, and the widths of its blocks.
+pub(super) fn program(machine: &Machine) -> String {
+    let (function, sizes) = match &machine.organisation {
+        Organisation::Spatial(_) => ("spatial", spatial_sizes(machine)),
+        _ => ("sequential", sequential_sizes(machine)),
+    };
+    let sizes: Vec<_> = sizes.iter().map(ToString::to_string).collect();
+    format!(
+        "//! The generator of the machine `{name}`.\n\n\
+         use std::process::ExitCode;\n\n\
+         use photoncube_hdl::generator::{{{function}, serve}};\n\n\
+         fn main() -> ExitCode {{\n    serve(\"{name}\", {function}::<{sizes}>)\n}}\n",
+        name = machine.name,
+        sizes = sizes.join(", "),
+    )
+}

@@ -1,0 +1,259 @@
+//! Custom machines: an organisation with any photon format, made from a name.
+//!
+//! # Names
+//! A custom machine's name states all of it: `ORGANISATION-FORMAT`, with the name of a photon format (see
+//! [`PhotonFormat`]) and one of these organisations:
+//!
+//! - `sequential`: the paper's 16 cells;
+//! - `stream`: one engine, each query with a radius of its own;
+//! - `tile-D`: `2^(D - 4)` engines in a chain, D from 4 to 10, with the radius of the format.
+//!
+//! `stream-local6x2-rgb4d-n4096` is an example. Squares are made from digits where there is a squarer from digits for the
+//! format, and as one product elsewhere.
+
+use std::collections::BTreeMap;
+use std::sync::Mutex;
+
+use thiserror::Error;
+
+use crate::formats::{Numbers, PhotonFormat, Squarer, UnknownFormat, Widths, find_photon_format};
+use crate::hypercube::Hypercube;
+use crate::machine::Machine;
+use crate::organisation::Organisation;
+use crate::spatial::pipelines::{DIGITS, FINE, PRODUCT};
+use crate::spatial::{Radius, Spatial, SpatialError};
+
+/// The organisation of a custom machine.
+#[derive(Copy, Clone, Debug, PartialEq, Eq, Hash)]
+pub enum CustomOrganisation {
+    /// The paper's organisation on the 4-D hypercube.
+    Sequential,
+    /// One engine; each query has a radius of its own.
+    Stream,
+    /// A chain of engines on a hypercube of `dimension` dimensions; all queries have the format's radius.
+    Tile {
+        /// The dimension of the hypercube: `2^(dimension - 4)` engines.
+        dimension: u32,
+    },
+}
+
+/// The error of a custom machine.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum CustomError {
+    /// There is no such organisation.
+    #[error(
+        "there is no organisation `{0}` of custom machines; expected sequential, stream, or tile-4 to tile-10"
+    )]
+    Organisation(String),
+    /// The name of the format is not one.
+    #[error(transparent)]
+    Format(#[from] UnknownFormat),
+    /// A spatial machine of that format cannot be built.
+    #[error(transparent)]
+    Spatial(#[from] SpatialError),
+    /// The sums of a query are wider than the words that carry them.
+    #[error(
+        "machine `{machine}`: its sums have {bits} bits, expected at most 64; expected fewer photons (-n), a narrower \
+         mantissa or a narrower exponent"
+    )]
+    Sums {
+        /// The name of the machine.
+        machine: String,
+        /// Bits of a sum.
+        bits: u32,
+    },
+}
+
+impl CustomOrganisation {
+    /// The organisation of that name.
+    ///
+    /// # Errors
+    /// There is none; the error lists those there are.
+    pub fn from_name(name: &str) -> Result<Self, CustomError> {
+        let dimensions = Hypercube::MIN_DIMENSION..=Hypercube::MAX_DIMENSION;
+        let tiles = dimensions.map(|dimension| Self::Tile { dimension });
+        let mut all = [Self::Sequential, Self::Stream].into_iter().chain(tiles);
+        let found = all.find(|organisation| organisation.name() == name);
+        found.ok_or_else(|| CustomError::Organisation(name.to_owned()))
+    }
+
+    /// The organisation's name in the names of machines.
+    pub fn name(self) -> String {
+        match self {
+            Self::Sequential => "sequential".to_owned(),
+            Self::Stream => "stream".to_owned(),
+            Self::Tile { dimension } => format!("tile-{dimension}"),
+        }
+    }
+
+    fn summary(self, format: &PhotonFormat) -> String {
+        let cells = match self {
+            Self::Sequential => "16 cells that do one instruction a clock".to_owned(),
+            Self::Stream => "one engine of 16 cells that keep their instructions".to_owned(),
+            Self::Tile { dimension } => match 1 << (dimension - Hypercube::MIN_DIMENSION) {
+                1 => "one engine".to_owned(),
+                engines => format!("{engines} engines in a chain"),
+            },
+        };
+        format!("{cells}, the photon format {}", format.name())
+    }
+
+    fn dimension(self) -> u32 {
+        match self {
+            Self::Sequential | Self::Stream => Hypercube::MIN_DIMENSION,
+            Self::Tile { dimension } => dimension,
+        }
+    }
+
+    fn of_machine(self, squarer: Squarer) -> Organisation {
+        let (query_axes, radius, cuts) = match self {
+            Self::Sequential => return Organisation::Sequential,
+            Self::Stream => (0, Radius::Query, FINE),
+            Self::Tile { dimension } => (
+                dimension - Hypercube::MIN_DIMENSION,
+                Radius::Format,
+                match squarer {
+                    Squarer::Product => PRODUCT.cuts,
+                    Squarer::Digits | Squarer::Table => DIGITS,
+                },
+            ),
+        };
+        Organisation::Spatial(Spatial {
+            query_axes,
+            radius,
+            cuts,
+            others: &[],
+            memory_groups: 0,
+        })
+    }
+}
+
+/// The custom machines that were asked for. A machine's parts are `'static`, so each is made once and kept.
+static MADE: Mutex<BTreeMap<String, &'static Machine>> = Mutex::new(BTreeMap::new());
+
+/// The machine of an organisation and a format. Equal arguments give the same machine.
+///
+/// # Errors
+/// No machine can be built from them; the error says what could.
+pub fn custom_machine(
+    organisation: CustomOrganisation,
+    format: &PhotonFormat,
+) -> Result<&'static Machine, CustomError> {
+    format.check().map_err(UnknownFormat::from)?;
+    let name = format!("{}-{}", organisation.name(), format.name());
+    let mut made = MADE
+        .lock()
+        .unwrap_or_else(std::sync::PoisonError::into_inner);
+    if let Some(machine) = made.get(&name) {
+        return Ok(machine);
+    }
+    let machine = Machine {
+        name: name.clone().leak(),
+        summary: organisation.summary(format).leak(),
+        organisation: organisation.of_machine(Squarer::Digits),
+        dimension: organisation.dimension(),
+        numbers: Numbers::Local(*format),
+        squarer: Squarer::Digits,
+    };
+    let machine = checked(machine).or_else(|_| {
+        checked(Machine {
+            organisation: organisation.of_machine(Squarer::Product),
+            squarer: Squarer::Product,
+            ..machine
+        })
+    })?;
+    let machine: &'static Machine = Box::leak(Box::new(machine));
+    made.insert(name, machine);
+    Ok(machine)
+}
+
+fn checked(machine: Machine) -> Result<Machine, CustomError> {
+    if let Some(spatial) = machine.spatial() {
+        spatial.check(&machine)?;
+    }
+    let bits = Widths::of(&machine).sum;
+    match bits <= u64::BITS {
+        true => Ok(machine),
+        false => Err(CustomError::Sums {
+            machine: machine.name.to_owned(),
+            bits,
+        }),
+    }
+}
+
+/// The custom machine of a name; `None` where the name is not built as that of a custom machine.
+pub(crate) fn find(name: &str) -> Option<Result<&'static Machine, CustomError>> {
+    let (organisation, _) = name.split_once("-local")?;
+    let format = &name[organisation.len() + 1..];
+    let found = || {
+        custom_machine(
+            CustomOrganisation::from_name(organisation)?,
+            &find_photon_format(format)?,
+        )
+    };
+    Some(found())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::machines::find_machine;
+
+    #[test]
+    fn a_name_states_the_machine() {
+        for name in [
+            "sequential-local6x2-rgb4d-n4096",
+            "stream-local12x2-rgb16e4-n4096",
+            "tile-4-local7-rgb6d-n4096",
+            "tile-10-local4-mono1-n8",
+        ] {
+            let machine = find_machine(name).unwrap();
+            assert_eq!(machine.name, name);
+            assert!(std::ptr::eq(machine, find_machine(name).unwrap()));
+        }
+    }
+
+    #[test]
+    fn a_tile_of_the_named_tiles_format_is_a_named_tile() {
+        let named = find_machine("tile-6").unwrap();
+        let custom = find_machine("tile-6-local7-rgb6d-n4096").unwrap();
+        let renamed = Machine {
+            name: named.name,
+            summary: named.summary,
+            ..*custom
+        };
+        assert_eq!(renamed, *named);
+    }
+
+    #[test]
+    fn squares_are_one_product_where_there_are_no_digits_for_them() {
+        let squarer = |name| find_machine(name).unwrap().squarer;
+        assert_eq!(squarer("stream-local7-rgb6d-n4096"), Squarer::Digits);
+        assert_eq!(squarer("stream-local6x2-rgb6d-n4096"), Squarer::Product);
+        assert_eq!(squarer("sequential-local6x2-rgb6d-n4096"), Squarer::Digits);
+    }
+
+    #[test]
+    fn what_cannot_be_made_is_refused_with_what_could() {
+        for (name, expected) in [
+            ("tiles-4-local7-rgb6d", "no organisation `tiles-4`"),
+            ("tile-11-local7-rgb6d", "tile-4 to tile-10"),
+            (
+                "stream-local3-rgb6d",
+                "position_bits is 3, expected 4 to 12",
+            ),
+            ("stream-local7-rgb", "there is no format `local7-rgb`"),
+            (
+                "stream-local7-rgb16e8-n4294967296",
+                "bits of a sum is 72, expected 1 to 64",
+            ),
+            (
+                "sequential-local7-rgb16e8-n4294967296",
+                "sums have 72 bits, expected at most 64",
+            ),
+        ] {
+            let error = find_machine(name).unwrap_err().to_string();
+            assert!(error.contains(expected), "{error}");
+        }
+    }
+}

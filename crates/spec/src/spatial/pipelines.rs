@@ -1,0 +1,53 @@
+//! The pipelines that machines are made with: their sets of pipeline registers.
+
+use super::{Cut, Cuts, EngineKind};
+use crate::formats::Squarer;
+
+/// Pipeline registers at every place but `RangeDelay`, `Decision` and `Gate`: at most one adder or table
+/// between two registers.
+pub(crate) const FINE: Cuts = Cuts::of(&[
+    Cut::Difference,
+    Cut::Magnitude,
+    Cut::Products,
+    Cut::Cross,
+    Cut::Square,
+    Cut::Pair,
+    Cut::Distance,
+    Cut::Range,
+    Cut::PairPower,
+    Cut::GroupPower,
+]);
+
+/// Pipeline registers for a chip of many engines, where flip-flops are as scarce as LUTs: at most two adders
+/// between two registers, whatever the squarers are made of.
+const COARSE: Cuts = Cuts::of(&[
+    Cut::Magnitude,
+    Cut::Cross,
+    Cut::Pair,
+    Cut::Distance,
+    Cut::Range,
+    Cut::PairPower,
+    Cut::GroupPower,
+]);
+
+/// `COARSE` with a pipeline register between the two adder chains that make a magnitude.
+pub(crate) const DIGITS: Cuts = COARSE.and(Cut::Difference);
+
+/// `DIGITS` with an in-range flag beside each sum, and a pipeline register between the lane and these flags.
+/// On a full chip the sums of an engine are placed near their chains of powers and results, which may be far
+/// from its lanes.
+pub(crate) const DECISIONS: Cuts = DIGITS.and(Cut::RangeDelay).and(Cut::Decision);
+
+/// Engines whose squarers are tables in block RAMs: `DECISIONS` with the block RAM's own output register.
+pub(crate) const TABLE: EngineKind = EngineKind {
+    squarer: Squarer::Table,
+    cuts: DECISIONS.and(Cut::Square),
+};
+
+/// Engines whose squarers are DSP blocks: the DSP block's own registers stand before and behind the product
+/// (behind it at the cut `Cross`), and one more register on each net to and from the block. DSP blocks stand
+/// in a few rows of the chip, and the products of two of them meet at one adder.
+pub(crate) const PRODUCT: EngineKind = EngineKind {
+    squarer: Squarer::Product,
+    cuts: DECISIONS.and(Cut::Products).and(Cut::Square),
+};
