@@ -152,16 +152,22 @@ impl Property {
         }
     }
 
-    /// The question that searches a state that must be reachable.
+    /// The question that searches a state that must be reachable. It removes the assertions and what only they read, so it
+    /// comes after the proof: with them, the full queue of 32 places takes more than the 4 GB of memory that the Yosys from
+    /// PyPI can have.
     pub fn search(&self, cover: &Cover) -> Question {
         let output = cover.output;
-        question(match self.method {
+        let options = match self.method {
             Method::Sat => format!("-set-assumes -set {output} 1"),
             Method::Induction(_) => {
                 let clock = cover.clock;
                 format!("-set-assumes -seq {clock} -set-at {clock} {output} 1")
             }
-        })
+        };
+        Question {
+            before: "delete t:$assert\nopt_clean -purge\n",
+            ..question(options)
+        }
     }
 }
 
