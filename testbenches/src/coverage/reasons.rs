@@ -93,7 +93,10 @@ const RULES: &[Rule] = &[
         holds: |words, _, path, bit| {
             let is_square = ["square", "squarer_square", "square_unit_square"];
             let name = path.rsplit('.').next().unwrap_or(path);
-            words.machine.squarer == Squarer::Product && is_square.contains(&name) && bit == 1
+            words.machine.squarer == Squarer::Product
+                && words.machine.spatial().is_none()
+                && is_square.contains(&name)
+                && bit == 1
         },
         why: SQUARES,
     },
@@ -101,6 +104,11 @@ const RULES: &[Rule] = &[
         kind: CoverageKind::Toggle,
         holds: |words, _, path, bit| bit == 1 && words::is_square(words.machine, path),
         why: SQUARES,
+    },
+    Rule {
+        kind: CoverageKind::Toggle,
+        holds: |words, _, path, bit| bit == 0 && words::is_half_square(words.machine, path),
+        why: "a half square, m (m + 1), is even, and so is a sum of half squares",
     },
     Rule {
         kind: CoverageKind::Toggle,

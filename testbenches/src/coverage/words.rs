@@ -189,6 +189,29 @@ impl<'a> Words<'a> {
     }
 }
 
+/// Names, without numbers, of the signals that hold sums of squares in spatial machines.
+const SUMS_OF_SQUARES: &[&str] = &[
+    "pair_square_d",
+    "pair_square_q",
+    "pair_sum_sum",
+    "distance_sum_a",
+    "distance_sum_wide_a",
+    "distance_sum_sum",
+    "distance_d",
+    "distance_q",
+    "range_of_query_distance",
+    "range_of_format_distance",
+];
+
+/// Whether a signal of a spatial machine holds half squares or a sum of them.
+pub(super) fn is_half_square(machine: &Machine, path: &str) -> bool {
+    let name = without_numbers(path);
+    let mut holders = SQUARES.iter().chain(SUMS_OF_SQUARES);
+    machine.spatial().is_some()
+        && machine.format().is_some_and(PhotonFormat::half_steps)
+        && holders.any(|holder| ends_with_name(&name, holder))
+}
+
 /// Whether a signal of a spatial machine holds the square of one coordinate's difference, in whole steps.
 pub(super) fn is_square(machine: &Machine, path: &str) -> bool {
     let name = without_numbers(path);

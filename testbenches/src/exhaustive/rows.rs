@@ -92,7 +92,7 @@ fn square_pair(bits: u32, squarer: Squarer) -> Rows {
         ..Rows::default()
     };
     // The last squares appear after the last operands.
-    let mut squares = SquarePair::new(rows.latency, radius, squarer);
+    let mut squares = SquarePair::new(rows.latency, radius, 0, squarer);
     let flush = std::iter::repeat_n((0, 0), rows.latency);
     for (query, photon) in pairs(bits).chain(flush) {
         let out = squares.clock(query, [photon, photon ^ half]);

@@ -12,7 +12,7 @@ use std::ops::ControlFlow;
 
 use photoncube_hdl::Emitted;
 use photoncube_model::golden_machine;
-use photoncube_spec::{Machine, Pins, Query};
+use photoncube_spec::{Machine, PhotonFormat, Pins, Query};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
@@ -88,7 +88,7 @@ pub(super) fn verify_idle(
         seed,
     };
     let mut depends = rows.depends(&governing);
-    let pessimistic = excuse_comparisons(&pins, &mut depends);
+    let pessimistic = excuse_comparisons(machine, &pins, &mut depends);
     rows.compare(&mut device, &block.inputs, &depends)?;
     for fill in [Fill::Zeros, Fill::Ones] {
         let inputs = rows.filled(&governing, fill, 0);
@@ -247,16 +247,22 @@ impl Rows<'_> {
 
 /// Marks the comparisons with an operand that depended on idle words in the clock before. Returns the number
 /// of those that did not depend themselves.
-fn excuse_comparisons(pins: &Pins, depends: &mut [bool]) -> usize {
+fn excuse_comparisons(machine: &Machine, pins: &Pins, depends: &mut [bool]) -> usize {
     let named = |name: String| pins.observed.iter().position(|pin| pin.name == name);
-    // The register `in_range` of a cell compares its `distance` with its `radius_sq`.
+    // In a spatial machine a photon at the query is in range, so that a flag which may depend on a photon does so in some
+    // run. On half steps no photon need be within a small radius.
+    let is_exact =
+        machine.spatial().is_some() && !machine.format().is_some_and(PhotonFormat::half_steps);
+    // The register `in_range` of a cell, or of a lane of an engine, compares its `distance` with its `radius_sq`.
     let comparisons: Vec<(usize, Vec<usize>)> = pins
         .observed
         .iter()
         .enumerate()
+        .filter(|_| !is_exact)
         .filter_map(|(column, pin)| {
-            let cell = pin.name.strip_suffix("_in_range")?;
-            let operands = ["distance", "radius_sq"].map(|name| named(format!("{cell}_{name}")));
+            let (cell, lane) = pin.name.rsplit_once("_in_range")?;
+            let operands = ["distance", "distance_far", "radius_sq"];
+            let operands = operands.map(|name| named(format!("{cell}_{name}{lane}")));
             Some((column, operands.into_iter().flatten().collect()))
         })
         .collect();

@@ -70,7 +70,7 @@ const BIT: Width = |_| 1;
 
 /// The units with their formulas in Verilog for the output `result`. Wider words are written so that nothing
 /// wraps. `LOW` is the number of bits of a magnitude's low digit; `LIMIT` is the largest sum of squares in
-/// range where queries have no radius of their own.
+/// range where queries have no radius of their own; `LINE` is the grid line of a photon `b`.
 const UNITS: &[Unit] = &[
     Unit {
         name: "units::subtract",
@@ -82,6 +82,17 @@ const UNITS: &[Unit] = &[
         claims: "assert (result[`OUT-1] == (a < b)); assert (result[`OUT-2:0] + b == {1'b0, a} + {result[`OUT-1], {`OUT-1{1'b0}}});",
         covers: ["a < b", "a > b"],
         fault: ("wide_a - wide_b", "wide_a + wide_b"),
+    },
+    Unit {
+        name: "units::subtract_line",
+        module: "subtract_line",
+        claim: "difference = a - line in two's complement, with the line in the middle of the cell b",
+        inputs: &[("a", |w| w.coordinate), ("b", |w| w.photon)],
+        output: ("difference", |w| w.signed_difference()),
+        second: None,
+        claims: "assert (result[`OUT-1] == (a < `LINE)); assert (result[`OUT-2:0] + `LINE == {1'b0, a} + {result[`OUT-1], {`OUT-1{1'b0}}});",
+        covers: ["a < `LINE", "a > `LINE"],
+        fault: ("wide_a - line", "wide_a + line"),
     },
     Unit {
         name: "units::magnitude",
@@ -281,6 +292,14 @@ pub(super) fn unit_modules() -> impl Iterator<Item = &'static str> {
     UNITS.iter().map(|unit| unit.module)
 }
 
+/// The grid line in the middle of a photon's cell; without extra bits, the cell.
+fn line(extra_bits: u32) -> String {
+    match extra_bits {
+        0 => "b".to_owned(),
+        bits => format!("{{b, {bits}'d{}}}", 1 << (bits - 1)),
+    }
+}
+
 impl Unit {
     fn property(&self, machine: &Machine) -> Property {
         let widths = &Widths::of(machine);
@@ -305,6 +324,7 @@ impl Unit {
             macros: vec![
                 ("OUT", width(widths).to_string()),
                 ("LOW", widths.low_digit().to_string()),
+                ("LINE", line(format.query_extra_bits)),
                 ("LIMIT", format.largest_in_range().to_string()),
                 ("INPUTS", self.inputs.iter().map(input).collect()),
                 ("SECOND", declared),

@@ -168,20 +168,24 @@ impl Trace {
         let of_squares = |cut: &Cut| *cut < Cut::Pair && spatial.cuts.has(*cut);
         let latency = Cut::ALL.iter().filter(|cut| of_squares(cut)).count();
         let mask = (1 << widths.coordinate) - 1;
-        let all_pairs = 1 << (2 * widths.coordinate);
+        let extra_bits = widths.coordinate - widths.photon;
+        let of_photon = mask >> extra_bits;
+        let all_pairs = 1 << (widths.coordinate + widths.photon);
         let operands = |index: usize, rng: &mut Pcg64| match all_pairs <= vectors {
             // Both photons take every pair; the second takes them in another order.
             true => {
-                let photon = index as u64 & mask;
+                let photon = index as u64 & of_photon;
                 [
-                    (index as u64 >> widths.coordinate) & mask,
+                    (index as u64 >> widths.photon) & mask,
                     photon,
-                    photon ^ (mask >> 1),
+                    photon ^ (of_photon >> 1),
                 ]
             }
-            false => [(); 3].map(|()| corner(rng, widths.coordinate)),
+            false => {
+                [widths.coordinate, widths.photon, widths.photon].map(|bits| corner(rng, bits))
+            }
         };
-        let mut squares = SquarePair::new(latency, widths.difference, machine.squarer);
+        let mut squares = SquarePair::new(latency, widths.difference, extra_bits, machine.squarer);
         for index in 0..vectors.max(latency + 1) {
             let [query, photon_a, photon_b] = operands(index, rng);
             let expected = squares.clock(query, [photon_a, photon_b]);

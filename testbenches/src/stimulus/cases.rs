@@ -32,6 +32,7 @@ pub(crate) struct Cases<'a, R> {
     fixed_radius_sq: Option<u32>,
     at_once: usize,
     lanes: usize,
+    max_photons: u64,
     rng: &'a mut R,
 }
 
@@ -45,6 +46,7 @@ impl<'a, R: Rng> Cases<'a, R> {
             fixed_radius_sq: machine.fixed_radius_sq(),
             at_once: machine.queries_at_once(),
             lanes: machine.photons_per_iteration(),
+            max_photons: machine.max_photons(),
             rng,
         }
     }
@@ -81,9 +83,15 @@ impl<'a, R: Rng> Cases<'a, R> {
             lanes: self.lanes(theme, position, pivot),
             last: index + 1 == count,
         });
+        let mut groups: Vec<_> = groups.collect();
+        // A query has no more photons than the format declares.
+        let lanes = groups.iter_mut().flat_map(|group| &mut group.lanes);
+        let present = lanes.filter(|lane| lane.present);
+        let most = usize::try_from(self.max_photons).unwrap_or(usize::MAX);
+        present.skip(most).for_each(|lane| lane.present = false);
         Case {
             queries,
-            groups: groups.collect(),
+            groups,
             keeps_photons: false,
         }
     }

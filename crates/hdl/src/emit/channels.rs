@@ -17,9 +17,20 @@ impl ChannelNames {
     pub(crate) fn of(machine: &Machine) -> Self {
         let channels = machine.channels().names();
         let lanes = machine.photons_per_iteration();
-        let words = (0..channels.len() * lanes).map(|index| {
-            let name = format!("{}${}", channels[index / lanes], index % lanes);
-            (format!("channel${index}"), name)
+        let word = |index: usize| format!("{}${}", channels[index / lanes], index % lanes);
+        let words =
+            (0..channels.len() * lanes).map(|index| (format!("channel${index}"), word(index)));
+        // The head of a spatial machine has signals `power` of its own, so the mantissas of a single channel have
+        // another name inside the machine than on its pins.
+        let is_single = machine.spatial().is_some() && channels.len() == 1;
+        let inside = (0..if is_single { lanes } else { 0 }).flat_map(|index| {
+            [
+                (
+                    format!("photon_channel${index}"),
+                    format!("photon_{}", word(index)),
+                ),
+                (format!("channel${index}"), format!("mantissa${index}")),
+            ]
         });
         let sums = channels.iter().chain(&["count"]).enumerate();
         let results =
@@ -27,7 +38,7 @@ impl ChannelNames {
         // Each of these pins exists once or not at all.
         let single = ["radius_sq", "query_release"];
         let singles = single.map(|name| (format!("{name}$0"), name.to_owned()));
-        Self(words.chain(results).chain(singles).collect())
+        Self(inside.chain(words).chain(results).chain(singles).collect())
     }
 
     /// The name in the emitted text of a pin whose rust-hdl name ends with `_` and a number.
@@ -70,6 +81,8 @@ mod tests {
             ("paper", "otherchannel$3", "otherchannel$3"),
             ("paper", "channel$12", "channel$12"),
             ("paper", "cell$0", "cell$0"),
+            ("stream-local7-mono1-n8", "photon_channel$3", "photon_power$3"),
+            ("stream-local7-mono1-n8", "head$channel$3", "head$mantissa$3"),
         ];
         for (machine, identifier, expected) in rows {
             assert_eq!(renamed(machine, identifier), expected, "{machine}");

@@ -4,6 +4,7 @@ use photoncube_spec::{Inputs, Lane, Query, Spatial};
 
 use super::head::Taken;
 use super::link::{Flags, Hop, Powers};
+use super::rules::ones;
 
 /// The entry's registers.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
@@ -53,10 +54,10 @@ impl Entry {
         }
     }
 
-    /// The group's decoded powers, those of absent photons included.
-    pub(super) fn powers(&self) -> Powers {
+    /// The group's decoded powers, those of absent photons included, in `bits` bits.
+    pub(super) fn powers(&self, bits: u32) -> Powers {
         Powers {
-            power: self.lanes.map(EntryLane::power),
+            power: self.lanes.map(|lane| lane.power(bits)),
             present: self.lanes.map(|lane| self.taken && lane.present),
             flags: self.flags,
         }
@@ -79,7 +80,9 @@ impl EntryLane {
         }
     }
 
-    fn power(self) -> [u64; 3] {
-        self.mantissa.map(|m| u64::from(m) << self.exponent)
+    /// The powers in `bits` bits. Those of a photon fit; an absent one may have any exponent on its pins.
+    fn power(self, bits: u32) -> [u64; 3] {
+        self.mantissa
+            .map(|m| (u64::from(m) << self.exponent) & ones(bits))
     }
 }

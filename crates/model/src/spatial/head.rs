@@ -13,6 +13,8 @@ use super::memory::HeadStatus;
 pub(super) struct Head {
     pub(super) sizes: HeadSizes,
     engines: u32,
+    /// Bits of a decoded power.
+    power_bits: u32,
     pub(super) loaded: u32,
     pub(super) open: bool,
     pub(super) spacing: u32,
@@ -46,11 +48,12 @@ pub(super) struct Taken {
 }
 
 impl Head {
-    pub(super) fn new(spatial: &Spatial) -> Self {
+    pub(super) fn new(spatial: &Spatial, power_bits: u32) -> Self {
         let sizes = HeadSizes::of(spatial);
         Self {
             sizes,
             engines: spatial.engines() as u32,
+            power_bits,
             loaded: 0,
             open: false,
             spacing: 0,
@@ -132,7 +135,7 @@ impl Head {
         let entered = mem::replace(&mut self.entry, Entry::of(inputs, taken));
         let hop = Hop {
             reset: inputs.reset,
-            powers: self.delayed(entered.powers()),
+            powers: self.delayed(entered.powers(self.power_bits)),
             ..entered.hop()
         };
         let ends_batch = self.read(taken);

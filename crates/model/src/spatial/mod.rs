@@ -17,7 +17,7 @@ mod observe;
 mod rules;
 mod sums;
 
-use photoncube_spec::{Inputs, Machine, Outputs, Pins};
+use photoncube_spec::{Inputs, Machine, Outputs, Pins, Widths};
 
 use crate::golden::GoldenMachine;
 use engine::Engine;
@@ -49,7 +49,7 @@ impl SpatialMachine {
         Self {
             machine: *machine,
             memory: PhotonMemory::of(machine, spatial),
-            head: Head::new(spatial),
+            head: Head::new(spatial, Widths::of(machine).power),
             engines: (0..spatial.engines())
                 .map(|engine| Engine::new(machine, spatial, engine))
                 .collect(),

@@ -57,21 +57,33 @@ fn stage(module: &Module, name: &str, instance: &str, d: &str, width: usize) -> 
     }
 }
 
-/// The override of a squarer in a DSP block: `square` and `far` of d^2. `None` unless it has registers before
-/// and behind the product.
-pub(super) fn product(module: &Module, ports: &Ports) -> Option<String> {
+/// The override of a squarer in a DSP block: `square` and `far` of d^2, or of d (d + 1). `None` unless it has registers
+/// before and behind the product.
+pub(super) fn product(module: &Module, ports: &Ports, is_half: bool) -> Option<String> {
     if !is_register(module, "products_delay") || !is_register(module, "product") {
         return None;
     }
     let (difference, square) = (ports.width("difference"), ports.width("square"));
-    // d is never -2^(D - 1), so d^2 is below 2^(2 (D - 1)).
+    // d is never -2^(D - 1), so d^2 and d (d + 1) are below 2^(2 (D - 1)).
     let product = 2 * (difference - 1);
-    if difference > OPERAND || product <= square {
+    // d + 1 has a bit more than d.
+    let factor = difference + usize::from(is_half);
+    if factor > OPERAND || product <= square {
         return None;
     }
-    let low = 2 * (OPERAND - difference);
+    let low = 2 * OPERAND - difference - factor;
+    let (second, next) = match is_half {
+        false => ("operand", String::new()),
+        true => (
+            "next",
+            format!(
+                "    wire [{difference}:0] next = {{operand[{}], operand}} + {factor}'d1;\n",
+                difference - 1
+            ),
+        ),
+    };
     Some(format!(
-        "{operand}    wire [{high}:0] product;\n    \
+        "{operand}{next}    wire [{high}:0] product;\n    \
          MULT18X18D #(.REG_INPUTA_CLK(\"CLK0\"), .REG_INPUTB_CLK(\"CLK0\"), \
          .REG_OUTPUT_CLK(\"CLK0\"), .GSR(\"DISABLED\")) block (\n        \
          .CLK0(clock), .CE0(1'b1), .RST0(1'b0),\n        \
@@ -90,7 +102,7 @@ pub(super) fn product(module: &Module, ports: &Ports) -> Option<String> {
         ),
         high = 2 * OPERAND - 1,
         a = high_pins("A", "operand", difference, OPERAND),
-        b = high_pins("B", "operand", difference, OPERAND),
+        b = high_pins("B", second, factor, OPERAND),
         p = pins("P", "product", 2 * OPERAND),
     ))
 }
@@ -202,7 +214,7 @@ mod tests {
     fn a_product_is_a_block_only_with_both_of_its_registers() {
         let text = |places: &[&str]| {
             let module = module(places);
-            product(&module, &Ports::of(&module))
+            product(&module, &Ports::of(&module), false)
         };
         let both = text(&["products_delay", "product"]).unwrap();
         assert!(both.contains(".A7(1'b0), .A8(operand[0])"), "{both}");

@@ -26,6 +26,8 @@ enum Body {
     /// For a module that must have a certain form: a squarer with the registers of a block, or a comparison
     /// with a limit of the right bit pattern.
     Shaped(fn(&Module, &Ports) -> Option<String>),
+    /// For a squarer that is one product, with the registers of a DSP block.
+    Product,
 }
 
 /// The end of a module's name, and the body of its override.
@@ -39,24 +41,32 @@ const BODIES: &[(&str, Body)] = &[
     ("_accumulate", Body::Chain(sums::accumulate)),
     ("_chosen_sum", Body::Chain(sums::chosen_sum)),
     ("_lookup", Body::Shaped(blocks::lookup)),
-    ("_product", Body::Shaped(blocks::product)),
+    ("_product", Body::Product),
     ("_range_of_format", Body::Shaped(range::range_of_format)),
 ];
 
 /// The overrides of all modules that have one; `None` if no module has one.
 pub(super) fn second_texts(text: &str) -> Option<String> {
     let modules = split(text);
-    let texts: Vec<_> = modules.iter().filter_map(second_text).collect();
+    // The text of the product tells whether squares are half squares.
+    let is_half = modules.iter().any(|module| {
+        is_named(module, "_difference_product") && module.body.contains("= d * d + d;")
+    });
+    let texts: Vec<_> = modules
+        .iter()
+        .filter_map(|module| second_text(module, is_half))
+        .collect();
     (!texts.is_empty()).then(|| texts.concat())
 }
 
 /// The override of one module, with the module's ports.
-fn second_text(module: &Module) -> Option<String> {
+fn second_text(module: &Module, is_half: bool) -> Option<String> {
     let (_, body) = BODIES.iter().find(|(base, _)| is_named(module, base))?;
     let ports = Ports::of(module);
     let body = match body {
         Body::Chain(body) => body(&ports),
         Body::Shaped(body) => body(module, &ports)?,
+        Body::Product => blocks::product(module, &ports, is_half)?,
     };
     Some(format!(
         "\nmodule {}{}{}endmodule\n",

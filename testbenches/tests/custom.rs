@@ -1,0 +1,52 @@
+//! Verifies custom machines: the generator that cargo builds emits the text that is compared, and runs rust-hdl's
+//! simulation.
+
+use photoncube_hdl::{Level, lint_machine};
+use photoncube_spec::find_machine;
+use photoncube_testbench::{DeviceKind, Source, VerifyOptions, verify, verify_part};
+
+/// Formats that no named machine has: half steps, a radius of few bits, exponents, one channel.
+const MACHINES: [&str; 3] = [
+    "stream-local6x2-rgb4e2d-n4096",
+    "tile-5-local5x1-mono3-n64",
+    "sequential-local5x2-rgb3b2d-n4096",
+];
+
+fn equal(name: &str, kind: DeviceKind, iterations: u64) {
+    let machine = find_machine(name).unwrap();
+    let options = VerifyOptions {
+        iterations,
+        seed: 1,
+        source: Source::Random,
+    };
+    let verdict = verify(machine, kind, &options, &|_| ()).unwrap();
+    assert!(verdict.registers_compared && verdict.iterations >= iterations);
+    assert!(verdict.results_compared > 0);
+}
+
+#[test]
+fn the_emitted_text_of_custom_machines_equals_the_golden_model() {
+    for name in MACHINES {
+        equal(name, DeviceKind::Text, 1_000);
+    }
+}
+
+#[test]
+fn rust_hdls_simulation_of_a_custom_machine_runs_in_its_generator() {
+    equal(MACHINES[0], DeviceKind::RustHdl, 50);
+}
+
+/// Of a custom machine too the lint reads every generated block.
+#[test]
+fn the_lint_of_a_custom_machine_finds_nothing() {
+    let linted = lint_machine(find_machine(MACHINES[0]).unwrap()).unwrap();
+    assert_eq!(linted.findings, Vec::<String>::new());
+    assert!(linted.generated > 100);
+}
+
+/// The pair of squares on half steps, for coordinates of all themes.
+#[test]
+fn a_part_of_a_custom_machine_equals_the_golden_model() {
+    let machine = find_machine(MACHINES[0]).unwrap();
+    verify_part(machine, Level::SquarePair, DeviceKind::Text, 1 << 12, 1).unwrap();
+}
