@@ -135,8 +135,9 @@ Examples:
   photoncube run cornell --machine paper-12 --out out --photons 2000000 --json
 
 Without --machine the scene is fitted first, as by `photoncube fit`.
-Without it the format is sized for this run: its own photons, and twice the largest query of its
-picture. `fit` sizes for --photons of its own (200000) and for other views; the formats may differ.
+Both fit on maps of at most 200000 photons and size the sums for twice the largest query of these
+maps. `run` also makes the sums hold the largest query of its own picture, which has all --photons;
+its format may therefore end in a larger -n than the one that `fit` prints.
 The Verilog is compared with the golden model, on photons of the scene, in the built-in evaluator
 and in every simulator that is found (Icarus, Verilator); those that are not found are named, with
 the command that installs them.")]
@@ -151,7 +152,7 @@ pub struct RunArgs {
     pub out: PathBuf,
     #[command(flatten)]
     pub picture: PictureArgs,
-    /// Iterations (groups of photons of this scene) to compare in each simulator [default: by its speed]
+    /// At least so many iterations (groups of photons of this scene) to compare in each simulator [default: by its speed]
     #[arg(long, value_name = "N", value_parser = count(1..=u64::MAX))]
     pub iterations: Option<u64>,
 }

@@ -149,7 +149,7 @@ impl Stale {
             for entry in entries.flatten() {
                 let path = Path::new(machine.name).join(entry.file_name());
                 if !expected.iter().any(|file| file.path == path) && !of_yosys.contains(&path) {
-                    found.foreign.push(path.display().to_string());
+                    found.foreign.push(format!("{} (not ours)", path.display()));
                 }
             }
         }
@@ -157,9 +157,7 @@ impl Stale {
     }
 
     fn lines(&self) -> Vec<String> {
-        let foreign = self.foreign.iter();
-        let foreign = foreign.map(|path| format!("{path} (not ours)"));
-        self.differ.iter().cloned().chain(foreign).collect()
+        self.differ.iter().chain(&self.foreign).cloned().collect()
     }
 
     /// What is wrong and what to do; `None` where nothing is. `files` is the number of files expected.
@@ -252,7 +250,7 @@ mod tests {
         let lines: Vec<_> = message.lines().collect();
         assert!(lines[0].ends_with("photoncube_paper.v; run it and review the change"));
         assert!(
-            lines[1].ends_with("paper/notes.json; delete it"),
+            lines[1].ends_with("paper/notes.json (not ours); delete it"),
             "{message}"
         );
         assert_eq!(

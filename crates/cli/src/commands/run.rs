@@ -110,7 +110,7 @@ pub fn execute(args: &RunArgs, json: bool) -> Result<()> {
     write_picture(&reference.image, &paths.reference)?;
 
     let distance = Distance::between(&rendering.image, &reference.image)?;
-    let name = scenes::stem(&args.scene);
+    let name = traced.scene.name();
     let title = format!("relative error: {} of {name} against f64", machine.name);
     let map = map_of(&rendering.image, &reference.image, &title);
     files::write(&paths.error_map, map.as_bytes())?;
@@ -325,7 +325,9 @@ fn fitted_line(fitted: &Fitted) -> String {
     let row = &fitted.row;
     format!(
         "\x20 the scene needs   {}: {} bits per photon, error / noise {:.4} predicted, {:.4} measured, \
-         below {}\n",
+         below {};\n\
+         \x20                   its sums hold the largest query of this picture; `photoncube fit` does not see that query,\n\
+         \x20                   and may find another -n\n",
         row.format,
         row.bits_per_photon,
         row.prediction.error_over_noise,
