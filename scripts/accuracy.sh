@@ -48,7 +48,7 @@ compare() {
 }
 
 lighting() {
-    printf '\n| light | f64: relMSE | integers: relMSE | between the two: relMSE | seconds, integers |\n'
+    printf '\n| options | f64: relMSE | integers: relMSE | between the two: relMSE | seconds, integers |\n'
     printf '| --- | --- | --- | --- | --- |\n'
     local light seconds
     for light in "" "--area covered" "--direct rays:4" "--direct rays:4 --area covered" \
@@ -59,7 +59,9 @@ lighting() {
         # shellcheck disable=SC2086
         seconds=$(photoncube render cornell "${size[@]}" -o "$work/format.exr" --engine format $light --json |
             json "f\"{r['seconds']:.1f}\"")
-        printf '| `%s` | %s | %s | %s | %s |\n' "${light:-none}" \
+        local options="\`$light\`"
+        [[ -n $light ]] || options='no option: all light from the photon map'
+        printf '| %s | %s | %s | %s | %s |\n' "$options" \
             "$(compare "$work/f64.exr" "$reference" rel_mse)" \
             "$(compare "$work/format.exr" "$reference" rel_mse)" \
             "$(compare "$work/format.exr" "$work/f64.exr" rel_mse)" "$seconds"

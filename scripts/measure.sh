@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Measures the figures that `photoncube list`, the README and docs/machines.md show, and writes them to docs/measured/:
-# area and Fmax by `photoncube synth`, then error, clocks and the proof by `photoncube run` for each
+# area and Fmax by `photoncube synth`, then error, clocks and the comparison by `photoncube run` for each
 # machine, on `cornell`, or on the scene that the machine is fitted to; and the fit of every built-in
 # scene. Also refreshes the README's picture.
 set -euo pipefail

@@ -23,8 +23,7 @@
 //   input [17:0]   query_radius_sq      squared search radius in square steps; in range where d^2
 //                                       <= query_radius_sq
 //   input          group_valid          a group is on the group_ and photon_ pins
-//   input          group_last           this group is the last of its query, or of its batch of
-//                                       queries
+//   input          group_last           this group is the last of its query
 //   input          photon_present_0..3  the lane has a photon; where it is 0, the lane's other pins
 //                                       are not looked at
 //   input [7:0]    photon_x_0..3        unsigned; steps of 2^-6 block edge, in a frame of 4 block
@@ -54,8 +53,7 @@
 //     read it, so group_ready may rise only after group_valid.
 //   - Reset needs one clock. No ready pin looks at it, so what is taken in that clock is lost; what
 //     was under way is forgotten.
-//   - No input is checked: with more than 65537 photons for a query, or a word beyond its limit
-//     above, results are undefined.
+//   - No input is checked: with more than 65537 photons for a query, results are undefined.
 
 module photoncube_overlap(clock, reset, query_valid, query_x, query_y, query_z,
     query_radius_sq, group_valid, group_last, photon_present_0, photon_present_1,

@@ -24,8 +24,7 @@
 //   input [15:0]   query_radius_sq      squared search radius in square query steps, at most 64516
 //                                       = 254^2; in range where d^2 <= query_radius_sq
 //   input          group_valid          a group is on the group_ and photon_ pins
-//   input          group_last           this group is the last of its query, or of its batch of
-//                                       queries
+//   input          group_last           this group is the last of its query
 //   input          photon_present_0..3  the lane has a photon; where it is 0, the lane's other pins
 //                                       are not looked at
 //   input [9:0]    photon_x_0..3        unsigned; cell i of 2^-8 block edge, in a frame of 4 block

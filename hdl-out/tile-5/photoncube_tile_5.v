@@ -24,8 +24,7 @@
 //   input [8:0]    query_z              unsigned; cell i of 2^-7 block edge, in a frame of 4 block
 //                                       edges; stands for the cell's middle
 //   input          group_valid          a group is on the group_ and photon_ pins
-//   input          group_last           this group is the last of its query, or of its batch of
-//                                       queries
+//   input          group_last           this group is the last of its batch of queries
 //   input          photon_present_0..3  the lane has a photon; where it is 0, the lane's other pins
 //                                       are not looked at
 //   input [8:0]    photon_x_0..3        unsigned; cell i of 2^-7 block edge, in a frame of 4 block
@@ -57,8 +56,7 @@
 //     group_ready means nothing.
 //   - Reset needs one clock. No ready pin looks at it, so what is taken in that clock is lost; what
 //     was under way is forgotten.
-//   - No input is checked: with more than 4096 photons for a query, or a word beyond its limit
-//     above, results are undefined.
+//   - No input is checked: with more than 4096 photons for a query, results are undefined.
 
 module photoncube_tile_5(clock, reset, query_valid, query_ready, query_x, query_y,
     query_z, group_valid, group_ready, group_last, photon_present_0, photon_present_1,

@@ -60,8 +60,7 @@
 //   - Ready and valid pins are registers, or depend on registers alone.
 //   - Reset needs one clock. No ready pin looks at it, so what is taken in that clock is lost; what
 //     was under way is forgotten.
-//   - No input is checked: with more than 4096 photons for a query, or a word beyond its limit
-//     above, results are undefined.
+//   - No input is checked: with more than 4096 photons for a query, results are undefined.
 
 module photoncube_tile_6_mixed(clock, reset, query_valid, query_ready, query_x, query_y,
     query_z, query_release, group_valid, group_ready, group_last, photon_present_0,

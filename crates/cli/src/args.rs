@@ -32,10 +32,10 @@ pub use self::progressive::ProgressiveArgs;
 pub use self::render::{EngineArgs, EngineReport, LightArgs, LightingReport, RenderArgs};
 pub use self::synth::SynthArgs;
 
-/// From a scene to a proven photon-mapping processor.
+/// From a scene to a verified photon-mapping processor.
 ///
-/// Traces a scene, builds its photon map, emits the processor that gathers it as Verilog, proves
-/// that Verilog against a golden model bit for bit, and renders the picture with that model.
+/// Traces a scene, builds its photon map, emits the processor that gathers it as Verilog, compares
+/// that Verilog with a golden model bit for bit, and renders the picture with that model.
 #[derive(Parser, Debug)]
 #[command(version, arg_required_else_help = true, after_help = EXAMPLES)]
 pub struct Args {
@@ -90,7 +90,7 @@ Exit codes: 0 all holds; 1 a check failed; 2 bad usage or bad input.";
 /// What to do.
 #[derive(Subcommand, Debug)]
 pub enum Command {
-    /// Trace, build the photon map, emit the machine, prove its Verilog on this scene, render
+    /// Trace, build the photon map, emit the machine, compare its Verilog on this scene, render
     Run(RunArgs),
     /// Find the smallest photon format and machine whose error stays below a part of the noise
     Fit(FitArgs),
@@ -135,8 +135,12 @@ Examples:
   photoncube run cornell --machine paper-12 --out out --photons 2000000 --json
 
 Without --machine the scene is fitted first, as by `photoncube fit`.
-The Verilog is proven in every simulator that is found (Icarus, Verilator); those that are not
-are named, with the command that installs them.")]
+Both fit on maps of at most 200000 photons and size the sums for twice the largest query of these
+maps. `run` also makes the sums hold the largest query of its own picture, which has all --photons;
+its format may therefore end in a larger -n than the one that `fit` prints.
+The Verilog is compared with the golden model, on photons of the scene, in the built-in evaluator
+and in every simulator that is found (Icarus, Verilator); those that are not found are named, with
+the command that installs them.")]
 pub struct RunArgs {
     /// A built-in scene (see `photoncube list`) or a scene file, TOML (see docs/scenes.md) or JSON
     #[arg(default_value = "cornell")]
@@ -148,7 +152,7 @@ pub struct RunArgs {
     pub out: PathBuf,
     #[command(flatten)]
     pub picture: PictureArgs,
-    /// Iterations (groups of photons of this scene) to compare in each simulator [default: by its speed]
+    /// At least so many iterations (groups of photons of this scene) to compare in each simulator [default: by its speed]
     #[arg(long, value_name = "N", value_parser = count(1..=u64::MAX))]
     pub iterations: Option<u64>,
 }
@@ -156,7 +160,7 @@ pub struct RunArgs {
 /// The picture's size and quality.
 #[derive(ClapArgs, Clone, Debug)]
 pub struct PictureArgs {
-    /// At least this many photons are stored
+    /// At least this many photons are traced; with `--direct rays` the map keeps only those of indirect light
     #[arg(long, default_value_t = TraceOptions::default().photons, value_name = "N", value_parser = count(1..=MAX_PHOTONS))]
     pub photons: u64,
     /// Picture size in pixels
@@ -199,9 +203,9 @@ Examples:
   photoncube generate --machine paper --coordinate-bits 12 --out /tmp/verilog
   photoncube generate --format local6x2-rgb4d-n4096 --organisation stream --out /tmp/verilog
 
-A machine of a format of one's own is compiled when it is used for the first time, by cargo and from
-the sources of photoncube. Its name, such as stream-local6x2-rgb4d-n4096, is accepted by --machine of
-every command.")]
+A machine of a format of one's own is compiled when it is used for the first time, by cargo and
+from the sources of photoncube. Its name, such as stream-local6x2-rgb4d-n4096, is accepted by
+--machine of every command.")]
 pub struct GenerateArgs {
     /// Only this machine [default: all]
     #[arg(long, value_name = "M")]

@@ -1,4 +1,4 @@
-//! `photoncube`: from a scene to a proven photon-mapping processor.
+//! `photoncube`: from a scene to a verified photon-mapping processor.
 
 mod args;
 mod commands;

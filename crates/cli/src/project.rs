@@ -33,6 +33,19 @@ const TARGET_CLOCK_NS: u32 = 10;
 /// measurements of `photoncube synth`. Without it the design with DSP blocks takes three times the LUTs.
 pub const ABC9_TARGET_PS: u32 = 1000 * TARGET_CLOCK_NS;
 
+/// The version of Yosys that the areas of docs/measured/ are by.
+const YOSYS: &str = "0.70";
+
+/// The endings of the files that a machine's Yosys script writes beside itself: the netlist and the areas.
+const BY_YOSYS: [&str; 2] = ["json", "stat"];
+
+/// The files that a machine's Yosys script writes into the machine's folder, as paths in the output folder.
+pub fn written_by_yosys(machine: &Machine) -> Vec<PathBuf> {
+    let top = machine.module_prefix();
+    let path = |ending: &str| PathBuf::from(machine.name).join(format!("{top}.{ending}"));
+    BY_YOSYS.map(path).into()
+}
+
 /// Emits a machine and makes all of its files.
 pub fn project(machine: &Machine) -> Result<Project> {
     let emitted = emit(machine, Level::Machine)?;
@@ -86,13 +99,15 @@ fn yosys(top: &str, has_second_texts: bool) -> String {
     };
     format!(
         "# yosys {top}.ys: maps the design to ECP5, whose cells `synth_ecp5` reads before it checks that no module\n\
-         # is missing.\n\
+         # is missing. It writes {top}.json, the netlist, and {top}.stat, the areas.\n\
+         # Photoncube's own figures are by Yosys {YOSYS}; another version counts otherwise.\n\
          read_verilog {top}.v\n\
          {second_texts}\
          # ABC9 trades area for speed only where a path is longer than this, in ps.\n\
          scratchpad -set abc9.D {ABC9_TARGET_PS}\n\
          synth_ecp5 -top {top} -json {top}.json\n\
-         stat\n"
+         # Into a file, because YoWASP's Yosys prints nothing more to a pipe once ABC has run.\n\
+         tee -o {top}.stat stat\n"
     )
 }
 
@@ -133,5 +148,26 @@ mod tests {
             assert!(!script.contains("hierarchy"), "{script}");
             assert!(script.contains("synth_ecp5 -top"), "{script}");
         }
+    }
+
+    #[test]
+    fn a_script_names_the_files_that_it_writes() {
+        let machine = photoncube_spec::find_machine("stream").unwrap();
+        let script = yosys(&machine.module_prefix(), true);
+        for path in written_by_yosys(machine) {
+            let name = path.file_name().unwrap().to_str().unwrap();
+            let writes = format!("-json {name}\n");
+            let prints = format!("tee -o {name} stat\n");
+            assert!(
+                script.contains(&writes) || script.contains(&prints),
+                "{script}"
+            );
+        }
+    }
+
+    #[test]
+    fn the_scripts_name_the_version_of_the_recorded_areas() {
+        let areas = include_str!("../../../docs/measured/synthesis.json");
+        assert!(areas.contains(&format!("\"yosys\": \"{YOSYS} (")));
     }
 }

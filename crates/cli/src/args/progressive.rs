@@ -20,9 +20,11 @@ Examples:
 
 Each pass has photons of its own, and a smaller radius; the picture is the mean of the passes. Each
 pass gathers at the whole and at half the squared radius, which tells the bias; the spread of the
-passes tells the noise. A pixel's bound is |bias| + t s / sqrt n: its error is not above it, with the
-confidence asked for. --error-target stops when the bounds' root mean square, each over the pixel's
-luminance, is not above it. See docs/accuracy.md for how many bounds hold, and where they do not.")]
+passes tells the noise. A pixel's bound is |bias| + t s / sqrt n, with n the passes, s the spread
+over the passes of the pixel less its bias, and t Student's factor: its error is not above it, with
+the confidence asked for. --error-target stops when the bounds' root mean square, each over the
+pixel's luminance, is not above it. See docs/accuracy.md for how many bounds hold, and where they do
+not.")]
 pub struct ProgressiveArgs {
     /// A built-in scene (see `photoncube list`) or a scene file, TOML (see docs/scenes.md) or JSON
     pub scene: SceneName,
@@ -38,7 +40,7 @@ pub struct ProgressiveArgs {
     /// With which probability a pixel's error is below its bound
     #[arg(long, default_value_t = 0.9, value_name = "C", value_parser = parse_confidence)]
     pub confidence: f64,
-    /// At least this many photons are stored in each pass
+    /// At least this many photons are traced in each pass; with `--direct rays` the map keeps only those of indirect light
     #[arg(long, default_value_t = ProgressiveOptions::default().photons, value_name = "N", value_parser = count(1..=MAX_PHOTONS))]
     pub photons: u64,
     /// Photons in range that the radius of the first pass aims at, on average

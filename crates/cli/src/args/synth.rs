@@ -36,7 +36,8 @@ pub struct SynthArgs {
     /// another family, its flows and the clock]
     #[arg(long = "flow", value_enum, value_name = "F")]
     pub flows: Vec<Measurement>,
-    /// The FPGA to place machines in: LFE5U-85F, -45F, -25F, -12F (ECP5), iCE40UP5K, iCE40HX8K or iCE40HX1K
+    /// The FPGA to place machines in: LFE5U-85F, -45F, -25F, -12F (ECP5; or 85k, 45k, 25k, 12k), iCE40UP5K, iCE40HX8K
+    /// or iCE40HX1K (or up5k, hx8k, hx1k)
     #[arg(long, default_value = DEFAULT_DEVICE, value_name = "D", value_parser = Device::find)]
     pub device: &'static Device,
     /// Its speed grade, for an ECP5 6 (slowest) to 8; can be given several times [default: slowest and fastest]

@@ -65,11 +65,11 @@ pub fn execute(args: &GenerateArgs, json: bool) -> Result<()> {
         });
     }
     let stale = if args.check {
-        stale(&args.out, &machines, &project_files)
+        Stale::of(&args.out, &machines, &project_files)
     } else {
         let texts = project_files.iter();
         files::write_all(texts.map(|file| (args.out.join(&file.path), file.text.as_bytes())))?;
-        Vec::new()
+        Stale::default()
     };
     let report = Report {
         machines: machines.iter().map(|machine| machine.name).collect(),
@@ -77,19 +77,13 @@ pub fn execute(args: &GenerateArgs, json: bool) -> Result<()> {
         checked: args.check,
         files: paths(&project_files),
         by_digest,
-        stale,
+        stale: stale.lines(),
     };
     output::print(json, &report, || text(&report))?;
-    if report.stale.is_empty() {
-        return Ok(());
+    match stale.message(&args.out, report.files.len()) {
+        None => Ok(()),
+        Some(message) => Err(CheckFailed(message).into()),
     }
-    Err(CheckFailed(format!(
-        "{} of {} files are not what `photoncube generate` writes: {}; run it and review the change",
-        report.stale.len(),
-        report.files.len(),
-        report.stale.join(", ")
-    ))
-    .into())
 }
 
 fn machines(args: &GenerateArgs) -> Result<Vec<&'static Machine>> {
@@ -128,25 +122,63 @@ fn sums(files: &[ProjectFile]) -> ProjectFile {
     }
 }
 
-/// The files that differ or are missing, and the foreign files in a machine's folder.
-fn stale(out: &Path, machines: &[&Machine], expected: &[ProjectFile]) -> Vec<String> {
-    let differs = |file: &&ProjectFile| {
-        let found = fs::read(out.join(&file.path)).ok();
-        found.as_deref() != Some(file.text.as_bytes())
-    };
-    let mut stale: Vec<_> = expected.iter().filter(differs).map(path_text).collect();
-    for machine in machines {
-        let Ok(entries) = fs::read_dir(out.join(machine.name)) else {
-            continue;
+/// What a check finds in the folder.
+#[derive(Default)]
+struct Stale {
+    /// The files that differ or are missing.
+    differ: Vec<String>,
+    /// The files in a machine's folder that neither the generator nor the machine's Yosys script writes.
+    foreign: Vec<String>,
+}
+
+impl Stale {
+    fn of(out: &Path, machines: &[&Machine], expected: &[ProjectFile]) -> Self {
+        let differs = |file: &&ProjectFile| {
+            let found = fs::read(out.join(&file.path)).ok();
+            found.as_deref() != Some(file.text.as_bytes())
         };
-        for entry in entries.flatten() {
-            let path = Path::new(machine.name).join(entry.file_name());
-            if !expected.iter().any(|file| file.path == path) {
-                stale.push(format!("{} (not ours)", path.display()));
+        let mut found = Self {
+            differ: expected.iter().filter(differs).map(path_text).collect(),
+            foreign: Vec::new(),
+        };
+        for machine in machines {
+            let Ok(entries) = fs::read_dir(out.join(machine.name)) else {
+                continue;
+            };
+            let of_yosys = project::written_by_yosys(machine);
+            for entry in entries.flatten() {
+                let path = Path::new(machine.name).join(entry.file_name());
+                if !expected.iter().any(|file| file.path == path) && !of_yosys.contains(&path) {
+                    found.foreign.push(format!("{} (not ours)", path.display()));
+                }
             }
         }
+        found
     }
-    stale
+
+    fn lines(&self) -> Vec<String> {
+        self.differ.iter().chain(&self.foreign).cloned().collect()
+    }
+
+    /// What is wrong and what to do; `None` where nothing is. `files` is the number of files expected.
+    fn message(&self, out: &Path, files: usize) -> Option<String> {
+        let differ = (!self.differ.is_empty()).then(|| {
+            format!(
+                "{} of {files} files are not what `photoncube generate` writes: {}; run it and review the change",
+                self.differ.len(),
+                self.differ.join(", ")
+            )
+        });
+        let foreign = (!self.foreign.is_empty()).then(|| {
+            format!(
+                "{} holds what `photoncube generate` does not write: {}; delete it",
+                out.display(),
+                self.foreign.join(", ")
+            )
+        });
+        let parts: Vec<_> = differ.into_iter().chain(foreign).collect();
+        (!parts.is_empty()).then(|| parts.join("\n"))
+    }
 }
 
 fn paths(files: &[ProjectFile]) -> Vec<String> {
@@ -159,10 +191,13 @@ fn path_text(file: &ProjectFile) -> String {
 
 fn text(report: &Report) -> String {
     let done = if report.checked { "checked" } else { "wrote" };
+    let machines = match report.machines.len() {
+        1 => "1 machine".to_owned(),
+        several => format!("{several} machines"),
+    };
     let mut text = format!(
-        "{done} {} files of {} machines in {}: {}\n",
+        "{done} {} files of {machines} in {}: {}\n",
         report.files.len(),
-        report.machines.len(),
         report.out,
         report.machines.join(", ")
     );
@@ -195,6 +230,33 @@ mod tests {
             .map(|file| format!("{}  {}\n", digests::of_file(&file.text), path_text(file)))
             .collect();
         assert_eq!(sums(&files).text, format!("{}{}", lines[1], lines[0]));
+    }
+
+    #[test]
+    fn what_yosys_left_behind_is_no_finding_and_a_foreign_file_is_to_be_deleted() {
+        let out = tempfile::tempdir().unwrap();
+        let machine = photoncube_spec::find_machine("paper").unwrap();
+        let folder = out.path().join("paper");
+        fs::create_dir(&folder).unwrap();
+        for ending in ["v", "json", "stat"] {
+            fs::write(folder.join(format!("photoncube_paper.{ending}")), "x").unwrap();
+        }
+        let expected = [file("paper/photoncube_paper.v", "x")];
+        let check = || Stale::of(out.path(), &[machine], &expected);
+        assert_eq!(check().message(out.path(), 1), None);
+        fs::write(folder.join("photoncube_paper.v"), "y").unwrap();
+        fs::write(folder.join("notes.json"), "").unwrap();
+        let message = check().message(out.path(), 1).unwrap();
+        let lines: Vec<_> = message.lines().collect();
+        assert!(lines[0].ends_with("photoncube_paper.v; run it and review the change"));
+        assert!(
+            lines[1].ends_with("paper/notes.json (not ours); delete it"),
+            "{message}"
+        );
+        assert_eq!(
+            check().lines(),
+            ["paper/photoncube_paper.v", "paper/notes.json (not ours)"]
+        );
     }
 
     #[test]

@@ -13,12 +13,14 @@ mod run;
 mod synth;
 mod verify;
 
+use std::error::Error;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Result, anyhow};
 use clap::CommandFactory;
 use clap_complete::Shell;
 use photoncube_model::GatherError;
+use photoncube_testbench::{StimulusError, VerifyError};
 
 pub use self::verify::{METHODS, VerifyArgs, with_method};
 use crate::args::{Args, Command};
@@ -45,16 +47,22 @@ pub fn execute(args: Args) -> Result<()> {
     }
 }
 
+/// Whether a query has more photons than the sums of a machine hold.
+fn is_full(cause: &(dyn Error + 'static)) -> bool {
+    // The errors of a verification show this cause as themselves, so it is not in the chain.
+    let stimulus = match cause.downcast_ref() {
+        Some(VerifyError::Stimulus(StimulusError::Gather(gather))) => Some(gather),
+        _ => None,
+    };
+    let gather = stimulus.or_else(|| cause.downcast_ref());
+    matches!(gather, Some(GatherError::Count(_)))
+}
+
 /// Adds to an error of too many photons the option that makes the sums of a machine larger.
 fn with_hint(result: Result<()>) -> Result<()> {
-    result.map_err(|error| {
-        let is_full = error
-            .chain()
-            .any(|cause| matches!(cause.downcast_ref(), Some(GatherError::Count(_))));
-        match is_full {
-            true => anyhow!("{error:#}: give a smaller --in-range"),
-            false => error,
-        }
+    result.map_err(|error| match error.chain().any(is_full) {
+        true => anyhow!("{error:#}: give a smaller --in-range"),
+        false => error,
     })
 }
 

@@ -59,6 +59,8 @@ struct Report {
     error_target: Option<f64>,
     query_points: u64,
     photon_tests: u64,
+    /// The files beside the picture: snapshots, plot, error map.
+    files: Vec<String>,
     /// Whether a signal ended the run before its passes were made.
     interrupted: bool,
     progress: Vec<Row>,
@@ -106,13 +108,14 @@ pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
         reference,
         start: Instant::now(),
         rows: Vec::new(),
+        files: Vec::new(),
     };
     let end = work.run(&Interrupt::watch()?)?;
     let (image, stats) = (work.progressive.image(), work.progressive.stats());
     sight::check_light(&image, &scene, &view, stats)?;
     write_picture(&image, &args.output)?;
-    work.write_plot()?;
-    work.write_error_map()?;
+    work.write_plot(scene.name())?;
+    work.write_error_map(scene.name())?;
     let error = work.progressive.error(args.confidence);
     let passes = work.progressive.passes();
     let report = Report {
@@ -126,6 +129,7 @@ pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
         error_target: args.error_target,
         query_points: stats.query_points,
         photon_tests: stats.photon_tests,
+        files: work.files,
         interrupted: end == End::Interrupted,
         progress: work.rows,
         quantile: error.map(|error| error.quantile),
@@ -188,6 +192,8 @@ struct Work<'a> {
     start: Instant,
     /// The rows after 1, 2, 4, 8, ... passes and after the last.
     rows: Vec<Row>,
+    /// The files that were written.
+    files: Vec<String>,
 }
 
 impl Work<'_> {
@@ -225,7 +231,9 @@ impl Work<'_> {
     fn push_row(&mut self, error: Option<&ErrorEstimate>) -> Result<()> {
         let (passes, image) = (self.progressive.passes(), self.progressive.image());
         if self.args.snapshots {
-            write_picture(&image, &snapshot(&self.args.output, passes))?;
+            let path = snapshot(&self.args.output, passes);
+            write_picture(&image, &path)?;
+            self.files.push(path.display().to_string());
         }
         let reference = self.reference.as_ref();
         let distance = reference.map(|reference| Distance::between(&image, reference));
@@ -247,7 +255,7 @@ impl Work<'_> {
         Ok(())
     }
 
-    fn write_plot(&self) -> Result<()> {
+    fn write_plot(&mut self, scene: &str) -> Result<()> {
         let Some(path) = &self.args.plot else {
             return Ok(());
         };
@@ -269,14 +277,13 @@ impl Work<'_> {
                 row.rel_mse.map(f64::sqrt)
             }),
         ];
-        let title = format!(
-            "How the error of {} falls with passes and photons",
-            scenes::stem(&self.args.scene)
-        );
-        files::write(path, convergence_plot(&title, &curves)?.as_bytes())
+        let title = format!("How the error of {scene} falls with passes and photons",);
+        files::write(path, convergence_plot(&title, &curves)?.as_bytes())?;
+        self.files.push(path.display().to_string());
+        Ok(())
     }
 
-    fn write_error_map(&self) -> Result<()> {
+    fn write_error_map(&mut self, scene: &str) -> Result<()> {
         let error = self.progressive.error(self.args.confidence);
         let (Some(path), Some(error)) = (&self.args.error_map, error) else {
             return Ok(());
@@ -287,14 +294,15 @@ impl Work<'_> {
             .map(|p| Some(p.relative_error()))
             .collect();
         let title = format!(
-            "bound of the relative error, {:.0} % confidence: {}",
+            "bound of the relative error, {:.0} % confidence: {scene}",
             100.0 * error.confidence,
-            self.args.scene
         );
         files::write(
             path,
             error_map(&title, self.args.size.width, &bounds).as_bytes(),
-        )
+        )?;
+        self.files.push(path.display().to_string());
+        Ok(())
     }
 }
 
@@ -360,7 +368,9 @@ fn text(report: &Report) -> String {
         &header,
         &report.progress.iter().map(cells).collect::<Vec<_>>(),
     );
-    format!("{table}{}\n{}\n", bound_line(report), report.output)
+    let mut text = format!("{table}{}\n{}\n", bound_line(report), report.output);
+    text.extend(report.files.iter().map(|file| format!("{file}\n")));
+    text
 }
 
 /// A line that states why the bound is larger than noise and bias together.
@@ -370,12 +380,11 @@ fn bound_line(report: &Report) -> String {
         return "One pass tells nothing of its error.\n".to_owned();
     };
     format!(
-        "A pixel's bound is |b| + {quantile:.2} s, above its error with {confidence:.0} % confidence: b is its \
-         estimated bias with the noise\n\
-         of that estimate, which the column `bias` is without, s the noise of the pixel without bias, sqrt 5 \
-         times `noise` where light is\n\
-         even, {quantile:.2} Student's factor for these passes. Columns: root mean square over the pixels, each \
-         over its luminance.\n"
+        "noise, bias, bound: root mean squares over the pixels, each as a part of the pixel's luminance.\n\
+         A pixel's error is not above its bound, with {confidence:.0} % confidence. Its bound is |bias| + t s / sqrt n, with\n\
+         n the passes, t = {quantile:.2} Student's factor for them, and s the spread over the passes of the pixel less its\n\
+         bias, which is sqrt 5 times that of the pixel where light is even. The bias of one pixel is noisy. The column\n\
+         `bias` is without that noise, so `bound` is more than `bias` and t times `noise` together.\n"
     )
 }
 
@@ -420,6 +429,7 @@ mod tests {
             error_target: None,
             query_points: 1,
             photon_tests: 1,
+            files: vec!["plot.svg".to_owned()],
             interrupted: false,
             progress: vec![row],
             quantile: Some(6.31),
@@ -434,9 +444,12 @@ mod tests {
             "{without}"
         );
         assert!(
-            without.contains("|b| + 6.31 s") && without.contains("90 % confidence"),
+            without.contains("t = 6.31 Student's")
+                && without.contains("bound is |bias| + t s / sqrt n")
+                && without.contains("90 % confidence"),
             "{without}"
         );
+        assert!(without.ends_with("o.png\nplot.svg\n"), "{without}");
         let with = text(&report(Some(0.01)));
         assert!(
             with.contains("relMSE") && with.contains("in bounds"),

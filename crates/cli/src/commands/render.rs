@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use anyhow::Result;
-use photoncube_render::{BATCH_PATHS, PhotonMap};
+use photoncube_render::{BATCH_PATHS, DirectLight, PhotonMap};
 use serde::Serialize;
 
 use crate::args::{EngineReport, LightingReport, RenderArgs};
@@ -22,9 +22,13 @@ struct Report {
     output: String,
     photons: usize,
     photons_asked: u64,
+    /// The map leaves out photons that were traced.
+    #[serde(skip)]
+    left_out: bool,
     in_range: f64,
     photons_in_range_mean: f64,
     query_points: u64,
+    estimates: u64,
     gathers_per_query: f64,
     photon_tests: u64,
     photons_skipped: u64,
@@ -65,10 +69,12 @@ pub fn execute(args: &RenderArgs, json: bool) -> Result<()> {
         output: args.output.display().to_string(),
         photons: traced.maps.photons(),
         photons_asked: args.picture.photons,
+        left_out: lighting.direct != DirectLight::Map,
         in_range: args.picture.in_range,
-        photons_in_range_mean: mean(rendering.stats.photons_in_range, rendering.stats.gathers),
+        photons_in_range_mean: rendering.stats.photons_in_range_mean(),
         query_points: rendering.stats.query_points,
-        gathers_per_query: mean(rendering.stats.gathers, rendering.stats.query_points),
+        estimates: rendering.stats.estimates,
+        gathers_per_query: rendering.stats.gathers_mean(),
         photon_tests: rendering.stats.photon_tests,
         photons_skipped: rendering.stats.photons_skipped,
         search_radius: traced.map().radius(),
@@ -79,22 +85,22 @@ pub fn execute(args: &RenderArgs, json: bool) -> Result<()> {
     output::print(json, &report, || text(&report))
 }
 
-/// The mean; 0 where nothing was counted, as in a view without surfaces.
-fn mean(total: u64, count: u64) -> f64 {
-    total as f64 / count.max(1) as f64
-}
-
 fn text(report: &Report) -> String {
+    let left_out = match report.left_out {
+        true => "; the map leaves out those of direct light",
+        false => "",
+    };
     format!(
-        "{}: {} photons (at least {} asked for; batches of {BATCH_PATHS} paths are completed), {:.0} in range of a gather \
-         ({} aimed at),\n{} query points, {} photon tests ({} skipped by their place) in {:.1} s; \
-         estimator {}, {:.1} gathers a query\n",
+        "{}: {} photons (at least {} traced, in whole batches of {BATCH_PATHS} paths{left_out}), {:.0} in range of \
+         an estimate ({} aimed at),\n{} query points, {} estimates, {} photon tests ({} skipped by their place) in \
+         {:.1} s; estimator {}, {:.1} gathers an estimate\n",
         report.output,
         report.photons,
         report.photons_asked,
         report.photons_in_range_mean,
         report.in_range,
         report.query_points,
+        report.estimates,
         report.photon_tests,
         report.photons_skipped,
         report.seconds,

@@ -52,6 +52,7 @@ struct Report {
 
 /// The facts that the text states and that no JSON key has.
 struct Facts {
+    scene_name: String,
     estimates: u64,
     estimates_too_noisy: u64,
     photons_found: usize,
@@ -123,6 +124,7 @@ fn measure(args: &ReportArgs, scene: &Scene, options: &BenchOptions) -> Result<R
         hardware_plot: paths.hardware.display().to_string(),
         dimensions_plot: paths.dimensions.display().to_string(),
         facts: Facts {
+            scene_name: scene.name().to_owned(),
             estimates,
             estimates_too_noisy: reference.estimates_too_noisy,
             photons_found: bench.maps()[0].photons().len(),

@@ -1,4 +1,4 @@
-//! The command `run`: the whole path, from a scene to proven Verilog and a picture.
+//! The command `run`: the whole path, from a scene to verified Verilog and a picture.
 
 mod sizing;
 
@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use anyhow::Result;
-use photoncube_render::{BATCH_PATHS, Engine, Lighting, Rendering, Scene, view_queries, workload};
+use photoncube_render::{BATCH_PATHS, Engine, Lighting, Scene, view_queries, workload};
 use photoncube_spec::Machine;
 use photoncube_testbench::{DeviceKind, Source, Verdict, VerifyError, VerifyOptions};
 use serde::Serialize;
@@ -98,8 +98,8 @@ pub fn execute(args: &RunArgs, json: bool) -> Result<()> {
         machines::prepare(machine)?;
         project::write(machine, "--out", &args.out, traced.scene.files())
     })?;
-    let proof = timed(&mut seconds.verify, || prove(args, machine, &traced));
-    let proof = sight::explained(proof, &traced.scene, &view)?;
+    let compared = timed(&mut seconds.verify, || compare(args, machine, &traced));
+    let compared = sight::explained(compared, &traced.scene, &view)?;
     let reference = timed(&mut seconds.render_f64, || {
         picture(&traced, Engine::F64, &view, "rendering, f64")
     })?;
@@ -110,7 +110,7 @@ pub fn execute(args: &RunArgs, json: bool) -> Result<()> {
     write_picture(&reference.image, &paths.reference)?;
 
     let distance = Distance::between(&rendering.image, &reference.image)?;
-    let name = scenes::stem(&args.scene);
+    let name = traced.scene.name();
     let title = format!("relative error: {} of {name} against f64", machine.name);
     let map = map_of(&rendering.image, &reference.image, &title);
     files::write(&paths.error_map, map.as_bytes())?;
@@ -125,7 +125,7 @@ pub fn execute(args: &RunArgs, json: bool) -> Result<()> {
         in_range: args.picture.in_range,
         photon_paths: traced.paths,
         search_radius: traced.map().radius(),
-        photons_in_range_mean: mean_in_range(&rendering),
+        photons_in_range_mean: stats.photons_in_range_mean(),
         query_points: stats.query_points,
         photon_tests: stats.photon_tests,
         largest_query: stats.largest_query,
@@ -136,11 +136,11 @@ pub fn execute(args: &RunArgs, json: bool) -> Result<()> {
         queries_at_once: machine.queries_at_once(),
         photon_tests_per_clock: machine.photon_tests_per_clock(),
         time: PictureTime::of(machine, traced.map(), &view_queries(&traced.scene, &view)?)?,
-        vectors_compared: proof.on_verilog().map(|v| v.vectors_compared).sum(),
-        mismatches: proof.divergence.iter().count(),
-        divergence: proof.divergence.clone(),
-        devices: proof.verdicts,
-        devices_not_found: proof.not_found,
+        vectors_compared: compared.on_verilog().map(|v| v.vectors_compared).sum(),
+        mismatches: compared.divergence.iter().count(),
+        divergence: compared.divergence.clone(),
+        devices: compared.verdicts,
+        devices_not_found: compared.not_found,
         distance,
         picture: paths.picture.display().to_string(),
         reference_picture: paths.reference.display().to_string(),
@@ -196,14 +196,14 @@ fn timed<T>(seconds: &mut f64, work: impl FnOnce() -> Result<T>) -> Result<T> {
     result
 }
 
-struct Proof {
+struct Comparison {
     verdicts: Vec<Verdict>,
     not_found: Vec<NotFound>,
-    /// The first difference, which ends the proof.
+    /// The first difference, which ends the comparison.
     divergence: Option<String>,
 }
 
-impl Proof {
+impl Comparison {
     fn on_verilog(&self) -> impl Iterator<Item = &Verdict> {
         let own = DeviceKind::RustHdl.name();
         self.verdicts.iter().filter(move |v| v.device != own)
@@ -218,10 +218,10 @@ const SIMULATORS: [(DeviceKind, u64); 4] = [
     (DeviceKind::Verilator, 200_000),
 ];
 
-/// Proves stage 5: runs photons of this scene through every simulator that is installed.
-fn prove(args: &RunArgs, machine: &Machine, traced: &Traced) -> Result<Proof> {
+/// Verifies stage 5: runs photons of this scene through every simulator that is installed.
+fn compare(args: &RunArgs, machine: &Machine, traced: &Traced) -> Result<Comparison> {
     let view = view(&args.picture);
-    let mut proof = Proof {
+    let mut compared = Comparison {
         verdicts: Vec::new(),
         not_found: Vec::new(),
         divergence: None,
@@ -232,7 +232,7 @@ fn prove(args: &RunArgs, machine: &Machine, traced: &Traced) -> Result<Proof> {
     );
     for (device, iterations) in SIMULATORS {
         if let Some(tool) = device.missing_tool() {
-            proof.not_found.push(NotFound {
+            compared.not_found.push(NotFound {
                 device: device.name(),
                 missing: tool.program,
                 install: tool.install(),
@@ -251,20 +251,15 @@ fn prove(args: &RunArgs, machine: &Machine, traced: &Traced) -> Result<Proof> {
             },
         };
         match verify_with_bar(machine, device, &options) {
-            Ok(verdict) => proof.verdicts.push(verdict),
+            Ok(verdict) => compared.verdicts.push(verdict),
             Err(VerifyError::Diverged(divergence)) => {
-                proof.divergence = Some(divergence.to_string());
+                compared.divergence = Some(divergence.to_string());
                 break;
             }
             Err(error) => return Err(error.into()),
         }
     }
-    Ok(proof)
-}
-
-fn mean_in_range(rendering: &Rendering) -> f64 {
-    let stats = rendering.stats;
-    stats.photons_in_range as f64 / stats.query_points.max(1) as f64
+    Ok(compared)
 }
 
 fn text(report: &Report) -> String {
@@ -330,7 +325,9 @@ fn fitted_line(fitted: &Fitted) -> String {
     let row = &fitted.row;
     format!(
         "\x20 the scene needs   {}: {} bits per photon, error / noise {:.4} predicted, {:.4} measured, \
-         below {}\n",
+         below {};\n\
+         \x20                   its sums hold the largest query of this picture; `photoncube fit` does not see that query,\n\
+         \x20                   and may find another -n\n",
         row.format,
         row.bits_per_photon,
         row.prediction.error_over_noise,

@@ -46,6 +46,46 @@ fn every_engine_renders_with_every_estimator_it_can_make() {
     assert_ne!(cone, estimated(folder.path(), "f64", "epanechnikov").0);
 }
 
+/// The photons in range are those of an estimate, however many gathers or maps a query point takes.
+#[test]
+fn the_photons_in_range_are_averaged_over_the_estimates() {
+    let folder = tempfile::tempdir().unwrap();
+    let mean = |report: &Value| report["photons_in_range_mean"].as_f64().unwrap();
+    for engine in ["f64", "model", "format"] {
+        let report = |estimator| estimated(folder.path(), engine, estimator).1;
+        let fixed = report("fixed");
+        assert_eq!(fixed["estimates"], fixed["query_points"], "{engine}");
+        // The k-th sets the radius and is left out; few places have fewer in the search radius.
+        let nearest = mean(&report("knn:20"));
+        assert!((15.0..=19.0).contains(&nearest), "{engine} {nearest}");
+        let ladder = mean(&report("ladder:4:cone"));
+        let share = ladder / mean(&fixed);
+        assert!((0.8..=1.0).contains(&share), "{engine} {share}");
+    }
+}
+
+#[test]
+fn maps_of_their_own_and_gather_rays_are_estimates_too() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("x.png");
+    let render = |scene: &str, options: &[&str]| {
+        let out = ["render", scene, "-o", path.to_str().unwrap()];
+        let small = ["--photons", "5000", "--size", "16x16", "--samples", "1"];
+        json(&[&out[..], &small, &["--direct", "rays"], options].concat())
+    };
+    let number = |report: &Value, key: &str| report[key].as_f64().unwrap();
+    for (scene, options) in [
+        ("ring", ["--caustics", "own:50"]),
+        ("cornell", ["--final-gather", "4"]),
+    ] {
+        let report = render(scene, &options);
+        let estimates = number(&report, "estimates");
+        assert!(estimates > 1.5 * number(&report, "query_points"), "{scene}");
+        assert_eq!(report["gathers_per_query"], 1.0);
+        assert!(number(&report, "photons_in_range_mean") < number(&report, "in_range"));
+    }
+}
+
 /// The second table of `report` at its default of 200 photons in range.
 pub fn check_rows(report: &Value) {
     let estimators = report["estimators"].as_array().unwrap();

@@ -84,7 +84,7 @@ fn report_goes_on_where_a_machine_cannot_take_the_scene() {
         "{text}"
     );
     assert!(
-        text.starts_with("cornell: needs "),
+        text.starts_with("cornell: of the formats and machines listed below, "),
         "the verdict comes first: {text}"
     );
     let written = folder.path().join("report-cornell.json");
@@ -155,4 +155,8 @@ fn a_query_of_too_many_photons_is_told_with_the_option_that_helps() {
             "said once: {message}"
         );
     }
+    let out = folder.path().join("out");
+    let run = ["run", "--machine", "tile-6", "--out", out.to_str().unwrap()];
+    let message = error(&[&run[..], &many].concat(), 2);
+    assert!(message.contains("give a smaller --in-range"), "{message}");
 }

@@ -112,7 +112,11 @@ impl Device {
         };
         let mut all = devices().map(|(_, _, device)| device);
         all.find(|device| is_it(device)).ok_or_else(|| {
-            let names: Vec<_> = devices().map(|(_, _, device)| device.name).collect();
+            let names = devices().map(|(_, _, device)| {
+                let short = device.option.trim_start_matches('-');
+                format!("{} ({short})", device.name)
+            });
+            let names: Vec<_> = names.collect();
             unexpected(format!("expected one of {}", names.join(", ")))
         })
     }

@@ -119,6 +119,9 @@ impl RenderError {
 pub struct RenderStats {
     /// The number of view rays that ended on a front; each is one query.
     pub query_points: u64,
+    /// The number of estimates: one in each map for a query point, and with a final gather one in the global map for
+    /// each gather ray that ends on a front.
+    pub estimates: u64,
     /// The number of gathers. Integer engines make one for each step of a bisection and for each rung of a
     /// ladder.
     pub gathers: u64,
@@ -128,7 +131,8 @@ pub struct RenderStats {
     /// sphere cannot touch. A machine tests them one by one. 0 for the reference, and where queries are
     /// gathered one at a time.
     pub photons_skipped: u64,
-    /// The number of tested photons that are in range.
+    /// The number of photons in range of the estimates. An estimate of several gathers counts those of the one that
+    /// it takes: the largest rung of a ladder, or the gather that found the k nearest.
     pub photons_in_range: u64,
     /// The number of iterations of the machine: a gather's photons in groups of
     /// [`Machine::photons_per_iteration`], the last of which may be partly filled. 0 for the reference and
@@ -141,12 +145,27 @@ pub struct RenderStats {
 impl AddAssign for RenderStats {
     fn add_assign(&mut self, other: Self) {
         self.query_points += other.query_points;
+        self.estimates += other.estimates;
         self.gathers += other.gathers;
         self.photon_tests += other.photon_tests;
         self.photons_skipped += other.photons_skipped;
         self.photons_in_range += other.photons_in_range;
         self.photon_groups += other.photon_groups;
         self.largest_query = self.largest_query.max(other.largest_query);
+    }
+}
+
+impl RenderStats {
+    /// The mean of [`Self::photons_in_range`] for an estimate; 0 where nothing was estimated.
+    #[must_use]
+    pub fn photons_in_range_mean(&self) -> f64 {
+        self.photons_in_range as f64 / self.estimates.max(1) as f64
+    }
+
+    /// The mean number of gathers for an estimate; 0 where nothing was estimated.
+    #[must_use]
+    pub fn gathers_mean(&self) -> f64 {
+        self.gathers as f64 / self.estimates.max(1) as f64
     }
 }
 

@@ -167,6 +167,7 @@ impl<'a> Renderer<'a> {
     fn stats_of(&self, found: &Estimate) -> RenderStats {
         RenderStats {
             query_points: 0,
+            estimates: 1,
             gathers: found.gathers,
             photon_tests: found.gathers * found.tests,
             photons_skipped: found.skipped,

@@ -92,7 +92,8 @@ fn meaning(machine: &Machine, stem: &str) -> String {
         "group_valid" => "a group is on the group_ and photon_ pins",
         "group_ready" => "the group is taken at this edge, if it is valid",
         "group_last" if machine.has_memory() => "this group ends its set",
-        "group_last" => "this group is the last of its query, or of its batch of queries",
+        "group_last" if machine.queries_at_once() == 1 => "this group is the last of its query",
+        "group_last" => "this group is the last of its batch of queries",
         "photon_present" => {
             "the lane has a photon; where it is 0, the lane's other pins are not looked at"
         }
@@ -155,6 +156,12 @@ fn radius_sq(machine: &Machine) -> String {
     }
 }
 
+/// Whether the meaning of a port names a limit below the largest word of the port.
+pub(super) fn has_limits(machine: &Machine) -> bool {
+    let radius_on_pins = machine.fixed_radius_sq().is_none();
+    machine.has_exponent() || (radius_on_pins && machine.format().is_some())
+}
+
 fn power(machine: &Machine) -> String {
     match machine.has_exponent() {
         false => "unsigned; power units".to_owned(),
@@ -186,6 +193,35 @@ mod tests {
             for port in ports {
                 assert!(!port.meaning.is_empty(), "{}: {}", machine.name, port.name);
             }
+        }
+    }
+
+    #[test]
+    fn a_machine_has_limits_where_a_port_names_one() {
+        let names_limit = |port: &Port| {
+            ["at most", "0 to"]
+                .iter()
+                .any(|word| port.meaning.contains(word))
+        };
+        for machine in MACHINES {
+            let named = ports(machine).iter().any(names_limit);
+            assert_eq!(has_limits(machine), named, "{}", machine.name);
+        }
+        let limits = |name| has_limits(crate::machines::find_machine(name).unwrap());
+        assert!(!limits("paper") && !limits("tile-6") && limits("stream") && limits("fit-range"));
+    }
+
+    #[test]
+    fn only_a_machine_of_several_queries_has_batches_on_its_ports() {
+        for machine in MACHINES {
+            let ports = ports(machine);
+            let last = ports.iter().find(|port| port.name == "group_last").unwrap();
+            let names_batch = last.meaning.contains("batch");
+            assert!(
+                !names_batch || machine.queries_at_once() > 1,
+                "{}",
+                machine.name
+            );
         }
     }
 }

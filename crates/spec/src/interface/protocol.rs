@@ -1,5 +1,6 @@
 //! The rules of a machine's stream handshakes, one rule a line.
 
+use super::ports::has_limits;
 use crate::machine::Machine;
 use crate::organisation::Organisation;
 
@@ -66,9 +67,12 @@ fn ready(machine: &Machine) -> &'static str {
 }
 
 fn limits(machine: &Machine) -> String {
+    let beyond = match has_limits(machine) {
+        true => ", or a word beyond its limit above",
+        false => "",
+    };
     format!(
-        "No input is checked: with more than {} photons for a query, or a word beyond its limit above, results are \
-         undefined.",
+        "No input is checked: with more than {} photons for a query{beyond}, results are undefined.",
         machine.max_photons()
     )
 }

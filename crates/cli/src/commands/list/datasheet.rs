@@ -87,21 +87,23 @@ fn text(sheet: &Datasheet, machine: &Machine) -> String {
 /// The facts about the machine's design, without measurements.
 fn design(sheet: &Datasheet, machine: &Machine) -> String {
     let row = &sheet.row;
+    // A machine of fixed radius has no port for it.
+    let radius_sq = match sheet.fixed_radius_sq {
+        None => format!("radius_sq {}, ", row.radius_sq_bits),
+        Some(_) => String::new(),
+    };
     let widths = format!(
-        "Widths: coordinate {}, position in block {}, radius_sq {}, power {}, work and link {}, sum {} bits",
-        row.coordinate_bits,
-        row.position_bits,
-        row.radius_sq_bits,
-        row.power_bits,
-        row.work_bits,
-        row.sum_bits
+        "Widths: coordinate {}, position in block {}, {radius_sq}power {}, work and link {}, sum {} bits",
+        row.coordinate_bits, row.position_bits, row.power_bits, row.work_bits, row.sum_bits
     );
     format!(
-        "{}\n\n{}\n{}\n\nVerilog: hdl-out/{}\n",
+        "{}\n\n{}\n{}\n\nVerilog: hdl-out/{}\n\
+         \x20        which `photoncube generate --machine {}` writes\n",
         wrapped(&format!("{}: {}", machine.name, machine.summary), 2),
         interface_text(machine),
         wrapped(&widths, 2),
-        sheet.verilog_file
+        sheet.verilog_file,
+        machine.name
     )
 }
 

@@ -110,8 +110,7 @@ const AREA: &[Column] = &[
         Some(area) => format!("{} + {} CCU2C, {} DSP", area.lut4, area.ccu2c, area.dsp),
     }),
     ("FF", |row| {
-        let area = row.measured.area_without_dsp.as_ref();
-        area.map_or_else(not_measured, |area| area.ff.to_string())
+        any_area(row).map_or_else(not_measured, |area| area.ff.to_string())
     }),
 ];
 

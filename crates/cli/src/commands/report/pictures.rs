@@ -1,13 +1,10 @@
 //! The plots of figures against the error.
 
-use std::ffi::OsString;
-
 use anyhow::Result;
 
 use super::Report;
 use super::row::Row;
 use crate::plots::{Better, Kind, Plot, Point, against_error, pareto_front};
-use crate::scenes;
 
 /// A figure of merit that is plotted against the error.
 pub struct Merit {
@@ -83,7 +80,7 @@ impl Merit {
             .iter()
             .filter_map(|row| self.point(row))
             .collect();
-        let scene = scenes::stem(&OsString::from(&report.scene).into());
+        let scene = &report.facts.scene_name;
         let plot = Plot {
             title: &format!("Scene {scene}: {}", self.title),
             error_axis: "rms error over the scene's own noise, worst of luminance, red, green, blue",

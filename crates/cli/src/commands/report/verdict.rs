@@ -44,16 +44,19 @@ impl Verdict {
     /// The verdict as text.
     pub fn text(&self, bound: f64, query_points: u64) -> String {
         let needs = match (self.bits_per_photon, &self.format) {
-            (Some(bits), Some(format)) => format!("needs {bits} bits per photon ({format})"),
-            _ => "no listed format is precise enough".to_owned(),
+            (Some(bits), Some(format)) => {
+                format!("the format of fewest bits is {format}, {bits} bits per photon")
+            }
+            _ => "no format is precise enough".to_owned(),
         };
         let machine = |name: &Option<String>| name.clone().unwrap_or_else(|| "none".to_owned());
         let speed = self.pictures_per_second.map_or_else(String::new, |speed| {
             format!(", {} pictures of {query_points} queries/s", digits(speed))
         });
         format!(
-            "{needs}; smallest machine {}; fastest {}{speed}: of the listed, within an error of {bound} of the noise\n\
-             (luminance, red, green and blue). `photoncube fit` searches all formats.",
+            "of the formats and machines listed below, with an error within {bound} of the noise (luminance, red, green \
+             and blue):\n{needs}; the smallest machine is {}; the fastest {}{speed}.\n\
+             `photoncube fit` searches all formats, so it may find fewer bits.",
             machine(&self.smallest_machine),
             machine(&self.fastest_machine),
         )

@@ -85,6 +85,7 @@ impl Args for VerifyArgs {
         let examples = METHODS.map(|entry| format!("\n  {}", entry.examples[0]));
         command
             .subcommand_required(true)
+            .override_usage("photoncube verify [METHOD] [OPTIONS]")
             .subcommand_value_name("METHOD")
             .subcommand_help_heading("Methods")
             .subcommands(methods)

@@ -47,7 +47,7 @@ pub fn tools(against: &[Devices]) -> Vec<Tool> {
 /// The length and the seed of random stimulus.
 #[derive(Args, Clone, Debug)]
 pub struct StimulusArgs {
-    /// Iterations (groups of photons) to compare in each device
+    /// At least so many iterations (groups of photons) to compare in each device; a batch that began is ended
     #[arg(long, default_value_t = 20_000, value_name = "N", value_parser = count(1..=u64::MAX))]
     pub iterations: u64,
     #[command(flatten)]
