@@ -1,0 +1,137 @@
+//! Tests the commands on custom machines: an organisation with any photon format.
+
+use std::fs;
+use std::path::Path;
+
+use serde_json::Value;
+
+use super::{SMALL_FIT, error, json, photoncube};
+
+/// A format that no named machine has.
+const FORMAT: &str = "local6x2-rgb4e2d-n4096";
+
+fn generate<'a>(organisation: &'a str, format: &'a str, out: &'a Path) -> [&'a str; 7] {
+    let out = out.to_str().unwrap();
+    [
+        "generate",
+        "--format",
+        format,
+        "--organisation",
+        organisation,
+        "--out",
+        out,
+    ]
+}
+
+#[test]
+fn a_machine_of_any_format_is_generated_and_checked() {
+    let folder = tempfile::tempdir().unwrap();
+    let arguments = generate("stream", FORMAT, folder.path());
+    let report = json(&arguments);
+    let machine = format!("stream-{FORMAT}");
+    assert_eq!(report["machines"], serde_json::json!([machine]));
+    let top = format!("photoncube_{}", machine.replace('-', "_"));
+    let path = folder.path().join(&machine).join(format!("{top}.v"));
+    let text = fs::read_to_string(&path).unwrap();
+    assert!(text.contains(&format!("module {top}(")));
+    let check = [&arguments[..], &["--check"]].concat();
+    json(&check);
+    fs::write(&path, text + "// more\n").unwrap();
+    let message = error(&check, 1);
+    assert!(message.contains(&format!("{top}.v")), "{message}");
+}
+
+#[test]
+fn a_machine_that_cannot_be_made_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    for (organisation, format, expected) in [
+        (
+            "core",
+            FORMAT,
+            "expected sequential, stream, or tile-4 to tile-10",
+        ),
+        (
+            "stream",
+            "local6y2-rgb4",
+            "there is no format `local6y2-rgb4`",
+        ),
+        (
+            "stream",
+            "local3-rgb4",
+            "position_bits is 3, expected 4 to 12",
+        ),
+        (
+            "tile-5",
+            "local7-rgb16e8-n4294967296",
+            "bits of a sum is 72",
+        ),
+    ] {
+        let message = error(&generate(organisation, format, folder.path()), 2);
+        assert!(message.contains(expected), "{message}");
+    }
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
+}
+
+/// The cache is empty, so that the generator would have to be built.
+#[test]
+fn without_cargo_or_the_sources_the_message_says_what_to_do() {
+    let (folder, cache) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
+    for (variable, expected) in [
+        ("CARGO", "install Rust by rustup, or set CARGO"),
+        (
+            "PHOTONCUBE_SOURCES",
+            "set PHOTONCUBE_SOURCES to a clone of the project",
+        ),
+    ] {
+        let missing = folder.path().join("missing");
+        let mut command = photoncube(&generate("stream", FORMAT, folder.path()));
+        command
+            .env("XDG_CACHE_HOME", cache.path())
+            .env(variable, &missing);
+        let output = command.assert().code(2).get_output().clone();
+        let message = String::from_utf8(output.stderr).unwrap();
+        assert!(message.contains(expected), "{message}");
+        assert!(message.contains(missing.to_str().unwrap()), "{message}");
+    }
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
+}
+
+/// A scene whose format no named machine has: `fit` writes a machine of exactly this format, and `run` compares one.
+#[test]
+fn fit_and_run_take_a_machine_of_exactly_the_fitted_format() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().to_str().unwrap();
+    let fit = json(&[&["fit", "cornell", "--emit", out][..], &SMALL_FIT].concat());
+    let machine = &fit["machine"];
+    assert_eq!(machine["format"], fit["fitted"]["format"]);
+    assert_eq!(
+        machine["wider_than_needed"].as_array().map(Vec::len),
+        Some(0)
+    );
+    let emitted = fit["emitted"].as_array().unwrap();
+    assert!(
+        emitted
+            .iter()
+            .all(|path| Path::new(path.as_str().unwrap()).is_file())
+    );
+    assert!(!emitted.is_empty());
+    let run = json(&[
+        "run",
+        "cornell",
+        "--out",
+        out,
+        "--photons",
+        "20000",
+        "--size",
+        "24x24",
+        "--samples",
+        "1",
+        "--iterations",
+        "40",
+        "--machine",
+        machine["machine"].as_str().unwrap(),
+    ]);
+    assert_eq!(run["mismatches"], 0);
+    assert!(run["vectors_compared"].as_u64() > Some(0));
+    assert_eq!(run["fitted"], Value::Null);
+}
