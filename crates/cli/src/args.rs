@@ -21,6 +21,7 @@ mod applies;
 mod compare;
 mod fit;
 mod numbers;
+mod plan;
 mod progressive;
 mod render;
 mod synth;
@@ -28,6 +29,7 @@ mod synth;
 pub use self::compare::CompareArgs;
 pub use self::fit::FitArgs;
 pub use self::numbers::{count, seed, short};
+pub use self::plan::PlanArgs;
 pub use self::progressive::ProgressiveArgs;
 pub use self::render::{EngineArgs, EngineReport, LightArgs, LightingReport, RenderArgs};
 pub use self::synth::SynthArgs;
@@ -81,6 +83,7 @@ Examples:
   photoncube render cornell -o box.png --engine f64
   photoncube progressive cornell -o box.png --error-target 0.1
   photoncube report ring                          formats by error and speed, with a plot
+  photoncube plan cornell                         how many chains of how many engines
   photoncube hard-cases                           what breaks other arithmetic, and not this
   photoncube synth --machine paper                area and clock, by Yosys and nextpnr
   photoncube microprogram --machine paper-5d
@@ -106,6 +109,8 @@ pub enum Command {
     Progressive(ProgressiveArgs),
     /// How far a picture is from another: relMSE, and a map of the error
     Compare(CompareArgs),
+    /// Forecast the photon tests of a picture's queries on a chip, by the size of leaves, chains and batches
+    Plan(PlanArgs),
     /// Speed against error: every photon format and machine on a scene, as a table and a plot
     Report(ReportArgs),
     /// Run the inputs at which some arithmetic is known to fail, in every photon format

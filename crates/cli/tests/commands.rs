@@ -413,6 +413,7 @@ fn help_has_examples() {
         "render",
         "progressive",
         "compare",
+        "plan",
         "report",
         "hard-cases",
         "synth",

@@ -6,6 +6,7 @@ mod generate;
 mod hard_cases;
 mod list;
 mod microprogram;
+mod plan;
 mod progressive;
 mod render;
 mod report;
@@ -38,6 +39,7 @@ pub fn execute(args: Args) -> Result<()> {
         Command::Render(options) => with_hint(render::execute(&options, json)),
         Command::Progressive(options) => with_hint(progressive::execute(&options, json)),
         Command::Compare(options) => compare::execute(&options, json),
+        Command::Plan(options) => plan::execute(&options, json),
         Command::Report(options) => report::execute(&options, json),
         Command::HardCases(options) => hard_cases::execute(&options, json),
         Command::Synth(options) => synth::execute(&options, json),

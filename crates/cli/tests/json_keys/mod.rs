@@ -49,6 +49,7 @@ fn every_json_key_is_documented() {
         &["compare", exr, exr],
         &["microprogram"],
         &["generate", "--machine", "paper", "--out", out],
+        &[&["plan"][..], &small[..]].concat(),
         &["synth", "--check", "--out", COMMITTED_FIGURES],
         &["verify", "--iterations", "5"],
         &["verify", "fuzz", "5"],

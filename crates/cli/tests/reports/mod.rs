@@ -160,3 +160,35 @@ fn a_query_of_too_many_photons_is_told_with_the_option_that_helps() {
     let message = error(&[&run[..], &many].concat(), 2);
     assert!(message.contains("give a smaller --in-range"), "{message}");
 }
+
+/// Smaller batches have fewer tests of photons that cannot be in range, and more chains.
+#[test]
+fn a_plan_has_a_row_for_each_size() {
+    let small = [
+        "--photons",
+        "20000",
+        "--size",
+        "32x32",
+        "--samples",
+        "1",
+        "--chain",
+        "4,16",
+        "--leaf",
+        "8",
+    ];
+    let plan = json(&[&["plan", "cornell", "--engines", "32"][..], &small].concat());
+    let rows = plan["schedules"].as_array().unwrap();
+    assert_eq!(rows.len(), 6);
+    for row in rows {
+        let number = |key: &str| row[key].as_f64().unwrap();
+        assert_eq!(number("chains") * number("chain_engines"), 32.0);
+        assert_eq!(number("queries"), plan["query_points"].as_f64().unwrap());
+        assert!(number("tests_per_photon_in_range") > 1.0);
+        assert!(number("engines_with_query") <= 1.0 && number("reading") <= 1.0);
+    }
+    let tests = |row: usize| rows[row]["tests_per_photon_in_range"].as_f64().unwrap();
+    // Rows 0 to 2 have chains of 4 engines, rows 3 to 5 of 16, each without an end, then with shorter boxes.
+    assert!(tests(0) < tests(3));
+    let wrong = error(&["plan", "cornell", "--format", "local7"], 2);
+    assert!(wrong.contains("there is no format `local7`"), "{wrong}");
+}

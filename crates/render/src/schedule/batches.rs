@@ -1,0 +1,97 @@
+//! Batches: queries that are tested against the photons of one stream.
+
+use photoncube_spec::PhotonFormat;
+
+use super::Bounds;
+use super::leaves::morton;
+use crate::quantise::QuantisedMap;
+use crate::trace::Facing;
+use crate::view::QueryPoint;
+
+/// How queries are put into batches.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BatchOptions {
+    /// The most queries of a batch: the engines of a chain.
+    pub queries: u32,
+    /// A batch ends where the next query would make its box longer than this many search radii. Its other engines then
+    /// stay empty.
+    pub longest: Option<f64>,
+}
+
+/// A batch.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Batch {
+    /// The box around the middles of the queries' cells.
+    pub bounds: Bounds,
+    /// The queries, by their indices in the order of [`Batches::queries`].
+    pub queries: std::ops::Range<usize>,
+}
+
+/// The batches of all queries of a picture.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Batches {
+    /// The queries in the order in which they are given to chains.
+    pub queries: Vec<QueryPoint>,
+    /// The batches, in the order of the queries.
+    pub batches: Vec<Batch>,
+    /// The most queries of a batch.
+    pub size: u32,
+}
+
+/// Bits of a place in its block that order queries: eighths of an edge.
+const ORDER_BITS: u32 = 3;
+
+impl Batches {
+    /// Sorts the queries along a Morton curve through the scene, those of one facing in a region after each other, and puts
+    /// them into batches.
+    ///
+    /// # Panics
+    /// For batches without queries, or a map in plain numbers.
+    pub fn new(map: &QuantisedMap<'_>, queries: &[QueryPoint], options: &BatchOptions) -> Self {
+        assert!(options.queries > 0, "a batch has queries");
+        let format = map.numbers().format().expect("the map has a photon format");
+        let mut queries = queries.to_vec();
+        queries.sort_by_cached_key(|query| {
+            let place = place(map, format, query);
+            let eighth =
+                place.map(|steps| (steps >> (format.radius_bits() + 1 - ORDER_BITS)) as u64);
+            let region = eighth.map(|eighth| eighth >> (ORDER_BITS + 1));
+            (morton(region), Facing::of(query.normal), morton(eighth))
+        });
+        let radius = f64::from(2 * format.radius_steps());
+        let longest = options.longest.map(|radii| (radii * radius) as i64);
+        let mut batches: Vec<Batch> = Vec::new();
+        for (index, query) in queries.iter().enumerate() {
+            let place = place(map, format, query);
+            let joined = batches.last_mut().filter(|batch| {
+                let fits = |longest| batch.bounds.with(place).longest() <= longest;
+                batch.queries.len() < options.queries as usize && longest.is_none_or(fits)
+            });
+            match joined {
+                Some(batch) => {
+                    batch.bounds = batch.bounds.with(place);
+                    batch.queries.end = index + 1;
+                }
+                None => batches.push(Batch {
+                    bounds: Bounds::at(place),
+                    queries: index..index + 1,
+                }),
+            }
+        }
+        Self {
+            queries,
+            batches,
+            size: options.queries,
+        }
+    }
+}
+
+/// The middle of a query's cell, in half fine steps from the grid's origin.
+fn place(map: &QuantisedMap<'_>, format: &PhotonFormat, query: &QueryPoint) -> [i64; 3] {
+    let (block, fraction) = map.map().place(query.position);
+    let bits = format.radius_bits();
+    let cell = map.query_at(fraction, 0).position;
+    // A query is in the second block of its frame.
+    let base = block.to_array().map(|block| (block - 1) << bits);
+    [0, 1, 2].map(|axis| 2 * (base[axis] + i64::from(cell[axis])) + 1)
+}

@@ -1,0 +1,114 @@
+//! Leaves: a few photons of one facing, with the box around them.
+
+use std::ops::Range;
+
+use photoncube_spec::PhotonFormat;
+use rayon::prelude::*;
+
+use super::Bounds;
+use crate::quantise::QuantisedMap;
+
+/// A leaf.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Leaf {
+    /// The box around the middles of the photons' cells.
+    pub bounds: Bounds,
+    /// The photons, as indices into [`QuantisedMap::records`]. A leaf of a run's last photons may have fewer than the
+    /// others.
+    pub photons: Vec<u32>,
+}
+
+/// The leaves of a map, run by run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Leaves {
+    /// The most photons of a leaf.
+    size: u32,
+    leaves: Vec<Leaf>,
+    /// For each run of the map, its leaves.
+    runs: Vec<Range<usize>>,
+}
+
+impl Leaves {
+    /// Puts the photons of each run into leaves of `size`, in the order of a Morton curve through the run's block.
+    ///
+    /// # Panics
+    /// For leaves without photons, or a map in plain numbers, which has no cells.
+    pub fn new(map: &QuantisedMap<'_>, size: u32) -> Self {
+        assert!(size > 0, "a leaf has photons");
+        let format = map.numbers().format().expect("the map has a photon format");
+        let runs: Vec<_> = map.map().runs().collect();
+        let of_runs: Vec<Vec<Leaf>> = runs
+            .par_iter()
+            .map(|run| of_run(map, format, run.clone(), size as usize))
+            .collect();
+        let mut start = 0;
+        let runs = of_runs.iter().map(|leaves| {
+            let first = start;
+            start += leaves.len();
+            first..start
+        });
+        Self {
+            size,
+            runs: runs.collect(),
+            leaves: of_runs.concat(),
+        }
+    }
+
+    /// The most photons of a leaf.
+    pub fn size(&self) -> u32 {
+        self.size
+    }
+
+    /// All leaves.
+    pub fn all(&self) -> &[Leaf] {
+        &self.leaves
+    }
+
+    /// The leaves of a run, by its index in the map.
+    pub fn of_run(&self, run: usize) -> &[Leaf] {
+        &self.leaves[self.runs[run].clone()]
+    }
+}
+
+fn of_run(
+    map: &QuantisedMap<'_>,
+    format: &PhotonFormat,
+    run: Range<usize>,
+    size: usize,
+) -> Vec<Leaf> {
+    let block = run
+        .clone()
+        .next()
+        .map(|first| map.map().place(map.map().photons()[first].position).0);
+    let block = block.map_or([0; 3], |block| block.to_array());
+    let position = |photon: u32| map.records()[photon as usize].position;
+    let mut photons: Vec<_> = (run.start as u32..run.end as u32).collect();
+    photons.sort_by_cached_key(|photon| morton(position(*photon).map(u64::from)));
+    let middle = |photon: &u32| {
+        let position = position(*photon);
+        [0, 1, 2].map(|axis| {
+            let cell = (block[axis] << format.position_bits) + i64::from(position[axis]);
+            (2 * cell + 1) << format.query_extra_bits
+        })
+    };
+    let leaf = |photons: &[u32]| {
+        let mut middles = photons.iter().map(middle);
+        let first = Bounds::at(middles.next().expect("a chunk is not empty"));
+        Leaf {
+            bounds: middles.fold(first, Bounds::with),
+            photons: photons.to_vec(),
+        }
+    };
+    photons.chunks(size).map(leaf).collect()
+}
+
+/// The place on a Morton curve: the bits of the three coordinates, interleaved. Coordinates have at most 21 bits.
+pub(super) fn morton(place: [u64; 3]) -> u64 {
+    let [x, y, z] = place.map(spread);
+    x | y << 1 | z << 2
+}
+
+/// The low 21 bits, each followed by two zeros.
+fn spread(index: u64) -> u64 {
+    (0..21).fold(0, |code, bit| code | (index >> bit & 1) << (3 * bit))
+}

@@ -1,0 +1,154 @@
+use std::collections::HashSet;
+
+use photoncube_spec::{Numbers, find_photon_format};
+
+use super::*;
+use crate::photon_map::PhotonMap;
+use crate::quantise::QuantisedMap;
+use crate::scene::fixtures::traced_cornell;
+use crate::view::{QueryPoint, ViewOptions};
+use crate::view_queries;
+
+const FORMATS: [&str; 2] = ["local7-rgb6d-n4096", "local6x2-rgb6d-n4096"];
+
+const BATCHES: [BatchOptions; 3] = [
+    BatchOptions {
+        queries: 1,
+        longest: None,
+    },
+    BatchOptions {
+        queries: 16,
+        longest: Some(1.0),
+    },
+    BatchOptions {
+        queries: 64,
+        longest: None,
+    },
+];
+
+fn traced() -> (PhotonMap, Vec<QueryPoint>) {
+    let (scene, map) = traced_cornell(20_000, 9, 0.1);
+    let view = ViewOptions {
+        width: 24,
+        height: 24,
+        samples_per_axis: 1,
+        seed: 1,
+    };
+    let queries = view_queries(&scene, &view).unwrap();
+    (map, queries)
+}
+
+fn quantised<'a>(map: &'a PhotonMap, format: &str) -> QuantisedMap<'a> {
+    QuantisedMap::new(map, &Numbers::Local(find_photon_format(format).unwrap())).unwrap()
+}
+
+/// The photons in range of queries that are in no leaf that their batch reads at this reach.
+fn lost(map: &QuantisedMap<'_>, leaves: &Leaves, batches: &Batches, reach: i64) -> (usize, usize) {
+    let (mut lost, mut found) = (0, 0);
+    for batch in &batches.batches {
+        let near = leaves
+            .all()
+            .iter()
+            .filter(|leaf| leaf.bounds.is_near(batch.bounds, reach));
+        let read: HashSet<_> = near.flat_map(|leaf| &leaf.photons).copied().collect();
+        for query in &batches.queries[batch.queries.clone()] {
+            let candidates = map.map().candidates(query.position, query.normal);
+            let photons = candidates.flat_map(|run| run.photons);
+            let verdicts = map.verdicts(query.position, query.normal);
+            for (photon, (_, in_range)) in photons.zip(verdicts) {
+                let is_read = read.contains(&(photon as u32));
+                found += usize::from(in_range && is_read);
+                lost += usize::from(in_range && !is_read);
+            }
+        }
+    }
+    (lost, found)
+}
+
+#[test]
+fn a_leaf_with_a_photon_in_range_is_always_read() {
+    let (map, queries) = traced();
+    for format in FORMATS {
+        let map = quantised(&map, format);
+        let radius = map.numbers().format().unwrap().radius_steps();
+        let leaves = Leaves::new(&map, 8);
+        for options in BATCHES {
+            let batches = Batches::new(&map, &queries, &options);
+            let (lost_photons, found) = lost(&map, &leaves, &batches, i64::from(2 * radius));
+            assert_eq!(lost_photons, 0, "{format} {options:?}");
+            let expected = map.gather_all(&batches.queries, map.radius_sq()).unwrap();
+            let expected: u64 = expected.iter().map(|query| query.sums.count).sum();
+            assert_eq!(found as u64, expected, "{format} {options:?}");
+        }
+        // A planted fault: the reach of half a radius loses photons, so the test above can fail.
+        let batches = Batches::new(&map, &queries, &BATCHES[0]);
+        assert!(lost(&map, &leaves, &batches, i64::from(radius)).0 > 0);
+    }
+}
+
+#[test]
+fn every_photon_is_in_one_leaf_and_every_query_in_one_batch() {
+    let (map, queries) = traced();
+    let map = quantised(&map, FORMATS[0]);
+    for size in [1, 8, 16] {
+        let leaves = Leaves::new(&map, size);
+        let mut photons: Vec<_> = leaves
+            .all()
+            .iter()
+            .flat_map(|leaf| leaf.photons.clone())
+            .collect();
+        assert!(
+            leaves
+                .all()
+                .iter()
+                .all(|leaf| (1..=size as usize).contains(&leaf.photons.len()))
+        );
+        photons.sort_unstable();
+        assert!(photons.into_iter().eq(0..map.records().len() as u32));
+    }
+    for options in BATCHES {
+        let batches = Batches::new(&map, &queries, &options);
+        let mut next = 0;
+        for batch in &batches.batches {
+            assert_eq!(batch.queries.start, next);
+            assert!((1..=options.queries as usize).contains(&batch.queries.len()));
+            next = batch.queries.end;
+        }
+        assert_eq!(next, queries.len());
+        assert_eq!(batches.queries.len(), queries.len());
+    }
+}
+
+#[test]
+fn small_batches_test_fewer_photons_and_the_clocks_are_their_sum() {
+    let (map, queries) = traced();
+    let map = quantised(&map, FORMATS[0]);
+    let leaves = Leaves::new(&map, 8);
+    let costs = BATCHES.map(|options| cost(&map, &leaves, &Batches::new(&map, &queries, &options)));
+    for (of, options) in costs.iter().zip(BATCHES) {
+        assert_eq!(of.queries, queries.len() as u64);
+        assert_eq!(
+            of.photon_tests,
+            of.leaves_read * 8 * u64::from(options.queries)
+        );
+        assert_eq!(of.reading_clocks, 2 * of.leaves_read);
+        assert!(of.clocks >= of.reading_clocks && of.leaves_read <= of.leaves_compared);
+    }
+    assert!(costs[0].photon_tests < costs[1].photon_tests);
+    assert!(costs[1].photon_tests < costs[2].photon_tests);
+}
+
+#[test]
+fn boxes_are_near_up_to_the_reach_and_no_further() {
+    let unit = Bounds {
+        low: [0; 3],
+        high: [2; 3],
+    };
+    for (point, reach) in [([1, 1, 1], 0), ([5, 0, 0], 3), ([0, -4, 9], 7)] {
+        assert!(unit.is_near(Bounds::at(point), reach), "{point:?}");
+        assert!(
+            reach == 0 || !unit.is_near(Bounds::at(point), reach - 1),
+            "{point:?}"
+        );
+    }
+}
