@@ -1,6 +1,7 @@
 //! The arguments of `plan`.
 
 use clap::Args as ClapArgs;
+use photoncube_render::Cull;
 
 use super::PictureArgs;
 use super::numbers::{count, positive};
@@ -37,9 +38,17 @@ pub struct PlanArgs {
     /// end, 1.5 and 1
     #[arg(long, value_name = "R", value_parser = positive)]
     pub longest: Option<f64>,
+    /// How the box of a leaf is compared with that of a batch: `axes`, the gap on each, or `distance`
+    #[arg(long, default_value = Cull::Distance.name(), value_name = "C", value_parser = cull)]
+    pub cull: Cull,
     /// Engines of the chip, which are divided among its chains
     #[arg(long, default_value_t = 64, value_name = "N", value_parser = count(1..=MOST))]
     pub engines: u32,
     #[command(flatten)]
     pub picture: PictureArgs,
+}
+
+fn cull(name: &str) -> Result<Cull, String> {
+    let found = Cull::ALL.into_iter().find(|cull| cull.name() == name);
+    found.ok_or_else(|| format!("expected {}", Cull::ALL.map(Cull::name).join(" or ")))
 }

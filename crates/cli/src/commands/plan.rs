@@ -26,6 +26,7 @@ struct Report {
     query_points: usize,
     photons_in_range_mean: f64,
     engines: u32,
+    cull: &'static str,
     schedules: Vec<Schedule>,
 }
 
@@ -80,7 +81,7 @@ pub fn execute(args: &PlanArgs, json: bool) -> Result<()> {
             };
             let batches = Batches::new(&map, &queries, &options);
             for &leaf in &args.leaf {
-                let cost = cost(&map, &Leaves::new(&map, leaf), &batches);
+                let cost = cost(&map, &Leaves::new(&map, leaf), &batches, args.cull);
                 schedules.push(schedule(leaf, options, cost, args.engines, in_range));
                 bar.inc(1);
             }
@@ -97,6 +98,7 @@ pub fn execute(args: &PlanArgs, json: bool) -> Result<()> {
         query_points: queries.len(),
         photons_in_range_mean: in_range as f64 / queries.len() as f64,
         engines: args.engines,
+        cull: args.cull.name(),
         schedules,
     };
     output::print(json, &report, || text(&report))
@@ -145,13 +147,14 @@ fn text(report: &Report) -> String {
     };
     let rows: Vec<_> = report.schedules.iter().map(row).collect();
     format!(
-        "{}: {} photons, {} queries, {:.0} photons in range of one; {} engines; format {}\n\n{}",
+        "{}: {} photons, {} queries, {:.0} photons in range of one; {} engines; format {}; culled by {}\n\n{}",
         report.scene,
         grouped(report.photons as u64),
         grouped(report.query_points as u64),
         report.photons_in_range_mean,
         report.engines,
         report.format,
+        report.cull,
         markdown(&header, &rows)
     )
 }

@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 use serde::Serialize;
 
-use super::{Batch, Batches, Leaves};
+use super::{Batch, Batches, Cull, Leaves};
 use crate::quantise::QuantisedMap;
 
 /// Photons that a chain is given in a clock.
@@ -48,16 +48,16 @@ impl Cost {
 ///
 /// # Panics
 /// For a map in plain numbers.
-pub fn cost(map: &QuantisedMap<'_>, leaves: &Leaves, batches: &Batches) -> Cost {
+pub fn cost(map: &QuantisedMap<'_>, leaves: &Leaves, batches: &Batches, cull: Cull) -> Cost {
     let format = map.numbers().format().expect("the map has a photon format");
-    let reach = i64::from(2 * format.radius_steps());
+    let radius = i64::from(2 * format.radius_steps());
     let one = |batch: &Batch| {
         let runs = runs(map, batches, batch);
         let compared = runs.iter().flat_map(|run| leaves.of_run(*run));
         let (mut all, mut read) = (0_u64, 0_u64);
         for leaf in compared {
             all += 1;
-            read += u64::from(leaf.bounds.is_near(batch.bounds, reach));
+            read += u64::from(cull.reads(leaf.bounds, batch.bounds, radius));
         }
         let size = u64::from(leaves.size());
         let reading = read * size.div_ceil(LANES);

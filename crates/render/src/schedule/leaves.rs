@@ -29,7 +29,7 @@ pub struct Leaves {
 }
 
 impl Leaves {
-    /// Puts the photons of each run into leaves of `size`, in the order of a Morton curve through the run's block.
+    /// Puts the photons of each run into leaves of `size`, each of photons that are close together.
     ///
     /// # Panics
     /// For leaves without photons, or a map in plain numbers, which has no cells.
@@ -83,7 +83,7 @@ fn of_run(
     let block = block.map_or([0; 3], |block| block.to_array());
     let position = |photon: u32| map.records()[photon as usize].position;
     let mut photons: Vec<_> = (run.start as u32..run.end as u32).collect();
-    photons.sort_by_cached_key(|photon| morton(position(*photon).map(u64::from)));
+    order(&mut photons, size, &position);
     let middle = |photon: &u32| {
         let position = position(*photon);
         [0, 1, 2].map(|axis| {
@@ -100,6 +100,27 @@ fn of_run(
         }
     };
     photons.chunks(size).map(leaf).collect()
+}
+
+/// Orders photons so that each chunk of `size` lies close together: splits them at the middle of their longest axis, at a
+/// whole number of chunks, until one chunk is left.
+fn order(photons: &mut [u32], size: usize, position: &impl Fn(u32) -> [u16; 3]) {
+    let chunks = photons.len().div_ceil(size);
+    if chunks < 2 {
+        return;
+    }
+    let extent = |axis: usize| {
+        let places = photons.iter().map(|photon| position(*photon)[axis]);
+        let [low, high] = [places.clone().min(), places.max()];
+        high.unwrap_or(0) - low.unwrap_or(0)
+    };
+    let axis = (0..3).max_by_key(|axis| extent(*axis)).unwrap_or(0);
+    let middle = chunks / 2 * size;
+    // The photon's own number makes the order total.
+    photons.select_nth_unstable_by_key(middle, |photon| (position(*photon)[axis], *photon));
+    let (low, high) = photons.split_at_mut(middle);
+    order(low, size, position);
+    order(high, size, position);
 }
 
 /// The place on a Morton curve: the bits of the three coordinates, interleaved. Coordinates have at most 21 bits.

@@ -55,12 +55,44 @@ impl Bounds {
             .unwrap_or(0)
     }
 
-    /// Whether the gap between two boxes is at most `reach` on every axis. It is where a point of one is in range of a
-    /// point of the other, since a distance is no shorter than its part on an axis.
-    fn is_near(self, other: Self, reach: i64) -> bool {
-        (0..3).all(|axis| {
-            let gap = (self.low[axis] - other.high[axis]).max(other.low[axis] - self.high[axis]);
-            gap <= reach
+    /// The gap between two boxes on each axis; 0 where they overlap.
+    fn gaps(self, other: Self) -> [i64; 3] {
+        [0, 1, 2].map(|axis| {
+            let above = other.low[axis] - self.high[axis];
+            above.max(self.low[axis] - other.high[axis]).max(0)
         })
+    }
+}
+
+/// The comparison of a leaf's box with a batch's box. With either, no leaf is skipped that has a photon in range of a
+/// query: the distance of two points is no shorter than that of boxes around them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Cull {
+    /// A leaf is read if the gap on every axis is at most the radius: comparisons alone.
+    Axes,
+    /// A leaf is read if the distance of the boxes is at most the radius: the squares of the gaps, their sum, and a
+    /// comparison, as an engine does with a photon.
+    Distance,
+}
+
+impl Cull {
+    /// Both comparisons.
+    pub const ALL: [Self; 2] = [Self::Axes, Self::Distance];
+
+    /// The name of the comparison in reports.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Axes => "axes",
+            Self::Distance => "distance",
+        }
+    }
+
+    /// Whether a leaf is read for a batch, by their boxes and the radius in half fine steps.
+    fn reads(self, leaf: Bounds, batch: Bounds, radius: i64) -> bool {
+        let gaps = leaf.gaps(batch);
+        match self {
+            Self::Axes => gaps.into_iter().all(|gap| gap <= radius),
+            Self::Distance => gaps.map(|gap| gap * gap).into_iter().sum::<i64>() <= radius * radius,
+        }
     }
 }

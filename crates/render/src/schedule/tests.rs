@@ -42,14 +42,20 @@ fn quantised<'a>(map: &'a PhotonMap, format: &str) -> QuantisedMap<'a> {
     QuantisedMap::new(map, &Numbers::Local(find_photon_format(format).unwrap())).unwrap()
 }
 
-/// The photons in range of queries that are in no leaf that their batch reads at this reach.
-fn lost(map: &QuantisedMap<'_>, leaves: &Leaves, batches: &Batches, reach: i64) -> (usize, usize) {
+/// The photons in range of queries that are in no leaf that their batch reads with this radius, and those that are.
+fn lost(
+    map: &QuantisedMap<'_>,
+    leaves: &Leaves,
+    batches: &Batches,
+    cull: Cull,
+    radius: i64,
+) -> (usize, usize) {
     let (mut lost, mut found) = (0, 0);
     for batch in &batches.batches {
         let near = leaves
             .all()
             .iter()
-            .filter(|leaf| leaf.bounds.is_near(batch.bounds, reach));
+            .filter(|leaf| cull.reads(leaf.bounds, batch.bounds, radius));
         let read: HashSet<_> = near.flat_map(|leaf| &leaf.photons).copied().collect();
         for query in &batches.queries[batch.queries.clone()] {
             let candidates = map.map().candidates(query.position, query.normal);
@@ -74,15 +80,23 @@ fn a_leaf_with_a_photon_in_range_is_always_read() {
         let leaves = Leaves::new(&map, 8);
         for options in BATCHES {
             let batches = Batches::new(&map, &queries, &options);
-            let (lost_photons, found) = lost(&map, &leaves, &batches, i64::from(2 * radius));
-            assert_eq!(lost_photons, 0, "{format} {options:?}");
             let expected = map.gather_all(&batches.queries, map.radius_sq()).unwrap();
             let expected: u64 = expected.iter().map(|query| query.sums.count).sum();
-            assert_eq!(found as u64, expected, "{format} {options:?}");
+            for cull in Cull::ALL {
+                let found = lost(&map, &leaves, &batches, cull, i64::from(2 * radius));
+                assert_eq!(
+                    found,
+                    (0, expected as usize),
+                    "{format} {options:?} {cull:?}"
+                );
+            }
         }
-        // A planted fault: the reach of half a radius loses photons, so the test above can fail.
+        // A planted fault: a radius that is an eighth too short loses photons.
         let batches = Batches::new(&map, &queries, &BATCHES[0]);
-        assert!(lost(&map, &leaves, &batches, i64::from(radius)).0 > 0);
+        for cull in Cull::ALL {
+            let short = i64::from(2 * radius * 7 / 8);
+            assert!(lost(&map, &leaves, &batches, cull, short).0 > 0, "{cull:?}");
+        }
     }
 }
 
@@ -124,7 +138,10 @@ fn small_batches_test_fewer_photons_and_the_clocks_are_their_sum() {
     let (map, queries) = traced();
     let map = quantised(&map, FORMATS[0]);
     let leaves = Leaves::new(&map, 8);
-    let costs = BATCHES.map(|options| cost(&map, &leaves, &Batches::new(&map, &queries, &options)));
+    let of = |options: BatchOptions, cull| {
+        cost(&map, &leaves, &Batches::new(&map, &queries, &options), cull)
+    };
+    let costs = BATCHES.map(|options| of(options, Cull::Distance));
     for (of, options) in costs.iter().zip(BATCHES) {
         assert_eq!(of.queries, queries.len() as u64);
         assert_eq!(
@@ -136,19 +153,30 @@ fn small_batches_test_fewer_photons_and_the_clocks_are_their_sum() {
     }
     assert!(costs[0].photon_tests < costs[1].photon_tests);
     assert!(costs[1].photon_tests < costs[2].photon_tests);
+    for (by_distance, options) in costs.iter().zip(BATCHES) {
+        let by_axes = of(options, Cull::Axes);
+        assert!(by_distance.leaves_read < by_axes.leaves_read);
+        assert_eq!(by_distance.leaves_compared, by_axes.leaves_compared);
+    }
 }
 
 #[test]
-fn boxes_are_near_up_to_the_reach_and_no_further() {
+fn a_box_is_read_up_to_the_radius_and_no_further() {
     let unit = Bounds {
         low: [0; 3],
         high: [2; 3],
     };
-    for (point, reach) in [([1, 1, 1], 0), ([5, 0, 0], 3), ([0, -4, 9], 7)] {
-        assert!(unit.is_near(Bounds::at(point), reach), "{point:?}");
-        assert!(
-            reach == 0 || !unit.is_near(Bounds::at(point), reach - 1),
-            "{point:?}"
-        );
+    use Cull::{Axes, Distance};
+    for (point, cull, radius) in [
+        ([1, 1, 1], Axes, 0),
+        ([1, 1, 1], Distance, 0),
+        ([5, 0, 0], Axes, 3),
+        ([5, 0, 0], Distance, 3),
+        ([5, -4, 2], Axes, 4),
+        ([5, -4, 2], Distance, 5),
+    ] {
+        let reads = |radius| cull.reads(unit, Bounds::at(point), radius);
+        assert!(reads(radius), "{point:?} {cull:?}");
+        assert!(radius == 0 || !reads(radius - 1), "{point:?} {cull:?}");
     }
 }
