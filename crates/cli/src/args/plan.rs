@@ -1,7 +1,7 @@
 //! The arguments of `plan`.
 
 use clap::Args as ClapArgs;
-use photoncube_render::Cull;
+use photoncube_render::{Cull, Facings};
 
 use super::PictureArgs;
 use super::numbers::{count, positive};
@@ -41,6 +41,10 @@ pub struct PlanArgs {
     /// How the box of a leaf is compared with that of a batch: `axes`, the gap on each, or `distance`
     #[arg(long, default_value = Cull::Distance.name(), value_name = "C", value_parser = cull)]
     pub cull: Cull,
+    /// What leaves out photons of facings that a query does not gather: each `engine`, so that queries of all facings
+    /// share a batch, or the `chain`, so that they do not
+    #[arg(long, default_value = Facings::Chain.name(), value_name = "F", value_parser = facings)]
+    pub facings: Facings,
     /// Engines of the chip, which are divided among its chains
     #[arg(long, default_value_t = 64, value_name = "N", value_parser = count(1..=MOST))]
     pub engines: u32,
@@ -51,4 +55,11 @@ pub struct PlanArgs {
 fn cull(name: &str) -> Result<Cull, String> {
     let found = Cull::ALL.into_iter().find(|cull| cull.name() == name);
     found.ok_or_else(|| format!("expected {}", Cull::ALL.map(Cull::name).join(" or ")))
+}
+
+fn facings(name: &str) -> Result<Facings, String> {
+    let found = Facings::ALL
+        .into_iter()
+        .find(|facings| facings.name() == name);
+    found.ok_or_else(|| format!("expected {}", Facings::ALL.map(Facings::name).join(" or ")))
 }

@@ -27,6 +27,7 @@ struct Report {
     photons_in_range_mean: f64,
     engines: u32,
     cull: &'static str,
+    facings: &'static str,
     schedules: Vec<Schedule>,
 }
 
@@ -78,6 +79,7 @@ pub fn execute(args: &PlanArgs, json: bool) -> Result<()> {
             let options = BatchOptions {
                 queries: queries_at_once,
                 longest,
+                facings: args.facings,
             };
             let batches = Batches::new(&map, &queries, &options);
             for &leaf in &args.leaf {
@@ -99,6 +101,7 @@ pub fn execute(args: &PlanArgs, json: bool) -> Result<()> {
         photons_in_range_mean: in_range as f64 / queries.len() as f64,
         engines: args.engines,
         cull: args.cull.name(),
+        facings: args.facings.name(),
         schedules,
     };
     output::print(json, &report, || text(&report))
@@ -147,7 +150,7 @@ fn text(report: &Report) -> String {
     };
     let rows: Vec<_> = report.schedules.iter().map(row).collect();
     format!(
-        "{}: {} photons, {} queries, {:.0} photons in range of one; {} engines; format {}; culled by {}\n\n{}",
+        "{}: {} photons, {} queries, {:.0} photons in range of one; {} engines; format {}; culled by {}; facings by {}\n\n{}",
         report.scene,
         grouped(report.photons as u64),
         grouped(report.query_points as u64),
@@ -155,6 +158,7 @@ fn text(report: &Report) -> String {
         report.engines,
         report.format,
         report.cull,
+        report.facings,
         markdown(&header, &rows)
     )
 }

@@ -44,6 +44,11 @@ impl Groups {
         self.first[photon.surface as usize] + photon.facing.index() as u32
     }
 
+    /// The number of groups.
+    pub fn count(&self) -> usize {
+        self.normals.len()
+    }
+
     /// The normal of a group's facing.
     pub fn normal(&self, group: u32) -> DVec3 {
         self.normals[group as usize]

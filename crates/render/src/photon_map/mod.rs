@@ -340,6 +340,12 @@ impl PhotonMap {
             })
     }
 
+    /// For each group of photons of one facing, whether a query on a surface of unit normal `normal` gathers it.
+    pub(crate) fn facings(&self, normal: DVec3) -> Vec<bool> {
+        let groups = 0..self.groups.count() as u32;
+        groups.map(|group| self.faces(group, normal)).collect()
+    }
+
     fn faces(&self, group: u32, normal: DVec3) -> bool {
         self.groups.normal(group).dot(normal) > Self::MIN_FACING_COSINE
     }

@@ -1,9 +1,13 @@
 //! Batches: queries that are tested against the photons of one stream.
 
+use std::collections::HashMap;
+
+use glam::DVec3;
 use photoncube_spec::PhotonFormat;
 
 use super::Bounds;
 use super::leaves::morton;
+use crate::photon_map::PhotonMap;
 use crate::quantise::QuantisedMap;
 use crate::trace::Facing;
 use crate::view::QueryPoint;
@@ -16,6 +20,33 @@ pub struct BatchOptions {
     /// A batch ends where the next query would make its box longer than this many search radii. Its other engines then
     /// stay empty.
     pub longest: Option<f64>,
+    /// Whether the queries of a batch must gather photons of equal facings.
+    pub facings: Facings,
+}
+
+/// Where the rule is applied by which a query gathers only photons that face its way, see [`PhotonMap`].
+///
+/// [`PhotonMap`]: crate::PhotonMap
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Facings {
+    /// In each engine: a leaf is read if some query of the batch gathers its facing, and the engines of the other queries
+    /// leave it out.
+    Engine,
+    /// Before the chain: all queries of a batch gather equal facings, and engines know nothing of them.
+    Chain,
+}
+
+impl Facings {
+    /// Both places.
+    pub const ALL: [Self; 2] = [Self::Engine, Self::Chain];
+
+    /// The name of the place in reports.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Engine => "engine",
+            Self::Chain => "chain",
+        }
+    }
 }
 
 /// A batch.
@@ -50,23 +81,35 @@ impl Batches {
     pub fn new(map: &QuantisedMap<'_>, queries: &[QueryPoint], options: &BatchOptions) -> Self {
         assert!(options.queries > 0, "a batch has queries");
         let format = map.numbers().format().expect("the map has a photon format");
+        let mut facings = FacingSets::default();
         let mut queries = queries.to_vec();
         queries.sort_by_cached_key(|query| {
             let place = place(map, format, query);
             let eighth =
                 place.map(|steps| (steps >> (format.radius_bits() + 1 - ORDER_BITS)) as u64);
             let region = eighth.map(|eighth| eighth >> (ORDER_BITS + 1));
-            (morton(region), Facing::of(query.normal), morton(eighth))
+            let facing = match options.facings {
+                Facings::Engine => Facing::of(query.normal).index(),
+                Facings::Chain => facings.number(map.map(), query.normal),
+            };
+            (morton(region), facing, morton(eighth))
         });
         let radius = f64::from(2 * format.radius_steps());
         let longest = options.longest.map(|radii| (radii * radius) as i64);
         let mut batches: Vec<Batch> = Vec::new();
+        let mut before = 0;
         for (index, query) in queries.iter().enumerate() {
             let place = place(map, format, query);
+            let facing = match options.facings {
+                Facings::Engine => 0,
+                Facings::Chain => facings.number(map.map(), query.normal),
+            };
             let joined = batches.last_mut().filter(|batch| {
                 let fits = |longest| batch.bounds.with(place).longest() <= longest;
-                batch.queries.len() < options.queries as usize && longest.is_none_or(fits)
+                let has_room = batch.queries.len() < options.queries as usize;
+                has_room && facing == before && longest.is_none_or(fits)
             });
+            before = facing;
             match joined {
                 Some(batch) => {
                     batch.bounds = batch.bounds.with(place);
@@ -83,6 +126,24 @@ impl Batches {
             batches,
             size: options.queries,
         }
+    }
+}
+
+/// Numbers for the sets of facings that queries gather, in the order in which they are met.
+#[derive(Default)]
+struct FacingSets {
+    of_normals: HashMap<[u64; 3], usize>,
+    sets: HashMap<Vec<bool>, usize>,
+}
+
+impl FacingSets {
+    fn number(&mut self, map: &PhotonMap, normal: DVec3) -> usize {
+        let Self { of_normals, sets } = self;
+        let bits = normal.to_array().map(f64::to_bits);
+        *of_normals.entry(bits).or_insert_with(|| {
+            let next = sets.len();
+            *sets.entry(map.facings(normal)).or_insert(next)
+        })
     }
 }
 

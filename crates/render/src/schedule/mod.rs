@@ -13,7 +13,7 @@ mod batches;
 mod cost;
 mod leaves;
 
-pub use batches::{Batch, BatchOptions, Batches};
+pub use batches::{Batch, BatchOptions, Batches, Facings};
 pub use cost::{Cost, cost};
 pub use leaves::{Leaf, Leaves};
 

@@ -15,14 +15,17 @@ const BATCHES: [BatchOptions; 3] = [
     BatchOptions {
         queries: 1,
         longest: None,
+        facings: Facings::Engine,
     },
     BatchOptions {
         queries: 16,
         longest: Some(1.0),
+        facings: Facings::Chain,
     },
     BatchOptions {
         queries: 64,
         longest: None,
+        facings: Facings::Engine,
     },
 ];
 

@@ -9,7 +9,7 @@ const CELLS: usize = 4;
 /// whose normal is exactly the surface's own. A curved surface has [`Self::COUNT`] facings, the cells of a
 /// cube of directions: six sides of 4 x 4 cells, each 22.5 degrees along the middle of its side. Photons are
 /// grouped by facing, so there must be few.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct Facing(u8);
 
 impl Facing {
