@@ -3,12 +3,12 @@
 //! rust-hdl's widths are const generics, so every set of widths is compiled for itself; each costs about a
 //! second of build time. Custom machines have generators of their own, see [`crate::generator`].
 
-use photoncube_spec::{Machine, Organisation, SEQUENTIAL, Spatial, Squarer, Widths};
+use photoncube_spec::{Machine, Organisation, SEQUENTIAL, Squarer, Widths};
 use thiserror::Error;
 
 use crate::level::Level;
 use crate::overlap;
-use crate::pinned::Pinned;
+use crate::pinned::{MachineBlock, Pinned};
 use crate::sequential::{Cell, Network, Processor, build_unit};
 use crate::spatial::{PhotonMemory, SpatialMachine, SquarePair};
 
@@ -103,8 +103,8 @@ impl Shape {
     }
 }
 
-/// The block of a machine with a program, at a level.
-pub(crate) fn sequential_block<
+/// The block of a machine with a program, at a level; the widths are those of the table below.
+pub fn sequential<
     const C: usize,
     const H: usize,
     const M: usize,
@@ -123,8 +123,8 @@ pub(crate) fn sequential_block<
 >(
     machine: &Machine,
     level: Level,
-) -> Option<Box<dyn Pinned>> {
-    Some(match level {
+) -> Option<MachineBlock> {
+    Some(MachineBlock(match level {
         Level::Machine => {
             Box::new(Processor::<C, H, M, Q, R, B, E, P, V, S, A, W, X, N, G>::new(machine))
         }
@@ -132,7 +132,7 @@ pub(crate) fn sequential_block<
         Level::Network => Box::new(Network::<N, V, X>::new(machine.hypercube())),
         Level::Unit(unit) => build_unit::<C, H, M, Q, R, P, V, S>(unit, machine.squarer)?,
         Level::SquarePair | Level::Memory => return None,
-    })
+    }))
 }
 
 macro_rules! built_in {
@@ -149,9 +149,7 @@ macro_rules! built_in {
             let mut row = BUILT_IN.iter();
             $(
                 if row.next() == Some(&shape) {
-                    return sequential_block::<$c, $h, $m, $q, $r, $b, $e, $p, $v, $s, $a, $w, $x, $n, $g>(
-                        machine, level,
-                    );
+                    return sequential::<$c, $h, $m, $q, $r, $b, $e, $p, $v, $s, $a, $w, $x, $n, $g>(machine, level).map(|block| block.0);
                 }
             )*
             None
@@ -175,8 +173,8 @@ built_in! {
     9 8 7 14 14  4 5 28 30 42  4 15 4  16 4;
 }
 
-/// The block of a spatial machine, at a level.
-pub(crate) fn spatial_block<
+/// The block of a spatial machine, at a level; the widths are those of the table below.
+pub fn spatial<
     const C: usize,
     const H: usize,
     const D: usize,
@@ -197,10 +195,10 @@ pub(crate) fn spatial_block<
     const N: usize,
 >(
     machine: &Machine,
-    spatial: &Spatial,
     level: Level,
-) -> Option<Box<dyn Pinned>> {
-    Some(match level {
+) -> Option<MachineBlock> {
+    let spatial = machine.spatial()?;
+    Some(MachineBlock(match level {
         Level::Machine => Box::new(SpatialMachine::<
             C,
             H,
@@ -230,7 +228,7 @@ pub(crate) fn spatial_block<
             machine.channels().names(),
         )),
         _ => return None,
-    })
+    }))
 }
 
 macro_rules! built_in_spatial {
@@ -241,18 +239,14 @@ macro_rules! built_in_spatial {
             $c, $h, $d, $r, $q, $l, $lp, $hp, $pr, $t, $u, $b, $e, $p, $pp, $gp, $s, $n,
         ],)*];
 
-        fn find_spatial(
-            machine: &Machine,
-            spatial: &Spatial,
-            level: Level,
-        ) -> Option<Box<dyn Pinned>> {
+        fn find_spatial(machine: &Machine, level: Level) -> Option<Box<dyn Pinned>> {
             let widths = bits(spatial_widths(&Widths::of(machine)));
             let mut row = BUILT_IN_SPATIAL.iter();
             $(
                 if row.next() == Some(&widths) {
-                    return spatial_block::<
+                    return spatial::<
                         $c, $h, $d, $r, $q, $l, $lp, $hp, $pr, $t, $u, $b, $e, $p, $pp, $gp, $s, $n,
-                    >(machine, spatial, level);
+                    >(machine, level).map(|block| block.0);
                 }
             )*
             None
@@ -349,7 +343,7 @@ pub(crate) fn build(machine: &Machine, level: Level) -> Result<Box<dyn Pinned>, 
     let block = match &machine.organisation {
         Organisation::Sequential | Organisation::Programmed(_) => find(machine, level),
         Organisation::Overlapped => overlap::build(machine, level),
-        Organisation::Spatial(spatial) => find_spatial(machine, spatial, level),
+        Organisation::Spatial(_) => find_spatial(machine, level),
     };
     let mut block = block.ok_or_else(|| NotBuiltIn::of(machine, level))?;
     block.connect_all();

@@ -7,6 +7,9 @@ use rust_hdl::prelude::*;
 use crate::emit::{BlockRam, ChannelNames};
 use crate::level::Level;
 
+/// A block of a machine.
+pub struct MachineBlock(pub(crate) Box<dyn Pinned>);
+
 /// A block whose inputs, outputs and registers are rows of numbers.
 pub(crate) trait Pinned: Block {
     /// Sets the clock pin, if the block has one.

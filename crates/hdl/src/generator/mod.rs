@@ -19,19 +19,18 @@ use photoncube_spec::{Machine, Pins, find_machine};
 use serde::de::DeserializeOwned;
 use thiserror::Error;
 
-use crate::build::{NotBuiltIn, sequential_block, spatial_block};
+use crate::build::NotBuiltIn;
 use crate::emit::{Emitted, Linted};
 use crate::level::Level;
-use crate::pinned::{Pinned, with_registers};
+use crate::pinned::with_registers;
 use protocol::{Design, EMIT, LINT, SIMULATE};
 
+pub use crate::build::{sequential, spatial};
+pub use crate::pinned::MachineBlock;
 pub use serve::serve;
 
-/// A block of a machine, for [`serve`].
-pub struct Block(pub(crate) Box<dyn Pinned>);
-
 /// Builds the block of a machine at a level; `None` where the machine has no such level.
-pub type Build = fn(&Machine, Level) -> Option<Block>;
+pub type Build = fn(&Machine, Level) -> Option<MachineBlock>;
 
 /// The reason why the generator of a custom machine does not work.
 #[derive(Debug, Error)]
@@ -98,58 +97,6 @@ pub enum GeneratorError {
 pub enum Step {
     /// cargo compiles a crate; the first generator compiles about a hundred, later ones compile one.
     Compiles(String),
-}
-
-/// The block of a sequential machine: the widths of the table in crates/hdl/src/build.rs.
-pub fn sequential<
-    const C: usize,
-    const H: usize,
-    const M: usize,
-    const Q: usize,
-    const R: usize,
-    const B: usize,
-    const E: usize,
-    const P: usize,
-    const V: usize,
-    const S: usize,
-    const A: usize,
-    const W: usize,
-    const X: usize,
-    const N: usize,
-    const G: usize,
->(
-    machine: &Machine,
-    level: Level,
-) -> Option<Block> {
-    sequential_block::<C, H, M, Q, R, B, E, P, V, S, A, W, X, N, G>(machine, level).map(Block)
-}
-
-/// The block of a spatial machine: the widths of the table in crates/hdl/src/build.rs.
-pub fn spatial<
-    const C: usize,
-    const H: usize,
-    const D: usize,
-    const R: usize,
-    const Q: usize,
-    const L: usize,
-    const LP: usize,
-    const HP: usize,
-    const PR: usize,
-    const T: usize,
-    const U: usize,
-    const B: usize,
-    const E: usize,
-    const P: usize,
-    const PP: usize,
-    const GP: usize,
-    const S: usize,
-    const N: usize,
->(
-    machine: &Machine,
-    level: Level,
-) -> Option<Block> {
-    let block = spatial_block::<C, H, D, R, Q, L, LP, HP, PR, T, U, B, E, P, PP, GP, S, N>;
-    block(machine, machine.spatial()?, level).map(Block)
 }
 
 /// The generator of a custom machine: built where the cache has none of today's sources, else the cached program.

@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use photoncube_spec::{Machine, find_machine};
 
 use super::protocol::{Design, EMIT, LINT, SIMULATE};
-use super::{Block, Build};
+use super::{Build, MachineBlock};
 use crate::emit::{emit_block, lint_block};
 use crate::level::Level;
 use crate::pinned::{Pinned, pins};
@@ -54,7 +54,7 @@ fn block(machine: &Machine, level: &str, build: Build) -> Answer<(Level, Box<dyn
     let levels = Level::of(machine);
     let found = levels.into_iter().find(|of| of.name() == level);
     let level = found.ok_or_else(|| format!("machine `{}` has no {level}", machine.name))?;
-    let Some(Block(mut block)) = build(machine, level) else {
+    let Some(MachineBlock(mut block)) = build(machine, level) else {
         return Err(format!("there is no {} of `{}`", level.name(), machine.name).into());
     };
     block.connect_all();

@@ -3,6 +3,7 @@
 use photoncube_model::{GatherError, Gathered, Instructions, PhotonPlanes, Surroundings};
 use rayon::prelude::*;
 
+use crate::geometry::morton;
 use crate::photon_map::PhotonMap;
 use crate::quantise::QuantisedMap;
 use crate::view::QueryPoint;
@@ -116,15 +117,9 @@ impl PhotonMap {
     pub(crate) fn sort_key(&self, query: &QueryPoint) -> (u64, [u64; 3]) {
         // Blocks outside the grid hold no photons to share.
         let block = self.place(query.position).0.to_array();
-        let [x, y, z] = block.map(|index| spread(index as u64));
         (
-            x | y << 1 | z << 2,
+            morton(block.map(|index| index as u64)),
             query.normal.to_array().map(f64::to_bits),
         )
     }
-}
-
-/// The low 21 bits, each followed by two zeros.
-fn spread(index: u64) -> u64 {
-    (0..21).fold(0, |code, bit| code | (index >> bit & 1) << (3 * bit))
 }

@@ -1,12 +1,14 @@
 //! The forms of surfaces, and the points where a ray meets them.
 
 mod mesh;
+mod morton;
 mod quad;
 mod sphere;
 
 use glam::DVec3;
 
 pub use mesh::{Mesh, MeshError};
+pub(crate) use morton::morton;
 pub use quad::Quad;
 pub use sphere::Sphere;
 

@@ -6,7 +6,7 @@ use glam::DVec3;
 use photoncube_spec::PhotonFormat;
 
 use super::Bounds;
-use super::leaves::morton;
+use crate::geometry::morton;
 use crate::photon_map::PhotonMap;
 use crate::quantise::QuantisedMap;
 use crate::trace::Facing;

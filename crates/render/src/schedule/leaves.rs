@@ -122,14 +122,3 @@ fn order(photons: &mut [u32], size: usize, position: &impl Fn(u32) -> [u16; 3]) 
     order(low, size, position);
     order(high, size, position);
 }
-
-/// The place on a Morton curve: the bits of the three coordinates, interleaved. Coordinates have at most 21 bits.
-pub(super) fn morton(place: [u64; 3]) -> u64 {
-    let [x, y, z] = place.map(spread);
-    x | y << 1 | z << 2
-}
-
-/// The low 21 bits, each followed by two zeros.
-fn spread(index: u64) -> u64 {
-    (0..21).fold(0, |code, bit| code | (index >> bit & 1) << (3 * bit))
-}
