@@ -12,6 +12,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use photoncube_hdl::Emitted;
+use photoncube_hdl::generator::user_cache;
 use tempfile::TempDir;
 
 use super::packing::Packing;
@@ -181,9 +182,10 @@ fn build_or_reuse(
     version: &str,
     scratch: &Path,
 ) -> Result<PathBuf, DeviceError> {
-    let Some(cache) = cache_folder() else {
+    let Some(cache) = user_cache() else {
         return build(sources, scratch);
     };
+    let cache = cache.join("photoncube/verilator");
     let text = [
         version,
         &sources.options().collect::<Vec<_>>().join(" "),
@@ -218,16 +220,6 @@ fn store(built: &Path, text: &str, cache: &Path, entry: &Path) -> Result<(), Err
         fs::remove_dir_all(entry)?;
     }
     fs::rename(fresh.keep(), entry)
-}
-
-/// The user's cache folder, by the XDG rules.
-fn cache_folder() -> Option<PathBuf> {
-    let folder = |name| std::env::var_os(name).map(PathBuf::from);
-    let absolute = |path: &PathBuf| path.is_absolute();
-    folder("XDG_CACHE_HOME")
-        .filter(absolute)
-        .or_else(|| Some(folder("HOME").filter(absolute)?.join(".cache")))
-        .map(|cache| cache.join("photoncube/verilator"))
 }
 
 /// Verilator's options. `unique`: values without initialisation start with random bits. The optimisation of

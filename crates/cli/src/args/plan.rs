@@ -31,8 +31,8 @@ pub struct PlanArgs {
     /// Photons of a leaf
     #[arg(long, default_value = "8,16", value_delimiter = ',', value_name = "LIST", value_parser = count(1..=MOST))]
     pub leaf: Vec<u32>,
-    /// Engines of a chain, which are the queries of a batch
-    #[arg(long, default_value = "8,16,64", value_delimiter = ',', value_name = "LIST", value_parser = count(1..=MOST))]
+    /// Engines of a chain, which are the queries of a batch [default: 8,16,64, those that the chip has]
+    #[arg(long, value_delimiter = ',', value_name = "LIST", value_parser = count(1..=MOST))]
     pub chain: Vec<u32>,
     /// A batch ends before its box is longer than this many radii; without the option three rows are shown: no such
     /// end, 1.5 and 1

@@ -16,7 +16,7 @@ use crate::args::FitArgs;
 use crate::failure::CheckFailed;
 use crate::fitted::{self, Choices, FormatRow, MachineChoice};
 use crate::hardware::PictureTime;
-use crate::{machines, output, project, scenes, sight};
+use crate::{machines, output, outputs, project, scenes, sight};
 
 #[derive(Serialize)]
 struct Report {
@@ -77,6 +77,10 @@ pub fn execute(args: &FitArgs, json: bool) -> Result<()> {
     let start = Instant::now();
     let options = args.options();
     let scene = scenes::load(&args.scene)?;
+    // A wrong folder is reported before the work.
+    if let Some(out) = &args.emit {
+        outputs::check_folder("--emit", out)?;
+    }
     sight::check(&scene, &options.bench.view)?;
     let fit = fitted::fit_with_bar(&scene, &options);
     let fit = sight::explained(fit, &scene, &options.bench.view)?;

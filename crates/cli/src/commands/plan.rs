@@ -53,6 +53,13 @@ struct Schedule {
 /// Plans a scene.
 pub fn execute(args: &PlanArgs, json: bool) -> Result<()> {
     let format = find_photon_format(&args.format)?;
+    let chains = chains(args);
+    if let Some(longer) = chains.iter().find(|chain| **chain > args.engines) {
+        return Err(anyhow!(
+            "--chain {longer}: found a chain longer than the {} engines of the chip; give a shorter one, or more --engines",
+            args.engines
+        ));
+    }
     let scene = scenes::load(&args.scene)?;
     let view = view(&args.picture);
     sight::check(&scene, &view)?;
@@ -71,10 +78,10 @@ pub fn execute(args: &PlanArgs, json: bool) -> Result<()> {
         None => LONGEST.to_vec(),
         given => vec![given],
     };
-    let count = args.leaf.len() * args.chain.len() * longest.len();
+    let count = args.leaf.len() * chains.len() * longest.len();
     let bar = progress::bar("planning", count as u64);
     let mut schedules = Vec::with_capacity(count);
-    for &queries_at_once in &args.chain {
+    for &queries_at_once in &chains {
         for &longest in &longest {
             let options = BatchOptions {
                 queries: queries_at_once,
@@ -107,8 +114,23 @@ pub fn execute(args: &PlanArgs, json: bool) -> Result<()> {
     output::print(json, &report, || text(&report))
 }
 
+/// The engines of chains, as given; else the usual ones, of which the chip has no longer ones than it has engines.
+fn chains(args: &PlanArgs) -> Vec<u32> {
+    if !args.chain.is_empty() {
+        return args.chain.clone();
+    }
+    let usual = [8, 16, 64]
+        .into_iter()
+        .filter(|chain| *chain <= args.engines);
+    let usual: Vec<_> = usual.collect();
+    match usual.is_empty() {
+        true => vec![args.engines],
+        false => usual,
+    }
+}
+
 fn schedule(leaf: u32, options: BatchOptions, cost: Cost, engines: u32, in_range: u64) -> Schedule {
-    let chains = (engines / options.queries).max(1);
+    let chains = engines / options.queries;
     let held = cost.queries as f64 / (cost.batches * u64::from(options.queries)) as f64;
     Schedule {
         leaf_photons: leaf,

@@ -3,9 +3,10 @@
 use std::fs;
 use std::path::Path;
 
+use photoncube_spec::find_machine;
 use serde_json::Value;
 
-use super::{SMALL_FIT, error, json, photoncube};
+use super::{RUN, SMALL_FIT, error, json, photoncube};
 
 /// A format that no named machine has.
 const FORMAT: &str = "local6x2-rgb4e2d-n4096";
@@ -94,6 +95,14 @@ fn without_cargo_or_the_sources_the_message_says_what_to_do() {
         assert!(message.contains(missing.to_str().unwrap()), "{message}");
     }
     assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
+}
+
+/// The machine of a run that was given none has exactly the format that the scene needs.
+#[test]
+fn a_run_takes_a_machine_of_the_fitted_format() {
+    let machine = RUN.report["machine"].as_str().unwrap();
+    let format = find_machine(machine).unwrap().format().unwrap();
+    assert_eq!(RUN.report["fitted"]["format"], format.name());
 }
 
 /// A scene whose format no named machine has: `fit` writes a machine of exactly this format, and `run` compares one.

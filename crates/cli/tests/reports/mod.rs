@@ -189,6 +189,8 @@ fn a_plan_has_a_row_for_each_size() {
     let tests = |row: usize| rows[row]["tests_per_photon_in_range"].as_f64().unwrap();
     // Rows 0 to 2 have chains of 4 engines, rows 3 to 5 of 16, each without an end, then with shorter boxes.
     assert!(tests(0) < tests(3));
+    let longer = error(&["plan", "cornell", "--engines", "8", "--chain", "16"], 2);
+    assert!(longer.contains("longer than the 8 engines"), "{longer}");
     let wrong = error(&["plan", "cornell", "--format", "local7"], 2);
     assert!(wrong.contains("there is no format `local7`"), "{wrong}");
 }

@@ -1,4 +1,4 @@
-//! The cache of generators: `photoncube/generators` in the user's cache folder, by the XDG rules.
+//! The cache of generators: `photoncube/generators` in the user's cache folder, or in that of temporary files.
 //!
 //! A generator is stored under the digest of its crate and of every source that it is built from, so a change of a source
 //! makes another generator.
@@ -40,7 +40,8 @@ pub(super) fn program(
     let sources = sources(machine)?;
     let text = package::program(machine);
     let digest = digest(&sources, &text)?;
-    let cache = cache_folder().join("photoncube/generators");
+    let cache = user_cache().unwrap_or_else(std::env::temp_dir);
+    let cache = cache.join("photoncube/generators");
     let program = cache.join(&digest);
     if !program.is_file() {
         let folder =
@@ -52,8 +53,13 @@ pub(super) fn program(
         let lock = sources.join("Cargo.lock");
         fs::copy(&lock, folder.join("Cargo.lock")).map_err(failed("copy", &lock))?;
         let built = cargo::build(machine.name, folder, &cache.join("target"), progress)?;
-        // A rename is atomic: another process sees all of the program or none.
-        fs::rename(&built, &program).map_err(failed("write", &program))?;
+        // A rename is atomic: another process sees all of the program or none. Where another process built the same program
+        // at the same time, it may have been the first to move it.
+        let moved = fs::rename(&built, &program);
+        moved.or_else(|error| match program.is_file() {
+            true => Ok(()),
+            false => Err(failed("write", &program)(error)),
+        })?;
     }
     found.insert(machine.name, program.clone());
     Ok(program)
@@ -124,12 +130,11 @@ fn failed(action: &'static str, path: &Path) -> impl Fn(io::Error) -> GeneratorE
     }
 }
 
-/// The user's cache folder; where there is none, that of temporary files.
-fn cache_folder() -> PathBuf {
+/// The user's cache folder, by the XDG rules; `None` where there is none.
+pub fn user_cache() -> Option<PathBuf> {
     let folder = |name| std::env::var_os(name).map(PathBuf::from);
     let absolute = |path: &PathBuf| path.is_absolute();
     folder("XDG_CACHE_HOME")
         .filter(absolute)
         .or_else(|| Some(folder("HOME").filter(absolute)?.join(".cache")))
-        .unwrap_or_else(std::env::temp_dir)
 }

@@ -27,6 +27,7 @@ use protocol::{Design, EMIT, LINT, SIMULATE};
 
 pub use crate::build::{sequential, spatial};
 pub use crate::pinned::MachineBlock;
+pub use cache::user_cache;
 pub use serve::serve;
 
 /// Builds the block of a machine at a level; `None` where the machine has no such level.

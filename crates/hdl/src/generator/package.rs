@@ -9,8 +9,8 @@ use crate::build::{sequential_sizes, spatial_sizes};
 /// The manifest, for the sources of photoncube in that folder. The digest makes the program's name its own, as all
 /// generators are built into one folder.
 pub(super) fn manifest(sources: &Path, digest: &str) -> String {
-    // A literal string, in which nothing is escaped; no path has a quote.
-    let path = |folder: &str| format!("'{}'", sources.join(folder).display());
+    // A string of JSON is one of TOML.
+    let path = |folder: &str| serde_json::json!(sources.join(folder).display().to_string());
     format!(
         "[package]\nname = \"photoncube-generator-{digest}\"\nversion = \"0.0.0\"\nedition = \"2024\"\npublish = false\n\n\
          [dependencies]\nphotoncube-hdl = {{ path = {}, default-features = false }}\n\n\
@@ -39,4 +39,28 @@ pub(super) fn program(machine: &Machine) -> String {
         name = machine.name,
         sizes = sizes.join(", "),
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use photoncube_spec::find_machine;
+
+    use super::*;
+
+    #[test]
+    fn the_crate_names_the_machine_its_widths_and_the_sources() {
+        let machine = find_machine("tile-5-local7-rgb6d-n4096").unwrap();
+        let text = program(machine);
+        let call = "serve(\"tile-5-local7-rgb6d-n4096\", spatial::<9, 9, 10, 7, 14, 15, 6, 4, 18, 15, 16, 6, 0, 6, 7, 8, 18, 13>)";
+        assert!(text.contains(call), "{text}");
+        let text = program(find_machine("sequential-local8-rgb8e5").unwrap());
+        assert!(
+            text.contains("sequential::<10, 10, 8, 16, 16, 8, 5, 32, 34, 52, 4, 15, 4, 16, 4>")
+        );
+        let manifest = manifest(Path::new("/it's \"here\""), "1");
+        assert!(
+            manifest.contains(r#"path = "/it's \"here\"/crates/hdl""#),
+            "{manifest}"
+        );
+    }
 }

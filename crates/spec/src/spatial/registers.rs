@@ -60,7 +60,7 @@ pub enum EngineRegister {
     Lookup,
     /// d^2 as one product, in full; on half steps d (d + 1).
     Product,
-    /// d^2 modulo 2^(2 r). A squarer from digits gives the square of |d| modulo 2^r, which is a different
+    /// d^2 modulo 2^(2 r); on half steps d (d + 1) modulo 2^(2 r). A squarer from digits gives the square of |d| modulo 2^r, which is a different
     /// number where |d| exceeds r bits; the number is then unused.
     Square,
     /// |d| exceeds r bits.
