@@ -112,10 +112,11 @@ pub enum ProgramsError {
     /// The device or the stimulus fails.
     #[error(transparent)]
     Verify(#[from] VerifyError),
-    /// The machine runs no microprogram of one op a clock.
+    /// The machine runs no microprogram of one op a clock, or is a custom machine, of which only its own program is
+    /// compiled.
     #[error(
-        "machine `{0}` runs no microprogram of one op a clock; `photoncube list` says which do: \
-         paper and paper-5d, for example"
+        "machine `{0}` is not built with other programs: expected a named machine that runs one op a clock, such as \
+         paper or paper-5d; `photoncube list` says which do"
     )]
     NoProgram(&'static str),
 }
