@@ -205,7 +205,10 @@ impl<'a> Comparer<'a> {
         let differing = (0..self.visible).filter(differs);
         // The control block causes differences in the cells, and both cause differences in the outputs.
         let rank = |&column: &usize| match self.pins.observed[column].place {
-            SignalPlace::Control(_) | SignalPlace::Head { .. } | SignalPlace::Memory { .. } => 0,
+            SignalPlace::Control(_)
+            | SignalPlace::Head { .. }
+            | SignalPlace::Memory { .. }
+            | SignalPlace::Leaf { .. } => 0,
             SignalPlace::Cell { .. } | SignalPlace::Engine { .. } => 1,
             SignalPlace::Top => 2,
         };

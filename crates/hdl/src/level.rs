@@ -34,6 +34,7 @@ impl Level {
                 vec![Self::Machine, Self::SquarePair, Self::Memory]
             }
             Organisation::Spatial(_) => vec![Self::Machine, Self::SquarePair],
+            Organisation::Leaf(_) => vec![Self::Machine],
         }
     }
 

@@ -24,6 +24,7 @@ mod build;
 mod defaults;
 mod emit;
 pub mod generator;
+mod leaf;
 mod level;
 mod overlap;
 mod parts;

@@ -2,6 +2,7 @@
 
 use photoncube_spec::{Inputs, Machine, Organisation, Outputs};
 
+use crate::leaf::LeafMachine;
 use crate::overlap::OverlapMachine;
 use crate::sequential::StepMachine;
 use crate::spatial::SpatialMachine;
@@ -36,5 +37,6 @@ pub fn golden_machine(machine: &Machine) -> Box<dyn GoldenMachine> {
         }
         Organisation::Overlapped => Box::new(OverlapMachine::new(machine)),
         Organisation::Spatial(_) => Box::new(SpatialMachine::new(machine)),
+        Organisation::Leaf(_) => Box::new(LeafMachine::new(machine)),
     }
 }

@@ -1,7 +1,8 @@
 //! The golden model: the results and the registers of a machine, in plain integers.
 //!
 //! The crate has two independent readings of the spec. A [`GoldenMachine`] models the hardware register by
-//! register, in every clock ([`StepMachine`] runs programs, [`SpatialMachine`] is a pipeline). [`gather`] is
+//! register, in every clock ([`StepMachine`] runs programs, [`SpatialMachine`] is a pipeline, [`LeafMachine`] a pipeline
+//! behind a memory). [`gather`] is
 //! the sum over photons that a machine must return. A property test shows that both agree. [`Gather`]
 //! computes this sum over blocks of stored records, in the numbers of any machine; [`PhotonPlanes`] computes
 //! it fast in a photon format, bit for bit. The crate does no I/O, uses no HDL, and shares no
@@ -21,6 +22,7 @@
 
 mod gather;
 mod golden;
+mod leaf;
 mod overlap;
 mod planes;
 mod sequential;
@@ -30,6 +32,7 @@ pub use gather::{
     CountError, Gather, GatherError, Limits, PackError, RangeError, gather, pack, unpack,
 };
 pub use golden::{GoldenMachine, golden_machine};
+pub use leaf::LeafMachine;
 pub use overlap::{CellPorts, OverlapCell, OverlapMachine};
 pub use planes::{Gathered, Instructions, LEAF, PhotonPlanes, Surroundings};
 pub use sequential::{CellInputs, CellRules, CellState, StepMachine};

@@ -51,6 +51,7 @@ fn run(machine: &Machine, queries: usize) -> Seen {
             group: Group {
                 lanes: photons.clone(),
                 last: true,
+                facing: 0,
             },
             result_ready: true,
             ..Inputs::default()

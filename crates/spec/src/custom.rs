@@ -6,7 +6,8 @@
 //!
 //! - `sequential`: the paper's 16 cells;
 //! - `stream`: one engine, each query with a radius of its own;
-//! - `tile-D`: `2^(D - 4)` engines in a chain, D from 4 to 10, with the radius of the format.
+//! - `tile-D`: `2^(D - 4)` engines in a chain, D from 4 to 10, with the radius of the format;
+//! - `leaf-D`: the chain of `tile-D` behind a memory that skips the photons far from a batch of queries.
 //!
 //! `stream-local6x2-rgb4d-n4096` is an example. Squares are made from digits where there is a squarer from digits for the
 //! format, and as one product elsewhere.
@@ -18,6 +19,7 @@ use thiserror::Error;
 
 use crate::formats::{Numbers, PhotonFormat, Squarer, UnknownFormat, Widths, find_photon_format};
 use crate::hypercube::Hypercube;
+use crate::leaf::Leaf;
 use crate::machine::Machine;
 use crate::organisation::Organisation;
 use crate::spatial::pipelines::{DIGITS, FINE, PRODUCT};
@@ -35,6 +37,11 @@ pub enum CustomOrganisation {
         /// The dimension of the hypercube: `2^(dimension - 4)` engines.
         dimension: u32,
     },
+    /// The chain of a tile behind a memory of leaves, whose banks hold the photons of the format, see [`Leaf`].
+    Leaf {
+        /// The dimension of the hypercube: `2^(dimension - 4)` engines.
+        dimension: u32,
+    },
 }
 
 /// The error of a custom machine.
@@ -42,7 +49,7 @@ pub enum CustomOrganisation {
 pub enum CustomError {
     /// There is no such organisation.
     #[error(
-        "there is no organisation `{0}` of custom machines; expected sequential, stream, or tile-4 to tile-10"
+        "there is no organisation `{0}` of custom machines; expected sequential, stream, tile-4 to tile-10, or leaf-4 to leaf-10"
     )]
     Organisation(String),
     /// The name of the format is not one.
@@ -71,8 +78,12 @@ impl CustomOrganisation {
     /// There is none; the error lists those there are.
     pub fn from_name(name: &str) -> Result<Self, CustomError> {
         let dimensions = Hypercube::MIN_DIMENSION..=Hypercube::MAX_DIMENSION;
-        let tiles = dimensions.map(|dimension| Self::Tile { dimension });
-        let mut all = [Self::Sequential, Self::Stream].into_iter().chain(tiles);
+        let tiles = dimensions.clone().map(|dimension| Self::Tile { dimension });
+        let leaves = dimensions.map(|dimension| Self::Leaf { dimension });
+        let mut all = [Self::Sequential, Self::Stream]
+            .into_iter()
+            .chain(tiles)
+            .chain(leaves);
         let found = all.find(|organisation| organisation.name() == name);
         found.ok_or_else(|| CustomError::Organisation(name.to_owned()))
     }
@@ -83,6 +94,7 @@ impl CustomOrganisation {
             Self::Sequential => "sequential".to_owned(),
             Self::Stream => "stream".to_owned(),
             Self::Tile { dimension } => format!("tile-{dimension}"),
+            Self::Leaf { dimension } => format!("leaf-{dimension}"),
         }
     }
 
@@ -90,10 +102,10 @@ impl CustomOrganisation {
         let cells = match self {
             Self::Sequential => "16 cells that do one instruction a clock".to_owned(),
             Self::Stream => "one engine of 16 cells that keep their instructions".to_owned(),
-            Self::Tile { dimension } => match 1 << (dimension - Hypercube::MIN_DIMENSION) {
-                1 => "one engine".to_owned(),
-                engines => format!("{engines} engines in a chain"),
-            },
+            Self::Tile { dimension } => chain(dimension),
+            Self::Leaf { dimension } => {
+                format!("{} behind a memory of leaves", chain(dimension))
+            }
         };
         format!("{cells}, the photon format {}", format.name())
     }
@@ -101,15 +113,15 @@ impl CustomOrganisation {
     fn dimension(self) -> u32 {
         match self {
             Self::Sequential | Self::Stream => Hypercube::MIN_DIMENSION,
-            Self::Tile { dimension } => dimension,
+            Self::Tile { dimension } | Self::Leaf { dimension } => dimension,
         }
     }
 
-    fn of_machine(self, squarer: Squarer) -> Organisation {
+    fn of_machine(self, squarer: Squarer, format: &PhotonFormat) -> Organisation {
         let (query_axes, radius, cuts) = match self {
             Self::Sequential => return Organisation::Sequential,
             Self::Stream => (0, Radius::Query, FINE),
-            Self::Tile { dimension } => (
+            Self::Tile { dimension } | Self::Leaf { dimension } => (
                 dimension - Hypercube::MIN_DIMENSION,
                 Radius::Format,
                 match squarer {
@@ -118,13 +130,27 @@ impl CustomOrganisation {
                 },
             ),
         };
-        Organisation::Spatial(Spatial {
+        let chain = Spatial {
             query_axes,
             radius,
             cuts,
             others: &[],
             memory_groups: 0,
-        })
+        };
+        match self {
+            Self::Leaf { .. } => Organisation::Leaf(Leaf {
+                chain,
+                bank_groups: Leaf::groups_for(format.max_photons),
+            }),
+            _ => Organisation::Spatial(chain),
+        }
+    }
+}
+
+fn chain(dimension: u32) -> String {
+    match 1 << (dimension - Hypercube::MIN_DIMENSION) {
+        1 => "one engine".to_owned(),
+        engines => format!("{engines} engines in a chain"),
     }
 }
 
@@ -150,14 +176,14 @@ pub fn custom_machine(
     let machine = Machine {
         name: name.clone().leak(),
         summary: organisation.summary(format).leak(),
-        organisation: organisation.of_machine(Squarer::Digits),
+        organisation: organisation.of_machine(Squarer::Digits, format),
         dimension: organisation.dimension(),
         numbers: Numbers::Local(*format),
         squarer: Squarer::Digits,
     };
     let machine = checked(machine).or_else(|_| {
         checked(Machine {
-            organisation: organisation.of_machine(Squarer::Product),
+            organisation: organisation.of_machine(Squarer::Product, format),
             squarer: Squarer::Product,
             ..machine
         })
@@ -206,6 +232,7 @@ mod tests {
             "stream-local12x2-rgb16e4-n4096",
             "tile-4-local7-rgb6d-n4096",
             "tile-10-local4-mono1-n8",
+            "leaf-7-local7-rgb6d-n4096",
         ] {
             let machine = find_machine(name).unwrap();
             assert_eq!(machine.name, name);
@@ -243,6 +270,10 @@ mod tests {
                 "position_bits is 3, expected 4 to 12",
             ),
             ("stream-local7-rgb", "there is no format `local7-rgb`"),
+            (
+                "leaf-7-local7-rgb6d",
+                "groups of a bank is 262144, expected 8 to 65536",
+            ),
             (
                 "stream-local7-rgb16e8-n4294967296",
                 "bits of a sum is 72, expected 1 to 64",

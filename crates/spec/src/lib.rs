@@ -24,6 +24,7 @@ mod custom;
 mod formats;
 mod hypercube;
 mod interface;
+mod leaf;
 mod machine;
 mod machines;
 mod nearest;
@@ -49,6 +50,7 @@ pub use formats::{
 };
 pub use hypercube::{Axis, Hypercube, Role};
 pub use interface::{Direction, Fact, Interface, Port};
+pub use leaf::{Leaf, LeafRegister, LeafRow, LeafSizes};
 pub use machine::Machine;
 pub use machines::{MACHINES, UnknownMachine, find_machine};
 pub use nearest::did_you_mean;
@@ -63,4 +65,4 @@ pub use spatial::{
     Cut, Cuts, ENGINE_REGISTERS, EngineKind, EngineRegister, EngineRow, EngineUnits, FlowRow,
     HeadRegister, HeadSizes, Instances, MemoryRegister, Radius, Spatial, SpatialError,
 };
-pub use stream::{Group, Inputs, Lane, Outputs, Photon, Query, Sums};
+pub use stream::{BatchPins, Group, Inputs, Lane, Outputs, Photon, Query, Sums};

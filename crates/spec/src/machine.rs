@@ -4,6 +4,7 @@
 use crate::cell::{CellTables, OVERLAPPED, SEQUENTIAL};
 use crate::formats::{Channels, Numbers, PhotonFormat, PlainFormat, Squarer};
 use crate::hypercube::Hypercube;
+use crate::leaf::Leaf;
 use crate::organisation::{Organisation, Rate};
 use crate::overlap;
 use crate::sequential::Microprogram;
@@ -37,7 +38,7 @@ impl Machine {
         match &self.organisation {
             Organisation::Sequential | Organisation::Programmed(_) => Some(&SEQUENTIAL),
             Organisation::Overlapped => Some(&OVERLAPPED),
-            Organisation::Spatial(_) => None,
+            Organisation::Spatial(_) | Organisation::Leaf(_) => None,
         }
     }
 
@@ -46,7 +47,7 @@ impl Machine {
         match &self.organisation {
             Organisation::Sequential => Some(Microprogram::all_reduce(self.hypercube())),
             Organisation::Programmed(program) => Some(program.microprogram()),
-            Organisation::Overlapped | Organisation::Spatial(_) => None,
+            Organisation::Overlapped | Organisation::Spatial(_) | Organisation::Leaf(_) => None,
         }
     }
 
@@ -60,13 +61,37 @@ impl Machine {
             .then(|| overlap::Program::rotated().expect("the scheduler finds a program"))
     }
 
-    /// The parameters of a spatial machine beside its numbers; `None` for other organisations.
+    /// The parameters of a spatial machine beside its numbers, or those of a leaf machine's chain; `None` for other
+    /// organisations.
     pub fn spatial(&self) -> Option<&Spatial> {
         match &self.organisation {
             Organisation::Spatial(spatial) => Some(spatial),
+            Organisation::Leaf(leaf) => Some(&leaf.chain),
             Organisation::Sequential | Organisation::Programmed(_) | Organisation::Overlapped => {
                 None
             }
+        }
+    }
+
+    /// The parameters of a leaf machine beside its numbers; `None` for other organisations.
+    pub fn leaf(&self) -> Option<&Leaf> {
+        match &self.organisation {
+            Organisation::Leaf(leaf) => Some(leaf),
+            _ => None,
+        }
+    }
+
+    /// Whether the machine reads in sets of photons and keeps them for several batches: in a photon memory or in leaves.
+    pub fn keeps_sets(&self) -> bool {
+        self.bank_groups().is_some()
+    }
+
+    /// Groups of a set at most, in a machine that keeps sets; `None` in others.
+    pub fn bank_groups(&self) -> Option<u32> {
+        match (self.leaf(), self.spatial()) {
+            (Some(leaf), _) => Some(leaf.bank_groups),
+            (None, Some(spatial)) if spatial.memory_groups > 0 => Some(spatial.memory_groups),
+            _ => None,
         }
     }
 

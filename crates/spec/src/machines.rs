@@ -317,6 +317,7 @@ pub fn find_machine(name: &str) -> Result<&'static Machine, UnknownMachine> {
 mod tests {
     use super::*;
     use crate::formats::Widths;
+    use crate::leaf::Leaf;
     use crate::overlap;
     use crate::sequential::check_schedule;
 
@@ -335,7 +336,8 @@ mod tests {
                     let verdict = overlap::check_program(&program);
                     assert_eq!(verdict, Ok(()), "{}", machine.name);
                 }
-                Organisation::Spatial(spatial) => {
+                Organisation::Spatial(spatial)
+                | Organisation::Leaf(Leaf { chain: spatial, .. }) => {
                     assert_eq!(spatial.check(machine), Ok(()), "{}", machine.name);
                 }
             }

@@ -1,5 +1,6 @@
 //! The organisation of a machine: how its work is laid out over its cells and clocks.
 
+use crate::leaf::Leaf;
 use crate::sequential::OwnProgram;
 use crate::spatial::Spatial;
 
@@ -14,6 +15,8 @@ pub enum Organisation {
     Overlapped,
     /// Every cell keeps its instruction, and data flows through registers; see [`Spatial`].
     Spatial(Spatial),
+    /// A chain of engines behind a memory that skips the photons far from a batch; see [`Leaf`].
+    Leaf(Leaf),
 }
 
 /// The rate at which a machine takes groups in the steady state: `groups` in every `clocks` clocks.

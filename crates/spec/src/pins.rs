@@ -6,9 +6,10 @@
 
 use crate::cell::{self, OVERLAPPED, Register, SEQUENTIAL};
 use crate::formats::Widths;
+use crate::leaf::{self, Leaf, LeafRegister};
 use crate::machine::Machine;
 use crate::spatial::{EngineRegister, HeadRegister, MemoryRegister, SpatialPins};
-use crate::stream::{Group, Inputs, Lane, Outputs, Photon, Query, Sums};
+use crate::stream::{BatchPins, Group, Inputs, Lane, Outputs, Photon, Query, Sums};
 
 /// A signal with its width. Its Verilog name is that at the top level or in the trace module.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -49,6 +50,13 @@ pub enum SignalPlace {
         /// The index among several such registers; see [`MemoryRegister`].
         index: usize,
     },
+    /// A register of a leaf machine before its chain.
+    Leaf {
+        /// The register.
+        register: LeafRegister,
+        /// The index among several such registers; see [`LeafRegister`].
+        index: usize,
+    },
     /// A register of an engine of a spatial machine.
     Engine {
         /// The engine's number; engine 0 is next to the head.
@@ -87,6 +95,9 @@ impl Pins {
         if let Some(program) = machine.overlap_program() {
             observed.extend(cell::pins(machine, &OVERLAPPED, &program.control_widths()));
         }
+        if let Some(leaf) = machine.leaf() {
+            observed.extend(leaf::registers(machine, leaf));
+        }
         if let Some(spatial) = machine.spatial() {
             observed.extend(SpatialPins::of(machine, spatial).registers());
         }
@@ -112,9 +123,17 @@ impl Pins {
                 .has_radius
                 .then_some(u64::from(inputs.query.radius_sq)),
         );
-        row.extend(shape.has_memory.then_some(u64::from(inputs.query_release)));
+        row.extend(shape.keeps_sets.then_some(u64::from(inputs.query_release)));
+        if shape.has_leaves {
+            row.extend([
+                u64::from(inputs.batch.last),
+                u64::from(inputs.batch.facings),
+                u64::from(inputs.batch.tag),
+            ]);
+        }
         row.push(u64::from(inputs.group_valid));
         row.push(u64::from(inputs.group.last));
+        row.extend(shape.has_leaves.then_some(u64::from(inputs.group.facing)));
         for lane in &inputs.group.lanes {
             row.push(u64::from(lane.present));
             row.extend(lane.photon.position.map(u64::from));
@@ -150,9 +169,18 @@ impl Pins {
                 None => next() as u32,
             },
         };
-        let query_release = shape.has_memory && next() != 0;
+        let query_release = shape.keeps_sets && next() != 0;
+        let batch = match shape.has_leaves {
+            true => BatchPins {
+                last: next() != 0,
+                facings: next() as u32,
+                tag: next() as u32,
+            },
+            false => BatchPins::default(),
+        };
         let group_valid = next() != 0;
         let last = next() != 0;
+        let facing = if shape.has_leaves { next() as u32 } else { 0 };
         let mut lane = || {
             let present = next() != 0;
             let mut photon = Photon {
@@ -175,8 +203,13 @@ impl Pins {
             query_valid,
             query,
             query_release,
+            batch,
             group_valid,
-            group: Group { lanes, last },
+            group: Group {
+                lanes,
+                last,
+                facing,
+            },
             result_ready: next() != 0,
         }
     }
@@ -192,6 +225,7 @@ impl Pins {
         let powers = &outputs.result.power[..PhotonPins::of(machine).channels];
         row.extend(powers.iter().map(|&power| power as u64));
         row.push(outputs.result.count);
+        row.extend(machine.leaf().map(|_| u64::from(outputs.result_tag)));
         row
     }
 
@@ -211,6 +245,10 @@ impl Pins {
                 power: std::array::from_fn(|channel| power(channel).unwrap_or(0)),
                 count: sums[channels],
             },
+            result_tag: match machine.leaf() {
+                Some(_) => sums[channels + 1] as u32,
+                None => 0,
+            },
         }
     }
 }
@@ -221,7 +259,8 @@ struct PhotonPins {
     channels: usize,
     has_exponent: bool,
     has_radius: bool,
-    has_memory: bool,
+    keeps_sets: bool,
+    has_leaves: bool,
 }
 
 impl PhotonPins {
@@ -230,7 +269,8 @@ impl PhotonPins {
             channels: machine.channels().names().len(),
             has_exponent: Widths::of(machine).exponent > 0,
             has_radius: machine.fixed_radius_sq().is_none(),
-            has_memory: machine.has_memory(),
+            keeps_sets: machine.keeps_sets(),
+            has_leaves: machine.leaf().is_some(),
         }
     }
 }
@@ -251,11 +291,19 @@ fn input_pins(machine: &Machine, widths: &Widths) -> Vec<Pin> {
     if machine.fixed_radius_sq().is_none() {
         pins.push(top("query_radius_sq", widths.radius_sq));
     }
-    if machine.has_memory() {
+    if machine.keeps_sets() {
         pins.push(top("query_release", 1));
+    }
+    if machine.leaf().is_some() {
+        pins.push(top("query_last", 1));
+        pins.push(top("query_facings", Leaf::FACINGS));
+        pins.push(top("query_tag", Leaf::TAG_BITS));
     }
     pins.push(top("group_valid", 1));
     pins.push(top("group_last", 1));
+    if machine.leaf().is_some() {
+        pins.push(top("group_facing", Leaf::FACING_BITS));
+    }
     for lane in 0..machine.photons_per_iteration() {
         pins.push(top(format!("photon_present_{lane}"), 1));
         for coordinate in PHOTON_COORDINATES {
@@ -282,17 +330,26 @@ fn output_pins(machine: &Machine, widths: &Widths) -> Vec<Pin> {
         pins.push(top(format!("result_{channel}"), widths.sum));
     }
     pins.push(top(format!("result_{COUNT}"), widths.count));
+    if machine.leaf().is_some() {
+        pins.push(top("result_tag", Leaf::TAG_BITS));
+    }
     pins
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::machines::MACHINES;
+    use crate::machines::{MACHINES, find_machine};
+
+    /// The named machines and a leaf machine.
+    fn machines() -> Vec<&'static Machine> {
+        let leaf = find_machine("leaf-5-local7-rgb6d-n4096").unwrap();
+        MACHINES.iter().chain([leaf]).collect()
+    }
 
     #[test]
     fn rows_have_a_value_for_each_pin_and_are_read_back() {
-        for machine in MACHINES {
+        for machine in machines() {
             let pins = Pins::of(machine);
             let shape = PhotonPins::of(machine);
             let mut values = 1..;
@@ -313,13 +370,22 @@ mod tests {
                     position: [101, 102, 103],
                     radius_sq: machine.fixed_radius_sq().unwrap_or(104),
                 },
-                query_release: machine.has_memory(),
+                query_release: machine.keeps_sets(),
+                batch: match machine.leaf() {
+                    Some(_) => BatchPins {
+                        last: true,
+                        facings: 105,
+                        tag: 106,
+                    },
+                    None => BatchPins::default(),
+                },
                 group_valid: true,
                 group: Group {
                     lanes: (0..machine.photons_per_iteration())
                         .map(&mut lane)
                         .collect(),
                     last: true,
+                    facing: if machine.leaf().is_some() { 7 } else { 0 },
                 },
                 result_ready: true,
             };
@@ -338,6 +404,7 @@ mod tests {
                 group_ready: false,
                 result_valid: true,
                 result: Sums { power, count: 4 },
+                result_tag: if machine.leaf().is_some() { 5 } else { 0 },
             };
             let row = Pins::output_row(machine, &outputs);
             assert_eq!(row.len(), pins.outputs);
@@ -347,7 +414,7 @@ mod tests {
 
     #[test]
     fn names_are_unique() {
-        for machine in MACHINES {
+        for machine in machines() {
             let pins = Pins::of(machine);
             let mut names: Vec<_> = pins.inputs.iter().chain(&pins.observed).collect();
             let all = names.len();

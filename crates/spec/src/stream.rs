@@ -39,6 +39,8 @@ pub struct Group {
     pub lanes: Vec<Lane>,
     /// Whether it is the last group of its query.
     pub last: bool,
+    /// The facing of its photons, less than [`crate::Leaf::FACINGS`]; 0 but in a leaf machine.
+    pub facing: u32,
 }
 
 /// The sums of a query over the photons in range.
@@ -51,6 +53,17 @@ pub struct Sums {
     pub count: u64,
 }
 
+/// The words of the query stream that only a leaf machine has.
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq, Hash)]
+pub struct BatchPins {
+    /// The query is the last of its batch.
+    pub last: bool,
+    /// The facings that the batch gathers, bit i for facing i. The batch has those of its first query.
+    pub facings: u32,
+    /// The tag that the query's result has, [`crate::Leaf::TAG_BITS`] wide.
+    pub tag: u32,
+}
+
 /// The values of the machine's input pins in one clock. Words are present whether or not they are valid, as
 /// on real wires; a machine must ignore a word that is not valid.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -61,8 +74,10 @@ pub struct Inputs {
     pub query_valid: bool,
     /// The query stream's word.
     pub query: Query,
-    /// Marks a query whose batch is the last on its set of photons; for machines with a photon memory.
+    /// Marks a query whose batch is the last on its set of photons; for machines that keep sets.
     pub query_release: bool,
+    /// The further words of the query stream; for leaf machines.
+    pub batch: BatchPins,
     /// The group stream's valid. Once high it must stay high, with the word unchanged, until the group is
     /// taken.
     pub group_valid: bool,
@@ -83,6 +98,8 @@ pub struct Outputs {
     pub result_valid: bool,
     /// The result; meaningful while `result_valid`.
     pub result: Sums,
+    /// The tag of the result's query; 0 while not `result_valid`, and in machines without leaves.
+    pub result_tag: u32,
 }
 
 impl Group {

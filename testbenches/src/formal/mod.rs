@@ -109,6 +109,7 @@ fn properties(machine: &Machine, design: &Emitted) -> Vec<Property> {
         Organisation::Sequential | Organisation::Programmed(_) => sequential::properties(machine),
         Organisation::Overlapped => overlap::properties(machine),
         Organisation::Spatial(_) => spatial::properties(machine, &has_module),
+        Organisation::Leaf(_) => Vec::new(),
     }
 }
 

@@ -208,6 +208,7 @@ impl<'a> MemoryWalk<'a> {
         Group {
             lanes: vec![Lane::default(); Spatial::LANES],
             last: false,
+            facing: 0,
         }
     }
 
@@ -293,6 +294,7 @@ impl<'a> MemoryWalk<'a> {
         Group {
             lanes: lanes.collect(),
             last,
+            facing: 0,
         }
     }
 

@@ -68,11 +68,10 @@ pub(super) fn full_bank(
     seed: u64,
     sink: &mut Sink<'_>,
 ) -> Result<ControlFlow<()>, StimulusError> {
-    let spatial = machine.spatial().filter(|_| machine.has_memory());
-    let spatial = spatial.ok_or(StimulusError::NoBank {
+    let groups = machine.bank_groups().ok_or(StimulusError::NoBank {
         machine: machine.name,
     })?;
-    let held = spatial.memory_groups as usize;
+    let held = groups as usize;
     let driver = &mut Driver::new(machine, sink);
     if driver.begin_chunk(0, seed)?.is_break() {
         return Ok(ControlFlow::Break(()));
@@ -111,11 +110,10 @@ fn sets(machine: &Machine, driver: &mut Driver<'_>, held: usize) -> Vec<Case> {
             group.last = false;
         }
         for batch in 1..=set.batches {
-            let queries = cases.case().queries;
             all.push(Case {
-                queries,
                 groups: first.groups.clone(),
                 keeps_photons: batch < set.batches,
+                ..cases.case()
             });
         }
     }

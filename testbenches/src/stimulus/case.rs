@@ -1,6 +1,6 @@
 //! A case: the queries that a machine tests at once, with their groups.
 
-use photoncube_spec::{Group, Lane, Machine, Photon, Query, Widths};
+use photoncube_spec::{Group, Lane, Leaf, Machine, Photon, Query, Widths};
 
 use super::aim::Aim;
 
@@ -9,16 +9,18 @@ use super::aim::Aim;
 /// mark.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Case {
-    /// The queries, [`Machine::queries_at_once`] of them.
+    /// The queries, [`Machine::queries_at_once`] of them; in a leaf machine at most as many.
     pub queries: Vec<Query>,
     pub groups: Vec<Group>,
+    /// The facings that the queries gather, in a leaf machine; 0 in others.
+    pub facings: u32,
     /// Whether the next case has these groups too, so that a machine with a photon memory keeps them.
     pub keeps_photons: bool,
 }
 
 impl Case {
     /// Packs the photons of a scene, in their order, into a case. Where there are fewer queries than the
-    /// machine tests at once, the last query is repeated. Absent lanes carry the first query point at full
+    /// machine tests at once, the last query is repeated, but in a leaf machine. Absent lanes carry the first query point at full
     /// power, so that a machine which wrongly counts one shows it.
     ///
     /// # Panics
@@ -28,7 +30,11 @@ impl Case {
         let last = *queries.last().expect("a case has a query");
         let at_once = machine.queries_at_once();
         assert!(queries.len() <= at_once);
-        let repeats = std::iter::repeat_n(last, at_once - queries.len());
+        let repeats = match machine.leaf() {
+            Some(_) => 0,
+            None => at_once - queries.len(),
+        };
+        let repeats = std::iter::repeat_n(last, repeats);
         let queries: Vec<_> = queries.iter().copied().chain(repeats).collect();
         let absent = Lane {
             present: false,
@@ -48,11 +54,13 @@ impl Case {
             Group {
                 lanes,
                 last: index + 1 == count,
+                facing: 0,
             }
         });
         Self {
             groups: groups.collect(),
             queries,
+            facings: all_facings(machine),
             keeps_photons: false,
         }
     }
@@ -66,7 +74,12 @@ impl Case {
         let lanes = vec![Lane::default(); machine.photons_per_iteration()];
         Self {
             queries: vec![query; machine.queries_at_once()],
-            groups: vec![Group { lanes, last: true }],
+            groups: vec![Group {
+                lanes,
+                last: true,
+                facing: 0,
+            }],
+            facings: 0,
             keeps_photons: false,
         }
     }
@@ -100,11 +113,23 @@ impl Case {
         let group = Group {
             lanes: lanes.collect(),
             last: false,
+            facing: 0,
         };
         let count = usize::try_from(photons).expect("a test's photons fit the memory");
         let mut groups = vec![group; count];
         groups[count - 1].last = true;
         Self { groups, ..one }
+    }
+
+    /// The photons that a query of the case gathers, if they are in range. The facing of a leaf is that with its last group.
+    pub fn gathered(&self, machine: &Machine) -> Vec<Photon> {
+        let leaves = self.groups.chunks(Leaf::GROUPS);
+        let gathers = |leaf: &&[Group]| match (machine.leaf(), leaf.last()) {
+            (Some(_), Some(last)) => self.facings >> last.facing & 1 == 1,
+            _ => true,
+        };
+        let groups = leaves.filter(gathers).flatten();
+        groups.flat_map(Group::photons).collect()
     }
 
     /// `photons` photons of full power, all in range.
@@ -115,6 +140,14 @@ impl Case {
             ..Query::default()
         };
         Self::pack(machine, &[query], &vec![full_scale(machine); count])
+    }
+}
+
+/// The set of all facings; 0 in a machine that knows none.
+fn all_facings(machine: &Machine) -> u32 {
+    match machine.leaf() {
+        Some(_) => u32::MAX,
+        None => 0,
     }
 }
 

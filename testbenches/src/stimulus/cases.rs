@@ -1,6 +1,6 @@
 //! Random queries and photons, weighted towards the corners where a datapath fails.
 
-use photoncube_spec::{Group, Lane, Machine, Photon, Query, Widths};
+use photoncube_spec::{BatchPins, Group, Lane, Leaf, Machine, Photon, Query, Widths};
 use rand::{Rng, RngExt};
 
 use super::aim::Aim;
@@ -31,6 +31,8 @@ pub(crate) struct Cases<'a, R> {
     largest_radius_sq: u32,
     fixed_radius_sq: Option<u32>,
     at_once: usize,
+    /// Whether batches may have fewer queries, and photons have facings.
+    has_leaves: bool,
     lanes: usize,
     max_photons: u64,
     rng: &'a mut R,
@@ -45,6 +47,7 @@ impl<'a, R: Rng> Cases<'a, R> {
             largest_radius_sq: machine.numbers.largest_radius_word(),
             fixed_radius_sq: machine.fixed_radius_sq(),
             at_once: machine.queries_at_once(),
+            has_leaves: machine.leaf().is_some(),
             lanes: machine.photons_per_iteration(),
             max_photons: machine.max_photons(),
             rng,
@@ -76,12 +79,13 @@ impl<'a, R: Rng> Cases<'a, R> {
             position,
             radius_sq: self.radius_sq(self.aim.distance_sq(position, pivot)),
         };
-        let others = (1..self.at_once).map(|_| self.companion(first));
+        let others = (1..self.batch()).map(|_| self.companion(first));
         let queries = [first].into_iter().chain(others).collect();
         let count = groups.unwrap_or_else(|| self.count());
         let groups = (0..count).map(|index| Group {
             lanes: self.lanes(theme, position, pivot),
             last: index + 1 == count,
+            facing: self.facing(),
         });
         let mut groups: Vec<_> = groups.collect();
         // A query has no more photons than the format declares.
@@ -92,7 +96,37 @@ impl<'a, R: Rng> Cases<'a, R> {
         Case {
             queries,
             groups,
+            facings: self.facings(),
             keeps_photons: false,
+        }
+    }
+
+    /// The number of queries of a case.
+    fn batch(&mut self) -> usize {
+        match self.has_leaves && self.rng.random() {
+            true => self.rng.random_range(1..=self.at_once),
+            false => self.at_once,
+        }
+    }
+
+    /// The facing of a group: mostly one of two, so that leaves of a set have it too.
+    fn facing(&mut self) -> u32 {
+        match self.has_leaves {
+            false => 0,
+            true if self.rng.random_ratio(1, 4) => self.rng.random_range(0..Leaf::FACINGS),
+            true => self.rng.random_range(0..2) * (Leaf::FACINGS - 1),
+        }
+    }
+
+    /// The facings that a batch gathers: all of them, some, or one.
+    fn facings(&mut self) -> u32 {
+        if !self.has_leaves {
+            return 0;
+        }
+        match self.rng.random_range(0..4) {
+            0 => self.rng.random(),
+            1 => 1 << self.facing(),
+            _ => u32::MAX,
         }
     }
 
@@ -311,9 +345,22 @@ impl<'a, R: Rng> Cases<'a, R> {
         }
     }
 
+    /// Random words for the query pins of a leaf machine.
+    pub fn garbage_batch(&mut self) -> BatchPins {
+        match self.has_leaves {
+            false => BatchPins::default(),
+            true => BatchPins {
+                last: self.rng.random(),
+                facings: self.rng.random(),
+                tag: self.uniform(Leaf::TAG_BITS),
+            },
+        }
+    }
+
     /// Fills `group` with random words, for its pins while they are not valid.
     pub fn garbage_group(&mut self, group: &mut Group) {
         group.last = self.rng.random();
+        group.facing = self.facing();
         for lane in &mut group.lanes {
             lane.present = self.rng.random();
             lane.photon = Photon {

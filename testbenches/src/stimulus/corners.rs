@@ -8,15 +8,14 @@ use super::case::Case;
 struct Most {
     together: u64,
     in_lane: u64,
-    /// The most groups of a query; `None` without a photon memory, where there is no limit.
+    /// The most groups of a query; `None` in a machine that keeps no sets, where there is no limit.
     groups: Option<u64>,
 }
 
 impl Most {
     fn of(machine: &Machine) -> Self {
         let together = machine.max_photons();
-        let spatial = machine.spatial().filter(|_| machine.has_memory());
-        let groups = spatial.map(|spatial| u64::from(spatial.memory_groups));
+        let groups = machine.bank_groups().map(u64::from);
         Self {
             together,
             in_lane: groups.map_or(together, |groups| together.min(groups)),

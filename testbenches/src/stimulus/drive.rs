@@ -5,8 +5,8 @@ use std::ops::ControlFlow;
 
 use photoncube_model::{GoldenMachine, gather, golden_machine};
 use photoncube_spec::{
-    Group, HeadSizes, Inputs, Lane, Machine, Microprogram, Organisation, Outputs, Pins, Query,
-    check_schedule,
+    BatchPins, Group, HeadSizes, Inputs, Lane, Leaf, Machine, Microprogram, Organisation, Outputs,
+    Pins, Query, check_schedule,
 };
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
@@ -345,11 +345,37 @@ impl<'a> Driver<'a> {
             Some(case) if wanted => self.releases(case, index, batch),
             _ => traffic.garbage && self.rng.random(),
         };
+        inputs.batch = match batch.cases.get(case) {
+            Some(case) if wanted => self.batch_pins(case, batch.next_query),
+            _ if traffic.garbage => Cases::new(self.machine, &mut self.rng).garbage_batch(),
+            _ => BatchPins::default(),
+        };
         inputs.query = match next {
             Some(query) if wanted || !traffic.garbage => query,
             _ if traffic.garbage => Cases::new(self.machine, &mut self.rng).garbage_query(),
             _ => self.idle_inputs().query,
         };
+    }
+
+    /// The words that go with a query of a case. The facings of the batch are those of its first query, and what ends with as
+    /// many queries as the machine tests at once needs no mark.
+    fn batch_pins(&mut self, case: &Case, next: (usize, usize)) -> BatchPins {
+        let noise = Cases::new(self.machine, &mut self.rng).garbage_batch();
+        if self.machine.leaf().is_none() {
+            return noise;
+        }
+        let (_, index) = next;
+        let is_last = index + 1 == case.queries.len();
+        let is_full = index + 1 == self.machine.queries_at_once();
+        BatchPins {
+            last: is_last && (!is_full || noise.last),
+            facings: if index == 0 {
+                case.facings
+            } else {
+                noise.facings
+            },
+            tag: tag(next),
+        }
     }
 
     /// Whether a query releases the photons of its batch. One query of the batch is enough. All of them
@@ -391,10 +417,11 @@ impl<'a> Driver<'a> {
         }
         if outputs.result_valid && inputs.result_ready {
             let taken = batch.in_flight.pop_front();
-            let (case, index) = taken.expect("a result is only of a query that was taken");
-            let case = &batch.cases[case];
+            let (number, index) = taken.expect("a result is only of a query that was taken");
+            let case = &batch.cases[number];
             self.block.results += 1;
             self.check_result(case, case.queries[index], outputs, batch.occupied)?;
+            self.check_tag((number, index), outputs)?;
             if index + 1 == case.queries.len() {
                 self.iterations += case.groups.len() as u64;
                 self.block.iterations += case.groups.len() as u64;
@@ -414,8 +441,7 @@ impl<'a> Driver<'a> {
         if !self.gathers {
             return Ok(());
         }
-        let photons = case.groups.iter().flat_map(Group::photons);
-        let gathered = gather(self.machine, &query, photons)?;
+        let gathered = gather(self.machine, &query, case.gathered(self.machine))?;
         let groups = case.groups.len() as u64;
         let program = self.program.as_ref();
         let program_clocks = program.map_or(machine_clocks, |p| p.occupied_clocks(groups));
@@ -432,11 +458,29 @@ impl<'a> Driver<'a> {
         })
     }
 
+    /// Compares the tag of a result with that of its query.
+    fn check_tag(&self, taken: (usize, usize), outputs: Outputs) -> Result<(), StimulusError> {
+        let expected = match self.machine.leaf() {
+            Some(_) => tag(taken),
+            None => 0,
+        };
+        match outputs.result_tag == expected {
+            true => Ok(()),
+            false => Err(StimulusError::Tag {
+                machine: self.machine.name,
+                seed: self.block.seed,
+                clock: self.clocks,
+                found: outputs.result_tag,
+                expected,
+            }),
+        }
+    }
+
     fn idle_inputs(&self) -> Inputs {
         Inputs {
             group: Group {
                 lanes: vec![Lane::default(); self.machine.photons_per_iteration()],
-                last: false,
+                ..Group::default()
             },
             query: Query {
                 radius_sq: self.machine.fixed_radius_sq().unwrap_or(0),
@@ -482,6 +526,13 @@ impl<'a> Driver<'a> {
         }
         (self.sink)(block)
     }
+}
+
+/// The tag of a query, by its case and its index in the case.
+fn tag((case, index): (usize, usize)) -> u32 {
+    let number = case << 6 | index;
+    // An odd factor makes all bits of neighbouring tags differ.
+    (number as u32).wrapping_mul(0x9E37) & ((1 << Leaf::TAG_BITS) - 1)
 }
 
 /// Whether the machine computes a gather: all machines do, except those with a user's program that the

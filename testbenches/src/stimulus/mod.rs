@@ -59,7 +59,7 @@ pub enum Source<'a> {
     /// fewer, all in range and all in that lane. The sum of one lane is then as large as a whole sum. A
     /// photon memory's bank has as many photons in a lane as it holds groups.
     LaneAlone,
-    /// For a machine with a photon memory: banks filled to their last place with and without a last group
+    /// For a machine that keeps sets: banks filled to their last place with and without a last group
     /// there, and to one place less. Each is played, released and kept. Then a reset comes at each clock
     /// around the end of filling and of playing such a bank.
     FullBank,
@@ -68,7 +68,7 @@ pub enum Source<'a> {
 impl Source<'_> {
     /// The corners that random stimulus reaches too rarely, as far as the machine has them.
     pub fn corners(machine: &Machine) -> Vec<Self> {
-        let bank = machine.has_memory().then_some(Self::FullBank);
+        let bank = machine.keeps_sets().then_some(Self::FullBank);
         let corners = bank.into_iter();
         corners
             .chain([Self::FullThenEmpty, Self::LaneAlone])
@@ -130,9 +130,26 @@ pub enum StimulusError {
         /// The clocks that the program should take.
         program_clocks: u64,
     },
+    /// A result has not the tag of its query.
+    #[error(
+        "the golden model of `{machine}` is wrong: seed {seed}, clock {clock}: the result has the tag {found}, its query {expected}"
+    )]
+    Tag {
+        /// The name of the machine.
+        machine: &'static str,
+        /// The seed of the chunk.
+        seed: u64,
+        /// The clock, counted from the chunk's start.
+        clock: u64,
+        /// The tag of the result.
+        found: u32,
+        /// The tag of the query.
+        expected: u32,
+    },
     /// A bank is to be filled, and the machine has no photon memory.
     #[error(
-        "machine `{machine}` has no photon memory, so no bank to fill; `photoncube list` says which machines have one"
+        "machine `{machine}` keeps no sets of photons, so it has no bank to fill; `photoncube list` says which machines have a \
+         photon memory"
     )]
     NoBank {
         /// The name of the machine.
@@ -270,7 +287,7 @@ fn random_chunk(
         let count = rng.random_range(1..=MAX_RANDOM_BATCH);
         let idle = rng.random_range(0..4);
         let mut cases = Cases::new(machine, rng);
-        let batch = cases.cases(count, machine.has_memory());
+        let batch = cases.cases(count, machine.keeps_sets());
         if driver.run(&batch, traffic)?.is_break() || driver.idle(idle).is_break() {
             return Ok(ControlFlow::Break(()));
         }
@@ -320,7 +337,7 @@ fn workload(
                 cases.push(packed(machine, together)?);
             }
             for case in cases[first..].iter_mut().rev().skip(1) {
-                case.keeps_photons = machine.has_memory();
+                case.keeps_photons = machine.keeps_sets();
             }
         }
         if driver.run(&cases, Traffic::STREAMING)?.is_break() {

@@ -82,7 +82,7 @@ fn stalls(
 ) -> Result<ControlFlow<()>, StimulusError> {
     for _ in 0..batches {
         let traffic = Traffic::any(driver.rng(), false);
-        let cases = Cases::new(machine, driver.rng()).cases(4, machine.has_memory());
+        let cases = Cases::new(machine, driver.rng()).cases(4, machine.keeps_sets());
         if driver.run(&cases, traffic)?.is_break() || driver.idle(2).is_break() {
             return Ok(ControlFlow::Break(()));
         }
@@ -100,7 +100,7 @@ fn paces(
     count: usize,
 ) -> Result<ControlFlow<()>, StimulusError> {
     for &paces in all {
-        let cases = Cases::new(machine, driver.rng()).cases(count, machine.has_memory());
+        let cases = Cases::new(machine, driver.rng()).cases(count, machine.keeps_sets());
         if driver.run(&cases, traffic(paces))?.is_break() {
             return Ok(ControlFlow::Break(()));
         }
@@ -177,7 +177,7 @@ fn resets(driver: &mut Driver<'_>, machine: &Machine) -> Result<ControlFlow<()>,
 /// The most sets that are given after a reset. A photon memory starts with one bank after each reset. With
 /// one set after a reset, the next reset finds the other bank in use; with two sets, the first bank.
 pub(super) fn sets_behind(machine: &Machine) -> usize {
-    1 + usize::from(machine.has_memory())
+    1 + usize::from(machine.keeps_sets())
 }
 
 /// Generates the resets with `sets` sets after each.

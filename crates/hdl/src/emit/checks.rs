@@ -34,6 +34,13 @@ const HAND_WRITTEN: &[&str] = &[
     "group_last_delay",
     "first_copy",
     "done_copy",
+    "group_words",
+    "box_words",
+    "pair_ram",
+    "mask_ram",
+    "flag_ram",
+    "tag_ram",
+    "kind_ram",
 ];
 
 /// The parts of a design that the lint read, and its findings.

@@ -4,7 +4,7 @@
 //! its own. The *generator* of a machine is a small crate that names the widths and calls [`serve`]. This module writes
 //! the crate, builds it with cargo, keeps the program in the user's cache under the digest of all its sources, and asks
 //! it for what [`crate::emit`] and the simulation need. The named machines are rows of the same two functions,
-//! [`sequential`] and [`spatial`].
+//! [`sequential`], [`spatial`] and [`leaf`].
 
 mod cache;
 mod cargo;
@@ -25,7 +25,7 @@ use crate::level::Level;
 use crate::pinned::with_registers;
 use protocol::{Design, EMIT, LINT, SIMULATE};
 
-pub use crate::build::{sequential, spatial};
+pub use crate::build::{leaf, sequential, spatial};
 pub use crate::pinned::MachineBlock;
 pub use cache::user_cache;
 pub use serve::serve;

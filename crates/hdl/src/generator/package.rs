@@ -4,7 +4,7 @@ use std::path::Path;
 
 use photoncube_spec::{Machine, Organisation};
 
-use crate::build::{sequential_sizes, spatial_sizes};
+use crate::build::{leaf_sizes, sequential_sizes, spatial_sizes};
 
 /// The manifest, for the sources of photoncube in that folder. The digest makes the program's name its own, as all
 /// generators are built into one folder.
@@ -28,6 +28,7 @@ pub(super) fn manifest(sources: &Path, digest: &str) -> String {
 pub(super) fn program(machine: &Machine) -> String {
     let (function, sizes) = match &machine.organisation {
         Organisation::Spatial(_) => ("spatial", spatial_sizes(machine)),
+        Organisation::Leaf(_) => ("leaf", leaf_sizes(machine)),
         _ => ("sequential", sequential_sizes(machine)),
     };
     let sizes: Vec<_> = sizes.iter().map(ToString::to_string).collect();

@@ -7,7 +7,7 @@
 //! machine's set of pipeline registers states.
 
 mod admission;
-mod arithmetic;
+pub(crate) mod arithmetic;
 mod copy;
 mod delay;
 mod digits;
@@ -15,18 +15,18 @@ mod engine;
 mod flags;
 mod head;
 mod hidden;
-mod lane;
+pub(crate) mod lane;
 mod lookup;
 mod machine;
 mod memory;
 mod pinned;
 mod presence;
 mod queue;
-mod registers;
-mod square;
-mod stage;
+pub(crate) mod registers;
+pub(crate) mod square;
+pub(crate) mod stage;
 mod sums;
-mod wiring;
+pub(crate) mod wiring;
 
 pub(crate) use lookup::square_word;
 pub(crate) use machine::SpatialMachine;

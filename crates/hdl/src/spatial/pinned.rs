@@ -79,6 +79,14 @@ impl<
             _ => unreachable!("a spatial machine has a head and engines"),
         }
     }
+
+    /// The value of a register in the simulation.
+    pub(crate) fn register_value(&self, place: SignalPlace) -> u64 {
+        match self.ask(place, Ask::Value) {
+            Answer::Value(value) => value,
+            Answer::Path(_) => unreachable!("a value was asked for"),
+        }
+    }
 }
 
 impl<
@@ -141,12 +149,7 @@ impl<
         sample!(self, row: query_ready, group_ready, result_valid);
         row.extend(self.result.iter().map(|result| result.val().number()));
         sample!(self, row: result_count);
-        for &place in &self._places {
-            match self.ask(place, Ask::Value) {
-                Answer::Value(value) => row.push(value),
-                Answer::Path(_) => unreachable!("a value was asked for"),
-            }
-        }
+        row.extend(self._places.iter().map(|&place| self.register_value(place)));
     }
 
     fn register_path(&self, place: SignalPlace) -> Option<String> {

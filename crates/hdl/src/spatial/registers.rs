@@ -9,7 +9,7 @@ use crate::pinned::Word;
 
 /// The property of a register that a caller wants.
 #[derive(Copy, Clone)]
-pub(super) enum Ask {
+pub(crate) enum Ask {
     /// The register's value in the simulation.
     Value,
     /// The register's path in the emitted text.
@@ -17,7 +17,7 @@ pub(super) enum Ask {
 }
 
 /// The value or path of a register.
-pub(super) enum Answer {
+pub(crate) enum Answer {
     /// The register's value in the simulation.
     Value(u64),
     /// The register's path below the block.
@@ -25,34 +25,36 @@ pub(super) enum Answer {
 }
 
 /// A field's name in the text. A register inside hand-written text has a field with `_` before its name.
-fn visible(field: &str) -> &str {
+pub(crate) fn visible(field: &str) -> &str {
     field.trim_start_matches('_')
 }
 
-macro_rules! path {
+macro_rules! path_of {
     ($name:ident; $a:ident [$i:expr] . $($rest:tt)+) => {
-        $name += &format!("{}_{}.", visible(stringify!($a)), $i);
-        path!($name; $($rest)+);
+        $name += &format!("{}_{}.", $crate::spatial::registers::visible(stringify!($a)), $i);
+        $crate::spatial::registers::path_of!($name; $($rest)+);
     };
     ($name:ident; $a:ident . $($rest:tt)+) => {
-        $name += &format!("{}.", visible(stringify!($a)));
-        path!($name; $($rest)+);
+        $name += &format!("{}.", $crate::spatial::registers::visible(stringify!($a)));
+        $crate::spatial::registers::path_of!($name; $($rest)+);
     };
-    ($name:ident; $a:ident) => { $name += visible(stringify!($a)); };
+    ($name:ident; $a:ident) => { $name += $crate::spatial::registers::visible(stringify!($a)); };
 }
 
 macro_rules! register {
     ($ask:ident, $block:ident, $($path:tt)+) => {
         match $ask {
-            Ask::Value => Answer::Value($block.$($path)+.val().number()),
-            Ask::Path => {
+            $crate::spatial::registers::Ask::Value => $crate::spatial::registers::Answer::Value($block.$($path)+.val().number()),
+            $crate::spatial::registers::Ask::Path => {
                 let mut name = String::new();
-                path!(name; $($path)+);
-                Answer::Path(name)
+                $crate::spatial::registers::path_of!(name; $($path)+);
+                $crate::spatial::registers::Answer::Path(name)
             }
         }
     };
 }
+
+pub(crate) use {path_of, register};
 
 const AXES: usize = 3;
 const LANES: usize = Spatial::LANES;

@@ -9,7 +9,7 @@ use rust_hdl::core::ast::{VerilogExpression, VerilogStatement};
 use rust_hdl::prelude::Verilog;
 
 /// The purpose of a run through a block's wires.
-pub(super) enum Wiring {
+pub(crate) enum Wiring {
     /// The run copies values, in the simulation.
     Update,
     /// The run claims the signals that are driven.
@@ -19,10 +19,10 @@ pub(super) enum Wiring {
 }
 
 /// Target and source of each wire, with the target's name as rust-hdl prints it.
-pub(super) type Wires = Vec<(String, VerilogExpression)>;
+pub(crate) type Wires = Vec<(String, VerilogExpression)>;
 
 /// Prints the Verilog of wires.
-pub(super) fn verilog(wires: &Wires) -> Verilog {
+pub(crate) fn verilog(wires: &Wires) -> Verilog {
     let assign = |(to, from): &(String, VerilogExpression)| {
         VerilogStatement::Assignment(VerilogExpression::Signal(to.clone()), from.clone())
     };
@@ -119,4 +119,4 @@ macro_rules! with_wires {
     }};
 }
 
-pub(super) use {logic_of_wires, wire_name, wires, with_wires, zeros};
+pub(crate) use {logic_of_wires, wire_name, wires, with_wires, zeros};

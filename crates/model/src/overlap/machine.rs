@@ -179,6 +179,7 @@ impl GoldenMachine for OverlapMachine {
                 power: [Role::X, Role::Y, Role::Z].map(|role| sum(role).into()),
                 count: sum(Role::D),
             },
+            ..Outputs::default()
         }
     }
 

@@ -147,6 +147,7 @@ impl GoldenMachine for StepMachine {
                 power: power.map(u128::from),
                 count: sum(Role::D),
             },
+            ..Outputs::default()
         }
     }
 

@@ -83,6 +83,7 @@ impl Head {
             group_ready,
             result_valid: self.has_result,
             result: self.word,
+            ..Outputs::default()
         }
     }
 

@@ -251,7 +251,7 @@ impl PhotonMemory {
     pub fn of(machine: &Machine, spatial: &Spatial) -> Option<Self> {
         let nothing = Group {
             lanes: vec![Lane::default(); Spatial::LANES],
-            last: false,
+            ..Group::default()
         };
         let bank = vec![nothing.clone(); spatial.memory_groups as usize];
         machine.has_memory().then(|| Self {

@@ -55,6 +55,20 @@ impl SpatialMachine {
                 .collect(),
         }
     }
+
+    /// Appends the registers in the order of [`photoncube_spec::Pins`].
+    pub(crate) fn observe_registers(&self, row: &mut Vec<u64>) {
+        let channels = self.machine.channels().names().len();
+        self.head.observe(&self.machine, row);
+        if let Some(memory) = &self.memory {
+            memory.observe(row);
+        }
+        if let Some(spatial) = self.machine.spatial() {
+            for engine in &self.engines {
+                engine.observe(spatial, channels, row);
+            }
+        }
+    }
 }
 
 impl GoldenMachine for SpatialMachine {
@@ -70,16 +84,7 @@ impl GoldenMachine for SpatialMachine {
 
     fn observe(&self, inputs: &Inputs, row: &mut Vec<u64>) {
         row.extend(Pins::output_row(&self.machine, &self.outputs(inputs)));
-        let channels = self.machine.channels().names().len();
-        self.head.observe(&self.machine, row);
-        if let Some(memory) = &self.memory {
-            memory.observe(row);
-        }
-        if let Some(spatial) = self.machine.spatial() {
-            for engine in &self.engines {
-                engine.observe(spatial, channels, row);
-            }
-        }
+        self.observe_registers(row);
     }
 
     fn clock(&mut self, inputs: &Inputs) {

@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 
 use photoncube_model::{GoldenMachine, gather, golden_machine};
-use photoncube_spec::{Group, Inputs, Machine, Outputs, Pins, Query, SignalPlace, Sums};
+use photoncube_spec::{BatchPins, Group, Inputs, Machine, Outputs, Pins, Query, SignalPlace, Sums};
 
 use crate::words::Noise;
 
@@ -171,6 +171,7 @@ impl Driver {
             query: query.copied().unwrap_or_else(|| self.noise.query()),
             // Every batch has its own photons.
             query_release: self.machine.has_memory(),
+            batch: BatchPins::default(),
             group_valid: group.is_some(),
             group: group.cloned().unwrap_or_else(|| self.noise.group()),
             result_ready: !waits.result,

@@ -73,6 +73,7 @@ impl Noise {
         Group {
             lanes: (0..4).map(|_| self.lane()).collect(),
             last: self.random.below(2) == 0,
+            facing: 0,
         }
     }
 
@@ -196,6 +197,7 @@ pub fn batch(machine: &Machine, most_groups: usize) -> impl Strategy<Value = Bat
             let with_last = |(index, lanes)| Group {
                 lanes,
                 last: index + 1 == count,
+                facing: 0,
             };
             Batch {
                 queries,

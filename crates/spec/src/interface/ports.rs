@@ -89,9 +89,17 @@ fn meaning(machine: &Machine, stem: &str) -> String {
         "query_release" => {
             "any query of a batch may set it: the set of photons is given up behind that batch"
         }
+        "query_last" => {
+            "the query is the last of its batch, which may have fewer queries than the machine has engines"
+        }
+        "query_facings" => {
+            "the facings that the batch gathers, bit i for facing i; those of its first query count"
+        }
+        "query_tag" => "any number; the query's result has it",
         "group_valid" => "a group is on the group_ and photon_ pins",
         "group_ready" => "the group is taken at this edge, if it is valid",
-        "group_last" if machine.has_memory() => "this group ends its set",
+        "group_facing" => "the facing of the leaf's photons; that with its last group counts",
+        "group_last" if machine.keeps_sets() => "this group ends its set",
         "group_last" if machine.queries_at_once() == 1 => "this group is the last of its query",
         "group_last" => "this group is the last of its batch of queries",
         "photon_present" => {
@@ -102,6 +110,7 @@ fn meaning(machine: &Machine, stem: &str) -> String {
         "photon_exponent" => return exponent(machine),
         "result_valid" => "a result is on the result_ pins; it stays until it is taken",
         "result_ready" => "the result is taken at this edge, if it is valid",
+        "result_tag" => "the tag of the result's query; 0 where there is no result",
         "result_count" => "photons in range",
         "result_red" | "result_green" | "result_blue" | "result_power" => {
             "sum of the powers in range, in power units"

@@ -16,13 +16,24 @@ pub(super) fn protocol(machine: &Machine) -> Vec<String> {
             .to_owned(),
         limits(machine),
     ];
-    if machine.has_memory() {
-        rules.insert(2, memory(machine));
+    if machine.keeps_sets() {
+        rules.insert(2, sets(machine));
+    }
+    if machine.leaf().is_some() {
+        rules.insert(3, leaves());
     }
     rules
 }
 
 fn order(machine: &Machine) -> String {
+    if let Some(leaf) = machine.leaf() {
+        return format!(
+            "A batch is the queries up to one with query_last, at most {}; those after query_last begin the next. Each query gives \
+             one result, with its query_tag, in the order of the queries: the sums over the photons of the set in range \
+             whose facing the batch gathers.",
+            leaf.chain.engines()
+        );
+    }
     match (machine.queries_at_once(), machine.has_memory()) {
         (1, _) => "A query, then its groups, of which the last has group_last, give one result; results come in the \
                    order of the queries. A query has at least one group, which may be empty of photons."
@@ -40,14 +51,22 @@ fn order(machine: &Machine) -> String {
     }
 }
 
-/// The rules that only machines with a photon memory have.
-fn memory(machine: &Machine) -> String {
-    let groups = machine.spatial().map_or(0, |spatial| spatial.memory_groups);
+/// The rules that only machines have that keep sets.
+fn sets(machine: &Machine) -> String {
+    let groups = machine.bank_groups().unwrap_or(0);
     format!(
         "A set of groups, up to group_last, is read in once and played to batch after batch, until a batch with \
          query_release. Two sets fit: one is read in while the other is played. A set holds at most {groups} groups; group \
          {groups} ends it with or without group_last, and what follows begins the next set."
     )
+}
+
+/// The rules that only leaf machines have.
+fn leaves() -> String {
+    "A leaf is two groups of a set that follow each other, the first two and so on. All its photons have one facing, and their \
+     order means nothing. A leaf is skipped where the box around its photons is out of range of the box around the batch's \
+     queries, so photons of a leaf should be close together, and so should queries of a batch."
+        .to_owned()
 }
 
 fn ready(machine: &Machine) -> &'static str {
@@ -56,7 +75,7 @@ fn ready(machine: &Machine) -> &'static str {
             "Ready pins: group_ready depends on group_last, and query_ready on group_valid and group_last, in the same clock \
              (a path through the machine from pin to pin); where group_valid is 0, group_ready means nothing."
         }
-        (Organisation::Spatial(_), true) => {
+        (Organisation::Spatial(_), true) | (Organisation::Leaf(_), _) => {
             "Ready and valid pins are registers, or depend on registers alone."
         }
         _ => {

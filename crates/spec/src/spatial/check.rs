@@ -5,6 +5,7 @@ use thiserror::Error;
 use super::{Cut, EngineKind, Spatial};
 use crate::formats::{FormatError, PhotonFormat, Squarer, Widths};
 use crate::hypercube::Hypercube;
+use crate::leaf::Leaf;
 use crate::machine::Machine;
 
 /// The reason why a spatial machine cannot be built.
@@ -135,6 +136,13 @@ impl Spatial {
     /// Checks that a memory bank holds `max_photons`. A set of photons is no larger than that, so it fits the
     /// bank.
     fn check_memory(&self, machine: &Machine) -> Result<(), SpatialError> {
+        if let Some(leaf) = machine.leaf() {
+            let limits = [Leaf::FEWEST_GROUPS.into(), Self::MOST_MEMORY_GROUPS];
+            return self.check_fields(
+                machine.name,
+                [("groups of a bank", leaf.bank_groups, limits)],
+            );
+        }
         let found = self.memory_groups;
         let needed = machine.max_photons().div_ceil(Self::LANES as u64);
         if found == 0 || (found.is_power_of_two() && u64::from(found) >= needed) {

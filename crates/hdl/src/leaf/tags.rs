@@ -1,0 +1,96 @@
+//! Gives results the tags of their queries, and drops those of fillers.
+
+use rust_hdl::prelude::*;
+
+use super::ram::AsyncRam;
+use crate::defaults::defaulted;
+
+/// The queue of tags. `TB` bits of a place, `RB` of a result's number in its batch.
+#[derive(LogicBlock)]
+pub(crate) struct Tags<const TB: usize, const RB: usize> {
+    pub clock: Signal<In, Clock>,
+    pub reset: Signal<In, Bit>,
+    pub takes_token: Signal<In, Bit>,
+    pub takes_query: Signal<In, Bit>,
+    pub query_tag: Signal<In, Bits<16>>,
+    pub chain_valid: Signal<In, Bit>,
+    pub result_ready: Signal<In, Bit>,
+    pub chain_ready: Signal<Out, Bit>,
+    pub result_valid: Signal<Out, Bit>,
+    pub result_tag: Signal<Out, Bits<16>>,
+    /// The last result of a batch is taken from the chain.
+    pub batch_leaves: Signal<Out, Bit>,
+    pub tag_write: DFF<Bits<TB>>,
+    pub tag_read: DFF<Bits<TB>>,
+    pub tag_result: DFF<Bits<RB>>,
+    tag_ram: AsyncRam<TB, 16>,
+    kind_ram: AsyncRam<TB, 1>,
+    is_query_in: Signal<Local, Bits<1>>,
+    last_result: Constant<Bits<RB>>,
+    is_query: Signal<Local, Bit>,
+    valid: Signal<Local, Bit>,
+    ready: Signal<Local, Bit>,
+    takes: Signal<Local, Bit>,
+    is_last: Signal<Local, Bit>,
+}
+
+impl<const TB: usize, const RB: usize> Tags<TB, RB> {
+    /// Builds the queue for that many engines.
+    pub fn new(engines: u32) -> Self {
+        defaulted!(Self {
+            last_result: Constant::new(u64::from(engines - 1).to_bits()),
+        };
+            clock reset takes_token takes_query query_tag chain_valid result_ready chain_ready result_valid
+            result_tag batch_leaves tag_write tag_read tag_result tag_ram kind_ram is_query_in is_query valid ready
+            takes is_last
+        )
+    }
+}
+
+impl<const TB: usize, const RB: usize> Logic for Tags<TB, RB> {
+    #[hdl_gen]
+    fn update(&mut self) {
+        dff_setup!(self, clock, tag_write, tag_read, tag_result);
+        self.tag_ram.clock.next = self.clock.val();
+        self.kind_ram.clock.next = self.clock.val();
+        self.is_query_in.next = 0.into();
+        if self.takes_query.val() {
+            self.is_query_in.next = 1.into();
+        }
+        self.tag_ram.write.next = self.takes_token.val();
+        self.tag_ram.write_place.next = self.tag_write.q.val();
+        self.tag_ram.write_word.next = self.query_tag.val();
+        self.tag_ram.read_place.next = self.tag_read.q.val();
+        self.kind_ram.write.next = self.takes_token.val();
+        self.kind_ram.write_place.next = self.tag_write.q.val();
+        self.kind_ram.write_word.next = self.is_query_in.val();
+        self.kind_ram.read_place.next = self.tag_read.q.val();
+        self.is_query.next = self.kind_ram.read_word.val().any();
+        self.valid.next = self.chain_valid.val() & self.is_query.val();
+        self.ready.next = self.result_ready.val() | !self.is_query.val();
+        self.takes.next = self.chain_valid.val() & self.ready.val();
+        self.is_last.next = self.tag_result.q.val() == self.last_result.val();
+        if self.takes_token.val() {
+            self.tag_write.d.next = self.tag_write.q.val() + 1;
+        }
+        if self.takes.val() {
+            self.tag_read.d.next = self.tag_read.q.val() + 1;
+            self.tag_result.d.next = self.tag_result.q.val() + 1;
+            if self.is_last.val() {
+                self.tag_result.d.next = 0.into();
+            }
+        }
+        if self.reset.val() {
+            self.tag_write.d.next = 0.into();
+            self.tag_read.d.next = 0.into();
+            self.tag_result.d.next = 0.into();
+        }
+        self.chain_ready.next = self.ready.val();
+        self.result_valid.next = self.valid.val();
+        self.result_tag.next = 0.into();
+        if self.valid.val() {
+            self.result_tag.next = self.tag_ram.read_word.val();
+        }
+        self.batch_leaves.next = self.takes.val() & self.is_last.val();
+    }
+}

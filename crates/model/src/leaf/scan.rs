@@ -1,0 +1,248 @@
+//! The boxes of all leaves of a set are compared with the box of a batch.
+
+use std::collections::VecDeque;
+
+use photoncube_spec::{Leaf, LeafSizes, Machine};
+
+use super::Events;
+use super::boxes::{Bounds, Boxes, LeafBox};
+use super::former::Former;
+
+/// The geometry of the comparison. Places are in half steps of the queries.
+#[derive(Copy, Clone, Debug)]
+struct Geometry {
+    extra_bits: u32,
+    /// Twice the radius, squared.
+    limit: u64,
+}
+
+impl Geometry {
+    fn of(machine: &Machine) -> Self {
+        let format = machine
+            .format()
+            .expect("a leaf machine has a photon format");
+        Self {
+            extra_bits: format.query_extra_bits,
+            limit: u64::from(2 * format.radius_steps()).pow(2),
+        }
+    }
+
+    /// Whether two boxes are within the radius of each other. The middles of two cells of unequal sizes are at least a
+    /// half step apart on each axis.
+    fn is_in_range(self, queries: Bounds, leaf: Bounds) -> bool {
+        let least = u64::from(self.extra_bits > 0);
+        let gaps = [0, 1, 2].map(|axis| {
+            let query = |place: u32| 2 * place + 1;
+            let photon = |place: u32| (2 * place + 1) << self.extra_bits;
+            let (low, high) = (photon(leaf.low[axis]), photon(leaf.high[axis]));
+            let gap = if low > query(queries.high[axis]) {
+                low - query(queries.high[axis])
+            } else {
+                query(queries.low[axis]).saturating_sub(high)
+            };
+            u64::from(gap).max(least)
+        });
+        let distance: u64 = gaps.iter().map(|gap| gap * gap).sum();
+        distance <= self.limit - least
+    }
+}
+
+/// A pair of leaves that is compared.
+#[derive(Copy, Clone, Debug, Default)]
+pub(super) struct Pair {
+    pub(super) valid: bool,
+    pub(super) pair: usize,
+    pub(super) bank: usize,
+    pub(super) end: bool,
+    pub(super) release: bool,
+}
+
+/// A pair with its entries.
+#[derive(Copy, Clone, Debug, Default)]
+pub(super) struct Looked {
+    pub(super) pair: Pair,
+    pub(super) second: bool,
+    pub(super) leaves: [LeafBox; Leaf::PAIR],
+}
+
+/// A pair whose boxes are being compared. Whether they are in range shows in the last stage alone.
+#[derive(Copy, Clone, Debug, Default)]
+pub(super) struct Culled {
+    pub(super) pair: Pair,
+    pub(super) gathered: [bool; Leaf::PAIR],
+    pub(super) short: [bool; Leaf::PAIR],
+    in_range: [bool; Leaf::PAIR],
+}
+
+/// A pair whose groups are played.
+#[derive(Copy, Clone, Debug, Default)]
+pub(super) struct Wanted {
+    pub(super) pair: Pair,
+    /// Bit i: group i of the pair is still to be played.
+    pub(super) mask: u32,
+}
+
+impl Culled {
+    /// The groups of the leaves that are wanted.
+    fn mask(&self) -> u32 {
+        let bits =
+            |leaf: usize| match (self.gathered[leaf] && self.in_range[leaf], self.short[leaf]) {
+                (false, _) => 0b00,
+                (true, true) => 0b01,
+                (true, false) => 0b11,
+            };
+        bits(0) | bits(1) << Leaf::GROUPS
+    }
+}
+
+#[derive(Clone, Debug)]
+pub(super) struct Scan {
+    geometry: Geometry,
+    pub(super) scanning: bool,
+    pub(super) bank: usize,
+    pub(super) pair: usize,
+    pub(super) end: usize,
+    pub(super) release: bool,
+    pub(super) facings: u32,
+    pub(super) bounds: Bounds,
+    pub(super) used: u32,
+    pub(super) look: Looked,
+    pub(super) found: Looked,
+    /// The stages; stage 0 is the first.
+    pub(super) cull: VecDeque<Culled>,
+    pub(super) queue_write: u32,
+    pub(super) queue_read: u32,
+    queue: VecDeque<Wanted>,
+}
+
+impl Scan {
+    pub(super) fn new(machine: &Machine, leaf: &Leaf) -> Self {
+        let stages = LeafSizes::of(leaf).cull_clocks as usize;
+        Self {
+            geometry: Geometry::of(machine),
+            scanning: false,
+            bank: 0,
+            pair: 0,
+            end: 0,
+            release: false,
+            facings: 0,
+            bounds: Bounds::default(),
+            used: 0,
+            look: Looked::default(),
+            found: Looked::default(),
+            cull: vec![Culled::default(); stages].into(),
+            queue_write: 0,
+            queue_read: 0,
+            queue: VecDeque::new(),
+        }
+    }
+
+    pub(super) fn may_start(&self) -> bool {
+        !self.scanning && !self.look.pair.valid
+    }
+
+    /// The number of pairs in the queue.
+    pub(super) fn queued(&self) -> usize {
+        self.queue.len()
+    }
+
+    /// The oldest pair in the queue.
+    pub(super) fn oldest(&self) -> Option<Wanted> {
+        self.queue.front().copied()
+    }
+
+    pub(super) fn clock(
+        &mut self,
+        sizes: &LeafSizes,
+        events: Events,
+        former: &Former,
+        boxes: &Boxes,
+    ) {
+        let issues = self.scanning && self.used < Leaf::QUEUE;
+        let queued = self.decide(events);
+        let found = self.found;
+        self.cull.pop_back();
+        self.cull.push_front(self.gathered(found));
+        self.found = self.look;
+        self.issue(issues, sizes, boxes);
+        self.used += u32::from(issues);
+        self.used -= u32::from(queued == Some(false)) + u32::from(events.leaves_queue);
+        if events.starts {
+            self.scanning = true;
+            self.pair = 0;
+            self.end = boxes.set(self.bank).end;
+            self.release = former.release;
+            self.facings = former.facings;
+            self.bounds = former.bounds;
+        }
+    }
+
+    /// Takes the pair that leaves out of the queue, and queues the pair in the last stage. Returns whether that is queued, if
+    /// there is one.
+    fn decide(&mut self, events: Events) -> Option<bool> {
+        if events.leaves_queue {
+            self.queue.pop_front();
+            self.queue_read = (self.queue_read + 1) % Leaf::QUEUE;
+        }
+        let last = self.cull.back().filter(|culled| culled.pair.valid)?;
+        let (mask, pair) = (last.mask(), last.pair);
+        let queued = mask != 0 || pair.end;
+        if queued {
+            self.queue.push_back(Wanted { pair, mask });
+            self.queue_write = (self.queue_write + 1) % Leaf::QUEUE;
+        }
+        Some(queued)
+    }
+
+    /// The first stage of the comparison.
+    fn gathered(&self, found: Looked) -> Culled {
+        let gathers = |leaf: usize| self.facings >> found.leaves[leaf].facing & 1 == 1;
+        Culled {
+            pair: found.pair,
+            gathered: [gathers(0), gathers(1) && found.second],
+            short: found.leaves.map(|leaf| leaf.short),
+            in_range: found
+                .leaves
+                .map(|leaf| self.geometry.is_in_range(self.bounds, leaf.bounds)),
+        }
+    }
+
+    fn issue(&mut self, issues: bool, sizes: &LeafSizes, boxes: &Boxes) {
+        let is_last = self.pair == self.end / Leaf::PAIR;
+        let leaves = match issues {
+            true => boxes.pair(self.bank, self.pair),
+            false => self.look.leaves,
+        };
+        self.look = Looked {
+            pair: Pair {
+                valid: issues,
+                pair: self.pair,
+                bank: self.bank,
+                end: is_last,
+                release: self.release,
+            },
+            second: !is_last || self.end % Leaf::PAIR == 1,
+            leaves,
+        };
+        if issues {
+            self.pair = (self.pair + 1) % (1 << sizes.pair);
+            if is_last {
+                self.scanning = false;
+                self.bank ^= usize::from(self.release);
+            }
+        }
+    }
+
+    pub(super) fn reset(&mut self) {
+        self.scanning = false;
+        self.bank = 0;
+        self.used = 0;
+        self.look.pair.valid = false;
+        self.found.pair.valid = false;
+        for culled in &mut self.cull {
+            culled.pair.valid = false;
+        }
+        (self.queue_write, self.queue_read) = (0, 0);
+        self.queue.clear();
+    }
+}

@@ -1,0 +1,149 @@
+//! The leaf machines: a chain of engines behind a memory that gives it only the photons near a batch of queries.
+//!
+//! A [`Spatial`] machine tests every photon of a set against every query. Most of these photons are out of range of all
+//! queries of a batch. A leaf machine stores the photons of a set in *leaves* of 8, and with each leaf the box around its
+//! photons. For each batch it compares the box around the batch's queries with all leaves' boxes, two a clock, and
+//! gives the engines only the leaves that are *wanted*: those whose box is within the search radius of the batch's box,
+//! and whose facing the batch gathers. The engines are those of a spatial machine without a photon memory; its
+//! registers are in [`crate::HeadRegister`] and [`crate::EngineRegister`].
+//!
+//! # No photon in range is skipped
+//! On each axis an engine computes d = query - photon (on half steps: less the half), and its square grows with |d|. The
+//! gap of two boxes on an axis is the d of their two nearest borders, or 0 where the boxes overlap. For each query in
+//! the one box and each photon in the other, |d| is at least the gap's |d|, of equal sign. So every square, their sum,
+//! and whether an axis is far, are at least those of the gaps: where the gaps are out of range, so is the photon.
+//!
+//! # Streams
+//! - *Sets*: groups of four photons from a first to one with `group_last`, at most [`Leaf::bank_groups`] of them; the group
+//!   at the last place counts as last. Two groups that follow each other are a leaf. All photons of a leaf have one
+//!   *facing*, `group_facing` of the leaf's last group, a number below [`Leaf::FACINGS`] that the user chooses. A set
+//!   that ends with the first group of a leaf has a leaf of four photons. Leaves of photons that are close together
+//!   have small boxes.
+//! - *Queries*: a batch is all queries up to one with `query_last`, at most one for each engine; the engine after the last
+//!   query's is not used. The batch gathers the facings in `query_facings` of its first query, one bit for each facing. It
+//!   is tested against the photons of the set that was read in first and not released. A query with `query_release` has its
+//!   batch release the set: the next batch uses the next set.
+//! - *Results* leave in the order of the queries, each with the `query_tag` of its query.
+//!
+//! # Each clock
+//! [`LeafRegister`] has the rules of every register.
+
+mod registers;
+
+pub use registers::{LeafRegister, LeafRow};
+
+use crate::formats::{Widths, bits_for};
+use crate::machine::Machine;
+use crate::pins::{Pin, SignalPlace};
+use crate::spatial::{Cut, HeadSizes, Spatial};
+
+/// The parameters of a leaf machine beside its numbers.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub struct Leaf {
+    /// The chain of engines. It has no photon memory of its own, and all queries have the format's radius.
+    pub chain: Spatial,
+    /// Groups that each of the two banks holds, a power of two.
+    pub bank_groups: u32,
+}
+
+impl Leaf {
+    /// Groups of a leaf.
+    pub const GROUPS: usize = 2;
+    /// Leaves that are compared in a clock: two neighbours, a *pair*.
+    pub const PAIR: usize = 2;
+    /// The number of facings that the photons of a set may have.
+    pub const FACINGS: u32 = 32;
+    /// Bits of a facing.
+    pub const FACING_BITS: u32 = Self::FACINGS.ilog2();
+    /// Bits of a query's tag.
+    pub const TAG_BITS: u32 = 16;
+    /// Pairs that wait to be played.
+    pub const QUEUE: u32 = 16;
+    /// The fewest groups of a bank: two pairs.
+    pub const FEWEST_GROUPS: u32 = 2 * (Self::GROUPS * Self::PAIR) as u32;
+
+    /// The fewest groups, as a power of two, that hold that many photons.
+    pub fn groups_for(photons: u64) -> u32 {
+        let groups = photons.div_ceil(Spatial::LANES as u64).next_power_of_two();
+        u32::try_from(groups)
+            .unwrap_or(1 << 31)
+            .max(Self::FEWEST_GROUPS)
+    }
+}
+
+/// The sizes and widths of a leaf machine's registers.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub struct LeafSizes {
+    /// Engines of the chain.
+    pub engines: u32,
+    /// Bits of a group's place in its bank.
+    pub place: u32,
+    /// Bits of a leaf's number in its bank.
+    pub leaf: u32,
+    /// Bits of a pair's number in its bank.
+    pub pair: u32,
+    /// Bits of the number of a batch's queries that the chain has taken, 0 to the engines.
+    pub loaded: u32,
+    /// The fewest clocks from one last group to the next, as in [`HeadSizes::spacing`].
+    pub least_spacing: u32,
+    /// Bits of the clocks until the next last group may be played.
+    pub spacing: u32,
+    /// The most batches whose results may be under way: those that the chain's queue of results has room for.
+    pub most_outstanding: u32,
+    /// Bits of the number of batches whose results are under way.
+    pub outstanding: u32,
+    /// Bits of a place in the queue of tags, which has room for the tags of all queries in the machine.
+    pub tag_place: u32,
+    /// Bits of a result's number in its batch.
+    pub result: u32,
+    /// Clocks from a pair's boxes in `Found` to the decision whether its leaves are wanted.
+    pub cull_clocks: u32,
+}
+
+impl LeafSizes {
+    /// Computes the sizes for a machine.
+    pub fn of(leaf: &Leaf) -> Self {
+        let head = HeadSizes::of(&leaf.chain);
+        let engines = leaf.chain.engines() as u32;
+        let place = leaf.bank_groups.ilog2();
+        let most_outstanding = head.queue as u32 / engines;
+        // The queries of the batch that is loaded, of the batch that is tested, and of the batches under way.
+        let tags = 2 * engines + head.queue as u32;
+        Self {
+            engines,
+            place,
+            leaf: place - Leaf::GROUPS.ilog2(),
+            pair: place - (Leaf::GROUPS * Leaf::PAIR).ilog2(),
+            loaded: bits_for(engines.into()),
+            least_spacing: head.spacing,
+            spacing: head.spacing_bits,
+            most_outstanding,
+            outstanding: bits_for(most_outstanding.into()),
+            tag_place: tags.next_power_of_two().ilog2(),
+            result: bits_for(u128::from(engines) - 1),
+            // A decision that is copied beside each sum is a copy for the sums alone.
+            cull_clocks: leaf.chain.cuts.latency() - u32::from(leaf.chain.cuts.has(Cut::Decision)),
+        }
+    }
+}
+
+/// Lists the registers of a leaf machine, except those of its chain.
+pub(crate) fn registers(machine: &Machine, leaf: &Leaf) -> Vec<Pin> {
+    let dimensions = registers::Dimensions {
+        sizes: LeafSizes::of(leaf),
+        widths: Widths::of(machine),
+        channels: machine.channels().names().len(),
+    };
+    let pins = LeafRow::ALL.iter().flat_map(|row| {
+        let width = (row.width)(&dimensions);
+        (0..(row.count)(&dimensions)).map(move |index| Pin {
+            name: format!("leaf_{}_{index}", row.name),
+            width,
+            place: SignalPlace::Leaf {
+                register: row.register,
+                index,
+            },
+        })
+    });
+    pins.collect()
+}
