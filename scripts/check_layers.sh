@@ -36,10 +36,11 @@ LAYERS = [
     ("crates/model", "photoncube-model", "spec", ""),
     ("crates/hdl", "photoncube-hdl", "spec rust-hdl-lint verilog-eval", ""),
     ("crates/render", "photoncube-render", "spec model", ""),
+    ("crates/driver", "photoncube-driver", "spec model render", ""),
     ("crates/hard-cases", "photoncube-hard-cases", "spec model render", ""),
     ("testbenches", "photoncube-testbench", "spec model hdl verilog-eval fpga-flow", "render hard-cases"),
     ("benches", "photoncube-benches", "", "spec model render"),
-    ("crates/cli", "photoncube", "spec model hdl render hard-cases testbench fpga-flow", "verilog-eval"),
+    ("crates/cli", "photoncube", "spec model hdl render driver hard-cases testbench fpga-flow", "verilog-eval"),
 ]
 GENERATOR = re.compile(r"rust-hdl(-(?!lint$).+)?")
 GENERATOR_SEEN_BY = ["photoncube-hdl", "rust-hdl-lint"]

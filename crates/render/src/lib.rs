@@ -89,10 +89,13 @@ pub use progressive::{
 };
 pub use quantise::{QuantiseError, QuantisedMap};
 pub use render::{
-    Engine, Light, RenderError, RenderStats, Rendering, WorkloadError, render, render_lit, workload,
+    Engine, Gatherer, GathererError, Light, RenderError, RenderStats, Rendering, WorkloadError,
+    render, render_lit, workload,
 };
 pub use scene::{Bsdf, LightChoice, ObjError, Scene, SceneError, Surface};
-pub use schedule::{Batch, BatchOptions, Batches, Bounds, Cost, Cull, Facings, Leaf, Leaves, cost};
+pub use schedule::{
+    Batch, BatchOptions, Batches, Bounds, Cost, Cull, Facings, Leaf, Leaves, close_together, cost,
+};
 pub use trace::{
     BATCH_PATHS, Facing, MAX_PHOTONS, PathKind, Photon, PhotonTrace, TraceError, TraceOptions,
     trace,

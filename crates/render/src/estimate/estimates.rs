@@ -2,6 +2,8 @@
 
 use std::f64::consts::SQRT_2;
 
+use photoncube_model::Gathered;
+
 use super::estimator::{Estimator, UnfitEstimator};
 use super::gather::{Estimate, Refusal, estimate_f64, gather};
 use super::integers::{Disc, Steps};
@@ -9,6 +11,7 @@ use super::kernel::Kernel;
 use super::neighbourhood::{EstimatorError, KernelEstimate, Neighbourhood};
 use crate::photon_map::PhotonMap;
 use crate::quantise::QuantisedMap;
+use crate::render::{Gatherer, GathererError};
 use crate::view::QueryPoint;
 
 /// An engine's maps are a photon map and, in an engine of integers, `quantised`, which is that map in its
@@ -44,7 +47,12 @@ impl Estimator {
         quantised: Option<&QuantisedMap<'_>>,
         queries: &[QueryPoint],
     ) -> Result<Vec<Estimate>, (usize, Refusal)> {
-        if let Some(found) = quantised.and_then(|quantised| self.together(quantised, queries)) {
+        let together = |quantised: &QuantisedMap<'_>| {
+            let gather =
+                |queries: &[QueryPoint], radius_sq| quantised.gather_all(queries, radius_sq).ok();
+            self.together(quantised, queries, gather)
+        };
+        if let Some(found) = quantised.and_then(together) {
             return Ok(found);
         }
         let estimate = |(index, query)| {
@@ -54,9 +62,40 @@ impl Estimator {
         queries.iter().enumerate().map(estimate).collect()
     }
 
+    /// The estimates at all queries, in their order, from the gathers of a machine.
+    ///
+    /// # Errors
+    /// The gatherer's.
+    ///
+    /// # Panics
+    /// For an estimate that needs another radius than the map's, see [`Self::check`].
+    pub(crate) fn estimate_by(
+        &self,
+        gatherer: &dyn Gatherer,
+        map: &QuantisedMap<'_>,
+        queries: &[QueryPoint],
+    ) -> Result<Vec<Estimate>, GathererError> {
+        let mut error = None;
+        let found = self.together(map, queries, |queries, _| {
+            gatherer
+                .gather_all(map, queries)
+                .map_err(|found| error = Some(found))
+                .ok()
+        });
+        match error {
+            None => Ok(found.expect("checked: an estimate from gathers at one radius")),
+            Some(error) => Err(error),
+        }
+    }
+
     /// The estimates from gathers of all queries at once. `None` where each query has its own radii, and where
     /// a query was refused; going on query by query then finds which.
-    fn together(&self, map: &QuantisedMap<'_>, queries: &[QueryPoint]) -> Option<Vec<Estimate>> {
+    fn together(
+        &self,
+        map: &QuantisedMap<'_>,
+        queries: &[QueryPoint],
+        mut gather_all: impl FnMut(&[QueryPoint], u32) -> Option<Vec<Gathered>>,
+    ) -> Option<Vec<Estimate>> {
         let steps = Steps::of(map);
         let radii = match self {
             Self::FixedRadius
@@ -70,7 +109,7 @@ impl Estimator {
         let mut order: Vec<usize> = (0..queries.len()).collect();
         order.sort_by_cached_key(|index| map.map().sort_key(&queries[*index]));
         let sorted: Vec<_> = order.iter().map(|index| queries[*index]).collect();
-        let at = |radius_sq: &u32| map.gather_all(&sorted, *radius_sq).ok();
+        let at = |radius_sq: &u32| gather_all(&sorted, *radius_sq);
         let gathered: Vec<_> = radii.iter().map(at).collect::<Option<_>>()?;
         let mut found = vec![Estimate::default(); queries.len()];
         for (place, query) in order.iter().enumerate() {

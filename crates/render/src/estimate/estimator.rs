@@ -52,6 +52,11 @@ pub enum UnfitEstimator {
          d^2 <= radius_sq; expected its ladder, such as ladder:4:{0}, or the engine f64"
     )]
     SmoothInIntegers(Kernel),
+    /// An estimate by a machine whose queries all have the format's radius.
+    #[error(
+        "estimator: found another than `fixed`, expected `fixed`: the queries of the machine `{0}` all have the format's radius"
+    )]
+    OtherRadius(&'static str),
 }
 
 /// The error of a text that is not the name of an estimator.
@@ -88,6 +93,9 @@ impl Estimator {
             (Self::KNearest { k }, _) if *k < MIN_K => Err(UnfitEstimator::TooFewAsked(*k)),
             (Self::Smooth { kernel }, Engine::Integers(..)) if *kernel != Kernel::Rectangle => {
                 Err(UnfitEstimator::SmoothInIntegers(*kernel))
+            }
+            (estimator, Engine::Hardware(machine, _)) if *estimator != Self::FixedRadius => {
+                Err(UnfitEstimator::OtherRadius(machine.name))
             }
             _ => Ok(()),
         }

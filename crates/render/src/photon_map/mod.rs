@@ -341,9 +341,17 @@ impl PhotonMap {
     }
 
     /// For each group of photons of one facing, whether a query on a surface of unit normal `normal` gathers it.
-    pub(crate) fn facings(&self, normal: DVec3) -> Vec<bool> {
+    pub fn facings(&self, normal: DVec3) -> Vec<bool> {
         let groups = 0..self.groups.count() as u32;
         groups.map(|group| self.faces(group, normal)).collect()
+    }
+
+    /// The group of a run's photons, which [`Self::facings`] has an answer for.
+    ///
+    /// # Panics
+    /// Where there is no such run.
+    pub fn group_of_run(&self, run: usize) -> u32 {
+        self.runs[run].group
     }
 
     fn faces(&self, group: u32, normal: DVec3) -> bool {

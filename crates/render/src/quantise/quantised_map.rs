@@ -293,7 +293,10 @@ impl<'a> QuantisedMap<'a> {
         self.scale.flux(step).max_element()
     }
 
-    fn exponent(&self, index: usize) -> u8 {
+    /// The exponent of a stored photon on a machine's pins: its own and that of its block, with `index` as in
+    /// [`Self::records`].
+    #[must_use]
+    pub fn exponent(&self, index: usize) -> u8 {
         exponent_of(&self.exponents, index) + self.records[index].exponent
     }
 }

@@ -6,7 +6,7 @@ mod workload;
 
 use std::ops::AddAssign;
 
-use photoncube_model::GatherError;
+use photoncube_model::{GatherError, Gathered};
 use photoncube_spec::{Machine, Numbers, PhotonFormat};
 use thiserror::Error;
 
@@ -19,7 +19,7 @@ use crate::lighting::{Lighting, LightingError};
 use crate::photon_map::PhotonMap;
 use crate::quantise::{QuantiseError, QuantisedMap};
 use crate::scene::Scene;
-use crate::view::{ViewError, ViewOptions};
+use crate::view::{QueryPoint, ViewError, ViewOptions};
 
 /// The engine that makes the radiance estimates.
 #[derive(Debug, Clone, Copy)]
@@ -29,7 +29,25 @@ pub enum Engine<'a> {
     /// The golden model in these numbers, on photons rounded to them. Groups of photons are counted for the
     /// machine; numbers need not belong to one.
     Integers(Numbers, Option<&'a Machine>),
+    /// A machine, or a simulation of its Verilog, which makes the gathers of a whole picture.
+    Hardware(&'a Machine, &'a dyn Gatherer),
 }
+
+/// A machine that gathers: all queries of a picture with the map's search radius.
+pub trait Gatherer: std::fmt::Debug + Sync {
+    /// The sums of the queries, in their order. They must equal those of [`QuantisedMap::gather_all`].
+    ///
+    /// # Errors
+    /// The machine does not answer, or not as it should.
+    fn gather_all(
+        &self,
+        map: &QuantisedMap<'_>,
+        queries: &[QueryPoint],
+    ) -> Result<Vec<Gathered>, GathererError>;
+}
+
+/// The error of a machine that gathers.
+pub type GathererError = Box<dyn std::error::Error + Send + Sync>;
 
 /// The golden model of a machine.
 impl<'a> From<&'a Machine> for Engine<'a> {
@@ -54,12 +72,13 @@ impl Engine<'_> {
         match self {
             Self::F64 => Ok(None),
             Self::Integers(numbers, _) => QuantisedMap::new(map, &numbers).map(Some),
+            Self::Hardware(machine, _) => QuantisedMap::new(map, &machine.numbers).map(Some),
         }
     }
 
     /// The number of the machine's iterations for that many photons; 0 without a machine.
     fn groups(self, photons: u64) -> u64 {
-        let Self::Integers(_, Some(machine)) = self else {
+        let (Self::Integers(_, Some(machine)) | Self::Hardware(machine, _)) = self else {
             return 0;
         };
         photons.div_ceil(machine.photons_per_iteration() as u64)
@@ -81,6 +100,14 @@ pub enum RenderError {
     /// The engine cannot make that estimate.
     #[error(transparent)]
     Estimator(#[from] UnfitEstimator),
+    /// The machine that gathers failed.
+    #[error("the machine `{machine}` did not gather: {source}")]
+    Gatherer {
+        /// The name of the machine.
+        machine: &'static str,
+        /// The error of the machine.
+        source: GathererError,
+    },
     /// The f64 reference has no such estimate at a query.
     #[error("pixel ({x}, {y})")]
     Reference {

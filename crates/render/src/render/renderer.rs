@@ -81,15 +81,16 @@ impl<'a> Renderer<'a> {
         progress: &(dyn Fn(u64) + Sync),
     ) -> Result<Rendered, RenderError> {
         let done = AtomicU64::new(0);
+        let rows = self.band_rows();
         let band = |band: u32| {
-            let first = band * BAND_ROWS;
-            let end = self.options.height.min(first + BAND_ROWS);
+            let first = band * rows;
+            let end = self.options.height.min(first + rows);
             let found = self.band(first, end, estimators)?;
             let count = u64::from(end - first) * u64::from(self.options.width);
             progress(done.fetch_add(count, Ordering::Relaxed) + count);
             Ok(found)
         };
-        let bands = (0..self.options.height.div_ceil(BAND_ROWS)).into_par_iter();
+        let bands = (0..self.options.height.div_ceil(rows)).into_par_iter();
         let bands: Result<Vec<_>, RenderError> = bands.map(band).collect();
         let mut pixels: Pixels = vec![Vec::new(); estimators.len()];
         let mut stats = RenderStats::default();
@@ -105,6 +106,14 @@ impl<'a> Renderer<'a> {
             images: images.collect(),
             stats,
         })
+    }
+
+    /// The rows of a band. A machine is given the whole picture, so that queries that are close together share its photons.
+    fn band_rows(&self) -> u32 {
+        match self.engine {
+            Engine::Hardware(..) => self.options.height,
+            _ => BAND_ROWS,
+        }
     }
 
     /// Renders rows `first` to `end`.
@@ -127,13 +136,7 @@ impl<'a> Renderer<'a> {
                 .as_ref()
                 .map(|caustic| (caustic, &band.caustic));
             for (source, queries) in [(&self.global, &band.global)].into_iter().chain(caustic) {
-                let quantised = source.quantised.as_ref();
-                let found = estimator.estimate_all(source.map, quantised, queries.points());
-                let found = found.map_err(|(query, refusal)| {
-                    let pixel = queries.pixel(query);
-                    let (x, y) = (pixel % self.options.width, pixel / self.options.width);
-                    RenderError::of(refusal, x, first + y)
-                })?;
+                let found = self.estimates(estimator, source, queries, first)?;
                 self.shade(estimator, source, queries, &found, &mut radiance);
                 found.iter().for_each(|found| stats += self.stats_of(found));
             }
@@ -142,6 +145,30 @@ impl<'a> Renderer<'a> {
             pixels.push(radiance);
         }
         Ok((pixels, stats))
+    }
+
+    /// The estimates at the queries of a band whose first row is `first`.
+    fn estimates(
+        &self,
+        estimator: &Estimator,
+        source: &Source<'_>,
+        queries: &Queries,
+        first: u32,
+    ) -> Result<Vec<Estimate>, RenderError> {
+        let quantised = source.quantised.as_ref();
+        if let (Engine::Hardware(machine, gatherer), Some(map)) = (self.engine, quantised) {
+            let found = estimator.estimate_by(gatherer, map, queries.points());
+            return found.map_err(|source| RenderError::Gatherer {
+                machine: machine.name,
+                source,
+            });
+        }
+        let found = estimator.estimate_all(source.map, quantised, queries.points());
+        found.map_err(|(query, refusal)| {
+            let pixel = queries.pixel(query);
+            let (x, y) = (pixel % self.options.width, pixel / self.options.width);
+            RenderError::of(refusal, x, first + y)
+        })
     }
 
     /// Adds the estimates to the pixels, divided by the disc's area or by the covered area.

@@ -63,6 +63,8 @@ pub struct Batch {
 pub struct Batches {
     /// The queries in the order in which they are given to chains.
     pub queries: Vec<QueryPoint>,
+    /// For each of these, its index among the queries that were given.
+    pub order: Vec<usize>,
     /// The batches, in the order of the queries.
     pub batches: Vec<Batch>,
     /// The most queries of a batch.
@@ -82,8 +84,9 @@ impl Batches {
         assert!(options.queries > 0, "a batch has queries");
         let format = map.numbers().format().expect("the map has a photon format");
         let mut facings = FacingSets::default();
-        let mut queries = queries.to_vec();
-        queries.sort_by_cached_key(|query| {
+        let mut order: Vec<usize> = (0..queries.len()).collect();
+        order.sort_by_cached_key(|index| {
+            let query = &queries[*index];
             let place = place(map, format, query);
             let eighth =
                 place.map(|steps| (steps >> (format.radius_bits() + 1 - ORDER_BITS)) as u64);
@@ -94,6 +97,7 @@ impl Batches {
             };
             (morton(region), facing, morton(eighth))
         });
+        let queries: Vec<_> = order.iter().map(|index| queries[*index]).collect();
         let radius = f64::from(2 * format.radius_steps());
         let longest = options.longest.map(|radii| (radii * radius) as i64);
         let mut batches: Vec<Batch> = Vec::new();
@@ -123,6 +127,7 @@ impl Batches {
         }
         Self {
             queries,
+            order,
             batches,
             size: options.queries,
         }

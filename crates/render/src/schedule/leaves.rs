@@ -83,7 +83,7 @@ fn of_run(
     let block = block.map_or([0; 3], |block| block.to_array());
     let position = |photon: u32| map.records()[photon as usize].position;
     let mut photons: Vec<_> = (run.start as u32..run.end as u32).collect();
-    order(&mut photons, size, &position);
+    close_together(&mut photons, size, &position);
     let middle = |photon: &u32| {
         let position = position(*photon);
         [0, 1, 2].map(|axis| {
@@ -103,8 +103,8 @@ fn of_run(
 }
 
 /// Orders photons so that each chunk of `size` lies close together: splits them at the middle of their longest axis, at a
-/// whole number of chunks, until one chunk is left.
-fn order(photons: &mut [u32], size: usize, position: &impl Fn(u32) -> [u16; 3]) {
+/// whole number of chunks, until one chunk is left. Equal arguments give one order.
+pub fn close_together(photons: &mut [u32], size: usize, position: &impl Fn(u32) -> [u16; 3]) {
     let chunks = photons.len().div_ceil(size);
     if chunks < 2 {
         return;
@@ -119,6 +119,6 @@ fn order(photons: &mut [u32], size: usize, position: &impl Fn(u32) -> [u16; 3]) 
     // The photon's own number makes the order total.
     photons.select_nth_unstable_by_key(middle, |photon| (position(*photon)[axis], *photon));
     let (low, high) = photons.split_at_mut(middle);
-    order(low, size, position);
-    order(high, size, position);
+    close_together(low, size, position);
+    close_together(high, size, position);
 }

@@ -15,7 +15,7 @@ mod leaves;
 
 pub use batches::{Batch, BatchOptions, Batches, Facings};
 pub use cost::{Cost, cost};
-pub use leaves::{Leaf, Leaves};
+pub use leaves::{Leaf, Leaves, close_together};
 
 #[cfg(test)]
 mod tests;

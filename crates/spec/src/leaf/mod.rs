@@ -29,8 +29,10 @@
 //! [`LeafRegister`] has the rules of every register.
 
 mod registers;
+mod words;
 
 pub use registers::{LeafRegister, LeafRow};
+pub use words::{LeafAnswer, LeafWords, QueryWord, TaggedSums};
 
 use crate::formats::{Widths, bits_for};
 use crate::machine::Machine;

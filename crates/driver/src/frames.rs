@@ -1,0 +1,358 @@
+//! The frames of a picture, and the words for each.
+
+use std::collections::HashMap;
+
+use glam::{DVec3, I64Vec3};
+use photoncube_render::{BatchOptions, Batches, Facings, QuantisedMap, QueryPoint, close_together};
+use photoncube_spec::{
+    BatchPins, Group, Lane, Leaf, LeafWords, Machine, Numbers, Photon, PhotonFormat, Query,
+    QueryWord, Spatial,
+};
+
+/// Blocks on an axis whose queries are in one frame. A frame has one more block on each side, since a query gathers photons
+/// of the blocks around its own.
+const QUERY_BLOCKS: i64 = Numbers::FRAME_BLOCKS as i64 - 2;
+/// Sets of facings that one set of photons serves: each photon's facing says which of these sets it is in.
+const FACING_SETS: usize = Leaf::FACING_BITS as usize;
+/// Photons of a leaf.
+const LEAF_PHOTONS: usize = Leaf::GROUPS * Spatial::LANES;
+/// The longest edge of a batch's box, in search radii. Longer boxes read more leaves; shorter ones leave more engines empty.
+const LONGEST_BATCH: f64 = 1.0;
+
+/// A batch of queries, by their places in the order of the plan.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct FrameBatch {
+    queries: std::ops::Range<usize>,
+    /// The set of facings that the queries gather, by its number in the plan.
+    facings: usize,
+}
+
+/// The queries of a picture that the machine's coordinates hold together.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Frame {
+    /// The frame's lowest block.
+    origin: [i64; 3],
+    batches: Vec<FrameBatch>,
+}
+
+/// The words for a frame, and the query of each result.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct FrameWords {
+    /// The words.
+    pub words: LeafWords,
+    /// For each word of the query stream, the index of its query in the picture. A query whose photons need several
+    /// sets is there for each of them, and its sums are those of all its results.
+    pub queries: Vec<usize>,
+}
+
+impl FrameWords {
+    /// Appends words that follow these.
+    pub fn append(&mut self, other: Self) {
+        let first = self.queries.len() as u32;
+        self.queries.extend(other.queries);
+        self.words.groups.extend(other.words.groups);
+        self.words
+            .queries
+            .extend(other.words.queries.into_iter().map(|mut word| {
+                word.batch.tag = (word.batch.tag + first) % (1 << Leaf::TAG_BITS);
+                word
+            }));
+    }
+}
+
+/// The frames of a picture's queries, in the order in which a machine should be given them.
+#[derive(Debug)]
+pub struct FramePlan<'a> {
+    map: &'a QuantisedMap<'a>,
+    format: &'a PhotonFormat,
+    leaf: Leaf,
+    batches: Batches,
+    /// The sets of facings: for each group of photons of one facing, whether it is gathered.
+    facing_sets: Vec<Vec<bool>>,
+    /// The runs of the map in each block.
+    runs: HashMap<[i64; 3], Vec<usize>>,
+    frames: Vec<Frame>,
+}
+
+impl<'a> FramePlan<'a> {
+    /// Plans the queries of a picture for a leaf machine.
+    ///
+    /// # Panics
+    /// Where the machine is not a leaf machine, or the map has not its numbers.
+    pub fn new(map: &'a QuantisedMap<'a>, machine: &Machine, queries: &[QueryPoint]) -> Self {
+        let leaf = *machine.leaf().expect("the machine is a leaf machine");
+        assert_eq!(
+            *map.numbers(),
+            machine.numbers,
+            "the map has the machine's numbers"
+        );
+        let format = map
+            .numbers()
+            .format()
+            .expect("a leaf machine has a photon format");
+        let options = BatchOptions {
+            queries: leaf.chain.engines() as u32,
+            longest: Some(LONGEST_BATCH),
+            facings: Facings::Chain,
+        };
+        let mut plan = Self {
+            map,
+            format,
+            leaf,
+            batches: Batches::new(map, queries, &options),
+            facing_sets: Vec::new(),
+            runs: runs_by_block(map),
+            frames: Vec::new(),
+        };
+        plan.cut_into_frames();
+        plan
+    }
+
+    /// The frames.
+    pub fn frames(&self) -> &[Frame] {
+        &self.frames
+    }
+
+    /// Cuts the batches where their queries go to another frame, and collects the sets of facings.
+    fn cut_into_frames(&mut self) {
+        let mut numbers: HashMap<Vec<bool>, usize> = HashMap::new();
+        let mut of_normals: HashMap<[u64; 3], usize> = HashMap::new();
+        for batch in &self.batches.batches {
+            let mut first = batch.queries.start;
+            while first < batch.queries.end {
+                let origin = self.origin(&self.batches.queries[first]);
+                let rest = first..batch.queries.end;
+                let here =
+                    rest.take_while(|&query| self.origin(&self.batches.queries[query]) == origin);
+                let end = first + here.count();
+                let normal = self.batches.queries[first].normal;
+                let facings = *of_normals.entry(bits(normal)).or_insert_with(|| {
+                    let next = numbers.len();
+                    *numbers
+                        .entry(self.map.map().facings(normal))
+                        .or_insert(next)
+                });
+                let batch = FrameBatch {
+                    queries: first..end,
+                    facings,
+                };
+                match self
+                    .frames
+                    .last_mut()
+                    .filter(|frame| frame.origin == origin)
+                {
+                    Some(frame) => frame.batches.push(batch),
+                    None => self.frames.push(Frame {
+                        origin,
+                        batches: vec![batch],
+                    }),
+                }
+                first = end;
+            }
+        }
+        self.facing_sets = vec![Vec::new(); numbers.len()];
+        for (set, number) in numbers {
+            self.facing_sets[number] = set;
+        }
+    }
+
+    /// The lowest block of a query's frame.
+    fn origin(&self, query: &QueryPoint) -> [i64; 3] {
+        let (block, _) = self.map.map().place(query.position);
+        block
+            .to_array()
+            .map(|block| block.div_euclid(QUERY_BLOCKS) * QUERY_BLOCKS - 1)
+    }
+
+    /// The words for a frame.
+    pub fn words(&self, frame: &Frame) -> FrameWords {
+        let mut all = FrameWords::default();
+        let mut sets: Vec<_> = frame.batches.iter().map(|batch| batch.facings).collect();
+        sets.sort_unstable();
+        sets.dedup();
+        for sets in sets.chunks(FACING_SETS) {
+            let leaves = self.leaves(frame, sets);
+            let most = self.leaf.bank_groups as usize / Leaf::GROUPS;
+            for set in leaves.chunks(most) {
+                self.add_set(frame, sets, set, &mut all);
+            }
+        }
+        all
+    }
+
+    /// The leaves of the photons that some of these sets of facings has. A photon's facing in the machine has a bit for each set
+    /// that has it.
+    fn leaves(&self, frame: &Frame, sets: &[usize]) -> Vec<PhotonLeaf> {
+        let mut by_facing: Vec<Vec<FramePhoton>> = vec![Vec::new(); Leaf::FACINGS as usize];
+        for offset in offsets() {
+            let block = [0, 1, 2].map(|axis| frame.origin[axis] + i64::from(offset[axis]));
+            for &run in self.runs.get(&block).into_iter().flatten() {
+                let group = self.map.map().group_of_run(run) as usize;
+                let has =
+                    |(bit, set): (usize, &usize)| usize::from(self.facing_sets[*set][group]) << bit;
+                let facing: usize = sets.iter().enumerate().map(has).sum();
+                if facing > 0 {
+                    by_facing[facing].extend(self.photons(run, offset));
+                }
+            }
+        }
+        let facings = by_facing.iter_mut().enumerate();
+        facings
+            .flat_map(|(facing, photons)| in_leaves(facing, photons))
+            .collect()
+    }
+
+    /// The photons of a run whose block has this offset in the frame.
+    fn photons(&self, run: usize, offset: [u32; 3]) -> impl Iterator<Item = FramePhoton> + '_ {
+        let photons = self
+            .map
+            .map()
+            .runs()
+            .nth(run)
+            .expect("the run is one of the map's");
+        photons.map(move |index| {
+            let record = &self.map.records()[index];
+            let place = |axis: usize| {
+                (offset[axis] << self.format.position_bits) + u32::from(record.position[axis])
+            };
+            FramePhoton(Photon {
+                position: [0, 1, 2].map(place),
+                power: record.mantissa.map(u32::from),
+                exponent: self.map.exponent(index).into(),
+            })
+        })
+    }
+
+    /// Adds a set of photons and the batches that gather from it.
+    fn add_set(&self, frame: &Frame, sets: &[usize], leaves: &[PhotonLeaf], all: &mut FrameWords) {
+        all.words.groups.extend(groups(leaves));
+        let position = |set: &usize| sets.iter().position(|other| other == set);
+        let batches = frame.batches.iter();
+        let batches: Vec<_> = batches
+            .filter_map(|batch| Some((batch, position(&batch.facings)?)))
+            .collect();
+        for (number, (batch, set)) in batches.iter().enumerate() {
+            for query in batch.queries.clone() {
+                let tag = all.queries.len() as u32 % (1 << Leaf::TAG_BITS);
+                all.queries.push(self.batches.order[query]);
+                all.words.queries.push(QueryWord {
+                    query: self.query(frame, &self.batches.queries[query]),
+                    release: number + 1 == batches.len(),
+                    batch: BatchPins {
+                        last: query + 1 == batch.queries.end,
+                        facings: facings_with(*set),
+                        tag,
+                    },
+                });
+            }
+        }
+    }
+
+    /// A query in the coordinates of its frame.
+    fn query(&self, frame: &Frame, query: &QueryPoint) -> Query {
+        let bits = self.format.radius_bits();
+        let (block, _) = self.map.map().place(query.position);
+        // In the frame of its own, the query is in the block of offset 1.
+        let own = self.map.query(query.position);
+        let place = |axis: usize| {
+            let offset = (block[axis] - frame.origin[axis]) as u32;
+            (offset << bits) + own.position[axis] - (1 << bits)
+        };
+        Query {
+            position: [0, 1, 2].map(place),
+            ..own
+        }
+    }
+}
+
+/// A photon in the coordinates of a frame.
+#[derive(Copy, Clone, Debug)]
+struct FramePhoton(Photon);
+
+/// A leaf: some photons of one facing.
+struct PhotonLeaf {
+    facing: usize,
+    photons: Vec<Photon>,
+}
+
+fn runs_by_block(map: &QuantisedMap<'_>) -> HashMap<[i64; 3], Vec<usize>> {
+    let mut all: HashMap<_, Vec<_>> = HashMap::new();
+    for (number, run) in map.map().runs().enumerate() {
+        let first = map.map().photons()[run.start].position;
+        let block: I64Vec3 = map.map().place(first).0;
+        all.entry(block.to_array()).or_default().push(number);
+    }
+    all
+}
+
+/// The offsets of a frame's blocks.
+fn offsets() -> impl Iterator<Item = [u32; 3]> {
+    let blocks = Numbers::FRAME_BLOCKS;
+    (0..blocks.pow(3)).map(move |index| {
+        [
+            index % blocks,
+            index / blocks % blocks,
+            index / blocks.pow(2),
+        ]
+    })
+}
+
+/// The facings of the machine whose bit `set` is set, as a word with a bit for each facing.
+fn facings_with(set: usize) -> u32 {
+    let facings = 0..Leaf::FACINGS;
+    let has = facings.filter(|facing| facing >> set & 1 == 1);
+    has.map(|facing| 1 << facing).sum()
+}
+
+/// Puts photons of one facing into leaves of photons that are close together.
+fn in_leaves(facing: usize, photons: &[FramePhoton]) -> Vec<PhotonLeaf> {
+    let mut order: Vec<_> = (0..photons.len() as u32).collect();
+    let place = |index: u32| {
+        let FramePhoton(photon) = photons[index as usize];
+        // A coordinate has at most 14 bits.
+        photon.position.map(|place| place as u16)
+    };
+    close_together(&mut order, LEAF_PHOTONS, &place);
+    let leaf = |chunk: &[u32]| PhotonLeaf {
+        facing,
+        photons: chunk
+            .iter()
+            .map(|&index| photons[index as usize].0)
+            .collect(),
+    };
+    order.chunks(LEAF_PHOTONS).map(leaf).collect()
+}
+
+/// The groups of a set. Only its last leaf may have a single group.
+fn groups(leaves: &[PhotonLeaf]) -> Vec<Group> {
+    let mut groups = Vec::with_capacity(leaves.len() * Leaf::GROUPS);
+    for leaf in leaves {
+        for group in 0..Leaf::GROUPS {
+            let photons = leaf.photons.iter().skip(group * Spatial::LANES);
+            let present = photons.map(|&photon| Lane {
+                present: true,
+                photon,
+            });
+            let absent = std::iter::repeat(Lane::default());
+            groups.push(Group {
+                lanes: present.chain(absent).take(Spatial::LANES).collect(),
+                last: false,
+                facing: leaf.facing as u32,
+            });
+        }
+    }
+    if leaves
+        .last()
+        .is_some_and(|leaf| leaf.photons.len() <= Spatial::LANES)
+    {
+        groups.pop();
+    }
+    if let Some(last) = groups.last_mut() {
+        last.last = true;
+    }
+    groups
+}
+
+fn bits(normal: DVec3) -> [u64; 3] {
+    normal.to_array().map(f64::to_bits)
+}
