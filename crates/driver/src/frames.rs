@@ -1,6 +1,7 @@
 //! The frames of a picture, and the words for each.
 
 use std::collections::HashMap;
+use std::ops::Range;
 
 use glam::{DVec3, I64Vec3};
 use photoncube_render::{BatchOptions, Batches, Facings, QuantisedMap, QueryPoint, close_together};
@@ -22,7 +23,7 @@ const LONGEST_BATCH: f64 = 1.0;
 /// A batch of queries, by their places in the order of the plan.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct FrameBatch {
-    queries: std::ops::Range<usize>,
+    queries: Range<usize>,
     /// The set of facings that the queries gather, by its number in the plan.
     facings: usize,
 }
@@ -69,8 +70,9 @@ pub struct FramePlan<'a> {
     batches: Batches,
     /// The sets of facings: for each group of photons of one facing, whether it is gathered.
     facing_sets: Vec<Vec<bool>>,
-    /// The runs of the map in each block.
-    runs: HashMap<[i64; 3], Vec<usize>>,
+    /// The runs of the map, each with its photons, and their numbers in each block.
+    runs: Vec<Range<usize>>,
+    runs_of_block: HashMap<[i64; 3], Vec<usize>>,
     frames: Vec<Frame>,
 }
 
@@ -101,7 +103,8 @@ impl<'a> FramePlan<'a> {
             leaf,
             batches: Batches::new(map, queries, &options),
             facing_sets: Vec::new(),
-            runs: runs_by_block(map),
+            runs: map.map().runs().collect(),
+            runs_of_block: runs_by_block(map),
             frames: Vec::new(),
         };
         plan.cut_into_frames();
@@ -186,7 +189,7 @@ impl<'a> FramePlan<'a> {
         let mut by_facing: Vec<Vec<FramePhoton>> = vec![Vec::new(); Leaf::FACINGS as usize];
         for offset in offsets() {
             let block = [0, 1, 2].map(|axis| frame.origin[axis] + i64::from(offset[axis]));
-            for &run in self.runs.get(&block).into_iter().flatten() {
+            for &run in self.runs_of_block.get(&block).into_iter().flatten() {
                 let group = self.map.map().group_of_run(run) as usize;
                 let has =
                     |(bit, set): (usize, &usize)| usize::from(self.facing_sets[*set][group]) << bit;
@@ -204,12 +207,7 @@ impl<'a> FramePlan<'a> {
 
     /// The photons of a run whose block has this offset in the frame.
     fn photons(&self, run: usize, offset: [u32; 3]) -> impl Iterator<Item = FramePhoton> + '_ {
-        let photons = self
-            .map
-            .map()
-            .runs()
-            .nth(run)
-            .expect("the run is one of the map's");
+        let photons = self.runs[run].clone();
         photons.map(move |index| {
             let record = &self.map.records()[index];
             let place = |axis: usize| {
