@@ -3,10 +3,9 @@
 //! rust-hdl's widths are const generics, so every set of widths is compiled for itself; each costs about a
 //! second of build time. Custom machines have generators of their own, see [`crate::generator`].
 
-use photoncube_spec::{LeafSizes, Machine, Organisation, SEQUENTIAL, Squarer, Widths};
+use photoncube_spec::{Machine, Organisation, SEQUENTIAL, Squarer, Widths};
 use thiserror::Error;
 
-use crate::leaf::LeafMachine;
 use crate::level::Level;
 use crate::overlap;
 use crate::pinned::{MachineBlock, Pinned};
@@ -232,71 +231,6 @@ pub fn spatial<
     }))
 }
 
-/// The block of a leaf machine, at a level; the widths are those of [`leaf_sizes`].
-pub fn leaf<
-    const C: usize,
-    const H: usize,
-    const D: usize,
-    const R: usize,
-    const Q: usize,
-    const L: usize,
-    const LP: usize,
-    const HP: usize,
-    const PR: usize,
-    const T: usize,
-    const U: usize,
-    const B: usize,
-    const E: usize,
-    const P: usize,
-    const PP: usize,
-    const GP: usize,
-    const S: usize,
-    const N: usize,
-    const PB: usize,
-    const LB: usize,
-    const KB: usize,
-    const NB: usize,
-    const SB: usize,
-    const OB: usize,
-    const TB: usize,
-    const RB: usize,
->(
-    machine: &Machine,
-    level: Level,
-) -> Option<MachineBlock> {
-    let leaf = machine.leaf()?;
-    (level == Level::Machine).then(|| {
-        MachineBlock(Box::new(LeafMachine::<
-            C,
-            H,
-            D,
-            R,
-            Q,
-            L,
-            LP,
-            HP,
-            PR,
-            T,
-            U,
-            B,
-            E,
-            P,
-            PP,
-            GP,
-            S,
-            N,
-            PB,
-            LB,
-            KB,
-            NB,
-            SB,
-            OB,
-            TB,
-            RB,
-        >::new(machine, leaf)))
-    })
-}
-
 macro_rules! built_in_spatial {
     ($($c:literal $h:literal $d:literal $r:literal $q:literal $l:literal
        $lp:literal $hp:literal $pr:literal $t:literal $u:literal;
@@ -352,25 +286,6 @@ pub(crate) fn sequential_sizes(machine: &Machine) -> Vec<u32> {
 /// The widths of a spatial machine, in the order of the table.
 pub(crate) fn spatial_sizes(machine: &Machine) -> Vec<u32> {
     bits(spatial_widths(&Widths::of(machine))).to_vec()
-}
-
-/// The widths of a leaf machine: those of its chain, then those of its own.
-pub(crate) fn leaf_sizes(machine: &Machine) -> Vec<u32> {
-    let Some(leaf) = machine.leaf() else {
-        return Vec::new();
-    };
-    let sizes = LeafSizes::of(leaf);
-    let own = [
-        sizes.place,
-        sizes.leaf,
-        sizes.pair,
-        sizes.loaded,
-        sizes.spacing,
-        sizes.outstanding,
-        sizes.tag_place,
-        sizes.result,
-    ];
-    spatial_sizes(machine).into_iter().chain(own).collect()
 }
 
 /// Describes the needed widths and the rows of a table.

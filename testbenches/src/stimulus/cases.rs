@@ -1,6 +1,6 @@
 //! Random queries and photons, weighted towards the corners where a datapath fails.
 
-use photoncube_spec::{BatchPins, Group, Lane, Leaf, Machine, Photon, Query, Widths};
+use photoncube_spec::{Group, Lane, Leaf, Machine, Photon, Query, Widths};
 use rand::{Rng, RngExt};
 
 use super::aim::Aim;
@@ -25,17 +25,17 @@ enum Theme {
 
 /// A generator of cases for one machine.
 pub(crate) struct Cases<'a, R> {
-    widths: Widths,
+    pub(super) widths: Widths,
     aim: Aim,
-    full: Photon,
+    pub(super) full: Photon,
     largest_radius_sq: u32,
-    fixed_radius_sq: Option<u32>,
+    pub(super) fixed_radius_sq: Option<u32>,
     at_once: usize,
     /// Whether batches may have fewer queries, and photons have facings.
-    has_leaves: bool,
+    pub(super) has_leaves: bool,
     lanes: usize,
     max_photons: u64,
-    rng: &'a mut R,
+    pub(super) rng: &'a mut R,
 }
 
 impl<'a, R: Rng> Cases<'a, R> {
@@ -110,7 +110,7 @@ impl<'a, R: Rng> Cases<'a, R> {
     }
 
     /// The facing of a group: mostly one of two, so that leaves of a set have it too.
-    fn facing(&mut self) -> u32 {
+    pub(super) fn facing(&mut self) -> u32 {
         match self.has_leaves {
             false => 0,
             true if self.rng.random_ratio(1, 4) => self.rng.random_range(0..Leaf::FACINGS),
@@ -330,49 +330,8 @@ impl<'a, R: Rng> Cases<'a, R> {
         u32::try_from(corner(self.rng, bits)).expect("values but the sums fit 32 bits")
     }
 
-    fn uniform(&mut self, bits: u32) -> u32 {
+    pub(super) fn uniform(&mut self, bits: u32) -> u32 {
         self.rng.random::<u32>() & largest(bits)
-    }
-
-    /// A query of random words, for the query pins while they are not valid.
-    pub fn garbage_query(&mut self) -> Query {
-        Query {
-            position: [(); 3].map(|()| self.uniform(self.widths.coordinate)),
-            radius_sq: match self.fixed_radius_sq {
-                Some(fixed) => fixed,
-                None => self.uniform(self.widths.radius_sq),
-            },
-        }
-    }
-
-    /// Random words for the query pins of a leaf machine.
-    pub fn garbage_batch(&mut self) -> BatchPins {
-        match self.has_leaves {
-            false => BatchPins::default(),
-            true => BatchPins {
-                last: self.rng.random(),
-                facings: self.rng.random(),
-                tag: self.uniform(Leaf::TAG_BITS),
-            },
-        }
-    }
-
-    /// Fills `group` with random words, for its pins while they are not valid.
-    pub fn garbage_group(&mut self, group: &mut Group) {
-        group.last = self.rng.random();
-        group.facing = self.facing();
-        for lane in &mut group.lanes {
-            lane.present = self.rng.random();
-            lane.photon = Photon {
-                position: [(); 3].map(|()| self.uniform(self.widths.photon)),
-                // Words without pins are 0.
-                power: self.full.power.map(|full| self.rng.random::<u32>() & full),
-                exponent: match self.widths.exponent {
-                    0 => 0,
-                    bits => self.uniform(bits),
-                },
-            };
-        }
     }
 }
 

@@ -10,10 +10,12 @@
 
 mod aim;
 mod bank;
+mod batch;
 mod case;
 mod cases;
 mod corners;
 mod drive;
+mod garbage;
 mod protocol;
 #[cfg(test)]
 mod tests;

@@ -25,7 +25,8 @@ use crate::level::Level;
 use crate::pinned::with_registers;
 use protocol::{Design, EMIT, LINT, SIMULATE};
 
-pub use crate::build::{leaf, sequential, spatial};
+pub use crate::build::{sequential, spatial};
+pub use crate::leaf::leaf;
 pub use crate::pinned::MachineBlock;
 pub use cache::user_cache;
 pub use serve::serve;

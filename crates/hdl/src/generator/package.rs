@@ -4,7 +4,8 @@ use std::path::Path;
 
 use photoncube_spec::{Machine, Organisation};
 
-use crate::build::{leaf_sizes, sequential_sizes, spatial_sizes};
+use crate::build::{sequential_sizes, spatial_sizes};
+use crate::leaf::leaf_sizes;
 
 /// The manifest, for the sources of photoncube in that folder. The digest makes the program's name its own, as all
 /// generators are built into one folder.

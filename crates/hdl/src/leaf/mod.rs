@@ -5,6 +5,7 @@
 //! (`boxes`, `culler`, `machine`) only wire them. The chain is a spatial machine without a photon memory, unchanged.
 
 mod boxes;
+mod build;
 mod culler;
 mod extent;
 mod fill;
@@ -19,4 +20,6 @@ mod scan;
 mod tags;
 mod words;
 
-pub(crate) use machine::LeafMachine;
+pub use build::leaf;
+pub(crate) use build::leaf_sizes;
+use machine::LeafMachine;

@@ -338,8 +338,8 @@ impl<const H: usize, const LB: usize, const KB: usize> BoxWords<H, LB, KB> {
         word.extend(self.high.iter().map(|high| high.val().to_u64()));
         word.extend([self.facing.val().to_u64(), self.short.val().into()]);
         let leaf = self.write_leaf.val().to_u64() as usize;
-        let place = usize::from(self.write_bank.val()) << KB | leaf / 2;
-        if leaf % 2 == 0 {
+        let place = (usize::from(self.write_bank.val()) << KB) | (leaf / 2);
+        if leaf.is_multiple_of(Leaf::PAIR) {
             self._boxes[0][place].clone_from(&word);
         }
         self._boxes[1][place] = word;
