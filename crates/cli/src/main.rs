@@ -2,6 +2,7 @@
 
 mod args;
 mod commands;
+mod core;
 mod digests;
 mod failure;
 mod files;

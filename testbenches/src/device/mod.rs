@@ -6,6 +6,7 @@ mod netlist;
 mod packing;
 mod process;
 mod simulation;
+mod streams;
 mod text;
 mod verilator;
 
@@ -25,6 +26,7 @@ pub(crate) use netlist::netlist_text;
 pub use netlist::{netlist, with_outputs_alone};
 pub use simulation::RustHdl;
 pub(crate) use simulation::{hdl_error, hdl_error_of};
+pub use streams::StreamSimulation;
 pub use text::Text;
 pub use verilator::Verilator;
 

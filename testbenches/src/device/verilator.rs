@@ -145,7 +145,7 @@ impl Device for Verilator {
 
 /// The way in which a simulation is built.
 #[derive(Copy, Clone, PartialEq, Eq)]
-enum Build {
+pub(super) enum Build {
     /// Optimised for the speed of the simulation.
     Fast,
     /// Optimised for the time of the build.
@@ -155,10 +155,10 @@ enum Build {
 }
 
 /// The sources of a simulation.
-struct Sources {
-    design: String,
-    harness: String,
-    build: Build,
+pub(super) struct Sources {
+    pub design: String,
+    pub harness: String,
+    pub build: Build,
 }
 
 impl Sources {
@@ -177,7 +177,7 @@ impl Sources {
 }
 
 /// Returns the compiled simulation of these sources from the cache, or builds it and stores it there.
-fn build_or_reuse(
+pub(super) fn build_or_reuse(
     sources: &Sources,
     version: &str,
     scratch: &Path,

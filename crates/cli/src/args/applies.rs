@@ -1,6 +1,6 @@
 //! The options that a command with `--engine` uses, by its engine.
 //!
-//! `render` and `progressive` have three engines, none of which uses every option. An option that is given and not
+//! `render` and `progressive` have engines, none of which uses every option. An option that is given and not
 //! used is refused: whoever reads the result would take it for one that used it.
 
 use clap::error::ErrorKind;
@@ -10,10 +10,11 @@ use clap::{ArgMatches, Command};
 /// A value of `--engine`: its name, and of the options that not every engine uses those that it does.
 type Engine = (&'static str, &'static [&'static str]);
 
-const ENGINES: [Engine; 3] = [
+const ENGINES: [Engine; 4] = [
     ("model", &["machine", "coordinate-bits", "dimension"]),
     ("f64", &[]),
     ("format", &["format"]),
+    ("core", &["machine"]),
 ];
 
 /// The commands with `--engine`.
@@ -85,6 +86,7 @@ mod tests {
     model       x       x               x         .
     f64         .       .               .         .
     format      .       .               .         x
+    core        x       .               .         .
     ";
 
     /// Of every row and every column of the table: both names, and whether there is a cross.
@@ -133,7 +135,7 @@ mod tests {
                 (result, _) => panic!("{words:?}: {result:?}"),
             }
         }
-        assert_eq!(counts, [8, 4]);
+        assert_eq!(counts, [11, 5]);
     }
 
     #[test]

@@ -2,10 +2,13 @@
 
 use std::path::PathBuf;
 
-use anyhow::Result;
+use anyhow::{Result, bail};
 use clap::{Args as ClapArgs, ValueEnum};
+use photoncube_driver::DriverError;
 use photoncube_render::{Area, Caustics, DirectLight, Engine, Estimator, Lighting};
-use photoncube_spec::{PHOTON_FORMATS, PhotonFormat, find_photon_format};
+use photoncube_spec::{
+    MACHINES, Machine, PHOTON_FORMATS, PhotonFormat, find_machine, find_photon_format,
+};
 use serde::Serialize;
 
 use super::PictureArgs;
@@ -24,6 +27,7 @@ Examples:
   photoncube render ring -o ring.png --engine format --estimator knn:50
   photoncube render cornell -o smooth.png --engine f64 --estimator epanechnikov
   photoncube render cornell -o ladder.png --estimator ladder:4:cone
+  photoncube render cornell -o core.png --size 64x64 --engine core --machine leaf-7-local7-rgb6d-n4096
   photoncube render ring -o sharp.png --engine format --direct rays:4 --caustics own --final-gather 16
 
 Estimators:
@@ -74,6 +78,8 @@ pub enum EngineName {
     Model,
     /// The golden model of a photon format
     Format,
+    /// The emitted Verilog of a leaf machine, simulated in Verilator; `render` alone has it
+    Core,
 }
 
 impl EngineArgs {
@@ -85,9 +91,30 @@ impl EngineArgs {
             EngineName::F64 => Engine::F64,
             EngineName::Model => machine.into(),
             EngineName::Format => (&format).into(),
+            EngineName::Core => bail!(
+                "--engine core: found a command that has no passes for it, expected `render`; or give another engine"
+            ),
         })
     }
+
+    /// The leaf machine that the engine `core` simulates; `None` for another engine.
+    pub fn core(&self) -> Result<Option<&'static Machine>> {
+        if self.engine != EngineName::Core {
+            return Ok(None);
+        }
+        let machine = match self.machine.machine == MACHINES[0].name {
+            true => find_machine(CORE_MACHINE)?,
+            false => self.machine.find()?,
+        };
+        match machine.leaf() {
+            Some(_) => Ok(Some(machine)),
+            None => Err(DriverError::NoLeaves(machine.name).into()),
+        }
+    }
 }
+
+/// The machine of the engine `core` where none is named: eight engines, the format of the named tiles.
+const CORE_MACHINE: &str = "leaf-7-local7-rgb6d-n4096";
 
 /// An engine in reports.
 #[derive(Debug, Serialize)]
@@ -102,6 +129,7 @@ impl EngineReport {
     pub fn of(engine: Engine<'_>) -> Self {
         let (engine, machine, format) = match engine {
             Engine::F64 => ("f64", None, None),
+            Engine::Hardware(machine, _) => ("core", Some(machine.name.to_owned()), None),
             Engine::Integers(_, Some(machine)) => ("model", Some(machine.name.to_owned()), None),
             Engine::Integers(numbers, None) => {
                 ("format", None, numbers.format().map(PhotonFormat::name))

@@ -3,10 +3,11 @@
 use std::time::Instant;
 
 use anyhow::Result;
-use photoncube_render::{BATCH_PATHS, DirectLight, PhotonMap};
+use photoncube_render::{BATCH_PATHS, DirectLight, Engine, PhotonMap};
 use serde::Serialize;
 
 use crate::args::{EngineReport, LightingReport, RenderArgs};
+use crate::core::{self, CoreReport};
 use crate::outputs::{self, Output};
 use crate::stages::{picture_lit, trace_scene, view, write_picture};
 use crate::{output, scenes, sight};
@@ -36,11 +37,17 @@ struct Report {
     caustic_radius: Option<f64>,
     seed: u64,
     seconds: f64,
+    core: Option<CoreReport>,
 }
 
 /// Renders a scene to a file.
 pub fn execute(args: &RenderArgs, json: bool) -> Result<()> {
-    let engine = args.engine.find()?;
+    let machine = args.engine.core()?;
+    let driver = machine.map(core::driver).transpose()?;
+    let engine = match (machine, &driver) {
+        (Some(machine), Some(driver)) => Engine::Hardware(machine, driver),
+        _ => args.engine.find()?,
+    };
     args.estimator.check(engine)?;
     let scene = scenes::load(&args.scene)?;
     let lighting = args.light.lighting();
@@ -81,6 +88,7 @@ pub fn execute(args: &RenderArgs, json: bool) -> Result<()> {
         caustic_radius: caustic.map(PhotonMap::radius),
         seed: args.picture.seed,
         seconds: start.elapsed().as_secs_f64(),
+        core: driver.map(|driver| CoreReport::of(driver.work())),
     };
     output::print(json, &report, || text(&report))
 }
@@ -106,5 +114,9 @@ fn text(report: &Report) -> String {
         report.seconds,
         report.estimator,
         report.gathers_per_query,
-    )
+    ) + &report
+        .core
+        .as_ref()
+        .map(CoreReport::text)
+        .unwrap_or_default()
 }

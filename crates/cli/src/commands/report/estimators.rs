@@ -81,6 +81,7 @@ fn row(bench: &ErrorBench, estimator: &Estimator, engine: Engine<'_>) -> Row {
     let (engine, format) = match engine {
         Engine::F64 => ("f64", None),
         Engine::Integers(numbers, _) => ("format", numbers.format().map(PhotonFormat::name)),
+        Engine::Hardware(machine, _) => ("core", machine.format().map(PhotonFormat::name)),
     };
     Row {
         estimator: estimator.to_string(),

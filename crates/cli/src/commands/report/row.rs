@@ -99,6 +99,12 @@ pub fn row(bench: &ErrorBench, engine: Engine<'_>, bound: f64) -> Result<Row> {
             };
             (name, kind, format, numbers.bits_per_photon())
         }
+        Engine::Hardware(machine, _) => (
+            machine.name.to_owned(),
+            "machine",
+            machine.format().map(PhotonFormat::name),
+            machine.bits_per_photon(),
+        ),
     };
     Ok(Row {
         name,
