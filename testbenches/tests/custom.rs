@@ -3,7 +3,7 @@
 
 use photoncube_hdl::{Level, lint_machine};
 use photoncube_spec::find_machine;
-use photoncube_testbench::{DeviceKind, Source, VerifyOptions, verify, verify_part};
+use photoncube_testbench::{DeviceKind, Protocol, Source, VerifyOptions, verify, verify_part};
 
 /// Formats that no named machine has: half steps, a radius of few bits, exponents, one channel.
 const MACHINES: [&str; 3] = [
@@ -12,15 +12,30 @@ const MACHINES: [&str; 3] = [
     "sequential-local5x2-rgb3b2d-n4096",
 ];
 
+/// Leaf machines: two engines with banks of two pairs of leaves; one engine, half steps and squares from products; exponents and
+/// one channel.
+const LEAF_MACHINES: [&str; 3] = [
+    "leaf-5-local7-rgb6d-n32",
+    "leaf-4-local6x2-rgb4d-n256",
+    "leaf-6-local8-mono3e4-n128",
+];
+
 fn equal(name: &str, kind: DeviceKind, iterations: u64) {
+    equal_on(name, kind, Source::Random, iterations);
+}
+
+fn equal_on(name: &str, kind: DeviceKind, source: Source<'_>, iterations: u64) {
     let machine = find_machine(name).unwrap();
     let options = VerifyOptions {
         iterations,
         seed: 1,
-        source: Source::Random,
+        source,
     };
     let verdict = verify(machine, kind, &options, &|_| ()).unwrap();
-    assert!(verdict.registers_compared && verdict.iterations >= iterations);
+    assert!(
+        verdict.registers_compared && verdict.iterations >= iterations,
+        "{name}"
+    );
     assert!(verdict.results_compared > 0);
 }
 
@@ -29,6 +44,36 @@ fn the_emitted_text_of_custom_machines_equals_the_golden_model() {
     for name in MACHINES {
         equal(name, DeviceKind::Text, 1_000);
     }
+}
+
+/// Each register of the memory of leaves, of the comparison of boxes and of the chain, in every clock. Every result also equals the
+/// direct gather over the photons of its set, so no photon in range is skipped.
+#[test]
+fn the_emitted_text_of_leaf_machines_equals_the_golden_model() {
+    for name in LEAF_MACHINES {
+        equal(name, DeviceKind::Text, 1_500);
+    }
+}
+
+/// Banks filled to their last place, streams that wait, and a reset at every clock of a query.
+#[test]
+fn the_streams_of_a_leaf_machine_may_wait_and_be_reset() {
+    let sources = [
+        Source::FullBank,
+        Source::Protocol(Protocol::FewStalls),
+        Source::Protocol(Protocol::Holds),
+        Source::Protocol(Protocol::Resets),
+    ];
+    for source in sources {
+        equal_on(LEAF_MACHINES[0], DeviceKind::Text, source, 1);
+    }
+}
+
+#[test]
+fn the_lint_of_a_leaf_machine_finds_nothing() {
+    let linted = lint_machine(find_machine(LEAF_MACHINES[0]).unwrap()).unwrap();
+    assert_eq!(linted.findings, Vec::<String>::new());
+    assert!(linted.generated > 100);
 }
 
 #[test]

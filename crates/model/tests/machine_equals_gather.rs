@@ -91,6 +91,7 @@ fn groups(machine: &Machine) -> impl Strategy<Value = Vec<Group>> {
         let with_last = |(index, lanes)| Group {
             lanes,
             last: index + 1 == count,
+            facing: 0,
         };
         groups.into_iter().enumerate().map(with_last).collect()
     })

@@ -49,7 +49,7 @@ fn a_machine_that_cannot_be_made_is_refused() {
         (
             "core",
             FORMAT,
-            "expected sequential, stream, or tile-4 to tile-10",
+            "expected sequential, stream, tile-4 to tile-10, or leaf-4 to leaf-10",
         ),
         (
             "stream",

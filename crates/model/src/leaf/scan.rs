@@ -246,3 +246,56 @@ impl Scan {
         self.queue.clear();
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use photoncube_spec::{Photon, Query, find_machine};
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::gather;
+
+    /// Points in the frame, mostly close to each other, of which two are a box.
+    fn points(bits: u32) -> impl Strategy<Value = [[u32; 3]; 2]> {
+        let largest = (1_u32 << bits) - 1;
+        let near = prop::array::uniform3(0..=1_u32 << (bits - 2));
+        (prop::array::uniform3(0..=largest), near).prop_map(move |(first, steps)| {
+            let second = [0, 1, 2].map(|axis| (first[axis] + steps[axis]).min(largest));
+            [first, second]
+        })
+    }
+
+    fn around([first, second]: [[u32; 3]; 2]) -> Bounds {
+        Bounds::at(first).around(Bounds::at(second))
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(4_000))]
+        /// With whole steps and on half steps: where a photon of a leaf is in range of a query of a batch, so are their boxes.
+        #[test]
+        fn no_leaf_with_a_photon_in_range_is_skipped(
+            whole in (points(9), points(9)),
+            half in (points(10), points(8)),
+        ) {
+            for (name, (queries, photons)) in [
+                ("leaf-4-local7-rgb6d-n64", whole),
+                ("leaf-4-local6x2-rgb4d-n64", half),
+            ] {
+                let machine = find_machine(name).unwrap();
+                let geometry = Geometry::of(machine);
+                let in_range = |query: [u32; 3], photon: [u32; 3]| {
+                    let query = Query { position: query, radius_sq: machine.fixed_radius_sq().unwrap() };
+                    let photon = Photon { position: photon, ..Photon::default() };
+                    gather(machine, &query, [photon]).unwrap().count == 1
+                };
+                let some = queries.iter().any(|query| photons.iter().any(|photon| in_range(*query, *photon)));
+                let boxes = geometry.is_in_range(around(queries), around(photons));
+                prop_assert!(boxes || !some, "{name}: {queries:?} {photons:?}");
+                // Of single points the decision is that of the photon, but for two cells within a half step of each other on an
+                // axis, whose gap counts as half a step in both.
+                let of_points = geometry.is_in_range(Bounds::at(queries[0]), Bounds::at(photons[0]));
+                prop_assert_eq!(of_points, in_range(queries[0], photons[0]));
+            }
+        }
+    }
+}
