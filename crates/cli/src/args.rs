@@ -229,7 +229,7 @@ pub struct GenerateArgs {
         conflicts_with = "machine"
     )]
     pub format: Option<String>,
-    /// The organisation of the machine of that format: sequential, stream, or tile-4 to tile-10
+    /// The organisation of the machine of that format: sequential, stream, tile-4 to tile-10, or leaf-4 to leaf-10
     #[arg(long, value_name = "O", requires = "format", value_parser = CustomOrganisation::from_name)]
     pub organisation: Option<CustomOrganisation>,
     /// The folder to write, one folder in it for each machine

@@ -43,7 +43,7 @@ pub(crate) fn governing(machine: &Machine, pins: &Pins) -> Vec<Vec<usize>> {
             .strip_prefix("photon_")
             .filter(|n| !n.starts_with("present"));
         let lane = lane.and_then(|name| name.rsplit_once('_'));
-        let lane = lane.filter(|_| !machine.has_memory());
+        let lane = lane.filter(|_| !machine.keeps_sets());
         let present = lane.and_then(|(_, lane)| named(format!("photon_present_{lane}")));
         Some(
             named(stream.to_owned())

@@ -144,3 +144,43 @@ fn fit_and_run_take_a_machine_of_exactly_the_fitted_format() {
     assert!(run["vectors_compared"].as_u64() > Some(0));
     assert_eq!(run["fitted"], Value::Null);
 }
+
+/// A picture through the emitted Verilog of a leaf machine, pixel by pixel that of the direct gather.
+#[test]
+#[ignore = "needs Verilator: scripts/setup.sh installs it"]
+fn the_emitted_verilog_of_a_leaf_machine_renders_a_picture() {
+    let folder = tempfile::tempdir().unwrap();
+    let picture = |name: &str| folder.path().join(name).display().to_string();
+    let render = |output: &str, engine: &[&str]| {
+        let words = [
+            "render",
+            "cornell",
+            "--size",
+            "64x64",
+            "--photons",
+            "100000",
+            "-o",
+        ];
+        json(&[&words[..], &[output, "--engine"], engine].concat())
+    };
+    let (by_verilog, by_gather) = (picture("verilog.exr"), picture("gather.exr"));
+    let report = render(
+        &by_verilog,
+        &["core", "--machine", "leaf-7-local7-rgb6d-n4096"],
+    );
+    render(&by_gather, &["format", "--format", "local7-rgb6d-n4096"]);
+    assert_eq!(fs::read(by_verilog).unwrap(), fs::read(by_gather).unwrap());
+    let core = &report["core"];
+    assert!(core["groups_played"].as_u64() > core["frames"].as_u64());
+    assert_eq!(core["query_words"], report["query_points"]);
+}
+
+#[test]
+fn a_machine_without_leaves_renders_no_picture_by_its_verilog() {
+    let words = ["render", "cornell", "-o", "x.png", "--engine", "core"];
+    let message = error(&[&words[..], &["--machine", "tile-5"]].concat(), 2);
+    assert!(message.contains("`tile-5` is no leaf machine"), "{message}");
+    let words = ["progressive", "cornell", "-o", "x.png", "--engine", "core"];
+    let message = error(&words, 2);
+    assert!(message.contains("expected `render`"), "{message}");
+}

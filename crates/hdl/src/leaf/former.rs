@@ -23,6 +23,8 @@ pub(crate) struct Former<const NB: usize> {
     pub takes_token: Signal<Out, Bit>,
     pub takes_query: Signal<Out, Bit>,
     pub first: Signal<Out, Bit>,
+    /// The token that is given, if one is, is a filler.
+    pub fills: Signal<Out, Bit>,
     /// The chain has all tokens of the batch.
     pub complete: Signal<Out, Bit>,
     pub release_out: Signal<Out, Bit>,
@@ -50,7 +52,7 @@ impl<const NB: usize> Former<NB> {
             one_less: constant(engines - 1),
         };
             clock reset query_valid query_last query_release query_facings chain_ready starts query_ready
-            token_valid takes_token takes_query first complete release_out facings_out loaded closed releases
+            token_valid takes_token takes_query first fills complete release_out facings_out loaded closed releases
             facings is_full is_first is_last_place valid takes is_query
         )
     }
@@ -93,8 +95,28 @@ impl<const NB: usize> Logic for Former<NB> {
         self.takes_token.next = self.takes.val();
         self.takes_query.next = self.is_query.val();
         self.first.next = self.is_first.val();
+        self.fills.next = self.closed.q.val();
         self.complete.next = self.closed.q.val() & self.is_full.val();
         self.release_out.next = self.releases.q.val();
         self.facings_out.next = self.facings.q.val();
+    }
+}
+
+/// A coordinate of the token: that of the query on the pins, or of a filler. `C` bits.
+#[derive(LogicBlock, Default)]
+pub(crate) struct TokenPlace<const C: usize> {
+    pub fills: Signal<In, Bit>,
+    pub query: Signal<In, Bits<C>>,
+    pub filler: Signal<In, Bits<C>>,
+    pub token: Signal<Out, Bits<C>>,
+}
+
+impl<const C: usize> Logic for TokenPlace<C> {
+    #[hdl_gen]
+    fn update(&mut self) {
+        self.token.next = self.query.val();
+        if self.fills.val() {
+            self.token.next = self.filler.val();
+        }
     }
 }

@@ -7,7 +7,7 @@ use super::boxes::{BoxBorders, BoxControl};
 use super::culler::Culler;
 use super::extent::{ExtentSoFar, Held};
 use super::fill::Fill;
-use super::former::Former;
+use super::former::{Former, TokenPlace};
 use super::player::Player;
 use super::scan::{CullStage, Gathers, PairQueue, Scan};
 use super::tags::Tags;
@@ -103,6 +103,7 @@ pub(crate) struct LeafMachine<
     pub(super) former: Former<NB>,
     /// The box around the batch's queries, axis by axis.
     pub(super) query_border: [ExtentSoFar<C>; AXES],
+    token_place: [TokenPlace<C>; AXES],
     pub(super) scan: Scan<LB, KB>,
     /// The box of the batch that is compared, axis by axis.
     pub(super) scan_low: [Held<C>; AXES],
@@ -206,7 +207,7 @@ impl<
         };
             clock reset query_valid query_ready query_x query_y query_z query_release query_last query_facings
             query_tag group_valid group_ready group_last group_facing photon_present photon_x photon_y photon_z
-            result_valid result_ready result_count result_tag fill borders control box_words query_border scan scan_low
+            result_valid result_ready result_count result_tag fill borders control box_words query_border token_place scan scan_low
             scan_high gathers queue unless_blank _wires
         ))
     }
@@ -310,6 +311,9 @@ impl<
             (former.chain_ready) = (chain.query_ready);
             (former.starts) = (scan.starts);
             (query_ready) = (former.query_ready);
+            (token_place[0].query) = (query_x);
+            (token_place[1].query) = (query_y);
+            (token_place[2].query) = (query_z);
             (query_border[0].low_in) = (query_x);
             (query_border[0].high_in) = (query_x);
             (query_border[1].low_in) = (query_y);
@@ -322,6 +326,8 @@ impl<
                 (query_border[axis].clock) = (clock);
                 (query_border[axis].comes) = (former.takes_query);
                 (query_border[axis].first) = (former.first);
+                (token_place[axis].fills) = (former.fills);
+                (token_place[axis].filler) = (query_border[axis].low_out);
             );
         }
     }
@@ -459,9 +465,9 @@ impl<
             (chain.clock) = (clock);
             (chain.reset) = (reset);
             (chain.query_valid) = (former.token_valid);
-            (chain.query_x) = (query_x);
-            (chain.query_y) = (query_y);
-            (chain.query_z) = (query_z);
+            (chain.query_x) = (token_place[0].token);
+            (chain.query_y) = (token_place[1].token);
+            (chain.query_z) = (token_place[2].token);
             (chain.group_valid) = (player.word_valid_out);
             (chain.group_last) = (player.word_last_out);
             (chain.result_ready) = (tags.chain_ready);

@@ -13,7 +13,9 @@ mod player;
 mod scan;
 mod tags;
 
-use photoncube_spec::{Group, Inputs, Leaf, LeafSizes, Machine, Organisation, Outputs, Pins};
+use photoncube_spec::{
+    Group, Inputs, Leaf, LeafSizes, Machine, Organisation, Outputs, Pins, Query,
+};
 
 use crate::golden::GoldenMachine;
 use crate::spatial::SpatialMachine;
@@ -100,7 +102,13 @@ impl LeafMachine {
         Inputs {
             reset: inputs.reset,
             query_valid: token.is_some(),
-            query: inputs.query,
+            query: match self.former.closed {
+                true => Query {
+                    position: self.former.bounds.low,
+                    ..inputs.query
+                },
+                false => inputs.query,
+            },
             group_valid: self.player.word.valid,
             group: self.memory.word(self.player.word),
             result_ready: self.tags.is_filler() || inputs.result_ready,

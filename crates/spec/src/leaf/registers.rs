@@ -150,7 +150,7 @@ registers! {
     End "end" [|_| 2] |d| d.sizes.leaf;
     /// The tokens of the batch that the chain has taken, the queries and those that fill the batch up. The chain is given a
     /// query where `query_valid` and not `Closed`, with `query_ready` = not `Closed` and the chain is ready. Where `Closed` and `Loaded`
-    /// is less than the engines, it is given the words on the query pins as a *filler*, whose result is dropped. := 0
+    /// is less than the engines, it is given a *filler*, whose result is dropped. Its query pins are those of the machine, but `QueryLow` where `Closed`. := 0
     /// where the batch *starts*, which needs `Closed` and as many tokens as engines.
     Loaded "loaded" [|_| 1] |d| d.sizes.loaded;
     /// The batch has all its queries. := 1 where a query is taken with `query_last` or as the last of as many queries as engines; := 0 where
