@@ -27,7 +27,7 @@ Examples:
   photoncube render ring -o ring.png --engine format --estimator knn:50
   photoncube render cornell -o smooth.png --engine f64 --estimator epanechnikov
   photoncube render cornell -o ladder.png --estimator ladder:4:cone
-  photoncube render cornell -o core.png --size 64x64 --engine core --machine leaf-7-local7-rgb6d-n4096
+  photoncube render cornell -o core.png --size 64x64 --engine core
   photoncube render ring -o sharp.png --engine format --direct rays:4 --caustics own --final-gather 16
 
 Estimators:
