@@ -168,7 +168,11 @@ fn no_memory() -> Result<(), Failed> {
     };
     match verify(machine, DeviceKind::Text, &options, &|_| ()) {
         Err(VerifyError::Stimulus(error @ StimulusError::NoBank { .. })) => {
-            assert!(error.to_string().contains("`stream` keeps no sets of photons"));
+            assert!(
+                error
+                    .to_string()
+                    .contains("`stream` keeps no sets of photons")
+            );
         }
         other => return Err(format!("expected that there is no bank, found {other:?}").into()),
     }
