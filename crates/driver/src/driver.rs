@@ -209,7 +209,7 @@ impl<T: Transport> Driver<T> {
                     add(&mut sums[*query], result.sums);
                 }
                 work += self.work_of(&words, &answer);
-                work.frames += frames as u64;
+                work.frames += words.frames;
             }
             let done = done.fetch_add(frames, Ordering::Relaxed) + frames;
             (self.progress)(done, plan.frames().len());

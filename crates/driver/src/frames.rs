@@ -3,7 +3,6 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
-use glam::{DVec3, I64Vec3};
 use photoncube_render::{BatchOptions, Batches, Facings, QuantisedMap, QueryPoint, close_together};
 use photoncube_spec::{
     BatchPins, Group, Lane, Leaf, LeafWords, Machine, Numbers, Photon, PhotonFormat, Query,
@@ -24,7 +23,7 @@ const LONGEST_BATCH: f64 = 1.0;
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct FrameBatch {
     queries: Range<usize>,
-    /// The set of facings that the queries gather, by its number in the plan.
+    /// The set of facings that the queries gather, by its index in [`Batches::facing_sets`].
     facings: usize,
 }
 
@@ -44,12 +43,15 @@ pub struct FrameWords {
     /// For each word of the query stream, the index of its query in the picture. A query whose photons need several
     /// sets is there for each of them, and its sums are those of all its results.
     pub queries: Vec<usize>,
+    /// Frames of these words: 1, or 0 where the frame has no photon.
+    pub frames: u64,
 }
 
 impl FrameWords {
     /// Appends words that follow these.
     pub fn append(&mut self, other: Self) {
         let first = self.queries.len() as u32;
+        self.frames += other.frames;
         self.queries.extend(other.queries);
         self.words.groups.extend(other.words.groups);
         self.words
@@ -68,8 +70,6 @@ pub struct FramePlan<'a> {
     format: &'a PhotonFormat,
     leaf: Leaf,
     batches: Batches,
-    /// The sets of facings: for each group of photons of one facing, whether it is gathered.
-    facing_sets: Vec<Vec<bool>>,
     /// The runs of the map, each with its photons, and their numbers in each block.
     runs: Vec<Range<usize>>,
     runs_of_block: HashMap<[i64; 3], Vec<usize>>,
@@ -102,7 +102,6 @@ impl<'a> FramePlan<'a> {
             format,
             leaf,
             batches: Batches::new(map, queries, &options),
-            facing_sets: Vec::new(),
             runs: map.map().runs().collect(),
             runs_of_block: runs_by_block(map),
             frames: Vec::new(),
@@ -116,28 +115,20 @@ impl<'a> FramePlan<'a> {
         &self.frames
     }
 
-    /// Cuts the batches where their queries go to another frame, and collects the sets of facings.
+    /// Cuts the batches where their queries go to another frame.
     fn cut_into_frames(&mut self) {
-        let mut numbers: HashMap<Vec<bool>, usize> = HashMap::new();
-        let mut of_normals: HashMap<[u64; 3], usize> = HashMap::new();
         for batch in &self.batches.batches {
             let mut first = batch.queries.start;
             while first < batch.queries.end {
-                let origin = self.origin(&self.batches.queries[first]);
+                let origin = self.origin(first);
                 let rest = first..batch.queries.end;
-                let here =
-                    rest.take_while(|&query| self.origin(&self.batches.queries[query]) == origin);
-                let end = first + here.count();
-                let normal = self.batches.queries[first].normal;
-                let facings = *of_normals.entry(bits(normal)).or_insert_with(|| {
-                    let next = numbers.len();
-                    *numbers
-                        .entry(self.map.map().facings(normal))
-                        .or_insert(next)
-                });
+                let end = first
+                    + rest
+                        .take_while(|&query| self.origin(query) == origin)
+                        .count();
                 let batch = FrameBatch {
                     queries: first..end,
-                    facings,
+                    facings: batch.facings,
                 };
                 match self
                     .frames
@@ -153,15 +144,12 @@ impl<'a> FramePlan<'a> {
                 first = end;
             }
         }
-        self.facing_sets = vec![Vec::new(); numbers.len()];
-        for (set, number) in numbers {
-            self.facing_sets[number] = set;
-        }
     }
 
     /// The lowest block of a query's frame.
-    fn origin(&self, query: &QueryPoint) -> [i64; 3] {
-        let (block, _) = self.map.map().place(query.position);
+    fn origin(&self, query: usize) -> [i64; 3] {
+        let position = self.batches.queries[query].position;
+        let (block, _) = self.map.map().place(position);
         block
             .to_array()
             .map(|block| block.div_euclid(QUERY_BLOCKS) * QUERY_BLOCKS - 1)
@@ -180,19 +168,21 @@ impl<'a> FramePlan<'a> {
                 self.add_set(frame, sets, set, &mut all);
             }
         }
+        all.frames = u64::from(!all.queries.is_empty());
         all
     }
 
     /// The leaves of the photons that some of these sets of facings has. A photon's facing in the machine has a bit for each set
     /// that has it.
     fn leaves(&self, frame: &Frame, sets: &[usize]) -> Vec<PhotonLeaf> {
-        let mut by_facing: Vec<Vec<FramePhoton>> = vec![Vec::new(); Leaf::FACINGS as usize];
+        let mut by_facing: Vec<Vec<Photon>> = vec![Vec::new(); Leaf::FACINGS as usize];
         for offset in offsets() {
             let block = [0, 1, 2].map(|axis| frame.origin[axis] + i64::from(offset[axis]));
             for &run in self.runs_of_block.get(&block).into_iter().flatten() {
                 let group = self.map.map().group_of_run(run) as usize;
-                let has =
-                    |(bit, set): (usize, &usize)| usize::from(self.facing_sets[*set][group]) << bit;
+                let has = |(bit, set): (usize, &usize)| {
+                    usize::from(self.batches.facing_sets[*set][group]) << bit
+                };
                 let facing: usize = sets.iter().enumerate().map(has).sum();
                 if facing > 0 {
                     by_facing[facing].extend(self.photons(run, offset));
@@ -206,18 +196,18 @@ impl<'a> FramePlan<'a> {
     }
 
     /// The photons of a run whose block has this offset in the frame.
-    fn photons(&self, run: usize, offset: [u32; 3]) -> impl Iterator<Item = FramePhoton> + '_ {
+    fn photons(&self, run: usize, offset: [u32; 3]) -> impl Iterator<Item = Photon> + '_ {
         let photons = self.runs[run].clone();
         photons.map(move |index| {
             let record = &self.map.records()[index];
             let place = |axis: usize| {
                 (offset[axis] << self.format.position_bits) + u32::from(record.position[axis])
             };
-            FramePhoton(Photon {
+            Photon {
                 position: [0, 1, 2].map(place),
                 power: record.mantissa.map(u32::from),
                 exponent: self.map.exponent(index).into(),
-            })
+            }
         })
     }
 
@@ -263,10 +253,6 @@ impl<'a> FramePlan<'a> {
     }
 }
 
-/// A photon in the coordinates of a frame.
-#[derive(Copy, Clone, Debug)]
-struct FramePhoton(Photon);
-
 /// A leaf: some photons of one facing.
 struct PhotonLeaf {
     facing: usize,
@@ -277,7 +263,7 @@ fn runs_by_block(map: &QuantisedMap<'_>) -> HashMap<[i64; 3], Vec<usize>> {
     let mut all: HashMap<_, Vec<_>> = HashMap::new();
     for (number, run) in map.map().runs().enumerate() {
         let first = map.map().photons()[run.start].position;
-        let block: I64Vec3 = map.map().place(first).0;
+        let block = map.map().place(first).0;
         all.entry(block.to_array()).or_default().push(number);
     }
     all
@@ -303,20 +289,16 @@ fn facings_with(set: usize) -> u32 {
 }
 
 /// Puts photons of one facing into leaves of photons that are close together.
-fn in_leaves(facing: usize, photons: &[FramePhoton]) -> Vec<PhotonLeaf> {
+fn in_leaves(facing: usize, photons: &[Photon]) -> Vec<PhotonLeaf> {
     let mut order: Vec<_> = (0..photons.len() as u32).collect();
     let place = |index: u32| {
-        let FramePhoton(photon) = photons[index as usize];
         // A coordinate has at most 14 bits.
-        photon.position.map(|place| place as u16)
+        photons[index as usize].position.map(|place| place as u16)
     };
     close_together(&mut order, LEAF_PHOTONS, &place);
     let leaf = |chunk: &[u32]| PhotonLeaf {
         facing,
-        photons: chunk
-            .iter()
-            .map(|&index| photons[index as usize].0)
-            .collect(),
+        photons: chunk.iter().map(|&index| photons[index as usize]).collect(),
     };
     order.chunks(LEAF_PHOTONS).map(leaf).collect()
 }
@@ -349,8 +331,4 @@ fn groups(leaves: &[PhotonLeaf]) -> Vec<Group> {
         last.last = true;
     }
     groups
-}
-
-fn bits(normal: DVec3) -> [u64; 3] {
-    normal.to_array().map(f64::to_bits)
 }

@@ -2,13 +2,10 @@
 
 use photoncube_model::{GoldenMachine, LeafMachine};
 use photoncube_spec::{
-    Group, Inputs, Lane, LeafAnswer, LeafWords, Machine, Query, Spatial, TaggedSums,
+    Group, Inputs, Lane, Leaf, LeafAnswer, LeafWords, Machine, Query, Spatial, TaggedSums,
 };
 
 use crate::transport::{Transport, TransportError};
-
-/// Clocks without any word moving after which the machine counts as hanging: more than a scan of the largest bank.
-const SILENCE: u64 = 1 << 17;
 
 /// The golden model of a leaf machine, clock by clock.
 #[derive(Debug)]
@@ -79,9 +76,10 @@ impl Transport for ModelTransport {
                 });
                 still = 0;
             }
-            if still > SILENCE {
+            if still > Leaf::SILENT_CLOCKS {
                 return Err(format!(
-                    "the model has not moved a word for {SILENCE} clocks, with {} of {} results",
+                    "the model has not moved a word for {} clocks, with {} of {} results",
+                    Leaf::SILENT_CLOCKS,
                     answer.results.len(),
                     words.queries.len()
                 )

@@ -7,8 +7,8 @@ use std::process::Command;
 
 use photoncube_hdl::{Emitted, Level, emit};
 use photoncube_spec::{
-    Group, Inputs, LeafAnswer, LeafRegister, LeafWords, Machine, Pin, Pins, QueryWord, SignalPlace,
-    TaggedSums,
+    Group, Inputs, Leaf, LeafAnswer, LeafRegister, LeafWords, Machine, Pin, Pins, QueryWord,
+    SignalPlace, TaggedSums,
 };
 use tempfile::TempDir;
 
@@ -19,9 +19,6 @@ use super::verilator::{Build, Sources, build_or_reuse};
 use super::{DeviceError, scratch_folder};
 use crate::tools::Tool;
 use crate::trace::trace_module;
-
-/// Clocks without any word moving after which the machine counts as hanging: more than a scan of the largest bank.
-const SILENCE: u64 = 1 << 17;
 
 /// A leaf machine in a running Verilator simulation, driven over its streams.
 pub struct StreamSimulation {
@@ -131,7 +128,8 @@ impl StreamSimulation {
                 stdout.read_exact(&mut bytes)?;
                 if found != count as u64 {
                     return Err(std::io::Error::other(format!(
-                        "the machine moved no word for {SILENCE} clocks, with {found} of {count} results"
+                        "the machine moved no word for {} clocks, with {found} of {count} results",
+                        Leaf::SILENT_CLOCKS
                     )));
                 }
                 let mut values = Vec::new();
@@ -271,7 +269,7 @@ int main() {{
     std::uint64_t answer[3] = {{0, 0, 0}};
     std::uint64_t query_at = 0, group_at = 0, still = 0;
     bool new_query = true, new_group = true;
-    while (answer[0] < queries && still < {SILENCE}) {{
+    while (answer[0] < queries && still < {silent}) {{
       if (new_query && query_at < queries) {{
 {gets_query}      }}
       if (new_group && group_at < groups) {{
@@ -307,6 +305,7 @@ int main() {{
         result_bytes = Packing::of(result).bytes,
         gets_query = lines(query, &|name| format!("        get(query, top.{name});")),
         gets_group = lines(group, &|name| format!("        get(group, top.{name});")),
+        silent = Leaf::SILENT_CLOCKS,
         puts = lines(result, &|name| format!("        put(to, top.{name});")),
     )
 }

@@ -3,6 +3,7 @@
 use photoncube_spec::Spatial;
 use rust_hdl::prelude::*;
 
+use super::FACING;
 use super::extent::{ExtentOfBoth, ExtentOfLane, ExtentSoFar};
 use crate::defaults::defaulted;
 use crate::spatial::stage::Stage;
@@ -112,7 +113,7 @@ pub(crate) struct BoxControl<const PB: usize, const LB: usize> {
     pub write_bank: Signal<In, Bit>,
     pub write_place: Signal<In, Bits<PB>>,
     pub write_last: Signal<In, Bit>,
-    pub write_facing: Signal<In, Bits<5>>,
+    pub write_facing: Signal<In, Bits<FACING>>,
     pub frees: Signal<In, Bit>,
     pub freed_bank: Signal<In, Bit>,
     /// For the borders: a group comes; it is the first of its leaf.
@@ -122,7 +123,7 @@ pub(crate) struct BoxControl<const PB: usize, const LB: usize> {
     pub box_bank_out: Signal<Out, Bit>,
     pub box_leaf_out: Signal<Out, Bits<LB>>,
     pub box_short_out: Signal<Out, Bit>,
-    pub box_facing_out: Signal<Out, Bits<5>>,
+    pub box_facing_out: Signal<Out, Bits<FACING>>,
     pub full_0_out: Signal<Out, Bit>,
     pub full_1_out: Signal<Out, Bit>,
     pub end_0_out: Signal<Out, Bits<LB>>,
@@ -131,18 +132,18 @@ pub(crate) struct BoxControl<const PB: usize, const LB: usize> {
     pub half_bank: DFF<Bit>,
     pub half_place: DFF<Bits<PB>>,
     pub half_last: DFF<Bit>,
-    pub half_facing: DFF<Bits<5>>,
+    pub half_facing: DFF<Bits<FACING>>,
     pub group_valid: DFF<Bit>,
     pub group_bank: DFF<Bit>,
     pub group_place: DFF<Bits<PB>>,
     pub group_last: DFF<Bit>,
-    pub group_facing: DFF<Bits<5>>,
+    pub group_facing: DFF<Bits<FACING>>,
     pub box_valid: DFF<Bit>,
     pub box_bank: DFF<Bit>,
     pub box_leaf: DFF<Bits<LB>>,
     pub box_last: DFF<Bit>,
     pub box_short: DFF<Bit>,
-    pub box_facing: DFF<Bits<5>>,
+    pub box_facing: DFF<Bits<FACING>>,
     pub full_0: DFF<Bit>,
     pub full_1: DFF<Bit>,
     pub end_0: DFF<Bits<LB>>,

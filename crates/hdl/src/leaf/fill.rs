@@ -2,6 +2,8 @@
 
 use rust_hdl::prelude::*;
 
+use super::FACING;
+
 /// Takes groups and says where they are written. `PB` bits of a place.
 #[derive(LogicBlock, Default)]
 pub(crate) struct Fill<const PB: usize> {
@@ -9,7 +11,7 @@ pub(crate) struct Fill<const PB: usize> {
     pub reset: Signal<In, Bit>,
     pub group_valid: Signal<In, Bit>,
     pub group_last: Signal<In, Bit>,
-    pub group_facing: Signal<In, Bits<5>>,
+    pub group_facing: Signal<In, Bits<FACING>>,
     /// The bank that is freed in this clock, if one is.
     pub frees: Signal<In, Bit>,
     pub freed_bank: Signal<In, Bit>,
@@ -18,7 +20,7 @@ pub(crate) struct Fill<const PB: usize> {
     pub write_bank_out: Signal<Out, Bit>,
     pub write_place_out: Signal<Out, Bits<PB>>,
     pub write_last_out: Signal<Out, Bit>,
-    pub write_facing_out: Signal<Out, Bits<5>>,
+    pub write_facing_out: Signal<Out, Bits<FACING>>,
     pub fill_bank: DFF<Bit>,
     pub fill_place: DFF<Bits<PB>>,
     pub fill_ready: DFF<Bit>,
@@ -28,7 +30,7 @@ pub(crate) struct Fill<const PB: usize> {
     pub write_bank: DFF<Bit>,
     pub write_place: DFF<Bits<PB>>,
     pub write_last: DFF<Bit>,
-    pub write_facing: DFF<Bits<5>>,
+    pub write_facing: DFF<Bits<FACING>>,
     takes: Signal<Local, Bit>,
     at_end: Signal<Local, Bit>,
     is_last: Signal<Local, Bit>,

@@ -2,6 +2,7 @@
 
 use rust_hdl::prelude::*;
 
+use super::FACINGS;
 use crate::defaults::defaulted;
 
 /// Gives the chain tokens. `NB` bits of the number of tokens.
@@ -12,7 +13,7 @@ pub(crate) struct Former<const NB: usize> {
     pub query_valid: Signal<In, Bit>,
     pub query_last: Signal<In, Bit>,
     pub query_release: Signal<In, Bit>,
-    pub query_facings: Signal<In, Bits<32>>,
+    pub query_facings: Signal<In, Bits<FACINGS>>,
     /// The chain takes a token, if it is valid.
     pub chain_ready: Signal<In, Bit>,
     /// The batch starts.
@@ -28,11 +29,11 @@ pub(crate) struct Former<const NB: usize> {
     /// The chain has all tokens of the batch.
     pub complete: Signal<Out, Bit>,
     pub release_out: Signal<Out, Bit>,
-    pub facings_out: Signal<Out, Bits<32>>,
+    pub facings_out: Signal<Out, Bits<FACINGS>>,
     pub loaded: DFF<Bits<NB>>,
     pub closed: DFF<Bit>,
     pub releases: DFF<Bit>,
-    pub facings: DFF<Bits<32>>,
+    pub facings: DFF<Bits<FACINGS>>,
     engines: Constant<Bits<NB>>,
     one_less: Constant<Bits<NB>>,
     is_full: Signal<Local, Bit>,

@@ -12,6 +12,7 @@ use super::player::Player;
 use super::scan::{CullStage, Gathers, PairQueue, Scan};
 use super::tags::Tags;
 use super::words::{BoxWords, GroupWords};
+use super::{FACING, FACINGS, TAG};
 use crate::defaults::{defaulted, signals};
 use crate::spatial::SpatialMachine;
 use crate::spatial::wiring::{Wires, Wiring, logic_of_wires, wires, with_wires};
@@ -77,12 +78,12 @@ pub(crate) struct LeafMachine<
     pub query_z: Signal<In, Bits<C>>,
     pub query_release: Signal<In, Bit>,
     pub query_last: Signal<In, Bit>,
-    pub query_facings: Signal<In, Bits<32>>,
-    pub query_tag: Signal<In, Bits<16>>,
+    pub query_facings: Signal<In, Bits<FACINGS>>,
+    pub query_tag: Signal<In, Bits<TAG>>,
     pub group_valid: Signal<In, Bit>,
     pub group_ready: Signal<Out, Bit>,
     pub group_last: Signal<In, Bit>,
-    pub group_facing: Signal<In, Bits<5>>,
+    pub group_facing: Signal<In, Bits<FACING>>,
     pub photon_present: [Signal<In, Bits<1>>; LANES],
     pub photon_x: [Signal<In, Bits<H>>; LANES],
     pub photon_y: [Signal<In, Bits<H>>; LANES],
@@ -94,7 +95,7 @@ pub(crate) struct LeafMachine<
     pub result_ready: Signal<In, Bit>,
     pub result: Vec<Signal<Out, Bits<S>>>,
     pub result_count: Signal<Out, Bits<N>>,
-    pub result_tag: Signal<Out, Bits<16>>,
+    pub result_tag: Signal<Out, Bits<TAG>>,
     pub(super) fill: Fill<PB>,
     pub(super) group_words: GroupWords<H, B, E, PB>,
     pub(super) borders: BoxBorders<H>,

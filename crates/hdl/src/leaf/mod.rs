@@ -20,6 +20,18 @@ mod scan;
 mod tags;
 mod words;
 
+use photoncube_spec::Leaf;
+
+/// Bits of a facing, of a set of facings, and of a tag.
+const FACING: usize = Leaf::FACING_BITS as usize;
+const FACINGS: usize = Leaf::FACINGS as usize;
+const TAG: usize = Leaf::TAG_BITS as usize;
+/// Bits of a place in the queue of pairs, and of their number.
+const QUEUE_PLACE: usize = Leaf::QUEUE.ilog2() as usize;
+const QUEUE_COUNT: usize = QUEUE_PLACE + 1;
+/// Bits of the groups of a pair that are played.
+const MASK: usize = Leaf::PAIR * Leaf::GROUPS;
+
 pub use build::leaf;
 pub(crate) use build::leaf_sizes;
 use machine::LeafMachine;

@@ -2,6 +2,7 @@
 
 use rust_hdl::prelude::*;
 
+use super::MASK;
 use crate::defaults::defaulted;
 
 /// Takes pairs from the queue and reads their groups. `PB` bits of a group's place, `KB` of a pair's, `SB` of the spacing,
@@ -14,7 +15,7 @@ pub(crate) struct Player<const PB: usize, const KB: usize, const SB: usize, cons
     /// whether the batch releases the set.
     pub has_pair: Signal<In, Bit>,
     pub pair: Signal<In, Bits<KB>>,
-    pub mask: Signal<In, Bits<4>>,
+    pub mask: Signal<In, Bits<MASK>>,
     pub flags: Signal<In, Bits<3>>,
     /// The last result of a batch is taken from the chain.
     pub batch_leaves: Signal<In, Bit>,
@@ -28,7 +29,7 @@ pub(crate) struct Player<const PB: usize, const KB: usize, const SB: usize, cons
     pub word_last_out: Signal<Out, Bit>,
     pub word_blank_out: Signal<Out, Bit>,
     pub entry_valid: DFF<Bit>,
-    pub entry_mask: DFF<Bits<4>>,
+    pub entry_mask: DFF<Bits<MASK>>,
     pub entry_pair: DFF<Bits<KB>>,
     pub entry_bank: DFF<Bit>,
     pub entry_end: DFF<Bit>,
@@ -43,8 +44,8 @@ pub(crate) struct Player<const PB: usize, const KB: usize, const SB: usize, cons
     pub word_blank: DFF<Bit>,
     spaced: Constant<Bits<SB>>,
     most: Constant<Bits<OB>>,
-    less: Signal<Local, Bits<4>>,
-    rest: Signal<Local, Bits<4>>,
+    less: Signal<Local, Bits<MASK>>,
+    rest: Signal<Local, Bits<MASK>>,
     is_last_group: Signal<Local, Bit>,
     is_end: Signal<Local, Bit>,
     is_spaced: Signal<Local, Bit>,

@@ -4,6 +4,7 @@ use photoncube_spec::Leaf;
 use rust_hdl::prelude::*;
 
 use super::ram::AsyncRam;
+use super::{FACING, FACINGS, MASK, QUEUE_COUNT, QUEUE_PLACE};
 use crate::defaults::defaulted;
 
 /// Issues the pairs of a set. `LB` bits of a leaf's number, `KB = LB - 1` of a pair's.
@@ -14,7 +15,7 @@ pub(crate) struct Scan<const LB: usize, const KB: usize> {
     /// The batch that can start, if it is complete.
     pub complete: Signal<In, Bit>,
     pub releases: Signal<In, Bit>,
-    pub facings: Signal<In, Bits<32>>,
+    pub facings: Signal<In, Bits<FACINGS>>,
     pub full_0: Signal<In, Bit>,
     pub full_1: Signal<In, Bit>,
     pub end_0: Signal<In, Bits<LB>>,
@@ -26,7 +27,7 @@ pub(crate) struct Scan<const LB: usize, const KB: usize> {
     pub issues: Signal<Out, Bit>,
     pub issue_bank: Signal<Out, Bit>,
     pub issue_pair: Signal<Out, Bits<KB>>,
-    pub facings_out: Signal<Out, Bits<32>>,
+    pub facings_out: Signal<Out, Bits<FACINGS>>,
     pub found_valid_out: Signal<Out, Bit>,
     pub found_pair_out: Signal<Out, Bits<KB>>,
     pub found_bank_out: Signal<Out, Bit>,
@@ -38,8 +39,8 @@ pub(crate) struct Scan<const LB: usize, const KB: usize> {
     pub scan_pair: DFF<Bits<KB>>,
     pub scan_end: DFF<Bits<LB>>,
     pub scan_release: DFF<Bit>,
-    pub scan_facings: DFF<Bits<32>>,
-    pub used: DFF<Bits<5>>,
+    pub scan_facings: DFF<Bits<FACINGS>>,
+    pub used: DFF<Bits<QUEUE_COUNT>>,
     pub look_valid: DFF<Bit>,
     pub look_pair: DFF<Bits<KB>>,
     pub look_bank: DFF<Bit>,
@@ -52,7 +53,7 @@ pub(crate) struct Scan<const LB: usize, const KB: usize> {
     pub found_end: DFF<Bit>,
     pub found_release: DFF<Bit>,
     pub found_second: DFF<Bit>,
-    most_used: Constant<Bits<5>>,
+    most_used: Constant<Bits<QUEUE_COUNT>>,
     is_full: Signal<Local, Bit>,
     end_leaf: Signal<Local, Bits<LB>>,
     end_pair: Signal<Local, Bits<KB>>,
@@ -60,11 +61,11 @@ pub(crate) struct Scan<const LB: usize, const KB: usize> {
     has_place: Signal<Local, Bit>,
     issue: Signal<Local, Bit>,
     is_last: Signal<Local, Bit>,
-    issued: Signal<Local, Bits<5>>,
-    dropped: Signal<Local, Bits<5>>,
-    taken: Signal<Local, Bits<5>>,
-    used_more: Signal<Local, Bits<5>>,
-    used_less: Signal<Local, Bits<5>>,
+    issued: Signal<Local, Bits<QUEUE_COUNT>>,
+    dropped: Signal<Local, Bits<QUEUE_COUNT>>,
+    taken: Signal<Local, Bits<QUEUE_COUNT>>,
+    used_more: Signal<Local, Bits<QUEUE_COUNT>>,
+    used_less: Signal<Local, Bits<QUEUE_COUNT>>,
 }
 
 impl<const LB: usize, const KB: usize> Default for Scan<LB, KB> {
@@ -188,14 +189,14 @@ impl<const LB: usize, const KB: usize> Logic for Scan<LB, KB> {
 /// The first stage beside the comparison of boxes: it decides which leaves the batch gathers.
 #[derive(LogicBlock, Default)]
 pub(crate) struct Gathers {
-    pub facings: Signal<In, Bits<32>>,
-    pub facing_0: Signal<In, Bits<5>>,
-    pub facing_1: Signal<In, Bits<5>>,
+    pub facings: Signal<In, Bits<FACINGS>>,
+    pub facing_0: Signal<In, Bits<FACING>>,
+    pub facing_1: Signal<In, Bits<FACING>>,
     pub second: Signal<In, Bit>,
     pub first_gathered: Signal<Out, Bit>,
     pub second_gathered: Signal<Out, Bit>,
-    shifted_0: Signal<Local, Bits<32>>,
-    shifted_1: Signal<Local, Bits<32>>,
+    shifted_0: Signal<Local, Bits<FACINGS>>,
+    shifted_1: Signal<Local, Bits<FACINGS>>,
 }
 
 impl Logic for Gathers {
@@ -281,19 +282,19 @@ pub(crate) struct PairQueue<const KB: usize> {
     /// The oldest pair: its groups that are wanted, and its flags as the player reads them.
     pub has_pair: Signal<Out, Bit>,
     pub oldest_pair: Signal<Out, Bits<KB>>,
-    pub oldest_mask: Signal<Out, Bits<4>>,
+    pub oldest_mask: Signal<Out, Bits<MASK>>,
     pub oldest_flags: Signal<Out, Bits<3>>,
-    pub queue_write: DFF<Bits<4>>,
-    pub queue_read: DFF<Bits<4>>,
-    pub queue_count: DFF<Bits<5>>,
-    pair_ram: AsyncRam<4, KB>,
-    mask_ram: AsyncRam<4, 4>,
-    flag_ram: AsyncRam<4, 3>,
+    pub queue_write: DFF<Bits<QUEUE_PLACE>>,
+    pub queue_read: DFF<Bits<QUEUE_PLACE>>,
+    pub queue_count: DFF<Bits<QUEUE_COUNT>>,
+    pair_ram: AsyncRam<QUEUE_PLACE, KB>,
+    mask_ram: AsyncRam<QUEUE_PLACE, MASK>,
+    flag_ram: AsyncRam<QUEUE_PLACE, 3>,
     wanted_0: Signal<Local, Bit>,
     wanted_1: Signal<Local, Bit>,
     some: Signal<Local, Bit>,
     queues: Signal<Local, Bit>,
-    mask: Signal<Local, Bits<4>>,
+    mask: Signal<Local, Bits<MASK>>,
     flags: Signal<Local, Bits<3>>,
 }
 

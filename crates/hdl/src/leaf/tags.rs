@@ -2,6 +2,7 @@
 
 use rust_hdl::prelude::*;
 
+use super::TAG;
 use super::ram::AsyncRam;
 use crate::defaults::defaulted;
 
@@ -12,18 +13,18 @@ pub(crate) struct Tags<const TB: usize, const RB: usize> {
     pub reset: Signal<In, Bit>,
     pub takes_token: Signal<In, Bit>,
     pub takes_query: Signal<In, Bit>,
-    pub query_tag: Signal<In, Bits<16>>,
+    pub query_tag: Signal<In, Bits<TAG>>,
     pub chain_valid: Signal<In, Bit>,
     pub result_ready: Signal<In, Bit>,
     pub chain_ready: Signal<Out, Bit>,
     pub result_valid: Signal<Out, Bit>,
-    pub result_tag: Signal<Out, Bits<16>>,
+    pub result_tag: Signal<Out, Bits<TAG>>,
     /// The last result of a batch is taken from the chain.
     pub batch_leaves: Signal<Out, Bit>,
     pub tag_write: DFF<Bits<TB>>,
     pub tag_read: DFF<Bits<TB>>,
     pub tag_result: DFF<Bits<RB>>,
-    tag_ram: AsyncRam<TB, 16>,
+    tag_ram: AsyncRam<TB, TAG>,
     kind_ram: AsyncRam<TB, 1>,
     is_query_in: Signal<Local, Bits<1>>,
     last_result: Constant<Bits<RB>>,

@@ -6,47 +6,39 @@
 use photoncube_spec::{Leaf, Spatial};
 use rust_hdl::prelude::*;
 
+use super::FACING;
 use crate::defaults::{defaulted, signals};
+use crate::parts::{Field, GroupPins, group_fields};
 
 const LANES: usize = Spatial::LANES;
 const AXES: usize = 3;
-const AXIS_NAMES: [&str; AXES] = ["x", "y", "z"];
 
 /// The name of a memory's array.
 pub(super) const GROUPS: &str = "groups";
 /// The names of the arrays of boxes: the first and the second leaf of each pair.
 pub(super) const BOXES: [&str; Leaf::PAIR] = ["boxes_0", "boxes_1"];
 
-/// A field of a word: its name and its width.
-struct Field {
-    name: String,
-    width: usize,
+/// Bits of a word.
+fn width_of(fields: &[Field]) -> usize {
+    fields.iter().map(|field| field.width).sum()
 }
 
-impl Field {
-    fn total(fields: &[Self]) -> usize {
-        fields.iter().map(|field| field.width).sum()
-    }
+/// The Verilog concatenation of the ports of these names.
+fn concatenation(fields: &[Field]) -> String {
+    let names = fields.iter().rev();
+    let names: Vec<_> = names.map(|field| field.name.as_str()).collect();
+    names.join(", ")
+}
 
-    /// The Verilog concatenation of the ports of these names.
-    fn concatenation(fields: &[Self], prefix: &str) -> String {
-        let names = fields.iter().rev();
-        let names: Vec<_> = names
-            .map(|field| format!("{prefix}{}", field.name))
-            .collect();
-        names.join(", ")
-    }
-
-    /// For each field a line of text, given its name and the range of its bits.
-    fn lines(fields: &[Self], line: impl Fn(&str, String, usize) -> String) -> String {
-        let mut low = 0;
-        let text = fields.iter().map(|Field { name, width }| {
-            let first = low;
-            low += width;
-            line(name, format!("{}:{first}", low - 1), width - 1)
-        });
-        text.collect()
-    }
+/// For each field a line of text, given its name and the range of its bits.
+fn lines(fields: &[Field], line: impl Fn(&str, String, usize) -> String) -> String {
+    let mut low = 0;
+    let text = fields.iter().map(|Field { name, width }| {
+        let first = low;
+        low += width;
+        line(name, format!("{}:{first}", low - 1), width - 1)
+    });
+    text.collect()
 }
 
 /// The words of the groups of both banks. `H` coordinate, `B` mantissa, `E` exponent, `PB` place bits.
@@ -121,21 +113,7 @@ impl<const H: usize, const B: usize, const E: usize, const PB: usize> GroupWords
 
     /// The fields of a word, from bit 0 up: for each lane presence, coordinates, mantissas and exponent.
     fn fields(&self) -> Vec<Field> {
-        let mut fields = Vec::new();
-        let mut field = |name: String, width| fields.push(Field { name, width });
-        for lane in 0..LANES {
-            field(format!("present${lane}"), 1);
-            for axis in AXIS_NAMES {
-                field(format!("{axis}${lane}"), H);
-            }
-            for place in (lane..self.channel.len()).step_by(LANES) {
-                field(format!("channel${place}"), B);
-            }
-            if lane < self.exponent.len() {
-                field(format!("exponent${lane}"), E);
-            }
-        }
-        fields
+        group_fields([H, B, E], self.channel.len())
     }
 
     /// The index in a word of a lane's field, in the order of `fields`.
@@ -144,16 +122,13 @@ impl<const H: usize, const B: usize, const E: usize, const PB: usize> GroupWords
     }
 
     fn group(&self) -> Vec<u64> {
-        let mut word = Vec::new();
-        for lane in 0..LANES {
-            word.push(self.present[lane].val().to_u64());
-            word.extend([&self.x, &self.y, &self.z].map(|axis| axis[lane].val().to_u64()));
-            let channels = self.channel.iter().skip(lane).step_by(LANES);
-            word.extend(channels.map(|channel| channel.val().to_u64()));
-            let exponent = self.exponent.get(lane);
-            word.extend(exponent.map(|exponent| exponent.val().to_u64()));
+        GroupPins {
+            present: &self.present,
+            position: [&self.x, &self.y, &self.z],
+            channel: &self.channel,
+            exponent: &self.exponent,
         }
-        word
+        .word()
     }
 
     fn step(&mut self) {
@@ -217,10 +192,10 @@ impl<const H: usize, const B: usize, const E: usize, const PB: usize> Logic
 
     fn hdl(&self) -> Verilog {
         let fields = self.fields();
-        let width = Field::total(&fields);
+        let width = width_of(&fields);
         let is_position =
             |name: &str| !name.starts_with("channel") && !name.starts_with("exponent");
-        let views = Field::lines(&fields, |name, range, top| {
+        let views = lines(&fields, |name, range, top| {
             let written = match is_position(name) {
                 true => format!("always @(*) write_{name} = of_write_{name};\n"),
                 false => String::new(),
@@ -249,7 +224,7 @@ impl<const H: usize, const B: usize, const E: usize, const PB: usize> Logic
              {views}",
             high = width - 1,
             last = self.depth() - 1,
-            group = Field::concatenation(&fields, ""),
+            group = concatenation(&fields),
         ))
     }
 }
@@ -261,7 +236,7 @@ pub(crate) struct BoxWords<const H: usize, const LB: usize, const KB: usize> {
     pub clock: Signal<In, Clock>,
     pub low: [Signal<In, Bits<H>>; AXES],
     pub high: [Signal<In, Bits<H>>; AXES],
-    pub facing: Signal<In, Bits<5>>,
+    pub facing: Signal<In, Bits<FACING>>,
     pub short: Signal<In, Bit>,
     pub write: Signal<In, Bit>,
     pub write_bank: Signal<In, Bit>,
@@ -272,7 +247,7 @@ pub(crate) struct BoxWords<const H: usize, const LB: usize, const KB: usize> {
     /// The words in `Found`: axis a of leaf i is at 3 i + a.
     pub found_low: [Signal<Out, Bits<H>>; AXES * Leaf::PAIR],
     pub found_high: [Signal<Out, Bits<H>>; AXES * Leaf::PAIR],
-    pub found_facing: [Signal<Out, Bits<5>>; Leaf::PAIR],
+    pub found_facing: [Signal<Out, Bits<FACING>>; Leaf::PAIR],
     pub found_short: [Signal<Out, Bit>; Leaf::PAIR],
     _boxes: [Vec<Vec<u64>>; Leaf::PAIR],
     pub(super) _look: [Vec<u64>; Leaf::PAIR],
@@ -371,7 +346,7 @@ impl<const H: usize, const LB: usize, const KB: usize> Logic for BoxWords<H, LB,
 
     fn hdl(&self) -> Verilog {
         let fields = Self::fields();
-        let width = Field::total(&fields);
+        let width = width_of(&fields);
         let (high, last) = (width - 1, self.depth() - 1);
         let [mut arrays, mut reads, mut views] = [(); 3].map(|()| String::new());
         for (leaf, array) in BOXES.iter().enumerate() {
@@ -390,7 +365,7 @@ impl<const H: usize, const LB: usize, const KB: usize> Logic for BoxWords<H, LB,
                  \x20 found_{leaf} <= look_{leaf};\n\
                  \x20 if ({writes}) {array}[write_address] <= box;\n"
             );
-            views += &Field::lines(&fields, |name, range, top| {
+            views += &lines(&fields, |name, range, top| {
                 let (stem, index) = match name.split_once('$') {
                     Some((stem, axis)) => {
                         let axis: usize = axis.parse().expect("borders are numbered by axis");
@@ -411,7 +386,7 @@ impl<const H: usize, const LB: usize, const KB: usize> Logic for BoxWords<H, LB,
              wire [{KB}:0] write_address = {{write_bank, write_leaf[{KB}:1]}};\n\
              wire [{KB}:0] read_address = {{read_bank, read_pair}};\n\
              always @(posedge clock) begin\n{reads}end\n{views}",
-            word = Field::concatenation(&fields, ""),
+            word = concatenation(&fields),
         ))
     }
 }

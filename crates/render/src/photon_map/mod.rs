@@ -341,12 +341,12 @@ impl PhotonMap {
     }
 
     /// For each group of photons of one facing, whether a query on a surface of unit normal `normal` gathers it.
-    pub fn facings(&self, normal: DVec3) -> Vec<bool> {
+    pub(crate) fn facings(&self, normal: DVec3) -> Vec<bool> {
         let groups = 0..self.groups.count() as u32;
         groups.map(|group| self.faces(group, normal)).collect()
     }
 
-    /// The group of a run's photons, which [`Self::facings`] has an answer for.
+    /// The group of a run's photons of one facing, as an index into a set of [`crate::Batches::facing_sets`].
     ///
     /// # Panics
     /// Where there is no such run.

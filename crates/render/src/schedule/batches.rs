@@ -56,6 +56,9 @@ pub struct Batch {
     pub bounds: Bounds,
     /// The queries, by their indices in the order of [`Batches::queries`].
     pub queries: std::ops::Range<usize>,
+    /// The set of facings that they gather, by its index in [`Batches::facing_sets`]; 0 with [`Facings::Engine`], where they may
+    /// gather different ones.
+    pub facings: usize,
 }
 
 /// The batches of all queries of a picture.
@@ -69,6 +72,9 @@ pub struct Batches {
     pub batches: Vec<Batch>,
     /// The most queries of a batch.
     pub size: u32,
+    /// The sets of facings that queries gather: for each group of photons of one facing, whether it is gathered. Empty with
+    /// [`Facings::Engine`].
+    pub facing_sets: Vec<Vec<bool>>,
 }
 
 /// Bits of a place in its block that order queries: eighths of an edge.
@@ -101,7 +107,6 @@ impl Batches {
         let radius = f64::from(2 * format.radius_steps());
         let longest = options.longest.map(|radii| (radii * radius) as i64);
         let mut batches: Vec<Batch> = Vec::new();
-        let mut before = 0;
         for (index, query) in queries.iter().enumerate() {
             let place = place(map, format, query);
             let facing = match options.facings {
@@ -111,9 +116,8 @@ impl Batches {
             let joined = batches.last_mut().filter(|batch| {
                 let fits = |longest| batch.bounds.with(place).longest() <= longest;
                 let has_room = batch.queries.len() < options.queries as usize;
-                has_room && facing == before && longest.is_none_or(fits)
+                has_room && facing == batch.facings && longest.is_none_or(fits)
             });
-            before = facing;
             match joined {
                 Some(batch) => {
                     batch.bounds = batch.bounds.with(place);
@@ -122,6 +126,7 @@ impl Batches {
                 None => batches.push(Batch {
                     bounds: Bounds::at(place),
                     queries: index..index + 1,
+                    facings: facing,
                 }),
             }
         }
@@ -130,6 +135,7 @@ impl Batches {
             order,
             batches,
             size: options.queries,
+            facing_sets: facings.sets(),
         }
     }
 }
@@ -149,6 +155,15 @@ impl FacingSets {
             let next = sets.len();
             *sets.entry(map.facings(normal)).or_insert(next)
         })
+    }
+
+    /// The sets by their numbers.
+    fn sets(self) -> Vec<Vec<bool>> {
+        let mut sets = vec![Vec::new(); self.sets.len()];
+        for (set, number) in self.sets {
+            sets[number] = set;
+        }
+        sets
     }
 }
 

@@ -59,6 +59,8 @@ impl Leaf {
     pub const FACING_BITS: u32 = Self::FACINGS.ilog2();
     /// Bits of a query's tag.
     pub const TAG_BITS: u32 = 16;
+    /// Clocks in which no word moves on any stream after which a machine hangs. The scan of the largest bank is shorter.
+    pub const SILENT_CLOCKS: u64 = 1 << 17;
     /// Pairs that wait to be played.
     pub const QUEUE: u32 = 16;
     /// The fewest groups of a bank: two pairs.

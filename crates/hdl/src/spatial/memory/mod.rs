@@ -12,6 +12,7 @@ use photoncube_spec::{MemoryRegister, Spatial};
 use rust_hdl::prelude::*;
 
 use crate::defaults::{defaulted, signals};
+use crate::parts::{Field, GroupPins, group_fields};
 
 const LANES: usize = Spatial::LANES;
 const AXES: [&str; 3] = ["x", "y", "z"];
@@ -85,12 +86,6 @@ struct State {
     word_last: bool,
 }
 
-/// A field of a word: its port name and its width.
-struct Field {
-    name: String,
-    width: usize,
-}
-
 impl<const H: usize, const B: usize, const E: usize> PhotonMemory<H, B, E> {
     pub fn new(spatial: &Spatial, channels: &'static [&'static str]) -> Self {
         let words = channels.len() * LANES;
@@ -121,21 +116,7 @@ impl<const H: usize, const B: usize, const E: usize> PhotonMemory<H, B, E> {
 
     /// The fields of a word, from bit 0 up: for each lane presence, coordinates, mantissas and exponent.
     fn fields(&self) -> Vec<Field> {
-        let mut fields = Vec::new();
-        let mut field = |name: String, width| fields.push(Field { name, width });
-        for lane in 0..LANES {
-            field(format!("present${lane}"), 1);
-            for axis in AXES {
-                field(format!("{axis}${lane}"), H);
-            }
-            for place in (lane..self.channel.len()).step_by(LANES) {
-                field(format!("channel${place}"), B);
-            }
-            if lane < self.exponent.len() {
-                field(format!("exponent${lane}"), E);
-            }
-        }
-        fields
+        group_fields([H, B, E], self.channel.len())
     }
 
     /// The number of words in both banks.
@@ -145,19 +126,13 @@ impl<const H: usize, const B: usize, const E: usize> PhotonMemory<H, B, E> {
 
     /// Packs the group on the pins into a word.
     fn group(&self) -> Vec<u64> {
-        let mut word = Vec::new();
-        for lane in 0..LANES {
-            word.push(self.present[lane].val().to_u64());
-            word.extend([&self.x, &self.y, &self.z].map(|axis| axis[lane].val().to_u64()));
-            let channels = self.channel.iter().skip(lane).step_by(LANES);
-            word.extend(channels.map(|channel| channel.val().to_u64()));
-            word.extend(
-                self.exponent
-                    .get(lane)
-                    .map(|exponent| exponent.val().to_u64()),
-            );
+        GroupPins {
+            present: &self.present,
+            position: [&self.x, &self.y, &self.z],
+            channel: &self.channel,
+            exponent: &self.exponent,
         }
-        word
+        .word()
     }
 
     fn show(&mut self) {
