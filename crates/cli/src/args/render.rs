@@ -6,9 +6,7 @@ use anyhow::{Result, bail};
 use clap::{Args as ClapArgs, ValueEnum};
 use photoncube_driver::DriverError;
 use photoncube_render::{Area, Caustics, DirectLight, Engine, Estimator, Lighting};
-use photoncube_spec::{
-    MACHINES, Machine, PHOTON_FORMATS, PhotonFormat, find_machine, find_photon_format,
-};
+use photoncube_spec::{Machine, PHOTON_FORMATS, PhotonFormat, find_photon_format};
 use serde::Serialize;
 
 use super::PictureArgs;
@@ -27,7 +25,7 @@ Examples:
   photoncube render ring -o ring.png --engine format --estimator knn:50
   photoncube render cornell -o smooth.png --engine f64 --estimator epanechnikov
   photoncube render cornell -o ladder.png --estimator ladder:4:cone
-  photoncube render cornell -o core.png --size 64x64 --engine core
+  photoncube render cornell -o core.png --engine core --machine leaf-7-local7-rgb6d-n4096
   photoncube render ring -o sharp.png --engine format --direct rays:4 --caustics own --final-gather 16
 
 Estimators:
@@ -102,19 +100,13 @@ impl EngineArgs {
         if self.engine != EngineName::Core {
             return Ok(None);
         }
-        let machine = match self.machine.machine == MACHINES[0].name {
-            true => find_machine(CORE_MACHINE)?,
-            false => self.machine.find()?,
-        };
+        let machine = self.machine.find()?;
         match machine.leaf() {
             Some(_) => Ok(Some(machine)),
             None => Err(DriverError::NoLeaves(machine.name).into()),
         }
     }
 }
-
-/// The machine of the engine `core` where none is named: eight engines, the format of the named tiles.
-const CORE_MACHINE: &str = "leaf-7-local7-rgb6d-n4096";
 
 /// An engine in reports.
 #[derive(Debug, Serialize)]

@@ -180,6 +180,11 @@ fn a_machine_without_leaves_renders_no_picture_by_its_verilog() {
     let words = ["render", "cornell", "-o", "x.png", "--engine", "core"];
     let message = error(&[&words[..], &["--machine", "tile-5"]].concat(), 2);
     assert!(message.contains("`tile-5` is no leaf machine"), "{message}");
+    let message = error(&words, 2);
+    assert!(
+        message.contains("`paper` is no leaf machine; expected one such as"),
+        "{message}"
+    );
     let words = ["progressive", "cornell", "-o", "x.png", "--engine", "core"];
     let message = error(&words, 2);
     assert!(message.contains("expected `render`"), "{message}");
