@@ -67,4 +67,4 @@ pub use spatial::{
     Cut, Cuts, ENGINE_REGISTERS, EngineKind, EngineRegister, EngineRow, EngineUnits, FlowRow,
     HeadRegister, HeadSizes, Instances, MemoryRegister, Radius, Spatial, SpatialError,
 };
-pub use stream::{BatchPins, Group, Inputs, Lane, Outputs, Photon, Query, Sums};
+pub use stream::{BatchPins, Group, Inputs, Lane, LeafEvents, Outputs, Photon, Query, Sums};

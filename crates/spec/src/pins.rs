@@ -9,7 +9,7 @@ use crate::formats::Widths;
 use crate::leaf::{self, Leaf, LeafRegister};
 use crate::machine::Machine;
 use crate::spatial::{EngineRegister, HeadRegister, MemoryRegister, SpatialPins};
-use crate::stream::{BatchPins, Group, Inputs, Lane, Outputs, Photon, Query, Sums};
+use crate::stream::{BatchPins, Group, Inputs, Lane, LeafEvents, Outputs, Photon, Query, Sums};
 
 /// A signal with its width. Its Verilog name is that at the top level or in the trace module.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -71,6 +71,8 @@ pub enum SignalPlace {
 const PHOTON_COORDINATES: [&str; 3] = ["x", "y", "z"];
 /// The name of the sum that counts the photons in range.
 const COUNT: &str = "count";
+/// Bits of a number of leaves of a pair.
+const COUNT_OF_PAIR: u32 = Leaf::PAIR.ilog2() + 1;
 
 /// All signals of a machine in their fixed order.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -225,7 +227,11 @@ impl Pins {
         let powers = &outputs.result.power[..PhotonPins::of(machine).channels];
         row.extend(powers.iter().map(|&power| power as u64));
         row.push(outputs.result.count);
-        row.extend(machine.leaf().map(|_| u64::from(outputs.result_tag)));
+        if machine.leaf().is_some() {
+            let events = outputs.events;
+            row.extend([outputs.result_tag, events.compared, events.wanted].map(u64::from));
+            row.push(u64::from(events.played));
+        }
         row
     }
 
@@ -236,6 +242,14 @@ impl Pins {
     pub fn outputs_of(machine: &Machine, row: &[u64]) -> Outputs {
         let (ready, sums) = row.split_at(3);
         let channels = PhotonPins::of(machine).channels;
+        let has_leaves = machine.leaf().is_some();
+        let of_leaf = |place: usize| {
+            if has_leaves {
+                sums[channels + place]
+            } else {
+                0
+            }
+        };
         let power = |channel| (channel < channels).then(|| u128::from(sums[channel]));
         Outputs {
             query_ready: ready[0] != 0,
@@ -245,9 +259,11 @@ impl Pins {
                 power: std::array::from_fn(|channel| power(channel).unwrap_or(0)),
                 count: sums[channels],
             },
-            result_tag: match machine.leaf() {
-                Some(_) => sums[channels + 1] as u32,
-                None => 0,
+            result_tag: of_leaf(1) as u32,
+            events: LeafEvents {
+                compared: of_leaf(2) as u32,
+                wanted: of_leaf(3) as u32,
+                played: of_leaf(4) != 0,
             },
         }
     }
@@ -332,6 +348,9 @@ fn output_pins(machine: &Machine, widths: &Widths) -> Vec<Pin> {
     pins.push(top(format!("result_{COUNT}"), widths.count));
     if machine.leaf().is_some() {
         pins.push(top("result_tag", Leaf::TAG_BITS));
+        pins.push(top("compared", COUNT_OF_PAIR));
+        pins.push(top("wanted", COUNT_OF_PAIR));
+        pins.push(top("played", 1));
     }
     pins
 }
@@ -405,6 +424,14 @@ mod tests {
                 result_valid: true,
                 result: Sums { power, count: 4 },
                 result_tag: if machine.leaf().is_some() { 5 } else { 0 },
+                events: match machine.leaf() {
+                    Some(_) => LeafEvents {
+                        compared: 1,
+                        wanted: 2,
+                        played: true,
+                    },
+                    None => LeafEvents::default(),
+                },
             };
             let row = Pins::output_row(machine, &outputs);
             assert_eq!(row.len(), pins.outputs);

@@ -87,6 +87,19 @@ pub struct Inputs {
     pub result_ready: bool,
 }
 
+/// What a leaf machine does in a clock; 0 in other machines.
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+pub struct LeafEvents {
+    /// The leaves whose boxes are compared with the box of a batch, 0 to [`crate::Leaf::PAIR`]: those of the pair in
+    /// `Found`.
+    pub compared: u32,
+    /// The leaves that a comparison ends for and finds wanted, 0 to [`crate::Leaf::PAIR`]: those of the pair in the last stage
+    /// of `Cull`.
+    pub wanted: u32,
+    /// The chain is given a group.
+    pub played: bool,
+}
+
 /// The values of the machine's output pins in one clock.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub struct Outputs {
@@ -100,6 +113,8 @@ pub struct Outputs {
     pub result: Sums,
     /// The tag of the result's query; 0 while not `result_valid`, and in machines without leaves.
     pub result_tag: u32,
+    /// What a leaf machine does in this clock, for counters.
+    pub events: LeafEvents,
 }
 
 impl Group {

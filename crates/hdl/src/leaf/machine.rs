@@ -96,6 +96,9 @@ pub(crate) struct LeafMachine<
     pub result: Vec<Signal<Out, Bits<S>>>,
     pub result_count: Signal<Out, Bits<N>>,
     pub result_tag: Signal<Out, Bits<TAG>>,
+    pub compared: Signal<Out, Bits<2>>,
+    pub wanted: Signal<Out, Bits<2>>,
+    pub played: Signal<Out, Bit>,
     pub(super) fill: Fill<PB>,
     pub(super) group_words: GroupWords<H, B, E, PB>,
     pub(super) borders: BoxBorders<H>,
@@ -208,7 +211,7 @@ impl<
         };
             clock reset query_valid query_ready query_x query_y query_z query_release query_last query_facings
             query_tag group_valid group_ready group_last group_facing photon_present photon_x photon_y photon_z
-            result_valid result_ready result_count result_tag fill borders control box_words query_border token_place scan scan_low
+            result_valid result_ready result_count result_tag compared wanted played fill borders control box_words query_border token_place scan scan_low
             scan_high gathers queue unless_blank _wires
         ))
     }
@@ -454,6 +457,9 @@ impl<
             (result_valid) = (tags.result_valid);
             (result_tag) = (tags.result_tag);
             (result_count) = (chain.result_count);
+            (compared) = (scan.compared);
+            (wanted) = (queue.wanted);
+            (played) = (player.word_valid_out);
         );
         for channel in 0..self.result.len() {
             wires!(self, wiring: (result[channel]) = (chain.result[channel]););

@@ -103,7 +103,7 @@ impl<
     fn sample(&self, row: &mut Vec<u64>) {
         sample!(self, row: query_ready, group_ready, result_valid);
         row.extend(self.result.iter().map(|result| result.val().number()));
-        sample!(self, row: result_count, result_tag);
+        sample!(self, row: result_count, result_tag, compared, wanted, played);
         for &place in &self._places {
             row.push(match place {
                 SignalPlace::Leaf { register, index } => value(self, register, index),

@@ -34,6 +34,8 @@ pub(crate) struct Scan<const LB: usize, const KB: usize> {
     pub found_end_out: Signal<Out, Bit>,
     pub found_release_out: Signal<Out, Bit>,
     pub found_second_out: Signal<Out, Bit>,
+    /// The leaves whose boxes are compared.
+    pub compared: Signal<Out, Bits<2>>,
     pub scanning: DFF<Bit>,
     pub scan_bank: DFF<Bit>,
     pub scan_pair: DFF<Bits<KB>>,
@@ -75,7 +77,7 @@ impl<const LB: usize, const KB: usize> Default for Scan<LB, KB> {
         };
             clock reset complete releases facings full_0 full_1 end_0 end_1 drops takes_pair starts issues issue_bank
             issue_pair facings_out found_valid_out found_pair_out found_bank_out found_end_out found_release_out
-            found_second_out scanning scan_bank scan_pair scan_end scan_release scan_facings used look_valid look_pair
+            found_second_out compared scanning scan_bank scan_pair scan_end scan_release scan_facings used look_valid look_pair
             look_bank look_end look_release look_second found_valid found_pair found_bank found_end found_release
             found_second is_full end_leaf end_pair start has_place issue is_last issued dropped taken used_more used_less
         )
@@ -183,6 +185,13 @@ impl<const LB: usize, const KB: usize> Logic for Scan<LB, KB> {
         self.found_end_out.next = self.found_end.q.val();
         self.found_release_out.next = self.found_release.q.val();
         self.found_second_out.next = self.found_second.q.val();
+        self.compared.next = 0.into();
+        if self.found_valid.q.val() {
+            self.compared.next = 1.into();
+            if self.found_second.q.val() {
+                self.compared.next = 2.into();
+            }
+        }
     }
 }
 
@@ -284,6 +293,8 @@ pub(crate) struct PairQueue<const KB: usize> {
     pub oldest_pair: Signal<Out, Bits<KB>>,
     pub oldest_mask: Signal<Out, Bits<MASK>>,
     pub oldest_flags: Signal<Out, Bits<3>>,
+    /// The leaves of the pair that are wanted.
+    pub wanted: Signal<Out, Bits<2>>,
     pub queue_write: DFF<Bits<QUEUE_PLACE>>,
     pub queue_read: DFF<Bits<QUEUE_PLACE>>,
     pub queue_count: DFF<Bits<QUEUE_COUNT>>,
@@ -321,6 +332,13 @@ impl<const KB: usize> Logic for PairQueue<KB> {
             self.mask.next = self.mask.val() | 4;
             if !self.short[1].val() {
                 self.mask.next = self.mask.val() | 8;
+            }
+        }
+        self.wanted.next = 0.into();
+        if self.valid.val() & (self.wanted_0.val() | self.wanted_1.val()) {
+            self.wanted.next = 1.into();
+            if self.wanted_0.val() & self.wanted_1.val() {
+                self.wanted.next = 2.into();
             }
         }
         self.flags.next = 0.into();

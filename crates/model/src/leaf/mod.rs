@@ -14,7 +14,7 @@ mod scan;
 mod tags;
 
 use photoncube_spec::{
-    Group, Inputs, Leaf, LeafSizes, Machine, Organisation, Outputs, Pins, Query,
+    Group, Inputs, Leaf, LeafEvents, LeafSizes, Machine, Organisation, Outputs, Pins, Query,
 };
 
 use crate::golden::GoldenMachine;
@@ -155,6 +155,11 @@ impl GoldenMachine for LeafMachine {
             result_valid,
             result: chain.result,
             result_tag: if result_valid { self.tags.tag() } else { 0 },
+            events: LeafEvents {
+                compared: self.scan.compared(),
+                wanted: self.scan.wanted(),
+                played: self.player.word.valid,
+            },
         }
     }
 

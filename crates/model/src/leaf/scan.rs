@@ -146,6 +146,26 @@ impl Scan {
         self.queue.len()
     }
 
+    /// The leaves of the pair in `Found`.
+    pub(super) fn compared(&self) -> u32 {
+        match self.found.pair.valid {
+            true => 1 + u32::from(self.found.second),
+            false => 0,
+        }
+    }
+
+    /// The leaves of the pair in the last stage that are wanted.
+    pub(super) fn wanted(&self) -> u32 {
+        let last = self.cull.back().filter(|culled| culled.pair.valid);
+        let is_wanted = |culled: &Culled, leaf| culled.gathered[leaf] && culled.in_range[leaf];
+        let count = |culled| {
+            (0..Leaf::PAIR)
+                .filter(|&leaf| is_wanted(culled, leaf))
+                .count()
+        };
+        last.map_or(0, count) as u32
+    }
+
     /// The oldest pair in the queue.
     pub(super) fn oldest(&self) -> Option<Wanted> {
         self.queue.front().copied()

@@ -111,6 +111,9 @@ fn meaning(machine: &Machine, stem: &str) -> String {
         "result_valid" => "a result is on the result_ pins; it stays until it is taken",
         "result_ready" => "the result is taken at this edge, if it is valid",
         "result_tag" => "the tag of the result's query; 0 where there is no result",
+        "compared" => "leaves whose boxes are compared in this clock, for a counter",
+        "wanted" => "leaves that a comparison finds wanted in this clock, for a counter",
+        "played" => "the engines are given a group in this clock, for a counter",
         "result_count" => "photons in range",
         "result_red" | "result_green" | "result_blue" | "result_power" => {
             "sum of the powers in range, in power units"
