@@ -20,6 +20,7 @@
 //! ```
 
 mod cell;
+mod core;
 mod custom;
 mod formats;
 mod hypercube;
@@ -37,6 +38,10 @@ mod stream;
 
 pub mod overlap;
 
+pub use crate::core::{
+    Access, Core, CoreCounter, CoreError, CoreEvent, CoreField, CoreRegister, CoreRegisterRow,
+    CoreStreams, CounterRow, EventRow, StreamField, StreamWord,
+};
 pub use cell::{
     CellTables, ControlWord, Field, FieldRow, OVERLAPPED, Op, OpRow, POWER_WORDS, Place, Read,
     Register, RegisterRow, SEQUENTIAL, ScheduleError, ScheduledStep, Step, Stream, Unit, UnitUse,
