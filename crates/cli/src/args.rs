@@ -207,6 +207,10 @@ Examples:
   photoncube generate --check              fails where hdl-out/ is not what would be written
   photoncube generate --machine paper --coordinate-bits 12 --out /tmp/verilog
   photoncube generate --format local6x2-rgb4d-n4096 --organisation stream --out /tmp/verilog
+  photoncube generate --machine leaf-7-local7-rgb6d-n4096 --chains 4 --out /tmp/verilog
+
+With --chains: a core of that many leaf machines behind AXI4-Stream and AXI4-Lite, with its registers
+in SystemRDL and the words of its streams in JSON.
 
 A machine of a format of one's own is compiled when it is used for the first time, by cargo and
 from the sources of photoncube. Its name, such as stream-local6x2-rgb4d-n4096, is accepted by
@@ -232,6 +236,9 @@ pub struct GenerateArgs {
     /// The organisation of the machine of that format: sequential, stream, tile-4 to tile-10, or leaf-4 to leaf-10
     #[arg(long, value_name = "O", requires = "format", value_parser = CustomOrganisation::from_name)]
     pub organisation: Option<CustomOrganisation>,
+    /// A core of N of this leaf machine, behind AXI4-Stream and AXI4-Lite
+    #[arg(long, value_name = "N")]
+    pub chains: Option<u32>,
     /// The folder to write, one folder in it for each machine
     #[arg(long, default_value = "hdl-out", value_name = "DIR")]
     pub out: PathBuf,

@@ -21,6 +21,7 @@
 )]
 
 mod build;
+mod core;
 mod defaults;
 mod emit;
 pub mod generator;
@@ -34,6 +35,7 @@ mod simulator;
 mod spatial;
 mod unit;
 
+pub use crate::core::{EmittedCore, core_rows, emit_core};
 pub use build::{NotBuiltIn, most_steps};
 pub use emit::{
     BlockRam, EmitError, Emitted, Linted, emit, emit_unit, interface_text, lint_control,

@@ -39,8 +39,9 @@ mod stream;
 pub mod overlap;
 
 pub use crate::core::{
-    Access, Core, CoreCounter, CoreError, CoreEvent, CoreField, CoreRegister, CoreRegisterRow,
-    CoreStreams, CounterRow, EventRow, StreamField, StreamWord,
+    Access, Core, CoreCounter, CoreError, CoreEvent, CoreField, CorePins, CoreRegister,
+    CoreRegisterRow, CoreStreams, CounterRow, EventRow, PortColumns, StreamField, StreamWord,
+    port_columns,
 };
 pub use cell::{
     CellTables, ControlWord, Field, FieldRow, OVERLAPPED, Op, OpRow, POWER_WORDS, Place, Read,
@@ -58,7 +59,7 @@ pub use interface::{Direction, Fact, Interface, Port};
 pub use leaf::{
     Leaf, LeafAnswer, LeafRegister, LeafRow, LeafSizes, LeafWords, QueryWord, TaggedSums,
 };
-pub use machine::Machine;
+pub use machine::{Machine, module_prefix};
 pub use machines::{MACHINES, UnknownMachine, find_machine};
 pub use nearest::did_you_mean;
 pub use organisation::{Organisation, Rate};

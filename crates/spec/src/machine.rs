@@ -188,6 +188,11 @@ impl Machine {
 
     /// The prefix of all Verilog modules of the machine: the machine's name as an identifier.
     pub fn module_prefix(&self) -> String {
-        format!("photoncube_{}", self.name.replace('-', "_"))
+        module_prefix(self.name)
     }
+}
+
+/// The Verilog identifier of a design: `photoncube_` and its name, with `_` for `-`.
+pub fn module_prefix(design: &str) -> String {
+    format!("photoncube_{}", design.replace('-', "_"))
 }

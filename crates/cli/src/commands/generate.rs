@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Result, bail};
-use photoncube_spec::{MACHINES, Machine, custom_machine, find_photon_format};
+use photoncube_spec::{Core, MACHINES, Machine, custom_machine, find_photon_format};
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -24,7 +24,7 @@ const SUMS: &str = "SHA256SUMS";
 
 #[derive(Serialize)]
 struct Report {
-    machines: Vec<&'static str>,
+    machines: Vec<String>,
     out: String,
     checked: bool,
     files: Vec<String>,
@@ -40,6 +40,9 @@ pub fn execute(args: &GenerateArgs, json: bool) -> Result<()> {
         outputs::check_folder("--out", &args.out)?;
     } else if !args.out.is_dir() {
         bail!("{} is no folder: nothing to check", args.out.display());
+    }
+    if let Some(chains) = args.chains {
+        return core(args, &machines, chains, json);
     }
     let projects: Vec<_> = machines
         .par_iter()
@@ -64,18 +67,40 @@ pub fn execute(args: &GenerateArgs, json: bool) -> Result<()> {
             text: digests::text(&digests)?,
         });
     }
+    let names = machines.iter().map(|machine| machine.name.to_owned());
+    finish(args, names.collect(), &project_files, by_digest, json)
+}
+
+/// Writes, or checks, the files of a core.
+fn core(args: &GenerateArgs, machines: &[&'static Machine], chains: u32, json: bool) -> Result<()> {
+    let &[machine] = machines else {
+        bail!("--chains needs one machine: --machine, or --format and --organisation");
+    };
+    let core = Core::new(machine, chains)?;
+    let files = project::core_files(&core)?;
+    finish(args, vec![core.name()], &files, Vec::new(), json)
+}
+
+/// Writes or checks the files of the designs of these names, and reports them.
+fn finish(
+    args: &GenerateArgs,
+    designs: Vec<String>,
+    project_files: &[ProjectFile],
+    by_digest: Vec<&'static str>,
+    json: bool,
+) -> Result<()> {
     let stale = if args.check {
-        Stale::of(&args.out, &machines, &project_files)
+        Stale::of(&args.out, &designs, project_files)
     } else {
         let texts = project_files.iter();
         files::write_all(texts.map(|file| (args.out.join(&file.path), file.text.as_bytes())))?;
         Stale::default()
     };
     let report = Report {
-        machines: machines.iter().map(|machine| machine.name).collect(),
+        machines: designs,
         out: args.out.display().to_string(),
         checked: args.check,
-        files: paths(&project_files),
+        files: paths(project_files),
         by_digest,
         stale: stale.lines(),
     };
@@ -132,7 +157,7 @@ struct Stale {
 }
 
 impl Stale {
-    fn of(out: &Path, machines: &[&Machine], expected: &[ProjectFile]) -> Self {
+    fn of(out: &Path, designs: &[String], expected: &[ProjectFile]) -> Self {
         let differs = |file: &&ProjectFile| {
             let found = fs::read(out.join(&file.path)).ok();
             found.as_deref() != Some(file.text.as_bytes())
@@ -141,13 +166,13 @@ impl Stale {
             differ: expected.iter().filter(differs).map(path_text).collect(),
             foreign: Vec::new(),
         };
-        for machine in machines {
-            let Ok(entries) = fs::read_dir(out.join(machine.name)) else {
+        for design in designs {
+            let Ok(entries) = fs::read_dir(out.join(design)) else {
                 continue;
             };
-            let of_yosys = project::written_by_yosys(machine);
+            let of_yosys = project::written_by_yosys(design);
             for entry in entries.flatten() {
-                let path = Path::new(machine.name).join(entry.file_name());
+                let path = Path::new(design).join(entry.file_name());
                 if !expected.iter().any(|file| file.path == path) && !of_yosys.contains(&path) {
                     found.foreign.push(format!("{} (not ours)", path.display()));
                 }
@@ -235,14 +260,13 @@ mod tests {
     #[test]
     fn what_yosys_left_behind_is_no_finding_and_a_foreign_file_is_to_be_deleted() {
         let out = tempfile::tempdir().unwrap();
-        let machine = photoncube_spec::find_machine("paper").unwrap();
         let folder = out.path().join("paper");
         fs::create_dir(&folder).unwrap();
         for ending in ["v", "json", "stat"] {
             fs::write(folder.join(format!("photoncube_paper.{ending}")), "x").unwrap();
         }
         let expected = [file("paper/photoncube_paper.v", "x")];
-        let check = || Stale::of(out.path(), &[machine], &expected);
+        let check = || Stale::of(out.path(), &["paper".to_owned()], &expected);
         assert_eq!(check().message(out.path(), 1), None);
         fs::write(folder.join("photoncube_paper.v"), "y").unwrap();
         fs::write(folder.join("notes.json"), "").unwrap();

@@ -51,19 +51,21 @@
 mod counters;
 mod events;
 mod fields;
+mod ports;
 mod registers;
 mod streams;
 
 pub use counters::{CoreCounter, CounterRow};
 pub use events::{CoreEvent, EventRow};
 pub use fields::CoreField;
+pub use ports::{CorePins, PortColumns, port_columns};
 pub use registers::{Access, CoreRegister, CoreRegisterRow};
 pub use streams::{CoreStreams, StreamField, StreamWord};
 
 use thiserror::Error;
 
 use crate::leaf::Leaf;
-use crate::machine::Machine;
+use crate::machine::{Machine, module_prefix};
 
 /// A core: a leaf machine, as often as it has chains.
 #[derive(Copy, Clone, Debug)]
@@ -126,7 +128,7 @@ impl Core {
 
     /// The name of the top module.
     pub fn top(&self) -> String {
-        format!("photoncube_{}", self.name().replace('-', "_"))
+        module_prefix(&self.name())
     }
 
     /// Bits of a chain's number on the streams: at least 1.

@@ -69,6 +69,17 @@ pub struct CoreRegisterRow {
     pub fields: Vec<CoreField>,
 }
 
+impl CoreRegisterRow {
+    /// Whether its value after `aresetn` is that of the moment, not `reset`.
+    pub fn is_live(&self) -> bool {
+        use CoreRegister as R;
+        matches!(
+            self.register,
+            R::Status | R::UnderWay | R::CounterLow(_) | R::CounterHigh(_)
+        )
+    }
+}
+
 impl CoreRegister {
     /// `PCUB` in ASCII, the first letter in the highest byte.
     pub const IDENTITY: u32 = u32::from_be_bytes(*b"PCUB");

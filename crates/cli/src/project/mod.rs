@@ -1,11 +1,15 @@
 //! Makes the files of a machine: its Verilog and the project files for Yosys and Quartus.
 
+mod core;
+mod rdl;
+
 use std::path::{Path, PathBuf};
 
 use anyhow::Result;
 use photoncube_hdl::{Level, emit};
 use photoncube_spec::Machine;
 
+pub use self::core::core_files;
 use crate::digests::Digests;
 use crate::files;
 use crate::outputs::{self, Output};
@@ -40,9 +44,9 @@ const YOSYS: &str = "0.70";
 const BY_YOSYS: [&str; 2] = ["json", "stat"];
 
 /// The files that a machine's Yosys script writes into the machine's folder, as paths in the output folder.
-pub fn written_by_yosys(machine: &Machine) -> Vec<PathBuf> {
-    let top = machine.module_prefix();
-    let path = |ending: &str| PathBuf::from(machine.name).join(format!("{top}.{ending}"));
+pub fn written_by_yosys(design: &str) -> Vec<PathBuf> {
+    let top = photoncube_spec::module_prefix(design);
+    let path = |ending: &str| PathBuf::from(design).join(format!("{top}.{ending}"));
     BY_YOSYS.map(path).into()
 }
 
@@ -50,23 +54,44 @@ pub fn written_by_yosys(machine: &Machine) -> Vec<PathBuf> {
 pub fn project(machine: &Machine) -> Result<Project> {
     let emitted = emit(machine, Level::Machine)?;
     let digests = Digests::of(&emitted);
-    let top = emitted.top;
-    let file = |extension: &str, text: String| ProjectFile {
-        path: PathBuf::from(machine.name).join(format!("{top}.{extension}")),
-        text,
+    let folder = PathBuf::from(machine.name);
+    let design = Design {
+        top: &emitted.top,
+        clock: "clock",
+        text: emitted.text,
+        ecp5_text: emitted.ecp5_text,
     };
-    let mut files = vec![
-        file("v", emitted.text),
-        file("ys", yosys(&top, emitted.ecp5_text.is_some())),
-        file("qpf", format!("PROJECT_REVISION = \"{top}\"\n")),
-        file("qsf", quartus(&top)),
-        file("sdc", constraints()),
-    ];
-    files.extend(emitted.ecp5_text.map(|text| ProjectFile {
-        path: PathBuf::from(machine.name).join(format!("{top}_ecp5.v")),
-        text,
-    }));
+    let files = design.files(&folder);
     Ok(Project { files, digests })
+}
+
+/// A design with the files that every design has.
+struct Design<'a> {
+    top: &'a str,
+    /// The name of the clock's port.
+    clock: &'a str,
+    text: String,
+    ecp5_text: Option<String>,
+}
+
+impl Design<'_> {
+    /// The Verilog, the Yosys script and the Quartus project, in a folder.
+    fn files(self, folder: &Path) -> Vec<ProjectFile> {
+        let top = self.top;
+        let file = |ending: &str, text: String| ProjectFile {
+            path: folder.join(format!("{top}{ending}")),
+            text,
+        };
+        let mut files = vec![
+            file(".v", self.text),
+            file(".ys", yosys(top, self.ecp5_text.is_some())),
+            file(".qpf", format!("PROJECT_REVISION = \"{top}\"\n")),
+            file(".qsf", quartus(top, self.clock)),
+            file(".sdc", constraints(self.clock)),
+        ];
+        files.extend(self.ecp5_text.map(|text| file("_ecp5.v", text)));
+        files
+    }
 }
 
 /// Writes the files of a machine into a folder of its name in `out`, which `option` gave, and returns their paths, the
@@ -113,7 +138,7 @@ fn yosys(top: &str, has_second_texts: bool) -> String {
 
 /// The Quartus project. The streams are virtual pins, because the machine is a block of a larger design, and
 /// no package has that many pins.
-fn quartus(top: &str) -> String {
+fn quartus(top: &str, clock: &str) -> String {
     format!(
         "# quartus_sh --flow compile {top}\n\
          set_global_assignment -name FAMILY \"Cyclone V\"\n\
@@ -123,12 +148,12 @@ fn quartus(top: &str) -> String {
          set_global_assignment -name VERILOG_FILE {top}.v\n\
          set_global_assignment -name SDC_FILE {top}.sdc\n\
          set_instance_assignment -name VIRTUAL_PIN ON -to *\n\
-         set_instance_assignment -name VIRTUAL_PIN OFF -to clock\n"
+         set_instance_assignment -name VIRTUAL_PIN OFF -to {clock}\n"
     )
 }
 
-fn constraints() -> String {
-    format!("create_clock -name clock -period {TARGET_CLOCK_NS} [get_ports clock]\n")
+fn constraints(clock: &str) -> String {
+    format!("create_clock -name {clock} -period {TARGET_CLOCK_NS} [get_ports {clock}]\n")
 }
 
 #[cfg(test)]
@@ -154,7 +179,7 @@ mod tests {
     fn a_script_names_the_files_that_it_writes() {
         let machine = photoncube_spec::find_machine("stream").unwrap();
         let script = yosys(&machine.module_prefix(), true);
-        for path in written_by_yosys(machine) {
+        for path in written_by_yosys(machine.name) {
             let name = path.file_name().unwrap().to_str().unwrap();
             let writes = format!("-json {name}\n");
             let prints = format!("tee -o {name} stat\n");
@@ -167,7 +192,7 @@ mod tests {
 
     #[test]
     fn the_scripts_name_the_version_of_the_recorded_areas() {
-        let areas = include_str!("../../../docs/measured/synthesis.json");
+        let areas = include_str!("../../../../docs/measured/synthesis.json");
         assert!(areas.contains(&format!("\"yosys\": \"{YOSYS} (")));
     }
 }

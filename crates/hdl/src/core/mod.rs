@@ -1,0 +1,72 @@
+//! The Verilog of cores: leaf machines behind AXI4-Stream and AXI4-Lite.
+//!
+//! The leaf machines are those of [`crate::emit`], their text unchanged. The modules around them only move words, count and answer accesses, and
+//! are written here in Verilog: rust-hdl has no way to name ports as AXI does, and one text with a loop over the chains
+//! serves every core. They follow the rules of [`photoncube_spec::Core`]; `photoncube verify core` compares them with the model, clock by clock.
+
+mod arbiter;
+mod header;
+mod registers;
+mod rows;
+mod top;
+
+use photoncube_spec::Core;
+
+use crate::emit::{EmitError, Emitted, emit};
+use crate::level::Level;
+
+pub use rows::core_rows;
+
+/// The Verilog of a core.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct EmittedCore {
+    /// The text of all modules, the top first.
+    pub text: String,
+    /// The name of the top module.
+    pub top: String,
+    /// The digest of the configuration, as in the registers `DigestLow` and `DigestHigh`: the first 64 bits of the SHA-256 of
+    /// the chains' text, with the number of chains added.
+    pub digest: u64,
+    /// The chains.
+    pub machine: Emitted,
+}
+
+/// The modules that do not depend on the core but by parameters.
+const COMMON: [&str; 2] = [include_str!("slice.v"), include_str!("photon_port.v")];
+
+/// Emits the Verilog of a core.
+///
+/// # Errors
+/// Its leaf machine cannot be emitted.
+pub fn emit_core(core: &Core) -> Result<EmittedCore, EmitError> {
+    let machine = emit(core.machine, Level::Machine)?;
+    let digest = digest(core, &machine);
+    let top = core.top();
+    let mut text = header::header(core, digest);
+    text += &top::top(core, &machine.top);
+    text += "\n";
+    text += &registers::registers(core, digest);
+    text += "\n";
+    text += &arbiter::arbiter(core);
+    for common in COMMON {
+        text += "\n";
+        text += &common.replace("@TOP@", &top);
+    }
+    text += "\n";
+    text += &machine.text;
+    Ok(EmittedCore {
+        text,
+        top,
+        digest,
+        machine,
+    })
+}
+
+/// The digest of a core's configuration.
+fn digest(core: &Core, machine: &Emitted) -> u64 {
+    let sha256 = machine.verilog_sha256();
+    let first = u64::from_str_radix(&sha256[..16], 16);
+    first
+        .expect("a digest has hexadecimal digits")
+        .wrapping_add(core.chains.into())
+}

@@ -1,0 +1,177 @@
+// The registers of the core, behind AXI4-Lite, and its counters.
+module @TOP@_registers(clock, aresetn, reset,
+    s_axi_awaddr, s_axi_awvalid, s_axi_awready, s_axi_wdata, s_axi_wstrb, s_axi_wvalid, s_axi_wready,
+    s_axi_bresp, s_axi_bvalid, s_axi_bready, s_axi_araddr, s_axi_arvalid, s_axi_arready,
+    s_axi_rdata, s_axi_rresp, s_axi_rvalid, s_axi_rready, interrupt,
+    photon_moves, photon_waits, query_moves, query_waits, result_moves, result_waits, result_photons,
+    leaf_given, leaf_refused, leaf_malformed, set_too_long, query_given, query_refused, query_outside,
+    chain_unknown, compared, wanted, played);
+    input wire clock;
+    input wire aresetn;
+    output wire reset;
+    input wire [@ADDRESS_HIGH@:0] s_axi_awaddr;
+    input wire s_axi_awvalid;
+    output wire s_axi_awready;
+    input wire [31:0] s_axi_wdata;
+    input wire [3:0] s_axi_wstrb;
+    input wire s_axi_wvalid;
+    output wire s_axi_wready;
+    output reg [1:0] s_axi_bresp;
+    output reg s_axi_bvalid;
+    input wire s_axi_bready;
+    input wire [@ADDRESS_HIGH@:0] s_axi_araddr;
+    input wire s_axi_arvalid;
+    output wire s_axi_arready;
+    output reg [31:0] s_axi_rdata;
+    output reg [1:0] s_axi_rresp;
+    output reg s_axi_rvalid;
+    input wire s_axi_rready;
+    output wire interrupt;
+    // What happens in this clock.
+    input wire photon_moves;
+    input wire photon_waits;
+    input wire query_moves;
+    input wire query_waits;
+    input wire result_moves;
+    input wire result_waits;
+    input wire [@COUNT_HIGH@:0] result_photons;
+    input wire leaf_given;
+    input wire leaf_refused;
+    input wire leaf_malformed;
+    input wire set_too_long;
+    input wire query_given;
+    input wire query_refused;
+    input wire query_outside;
+    input wire chain_unknown;
+    input wire [@LEAVES_HIGH@:0] compared;
+    input wire [@LEAVES_HIGH@:0] wanted;
+    input wire [@GROUPS_HIGH@:0] played;
+    // The addresses, in bytes.
+@ADDRESSES@
+    localparam OKAY = 2'b00;
+    localparam SLVERR = 2'b10;
+@COUNTERS@
+    reg [@EVENT_HIGH@:0] events;
+    reg [@EVENT_HIGH@:0] interrupt_enable;
+    reg [31:0] stall_limit;
+    reg [15:0] under_way;
+    reg [31:0] silent_clocks;
+    // The high bits of the counter whose low word was read last.
+    reg [@COUNTER_HIGH@ - 32:0] counter_high;
+    reg restart;
+    // What happened in the chains in the clock before.
+    reg [@LEAVES_HIGH@:0] seen_compared;
+    reg [@LEAVES_HIGH@:0] seen_wanted;
+    reg [@GROUPS_HIGH@:0] seen_played;
+    initial s_axi_bvalid = 1'b0;
+    initial s_axi_rvalid = 1'b0;
+    initial events = {(@EVENT_HIGH@ + 1){1'b0}};
+    initial interrupt_enable = {(@EVENT_HIGH@ + 1){1'b0}};
+    initial stall_limit = @STALL_LIMIT@;
+    initial under_way = 16'd0;
+    initial silent_clocks = 32'd0;
+    initial counter_high = {(@COUNTER_HIGH@ - 31){1'b0}};
+    initial restart = 1'b0;
+    initial seen_compared = {(@LEAVES_HIGH@ + 1){1'b0}};
+    initial seen_wanted = {(@LEAVES_HIGH@ + 1){1'b0}};
+    initial seen_played = {(@GROUPS_HIGH@ + 1){1'b0}};
+    assign reset = ~aresetn | restart;
+
+    // An access is taken where its answer has a place.
+    wire writes = s_axi_awvalid & s_axi_wvalid & ~s_axi_bvalid & aresetn;
+    wire reads = s_axi_arvalid & ~s_axi_rvalid & aresetn;
+    assign s_axi_awready = writes;
+    assign s_axi_wready = writes;
+    assign s_axi_arready = ~s_axi_rvalid & aresetn;
+    wire [31:0] write_mask = {{8{s_axi_wstrb[3]}}, {8{s_axi_wstrb[2]}}, {8{s_axi_wstrb[1]}}, {8{s_axi_wstrb[0]}}};
+    wire [31:0] write_word = s_axi_wdata & write_mask;
+    reg write_known;
+    always @(*) begin
+        write_known = 1'b0;
+        case (s_axi_awaddr)
+@WRITABLE@
+            default: write_known = 1'b0;
+        endcase
+    end
+    reg read_known;
+    reg [31:0] read_word;
+    always @(*) begin
+        read_known = 1'b1;
+        read_word = 32'd0;
+        case (s_axi_araddr)
+@READS@
+            default: read_known = 1'b0;
+        endcase
+    end
+    reg [@COUNTER_HIGH@ - 32:0] counter_high_next;
+    always @(*) begin
+        counter_high_next = counter_high;
+        case (s_axi_araddr)
+@HIGH_COPIES@
+            default: counter_high_next = counter_high;
+        endcase
+    end
+    wire write_refused = writes & ~write_known;
+    wire read_refused = reads & ~read_known;
+    wire [1:0] refused = write_refused + read_refused;
+    wire writes_control = writes & (s_axi_awaddr == ADDRESS_CONTROL);
+    wire clears_counters = writes_control & write_word[@CLEAR_COUNTERS@];
+    wire writes_events = writes & (s_axi_awaddr == ADDRESS_EVENTS);
+    wire writes_enable = writes & (s_axi_awaddr == ADDRESS_INTERRUPT_ENABLE);
+    wire writes_limit = writes & (s_axi_awaddr == ADDRESS_STALL_LIMIT);
+
+    wire busy = |under_way;
+    wire ends = result_moves & ~query_given & (under_way == 16'd1);
+    wire silent = (busy | photon_waits | query_waits) & ~(photon_moves | query_moves | result_moves) & ~result_waits;
+    wire [31:0] silent_next = silent_clocks + 32'd1;
+    wire stalls = silent & (|stall_limit) & (silent_next == stall_limit);
+    wire [@EVENT_HIGH@:0] occurs;
+@EVENTS@
+    wire [@EVENT_HIGH@:0] cleared = writes_events ? write_word[@EVENT_HIGH@:0] : {(@EVENT_HIGH@ + 1){1'b0}};
+    assign interrupt = |(events & interrupt_enable);
+
+    always @(posedge clock) begin
+        if (writes) begin
+            s_axi_bvalid <= 1'b1;
+            s_axi_bresp <= write_known ? OKAY : SLVERR;
+        end else if (s_axi_bready) s_axi_bvalid <= 1'b0;
+        if (reads) begin
+            s_axi_rvalid <= 1'b1;
+            s_axi_rresp <= read_known ? OKAY : SLVERR;
+            s_axi_rdata <= read_word;
+            counter_high <= counter_high_next;
+        end else if (s_axi_rready) s_axi_rvalid <= 1'b0;
+        restart <= writes_control & write_word[@RESTART@];
+        events <= (events & ~cleared) | occurs;
+        if (writes_enable) begin
+            interrupt_enable <= (interrupt_enable & ~write_mask[@EVENT_HIGH@:0]) | write_word[@EVENT_HIGH@:0];
+        end
+        if (writes_limit) stall_limit <= (stall_limit & ~write_mask) | write_word;
+        under_way <= under_way + query_given - result_moves;
+        silent_clocks <= silent ? silent_next : 32'd0;
+        if (reset) begin
+            under_way <= 16'd0;
+            silent_clocks <= 32'd0;
+        end
+        seen_compared <= compared;
+        seen_wanted <= wanted;
+        seen_played <= played;
+        if (clears_counters | ~aresetn) begin
+@COUNTER_CLEARS@
+        end else begin
+@COUNTER_ADDS@
+        end
+        if (~aresetn) begin
+            s_axi_bvalid <= 1'b0;
+            s_axi_rvalid <= 1'b0;
+            restart <= 1'b0;
+            events <= {(@EVENT_HIGH@ + 1){1'b0}};
+            interrupt_enable <= {(@EVENT_HIGH@ + 1){1'b0}};
+            stall_limit <= @STALL_LIMIT@;
+            counter_high <= {(@COUNTER_HIGH@ - 31){1'b0}};
+            seen_compared <= {(@LEAVES_HIGH@ + 1){1'b0}};
+            seen_wanted <= {(@LEAVES_HIGH@ + 1){1'b0}};
+            seen_played <= {(@GROUPS_HIGH@ + 1){1'b0}};
+        end
+    end
+endmodule
