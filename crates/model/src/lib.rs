@@ -2,7 +2,7 @@
 //!
 //! The crate has two independent readings of the spec. A [`GoldenMachine`] models the hardware register by
 //! register, in every clock ([`StepMachine`] runs programs, [`SpatialMachine`] is a pipeline, [`LeafMachine`] a pipeline
-//! behind a memory). [`gather`] is
+//! behind a memory); a [`CoreModel`] models several leaf machines behind standard ports. [`gather`] is
 //! the sum over photons that a machine must return. A property test shows that both agree. [`Gather`]
 //! computes this sum over blocks of stored records, in the numbers of any machine; [`PhotonPlanes`] computes
 //! it fast in a photon format, bit for bit. The crate does no I/O, uses no HDL, and shares no
@@ -20,6 +20,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod core;
 mod gather;
 mod golden;
 mod leaf;
@@ -28,6 +29,7 @@ mod planes;
 mod sequential;
 mod spatial;
 
+pub use crate::core::CoreModel;
 pub use gather::{
     CountError, Gather, GatherError, Limits, PackError, RangeError, gather, pack, unpack,
 };

@@ -54,6 +54,7 @@ mod fields;
 mod ports;
 mod registers;
 mod streams;
+mod words;
 
 pub use counters::{CoreCounter, CounterRow};
 pub use events::{CoreEvent, EventRow};
@@ -61,6 +62,7 @@ pub use fields::CoreField;
 pub use ports::{CorePins, PortColumns, port_columns};
 pub use registers::{Access, CoreRegister, CoreRegisterRow};
 pub use streams::{CoreStreams, StreamField, StreamWord};
+pub use words::{CoreInputs, CoreOutputs, LiteAnswer, LiteIn, ResultWord, StreamIn};
 
 use thiserror::Error;
 

@@ -1,0 +1,317 @@
+//! The step-exact model of cores, by the rules of [`photoncube_spec::Core`]. Its chains are [`LeafMachine`]s.
+
+mod port;
+mod registers;
+mod slice;
+
+use photoncube_spec::{
+    BatchPins, Core, CoreCounter, CoreInputs, CoreOutputs, CoreStreams, Group, Inputs, Lane,
+    Outputs, Query, QueryWord, ResultWord, Spatial, StreamIn, Sums,
+};
+
+use crate::golden::GoldenMachine;
+use crate::leaf::LeafMachine;
+use port::{Fate, LeafWord, PhotonPort};
+use registers::{Happens, InChains, Registers};
+use slice::Slice;
+
+/// A core with its state. It starts in the power-up state, in which all registers have their reset values.
+#[derive(Clone, Debug)]
+pub struct CoreModel {
+    core: Core,
+    streams: CoreStreams,
+    digest: u64,
+    radius_sq: u32,
+    photons: Slice<LeafWord>,
+    queries: Slice<QueryIn>,
+    results: Slice<CoreResult>,
+    ports: Vec<PhotonPort>,
+    chains: Vec<LeafMachine>,
+    /// The chain that is asked first for a result.
+    turn: usize,
+    registers: Registers,
+}
+
+/// A query in its slice.
+#[derive(Copy, Clone, Debug)]
+struct QueryIn {
+    word: QueryWord,
+    outside: bool,
+    chain: u32,
+}
+
+/// A result in its slice.
+#[derive(Copy, Clone, Debug)]
+struct CoreResult {
+    sums: Sums,
+    tag: u32,
+    last: bool,
+    outside: bool,
+    chain: u32,
+}
+
+/// The bit of a chain's tag that has the query's `tlast`, and the one that says whether it is outside.
+const LAST_BIT: u32 = Core::TAG_BITS;
+const OUTSIDE_BIT: u32 = Core::TAG_BITS + 1;
+
+impl CoreModel {
+    /// Makes a core in its power-up state. `digest` is that of its configuration, which the registers show.
+    ///
+    /// # Panics
+    /// Where the machine of the core is not a legal leaf machine.
+    pub fn new(core: &Core, digest: u64) -> Self {
+        let radius_sq = core.machine.fixed_radius_sq();
+        Self {
+            core: *core,
+            streams: CoreStreams::of(core),
+            digest,
+            radius_sq: radius_sq.expect("the queries of a leaf machine have the format's radius"),
+            photons: Slice::default(),
+            queries: Slice::default(),
+            results: Slice::default(),
+            ports: vec![PhotonPort::default(); core.chains as usize],
+            chains: vec![LeafMachine::new(core.machine); core.chains as usize],
+            turn: 0,
+            registers: Registers::new(core, digest),
+        }
+    }
+
+    /// The value of a counter.
+    pub fn counter(&self, counter: CoreCounter) -> u64 {
+        self.registers.counter(counter)
+    }
+
+    fn resets(&self, inputs: &CoreInputs) -> bool {
+        inputs.reset || self.registers.restart
+    }
+
+    /// The values of the output pins in this clock, for these inputs.
+    pub fn outputs(&self, inputs: &CoreInputs) -> CoreOutputs {
+        let reset = self.resets(inputs);
+        CoreOutputs {
+            photon_ready: self.photons.is_ready() && !reset,
+            query_ready: self.queries.is_ready() && !reset,
+            result: self.results.front().map(|result| self.result_word(result)),
+            write_ready: self.registers.writes(&inputs.lite) && !inputs.reset,
+            write_answer: self.registers.write_answer(),
+            read_ready: self.registers.read_answer().is_none() && !inputs.reset,
+            read_answer: self.registers.read_answer(),
+            interrupt: self.registers.interrupt(),
+        }
+    }
+
+    fn result_word(&self, result: &CoreResult) -> ResultWord {
+        let channels = self.core.machine.channels().names().len();
+        let powers = result.sums.power[..channels].iter();
+        // A sum has at most 64 bits.
+        let mut values: Vec<_> = powers.map(|&power| power as u64).collect();
+        values.extend([result.sums.count, u64::from(result.tag)]);
+        ResultWord {
+            data: self.streams.results.bytes(&values),
+            last: result.last,
+            id: result.chain,
+            outside: result.outside,
+        }
+    }
+
+    /// Applies one rising clock edge with these inputs.
+    pub fn clock(&mut self, inputs: &CoreInputs) {
+        let outputs = self.outputs(inputs);
+        let reset = self.resets(inputs);
+        let mut to_chains: Vec<_> = (0..self.chains.len())
+            .map(|chain| self.chain_inputs(chain, reset))
+            .collect();
+        let from_chains: Vec<_> = self
+            .chains
+            .iter()
+            .zip(&to_chains)
+            .map(|(chain, inputs)| chain.outputs(inputs))
+            .collect();
+        let chosen = self
+            .chosen(&from_chains)
+            .filter(|_| self.results.is_ready() && !reset);
+        if let Some(chain) = chosen {
+            to_chains[chain].result_ready = true;
+        }
+        let happens = self.happens(inputs, &outputs, &from_chains);
+        let leaf_moves = happens.leaf_given || happens.leaf_refused;
+        let query_moves = happens.query_given || happens.query_refused;
+
+        for (number, port) in self.ports.iter_mut().enumerate() {
+            let leaf = self.photons.front();
+            let leaf = leaf.filter(|leaf| leaf.chain as usize == number);
+            port.clock(&self.core, leaf, from_chains[number].group_ready, reset);
+        }
+        for (chain, inputs) in self.chains.iter_mut().zip(&to_chains) {
+            chain.clock(inputs);
+        }
+        let result = chosen.map(|chain| result_of(chain, &from_chains[chain]));
+        self.results.clock(happens.result_moves, result, reset);
+        self.turn = match chosen {
+            Some(chain) => (chain + 1) % self.chains.len(),
+            None => self.turn,
+        };
+        if reset {
+            self.turn = 0;
+        }
+        let leaf = happens.photon_moves.then(|| self.leaf(&inputs.photons));
+        self.photons.clock(leaf_moves, leaf, reset);
+        let query = happens.query_moves.then(|| self.query(&inputs.queries));
+        self.queries.clock(query_moves, query, reset);
+        match inputs.reset {
+            true => self.registers.reset(&self.core, self.digest),
+            false => self.registers.clock(&inputs.lite, &happens, reset),
+        }
+    }
+
+    /// The leaf in front of its slice, if it is for this chain.
+    fn leaf_for(&self, chain: usize) -> Option<&LeafWord> {
+        let leaf = self.photons.front();
+        leaf.filter(|leaf| leaf.chain as usize == chain)
+    }
+
+    fn chain_inputs(&self, chain: usize, reset: bool) -> Inputs {
+        let query = self.queries.front();
+        let query = query.filter(|query| query.chain as usize == chain);
+        let group = self.ports[chain].offers(self.leaf_for(chain));
+        let word = query.map_or_else(QueryWord::default, |query| query.word);
+        let flags = query.map_or(0, |query| {
+            u32::from(query.word.batch.last) << LAST_BIT | u32::from(query.outside) << OUTSIDE_BIT
+        });
+        Inputs {
+            reset,
+            query_valid: query.is_some(),
+            query: Query {
+                radius_sq: self.radius_sq,
+                ..word.query
+            },
+            query_release: word.release,
+            batch: BatchPins {
+                tag: word.batch.tag | flags,
+                ..word.batch
+            },
+            group_valid: group.is_some(),
+            group: group.unwrap_or_else(|| Group {
+                lanes: vec![Lane::default(); Spatial::LANES],
+                ..Group::default()
+            }),
+            result_ready: false,
+        }
+    }
+
+    /// The chain whose result is given to the slice of results.
+    fn chosen(&self, from_chains: &[Outputs]) -> Option<usize> {
+        let chains = from_chains.len();
+        let order = (self.turn..chains).chain(0..self.turn);
+        order
+            .into_iter()
+            .find(|&chain| from_chains[chain].result_valid)
+    }
+
+    fn happens(
+        &self,
+        inputs: &CoreInputs,
+        outputs: &CoreOutputs,
+        from_chains: &[Outputs],
+    ) -> Happens {
+        let leaf = self.photons.front();
+        let fate = leaf.map(|leaf| match self.ports.get(leaf.chain as usize) {
+            Some(port) => port.fate(from_chains[leaf.chain as usize].group_ready),
+            None => Fate::Refused,
+        });
+        let leaf_given = fate == Some(Fate::Given);
+        let leaf_unknown = leaf.is_some_and(|leaf| leaf.chain >= self.core.chains);
+        let too_long =
+            |leaf: &LeafWord| self.ports[leaf.chain as usize].is_too_long(leaf, &self.core);
+        let query = self.queries.front();
+        let query_refused = query.is_some_and(|query| query.chain >= self.core.chains);
+        let query_given = query.is_some_and(|query| {
+            let chain = from_chains.get(query.chain as usize);
+            chain.is_some_and(|chain| chain.query_ready)
+        });
+        let result = self.results.front();
+        let result_moves = result.is_some() && inputs.result_ready;
+        let sum =
+            |of: fn(&Outputs) -> u32| from_chains.iter().map(|chain| u64::from(of(chain))).sum();
+        Happens {
+            photon_moves: inputs.photons.valid && outputs.photon_ready,
+            photon_waits: inputs.photons.valid && !outputs.photon_ready,
+            query_moves: inputs.queries.valid && outputs.query_ready,
+            query_waits: inputs.queries.valid && !outputs.query_ready,
+            result_moves,
+            result_waits: result.is_some() && !inputs.result_ready,
+            result_photons: result
+                .filter(|_| result_moves)
+                .map_or(0, |result| result.sums.count),
+            leaf_given,
+            leaf_refused: fate == Some(Fate::Refused),
+            leaf_malformed: leaf_given && leaf.is_some_and(LeafWord::is_malformed),
+            set_too_long: leaf_given && leaf.is_some_and(too_long),
+            query_given,
+            query_refused,
+            query_outside: query_given && query.is_some_and(|query| query.outside),
+            chain_unknown: leaf_unknown || query_refused,
+            in_chains: InChains {
+                compared: sum(|outputs| outputs.events.compared),
+                wanted: sum(|outputs| outputs.events.wanted),
+                played: sum(|outputs| outputs.events.played.into()),
+            },
+        }
+    }
+
+    /// The leaf of a word of the photon stream. Where a photon is absent, its other bits mean nothing.
+    fn leaf(&self, stream: &StreamIn) -> LeafWord {
+        let values = self.streams.photons.values(&stream.data);
+        let (mut lanes, facing) = CoreStreams::leaf_of(&self.core, &values);
+        for lane in lanes.iter_mut().filter(|lane| !lane.present) {
+            *lane = Lane::default();
+        }
+        LeafWord {
+            lanes,
+            facing,
+            last: stream.last,
+            chain: stream.dest,
+        }
+    }
+
+    /// The query of a word of the query stream.
+    fn query(&self, stream: &StreamIn) -> QueryIn {
+        let word = &self.streams.queries;
+        let values = word.values(&stream.data);
+        let number = |place: usize| values[place] as u32;
+        // The same fields without any other bit: a query in its frame has no other.
+        let outside = word.bytes(&values) != stream.data;
+        QueryIn {
+            word: QueryWord {
+                query: Query {
+                    position: [number(0), number(1), number(2)],
+                    radius_sq: self.radius_sq,
+                },
+                release: number(5) != 0,
+                batch: BatchPins {
+                    last: stream.last,
+                    facings: number(4),
+                    tag: number(3),
+                },
+            },
+            outside,
+            chain: stream.dest,
+        }
+    }
+}
+
+/// The result of a chain, as it enters its slice.
+fn result_of(chain: usize, outputs: &Outputs) -> CoreResult {
+    let flag = |bit: u32| outputs.result_tag >> bit & 1 == 1;
+    let outside = flag(OUTSIDE_BIT);
+    CoreResult {
+        sums: match outside {
+            true => Sums::default(),
+            false => outputs.result,
+        },
+        tag: outputs.result_tag & ((1 << Core::TAG_BITS) - 1),
+        last: flag(LAST_BIT),
+        outside,
+        chain: chain as u32,
+    }
+}

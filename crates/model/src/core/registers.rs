@@ -1,0 +1,283 @@
+//! The registers of a core, and its counters.
+
+use photoncube_spec::{
+    Core, CoreCounter, CoreEvent, CoreRegister, CoreRegisterRow, CounterRow, LiteAnswer, LiteIn,
+};
+
+/// What happens in a clock outside of the registers.
+#[derive(Copy, Clone, Debug, Default)]
+pub(super) struct Happens {
+    pub(super) photon_moves: bool,
+    pub(super) photon_waits: bool,
+    pub(super) query_moves: bool,
+    pub(super) query_waits: bool,
+    pub(super) result_moves: bool,
+    pub(super) result_waits: bool,
+    /// The count of the result that moves.
+    pub(super) result_photons: u64,
+    pub(super) leaf_given: bool,
+    pub(super) leaf_refused: bool,
+    pub(super) leaf_malformed: bool,
+    pub(super) set_too_long: bool,
+    pub(super) query_given: bool,
+    pub(super) query_refused: bool,
+    pub(super) query_outside: bool,
+    pub(super) chain_unknown: bool,
+    pub(super) in_chains: InChains,
+}
+
+/// What all chains do in a clock.
+#[derive(Copy, Clone, Debug, Default)]
+pub(super) struct InChains {
+    pub(super) compared: u64,
+    pub(super) wanted: u64,
+    pub(super) played: u64,
+}
+
+/// A write in a clock, with the bits that its strobe leaves.
+#[derive(Copy, Clone, Debug)]
+struct Write {
+    register: Option<CoreRegister>,
+    mask: u32,
+    word: u32,
+}
+
+#[derive(Clone, Debug)]
+pub(super) struct Registers {
+    rows: Vec<CoreRegisterRow>,
+    write_answer: Option<LiteAnswer>,
+    read_answer: Option<LiteAnswer>,
+    pub(super) restart: bool,
+    events: u32,
+    interrupt_enable: u32,
+    stall_limit: u32,
+    under_way: u32,
+    silent_clocks: u32,
+    counter_high: u32,
+    counters: Vec<u64>,
+    before: InChains,
+}
+
+impl Registers {
+    pub(super) fn new(core: &Core, digest: u64) -> Self {
+        let rows = CoreRegister::all(core, digest);
+        let limit = rows
+            .iter()
+            .find(|row| row.register == CoreRegister::StallLimit);
+        Self {
+            write_answer: None,
+            read_answer: None,
+            restart: false,
+            events: 0,
+            interrupt_enable: 0,
+            stall_limit: limit.map_or(0, |row| row.reset),
+            under_way: 0,
+            silent_clocks: 0,
+            counter_high: 0,
+            counters: vec![0; CounterRow::ALL.len()],
+            before: InChains::default(),
+            rows,
+        }
+    }
+
+    pub(super) fn interrupt(&self) -> bool {
+        self.events & self.interrupt_enable != 0
+    }
+
+    pub(super) fn write_answer(&self) -> Option<LiteAnswer> {
+        self.write_answer
+    }
+
+    pub(super) fn read_answer(&self) -> Option<LiteAnswer> {
+        self.read_answer
+    }
+
+    /// A write is taken.
+    pub(super) fn writes(&self, lite: &LiteIn) -> bool {
+        lite.write_address_valid && lite.write_data_valid && self.write_answer.is_none()
+    }
+
+    /// The register at an address.
+    fn at(&self, address: u32) -> Option<&CoreRegisterRow> {
+        self.rows.iter().find(|row| row.address == address)
+    }
+
+    fn write(&self, lite: &LiteIn) -> Write {
+        let bytes = (0..4).filter(|byte| lite.write_strobe >> byte & 1 == 1);
+        let mask = bytes.map(|byte| 0xff << (8 * byte)).sum();
+        let row = self.at(lite.write_address);
+        Write {
+            register: row
+                .filter(|row| row.access != photoncube_spec::Access::Read)
+                .map(|row| row.register),
+            mask,
+            word: lite.write_data & mask,
+        }
+    }
+
+    /// The word of a register, in a clock with these events.
+    fn word(&self, row: &CoreRegisterRow, happens: &Happens) -> u32 {
+        use CoreRegister as R;
+        match row.register {
+            R::Identity | R::Version | R::DigestLow | R::DigestHigh | R::Shape => row.reset,
+            R::Control => 0,
+            R::Status => {
+                let bits = [
+                    self.under_way > 0,
+                    happens.photon_waits,
+                    happens.query_waits,
+                    happens.result_waits,
+                ];
+                let bits = bits.into_iter().zip(0..);
+                bits.map(|(bit, place)| u32::from(bit) << place).sum()
+            }
+            R::Events => self.events,
+            R::InterruptEnable => self.interrupt_enable,
+            R::StallLimit => self.stall_limit,
+            R::UnderWay => self.under_way,
+            R::CounterLow(counter) => self.counters[counter as usize] as u32,
+            R::CounterHigh(_) => self.counter_high,
+        }
+    }
+
+    /// A clock without `aresetn` = 0.
+    pub(super) fn clock(&mut self, lite: &LiteIn, happens: &Happens, restart: bool) {
+        let write = self.writes(lite).then(|| self.write(lite));
+        let reads = lite.read_address_valid && self.read_answer.is_none();
+        let read = reads.then(|| self.at(lite.read_address).cloned());
+        let write_refused = write.is_some_and(|write| write.register.is_none());
+        let read_refused = matches!(read, Some(None));
+        let refused = u64::from(write_refused) + u64::from(read_refused);
+        let stalls = self.stalls(happens);
+        let occurs = self.occurs(happens, refused > 0, stalls);
+        self.answer_read(lite, read, happens);
+        self.count(happens, refused);
+        self.answer_write(lite, write);
+        self.events |= occurs;
+        self.under_way += u32::from(happens.query_given);
+        self.under_way = self.under_way.wrapping_sub(u32::from(happens.result_moves)) & 0xffff;
+        if let Some(write) = write
+            && write.register == Some(CoreRegister::Control)
+            && write.word & CoreRegister::CLEAR_COUNTERS != 0
+        {
+            self.counters.fill(0);
+        }
+        if restart {
+            self.under_way = 0;
+            self.silent_clocks = 0;
+        }
+    }
+
+    /// A clock with `aresetn` = 0.
+    pub(super) fn reset(&mut self, core: &Core, digest: u64) {
+        *self = Self::new(core, digest);
+    }
+
+    /// Counts a silent clock, and says whether the core is now stalled.
+    fn stalls(&mut self, happens: &Happens) -> bool {
+        let moves = happens.photon_moves || happens.query_moves || happens.result_moves;
+        let waits = self.under_way > 0 || happens.photon_waits || happens.query_waits;
+        if moves || !waits || happens.result_waits {
+            self.silent_clocks = 0;
+            return false;
+        }
+        self.silent_clocks = self.silent_clocks.wrapping_add(1);
+        self.stall_limit > 0 && self.silent_clocks == self.stall_limit
+    }
+
+    fn occurs(&self, happens: &Happens, refused: bool, stalls: bool) -> u32 {
+        let ends = happens.result_moves && self.under_way == 1 && !happens.query_given;
+        let events = [
+            (CoreEvent::Done, ends),
+            (CoreEvent::LeafMalformed, happens.leaf_malformed),
+            (CoreEvent::SetTooLong, happens.set_too_long),
+            (CoreEvent::QueryOutside, happens.query_outside),
+            (CoreEvent::ChainUnknown, happens.chain_unknown),
+            (CoreEvent::AccessRefused, refused),
+            (CoreEvent::Stalled, stalls),
+        ];
+        let occurring = events.into_iter().filter(|(_, occurs)| *occurs);
+        occurring.map(|(event, _)| event.bit()).sum()
+    }
+
+    fn answer_read(
+        &mut self,
+        lite: &LiteIn,
+        read: Option<Option<CoreRegisterRow>>,
+        happens: &Happens,
+    ) {
+        let Some(row) = read else {
+            if lite.read_answer_ready {
+                self.read_answer = None;
+            }
+            return;
+        };
+        self.read_answer = Some(LiteAnswer {
+            refused: row.is_none(),
+            word: row.as_ref().map_or(0, |row| self.word(row, happens)),
+        });
+        if let Some(CoreRegister::CounterLow(counter)) = row.map(|row| row.register) {
+            self.counter_high = (self.counters[counter as usize] >> 32) as u32;
+        }
+    }
+
+    fn answer_write(&mut self, lite: &LiteIn, write: Option<Write>) {
+        self.restart = false;
+        let Some(write) = write else {
+            if lite.write_answer_ready {
+                self.write_answer = None;
+            }
+            return;
+        };
+        self.write_answer = Some(LiteAnswer {
+            refused: write.register.is_none(),
+            word: 0,
+        });
+        let put = |value: u32| value & !write.mask | write.word;
+        match write.register {
+            Some(CoreRegister::Control) => {
+                self.restart = write.word & CoreRegister::RESTART != 0;
+            }
+            Some(CoreRegister::Events) => self.events &= !write.word,
+            Some(CoreRegister::InterruptEnable) => {
+                self.interrupt_enable = put(self.interrupt_enable) & CoreRegister::all_events();
+            }
+            Some(CoreRegister::StallLimit) => self.stall_limit = put(self.stall_limit),
+            _ => {}
+        }
+    }
+
+    fn count(&mut self, happens: &Happens, refused: u64) {
+        use CoreCounter as C;
+        let before = self.before;
+        for row in CounterRow::ALL {
+            let more = match row.counter {
+                C::Clocks => 1,
+                C::BusyClocks => u64::from(self.under_way > 0),
+                C::LeavesRead => happens.leaf_given.into(),
+                C::QueriesRead => happens.query_given.into(),
+                C::Results => happens.result_moves.into(),
+                C::LeavesCompared => before.compared,
+                C::LeavesWanted => before.wanted,
+                C::GroupsPlayed => before.played,
+                C::PhotonsInRange => happens.result_photons,
+                C::PhotonStalls => happens.photon_waits.into(),
+                C::QueryStalls => happens.query_waits.into(),
+                C::ResultStalls => happens.result_waits.into(),
+                C::LeavesMalformed => happens.leaf_malformed.into(),
+                C::LeavesRefused => happens.leaf_refused.into(),
+                C::QueriesOutside => happens.query_outside.into(),
+                C::QueriesRefused => happens.query_refused.into(),
+                C::AccessesRefused => refused,
+            };
+            let counter = &mut self.counters[row.counter as usize];
+            *counter = (*counter + more) % (1 << Core::COUNTER_BITS);
+        }
+        self.before = happens.in_chains;
+    }
+
+    /// The value of a counter.
+    pub(super) fn counter(&self, counter: CoreCounter) -> u64 {
+        self.counters[counter as usize]
+    }
+}
