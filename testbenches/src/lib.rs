@@ -20,6 +20,7 @@
 mod campaign;
 mod compare;
 mod controls;
+mod core;
 mod coverage;
 mod device;
 mod exhaustive;
@@ -34,6 +35,7 @@ mod tools;
 mod trace;
 mod verify;
 
+pub use crate::core::{CoreError, CoreOptions, CoreVerdict, core_controls, verify_core};
 pub use campaign::{
     Done, Failure, Keeper, Pair, Regression, RegressionError, State, StateError, Summary, campaign,
     minimised, pairs,

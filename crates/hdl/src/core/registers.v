@@ -2,7 +2,7 @@
 module @TOP@_registers(clock, aresetn, reset,
     s_axi_awaddr, s_axi_awvalid, s_axi_awready, s_axi_wdata, s_axi_wstrb, s_axi_wvalid, s_axi_wready,
     s_axi_bresp, s_axi_bvalid, s_axi_bready, s_axi_araddr, s_axi_arvalid, s_axi_arready,
-    s_axi_rdata, s_axi_rresp, s_axi_rvalid, s_axi_rready, interrupt,
+    s_axi_rdata, s_axi_rresp, s_axi_rvalid, s_axi_rready, irq,
     photon_moves, photon_waits, query_moves, query_waits, result_moves, result_waits, result_photons,
     leaf_given, leaf_refused, leaf_malformed, set_too_long, query_given, query_refused, query_outside,
     chain_unknown, compared, wanted, played);
@@ -26,7 +26,7 @@ module @TOP@_registers(clock, aresetn, reset,
     output reg [1:0] s_axi_rresp;
     output reg s_axi_rvalid;
     input wire s_axi_rready;
-    output wire interrupt;
+    output wire irq;
     // What happens in this clock.
     input wire photon_moves;
     input wire photon_waits;
@@ -128,7 +128,7 @@ module @TOP@_registers(clock, aresetn, reset,
     wire [@EVENT_HIGH@:0] occurs;
 @EVENTS@
     wire [@EVENT_HIGH@:0] cleared = writes_events ? write_word[@EVENT_HIGH@:0] : {(@EVENT_HIGH@ + 1){1'b0}};
-    assign interrupt = |(events & interrupt_enable);
+    assign irq = |(events & interrupt_enable);
 
     always @(posedge clock) begin
         if (writes) begin

@@ -81,7 +81,13 @@ impl CoreModel {
         self.registers.counter(counter)
     }
 
-    fn resets(&self, inputs: &CoreInputs) -> bool {
+    /// The events that are set.
+    pub fn events(&self) -> u32 {
+        self.registers.events()
+    }
+
+    /// Whether this clock is a reset, by `aresetn` or a restart.
+    pub fn resets(&self, inputs: &CoreInputs) -> bool {
         inputs.reset || self.registers.restart
     }
 

@@ -80,6 +80,10 @@ impl Registers {
         }
     }
 
+    pub(super) fn events(&self) -> u32 {
+        self.events
+    }
+
     pub(super) fn interrupt(&self) -> bool {
         self.events & self.interrupt_enable != 0
     }

@@ -134,7 +134,7 @@ impl Core {
         add(Input, "s_axi_rready", 1, "");
         add(
             Output,
-            "interrupt",
+            "irq",
             1,
             "1 while an event that is enabled is set",
         );

@@ -92,7 +92,7 @@ pub struct CoreOutputs {
     pub read_ready: bool,
     /// `rresp` and `rdata`, while `rvalid`.
     pub read_answer: Option<LiteAnswer>,
-    /// `interrupt`.
+    /// `irq`.
     pub interrupt: bool,
 }
 
@@ -221,7 +221,7 @@ mod tests {
             let column = pins.outputs.iter().position(|pin| pin.name == name);
             row[column.unwrap()]
         };
-        let of_read = ["s_axi_rdata", "s_axi_rresp", "s_axi_rvalid", "interrupt"];
+        let of_read = ["s_axi_rdata", "s_axi_rresp", "s_axi_rvalid", "irq"];
         assert_eq!(of_read.map(value), [7, 2, 1, 1]);
     }
 }
