@@ -58,10 +58,10 @@ pub(super) struct Drive<'a> {
 
 /// Clocks between two changes of pace, on average.
 const PACE_CLOCKS: u32 = 256;
-/// A reset, and a restart, come once in so many clocks.
+/// A reset comes once in so many clocks.
 const RESET_CLOCKS: u32 = 3000;
-/// One write in so many is a command to restart.
-const RESTART_WRITES: u32 = 64;
+/// One word in so many that are written may be a command to restart.
+const RESTART_WORDS: u32 = 8;
 
 impl<'a> Drive<'a> {
     pub(super) fn new(core: &'a Core, streams: &'a CoreStreams, digest: u64, seed: u64) -> Self {
@@ -190,7 +190,7 @@ impl<'a> Drive<'a> {
     /// A word to write: small, so that it is a stall limit that a test can reach, and seldom the command to restart.
     fn word(&mut self) -> u32 {
         let word = self.draw.rng().random_range(0..256);
-        match self.one_in(RESTART_WRITES) {
+        match self.one_in(RESTART_WORDS) {
             true => word | CoreRegister::RESTART,
             false => word & !CoreRegister::RESTART,
         }
