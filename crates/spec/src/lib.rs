@@ -39,8 +39,8 @@ mod stream;
 pub mod overlap;
 
 pub use crate::core::{
-    Access, Core, CoreCounter, CoreError, CoreEvent, CoreField, CoreInputs, CoreOutputs, CorePins,
-    CoreRegister, CoreRegisterRow, CoreStreams, CounterRow, EventRow, LiteAnswer, LiteIn,
+    Access, CORES, Core, CoreCounter, CoreError, CoreEvent, CoreField, CoreInputs, CoreOutputs,
+    CorePins, CoreRegister, CoreRegisterRow, CoreStreams, CounterRow, EventRow, LiteAnswer, LiteIn,
     PortColumns, ResultWord, StreamField, StreamIn, StreamWord, port_columns,
 };
 pub use cell::{

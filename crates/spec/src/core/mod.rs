@@ -78,6 +78,10 @@ pub struct Core {
     pub chains: u32,
 }
 
+/// The cores whose Verilog is committed: chains, and the leaf machine. With three chains the streams can name a chain that there
+/// is not.
+pub const CORES: [(u32, &str); 1] = [(3, "leaf-5-local7-rgb6d-n64")];
+
 /// There is no such core.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum CoreError {

@@ -132,12 +132,7 @@ impl Core {
         add(Output, "s_axi_rresp", 2, "0 OKAY, 2 SLVERR");
         add(Output, "s_axi_rvalid", 1, "");
         add(Input, "s_axi_rready", 1, "");
-        add(
-            Output,
-            "irq",
-            1,
-            "1 while an event that is enabled is set",
-        );
+        add(Output, "irq", 1, "1 while an event that is enabled is set");
         ports
     }
 
