@@ -141,12 +141,20 @@ impl<'a> Drive<'a> {
         let offers = self.chance(self.pace.photons);
         if !self.inputs.photons.valid {
             let next = self.plan.photons.front().filter(|_| offers).cloned();
-            self.inputs.photons = next.unwrap_or_else(|| self.draw.idle(self.streams.photons.bits));
+            let idle = || self.draw.idle(self.streams.photons.bits);
+            self.inputs.photons = StreamIn {
+                valid: next.is_some(),
+                beat: next.unwrap_or_else(idle),
+            };
         }
         let offers = self.chance(self.pace.queries);
         if !self.inputs.queries.valid {
             let next = self.plan.queries.front().filter(|_| offers).cloned();
-            self.inputs.queries = next.unwrap_or_else(|| self.draw.idle(self.streams.queries.bits));
+            let idle = || self.draw.idle(self.streams.queries.bits);
+            self.inputs.queries = StreamIn {
+                valid: next.is_some(),
+                beat: next.unwrap_or_else(idle),
+            };
         }
         self.access();
     }

@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 
 use photoncube_model::gather;
 use photoncube_spec::{
-    BatchPins, Core, CoreStreams, Leaf, Photon, Query, QueryWord, StreamIn, Sums, Widths,
+    BatchPins, Beat, Core, CoreStreams, Leaf, Photon, Query, QueryWord, Sums, Widths,
 };
 use rand::{Rng, RngExt};
 
@@ -20,8 +20,8 @@ pub(super) struct Expected {
 /// Words that wait to be offered, and the results that the chains still owe.
 #[derive(Debug, Default)]
 pub(super) struct Plan {
-    pub(super) photons: VecDeque<StreamIn>,
-    pub(super) queries: VecDeque<StreamIn>,
+    pub(super) photons: VecDeque<Beat>,
+    pub(super) queries: VecDeque<Beat>,
     /// Of each chain, in the order of its queries.
     pub(super) owed: Vec<VecDeque<Expected>>,
 }
@@ -132,7 +132,7 @@ impl<'a, R: Rng> Draw<'a, R> {
     }
 
     /// The word of a leaf. The bits of absent photons, and those without a field, are random.
-    fn leaf(&mut self, chain: u32, photons: &[Photon], facing: u32, last: bool) -> StreamIn {
+    fn leaf(&mut self, chain: u32, photons: &[Photon], facing: u32, last: bool) -> Beat {
         let word = &self.streams.photons;
         let mut values = CoreStreams::leaf_values(self.core, photons, facing);
         let of_photon = (values.len() - 1) / Core::LEAF_PHOTONS;
@@ -154,8 +154,7 @@ impl<'a, R: Rng> Draw<'a, R> {
         for bit in first_free..word.bits as usize {
             data[bit / 8] |= u8::from(self.rng.random::<bool>()) << (bit % 8);
         }
-        StreamIn {
-            valid: true,
+        Beat {
             data,
             last,
             dest: chain,
@@ -163,22 +162,13 @@ impl<'a, R: Rng> Draw<'a, R> {
     }
 
     /// The batches of a set with their results. The last releases the set.
-    fn batches(
-        &mut self,
-        chain: u32,
-        set: &[(u32, Photon)],
-    ) -> VecDeque<Vec<(StreamIn, Expected)>> {
+    fn batches(&mut self, chain: u32, set: &[(u32, Photon)]) -> VecDeque<Vec<(Beat, Expected)>> {
         let batches = self.rng.random_range(1..=3);
         let batch = |batch| self.batch(chain, set, batch + 1 == batches);
         (0..batches).map(batch).collect()
     }
 
-    fn batch(
-        &mut self,
-        chain: u32,
-        set: &[(u32, Photon)],
-        release: bool,
-    ) -> Vec<(StreamIn, Expected)> {
+    fn batch(&mut self, chain: u32, set: &[(u32, Photon)], release: bool) -> Vec<(Beat, Expected)> {
         let engines = self.core.leaf().chain.engines() as u32;
         let queries = self.rng.random_range(1..=engines);
         let facings = self.rng.random::<u32>() | 1 << self.bits(2);
@@ -204,7 +194,7 @@ impl<'a, R: Rng> Draw<'a, R> {
         facings: u32,
         release: bool,
         last: bool,
-    ) -> (StreamIn, Expected) {
+    ) -> (Beat, Expected) {
         let shift = self.widths.coordinate - self.widths.photon;
         let tag = self.bits(Core::TAG_BITS);
         let query = Query {
@@ -234,8 +224,7 @@ impl<'a, R: Rng> Draw<'a, R> {
             &query,
             gathered.map(|(_, photon)| *photon),
         );
-        let stream = StreamIn {
-            valid: true,
+        let stream = Beat {
             data,
             last,
             dest: chain,
@@ -269,8 +258,7 @@ impl<'a, R: Rng> Draw<'a, R> {
     fn query_for_no_chain(&mut self, plan: &mut Plan) {
         if let Some(dest) = self.no_chain() {
             let bytes = self.streams.queries.bits as usize / 8;
-            plan.queries.push_back(StreamIn {
-                valid: true,
+            plan.queries.push_back(Beat {
                 data: (0..bytes).map(|_| self.rng.random()).collect(),
                 last: self.rng.random(),
                 dest,
@@ -279,9 +267,8 @@ impl<'a, R: Rng> Draw<'a, R> {
     }
 
     /// The pins of a stream that offers no word: anything.
-    pub(super) fn idle(&mut self, bits: u32) -> StreamIn {
-        StreamIn {
-            valid: false,
+    pub(super) fn idle(&mut self, bits: u32) -> Beat {
+        Beat {
             data: (0..bits / 8).map(|_| self.rng.random()).collect(),
             last: self.rng.random(),
             dest: self.rng.random_range(0..1 << self.core.chain_bits()),

@@ -62,7 +62,7 @@ pub use fields::CoreField;
 pub use ports::{CorePins, PortColumns, port_columns};
 pub use registers::{Access, CoreRegister, CoreRegisterRow};
 pub use streams::{CoreStreams, StreamField, StreamWord};
-pub use words::{CoreInputs, CoreOutputs, LiteAnswer, LiteIn, ResultWord, StreamIn};
+pub use words::{Beat, CoreInputs, CoreOutputs, LiteAnswer, LiteIn, ResultWord, StreamIn};
 
 use thiserror::Error;
 
