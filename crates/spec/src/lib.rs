@@ -56,9 +56,7 @@ pub use formats::{
 };
 pub use hypercube::{Axis, Hypercube, Role};
 pub use interface::{Direction, Fact, Interface, Port};
-pub use leaf::{
-    Leaf, LeafAnswer, LeafRegister, LeafRow, LeafSizes, LeafWords, QueryWord, TaggedSums,
-};
+pub use leaf::{Leaf, LeafRegister, LeafRow, LeafSizes, QueryWord};
 pub use machine::{Machine, module_prefix};
 pub use machines::{MACHINES, UnknownMachine, find_machine};
 pub use nearest::did_you_mean;
