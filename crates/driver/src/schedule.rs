@@ -1,9 +1,13 @@
 //! Shares sets out among the chains of a core, and puts their words into the order of the core's streams.
 //!
 //! A stream's words reach the chains in their order, so a word for a busy chain holds back those behind it. The schedule
-//! forecasts when each chain will work on each batch, and orders the words by these times. Sets begin in the order of their
-//! leaves, and each batch is behind the begin of its set. So while a chain has no place for a set, the queries on the sets that it
-//! holds are in front of all queries on later sets, and no chain waits for ever.
+//! forecasts when each chain will work on each batch, and orders the words by these times. A chain takes a leaf in two clocks, so the leaves of
+//! sets for different chains are mixed: those of a set go into the first half of the time in which the chain works on the set before, since
+//! when that begins, the other bank is free.
+//!
+//! No chain waits for ever. A leaf that waits for a bank has a time at which the queries on the bank's set are all earlier. A query that waits for
+//! its set has a later time than every leaf of that set. So where both streams wait, the queries that free the bank are in front
+//! of the query that waits.
 
 use std::collections::VecDeque;
 
@@ -60,12 +64,19 @@ impl Scheduler {
     pub fn schedule(&self, sets: &[Set]) -> Schedule {
         let chains = self.core.chains as usize;
         let mut free_at = vec![0; chains];
-        let mut begins = Vec::new();
+        let mut begun_at = vec![0; chains];
+        let mut leaves = Vec::new();
         let mut batches = Vec::new();
         for set in sets {
             let chain = (0..chains).min_by_key(|&chain| free_at[chain]);
             let chain = chain.expect("a core has a chain");
-            begins.push((free_at[chain], chain, set));
+            let (bank_is_free, begins) = (begun_at[chain], free_at[chain]);
+            begun_at[chain] = begins;
+            for (place, leaf) in set.leaves.iter().enumerate() {
+                let share = (begins - bank_is_free) * place as u64 / (2 * set.leaves.len() as u64);
+                let last = place + 1 == set.leaves.len();
+                leaves.push((bank_is_free + share, chain, leaf, last));
+            }
             let boxes: Vec<_> = set.leaves.iter().map(Bounds::of_leaf).collect();
             for (place, batch) in set.batches.iter().enumerate() {
                 let release = place + 1 == set.batches.len();
@@ -73,19 +84,17 @@ impl Scheduler {
                 free_at[chain] += self.clocks(batch, &boxes);
             }
         }
-        // Stable: sets and batches of equal times keep their order.
-        begins.sort_by_key(|(time, _, _)| *time);
+        // Stable: leaves and batches of equal times keep their order.
+        leaves.sort_by_key(|(time, ..)| *time);
         batches.sort_by_key(|(time, ..)| *time);
         let mut schedule = Schedule {
             owed: vec![VecDeque::new(); chains],
             ..Schedule::default()
         };
-        for (_, chain, set) in begins {
-            let leaves = set.leaves.iter().enumerate();
-            let beats =
-                leaves.map(|(place, leaf)| self.leaf(chain, leaf, place + 1 == set.leaves.len()));
-            schedule.words.photons.extend(beats);
-        }
+        let beats = leaves
+            .into_iter()
+            .map(|(_, chain, leaf, last)| self.leaf(chain, leaf, last));
+        schedule.words.photons.extend(beats);
         for (_, chain, batch, release) in batches {
             self.batch(chain, batch, release, &mut schedule);
         }
