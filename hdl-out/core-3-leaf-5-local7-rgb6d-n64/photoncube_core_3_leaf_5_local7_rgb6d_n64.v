@@ -22,7 +22,7 @@
 //   output          m_axis_results_tlast   the tlast of the query
 //   output [1:0]    m_axis_results_tid     the chain that the result is from
 //   output          m_axis_results_tuser   the query was outside of its frame; the sums are 0
-//   input  [8:0]    s_axi_awaddr           in bytes
+//   input  [8:0]    s_axi_awaddr           in bytes; the two low bits are not looked at
 //   input  [2:0]    s_axi_awprot           not looked at
 //   input           s_axi_awvalid
 //   output          s_axi_awready
@@ -33,7 +33,7 @@
 //   output [1:0]    s_axi_bresp            0 OKAY, 2 SLVERR
 //   output          s_axi_bvalid
 //   input           s_axi_bready
-//   input  [8:0]    s_axi_araddr           in bytes
+//   input  [8:0]    s_axi_araddr           in bytes; the two low bits are not looked at
 //   input  [2:0]    s_axi_arprot           not looked at
 //   input           s_axi_arvalid
 //   output          s_axi_arready
@@ -664,10 +664,13 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
     assign s_axi_arready = ~s_axi_rvalid & aresetn;
     wire [31:0] write_mask = {{8{s_axi_wstrb[3]}}, {8{s_axi_wstrb[2]}}, {8{s_axi_wstrb[1]}}, {8{s_axi_wstrb[0]}}};
     wire [31:0] write_word = s_axi_wdata & write_mask;
+    // The two low bits are not looked at: the strobes name the bytes.
+    wire [8:0] write_address = {s_axi_awaddr[8:2], 2'b00};
+    wire [8:0] read_address = {s_axi_araddr[8:2], 2'b00};
     reg write_known;
     always @(*) begin
         write_known = 1'b0;
-        case (s_axi_awaddr)
+        case (write_address)
             ADDRESS_CONTROL: write_known = 1'b1;
             ADDRESS_EVENTS: write_known = 1'b1;
             ADDRESS_INTERRUPT_ENABLE: write_known = 1'b1;
@@ -680,7 +683,7 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
     always @(*) begin
         read_known = 1'b1;
         read_word = 32'd0;
-        case (s_axi_araddr)
+        case (read_address)
             ADDRESS_IDENTITY: read_word = 32'h50435542;
             ADDRESS_VERSION: read_word = 32'h00000001;
             ADDRESS_DIGEST_LOW: read_word = 32'h153b6e92;
@@ -732,7 +735,7 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
     reg [47 - 32:0] counter_high_next;
     always @(*) begin
         counter_high_next = counter_high;
-        case (s_axi_araddr)
+        case (read_address)
             ADDRESS_CLOCKS_LOW: counter_high_next = counter_clocks[47:32];
             ADDRESS_BUSY_CLOCKS_LOW: counter_high_next = counter_busy_clocks[47:32];
             ADDRESS_LEAVES_READ_LOW: counter_high_next = counter_leaves_read[47:32];
@@ -756,11 +759,11 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
     wire write_refused = writes & ~write_known;
     wire read_refused = reads & ~read_known;
     wire [1:0] refused = write_refused + read_refused;
-    wire writes_control = writes & (s_axi_awaddr == ADDRESS_CONTROL);
+    wire writes_control = writes & (write_address == ADDRESS_CONTROL);
     wire clears_counters = writes_control & write_word[1];
-    wire writes_events = writes & (s_axi_awaddr == ADDRESS_EVENTS);
-    wire writes_enable = writes & (s_axi_awaddr == ADDRESS_INTERRUPT_ENABLE);
-    wire writes_limit = writes & (s_axi_awaddr == ADDRESS_STALL_LIMIT);
+    wire writes_events = writes & (write_address == ADDRESS_EVENTS);
+    wire writes_enable = writes & (write_address == ADDRESS_INTERRUPT_ENABLE);
+    wire writes_limit = writes & (write_address == ADDRESS_STALL_LIMIT);
 
     wire busy = |under_way;
     wire ends = result_moves & ~query_given & (under_way == 16'd1);

@@ -51,8 +51,8 @@ pub struct CoreReport {
     sets: u64,
     query_words: u64,
     clocks: u64,
-    leaves_read: u64,
-    leaves_compared: u64,
+    leaves_loaded: u64,
+    boxes_compared: u64,
     leaves_wanted: u64,
     groups_played: u64,
     photon_stalls: u64,
@@ -77,8 +77,8 @@ impl CoreReport {
             sets: work.sets,
             query_words: work.query_words,
             clocks,
-            leaves_read: work.counter(C::LeavesRead),
-            leaves_compared: work.counter(C::LeavesCompared),
+            leaves_loaded: work.counter(C::LeavesRead),
+            boxes_compared: work.counter(C::LeavesCompared),
             leaves_wanted: work.counter(C::LeavesWanted),
             groups_played: played,
             photon_stalls: work.counter(C::PhotonStalls),
@@ -91,7 +91,7 @@ impl CoreReport {
 
     /// The report in words.
     pub fn text(&self) -> String {
-        let groups_read = self.leaves_read * Leaf::GROUPS as u64;
+        let groups_read = self.leaves_loaded * Leaf::GROUPS as u64;
         format!(
             "core: {} chains of {} engines, {} clocks; {} sets of photons, {groups_read} groups read in, {} played (engines fed in {:.0} % of the \
              clocks); {:.2} photon tests for each in range, {:.4} queries a clock\n",

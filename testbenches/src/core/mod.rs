@@ -46,9 +46,9 @@ pub struct CoreVerdict {
     /// Results that were also compared with the direct gather.
     pub results_compared: u64,
     /// Leaves that were taken.
-    pub leaves: u64,
+    pub leaf_beats: u64,
     /// Queries that were taken.
-    pub queries: u64,
+    pub query_beats: u64,
     /// Accesses to registers.
     pub accesses: u64,
     /// Resets by `aresetn`.
@@ -149,8 +149,8 @@ fn verify_core_text(
         vectors_compared: compared,
         signals_per_vector: rows.pins.observed.len(),
         results_compared: happened.results,
-        leaves: happened.leaves,
-        queries: happened.queries,
+        leaf_beats: happened.leaves,
+        query_beats: happened.queries,
         accesses: happened.accesses,
         resets: happened.resets,
         restarts: happened.restarts,

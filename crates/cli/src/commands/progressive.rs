@@ -425,6 +425,7 @@ mod tests {
         Report {
             scene: "cornell".to_owned(),
             engine: EngineReport::of(args.engine.find().unwrap().engine()),
+            core: None,
             light,
             output: "o.png".to_owned(),
             seed: 1,

@@ -101,9 +101,9 @@ impl Registers {
         lite.write_address_valid && lite.write_data_valid && self.write_answer.is_none()
     }
 
-    /// The register at an address.
+    /// The register of the word at an address.
     fn at(&self, address: u32) -> Option<&CoreRegisterRow> {
-        self.rows.iter().find(|row| row.address == address)
+        self.rows.iter().find(|row| row.address == address & !3)
     }
 
     fn write(&self, lite: &LiteIn) -> Write {

@@ -23,7 +23,7 @@
 //! Each of these sets the bit of [`CoreEvent`] and is counted, and the words before and behind it lose nothing:
 //! a leaf with a photon behind an absent one (it is used as it is); the leaves of a set behind the last that the bank holds (dropped,
 //! up to `tlast`); a query outside of its frame (answered with `tuser`); a word for a chain that there is not
-//! (dropped); an access to an address without a register, and a write to a register that is only read (both answered with SLVERR).
+//! (dropped); an access to an address without a register (the two low bits are not looked at), and a write to a register that is only read (both answered with SLVERR).
 //!
 //! # Each clock
 //! All registers have the values before the clock edge, and `:=` gives the value after it. A word *moves* where its valid and its ready are

@@ -37,7 +37,7 @@ pub struct CoreMethod {
 
 /// The columns of the table.
 const COLUMNS: &str =
-    "device vectors_compared results_compared leaves queries accesses resets restarts";
+    "device vectors_compared results_compared leaf_beats query_beats accesses resets restarts";
 
 impl CoreMethod {
     fn line(&self, core: &Core, verdict: &CoreVerdict, about: &Line) -> Line {
