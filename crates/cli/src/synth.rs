@@ -11,8 +11,8 @@ use std::path::Path;
 
 use anyhow::{Result, anyhow, bail};
 use fpga_flow::{Device, Family, Flow, FlowError, ToolError, Tools, devices::ecp5};
-use photoncube_hdl::{Level, emit};
-use photoncube_spec::{Machine, Squarer};
+use photoncube_hdl::{Level, core_with_clock, emit, emit_core};
+use photoncube_spec::{Core, Machine, Squarer};
 use photoncube_testbench::pinned_tools;
 
 /// The device of the committed figures.
@@ -56,7 +56,9 @@ pub fn flow_to_place(machine: &Machine, device: &Device) -> &'static Flow {
 
 /// A machine that is measured, with its emitted Verilog.
 pub struct Subject {
-    /// The machine that is measured.
+    /// The name of the machine or core that is measured.
+    pub name: String,
+    /// The machine, or that of each chain of the core.
     pub machine: &'static Machine,
     /// Its Verilog, with the overrides of some modules for an ECP5.
     pub design: fpga_flow::Design,
@@ -71,12 +73,31 @@ impl Subject {
         let overrides = emitted.ecp5_text.iter();
         let overrides = overrides.map(|text| (ecp5::FAMILY.name, text.clone()));
         Ok(Self {
+            name: machine.name.to_owned(),
             machine,
             verilog_sha256: emitted.ecp5_sha256(),
             design: fpga_flow::Design {
                 overrides: overrides.collect(),
                 top: emitted.top,
                 verilog: emitted.text,
+            },
+        })
+    }
+
+    /// Emits the core.
+    pub fn of_core(core: &Core) -> Result<Self> {
+        let emitted = emit_core(core)?;
+        let overrides = emitted.machine.ecp5_text.iter();
+        let overrides = overrides.map(|text| (ecp5::FAMILY.name, text.clone()));
+        let clocked = core_with_clock(core, &emitted);
+        Ok(Self {
+            name: core.name(),
+            machine: core.machine,
+            verilog_sha256: emitted.ecp5_sha256(),
+            design: fpga_flow::Design {
+                overrides: overrides.collect(),
+                top: clocked.top,
+                verilog: emitted.text + &clocked.text,
             },
         })
     }

@@ -32,6 +32,9 @@ pub struct SynthArgs {
     /// Only this machine; can be given several times [default: all]
     #[arg(long = "machine", value_name = "M")]
     pub machines: Vec<String>,
+    /// The core of N chains of that machine
+    #[arg(long, value_name = "N", requires = "machines", conflicts_with_all = ["update", "check"])]
+    pub chains: Option<u32>,
     /// Only this; can be given several times [default: those of docs/measured and the clock; with an FPGA of
     /// another family, its flows and the clock]
     #[arg(long = "flow", value_enum, value_name = "F")]

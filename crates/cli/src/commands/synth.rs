@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use anyhow::{Context, Result, bail};
 use fpga_flow::{Flow, Tools};
-use photoncube_spec::{MACHINES, Machine, find_machine};
+use photoncube_spec::{Core, MACHINES, Machine, find_machine};
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -35,7 +35,7 @@ struct Report {
 /// The digest of the Verilog of a machine that was measured.
 #[derive(Serialize)]
 struct VerilogRow {
-    machine: &'static str,
+    machine: String,
     verilog_sha256: String,
 }
 
@@ -80,7 +80,12 @@ pub fn execute(args: &SynthArgs, json: bool) -> Result<()> {
     }
     let places_in = args.places().then(|| args.device.family());
     let tools = synth::tools(args.tools.as_deref(), places_in)?;
-    measure(args, &tools, subjects(&machines)?, json)
+    let subjects = match (args.chains, &machines[..]) {
+        (None, _) => subjects(&machines)?,
+        (Some(chains), &[machine]) => vec![Subject::of_core(&Core::new(machine, chains)?)?],
+        (Some(_), several) => bail!("--chains: found {} machines, expected one", several.len()),
+    };
+    measure(args, &tools, subjects, json)
 }
 
 /// Whether the measurements are written to the committed figures.
@@ -204,7 +209,7 @@ fn measure(args: &SynthArgs, tools: &Tools, subjects: Vec<Subject>, json: bool) 
 fn conclusion(report: &Report) -> Result<()> {
     let too_large = report.device_use.iter().filter(|used| !used.fits);
     let too_large = too_large.map(|used| {
-        let (machine, lacking) = (used.machine, used.lacking());
+        let (machine, lacking) = (&used.machine, used.lacking());
         format!("{machine} does not fit in {}: {lacking}", report.device)
     });
     match too_large.collect::<Vec<_>>() {
@@ -215,7 +220,7 @@ fn conclusion(report: &Report) -> Result<()> {
 
 fn verilog_rows(plan: &Plan) -> Vec<VerilogRow> {
     let row = |subject: &Subject| VerilogRow {
-        machine: subject.machine.name,
+        machine: subject.name.clone(),
         verilog_sha256: subject.verilog_sha256.clone(),
     };
     plan.subjects.iter().map(row).collect()

@@ -11,7 +11,6 @@ use fpga_flow::{
     Device, Flow, Placed, Placer, Resource, Router, Target, Tools, Try, area, map, place,
 };
 use indicatif::ProgressBar;
-use photoncube_spec::Machine;
 use rayon::ThreadPoolBuilder;
 use rayon::prelude::*;
 use serde::Serialize;
@@ -65,7 +64,7 @@ impl Plan {
 
     /// The groups of rows that the plan produces.
     pub fn groups(&self) -> (BTreeSet<Group>, BTreeSet<Group>) {
-        let names = || self.subjects.iter().map(|subject| subject.machine.name);
+        let names = || self.subjects.iter().map(|subject| subject.name.as_str());
         let areas = names().flat_map(|name| self.flows.iter().map(move |&f| Group::area(name, f)));
         let grades = self.grades.iter().filter(|_| self.places);
         let places = names().flat_map(|name| grades.clone().map(move |&g| Group::place(name, g)));
@@ -92,7 +91,7 @@ impl Plan {
     pub fn announce(&self) {
         let (runs, tries) = (self.flows.len() as u64, self.tries().len() as u64);
         let of = |subject: &Subject| {
-            let size = Size::of(subject.machine);
+            let size = Size::of(subject);
             let mapping = u64::from(self.places) * size.map_ms();
             runs * size.map_ms() + mapping + tries * size.place_ms(self.device)
         };
@@ -110,7 +109,7 @@ impl Plan {
     /// Writes each machine's Verilog to its own folder, where the tools find it.
     pub fn write_verilog(&self, scratch: &Path) -> Result<()> {
         for subject in &self.subjects {
-            let folder = scratch.join(subject.machine.name);
+            let folder = scratch.join(&subject.name);
             fs::create_dir(&folder)?;
             subject.design.write(&folder)?;
         }
@@ -128,9 +127,9 @@ impl Plan {
         let work: Vec<_> = self.subjects.iter().flat_map(flows).collect();
         let work = work
             .into_iter()
-            .map(|(subject, flow)| (subject, Size::of(subject.machine).map_ms(), flow));
+            .map(|(subject, flow)| (subject, Size::of(subject).map_ms(), flow));
         self.in_parallel("areas", work.collect(), |subject, flow| {
-            let machine = subject.machine.name;
+            let machine = subject.name.as_str();
             let folder = scratch.join(machine);
             let figures = area(
                 tools.yosys(),
@@ -161,9 +160,9 @@ impl Plan {
             return Ok((Vec::new(), Vec::new()));
         }
         let all = self.subjects.iter();
-        let mappings = all.clone().map(|s| (s, Size::of(s.machine).map_ms(), ()));
+        let mappings = all.clone().map(|s| (s, Size::of(s).map_ms(), ()));
         self.in_parallel("mappings", mappings.collect(), |subject, ()| {
-            let machine = subject.machine.name;
+            let machine = subject.name.as_str();
             let target = self.target(subject);
             map(
                 tools.yosys(),
@@ -177,13 +176,9 @@ impl Plan {
         let tries = self.tries();
         let each = |subject| tries.iter().map(move |&what| (subject, what));
         let work: Vec<_> = all.flat_map(each).collect();
-        let work = work.into_iter().map(|(subject, what)| {
-            (
-                subject,
-                Size::of(subject.machine).place_ms(self.device),
-                what,
-            )
-        });
+        let work = work
+            .into_iter()
+            .map(|(subject, what)| (subject, Size::of(subject).place_ms(self.device), what));
         let placed = self.in_parallel("placements", work.collect(), |subject, what| {
             let (row, used) = self.place(tools, scratch, subject, &what)?;
             if let (Some(writer), Some(row)) = (writer, &row) {
@@ -193,7 +188,7 @@ impl Plan {
         })?;
         let (rows, mut uses): (Vec<_>, Vec<_>) = placed.into_iter().unzip();
         // A machine needs as much in every speed grade and with every seed.
-        uses.dedup_by_key(|used| used.machine);
+        uses.dedup_by(|used, other| used.machine == other.machine);
         Ok((rows.into_iter().flatten().collect(), uses))
     }
 
@@ -213,13 +208,13 @@ impl Plan {
         subject: &Subject,
         what: &Try,
     ) -> Result<(Option<PlaceRow>, DeviceUse)> {
-        let machine = subject.machine.name;
+        let machine = subject.name.as_str();
         let placed = place(tools, &scratch.join(machine), what).with_context(|| {
             let group = Group::place(machine, what.speed_grade).what;
             format!("machine {machine}, {group}, seed {}", what.seed)
         })?;
         let used = |fits, resources| DeviceUse {
-            machine,
+            machine: machine.to_owned(),
             fits,
             resources,
         };
@@ -289,7 +284,7 @@ impl Plan {
 #[derive(Debug, Serialize)]
 pub struct DeviceUse {
     /// The machine's name.
-    pub machine: &'static str,
+    pub machine: String,
     /// Whether the device has enough of everything.
     pub fits: bool,
     /// The resources that the machine needs, wrapper included.
@@ -320,9 +315,9 @@ struct Size {
 
 impl Size {
     /// The size that was measured before; otherwise that of the largest of the paper's machines.
-    fn of(machine: &Machine) -> Self {
+    fn of(subject: &Subject) -> Self {
         const UNKNOWN: u64 = 8000;
-        let measured = measured::lut4_equivalents(machine.name).unwrap_or(None);
+        let measured = measured::lut4_equivalents(&subject.name).unwrap_or(None);
         Self {
             lut4_equivalents: measured.unwrap_or(UNKNOWN),
         }

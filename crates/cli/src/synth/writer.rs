@@ -31,7 +31,7 @@ pub struct Writer<R: Row> {
 
 struct State<R: Row> {
     file: Figured<R>,
-    pending: BTreeMap<&'static str, Vec<R>>,
+    pending: BTreeMap<String, Vec<R>>,
 }
 
 impl<R: Row> Writer<R> {
@@ -73,7 +73,7 @@ impl<R: Row> Writer<R> {
     pub fn take(&self, subject: &Subject, row: &R) -> Result<()> {
         let mut state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
         let State { file, pending } = &mut *state;
-        let rows = pending.entry(subject.machine.name).or_default();
+        let rows = pending.entry(subject.name.clone()).or_default();
         rows.push(row.clone());
         if rows.len() < self.rows_each {
             return Ok(());
@@ -111,6 +111,7 @@ mod tests {
 
     fn subject(machine: &str) -> Subject {
         Subject {
+            name: machine.to_owned(),
             machine: find_machine(machine).unwrap(),
             design: fpga_flow::Design::default(),
             verilog_sha256: "00".to_owned(),

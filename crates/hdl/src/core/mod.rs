@@ -5,6 +5,7 @@
 //! serves every core. They follow the rules of [`photoncube_spec::Core`]; `photoncube verify core` compares them with the model, clock by clock.
 
 mod arbiter;
+mod clocked;
 mod header;
 mod registers;
 mod rows;
@@ -15,6 +16,7 @@ use photoncube_spec::Core;
 use crate::emit::{EmitError, Emitted, emit, sha256};
 use crate::level::Level;
 
+pub use clocked::{CoreWithClock, core_with_clock};
 pub use rows::core_rows;
 
 /// The Verilog of a core.

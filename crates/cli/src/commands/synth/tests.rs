@@ -13,6 +13,7 @@ fn plan(arguments: &[&str]) -> Plan {
     };
     let subjects = machines(&args.machines).unwrap();
     let subjects = subjects.into_iter().map(|machine| Subject {
+        name: machine.name.to_owned(),
         machine,
         design: fpga_flow::Design::default(),
         verilog_sha256: "00".to_owned(),
@@ -77,7 +78,7 @@ fn what_is_named_is_measured_alone_and_once() {
 fn used(needed: u64) -> DeviceUse {
     let lacking = needed.saturating_sub(5280);
     DeviceUse {
-        machine: "paper",
+        machine: "paper".to_owned(),
         fits: lacking == 0,
         resources: vec![Resource {
             resource: "ICESTORM_LC".to_owned(),

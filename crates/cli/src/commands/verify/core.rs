@@ -49,9 +49,10 @@ impl CoreMethod {
         Line {
             by: format!("{}: {}", verdict.device, verdict.tool_version),
             volume: verdict.vectors_compared,
-            unit: format!("clocks of {} signals", verdict.signals_per_vector),
+            unit: "clocks".to_owned(),
             result: format!(
-                "0 mismatches; {} results; events: {}",
+                "0 mismatches in {} signals; {} results; events: {}",
+                verdict.signals_per_vector,
                 verdict.results_compared,
                 events.join(", ")
             ),

@@ -11,6 +11,7 @@ fn versions(yosys: &str) -> BTreeMap<String, String> {
 
 fn subject(machine: &str, digest: &str) -> Subject {
     Subject {
+        name: machine.to_owned(),
         machine: find_machine(machine).unwrap(),
         design: fpga_flow::Design::default(),
         verilog_sha256: digest.to_owned(),
