@@ -20,6 +20,7 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--core", type=Path, required=True)
     parser.add_argument("--build", type=Path, required=True)
     parser.add_argument("--rounds", type=int, required=True)
+    parser.add_argument("--wrong-rounds", type=int, required=True)
     parser.add_argument("--resets", type=int, required=True)
     parser.add_argument("--seed", type=int, required=True)
     parser.add_argument("--least-beats", type=int, required=True)
@@ -60,6 +61,7 @@ def main() -> int:
     environment = {
         "PHOTONCUBE_CORE": str(folder),
         "PHOTONCUBE_ROUNDS": str(given.rounds),
+        "PHOTONCUBE_WRONG": str(given.wrong_rounds),
         "PHOTONCUBE_RESETS": str(given.resets),
         "PHOTONCUBE_SEED": str(given.seed),
         "PHOTONCUBE_TOTALS": str(totals),

@@ -2,6 +2,7 @@
 
 PHOTONCUBE_CORE    the folder with the core's Verilog, SystemRDL and words of streams
 PHOTONCUBE_ROUNDS  rounds of random traffic; a round is a set and its batches for each chain
+PHOTONCUBE_WRONG   rounds of traffic with wrong words
 PHOTONCUBE_RESETS  resets while words are under way
 PHOTONCUBE_SEED    where the random numbers begin
 PHOTONCUBE_TOTALS  a file to which each test adds the beats that it compared
@@ -27,10 +28,11 @@ from traffic import MANY_WRONG, RIGHT, Sizes, Traffic, Wrong
 SMALL = Sizes(leaves=(1, 4), batches=(1, 4))
 LARGE = Sizes(leaves=(1, 8), batches=(1, 6))
 ROUNDS = int(os.environ.get("PHOTONCUBE_ROUNDS", "20"))
+WRONG_ROUNDS = int(os.environ.get("PHOTONCUBE_WRONG", "20"))
 RESETS = int(os.environ.get("PHOTONCUBE_RESETS", "4"))
 SEED = int(os.environ.get("PHOTONCUBE_SEED", "1"))
 # Rounds between two comparisons of all counters.
-ROUNDS_AT_ONCE = 10
+ROUNDS_AT_ONCE = max(5, ROUNDS // 100)
 
 
 async def begun(dut: SimHandleBase, seed: int) -> Bench:
@@ -102,10 +104,10 @@ async def random_traffic(dut: SimHandleBase) -> None:
 async def wrong_words(dut: SimHandleBase) -> None:
     """Wrong words between right ones: the right ones lose nothing, and each wrong one is counted."""
     bench = await begun(dut, 2)
-    await transfer(bench, Traffic(bench.shape, bench.random, MANY_WRONG), LARGE, ROUNDS)
+    await transfer(bench, Traffic(bench.shape, bench.random, MANY_WRONG), LARGE, WRONG_ROUNDS)
     # Leaves without any photon, for which the rules do not say whether they are wanted.
-    await transfer(bench, Traffic(bench.shape, bench.random, Wrong(empty=0.3)), SMALL, ROUNDS // 4)
-    finish(bench, ROUNDS)
+    await transfer(bench, Traffic(bench.shape, bench.random, Wrong(empty=0.3)), SMALL, WRONG_ROUNDS // 4)
+    finish(bench, WRONG_ROUNDS)
 
 
 @cocotb.test()
@@ -317,7 +319,6 @@ async def addresses_that_are_not_aligned(dut: SimHandleBase) -> None:
 async def addresses_without_a_register(dut: SimHandleBase) -> None:
     """Every other word of the map answers reads and writes with SLVERR, sets the event and is counted."""
     bench = await begun(dut, 9)
-    bench.pause(0.2)
     known = {register.address for register in bench.registers.values()}
     others = [address for address in range(0, 512, 4) if address not in known]
     assert others
