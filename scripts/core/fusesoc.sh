@@ -71,8 +71,7 @@ for target in "${targets[@]}"; do
         tail -30 "$scratch/log" >&2
         exit 1
     fi
-    if [[ $target == synth ]] && ! compgen -G "$scratch/build-synth/*/*.json" >/dev/null &&
-        ! compgen -G "$scratch/build-synth/*.json" >/dev/null; then
+    if [[ $target == synth && -z $(find "$scratch/build-synth" -name "photoncube_*$top*.json" -size +1k) ]]; then
         note "synth wrote no netlist"
         exit 1
     fi

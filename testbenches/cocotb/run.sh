@@ -71,22 +71,21 @@ trap 'rm -rf "$scratch"' EXIT
 "$program" generate --machine "$machine" --chains "$chains" --out "$scratch" >/dev/null
 core=$scratch/core-$chains-$machine
 
-# Runs the tests on the core in the folder $1, with $2 rounds and at least $3 words on each stream.
+# Runs the tests on the core in the folder $1, with $2 rounds of traffic, $3 of wrong words, $4 resets and at least
+# $5 words on each stream.
 run_tests() {
-    local folder=$1 rounds=$2 least=$3
-    shift 3
-    "$python" "$here/run.py" --core "$folder" --build "$folder/build" --rounds "$rounds" --resets $((4 + rounds / 100)) \
-        --seed "$seed" --least-beats "$least" "$@"
+    "$python" "$here/run.py" --core "$1" --build "$1/build" --rounds "$2" --wrong-rounds "$3" --resets "$4" \
+        --least-beats "$5" --seed "$seed" "${@:6}"
 }
 
-# Where single tests are named, the words are those of these alone.
 if ((long)); then
-    rounds=9000 least=100000
+    work=(13500 400 60) least=100000
 else
-    rounds=24 least=400
+    work=(16 12 4) least=300
 fi
+# Where single tests are named, the words are those of these alone.
 ((${#tests[@]} == 0)) || least=0
-run_tests "$core" "$rounds" "$least" "${tests[@]}"
+run_tests "$core" "${work[@]}" "$least" "${tests[@]}"
 ((faults)) || exit 0
 
 for fault in $("$python" "$here/faults.py" --list); do
@@ -98,7 +97,7 @@ for fault in $("$python" "$here/faults.py" --list); do
         "$python" "$here/faults.py" "$fault" "${text%.streams.json}.v"
     done
     code=0
-    run_tests "$broken" 16 0 --test wrong_words --test resets_in_flight >"$scratch/$fault/log" 2>&1 || code=$?
+    run_tests "$broken" 0 4 2 0 --test wrong_words --test resets_in_flight >"$scratch/$fault/log" 2>&1 || code=$?
     # The tests themselves must have failed, not their start.
     if ((code != 1)) || ! grep -q 'tests passed' "$scratch/$fault/log"; then
         note "the tests missed the fault $fault (exit code $code):"
