@@ -20,6 +20,7 @@
 mod campaign;
 mod compare;
 mod controls;
+mod core;
 mod coverage;
 mod device;
 mod exhaustive;
@@ -34,6 +35,7 @@ mod tools;
 mod trace;
 mod verify;
 
+pub use crate::core::{CoreError, CoreOptions, CoreVerdict, core_controls, verify_core};
 pub use campaign::{
     Done, Failure, Keeper, Pair, Regression, RegressionError, State, StateError, Summary, campaign,
     minimised, pairs,
@@ -42,8 +44,8 @@ pub use compare::{Activity, Actual, Divergence};
 pub use controls::{Control, Controls, NoControl, PlantedFault, comparison_controls, plant};
 pub use coverage::{Coverage, CoverageKind, Gap, ModuleCoverage, Share, corners, coverage};
 pub use device::{
-    Device, DeviceError, DeviceKind, Icarus, Mutant, Observed, RustHdl, StreamSimulation, Text,
-    Unknown, UnknownDevice, Verilator, netlist, with_outputs_alone,
+    CoreAnswered, CoreSimulation, Device, DeviceError, DeviceKind, Icarus, Mutant, Observed,
+    RustHdl, Text, Unknown, UnknownDevice, Verilator, netlist, with_outputs_alone,
 };
 pub use exhaustive::{
     LaneVerdict, Radii, UnitVerdict, exhaustive_controls, exhaustive_lane, exhaustive_lane_device,

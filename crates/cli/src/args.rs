@@ -209,8 +209,8 @@ Examples:
   photoncube generate --format local6x2-rgb4d-n4096 --organisation stream --out /tmp/verilog
   photoncube generate --machine leaf-7-local7-rgb6d-n4096 --chains 4 --out /tmp/verilog
 
-With --chains: a core of that many leaf machines behind AXI4-Stream and AXI4-Lite, with its registers
-in SystemRDL and the words of its streams in JSON.
+With --chains: a core of that many leaf machines behind AXI4-Stream and AXI4-Lite, with its
+registers in SystemRDL and the words of its streams in JSON.
 
 A machine of a format of one's own is compiled when it is used for the first time, by cargo and
 from the sources of photoncube. Its name, such as stream-local6x2-rgb4d-n4096, is accepted by

@@ -1,31 +1,35 @@
-//! The engine `core`: a leaf machine's emitted Verilog, simulated in Verilator, that makes the gathers of a picture.
+//! The engine `core`: a core's emitted Verilog, simulated in Verilator, that makes the gathers of a picture.
 
 use std::thread;
 
 use anyhow::Result;
-use photoncube_driver::{Driver, Transport, TransportError, Work};
-use photoncube_spec::{LeafAnswer, LeafWords, Machine};
-use photoncube_testbench::StreamSimulation;
+use photoncube_driver::{CoreAnswer, CoreWords, Driver, Transport, TransportError, Work};
+use photoncube_spec::{Core, CoreCounter, Leaf, Spatial};
+use photoncube_testbench::CoreSimulation;
 use serde::Serialize;
 
 use crate::{machines, progress};
 
-/// A simulation of a machine's Verilog as a way to the machine.
-pub struct Simulated(StreamSimulation);
+/// A simulation of a core's Verilog as a way to the core.
+pub struct Simulated(CoreSimulation);
 
 impl Transport for Simulated {
-    fn exchange(&mut self, words: &LeafWords) -> Result<LeafAnswer, TransportError> {
-        Ok(self.0.exchange(words)?)
+    fn exchange(&mut self, words: &CoreWords) -> Result<CoreAnswer, TransportError> {
+        let answered = self.0.exchange(&words.photons, &words.queries)?;
+        Ok(CoreAnswer {
+            results: answered.results,
+            counters: answered.counters,
+        })
     }
 }
 
-/// Builds the simulation of a leaf machine, and starts one for each core of this computer. The frames of a picture are shared
+/// Builds the simulation of a core, and starts one for each processor of this computer. The frames of a picture are shared
 /// out among them.
-pub fn driver(machine: &'static Machine) -> Result<Driver<Simulated>> {
-    machines::prepare(machine)?;
+pub fn driver(core: &Core) -> Result<Driver<Simulated>> {
+    machines::prepare(core.machine)?;
     // The first builds the program, which the others then find in the cache.
     let count = thread::available_parallelism().map_or(1, usize::from);
-    let simulations = (0..count).map(|_| Ok(Simulated(StreamSimulation::new(machine)?)));
+    let simulations = (0..count).map(|_| Ok(Simulated(CoreSimulation::new(core)?)));
     let simulations: Result<Vec<_>> = simulations.collect();
     let bar = progress::bar("simulating frames", 0);
     let show = move |done: usize, all: usize| {
@@ -35,47 +39,67 @@ pub fn driver(machine: &'static Machine) -> Result<Driver<Simulated>> {
             bar.finish_and_clear();
         }
     };
-    Ok(Driver::new(machine, simulations?)?.with_progress(show))
+    Ok(Driver::new(core, simulations?)?.with_progress(show))
 }
 
-/// The work of the simulated machines in reports.
+/// The work of the simulated cores in reports.
 #[derive(Debug, Serialize)]
 pub struct CoreReport {
-    frames: u64,
+    core: String,
+    chains: u32,
+    engines: usize,
+    sets: u64,
     query_words: u64,
-    groups_loaded: u64,
+    clocks: u64,
+    leaves_loaded: u64,
+    boxes_compared: u64,
+    leaves_wanted: u64,
     groups_played: u64,
-    chain_clocks: u64,
+    photon_stalls: u64,
+    query_stalls: u64,
     tests_per_photon_in_range: f64,
     queries_per_clock: f64,
     engines_fed: f64,
 }
 
 impl CoreReport {
-    /// That of work.
-    pub fn of(work: Work) -> Self {
+    /// That of the work of cores of this kind.
+    pub fn of(core: &Core, work: &Work) -> Self {
+        use CoreCounter as C;
         let over = |part: u64, whole: u64| part as f64 / whole.max(1) as f64;
+        let engines = core.leaf().chain.engines();
+        let (clocks, played) = (work.counter(C::Clocks), work.counter(C::GroupsPlayed));
+        let tests = played * (Spatial::LANES * engines) as u64;
         Self {
-            frames: work.frames,
+            core: core.name(),
+            chains: core.chains,
+            engines,
+            sets: work.sets,
             query_words: work.query_words,
-            groups_loaded: work.groups_loaded,
-            groups_played: work.groups_played,
-            chain_clocks: work.clocks,
-            tests_per_photon_in_range: over(work.photon_tests, work.in_range),
-            queries_per_clock: over(work.queries, work.clocks),
-            engines_fed: over(work.groups_played, work.clocks),
+            clocks,
+            leaves_loaded: work.counter(C::LeavesRead),
+            boxes_compared: work.counter(C::LeavesCompared),
+            leaves_wanted: work.counter(C::LeavesWanted),
+            groups_played: played,
+            photon_stalls: work.counter(C::PhotonStalls),
+            query_stalls: work.counter(C::QueryStalls),
+            tests_per_photon_in_range: over(tests, work.counter(C::PhotonsInRange)),
+            queries_per_clock: over(work.queries, clocks),
+            engines_fed: over(played, clocks * u64::from(core.chains)),
         }
     }
 
     /// The report in words.
     pub fn text(&self) -> String {
+        let groups_read = self.leaves_loaded * Leaf::GROUPS as u64;
         format!(
-            "core: {} frames, {} groups read in, {} played in {} clocks of a chain ({:.0} % of the clocks); {:.2} photon tests for \
-             each in range, {:.4} queries a clock and chain\n",
-            self.frames,
-            self.groups_loaded,
+            "core: {} chains of {} engines, {} clocks; {} sets of photons, {groups_read} groups read in, {} played (engines fed in {:.0} % of the \
+             clocks); {:.2} photon tests for each in range, {:.4} queries a clock\n",
+            self.chains,
+            self.engines,
+            self.clocks,
+            self.sets,
             self.groups_played,
-            self.chain_clocks,
             100.0 * self.engines_fed,
             self.tests_per_photon_in_range,
             self.queries_per_clock,

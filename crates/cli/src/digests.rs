@@ -56,7 +56,9 @@ pub fn committed() -> Result<ByMachine> {
 
 #[cfg(test)]
 mod tests {
-    use photoncube_spec::MACHINES;
+    use std::collections::BTreeSet;
+
+    use photoncube_spec::{CORES, Core, MACHINES, find_machine};
 
     use super::*;
 
@@ -70,12 +72,13 @@ mod tests {
     #[test]
     fn every_machine_has_its_digests() {
         let committed = committed().unwrap();
-        assert!(
-            committed.keys().eq(MACHINES
-                .iter()
-                .map(|machine| machine.name)
-                .collect::<std::collections::BTreeSet<_>>())
-        );
+        let machines = MACHINES.iter().map(|machine| machine.name.to_owned());
+        let cores = CORES.iter().map(|&(chains, machine)| {
+            let machine = find_machine(machine).unwrap();
+            Core::new(machine, chains).unwrap().name()
+        });
+        let designs: BTreeSet<_> = machines.chain(cores).collect();
+        assert!(committed.keys().eq(&designs));
         assert_eq!(text(&committed).unwrap(), COMMITTED);
         let paper = &committed["paper"];
         assert_eq!(

@@ -5,7 +5,7 @@ use std::time::Duration;
 use anyhow::{Result, bail};
 use clap::Args;
 use photoncube_hdl::generator::{self, Step};
-use photoncube_spec::{MACHINES, Machine, Widths, find_machine};
+use photoncube_spec::{CORES, Core, MACHINES, Machine, Widths, find_machine};
 
 use crate::progress;
 
@@ -46,6 +46,21 @@ impl ChosenMachineArgs {
             dimension: self.dimension,
         });
         named.map(|args| args.find()).transpose()
+    }
+}
+
+/// How many chains a core has.
+#[derive(Args, Clone, Debug)]
+pub struct CoreArgs {
+    /// The chains of the core
+    #[arg(long, default_value_t = CORES[0].0, value_name = "N")]
+    pub chains: u32,
+}
+
+impl CoreArgs {
+    /// The core of so many of the machine of that name.
+    pub fn find(&self, machine: &str) -> Result<Core> {
+        Ok(Core::new(find_machine(machine)?, self.chains)?)
     }
 }
 

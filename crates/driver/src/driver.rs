@@ -1,4 +1,4 @@
-//! Does the queries of a picture over one or several machines.
+//! Does the queries of a picture over one or several cores.
 
 use std::fmt;
 use std::ops::AddAssign;
@@ -8,89 +8,110 @@ use std::thread;
 
 use photoncube_model::Gathered;
 use photoncube_render::{Gatherer, GathererError, QuantisedMap, QueryPoint};
-use photoncube_spec::{LeafAnswer, Machine, Spatial, Sums};
+use photoncube_spec::{Core, CoreCounter, CoreStreams, CounterRow, Sums};
 use thiserror::Error;
 
-use crate::frames::{FramePlan, FrameWords};
-use crate::transport::{Transport, TransportError};
+use crate::frames::{FramePlan, Set};
+use crate::schedule::{Owed, Schedule, Scheduler};
+use crate::transport::{CoreAnswer, Transport, TransportError};
 
-/// Words of the query stream, about, that a machine is given at once. A machine is empty at their end, which costs it some hundred
-/// clocks.
-const QUERIES_AT_ONCE: usize = 4096;
+/// Queries, about, that each chain is given at once. At their end the chains become empty one after the other, which costs a core some
+/// thousand clocks.
+const QUERIES_AT_ONCE: usize = 1 << 15;
 
 /// The error of a driver.
 #[derive(Debug, Error)]
 pub enum DriverError {
-    /// The machine has no memory of leaves.
-    #[error("machine `{0}` is no leaf machine; expected one such as leaf-7-local7-rgb6d-n4096")]
-    NoLeaves(&'static str),
-    /// There is no machine to drive.
+    /// There is no core to drive.
     #[error("found no transport, expected one at least")]
     NoTransport,
-    /// The machine gave fewer or more results than it was given queries.
-    #[error("machine `{machine}`: found {found} results, expected {expected}")]
+    /// The core gave fewer or more results than it was given queries.
+    #[error("core `{core}`: found {found} results, expected {expected}")]
     Results {
-        /// The name of the machine.
-        machine: &'static str,
+        /// The name of the core.
+        core: String,
         /// The number of results.
         found: usize,
         /// The number of queries.
         expected: usize,
     },
-    /// A result has another tag than its query.
-    #[error("machine `{machine}`: result {place} has the tag {found}, expected {expected}")]
+    /// A result is not the one that its chain owes.
+    #[error(
+        "core `{core}`: result {place}, of chain {chain}, has the tag {found}, expected {expected}"
+    )]
     Tag {
-        /// The name of the machine.
-        machine: &'static str,
+        /// The name of the core.
+        core: String,
         /// The place of the result.
         place: usize,
+        /// The chain.
+        chain: u32,
         /// The tag of the result.
         found: u32,
-        /// The tag of the query.
-        expected: u32,
+        /// The tag of the query; `none` where the chain owes no result.
+        expected: String,
+    },
+    /// A core says that a query is outside of its frame.
+    #[error(
+        "core `{core}`: result {place} is of a query outside of its frame; the driver and the core differ"
+    )]
+    Outside {
+        /// The name of the core.
+        core: String,
+        /// The place of the result.
+        place: usize,
     },
 }
 
-/// The work that machines did.
-#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+/// The work that cores did.
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Work {
     /// Queries of the picture.
     pub queries: u64,
     /// Words of the query streams. A query whose photons need several sets is there for each of them.
     pub query_words: u64,
-    /// Frames with photons.
-    pub frames: u64,
-    /// Groups that were read in.
-    pub groups_loaded: u64,
-    /// Groups that the chains were given.
-    pub groups_played: u64,
-    /// Photons in range of the queries.
-    pub in_range: u64,
-    /// Clocks of all machines together.
-    pub clocks: u64,
-    /// Photon tests: each place of a group that was played, in each engine, whether it holds a query or not.
-    pub photon_tests: u64,
+    /// Sets of photons.
+    pub sets: u64,
+    /// What the counters of all cores counted, in the order of [`CounterRow::ALL`].
+    pub counters: Vec<u64>,
+}
+
+impl Default for Work {
+    fn default() -> Self {
+        Self {
+            queries: 0,
+            query_words: 0,
+            sets: 0,
+            counters: vec![0; CounterRow::ALL.len()],
+        }
+    }
+}
+
+impl Work {
+    /// What a counter counted in all cores.
+    pub fn counter(&self, counter: CoreCounter) -> u64 {
+        self.counters[counter as usize]
+    }
 }
 
 impl AddAssign for Work {
     fn add_assign(&mut self, other: Self) {
         self.queries += other.queries;
         self.query_words += other.query_words;
-        self.frames += other.frames;
-        self.groups_loaded += other.groups_loaded;
-        self.groups_played += other.groups_played;
-        self.in_range += other.in_range;
-        self.clocks += other.clocks;
-        self.photon_tests += other.photon_tests;
+        self.sets += other.sets;
+        for (sum, more) in self.counters.iter_mut().zip(other.counters) {
+            *sum += more;
+        }
     }
 }
 
 /// Receives the number of frames that are done, and of all frames.
 type Progress = Box<dyn Fn(usize, usize) + Sync + Send>;
 
-/// Machines of one kind, each over a transport of its own, that share the frames of a picture.
+/// Cores of one kind, each over a transport of its own, that share the frames of a picture.
 pub struct Driver<T> {
-    machine: &'static Machine,
+    core: Core,
+    scheduler: Scheduler,
     transports: Vec<Mutex<T>>,
     work: Mutex<Work>,
     progress: Progress,
@@ -99,26 +120,24 @@ pub struct Driver<T> {
 impl<T> fmt::Debug for Driver<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Driver")
-            .field("machine", &self.machine.name)
+            .field("core", &self.core.name())
             .field("transports", &self.transports.len())
             .finish_non_exhaustive()
     }
 }
 
 impl<T: Transport> Driver<T> {
-    /// Makes a driver of these machines.
+    /// Makes a driver of these cores.
     ///
     /// # Errors
-    /// The machine is no leaf machine, or there is none.
-    pub fn new(machine: &'static Machine, transports: Vec<T>) -> Result<Self, DriverError> {
-        if machine.leaf().is_none() {
-            return Err(DriverError::NoLeaves(machine.name));
-        }
+    /// There is none.
+    pub fn new(core: &Core, transports: Vec<T>) -> Result<Self, DriverError> {
         if transports.is_empty() {
             return Err(DriverError::NoTransport);
         }
         Ok(Self {
-            machine,
+            core: *core,
+            scheduler: Scheduler::new(core),
             transports: transports.into_iter().map(Mutex::new).collect(),
             work: Mutex::default(),
             progress: Box::new(|_, _| ()),
@@ -137,10 +156,9 @@ impl<T: Transport> Driver<T> {
 
     /// The work so far.
     pub fn work(&self) -> Work {
-        *self
-            .work
-            .lock()
-            .unwrap_or_else(std::sync::PoisonError::into_inner)
+        let work = self.work.lock();
+        work.unwrap_or_else(std::sync::PoisonError::into_inner)
+            .clone()
     }
 
     fn run(
@@ -148,7 +166,7 @@ impl<T: Transport> Driver<T> {
         map: &QuantisedMap<'_>,
         queries: &[QueryPoint],
     ) -> Result<Vec<Sums>, TransportError> {
-        let plan = FramePlan::new(map, self.machine, queries);
+        let plan = FramePlan::new(map, self.core.machine, queries);
         let (next, done) = (AtomicUsize::new(0), AtomicUsize::new(0));
         let worker = |transport: &Mutex<T>| {
             let mut transport = transport
@@ -186,7 +204,7 @@ impl<T: Transport> Driver<T> {
         Ok(all)
     }
 
-    /// Does frames until none is left. Returns the sums of all queries, 0 where another machine does them.
+    /// Does frames until none is left. Returns the sums of all queries, 0 where another core does them.
     fn share(
         &self,
         plan: &FramePlan<'_>,
@@ -198,71 +216,81 @@ impl<T: Transport> Driver<T> {
         let mut sums = vec![Sums::default(); queries];
         let mut work = Work::default();
         loop {
-            let (words, frames) = self.several(plan, next);
+            let (sets, frames) = self.several(plan, next);
             if frames == 0 {
                 return Ok((sums, work));
             }
-            if !words.queries.is_empty() {
-                let answer = transport.exchange(&words.words)?;
-                self.check(&words, &answer)?;
-                for (query, result) in words.queries.iter().zip(&answer.results) {
-                    add(&mut sums[*query], result.sums);
-                }
-                work += self.work_of(&words, &answer);
-                work.frames += words.frames;
+            if !sets.is_empty() {
+                let schedule = self.scheduler.schedule(&sets);
+                let answer = transport.exchange(&schedule.words)?;
+                work += Work {
+                    queries: 0,
+                    query_words: schedule.words.queries.len() as u64,
+                    sets: sets.len() as u64,
+                    counters: answer.counters.clone(),
+                };
+                self.read(schedule, &answer, &mut sums)?;
             }
             let done = done.fetch_add(frames, Ordering::Relaxed) + frames;
             (self.progress)(done, plan.frames().len());
         }
     }
 
-    /// The words of the next frames, and their number; 0 where none is left.
-    fn several(&self, plan: &FramePlan<'_>, next: &AtomicUsize) -> (FrameWords, usize) {
-        let mut all = FrameWords::default();
-        let mut frames = 0;
-        while all.queries.len() < QUERIES_AT_ONCE {
+    /// The sets of the next frames, and the number of these; 0 where none is left.
+    fn several(&self, plan: &FramePlan<'_>, next: &AtomicUsize) -> (Vec<Set>, usize) {
+        let mut all = Vec::new();
+        let (mut frames, mut queries) = (0, 0);
+        while queries < QUERIES_AT_ONCE * self.core.chains as usize {
             let Some(frame) = plan.frames().get(next.fetch_add(1, Ordering::Relaxed)) else {
                 break;
             };
             frames += 1;
-            all.append(plan.words(frame));
+            let sets = plan.sets(frame);
+            let batches = sets.iter().flat_map(|set| &set.batches);
+            queries += batches.map(|batch| batch.queries.len()).sum::<usize>();
+            all.extend(sets);
         }
         (all, frames)
     }
 
-    fn check(&self, words: &FrameWords, answer: &LeafAnswer) -> Result<(), DriverError> {
-        let (found, expected) = (answer.results.len(), words.queries.len());
+    /// Adds the results to the sums of their queries.
+    fn read(
+        &self,
+        mut schedule: Schedule,
+        answer: &CoreAnswer,
+        sums: &mut [Sums],
+    ) -> Result<(), DriverError> {
+        let (found, expected) = (answer.results.len(), schedule.words.queries.len());
         if found != expected {
             return Err(DriverError::Results {
-                machine: self.machine.name,
+                core: self.core.name(),
                 found,
                 expected,
             });
         }
-        let tags = words.words.queries.iter().map(|word| word.batch.tag);
-        let mut pairs = answer.results.iter().zip(tags).enumerate();
-        match pairs.find(|(_, (result, tag))| result.tag != *tag) {
-            None => Ok(()),
-            Some((place, (result, expected))) => Err(DriverError::Tag {
-                machine: self.machine.name,
-                place,
-                found: result.tag,
-                expected,
-            }),
+        let word = &self.scheduler.streams().results;
+        for (place, result) in answer.results.iter().enumerate() {
+            let (found, tag) = CoreStreams::result_of(&self.core, &word.values(&result.data));
+            let owed = schedule.owed.get_mut(result.id as usize);
+            let owed = owed.and_then(|owed| owed.pop_front());
+            let Some(Owed { index, .. }) = owed.filter(|owed| owed.tag == tag) else {
+                return Err(DriverError::Tag {
+                    core: self.core.name(),
+                    place,
+                    chain: result.id,
+                    found: tag,
+                    expected: owed.map_or("none".to_owned(), |owed| owed.tag.to_string()),
+                });
+            };
+            if result.outside {
+                return Err(DriverError::Outside {
+                    core: self.core.name(),
+                    place,
+                });
+            }
+            add(&mut sums[index], found);
         }
-    }
-
-    fn work_of(&self, words: &FrameWords, answer: &LeafAnswer) -> Work {
-        let tests = Spatial::LANES * self.machine.queries_at_once();
-        Work {
-            query_words: words.queries.len() as u64,
-            groups_loaded: words.words.groups.len() as u64,
-            groups_played: answer.groups_played,
-            in_range: answer.results.iter().map(|result| result.sums.count).sum(),
-            clocks: answer.clocks,
-            photon_tests: answer.groups_played * tests as u64,
-            ..Work::default()
-        }
+        Ok(())
     }
 }
 

@@ -1,21 +1,16 @@
-//! The frames of a picture, and the words for each.
+//! The frames of a picture, and the sets of photons and batches of queries of each.
 
 use std::collections::HashMap;
 use std::ops::Range;
 
 use photoncube_render::{BatchOptions, Batches, Facings, QuantisedMap, QueryPoint, close_together};
-use photoncube_spec::{
-    BatchPins, Group, Lane, Leaf, LeafWords, Machine, Numbers, Photon, PhotonFormat, Query,
-    QueryWord, Spatial,
-};
+use photoncube_spec::{Core, Leaf, Machine, Numbers, Photon, PhotonFormat, Query};
 
 /// Blocks on an axis whose queries are in one frame. A frame has one more block on each side, since a query gathers photons
 /// of the blocks around its own.
 const QUERY_BLOCKS: i64 = Numbers::FRAME_BLOCKS as i64 - 2;
 /// Sets of facings that one set of photons serves: each photon's facing says which of these sets it is in.
 const FACING_SETS: usize = Leaf::FACING_BITS as usize;
-/// Photons of a leaf.
-const LEAF_PHOTONS: usize = Leaf::GROUPS * Spatial::LANES;
 /// The longest edge of a batch's box, in search radii. Longer boxes read more leaves; shorter ones leave more engines empty.
 const LONGEST_BATCH: f64 = 1.0;
 
@@ -35,32 +30,32 @@ pub struct Frame {
     batches: Vec<FrameBatch>,
 }
 
-/// The words for a frame, and the query of each result.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct FrameWords {
-    /// The words.
-    pub words: LeafWords,
-    /// For each word of the query stream, the index of its query in the picture. A query whose photons need several
-    /// sets is there for each of them, and its sums are those of all its results.
-    pub queries: Vec<usize>,
-    /// Frames of these words: 1, or 0 where the frame has no photon.
-    pub frames: u64,
+/// A query of a set.
+#[derive(Copy, Clone, Debug, PartialEq, Eq)]
+pub struct SetQuery {
+    /// The index of the query in the picture. A query whose photons need several sets is in each of them, and its sums are those
+    /// of all its results.
+    pub index: usize,
+    /// The query in the coordinates of its frame.
+    pub query: Query,
 }
 
-impl FrameWords {
-    /// Appends words that follow these.
-    pub fn append(&mut self, other: Self) {
-        let first = self.queries.len() as u32;
-        self.frames += other.frames;
-        self.queries.extend(other.queries);
-        self.words.groups.extend(other.words.groups);
-        self.words
-            .queries
-            .extend(other.words.queries.into_iter().map(|mut word| {
-                word.batch.tag = (word.batch.tag + first) % (1 << Leaf::TAG_BITS);
-                word
-            }));
-    }
+/// A batch of queries on a set.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SetBatch {
+    /// The queries; at most as many as a chain has engines.
+    pub queries: Vec<SetQuery>,
+    /// The facings that they gather, bit i for facing i.
+    pub facings: u32,
+}
+
+/// A set of photons, and the batches that gather from it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Set {
+    /// The leaves; at most as many as a bank holds.
+    pub leaves: Vec<PhotonLeaf>,
+    /// The batches; the last releases the set.
+    pub batches: Vec<SetBatch>,
 }
 
 /// The frames of a picture's queries, in the order in which a machine should be given them.
@@ -155,20 +150,22 @@ impl<'a> FramePlan<'a> {
             .map(|block| block.div_euclid(QUERY_BLOCKS) * QUERY_BLOCKS - 1)
     }
 
-    /// The words for a frame.
-    pub fn words(&self, frame: &Frame) -> FrameWords {
-        let mut all = FrameWords::default();
-        let mut sets: Vec<_> = frame.batches.iter().map(|batch| batch.facings).collect();
-        sets.sort_unstable();
-        sets.dedup();
-        for sets in sets.chunks(FACING_SETS) {
-            let leaves = self.leaves(frame, sets);
+    /// The sets of a frame, each with its batches; none where the frame has no photon.
+    pub fn sets(&self, frame: &Frame) -> Vec<Set> {
+        let mut all = Vec::new();
+        let mut facings: Vec<_> = frame.batches.iter().map(|batch| batch.facings).collect();
+        facings.sort_unstable();
+        facings.dedup();
+        for facings in facings.chunks(FACING_SETS) {
+            let leaves = self.leaves(frame, facings);
             let most = self.leaf.bank_groups as usize / Leaf::GROUPS;
-            for set in leaves.chunks(most) {
-                self.add_set(frame, sets, set, &mut all);
+            for leaves in leaves.chunks(most) {
+                all.push(Set {
+                    leaves: leaves.to_vec(),
+                    batches: self.batches(frame, facings),
+                });
             }
         }
-        all.frames = u64::from(!all.queries.is_empty());
         all
     }
 
@@ -211,29 +208,20 @@ impl<'a> FramePlan<'a> {
         })
     }
 
-    /// Adds a set of photons and the batches that gather from it.
-    fn add_set(&self, frame: &Frame, sets: &[usize], leaves: &[PhotonLeaf], all: &mut FrameWords) {
-        all.words.groups.extend(groups(leaves));
-        let position = |set: &usize| sets.iter().position(|other| other == set);
+    /// The batches of a frame that gather some of these sets of facings.
+    fn batches(&self, frame: &Frame, facings: &[usize]) -> Vec<SetBatch> {
+        let position = |facing: &usize| facings.iter().position(|other| other == facing);
         let batches = frame.batches.iter();
-        let batches: Vec<_> = batches
-            .filter_map(|batch| Some((batch, position(&batch.facings)?)))
-            .collect();
-        for (number, (batch, set)) in batches.iter().enumerate() {
-            for query in batch.queries.clone() {
-                let tag = all.queries.len() as u32 % (1 << Leaf::TAG_BITS);
-                all.queries.push(self.batches.order[query]);
-                all.words.queries.push(QueryWord {
-                    query: self.query(frame, &self.batches.queries[query]),
-                    release: number + 1 == batches.len(),
-                    batch: BatchPins {
-                        last: query + 1 == batch.queries.end,
-                        facings: facings_with(*set),
-                        tag,
-                    },
-                });
-            }
-        }
+        let batches = batches.filter_map(|batch| Some((batch, position(&batch.facings)?)));
+        let query = |query: usize| SetQuery {
+            index: self.batches.order[query],
+            query: self.query(frame, &self.batches.queries[query]),
+        };
+        let batch = |(batch, set): (&FrameBatch, usize)| SetBatch {
+            queries: batch.queries.clone().map(query).collect(),
+            facings: facings_with(set),
+        };
+        batches.map(batch).collect()
     }
 
     /// A query in the coordinates of its frame.
@@ -254,9 +242,12 @@ impl<'a> FramePlan<'a> {
 }
 
 /// A leaf: some photons of one facing.
-struct PhotonLeaf {
-    facing: usize,
-    photons: Vec<Photon>,
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PhotonLeaf {
+    /// The facing.
+    pub facing: u32,
+    /// The photons, 1 to [`Core::LEAF_PHOTONS`].
+    pub photons: Vec<Photon>,
 }
 
 fn runs_by_block(map: &QuantisedMap<'_>) -> HashMap<[i64; 3], Vec<usize>> {
@@ -295,40 +286,10 @@ fn in_leaves(facing: usize, photons: &[Photon]) -> Vec<PhotonLeaf> {
         // A coordinate has at most 14 bits.
         photons[index as usize].position.map(|place| place as u16)
     };
-    close_together(&mut order, LEAF_PHOTONS, &place);
+    close_together(&mut order, Core::LEAF_PHOTONS, &place);
     let leaf = |chunk: &[u32]| PhotonLeaf {
-        facing,
+        facing: facing as u32,
         photons: chunk.iter().map(|&index| photons[index as usize]).collect(),
     };
-    order.chunks(LEAF_PHOTONS).map(leaf).collect()
-}
-
-/// The groups of a set. Only its last leaf may have a single group.
-fn groups(leaves: &[PhotonLeaf]) -> Vec<Group> {
-    let mut groups = Vec::with_capacity(leaves.len() * Leaf::GROUPS);
-    for leaf in leaves {
-        for group in 0..Leaf::GROUPS {
-            let photons = leaf.photons.iter().skip(group * Spatial::LANES);
-            let present = photons.map(|&photon| Lane {
-                present: true,
-                photon,
-            });
-            let absent = std::iter::repeat(Lane::default());
-            groups.push(Group {
-                lanes: present.chain(absent).take(Spatial::LANES).collect(),
-                last: false,
-                facing: leaf.facing as u32,
-            });
-        }
-    }
-    if leaves
-        .last()
-        .is_some_and(|leaf| leaf.photons.len() <= Spatial::LANES)
-    {
-        groups.pop();
-    }
-    if let Some(last) = groups.last_mut() {
-        last.last = true;
-    }
-    groups
+    order.chunks(Core::LEAF_PHOTONS).map(leaf).collect()
 }

@@ -3,9 +3,11 @@
 mod driver;
 mod frames;
 mod model;
+mod schedule;
 mod transport;
 
 pub use driver::{Driver, DriverError, Work};
-pub use frames::{Frame, FramePlan, FrameWords};
+pub use frames::{Frame, FramePlan, PhotonLeaf, Set, SetBatch, SetQuery};
 pub use model::ModelTransport;
-pub use transport::{Transport, TransportError};
+pub use schedule::{Owed, Schedule, Scheduler};
+pub use transport::{CoreAnswer, CoreWords, Transport, TransportError};

@@ -1,92 +1,85 @@
-//! The golden model as a machine.
+//! The golden model of a core as a way to it.
 
-use photoncube_model::{GoldenMachine, LeafMachine};
-use photoncube_spec::{
-    Group, Inputs, Lane, Leaf, LeafAnswer, LeafWords, Machine, Query, Spatial, TaggedSums,
-};
+use photoncube_model::CoreModel;
+use photoncube_spec::{Beat, Core, CoreInputs, CoreOutputs, CounterRow, Leaf, StreamIn};
 
-use crate::transport::{Transport, TransportError};
+use crate::transport::{CoreAnswer, CoreWords, Transport, TransportError};
 
-/// The golden model of a leaf machine, clock by clock.
+/// The golden model of a core, clock by clock.
 #[derive(Debug)]
 pub struct ModelTransport {
-    model: LeafMachine,
-    idle: Inputs,
+    model: CoreModel,
 }
 
 impl ModelTransport {
     /// Makes the model in its power-up state.
-    ///
-    /// # Panics
-    /// For a machine that is not a leaf machine.
-    pub fn new(machine: &Machine) -> Self {
+    pub fn new(core: &Core) -> Self {
+        // No register is read, so the digest of the Verilog has no part.
+        let digest = 0;
         Self {
-            model: LeafMachine::new(machine),
-            idle: Inputs {
-                query: Query {
-                    radius_sq: machine.fixed_radius_sq().unwrap_or(0),
-                    ..Query::default()
-                },
-                group: Group {
-                    lanes: vec![Lane::default(); Spatial::LANES],
-                    ..Group::default()
-                },
-                result_ready: true,
-                ..Inputs::default()
-            },
+            model: CoreModel::new(core, digest),
         }
+    }
+
+    /// One clock with these words offered.
+    fn clock(&mut self, photons: Option<&Beat>, queries: Option<&Beat>) -> CoreOutputs {
+        let offered = |beat: Option<&Beat>| StreamIn {
+            valid: beat.is_some(),
+            beat: beat.cloned().unwrap_or_default(),
+        };
+        let inputs = CoreInputs {
+            photons: offered(photons),
+            queries: offered(queries),
+            result_ready: true,
+            ..CoreInputs::default()
+        };
+        let outputs = self.model.outputs(&inputs);
+        self.model.clock(&inputs);
+        outputs
+    }
+
+    fn counters(&self) -> Vec<u64> {
+        let counters = CounterRow::ALL.iter();
+        counters
+            .map(|row| self.model.counter(row.counter))
+            .collect()
     }
 }
 
 impl Transport for ModelTransport {
-    fn exchange(&mut self, words: &LeafWords) -> Result<LeafAnswer, TransportError> {
+    fn exchange(&mut self, words: &CoreWords) -> Result<CoreAnswer, TransportError> {
+        let mut photons = words.photons.iter().peekable();
         let mut queries = words.queries.iter().peekable();
-        let mut groups = words.groups.iter().peekable();
-        let mut answer = LeafAnswer::default();
+        let before = self.counters();
+        let mut results = Vec::with_capacity(words.queries.len());
         let mut still = 0;
-        let played = self.model.groups_played();
-        while answer.results.len() < words.queries.len() {
-            let mut inputs = self.idle.clone();
-            if let Some(word) = queries.peek() {
-                inputs.query_valid = true;
-                inputs.query = word.query;
-                inputs.query_release = word.release;
-                inputs.batch = word.batch;
-            }
-            if let Some(group) = groups.peek() {
-                inputs.group_valid = true;
-                inputs.group.clone_from(group);
-            }
-            let outputs = self.model.outputs(&inputs);
-            self.model.clock(&inputs);
-            answer.clocks += 1;
+        while results.len() < words.queries.len() {
+            let outputs = self.clock(photons.peek().copied(), queries.peek().copied());
             still += 1;
-            if inputs.query_valid && outputs.query_ready {
-                queries.next();
+            if outputs.photon_ready && photons.next().is_some() {
                 still = 0;
             }
-            if inputs.group_valid && outputs.group_ready {
-                groups.next();
+            if outputs.query_ready && queries.next().is_some() {
                 still = 0;
             }
-            if outputs.result_valid {
-                answer.results.push(TaggedSums {
-                    sums: outputs.result,
-                    tag: outputs.result_tag,
-                });
+            if let Some(result) = outputs.result {
+                results.push(result);
                 still = 0;
             }
             if still > Leaf::SILENT_CLOCKS {
                 return Err(format!(
                     "the model has not moved a word for {} clocks, with {} of {} results",
                     Leaf::SILENT_CLOCKS,
-                    answer.results.len(),
+                    results.len(),
                     words.queries.len()
                 )
                 .into());
             }
         }
-        answer.groups_played = self.model.groups_played() - played;
-        Ok(answer)
+        let counters = self.counters().into_iter().zip(before);
+        Ok(CoreAnswer {
+            results,
+            counters: counters.map(|(after, before)| after - before).collect(),
+        })
     }
 }

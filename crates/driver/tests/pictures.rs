@@ -1,10 +1,12 @@
-//! Renders with the golden model of leaf machines, and compares with the direct gather.
+//! Renders with the golden model of cores, and compares with the direct gather.
 
-use photoncube_driver::{Driver, DriverError, ModelTransport, Transport, TransportError, Work};
+use photoncube_driver::{
+    CoreAnswer, CoreWords, Driver, DriverError, ModelTransport, Transport, TransportError, Work,
+};
 use photoncube_render::{
     Engine, PhotonMap, Rendering, Scene, TraceOptions, ViewOptions, render, trace,
 };
-use photoncube_spec::{LeafAnswer, LeafWords, Machine, PhotonFormat, find_machine};
+use photoncube_spec::{Core, CoreCounter, PhotonFormat, find_machine};
 
 const VIEW: ViewOptions = ViewOptions {
     width: 12,
@@ -31,92 +33,128 @@ fn traced(scene: &str, in_range: f64) -> (Scene, PhotonMap) {
     (scene, map)
 }
 
-fn machine(name: &str) -> &'static Machine {
-    find_machine(name).unwrap()
+fn core(chains: u32, machine: &str) -> Core {
+    Core::new(find_machine(machine).unwrap(), chains).unwrap()
 }
 
-/// The picture by that many models of a machine.
-fn by_models(
-    scene: &Scene,
-    map: &PhotonMap,
-    machine: &'static Machine,
-    count: usize,
-) -> (Rendering, Work) {
-    let models = (0..count).map(|_| ModelTransport::new(machine)).collect();
-    let driver = Driver::new(machine, models).unwrap();
-    let engine = Engine::Hardware(machine, &driver);
+/// The picture by that many models of a core.
+fn by_models(scene: &Scene, map: &PhotonMap, core: &Core, count: usize) -> (Rendering, Work) {
+    let models = (0..count).map(|_| ModelTransport::new(core)).collect();
+    let driver = Driver::new(core, models).unwrap();
+    let engine = Engine::Hardware(core.machine, &driver);
     let rendering = render(scene, map, engine, &VIEW, &|_| ()).unwrap();
-    let work = driver.work();
-    (rendering, work)
+    (rendering, driver.work())
 }
 
 /// Scenes of flat walls and of curved surfaces, whose queries gather more sets of facings than one set of photons serves; and a
 /// machine whose banks are smaller than the photons of a frame.
 #[test]
-fn a_leaf_machine_renders_what_the_direct_gather_renders() {
-    for (scene, in_range, name) in [
-        ("cornell", 60.0, "leaf-7-local7-rgb6d-n4096"),
-        ("ring", 40.0, "leaf-5-local6x2-rgb4d-n4096"),
-        ("balls.toml", 60.0, "leaf-6-local7-rgb6d-n4096"),
-        ("cornell", 60.0, "leaf-4-local7-rgb6d-n128"),
+fn a_core_renders_what_the_direct_gather_renders() {
+    for (scene, in_range, chains, name) in [
+        ("cornell", 60.0, 1, "leaf-7-local7-rgb6d-n4096"),
+        ("ring", 40.0, 3, "leaf-5-local6x2-rgb4d-n4096"),
+        ("balls.toml", 60.0, 2, "leaf-6-local7-rgb6d-n4096"),
+        ("cornell", 60.0, 4, "leaf-4-local7-rgb6d-n128"),
     ] {
         let (scene, map) = traced(scene, in_range);
-        let machine = machine(name);
-        let (found, work) = by_models(&scene, &map, machine, 1);
+        let core = core(chains, name);
+        let (found, work) = by_models(&scene, &map, &core, 1);
         // A query of a small bank meets in several sets more photons than the machine's format lets it meet at once.
         let format = PhotonFormat {
             max_photons: 1 << 20,
-            ..*machine.format().unwrap()
+            ..*core.machine.format().unwrap()
         };
         let expected = render(&scene, &map, Engine::from(&format), &VIEW, &|_| ()).unwrap();
         assert_eq!(found.image, expected.image, "{name}");
-        assert_eq!(work.in_range, expected.stats.photons_in_range, "{name}");
-        assert!(work.in_range > 0, "{name}");
+        let in_range = work.counter(CoreCounter::PhotonsInRange);
+        assert_eq!(in_range, expected.stats.photons_in_range, "{name}");
+        assert!(in_range > 0, "{name}");
+        assert_eq!(
+            work.counter(CoreCounter::Results),
+            work.query_words,
+            "{name}"
+        );
+        for wrong in [
+            CoreCounter::LeavesMalformed,
+            CoreCounter::LeavesRefused,
+            CoreCounter::QueriesOutside,
+        ] {
+            assert_eq!(work.counter(wrong), 0, "{name}: {wrong:?}");
+        }
         let in_several_sets = work.query_words > work.queries;
         assert_eq!(in_several_sets, name.ends_with("n128"), "{name}: {work:?}");
     }
 }
 
 #[test]
-fn several_machines_share_the_frames_of_a_picture() {
+fn several_cores_share_the_frames_of_a_picture() {
     let (scene, map) = traced("cornell", 60.0);
-    let machine = machine("leaf-6-local7-rgb6d-n4096");
-    let (one, one_work) = by_models(&scene, &map, machine, 1);
-    let (three, three_work) = by_models(&scene, &map, machine, 3);
+    let core = core(2, "leaf-6-local7-rgb6d-n4096");
+    let (one, one_work) = by_models(&scene, &map, &core, 1);
+    let (three, three_work) = by_models(&scene, &map, &core, 3);
     assert_eq!(one.image, three.image);
-    assert_eq!(one_work.groups_played, three_work.groups_played);
+    let played = |work: &Work| work.counter(CoreCounter::GroupsPlayed);
+    assert_eq!(played(&one_work), played(&three_work));
 }
 
-/// A machine that mixes up two results.
-struct Swaps(ModelTransport);
+/// What is wrong with the answers of a core.
+#[derive(Copy, Clone)]
+enum Wrong {
+    /// The first two results are mixed up.
+    Swapped,
+    /// The last result is missing.
+    Missing,
+    /// The first result is said to be of a query outside of its frame.
+    Outside,
+    /// The first result is said to come from another chain.
+    OtherChain,
+}
 
-impl Transport for Swaps {
-    fn exchange(&mut self, words: &LeafWords) -> Result<LeafAnswer, TransportError> {
+struct Answers(ModelTransport, Wrong);
+
+impl Transport for Answers {
+    fn exchange(&mut self, words: &CoreWords) -> Result<CoreAnswer, TransportError> {
         let mut answer = self.0.exchange(words)?;
-        answer.results.swap(0, 1);
+        match self.1 {
+            Wrong::Swapped => answer.results.swap(0, 1),
+            Wrong::Missing => drop(answer.results.pop()),
+            Wrong::Outside => answer.results[0].outside = true,
+            Wrong::OtherChain => answer.results[0].id = 9,
+        }
         Ok(answer)
     }
 }
 
 #[test]
-fn results_out_of_order_are_refused() {
+fn wrong_answers_of_a_core_are_refused() {
     let (scene, map) = traced("cornell", 60.0);
-    let machine = machine("leaf-6-local7-rgb6d-n4096");
-    let driver = Driver::new(machine, vec![Swaps(ModelTransport::new(machine))]).unwrap();
-    let engine = Engine::Hardware(machine, &driver);
-    let error = render(&scene, &map, engine, &VIEW, &|_| ()).unwrap_err();
-    let error = error.to_string();
-    assert!(
-        error.contains("result 0 has the tag 1, expected 0"),
-        "{error}"
-    );
+    let core = core(1, "leaf-6-local7-rgb6d-n4096");
+    for (wrong, expected) in [
+        (
+            Wrong::Swapped,
+            "result 0, of chain 0, has the tag 1, expected 0",
+        ),
+        (Wrong::Missing, "results, expected"),
+        (
+            Wrong::Outside,
+            "result 0 is of a query outside of its frame",
+        ),
+        (
+            Wrong::OtherChain,
+            "result 0, of chain 9, has the tag 0, expected none",
+        ),
+    ] {
+        let driver = Driver::new(&core, vec![Answers(ModelTransport::new(&core), wrong)]).unwrap();
+        let engine = Engine::Hardware(core.machine, &driver);
+        let error = render(&scene, &map, engine, &VIEW, &|_| ()).unwrap_err();
+        let error = error.to_string();
+        assert!(error.contains(expected), "{error}");
+    }
 }
 
 #[test]
-fn what_is_no_leaf_machine_is_refused() {
-    let made = |name| Driver::<ModelTransport>::new(machine(name), Vec::new());
-    let error = made("tile-4").unwrap_err();
-    assert!(matches!(error, DriverError::NoLeaves("tile-4")));
-    let error = made("leaf-4-local7-rgb6d-n256").unwrap_err();
+fn a_driver_without_a_core_is_refused() {
+    let core = core(1, "leaf-4-local7-rgb6d-n256");
+    let error = Driver::<ModelTransport>::new(&core, Vec::new()).unwrap_err();
     assert!(matches!(error, DriverError::NoTransport));
 }

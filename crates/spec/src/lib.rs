@@ -39,9 +39,9 @@ mod stream;
 pub mod overlap;
 
 pub use crate::core::{
-    Access, Core, CoreCounter, CoreError, CoreEvent, CoreField, CoreInputs, CoreOutputs, CorePins,
-    CoreRegister, CoreRegisterRow, CoreStreams, CounterRow, EventRow, LiteAnswer, LiteIn,
-    PortColumns, ResultWord, StreamField, StreamIn, StreamWord, port_columns,
+    Access, Beat, CORES, Core, CoreCounter, CoreError, CoreEvent, CoreField, CoreInputs,
+    CoreOutputs, CorePins, CoreRegister, CoreRegisterRow, CoreStreams, CounterRow, EventRow,
+    LiteAnswer, LiteIn, PortColumns, ResultWord, StreamField, StreamIn, StreamWord, port_columns,
 };
 pub use cell::{
     CellTables, ControlWord, Field, FieldRow, OVERLAPPED, Op, OpRow, POWER_WORDS, Place, Read,
@@ -56,9 +56,7 @@ pub use formats::{
 };
 pub use hypercube::{Axis, Hypercube, Role};
 pub use interface::{Direction, Fact, Interface, Port};
-pub use leaf::{
-    Leaf, LeafAnswer, LeafRegister, LeafRow, LeafSizes, LeafWords, QueryWord, TaggedSums,
-};
+pub use leaf::{Leaf, LeafRegister, LeafRow, LeafSizes, QueryWord};
 pub use machine::{Machine, module_prefix};
 pub use machines::{MACHINES, UnknownMachine, find_machine};
 pub use nearest::did_you_mean;

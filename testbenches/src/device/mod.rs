@@ -1,12 +1,12 @@
 //! Devices: simulators that accept rows of inputs and return rows of signals.
 
+mod core;
 mod icarus;
 mod mutant;
 mod netlist;
 mod packing;
 mod process;
 mod simulation;
-mod streams;
 mod text;
 mod verilator;
 
@@ -20,13 +20,13 @@ use thiserror::Error;
 use crate::compare::Actual;
 use crate::tools::{MissingTool, Tool, ToolError};
 
+pub use self::core::{CoreAnswered, CoreSimulation};
 pub use icarus::Icarus;
 pub use mutant::Mutant;
 pub(crate) use netlist::netlist_text;
 pub use netlist::{netlist, with_outputs_alone};
 pub use simulation::RustHdl;
 pub(crate) use simulation::{hdl_error, hdl_error_of};
-pub use streams::StreamSimulation;
 pub use text::Text;
 pub use verilator::Verilator;
 

@@ -2,15 +2,16 @@
 
 use std::path::PathBuf;
 
-use anyhow::{Result, bail};
+use anyhow::Result;
 use clap::{Args as ClapArgs, ValueEnum};
-use photoncube_driver::DriverError;
+use photoncube_driver::Driver;
 use photoncube_render::{Area, Caustics, DirectLight, Engine, Estimator, Lighting};
-use photoncube_spec::{Machine, PHOTON_FORMATS, PhotonFormat, find_photon_format};
+use photoncube_spec::{Core, PHOTON_FORMATS, PhotonFormat, find_photon_format};
 use serde::Serialize;
 
 use super::PictureArgs;
 use super::numbers::count;
+use crate::core::{self, CoreReport, Simulated};
 use crate::machines::MachineArgs;
 use crate::scenes::SceneName;
 
@@ -65,6 +66,9 @@ pub struct EngineArgs {
     pub format: String,
     #[command(flatten)]
     pub machine: MachineArgs,
+    /// The chains of the engine `core`, each a machine
+    #[arg(long, default_value_t = 1, value_name = "N")]
+    pub chains: u32,
 }
 
 /// What makes the radiance estimates.
@@ -76,34 +80,49 @@ pub enum EngineName {
     Model,
     /// The golden model of a photon format
     Format,
-    /// The emitted Verilog of a leaf machine, simulated in Verilator; `render` alone has it
+    /// The emitted Verilog of a core of leaf machines, simulated in Verilator
     Core,
 }
 
 impl EngineArgs {
     /// The engine asked for. A machine or a format that does not exist is an error, also where it is not used.
-    pub fn find(&self) -> Result<Engine<'static>> {
+    pub fn find(&self) -> Result<ChosenEngine> {
         let machine = self.machine.find()?;
         let format = find_photon_format(&self.format)?;
         Ok(match self.engine {
-            EngineName::F64 => Engine::F64,
-            EngineName::Model => machine.into(),
-            EngineName::Format => (&format).into(),
-            EngineName::Core => bail!(
-                "--engine core: found a command that has no passes for it, expected `render`; or give another engine"
-            ),
+            EngineName::F64 => ChosenEngine::Own(Engine::F64),
+            EngineName::Model => ChosenEngine::Own(machine.into()),
+            EngineName::Format => ChosenEngine::Own((&format).into()),
+            EngineName::Core => {
+                let core = Core::new(machine, self.chains)?;
+                ChosenEngine::Core(core, core::driver(&core)?)
+            }
         })
     }
+}
 
-    /// The leaf machine that the engine `core` simulates; `None` for another engine.
-    pub fn core(&self) -> Result<Option<&'static Machine>> {
-        if self.engine != EngineName::Core {
-            return Ok(None);
+/// An engine, with the simulation of a core where it has one.
+pub enum ChosenEngine {
+    /// An engine of the renderer.
+    Own(Engine<'static>),
+    /// A core, and its simulation.
+    Core(Core, Driver<Simulated>),
+}
+
+impl ChosenEngine {
+    /// The engine for the renderer.
+    pub fn engine(&self) -> Engine<'_> {
+        match self {
+            Self::Own(engine) => *engine,
+            Self::Core(core, driver) => Engine::Hardware(core.machine, driver),
         }
-        let machine = self.machine.find()?;
-        match machine.leaf() {
-            Some(_) => Ok(Some(machine)),
-            None => Err(DriverError::NoLeaves(machine.name).into()),
+    }
+
+    /// The work of the core so far, if it is one.
+    pub fn core_report(&self) -> Option<CoreReport> {
+        match self {
+            Self::Own(_) => None,
+            Self::Core(core, driver) => Some(CoreReport::of(core, &driver.work())),
         }
     }
 }

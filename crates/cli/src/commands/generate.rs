@@ -4,7 +4,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Result, bail};
-use photoncube_spec::{Core, MACHINES, Machine, custom_machine, find_photon_format};
+use photoncube_spec::{
+    CORES, Core, MACHINES, Machine, custom_machine, find_machine, find_photon_format,
+};
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -15,9 +17,16 @@ use crate::machines::{self, MachineArgs};
 use crate::project::{self, ProjectFile};
 use crate::{files, output, outputs};
 
-/// One machine of each organisation, one of more than one engine and one with photon memory: their Verilog is
+/// One machine of each organisation, one of more than one engine, one with photon memory, and a core: their Verilog is
 /// committed in full, to be reviewed as a change of text. The others are committed as [`SUMS`].
-const IN_FULL: [&str; 5] = ["paper", "overlap", "stream", "tile-5", "tile-6-mixed"];
+const IN_FULL: [&str; 6] = [
+    "paper",
+    "overlap",
+    "stream",
+    "tile-5",
+    "tile-6-mixed",
+    "core-3-leaf-5-local7-rgb6d-n64",
+];
 
 /// The SHA-256 digests of the files of all machines, in the form that `sha256sum --check` reads.
 const SUMS: &str = "SHA256SUMS";
@@ -44,13 +53,19 @@ pub fn execute(args: &GenerateArgs, json: bool) -> Result<()> {
     if let Some(chains) = args.chains {
         return core(args, &machines, chains, json);
     }
-    let projects: Vec<_> = machines
+    let mut projects: Vec<_> = machines
         .par_iter()
         .map(|machine| project::project(machine))
         .collect::<Result<_>>()?;
-    let digests = machines.iter().zip(&projects);
-    let digests =
-        digests.map(|(machine, project)| (machine.name.to_owned(), project.digests.clone()));
+    let mut designs: Vec<_> = machines.iter().map(|m| m.name.to_owned()).collect();
+    if args.machine.is_none() && args.format.is_none() {
+        for core in cores()? {
+            designs.push(core.name());
+            projects.push(project::core_project(&core)?);
+        }
+    }
+    let digests = designs.iter().cloned().zip(&projects);
+    let digests = digests.map(|(design, project)| (design, project.digests.clone()));
     let digests: ByMachine = digests.collect();
     let mut project_files: Vec<_> = projects.into_iter().flat_map(|p| p.files).collect();
     let mut by_digest = Vec::new();
@@ -67,8 +82,17 @@ pub fn execute(args: &GenerateArgs, json: bool) -> Result<()> {
             text: digests::text(&digests)?,
         });
     }
-    let names = machines.iter().map(|machine| machine.name.to_owned());
-    finish(args, names.collect(), &project_files, by_digest, json)
+    finish(args, designs, &project_files, by_digest, json)
+}
+
+/// The cores that are committed. Their machines' generators are built.
+fn cores() -> Result<Vec<Core>> {
+    let core = |&(chains, machine): &(u32, &str)| {
+        let core = Core::new(find_machine(machine)?, chains)?;
+        machines::prepare(core.machine)?;
+        Ok(core)
+    };
+    CORES.iter().map(core).collect()
 }
 
 /// Writes, or checks, the files of a core.
@@ -77,7 +101,7 @@ fn core(args: &GenerateArgs, machines: &[&'static Machine], chains: u32, json: b
         bail!("--chains needs one machine: --machine, or --format and --organisation");
     };
     let core = Core::new(machine, chains)?;
-    let files = project::core_files(&core)?;
+    let files = project::core_project(&core)?.files;
     finish(args, vec![core.name()], &files, Vec::new(), json)
 }
 
@@ -286,7 +310,7 @@ mod tests {
     #[test]
     fn only_a_machine_that_is_not_reviewed_in_full_may_lack_its_folder() {
         let out = tempfile::tempdir().unwrap();
-        let others = MACHINES.len() - IN_FULL.len();
+        let others = MACHINES.len() + CORES.len() - IN_FULL.len();
         assert_eq!(absent(out.path()).len(), others);
         fs::create_dir(out.path().join("tile-10")).unwrap();
         let absent = absent(out.path());

@@ -11,6 +11,7 @@ use photoncube_render::{
 use serde::Serialize;
 
 use crate::args::{EngineReport, LightingReport, ProgressiveArgs, short};
+use crate::core::CoreReport;
 use crate::failure::CheckFailed;
 use crate::interrupt::Interrupt;
 use crate::outputs::{self, Output};
@@ -50,6 +51,7 @@ struct Report {
     scene: String,
     #[serde(flatten)]
     engine: EngineReport,
+    core: Option<CoreReport>,
     #[serde(flatten)]
     light: LightingReport,
     output: String,
@@ -82,7 +84,8 @@ enum End {
 
 /// Renders until the error is as small as requested, or the passes are made.
 pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
-    let engine = args.engine.find()?;
+    let chosen = args.engine.find()?;
+    let engine = chosen.engine();
     let scene = scenes::load(&args.scene)?;
     let lighting = args.light.lighting();
     lighting.check(&scene, &Estimator::FixedRadius)?;
@@ -121,6 +124,7 @@ pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
     let report = Report {
         scene: args.scene.to_string(),
         engine: EngineReport::of(engine),
+        core: chosen.core_report(),
         light: LightingReport::of(&lighting),
         output: args.output.display().to_string(),
         seed: args.seed,
@@ -420,7 +424,8 @@ mod tests {
         let light = LightingReport::of(&args.light.lighting());
         Report {
             scene: "cornell".to_owned(),
-            engine: EngineReport::of(args.engine.find().unwrap()),
+            engine: EngineReport::of(args.engine.find().unwrap().engine()),
+            core: None,
             light,
             output: "o.png".to_owned(),
             seed: 1,

@@ -3,11 +3,11 @@
 use std::time::Instant;
 
 use anyhow::Result;
-use photoncube_render::{BATCH_PATHS, DirectLight, Engine, PhotonMap};
+use photoncube_render::{BATCH_PATHS, DirectLight, PhotonMap};
 use serde::Serialize;
 
 use crate::args::{EngineReport, LightingReport, RenderArgs};
-use crate::core::{self, CoreReport};
+use crate::core::CoreReport;
 use crate::outputs::{self, Output};
 use crate::stages::{picture_lit, trace_scene, view, write_picture};
 use crate::{output, scenes, sight};
@@ -42,12 +42,8 @@ struct Report {
 
 /// Renders a scene to a file.
 pub fn execute(args: &RenderArgs, json: bool) -> Result<()> {
-    let machine = args.engine.core()?;
-    let driver = machine.map(core::driver).transpose()?;
-    let engine = match (machine, &driver) {
-        (Some(machine), Some(driver)) => Engine::Hardware(machine, driver),
-        _ => args.engine.find()?,
-    };
+    let chosen = args.engine.find()?;
+    let engine = chosen.engine();
     args.estimator.check(engine)?;
     let scene = scenes::load(&args.scene)?;
     let lighting = args.light.lighting();
@@ -88,7 +84,7 @@ pub fn execute(args: &RenderArgs, json: bool) -> Result<()> {
         caustic_radius: caustic.map(PhotonMap::radius),
         seed: args.picture.seed,
         seconds: start.elapsed().as_secs_f64(),
-        core: driver.map(|driver| CoreReport::of(driver.work())),
+        core: chosen.core_report(),
     };
     output::print(json, &report, || text(&report))
 }

@@ -7,13 +7,16 @@ use photoncube_hdl::emit_core;
 use photoncube_spec::{Core, CoreRegister, CoreStreams, StreamWord};
 use serde_json::{Value, json};
 
-use super::{Design, ProjectFile};
-
-use super::rdl;
+use super::{Design, Project, ProjectFile, rdl};
+use crate::digests::Digests;
 
 /// Emits a core and makes all of its files, in a folder of its name.
-pub fn core_files(core: &Core) -> Result<Vec<ProjectFile>> {
+pub fn core_project(core: &Core) -> Result<Project> {
     let emitted = emit_core(core)?;
+    let digests = Digests {
+        verilog_sha256: emitted.verilog_sha256(),
+        ecp5_sha256: emitted.ecp5_sha256(),
+    };
     let folder = PathBuf::from(core.name());
     let top = emitted.top;
     let file = |ending: &str, text: String| ProjectFile {
@@ -31,7 +34,10 @@ pub fn core_files(core: &Core) -> Result<Vec<ProjectFile>> {
         ecp5_text: emitted.machine.ecp5_text,
     };
     let files = design.files(&folder);
-    Ok(files.into_iter().chain(more).collect())
+    Ok(Project {
+        files: files.into_iter().chain(more).collect(),
+        digests,
+    })
 }
 
 /// The words of the streams, for programs that pack and read them.

@@ -9,7 +9,7 @@ use anyhow::Result;
 use photoncube_hdl::{Level, emit};
 use photoncube_spec::Machine;
 
-pub use self::core::core_files;
+pub use self::core::core_project;
 use crate::digests::Digests;
 use crate::files;
 use crate::outputs::{self, Output};

@@ -145,10 +145,10 @@ fn fit_and_run_take_a_machine_of_exactly_the_fitted_format() {
     assert_eq!(run["fitted"], Value::Null);
 }
 
-/// A picture through the emitted Verilog of a leaf machine, pixel by pixel that of the direct gather.
+/// A picture through the emitted Verilog of a core, from its ports to the pixels, pixel by pixel that of the direct gather.
 #[test]
 #[ignore = "needs Verilator: scripts/setup.sh installs it"]
-fn the_emitted_verilog_of_a_leaf_machine_renders_a_picture() {
+fn the_emitted_verilog_of_a_core_renders_a_picture() {
     let folder = tempfile::tempdir().unwrap();
     let picture = |name: &str| folder.path().join(name).display().to_string();
     let render = |output: &str, engine: &[&str]| {
@@ -166,13 +166,50 @@ fn the_emitted_verilog_of_a_leaf_machine_renders_a_picture() {
     let (by_verilog, by_gather) = (picture("verilog.exr"), picture("gather.exr"));
     let report = render(
         &by_verilog,
-        &["core", "--machine", "leaf-7-local7-rgb6d-n4096"],
+        &[
+            "core",
+            "--machine",
+            "leaf-6-local7-rgb6d-n4096",
+            "--chains",
+            "2",
+        ],
     );
     render(&by_gather, &["format", "--format", "local7-rgb6d-n4096"]);
     assert_eq!(fs::read(by_verilog).unwrap(), fs::read(by_gather).unwrap());
     let core = &report["core"];
-    assert!(core["groups_played"].as_u64() > core["frames"].as_u64());
+    assert!(core["groups_played"].as_u64() > core["sets"].as_u64());
     assert_eq!(core["query_words"], report["query_points"]);
+    assert_eq!(core["core"], "core-2-leaf-6-local7-rgb6d-n4096");
+}
+
+/// Progressive passes, each through the emitted Verilog of a core.
+#[test]
+#[ignore = "needs Verilator: scripts/setup.sh installs it"]
+fn the_emitted_verilog_of_a_core_renders_progressive_passes() {
+    let folder = tempfile::tempdir().unwrap();
+    let picture = |name: &str| folder.path().join(name).display().to_string();
+    let passes = |output: &str, engine: &[&str]| {
+        let words = [
+            "progressive",
+            "cornell",
+            "--size",
+            "32x32",
+            "--photons",
+            "20000",
+            "--passes",
+            "3",
+            "-o",
+        ];
+        json(&[&words[..], &[output, "--engine"], engine].concat())
+    };
+    let (by_verilog, by_gather) = (picture("verilog.exr"), picture("gather.exr"));
+    let report = passes(
+        &by_verilog,
+        &["core", "--machine", "leaf-6-local7-rgb6d-n4096"],
+    );
+    passes(&by_gather, &["format", "--format", "local7-rgb6d-n4096"]);
+    assert_eq!(fs::read(by_verilog).unwrap(), fs::read(by_gather).unwrap());
+    assert!(report["core"]["query_words"].as_u64() > Some(0));
 }
 
 #[test]
@@ -186,6 +223,12 @@ fn a_machine_without_leaves_renders_no_picture_by_its_verilog() {
         "{message}"
     );
     let words = ["progressive", "cornell", "-o", "x.png", "--engine", "core"];
-    let message = error(&words, 2);
-    assert!(message.contains("expected `render`"), "{message}");
+    let message = error(&[&words[..], &["--machine", "tile-5"]].concat(), 2);
+    assert!(message.contains("`tile-5` is no leaf machine"), "{message}");
+    let chains = ["--machine", "leaf-6-local7-rgb6d-n4096", "--chains", "17"];
+    let message = error(&[&words[..], &chains].concat(), 2);
+    assert!(
+        message.contains("found 17 chains, expected 1 to 16"),
+        "{message}"
+    );
 }

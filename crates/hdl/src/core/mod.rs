@@ -12,7 +12,7 @@ mod top;
 
 use photoncube_spec::Core;
 
-use crate::emit::{EmitError, Emitted, emit};
+use crate::emit::{EmitError, Emitted, emit, sha256};
 use crate::level::Level;
 
 pub use rows::core_rows;
@@ -29,6 +29,19 @@ pub struct EmittedCore {
     pub digest: u64,
     /// The chains.
     pub machine: Emitted,
+}
+
+impl EmittedCore {
+    /// SHA-256 of the text without its comment lines, as in [`Emitted::verilog_sha256`].
+    pub fn verilog_sha256(&self) -> String {
+        sha256([self.text.as_str()])
+    }
+
+    /// SHA-256 of the text with the overrides for an ECP5, as in [`Emitted::ecp5_sha256`].
+    pub fn ecp5_sha256(&self) -> String {
+        let overrides = self.machine.ecp5_text.as_deref();
+        sha256([self.text.as_str()].into_iter().chain(overrides))
+    }
 }
 
 /// The modules that do not depend on the core but by parameters.

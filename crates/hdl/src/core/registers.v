@@ -2,7 +2,7 @@
 module @TOP@_registers(clock, aresetn, reset,
     s_axi_awaddr, s_axi_awvalid, s_axi_awready, s_axi_wdata, s_axi_wstrb, s_axi_wvalid, s_axi_wready,
     s_axi_bresp, s_axi_bvalid, s_axi_bready, s_axi_araddr, s_axi_arvalid, s_axi_arready,
-    s_axi_rdata, s_axi_rresp, s_axi_rvalid, s_axi_rready, interrupt,
+    s_axi_rdata, s_axi_rresp, s_axi_rvalid, s_axi_rready, irq,
     photon_moves, photon_waits, query_moves, query_waits, result_moves, result_waits, result_photons,
     leaf_given, leaf_refused, leaf_malformed, set_too_long, query_given, query_refused, query_outside,
     chain_unknown, compared, wanted, played);
@@ -26,7 +26,7 @@ module @TOP@_registers(clock, aresetn, reset,
     output reg [1:0] s_axi_rresp;
     output reg s_axi_rvalid;
     input wire s_axi_rready;
-    output wire interrupt;
+    output wire irq;
     // What happens in this clock.
     input wire photon_moves;
     input wire photon_waits;
@@ -85,10 +85,13 @@ module @TOP@_registers(clock, aresetn, reset,
     assign s_axi_arready = ~s_axi_rvalid & aresetn;
     wire [31:0] write_mask = {{8{s_axi_wstrb[3]}}, {8{s_axi_wstrb[2]}}, {8{s_axi_wstrb[1]}}, {8{s_axi_wstrb[0]}}};
     wire [31:0] write_word = s_axi_wdata & write_mask;
+    // The two low bits are not looked at: the strobes name the bytes.
+    wire [@ADDRESS_HIGH@:0] write_address = {s_axi_awaddr[@ADDRESS_HIGH@:2], 2'b00};
+    wire [@ADDRESS_HIGH@:0] read_address = {s_axi_araddr[@ADDRESS_HIGH@:2], 2'b00};
     reg write_known;
     always @(*) begin
         write_known = 1'b0;
-        case (s_axi_awaddr)
+        case (write_address)
 @WRITABLE@
             default: write_known = 1'b0;
         endcase
@@ -98,7 +101,7 @@ module @TOP@_registers(clock, aresetn, reset,
     always @(*) begin
         read_known = 1'b1;
         read_word = 32'd0;
-        case (s_axi_araddr)
+        case (read_address)
 @READS@
             default: read_known = 1'b0;
         endcase
@@ -106,7 +109,7 @@ module @TOP@_registers(clock, aresetn, reset,
     reg [@COUNTER_HIGH@ - 32:0] counter_high_next;
     always @(*) begin
         counter_high_next = counter_high;
-        case (s_axi_araddr)
+        case (read_address)
 @HIGH_COPIES@
             default: counter_high_next = counter_high;
         endcase
@@ -114,11 +117,11 @@ module @TOP@_registers(clock, aresetn, reset,
     wire write_refused = writes & ~write_known;
     wire read_refused = reads & ~read_known;
     wire [1:0] refused = write_refused + read_refused;
-    wire writes_control = writes & (s_axi_awaddr == ADDRESS_CONTROL);
+    wire writes_control = writes & (write_address == ADDRESS_CONTROL);
     wire clears_counters = writes_control & write_word[@CLEAR_COUNTERS@];
-    wire writes_events = writes & (s_axi_awaddr == ADDRESS_EVENTS);
-    wire writes_enable = writes & (s_axi_awaddr == ADDRESS_INTERRUPT_ENABLE);
-    wire writes_limit = writes & (s_axi_awaddr == ADDRESS_STALL_LIMIT);
+    wire writes_events = writes & (write_address == ADDRESS_EVENTS);
+    wire writes_enable = writes & (write_address == ADDRESS_INTERRUPT_ENABLE);
+    wire writes_limit = writes & (write_address == ADDRESS_STALL_LIMIT);
 
     wire busy = |under_way;
     wire ends = result_moves & ~query_given & (under_way == 16'd1);
@@ -128,7 +131,7 @@ module @TOP@_registers(clock, aresetn, reset,
     wire [@EVENT_HIGH@:0] occurs;
 @EVENTS@
     wire [@EVENT_HIGH@:0] cleared = writes_events ? write_word[@EVENT_HIGH@:0] : {(@EVENT_HIGH@ + 1){1'b0}};
-    assign interrupt = |(events & interrupt_enable);
+    assign irq = |(events & interrupt_enable);
 
     always @(posedge clock) begin
         if (writes) begin

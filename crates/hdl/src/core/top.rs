@@ -508,8 +508,7 @@ fn register_instance(core: &Core) -> String {
     let ports = core.ports();
     let of_axi = ports.iter().map(|port| port.name.as_str());
     let of_axi = of_axi.filter(|name| {
-        (name.starts_with("s_axi_") && !name.ends_with("prot"))
-            || ["aresetn", "interrupt"].contains(name)
+        (name.starts_with("s_axi_") && !name.ends_with("prot")) || ["aresetn", "irq"].contains(name)
     });
     let wires = [
         "reset",

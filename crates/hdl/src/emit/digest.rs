@@ -6,7 +6,7 @@ use sha2::{Digest, Sha256};
 
 /// SHA-256 of the concatenated texts, without lines that contain only a `//` comment, in hexadecimal digits.
 /// A comment changes nothing that is measured or verified.
-pub(super) fn sha256<'a>(texts: impl IntoIterator<Item = &'a str>) -> String {
+pub(crate) fn sha256<'a>(texts: impl IntoIterator<Item = &'a str>) -> String {
     let lines = texts.into_iter().flat_map(str::lines);
     let mut digest = Sha256::new();
     for line in lines.filter(|line| !line.trim_start_matches(' ').starts_with("//")) {

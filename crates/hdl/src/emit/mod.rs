@@ -25,7 +25,7 @@ use crate::unit::{Unit, build_unit, label, unit_pins};
 
 pub(crate) use channels::ChannelNames;
 use checks::check;
-use digest::sha256;
+pub(crate) use digest::sha256;
 use header::{header, override_header, unit_header};
 
 pub(crate) use checks::lint_block;

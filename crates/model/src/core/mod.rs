@@ -5,8 +5,8 @@ mod registers;
 mod slice;
 
 use photoncube_spec::{
-    BatchPins, Core, CoreCounter, CoreInputs, CoreOutputs, CoreStreams, Group, Inputs, Lane,
-    Outputs, Query, QueryWord, ResultWord, Spatial, StreamIn, Sums,
+    BatchPins, Beat, Core, CoreCounter, CoreInputs, CoreOutputs, CoreStreams, Group, Inputs, Lane,
+    Outputs, Query, QueryWord, ResultWord, Spatial, Sums,
 };
 
 use crate::golden::GoldenMachine;
@@ -81,7 +81,13 @@ impl CoreModel {
         self.registers.counter(counter)
     }
 
-    fn resets(&self, inputs: &CoreInputs) -> bool {
+    /// The events that are set.
+    pub fn events(&self) -> u32 {
+        self.registers.events()
+    }
+
+    /// Whether this clock is a reset, by `aresetn` or a restart.
+    pub fn resets(&self, inputs: &CoreInputs) -> bool {
         inputs.reset || self.registers.restart
     }
 
@@ -154,9 +160,13 @@ impl CoreModel {
         if reset {
             self.turn = 0;
         }
-        let leaf = happens.photon_moves.then(|| self.leaf(&inputs.photons));
+        let leaf = happens
+            .photon_moves
+            .then(|| self.leaf(&inputs.photons.beat));
         self.photons.clock(leaf_moves, leaf, reset);
-        let query = happens.query_moves.then(|| self.query(&inputs.queries));
+        let query = happens
+            .query_moves
+            .then(|| self.query(&inputs.queries.beat));
         self.queries.clock(query_moves, query, reset);
         match inputs.reset {
             true => self.registers.reset(&self.core, self.digest),
@@ -260,8 +270,8 @@ impl CoreModel {
     }
 
     /// The leaf of a word of the photon stream. Where a photon is absent, its other bits mean nothing.
-    fn leaf(&self, stream: &StreamIn) -> LeafWord {
-        let values = self.streams.photons.values(&stream.data);
+    fn leaf(&self, beat: &Beat) -> LeafWord {
+        let values = self.streams.photons.values(&beat.data);
         let (mut lanes, facing) = CoreStreams::leaf_of(&self.core, &values);
         for lane in lanes.iter_mut().filter(|lane| !lane.present) {
             *lane = Lane::default();
@@ -269,18 +279,18 @@ impl CoreModel {
         LeafWord {
             lanes,
             facing,
-            last: stream.last,
-            chain: stream.dest,
+            last: beat.last,
+            chain: beat.dest,
         }
     }
 
     /// The query of a word of the query stream.
-    fn query(&self, stream: &StreamIn) -> QueryIn {
+    fn query(&self, beat: &Beat) -> QueryIn {
         let word = &self.streams.queries;
-        let values = word.values(&stream.data);
+        let values = word.values(&beat.data);
         let number = |place: usize| values[place] as u32;
         // The same fields without any other bit: a query in its frame has no other.
-        let outside = word.bytes(&values) != stream.data;
+        let outside = word.bytes(&values) != beat.data;
         QueryIn {
             word: QueryWord {
                 query: Query {
@@ -289,13 +299,13 @@ impl CoreModel {
                 },
                 release: number(5) != 0,
                 batch: BatchPins {
-                    last: stream.last,
+                    last: beat.last,
                     facings: number(4),
                     tag: number(3),
                 },
             },
             outside,
-            chain: stream.dest,
+            chain: beat.dest,
         }
     }
 }

@@ -80,6 +80,10 @@ impl Registers {
         }
     }
 
+    pub(super) fn events(&self) -> u32 {
+        self.events
+    }
+
     pub(super) fn interrupt(&self) -> bool {
         self.events & self.interrupt_enable != 0
     }
@@ -97,9 +101,9 @@ impl Registers {
         lite.write_address_valid && lite.write_data_valid && self.write_answer.is_none()
     }
 
-    /// The register at an address.
+    /// The register of the word at an address.
     fn at(&self, address: u32) -> Option<&CoreRegisterRow> {
-        self.rows.iter().find(|row| row.address == address)
+        self.rows.iter().find(|row| row.address == address & !3)
     }
 
     fn write(&self, lite: &LiteIn) -> Write {

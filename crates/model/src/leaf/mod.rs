@@ -40,7 +40,6 @@ pub struct LeafMachine {
     player: Player,
     tags: Tags,
     chain: SpatialMachine,
-    groups_played: u64,
 }
 
 /// The values of a clock that several parts read, from before its edge.
@@ -87,13 +86,7 @@ impl LeafMachine {
             player: Player::default(),
             tags: Tags::new(&sizes),
             chain: SpatialMachine::new(&chain(machine, &leaf)),
-            groups_played: 0,
         }
-    }
-
-    /// The groups that the chain was given since power-up.
-    pub fn groups_played(&self) -> u64 {
-        self.groups_played
     }
 
     /// The pins of the chain.
@@ -176,7 +169,6 @@ impl GoldenMachine for LeafMachine {
             from_chain.group_ready || !to_chain.group_valid,
             "the chain takes every group that is played"
         );
-        self.groups_played += u64::from(to_chain.group_valid);
         let events = self.events(inputs, &to_chain, from_chain);
         let played = events.plays.then_some(self.player.address());
         let batch_leaves = self.tags.ends_batch(events, &self.sizes);

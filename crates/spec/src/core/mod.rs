@@ -23,7 +23,7 @@
 //! Each of these sets the bit of [`CoreEvent`] and is counted, and the words before and behind it lose nothing:
 //! a leaf with a photon behind an absent one (it is used as it is); the leaves of a set behind the last that the bank holds (dropped,
 //! up to `tlast`); a query outside of its frame (answered with `tuser`); a word for a chain that there is not
-//! (dropped); an access to an address without a register, and a write to a register that is only read (both answered with SLVERR).
+//! (dropped); an access to an address without a register (the two low bits are not looked at), and a write to a register that is only read (both answered with SLVERR).
 //!
 //! # Each clock
 //! All registers have the values before the clock edge, and `:=` gives the value after it. A word *moves* where its valid and its ready are
@@ -62,7 +62,7 @@ pub use fields::CoreField;
 pub use ports::{CorePins, PortColumns, port_columns};
 pub use registers::{Access, CoreRegister, CoreRegisterRow};
 pub use streams::{CoreStreams, StreamField, StreamWord};
-pub use words::{CoreInputs, CoreOutputs, LiteAnswer, LiteIn, ResultWord, StreamIn};
+pub use words::{Beat, CoreInputs, CoreOutputs, LiteAnswer, LiteIn, ResultWord, StreamIn};
 
 use thiserror::Error;
 
@@ -77,6 +77,10 @@ pub struct Core {
     /// The number of chains, 1 to [`Core::MOST_CHAINS`].
     pub chains: u32,
 }
+
+/// The cores whose Verilog is committed: chains, and the leaf machine. With three chains the streams can name a chain that there
+/// is not.
+pub const CORES: [(u32, &str); 1] = [(3, "leaf-5-local7-rgb6d-n64")];
 
 /// There is no such core.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]

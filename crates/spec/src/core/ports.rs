@@ -113,7 +113,12 @@ impl Core {
             1,
             "the query was outside of its frame; the sums are 0",
         );
-        add(Input, "s_axi_awaddr", address, "in bytes");
+        add(
+            Input,
+            "s_axi_awaddr",
+            address,
+            "in bytes; the two low bits are not looked at",
+        );
         add(Input, "s_axi_awprot", 3, "not looked at");
         add(Input, "s_axi_awvalid", 1, "");
         add(Output, "s_axi_awready", 1, "");
@@ -124,7 +129,12 @@ impl Core {
         add(Output, "s_axi_bresp", 2, "0 OKAY, 2 SLVERR");
         add(Output, "s_axi_bvalid", 1, "");
         add(Input, "s_axi_bready", 1, "");
-        add(Input, "s_axi_araddr", address, "in bytes");
+        add(
+            Input,
+            "s_axi_araddr",
+            address,
+            "in bytes; the two low bits are not looked at",
+        );
         add(Input, "s_axi_arprot", 3, "not looked at");
         add(Input, "s_axi_arvalid", 1, "");
         add(Output, "s_axi_arready", 1, "");
@@ -132,12 +142,7 @@ impl Core {
         add(Output, "s_axi_rresp", 2, "0 OKAY, 2 SLVERR");
         add(Output, "s_axi_rvalid", 1, "");
         add(Input, "s_axi_rready", 1, "");
-        add(
-            Output,
-            "interrupt",
-            1,
-            "1 while an event that is enabled is set",
-        );
+        add(Output, "irq", 1, "1 while an event that is enabled is set");
         ports
     }
 

@@ -25,7 +25,7 @@ pub enum CoreRegister {
     Status,
     /// A bit for each event that occurred. Writing a 1 clears the bit; an event in that clock stays.
     Events,
-    /// The events that raise `interrupt`, which is 1 while such a bit of `Events` is.
+    /// The events that raise `irq`, which is 1 while such a bit of `Events` is.
     InterruptEnable,
     /// The silent clocks after which the core is stalled; 0 for never.
     StallLimit,
@@ -202,7 +202,7 @@ impl CoreRegister {
                 "interrupt_enable",
                 Access::ReadWrite,
                 0,
-                "The pin interrupt is 1 while a bit of both events and this register is.",
+                "The pin irq is 1 while a bit of both events and this register is.",
                 events,
             ),
             (

@@ -2,17 +2,24 @@
 
 use super::{CorePins, CoreStreams};
 
-/// The inputs of an AXI4-Stream to the core.
+/// A word of an AXI4-Stream to the core.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct StreamIn {
-    /// `tvalid`.
-    pub valid: bool,
+pub struct Beat {
     /// `tdata`, byte 0 first; no bytes stand for zeros.
     pub data: Vec<u8>,
     /// `tlast`.
     pub last: bool,
     /// `tdest`.
     pub dest: u32,
+}
+
+/// The inputs of an AXI4-Stream to the core.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct StreamIn {
+    /// `tvalid`.
+    pub valid: bool,
+    /// The word, valid or not.
+    pub beat: Beat,
 }
 
 /// The inputs of AXI4-Lite.
@@ -92,7 +99,7 @@ pub struct CoreOutputs {
     pub read_ready: bool,
     /// `rresp` and `rdata`, while `rvalid`.
     pub read_answer: Option<LiteAnswer>,
-    /// `interrupt`.
+    /// `irq`.
     pub interrupt: bool,
 }
 
@@ -123,11 +130,11 @@ impl CorePins {
             (&inputs.photons, &streams.photons),
             (&inputs.queries, &streams.queries),
         ] {
-            row.extend(columns(&stream.data, word.bits));
+            row.extend(columns(&stream.beat.data, word.bits));
             row.extend([
                 stream.valid.into(),
-                stream.last.into(),
-                u64::from(stream.dest),
+                stream.beat.last.into(),
+                u64::from(stream.beat.dest),
             ]);
         }
         row.push(inputs.result_ready.into());
@@ -187,9 +194,12 @@ mod tests {
         let (streams, pins) = (CoreStreams::of(&core), core.pins());
         let inputs = CoreInputs {
             queries: StreamIn {
-                data: vec![1, 2],
-                dest: 2,
-                ..StreamIn::default()
+                valid: true,
+                beat: Beat {
+                    data: vec![1, 2],
+                    last: false,
+                    dest: 2,
+                },
             },
             lite: LiteIn {
                 read_address: 8,
@@ -221,7 +231,7 @@ mod tests {
             let column = pins.outputs.iter().position(|pin| pin.name == name);
             row[column.unwrap()]
         };
-        let of_read = ["s_axi_rdata", "s_axi_rresp", "s_axi_rvalid", "interrupt"];
+        let of_read = ["s_axi_rdata", "s_axi_rresp", "s_axi_rvalid", "irq"];
         assert_eq!(of_read.map(value), [7, 2, 1, 1]);
     }
 }

@@ -32,7 +32,7 @@ mod registers;
 mod words;
 
 pub use registers::{LeafRegister, LeafRow};
-pub use words::{LeafAnswer, LeafWords, QueryWord, TaggedSums};
+pub use words::QueryWord;
 
 use crate::formats::{Widths, bits_for};
 use crate::machine::Machine;

@@ -4,6 +4,7 @@
 //! table of results and the names in it are those of the rows.
 
 mod campaign;
+mod core;
 mod coverage;
 mod equivalence;
 mod exhaustive;
@@ -30,6 +31,7 @@ use clap::{Arg, ArgMatches, Args, Command, FromArgMatches, value_parser};
 use crate::failure::CheckFailed;
 use crate::{output, verified};
 
+use self::core::CoreMethod;
 pub use self::equivalence::{verdict_table, verify_with_bar};
 pub use self::old_flags::with_method;
 use campaign::Campaign;
@@ -46,7 +48,7 @@ use placed::Placed;
 use programs::Programs;
 
 /// All methods. The first is the one of `verify` without a method.
-pub const METHODS: [Entry; 11] = [
+pub const METHODS: [Entry; 12] = [
     Entry::of::<Equivalence>(),
     Entry::of::<Lint>(),
     Entry::of::<Exhaustive>(),
@@ -57,6 +59,7 @@ pub const METHODS: [Entry; 11] = [
     Entry::of::<Campaign>(),
     Entry::of::<Formal>(),
     Entry::of::<Placed>(),
+    Entry::of::<CoreMethod>(),
     Entry::of::<Fuzz>(),
 ];
 

@@ -1,0 +1,1 @@
+create_clock -name aclk -period 10 [get_ports aclk]

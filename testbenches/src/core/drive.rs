@@ -1,0 +1,281 @@
+//! Drives the golden model of a core with random words, waits, accesses and resets, and writes down its pins.
+
+use std::collections::BTreeMap;
+
+use photoncube_model::CoreModel;
+use photoncube_spec::{
+    Core, CoreEvent, CoreInputs, CoreOutputs, CorePins, CoreRegister, CoreRegisterRow, CoreStreams,
+    EventRow, LiteIn, StreamIn,
+};
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64;
+
+use super::CoreError;
+use super::plan::{Draw, Plan};
+
+/// Rows of pins of successive clocks.
+#[derive(Debug, Default)]
+pub(super) struct Rows {
+    pub(super) inputs: Vec<u64>,
+    pub(super) expected: Vec<u64>,
+}
+
+/// What happened in the stimulus.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Happened {
+    pub(super) leaves: u64,
+    pub(super) queries: u64,
+    pub(super) results: u64,
+    pub(super) accesses: u64,
+    pub(super) resets: u64,
+    pub(super) restarts: u64,
+    /// How often each event was set, by name.
+    pub(super) events: BTreeMap<&'static str, u64>,
+}
+
+/// The chances, of 256, that a word is offered or a result taken in a clock. They are drawn anew from time to time.
+#[derive(Copy, Clone, Debug)]
+struct Pace {
+    photons: u32,
+    queries: u32,
+    results: u32,
+    accesses: u32,
+}
+
+pub(super) struct Drive<'a> {
+    core: &'a Core,
+    streams: &'a CoreStreams,
+    rows: Vec<CoreRegisterRow>,
+    draw: Draw<'a, Pcg64>,
+    model: CoreModel,
+    plan: Plan,
+    inputs: CoreInputs,
+    pace: Pace,
+    clock: u64,
+    events_before: u32,
+    pub(super) happened: Happened,
+}
+
+/// Clocks between two changes of pace, on average.
+const PACE_CLOCKS: u32 = 256;
+/// A reset comes once in so many clocks.
+const RESET_CLOCKS: u32 = 3000;
+/// One word in so many that are written may be a command to restart.
+const RESTART_WORDS: u32 = 8;
+
+impl<'a> Drive<'a> {
+    pub(super) fn new(core: &'a Core, streams: &'a CoreStreams, digest: u64, seed: u64) -> Self {
+        Self {
+            core,
+            streams,
+            rows: CoreRegister::all(core, digest),
+            draw: Draw::new(core, streams, Pcg64::seed_from_u64(seed)),
+            model: CoreModel::new(core, digest),
+            plan: Plan::default(),
+            inputs: CoreInputs::default(),
+            pace: Pace {
+                photons: 256,
+                queries: 256,
+                results: 256,
+                accesses: 64,
+            },
+            clock: 0,
+            events_before: 0,
+            happened: Happened::default(),
+        }
+    }
+
+    /// Runs so many clocks.
+    pub(super) fn run(&mut self, clocks: usize, rows: &mut Rows) -> Result<(), CoreError> {
+        for _ in 0..clocks {
+            self.clock(rows)?;
+        }
+        Ok(())
+    }
+
+    fn chance(&mut self, of_256: u32) -> bool {
+        self.draw.rng().random_range(0..256) < of_256
+    }
+
+    fn one_in(&mut self, number: u32) -> bool {
+        self.draw.rng().random_range(0..number) == 0
+    }
+
+    fn clock(&mut self, rows: &mut Rows) -> Result<(), CoreError> {
+        if self.plan.photons.is_empty() && self.plan.queries.is_empty() {
+            self.draw.round(&mut self.plan);
+        }
+        if self.one_in(PACE_CLOCKS) {
+            let mut chance = || [8, 64, 192, 256][self.draw.rng().random_range(0..4)];
+            self.pace = Pace {
+                photons: chance(),
+                queries: chance(),
+                results: chance(),
+                accesses: chance() / 2,
+            };
+        }
+        self.offer();
+        self.inputs.reset = self.one_in(RESET_CLOCKS);
+        self.inputs.result_ready = self.chance(self.pace.results);
+        rows.inputs
+            .extend(CorePins::input_row(self.streams, &self.inputs));
+        let outputs = self.model.outputs(&self.inputs);
+        rows.expected
+            .extend(CorePins::output_row(self.streams, &outputs));
+        let ends = self.model.resets(&self.inputs);
+        self.note(&outputs)?;
+        self.model.clock(&self.inputs);
+        self.note_events();
+        self.retire(&outputs);
+        if ends {
+            // What was under way is lost, and so are the words that would have followed it.
+            self.plan = Plan::default();
+            self.inputs = CoreInputs::default();
+        }
+        self.clock += 1;
+        Ok(())
+    }
+
+    /// Offers words where none is offered. A word that is offered stays.
+    fn offer(&mut self) {
+        let offers = self.chance(self.pace.photons);
+        if !self.inputs.photons.valid {
+            let next = self.plan.photons.front().filter(|_| offers).cloned();
+            let idle = || self.draw.idle(self.streams.photons.bits);
+            self.inputs.photons = StreamIn {
+                valid: next.is_some(),
+                beat: next.unwrap_or_else(idle),
+            };
+        }
+        let offers = self.chance(self.pace.queries);
+        if !self.inputs.queries.valid {
+            let next = self.plan.queries.front().filter(|_| offers).cloned();
+            let idle = || self.draw.idle(self.streams.queries.bits);
+            self.inputs.queries = StreamIn {
+                valid: next.is_some(),
+                beat: next.unwrap_or_else(idle),
+            };
+        }
+        self.access();
+    }
+
+    /// Accesses to registers. Address and data of a write may come in either order.
+    fn access(&mut self) {
+        let [address, data, read] = [(); 3].map(|()| self.chance(self.pace.accesses));
+        let mut lite = self.inputs.lite;
+        if !lite.write_address_valid {
+            lite.write_address = self.address();
+            lite.write_address_valid = address;
+        }
+        if !lite.write_data_valid {
+            lite.write_data_valid = data;
+            lite.write_data = self.word();
+            lite.write_strobe = match self.one_in(4) {
+                true => self.draw.rng().random_range(0..16),
+                false => 15,
+            };
+        }
+        if !lite.read_address_valid {
+            lite.read_address = self.address();
+            lite.read_address_valid = read;
+        }
+        lite.write_answer_ready = self.chance(self.pace.accesses);
+        lite.read_answer_ready = self.chance(self.pace.accesses);
+        self.inputs.lite = lite;
+    }
+
+    /// An address: mostly that of a register, sometimes any.
+    fn address(&mut self) -> u32 {
+        match self.one_in(8) {
+            true => self.draw.rng().random_range(0..1 << Core::ADDRESS_BITS),
+            false => {
+                let place = self.draw.rng().random_range(0..self.rows.len());
+                self.rows[place].address
+            }
+        }
+    }
+
+    /// A word to write: small, so that it is a stall limit that a test can reach, and seldom the command to restart.
+    fn word(&mut self) -> u32 {
+        let word = self.draw.rng().random_range(0..256);
+        match self.one_in(RESTART_WORDS) {
+            true => word | CoreRegister::RESTART,
+            false => word & !CoreRegister::RESTART,
+        }
+    }
+
+    /// Holds the results against what the chains owe, and counts.
+    fn note(&mut self, outputs: &CoreOutputs) -> Result<(), CoreError> {
+        self.happened.resets += u64::from(self.inputs.reset);
+        let restarts = self.model.resets(&self.inputs) && !self.inputs.reset;
+        self.happened.restarts += u64::from(restarts);
+        if let Some(result) = outputs.result.as_ref().filter(|_| self.inputs.result_ready) {
+            let (sums, tag) =
+                CoreStreams::result_of(self.core, &self.streams.results.values(&result.data));
+            let owed = self.plan.owed.get_mut(result.id as usize);
+            let expected = owed.and_then(|owed| owed.pop_front());
+            let found = super::plan::Expected {
+                sums,
+                tag,
+                last: result.last,
+                outside: result.outside,
+            };
+            if expected.as_ref() != Some(&found) {
+                return Err(CoreError::Model {
+                    clock: self.clock,
+                    found: format!("{found:?} of chain {}", result.id),
+                    expected: format!("{expected:?}"),
+                });
+            }
+            self.happened.results += 1;
+        }
+        Ok(())
+    }
+
+    fn note_events(&mut self) {
+        let events = self.model.events();
+        let fresh = events & !self.events_before;
+        for row in EventRow::ALL
+            .iter()
+            .filter(|row| fresh & row.event.bit() != 0)
+        {
+            *self.happened.events.entry(row.name).or_default() += 1;
+        }
+        self.events_before = events;
+    }
+
+    /// Takes back the words that moved.
+    fn retire(&mut self, outputs: &CoreOutputs) {
+        let moved = |stream: &mut StreamIn, ready: bool| {
+            let moved = stream.valid && ready;
+            stream.valid &= !ready;
+            moved
+        };
+        if moved(&mut self.inputs.photons, outputs.photon_ready) {
+            self.plan.photons.pop_front();
+            self.happened.leaves += 1;
+        }
+        if moved(&mut self.inputs.queries, outputs.query_ready) {
+            self.plan.queries.pop_front();
+            self.happened.queries += 1;
+        }
+        let lite: &mut LiteIn = &mut self.inputs.lite;
+        if outputs.write_ready {
+            lite.write_address_valid = false;
+            lite.write_data_valid = false;
+            self.happened.accesses += 1;
+        }
+        if outputs.read_ready && lite.read_address_valid {
+            lite.read_address_valid = false;
+            self.happened.accesses += 1;
+        }
+    }
+}
+
+/// The events that a core of these chains can have.
+pub(super) fn possible_events(core: &Core) -> impl Iterator<Item = &'static EventRow> {
+    let names_unknown = core.chains < 1 << core.chain_bits();
+    EventRow::ALL
+        .iter()
+        .filter(move |row| names_unknown || row.event != CoreEvent::ChainUnknown)
+}

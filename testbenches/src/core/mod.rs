@@ -1,0 +1,278 @@
+//! Compares the emitted Verilog of a core with its golden model: every pin, in every clock.
+//!
+//! The stimulus is random: sets and batches for all chains, mixed; waits on every stream; wrong words of every kind; accesses to
+//! registers that there are and that there are not; resets and restarts. Every result of the model is also compared
+//! with the direct gather. The registers of the chains are compared by [`crate::verify`] on one chain alone.
+
+mod drive;
+mod plan;
+
+use photoncube_hdl::{Emitted, EmittedCore, core_rows, emit_core};
+use photoncube_spec::{Core, CoreStreams};
+use serde::Serialize;
+use thiserror::Error;
+
+use crate::controls::{Control, plant};
+use crate::device::{Device, DeviceError, DeviceKind, Observed, hdl_error};
+use drive::{Drive, Rows, possible_events};
+
+/// Clocks that are compared at once.
+const BLOCK: usize = 1024;
+
+/// The length and the seed of a verification of a core.
+#[derive(Copy, Clone, Debug)]
+pub struct CoreOptions {
+    /// Clocks.
+    pub clocks: u64,
+    /// The seed of the stimulus.
+    pub seed: u64,
+}
+
+/// A record of a verification in which all compared values were equal.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct CoreVerdict {
+    /// The name of the core.
+    pub core: String,
+    /// The name of the device.
+    pub device: String,
+    /// The tool behind the device, with its version.
+    pub tool_version: String,
+    /// The seed of the stimulus.
+    pub seed: u64,
+    /// Clocks in which every pin was compared.
+    pub vectors_compared: u64,
+    /// Pins, in columns of at most 64 bits.
+    pub signals_per_vector: usize,
+    /// Results that were also compared with the direct gather.
+    pub results_compared: u64,
+    /// Leaves that were taken.
+    pub leaf_beats: u64,
+    /// Queries that were taken.
+    pub query_beats: u64,
+    /// Accesses to registers.
+    pub accesses: u64,
+    /// Resets by `aresetn`.
+    pub resets: u64,
+    /// Restarts by a register.
+    pub restarts: u64,
+    /// Each event with the number of times that it was set.
+    pub events: Vec<(&'static str, u64)>,
+}
+
+/// The reason why a verification of a core failed.
+#[derive(Debug, Error)]
+pub enum CoreError {
+    /// The device differs from the model.
+    #[error(
+        "{device} differs from the golden model of `{core}` in clock {clock} (seed {seed}): {signal} is {actual:#x}, expected \
+         {expected:#x}"
+    )]
+    Diverged {
+        /// The name of the core.
+        core: String,
+        /// The name of the device.
+        device: String,
+        /// The clock.
+        clock: u64,
+        /// The seed.
+        seed: u64,
+        /// The name of the pin.
+        signal: String,
+        /// The value of the model.
+        expected: u64,
+        /// The value of the device; 0 for an unknown bit.
+        actual: u64,
+    },
+    /// The model differs from the direct gather.
+    #[error("clock {clock}: the golden model gives {found}, the direct gather {expected}")]
+    Model {
+        /// The clock.
+        clock: u64,
+        /// The model's result.
+        found: String,
+        /// What the chain owes.
+        expected: String,
+    },
+    /// Something never happened, so nothing was compared of it.
+    #[error("nothing was compared of {0}: the run was too short; raise --clocks")]
+    Never(String),
+    /// The device does not run.
+    #[error(transparent)]
+    Device(#[from] DeviceError),
+}
+
+/// Verifies a core's emitted Verilog in a device.
+///
+/// # Errors
+/// The device differs from the model or does not run, or something of the stimulus never happened.
+pub fn verify_core(
+    core: &Core,
+    kind: DeviceKind,
+    options: &CoreOptions,
+    tick: &dyn Fn(u64),
+) -> Result<CoreVerdict, CoreError> {
+    let emitted = emit_core(core).map_err(hdl_error(core.machine))?;
+    verify_core_text(core, &emitted, kind, options, tick)
+}
+
+/// Verifies a text in the place of a core's Verilog.
+fn verify_core_text(
+    core: &Core,
+    emitted: &EmittedCore,
+    kind: DeviceKind,
+    options: &CoreOptions,
+    tick: &dyn Fn(u64),
+) -> Result<CoreVerdict, CoreError> {
+    let rows = core_rows(core, emitted);
+    let mut device = kind.open_emitted(&rows)?;
+    let streams = CoreStreams::of(core);
+    let mut drive = Drive::new(core, &streams, emitted.digest, options.seed);
+    let mut compared = 0;
+    while compared < options.clocks {
+        let clocks = (options.clocks - compared).min(BLOCK as u64) as usize;
+        let mut block = Rows::default();
+        drive.run(clocks, &mut block)?;
+        compare(core, &rows, device.as_mut(), &block, compared, options.seed)?;
+        compared += clocks as u64;
+        tick(compared);
+    }
+    let happened = drive.happened;
+    let count = |name| happened.events.get(name).copied().unwrap_or(0);
+    let events: Vec<_> = possible_events(core)
+        .map(|row| (row.name, count(row.name)))
+        .collect();
+    let verdict = CoreVerdict {
+        core: core.name(),
+        device: device.name().to_owned(),
+        tool_version: device.tool_version().to_owned(),
+        seed: options.seed,
+        vectors_compared: compared,
+        signals_per_vector: rows.pins.observed.len(),
+        results_compared: happened.results,
+        leaf_beats: happened.leaves,
+        query_beats: happened.queries,
+        accesses: happened.accesses,
+        resets: happened.resets,
+        restarts: happened.restarts,
+        events,
+    };
+    match never(&verdict) {
+        Some(what) => Err(CoreError::Never(what)),
+        None => Ok(verdict),
+    }
+}
+
+/// Something that the stimulus has and that never happened.
+fn never(verdict: &CoreVerdict) -> Option<String> {
+    let mut all = vec![
+        ("results", verdict.results_compared),
+        ("accesses", verdict.accesses),
+        ("resets", verdict.resets),
+        ("restarts", verdict.restarts),
+    ];
+    all.extend(verdict.events.iter().copied());
+    let never = all.iter().find(|(_, times)| *times == 0);
+    never.map(|(what, _)| (*what).to_owned())
+}
+
+fn compare(
+    core: &Core,
+    rows: &Emitted,
+    device: &mut dyn Device,
+    block: &Rows,
+    first: u64,
+    seed: u64,
+) -> Result<(), CoreError> {
+    let mut observed = Observed::default();
+    device.replay(&block.inputs, &mut observed)?;
+    let columns = rows.pins.observed.len();
+    let different = block
+        .expected
+        .iter()
+        .zip(&observed.values)
+        .position(|(expected, actual)| expected != actual);
+    let unknown = observed.unknown.first().map(|unknown| unknown.index);
+    let missing = (observed.values.len() < block.expected.len()).then_some(observed.values.len());
+    let Some(index) = [different, unknown, missing].into_iter().flatten().min() else {
+        return Ok(());
+    };
+    Err(CoreError::Diverged {
+        core: core.name(),
+        device: device.name().to_owned(),
+        clock: first + (index / columns) as u64,
+        seed,
+        signal: rows.pins.observed[index % columns].name.clone(),
+        expected: block.expected[index],
+        actual: observed.values.get(index).copied().unwrap_or(0),
+    })
+}
+
+/// A fault in a module of a core: what it is, the module, a text in it and the text in its place.
+type CoreFault = (&'static str, &'static str, &'static str, &'static str);
+
+/// Faults that a verification of a core must find.
+const FAULTS: [CoreFault; 6] = [
+    (
+        "a leaf is given where its predecessor's second group waits",
+        "photon_port",
+        "& ~drops & ~second_valid;",
+        "& ~drops;",
+    ),
+    (
+        "a set that is too long is read in",
+        "photon_port",
+        "if (set_too_long) drops <= 1'b1;",
+        "",
+    ),
+    (
+        "a word is lost where both places of a slice are full",
+        "slice",
+        "assign in_ready = ~second_full & ~reset;",
+        "assign in_ready = ~reset;",
+    ),
+    (
+        "the chains do not take turns",
+        "arbiter",
+        "if (taken) turn <=",
+        "if (1'b0) turn <=",
+    ),
+    (
+        "an event that comes while it is cleared is lost",
+        "registers",
+        "events <= (events & ~cleared) | occurs;",
+        "events <= (events | occurs) & ~cleared;",
+    ),
+    (
+        "a restart does not forget the queries under way",
+        "registers",
+        "if (reset) begin\n            under_way <= 16'd0;",
+        "if (1'b0) begin\n            under_way <= 16'd0;",
+    ),
+];
+
+/// Plants each fault in the text of a small core, in a device.
+///
+/// # Errors
+/// The device does not run.
+pub fn core_controls(core: &Core, kind: DeviceKind, seed: u64) -> Result<Vec<Control>, CoreError> {
+    let emitted = emit_core(core).map_err(hdl_error(core.machine))?;
+    let control = |(what, module, from, to): &CoreFault| {
+        let mut faulty = emitted.clone();
+        let module = format!("{}_{module}", emitted.top);
+        faulty.text = plant(&emitted.text, &module, from, to)?;
+        let options = CoreOptions {
+            clocks: 40_000,
+            seed,
+        };
+        let found = match verify_core_text(core, &faulty, kind, &options, &|_| ()) {
+            Err(CoreError::Diverged { .. }) => true,
+            Ok(_) | Err(CoreError::Never(_)) => false,
+            Err(other) => return Err(other),
+        };
+        Ok(Control {
+            planted: format!("{}: {what}", core.name()),
+            found,
+        })
+    };
+    FAULTS.iter().map(control).collect()
+}

@@ -1,0 +1,280 @@
+//! Random words for a core: sets of photons and batches of queries, right and wrong ones, with the results that they must give.
+
+use std::collections::VecDeque;
+
+use photoncube_model::gather;
+use photoncube_spec::{
+    BatchPins, Beat, Core, CoreStreams, Leaf, Photon, Query, QueryWord, Sums, Widths,
+};
+use rand::{Rng, RngExt};
+
+/// A result that a chain must give.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Expected {
+    pub(super) sums: Sums,
+    pub(super) tag: u32,
+    pub(super) last: bool,
+    pub(super) outside: bool,
+}
+
+/// Words that wait to be offered, and the results that the chains still owe.
+#[derive(Debug, Default)]
+pub(super) struct Plan {
+    pub(super) photons: VecDeque<Beat>,
+    pub(super) queries: VecDeque<Beat>,
+    /// Of each chain, in the order of its queries.
+    pub(super) owed: Vec<VecDeque<Expected>>,
+}
+
+/// One wrong word in so many.
+const WRONG: u32 = 24;
+
+/// Draws words for a core.
+pub(super) struct Draw<'a, R> {
+    core: &'a Core,
+    streams: &'a CoreStreams,
+    widths: Widths,
+    rng: R,
+}
+
+impl<'a, R: Rng> Draw<'a, R> {
+    pub(super) fn new(core: &'a Core, streams: &'a CoreStreams, rng: R) -> Self {
+        Self {
+            core,
+            streams,
+            widths: Widths::of(core.machine),
+            rng,
+        }
+    }
+
+    pub(super) fn rng(&mut self) -> &mut R {
+        &mut self.rng
+    }
+
+    fn wrong(&mut self) -> bool {
+        self.rng.random_range(0..WRONG) == 0
+    }
+
+    fn bits(&mut self, bits: u32) -> u32 {
+        self.rng.random_range(0..1_u64 << bits) as u32
+    }
+
+    /// Appends the words of a set for every chain, and of its batches, which are mixed.
+    pub(super) fn round(&mut self, plan: &mut Plan) {
+        plan.owed
+            .resize_with(self.core.chains as usize, VecDeque::new);
+        let mut batches: Vec<_> = (0..self.core.chains)
+            .map(|chain| {
+                let set = self.set(chain, plan);
+                self.batches(chain, &set)
+            })
+            .collect();
+        while batches.iter().any(|batches| !batches.is_empty()) {
+            let chain = self.rng.random_range(0..batches.len());
+            for (word, expected) in batches[chain].pop_front().into_iter().flatten() {
+                plan.queries.push_back(word);
+                plan.owed[chain].push_back(expected);
+            }
+            if self.wrong() {
+                self.query_for_no_chain(plan);
+            }
+        }
+    }
+
+    /// A photon near a place.
+    fn photon(&mut self, near: [u32; 3]) -> Photon {
+        let most = (1 << self.widths.photon) - 1;
+        let reach = 1 << (self.widths.photon - 2);
+        let channels = self.core.machine.channels().names().len();
+        let mut power = [0; 3];
+        for power in &mut power[..channels] {
+            *power = self.bits(self.widths.mantissa);
+        }
+        Photon {
+            position: near.map(|place| {
+                let step = self.rng.random_range(0..=2 * reach);
+                (place + step).saturating_sub(reach).min(most)
+            }),
+            power,
+            exponent: match self.core.machine.has_exponent() {
+                true => self.bits(self.widths.exponent),
+                false => 0,
+            },
+        }
+    }
+
+    /// Appends the leaves of a set, and returns the photons that the chain holds of them, with their facings.
+    fn set(&mut self, chain: u32, plan: &mut Plan) -> Vec<(u32, Photon)> {
+        let most = self.core.set_leaves();
+        let too_many = if self.wrong() { 3 } else { 0 };
+        let leaves = self.rng.random_range(1..=most) + if too_many > 0 { most } else { 0 };
+        let leaves = leaves.min(most + too_many);
+        let place = [(); 3].map(|()| self.bits(self.widths.photon));
+        let mut held = Vec::new();
+        for leaf in 0..leaves {
+            let facing = self.bits(2);
+            let is_last = leaf + 1 == leaves;
+            let photons = match self.rng.random_range(0..4) {
+                0 => self.rng.random_range(0..Core::LEAF_PHOTONS),
+                _ => Core::LEAF_PHOTONS,
+            };
+            let photons: Vec<_> = (0..photons).map(|_| self.photon(place)).collect();
+            if leaf < most {
+                held.extend(photons.iter().map(|&photon| (facing, photon)));
+            }
+            let word = self.leaf(chain, &photons, facing, is_last);
+            plan.photons.push_back(word);
+            if self.wrong() {
+                self.leaf_for_no_chain(plan);
+            }
+        }
+        held
+    }
+
+    /// The word of a leaf. The bits of absent photons, and those without a field, are random.
+    fn leaf(&mut self, chain: u32, photons: &[Photon], facing: u32, last: bool) -> Beat {
+        let word = &self.streams.photons;
+        let mut values = CoreStreams::leaf_values(self.core, photons, facing);
+        let of_photon = (values.len() - 1) / Core::LEAF_PHOTONS;
+        if self.wrong() && !photons.is_empty() && photons.len() < Core::LEAF_PHOTONS {
+            // The last photon changes its place with the absent one behind it: a gap.
+            let place = photons.len() - 1;
+            let (first, second) = values.split_at_mut((place + 1) * of_photon);
+            first[place * of_photon..].swap_with_slice(&mut second[..of_photon]);
+        }
+        for lane in values.chunks_exact_mut(of_photon) {
+            if lane[0] == 0 {
+                for (value, field) in lane.iter_mut().zip(&word.fields).skip(1) {
+                    *value = self.rng.random::<u64>() & ((1 << field.width) - 1);
+                }
+            }
+        }
+        let mut data = word.bytes(&values);
+        let first_free = word.end() as usize;
+        for bit in first_free..word.bits as usize {
+            data[bit / 8] |= u8::from(self.rng.random::<bool>()) << (bit % 8);
+        }
+        Beat {
+            data,
+            last,
+            dest: chain,
+        }
+    }
+
+    /// The batches of a set with their results. The last releases the set.
+    fn batches(&mut self, chain: u32, set: &[(u32, Photon)]) -> VecDeque<Vec<(Beat, Expected)>> {
+        let batches = self.rng.random_range(1..=3);
+        let batch = |batch| self.batch(chain, set, batch + 1 == batches);
+        (0..batches).map(batch).collect()
+    }
+
+    fn batch(&mut self, chain: u32, set: &[(u32, Photon)], release: bool) -> Vec<(Beat, Expected)> {
+        let engines = self.core.leaf().chain.engines() as u32;
+        let queries = self.rng.random_range(1..=engines);
+        let facings = self.rng.random::<u32>() | 1 << self.bits(2);
+        let near = match set.first() {
+            Some((_, photon)) => photon.position,
+            None => [0; 3],
+        };
+        (0..queries)
+            .map(|number| {
+                // A batch of as many queries as engines ends without `tlast` too.
+                let is_last = number + 1 == queries;
+                let needs_last = queries < engines || self.rng.random();
+                self.query(chain, set, near, facings, release, is_last && needs_last)
+            })
+            .collect()
+    }
+
+    fn query(
+        &mut self,
+        chain: u32,
+        set: &[(u32, Photon)],
+        near: [u32; 3],
+        facings: u32,
+        release: bool,
+        last: bool,
+    ) -> (Beat, Expected) {
+        let shift = self.widths.coordinate - self.widths.photon;
+        let tag = self.bits(Core::TAG_BITS);
+        let query = Query {
+            position: self.photon(near).position.map(|place| place << shift),
+            radius_sq: self.core.machine.fixed_radius_sq().unwrap_or(0),
+        };
+        let word = QueryWord {
+            query,
+            release,
+            batch: BatchPins { last, facings, tag },
+        };
+        let mut data = self
+            .streams
+            .queries
+            .bytes(&CoreStreams::query_values(&word));
+        let outside = self.wrong();
+        if outside {
+            // The lowest bit above a coordinate.
+            let axis = ["x", "y", "z"][self.rng.random_range(0..3)];
+            let field = self.streams.queries.field(axis);
+            let bit = (field.low + field.width) as usize;
+            data[bit / 8] |= 1 << (bit % 8);
+        }
+        let gathered = set.iter().filter(|(facing, _)| facings >> facing & 1 == 1);
+        let sums = gather(
+            self.core.machine,
+            &query,
+            gathered.map(|(_, photon)| *photon),
+        );
+        let stream = Beat {
+            data,
+            last,
+            dest: chain,
+        };
+        let expected = Expected {
+            sums: match outside {
+                true => Sums::default(),
+                false => sums.expect("a set has no more photons than the sums hold"),
+            },
+            tag,
+            last,
+            outside,
+        };
+        (stream, expected)
+    }
+
+    /// A number of a chain that there is not, if the streams can name one.
+    fn no_chain(&mut self) -> Option<u32> {
+        let numbers = 1 << self.core.chain_bits();
+        (self.core.chains < numbers).then(|| self.rng.random_range(self.core.chains..numbers))
+    }
+
+    fn leaf_for_no_chain(&mut self, plan: &mut Plan) {
+        if let Some(chain) = self.no_chain() {
+            let last = self.rng.random();
+            let word = self.leaf(chain, &[], 0, last);
+            plan.photons.push_back(word);
+        }
+    }
+
+    fn query_for_no_chain(&mut self, plan: &mut Plan) {
+        if let Some(dest) = self.no_chain() {
+            let bytes = self.streams.queries.bits as usize / 8;
+            plan.queries.push_back(Beat {
+                data: (0..bytes).map(|_| self.rng.random()).collect(),
+                last: self.rng.random(),
+                dest,
+            });
+        }
+    }
+
+    /// The pins of a stream that offers no word: anything.
+    pub(super) fn idle(&mut self, bits: u32) -> Beat {
+        Beat {
+            data: (0..bits / 8).map(|_| self.rng.random()).collect(),
+            last: self.rng.random(),
+            dest: self.rng.random_range(0..1 << self.core.chain_bits()),
+        }
+    }
+}
+
+/// Facings are drawn among the first four, so that batches gather some and not others.
+const _: () = assert!(Leaf::FACINGS >= 4);
