@@ -182,13 +182,13 @@ class Watch:
         clears = False
         if self.pin("s_axi_arvalid") and self.pin("s_axi_arready"):
             self.read_counts = self.counts.copy()
-            if self.pin("s_axi_araddr") not in self.readable:
+            if self.pin("s_axi_araddr") & ~3 not in self.readable:
                 counts["accesses_refused"] += 1
         writes = self.pin("s_axi_awvalid") and self.pin("s_axi_awready")
         taken = self.pin("s_axi_wvalid") and self.pin("s_axi_wready")
         assert writes == taken, "the core takes the address and the word of a write in one clock"
         if writes:
-            address = self.pin("s_axi_awaddr")
+            address = self.pin("s_axi_awaddr") & ~3
             if address not in self.writable:
                 counts["accesses_refused"] += 1
             elif address == self.control and self.pin("s_axi_wstrb") & 1:
