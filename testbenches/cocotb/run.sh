@@ -81,7 +81,7 @@ run_tests() {
 if ((long)); then
     work=(13500 400 60) least=100000
 else
-    work=(16 12 4) least=300
+    work=(16 12 4) least=$((100 * chains))
 fi
 # Where single tests are named, the words are those of these alone.
 ((${#tests[@]} == 0)) || least=0
@@ -97,7 +97,7 @@ for fault in $("$python" "$here/faults.py" --list); do
         "$python" "$here/faults.py" "$fault" "${text%.streams.json}.v"
     done
     code=0
-    run_tests "$broken" 0 4 2 0 --test wrong_words --test resets_in_flight >"$scratch/$fault/log" 2>&1 || code=$?
+    run_tests "$broken" 0 12 2 0 --test wrong_words --test resets_in_flight >"$scratch/$fault/log" 2>&1 || code=$?
     # The tests themselves must have failed, not their start.
     if ((code != 1)) || ! grep -q 'tests passed' "$scratch/$fault/log"; then
         note "the tests missed the fault $fault (exit code $code):"

@@ -90,6 +90,7 @@ async def transfer(bench: Bench, traffic: Traffic, sizes: Sizes, rounds: int) ->
         await bench.axi.wait()
         bench.pause(0.0)
         await bench.check_quiet()
+        bench.dut._log.info("%d rounds to come; beats so far: %s", rounds, dict(bench.watch.beats))
 
 
 @cocotb.test()
@@ -195,6 +196,7 @@ async def each_event_alone(dut: SimHandleBase) -> None:
     shape = bench.shape
     plain = Traffic(shape, bench.random)
     outside = Traffic(shape, bench.random, Wrong(outside=1.0))
+    # With two, four, eight or sixteen chains tdest has no other number.
     no_chain = shape.chains if shape.chains & (shape.chains - 1) or shape.chains == 1 else None
     swapped = plain.leaf(True, 0)
     fields = shape.photons.fields

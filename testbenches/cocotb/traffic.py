@@ -9,6 +9,10 @@ from reference import AXES, FACINGS, PHOTONS, Beat
 from shape import Shape
 
 
+# No format has a larger exponent, also where its bits could hold one.
+MOST_EXPONENT = 24
+
+
 @dataclass(frozen=True)
 class Wrong:
     """How often, from 0 to 1, a word is wrong in each way."""
@@ -59,7 +63,9 @@ class Traffic:
         edge = 1 << self.shape.position_bits
         most = fields["x_0"].most
         middle = self.near(self.centre, edge, most) if self.happens(0.8) else self.point()
-        photons = PHOTONS if self.happens(0.5) else self.random.randint(1, PHOTONS)
+        # Half a leaf, which may be of one group, and a photon more are as frequent as all other numbers together.
+        half = PHOTONS // 2
+        photons = self.random.choice((half, half + 1, PHOTONS, self.random.randint(1, PHOTONS)))
         present = [place < photons for place in range(PHOTONS)]
         if self.happens(self.wrong.empty):
             present = [False] * PHOTONS
@@ -71,6 +77,8 @@ class Traffic:
             cell = self.near(middle, self.random.choice((2, edge // 4)), most)
             values |= {f"{axis}_{place}": value for axis, value in zip(AXES, cell)}
             values[f"present_{place}"] = int(present[place])
+            if self.shape.has_exponent:
+                values[f"exponent_{place}"] = self.random.randint(0, min(MOST_EXPONENT, fields["exponent_0"].most))
         values["facing"] = self.random.choice((0, 5, FACINGS - 1))
         word = self.shape.photons.pack(values)
         for bit in self.shape.photons.spare_bits():
@@ -132,19 +140,3 @@ class Traffic:
             number = self.random.randint(*sizes.batches)
             batches.append([query for place in range(number) for query in self.batch(chain, place == number - 1)])
         return self.mix(sets), self.mix(batches)
-
-    def closing(self, leaf: Beat | None, query: Beat | None) -> tuple[list[Beat], list[Beat]]:
-        """Words behind a leaf and a query that were left on the pins by a restart: they complete the set and the batch
-        that these begin, and give each chain a set for every batch and a batch for every set."""
-        leaves, queries = [], []
-        for chain in range(self.shape.chains):
-            begun = leaf if leaf and leaf.chain == chain else None
-            if begun is None or not begun.last:
-                leaves.append(self.leaf(True, chain))
-            asked = query if query and query.chain == chain else None
-            if asked and self.shape.queries.values(asked.word)["release"]:
-                if not asked.last and self.shape.engines > 1:
-                    queries.append(self.query(True, False, chain))
-            else:
-                queries.append(self.query(True, True, chain))
-        return leaves, queries
