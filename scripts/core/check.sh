@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# Checks the emitted cores with tools of other people: cocotb, PeakRDL, FuseSoC.
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+root=$(cd "$here/../.." && pwd)
+
+if (($# > 0)); then
+    cat <<USAGE
+Usage: scripts/core/check.sh
+
+Writes small cores with \`photoncube generate\` and checks their Verilog by cocotb, whose tests must also find planted faults,
+their SystemRDL by PeakRDL and the C compiler, and both by FuseSoC. PHOTONCUBE is the program (default: the debug build).
+USAGE
+    [[ $1 == -h || $1 == --help ]] && exit 0
+    exit 2
+fi
+
+program=${PHOTONCUBE:-${CARGO_TARGET_DIR:-$root/target}/debug/photoncube}
+[[ -x $program ]] || {
+    printf 'check: found no %s; build it with cargo, or set PHOTONCUBE\n' "$program" >&2
+    exit 1
+}
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+machine=leaf-4-local7-rgb6d-n64
+"$program" generate --machine "$machine" --chains 1 --out "$scratch" >/dev/null
+core=$scratch/core-1-$machine
+words=("$core"/*.streams.json)
+
+"$here/registers.sh" "${words[0]%.streams.json}.rdl" "$scratch/registers"
+# PeakRDL's second file asserts the offsets of all registers when it runs.
+gcc -std=c11 -Wall -Wextra -Werror -fsyntax-only "$scratch/registers/registers.h"
+gcc -std=c11 -I "$scratch/registers" "$scratch/registers/registers.h.test.c" -o "$scratch/offsets"
+"$scratch/offsets"
+"$("$root/scripts/setup.sh" --where-core)/python" "$here/registers.py" "${words[0]}" "$scratch/registers"
+"$here/fusesoc.sh" "$core"
+"$root/testbenches/cocotb/run.sh" --faults
