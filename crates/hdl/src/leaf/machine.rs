@@ -199,7 +199,7 @@ impl<
             result: signals(channels),
             group_words: GroupWords::new(machine.channels().names()),
             former: Former::new(sizes.engines),
-            culler: Culler::new(leaf.chain.cuts, machine.squarer, radius_sq),
+            culler: Culler::new(leaf.culler, radius_sq),
             cull: signals(sizes.cull_clocks as usize),
             player: Player::new(sizes.least_spacing, sizes.most_outstanding),
             tags: Tags::new(sizes.engines),

@@ -241,6 +241,7 @@ fn find<
         R::Facings => register!(ask, m, former.facings.q),
         R::QueryLow => register!(ask, m, query_border[i].low.q),
         R::QueryHigh => register!(ask, m, query_border[i].high.q),
+        R::Starting => register!(ask, m, scan.starting.q),
         R::Scanning => register!(ask, m, scan.scanning.q),
         R::ScanBank => register!(ask, m, scan.scan_bank.q),
         R::ScanPair => register!(ask, m, scan.scan_pair.q),

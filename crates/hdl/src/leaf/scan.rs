@@ -36,6 +36,7 @@ pub(crate) struct Scan<const LB: usize, const KB: usize> {
     pub found_second_out: Signal<Out, Bit>,
     /// The leaves whose boxes are compared.
     pub compared: Signal<Out, Bits<2>>,
+    pub starting: DFF<Bit>,
     pub scanning: DFF<Bit>,
     pub scan_bank: DFF<Bit>,
     pub scan_pair: DFF<Bits<KB>>,
@@ -59,6 +60,7 @@ pub(crate) struct Scan<const LB: usize, const KB: usize> {
     is_full: Signal<Local, Bit>,
     end_leaf: Signal<Local, Bits<LB>>,
     end_pair: Signal<Local, Bits<KB>>,
+    may_start: Signal<Local, Bit>,
     start: Signal<Local, Bit>,
     has_place: Signal<Local, Bit>,
     issue: Signal<Local, Bit>,
@@ -77,9 +79,9 @@ impl<const LB: usize, const KB: usize> Default for Scan<LB, KB> {
         };
             clock reset complete releases facings full_0 full_1 end_0 end_1 drops takes_pair starts issues issue_bank
             issue_pair facings_out found_valid_out found_pair_out found_bank_out found_end_out found_release_out
-            found_second_out compared scanning scan_bank scan_pair scan_end scan_release scan_facings used look_valid look_pair
+            found_second_out compared starting scanning scan_bank scan_pair scan_end scan_release scan_facings used look_valid look_pair
             look_bank look_end look_release look_second found_valid found_pair found_bank found_end found_release
-            found_second is_full end_leaf end_pair start has_place issue is_last issued dropped taken used_more used_less
+            found_second is_full end_leaf end_pair may_start start has_place issue is_last issued dropped taken used_more used_less
         )
     }
 }
@@ -90,6 +92,7 @@ impl<const LB: usize, const KB: usize> Logic for Scan<LB, KB> {
         dff_setup!(
             self,
             clock,
+            starting,
             scanning,
             scan_bank,
             scan_pair,
@@ -116,10 +119,10 @@ impl<const LB: usize, const KB: usize> Logic for Scan<LB, KB> {
             self.is_full.next = self.full_1.val();
             self.end_leaf.next = self.end_1.val();
         }
-        self.start.next = self.complete.val()
-            & self.is_full.val()
-            & !self.scanning.q.val()
-            & !self.look_valid.q.val();
+        self.may_start.next =
+            self.is_full.val() & !self.scanning.q.val() & !self.starting.q.val();
+        self.starting.d.next = self.complete.val() & self.may_start.val();
+        self.start.next = self.starting.q.val();
         self.has_place.next = self.used.q.val() != self.most_used.val();
         self.issue.next = self.scanning.q.val() & self.has_place.val();
         self.end_pair.next = self.scan_end.q.val().get_bits::<KB>(1);
@@ -168,6 +171,7 @@ impl<const LB: usize, const KB: usize> Logic for Scan<LB, KB> {
         self.found_release.d.next = self.look_release.q.val();
         self.found_second.d.next = self.look_second.q.val();
         if self.reset.val() {
+            self.starting.d.next = false;
             self.scanning.d.next = false;
             self.scan_bank.d.next = false;
             self.used.d.next = 0.into();

@@ -98,6 +98,8 @@ impl Culled {
 #[derive(Clone, Debug)]
 pub(super) struct Scan {
     geometry: Geometry,
+    /// The batch starts in this clock.
+    pub(super) starting: bool,
     pub(super) scanning: bool,
     pub(super) bank: usize,
     pub(super) pair: usize,
@@ -120,6 +122,7 @@ impl Scan {
         let stages = LeafSizes::of(leaf).cull_clocks as usize;
         Self {
             geometry: Geometry::of(machine),
+            starting: false,
             scanning: false,
             bank: 0,
             pair: 0,
@@ -135,10 +138,6 @@ impl Scan {
             queue_read: 0,
             queue: VecDeque::new(),
         }
-    }
-
-    pub(super) fn may_start(&self) -> bool {
-        !self.scanning && !self.look.pair.valid
     }
 
     /// The number of pairs in the queue.
@@ -179,6 +178,7 @@ impl Scan {
         boxes: &Boxes,
     ) {
         let issues = self.scanning && self.used < Leaf::QUEUE;
+        let may_start = !self.scanning && !self.starting && boxes.set(self.bank).full;
         let queued = self.decide(events);
         let found = self.found;
         self.cull.pop_back();
@@ -187,7 +187,7 @@ impl Scan {
         self.issue(issues, sizes, boxes);
         self.used += u32::from(issues);
         self.used -= u32::from(queued == Some(false)) + u32::from(events.leaves_queue);
-        if events.starts {
+        if self.starting {
             self.scanning = true;
             self.pair = 0;
             self.end = boxes.set(self.bank).end;
@@ -195,6 +195,7 @@ impl Scan {
             self.facings = former.facings;
             self.bounds = former.bounds;
         }
+        self.starting = may_start && former.is_complete(sizes.engines);
     }
 
     /// Takes the pair that leaves out of the queue, and queues the pair in the last stage. Returns whether that is queued, if
@@ -254,6 +255,7 @@ impl Scan {
     }
 
     pub(super) fn reset(&mut self) {
+        self.starting = false;
         self.scanning = false;
         self.bank = 0;
         self.used = 0;

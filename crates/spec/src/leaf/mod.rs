@@ -37,13 +37,15 @@ pub use words::{LeafAnswer, LeafWords, QueryWord, TaggedSums};
 use crate::formats::{Widths, bits_for};
 use crate::machine::Machine;
 use crate::pins::{Pin, SignalPlace};
-use crate::spatial::{Cut, HeadSizes, Spatial};
+use crate::spatial::{EngineKind, HeadSizes, Spatial};
 
 /// The parameters of a leaf machine beside its numbers.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct Leaf {
     /// The chain of engines. It has no photon memory of its own, and all queries have the format's radius.
     pub chain: Spatial,
+    /// The squarers and the pipeline registers of the comparison of boxes.
+    pub culler: EngineKind,
     /// Groups that each of the two banks holds, a power of two.
     pub bank_groups: u32,
 }
@@ -125,8 +127,7 @@ impl LeafSizes {
             outstanding: bits_for(most_outstanding.into()),
             tag_place: tags.next_power_of_two().ilog2(),
             result: bits_for(u128::from(engines) - 1),
-            // A decision that is copied beside each sum is a copy for the sums alone.
-            cull_clocks: leaf.chain.cuts.latency() - u32::from(leaf.chain.cuts.has(Cut::Decision)),
+            cull_clocks: leaf.culler.cuts.latency(),
         }
     }
 }

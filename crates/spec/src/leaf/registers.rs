@@ -45,8 +45,8 @@ macro_rules! registers {
         ///
         /// All registers have the values before the clock edge, and `:=` gives the value after it. A register keeps its
         /// value where no rule gives it another. A reset sets these to 0 and no other: `FillBank`, `FillPlace`,
-        /// `FillReady`, `Filled`, `WriteValid`, `HalfValid`, `GroupValid`, `BoxValid`, `Full`, `Loaded`, `Closed`, `Scanning`,
-        /// `ScanBank`, `Used`, `LookValid`, `FoundValid`, `CullValid`, `QueueWrite`, `QueueRead`, `QueueCount`,
+        /// `FillReady`, `Filled`, `WriteValid`, `HalfValid`, `GroupValid`, `BoxValid`, `Full`, `Loaded`, `Closed`, `Starting`,
+        /// `Scanning`, `ScanBank`, `Used`, `LookValid`, `FoundValid`, `CullValid`, `QueueWrite`, `QueueRead`, `QueueCount`,
         /// `EntryValid`, `Spacing`, `Outstanding`, `ReadValid`, `WordValid`, `TagWrite`, `TagRead`, `TagResult`.
         #[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
         pub enum LeafRegister {
@@ -151,7 +151,7 @@ registers! {
     /// The tokens of the batch that the chain has taken, the queries and those that fill the batch up. The chain is given a
     /// query where `query_valid` and not `Closed`, with `query_ready` = not `Closed` and the chain is ready. Where `Closed` and `Loaded`
     /// is less than the engines, it is given a *filler*, whose result is dropped. Its query pins are those of the machine, but `QueryLow` where `Closed`. := 0
-    /// where the batch *starts*, which needs `Closed` and as many tokens as engines.
+    /// where the batch *starts*: see `Starting`.
     Loaded "loaded" [|_| 1] |d| d.sizes.loaded;
     /// The batch has all its queries. := 1 where a query is taken with `query_last` or as the last of as many queries as engines; := 0 where
     /// the batch starts.
@@ -164,8 +164,11 @@ registers! {
     QueryLow "query_low" [|_| AXES] |d| d.widths.coordinate;
     /// The high border.
     QueryHigh "query_high" [|_| AXES] |d| d.widths.coordinate;
-    /// The pairs of `ScanBank` are compared with a batch. A batch starts where neither `Scanning` nor `LookValid`, and
-    /// `Full` of `ScanBank`: `Scanning` := 1. A pair is *issued* where `Scanning` and `Used` is less than [`Leaf::QUEUE`]; where it is the last,
+    /// The batch starts in this clock. := `Closed`, as many tokens as engines, `Full` of `ScanBank`, and neither `Scanning` nor
+    /// `Starting`: all but the last stay so until the batch has started. The last pair of the batch before is then in `Found` at the latest,
+    /// so it is still compared with its own batch.
+    Starting "starting" [|_| 1] |_| 1;
+    /// The pairs of `ScanBank` are compared with a batch. := 1 where a batch starts. A pair is *issued* where `Scanning` and `Used` is less than [`Leaf::QUEUE`]; where it is the last,
     /// `Scanning` := 0.
     Scanning "scanning" [|_| 1] |_| 1;
     /// The bank of the batch. := the other where the last pair is issued and `ScanRelease`.
