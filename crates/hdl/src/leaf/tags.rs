@@ -27,11 +27,10 @@ pub(crate) struct Tags<const TB: usize, const RB: usize> {
     pub tag_write: DFF<Bits<TB>>,
     pub tag_read: DFF<Bits<TB>>,
     pub tag_result: DFF<Bits<RB>>,
-    /// The tags, each with a bit above that says whether it is a query's.
+    /// The tags, each with a bit below that says whether it is a query's.
     tag_ram: AsyncRam<TB, WORD>,
     tag_in: Signal<Local, Bits<WORD>>,
     kind_in: Signal<Local, Bits<WORD>>,
-    kind: Constant<Bits<WORD>>,
     last_result: Constant<Bits<RB>>,
     is_query: Signal<Local, Bit>,
     valid: Signal<Local, Bit>,
@@ -45,7 +44,6 @@ impl<const TB: usize, const RB: usize> Tags<TB, RB> {
     pub fn new(engines: u32) -> Self {
         defaulted!(Self {
             last_result: Constant::new(u64::from(engines - 1).to_bits()),
-            kind: Constant::new((1_u64 << TAG).to_bits()),
         };
             clock reset takes_token takes_query query_tag chain_valid result_ready chain_ready result_valid
             result_tag batch_leaves tag_write tag_read tag_result tag_ram tag_in kind_in is_query valid ready
@@ -59,16 +57,16 @@ impl<const TB: usize, const RB: usize> Logic for Tags<TB, RB> {
     fn update(&mut self) {
         dff_setup!(self, clock, tag_write, tag_read, tag_result);
         self.tag_ram.clock.next = self.clock.val();
-        self.tag_in.next = bit_cast::<WORD, TAG>(self.query_tag.val());
+        self.tag_in.next = bit_cast::<WORD, TAG>(self.query_tag.val()) << 1;
         self.kind_in.next = 0.into();
         if self.takes_query.val() {
-            self.kind_in.next = self.kind.val();
+            self.kind_in.next = 1.into();
         }
         self.tag_ram.write.next = self.takes_token.val();
         self.tag_ram.write_place.next = self.tag_write.q.val();
         self.tag_ram.write_word.next = self.tag_in.val() | self.kind_in.val();
         self.tag_ram.read_place.next = self.tag_read.q.val();
-        self.is_query.next = self.tag_ram.read_word.val() >= self.kind.val();
+        self.is_query.next = self.tag_ram.read_word.val().get_bit(0);
         self.valid.next = self.chain_valid.val() & self.is_query.val();
         self.ready.next = self.result_ready.val() | !self.is_query.val();
         self.takes.next = self.chain_valid.val() & self.ready.val();
@@ -92,7 +90,7 @@ impl<const TB: usize, const RB: usize> Logic for Tags<TB, RB> {
         self.result_valid.next = self.valid.val();
         self.result_tag.next = 0.into();
         if self.valid.val() {
-            self.result_tag.next = self.tag_ram.read_word.val().get_bits::<TAG>(0);
+            self.result_tag.next = self.tag_ram.read_word.val().get_bits::<TAG>(1);
         }
         self.batch_leaves.next = self.takes.val() & self.is_last.val();
     }

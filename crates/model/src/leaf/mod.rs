@@ -117,7 +117,7 @@ impl LeafMachine {
     }
 
     fn events(&self, inputs: &Inputs, to_chain: &Inputs, from_chain: Outputs) -> Events {
-        let plays = self.player.plays(&self.sizes);
+        let plays = self.player.plays();
         let ends_batch = plays && self.player.entry.is_last_of_batch();
         let entry = self.player.entry;
         Events {

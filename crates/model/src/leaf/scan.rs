@@ -65,10 +65,15 @@ pub(super) struct Looked {
     pub(super) leaves: [LeafBox; Leaf::PAIR],
 }
 
-/// A pair whose boxes are being compared. Whether they are in range shows in the last stage alone.
+/// A pair whose boxes are being compared. Whether a facing is gathered shows from stage 1 on, and whether a box is in range in the
+/// last stage alone.
 #[derive(Copy, Clone, Debug, Default)]
 pub(super) struct Culled {
     pub(super) pair: Pair,
+    /// For each leaf, whether the batch gathers each of the facings near the leaf's.
+    pub(super) near: [[bool; Leaf::FACINGS_NEAR as usize]; Leaf::PAIR],
+    /// The leaf's number among these.
+    pub(super) facing: [usize; Leaf::PAIR],
     pub(super) gathered: [bool; Leaf::PAIR],
     pub(super) short: [bool; Leaf::PAIR],
     in_range: [bool; Leaf::PAIR],
@@ -108,6 +113,8 @@ pub(super) struct Scan {
     pub(super) facings: u32,
     pub(super) bounds: Bounds,
     pub(super) used: u32,
+    /// The places of the queue that were given back in the clock before.
+    pub(super) returned: u32,
     pub(super) look: Looked,
     pub(super) found: Looked,
     /// The stages; stage 0 is the first.
@@ -131,6 +138,7 @@ impl Scan {
             facings: 0,
             bounds: Bounds::default(),
             used: 0,
+            returned: 0,
             look: Looked::default(),
             found: Looked::default(),
             cull: vec![Culled::default(); stages].into(),
@@ -186,7 +194,8 @@ impl Scan {
         self.found = self.look;
         self.issue(issues, sizes, boxes);
         self.used += u32::from(issues);
-        self.used -= u32::from(queued == Some(false)) + u32::from(events.leaves_queue);
+        self.used -= self.returned;
+        self.returned = u32::from(queued == Some(false)) + u32::from(events.leaves_queue);
         if self.starting {
             self.scanning = true;
             self.pair = 0;
@@ -217,10 +226,19 @@ impl Scan {
 
     /// The first stage of the comparison.
     fn gathered(&self, found: Looked) -> Culled {
-        let gathers = |leaf: usize| self.facings >> found.leaves[leaf].facing & 1 == 1;
+        let near = Leaf::FACINGS_NEAR;
+        let is_there = [found.pair.valid, found.second];
+        let gathers = |leaf: usize, other: u32| {
+            let facing = found.leaves[leaf].facing / near * near + other;
+            is_there[leaf] && self.facings >> facing & 1 == 1
+        };
+        let near_of = |leaf| [0, 1, 2, 3].map(|other| gathers(leaf, other));
+        let leaf_facing = |leaf: usize| found.leaves[leaf].facing % near;
         Culled {
             pair: found.pair,
-            gathered: [gathers(0), gathers(1) && found.second],
+            near: [0, 1].map(near_of),
+            facing: [0, 1].map(|leaf| leaf_facing(leaf) as usize),
+            gathered: [0, 1].map(|leaf| gathers(leaf, leaf_facing(leaf))),
             short: found.leaves.map(|leaf| leaf.short),
             in_range: found
                 .leaves
@@ -258,7 +276,7 @@ impl Scan {
         self.starting = false;
         self.scanning = false;
         self.bank = 0;
-        self.used = 0;
+        (self.used, self.returned) = (0, 0);
         self.look.pair.valid = false;
         self.found.pair.valid = false;
         for culled in &mut self.cull {

@@ -59,6 +59,8 @@ impl Leaf {
     pub const FACINGS: u32 = 32;
     /// Bits of a facing.
     pub const FACING_BITS: u32 = Self::FACINGS.ilog2();
+    /// Facings that a leaf's is first looked up among: those that equal it except for the lowest two bits.
+    pub const FACINGS_NEAR: u32 = 4;
     /// Bits of a query's tag: 16 of a core's user, and 2 flags of the core.
     pub const TAG_BITS: u32 = 18;
     /// Clocks in which no word moves on any stream after which a machine hangs. The scan of the largest bank is shorter.
