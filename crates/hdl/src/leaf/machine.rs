@@ -361,10 +361,10 @@ impl<
         for axis in 0..AXES {
             wires!(self, wiring:
                 (scan_low[axis].clock) = (clock);
-                (scan_low[axis].takes) = (scan.starts);
+                (scan_low[axis].takes) = (scan.takes_box);
                 (scan_low[axis].d) = (query_border[axis].low_out);
                 (scan_high[axis].clock) = (clock);
-                (scan_high[axis].takes) = (scan.starts);
+                (scan_high[axis].takes) = (scan.takes_box);
                 (scan_high[axis].d) = (query_border[axis].high_out);
                 (culler.query_low[axis]) = (scan_low[axis].q);
                 (culler.query_high[axis]) = (scan_high[axis].q);

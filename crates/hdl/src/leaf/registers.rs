@@ -242,6 +242,7 @@ fn find<
         R::QueryLow => register!(ask, m, query_border[i].low.q),
         R::QueryHigh => register!(ask, m, query_border[i].high.q),
         R::Starting => register!(ask, m, scan.starting.q),
+        R::Started => register!(ask, m, scan.started.q),
         R::Scanning => register!(ask, m, scan.scanning.q),
         R::ScanBank => register!(ask, m, scan.scan_bank.q),
         R::ScanPair => register!(ask, m, scan.scan_pair.q),

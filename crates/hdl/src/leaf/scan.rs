@@ -24,6 +24,8 @@ pub(crate) struct Scan<const LB: usize, const KB: usize> {
     pub drops: Signal<In, Bit>,
     pub takes_pair: Signal<In, Bit>,
     pub starts: Signal<Out, Bit>,
+    /// The batch started in the clock before: its box is taken now.
+    pub takes_box: Signal<Out, Bit>,
     pub issues: Signal<Out, Bit>,
     pub issue_bank: Signal<Out, Bit>,
     pub issue_pair: Signal<Out, Bits<KB>>,
@@ -37,6 +39,7 @@ pub(crate) struct Scan<const LB: usize, const KB: usize> {
     /// The leaves whose boxes are compared.
     pub compared: Signal<Out, Bits<2>>,
     pub starting: DFF<Bit>,
+    pub started: DFF<Bit>,
     pub scanning: DFF<Bit>,
     pub scan_bank: DFF<Bit>,
     pub scan_pair: DFF<Bits<KB>>,
@@ -61,6 +64,8 @@ pub(crate) struct Scan<const LB: usize, const KB: usize> {
     is_full: Signal<Local, Bit>,
     end_leaf: Signal<Local, Bits<LB>>,
     end_pair: Signal<Local, Bits<KB>>,
+    next_bank: Signal<Local, Bit>,
+    is_free: Signal<Local, Bit>,
     may_start: Signal<Local, Bit>,
     start: Signal<Local, Bit>,
     has_place: Signal<Local, Bit>,
@@ -76,11 +81,11 @@ impl<const LB: usize, const KB: usize> Default for Scan<LB, KB> {
         defaulted!(Self {
             most_used: Constant::new(u64::from(Leaf::QUEUE).to_bits()),
         };
-            clock reset complete releases facings full_0 full_1 end_0 end_1 drops takes_pair starts issues issue_bank
+            clock reset complete releases facings full_0 full_1 end_0 end_1 drops takes_pair starts takes_box issues issue_bank
             issue_pair facings_out found_valid_out found_pair_out found_bank_out found_end_out found_release_out
-            found_second_out compared starting scanning scan_bank scan_pair scan_end scan_release scan_facings used returned look_valid look_pair
+            found_second_out compared starting started scanning scan_bank scan_pair scan_end scan_release scan_facings used returned look_valid look_pair
             look_bank look_end look_release look_second found_valid found_pair found_bank found_end found_release
-            found_second is_full end_leaf end_pair may_start start has_place issue is_last issued used_more used_less
+            found_second is_full end_leaf end_pair next_bank is_free may_start start has_place issue is_last issued used_more used_less
         )
     }
 }
@@ -92,6 +97,7 @@ impl<const LB: usize, const KB: usize> Logic for Scan<LB, KB> {
             self,
             clock,
             starting,
+            started,
             scanning,
             scan_bank,
             scan_pair,
@@ -113,19 +119,25 @@ impl<const LB: usize, const KB: usize> Logic for Scan<LB, KB> {
             found_release,
             found_second
         );
-        self.is_full.next = self.full_0.val();
-        self.end_leaf.next = self.end_0.val();
-        if self.scan_bank.q.val() {
-            self.is_full.next = self.full_1.val();
-            self.end_leaf.next = self.end_1.val();
-        }
-        self.may_start.next = self.is_full.val() & !self.scanning.q.val() & !self.starting.q.val();
-        self.starting.d.next = self.complete.val() & self.may_start.val();
-        self.start.next = self.starting.q.val();
         self.has_place.next = self.used.q.val() != self.most_used.val();
         self.issue.next = self.scanning.q.val() & self.has_place.val();
         self.end_pair.next = self.scan_end.q.val().get_bits::<KB>(1);
         self.is_last.next = self.scan_pair.q.val() == self.end_pair.val();
+        self.end_leaf.next = self.end_0.val();
+        if self.scan_bank.q.val() {
+            self.end_leaf.next = self.end_1.val();
+        }
+        self.next_bank.next =
+            self.scan_bank.q.val() ^ (self.scanning.q.val() & self.scan_release.q.val());
+        self.is_full.next = self.full_0.val();
+        if self.next_bank.val() {
+            self.is_full.next = self.full_1.val();
+        }
+        self.is_free.next = !self.scanning.q.val() | (self.has_place.val() & self.is_last.val());
+        self.may_start.next = self.complete.val() & self.is_full.val() & !self.starting.q.val();
+        self.starting.d.next = self.may_start.val() & self.is_free.val();
+        self.started.d.next = self.starting.q.val();
+        self.start.next = self.starting.q.val();
         self.look_valid.d.next = self.issue.val();
         self.look_pair.d.next = self.scan_pair.q.val();
         self.look_bank.d.next = self.scan_bank.q.val();
@@ -146,6 +158,8 @@ impl<const LB: usize, const KB: usize> Logic for Scan<LB, KB> {
             self.scan_pair.d.next = 0.into();
             self.scan_end.d.next = self.end_leaf.val();
             self.scan_release.d.next = self.releases.val();
+        }
+        if self.started.q.val() {
             self.scan_facings.d.next = self.facings.val();
         }
         self.issued.next = 0.into();
@@ -170,6 +184,7 @@ impl<const LB: usize, const KB: usize> Logic for Scan<LB, KB> {
         self.found_second.d.next = self.look_second.q.val();
         if self.reset.val() {
             self.starting.d.next = false;
+            self.started.d.next = false;
             self.scanning.d.next = false;
             self.scan_bank.d.next = false;
             self.used.d.next = 0.into();
@@ -178,6 +193,7 @@ impl<const LB: usize, const KB: usize> Logic for Scan<LB, KB> {
             self.found_valid.d.next = false;
         }
         self.starts.next = self.start.val();
+        self.takes_box.next = self.started.q.val();
         self.issues.next = self.issue.val();
         self.issue_bank.next = self.scan_bank.q.val();
         self.issue_pair.next = self.scan_pair.q.val();

@@ -60,6 +60,7 @@ impl LeafMachine {
             R::QueryLow => row.extend(low(&[former.bounds])),
             R::QueryHigh => row.extend(high(&[former.bounds])),
             R::Starting => one(scan.starting.into()),
+            R::Started => one(scan.started.into()),
             R::Scanning => one(scan.scanning.into()),
             R::ScanBank => one(scan.bank as u64),
             R::ScanPair => one(scan.pair as u64),

@@ -105,6 +105,8 @@ pub(super) struct Scan {
     geometry: Geometry,
     /// The batch starts in this clock.
     pub(super) starting: bool,
+    /// The batch started in the clock before.
+    pub(super) started: bool,
     pub(super) scanning: bool,
     pub(super) bank: usize,
     pub(super) pair: usize,
@@ -130,6 +132,7 @@ impl Scan {
         Self {
             geometry: Geometry::of(machine),
             starting: false,
+            started: false,
             scanning: false,
             bank: 0,
             pair: 0,
@@ -186,7 +189,7 @@ impl Scan {
         boxes: &Boxes,
     ) {
         let issues = self.scanning && self.used < Leaf::QUEUE;
-        let may_start = !self.scanning && !self.starting && boxes.set(self.bank).full;
+        let may_start = self.may_start(issues, boxes);
         let queued = self.decide(events);
         let found = self.found;
         self.cull.pop_back();
@@ -201,10 +204,30 @@ impl Scan {
             self.pair = 0;
             self.end = boxes.set(self.bank).end;
             self.release = former.release;
+        }
+        if self.started {
             self.facings = former.facings;
             self.bounds = former.bounds;
         }
+        self.started = self.starting;
         self.starting = may_start && former.is_complete(sizes.engines);
+    }
+
+    /// Whether a batch may start in the next clock, if one is complete.
+    fn may_start(&self, issues: bool, boxes: &Boxes) -> bool {
+        if self.starting {
+            return false;
+        }
+        if !self.scanning {
+            return boxes.set(self.bank).full;
+        }
+        let next_bank = self.bank ^ usize::from(self.release);
+        issues && self.is_last() && boxes.set(next_bank).full
+    }
+
+    /// Whether the pair that is issued next is the last of its set.
+    fn is_last(&self) -> bool {
+        self.pair == self.end / Leaf::PAIR
     }
 
     /// Takes the pair that leaves out of the queue, and queues the pair in the last stage. Returns whether that is queued, if
@@ -247,7 +270,7 @@ impl Scan {
     }
 
     fn issue(&mut self, issues: bool, sizes: &LeafSizes, boxes: &Boxes) {
-        let is_last = self.pair == self.end / Leaf::PAIR;
+        let is_last = self.is_last();
         let leaves = match issues {
             true => boxes.pair(self.bank, self.pair),
             false => self.look.leaves,
@@ -273,7 +296,7 @@ impl Scan {
     }
 
     pub(super) fn reset(&mut self) {
-        self.starting = false;
+        (self.starting, self.started) = (false, false);
         self.scanning = false;
         self.bank = 0;
         (self.used, self.returned) = (0, 0);

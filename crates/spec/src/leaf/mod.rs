@@ -66,7 +66,7 @@ impl Leaf {
     /// Clocks in which no word moves on any stream after which a machine hangs. The scan of the largest bank is shorter.
     pub const SILENT_CLOCKS: u64 = 1 << 17;
     /// Pairs that wait to be played.
-    pub const QUEUE: u32 = 16;
+    pub const QUEUE: u32 = 32;
     /// The fewest groups of a bank: two pairs.
     pub const FEWEST_GROUPS: u32 = 2 * (Self::GROUPS * Self::PAIR) as u32;
 

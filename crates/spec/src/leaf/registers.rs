@@ -46,7 +46,7 @@ macro_rules! registers {
         /// All registers have the values before the clock edge, and `:=` gives the value after it. A register keeps its
         /// value where no rule gives it another. A reset sets these to 0 and no other: `FillBank`, `FillPlace`,
         /// `FillReady`, `Filled`, `WriteValid`, `HalfValid`, `GroupValid`, `BoxValid`, `Full`, `Loaded`, `Closed`, `Starting`,
-        /// `Scanning`, `ScanBank`, `Used`, `Returned`, `LookValid`, `FoundValid`, `CullValid`, `QueueWrite`, `QueueRead`,
+        /// `Started`, `Scanning`, `ScanBank`, `Used`, `Returned`, `LookValid`, `FoundValid`, `CullValid`, `QueueWrite`, `QueueRead`,
         /// `QueueCount`, `EntryValid`, `Spacing`, `MayEnd`, `Outstanding`, `ReadValid`, `WordValid`, `TagWrite`, `TagRead`, `TagResult`.
         #[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
         pub enum LeafRegister {
@@ -167,10 +167,11 @@ registers! {
     QueryLow "query_low" [|_| AXES] |d| d.widths.coordinate;
     /// The high border.
     QueryHigh "query_high" [|_| AXES] |d| d.widths.coordinate;
-    /// The batch starts in this clock. := `Closed`, as many tokens as engines, `Full` of `ScanBank`, and neither `Scanning` nor
-    /// `Starting`: all but the last stay so until the batch has started. The last pair of the batch before is then in `Found` at the latest,
-    /// so it is still compared with its own batch.
+    /// The batch starts in this clock. := `Closed`, as many tokens as engines, not `Starting`, and either not `Scanning` and `Full` of
+    /// `ScanBank`, or the last pair of the batch before is issued and `Full` of the bank that `ScanBank` becomes.
     Starting "starting" [|_| 1] |_| 1;
+    /// := `Starting`. The last pair of the batch before is in `Found` in this clock at the latest, and the first of this batch is not there yet.
+    Started "started" [|_| 1] |_| 1;
     /// The pairs of `ScanBank` are compared with a batch. := 1 where a batch starts. A pair is *issued* where `Scanning` and `Used` is less than [`Leaf::QUEUE`]; where it is the last,
     /// `Scanning` := 0.
     Scanning "scanning" [|_| 1] |_| 1;
@@ -182,11 +183,11 @@ registers! {
     ScanEnd "scan_end" [|_| 1] |d| d.sizes.leaf;
     /// := `Release` where a batch starts.
     ScanRelease "scan_release" [|_| 1] |_| 1;
-    /// := `Facings` where a batch starts.
+    /// := `Facings` where `Started`.
     ScanFacings "scan_facings" [|_| 1] |_| Leaf::FACINGS;
-    /// := `QueryLow` where a batch starts.
+    /// := `QueryLow` where `Started`.
     ScanLow "scan_low" [|_| AXES] |d| d.widths.coordinate;
-    /// := `QueryHigh` where a batch starts.
+    /// := `QueryHigh` where `Started`.
     ScanHigh "scan_high" [|_| AXES] |d| d.widths.coordinate;
     /// Places of the queue that a pair has or may need. Plus 1 where a pair is issued; less `Returned`.
     Used "used" [|_| 1] |_| QUEUE_COUNT;
