@@ -22,8 +22,8 @@ use crate::hypercube::Hypercube;
 use crate::leaf::Leaf;
 use crate::machine::Machine;
 use crate::organisation::Organisation;
-use crate::spatial::pipelines::{DIGITS, FINE, PRODUCT};
-use crate::spatial::{Radius, Spatial, SpatialError};
+use crate::spatial::pipelines::{DIGITS, FINE, LEAF, LEAF_LATE_PRODUCT, LEAF_PRODUCT, PRODUCT};
+use crate::spatial::{EngineKind, Radius, Spatial, SpatialError};
 
 /// The organisation of a custom machine.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, Hash)]
@@ -118,32 +118,44 @@ impl CustomOrganisation {
     }
 
     fn of_machine(self, squarer: Squarer, format: &PhotonFormat) -> Organisation {
-        let (query_axes, radius, cuts) = match self {
+        let is_product = squarer == Squarer::Product;
+        let (radius, cuts, others) = match self {
             Self::Sequential => return Organisation::Sequential,
-            Self::Stream => (0, Radius::Query, FINE),
-            Self::Tile { dimension } | Self::Leaf { dimension } => (
-                dimension - Hypercube::MIN_DIMENSION,
-                Radius::Format,
-                match squarer {
-                    Squarer::Product => PRODUCT.cuts,
-                    Squarer::Digits | Squarer::Table => DIGITS,
-                },
-            ),
+            Self::Stream => (Radius::Query, FINE, NO_OTHERS),
+            Self::Tile { .. } if is_product => (Radius::Format, PRODUCT.cuts, NO_OTHERS),
+            Self::Tile { .. } => (Radius::Format, DIGITS, NO_OTHERS),
+            Self::Leaf { .. } if is_product => (Radius::Format, LEAF_LATE_PRODUCT.cuts, NO_OTHERS),
+            Self::Leaf { dimension } => (Radius::Format, LEAF, leaf_products(dimension)),
         };
         let chain = Spatial {
-            query_axes,
+            query_axes: self.dimension() - Hypercube::MIN_DIMENSION,
             radius,
             cuts,
-            others: &[],
+            others,
             memory_groups: 0,
         };
         match self {
             Self::Leaf { .. } => Organisation::Leaf(Leaf {
                 chain,
+                culler: LEAF_LATE_PRODUCT,
                 bank_groups: Leaf::groups_for(format.max_photons),
             }),
             _ => Organisation::Spatial(chain),
         }
+    }
+}
+
+const NO_OTHERS: &[(EngineKind, usize)] = &[];
+
+/// The engines of a leaf machine whose squares are products: one of eight, and one of fewer. With the comparison of boxes, a chain of
+/// eight engines then has 18 DSP blocks, so an ECP5 with 156 has them for eight such chains.
+fn leaf_products(dimension: u32) -> &'static [(EngineKind, usize)] {
+    match dimension - Hypercube::MIN_DIMENSION {
+        0 => NO_OTHERS,
+        1..=3 => &[(LEAF_PRODUCT, 1)],
+        4 => &[(LEAF_PRODUCT, 2)],
+        5 => &[(LEAF_PRODUCT, 4)],
+        _ => &[(LEAF_PRODUCT, 8)],
     }
 }
 

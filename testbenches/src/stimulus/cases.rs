@@ -34,6 +34,8 @@ pub(crate) struct Cases<'a, R> {
     /// Whether batches may have fewer queries, and photons have facings.
     pub(super) has_leaves: bool,
     lanes: usize,
+    /// Groups of a set at most.
+    most_groups: usize,
     max_photons: u64,
     pub(super) rng: &'a mut R,
 }
@@ -49,6 +51,9 @@ impl<'a, R: Rng> Cases<'a, R> {
             at_once: machine.queries_at_once(),
             has_leaves: machine.leaf().is_some(),
             lanes: machine.photons_per_iteration(),
+            most_groups: machine
+                .bank_groups()
+                .map_or(usize::MAX, |groups| groups as usize),
             max_photons: machine.max_photons(),
             rng,
         }
@@ -81,7 +86,7 @@ impl<'a, R: Rng> Cases<'a, R> {
         };
         let others = (1..self.batch()).map(|_| self.companion(first));
         let queries = [first].into_iter().chain(others).collect();
-        let count = groups.unwrap_or_else(|| self.count());
+        let count = groups.unwrap_or_else(|| self.count().min(self.most_groups));
         let groups = (0..count).map(|index| Group {
             lanes: self.lanes(theme, position, pivot),
             last: index + 1 == count,

@@ -4,7 +4,7 @@ use photoncube_spec::Spatial;
 use rust_hdl::prelude::*;
 
 use super::FACING;
-use super::extent::{ExtentOfBoth, ExtentOfLane, ExtentSoFar};
+use super::extent::{ExtentOfBoth, ExtentOfLanes, ExtentSoFar};
 use crate::defaults::defaulted;
 use crate::spatial::stage::Stage;
 use crate::spatial::wiring::{Wires, Wiring, logic_of_wires, wires, with_wires};
@@ -27,10 +27,8 @@ pub(crate) struct BoxBorders<const H: usize> {
     pub first: Signal<In, Bit>,
     pub low: [Signal<Out, Bits<H>>; AXES],
     pub high: [Signal<Out, Bits<H>>; AXES],
-    /// Axis a of lane g is at 3 g + a.
-    lane: [ExtentOfLane<H>; AXES * LANES],
-    half: [ExtentOfBoth<H>; HALVES],
     /// Axis a of half h is at 3 h + a.
+    half: [ExtentOfLanes<H>; HALVES],
     pub half_low: Vec<Stage<Bits<H>>>,
     pub half_high: Vec<Stage<Bits<H>>>,
     both: [ExtentOfBoth<H>; AXES],
@@ -48,31 +46,29 @@ impl<const H: usize> Default for BoxBorders<H> {
             group_low: Stage::several(AXES, true),
             group_high: Stage::several(AXES, true),
         };
-            clock present x y z comes first low high lane half both border _wires
+            clock present x y z comes first low high half both border _wires
         ))
     }
 }
 
 impl<const H: usize> BoxBorders<H> {
     fn wires(&mut self, wiring: &mut Wiring) {
-        for lane in 0..LANES {
+        for half in 0..LANES / 2 {
+            let (even, odd) = (2 * half, 2 * half + 1);
             wires!(self, wiring:
-                (lane[AXES * lane].place) = (x[lane]);
-                (lane[AXES * lane + 1].place) = (y[lane]);
-                (lane[AXES * lane + 2].place) = (z[lane]);
+                (half[AXES * half].place_a) = (x[even]);
+                (half[AXES * half].place_b) = (x[odd]);
+                (half[AXES * half + 1].place_a) = (y[even]);
+                (half[AXES * half + 1].place_b) = (y[odd]);
+                (half[AXES * half + 2].place_a) = (z[even]);
+                (half[AXES * half + 2].place_b) = (z[odd]);
             );
-            for axis in 0..AXES {
-                wires!(self, wiring: (lane[AXES * lane + axis].present) = (present[lane]););
-            }
         }
         for place in 0..HALVES {
             let (even, odd) = (place / AXES * 2, place / AXES * 2 + 1);
-            let axis = place % AXES;
             wires!(self, wiring:
-                (half[place].low_a) = (lane[AXES * even + axis].low);
-                (half[place].low_b) = (lane[AXES * odd + axis].low);
-                (half[place].high_a) = (lane[AXES * even + axis].high);
-                (half[place].high_b) = (lane[AXES * odd + axis].high);
+                (half[place].present_a) = (present[even]);
+                (half[place].present_b) = (present[odd]);
                 (half_low[place].clock) = (clock);
                 (half_low[place].d) = (half[place].low);
                 (half_high[place].clock) = (clock);

@@ -1,6 +1,6 @@
 //! Decides whether the boxes of a pair of leaves are in range of a batch's box.
 
-use photoncube_spec::{Cut, Cuts, Leaf, Squarer};
+use photoncube_spec::{Cut, EngineKind, Leaf, Squarer};
 use rust_hdl::prelude::*;
 
 use super::gap::BoxGap;
@@ -59,11 +59,12 @@ impl<
     const U: usize,
 > Culler<C, H, D, R, Q, LP, HP, PR, T, U>
 {
-    /// Builds a culler with an engine's squarer and its pipeline registers.
+    /// Builds a culler with the squarer and the pipeline registers of a kind of engine.
     ///
     /// # Panics
     /// For squares from tables, which two gaps cannot share.
-    pub fn new(cuts: Cuts, squarer: Squarer, radius_sq: u32) -> Self {
+    pub fn new(kind: EngineKind, radius_sq: u32) -> Self {
+        let EngineKind { squarer, cuts } = kind;
         assert_ne!(squarer, Squarer::Table, "a culler has no tables");
         let is_product = squarer == Squarer::Product;
         let products = if is_product { BORDERS } else { 0 };

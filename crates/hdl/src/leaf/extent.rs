@@ -2,25 +2,42 @@
 
 use rust_hdl::prelude::*;
 
-/// The borders around one photon; where it is absent, borders that change no other: all ones and 0. `H` bits.
+/// The borders around two photons of `H` bits, each of which may be absent. Around none they are borders that change no
+/// other: all ones and 0.
 #[derive(LogicBlock, Default)]
-pub(crate) struct ExtentOfLane<const H: usize> {
-    pub present: Signal<In, Bits<1>>,
-    pub place: Signal<In, Bits<H>>,
+pub(crate) struct ExtentOfLanes<const H: usize> {
+    pub present_a: Signal<In, Bits<1>>,
+    pub present_b: Signal<In, Bits<1>>,
+    pub place_a: Signal<In, Bits<H>>,
+    pub place_b: Signal<In, Bits<H>>,
     pub low: Signal<Out, Bits<H>>,
     pub high: Signal<Out, Bits<H>>,
+    has_a: Signal<Local, Bit>,
+    has_b: Signal<Local, Bit>,
+    is_lower: Signal<Local, Bit>,
+    is_higher: Signal<Local, Bit>,
     zero: Signal<Local, Bits<H>>,
 }
 
-impl<const H: usize> Logic for ExtentOfLane<H> {
+impl<const H: usize> Logic for ExtentOfLanes<H> {
     #[hdl_gen]
     fn update(&mut self) {
         self.zero.next = 0.into();
-        self.low.next = !self.zero.val();
-        self.high.next = self.zero.val();
-        if self.present.val().any() {
-            self.low.next = self.place.val();
-            self.high.next = self.place.val();
+        self.has_a.next = self.present_a.val().any();
+        self.has_b.next = self.present_b.val().any();
+        self.is_lower.next = self.place_b.val() < self.place_a.val();
+        self.is_higher.next = self.place_b.val() > self.place_a.val();
+        self.low.next = self.place_a.val();
+        self.high.next = self.place_a.val();
+        if self.has_b.val() & (self.is_lower.val() | !self.has_a.val()) {
+            self.low.next = self.place_b.val();
+        }
+        if self.has_b.val() & (self.is_higher.val() | !self.has_a.val()) {
+            self.high.next = self.place_b.val();
+        }
+        if !self.has_a.val() & !self.has_b.val() {
+            self.low.next = !self.zero.val();
+            self.high.next = 0.into();
         }
     }
 }

@@ -24,6 +24,8 @@ pub(crate) struct Former<const NB: usize> {
     pub takes_token: Signal<Out, Bit>,
     pub takes_query: Signal<Out, Bit>,
     pub first: Signal<Out, Bit>,
+    /// A query is offered that is one of the batch if it is taken.
+    pub offers_query: Signal<Out, Bit>,
     /// The token that is given, if one is, is a filler.
     pub fills: Signal<Out, Bit>,
     /// The chain has all tokens of the batch.
@@ -42,6 +44,7 @@ pub(crate) struct Former<const NB: usize> {
     valid: Signal<Local, Bit>,
     takes: Signal<Local, Bit>,
     is_query: Signal<Local, Bit>,
+    is_offered: Signal<Local, Bit>,
 }
 
 impl<const NB: usize> Former<NB> {
@@ -53,8 +56,8 @@ impl<const NB: usize> Former<NB> {
             one_less: constant(engines - 1),
         };
             clock reset query_valid query_last query_release query_facings chain_ready starts query_ready
-            token_valid takes_token takes_query first fills complete release_out facings_out loaded closed releases
-            facings is_full is_first is_last_place valid takes is_query
+            token_valid takes_token takes_query first offers_query fills complete release_out facings_out loaded closed releases
+            facings is_full is_first is_last_place valid takes is_query is_offered
         )
     }
 }
@@ -79,9 +82,10 @@ impl<const NB: usize> Logic for Former<NB> {
             self.closed.d.next = self.query_last.val() | self.is_last_place.val();
             self.releases.d.next =
                 self.query_release.val() | (self.releases.q.val() & !self.is_first.val());
-            if self.is_first.val() {
-                self.facings.d.next = self.query_facings.val();
-            }
+        }
+        self.is_offered.next = self.query_valid.val() & !self.closed.q.val();
+        if self.is_offered.val() & self.is_first.val() {
+            self.facings.d.next = self.query_facings.val();
         }
         if self.starts.val() {
             self.loaded.d.next = 0.into();
@@ -96,6 +100,7 @@ impl<const NB: usize> Logic for Former<NB> {
         self.takes_token.next = self.takes.val();
         self.takes_query.next = self.is_query.val();
         self.first.next = self.is_first.val();
+        self.offers_query.next = self.is_offered.val();
         self.fills.next = self.closed.q.val();
         self.complete.next = self.closed.q.val() & self.is_full.val();
         self.release_out.next = self.releases.q.val();

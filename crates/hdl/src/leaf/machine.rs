@@ -8,8 +8,9 @@ use super::culler::Culler;
 use super::extent::{ExtentSoFar, Held};
 use super::fill::Fill;
 use super::former::{Former, TokenPlace};
+use super::gathers::GathersOfPair;
 use super::player::Player;
-use super::scan::{CullStage, Gathers, PairQueue, Scan};
+use super::scan::{CullStage, PairQueue, Scan};
 use super::tags::Tags;
 use super::words::{BoxWords, GroupWords};
 use super::{FACING, FACINGS, TAG};
@@ -112,7 +113,7 @@ pub(crate) struct LeafMachine<
     /// The box of the batch that is compared, axis by axis.
     pub(super) scan_low: [Held<C>; AXES],
     pub(super) scan_high: [Held<C>; AXES],
-    gathers: Gathers,
+    pub(super) gathers: GathersOfPair,
     culler: Culler<C, H, D, R, Q, LP, HP, PR, T, U>,
     pub(super) cull: Vec<CullStage<KB>>,
     pub(super) queue: PairQueue<KB>,
@@ -199,7 +200,8 @@ impl<
             result: signals(channels),
             group_words: GroupWords::new(machine.channels().names()),
             former: Former::new(sizes.engines),
-            culler: Culler::new(leaf.chain.cuts, machine.squarer, radius_sq),
+            gathers: GathersOfPair::new(sizes.cull_clocks),
+            culler: Culler::new(leaf.culler, radius_sq),
             cull: signals(sizes.cull_clocks as usize),
             player: Player::new(sizes.least_spacing, sizes.most_outstanding),
             tags: Tags::new(sizes.engines),
@@ -212,7 +214,7 @@ impl<
             clock reset query_valid query_ready query_x query_y query_z query_release query_last query_facings
             query_tag group_valid group_ready group_last group_facing photon_present photon_x photon_y photon_z
             result_valid result_ready result_count result_tag compared wanted played fill borders control box_words query_border token_place scan scan_low
-            scan_high gathers queue unless_blank _wires
+            scan_high queue unless_blank _wires
         ))
     }
 
@@ -328,7 +330,7 @@ impl<
         for axis in 0..AXES {
             wires!(self, wiring:
                 (query_border[axis].clock) = (clock);
-                (query_border[axis].comes) = (former.takes_query);
+                (query_border[axis].comes) = (former.offers_query);
                 (query_border[axis].first) = (former.first);
                 (token_place[axis].fills) = (former.fills);
                 (token_place[axis].filler) = (query_border[axis].low_out);
@@ -350,19 +352,19 @@ impl<
             (scan.end_1) = (control.end_1_out);
             (scan.drops) = (queue.drops);
             (scan.takes_pair) = (player.takes_pair);
+            (gathers.clock) = (clock);
             (gathers.facings) = (scan.facings_out);
-            (gathers.facing_0) = (box_words.found_facing[0]);
-            (gathers.facing_1) = (box_words.found_facing[1]);
-            (gathers.second) = (scan.found_second_out);
+            (gathers.is_there[0]) = (scan.found_valid_out);
+            (gathers.is_there[1]) = (scan.found_second_out);
             (culler.clock) = (clock);
         );
         for axis in 0..AXES {
             wires!(self, wiring:
                 (scan_low[axis].clock) = (clock);
-                (scan_low[axis].takes) = (scan.starts);
+                (scan_low[axis].takes) = (scan.takes_box);
                 (scan_low[axis].d) = (query_border[axis].low_out);
                 (scan_high[axis].clock) = (clock);
-                (scan_high[axis].takes) = (scan.starts);
+                (scan_high[axis].takes) = (scan.takes_box);
                 (scan_high[axis].d) = (query_border[axis].high_out);
                 (culler.query_low[axis]) = (scan_low[axis].q);
                 (culler.query_high[axis]) = (scan_high[axis].q);
@@ -385,17 +387,15 @@ impl<
             (cull[0].bank_in) = (scan.found_bank_out);
             (cull[0].end_in) = (scan.found_end_out);
             (cull[0].release_in) = (scan.found_release_out);
-            (cull[0].gathered_in[0]) = (gathers.first_gathered);
-            (cull[0].gathered_in[1]) = (gathers.second_gathered);
         );
         for leaf in 0..Leaf::PAIR {
-            wires!(self, wiring: (cull[0].short_in[leaf]) = (box_words.found_short[leaf]););
+            wires!(self, wiring:
+                (gathers.facing[leaf]) = (box_words.found_facing[leaf]);
+                (cull[0].short_in[leaf]) = (box_words.found_short[leaf]);
+            );
         }
         for stage in 0..stages {
-            wires!(self, wiring:
-                (cull[stage].clock) = (clock);
-                (cull[stage].reset) = (reset);
-            );
+            wires!(self, wiring: (cull[stage].clock) = (clock); (cull[stage].reset) = (reset););
         }
         for stage in 1..stages {
             wires!(self, wiring:
@@ -406,10 +406,7 @@ impl<
                 (cull[stage].release_in) = (cull[stage - 1].release_out);
             );
             for leaf in 0..Leaf::PAIR {
-                wires!(self, wiring:
-                    (cull[stage].gathered_in[leaf]) = (cull[stage - 1].gathered_out[leaf]);
-                    (cull[stage].short_in[leaf]) = (cull[stage - 1].short_out[leaf]);
-                );
+                wires!(self, wiring: (cull[stage].short_in[leaf]) = (cull[stage - 1].short_out[leaf]););
             }
         }
         wires!(self, wiring:
@@ -425,7 +422,7 @@ impl<
         for leaf in 0..Leaf::PAIR {
             wires!(self, wiring:
                 (queue.in_range[leaf]) = (culler.in_range[leaf]);
-                (queue.gathered[leaf]) = (cull[stages - 1].gathered_out[leaf]);
+                (queue.gathered[leaf]) = (gathers.gathered[leaf]);
                 (queue.short[leaf]) = (cull[stages - 1].short_out[leaf]);
             );
         }

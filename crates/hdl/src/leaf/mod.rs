@@ -11,6 +11,7 @@ mod extent;
 mod fill;
 mod former;
 mod gap;
+mod gathers;
 mod machine;
 mod pinned;
 mod player;

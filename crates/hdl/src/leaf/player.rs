@@ -35,6 +35,7 @@ pub(crate) struct Player<const PB: usize, const KB: usize, const SB: usize, cons
     pub entry_end: DFF<Bit>,
     pub entry_release: DFF<Bit>,
     pub spacing: DFF<Bits<SB>>,
+    pub may_end: DFF<Bit>,
     pub outstanding: DFF<Bits<OB>>,
     pub read_valid: DFF<Bit>,
     pub read_last: DFF<Bit>,
@@ -50,7 +51,6 @@ pub(crate) struct Player<const PB: usize, const KB: usize, const SB: usize, cons
     is_end: Signal<Local, Bit>,
     is_spaced: Signal<Local, Bit>,
     has_room: Signal<Local, Bit>,
-    may_end: Signal<Local, Bit>,
     is_played: Signal<Local, Bit>,
     ends: Signal<Local, Bit>,
     takes: Signal<Local, Bit>,
@@ -65,7 +65,8 @@ impl<const PB: usize, const KB: usize, const SB: usize, const OB: usize> Player<
     pub fn new(least_spacing: u32, most_outstanding: u32) -> Self {
         assert!(PB == KB + 2, "a pair has four groups");
         defaulted!(Self {
-            spaced: Constant::new(u64::from(least_spacing - 1).to_bits()),
+            // One of the clocks between is that in which `may_end` is set.
+            spaced: Constant::new(u64::from(least_spacing.saturating_sub(2)).to_bits()),
             most: Constant::new(u64::from(most_outstanding).to_bits()),
         };
             clock reset has_pair pair mask flags batch_leaves takes_pair plays play_bank play_place frees
@@ -91,6 +92,7 @@ impl<const PB: usize, const KB: usize, const SB: usize, const OB: usize> Logic
             entry_end,
             entry_release,
             spacing,
+            may_end,
             outstanding,
             read_valid,
             read_last,
@@ -105,9 +107,10 @@ impl<const PB: usize, const KB: usize, const SB: usize, const OB: usize> Logic
         self.is_end.next = self.entry_end.q.val() & self.is_last_group.val();
         self.is_spaced.next = !self.spacing.q.val().any();
         self.has_room.next = self.outstanding.q.val() != self.most.val();
-        self.may_end.next = self.is_spaced.val() & self.has_room.val();
-        self.is_played.next = self.entry_valid.q.val() & (self.may_end.val() | !self.is_end.val());
+        self.is_played.next =
+            self.entry_valid.q.val() & (self.may_end.q.val() | !self.is_end.val());
         self.ends.next = self.is_played.val() & self.is_end.val();
+        self.may_end.d.next = self.is_spaced.val() & self.has_room.val() & !self.ends.val();
         self.takes.next = self.has_pair.val()
             & (!self.entry_valid.q.val() | (self.is_played.val() & self.is_last_group.val()));
         if self.is_played.val() {
@@ -160,6 +163,7 @@ impl<const PB: usize, const KB: usize, const SB: usize, const OB: usize> Logic
         if self.reset.val() {
             self.entry_valid.d.next = false;
             self.spacing.d.next = 0.into();
+            self.may_end.d.next = false;
             self.outstanding.d.next = 0.into();
             self.read_valid.d.next = false;
             self.word_valid.d.next = false;

@@ -4,7 +4,7 @@ use photoncube_spec::Leaf;
 use rust_hdl::prelude::*;
 
 use super::ram::AsyncRam;
-use super::{FACING, FACINGS, MASK, QUEUE_COUNT, QUEUE_PLACE};
+use super::{FACINGS, MASK, QUEUE_COUNT, QUEUE_PLACE};
 use crate::defaults::defaulted;
 
 /// Issues the pairs of a set. `LB` bits of a leaf's number, `KB = LB - 1` of a pair's.
@@ -24,6 +24,8 @@ pub(crate) struct Scan<const LB: usize, const KB: usize> {
     pub drops: Signal<In, Bit>,
     pub takes_pair: Signal<In, Bit>,
     pub starts: Signal<Out, Bit>,
+    /// The batch started in the clock before: its box is taken now.
+    pub takes_box: Signal<Out, Bit>,
     pub issues: Signal<Out, Bit>,
     pub issue_bank: Signal<Out, Bit>,
     pub issue_pair: Signal<Out, Bits<KB>>,
@@ -36,6 +38,8 @@ pub(crate) struct Scan<const LB: usize, const KB: usize> {
     pub found_second_out: Signal<Out, Bit>,
     /// The leaves whose boxes are compared.
     pub compared: Signal<Out, Bits<2>>,
+    pub starting: DFF<Bit>,
+    pub started: DFF<Bit>,
     pub scanning: DFF<Bit>,
     pub scan_bank: DFF<Bit>,
     pub scan_pair: DFF<Bits<KB>>,
@@ -43,6 +47,7 @@ pub(crate) struct Scan<const LB: usize, const KB: usize> {
     pub scan_release: DFF<Bit>,
     pub scan_facings: DFF<Bits<FACINGS>>,
     pub used: DFF<Bits<QUEUE_COUNT>>,
+    pub returned: DFF<Bits<2>>,
     pub look_valid: DFF<Bit>,
     pub look_pair: DFF<Bits<KB>>,
     pub look_bank: DFF<Bit>,
@@ -59,13 +64,14 @@ pub(crate) struct Scan<const LB: usize, const KB: usize> {
     is_full: Signal<Local, Bit>,
     end_leaf: Signal<Local, Bits<LB>>,
     end_pair: Signal<Local, Bits<KB>>,
+    next_bank: Signal<Local, Bit>,
+    is_free: Signal<Local, Bit>,
+    may_start: Signal<Local, Bit>,
     start: Signal<Local, Bit>,
     has_place: Signal<Local, Bit>,
     issue: Signal<Local, Bit>,
     is_last: Signal<Local, Bit>,
     issued: Signal<Local, Bits<QUEUE_COUNT>>,
-    dropped: Signal<Local, Bits<QUEUE_COUNT>>,
-    taken: Signal<Local, Bits<QUEUE_COUNT>>,
     used_more: Signal<Local, Bits<QUEUE_COUNT>>,
     used_less: Signal<Local, Bits<QUEUE_COUNT>>,
 }
@@ -75,11 +81,11 @@ impl<const LB: usize, const KB: usize> Default for Scan<LB, KB> {
         defaulted!(Self {
             most_used: Constant::new(u64::from(Leaf::QUEUE).to_bits()),
         };
-            clock reset complete releases facings full_0 full_1 end_0 end_1 drops takes_pair starts issues issue_bank
+            clock reset complete releases facings full_0 full_1 end_0 end_1 drops takes_pair starts takes_box issues issue_bank
             issue_pair facings_out found_valid_out found_pair_out found_bank_out found_end_out found_release_out
-            found_second_out compared scanning scan_bank scan_pair scan_end scan_release scan_facings used look_valid look_pair
+            found_second_out compared starting started scanning scan_bank scan_pair scan_end scan_release scan_facings used returned look_valid look_pair
             look_bank look_end look_release look_second found_valid found_pair found_bank found_end found_release
-            found_second is_full end_leaf end_pair start has_place issue is_last issued dropped taken used_more used_less
+            found_second is_full end_leaf end_pair next_bank is_free may_start start has_place issue is_last issued used_more used_less
         )
     }
 }
@@ -90,6 +96,8 @@ impl<const LB: usize, const KB: usize> Logic for Scan<LB, KB> {
         dff_setup!(
             self,
             clock,
+            starting,
+            started,
             scanning,
             scan_bank,
             scan_pair,
@@ -97,6 +105,7 @@ impl<const LB: usize, const KB: usize> Logic for Scan<LB, KB> {
             scan_release,
             scan_facings,
             used,
+            returned,
             look_valid,
             look_pair,
             look_bank,
@@ -110,20 +119,25 @@ impl<const LB: usize, const KB: usize> Logic for Scan<LB, KB> {
             found_release,
             found_second
         );
-        self.is_full.next = self.full_0.val();
-        self.end_leaf.next = self.end_0.val();
-        if self.scan_bank.q.val() {
-            self.is_full.next = self.full_1.val();
-            self.end_leaf.next = self.end_1.val();
-        }
-        self.start.next = self.complete.val()
-            & self.is_full.val()
-            & !self.scanning.q.val()
-            & !self.look_valid.q.val();
         self.has_place.next = self.used.q.val() != self.most_used.val();
         self.issue.next = self.scanning.q.val() & self.has_place.val();
         self.end_pair.next = self.scan_end.q.val().get_bits::<KB>(1);
         self.is_last.next = self.scan_pair.q.val() == self.end_pair.val();
+        self.end_leaf.next = self.end_0.val();
+        if self.scan_bank.q.val() {
+            self.end_leaf.next = self.end_1.val();
+        }
+        self.next_bank.next =
+            self.scan_bank.q.val() ^ (self.scanning.q.val() & self.scan_release.q.val());
+        self.is_full.next = self.full_0.val();
+        if self.next_bank.val() {
+            self.is_full.next = self.full_1.val();
+        }
+        self.is_free.next = !self.scanning.q.val() | (self.has_place.val() & self.is_last.val());
+        self.may_start.next = self.complete.val() & self.is_full.val() & !self.starting.q.val();
+        self.starting.d.next = self.may_start.val() & self.is_free.val();
+        self.started.d.next = self.starting.q.val();
+        self.start.next = self.starting.q.val();
         self.look_valid.d.next = self.issue.val();
         self.look_pair.d.next = self.scan_pair.q.val();
         self.look_bank.d.next = self.scan_bank.q.val();
@@ -144,23 +158,24 @@ impl<const LB: usize, const KB: usize> Logic for Scan<LB, KB> {
             self.scan_pair.d.next = 0.into();
             self.scan_end.d.next = self.end_leaf.val();
             self.scan_release.d.next = self.releases.val();
+        }
+        if self.started.q.val() {
             self.scan_facings.d.next = self.facings.val();
         }
         self.issued.next = 0.into();
         if self.issue.val() {
             self.issued.next = 1.into();
         }
-        self.dropped.next = 0.into();
-        if self.drops.val() {
-            self.dropped.next = 1.into();
-        }
-        self.taken.next = 0.into();
-        if self.takes_pair.val() {
-            self.taken.next = 1.into();
-        }
         self.used_more.next = self.used.q.val() + self.issued.val();
-        self.used_less.next = self.used_more.val() - self.dropped.val();
-        self.used.d.next = self.used_less.val() - self.taken.val();
+        self.used_less.next = bit_cast::<QUEUE_COUNT, 2>(self.returned.q.val());
+        self.used.d.next = self.used_more.val() - self.used_less.val();
+        self.returned.d.next = 0.into();
+        if self.drops.val() | self.takes_pair.val() {
+            self.returned.d.next = 1.into();
+        }
+        if self.drops.val() & self.takes_pair.val() {
+            self.returned.d.next = 2.into();
+        }
         self.found_valid.d.next = self.look_valid.q.val();
         self.found_pair.d.next = self.look_pair.q.val();
         self.found_bank.d.next = self.look_bank.q.val();
@@ -168,13 +183,17 @@ impl<const LB: usize, const KB: usize> Logic for Scan<LB, KB> {
         self.found_release.d.next = self.look_release.q.val();
         self.found_second.d.next = self.look_second.q.val();
         if self.reset.val() {
+            self.starting.d.next = false;
+            self.started.d.next = false;
             self.scanning.d.next = false;
             self.scan_bank.d.next = false;
             self.used.d.next = 0.into();
+            self.returned.d.next = 0.into();
             self.look_valid.d.next = false;
             self.found_valid.d.next = false;
         }
         self.starts.next = self.start.val();
+        self.takes_box.next = self.started.q.val();
         self.issues.next = self.issue.val();
         self.issue_bank.next = self.scan_bank.q.val();
         self.issue_pair.next = self.scan_pair.q.val();
@@ -195,29 +214,6 @@ impl<const LB: usize, const KB: usize> Logic for Scan<LB, KB> {
     }
 }
 
-/// The first stage beside the comparison of boxes: it decides which leaves the batch gathers.
-#[derive(LogicBlock, Default)]
-pub(crate) struct Gathers {
-    pub facings: Signal<In, Bits<FACINGS>>,
-    pub facing_0: Signal<In, Bits<FACING>>,
-    pub facing_1: Signal<In, Bits<FACING>>,
-    pub second: Signal<In, Bit>,
-    pub first_gathered: Signal<Out, Bit>,
-    pub second_gathered: Signal<Out, Bit>,
-    shifted_0: Signal<Local, Bits<FACINGS>>,
-    shifted_1: Signal<Local, Bits<FACINGS>>,
-}
-
-impl Logic for Gathers {
-    #[hdl_gen]
-    fn update(&mut self) {
-        self.shifted_0.next = self.facings.val() >> self.facing_0.val();
-        self.shifted_1.next = self.facings.val() >> self.facing_1.val();
-        self.first_gathered.next = self.shifted_0.val().get_bit(0);
-        self.second_gathered.next = self.shifted_1.val().get_bit(0) & self.second.val();
-    }
-}
-
 /// A stage beside the comparison of boxes. `KB` bits of a pair's number.
 #[derive(LogicBlock, Default)]
 pub(crate) struct CullStage<const KB: usize> {
@@ -228,21 +224,18 @@ pub(crate) struct CullStage<const KB: usize> {
     pub bank_in: Signal<In, Bit>,
     pub end_in: Signal<In, Bit>,
     pub release_in: Signal<In, Bit>,
-    pub gathered_in: [Signal<In, Bit>; Leaf::PAIR],
     pub short_in: [Signal<In, Bit>; Leaf::PAIR],
     pub valid_out: Signal<Out, Bit>,
     pub pair_out: Signal<Out, Bits<KB>>,
     pub bank_out: Signal<Out, Bit>,
     pub end_out: Signal<Out, Bit>,
     pub release_out: Signal<Out, Bit>,
-    pub gathered_out: [Signal<Out, Bit>; Leaf::PAIR],
     pub short_out: [Signal<Out, Bit>; Leaf::PAIR],
     pub valid: DFF<Bit>,
     pub pair: DFF<Bits<KB>>,
     pub bank: DFF<Bit>,
     pub end_of_set: DFF<Bit>,
     pub releases: DFF<Bit>,
-    pub gathered: [DFF<Bit>; Leaf::PAIR],
     pub short: [DFF<Bit>; Leaf::PAIR],
 }
 
@@ -261,11 +254,8 @@ impl<const KB: usize> Logic for CullStage<KB> {
         self.end_out.next = self.end_of_set.q.val();
         self.release_out.next = self.releases.q.val();
         for i in 0..2 {
-            self.gathered[i].clock.next = self.clock.val();
             self.short[i].clock.next = self.clock.val();
-            self.gathered[i].d.next = self.gathered_in[i].val();
             self.short[i].d.next = self.short_in[i].val();
-            self.gathered_out[i].next = self.gathered[i].q.val();
             self.short_out[i].next = self.short[i].q.val();
         }
     }

@@ -6,6 +6,9 @@ use super::TAG;
 use super::ram::AsyncRam;
 use crate::defaults::defaulted;
 
+/// Bits of a tag and of what it is the tag of.
+const WORD: usize = TAG + 1;
+
 /// The queue of tags. `TB` bits of a place, `RB` of a result's number in its batch.
 #[derive(LogicBlock)]
 pub(crate) struct Tags<const TB: usize, const RB: usize> {
@@ -24,9 +27,10 @@ pub(crate) struct Tags<const TB: usize, const RB: usize> {
     pub tag_write: DFF<Bits<TB>>,
     pub tag_read: DFF<Bits<TB>>,
     pub tag_result: DFF<Bits<RB>>,
-    tag_ram: AsyncRam<TB, TAG>,
-    kind_ram: AsyncRam<TB, 1>,
-    is_query_in: Signal<Local, Bits<1>>,
+    /// The tags, each with a bit below that says whether it is a query's.
+    tag_ram: AsyncRam<TB, WORD>,
+    tag_in: Signal<Local, Bits<WORD>>,
+    kind_in: Signal<Local, Bits<WORD>>,
     last_result: Constant<Bits<RB>>,
     is_query: Signal<Local, Bit>,
     valid: Signal<Local, Bit>,
@@ -42,7 +46,7 @@ impl<const TB: usize, const RB: usize> Tags<TB, RB> {
             last_result: Constant::new(u64::from(engines - 1).to_bits()),
         };
             clock reset takes_token takes_query query_tag chain_valid result_ready chain_ready result_valid
-            result_tag batch_leaves tag_write tag_read tag_result tag_ram kind_ram is_query_in is_query valid ready
+            result_tag batch_leaves tag_write tag_read tag_result tag_ram tag_in kind_in is_query valid ready
             takes is_last
         )
     }
@@ -53,20 +57,16 @@ impl<const TB: usize, const RB: usize> Logic for Tags<TB, RB> {
     fn update(&mut self) {
         dff_setup!(self, clock, tag_write, tag_read, tag_result);
         self.tag_ram.clock.next = self.clock.val();
-        self.kind_ram.clock.next = self.clock.val();
-        self.is_query_in.next = 0.into();
+        self.tag_in.next = bit_cast::<WORD, TAG>(self.query_tag.val()) << 1;
+        self.kind_in.next = 0.into();
         if self.takes_query.val() {
-            self.is_query_in.next = 1.into();
+            self.kind_in.next = 1.into();
         }
         self.tag_ram.write.next = self.takes_token.val();
         self.tag_ram.write_place.next = self.tag_write.q.val();
-        self.tag_ram.write_word.next = self.query_tag.val();
+        self.tag_ram.write_word.next = self.tag_in.val() | self.kind_in.val();
         self.tag_ram.read_place.next = self.tag_read.q.val();
-        self.kind_ram.write.next = self.takes_token.val();
-        self.kind_ram.write_place.next = self.tag_write.q.val();
-        self.kind_ram.write_word.next = self.is_query_in.val();
-        self.kind_ram.read_place.next = self.tag_read.q.val();
-        self.is_query.next = self.kind_ram.read_word.val().any();
+        self.is_query.next = self.tag_ram.read_word.val().get_bit(0);
         self.valid.next = self.chain_valid.val() & self.is_query.val();
         self.ready.next = self.result_ready.val() | !self.is_query.val();
         self.takes.next = self.chain_valid.val() & self.ready.val();
@@ -90,7 +90,7 @@ impl<const TB: usize, const RB: usize> Logic for Tags<TB, RB> {
         self.result_valid.next = self.valid.val();
         self.result_tag.next = 0.into();
         if self.valid.val() {
-            self.result_tag.next = self.tag_ram.read_word.val();
+            self.result_tag.next = self.tag_ram.read_word.val().get_bits::<TAG>(1);
         }
         self.batch_leaves.next = self.takes.val() & self.is_last.val();
     }

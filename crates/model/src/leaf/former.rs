@@ -30,7 +30,7 @@ impl Former {
 
     pub(super) fn clock(&mut self, sizes: &LeafSizes, events: Events, inputs: &Inputs) {
         let is_first = self.loaded == 0;
-        if events.token == Some(Token::Query) {
+        if inputs.query_valid && !self.closed {
             let query = Bounds::at(inputs.query.position);
             self.bounds = match is_first {
                 true => query,
@@ -39,6 +39,8 @@ impl Former {
             if is_first {
                 self.facings = inputs.batch.facings;
             }
+        }
+        if events.token == Some(Token::Query) {
             self.release = inputs.query_release || (self.release && !is_first);
             self.closed = inputs.batch.last || self.loaded + 1 == sizes.engines;
         }

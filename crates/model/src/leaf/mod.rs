@@ -110,16 +110,15 @@ impl LeafMachine {
     }
 
     fn events(&self, inputs: &Inputs, to_chain: &Inputs, from_chain: Outputs) -> Events {
-        let plays = self.player.plays(&self.sizes);
+        let plays = self.player.plays();
         let ends_batch = plays && self.player.entry.is_last_of_batch();
         let entry = self.player.entry;
-        let full = self.boxes.set(self.scan.bank).full;
         Events {
             token: self
                 .former
                 .offers(inputs, self.sizes.engines)
                 .filter(|_| from_chain.query_ready),
-            starts: self.former.is_complete(self.sizes.engines) && self.scan.may_start() && full,
+            starts: self.scan.starting,
             leaves_queue: self.scan.queued() > 0
                 && (!entry.valid || (plays && entry.is_last_group())),
             plays,

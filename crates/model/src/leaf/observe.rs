@@ -59,6 +59,8 @@ impl LeafMachine {
             R::Facings => one(former.facings.into()),
             R::QueryLow => row.extend(low(&[former.bounds])),
             R::QueryHigh => row.extend(high(&[former.bounds])),
+            R::Starting => one(scan.starting.into()),
+            R::Started => one(scan.started.into()),
             R::Scanning => one(scan.scanning.into()),
             R::ScanBank => one(scan.bank as u64),
             R::ScanPair => one(scan.pair as u64),
@@ -67,6 +69,7 @@ impl LeafMachine {
             R::ScanFacings => one(scan.facings.into()),
             R::ScanLow => row.extend(low(&[scan.bounds])),
             R::ScanHigh => row.extend(high(&[scan.bounds])),
+            R::Returned => one(scan.returned.into()),
             R::Used => one(scan.used.into()),
             R::QueueWrite => one(scan.queue_write.into()),
             R::QueueRead => one(scan.queue_read.into()),
@@ -77,6 +80,7 @@ impl LeafMachine {
             R::EntryBank => one(player.entry.pair.bank as u64),
             R::EntryEnd => one(player.entry.pair.end.into()),
             R::EntryRelease => one(player.entry.pair.release.into()),
+            R::MayEnd => one(player.may_end.into()),
             R::Spacing => one(player.spacing.into()),
             R::Outstanding => one(player.outstanding.into()),
             R::ReadValid => one(player.read.valid.into()),
@@ -104,8 +108,14 @@ impl LeafMachine {
                     .map(|culled| of_pair(register, culled.pair));
                 row.extend(stages);
             }
+            R::CullSet => {
+                let bit = |(place, &bit): (usize, &bool)| u64::from(bit) << place;
+                let set = |near: [bool; 4]| near.iter().enumerate().map(bit).sum::<u64>();
+                row.extend(scan.cull[0].near.map(set));
+            }
+            R::CullFacing => row.extend(scan.cull[0].facing.map(|facing| facing as u64)),
             R::CullGathered => {
-                let stages = scan.cull.iter().flat_map(|culled| culled.gathered);
+                let stages = scan.cull.iter().skip(1).flat_map(|culled| culled.gathered);
                 row.extend(stages.map(u64::from));
             }
             R::CullShort => {

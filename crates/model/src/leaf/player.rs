@@ -52,6 +52,8 @@ impl Entry {
 pub(super) struct Player {
     pub(super) entry: Entry,
     pub(super) spacing: u32,
+    /// A last group may be played.
+    pub(super) may_end: bool,
     pub(super) outstanding: u32,
     pub(super) read: WordFlags,
     pub(super) word: WordFlags,
@@ -64,9 +66,8 @@ impl Player {
     }
 
     /// Whether a group is played in this clock.
-    pub(super) fn plays(&self, sizes: &LeafSizes) -> bool {
-        let may_end = self.spacing == 0 && self.outstanding < sizes.most_outstanding;
-        self.entry.valid && (may_end || !self.entry.is_last_of_batch())
+    pub(super) fn plays(&self) -> bool {
+        self.entry.valid && (self.may_end || !self.entry.is_last_of_batch())
     }
 
     pub(super) fn clock(
@@ -94,8 +95,11 @@ impl Player {
                 pair,
             };
         }
+        let has_room = self.outstanding < sizes.most_outstanding;
+        self.may_end = self.spacing == 0 && has_room && !events.ends_batch;
         self.spacing = match events.ends_batch {
-            true => sizes.least_spacing - 1,
+            // A clock more passes until the next may end, in which `may_end` is set.
+            true => sizes.least_spacing.saturating_sub(2),
             false => self.spacing.saturating_sub(1),
         };
         self.outstanding += u32::from(events.ends_batch);
@@ -105,6 +109,7 @@ impl Player {
     pub(super) fn reset(&mut self) {
         self.entry.valid = false;
         (self.spacing, self.outstanding) = (0, 0);
+        self.may_end = false;
         self.read.valid = false;
         self.word.valid = false;
     }

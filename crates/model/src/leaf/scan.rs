@@ -65,10 +65,15 @@ pub(super) struct Looked {
     pub(super) leaves: [LeafBox; Leaf::PAIR],
 }
 
-/// A pair whose boxes are being compared. Whether they are in range shows in the last stage alone.
+/// A pair whose boxes are being compared. Whether a facing is gathered shows from stage 1 on, and whether a box is in range in the
+/// last stage alone.
 #[derive(Copy, Clone, Debug, Default)]
 pub(super) struct Culled {
     pub(super) pair: Pair,
+    /// For each leaf, whether the batch gathers each of the facings near the leaf's.
+    pub(super) near: [[bool; Leaf::FACINGS_NEAR as usize]; Leaf::PAIR],
+    /// The leaf's number among these.
+    pub(super) facing: [usize; Leaf::PAIR],
     pub(super) gathered: [bool; Leaf::PAIR],
     pub(super) short: [bool; Leaf::PAIR],
     in_range: [bool; Leaf::PAIR],
@@ -98,6 +103,10 @@ impl Culled {
 #[derive(Clone, Debug)]
 pub(super) struct Scan {
     geometry: Geometry,
+    /// The batch starts in this clock.
+    pub(super) starting: bool,
+    /// The batch started in the clock before.
+    pub(super) started: bool,
     pub(super) scanning: bool,
     pub(super) bank: usize,
     pub(super) pair: usize,
@@ -106,6 +115,8 @@ pub(super) struct Scan {
     pub(super) facings: u32,
     pub(super) bounds: Bounds,
     pub(super) used: u32,
+    /// The places of the queue that were given back in the clock before.
+    pub(super) returned: u32,
     pub(super) look: Looked,
     pub(super) found: Looked,
     /// The stages; stage 0 is the first.
@@ -120,6 +131,8 @@ impl Scan {
         let stages = LeafSizes::of(leaf).cull_clocks as usize;
         Self {
             geometry: Geometry::of(machine),
+            starting: false,
+            started: false,
             scanning: false,
             bank: 0,
             pair: 0,
@@ -128,6 +141,7 @@ impl Scan {
             facings: 0,
             bounds: Bounds::default(),
             used: 0,
+            returned: 0,
             look: Looked::default(),
             found: Looked::default(),
             cull: vec![Culled::default(); stages].into(),
@@ -135,10 +149,6 @@ impl Scan {
             queue_read: 0,
             queue: VecDeque::new(),
         }
-    }
-
-    pub(super) fn may_start(&self) -> bool {
-        !self.scanning && !self.look.pair.valid
     }
 
     /// The number of pairs in the queue.
@@ -179,6 +189,7 @@ impl Scan {
         boxes: &Boxes,
     ) {
         let issues = self.scanning && self.used < Leaf::QUEUE;
+        let may_start = self.may_start(issues, boxes);
         let queued = self.decide(events);
         let found = self.found;
         self.cull.pop_back();
@@ -186,15 +197,37 @@ impl Scan {
         self.found = self.look;
         self.issue(issues, sizes, boxes);
         self.used += u32::from(issues);
-        self.used -= u32::from(queued == Some(false)) + u32::from(events.leaves_queue);
-        if events.starts {
+        self.used -= self.returned;
+        self.returned = u32::from(queued == Some(false)) + u32::from(events.leaves_queue);
+        if self.starting {
             self.scanning = true;
             self.pair = 0;
             self.end = boxes.set(self.bank).end;
             self.release = former.release;
+        }
+        if self.started {
             self.facings = former.facings;
             self.bounds = former.bounds;
         }
+        self.started = self.starting;
+        self.starting = may_start && former.is_complete(sizes.engines);
+    }
+
+    /// Whether a batch may start in the next clock, if one is complete.
+    fn may_start(&self, issues: bool, boxes: &Boxes) -> bool {
+        if self.starting {
+            return false;
+        }
+        if !self.scanning {
+            return boxes.set(self.bank).full;
+        }
+        let next_bank = self.bank ^ usize::from(self.release);
+        issues && self.is_last() && boxes.set(next_bank).full
+    }
+
+    /// Whether the pair that is issued next is the last of its set.
+    fn is_last(&self) -> bool {
+        self.pair == self.end / Leaf::PAIR
     }
 
     /// Takes the pair that leaves out of the queue, and queues the pair in the last stage. Returns whether that is queued, if
@@ -216,10 +249,19 @@ impl Scan {
 
     /// The first stage of the comparison.
     fn gathered(&self, found: Looked) -> Culled {
-        let gathers = |leaf: usize| self.facings >> found.leaves[leaf].facing & 1 == 1;
+        let near = Leaf::FACINGS_NEAR;
+        let is_there = [found.pair.valid, found.second];
+        let gathers = |leaf: usize, other: u32| {
+            let facing = found.leaves[leaf].facing / near * near + other;
+            is_there[leaf] && self.facings >> facing & 1 == 1
+        };
+        let near_of = |leaf| [0, 1, 2, 3].map(|other| gathers(leaf, other));
+        let leaf_facing = |leaf: usize| found.leaves[leaf].facing % near;
         Culled {
             pair: found.pair,
-            gathered: [gathers(0), gathers(1) && found.second],
+            near: [0, 1].map(near_of),
+            facing: [0, 1].map(|leaf| leaf_facing(leaf) as usize),
+            gathered: [0, 1].map(|leaf| gathers(leaf, leaf_facing(leaf))),
             short: found.leaves.map(|leaf| leaf.short),
             in_range: found
                 .leaves
@@ -228,7 +270,7 @@ impl Scan {
     }
 
     fn issue(&mut self, issues: bool, sizes: &LeafSizes, boxes: &Boxes) {
-        let is_last = self.pair == self.end / Leaf::PAIR;
+        let is_last = self.is_last();
         let leaves = match issues {
             true => boxes.pair(self.bank, self.pair),
             false => self.look.leaves,
@@ -254,9 +296,10 @@ impl Scan {
     }
 
     pub(super) fn reset(&mut self) {
+        (self.starting, self.started) = (false, false);
         self.scanning = false;
         self.bank = 0;
-        self.used = 0;
+        (self.used, self.returned) = (0, 0);
         self.look.pair.valid = false;
         self.found.pair.valid = false;
         for culled in &mut self.cull {

@@ -37,13 +37,15 @@ pub use words::QueryWord;
 use crate::formats::{Widths, bits_for};
 use crate::machine::Machine;
 use crate::pins::{Pin, SignalPlace};
-use crate::spatial::{Cut, HeadSizes, Spatial};
+use crate::spatial::{EngineKind, HeadSizes, Spatial};
 
 /// The parameters of a leaf machine beside its numbers.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct Leaf {
     /// The chain of engines. It has no photon memory of its own, and all queries have the format's radius.
     pub chain: Spatial,
+    /// The squarers and the pipeline registers of the comparison of boxes.
+    pub culler: EngineKind,
     /// Groups that each of the two banks holds, a power of two.
     pub bank_groups: u32,
 }
@@ -57,12 +59,14 @@ impl Leaf {
     pub const FACINGS: u32 = 32;
     /// Bits of a facing.
     pub const FACING_BITS: u32 = Self::FACINGS.ilog2();
+    /// Facings that a leaf's is first looked up among: those that equal it except for the lowest two bits.
+    pub const FACINGS_NEAR: u32 = 4;
     /// Bits of a query's tag: 16 of a core's user, and 2 flags of the core.
     pub const TAG_BITS: u32 = 18;
     /// Clocks in which no word moves on any stream after which a machine hangs. The scan of the largest bank is shorter.
     pub const SILENT_CLOCKS: u64 = 1 << 17;
     /// Pairs that wait to be played.
-    pub const QUEUE: u32 = 16;
+    pub const QUEUE: u32 = 32;
     /// The fewest groups of a bank: two pairs.
     pub const FEWEST_GROUPS: u32 = 2 * (Self::GROUPS * Self::PAIR) as u32;
 
@@ -125,8 +129,7 @@ impl LeafSizes {
             outstanding: bits_for(most_outstanding.into()),
             tag_place: tags.next_power_of_two().ilog2(),
             result: bits_for(u128::from(engines) - 1),
-            // A decision that is copied beside each sum is a copy for the sums alone.
-            cull_clocks: leaf.chain.cuts.latency() - u32::from(leaf.chain.cuts.has(Cut::Decision)),
+            cull_clocks: leaf.culler.cuts.latency(),
         }
     }
 }

@@ -45,9 +45,9 @@ macro_rules! registers {
         ///
         /// All registers have the values before the clock edge, and `:=` gives the value after it. A register keeps its
         /// value where no rule gives it another. A reset sets these to 0 and no other: `FillBank`, `FillPlace`,
-        /// `FillReady`, `Filled`, `WriteValid`, `HalfValid`, `GroupValid`, `BoxValid`, `Full`, `Loaded`, `Closed`, `Scanning`,
-        /// `ScanBank`, `Used`, `LookValid`, `FoundValid`, `CullValid`, `QueueWrite`, `QueueRead`, `QueueCount`,
-        /// `EntryValid`, `Spacing`, `Outstanding`, `ReadValid`, `WordValid`, `TagWrite`, `TagRead`, `TagResult`.
+        /// `FillReady`, `Filled`, `WriteValid`, `HalfValid`, `GroupValid`, `BoxValid`, `Full`, `Loaded`, `Closed`, `Starting`,
+        /// `Started`, `Scanning`, `ScanBank`, `Used`, `Returned`, `LookValid`, `FoundValid`, `CullValid`, `QueueWrite`, `QueueRead`,
+        /// `QueueCount`, `EntryValid`, `Spacing`, `MayEnd`, `Outstanding`, `ReadValid`, `WordValid`, `TagWrite`, `TagRead`, `TagResult`.
         #[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
         pub enum LeafRegister {
             $($(#[doc = $doc])+ $register,)+
@@ -151,21 +151,28 @@ registers! {
     /// The tokens of the batch that the chain has taken, the queries and those that fill the batch up. The chain is given a
     /// query where `query_valid` and not `Closed`, with `query_ready` = not `Closed` and the chain is ready. Where `Closed` and `Loaded`
     /// is less than the engines, it is given a *filler*, whose result is dropped. Its query pins are those of the machine, but `QueryLow` where `Closed`. := 0
-    /// where the batch *starts*, which needs `Closed` and as many tokens as engines.
+    /// where the batch *starts*: see `Starting`.
     Loaded "loaded" [|_| 1] |d| d.sizes.loaded;
     /// The batch has all its queries. := 1 where a query is taken with `query_last` or as the last of as many queries as engines; := 0 where
     /// the batch starts.
     Closed "closed" [|_| 1] |_| 1;
     /// A query of the batch has `query_release`. With the first query := its `query_release`.
     Release "release" [|_| 1] |_| 1;
-    /// With the first query := `query_facings`.
+    /// A query is *offered* where `query_valid` and not `Closed`. Where `Loaded` is 0 and a query is offered := `query_facings`. So it is that of
+    /// the first query, which is offered in the clock in which it is taken.
     Facings "facings" [|_| 1] |_| Leaf::FACINGS;
-    /// The low border of the box around the batch's queries, by the rule of `BoxLow`.
+    /// The low border of the box around the batch's queries. Where a query is offered: := its coordinate if `Loaded` is 0, else the
+    /// lower of `QueryLow` and its coordinate. Thus no query waits for the chain's decision here. A query that is offered and not taken can only make the box
+    /// larger, and more leaves wanted.
     QueryLow "query_low" [|_| AXES] |d| d.widths.coordinate;
     /// The high border.
     QueryHigh "query_high" [|_| AXES] |d| d.widths.coordinate;
-    /// The pairs of `ScanBank` are compared with a batch. A batch starts where neither `Scanning` nor `LookValid`, and
-    /// `Full` of `ScanBank`: `Scanning` := 1. A pair is *issued* where `Scanning` and `Used` is less than [`Leaf::QUEUE`]; where it is the last,
+    /// The batch starts in this clock. := `Closed`, as many tokens as engines, not `Starting`, and either not `Scanning` and `Full` of
+    /// `ScanBank`, or the last pair of the batch before is issued and `Full` of the bank that `ScanBank` becomes.
+    Starting "starting" [|_| 1] |_| 1;
+    /// := `Starting`. The last pair of the batch before is in `Found` in this clock at the latest, and the first of this batch is not there yet.
+    Started "started" [|_| 1] |_| 1;
+    /// The pairs of `ScanBank` are compared with a batch. := 1 where a batch starts. A pair is *issued* where `Scanning` and `Used` is less than [`Leaf::QUEUE`]; where it is the last,
     /// `Scanning` := 0.
     Scanning "scanning" [|_| 1] |_| 1;
     /// The bank of the batch. := the other where the last pair is issued and `ScanRelease`.
@@ -176,15 +183,16 @@ registers! {
     ScanEnd "scan_end" [|_| 1] |d| d.sizes.leaf;
     /// := `Release` where a batch starts.
     ScanRelease "scan_release" [|_| 1] |_| 1;
-    /// := `Facings` where a batch starts.
+    /// := `Facings` where `Started`.
     ScanFacings "scan_facings" [|_| 1] |_| Leaf::FACINGS;
-    /// := `QueryLow` where a batch starts.
+    /// := `QueryLow` where `Started`.
     ScanLow "scan_low" [|_| AXES] |d| d.widths.coordinate;
-    /// := `QueryHigh` where a batch starts.
+    /// := `QueryHigh` where `Started`.
     ScanHigh "scan_high" [|_| AXES] |d| d.widths.coordinate;
-    /// Places of the queue that a pair has or may need. Plus 1 where a pair is issued; less 1 where an issued pair is not
-    /// queued, and less 1 where a pair leaves the queue.
+    /// Places of the queue that a pair has or may need. Plus 1 where a pair is issued; less `Returned`.
     Used "used" [|_| 1] |_| QUEUE_COUNT;
+    /// := the places that are no longer needed: 1 where an issued pair is not queued, and 1 where a pair leaves the queue.
+    Returned "returned" [|_| 1] |_| 2;
     /// := a pair is issued. The stages `Look` and `Found` read the boxes.
     LookValid "look_valid" [|_| 1] |_| 1;
     /// := `ScanPair`, in every clock.
@@ -237,8 +245,14 @@ registers! {
     CullEnd "cull_end" [Dimensions::culls] |_| 1;
     /// From `FoundRelease`.
     CullRelease "cull_release" [Dimensions::culls] |_| 1;
-    /// Leaf i of stage s is at 2 s + i. Stage 0 := the bit `FoundFacing` of `ScanFacings`, and for the second leaf also `FoundSecond`.
-    CullGathered "cull_gathered" [|d| Leaf::PAIR * d.culls()] |_| 1;
+    /// For each leaf, bits of `ScanFacings` in stage 0: := those of the facings that equal `FoundFacing` except for the lowest two bits, from
+    /// the lowest facing up; 0 for the first leaf without `FoundValid`, and for the second without `FoundSecond`.
+    CullSet "cull_set" [|_| Leaf::PAIR] |_| Leaf::FACINGS_NEAR;
+    /// For each leaf, in stage 0: := the lowest two bits of `FoundFacing`.
+    CullFacing "cull_facing" [|_| Leaf::PAIR] |_| Leaf::FACINGS_NEAR.ilog2();
+    /// Whether the batch gathers the leaf's facing, from stage 1 on; leaf i of stage s is at 2 (s - 1) + i. Stage 1 := the bit `CullFacing` of
+    /// `CullSet`.
+    CullGathered "cull_gathered" [|d| Leaf::PAIR * (d.culls() - 1)] |_| 1;
     /// From `FoundShort`; leaf i of stage s is at 2 s + i.
     CullShort "cull_short" [|d| Leaf::PAIR * d.culls()] |_| 1;
     /// The place of the next pair in the queue. A pair is *queued* where the last `CullValid`, and a leaf is wanted or
@@ -253,8 +267,8 @@ registers! {
     EntryValid "entry_valid" [|_| 1] |_| 1;
     /// The groups of the pair that are still to be played: those of a wanted leaf, without the second of a short one. Where a
     /// pair leaves the queue := its groups. Where a group is played, the lowest bit that is set := 0. A group is
-    /// *played* where `EntryValid`; but the *last of a batch* (`EntryEnd`, and at most one bit is set) only where also `Spacing` is
-    /// 0 and `Outstanding` less than the most.
+    /// *played* where `EntryValid`; but the *last of a batch* (`EntryEnd`, and at most one bit is set) only where also
+    /// `MayEnd`.
     EntryMask "entry_mask" [|_| 1] |_| (Leaf::GROUPS * Leaf::PAIR) as u32;
     /// Where a pair leaves the queue := its `CullPair`.
     EntryPair "entry_pair" [|_| 1] |d| d.sizes.pair;
@@ -264,8 +278,11 @@ registers! {
     EntryEnd "entry_end" [|_| 1] |_| 1;
     /// Where a pair leaves the queue := its `CullRelease`.
     EntryRelease "entry_release" [|_| 1] |_| 1;
-    /// Clocks until a last group may be played. Where one is played := the least spacing less 1; else less 1 down to 0.
+    /// Clocks until `MayEnd` may be set. Where a last group is played := the least spacing less 2, but at least 0; else less 1 down
+    /// to 0.
     Spacing "spacing" [|_| 1] |d| d.sizes.spacing;
+    /// A last group may be played. := `Spacing` is 0, `Outstanding` less than the most, and no last group is played.
+    MayEnd "may_end" [|_| 1] |_| 1;
     /// Batches whose last group was played and whose last result has not been taken from the chain. Plus 1 where a last group is played;
     /// less 1 where the last result of a batch leaves the chain.
     Outstanding "outstanding" [|_| 1] |d| d.sizes.outstanding;

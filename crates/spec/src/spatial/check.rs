@@ -94,6 +94,10 @@ impl Spatial {
         for engine in 0..self.engines() {
             self.check_squarer(name, format, self.kind(machine.squarer, engine).squarer)?;
         }
+        if let Some(leaf) = machine.leaf() {
+            self.check_squarer(name, format, leaf.culler.squarer)?;
+            Self::check_needed_cuts(machine, leaf.culler)?;
+        }
         let dimension = u64::from(Hypercube::MIN_DIMENSION + self.query_axes);
         let other_squarers: usize = self.others.iter().map(|&(_, engines)| engines).sum();
         self.check_fields(

@@ -51,3 +51,33 @@ pub(crate) const PRODUCT: EngineKind = EngineKind {
     squarer: Squarer::Product,
     cuts: DECISIONS.and(Cut::Products).and(Cut::Square),
 };
+
+/// Engines of leaf machines. Several such machines share a device, where LUTs, flip-flops and the nets of full
+/// regions are scarce alike: between two registers there are at most two carry chains, or one and a comparison in LUTs.
+pub(crate) const LEAF: Cuts = Cuts::of(&[
+    Cut::Magnitude,
+    Cut::Cross,
+    Cut::Pair,
+    Cut::Range,
+    Cut::GroupPower,
+]);
+
+/// Engines of leaf machines whose squarers are DSP blocks. They decide as soon as those of `LEAF`, so no in-range flag
+/// waits: the DSP block's registers stand before and behind the product, and there is no magnitude to find.
+pub(crate) const LEAF_PRODUCT: EngineKind = EngineKind {
+    squarer: Squarer::Product,
+    cuts: Cuts::of(&[
+        Cut::Products,
+        Cut::Cross,
+        Cut::Pair,
+        Cut::Range,
+        Cut::GroupPower,
+    ]),
+};
+
+/// As `LEAF_PRODUCT`, with a register for the difference. On half steps an adder stands between the difference and the product, and
+/// in the comparison of boxes a choice of two differences.
+pub(crate) const LEAF_LATE_PRODUCT: EngineKind = EngineKind {
+    squarer: Squarer::Product,
+    cuts: LEAF_PRODUCT.cuts.and(Cut::Difference),
+};
