@@ -686,8 +686,8 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
         case (read_address)
             ADDRESS_IDENTITY: read_word = 32'h50435542;
             ADDRESS_VERSION: read_word = 32'h00000001;
-            ADDRESS_DIGEST_LOW: read_word = 32'h153b6e92;
-            ADDRESS_DIGEST_HIGH: read_word = 32'h9a2f7ea3;
+            ADDRESS_DIGEST_LOW: read_word = 32'hf8f5d14b;
+            ADDRESS_DIGEST_HIGH: read_word = 32'h62dc8ab4;
             ADDRESS_SHAPE: read_word = 32'h00080203;
             ADDRESS_CONTROL: read_word = 32'd0;
             ADDRESS_STATUS: read_word = {28'd0, result_waits, query_waits, photon_waits, busy};
@@ -1013,9 +1013,9 @@ endmodule
 // power unit     the photon map's own: its largest power in any channel is the largest word
 // search radius  fixed, 126 of a block edge's 128 steps: in range where d^2 <= 15876
 // most photons   64 a query
-// squarers       digits
+// squarers       digits in 1, product in 1 of 2 engines
 // clocks         1 for a group of 4 photons; at least 3 a batch
-// latency        14 clocks from a batch's last group to its first result, 2 more to each further
+// latency        11 clocks from a batch's last group to its first result, 2 more to each further
 //                one
 //
 // Ports of photoncube_leaf_5_local7_rgb6d_n64; bit 0 is the lowest:
@@ -1330,6 +1330,7 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
     wire former_takes_token;
     wire former_takes_query;
     wire former_first;
+    wire former_offers_query;
     wire former_fills;
     wire former_complete;
     wire former_release_out;
@@ -1379,6 +1380,7 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
     reg scan_drops;
     reg scan_takes_pair;
     wire scan_starts;
+    wire scan_takes_box;
     wire scan_issues;
     wire scan_issue_bank;
     wire [1:0] scan_issue_pair;
@@ -1414,12 +1416,14 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
     reg scan_high_2_takes;
     reg [8:0] scan_high_2_d;
     wire [8:0] scan_high_2_q;
+    reg gathers_clock;
     reg [31:0] gathers_facings;
     reg [4:0] gathers_facing_0;
     reg [4:0] gathers_facing_1;
-    reg gathers_second;
-    wire gathers_first_gathered;
-    wire gathers_second_gathered;
+    reg gathers_is_there_0;
+    reg gathers_is_there_1;
+    wire gathers_gathered_0;
+    wire gathers_gathered_1;
     reg culler_clock;
     reg [8:0] culler_query_low_0;
     reg [8:0] culler_query_low_1;
@@ -1448,8 +1452,6 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
     reg cull_0_bank_in;
     reg cull_0_end_in;
     reg cull_0_release_in;
-    reg cull_0_gathered_in_0;
-    reg cull_0_gathered_in_1;
     reg cull_0_short_in_0;
     reg cull_0_short_in_1;
     wire cull_0_valid_out;
@@ -1457,8 +1459,6 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
     wire cull_0_bank_out;
     wire cull_0_end_out;
     wire cull_0_release_out;
-    wire cull_0_gathered_out_0;
-    wire cull_0_gathered_out_1;
     wire cull_0_short_out_0;
     wire cull_0_short_out_1;
     reg cull_1_clock;
@@ -1468,8 +1468,6 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
     reg cull_1_bank_in;
     reg cull_1_end_in;
     reg cull_1_release_in;
-    reg cull_1_gathered_in_0;
-    reg cull_1_gathered_in_1;
     reg cull_1_short_in_0;
     reg cull_1_short_in_1;
     wire cull_1_valid_out;
@@ -1477,8 +1475,6 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
     wire cull_1_bank_out;
     wire cull_1_end_out;
     wire cull_1_release_out;
-    wire cull_1_gathered_out_0;
-    wire cull_1_gathered_out_1;
     wire cull_1_short_out_0;
     wire cull_1_short_out_1;
     reg cull_2_clock;
@@ -1488,8 +1484,6 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
     reg cull_2_bank_in;
     reg cull_2_end_in;
     reg cull_2_release_in;
-    reg cull_2_gathered_in_0;
-    reg cull_2_gathered_in_1;
     reg cull_2_short_in_0;
     reg cull_2_short_in_1;
     wire cull_2_valid_out;
@@ -1497,8 +1491,6 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
     wire cull_2_bank_out;
     wire cull_2_end_out;
     wire cull_2_release_out;
-    wire cull_2_gathered_out_0;
-    wire cull_2_gathered_out_1;
     wire cull_2_short_out_0;
     wire cull_2_short_out_1;
     reg cull_3_clock;
@@ -1508,8 +1500,6 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
     reg cull_3_bank_in;
     reg cull_3_end_in;
     reg cull_3_release_in;
-    reg cull_3_gathered_in_0;
-    reg cull_3_gathered_in_1;
     reg cull_3_short_in_0;
     reg cull_3_short_in_1;
     wire cull_3_valid_out;
@@ -1517,8 +1507,6 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
     wire cull_3_bank_out;
     wire cull_3_end_out;
     wire cull_3_release_out;
-    wire cull_3_gathered_out_0;
-    wire cull_3_gathered_out_1;
     wire cull_3_short_out_0;
     wire cull_3_short_out_1;
     reg cull_4_clock;
@@ -1528,8 +1516,6 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
     reg cull_4_bank_in;
     reg cull_4_end_in;
     reg cull_4_release_in;
-    reg cull_4_gathered_in_0;
-    reg cull_4_gathered_in_1;
     reg cull_4_short_in_0;
     reg cull_4_short_in_1;
     wire cull_4_valid_out;
@@ -1537,30 +1523,8 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
     wire cull_4_bank_out;
     wire cull_4_end_out;
     wire cull_4_release_out;
-    wire cull_4_gathered_out_0;
-    wire cull_4_gathered_out_1;
     wire cull_4_short_out_0;
     wire cull_4_short_out_1;
-    reg cull_5_clock;
-    reg cull_5_reset;
-    reg cull_5_valid_in;
-    reg [1:0] cull_5_pair_in;
-    reg cull_5_bank_in;
-    reg cull_5_end_in;
-    reg cull_5_release_in;
-    reg cull_5_gathered_in_0;
-    reg cull_5_gathered_in_1;
-    reg cull_5_short_in_0;
-    reg cull_5_short_in_1;
-    wire cull_5_valid_out;
-    wire [1:0] cull_5_pair_out;
-    wire cull_5_bank_out;
-    wire cull_5_end_out;
-    wire cull_5_release_out;
-    wire cull_5_gathered_out_0;
-    wire cull_5_gathered_out_1;
-    wire cull_5_short_out_0;
-    wire cull_5_short_out_1;
     reg queue_clock;
     reg queue_reset;
     reg queue_valid;
@@ -1856,6 +1820,7 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
         .takes_token(former_takes_token),
         .takes_query(former_takes_query),
         .first(former_first),
+        .offers_query(former_offers_query),
         .fills(former_fills),
         .complete(former_complete),
         .release_out(former_release_out),
@@ -1919,6 +1884,7 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
         .drops(scan_drops),
         .takes_pair(scan_takes_pair),
         .starts(scan_starts),
+        .takes_box(scan_takes_box),
         .issues(scan_issues),
         .issue_bank(scan_issue_bank),
         .issue_pair(scan_issue_pair),
@@ -1968,12 +1934,14 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
         .q(scan_high_2_q)
     );
     photoncube_leaf_5_local7_rgb6d_n64_gathers gathers(
+        .clock(gathers_clock),
         .facings(gathers_facings),
         .facing_0(gathers_facing_0),
         .facing_1(gathers_facing_1),
-        .second(gathers_second),
-        .first_gathered(gathers_first_gathered),
-        .second_gathered(gathers_second_gathered)
+        .is_there_0(gathers_is_there_0),
+        .is_there_1(gathers_is_there_1),
+        .gathered_0(gathers_gathered_0),
+        .gathered_1(gathers_gathered_1)
     );
     photoncube_leaf_5_local7_rgb6d_n64_culler culler(
         .clock(culler_clock),
@@ -2006,8 +1974,6 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
         .bank_in(cull_0_bank_in),
         .end_in(cull_0_end_in),
         .release_in(cull_0_release_in),
-        .gathered_in_0(cull_0_gathered_in_0),
-        .gathered_in_1(cull_0_gathered_in_1),
         .short_in_0(cull_0_short_in_0),
         .short_in_1(cull_0_short_in_1),
         .valid_out(cull_0_valid_out),
@@ -2015,8 +1981,6 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
         .bank_out(cull_0_bank_out),
         .end_out(cull_0_end_out),
         .release_out(cull_0_release_out),
-        .gathered_out_0(cull_0_gathered_out_0),
-        .gathered_out_1(cull_0_gathered_out_1),
         .short_out_0(cull_0_short_out_0),
         .short_out_1(cull_0_short_out_1)
     );
@@ -2028,8 +1992,6 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
         .bank_in(cull_1_bank_in),
         .end_in(cull_1_end_in),
         .release_in(cull_1_release_in),
-        .gathered_in_0(cull_1_gathered_in_0),
-        .gathered_in_1(cull_1_gathered_in_1),
         .short_in_0(cull_1_short_in_0),
         .short_in_1(cull_1_short_in_1),
         .valid_out(cull_1_valid_out),
@@ -2037,8 +1999,6 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
         .bank_out(cull_1_bank_out),
         .end_out(cull_1_end_out),
         .release_out(cull_1_release_out),
-        .gathered_out_0(cull_1_gathered_out_0),
-        .gathered_out_1(cull_1_gathered_out_1),
         .short_out_0(cull_1_short_out_0),
         .short_out_1(cull_1_short_out_1)
     );
@@ -2050,8 +2010,6 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
         .bank_in(cull_2_bank_in),
         .end_in(cull_2_end_in),
         .release_in(cull_2_release_in),
-        .gathered_in_0(cull_2_gathered_in_0),
-        .gathered_in_1(cull_2_gathered_in_1),
         .short_in_0(cull_2_short_in_0),
         .short_in_1(cull_2_short_in_1),
         .valid_out(cull_2_valid_out),
@@ -2059,8 +2017,6 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
         .bank_out(cull_2_bank_out),
         .end_out(cull_2_end_out),
         .release_out(cull_2_release_out),
-        .gathered_out_0(cull_2_gathered_out_0),
-        .gathered_out_1(cull_2_gathered_out_1),
         .short_out_0(cull_2_short_out_0),
         .short_out_1(cull_2_short_out_1)
     );
@@ -2072,8 +2028,6 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
         .bank_in(cull_3_bank_in),
         .end_in(cull_3_end_in),
         .release_in(cull_3_release_in),
-        .gathered_in_0(cull_3_gathered_in_0),
-        .gathered_in_1(cull_3_gathered_in_1),
         .short_in_0(cull_3_short_in_0),
         .short_in_1(cull_3_short_in_1),
         .valid_out(cull_3_valid_out),
@@ -2081,8 +2035,6 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
         .bank_out(cull_3_bank_out),
         .end_out(cull_3_end_out),
         .release_out(cull_3_release_out),
-        .gathered_out_0(cull_3_gathered_out_0),
-        .gathered_out_1(cull_3_gathered_out_1),
         .short_out_0(cull_3_short_out_0),
         .short_out_1(cull_3_short_out_1)
     );
@@ -2094,8 +2046,6 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
         .bank_in(cull_4_bank_in),
         .end_in(cull_4_end_in),
         .release_in(cull_4_release_in),
-        .gathered_in_0(cull_4_gathered_in_0),
-        .gathered_in_1(cull_4_gathered_in_1),
         .short_in_0(cull_4_short_in_0),
         .short_in_1(cull_4_short_in_1),
         .valid_out(cull_4_valid_out),
@@ -2103,32 +2053,8 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
         .bank_out(cull_4_bank_out),
         .end_out(cull_4_end_out),
         .release_out(cull_4_release_out),
-        .gathered_out_0(cull_4_gathered_out_0),
-        .gathered_out_1(cull_4_gathered_out_1),
         .short_out_0(cull_4_short_out_0),
         .short_out_1(cull_4_short_out_1)
-    );
-    photoncube_leaf_5_local7_rgb6d_n64_cull cull_5(
-        .clock(cull_5_clock),
-        .reset(cull_5_reset),
-        .valid_in(cull_5_valid_in),
-        .pair_in(cull_5_pair_in),
-        .bank_in(cull_5_bank_in),
-        .end_in(cull_5_end_in),
-        .release_in(cull_5_release_in),
-        .gathered_in_0(cull_5_gathered_in_0),
-        .gathered_in_1(cull_5_gathered_in_1),
-        .short_in_0(cull_5_short_in_0),
-        .short_in_1(cull_5_short_in_1),
-        .valid_out(cull_5_valid_out),
-        .pair_out(cull_5_pair_out),
-        .bank_out(cull_5_bank_out),
-        .end_out(cull_5_end_out),
-        .release_out(cull_5_release_out),
-        .gathered_out_0(cull_5_gathered_out_0),
-        .gathered_out_1(cull_5_gathered_out_1),
-        .short_out_0(cull_5_short_out_0),
-        .short_out_1(cull_5_short_out_1)
     );
     photoncube_leaf_5_local7_rgb6d_n64_queue_2 queue(
         .clock(queue_clock),
@@ -2355,17 +2281,17 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
         query_border_2_low_in = query_z;
         query_border_2_high_in = query_z;
         query_border_0_clock = clock;
-        query_border_0_comes = former_takes_query;
+        query_border_0_comes = former_offers_query;
         query_border_0_first = former_first;
         token_place_0_fills = former_fills;
         token_place_0_filler = query_border_0_low_out;
         query_border_1_clock = clock;
-        query_border_1_comes = former_takes_query;
+        query_border_1_comes = former_offers_query;
         query_border_1_first = former_first;
         token_place_1_fills = former_fills;
         token_place_1_filler = query_border_1_low_out;
         query_border_2_clock = clock;
-        query_border_2_comes = former_takes_query;
+        query_border_2_comes = former_offers_query;
         query_border_2_first = former_first;
         token_place_2_fills = former_fills;
         token_place_2_filler = query_border_2_low_out;
@@ -2380,32 +2306,32 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
         scan_end_1 = control_end_1_out;
         scan_drops = queue_drops;
         scan_takes_pair = player_takes_pair;
+        gathers_clock = clock;
         gathers_facings = scan_facings_out;
-        gathers_facing_0 = box_words_found_facing_0;
-        gathers_facing_1 = box_words_found_facing_1;
-        gathers_second = scan_found_second_out;
+        gathers_is_there_0 = scan_found_valid_out;
+        gathers_is_there_1 = scan_found_second_out;
         culler_clock = clock;
         scan_low_0_clock = clock;
-        scan_low_0_takes = scan_starts;
+        scan_low_0_takes = scan_takes_box;
         scan_low_0_d = query_border_0_low_out;
         scan_high_0_clock = clock;
-        scan_high_0_takes = scan_starts;
+        scan_high_0_takes = scan_takes_box;
         scan_high_0_d = query_border_0_high_out;
         culler_query_low_0 = scan_low_0_q;
         culler_query_high_0 = scan_high_0_q;
         scan_low_1_clock = clock;
-        scan_low_1_takes = scan_starts;
+        scan_low_1_takes = scan_takes_box;
         scan_low_1_d = query_border_1_low_out;
         scan_high_1_clock = clock;
-        scan_high_1_takes = scan_starts;
+        scan_high_1_takes = scan_takes_box;
         scan_high_1_d = query_border_1_high_out;
         culler_query_low_1 = scan_low_1_q;
         culler_query_high_1 = scan_high_1_q;
         scan_low_2_clock = clock;
-        scan_low_2_takes = scan_starts;
+        scan_low_2_takes = scan_takes_box;
         scan_low_2_d = query_border_2_low_out;
         scan_high_2_clock = clock;
-        scan_high_2_takes = scan_starts;
+        scan_high_2_takes = scan_takes_box;
         scan_high_2_d = query_border_2_high_out;
         culler_query_low_2 = scan_low_2_q;
         culler_query_high_2 = scan_high_2_q;
@@ -2426,9 +2352,9 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
         cull_0_bank_in = scan_found_bank_out;
         cull_0_end_in = scan_found_end_out;
         cull_0_release_in = scan_found_release_out;
-        cull_0_gathered_in_0 = gathers_first_gathered;
-        cull_0_gathered_in_1 = gathers_second_gathered;
+        gathers_facing_0 = box_words_found_facing_0;
         cull_0_short_in_0 = box_words_found_short_0;
+        gathers_facing_1 = box_words_found_facing_1;
         cull_0_short_in_1 = box_words_found_short_1;
         cull_0_clock = clock;
         cull_0_reset = reset;
@@ -2440,67 +2366,48 @@ module photoncube_leaf_5_local7_rgb6d_n64(clock, reset, query_valid, query_ready
         cull_3_reset = reset;
         cull_4_clock = clock;
         cull_4_reset = reset;
-        cull_5_clock = clock;
-        cull_5_reset = reset;
         cull_1_valid_in = cull_0_valid_out;
         cull_1_pair_in = cull_0_pair_out;
         cull_1_bank_in = cull_0_bank_out;
         cull_1_end_in = cull_0_end_out;
         cull_1_release_in = cull_0_release_out;
-        cull_1_gathered_in_0 = cull_0_gathered_out_0;
         cull_1_short_in_0 = cull_0_short_out_0;
-        cull_1_gathered_in_1 = cull_0_gathered_out_1;
         cull_1_short_in_1 = cull_0_short_out_1;
         cull_2_valid_in = cull_1_valid_out;
         cull_2_pair_in = cull_1_pair_out;
         cull_2_bank_in = cull_1_bank_out;
         cull_2_end_in = cull_1_end_out;
         cull_2_release_in = cull_1_release_out;
-        cull_2_gathered_in_0 = cull_1_gathered_out_0;
         cull_2_short_in_0 = cull_1_short_out_0;
-        cull_2_gathered_in_1 = cull_1_gathered_out_1;
         cull_2_short_in_1 = cull_1_short_out_1;
         cull_3_valid_in = cull_2_valid_out;
         cull_3_pair_in = cull_2_pair_out;
         cull_3_bank_in = cull_2_bank_out;
         cull_3_end_in = cull_2_end_out;
         cull_3_release_in = cull_2_release_out;
-        cull_3_gathered_in_0 = cull_2_gathered_out_0;
         cull_3_short_in_0 = cull_2_short_out_0;
-        cull_3_gathered_in_1 = cull_2_gathered_out_1;
         cull_3_short_in_1 = cull_2_short_out_1;
         cull_4_valid_in = cull_3_valid_out;
         cull_4_pair_in = cull_3_pair_out;
         cull_4_bank_in = cull_3_bank_out;
         cull_4_end_in = cull_3_end_out;
         cull_4_release_in = cull_3_release_out;
-        cull_4_gathered_in_0 = cull_3_gathered_out_0;
         cull_4_short_in_0 = cull_3_short_out_0;
-        cull_4_gathered_in_1 = cull_3_gathered_out_1;
         cull_4_short_in_1 = cull_3_short_out_1;
-        cull_5_valid_in = cull_4_valid_out;
-        cull_5_pair_in = cull_4_pair_out;
-        cull_5_bank_in = cull_4_bank_out;
-        cull_5_end_in = cull_4_end_out;
-        cull_5_release_in = cull_4_release_out;
-        cull_5_gathered_in_0 = cull_4_gathered_out_0;
-        cull_5_short_in_0 = cull_4_short_out_0;
-        cull_5_gathered_in_1 = cull_4_gathered_out_1;
-        cull_5_short_in_1 = cull_4_short_out_1;
         queue_clock = clock;
         queue_reset = reset;
-        queue_valid = cull_5_valid_out;
-        queue_pair = cull_5_pair_out;
-        queue_bank = cull_5_bank_out;
-        queue_ends = cull_5_end_out;
-        queue_releases = cull_5_release_out;
+        queue_valid = cull_4_valid_out;
+        queue_pair = cull_4_pair_out;
+        queue_bank = cull_4_bank_out;
+        queue_ends = cull_4_end_out;
+        queue_releases = cull_4_release_out;
         queue_takes_pair = player_takes_pair;
         queue_in_range_0 = culler_in_range_0;
-        queue_gathered_0 = cull_5_gathered_out_0;
-        queue_short_0 = cull_5_short_out_0;
+        queue_gathered_0 = gathers_gathered_0;
+        queue_short_0 = cull_4_short_out_0;
         queue_in_range_1 = culler_in_range_1;
-        queue_gathered_1 = cull_5_gathered_out_1;
-        queue_short_1 = cull_5_short_out_1;
+        queue_gathered_1 = gathers_gathered_1;
+        queue_short_1 = cull_4_short_out_1;
         player_clock = clock;
         player_reset = reset;
         player_has_pair = queue_has_pair;
@@ -2601,17 +2508,12 @@ module photoncube_leaf_5_local7_rgb6d_n64_tags(clock, reset, takes_token, takes_
     reg tag_ram_clock;
     reg tag_ram_write;
     reg [4:0] tag_ram_write_place;
-    reg [17:0] tag_ram_write_word;
+    reg [18:0] tag_ram_write_word;
     reg [4:0] tag_ram_read_place;
-    wire [17:0] tag_ram_read_word;
-    reg kind_ram_clock;
-    reg kind_ram_write;
-    reg [4:0] kind_ram_write_place;
-    reg kind_ram_write_word;
-    reg [4:0] kind_ram_read_place;
-    wire kind_ram_read_word;
+    wire [18:0] tag_ram_read_word;
     // Local signals
-    reg is_query_in;
+    reg [18:0] tag_in;
+    reg [18:0] kind_in;
     reg is_query;
     reg valid;
     reg ready;
@@ -2641,14 +2543,6 @@ module photoncube_leaf_5_local7_rgb6d_n64_tags(clock, reset, takes_token, takes_
         .read_place(tag_ram_read_place),
         .read_word(tag_ram_read_word)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_kind_ram kind_ram(
-        .clock(kind_ram_clock),
-        .write(kind_ram_write),
-        .write_place(kind_ram_write_place),
-        .write_word(kind_ram_write_word),
-        .read_place(kind_ram_read_place),
-        .read_word(kind_ram_read_word)
-    );
     // Update code
     always @(*) begin
         tag_write_clock = clock;
@@ -2658,20 +2552,16 @@ module photoncube_leaf_5_local7_rgb6d_n64_tags(clock, reset, takes_token, takes_
         tag_read_d = tag_read_q;
         tag_result_d = tag_result_q;
         tag_ram_clock = clock;
-        kind_ram_clock = clock;
-        is_query_in = 32'h0;
+        tag_in = ((query_tag) & 19'h7ffff) << 32'h1;
+        kind_in = 32'h0;
         if (takes_query) begin
-            is_query_in = 32'h1;
+            kind_in = 32'h1;
         end
         tag_ram_write = takes_token;
         tag_ram_write_place = tag_write_q;
-        tag_ram_write_word = query_tag;
+        tag_ram_write_word = tag_in | kind_in;
         tag_ram_read_place = tag_read_q;
-        kind_ram_write = takes_token;
-        kind_ram_write_place = tag_write_q;
-        kind_ram_write_word = is_query_in;
-        kind_ram_read_place = tag_read_q;
-        is_query = |kind_ram_read_word;
+        is_query = tag_ram_read_word[32'h0];
         valid = chain_valid & is_query;
         ready = result_ready | ~is_query;
         takes = chain_valid & ready;
@@ -2695,16 +2585,16 @@ module photoncube_leaf_5_local7_rgb6d_n64_tags(clock, reset, takes_token, takes_
         result_valid = valid;
         result_tag = 32'h0;
         if (valid) begin
-            result_tag = tag_ram_read_word;
+            result_tag = tag_ram_read_word[(32'h1)+:(18)];
         end
         batch_leaves = takes & is_last;
     end
 endmodule
 
 module photoncube_leaf_5_local7_rgb6d_n64_scan(clock, reset, complete, releases, facings, full_0, full_1,
-    end_0, end_1, drops, takes_pair, starts, issues, issue_bank, issue_pair, facings_out,
-    found_valid_out, found_pair_out, found_bank_out, found_end_out, found_release_out,
-    found_second_out, compared);
+    end_0, end_1, drops, takes_pair, starts, takes_box, issues, issue_bank, issue_pair,
+    facings_out, found_valid_out, found_pair_out, found_bank_out, found_end_out,
+    found_release_out, found_second_out, compared);
     // Module arguments
     input wire clock;
     input wire reset;
@@ -2718,6 +2608,7 @@ module photoncube_leaf_5_local7_rgb6d_n64_scan(clock, reset, complete, releases,
     input wire drops;
     input wire takes_pair;
     output reg starts;
+    output reg takes_box;
     output reg issues;
     output reg issue_bank;
     output reg [1:0] issue_pair;
@@ -2730,8 +2621,14 @@ module photoncube_leaf_5_local7_rgb6d_n64_scan(clock, reset, complete, releases,
     output reg found_second_out;
     output reg [1:0] compared;
     // Constant declarations
-    localparam most_used = 5'b10000;
+    localparam most_used = 6'b100000;
     // Stub signals
+    reg starting_d;
+    wire starting_q;
+    reg starting_clock;
+    reg started_d;
+    wire started_q;
+    reg started_clock;
     reg scanning_d;
     wire scanning_q;
     reg scanning_clock;
@@ -2750,9 +2647,12 @@ module photoncube_leaf_5_local7_rgb6d_n64_scan(clock, reset, complete, releases,
     reg [31:0] scan_facings_d;
     wire [31:0] scan_facings_q;
     reg scan_facings_clock;
-    reg [4:0] used_d;
-    wire [4:0] used_q;
+    reg [5:0] used_d;
+    wire [5:0] used_q;
     reg used_clock;
+    reg [1:0] returned_d;
+    wire [1:0] returned_q;
+    reg returned_clock;
     reg look_valid_d;
     wire look_valid_q;
     reg look_valid_clock;
@@ -2793,16 +2693,27 @@ module photoncube_leaf_5_local7_rgb6d_n64_scan(clock, reset, complete, releases,
     reg is_full;
     reg [2:0] end_leaf;
     reg [1:0] end_pair;
+    reg next_bank;
+    reg is_free;
+    reg may_start;
     reg start;
     reg has_place;
     reg issue;
     reg is_last;
-    reg [4:0] issued;
-    reg [4:0] dropped;
-    reg [4:0] taken;
-    reg [4:0] used_more;
-    reg [4:0] used_less;
+    reg [5:0] issued;
+    reg [5:0] used_more;
+    reg [5:0] used_less;
     // Sub module instances
+    photoncube_leaf_5_local7_rgb6d_n64_register_1 starting(
+        .d(starting_d),
+        .q(starting_q),
+        .clock(starting_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_register_1 started(
+        .d(started_d),
+        .q(started_q),
+        .clock(started_clock)
+    );
     photoncube_leaf_5_local7_rgb6d_n64_register_1 scanning(
         .d(scanning_d),
         .q(scanning_q),
@@ -2833,10 +2744,15 @@ module photoncube_leaf_5_local7_rgb6d_n64_scan(clock, reset, complete, releases,
         .q(scan_facings_q),
         .clock(scan_facings_clock)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_register_5 used(
+    photoncube_leaf_5_local7_rgb6d_n64_register_6 used(
         .d(used_d),
         .q(used_q),
         .clock(used_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_register_2 returned(
+        .d(returned_d),
+        .q(returned_q),
+        .clock(returned_clock)
     );
     photoncube_leaf_5_local7_rgb6d_n64_register_1 look_valid(
         .d(look_valid_d),
@@ -2900,6 +2816,8 @@ module photoncube_leaf_5_local7_rgb6d_n64_scan(clock, reset, complete, releases,
     );
     // Update code
     always @(*) begin
+        starting_clock = clock;
+        started_clock = clock;
         scanning_clock = clock;
         scan_bank_clock = clock;
         scan_pair_clock = clock;
@@ -2907,6 +2825,7 @@ module photoncube_leaf_5_local7_rgb6d_n64_scan(clock, reset, complete, releases,
         scan_release_clock = clock;
         scan_facings_clock = clock;
         used_clock = clock;
+        returned_clock = clock;
         look_valid_clock = clock;
         look_pair_clock = clock;
         look_bank_clock = clock;
@@ -2919,6 +2838,8 @@ module photoncube_leaf_5_local7_rgb6d_n64_scan(clock, reset, complete, releases,
         found_end_clock = clock;
         found_release_clock = clock;
         found_second_clock = clock;
+        starting_d = starting_q;
+        started_d = started_q;
         scanning_d = scanning_q;
         scan_bank_d = scan_bank_q;
         scan_pair_d = scan_pair_q;
@@ -2926,6 +2847,7 @@ module photoncube_leaf_5_local7_rgb6d_n64_scan(clock, reset, complete, releases,
         scan_release_d = scan_release_q;
         scan_facings_d = scan_facings_q;
         used_d = used_q;
+        returned_d = returned_q;
         look_valid_d = look_valid_q;
         look_pair_d = look_pair_q;
         look_bank_d = look_bank_q;
@@ -2938,17 +2860,24 @@ module photoncube_leaf_5_local7_rgb6d_n64_scan(clock, reset, complete, releases,
         found_end_d = found_end_q;
         found_release_d = found_release_q;
         found_second_d = found_second_q;
-        is_full = full_0;
-        end_leaf = end_0;
-        if (scan_bank_q) begin
-            is_full = full_1;
-            end_leaf = end_1;
-        end
-        start = complete & is_full & ~scanning_q & ~look_valid_q;
         has_place = used_q != most_used;
         issue = scanning_q & has_place;
         end_pair = scan_end_q[(32'h1)+:(2)];
         is_last = scan_pair_q == end_pair;
+        end_leaf = end_0;
+        if (scan_bank_q) begin
+            end_leaf = end_1;
+        end
+        next_bank = scan_bank_q ^ (scanning_q & scan_release_q);
+        is_full = full_0;
+        if (next_bank) begin
+            is_full = full_1;
+        end
+        is_free = ~scanning_q | (has_place & is_last);
+        may_start = complete & is_full & ~starting_q;
+        starting_d = may_start & is_free;
+        started_d = starting_q;
+        start = starting_q;
         look_valid_d = issue;
         look_pair_d = scan_pair_q;
         look_bank_d = scan_bank_q;
@@ -2969,23 +2898,24 @@ module photoncube_leaf_5_local7_rgb6d_n64_scan(clock, reset, complete, releases,
             scan_pair_d = 32'h0;
             scan_end_d = end_leaf;
             scan_release_d = releases;
+        end
+        if (started_q) begin
             scan_facings_d = facings;
         end
         issued = 32'h0;
         if (issue) begin
             issued = 32'h1;
         end
-        dropped = 32'h0;
-        if (drops) begin
-            dropped = 32'h1;
-        end
-        taken = 32'h0;
-        if (takes_pair) begin
-            taken = 32'h1;
-        end
         used_more = used_q + issued;
-        used_less = used_more - dropped;
-        used_d = used_less - taken;
+        used_less = ((returned_q) & 6'h3f);
+        used_d = used_more - used_less;
+        returned_d = 32'h0;
+        if (drops | takes_pair) begin
+            returned_d = 32'h1;
+        end
+        if (drops & takes_pair) begin
+            returned_d = 32'h2;
+        end
         found_valid_d = look_valid_q;
         found_pair_d = look_pair_q;
         found_bank_d = look_bank_q;
@@ -2993,13 +2923,17 @@ module photoncube_leaf_5_local7_rgb6d_n64_scan(clock, reset, complete, releases,
         found_release_d = look_release_q;
         found_second_d = look_second_q;
         if (reset) begin
+            starting_d = 1'b0;
+            started_d = 1'b0;
             scanning_d = 1'b0;
             scan_bank_d = 1'b0;
             used_d = 32'h0;
+            returned_d = 32'h0;
             look_valid_d = 1'b0;
             found_valid_d = 1'b0;
         end
         starts = start;
+        takes_box = started_q;
         issues = issue;
         issue_bank = scan_bank_q;
         issue_pair = scan_pair_q;
@@ -3222,32 +3156,32 @@ module photoncube_leaf_5_local7_rgb6d_n64_queue_2(clock, reset, valid, pair, ban
     output reg [2:0] oldest_flags;
     output reg [1:0] wanted;
     // Stub signals
-    reg [3:0] queue_write_d;
-    wire [3:0] queue_write_q;
+    reg [4:0] queue_write_d;
+    wire [4:0] queue_write_q;
     reg queue_write_clock;
-    reg [3:0] queue_read_d;
-    wire [3:0] queue_read_q;
+    reg [4:0] queue_read_d;
+    wire [4:0] queue_read_q;
     reg queue_read_clock;
-    reg [4:0] queue_count_d;
-    wire [4:0] queue_count_q;
+    reg [5:0] queue_count_d;
+    wire [5:0] queue_count_q;
     reg queue_count_clock;
     reg pair_ram_clock;
     reg pair_ram_write;
-    reg [3:0] pair_ram_write_place;
+    reg [4:0] pair_ram_write_place;
     reg [1:0] pair_ram_write_word;
-    reg [3:0] pair_ram_read_place;
+    reg [4:0] pair_ram_read_place;
     wire [1:0] pair_ram_read_word;
     reg mask_ram_clock;
     reg mask_ram_write;
-    reg [3:0] mask_ram_write_place;
+    reg [4:0] mask_ram_write_place;
     reg [3:0] mask_ram_write_word;
-    reg [3:0] mask_ram_read_place;
+    reg [4:0] mask_ram_read_place;
     wire [3:0] mask_ram_read_word;
     reg flag_ram_clock;
     reg flag_ram_write;
-    reg [3:0] flag_ram_write_place;
+    reg [4:0] flag_ram_write_place;
     reg [2:0] flag_ram_write_word;
-    reg [3:0] flag_ram_read_place;
+    reg [4:0] flag_ram_read_place;
     wire [2:0] flag_ram_read_word;
     // Local signals
     reg wanted_0;
@@ -3257,17 +3191,17 @@ module photoncube_leaf_5_local7_rgb6d_n64_queue_2(clock, reset, valid, pair, ban
     reg [3:0] mask;
     reg [2:0] flags;
     // Sub module instances
-    photoncube_leaf_5_local7_rgb6d_n64_register_4 queue_write(
+    photoncube_leaf_5_local7_rgb6d_n64_register_5 queue_write(
         .d(queue_write_d),
         .q(queue_write_q),
         .clock(queue_write_clock)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_register_4 queue_read(
+    photoncube_leaf_5_local7_rgb6d_n64_register_5 queue_read(
         .d(queue_read_d),
         .q(queue_read_q),
         .clock(queue_read_clock)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_register_5 queue_count(
+    photoncube_leaf_5_local7_rgb6d_n64_register_6 queue_count(
         .d(queue_count_d),
         .q(queue_count_q),
         .clock(queue_count_clock)
@@ -4096,7 +4030,7 @@ module photoncube_leaf_5_local7_rgb6d_n64_chain(clock, reset, query_valid, query
         .result_out_2(engine_0_result_out_2),
         .result_count_out(engine_0_result_count_out)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_engine engine_1(
+    photoncube_leaf_5_local7_rgb6d_n64_engine_2 engine_1(
         .clock(engine_1_clock),
         .reset_in(engine_1_reset_in),
         .token_valid_in(engine_1_token_valid_in),
@@ -4400,7 +4334,7 @@ module photoncube_leaf_5_local7_rgb6d_n64_player(clock, reset, has_pair, pair, m
     output reg word_last_out;
     output reg word_blank_out;
     // Constant declarations
-    localparam spaced = 2'b10;
+    localparam spaced = 2'b1;
     localparam most = 4'h8;
     // Stub signals
     reg entry_valid_d;
@@ -4424,6 +4358,9 @@ module photoncube_leaf_5_local7_rgb6d_n64_player(clock, reset, has_pair, pair, m
     reg [1:0] spacing_d;
     wire [1:0] spacing_q;
     reg spacing_clock;
+    reg may_end_d;
+    wire may_end_q;
+    reg may_end_clock;
     reg [3:0] outstanding_d;
     wire [3:0] outstanding_q;
     reg outstanding_clock;
@@ -4452,7 +4389,6 @@ module photoncube_leaf_5_local7_rgb6d_n64_player(clock, reset, has_pair, pair, m
     reg is_end;
     reg is_spaced;
     reg has_room;
-    reg may_end;
     reg is_played;
     reg ends;
     reg takes;
@@ -4494,6 +4430,11 @@ module photoncube_leaf_5_local7_rgb6d_n64_player(clock, reset, has_pair, pair, m
         .d(spacing_d),
         .q(spacing_q),
         .clock(spacing_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_register_1 may_end(
+        .d(may_end_d),
+        .q(may_end_q),
+        .clock(may_end_clock)
     );
     photoncube_leaf_5_local7_rgb6d_n64_register_4 outstanding(
         .d(outstanding_d),
@@ -4539,6 +4480,7 @@ module photoncube_leaf_5_local7_rgb6d_n64_player(clock, reset, has_pair, pair, m
         entry_end_clock = clock;
         entry_release_clock = clock;
         spacing_clock = clock;
+        may_end_clock = clock;
         outstanding_clock = clock;
         read_valid_clock = clock;
         read_last_clock = clock;
@@ -4553,6 +4495,7 @@ module photoncube_leaf_5_local7_rgb6d_n64_player(clock, reset, has_pair, pair, m
         entry_end_d = entry_end_q;
         entry_release_d = entry_release_q;
         spacing_d = spacing_q;
+        may_end_d = may_end_q;
         outstanding_d = outstanding_q;
         read_valid_d = read_valid_q;
         read_last_d = read_last_q;
@@ -4566,9 +4509,9 @@ module photoncube_leaf_5_local7_rgb6d_n64_player(clock, reset, has_pair, pair, m
         is_end = entry_end_q & is_last_group;
         is_spaced = ~|spacing_q;
         has_room = outstanding_q != most;
-        may_end = is_spaced & has_room;
-        is_played = entry_valid_q & (may_end | ~is_end);
+        is_played = entry_valid_q & (may_end_q | ~is_end);
         ends = is_played & is_end;
+        may_end_d = is_spaced & has_room & ~ends;
         takes = has_pair & (~entry_valid_q | (is_played & is_last_group));
         if (is_played) begin
             entry_mask_d = rest;
@@ -4620,6 +4563,7 @@ module photoncube_leaf_5_local7_rgb6d_n64_player(clock, reset, has_pair, pair, m
         if (reset) begin
             entry_valid_d = 1'b0;
             spacing_d = 32'h0;
+            may_end_d = 1'b0;
             outstanding_d = 32'h0;
             read_valid_d = 1'b0;
             word_valid_d = 1'b0;
@@ -4632,7 +4576,7 @@ endmodule
 
 module photoncube_leaf_5_local7_rgb6d_n64_former(clock, reset, query_valid, query_last, query_release,
     query_facings, chain_ready, starts, query_ready, token_valid, takes_token, takes_query,
-    first, fills, complete, release_out, facings_out);
+    first, offers_query, fills, complete, release_out, facings_out);
     // Module arguments
     input wire clock;
     input wire reset;
@@ -4647,6 +4591,7 @@ module photoncube_leaf_5_local7_rgb6d_n64_former(clock, reset, query_valid, quer
     output reg takes_token;
     output reg takes_query;
     output reg first;
+    output reg offers_query;
     output reg fills;
     output reg complete;
     output reg release_out;
@@ -4674,6 +4619,7 @@ module photoncube_leaf_5_local7_rgb6d_n64_former(clock, reset, query_valid, quer
     reg valid;
     reg takes;
     reg is_query;
+    reg is_offered;
     // Sub module instances
     photoncube_leaf_5_local7_rgb6d_n64_register_2 loaded(
         .d(loaded_d),
@@ -4720,9 +4666,10 @@ module photoncube_leaf_5_local7_rgb6d_n64_former(clock, reset, query_valid, quer
         if (is_query) begin
             closed_d = query_last | is_last_place;
             releases_d = query_release | (releases_q & ~is_first);
-            if (is_first) begin
-                facings_d = query_facings;
-            end
+        end
+        is_offered = query_valid & ~closed_q;
+        if (is_offered & is_first) begin
+            facings_d = query_facings;
         end
         if (starts) begin
             loaded_d = 32'h0;
@@ -4737,6 +4684,7 @@ module photoncube_leaf_5_local7_rgb6d_n64_former(clock, reset, query_valid, quer
         takes_token = takes;
         takes_query = is_query;
         first = is_first;
+        offers_query = is_offered;
         fills = closed_q;
         complete = closed_q & is_full;
         release_out = releases_q;
@@ -4819,30 +4767,30 @@ module photoncube_leaf_5_local7_rgb6d_n64_culler(clock, query_low_0, query_low_1
     reg [9:0] difference_5_d;
     wire [9:0] difference_5_q;
     reg difference_5_clock;
-    reg digits_0_clock;
-    reg [9:0] digits_0_difference;
-    wire [13:0] digits_0_square;
-    wire digits_0_far;
-    reg digits_1_clock;
-    reg [9:0] digits_1_difference;
-    wire [13:0] digits_1_square;
-    wire digits_1_far;
-    reg digits_2_clock;
-    reg [9:0] digits_2_difference;
-    wire [13:0] digits_2_square;
-    wire digits_2_far;
-    reg digits_3_clock;
-    reg [9:0] digits_3_difference;
-    wire [13:0] digits_3_square;
-    wire digits_3_far;
-    reg digits_4_clock;
-    reg [9:0] digits_4_difference;
-    wire [13:0] digits_4_square;
-    wire digits_4_far;
-    reg digits_5_clock;
-    reg [9:0] digits_5_difference;
-    wire [13:0] digits_5_square;
-    wire digits_5_far;
+    reg product_0_clock;
+    reg [9:0] product_0_difference;
+    wire [13:0] product_0_square;
+    wire product_0_far;
+    reg product_1_clock;
+    reg [9:0] product_1_difference;
+    wire [13:0] product_1_square;
+    wire product_1_far;
+    reg product_2_clock;
+    reg [9:0] product_2_difference;
+    wire [13:0] product_2_square;
+    wire product_2_far;
+    reg product_3_clock;
+    reg [9:0] product_3_difference;
+    wire [13:0] product_3_square;
+    wire product_3_far;
+    reg product_4_clock;
+    reg [9:0] product_4_difference;
+    wire [13:0] product_4_square;
+    wire product_4_far;
+    reg product_5_clock;
+    reg [9:0] product_5_difference;
+    wire [13:0] product_5_square;
+    wire product_5_far;
     reg [13:0] square_stage_0_d;
     wire [13:0] square_stage_0_q;
     reg square_stage_0_clock;
@@ -4968,41 +4916,41 @@ module photoncube_leaf_5_local7_rgb6d_n64_culler(clock, query_low_0, query_low_1
         .q(difference_5_q),
         .clock(difference_5_clock)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_digits digits_0(
-        .clock(digits_0_clock),
-        .difference(digits_0_difference),
-        .square(digits_0_square),
-        .far(digits_0_far)
+    photoncube_leaf_5_local7_rgb6d_n64_product product_0(
+        .clock(product_0_clock),
+        .difference(product_0_difference),
+        .square(product_0_square),
+        .far(product_0_far)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_digits digits_1(
-        .clock(digits_1_clock),
-        .difference(digits_1_difference),
-        .square(digits_1_square),
-        .far(digits_1_far)
+    photoncube_leaf_5_local7_rgb6d_n64_product product_1(
+        .clock(product_1_clock),
+        .difference(product_1_difference),
+        .square(product_1_square),
+        .far(product_1_far)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_digits digits_2(
-        .clock(digits_2_clock),
-        .difference(digits_2_difference),
-        .square(digits_2_square),
-        .far(digits_2_far)
+    photoncube_leaf_5_local7_rgb6d_n64_product product_2(
+        .clock(product_2_clock),
+        .difference(product_2_difference),
+        .square(product_2_square),
+        .far(product_2_far)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_digits digits_3(
-        .clock(digits_3_clock),
-        .difference(digits_3_difference),
-        .square(digits_3_square),
-        .far(digits_3_far)
+    photoncube_leaf_5_local7_rgb6d_n64_product product_3(
+        .clock(product_3_clock),
+        .difference(product_3_difference),
+        .square(product_3_square),
+        .far(product_3_far)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_digits digits_4(
-        .clock(digits_4_clock),
-        .difference(digits_4_difference),
-        .square(digits_4_square),
-        .far(digits_4_far)
+    photoncube_leaf_5_local7_rgb6d_n64_product product_4(
+        .clock(product_4_clock),
+        .difference(product_4_difference),
+        .square(product_4_square),
+        .far(product_4_far)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_digits digits_5(
-        .clock(digits_5_clock),
-        .difference(digits_5_difference),
-        .square(digits_5_square),
-        .far(digits_5_far)
+    photoncube_leaf_5_local7_rgb6d_n64_product product_5(
+        .clock(product_5_clock),
+        .difference(product_5_difference),
+        .square(product_5_square),
+        .far(product_5_far)
     );
     photoncube_leaf_5_local7_rgb6d_n64_square_stage square_stage_0(
         .d(square_stage_0_d),
@@ -5146,30 +5094,30 @@ module photoncube_leaf_5_local7_rgb6d_n64_culler(clock, query_low_0, query_low_1
         far_stage_5_clock = clock;
         lane_1_axis_square_2 = square_stage_5_q;
         lane_1_axis_far_2 = far_stage_5_q;
-        digits_0_clock = clock;
-        digits_0_difference = difference_0_q;
-        square_stage_0_d = digits_0_square;
-        far_stage_0_d = digits_0_far;
-        digits_1_clock = clock;
-        digits_1_difference = difference_1_q;
-        square_stage_1_d = digits_1_square;
-        far_stage_1_d = digits_1_far;
-        digits_2_clock = clock;
-        digits_2_difference = difference_2_q;
-        square_stage_2_d = digits_2_square;
-        far_stage_2_d = digits_2_far;
-        digits_3_clock = clock;
-        digits_3_difference = difference_3_q;
-        square_stage_3_d = digits_3_square;
-        far_stage_3_d = digits_3_far;
-        digits_4_clock = clock;
-        digits_4_difference = difference_4_q;
-        square_stage_4_d = digits_4_square;
-        far_stage_4_d = digits_4_far;
-        digits_5_clock = clock;
-        digits_5_difference = difference_5_q;
-        square_stage_5_d = digits_5_square;
-        far_stage_5_d = digits_5_far;
+        product_0_clock = clock;
+        product_0_difference = difference_0_q;
+        square_stage_0_d = product_0_square;
+        far_stage_0_d = product_0_far;
+        product_1_clock = clock;
+        product_1_difference = difference_1_q;
+        square_stage_1_d = product_1_square;
+        far_stage_1_d = product_1_far;
+        product_2_clock = clock;
+        product_2_difference = difference_2_q;
+        square_stage_2_d = product_2_square;
+        far_stage_2_d = product_2_far;
+        product_3_clock = clock;
+        product_3_difference = difference_3_q;
+        square_stage_3_d = product_3_square;
+        far_stage_3_d = product_3_far;
+        product_4_clock = clock;
+        product_4_difference = difference_4_q;
+        square_stage_4_d = product_4_square;
+        far_stage_4_d = product_4_far;
+        product_5_clock = clock;
+        product_5_difference = difference_5_q;
+        square_stage_5_d = product_5_square;
+        far_stage_5_d = product_5_far;
         lane_0_clock = clock;
         in_range_0 = lane_0_photon_in_range;
         lane_1_clock = clock;
@@ -5178,8 +5126,8 @@ module photoncube_leaf_5_local7_rgb6d_n64_culler(clock, query_low_0, query_low_1
 endmodule
 
 module photoncube_leaf_5_local7_rgb6d_n64_cull(clock, reset, valid_in, pair_in, bank_in, end_in,
-    release_in, gathered_in_0, gathered_in_1, short_in_0, short_in_1, valid_out, pair_out,
-    bank_out, end_out, release_out, gathered_out_0, gathered_out_1, short_out_0, short_out_1);
+    release_in, short_in_0, short_in_1, valid_out, pair_out, bank_out, end_out, release_out,
+    short_out_0, short_out_1);
     // Module arguments
     input wire clock;
     input wire reset;
@@ -5188,8 +5136,6 @@ module photoncube_leaf_5_local7_rgb6d_n64_cull(clock, reset, valid_in, pair_in, 
     input wire bank_in;
     input wire end_in;
     input wire release_in;
-    input wire gathered_in_0;
-    input wire gathered_in_1;
     input wire short_in_0;
     input wire short_in_1;
     output reg valid_out;
@@ -5197,8 +5143,6 @@ module photoncube_leaf_5_local7_rgb6d_n64_cull(clock, reset, valid_in, pair_in, 
     output reg bank_out;
     output reg end_out;
     output reg release_out;
-    output reg gathered_out_0;
-    output reg gathered_out_1;
     output reg short_out_0;
     output reg short_out_1;
     // Stub signals
@@ -5217,12 +5161,6 @@ module photoncube_leaf_5_local7_rgb6d_n64_cull(clock, reset, valid_in, pair_in, 
     reg releases_d;
     wire releases_q;
     reg releases_clock;
-    reg gathered_0_d;
-    wire gathered_0_q;
-    reg gathered_0_clock;
-    reg gathered_1_d;
-    wire gathered_1_q;
-    reg gathered_1_clock;
     reg short_0_d;
     wire short_0_q;
     reg short_0_clock;
@@ -5254,16 +5192,6 @@ module photoncube_leaf_5_local7_rgb6d_n64_cull(clock, reset, valid_in, pair_in, 
         .d(releases_d),
         .q(releases_q),
         .clock(releases_clock)
-    );
-    photoncube_leaf_5_local7_rgb6d_n64_register_1 gathered_0(
-        .d(gathered_0_d),
-        .q(gathered_0_q),
-        .clock(gathered_0_clock)
-    );
-    photoncube_leaf_5_local7_rgb6d_n64_register_1 gathered_1(
-        .d(gathered_1_d),
-        .q(gathered_1_q),
-        .clock(gathered_1_clock)
     );
     photoncube_leaf_5_local7_rgb6d_n64_register_1 short_0(
         .d(short_0_d),
@@ -5297,39 +5225,144 @@ module photoncube_leaf_5_local7_rgb6d_n64_cull(clock, reset, valid_in, pair_in, 
         bank_out = bank_q;
         end_out = end_of_set_q;
         release_out = releases_q;
-        gathered_0_clock = clock;
         short_0_clock = clock;
-        gathered_0_d = gathered_in_0;
         short_0_d = short_in_0;
-        gathered_out_0 = gathered_0_q;
         short_out_0 = short_0_q;
-        gathered_1_clock = clock;
         short_1_clock = clock;
-        gathered_1_d = gathered_in_1;
         short_1_d = short_in_1;
-        gathered_out_1 = gathered_1_q;
         short_out_1 = short_1_q;
     end
 endmodule
 
-module photoncube_leaf_5_local7_rgb6d_n64_gathers(facings, facing_0, facing_1, second, first_gathered,
-    second_gathered);
+module photoncube_leaf_5_local7_rgb6d_n64_gathers(clock, facings, facing_0, facing_1, is_there_0, is_there_1,
+    gathered_0, gathered_1);
     // Module arguments
+    input wire clock;
     input wire [31:0] facings;
     input wire [4:0] facing_0;
     input wire [4:0] facing_1;
-    input wire second;
-    output reg first_gathered;
-    output reg second_gathered;
-    // Local signals
-    reg [31:0] shifted_0;
-    reg [31:0] shifted_1;
+    input wire is_there_0;
+    input wire is_there_1;
+    output reg gathered_0;
+    output reg gathered_1;
+    // Stub signals
+    reg leaf_0_clock;
+    reg [31:0] leaf_0_facings;
+    reg [4:0] leaf_0_facing;
+    reg leaf_0_is_there;
+    wire leaf_0_gathered;
+    reg leaf_1_clock;
+    reg [31:0] leaf_1_facings;
+    reg [4:0] leaf_1_facing;
+    reg leaf_1_is_there;
+    wire leaf_1_gathered;
+    reg stage_0_d;
+    wire stage_0_q;
+    reg stage_0_clock;
+    reg stage_1_d;
+    wire stage_1_q;
+    reg stage_1_clock;
+    reg stage_2_d;
+    wire stage_2_q;
+    reg stage_2_clock;
+    reg stage_3_d;
+    wire stage_3_q;
+    reg stage_3_clock;
+    reg stage_4_d;
+    wire stage_4_q;
+    reg stage_4_clock;
+    reg stage_5_d;
+    wire stage_5_q;
+    reg stage_5_clock;
+    reg stage_6_d;
+    wire stage_6_q;
+    reg stage_6_clock;
+    reg stage_7_d;
+    wire stage_7_q;
+    reg stage_7_clock;
+    // Sub module instances
+    photoncube_leaf_5_local7_rgb6d_n64_leaf leaf_0(
+        .clock(leaf_0_clock),
+        .facings(leaf_0_facings),
+        .facing(leaf_0_facing),
+        .is_there(leaf_0_is_there),
+        .gathered(leaf_0_gathered)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_leaf leaf_1(
+        .clock(leaf_1_clock),
+        .facings(leaf_1_facings),
+        .facing(leaf_1_facing),
+        .is_there(leaf_1_is_there),
+        .gathered(leaf_1_gathered)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_register_1 stage_0(
+        .d(stage_0_d),
+        .q(stage_0_q),
+        .clock(stage_0_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_register_1 stage_1(
+        .d(stage_1_d),
+        .q(stage_1_q),
+        .clock(stage_1_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_register_1 stage_2(
+        .d(stage_2_d),
+        .q(stage_2_q),
+        .clock(stage_2_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_register_1 stage_3(
+        .d(stage_3_d),
+        .q(stage_3_q),
+        .clock(stage_3_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_register_1 stage_4(
+        .d(stage_4_d),
+        .q(stage_4_q),
+        .clock(stage_4_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_register_1 stage_5(
+        .d(stage_5_d),
+        .q(stage_5_q),
+        .clock(stage_5_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_register_1 stage_6(
+        .d(stage_6_d),
+        .q(stage_6_q),
+        .clock(stage_6_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_register_1 stage_7(
+        .d(stage_7_d),
+        .q(stage_7_q),
+        .clock(stage_7_clock)
+    );
     // Update code
     always @(*) begin
-        shifted_0 = facings >> facing_0;
-        shifted_1 = facings >> facing_1;
-        first_gathered = shifted_0[32'h0];
-        second_gathered = shifted_1[32'h0] & second;
+        leaf_0_clock = clock;
+        leaf_0_facings = facings;
+        leaf_0_facing = facing_0;
+        leaf_0_is_there = is_there_0;
+        stage_0_d = leaf_0_gathered;
+        leaf_1_clock = clock;
+        leaf_1_facings = facings;
+        leaf_1_facing = facing_1;
+        leaf_1_is_there = is_there_1;
+        stage_1_d = leaf_1_gathered;
+        stage_0_clock = clock;
+        stage_1_clock = clock;
+        stage_2_clock = clock;
+        stage_2_d = stage_0_q;
+        stage_3_clock = clock;
+        stage_3_d = stage_1_q;
+        stage_4_clock = clock;
+        stage_4_d = stage_2_q;
+        stage_5_clock = clock;
+        stage_5_d = stage_3_q;
+        stage_6_clock = clock;
+        stage_6_d = stage_4_q;
+        stage_7_clock = clock;
+        stage_7_d = stage_5_q;
+        gathered_0 = stage_6_q;
+        gathered_1 = stage_7_q;
     end
 endmodule
 
@@ -5649,88 +5682,40 @@ module photoncube_leaf_5_local7_rgb6d_n64_borders(clock, present_0, present_1, p
     output reg [8:0] high_1;
     output reg [8:0] high_2;
     // Stub signals
-    reg lane_0_present;
-    reg [8:0] lane_0_place;
-    wire [8:0] lane_0_low;
-    wire [8:0] lane_0_high;
-    reg lane_1_present;
-    reg [8:0] lane_1_place;
-    wire [8:0] lane_1_low;
-    wire [8:0] lane_1_high;
-    reg lane_2_present;
-    reg [8:0] lane_2_place;
-    wire [8:0] lane_2_low;
-    wire [8:0] lane_2_high;
-    reg lane_3_present;
-    reg [8:0] lane_3_place;
-    wire [8:0] lane_3_low;
-    wire [8:0] lane_3_high;
-    reg lane_4_present;
-    reg [8:0] lane_4_place;
-    wire [8:0] lane_4_low;
-    wire [8:0] lane_4_high;
-    reg lane_5_present;
-    reg [8:0] lane_5_place;
-    wire [8:0] lane_5_low;
-    wire [8:0] lane_5_high;
-    reg lane_6_present;
-    reg [8:0] lane_6_place;
-    wire [8:0] lane_6_low;
-    wire [8:0] lane_6_high;
-    reg lane_7_present;
-    reg [8:0] lane_7_place;
-    wire [8:0] lane_7_low;
-    wire [8:0] lane_7_high;
-    reg lane_8_present;
-    reg [8:0] lane_8_place;
-    wire [8:0] lane_8_low;
-    wire [8:0] lane_8_high;
-    reg lane_9_present;
-    reg [8:0] lane_9_place;
-    wire [8:0] lane_9_low;
-    wire [8:0] lane_9_high;
-    reg lane_10_present;
-    reg [8:0] lane_10_place;
-    wire [8:0] lane_10_low;
-    wire [8:0] lane_10_high;
-    reg lane_11_present;
-    reg [8:0] lane_11_place;
-    wire [8:0] lane_11_low;
-    wire [8:0] lane_11_high;
-    reg [8:0] half_0_low_a;
-    reg [8:0] half_0_low_b;
-    reg [8:0] half_0_high_a;
-    reg [8:0] half_0_high_b;
+    reg half_0_present_a;
+    reg half_0_present_b;
+    reg [8:0] half_0_place_a;
+    reg [8:0] half_0_place_b;
     wire [8:0] half_0_low;
     wire [8:0] half_0_high;
-    reg [8:0] half_1_low_a;
-    reg [8:0] half_1_low_b;
-    reg [8:0] half_1_high_a;
-    reg [8:0] half_1_high_b;
+    reg half_1_present_a;
+    reg half_1_present_b;
+    reg [8:0] half_1_place_a;
+    reg [8:0] half_1_place_b;
     wire [8:0] half_1_low;
     wire [8:0] half_1_high;
-    reg [8:0] half_2_low_a;
-    reg [8:0] half_2_low_b;
-    reg [8:0] half_2_high_a;
-    reg [8:0] half_2_high_b;
+    reg half_2_present_a;
+    reg half_2_present_b;
+    reg [8:0] half_2_place_a;
+    reg [8:0] half_2_place_b;
     wire [8:0] half_2_low;
     wire [8:0] half_2_high;
-    reg [8:0] half_3_low_a;
-    reg [8:0] half_3_low_b;
-    reg [8:0] half_3_high_a;
-    reg [8:0] half_3_high_b;
+    reg half_3_present_a;
+    reg half_3_present_b;
+    reg [8:0] half_3_place_a;
+    reg [8:0] half_3_place_b;
     wire [8:0] half_3_low;
     wire [8:0] half_3_high;
-    reg [8:0] half_4_low_a;
-    reg [8:0] half_4_low_b;
-    reg [8:0] half_4_high_a;
-    reg [8:0] half_4_high_b;
+    reg half_4_present_a;
+    reg half_4_present_b;
+    reg [8:0] half_4_place_a;
+    reg [8:0] half_4_place_b;
     wire [8:0] half_4_low;
     wire [8:0] half_4_high;
-    reg [8:0] half_5_low_a;
-    reg [8:0] half_5_low_b;
-    reg [8:0] half_5_high_a;
-    reg [8:0] half_5_high_b;
+    reg half_5_present_a;
+    reg half_5_present_b;
+    reg [8:0] half_5_place_a;
+    reg [8:0] half_5_place_b;
     wire [8:0] half_5_low;
     wire [8:0] half_5_high;
     reg [8:0] half_low_0_d;
@@ -5827,123 +5812,51 @@ module photoncube_leaf_5_local7_rgb6d_n64_borders(clock, present_0, present_1, p
     wire [8:0] border_2_low_out;
     wire [8:0] border_2_high_out;
     // Sub module instances
-    photoncube_leaf_5_local7_rgb6d_n64_lane_2 lane_0(
-        .present(lane_0_present),
-        .place(lane_0_place),
-        .low(lane_0_low),
-        .high(lane_0_high)
-    );
-    photoncube_leaf_5_local7_rgb6d_n64_lane_2 lane_1(
-        .present(lane_1_present),
-        .place(lane_1_place),
-        .low(lane_1_low),
-        .high(lane_1_high)
-    );
-    photoncube_leaf_5_local7_rgb6d_n64_lane_2 lane_2(
-        .present(lane_2_present),
-        .place(lane_2_place),
-        .low(lane_2_low),
-        .high(lane_2_high)
-    );
-    photoncube_leaf_5_local7_rgb6d_n64_lane_2 lane_3(
-        .present(lane_3_present),
-        .place(lane_3_place),
-        .low(lane_3_low),
-        .high(lane_3_high)
-    );
-    photoncube_leaf_5_local7_rgb6d_n64_lane_2 lane_4(
-        .present(lane_4_present),
-        .place(lane_4_place),
-        .low(lane_4_low),
-        .high(lane_4_high)
-    );
-    photoncube_leaf_5_local7_rgb6d_n64_lane_2 lane_5(
-        .present(lane_5_present),
-        .place(lane_5_place),
-        .low(lane_5_low),
-        .high(lane_5_high)
-    );
-    photoncube_leaf_5_local7_rgb6d_n64_lane_2 lane_6(
-        .present(lane_6_present),
-        .place(lane_6_place),
-        .low(lane_6_low),
-        .high(lane_6_high)
-    );
-    photoncube_leaf_5_local7_rgb6d_n64_lane_2 lane_7(
-        .present(lane_7_present),
-        .place(lane_7_place),
-        .low(lane_7_low),
-        .high(lane_7_high)
-    );
-    photoncube_leaf_5_local7_rgb6d_n64_lane_2 lane_8(
-        .present(lane_8_present),
-        .place(lane_8_place),
-        .low(lane_8_low),
-        .high(lane_8_high)
-    );
-    photoncube_leaf_5_local7_rgb6d_n64_lane_2 lane_9(
-        .present(lane_9_present),
-        .place(lane_9_place),
-        .low(lane_9_low),
-        .high(lane_9_high)
-    );
-    photoncube_leaf_5_local7_rgb6d_n64_lane_2 lane_10(
-        .present(lane_10_present),
-        .place(lane_10_place),
-        .low(lane_10_low),
-        .high(lane_10_high)
-    );
-    photoncube_leaf_5_local7_rgb6d_n64_lane_2 lane_11(
-        .present(lane_11_present),
-        .place(lane_11_place),
-        .low(lane_11_low),
-        .high(lane_11_high)
-    );
-    photoncube_leaf_5_local7_rgb6d_n64_both half_0(
-        .low_a(half_0_low_a),
-        .low_b(half_0_low_b),
-        .high_a(half_0_high_a),
-        .high_b(half_0_high_b),
+    photoncube_leaf_5_local7_rgb6d_n64_half half_0(
+        .present_a(half_0_present_a),
+        .present_b(half_0_present_b),
+        .place_a(half_0_place_a),
+        .place_b(half_0_place_b),
         .low(half_0_low),
         .high(half_0_high)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_both half_1(
-        .low_a(half_1_low_a),
-        .low_b(half_1_low_b),
-        .high_a(half_1_high_a),
-        .high_b(half_1_high_b),
+    photoncube_leaf_5_local7_rgb6d_n64_half half_1(
+        .present_a(half_1_present_a),
+        .present_b(half_1_present_b),
+        .place_a(half_1_place_a),
+        .place_b(half_1_place_b),
         .low(half_1_low),
         .high(half_1_high)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_both half_2(
-        .low_a(half_2_low_a),
-        .low_b(half_2_low_b),
-        .high_a(half_2_high_a),
-        .high_b(half_2_high_b),
+    photoncube_leaf_5_local7_rgb6d_n64_half half_2(
+        .present_a(half_2_present_a),
+        .present_b(half_2_present_b),
+        .place_a(half_2_place_a),
+        .place_b(half_2_place_b),
         .low(half_2_low),
         .high(half_2_high)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_both half_3(
-        .low_a(half_3_low_a),
-        .low_b(half_3_low_b),
-        .high_a(half_3_high_a),
-        .high_b(half_3_high_b),
+    photoncube_leaf_5_local7_rgb6d_n64_half half_3(
+        .present_a(half_3_present_a),
+        .present_b(half_3_present_b),
+        .place_a(half_3_place_a),
+        .place_b(half_3_place_b),
         .low(half_3_low),
         .high(half_3_high)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_both half_4(
-        .low_a(half_4_low_a),
-        .low_b(half_4_low_b),
-        .high_a(half_4_high_a),
-        .high_b(half_4_high_b),
+    photoncube_leaf_5_local7_rgb6d_n64_half half_4(
+        .present_a(half_4_present_a),
+        .present_b(half_4_present_b),
+        .place_a(half_4_place_a),
+        .place_b(half_4_place_b),
         .low(half_4_low),
         .high(half_4_high)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_both half_5(
-        .low_a(half_5_low_a),
-        .low_b(half_5_low_b),
-        .high_a(half_5_high_a),
-        .high_b(half_5_high_b),
+    photoncube_leaf_5_local7_rgb6d_n64_half half_5(
+        .present_a(half_5_present_a),
+        .present_b(half_5_present_b),
+        .place_a(half_5_place_a),
+        .place_b(half_5_place_b),
         .low(half_5_low),
         .high(half_5_high)
     );
@@ -6090,74 +6003,50 @@ module photoncube_leaf_5_local7_rgb6d_n64_borders(clock, present_0, present_1, p
     );
     // Update code
     always @(*) begin
-        lane_0_place = x_0;
-        lane_1_place = y_0;
-        lane_2_place = z_0;
-        lane_0_present = present_0;
-        lane_1_present = present_0;
-        lane_2_present = present_0;
-        lane_3_place = x_1;
-        lane_4_place = y_1;
-        lane_5_place = z_1;
-        lane_3_present = present_1;
-        lane_4_present = present_1;
-        lane_5_present = present_1;
-        lane_6_place = x_2;
-        lane_7_place = y_2;
-        lane_8_place = z_2;
-        lane_6_present = present_2;
-        lane_7_present = present_2;
-        lane_8_present = present_2;
-        lane_9_place = x_3;
-        lane_10_place = y_3;
-        lane_11_place = z_3;
-        lane_9_present = present_3;
-        lane_10_present = present_3;
-        lane_11_present = present_3;
-        half_0_low_a = lane_0_low;
-        half_0_low_b = lane_3_low;
-        half_0_high_a = lane_0_high;
-        half_0_high_b = lane_3_high;
+        half_0_place_a = x_0;
+        half_0_place_b = x_1;
+        half_1_place_a = y_0;
+        half_1_place_b = y_1;
+        half_2_place_a = z_0;
+        half_2_place_b = z_1;
+        half_3_place_a = x_2;
+        half_3_place_b = x_3;
+        half_4_place_a = y_2;
+        half_4_place_b = y_3;
+        half_5_place_a = z_2;
+        half_5_place_b = z_3;
+        half_0_present_a = present_0;
+        half_0_present_b = present_1;
         half_low_0_clock = clock;
         half_low_0_d = half_0_low;
         half_high_0_clock = clock;
         half_high_0_d = half_0_high;
-        half_1_low_a = lane_1_low;
-        half_1_low_b = lane_4_low;
-        half_1_high_a = lane_1_high;
-        half_1_high_b = lane_4_high;
+        half_1_present_a = present_0;
+        half_1_present_b = present_1;
         half_low_1_clock = clock;
         half_low_1_d = half_1_low;
         half_high_1_clock = clock;
         half_high_1_d = half_1_high;
-        half_2_low_a = lane_2_low;
-        half_2_low_b = lane_5_low;
-        half_2_high_a = lane_2_high;
-        half_2_high_b = lane_5_high;
+        half_2_present_a = present_0;
+        half_2_present_b = present_1;
         half_low_2_clock = clock;
         half_low_2_d = half_2_low;
         half_high_2_clock = clock;
         half_high_2_d = half_2_high;
-        half_3_low_a = lane_6_low;
-        half_3_low_b = lane_9_low;
-        half_3_high_a = lane_6_high;
-        half_3_high_b = lane_9_high;
+        half_3_present_a = present_2;
+        half_3_present_b = present_3;
         half_low_3_clock = clock;
         half_low_3_d = half_3_low;
         half_high_3_clock = clock;
         half_high_3_d = half_3_high;
-        half_4_low_a = lane_7_low;
-        half_4_low_b = lane_10_low;
-        half_4_high_a = lane_7_high;
-        half_4_high_b = lane_10_high;
+        half_4_present_a = present_2;
+        half_4_present_b = present_3;
         half_low_4_clock = clock;
         half_low_4_d = half_4_low;
         half_high_4_clock = clock;
         half_high_4_d = half_4_high;
-        half_5_low_a = lane_8_low;
-        half_5_low_b = lane_11_low;
-        half_5_high_a = lane_8_high;
-        half_5_high_b = lane_11_high;
+        half_5_present_a = present_2;
+        half_5_present_b = present_3;
         half_low_5_clock = clock;
         half_low_5_d = half_5_low;
         half_high_5_clock = clock;
@@ -7338,14 +7227,14 @@ module photoncube_leaf_5_local7_rgb6d_n64_tag_ram(clock, write, write_place, wri
     input wire clock;
     input wire write;
     input wire [4:0] write_place;
-    input wire [17:0] write_word;
+    input wire [18:0] write_word;
     input wire [4:0] read_place;
-    output reg [17:0] read_word;
+    output reg [18:0] read_word;
     // Update code (custom)
-    reg [17:0] words [0:31];
+    reg [18:0] words [0:31];
     integer place;
-    initial for (place = 0; place <= 31; place = place + 1) words[place] = 18'd0;
-    wire [17:0] read = words[read_place];
+    initial for (place = 0; place <= 31; place = place + 1) words[place] = 19'd0;
+    wire [18:0] read = words[read_place];
     always @(*) read_word = read;
     always @(posedge clock) if (write) words[write_place] <= write_word;
 endmodule
@@ -7410,24 +7299,6 @@ module photoncube_leaf_5_local7_rgb6d_n64_token_place(fills, query, filler, toke
     end
 endmodule
 
-module photoncube_leaf_5_local7_rgb6d_n64_kind_ram(clock, write, write_place, write_word, read_place,
-    read_word);
-    // Module arguments
-    input wire clock;
-    input wire write;
-    input wire [4:0] write_place;
-    input wire write_word;
-    input wire [4:0] read_place;
-    output reg read_word;
-    // Update code (custom)
-    reg [0:0] words [0:31];
-    integer place;
-    initial for (place = 0; place <= 31; place = place + 1) words[place] = 1'd0;
-    wire [0:0] read = words[read_place];
-    always @(*) read_word = read;
-    always @(posedge clock) if (write) words[write_place] <= write_word;
-endmodule
-
 module photoncube_leaf_5_local7_rgb6d_n64_unless_blank(blank, word, present);
     // Module arguments
     input wire blank;
@@ -7447,14 +7318,14 @@ module photoncube_leaf_5_local7_rgb6d_n64_pair_ram(clock, write, write_place, wr
     // Module arguments
     input wire clock;
     input wire write;
-    input wire [3:0] write_place;
+    input wire [4:0] write_place;
     input wire [1:0] write_word;
-    input wire [3:0] read_place;
+    input wire [4:0] read_place;
     output reg [1:0] read_word;
     // Update code (custom)
-    reg [1:0] words [0:15];
+    reg [1:0] words [0:31];
     integer place;
-    initial for (place = 0; place <= 15; place = place + 1) words[place] = 2'd0;
+    initial for (place = 0; place <= 31; place = place + 1) words[place] = 2'd0;
     wire [1:0] read = words[read_place];
     always @(*) read_word = read;
     always @(posedge clock) if (write) words[write_place] <= write_word;
@@ -7465,14 +7336,14 @@ module photoncube_leaf_5_local7_rgb6d_n64_mask_ram(clock, write, write_place, wr
     // Module arguments
     input wire clock;
     input wire write;
-    input wire [3:0] write_place;
+    input wire [4:0] write_place;
     input wire [3:0] write_word;
-    input wire [3:0] read_place;
+    input wire [4:0] read_place;
     output reg [3:0] read_word;
     // Update code (custom)
-    reg [3:0] words [0:15];
+    reg [3:0] words [0:31];
     integer place;
-    initial for (place = 0; place <= 15; place = place + 1) words[place] = 4'd0;
+    initial for (place = 0; place <= 31; place = place + 1) words[place] = 4'd0;
     wire [3:0] read = words[read_place];
     always @(*) read_word = read;
     always @(posedge clock) if (write) words[write_place] <= write_word;
@@ -7483,17 +7354,861 @@ module photoncube_leaf_5_local7_rgb6d_n64_flag_ram(clock, write, write_place, wr
     // Module arguments
     input wire clock;
     input wire write;
-    input wire [3:0] write_place;
+    input wire [4:0] write_place;
     input wire [2:0] write_word;
-    input wire [3:0] read_place;
+    input wire [4:0] read_place;
     output reg [2:0] read_word;
     // Update code (custom)
-    reg [2:0] words [0:15];
+    reg [2:0] words [0:31];
     integer place;
-    initial for (place = 0; place <= 15; place = place + 1) words[place] = 3'd0;
+    initial for (place = 0; place <= 31; place = place + 1) words[place] = 3'd0;
     wire [2:0] read = words[read_place];
     always @(*) read_word = read;
     always @(posedge clock) if (write) words[write_place] <= write_word;
+endmodule
+
+module photoncube_leaf_5_local7_rgb6d_n64_leaf(clock, facings, facing, is_there, gathered);
+    // Module arguments
+    input wire clock;
+    input wire [31:0] facings;
+    input wire [4:0] facing;
+    input wire is_there;
+    output reg gathered;
+    // Constant declarations
+    localparam first_bits = 5'b11100;
+    // Stub signals
+    reg [3:0] near_d;
+    wire [3:0] near_q;
+    reg near_clock;
+    reg [1:0] number_d;
+    wire [1:0] number_q;
+    reg number_clock;
+    // Local signals
+    reg [4:0] first;
+    reg [31:0] from_first;
+    reg [3:0] from_own;
+    // Sub module instances
+    photoncube_leaf_5_local7_rgb6d_n64_register_4 near(
+        .d(near_d),
+        .q(near_q),
+        .clock(near_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_register_2 number(
+        .d(number_d),
+        .q(number_q),
+        .clock(number_clock)
+    );
+    // Update code
+    always @(*) begin
+        near_clock = clock;
+        number_clock = clock;
+        near_d = near_q;
+        number_d = number_q;
+        first = facing & first_bits;
+        from_first = facings >> first;
+        near_d = 32'h0;
+        if (is_there) begin
+            near_d = from_first[(32'h0)+:(4)];
+        end
+        number_d = facing[(32'h0)+:(2)];
+        from_own = near_q >> number_q;
+        gathered = from_own[32'h0];
+    end
+endmodule
+
+module photoncube_leaf_5_local7_rgb6d_n64_engine_2(clock, reset_in, token_valid_in, token_in_0, token_in_1,
+    token_in_2, swap_in, photon_in_0, photon_in_1, photon_in_2, photon_in_3, photon_in_4,
+    photon_in_5, photon_in_6, photon_in_7, photon_in_8, photon_in_9, photon_in_10, photon_in_11,
+    power_in_0, power_in_1, power_in_2, power_in_3, power_in_4, power_in_5, power_in_6,
+    power_in_7, power_in_8, power_in_9, power_in_10, power_in_11, present_in_0, present_in_1,
+    present_in_2, present_in_3, first_in, last_in, result_valid_in, result_in_0, result_in_1,
+    result_in_2, result_count_in, reset_out, token_valid_out, token_out_0, token_out_1,
+    token_out_2, swap_out, photon_out_0, photon_out_1, photon_out_2, photon_out_3, photon_out_4,
+    photon_out_5, photon_out_6, photon_out_7, photon_out_8, photon_out_9, photon_out_10,
+    photon_out_11, power_out_0, power_out_1, power_out_2, power_out_3, power_out_4, power_out_5,
+    power_out_6, power_out_7, power_out_8, power_out_9, power_out_10, power_out_11,
+    present_out_0, present_out_1, present_out_2, present_out_3, first_out, last_out,
+    result_valid_out, result_out_0, result_out_1, result_out_2, result_count_out);
+    // Module arguments
+    input wire clock;
+    input wire reset_in;
+    input wire token_valid_in;
+    input wire [8:0] token_in_0;
+    input wire [8:0] token_in_1;
+    input wire [8:0] token_in_2;
+    input wire swap_in;
+    input wire [8:0] photon_in_0;
+    input wire [8:0] photon_in_1;
+    input wire [8:0] photon_in_2;
+    input wire [8:0] photon_in_3;
+    input wire [8:0] photon_in_4;
+    input wire [8:0] photon_in_5;
+    input wire [8:0] photon_in_6;
+    input wire [8:0] photon_in_7;
+    input wire [8:0] photon_in_8;
+    input wire [8:0] photon_in_9;
+    input wire [8:0] photon_in_10;
+    input wire [8:0] photon_in_11;
+    input wire [5:0] power_in_0;
+    input wire [5:0] power_in_1;
+    input wire [5:0] power_in_2;
+    input wire [5:0] power_in_3;
+    input wire [5:0] power_in_4;
+    input wire [5:0] power_in_5;
+    input wire [5:0] power_in_6;
+    input wire [5:0] power_in_7;
+    input wire [5:0] power_in_8;
+    input wire [5:0] power_in_9;
+    input wire [5:0] power_in_10;
+    input wire [5:0] power_in_11;
+    input wire present_in_0;
+    input wire present_in_1;
+    input wire present_in_2;
+    input wire present_in_3;
+    input wire first_in;
+    input wire last_in;
+    input wire result_valid_in;
+    input wire [11:0] result_in_0;
+    input wire [11:0] result_in_1;
+    input wire [11:0] result_in_2;
+    input wire [6:0] result_count_in;
+    output reg reset_out;
+    output reg token_valid_out;
+    output reg [8:0] token_out_0;
+    output reg [8:0] token_out_1;
+    output reg [8:0] token_out_2;
+    output reg swap_out;
+    output reg [8:0] photon_out_0;
+    output reg [8:0] photon_out_1;
+    output reg [8:0] photon_out_2;
+    output reg [8:0] photon_out_3;
+    output reg [8:0] photon_out_4;
+    output reg [8:0] photon_out_5;
+    output reg [8:0] photon_out_6;
+    output reg [8:0] photon_out_7;
+    output reg [8:0] photon_out_8;
+    output reg [8:0] photon_out_9;
+    output reg [8:0] photon_out_10;
+    output reg [8:0] photon_out_11;
+    output reg [5:0] power_out_0;
+    output reg [5:0] power_out_1;
+    output reg [5:0] power_out_2;
+    output reg [5:0] power_out_3;
+    output reg [5:0] power_out_4;
+    output reg [5:0] power_out_5;
+    output reg [5:0] power_out_6;
+    output reg [5:0] power_out_7;
+    output reg [5:0] power_out_8;
+    output reg [5:0] power_out_9;
+    output reg [5:0] power_out_10;
+    output reg [5:0] power_out_11;
+    output reg present_out_0;
+    output reg present_out_1;
+    output reg present_out_2;
+    output reg present_out_3;
+    output reg first_out;
+    output reg last_out;
+    output reg result_valid_out;
+    output reg [11:0] result_out_0;
+    output reg [11:0] result_out_1;
+    output reg [11:0] result_out_2;
+    output reg [6:0] result_count_out;
+    // Stub signals
+    reg query_flags_clock;
+    reg query_flags_reset_in;
+    reg query_flags_token_valid_in;
+    reg query_flags_swap_in;
+    wire query_flags_keeps;
+    wire query_flags_reset_out;
+    wire query_flags_token_valid_out;
+    wire query_flags_swap_out;
+    reg query_0_clock;
+    reg [8:0] query_0_token_in;
+    reg query_0_keeps;
+    reg query_0_swap_in;
+    wire [8:0] query_0_token_out;
+    wire [8:0] query_0_query_out;
+    reg query_1_clock;
+    reg [8:0] query_1_token_in;
+    reg query_1_keeps;
+    reg query_1_swap_in;
+    wire [8:0] query_1_token_out;
+    wire [8:0] query_1_query_out;
+    reg query_2_clock;
+    reg [8:0] query_2_token_in;
+    reg query_2_keeps;
+    reg query_2_swap_in;
+    wire [8:0] query_2_token_out;
+    wire [8:0] query_2_query_out;
+    reg [8:0] photon_0_d;
+    wire [8:0] photon_0_q;
+    reg photon_0_clock;
+    reg [8:0] photon_1_d;
+    wire [8:0] photon_1_q;
+    reg photon_1_clock;
+    reg [8:0] photon_2_d;
+    wire [8:0] photon_2_q;
+    reg photon_2_clock;
+    reg [8:0] photon_3_d;
+    wire [8:0] photon_3_q;
+    reg photon_3_clock;
+    reg [8:0] photon_4_d;
+    wire [8:0] photon_4_q;
+    reg photon_4_clock;
+    reg [8:0] photon_5_d;
+    wire [8:0] photon_5_q;
+    reg photon_5_clock;
+    reg [8:0] photon_6_d;
+    wire [8:0] photon_6_q;
+    reg photon_6_clock;
+    reg [8:0] photon_7_d;
+    wire [8:0] photon_7_q;
+    reg photon_7_clock;
+    reg [8:0] photon_8_d;
+    wire [8:0] photon_8_q;
+    reg photon_8_clock;
+    reg [8:0] photon_9_d;
+    wire [8:0] photon_9_q;
+    reg photon_9_clock;
+    reg [8:0] photon_10_d;
+    wire [8:0] photon_10_q;
+    reg photon_10_clock;
+    reg [8:0] photon_11_d;
+    wire [8:0] photon_11_q;
+    reg photon_11_clock;
+    reg square_pair_0_clock;
+    reg [8:0] square_pair_0_query;
+    reg [8:0] square_pair_0_photon_a;
+    reg [8:0] square_pair_0_photon_b;
+    wire [13:0] square_pair_0_square_a;
+    wire [13:0] square_pair_0_square_b;
+    wire square_pair_0_far_a;
+    wire square_pair_0_far_b;
+    reg square_pair_1_clock;
+    reg [8:0] square_pair_1_query;
+    reg [8:0] square_pair_1_photon_a;
+    reg [8:0] square_pair_1_photon_b;
+    wire [13:0] square_pair_1_square_a;
+    wire [13:0] square_pair_1_square_b;
+    wire square_pair_1_far_a;
+    wire square_pair_1_far_b;
+    reg square_pair_2_clock;
+    reg [8:0] square_pair_2_query;
+    reg [8:0] square_pair_2_photon_a;
+    reg [8:0] square_pair_2_photon_b;
+    wire [13:0] square_pair_2_square_a;
+    wire [13:0] square_pair_2_square_b;
+    wire square_pair_2_far_a;
+    wire square_pair_2_far_b;
+    reg square_pair_3_clock;
+    reg [8:0] square_pair_3_query;
+    reg [8:0] square_pair_3_photon_a;
+    reg [8:0] square_pair_3_photon_b;
+    wire [13:0] square_pair_3_square_a;
+    wire [13:0] square_pair_3_square_b;
+    wire square_pair_3_far_a;
+    wire square_pair_3_far_b;
+    reg square_pair_4_clock;
+    reg [8:0] square_pair_4_query;
+    reg [8:0] square_pair_4_photon_a;
+    reg [8:0] square_pair_4_photon_b;
+    wire [13:0] square_pair_4_square_a;
+    wire [13:0] square_pair_4_square_b;
+    wire square_pair_4_far_a;
+    wire square_pair_4_far_b;
+    reg square_pair_5_clock;
+    reg [8:0] square_pair_5_query;
+    reg [8:0] square_pair_5_photon_a;
+    reg [8:0] square_pair_5_photon_b;
+    wire [13:0] square_pair_5_square_a;
+    wire [13:0] square_pair_5_square_b;
+    wire square_pair_5_far_a;
+    wire square_pair_5_far_b;
+    reg lane_0_clock;
+    reg [13:0] lane_0_axis_square_0;
+    reg [13:0] lane_0_axis_square_1;
+    reg [13:0] lane_0_axis_square_2;
+    reg lane_0_axis_far_0;
+    reg lane_0_axis_far_1;
+    reg lane_0_axis_far_2;
+    wire lane_0_photon_in_range;
+    reg lane_1_clock;
+    reg [13:0] lane_1_axis_square_0;
+    reg [13:0] lane_1_axis_square_1;
+    reg [13:0] lane_1_axis_square_2;
+    reg lane_1_axis_far_0;
+    reg lane_1_axis_far_1;
+    reg lane_1_axis_far_2;
+    wire lane_1_photon_in_range;
+    reg lane_2_clock;
+    reg [13:0] lane_2_axis_square_0;
+    reg [13:0] lane_2_axis_square_1;
+    reg [13:0] lane_2_axis_square_2;
+    reg lane_2_axis_far_0;
+    reg lane_2_axis_far_1;
+    reg lane_2_axis_far_2;
+    wire lane_2_photon_in_range;
+    reg lane_3_clock;
+    reg [13:0] lane_3_axis_square_0;
+    reg [13:0] lane_3_axis_square_1;
+    reg [13:0] lane_3_axis_square_2;
+    reg lane_3_axis_far_0;
+    reg lane_3_axis_far_1;
+    reg lane_3_axis_far_2;
+    wire lane_3_photon_in_range;
+    reg group_flags_clock;
+    reg group_flags_reset_in;
+    reg group_flags_reset;
+    reg group_flags_first_in;
+    reg group_flags_last_in;
+    reg group_flags_result_valid_in;
+    wire group_flags_first_out;
+    wire group_flags_last_out;
+    wire group_flags_replace;
+    wire group_flags_sums_done;
+    wire group_flags_result_valid_out;
+    reg channel_sum_0_clock;
+    reg [5:0] channel_sum_0_power_in_0;
+    reg [5:0] channel_sum_0_power_in_1;
+    reg [5:0] channel_sum_0_power_in_2;
+    reg [5:0] channel_sum_0_power_in_3;
+    wire [5:0] channel_sum_0_power_0;
+    wire [5:0] channel_sum_0_power_1;
+    wire [5:0] channel_sum_0_power_2;
+    wire [5:0] channel_sum_0_power_3;
+    reg channel_sum_0_in_range_0;
+    reg channel_sum_0_in_range_1;
+    reg channel_sum_0_in_range_2;
+    reg channel_sum_0_in_range_3;
+    reg channel_sum_0_first;
+    reg channel_sum_0_done;
+    reg [11:0] channel_sum_0_result_in;
+    wire [11:0] channel_sum_0_result_out;
+    reg channel_sum_1_clock;
+    reg [5:0] channel_sum_1_power_in_0;
+    reg [5:0] channel_sum_1_power_in_1;
+    reg [5:0] channel_sum_1_power_in_2;
+    reg [5:0] channel_sum_1_power_in_3;
+    wire [5:0] channel_sum_1_power_0;
+    wire [5:0] channel_sum_1_power_1;
+    wire [5:0] channel_sum_1_power_2;
+    wire [5:0] channel_sum_1_power_3;
+    reg channel_sum_1_in_range_0;
+    reg channel_sum_1_in_range_1;
+    reg channel_sum_1_in_range_2;
+    reg channel_sum_1_in_range_3;
+    reg channel_sum_1_first;
+    reg channel_sum_1_done;
+    reg [11:0] channel_sum_1_result_in;
+    wire [11:0] channel_sum_1_result_out;
+    reg channel_sum_2_clock;
+    reg [5:0] channel_sum_2_power_in_0;
+    reg [5:0] channel_sum_2_power_in_1;
+    reg [5:0] channel_sum_2_power_in_2;
+    reg [5:0] channel_sum_2_power_in_3;
+    wire [5:0] channel_sum_2_power_0;
+    wire [5:0] channel_sum_2_power_1;
+    wire [5:0] channel_sum_2_power_2;
+    wire [5:0] channel_sum_2_power_3;
+    reg channel_sum_2_in_range_0;
+    reg channel_sum_2_in_range_1;
+    reg channel_sum_2_in_range_2;
+    reg channel_sum_2_in_range_3;
+    reg channel_sum_2_first;
+    reg channel_sum_2_done;
+    reg [11:0] channel_sum_2_result_in;
+    wire [11:0] channel_sum_2_result_out;
+    reg count_sum_clock;
+    reg count_sum_power_in_0;
+    reg count_sum_power_in_1;
+    reg count_sum_power_in_2;
+    reg count_sum_power_in_3;
+    wire count_sum_power_0;
+    wire count_sum_power_1;
+    wire count_sum_power_2;
+    wire count_sum_power_3;
+    reg count_sum_in_range_0;
+    reg count_sum_in_range_1;
+    reg count_sum_in_range_2;
+    reg count_sum_in_range_3;
+    reg count_sum_first;
+    reg count_sum_done;
+    reg [6:0] count_sum_result_in;
+    wire [6:0] count_sum_result_out;
+    // Sub module instances
+    photoncube_leaf_5_local7_rgb6d_n64_query_flags query_flags(
+        .clock(query_flags_clock),
+        .reset_in(query_flags_reset_in),
+        .token_valid_in(query_flags_token_valid_in),
+        .swap_in(query_flags_swap_in),
+        .keeps(query_flags_keeps),
+        .reset_out(query_flags_reset_out),
+        .token_valid_out(query_flags_token_valid_out),
+        .swap_out(query_flags_swap_out)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_query query_0(
+        .clock(query_0_clock),
+        .token_in(query_0_token_in),
+        .keeps(query_0_keeps),
+        .swap_in(query_0_swap_in),
+        .token_out(query_0_token_out),
+        .query_out(query_0_query_out)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_query query_1(
+        .clock(query_1_clock),
+        .token_in(query_1_token_in),
+        .keeps(query_1_keeps),
+        .swap_in(query_1_swap_in),
+        .token_out(query_1_token_out),
+        .query_out(query_1_query_out)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_query query_2(
+        .clock(query_2_clock),
+        .token_in(query_2_token_in),
+        .keeps(query_2_keeps),
+        .swap_in(query_2_swap_in),
+        .token_out(query_2_token_out),
+        .query_out(query_2_query_out)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_register_9 photon_0(
+        .d(photon_0_d),
+        .q(photon_0_q),
+        .clock(photon_0_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_register_9 photon_1(
+        .d(photon_1_d),
+        .q(photon_1_q),
+        .clock(photon_1_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_register_9 photon_2(
+        .d(photon_2_d),
+        .q(photon_2_q),
+        .clock(photon_2_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_register_9 photon_3(
+        .d(photon_3_d),
+        .q(photon_3_q),
+        .clock(photon_3_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_register_9 photon_4(
+        .d(photon_4_d),
+        .q(photon_4_q),
+        .clock(photon_4_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_register_9 photon_5(
+        .d(photon_5_d),
+        .q(photon_5_q),
+        .clock(photon_5_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_register_9 photon_6(
+        .d(photon_6_d),
+        .q(photon_6_q),
+        .clock(photon_6_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_register_9 photon_7(
+        .d(photon_7_d),
+        .q(photon_7_q),
+        .clock(photon_7_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_register_9 photon_8(
+        .d(photon_8_d),
+        .q(photon_8_q),
+        .clock(photon_8_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_register_9 photon_9(
+        .d(photon_9_d),
+        .q(photon_9_q),
+        .clock(photon_9_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_register_9 photon_10(
+        .d(photon_10_d),
+        .q(photon_10_q),
+        .clock(photon_10_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_register_9 photon_11(
+        .d(photon_11_d),
+        .q(photon_11_q),
+        .clock(photon_11_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_square_pair_2 square_pair_0(
+        .clock(square_pair_0_clock),
+        .query(square_pair_0_query),
+        .photon_a(square_pair_0_photon_a),
+        .photon_b(square_pair_0_photon_b),
+        .square_a(square_pair_0_square_a),
+        .square_b(square_pair_0_square_b),
+        .far_a(square_pair_0_far_a),
+        .far_b(square_pair_0_far_b)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_square_pair_2 square_pair_1(
+        .clock(square_pair_1_clock),
+        .query(square_pair_1_query),
+        .photon_a(square_pair_1_photon_a),
+        .photon_b(square_pair_1_photon_b),
+        .square_a(square_pair_1_square_a),
+        .square_b(square_pair_1_square_b),
+        .far_a(square_pair_1_far_a),
+        .far_b(square_pair_1_far_b)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_square_pair_2 square_pair_2(
+        .clock(square_pair_2_clock),
+        .query(square_pair_2_query),
+        .photon_a(square_pair_2_photon_a),
+        .photon_b(square_pair_2_photon_b),
+        .square_a(square_pair_2_square_a),
+        .square_b(square_pair_2_square_b),
+        .far_a(square_pair_2_far_a),
+        .far_b(square_pair_2_far_b)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_square_pair_2 square_pair_3(
+        .clock(square_pair_3_clock),
+        .query(square_pair_3_query),
+        .photon_a(square_pair_3_photon_a),
+        .photon_b(square_pair_3_photon_b),
+        .square_a(square_pair_3_square_a),
+        .square_b(square_pair_3_square_b),
+        .far_a(square_pair_3_far_a),
+        .far_b(square_pair_3_far_b)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_square_pair_2 square_pair_4(
+        .clock(square_pair_4_clock),
+        .query(square_pair_4_query),
+        .photon_a(square_pair_4_photon_a),
+        .photon_b(square_pair_4_photon_b),
+        .square_a(square_pair_4_square_a),
+        .square_b(square_pair_4_square_b),
+        .far_a(square_pair_4_far_a),
+        .far_b(square_pair_4_far_b)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_square_pair_2 square_pair_5(
+        .clock(square_pair_5_clock),
+        .query(square_pair_5_query),
+        .photon_a(square_pair_5_photon_a),
+        .photon_b(square_pair_5_photon_b),
+        .square_a(square_pair_5_square_a),
+        .square_b(square_pair_5_square_b),
+        .far_a(square_pair_5_far_a),
+        .far_b(square_pair_5_far_b)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_lane lane_0(
+        .clock(lane_0_clock),
+        .axis_square_0(lane_0_axis_square_0),
+        .axis_square_1(lane_0_axis_square_1),
+        .axis_square_2(lane_0_axis_square_2),
+        .axis_far_0(lane_0_axis_far_0),
+        .axis_far_1(lane_0_axis_far_1),
+        .axis_far_2(lane_0_axis_far_2),
+        .photon_in_range(lane_0_photon_in_range)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_lane lane_1(
+        .clock(lane_1_clock),
+        .axis_square_0(lane_1_axis_square_0),
+        .axis_square_1(lane_1_axis_square_1),
+        .axis_square_2(lane_1_axis_square_2),
+        .axis_far_0(lane_1_axis_far_0),
+        .axis_far_1(lane_1_axis_far_1),
+        .axis_far_2(lane_1_axis_far_2),
+        .photon_in_range(lane_1_photon_in_range)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_lane lane_2(
+        .clock(lane_2_clock),
+        .axis_square_0(lane_2_axis_square_0),
+        .axis_square_1(lane_2_axis_square_1),
+        .axis_square_2(lane_2_axis_square_2),
+        .axis_far_0(lane_2_axis_far_0),
+        .axis_far_1(lane_2_axis_far_1),
+        .axis_far_2(lane_2_axis_far_2),
+        .photon_in_range(lane_2_photon_in_range)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_lane lane_3(
+        .clock(lane_3_clock),
+        .axis_square_0(lane_3_axis_square_0),
+        .axis_square_1(lane_3_axis_square_1),
+        .axis_square_2(lane_3_axis_square_2),
+        .axis_far_0(lane_3_axis_far_0),
+        .axis_far_1(lane_3_axis_far_1),
+        .axis_far_2(lane_3_axis_far_2),
+        .photon_in_range(lane_3_photon_in_range)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_group_flags group_flags(
+        .clock(group_flags_clock),
+        .reset_in(group_flags_reset_in),
+        .reset(group_flags_reset),
+        .first_in(group_flags_first_in),
+        .last_in(group_flags_last_in),
+        .result_valid_in(group_flags_result_valid_in),
+        .first_out(group_flags_first_out),
+        .last_out(group_flags_last_out),
+        .replace(group_flags_replace),
+        .sums_done(group_flags_sums_done),
+        .result_valid_out(group_flags_result_valid_out)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_channel_sum channel_sum_0(
+        .clock(channel_sum_0_clock),
+        .power_in_0(channel_sum_0_power_in_0),
+        .power_in_1(channel_sum_0_power_in_1),
+        .power_in_2(channel_sum_0_power_in_2),
+        .power_in_3(channel_sum_0_power_in_3),
+        .power_0(channel_sum_0_power_0),
+        .power_1(channel_sum_0_power_1),
+        .power_2(channel_sum_0_power_2),
+        .power_3(channel_sum_0_power_3),
+        .in_range_0(channel_sum_0_in_range_0),
+        .in_range_1(channel_sum_0_in_range_1),
+        .in_range_2(channel_sum_0_in_range_2),
+        .in_range_3(channel_sum_0_in_range_3),
+        .first(channel_sum_0_first),
+        .done(channel_sum_0_done),
+        .result_in(channel_sum_0_result_in),
+        .result_out(channel_sum_0_result_out)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_channel_sum channel_sum_1(
+        .clock(channel_sum_1_clock),
+        .power_in_0(channel_sum_1_power_in_0),
+        .power_in_1(channel_sum_1_power_in_1),
+        .power_in_2(channel_sum_1_power_in_2),
+        .power_in_3(channel_sum_1_power_in_3),
+        .power_0(channel_sum_1_power_0),
+        .power_1(channel_sum_1_power_1),
+        .power_2(channel_sum_1_power_2),
+        .power_3(channel_sum_1_power_3),
+        .in_range_0(channel_sum_1_in_range_0),
+        .in_range_1(channel_sum_1_in_range_1),
+        .in_range_2(channel_sum_1_in_range_2),
+        .in_range_3(channel_sum_1_in_range_3),
+        .first(channel_sum_1_first),
+        .done(channel_sum_1_done),
+        .result_in(channel_sum_1_result_in),
+        .result_out(channel_sum_1_result_out)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_channel_sum channel_sum_2(
+        .clock(channel_sum_2_clock),
+        .power_in_0(channel_sum_2_power_in_0),
+        .power_in_1(channel_sum_2_power_in_1),
+        .power_in_2(channel_sum_2_power_in_2),
+        .power_in_3(channel_sum_2_power_in_3),
+        .power_0(channel_sum_2_power_0),
+        .power_1(channel_sum_2_power_1),
+        .power_2(channel_sum_2_power_2),
+        .power_3(channel_sum_2_power_3),
+        .in_range_0(channel_sum_2_in_range_0),
+        .in_range_1(channel_sum_2_in_range_1),
+        .in_range_2(channel_sum_2_in_range_2),
+        .in_range_3(channel_sum_2_in_range_3),
+        .first(channel_sum_2_first),
+        .done(channel_sum_2_done),
+        .result_in(channel_sum_2_result_in),
+        .result_out(channel_sum_2_result_out)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_count_sum count_sum(
+        .clock(count_sum_clock),
+        .power_in_0(count_sum_power_in_0),
+        .power_in_1(count_sum_power_in_1),
+        .power_in_2(count_sum_power_in_2),
+        .power_in_3(count_sum_power_in_3),
+        .power_0(count_sum_power_0),
+        .power_1(count_sum_power_1),
+        .power_2(count_sum_power_2),
+        .power_3(count_sum_power_3),
+        .in_range_0(count_sum_in_range_0),
+        .in_range_1(count_sum_in_range_1),
+        .in_range_2(count_sum_in_range_2),
+        .in_range_3(count_sum_in_range_3),
+        .first(count_sum_first),
+        .done(count_sum_done),
+        .result_in(count_sum_result_in),
+        .result_out(count_sum_result_out)
+    );
+    // Update code
+    always @(*) begin
+        query_flags_clock = clock;
+        query_flags_reset_in = reset_in;
+        query_flags_token_valid_in = token_valid_in;
+        query_flags_swap_in = swap_in;
+        reset_out = query_flags_reset_out;
+        token_valid_out = query_flags_token_valid_out;
+        swap_out = query_flags_swap_out;
+        query_0_clock = clock;
+        query_0_keeps = query_flags_keeps;
+        query_0_swap_in = swap_in;
+        query_0_token_in = token_in_0;
+        token_out_0 = query_0_token_out;
+        query_1_clock = clock;
+        query_1_keeps = query_flags_keeps;
+        query_1_swap_in = swap_in;
+        query_1_token_in = token_in_1;
+        token_out_1 = query_1_token_out;
+        query_2_clock = clock;
+        query_2_keeps = query_flags_keeps;
+        query_2_swap_in = swap_in;
+        query_2_token_in = token_in_2;
+        token_out_2 = query_2_token_out;
+        photon_0_clock = clock;
+        photon_0_d = photon_in_0;
+        photon_out_0 = photon_0_q;
+        photon_1_clock = clock;
+        photon_1_d = photon_in_1;
+        photon_out_1 = photon_1_q;
+        photon_2_clock = clock;
+        photon_2_d = photon_in_2;
+        photon_out_2 = photon_2_q;
+        photon_3_clock = clock;
+        photon_3_d = photon_in_3;
+        photon_out_3 = photon_3_q;
+        photon_4_clock = clock;
+        photon_4_d = photon_in_4;
+        photon_out_4 = photon_4_q;
+        photon_5_clock = clock;
+        photon_5_d = photon_in_5;
+        photon_out_5 = photon_5_q;
+        photon_6_clock = clock;
+        photon_6_d = photon_in_6;
+        photon_out_6 = photon_6_q;
+        photon_7_clock = clock;
+        photon_7_d = photon_in_7;
+        photon_out_7 = photon_7_q;
+        photon_8_clock = clock;
+        photon_8_d = photon_in_8;
+        photon_out_8 = photon_8_q;
+        photon_9_clock = clock;
+        photon_9_d = photon_in_9;
+        photon_out_9 = photon_9_q;
+        photon_10_clock = clock;
+        photon_10_d = photon_in_10;
+        photon_out_10 = photon_10_q;
+        photon_11_clock = clock;
+        photon_11_d = photon_in_11;
+        photon_out_11 = photon_11_q;
+        square_pair_0_clock = clock;
+        square_pair_0_query = query_0_query_out;
+        square_pair_0_photon_a = photon_0_q;
+        square_pair_0_photon_b = photon_3_q;
+        lane_0_axis_square_0 = square_pair_0_square_a;
+        lane_1_axis_square_0 = square_pair_0_square_b;
+        lane_0_axis_far_0 = square_pair_0_far_a;
+        lane_1_axis_far_0 = square_pair_0_far_b;
+        square_pair_1_clock = clock;
+        square_pair_1_query = query_1_query_out;
+        square_pair_1_photon_a = photon_1_q;
+        square_pair_1_photon_b = photon_4_q;
+        lane_0_axis_square_1 = square_pair_1_square_a;
+        lane_1_axis_square_1 = square_pair_1_square_b;
+        lane_0_axis_far_1 = square_pair_1_far_a;
+        lane_1_axis_far_1 = square_pair_1_far_b;
+        square_pair_2_clock = clock;
+        square_pair_2_query = query_2_query_out;
+        square_pair_2_photon_a = photon_2_q;
+        square_pair_2_photon_b = photon_5_q;
+        lane_0_axis_square_2 = square_pair_2_square_a;
+        lane_1_axis_square_2 = square_pair_2_square_b;
+        lane_0_axis_far_2 = square_pair_2_far_a;
+        lane_1_axis_far_2 = square_pair_2_far_b;
+        square_pair_3_clock = clock;
+        square_pair_3_query = query_0_query_out;
+        square_pair_3_photon_a = photon_6_q;
+        square_pair_3_photon_b = photon_9_q;
+        lane_2_axis_square_0 = square_pair_3_square_a;
+        lane_3_axis_square_0 = square_pair_3_square_b;
+        lane_2_axis_far_0 = square_pair_3_far_a;
+        lane_3_axis_far_0 = square_pair_3_far_b;
+        square_pair_4_clock = clock;
+        square_pair_4_query = query_1_query_out;
+        square_pair_4_photon_a = photon_7_q;
+        square_pair_4_photon_b = photon_10_q;
+        lane_2_axis_square_1 = square_pair_4_square_a;
+        lane_3_axis_square_1 = square_pair_4_square_b;
+        lane_2_axis_far_1 = square_pair_4_far_a;
+        lane_3_axis_far_1 = square_pair_4_far_b;
+        square_pair_5_clock = clock;
+        square_pair_5_query = query_2_query_out;
+        square_pair_5_photon_a = photon_8_q;
+        square_pair_5_photon_b = photon_11_q;
+        lane_2_axis_square_2 = square_pair_5_square_a;
+        lane_3_axis_square_2 = square_pair_5_square_b;
+        lane_2_axis_far_2 = square_pair_5_far_a;
+        lane_3_axis_far_2 = square_pair_5_far_b;
+        lane_0_clock = clock;
+        lane_1_clock = clock;
+        lane_2_clock = clock;
+        lane_3_clock = clock;
+        group_flags_clock = clock;
+        group_flags_reset_in = reset_in;
+        group_flags_reset = query_flags_reset_out;
+        group_flags_first_in = first_in;
+        group_flags_last_in = last_in;
+        group_flags_result_valid_in = result_valid_in;
+        first_out = group_flags_first_out;
+        last_out = group_flags_last_out;
+        result_valid_out = group_flags_result_valid_out;
+        count_sum_clock = clock;
+        count_sum_first = group_flags_replace;
+        count_sum_done = group_flags_sums_done;
+        count_sum_result_in = result_count_in;
+        result_count_out = count_sum_result_out;
+        count_sum_power_in_0 = present_in_0;
+        count_sum_in_range_0 = lane_0_photon_in_range;
+        present_out_0 = count_sum_power_0;
+        count_sum_power_in_1 = present_in_1;
+        count_sum_in_range_1 = lane_1_photon_in_range;
+        present_out_1 = count_sum_power_1;
+        count_sum_power_in_2 = present_in_2;
+        count_sum_in_range_2 = lane_2_photon_in_range;
+        present_out_2 = count_sum_power_2;
+        count_sum_power_in_3 = present_in_3;
+        count_sum_in_range_3 = lane_3_photon_in_range;
+        present_out_3 = count_sum_power_3;
+        channel_sum_0_clock = clock;
+        channel_sum_0_first = group_flags_replace;
+        channel_sum_0_done = group_flags_sums_done;
+        channel_sum_0_result_in = result_in_0;
+        result_out_0 = channel_sum_0_result_out;
+        channel_sum_0_power_in_0 = power_in_0;
+        channel_sum_0_in_range_0 = lane_0_photon_in_range;
+        power_out_0 = channel_sum_0_power_0;
+        channel_sum_0_power_in_1 = power_in_3;
+        channel_sum_0_in_range_1 = lane_1_photon_in_range;
+        power_out_3 = channel_sum_0_power_1;
+        channel_sum_0_power_in_2 = power_in_6;
+        channel_sum_0_in_range_2 = lane_2_photon_in_range;
+        power_out_6 = channel_sum_0_power_2;
+        channel_sum_0_power_in_3 = power_in_9;
+        channel_sum_0_in_range_3 = lane_3_photon_in_range;
+        power_out_9 = channel_sum_0_power_3;
+        channel_sum_1_clock = clock;
+        channel_sum_1_first = group_flags_replace;
+        channel_sum_1_done = group_flags_sums_done;
+        channel_sum_1_result_in = result_in_1;
+        result_out_1 = channel_sum_1_result_out;
+        channel_sum_1_power_in_0 = power_in_1;
+        channel_sum_1_in_range_0 = lane_0_photon_in_range;
+        power_out_1 = channel_sum_1_power_0;
+        channel_sum_1_power_in_1 = power_in_4;
+        channel_sum_1_in_range_1 = lane_1_photon_in_range;
+        power_out_4 = channel_sum_1_power_1;
+        channel_sum_1_power_in_2 = power_in_7;
+        channel_sum_1_in_range_2 = lane_2_photon_in_range;
+        power_out_7 = channel_sum_1_power_2;
+        channel_sum_1_power_in_3 = power_in_10;
+        channel_sum_1_in_range_3 = lane_3_photon_in_range;
+        power_out_10 = channel_sum_1_power_3;
+        channel_sum_2_clock = clock;
+        channel_sum_2_first = group_flags_replace;
+        channel_sum_2_done = group_flags_sums_done;
+        channel_sum_2_result_in = result_in_2;
+        result_out_2 = channel_sum_2_result_out;
+        channel_sum_2_power_in_0 = power_in_2;
+        channel_sum_2_in_range_0 = lane_0_photon_in_range;
+        power_out_2 = channel_sum_2_power_0;
+        channel_sum_2_power_in_1 = power_in_5;
+        channel_sum_2_in_range_1 = lane_1_photon_in_range;
+        power_out_5 = channel_sum_2_power_1;
+        channel_sum_2_power_in_2 = power_in_8;
+        channel_sum_2_in_range_2 = lane_2_photon_in_range;
+        power_out_8 = channel_sum_2_power_2;
+        channel_sum_2_power_in_3 = power_in_11;
+        channel_sum_2_in_range_3 = lane_3_photon_in_range;
+        power_out_11 = channel_sum_2_power_3;
+    end
 endmodule
 
 module photoncube_leaf_5_local7_rgb6d_n64_engine(clock, reset_in, token_valid_in, token_in_0, token_in_1,
@@ -8291,6 +9006,42 @@ module photoncube_leaf_5_local7_rgb6d_n64_engine(clock, reset_in, token_valid_in
     end
 endmodule
 
+module photoncube_leaf_5_local7_rgb6d_n64_half(present_a, present_b, place_a, place_b, low, high);
+    // Module arguments
+    input wire present_a;
+    input wire present_b;
+    input wire [8:0] place_a;
+    input wire [8:0] place_b;
+    output reg [8:0] low;
+    output reg [8:0] high;
+    // Local signals
+    reg has_a;
+    reg has_b;
+    reg is_lower;
+    reg is_higher;
+    reg [8:0] zero;
+    // Update code
+    always @(*) begin
+        zero = 32'h0;
+        has_a = |present_a;
+        has_b = |present_b;
+        is_lower = place_b < place_a;
+        is_higher = place_b > place_a;
+        low = place_a;
+        high = place_a;
+        if (has_b & (is_lower | ~has_a)) begin
+            low = place_b;
+        end
+        if (has_b & (is_higher | ~has_a)) begin
+            high = place_b;
+        end
+        if (~has_a & ~has_b) begin
+            low = ~zero;
+            high = 32'h0;
+        end
+    end
+endmodule
+
 module photoncube_leaf_5_local7_rgb6d_n64_both(low_a, low_b, high_a, high_b, low, high);
     // Module arguments
     input wire [8:0] low_a;
@@ -8313,26 +9064,6 @@ module photoncube_leaf_5_local7_rgb6d_n64_both(low_a, low_b, high_a, high_b, low
         end
         if (is_higher) begin
             high = high_b;
-        end
-    end
-endmodule
-
-module photoncube_leaf_5_local7_rgb6d_n64_lane_2(present, place, low, high);
-    // Module arguments
-    input wire present;
-    input wire [8:0] place;
-    output reg [8:0] low;
-    output reg [8:0] high;
-    // Local signals
-    reg [8:0] zero;
-    // Update code
-    always @(*) begin
-        zero = 32'h0;
-        low = ~zero;
-        high = zero;
-        if (|present) begin
-            low = place;
-            high = place;
         end
     end
 endmodule
@@ -8580,6 +9311,20 @@ module photoncube_leaf_5_local7_rgb6d_n64_admission(clock, reset, query_valid, g
     end
 endmodule
 
+module photoncube_leaf_5_local7_rgb6d_n64_register_2(d, q, clock);
+    // Module arguments
+    input wire [1:0] d;
+    output reg [1:0] q;
+    input wire clock;
+    // Update code (custom)
+    initial begin
+       q = 2'h0;
+    end
+    always @(posedge clock) begin
+       q <= d;
+    end
+endmodule
+
 module photoncube_leaf_5_local7_rgb6d_n64_presence(clock, taken, photon_present, present, absent);
     // Module arguments
     input wire clock;
@@ -8699,12 +9444,12 @@ module photoncube_leaf_5_local7_rgb6d_n64_lane(clock, axis_square_0, axis_square
         .b(distance_sum_b),
         .sum(distance_sum_sum)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_register_16 distance(
+    photoncube_leaf_5_local7_rgb6d_n64_distance distance(
         .d(distance_d),
         .q(distance_q),
         .clock(distance_clock)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_register_1 distance_far(
+    photoncube_leaf_5_local7_rgb6d_n64_products_far distance_far(
         .d(distance_far_d),
         .q(distance_far_q),
         .clock(distance_far_clock)
@@ -8769,14 +9514,6 @@ module photoncube_leaf_5_local7_rgb6d_n64_first_delay(clock, clear, flag, delaye
     reg stage_3_clear;
     reg stage_3_d;
     wire stage_3_q;
-    reg stage_4_clock;
-    reg stage_4_clear;
-    reg stage_4_d;
-    wire stage_4_q;
-    reg stage_5_clock;
-    reg stage_5_clear;
-    reg stage_5_d;
-    wire stage_5_q;
     // Sub module instances
     photoncube_leaf_5_local7_rgb6d_n64_group_first stage_0(
         .clock(stage_0_clock),
@@ -8802,26 +9539,12 @@ module photoncube_leaf_5_local7_rgb6d_n64_first_delay(clock, clear, flag, delaye
         .d(stage_3_d),
         .q(stage_3_q)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_group_first stage_4(
-        .clock(stage_4_clock),
-        .clear(stage_4_clear),
-        .d(stage_4_d),
-        .q(stage_4_q)
-    );
-    photoncube_leaf_5_local7_rgb6d_n64_group_first stage_5(
-        .clock(stage_5_clock),
-        .clear(stage_5_clear),
-        .d(stage_5_d),
-        .q(stage_5_q)
-    );
     // Update code
     always @(*) begin
         stage_0_d = flag;
         stage_1_d = stage_0_q;
         stage_2_d = stage_1_q;
         stage_3_d = stage_2_q;
-        stage_4_d = stage_3_q;
-        stage_5_d = stage_4_q;
         stage_0_clock = clock;
         stage_0_clear = clear;
         stage_1_clock = clock;
@@ -8830,11 +9553,7 @@ module photoncube_leaf_5_local7_rgb6d_n64_first_delay(clock, clear, flag, delaye
         stage_2_clear = clear;
         stage_3_clock = clock;
         stage_3_clear = clear;
-        stage_4_clock = clock;
-        stage_4_clear = clear;
-        stage_5_clock = clock;
-        stage_5_clear = clear;
-        delayed = stage_5_q;
+        delayed = stage_3_q;
     end
 endmodule
 
@@ -9001,12 +9720,12 @@ module photoncube_leaf_5_local7_rgb6d_n64_count_sum(clock, power_in_0, power_in_
         .b_in_range(gated_sum_1_b_in_range),
         .sum(gated_sum_1_sum)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_register_2 pair_0(
+    photoncube_leaf_5_local7_rgb6d_n64_pair pair_0(
         .d(pair_0_d),
         .q(pair_0_q),
         .clock(pair_0_clock)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_register_2 pair_1(
+    photoncube_leaf_5_local7_rgb6d_n64_pair pair_1(
         .d(pair_1_d),
         .q(pair_1_q),
         .clock(pair_1_clock)
@@ -9102,12 +9821,6 @@ module photoncube_leaf_5_local7_rgb6d_n64_power_delay(clock, word, delayed);
     reg [5:0] stage_2_d;
     wire [5:0] stage_2_q;
     reg stage_2_clock;
-    reg [5:0] stage_3_d;
-    wire [5:0] stage_3_q;
-    reg stage_3_clock;
-    reg [5:0] stage_4_d;
-    wire [5:0] stage_4_q;
-    reg stage_4_clock;
     // Sub module instances
     photoncube_leaf_5_local7_rgb6d_n64_register_6 stage_0(
         .d(stage_0_d),
@@ -9124,16 +9837,6 @@ module photoncube_leaf_5_local7_rgb6d_n64_power_delay(clock, word, delayed);
         .q(stage_2_q),
         .clock(stage_2_clock)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_register_6 stage_3(
-        .d(stage_3_d),
-        .q(stage_3_q),
-        .clock(stage_3_clock)
-    );
-    photoncube_leaf_5_local7_rgb6d_n64_register_6 stage_4(
-        .d(stage_4_d),
-        .q(stage_4_q),
-        .clock(stage_4_clock)
-    );
     // Update code
     always @(*) begin
         stage_0_clock = clock;
@@ -9142,11 +9845,7 @@ module photoncube_leaf_5_local7_rgb6d_n64_power_delay(clock, word, delayed);
         stage_1_d = stage_0_q;
         stage_2_clock = clock;
         stage_2_d = stage_1_q;
-        stage_3_clock = clock;
-        stage_3_d = stage_2_q;
-        stage_4_clock = clock;
-        stage_4_d = stage_3_q;
-        delayed = stage_4_q;
+        delayed = stage_2_q;
     end
 endmodule
 
@@ -9165,12 +9864,6 @@ module photoncube_leaf_5_local7_rgb6d_n64_present_delay(clock, word, delayed);
     reg stage_2_d;
     wire stage_2_q;
     reg stage_2_clock;
-    reg stage_3_d;
-    wire stage_3_q;
-    reg stage_3_clock;
-    reg stage_4_d;
-    wire stage_4_q;
-    reg stage_4_clock;
     // Sub module instances
     photoncube_leaf_5_local7_rgb6d_n64_register_1 stage_0(
         .d(stage_0_d),
@@ -9187,16 +9880,6 @@ module photoncube_leaf_5_local7_rgb6d_n64_present_delay(clock, word, delayed);
         .q(stage_2_q),
         .clock(stage_2_clock)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_register_1 stage_3(
-        .d(stage_3_d),
-        .q(stage_3_q),
-        .clock(stage_3_clock)
-    );
-    photoncube_leaf_5_local7_rgb6d_n64_register_1 stage_4(
-        .d(stage_4_d),
-        .q(stage_4_q),
-        .clock(stage_4_clock)
-    );
     // Update code
     always @(*) begin
         stage_0_clock = clock;
@@ -9205,11 +9888,7 @@ module photoncube_leaf_5_local7_rgb6d_n64_present_delay(clock, word, delayed);
         stage_1_d = stage_0_q;
         stage_2_clock = clock;
         stage_2_d = stage_1_q;
-        stage_3_clock = clock;
-        stage_3_d = stage_2_q;
-        stage_4_clock = clock;
-        stage_4_d = stage_3_q;
-        delayed = stage_4_q;
+        delayed = stage_2_q;
     end
 endmodule
 
@@ -9376,13 +10055,13 @@ module photoncube_leaf_5_local7_rgb6d_n64_group_flags(clock, reset_in, reset, fi
         .d(gate_last_d),
         .q(gate_last_q)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_group_first pair_first(
+    photoncube_leaf_5_local7_rgb6d_n64_gate_first pair_first(
         .clock(pair_first_clock),
         .clear(pair_first_clear),
         .d(pair_first_d),
         .q(pair_first_q)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_group_first pair_last(
+    photoncube_leaf_5_local7_rgb6d_n64_gate_first pair_last(
         .clock(pair_last_clock),
         .clear(pair_last_clear),
         .d(pair_last_d),
@@ -9466,7 +10145,7 @@ module photoncube_leaf_5_local7_rgb6d_n64_power_decoder(mantissa, power);
     end
 endmodule
 
-module photoncube_leaf_5_local7_rgb6d_n64_square_pair(clock, query, photon_a, photon_b, square_a, square_b, far_a,
+module photoncube_leaf_5_local7_rgb6d_n64_square_pair_2(clock, query, photon_a, photon_b, square_a, square_b, far_a,
     far_b);
     // Module arguments
     input wire clock;
@@ -9521,12 +10200,12 @@ module photoncube_leaf_5_local7_rgb6d_n64_square_pair(clock, query, photon_a, ph
         .b(subtract_1_b),
         .difference(subtract_1_difference)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_register_10 difference_0(
+    photoncube_leaf_5_local7_rgb6d_n64_magnitude_delay difference_0(
         .d(difference_0_d),
         .q(difference_0_q),
         .clock(difference_0_clock)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_register_10 difference_1(
+    photoncube_leaf_5_local7_rgb6d_n64_magnitude_delay difference_1(
         .d(difference_1_d),
         .q(difference_1_q),
         .clock(difference_1_clock)
@@ -9585,6 +10264,132 @@ module photoncube_leaf_5_local7_rgb6d_n64_square_pair(clock, query, photon_a, ph
         digits_1_difference = difference_1_q;
         square_stage_1_d = digits_1_square;
         far_stage_1_d = digits_1_far;
+        square_a = square_stage_0_q;
+        square_b = square_stage_1_q;
+        far_a = far_stage_0_q;
+        far_b = far_stage_1_q;
+    end
+endmodule
+
+module photoncube_leaf_5_local7_rgb6d_n64_square_pair(clock, query, photon_a, photon_b, square_a, square_b, far_a,
+    far_b);
+    // Module arguments
+    input wire clock;
+    input wire [8:0] query;
+    input wire [8:0] photon_a;
+    input wire [8:0] photon_b;
+    output reg [13:0] square_a;
+    output reg [13:0] square_b;
+    output reg far_a;
+    output reg far_b;
+    // Stub signals
+    reg [8:0] subtract_0_a;
+    reg [8:0] subtract_0_b;
+    wire [9:0] subtract_0_difference;
+    reg [8:0] subtract_1_a;
+    reg [8:0] subtract_1_b;
+    wire [9:0] subtract_1_difference;
+    reg [9:0] difference_0_d;
+    wire [9:0] difference_0_q;
+    reg difference_0_clock;
+    reg [9:0] difference_1_d;
+    wire [9:0] difference_1_q;
+    reg difference_1_clock;
+    reg product_0_clock;
+    reg [9:0] product_0_difference;
+    wire [13:0] product_0_square;
+    wire product_0_far;
+    reg product_1_clock;
+    reg [9:0] product_1_difference;
+    wire [13:0] product_1_square;
+    wire product_1_far;
+    reg [13:0] square_stage_0_d;
+    wire [13:0] square_stage_0_q;
+    reg square_stage_0_clock;
+    reg [13:0] square_stage_1_d;
+    wire [13:0] square_stage_1_q;
+    reg square_stage_1_clock;
+    reg far_stage_0_d;
+    wire far_stage_0_q;
+    reg far_stage_0_clock;
+    reg far_stage_1_d;
+    wire far_stage_1_q;
+    reg far_stage_1_clock;
+    // Sub module instances
+    photoncube_leaf_5_local7_rgb6d_n64_subtract subtract_0(
+        .a(subtract_0_a),
+        .b(subtract_0_b),
+        .difference(subtract_0_difference)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_subtract subtract_1(
+        .a(subtract_1_a),
+        .b(subtract_1_b),
+        .difference(subtract_1_difference)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_magnitude_delay difference_0(
+        .d(difference_0_d),
+        .q(difference_0_q),
+        .clock(difference_0_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_magnitude_delay difference_1(
+        .d(difference_1_d),
+        .q(difference_1_q),
+        .clock(difference_1_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_product product_0(
+        .clock(product_0_clock),
+        .difference(product_0_difference),
+        .square(product_0_square),
+        .far(product_0_far)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_product product_1(
+        .clock(product_1_clock),
+        .difference(product_1_difference),
+        .square(product_1_square),
+        .far(product_1_far)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_square_stage square_stage_0(
+        .d(square_stage_0_d),
+        .q(square_stage_0_q),
+        .clock(square_stage_0_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_square_stage square_stage_1(
+        .d(square_stage_1_d),
+        .q(square_stage_1_q),
+        .clock(square_stage_1_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_products_far far_stage_0(
+        .d(far_stage_0_d),
+        .q(far_stage_0_q),
+        .clock(far_stage_0_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_products_far far_stage_1(
+        .d(far_stage_1_d),
+        .q(far_stage_1_q),
+        .clock(far_stage_1_clock)
+    );
+    // Update code
+    always @(*) begin
+        subtract_0_b = photon_a;
+        subtract_1_b = photon_b;
+        subtract_0_a = query;
+        difference_0_clock = clock;
+        difference_0_d = subtract_0_difference;
+        square_stage_0_clock = clock;
+        far_stage_0_clock = clock;
+        subtract_1_a = query;
+        difference_1_clock = clock;
+        difference_1_d = subtract_1_difference;
+        square_stage_1_clock = clock;
+        far_stage_1_clock = clock;
+        product_0_clock = clock;
+        product_0_difference = difference_0_q;
+        square_stage_0_d = product_0_square;
+        far_stage_0_d = product_0_far;
+        product_1_clock = clock;
+        product_1_difference = difference_1_q;
+        square_stage_1_d = product_1_square;
+        far_stage_1_d = product_1_far;
         square_a = square_stage_0_q;
         square_b = square_stage_1_q;
         far_a = far_stage_0_q;
@@ -9711,12 +10516,12 @@ module photoncube_leaf_5_local7_rgb6d_n64_channel_sum(clock, power_in_0, power_i
         .b_in_range(gated_sum_1_b_in_range),
         .sum(gated_sum_1_sum)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_register_7 pair_0(
+    photoncube_leaf_5_local7_rgb6d_n64_products_magnitude pair_0(
         .d(pair_0_d),
         .q(pair_0_q),
         .clock(pair_0_clock)
     );
-    photoncube_leaf_5_local7_rgb6d_n64_register_7 pair_1(
+    photoncube_leaf_5_local7_rgb6d_n64_products_magnitude pair_1(
         .d(pair_1_d),
         .q(pair_1_q),
         .clock(pair_1_clock)
@@ -9839,17 +10644,14 @@ module photoncube_leaf_5_local7_rgb6d_n64_pair_sum(a, b, sum);
     end
 endmodule
 
-module photoncube_leaf_5_local7_rgb6d_n64_register_16(d, q, clock);
+module photoncube_leaf_5_local7_rgb6d_n64_distance(d, q, clock);
     // Module arguments
     input wire [15:0] d;
     output reg [15:0] q;
     input wire clock;
-    // Update code (custom)
-    initial begin
-       q = 16'h0;
-    end
-    always @(posedge clock) begin
-       q <= d;
+    // Update code
+    always @(*) begin
+        q = d;
     end
 endmodule
 
@@ -9867,17 +10669,14 @@ module photoncube_leaf_5_local7_rgb6d_n64_register_3(d, q, clock);
     end
 endmodule
 
-module photoncube_leaf_5_local7_rgb6d_n64_register_2(d, q, clock);
+module photoncube_leaf_5_local7_rgb6d_n64_pair(d, q, clock);
     // Module arguments
     input wire [1:0] d;
     output reg [1:0] q;
     input wire clock;
-    // Update code (custom)
-    initial begin
-       q = 2'h0;
-    end
-    always @(posedge clock) begin
-       q <= d;
+    // Update code
+    always @(*) begin
+        q = d;
     end
 endmodule
 
@@ -10180,6 +10979,67 @@ module photoncube_leaf_5_local7_rgb6d_n64_gate_first(clock, clear, d, q);
     end
 endmodule
 
+module photoncube_leaf_5_local7_rgb6d_n64_product(clock, difference, square, far);
+    // Module arguments
+    input wire clock;
+    input wire [9:0] difference;
+    output reg [13:0] square;
+    output reg far;
+    // Stub signals
+    reg [9:0] magnitude_delay_d;
+    wire [9:0] magnitude_delay_q;
+    reg magnitude_delay_clock;
+    reg [9:0] products_delay_d;
+    wire [9:0] products_delay_q;
+    reg products_delay_clock;
+    reg [9:0] difference_product_difference;
+    wire [17:0] difference_product_product;
+    reg [17:0] product_d;
+    wire [17:0] product_q;
+    reg product_clock;
+    reg [17:0] split_product_product;
+    wire [13:0] split_product_square;
+    wire split_product_far;
+    // Sub module instances
+    photoncube_leaf_5_local7_rgb6d_n64_magnitude_delay magnitude_delay(
+        .d(magnitude_delay_d),
+        .q(magnitude_delay_q),
+        .clock(magnitude_delay_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_register_10 products_delay(
+        .d(products_delay_d),
+        .q(products_delay_q),
+        .clock(products_delay_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_difference_product difference_product(
+        .difference(difference_product_difference),
+        .product(difference_product_product)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_register_18 product(
+        .d(product_d),
+        .q(product_q),
+        .clock(product_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_split_product split_product(
+        .product(split_product_product),
+        .square(split_product_square),
+        .far(split_product_far)
+    );
+    // Update code
+    always @(*) begin
+        magnitude_delay_clock = clock;
+        products_delay_clock = clock;
+        product_clock = clock;
+        magnitude_delay_d = difference;
+        products_delay_d = magnitude_delay_q;
+        difference_product_difference = products_delay_q;
+        product_d = difference_product_product;
+        split_product_product = product_q;
+        square = split_product_square;
+        far = split_product_far;
+    end
+endmodule
+
 module photoncube_leaf_5_local7_rgb6d_n64_group_first(clock, clear, d, q);
     // Module arguments
     input wire clock;
@@ -10312,20 +11172,6 @@ module photoncube_leaf_5_local7_rgb6d_n64_gated_sum(a, b, a_in_range, b_in_range
     end
 endmodule
 
-module photoncube_leaf_5_local7_rgb6d_n64_register_10(d, q, clock);
-    // Module arguments
-    input wire [9:0] d;
-    output reg [9:0] q;
-    input wire clock;
-    // Update code (custom)
-    initial begin
-       q = 10'h0;
-    end
-    always @(posedge clock) begin
-       q <= d;
-    end
-endmodule
-
 module photoncube_leaf_5_local7_rgb6d_n64_square_stage(d, q, clock);
     // Module arguments
     input wire [13:0] d;
@@ -10334,6 +11180,20 @@ module photoncube_leaf_5_local7_rgb6d_n64_square_stage(d, q, clock);
     // Update code
     always @(*) begin
         q = d;
+    end
+endmodule
+
+module photoncube_leaf_5_local7_rgb6d_n64_register_18(d, q, clock);
+    // Module arguments
+    input wire [17:0] d;
+    output reg [17:0] q;
+    input wire clock;
+    // Update code (custom)
+    initial begin
+       q = 18'h0;
+    end
+    always @(posedge clock) begin
+       q <= d;
     end
 endmodule
 
@@ -10474,6 +11334,16 @@ module photoncube_leaf_5_local7_rgb6d_n64_digit_products(magnitude, low_product,
     always @(*) high_product = {high & {4{magnitude[2]}}};
 endmodule
 
+module photoncube_leaf_5_local7_rgb6d_n64_split_product(product, square, far);
+    // Module arguments
+    input wire [17:0] product;
+    output reg [13:0] square;
+    output reg far;
+    // Update code (custom)
+    always @(*) square = product[13:0];
+    always @(*) far = |product[17:14];
+endmodule
+
 module photoncube_leaf_5_local7_rgb6d_n64_split_magnitude(magnitude, counted, far);
     // Module arguments
     input wire [8:0] magnitude;
@@ -10498,6 +11368,31 @@ module photoncube_leaf_5_local7_rgb6d_n64_register_7(d, q, clock);
     end
 endmodule
 
+module photoncube_leaf_5_local7_rgb6d_n64_register_10(d, q, clock);
+    // Module arguments
+    input wire [9:0] d;
+    output reg [9:0] q;
+    input wire clock;
+    // Update code (custom)
+    initial begin
+       q = 10'h0;
+    end
+    always @(posedge clock) begin
+       q <= d;
+    end
+endmodule
+
+module photoncube_leaf_5_local7_rgb6d_n64_magnitude_delay(d, q, clock);
+    // Module arguments
+    input wire [9:0] d;
+    output reg [9:0] q;
+    input wire clock;
+    // Update code
+    always @(*) begin
+        q = d;
+    end
+endmodule
+
 module photoncube_leaf_5_local7_rgb6d_n64_products_magnitude(d, q, clock);
     // Module arguments
     input wire [6:0] d;
@@ -10507,4 +11402,14 @@ module photoncube_leaf_5_local7_rgb6d_n64_products_magnitude(d, q, clock);
     always @(*) begin
         q = d;
     end
+endmodule
+
+module photoncube_leaf_5_local7_rgb6d_n64_difference_product(difference, product);
+    // Module arguments
+    input wire [9:0] difference;
+    output reg [17:0] product;
+    // Update code (custom)
+    wire signed [9:0] d = difference;
+    wire signed [19:0] squared = d * d;
+    always @(*) product = squared[17:0];
 endmodule

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// leaf-5-local7-rgb6d-n64: 9 modules of photoncube_leaf_5_local7_rgb6d_n64.v, made of an ECP5's own
-// cells.
+// leaf-5-local7-rgb6d-n64: 10 modules of photoncube_leaf_5_local7_rgb6d_n64.v, made of an ECP5's
+// own cells.
 // Written by photoncube 0.1.0, `photoncube generate --machine leaf-5-local7-rgb6d-n64`; do not edit.
 //
 // Each replaces the module of that name in photoncube_leaf_5_local7_rgb6d_n64.v and is the same
@@ -12,6 +12,7 @@
 //
 //   photoncube_leaf_5_local7_rgb6d_n64_accumulate_2
 //   photoncube_leaf_5_local7_rgb6d_n64_gated_sum_2
+//   photoncube_leaf_5_local7_rgb6d_n64_product
 //   photoncube_leaf_5_local7_rgb6d_n64_subtract
 //   photoncube_leaf_5_local7_rgb6d_n64_range_of_format
 //   photoncube_leaf_5_local7_rgb6d_n64_accumulate
@@ -61,6 +62,23 @@ module photoncube_leaf_5_local7_rgb6d_n64_gated_sum_2(a, b, a_in_range, b_in_ran
         .A1(1'b1), .B1(1'b1), .C1(1'b1), .D1(1'b1),
         .S0(chain[0]), .S1(chain[1]), .COUT(carry[1]));
     assign sum = chain[1:0];
+endmodule
+
+module photoncube_leaf_5_local7_rgb6d_n64_product(clock, difference, square, far);
+    input wire clock;
+    input wire [9:0] difference;
+    output wire [13:0] square;
+    output wire far;
+    wire [9:0] operand = difference;
+    wire [35:0] product;
+    MULT18X18D #(.REG_INPUTA_CLK("CLK0"), .REG_INPUTB_CLK("CLK0"), .REG_OUTPUT_CLK("CLK0"), .GSR("DISABLED")) block (
+        .CLK0(clock), .CE0(1'b1), .RST0(1'b0),
+        .SIGNEDA(1'b1), .SIGNEDB(1'b1), .SOURCEA(1'b0), .SOURCEB(1'b0),
+        .A0(1'b0), .A1(1'b0), .A2(1'b0), .A3(1'b0), .A4(1'b0), .A5(1'b0), .A6(1'b0), .A7(1'b0), .A8(operand[0]), .A9(operand[1]), .A10(operand[2]), .A11(operand[3]), .A12(operand[4]), .A13(operand[5]), .A14(operand[6]), .A15(operand[7]), .A16(operand[8]), .A17(operand[9]),
+        .B0(1'b0), .B1(1'b0), .B2(1'b0), .B3(1'b0), .B4(1'b0), .B5(1'b0), .B6(1'b0), .B7(1'b0), .B8(operand[0]), .B9(operand[1]), .B10(operand[2]), .B11(operand[3]), .B12(operand[4]), .B13(operand[5]), .B14(operand[6]), .B15(operand[7]), .B16(operand[8]), .B17(operand[9]),
+        .P0(product[0]), .P1(product[1]), .P2(product[2]), .P3(product[3]), .P4(product[4]), .P5(product[5]), .P6(product[6]), .P7(product[7]), .P8(product[8]), .P9(product[9]), .P10(product[10]), .P11(product[11]), .P12(product[12]), .P13(product[13]), .P14(product[14]), .P15(product[15]), .P16(product[16]), .P17(product[17]), .P18(product[18]), .P19(product[19]), .P20(product[20]), .P21(product[21]), .P22(product[22]), .P23(product[23]), .P24(product[24]), .P25(product[25]), .P26(product[26]), .P27(product[27]), .P28(product[28]), .P29(product[29]), .P30(product[30]), .P31(product[31]), .P32(product[32]), .P33(product[33]), .P34(product[34]), .P35(product[35]));
+    assign square = product[29:16];
+    assign far = |product[33:30];
 endmodule
 
 module photoncube_leaf_5_local7_rgb6d_n64_subtract(a, b, difference);
