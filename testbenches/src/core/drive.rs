@@ -189,8 +189,13 @@ impl<'a> Drive<'a> {
         match self.one_in(8) {
             true => self.draw.rng().random_range(0..1 << Core::ADDRESS_BITS),
             false => {
-                let place = self.draw.rng().random_range(0..self.rows.len());
-                self.rows[place].address
+                // Most accesses are to registers that are no counters.
+                let counters = self.one_in(4);
+                let is_counter = |row: &CoreRegisterRow| row.address >= CoreRegister::COUNTERS;
+                let rows = self.rows.iter();
+                let rows: Vec<_> = rows.filter(|row| is_counter(row) == counters).collect();
+                let place = self.draw.rng().random_range(0..rows.len());
+                rows[place].address
             }
         }
     }
