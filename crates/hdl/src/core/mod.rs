@@ -5,9 +5,11 @@
 //! serves every core. They follow the rules of [`photoncube_spec::Core`]; `photoncube verify core` compares them with the model, clock by clock.
 
 mod arbiter;
+mod chain;
 mod clocked;
 mod header;
 mod registers;
+mod results;
 mod rows;
 mod top;
 

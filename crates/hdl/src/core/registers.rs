@@ -138,7 +138,7 @@ fn events() -> String {
         E::SetTooLong => "set_too_long",
         E::QueryOutside => "query_outside",
         E::ChainUnknown => "chain_unknown",
-        E::AccessRefused => "write_refused | read_refused",
+        E::AccessRefused => "|refused",
         E::Stalled => "stalls",
     };
     lines(EventRow::ALL.iter().map(|row| {

@@ -59,6 +59,8 @@ module @TOP@_registers(clock, aresetn, reset,
     // The high bits of the counter whose low word was read last.
     reg [@COUNTER_HIGH@ - 32:0] counter_high;
     reg restart;
+    // The accesses that were refused in the clock before: from the addresses to the counter is too far for a clock.
+    reg [1:0] refused;
     // What happened in the chains in the clock before.
     reg [@LEAVES_HIGH@:0] seen_compared;
     reg [@LEAVES_HIGH@:0] seen_wanted;
@@ -72,6 +74,7 @@ module @TOP@_registers(clock, aresetn, reset,
     initial silent_clocks = 32'd0;
     initial counter_high = {(@COUNTER_HIGH@ - 31){1'b0}};
     initial restart = 1'b0;
+    initial refused = 2'd0;
     initial seen_compared = {(@LEAVES_HIGH@ + 1){1'b0}};
     initial seen_wanted = {(@LEAVES_HIGH@ + 1){1'b0}};
     initial seen_played = {(@GROUPS_HIGH@ + 1){1'b0}};
@@ -116,7 +119,6 @@ module @TOP@_registers(clock, aresetn, reset,
     end
     wire write_refused = writes & ~write_known;
     wire read_refused = reads & ~read_known;
-    wire [1:0] refused = write_refused + read_refused;
     wire writes_control = writes & (write_address == ADDRESS_CONTROL);
     wire clears_counters = writes_control & write_word[@CLEAR_COUNTERS@];
     wire writes_events = writes & (write_address == ADDRESS_EVENTS);
@@ -144,6 +146,7 @@ module @TOP@_registers(clock, aresetn, reset,
             s_axi_rdata <= read_word;
             counter_high <= counter_high_next;
         end else if (s_axi_rready) s_axi_rvalid <= 1'b0;
+        refused <= write_refused + read_refused;
         restart <= writes_control & write_word[@RESTART@];
         events <= (events & ~cleared) | occurs;
         if (writes_enable) begin
@@ -168,6 +171,7 @@ module @TOP@_registers(clock, aresetn, reset,
             s_axi_bvalid <= 1'b0;
             s_axi_rvalid <= 1'b0;
             restart <= 1'b0;
+            refused <= 2'd0;
             events <= {(@EVENT_HIGH@ + 1){1'b0}};
             interrupt_enable <= {(@EVENT_HIGH@ + 1){1'b0}};
             stall_limit <= @STALL_LIMIT@;

@@ -4,19 +4,22 @@ use std::fmt::Write as _;
 
 use photoncube_spec::{Core, CoreStreams, Leaf, Port, Spatial, StreamWord};
 
+use super::chain::chain_text;
+use super::results::results;
+
 /// Bits of the word that passes the slice of photons beside the leaf: the chain's number and `tlast`.
-struct Sizes {
-    chain: u32,
+pub(super) struct Sizes {
+    pub(super) chain: u32,
     /// Bits of a group of four photons, and of a leaf's photons.
-    group: u32,
-    facing: u32,
-    place: u32,
-    photon_slice: u32,
-    query: u32,
-    query_slice: u32,
+    pub(super) group: u32,
+    pub(super) facing: u32,
+    pub(super) place: u32,
+    pub(super) photon_slice: u32,
+    pub(super) query: u32,
+    pub(super) query_slice: u32,
     /// Bits of the sums and the count.
-    sums: u32,
-    result_slice: u32,
+    pub(super) sums: u32,
+    pub(super) result_slice: u32,
 }
 
 impl Sizes {
@@ -56,7 +59,7 @@ pub(super) fn top(core: &Core, machine: &str) -> String {
     text + "endmodule\n"
 }
 
-fn range(width: u32) -> String {
+pub(super) fn range(width: u32) -> String {
     match width {
         1 => String::new(),
         more => format!("[{}:0] ", more - 1),
@@ -109,7 +112,7 @@ fn any(core: &Core, name: &str) -> String {
 }
 
 /// An instance of the slice of a stream.
-fn slice(
+pub(super) fn slice(
     core: &Core,
     stream: &str,
     width: u32,
@@ -281,210 +284,6 @@ fn gaps(word: &StreamWord) -> Vec<String> {
     gaps
 }
 
-/// A chain, and the way of groups to it.
-fn chain_text(
-    core: &Core,
-    streams: &CoreStreams,
-    sizes: &Sizes,
-    machine: &str,
-    chain: u32,
-) -> String {
-    let Sizes {
-        group,
-        facing,
-        place,
-        sums,
-        ..
-    } = *sizes;
-    let bits = core.chain_bits();
-    let mut text = format!(
-        "\n    // Chain {chain}.\n    \
-         wire group_valid_{chain};\n    \
-         wire group_ready_{chain};\n    \
-         wire group_last_{chain};\n    \
-         wire {}group_facing_{chain};\n    \
-         wire {}group_{chain};\n    \
-         wire result_valid_{chain};\n    \
-         wire result_ready_{chain};\n    \
-         wire {}result_sums_{chain};\n    \
-         wire {}result_tag_{chain};\n    \
-         wire [1:0] compared_{chain};\n    \
-         wire [1:0] wanted_{chain};\n    \
-         wire played_{chain};\n    \
-         {}_photon_port #(.GROUP({group}), .FACING({facing}), .PLACE({place})) photon_port_{chain}(.clock(aclk), .reset(reset),\n        \
-         .leaf_valid(leaf_valid & (leaf_chain == {bits}'d{chain})), .leaf_last(leaf_last), .leaf_has_second(leaf_has_second),\n        \
-         .leaf(leaf), .facing(leaf_facing), .leaf_ready(leaf_ready_{chain}), .leaf_given(leaf_given_{chain}),\n        \
-         .leaf_refused(leaf_refused_{chain}), .set_too_long(set_too_long_{chain}), .group_valid(group_valid_{chain}),\n        \
-         .group_ready(group_ready_{chain}), .group_last(group_last_{chain}), .group_facing(group_facing_{chain}), .group(group_{chain}));\n    \
-         wire query_valid_{chain} = query_valid & (query_chain == {bits}'d{chain});\n    \
-         assign query_given_{chain} = query_valid_{chain} & query_ready_{chain};\n    \
-         {machine} chain_{chain}(.clock(aclk), .reset(reset),\n        \
-         .query_valid(query_valid_{chain}), .query_ready(query_ready_{chain}), .query_last(query_last),\n        \
-         .query_tag({{query_is_outside, query_last, {}}}),\n",
-        range(facing),
-        range(group),
-        range(sums),
-        range(Leaf::TAG_BITS),
-        core.top(),
-        part(
-            streams.queries.field("tag").low,
-            Core::TAG_BITS,
-            "query_word"
-        ),
-    );
-    for (pin, field) in [
-        ("query_x", "x"),
-        ("query_y", "y"),
-        ("query_z", "z"),
-        ("query_facings", "facings"),
-        ("query_release", "release"),
-    ] {
-        let field = streams.queries.field(field);
-        let _ = writeln!(
-            text,
-            "        .{pin}({}),",
-            part(field.low, field.width, "query_word")
-        );
-    }
-    let _ = writeln!(
-        text,
-        "        .group_valid(group_valid_{chain}), .group_ready(group_ready_{chain}), .group_last(group_last_{chain}), .group_facing(group_facing_{chain}),"
-    );
-    for field in streams
-        .photons
-        .fields
-        .iter()
-        .filter(|field| field.low < group)
-    {
-        let _ = writeln!(
-            text,
-            "        .photon_{}({}),",
-            field.name,
-            part(field.low, field.width, &format!("group_{chain}"))
-        );
-    }
-    let results = streams
-        .results
-        .fields
-        .iter()
-        .filter(|field| field.low < sums);
-    for field in results {
-        let _ = writeln!(
-            text,
-            "        .result_{}({}),",
-            field.name,
-            part(field.low, field.width, &format!("result_sums_{chain}"))
-        );
-    }
-    text + &format!(
-        "        .result_valid(result_valid_{chain}), .result_ready(result_ready_{chain}), .result_tag(result_tag_{chain}),\n        \
-         .compared(compared_{chain}), .wanted(wanted_{chain}), .played(played_{chain}));\n"
-    )
-}
-
-/// The bits of a word from `low` on.
-fn part(low: u32, width: u32, word: &str) -> String {
-    match width {
-        1 => format!("{word}[{low}]"),
-        more => format!("{word}[{}:{low}]", low + more - 1),
-    }
-}
-
-/// The results of the chains up to the port.
-fn results(core: &Core, streams: &CoreStreams, sizes: &Sizes) -> String {
-    let Sizes {
-        chain: bits,
-        sums,
-        result_slice,
-        ..
-    } = *sizes;
-    let end = streams.results.end();
-    let count = streams.results.field("count");
-    let valid = (0..core.chains)
-        .rev()
-        .map(|chain| format!("result_valid_{chain}"));
-    let valid = valid.collect::<Vec<_>>().join(", ");
-    let mut text = format!(
-        "\n    // Results: one chain after the other, then a slice.\n    \
-         wire {}chosen;\n    \
-         wire result_valid;\n    \
-         wire result_ready;\n    \
-         {}_arbiter arbiter(.clock(aclk), .reset(reset), .valid({{{valid}}}),\n        \
-         .taken(result_valid & result_ready), .any_valid(result_valid), .chosen(chosen));\n    \
-         reg {}result_sums;\n    \
-         reg {}result_tag;\n    \
-         always @(*) begin\n        \
-         case (chosen)\n",
-        range(bits),
-        core.top(),
-        range(sums),
-        range(Leaf::TAG_BITS),
-    );
-    for chain in 1..core.chains {
-        let _ = writeln!(
-            text,
-            "            {bits}'d{chain}: begin\n                result_sums = result_sums_{chain};\n                \
-             result_tag = result_tag_{chain};\n            end"
-        );
-    }
-    text += "            default: begin\n                result_sums = result_sums_0;\n                \
-             result_tag = result_tag_0;\n            end\n        endcase\n    end\n";
-    for chain in 0..core.chains {
-        let _ = writeln!(
-            text,
-            "    assign result_ready_{chain} = result_ready & (chosen == {bits}'d{chain});"
-        );
-    }
-    let (last, outside) = (Core::TAG_BITS, Core::TAG_BITS + 1);
-    let _ = write!(
-        text,
-        "    wire result_outside = result_tag[{outside}];\n    \
-         wire {}result_seen = result_outside ? {{{sums}{{1'b0}}}} : result_sums;\n    \
-         wire {}result_word;\n",
-        range(sums),
-        range(result_slice),
-    );
-    text += &slice(
-        core,
-        "result",
-        result_slice,
-        [
-            "result_valid",
-            "result_ready",
-            &format!(
-                "{{chosen, result_outside, result_tag[{last}], result_tag[{}:0], result_seen}}",
-                last - 1
-            ),
-        ],
-        [
-            "m_axis_results_tvalid",
-            "m_axis_results_tready",
-            "result_word",
-        ],
-    );
-    let padding = match streams.results.bits - end {
-        0 => String::new(),
-        bits => format!("{bits}'d0, "),
-    };
-    let _ = write!(
-        text,
-        "    assign m_axis_results_tdata = {{{padding}result_word[{}:0]}};\n    \
-         assign m_axis_results_tlast = result_word[{end}];\n    \
-         assign m_axis_results_tuser = result_word[{}];\n    \
-         assign m_axis_results_tid = result_word[{}:{}];\n    \
-         wire result_moves = m_axis_results_tvalid & m_axis_results_tready;\n    \
-         wire {}result_photons = result_moves ? {} : {}'d0;\n",
-        end - 1,
-        end + 1,
-        end + 1 + bits,
-        end + 2,
-        range(count.width),
-        part(count.low, count.width, "result_word"),
-        count.width,
-    );
-    text
-}
-
 /// What all chains do in a clock.
 fn sums_over_chains(core: &Core) -> String {
     let bits = |most: u32| u32::BITS - most.leading_zeros();
@@ -560,4 +359,12 @@ fn register_instance(core: &Core) -> String {
         core.top(),
         all.join(",\n")
     )
+}
+
+/// The bits of a word from `low` on.
+pub(super) fn part(low: u32, width: u32, word: &str) -> String {
+    match width {
+        1 => format!("{word}[{low}]"),
+        more => format!("{word}[{}:{low}]", low + more - 1),
+    }
 }

@@ -56,6 +56,8 @@ pub(super) struct Registers {
     counter_high: u32,
     counters: Vec<u64>,
     before: InChains,
+    /// The accesses that were refused in the clock before.
+    refused_before: u64,
 }
 
 impl Registers {
@@ -76,6 +78,7 @@ impl Registers {
             counter_high: 0,
             counters: vec![0; CounterRow::ALL.len()],
             before: InChains::default(),
+            refused_before: 0,
             rows,
         }
     }
@@ -153,9 +156,10 @@ impl Registers {
         let read_refused = matches!(read, Some(None));
         let refused = u64::from(write_refused) + u64::from(read_refused);
         let stalls = self.stalls(happens);
-        let occurs = self.occurs(happens, refused > 0, stalls);
+        let occurs = self.occurs(happens, self.refused_before > 0, stalls);
         self.answer_read(lite, read, happens);
-        self.count(happens, refused);
+        self.count(happens, self.refused_before);
+        self.refused_before = refused;
         self.answer_write(lite, write);
         self.events |= occurs;
         self.under_way += u32::from(happens.query_given);

@@ -51,11 +51,11 @@ counters! {
 }
 
 impl CoreCounter {
-    /// Whether it counts what happens in all chains, a clock later.
-    pub const fn is_of_chains(self) -> bool {
+    /// Whether it counts a clock later: what happens in all chains, and refused accesses, whose ways to a counter are long.
+    pub const fn is_later(self) -> bool {
         matches!(
             self,
-            Self::LeavesCompared | Self::LeavesWanted | Self::GroupsPlayed
+            Self::LeavesCompared | Self::LeavesWanted | Self::GroupsPlayed | Self::AccessesRefused
         )
     }
 }

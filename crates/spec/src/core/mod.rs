@@ -43,7 +43,8 @@
 //! - *Results.* Of the chains with a result, the first in the order from `turn` on gives it to the slice of results, where that is ready;
 //!   `turn` := the next chain. `turn` is 0 after `reset`.
 //! - *Under way* are the queries that were given to a chain and whose results have not left through `m_axis_results`.
-//! - *Counters* count what happens in a clock; those over all chains ([`CoreCounter::is_of_chains`]) count it a clock later.
+//! - *Counters* count what happens in a clock; some ([`CoreCounter::is_later`]) count it a clock later. The event `AccessRefused` too
+//!   occurs a clock later.
 //! - *Stall.* The core is *silent* where no word moves on any of the three streams, a query is under way or a word waits on
 //!   an input stream, and no result waits on `m_axis_results`. After as many silent clocks in a row as [`CoreRegister::StallLimit`]
 //!   says (0: never), the event `Stalled` occurs; the count goes on.

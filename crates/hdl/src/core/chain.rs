@@ -1,0 +1,108 @@
+//! A chain, and the way of groups to it.
+
+use std::fmt::Write as _;
+
+use photoncube_spec::{Core, CoreStreams, Leaf};
+
+use super::top::{Sizes, part, range};
+
+/// A chain, and the way of groups to it.
+pub(super) fn chain_text(
+    core: &Core,
+    streams: &CoreStreams,
+    sizes: &Sizes,
+    machine: &str,
+    chain: u32,
+) -> String {
+    let Sizes {
+        group,
+        facing,
+        place,
+        sums,
+        ..
+    } = *sizes;
+    let bits = core.chain_bits();
+    let mut text = format!(
+        "\n    // Chain {chain}.\n    \
+         wire group_valid_{chain};\n    \
+         wire group_ready_{chain};\n    \
+         wire group_last_{chain};\n    \
+         wire {}group_facing_{chain};\n    \
+         wire {}group_{chain};\n    \
+         wire result_valid_{chain};\n    \
+         wire result_ready_{chain};\n    \
+         wire {}result_sums_{chain};\n    \
+         wire {}result_tag_{chain};\n    \
+         wire [1:0] compared_{chain};\n    \
+         wire [1:0] wanted_{chain};\n    \
+         wire played_{chain};\n    \
+         {}_photon_port #(.GROUP({group}), .FACING({facing}), .PLACE({place})) photon_port_{chain}(.clock(aclk), .reset(reset),\n        \
+         .leaf_valid(leaf_valid & (leaf_chain == {bits}'d{chain})), .leaf_last(leaf_last), .leaf_has_second(leaf_has_second),\n        \
+         .leaf(leaf), .facing(leaf_facing), .leaf_ready(leaf_ready_{chain}), .leaf_given(leaf_given_{chain}),\n        \
+         .leaf_refused(leaf_refused_{chain}), .set_too_long(set_too_long_{chain}), .group_valid(group_valid_{chain}),\n        \
+         .group_ready(group_ready_{chain}), .group_last(group_last_{chain}), .group_facing(group_facing_{chain}), .group(group_{chain}));\n    \
+         wire query_valid_{chain} = query_valid & (query_chain == {bits}'d{chain});\n    \
+         assign query_given_{chain} = query_valid_{chain} & query_ready_{chain};\n    \
+         {machine} chain_{chain}(.clock(aclk), .reset(reset),\n        \
+         .query_valid(query_valid_{chain}), .query_ready(query_ready_{chain}), .query_last(query_last),\n        \
+         .query_tag({{query_is_outside, query_last, {}}}),\n",
+        range(facing),
+        range(group),
+        range(sums),
+        range(Leaf::TAG_BITS),
+        core.top(),
+        part(
+            streams.queries.field("tag").low,
+            Core::TAG_BITS,
+            "query_word"
+        ),
+    );
+    for (pin, field) in [
+        ("query_x", "x"),
+        ("query_y", "y"),
+        ("query_z", "z"),
+        ("query_facings", "facings"),
+        ("query_release", "release"),
+    ] {
+        let field = streams.queries.field(field);
+        let _ = writeln!(
+            text,
+            "        .{pin}({}),",
+            part(field.low, field.width, "query_word")
+        );
+    }
+    let _ = writeln!(
+        text,
+        "        .group_valid(group_valid_{chain}), .group_ready(group_ready_{chain}), .group_last(group_last_{chain}), .group_facing(group_facing_{chain}),"
+    );
+    for field in streams
+        .photons
+        .fields
+        .iter()
+        .filter(|field| field.low < group)
+    {
+        let _ = writeln!(
+            text,
+            "        .photon_{}({}),",
+            field.name,
+            part(field.low, field.width, &format!("group_{chain}"))
+        );
+    }
+    let results = streams
+        .results
+        .fields
+        .iter()
+        .filter(|field| field.low < sums);
+    for field in results {
+        let _ = writeln!(
+            text,
+            "        .result_{}({}),",
+            field.name,
+            part(field.low, field.width, &format!("result_sums_{chain}"))
+        );
+    }
+    text + &format!(
+        "        .result_valid(result_valid_{chain}), .result_ready(result_ready_{chain}), .result_tag(result_tag_{chain}),\n        \
+         .compared(compared_{chain}), .wanted(wanted_{chain}), .played(played_{chain}));\n"
+    )
+}

@@ -1,0 +1,102 @@
+//! The results of the chains, up to their port.
+
+use std::fmt::Write as _;
+
+use photoncube_spec::{Core, CoreStreams, Leaf};
+
+use super::top::{Sizes, part, range, slice};
+
+/// The results of the chains up to the port.
+pub(super) fn results(core: &Core, streams: &CoreStreams, sizes: &Sizes) -> String {
+    let Sizes {
+        chain: bits,
+        sums,
+        result_slice,
+        ..
+    } = *sizes;
+    let end = streams.results.end();
+    let count = streams.results.field("count");
+    let valid = (0..core.chains)
+        .rev()
+        .map(|chain| format!("result_valid_{chain}"));
+    let valid = valid.collect::<Vec<_>>().join(", ");
+    let mut text = format!(
+        "\n    // Results: one chain after the other, then a slice.\n    \
+         wire {}chosen;\n    \
+         wire result_valid;\n    \
+         wire result_ready;\n    \
+         {}_arbiter arbiter(.clock(aclk), .reset(reset), .valid({{{valid}}}),\n        \
+         .taken(result_valid & result_ready), .any_valid(result_valid), .chosen(chosen));\n    \
+         reg {}result_sums;\n    \
+         reg {}result_tag;\n    \
+         always @(*) begin\n        \
+         case (chosen)\n",
+        range(bits),
+        core.top(),
+        range(sums),
+        range(Leaf::TAG_BITS),
+    );
+    for chain in 1..core.chains {
+        let _ = writeln!(
+            text,
+            "            {bits}'d{chain}: begin\n                result_sums = result_sums_{chain};\n                \
+             result_tag = result_tag_{chain};\n            end"
+        );
+    }
+    text += "            default: begin\n                result_sums = result_sums_0;\n                \
+             result_tag = result_tag_0;\n            end\n        endcase\n    end\n";
+    for chain in 0..core.chains {
+        let _ = writeln!(
+            text,
+            "    assign result_ready_{chain} = result_ready & (chosen == {bits}'d{chain});"
+        );
+    }
+    let (last, outside) = (Core::TAG_BITS, Core::TAG_BITS + 1);
+    let _ = write!(
+        text,
+        "    wire result_outside = result_tag[{outside}];\n    \
+         wire {}result_seen = result_outside ? {{{sums}{{1'b0}}}} : result_sums;\n    \
+         wire {}result_word;\n",
+        range(sums),
+        range(result_slice),
+    );
+    text += &slice(
+        core,
+        "result",
+        result_slice,
+        [
+            "result_valid",
+            "result_ready",
+            &format!(
+                "{{chosen, result_outside, result_tag[{last}], result_tag[{}:0], result_seen}}",
+                last - 1
+            ),
+        ],
+        [
+            "m_axis_results_tvalid",
+            "m_axis_results_tready",
+            "result_word",
+        ],
+    );
+    let padding = match streams.results.bits - end {
+        0 => String::new(),
+        bits => format!("{bits}'d0, "),
+    };
+    let _ = write!(
+        text,
+        "    assign m_axis_results_tdata = {{{padding}result_word[{}:0]}};\n    \
+         assign m_axis_results_tlast = result_word[{end}];\n    \
+         assign m_axis_results_tuser = result_word[{}];\n    \
+         assign m_axis_results_tid = result_word[{}:{}];\n    \
+         wire result_moves = m_axis_results_tvalid & m_axis_results_tready;\n    \
+         wire {}result_photons = result_moves ? {} : {}'d0;\n",
+        end - 1,
+        end + 1,
+        end + 1 + bits,
+        end + 2,
+        range(count.width),
+        part(count.low, count.width, "result_word"),
+        count.width,
+    );
+    text
+}
