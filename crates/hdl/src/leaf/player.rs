@@ -30,6 +30,7 @@ pub(crate) struct Player<const PB: usize, const KB: usize, const SB: usize, cons
     pub word_blank_out: Signal<Out, Bit>,
     pub entry_valid: DFF<Bit>,
     pub entry_mask: DFF<Bits<MASK>>,
+    pub entry_last: DFF<Bit>,
     pub entry_pair: DFF<Bits<KB>>,
     pub entry_bank: DFF<Bit>,
     pub entry_end: DFF<Bit>,
@@ -47,7 +48,10 @@ pub(crate) struct Player<const PB: usize, const KB: usize, const SB: usize, cons
     most: Constant<Bits<OB>>,
     less: Signal<Local, Bits<MASK>>,
     rest: Signal<Local, Bits<MASK>>,
-    is_last_group: Signal<Local, Bit>,
+    rest_less: Signal<Local, Bits<MASK>>,
+    rest_but_one: Signal<Local, Bits<MASK>>,
+    mask_less: Signal<Local, Bits<MASK>>,
+    mask_but_one: Signal<Local, Bits<MASK>>,
     is_end: Signal<Local, Bit>,
     is_spaced: Signal<Local, Bit>,
     has_room: Signal<Local, Bit>,
@@ -70,9 +74,9 @@ impl<const PB: usize, const KB: usize, const SB: usize, const OB: usize> Player<
             most: Constant::new(u64::from(most_outstanding).to_bits()),
         };
             clock reset has_pair pair mask flags batch_leaves takes_pair plays play_bank play_place frees
-            word_valid_out word_last_out word_blank_out entry_valid entry_mask entry_pair entry_bank entry_end
+            word_valid_out word_last_out word_blank_out entry_valid entry_mask entry_last entry_pair entry_bank entry_end
             entry_release spacing outstanding read_valid read_last read_blank word_valid word_last word_blank
-            less rest is_last_group is_end is_spaced has_room may_end is_played ends takes group high low
+            less rest rest_less rest_but_one mask_less mask_but_one is_end is_spaced has_room may_end is_played ends takes group high low
         )
     }
 }
@@ -87,6 +91,7 @@ impl<const PB: usize, const KB: usize, const SB: usize, const OB: usize> Logic
             clock,
             entry_valid,
             entry_mask,
+            entry_last,
             entry_pair,
             entry_bank,
             entry_end,
@@ -103,8 +108,11 @@ impl<const PB: usize, const KB: usize, const SB: usize, const OB: usize> Logic
         );
         self.less.next = self.entry_mask.q.val() - 1;
         self.rest.next = self.entry_mask.q.val() & self.less.val();
-        self.is_last_group.next = !self.rest.val().any();
-        self.is_end.next = self.entry_end.q.val() & self.is_last_group.val();
+        self.rest_less.next = self.rest.val() - 1;
+        self.rest_but_one.next = self.rest.val() & self.rest_less.val();
+        self.mask_less.next = self.mask.val() - 1;
+        self.mask_but_one.next = self.mask.val() & self.mask_less.val();
+        self.is_end.next = self.entry_end.q.val() & self.entry_last.q.val();
         self.is_spaced.next = !self.spacing.q.val().any();
         self.has_room.next = self.outstanding.q.val() != self.most.val();
         self.is_played.next =
@@ -112,14 +120,16 @@ impl<const PB: usize, const KB: usize, const SB: usize, const OB: usize> Logic
         self.ends.next = self.is_played.val() & self.is_end.val();
         self.may_end.d.next = self.is_spaced.val() & self.has_room.val() & !self.ends.val();
         self.takes.next = self.has_pair.val()
-            & (!self.entry_valid.q.val() | (self.is_played.val() & self.is_last_group.val()));
+            & (!self.entry_valid.q.val() | (self.is_played.val() & self.entry_last.q.val()));
         if self.is_played.val() {
             self.entry_mask.d.next = self.rest.val();
-            self.entry_valid.d.next = !self.is_last_group.val();
+            self.entry_last.d.next = !self.rest_but_one.val().any();
+            self.entry_valid.d.next = !self.entry_last.q.val();
         }
         if self.takes.val() {
             self.entry_valid.d.next = true;
             self.entry_mask.d.next = self.mask.val();
+            self.entry_last.d.next = !self.mask_but_one.val().any();
             self.entry_pair.d.next = self.pair.val();
             self.entry_bank.d.next = self.flags.val().get_bit(0);
             self.entry_end.d.next = self.flags.val().get_bit(1);

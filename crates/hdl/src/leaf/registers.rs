@@ -279,6 +279,7 @@ fn find<
         R::QueueCount => register!(ask, m, queue.queue_count.q),
         R::EntryValid => register!(ask, m, player.entry_valid.q),
         R::EntryMask => register!(ask, m, player.entry_mask.q),
+        R::EntryLast => register!(ask, m, player.entry_last.q),
         R::EntryPair => register!(ask, m, player.entry_pair.q),
         R::EntryBank => register!(ask, m, player.entry_bank.q),
         R::EntryEnd => register!(ask, m, player.entry_end.q),

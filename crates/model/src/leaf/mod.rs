@@ -119,8 +119,7 @@ impl LeafMachine {
                 .offers(inputs, self.sizes.engines)
                 .filter(|_| from_chain.query_ready),
             starts: self.scan.starting,
-            leaves_queue: self.scan.queued() > 0
-                && (!entry.valid || (plays && entry.is_last_group())),
+            leaves_queue: self.scan.queued() > 0 && (!entry.valid || (plays && entry.last)),
             plays,
             ends_batch,
             frees: (ends_batch && entry.pair.release).then_some(entry.pair.bank),

@@ -76,6 +76,7 @@ impl LeafMachine {
             R::QueueCount => one(scan.queued() as u64),
             R::EntryValid => one(player.entry.valid.into()),
             R::EntryMask => one(player.entry.mask.into()),
+            R::EntryLast => one(player.entry.last.into()),
             R::EntryPair => one(player.entry.pair.pair as u64),
             R::EntryBank => one(player.entry.pair.bank as u64),
             R::EntryEnd => one(player.entry.pair.end.into()),

@@ -25,16 +25,14 @@ pub(super) struct WordFlags {
 pub(super) struct Entry {
     pub(super) valid: bool,
     pub(super) mask: u32,
+    /// The next group is the entry's last.
+    pub(super) last: bool,
     pub(super) pair: Pair,
 }
 
 impl Entry {
-    pub(super) fn is_last_group(&self) -> bool {
-        self.mask.count_ones() <= 1
-    }
-
     pub(super) fn is_last_of_batch(&self) -> bool {
-        self.pair.end && self.is_last_group()
+        self.pair.end && self.last
     }
 
     /// The address of the next group. Where no group is wanted, it is that of the pair's first.
@@ -86,12 +84,14 @@ impl Player {
         };
         if events.plays {
             self.entry.mask &= entry.mask.wrapping_sub(1);
-            self.entry.valid = !entry.is_last_group();
+            self.entry.last = entry.mask.count_ones() <= 2;
+            self.entry.valid = !entry.last;
         }
         if let Some(Wanted { pair, mask }) = oldest.filter(|_| events.leaves_queue) {
             self.entry = Entry {
                 valid: true,
                 mask,
+                last: mask.count_ones() <= 1,
                 pair,
             };
         }

@@ -267,9 +267,12 @@ registers! {
     EntryValid "entry_valid" [|_| 1] |_| 1;
     /// The groups of the pair that are still to be played: those of a wanted leaf, without the second of a short one. Where a
     /// pair leaves the queue := its groups. Where a group is played, the lowest bit that is set := 0. A group is
-    /// *played* where `EntryValid`; but the *last of a batch* (`EntryEnd`, and at most one bit is set) only where also
+    /// *played* where `EntryValid`; but the *last of a batch* (`EntryEnd` and `EntryLast`) only where also
     /// `MayEnd`.
     EntryMask "entry_mask" [|_| 1] |_| (Leaf::GROUPS * Leaf::PAIR) as u32;
+    /// The next group is the *last group of the entry*: at most one bit of `EntryMask` is set. Where a pair leaves the queue := at most one of its
+    /// groups is to be played; else where a group is played := at most two bits of `EntryMask` are set.
+    EntryLast "entry_last" [|_| 1] |_| 1;
     /// Where a pair leaves the queue := its `CullPair`.
     EntryPair "entry_pair" [|_| 1] |d| d.sizes.pair;
     /// Where a pair leaves the queue := its `CullBank`.
