@@ -638,6 +638,8 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
     // The high bits of the counter whose low word was read last.
     reg [47 - 32:0] counter_high;
     reg restart;
+    // The accesses that were refused in the clock before: from the addresses to the counter is too far for a clock.
+    reg [1:0] refused;
     // What happened in the chains in the clock before.
     reg [2:0] seen_compared;
     reg [2:0] seen_wanted;
@@ -651,6 +653,7 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
     initial silent_clocks = 32'd0;
     initial counter_high = {(47 - 31){1'b0}};
     initial restart = 1'b0;
+    initial refused = 2'd0;
     initial seen_compared = {(2 + 1){1'b0}};
     initial seen_wanted = {(2 + 1){1'b0}};
     initial seen_played = {(1 + 1){1'b0}};
@@ -686,8 +689,8 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
         case (read_address)
             ADDRESS_IDENTITY: read_word = 32'h50435542;
             ADDRESS_VERSION: read_word = 32'h00000001;
-            ADDRESS_DIGEST_LOW: read_word = 32'hf8f5d14b;
-            ADDRESS_DIGEST_HIGH: read_word = 32'h62dc8ab4;
+            ADDRESS_DIGEST_LOW: read_word = 32'h38ce968a;
+            ADDRESS_DIGEST_HIGH: read_word = 32'h40d709dd;
             ADDRESS_SHAPE: read_word = 32'h00080203;
             ADDRESS_CONTROL: read_word = 32'd0;
             ADDRESS_STATUS: read_word = {28'd0, result_waits, query_waits, photon_waits, busy};
@@ -758,7 +761,6 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
     end
     wire write_refused = writes & ~write_known;
     wire read_refused = reads & ~read_known;
-    wire [1:0] refused = write_refused + read_refused;
     wire writes_control = writes & (write_address == ADDRESS_CONTROL);
     wire clears_counters = writes_control & write_word[1];
     wire writes_events = writes & (write_address == ADDRESS_EVENTS);
@@ -776,7 +778,7 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
     assign occurs[2] = set_too_long;
     assign occurs[3] = query_outside;
     assign occurs[4] = chain_unknown;
-    assign occurs[5] = write_refused | read_refused;
+    assign occurs[5] = |refused;
     assign occurs[6] = stalls;
     wire [6:0] cleared = writes_events ? write_word[6:0] : {(6 + 1){1'b0}};
     assign irq = |(events & interrupt_enable);
@@ -792,6 +794,7 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
             s_axi_rdata <= read_word;
             counter_high <= counter_high_next;
         end else if (s_axi_rready) s_axi_rvalid <= 1'b0;
+        refused <= write_refused + read_refused;
         restart <= writes_control & write_word[0];
         events <= (events & ~cleared) | occurs;
         if (writes_enable) begin
@@ -848,6 +851,7 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
             s_axi_bvalid <= 1'b0;
             s_axi_rvalid <= 1'b0;
             restart <= 1'b0;
+            refused <= 2'd0;
             events <= {(6 + 1){1'b0}};
             interrupt_enable <= {(6 + 1){1'b0}};
             stall_limit <= 32'h00020000;
@@ -4343,6 +4347,9 @@ module photoncube_leaf_5_local7_rgb6d_n64_player(clock, reset, has_pair, pair, m
     reg [3:0] entry_mask_d;
     wire [3:0] entry_mask_q;
     reg entry_mask_clock;
+    reg entry_last_d;
+    wire entry_last_q;
+    reg entry_last_clock;
     reg [1:0] entry_pair_d;
     wire [1:0] entry_pair_q;
     reg entry_pair_clock;
@@ -4385,7 +4392,10 @@ module photoncube_leaf_5_local7_rgb6d_n64_player(clock, reset, has_pair, pair, m
     // Local signals
     reg [3:0] less;
     reg [3:0] rest;
-    reg is_last_group;
+    reg [3:0] rest_less;
+    reg [3:0] rest_but_one;
+    reg [3:0] mask_less;
+    reg [3:0] mask_but_one;
     reg is_end;
     reg is_spaced;
     reg has_room;
@@ -4405,6 +4415,11 @@ module photoncube_leaf_5_local7_rgb6d_n64_player(clock, reset, has_pair, pair, m
         .d(entry_mask_d),
         .q(entry_mask_q),
         .clock(entry_mask_clock)
+    );
+    photoncube_leaf_5_local7_rgb6d_n64_register_1 entry_last(
+        .d(entry_last_d),
+        .q(entry_last_q),
+        .clock(entry_last_clock)
     );
     photoncube_leaf_5_local7_rgb6d_n64_register_2 entry_pair(
         .d(entry_pair_d),
@@ -4475,6 +4490,7 @@ module photoncube_leaf_5_local7_rgb6d_n64_player(clock, reset, has_pair, pair, m
     always @(*) begin
         entry_valid_clock = clock;
         entry_mask_clock = clock;
+        entry_last_clock = clock;
         entry_pair_clock = clock;
         entry_bank_clock = clock;
         entry_end_clock = clock;
@@ -4490,6 +4506,7 @@ module photoncube_leaf_5_local7_rgb6d_n64_player(clock, reset, has_pair, pair, m
         word_blank_clock = clock;
         entry_valid_d = entry_valid_q;
         entry_mask_d = entry_mask_q;
+        entry_last_d = entry_last_q;
         entry_pair_d = entry_pair_q;
         entry_bank_d = entry_bank_q;
         entry_end_d = entry_end_q;
@@ -4505,21 +4522,26 @@ module photoncube_leaf_5_local7_rgb6d_n64_player(clock, reset, has_pair, pair, m
         word_blank_d = word_blank_q;
         less = entry_mask_q - 32'h1;
         rest = entry_mask_q & less;
-        is_last_group = ~|rest;
-        is_end = entry_end_q & is_last_group;
+        rest_less = rest - 32'h1;
+        rest_but_one = rest & rest_less;
+        mask_less = mask - 32'h1;
+        mask_but_one = mask & mask_less;
+        is_end = entry_end_q & entry_last_q;
         is_spaced = ~|spacing_q;
         has_room = outstanding_q != most;
         is_played = entry_valid_q & (may_end_q | ~is_end);
         ends = is_played & is_end;
         may_end_d = is_spaced & has_room & ~ends;
-        takes = has_pair & (~entry_valid_q | (is_played & is_last_group));
+        takes = has_pair & (~entry_valid_q | (is_played & entry_last_q));
         if (is_played) begin
             entry_mask_d = rest;
-            entry_valid_d = ~is_last_group;
+            entry_last_d = ~|rest_but_one;
+            entry_valid_d = ~entry_last_q;
         end
         if (takes) begin
             entry_valid_d = 1'b1;
             entry_mask_d = mask;
+            entry_last_d = ~|mask_but_one;
             entry_pair_d = pair;
             entry_bank_d = flags[32'h0];
             entry_end_d = flags[32'h1];
