@@ -108,6 +108,8 @@
 //   0c0 accesses_refused_low
 //   0c4 accesses_refused_high
 
+// Blocks that compute several signals look like loops to Verilator; bit by bit there is none.
+// verilator lint_off UNOPTFLAT
 module photoncube_core_3_leaf_5_local7_rgb6d_n64(aclk, aresetn, s_axis_photons_tdata, s_axis_photons_tvalid,
     s_axis_photons_tready, s_axis_photons_tlast, s_axis_photons_tdest, s_axis_queries_tdata,
     s_axis_queries_tvalid, s_axis_queries_tready, s_axis_queries_tlast, s_axis_queries_tdest,
@@ -658,6 +660,7 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
     initial seen_wanted = {(2 + 1){1'b0}};
     initial seen_played = {(1 + 1){1'b0}};
     assign reset = ~aresetn | restart;
+    wire busy = |under_way;
 
     // An access is taken where its answer has a place.
     wire writes = s_axi_awvalid & s_axi_wvalid & ~s_axi_bvalid & aresetn;
@@ -767,7 +770,6 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
     wire writes_enable = writes & (write_address == ADDRESS_INTERRUPT_ENABLE);
     wire writes_limit = writes & (write_address == ADDRESS_STALL_LIMIT);
 
-    wire busy = |under_way;
     wire ends = result_moves & ~query_given & (under_way == 16'd1);
     wire silent = (busy | photon_waits | query_waits) & ~(photon_moves | query_moves | result_moves) & ~result_waits;
     wire [31:0] silent_next = silent_clocks + 32'd1;

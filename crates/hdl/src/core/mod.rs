@@ -48,6 +48,13 @@ impl EmittedCore {
     }
 }
 
+/// Verilator takes an always block as a whole. A block that computes a valid and a ready makes a loop for it with the block of the
+/// other side; bit by bit there is none, which Yosys checks.
+const NO_LOOPS: &str = "\
+// Blocks that compute several signals look like loops to Verilator; bit by bit there is none.
+// verilator lint_off UNOPTFLAT
+";
+
 /// The modules that do not depend on the core but by parameters.
 const COMMON: [&str; 2] = [include_str!("slice.v"), include_str!("photon_port.v")];
 
@@ -59,7 +66,7 @@ pub fn emit_core(core: &Core) -> Result<EmittedCore, EmitError> {
     let machine = emit(core.machine, Level::Machine)?;
     let digest = digest(core, &machine);
     let top = core.top();
-    let mut text = header::header(core, digest);
+    let mut text = header::header(core, digest) + NO_LOOPS;
     text += &top::top(core, &machine.top);
     text += "\n";
     text += &registers::registers(core, digest);

@@ -79,6 +79,7 @@ module @TOP@_registers(clock, aresetn, reset,
     initial seen_wanted = {(@LEAVES_HIGH@ + 1){1'b0}};
     initial seen_played = {(@GROUPS_HIGH@ + 1){1'b0}};
     assign reset = ~aresetn | restart;
+    wire busy = |under_way;
 
     // An access is taken where its answer has a place.
     wire writes = s_axi_awvalid & s_axi_wvalid & ~s_axi_bvalid & aresetn;
@@ -125,7 +126,6 @@ module @TOP@_registers(clock, aresetn, reset,
     wire writes_enable = writes & (write_address == ADDRESS_INTERRUPT_ENABLE);
     wire writes_limit = writes & (write_address == ADDRESS_STALL_LIMIT);
 
-    wire busy = |under_way;
     wire ends = result_moves & ~query_given & (under_way == 16'd1);
     wire silent = (busy | photon_waits | query_waits) & ~(photon_moves | query_moves | result_moves) & ~result_waits;
     wire [31:0] silent_next = silent_clocks + 32'd1;
