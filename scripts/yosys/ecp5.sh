@@ -90,7 +90,8 @@ for file in "${files[@]}"; do
         echo "ecp5: found no $file beside $base, expected both" >&2
         exit 2
     }
-    count=0 prefix=$(basename "$base" .v)_
+    # The modules of a core's chains have the name of its machine.
+    count=0 prefix=$(basename "$base" .v | sed 's/^photoncube_core_[0-9]*_/photoncube_/')_
     for module in $(sed -n 's/^module \([A-Za-z0-9_]*\).*/\1/p' "$file"); do
         count=$((count + 1))
         name="s/^module $module(/module dut(/; s/\b$prefix/part_/g"
