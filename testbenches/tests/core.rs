@@ -10,12 +10,9 @@ fn core(chains: u32, machine: &str) -> Core {
 #[test]
 fn a_core_of_three_chains_equals_its_model_and_every_event_occurs() {
     let core = core(3, "leaf-5-local7-rgb6d-n64");
-    let options = CoreOptions {
-        clocks: 40_000,
-        seed: 1,
-    };
+    let options = CoreOptions::new(CoreOptions::CLOCKS, 1);
     let verdict = verify_core(&core, DeviceKind::Text, &options, &|_| ()).unwrap();
-    assert_eq!(verdict.vectors_compared, 40_000);
+    assert_eq!(verdict.vectors_compared, CoreOptions::CLOCKS);
     assert_eq!(verdict.events.len(), 7);
     println!("{verdict:?}");
 }

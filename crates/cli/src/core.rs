@@ -3,8 +3,8 @@
 use std::thread;
 
 use anyhow::Result;
-use photoncube_driver::{CoreAnswer, CoreWords, Driver, Transport, TransportError, Work};
-use photoncube_spec::{Core, CoreCounter, Leaf, Spatial};
+use photoncube_driver::{Driver, Transport, TransportError, Work};
+use photoncube_spec::{Core, CoreAnswer, CoreCounter, CoreWords, Leaf, Spatial};
 use photoncube_testbench::CoreSimulation;
 use serde::Serialize;
 
@@ -15,11 +15,7 @@ pub struct Simulated(CoreSimulation);
 
 impl Transport for Simulated {
     fn exchange(&mut self, words: &CoreWords) -> Result<CoreAnswer, TransportError> {
-        let answered = self.0.exchange(&words.photons, &words.queries)?;
-        Ok(CoreAnswer {
-            results: answered.results,
-            counters: answered.counters,
-        })
+        Ok(self.0.exchange(words)?)
     }
 }
 
@@ -67,7 +63,7 @@ impl CoreReport {
     pub fn of(core: &Core, work: &Work) -> Self {
         use CoreCounter as C;
         let over = |part: u64, whole: u64| part as f64 / whole.max(1) as f64;
-        let engines = core.leaf().chain.engines();
+        let engines = core.engines();
         let (clocks, played) = (work.counter(C::Clocks), work.counter(C::GroupsPlayed));
         let tests = played * (Spatial::LANES * engines) as u64;
         Self {

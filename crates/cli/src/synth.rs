@@ -11,7 +11,7 @@ use std::path::Path;
 
 use anyhow::{Result, anyhow, bail};
 use fpga_flow::{Device, Family, Flow, FlowError, ToolError, Tools, devices::ecp5};
-use photoncube_hdl::{Level, core_with_clock, emit, emit_core};
+use photoncube_hdl::{Level, core_within, emit, emit_core};
 use photoncube_spec::{Core, Machine, Squarer};
 use photoncube_testbench::pinned_tools;
 
@@ -89,15 +89,17 @@ impl Subject {
         let emitted = emit_core(core)?;
         let overrides = emitted.machine.ecp5_text.iter();
         let overrides = overrides.map(|text| (ecp5::FAMILY.name, text.clone()));
-        let clocked = core_with_clock(core, &emitted);
+        // Place and route take the clock by the name that every machine's has.
+        let top = format!("{}_with_clock", emitted.top);
+        let around = core_within(&top, "clock", core, &emitted);
         Ok(Self {
             name: core.name(),
             machine: core.machine,
             verilog_sha256: emitted.ecp5_sha256(),
             design: fpga_flow::Design {
                 overrides: overrides.collect(),
-                top: clocked.top,
-                verilog: emitted.text + &clocked.text,
+                top,
+                verilog: emitted.text + &around,
             },
         })
     }

@@ -100,6 +100,27 @@ fn generated_files_are_checked_byte_for_byte() {
 }
 
 #[test]
+fn the_files_of_a_core_are_written_and_checked() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().to_str().unwrap();
+    let core = ["--machine", "leaf-4-local7-rgb6d-n64", "--chains", "2"];
+    let generate = [&["generate"], &core[..], &["--out", out]].concat();
+    photoncube(&generate).assert().success();
+    let top = "photoncube_core_2_leaf_4_local7_rgb6d_n64";
+    let written = folder.path().join("core-2-leaf-4-local7-rgb6d-n64");
+    for ending in [".v", "_ecp5.v", ".rdl", ".streams.json", ".ys", ".qsf"] {
+        let file = written.join(format!("{top}{ending}"));
+        assert!(file.exists(), "{} is missing", file.display());
+    }
+    let check = [&generate[..], &["--check"]].concat();
+    photoncube(&check).assert().success();
+    let registers = written.join(format!("{top}.rdl"));
+    fs::write(&registers, "").unwrap();
+    let message = error(&check, 1);
+    assert!(message.contains(&format!("{top}.rdl")), "{message}");
+}
+
+#[test]
 fn what_is_committed_is_what_is_generated() {
     let committed = concat!(env!("CARGO_MANIFEST_DIR"), "/../../hdl-out");
     photoncube(&["generate", "--check", "--out", committed])
@@ -121,6 +142,22 @@ fn bad_input_ends_2_says_what_was_expected_and_writes_nothing() {
         (
             &["generate", "--machine", "pentium", "--out", out],
             "the machines are paper",
+        ),
+        (
+            &[
+                "generate",
+                "--machine",
+                "tile-6",
+                "--chains",
+                "2",
+                "--out",
+                out,
+            ],
+            "machine `tile-6` is no leaf machine",
+        ),
+        (
+            &["synth", "--machine", "tile-6", "--chains", "2"],
+            "machine `tile-6` is no leaf machine",
         ),
         (
             &["generate", "--out", below_a_file],

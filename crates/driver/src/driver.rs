@@ -8,12 +8,12 @@ use std::thread;
 
 use photoncube_model::Gathered;
 use photoncube_render::{Gatherer, GathererError, QuantisedMap, QueryPoint};
-use photoncube_spec::{Core, CoreCounter, CoreStreams, CounterRow, Sums};
+use photoncube_spec::{Core, CoreAnswer, CoreCounter, CoreStreams, CounterRow, Sums};
 use thiserror::Error;
 
 use crate::frames::{FramePlan, Set};
 use crate::schedule::{Owed, Schedule, Scheduler};
-use crate::transport::{CoreAnswer, Transport, TransportError};
+use crate::transport::{Transport, TransportError};
 
 /// Queries, about, that each chain is given at once. At their end the chains become empty one after the other, which costs a core some
 /// thousand clocks.
@@ -166,7 +166,7 @@ impl<T: Transport> Driver<T> {
         map: &QuantisedMap<'_>,
         queries: &[QueryPoint],
     ) -> Result<Vec<Sums>, TransportError> {
-        let plan = FramePlan::new(map, self.core.machine, queries);
+        let plan = FramePlan::new(map, &self.core, queries);
         let (next, done) = (AtomicUsize::new(0), AtomicUsize::new(0));
         let worker = |transport: &Mutex<T>| {
             let mut transport = transport
@@ -231,8 +231,8 @@ impl<T: Transport> Driver<T> {
                 };
                 self.read(schedule, &answer, &mut sums)?;
             }
-            let done = done.fetch_add(frames, Ordering::Relaxed) + frames;
-            (self.progress)(done, plan.frames().len());
+            let all_done = done.fetch_add(frames, Ordering::Relaxed) + frames;
+            (self.progress)(all_done, plan.frames().len());
         }
     }
 

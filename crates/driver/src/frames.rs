@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::ops::Range;
 
 use photoncube_render::{BatchOptions, Batches, Facings, QuantisedMap, QueryPoint, close_together};
-use photoncube_spec::{Core, Leaf, Machine, Numbers, Photon, PhotonFormat, Query};
+use photoncube_spec::{Core, Leaf, Numbers, Photon, PhotonFormat, Query};
 
 /// Blocks on an axis whose queries are in one frame. A frame has one more block on each side, since a query gathers photons
 /// of the blocks around its own.
@@ -63,7 +63,8 @@ pub struct Set {
 pub struct FramePlan<'a> {
     map: &'a QuantisedMap<'a>,
     format: &'a PhotonFormat,
-    leaf: Leaf,
+    /// The most leaves of a set.
+    set_leaves: usize,
     batches: Batches,
     /// The runs of the map, each with its photons, and their numbers in each block.
     runs: Vec<Range<usize>>,
@@ -72,15 +73,14 @@ pub struct FramePlan<'a> {
 }
 
 impl<'a> FramePlan<'a> {
-    /// Plans the queries of a picture for a leaf machine.
+    /// Plans the queries of a picture for the chains of a core.
     ///
     /// # Panics
-    /// Where the machine is not a leaf machine, or the map has not its numbers.
-    pub fn new(map: &'a QuantisedMap<'a>, machine: &Machine, queries: &[QueryPoint]) -> Self {
-        let leaf = *machine.leaf().expect("the machine is a leaf machine");
+    /// Where the map has not the numbers of the core's machine.
+    pub fn new(map: &'a QuantisedMap<'a>, core: &Core, queries: &[QueryPoint]) -> Self {
         assert_eq!(
             *map.numbers(),
-            machine.numbers,
+            core.machine.numbers,
             "the map has the machine's numbers"
         );
         let format = map
@@ -88,14 +88,14 @@ impl<'a> FramePlan<'a> {
             .format()
             .expect("a leaf machine has a photon format");
         let options = BatchOptions {
-            queries: leaf.chain.engines() as u32,
+            queries: core.engines() as u32,
             longest: Some(LONGEST_BATCH),
             facings: Facings::Chain,
         };
         let mut plan = Self {
             map,
             format,
-            leaf,
+            set_leaves: core.set_leaves() as usize,
             batches: Batches::new(map, queries, &options),
             runs: map.map().runs().collect(),
             runs_of_block: runs_by_block(map),
@@ -158,8 +158,7 @@ impl<'a> FramePlan<'a> {
         facings.dedup();
         for facings in facings.chunks(FACING_SETS) {
             let leaves = self.leaves(frame, facings);
-            let most = self.leaf.bank_groups as usize / Leaf::GROUPS;
-            for leaves in leaves.chunks(most) {
+            for leaves in leaves.chunks(self.set_leaves) {
                 all.push(Set {
                     leaves: leaves.to_vec(),
                     batches: self.batches(frame, facings),

@@ -10,4 +10,4 @@ pub use driver::{Driver, DriverError, Work};
 pub use frames::{Frame, FramePlan, PhotonLeaf, Set, SetBatch, SetQuery};
 pub use model::ModelTransport;
 pub use schedule::{Owed, Schedule, Scheduler};
-pub use transport::{CoreAnswer, CoreWords, Transport, TransportError};
+pub use transport::{Transport, TransportError};

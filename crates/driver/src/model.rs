@@ -1,9 +1,11 @@
 //! The golden model of a core as a way to it.
 
 use photoncube_model::CoreModel;
-use photoncube_spec::{Beat, Core, CoreInputs, CoreOutputs, CounterRow, Leaf, StreamIn};
+use photoncube_spec::{
+    Beat, Core, CoreAnswer, CoreInputs, CoreOutputs, CoreWords, CounterRow, Leaf, StreamIn,
+};
 
-use crate::transport::{CoreAnswer, CoreWords, Transport, TransportError};
+use crate::transport::{Transport, TransportError};
 
 /// The golden model of a core, clock by clock.
 #[derive(Debug)]

@@ -11,12 +11,12 @@
 
 use std::collections::VecDeque;
 
+use photoncube_render::{Bounds, Cull};
 use photoncube_spec::{
-    BatchPins, Beat, Core, CoreStreams, Leaf, LeafSizes, PhotonFormat, QueryWord,
+    BatchPins, Beat, Core, CoreStreams, CoreWords, Leaf, LeafSizes, PhotonFormat, QueryWord,
 };
 
 use crate::frames::{PhotonLeaf, Set, SetBatch};
-use crate::transport::CoreWords;
 
 /// A result that a chain owes: the query's index in the picture, and its tag.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
@@ -77,7 +77,11 @@ impl Scheduler {
                 let last = place + 1 == set.leaves.len();
                 leaves.push((bank_is_free + share, chain, leaf, last));
             }
-            let boxes: Vec<_> = set.leaves.iter().map(Bounds::of_leaf).collect();
+            let boxes: Vec<_> = set
+                .leaves
+                .iter()
+                .filter_map(|leaf| leaf_bounds(leaf, self.format()))
+                .collect();
             for (place, batch) in set.batches.iter().enumerate() {
                 let release = place + 1 == set.batches.len();
                 batches.push((free_at[chain], chain, batch, release));
@@ -136,60 +140,40 @@ impl Scheduler {
         }
     }
 
+    fn format(&self) -> &'static PhotonFormat {
+        let format = self.core.machine.format();
+        format.expect("a leaf machine has a photon format")
+    }
+
     /// A forecast of the clocks of a batch: those to compare all leaves, or to play the leaves that are wanted.
     fn clocks(&self, batch: &SetBatch, leaves: &[(u32, Bounds)]) -> u64 {
-        let format = self.core.machine.format();
-        let format = format.expect("a leaf machine has a photon format");
-        let queries = Bounds::of_queries(batch, format);
-        let near = leaves.iter().filter(|(facing, leaf)| {
-            batch.facings >> facing & 1 == 1 && queries.is_near(leaf, format)
-        });
-        let played = (near.count() * Leaf::GROUPS) as u64;
+        let radius = i64::from(2 * self.format().radius_steps());
+        let queries = batch_bounds(batch);
+        let is_wanted = |(facing, leaf): &&(u32, Bounds)| {
+            batch.facings >> facing & 1 == 1
+                && queries.is_some_and(|queries| Cull::Distance.reads(*leaf, queries, radius))
+        };
+        let wanted = leaves.iter().filter(is_wanted).count();
+        let played = (wanted * Leaf::GROUPS) as u64;
         let compared = leaves.len().div_ceil(Leaf::PAIR) as u64;
         let least = LeafSizes::of(self.core.leaf()).least_spacing;
         played.max(compared).max(least.into()) + BATCH_CLOCKS
     }
 }
 
-/// The box around some points, in cells of photons.
-#[derive(Copy, Clone, Debug)]
-struct Bounds {
-    low: [u32; 3],
-    high: [u32; 3],
+/// The facing of a leaf, and the box around the middles of its photons' cells.
+fn leaf_bounds(leaf: &PhotonLeaf, format: &PhotonFormat) -> Option<(u32, Bounds)> {
+    let middle = |place: u32| i64::from(2 * place + 1) << format.query_extra_bits;
+    let middles = leaf
+        .photons
+        .iter()
+        .map(|photon| photon.position.map(middle));
+    Some((leaf.facing, Bounds::around(middles)?))
 }
 
-impl Bounds {
-    fn around(points: impl IntoIterator<Item = [u32; 3]>) -> Self {
-        let nothing = Self {
-            low: [u32::MAX; 3],
-            high: [0; 3],
-        };
-        points.into_iter().fold(nothing, |all, point| Self {
-            low: [0, 1, 2].map(|axis| all.low[axis].min(point[axis])),
-            high: [0, 1, 2].map(|axis| all.high[axis].max(point[axis])),
-        })
-    }
-
-    /// The facing of a leaf, and the box around its photons.
-    fn of_leaf(leaf: &PhotonLeaf) -> (u32, Self) {
-        let photons = leaf.photons.iter().map(|photon| photon.position);
-        (leaf.facing, Self::around(photons))
-    }
-
-    fn of_queries(batch: &SetBatch, format: &PhotonFormat) -> Self {
-        let finer = format.radius_bits() - format.position_bits;
-        let queries = batch.queries.iter().map(|query| query.query.position);
-        Self::around(queries.map(|position| position.map(|place| place >> finer)))
-    }
-
-    /// Whether two boxes are at most a search radius apart, which is about the edge of a block.
-    fn is_near(&self, other: &Self, format: &PhotonFormat) -> bool {
-        let gap = |axis: usize| {
-            let above = self.low[axis].saturating_sub(other.high[axis]);
-            let below = other.low[axis].saturating_sub(self.high[axis]);
-            u64::from(above.max(below))
-        };
-        let squared: u64 = (0..3).map(|axis| gap(axis).pow(2)).sum();
-        squared <= 1 << (2 * format.position_bits)
-    }
+/// The box around the middles of the queries' cells.
+fn batch_bounds(batch: &SetBatch) -> Option<Bounds> {
+    let middle = |place: u32| i64::from(2 * place + 1);
+    let queries = batch.queries.iter().map(|query| query.query.position);
+    Bounds::around(queries.map(|position| position.map(middle)))
 }

@@ -1,12 +1,10 @@
 //! Renders with the golden model of cores, and compares with the direct gather.
 
-use photoncube_driver::{
-    CoreAnswer, CoreWords, Driver, DriverError, ModelTransport, Transport, TransportError, Work,
-};
+use photoncube_driver::{Driver, DriverError, ModelTransport, Transport, TransportError, Work};
 use photoncube_render::{
     Engine, PhotonMap, Rendering, Scene, TraceOptions, ViewOptions, render, trace,
 };
-use photoncube_spec::{Core, CoreCounter, PhotonFormat, find_machine};
+use photoncube_spec::{Core, CoreAnswer, CoreCounter, CoreWords, PhotonFormat, find_machine};
 
 const VIEW: ViewOptions = ViewOptions {
     width: 12,

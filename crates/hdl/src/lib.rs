@@ -35,7 +35,7 @@ mod simulator;
 mod spatial;
 mod unit;
 
-pub use crate::core::{CoreWithClock, EmittedCore, core_rows, core_with_clock, emit_core};
+pub use crate::core::{EmittedCore, core_rows, core_within, emit_core};
 pub use build::{NotBuiltIn, most_steps};
 pub use emit::{
     BlockRam, EmitError, Emitted, Linted, emit, emit_unit, interface_text, lint_control,

@@ -39,9 +39,10 @@ mod stream;
 pub mod overlap;
 
 pub use crate::core::{
-    Access, Beat, CORES, Core, CoreCounter, CoreError, CoreEvent, CoreField, CoreInputs,
-    CoreOutputs, CorePins, CoreRegister, CoreRegisterRow, CoreStreams, CounterRow, EventRow,
-    LiteAnswer, LiteIn, PortColumns, ResultWord, StreamField, StreamIn, StreamWord, port_columns,
+    Access, Beat, CORES, Core, CoreAnswer, CoreCounter, CoreError, CoreEvent, CoreField,
+    CoreInputs, CoreOutputs, CorePins, CoreRegister, CoreRegisterRow, CoreStreams, CoreWords,
+    CounterRow, EventRow, LiteAnswer, LiteIn, ResultWord, StreamField, StreamIn, StreamWord,
+    port_columns,
 };
 pub use cell::{
     CellTables, ControlWord, Field, FieldRow, OVERLAPPED, Op, OpRow, POWER_WORDS, Place, Read,

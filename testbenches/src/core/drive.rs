@@ -10,8 +10,8 @@ use photoncube_spec::{
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
-use super::CoreError;
 use super::plan::{Draw, Plan};
+use super::{CoreError, CoreOptions};
 
 /// Rows of pins of successive clocks.
 #[derive(Debug, Default)]
@@ -64,13 +64,19 @@ const RESET_CLOCKS: u32 = 3000;
 const RESTART_WORDS: u32 = 8;
 
 impl<'a> Drive<'a> {
-    pub(super) fn new(core: &'a Core, streams: &'a CoreStreams, digest: u64, seed: u64) -> Self {
+    pub(super) fn new(
+        core: &'a Core,
+        streams: &'a CoreStreams,
+        digest: u64,
+        options: &CoreOptions,
+    ) -> Self {
+        let model = CoreModel::new(core, digest);
         Self {
             core,
             streams,
             rows: CoreRegister::all(core, digest),
-            draw: Draw::new(core, streams, Pcg64::seed_from_u64(seed)),
-            model: CoreModel::new(core, digest),
+            draw: Draw::new(core, streams, Pcg64::seed_from_u64(options.seed)),
+            model: model.with_counters_from(options.counters_from),
             plan: Plan::default(),
             inputs: CoreInputs::default(),
             pace: Pace {

@@ -26,6 +26,22 @@ pub struct CoreOptions {
     pub clocks: u64,
     /// The seed of the stimulus.
     pub seed: u64,
+    /// The value of a counter that is cleared: 0, but in a test of the carry into the high word.
+    counters_from: u64,
+}
+
+impl CoreOptions {
+    /// The clocks in which the random words cause every event, and every planted fault is found.
+    pub const CLOCKS: u64 = 40_000;
+
+    /// A run of so many clocks with this seed.
+    pub fn new(clocks: u64, seed: u64) -> Self {
+        Self {
+            clocks,
+            seed,
+            counters_from: 0,
+        }
+    }
 }
 
 /// A record of a verification in which all compared values were equal.
@@ -126,7 +142,7 @@ fn verify_core_text(
     let rows = core_rows(core, emitted);
     let mut device = kind.open_emitted(&rows)?;
     let streams = CoreStreams::of(core);
-    let mut drive = Drive::new(core, &streams, emitted.digest, options.seed);
+    let mut drive = Drive::new(core, &streams, emitted.digest, options);
     let mut compared = 0;
     while compared < options.clocks {
         let clocks = (options.clocks - compared).min(BLOCK as u64) as usize;
@@ -260,10 +276,7 @@ pub fn core_controls(core: &Core, kind: DeviceKind, seed: u64) -> Result<Vec<Con
         let mut faulty = emitted.clone();
         let module = format!("{}_{module}", emitted.top);
         faulty.text = plant(&emitted.text, &module, from, to)?;
-        let options = CoreOptions {
-            clocks: 40_000,
-            seed,
-        };
+        let options = CoreOptions::new(CoreOptions::CLOCKS, seed);
         let found = match verify_core_text(core, &faulty, kind, &options, &|_| ()) {
             Err(CoreError::Diverged { .. }) => true,
             Ok(_) | Err(CoreError::Never(_)) => false,
@@ -275,4 +288,37 @@ pub fn core_controls(core: &Core, kind: DeviceKind, seed: u64) -> Result<Vec<Con
         })
     };
     FAULTS.iter().map(control).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use photoncube_spec::{CORES, find_machine};
+
+    use super::*;
+
+    /// No run is so long that a counter reaches its high word, so the counters start near its end.
+    #[test]
+    fn counters_carry_into_their_high_words() {
+        let counters_from = (1 << Core::REGISTER_BITS) - 100;
+        let (chains, machine) = CORES[0];
+        let core = Core::new(find_machine(machine).unwrap(), chains).unwrap();
+        let mut emitted = emit_core(&core).unwrap();
+        let zero = format!("{}'d0;", Core::COUNTER_BITS);
+        let start = format!("{}'d{counters_from};", Core::COUNTER_BITS);
+        assert!(emitted.text.contains(&zero), "the counters are cleared");
+        emitted.text = emitted.text.replace(&zero, &start);
+        let options = CoreOptions {
+            counters_from,
+            ..CoreOptions::new(CoreOptions::CLOCKS, 1)
+        };
+        let verify = |emitted: &EmittedCore| {
+            verify_core_text(&core, emitted, DeviceKind::Text, &options, &|_| ())
+        };
+        verify(&emitted).unwrap();
+
+        let module = format!("{}_registers", emitted.top);
+        let held = "counter_high <= counter_high_next;";
+        emitted.text = plant(&emitted.text, &module, held, "").unwrap();
+        assert!(matches!(verify(&emitted), Err(CoreError::Diverged { .. })));
+    }
 }

@@ -169,7 +169,7 @@ impl<'a, R: Rng> Draw<'a, R> {
     }
 
     fn batch(&mut self, chain: u32, set: &[(u32, Photon)], release: bool) -> Vec<(Beat, Expected)> {
-        let engines = self.core.leaf().chain.engines() as u32;
+        let engines = self.core.engines() as u32;
         let queries = self.rng.random_range(1..=engines);
         let facings = self.rng.random::<u32>() | 1 << self.bits(2);
         let near = match set.first() {

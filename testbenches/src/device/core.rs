@@ -1,13 +1,13 @@
 //! Runs a core's Verilog in Verilator over its ports: the harness offers words as fast as the core takes them, takes every result
 //! at once, and reads the counters through AXI4-Lite. Nothing is compared here, so a picture takes seconds.
 
-use std::fmt::Write as _;
 use std::io::{Read, Write};
 use std::process::Command;
 
-use photoncube_hdl::{EmittedCore, emit_core};
+use photoncube_hdl::{core_within, emit_core};
 use photoncube_spec::{
-    Beat, Core, CoreRegister, CoreStreams, CounterRow, Direction, Leaf, ResultWord, StreamWord,
+    Core, CoreAnswer, CoreRegister, CoreStreams, CoreWords, CounterRow, Direction, Leaf,
+    ResultWord, StreamWord,
 };
 use tempfile::TempDir;
 
@@ -26,14 +26,8 @@ pub struct CoreSimulation {
     folder: TempDir,
 }
 
-/// What a core in simulation answers.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct CoreAnswered {
-    /// The results, in their order.
-    pub results: Vec<ResultWord>,
-    /// What the counters counted, in the order of [`CounterRow::ALL`].
-    pub counters: Vec<u64>,
-}
+/// The clock of the module that is simulated.
+const CLOCK: &str = "aclk";
 
 /// Bytes of a result beside its data: `tlast`, `tid`, `tuser`.
 const RESULT_FLAGS: usize = 3;
@@ -48,7 +42,7 @@ impl CoreSimulation {
         let emitted = emit_core(core).map_err(hdl_error(core.machine))?;
         let folder = scratch_folder()?;
         let sources = Sources {
-            design: format!("{}\n{}", emitted.text, wrapper(core, &emitted)),
+            design: emitted.text.clone() + &core_within(TRACE, CLOCK, core, &emitted),
             harness: harness(core, emitted.digest),
             build: Build::Fast,
         };
@@ -70,15 +64,11 @@ impl CoreSimulation {
     ///
     /// # Errors
     /// The core hangs, or the simulation ends before its answer.
-    pub fn exchange(
-        &mut self,
-        photons: &[Beat],
-        queries: &[Beat],
-    ) -> Result<CoreAnswered, DeviceError> {
-        let frame = frame(photons, queries);
+    pub fn exchange(&mut self, words: &CoreWords) -> Result<CoreAnswer, DeviceError> {
+        let frame = frame(words);
         let data_bytes = self.results.bits as usize / 8;
-        let count = queries.len();
-        let mut answer = CoreAnswered::default();
+        let count = words.queries.len();
+        let mut answer = CoreAnswer::default();
         self.process.converse(
             |stdin| stdin.write_all(&frame),
             |stdout| {
@@ -120,44 +110,17 @@ fn result(word: &[u8], data_bytes: usize) -> ResultWord {
 }
 
 /// The words in bytes: the numbers of leaves and queries, then each word's data, `tlast` and `tdest`.
-fn frame(photons: &[Beat], queries: &[Beat]) -> Vec<u8> {
+fn frame(words: &CoreWords) -> Vec<u8> {
     let mut frame = Vec::new();
-    for beats in [photons, queries] {
+    for beats in [&words.photons, &words.queries] {
         frame.extend((beats.len() as u64).to_ne_bytes());
     }
-    for beat in photons.iter().chain(queries) {
+    for beat in words.photons.iter().chain(&words.queries) {
         frame.extend(&beat.data);
         // A core has at most 16 chains.
         frame.extend([u8::from(beat.last), beat.dest as u8]);
     }
     frame
-}
-
-/// A module of the name that simulations have, with the ports of the core.
-fn wrapper(core: &Core, emitted: &EmittedCore) -> String {
-    let ports = core.ports();
-    let names: Vec<_> = ports.iter().map(|port| port.name.as_str()).collect();
-    let mut text = format!("module {TRACE}({});\n", names.join(", "));
-    for port in &ports {
-        let _ = writeln!(
-            text,
-            "  {} wire [{}:0] {};",
-            port.direction.name(),
-            port.width - 1,
-            port.name
-        );
-    }
-    let connections: Vec<_> = names
-        .iter()
-        .map(|name| format!(".{name}({name})"))
-        .collect();
-    let _ = writeln!(
-        text,
-        "  {} core({});\nendmodule",
-        emitted.top,
-        connections.join(", ")
-    );
-    text
 }
 
 /// The C++ harness. It reads frames and answers each with the number of results, 8 bytes, the results and the counters. The first clock

@@ -20,7 +20,7 @@ use thiserror::Error;
 use crate::compare::Actual;
 use crate::tools::{MissingTool, Tool, ToolError};
 
-pub use self::core::{CoreAnswered, CoreSimulation};
+pub use self::core::CoreSimulation;
 pub use icarus::Icarus;
 pub use mutant::Mutant;
 pub(crate) use netlist::netlist_text;

@@ -53,7 +53,7 @@ fn streams(core: &Core, digest: u64) -> Result<String> {
         "machine": core.machine.name,
         "digest": format!("{digest:016x}"),
         "chains": core.chains,
-        "engines": core.leaf().chain.engines(),
+        "engines": core.engines(),
         "set_leaves": core.set_leaves(),
         "photons": word(&streams.photons),
         "queries": word(&streams.queries),
@@ -69,4 +69,52 @@ fn word(word: &StreamWord) -> Value {
         .map(|field| json!({ "name": field.name, "low": field.low, "width": field.width }))
         .collect();
     json!({ "bits": word.bits, "fields": fields })
+}
+
+#[cfg(test)]
+mod tests {
+    use photoncube_spec::{CORES, CoreRegister, CounterRow, find_machine};
+
+    use super::*;
+
+    /// A row of the page's table of registers may have two of them, with commas.
+    #[test]
+    fn the_page_of_cores_has_every_register_with_its_address() {
+        let page = include_str!("../../../../docs/cores.md");
+        let (chains, machine) = CORES[0];
+        let core = Core::new(find_machine(machine).unwrap(), chains).unwrap();
+        let mut shown = Vec::new();
+        for row in page.lines().filter(|line| line.starts_with("| ")) {
+            let cells: Vec<_> = row.split('|').map(str::trim).collect();
+            let addresses = cells[1].split(", ");
+            let names = cells[2].split(", ").map(|name| name.trim_matches('`'));
+            shown.extend(
+                addresses
+                    .zip(names)
+                    .map(|(address, name)| format!("{address} {name}")),
+            );
+        }
+        let rows = CoreRegister::all(&core, 0);
+        let (counters, others): (Vec<_>, Vec<_>) = rows.iter().partition(|row| {
+            use CoreRegister as R;
+            matches!(row.register, R::CounterLow(_) | R::CounterHigh(_))
+        });
+        assert!(!others.is_empty());
+        for row in others {
+            let expected = format!("{:03x} {}", row.address, row.name);
+            assert!(
+                shown.contains(&expected),
+                "docs/cores.md has no `{expected}`"
+            );
+        }
+        let expected = format!(
+            "{:03x} and on {} counters",
+            counters[0].address,
+            CounterRow::ALL.len()
+        );
+        assert!(
+            shown.contains(&expected),
+            "docs/cores.md has no `{expected}`"
+        );
+    }
 }

@@ -6,20 +6,20 @@
 
 mod arbiter;
 mod chain;
-mod clocked;
 mod header;
 mod registers;
 mod results;
 mod rows;
 mod top;
+mod within;
 
 use photoncube_spec::Core;
 
 use crate::emit::{EmitError, Emitted, emit, sha256};
 use crate::level::Level;
 
-pub use clocked::{CoreWithClock, core_with_clock};
 pub use rows::core_rows;
+pub use within::core_within;
 
 /// The Verilog of a core.
 #[derive(Clone, Debug, PartialEq, Eq)]

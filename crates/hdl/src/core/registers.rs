@@ -18,6 +18,8 @@ pub(super) fn registers(core: &Core, digest: u64) -> String {
         ("TOP", core.top()),
         ("ADDRESS_HIGH", (Core::ADDRESS_BITS - 1).to_string()),
         ("COUNTER_HIGH", (Core::COUNTER_BITS - 1).to_string()),
+        ("UNDER_WAY_BITS", Core::UNDER_WAY_BITS.to_string()),
+        ("UNDER_WAY_HIGH", (Core::UNDER_WAY_BITS - 1).to_string()),
         ("EVENT_HIGH", (EventRow::ALL.len() - 1).to_string()),
         (
             "COUNT_HIGH",
@@ -58,7 +60,7 @@ pub(super) fn registers(core: &Core, digest: u64) -> String {
             text.replace(&format!("@{name}@"), part)
         });
     debug_assert!(
-        !replaced.contains("@A") && !replaced.contains("@C"),
+        !replaced.replace("always @(", "").contains('@'),
         "all parts are replaced"
     );
     replaced
@@ -172,7 +174,10 @@ fn value(row: &CoreRegisterRow) -> String {
             u32::BITS as usize - EventRow::ALL.len()
         ),
         R::StallLimit => "stall_limit".to_owned(),
-        R::UnderWay => "{16'd0, under_way}".to_owned(),
+        R::UnderWay => format!(
+            "{{{}'d0, under_way}}",
+            Core::REGISTER_BITS - Core::UNDER_WAY_BITS
+        ),
         R::CounterLow(of) => format!("{}[31:0]", counter(of)),
         R::CounterHigh(_) => format!(
             "{{{}'d0, counter_high}}",

@@ -54,7 +54,7 @@ module @TOP@_registers(clock, aresetn, reset,
     reg [@EVENT_HIGH@:0] events;
     reg [@EVENT_HIGH@:0] interrupt_enable;
     reg [31:0] stall_limit;
-    reg [15:0] under_way;
+    reg [@UNDER_WAY_HIGH@:0] under_way;
     reg [31:0] silent_clocks;
     // The high bits of the counter whose low word was read last.
     reg [@COUNTER_HIGH@ - 32:0] counter_high;
@@ -70,7 +70,7 @@ module @TOP@_registers(clock, aresetn, reset,
     initial events = {(@EVENT_HIGH@ + 1){1'b0}};
     initial interrupt_enable = {(@EVENT_HIGH@ + 1){1'b0}};
     initial stall_limit = @STALL_LIMIT@;
-    initial under_way = 16'd0;
+    initial under_way = @UNDER_WAY_BITS@'d0;
     initial silent_clocks = 32'd0;
     initial counter_high = {(@COUNTER_HIGH@ - 31){1'b0}};
     initial restart = 1'b0;
@@ -126,7 +126,7 @@ module @TOP@_registers(clock, aresetn, reset,
     wire writes_enable = writes & (write_address == ADDRESS_INTERRUPT_ENABLE);
     wire writes_limit = writes & (write_address == ADDRESS_STALL_LIMIT);
 
-    wire ends = result_moves & ~query_given & (under_way == 16'd1);
+    wire ends = result_moves & ~query_given & (under_way == @UNDER_WAY_BITS@'d1);
     wire silent = (busy | photon_waits | query_waits) & ~(photon_moves | query_moves | result_moves) & ~result_waits;
     wire [31:0] silent_next = silent_clocks + 32'd1;
     wire stalls = silent & (|stall_limit) & (silent_next == stall_limit);
@@ -156,7 +156,7 @@ module @TOP@_registers(clock, aresetn, reset,
         under_way <= under_way + query_given - result_moves;
         silent_clocks <= silent ? silent_next : 32'd0;
         if (reset) begin
-            under_way <= 16'd0;
+            under_way <= @UNDER_WAY_BITS@'d0;
             silent_clocks <= 32'd0;
         end
         seen_compared <= compared;

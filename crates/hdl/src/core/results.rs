@@ -51,7 +51,7 @@ pub(super) fn results(core: &Core, streams: &CoreStreams, sizes: &Sizes) -> Stri
             "    assign result_ready_{chain} = result_ready & (chosen == {bits}'d{chain});"
         );
     }
-    let (last, outside) = (Core::TAG_BITS, Core::TAG_BITS + 1);
+    let (last, outside) = (Core::LAST_BIT, Core::OUTSIDE_BIT);
     let _ = write!(
         text,
         "    wire result_outside = result_tag[{outside}];\n    \
@@ -69,7 +69,7 @@ pub(super) fn results(core: &Core, streams: &CoreStreams, sizes: &Sizes) -> Stri
             "result_ready",
             &format!(
                 "{{chosen, result_outside, result_tag[{last}], result_tag[{}:0], result_seen}}",
-                last - 1
+                Core::TAG_BITS - 1
             ),
         ],
         [

@@ -36,7 +36,7 @@ pub fn core_rows(core: &Core, emitted: &EmittedCore) -> Emitted {
     }
     let mut connections = vec![".aclk(clock)".to_owned()];
     for port in core.ports().iter().skip(1) {
-        let columns = port_columns(port).columns;
+        let columns = port_columns(port);
         match port.direction {
             Direction::Input => {
                 let columns: Vec<_> = columns

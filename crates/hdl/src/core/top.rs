@@ -7,18 +7,25 @@ use photoncube_spec::{Core, CoreStreams, Leaf, Port, Spatial, StreamWord};
 use super::chain::chain_text;
 use super::results::results;
 
-/// Bits of the word that passes the slice of photons beside the leaf: the chain's number and `tlast`.
+/// The bits of each word in the core. A slice's word has the chain's number and the flags of its stream beside the fields.
 pub(super) struct Sizes {
+    /// A chain's number.
     pub(super) chain: u32,
-    /// Bits of a group of four photons, and of a leaf's photons.
+    /// A group of four photons.
     pub(super) group: u32,
+    /// A leaf's facing.
     pub(super) facing: u32,
+    /// The number of a leaf in its set.
     pub(super) place: u32,
+    /// The word in the slice of photons: a leaf, `tlast`, the chain.
     pub(super) photon_slice: u32,
+    /// The fields of a query.
     pub(super) query: u32,
+    /// The word in the slice of queries: a query, `tlast`, whether a bit without a field is 1, the chain.
     pub(super) query_slice: u32,
-    /// Bits of the sums and the count.
+    /// The sums and the count of a result.
     pub(super) sums: u32,
+    /// The word in the slice of results: sums, tag, `tlast`, whether the query is outside, the chain.
     pub(super) result_slice: u32,
 }
 

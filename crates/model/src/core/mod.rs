@@ -50,10 +50,6 @@ struct CoreResult {
     chain: u32,
 }
 
-/// The bit of a chain's tag that has the query's `tlast`, and the one that says whether it is outside.
-const LAST_BIT: u32 = Core::TAG_BITS;
-const OUTSIDE_BIT: u32 = Core::TAG_BITS + 1;
-
 impl CoreModel {
     /// Makes a core in its power-up state. `digest` is that of its configuration, which the registers show.
     ///
@@ -74,6 +70,14 @@ impl CoreModel {
             turn: 0,
             registers: Registers::new(core, digest),
         }
+    }
+
+    /// This core with counters that power-up and every clearing set to `cleared` in the place of 0. So a short run can see the
+    /// carry into a counter's high word.
+    #[must_use]
+    pub fn with_counters_from(mut self, cleared: u64) -> Self {
+        self.registers.clear_to(cleared);
+        self
     }
 
     /// The value of a counter.
@@ -186,7 +190,8 @@ impl CoreModel {
         let group = self.ports[chain].offers(self.leaf_for(chain));
         let word = query.map_or_else(QueryWord::default, |query| query.word);
         let flags = query.map_or(0, |query| {
-            u32::from(query.word.batch.last) << LAST_BIT | u32::from(query.outside) << OUTSIDE_BIT
+            u32::from(query.word.batch.last) << Core::LAST_BIT
+                | u32::from(query.outside) << Core::OUTSIDE_BIT
         });
         Inputs {
             reset,
@@ -313,14 +318,14 @@ impl CoreModel {
 /// The result of a chain, as it enters its slice.
 fn result_of(chain: usize, outputs: &Outputs) -> CoreResult {
     let flag = |bit: u32| outputs.result_tag >> bit & 1 == 1;
-    let outside = flag(OUTSIDE_BIT);
+    let outside = flag(Core::OUTSIDE_BIT);
     CoreResult {
         sums: match outside {
             true => Sums::default(),
             false => outputs.result,
         },
         tag: outputs.result_tag & ((1 << Core::TAG_BITS) - 1),
-        last: flag(LAST_BIT),
+        last: flag(Core::LAST_BIT),
         outside,
         chain: chain as u32,
     }

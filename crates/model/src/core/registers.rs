@@ -55,6 +55,8 @@ pub(super) struct Registers {
     silent_clocks: u32,
     counter_high: u32,
     counters: Vec<u64>,
+    /// The value of a counter that is cleared.
+    cleared: u64,
     before: InChains,
     /// The accesses that were refused in the clock before.
     refused_before: u64,
@@ -77,10 +79,17 @@ impl Registers {
             silent_clocks: 0,
             counter_high: 0,
             counters: vec![0; CounterRow::ALL.len()],
+            cleared: 0,
             before: InChains::default(),
             refused_before: 0,
             rows,
         }
+    }
+
+    /// Clears the counters to another value than 0.
+    pub(super) fn clear_to(&mut self, cleared: u64) {
+        self.cleared = cleared;
+        self.counters.fill(cleared);
     }
 
     pub(super) fn events(&self) -> u32 {
@@ -163,12 +172,12 @@ impl Registers {
         self.answer_write(lite, write);
         self.events |= occurs;
         self.under_way += u32::from(happens.query_given);
-        self.under_way = self.under_way.wrapping_sub(u32::from(happens.result_moves)) & 0xffff;
+        self.under_way -= u32::from(happens.result_moves);
         if let Some(write) = write
             && write.register == Some(CoreRegister::Control)
             && write.word & CoreRegister::CLEAR_COUNTERS != 0
         {
-            self.counters.fill(0);
+            self.counters.fill(self.cleared);
         }
         if restart {
             self.under_way = 0;
@@ -178,7 +187,9 @@ impl Registers {
 
     /// A clock with `aresetn` = 0.
     pub(super) fn reset(&mut self, core: &Core, digest: u64) {
+        let cleared = self.cleared;
         *self = Self::new(core, digest);
+        self.clear_to(cleared);
     }
 
     /// Counts a silent clock, and says whether the core is now stalled.

@@ -92,10 +92,9 @@ fn of_run(
         })
     };
     let leaf = |photons: &[u32]| {
-        let mut middles = photons.iter().map(middle);
-        let first = Bounds::at(middles.next().expect("a chunk is not empty"));
+        let bounds = Bounds::around(photons.iter().map(middle));
         Leaf {
-            bounds: middles.fold(first, Bounds::with),
+            bounds: bounds.expect("a chunk is not empty"),
             photons: photons.to_vec(),
         }
     };

@@ -30,6 +30,13 @@ pub struct Bounds {
 }
 
 impl Bounds {
+    /// The box around some points; `None` where there is none.
+    pub fn around(points: impl IntoIterator<Item = [i64; 3]>) -> Option<Self> {
+        let mut points = points.into_iter();
+        let first = Self::at(points.next()?);
+        Some(points.fold(first, Self::with))
+    }
+
     /// The box around one point.
     fn at(point: [i64; 3]) -> Self {
         Self {
@@ -88,7 +95,7 @@ impl Cull {
     }
 
     /// Whether a leaf is read for a batch, by their boxes and the radius in half fine steps.
-    fn reads(self, leaf: Bounds, batch: Bounds, radius: i64) -> bool {
+    pub fn reads(self, leaf: Bounds, batch: Bounds, radius: i64) -> bool {
         let gaps = leaf.gaps(batch);
         match self {
             Self::Axes => gaps.into_iter().all(|gap| gap <= radius),

@@ -1,53 +1,60 @@
 //! Cores: leaf machines behind standard ports.
 //!
-//! A core has several equal leaf machines, its *chains*. Each has a memory of leaves and a chain of engines of its own, so each works on
-//! another part of the picture. The core adds three AXI4-Streams, through which all chains are given photons and queries
-//! and answer, and registers behind AXI4-Lite. It adds no arithmetic on photons.
+//! A core has several equal leaf machines, its *chains*. Each has a memory of leaves and a chain of engines of its own, so
+//! each works on another part of the picture. The core adds three AXI4-Streams, through which all chains are given photons
+//! and queries and answer, and registers behind AXI4-Lite. It adds no arithmetic on photons.
 //!
 //! # Streams
-//! [`CoreStreams`] has the fields of each word. The bits of a word that no field has are not looked at, but in a query they must be 0.
+//! [`CoreStreams`] has the fields of each word. The bits of a word that no field has are not looked at, but in a query they
+//! must be 0.
 //! - `s_axis_photons`: a word is a leaf of up to 8 photons, for the chain `tdest`. `tlast` ends the set. The first photons are
 //!   present and the others absent. A set has at most [`Core::set_leaves`] leaves.
-//! - `s_axis_queries`: a word is a query for the chain `tdest`. `tlast` ends its batch, which also ends where it has as many queries as a
-//!   chain has engines.
+//! - `s_axis_queries`: a word is a query for the chain `tdest`. `tlast` ends its batch, which also ends where it has as many
+//!   queries as a chain has engines.
 //! - `m_axis_results`: a word is the result of a query, from the chain `tid`. `tlast` is the `tlast` of the query, and the
-//!   field `tag` its tag. `tuser` is 1 where the query is outside of its frame: the sums are then 0. The results of one chain have the
-//!   order of its queries; results of different chains come as they are found.
+//!   field `tag` its tag. `tuser` is 1 where the query is outside of its frame: the sums are then 0. The results of one chain
+//!   have the order of its queries; results of different chains come as they are found.
 //!
-//! A word is taken at a rising edge of `aclk` with `tvalid` and `tready`. A stream's words reach the chains in their order, so a
-//! word for a chain that is busy makes the words behind it wait. The chains never wait for each other in a circle where, for each chain, its sets of
-//! photons and its batches of queries have one order, and no query comes before a query of a set that is before its own
-//! set in the photon stream by more than the two banks of each chain.
+//! A word is taken at a rising edge of `aclk` with `tvalid` and `tready`. A stream's words reach the chains in their order, so
+//! a word for a busy chain holds back the words behind it. The user must not make each stream wait for the other: where a
+//! leaf waits for a bank, the queries on the set in that bank must come before every query that waits for a leaf behind
+//! that one.
 //!
 //! # Wrong words
 //! Each of these sets the bit of [`CoreEvent`] and is counted, and the words before and behind it lose nothing:
-//! a leaf with a photon behind an absent one (it is used as it is); the leaves of a set behind the last that the bank holds (dropped,
-//! up to `tlast`); a query outside of its frame (answered with `tuser`); a word for a chain that there is not
-//! (dropped); an access to an address without a register (the two low bits are not looked at), and a write to a register that is only read (both answered with SLVERR).
+//! - a leaf with a photon behind an absent one, which is used as it is;
+//! - the leaves of a set behind the last that the bank holds, which are dropped up to and with `tlast`;
+//! - a query outside of its frame, which is answered with `tuser`;
+//! - a word for a chain that there is not, which is dropped;
+//! - an access to an address without a register, of which the two low bits are not looked at, and a write to a register that
+//!   is only read, which are answered with SLVERR.
 //!
 //! # Each clock
-//! All registers have the values before the clock edge, and `:=` gives the value after it. A word *moves* where its valid and its ready are
-//! both 1. `reset` is `aresetn` = 0 or [`CoreRegister::Control`]'s restart, which is 1 for one clock, the one behind the write. `reset` goes to all
-//! chains. The pin `aresetn` = 0 also gives all registers of [`CoreRegister`] their reset values; a restart leaves them.
-//! - *Slices.* Each stream passes a slice of two places. Its ready is 1 where its second place is empty and `reset` is 0, its valid where its
-//!   first place is full. A word that moves in goes to the first place where that is empty or its word moves out and the second
-//!   place is empty, else to the second. Where the first place's word moves out, the second's follows. A `reset` empties both.
-//! - *Leaves.* A leaf in the photon slice is *refused* where its chain is not there or drops. It is *given* where its chain has no second
-//!   group and is ready; then its first group is. A leaf has a second group unless it has `tlast` and its last four photons are absent. That
-//!   is held for the chain, and given in the first of the next clocks in which the chain is ready. The chain's `group_last` is 1
-//!   with the last group of a word with `tlast`. The number of the leaf in its set is counted for each chain. Where the last leaf of a full
-//!   set is given without `tlast`, the chain drops: up to and with the next word with `tlast`.
-//! - *Queries.* A query in its slice is refused where its chain is not there, and given where its chain is ready. The chain's tag has the
-//!   query's tag in bits 0 to 15, `tlast` in bit 16, and in bit 17 whether it is outside: a coordinate is not less than the frame,
-//!   or a bit that no field has is 1.
-//! - *Results.* Of the chains with a result, the first in the order from `turn` on gives it to the slice of results, where that is ready;
-//!   `turn` := the next chain. `turn` is 0 after `reset`.
+//! All registers have the values before the clock edge, and `:=` gives the value after it. A word *moves* where its valid and
+//! its ready are both 1. `reset` is `aresetn` = 0 or [`CoreRegister::Control`]'s restart, which is 1 for one clock, the one
+//! behind the write. `reset` goes to all chains. The pin `aresetn` = 0 also gives all registers of [`CoreRegister`] their
+//! reset values; a restart leaves them.
+//! - *Slices.* Each stream passes a slice of two places. Its ready is 1 where its second place is empty and `reset` is 0, its
+//!   valid where its first place is full. A word that moves in goes to the first place where that is empty or its word
+//!   moves out and the second place is empty, else to the second. Where the first place's word moves out, the second's
+//!   follows. A `reset` empties both, so a result that waits on `m_axis_results` is then taken back.
+//! - *Leaves.* A leaf in the photon slice is *refused* where its chain is not there or drops. It is *given* where its chain
+//!   has no second group and is ready; then its first group is. A leaf has a second group unless it has `tlast` and its
+//!   last four photons are absent. That is held for the chain, and given in the first of the next clocks in which the
+//!   chain is ready. The chain's `group_last` is 1 with the last group of a word with `tlast`. The number of the leaf in
+//!   its set is counted for each chain. Where the last leaf of a full set is given without `tlast`, the chain drops: up to
+//!   and with the next word with `tlast`.
+//! - *Queries.* A query in its slice is refused where its chain is not there, and given where its chain is ready. The
+//!   chain's tag has the query's tag in its low bits, `tlast` in [`Core::LAST_BIT`], and in [`Core::OUTSIDE_BIT`] whether
+//!   it is outside: a bit that no field has is 1, as it is where a coordinate is not less than the frame.
+//! - *Results.* Of the chains with a result, the first in the order from `turn` on gives it to the slice of results, where
+//!   that is ready; `turn` := the next chain. `turn` is 0 after `reset`.
 //! - *Under way* are the queries that were given to a chain and whose results have not left through `m_axis_results`.
-//! - *Counters* count what happens in a clock; some ([`CoreCounter::is_later`]) count it a clock later. The event `AccessRefused` too
-//!   occurs a clock later.
+//! - *Counters* count what happens in a clock; some ([`CoreCounter::is_later`]) count it a clock later. The event
+//!   `AccessRefused` too occurs a clock later.
 //! - *Stall.* The core is *silent* where no word moves on any of the three streams, a query is under way or a word waits on
-//!   an input stream, and no result waits on `m_axis_results`. After as many silent clocks in a row as [`CoreRegister::StallLimit`]
-//!   says (0: never), the event `Stalled` occurs; the count goes on.
+//!   an input stream, and no result waits on `m_axis_results`. After as many silent clocks in a row as
+//!   [`CoreRegister::StallLimit`] says (0: never), the event `Stalled` occurs; the count goes on.
 
 mod counters;
 mod events;
@@ -60,15 +67,18 @@ mod words;
 pub use counters::{CoreCounter, CounterRow};
 pub use events::{CoreEvent, EventRow};
 pub use fields::CoreField;
-pub use ports::{CorePins, PortColumns, port_columns};
+pub use ports::{CorePins, port_columns};
 pub use registers::{Access, CoreRegister, CoreRegisterRow};
 pub use streams::{CoreStreams, StreamField, StreamWord};
-pub use words::{Beat, CoreInputs, CoreOutputs, LiteAnswer, LiteIn, ResultWord, StreamIn};
+pub use words::{
+    Beat, CoreAnswer, CoreInputs, CoreOutputs, CoreWords, LiteAnswer, LiteIn, ResultWord, StreamIn,
+};
 
 use thiserror::Error;
 
 use crate::leaf::Leaf;
 use crate::machine::{Machine, module_prefix};
+use crate::spatial::Spatial;
 
 /// A core: a leaf machine, as often as it has chains.
 #[derive(Copy, Clone, Debug)]
@@ -97,8 +107,14 @@ pub enum CoreError {
 impl Core {
     /// The most chains.
     pub const MOST_CHAINS: u32 = 16;
-    /// Bits of the tag of a query.
-    pub const TAG_BITS: u32 = 16;
+    /// Bits of the tag of a query: those of a chain's tag, without two flags of the core.
+    pub const TAG_BITS: u32 = Leaf::TAG_BITS - 2;
+    /// The bit of a chain's tag that has the `tlast` of the query.
+    pub const LAST_BIT: u32 = Self::TAG_BITS;
+    /// The bit of a chain's tag that says whether the query is outside of its frame.
+    pub const OUTSIDE_BIT: u32 = Self::TAG_BITS + 1;
+    /// Bits of the number of queries under way. The largest core has fewer.
+    pub const UNDER_WAY_BITS: u32 = 16;
     /// Bits of a counter.
     pub const COUNTER_BITS: u32 = 48;
     /// Bits of an address on AXI4-Lite. Addresses count bytes.
@@ -106,7 +122,7 @@ impl Core {
     /// Bits of a register. A counter takes two.
     pub const REGISTER_BITS: u32 = 32;
     /// Photons of a leaf.
-    pub const LEAF_PHOTONS: usize = Leaf::GROUPS * crate::spatial::Spatial::LANES;
+    pub const LEAF_PHOTONS: usize = Leaf::GROUPS * Spatial::LANES;
 
     /// A core of this many of these machines.
     ///
@@ -141,6 +157,11 @@ impl Core {
     /// Bits of a chain's number on the streams: at least 1.
     pub fn chain_bits(&self) -> u32 {
         crate::formats::bits_for(u128::from(self.chains - 1)).max(1)
+    }
+
+    /// Engines of each chain.
+    pub fn engines(&self) -> usize {
+        self.leaf().chain.engines()
     }
 
     /// The most leaves of a set.

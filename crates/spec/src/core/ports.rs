@@ -20,15 +20,6 @@ pub struct CorePins {
     pub outputs: Vec<Pin>,
 }
 
-/// A port, as a list of its columns.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct PortColumns {
-    /// The name of the port.
-    pub port: String,
-    /// Name and bits of each column, the lowest first.
-    pub columns: Vec<(String, u32)>,
-}
-
 impl Core {
     /// The ports of the top module, the clock first.
     pub fn ports(&self) -> Vec<Port> {
@@ -151,7 +142,7 @@ impl Core {
         let of = |direction: Direction| {
             let ports = self.ports().into_iter();
             let ports = ports.filter(|port| port.direction == direction && port.name != CLOCK);
-            let columns = ports.flat_map(|port| port_columns(&port).columns);
+            let columns = ports.flat_map(|port| port_columns(&port));
             let pin = |(name, width)| Pin {
                 name,
                 width,
@@ -166,19 +157,15 @@ impl Core {
     }
 }
 
-/// The columns of a port.
-pub fn port_columns(port: &Port) -> PortColumns {
-    let columns = match port.width <= COLUMN_BITS {
-        true => vec![(port.name.clone(), port.width)],
-        false => (0..port.width.div_ceil(COLUMN_BITS))
-            .map(|word| {
-                let width = (port.width - word * COLUMN_BITS).min(COLUMN_BITS);
-                (format!("{}_{word}", port.name), width)
-            })
-            .collect(),
-    };
-    PortColumns {
-        port: port.name.clone(),
-        columns,
+/// Name and bits of each column of a port, the lowest first.
+pub fn port_columns(port: &Port) -> Vec<(String, u32)> {
+    if port.width <= COLUMN_BITS {
+        return vec![(port.name.clone(), port.width)];
     }
+    let columns = 0..port.width.div_ceil(COLUMN_BITS);
+    let column = |word: u32| {
+        let width = (port.width - word * COLUMN_BITS).min(COLUMN_BITS);
+        (format!("{}_{word}", port.name), width)
+    };
+    columns.map(column).collect()
 }

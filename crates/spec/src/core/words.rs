@@ -103,6 +103,24 @@ pub struct CoreOutputs {
     pub interrupt: bool,
 }
 
+/// Words for both input streams of a core, each in its order. The batches release all sets.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct CoreWords {
+    /// The leaves.
+    pub photons: Vec<Beat>,
+    /// The queries.
+    pub queries: Vec<Beat>,
+}
+
+/// What a core answers to such words.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct CoreAnswer {
+    /// The results, in the order in which they left the core.
+    pub results: Vec<ResultWord>,
+    /// What the core's counters counted, in the order of [`super::CounterRow::ALL`].
+    pub counters: Vec<u64>,
+}
+
 /// The response OKAY or SLVERR.
 fn response(answer: LiteAnswer) -> u64 {
     if answer.refused { 2 } else { 0 }

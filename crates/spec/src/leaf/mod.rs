@@ -61,7 +61,7 @@ impl Leaf {
     pub const FACING_BITS: u32 = Self::FACINGS.ilog2();
     /// Facings that a leaf's is first looked up among: those that equal it except for the lowest two bits.
     pub const FACINGS_NEAR: u32 = 4;
-    /// Bits of a query's tag: 16 of a core's user, and 2 flags of the core.
+    /// Bits of a query's tag. A core uses two of them, see [`crate::Core::TAG_BITS`].
     pub const TAG_BITS: u32 = 18;
     /// Clocks in which no word moves on any stream after which a machine hangs. The scan of the largest bank is shorter.
     pub const SILENT_CLOCKS: u64 = 1 << 17;

@@ -27,7 +27,7 @@ pub struct CoreMethod {
     #[command(flatten)]
     core: CoreArgs,
     /// Clocks to compare in each device
-    #[arg(long, default_value_t = 40_000, value_name = "N", value_parser = count(1..=u64::MAX))]
+    #[arg(long, default_value_t = CoreOptions::CLOCKS, value_name = "N", value_parser = count(1..=u64::MAX))]
     clocks: u64,
     #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "text", help = AGAINST)]
     against: Vec<Devices>,
@@ -79,10 +79,7 @@ impl Method for CoreMethod {
     fn run(&self) -> Result<Outcome> {
         let core = self.core.find(&self.machine)?;
         machines::prepare(core.machine)?;
-        let options = CoreOptions {
-            clocks: self.clocks,
-            seed: self.seed.seed,
-        };
+        let options = CoreOptions::new(self.clocks, self.seed.seed);
         let mut verdicts = Vec::new();
         for kind in devices(&self.against) {
             if kind == DeviceKind::RustHdl {
