@@ -640,12 +640,40 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
     // The high bits of the counter whose low word was read last.
     reg [47 - 32:0] counter_high;
     reg restart;
-    // The accesses that were refused in the clock before: from the addresses to the counter is too far for a clock.
-    reg [1:0] refused;
-    // What happened in the chains in the clock before.
+    // What happened in the clock before: the way to the counters is too far for the clock in which it happens.
+    reg seen_busy;
+    initial seen_busy = 1'd0;
+    reg seen_leaf_given;
+    initial seen_leaf_given = 1'd0;
+    reg seen_query_given;
+    initial seen_query_given = 1'd0;
+    reg seen_result_moves;
+    initial seen_result_moves = 1'd0;
     reg [2:0] seen_compared;
+    initial seen_compared = 3'd0;
     reg [2:0] seen_wanted;
+    initial seen_wanted = 3'd0;
     reg [1:0] seen_played;
+    initial seen_played = 2'd0;
+    reg [6:0] seen_result_photons;
+    initial seen_result_photons = 7'd0;
+    reg seen_photon_waits;
+    initial seen_photon_waits = 1'd0;
+    reg seen_query_waits;
+    initial seen_query_waits = 1'd0;
+    reg seen_result_waits;
+    initial seen_result_waits = 1'd0;
+    reg seen_leaf_malformed;
+    initial seen_leaf_malformed = 1'd0;
+    reg seen_leaf_refused;
+    initial seen_leaf_refused = 1'd0;
+    reg seen_query_outside;
+    initial seen_query_outside = 1'd0;
+    reg seen_query_refused;
+    initial seen_query_refused = 1'd0;
+    reg [1:0] seen_refused;
+    initial seen_refused = 2'd0;
+    reg [6:0] seen_events;
     initial s_axi_bvalid = 1'b0;
     initial s_axi_rvalid = 1'b0;
     initial events = {(6 + 1){1'b0}};
@@ -655,10 +683,7 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
     initial silent_clocks = 32'd0;
     initial counter_high = {(47 - 31){1'b0}};
     initial restart = 1'b0;
-    initial refused = 2'd0;
-    initial seen_compared = {(2 + 1){1'b0}};
-    initial seen_wanted = {(2 + 1){1'b0}};
-    initial seen_played = {(1 + 1){1'b0}};
+    initial seen_events = {(6 + 1){1'b0}};
     assign reset = ~aresetn | restart;
     wire busy = |under_way;
 
@@ -764,6 +789,7 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
     end
     wire write_refused = writes & ~write_known;
     wire read_refused = reads & ~read_known;
+    wire [1:0] refused = write_refused + read_refused;
     wire writes_control = writes & (write_address == ADDRESS_CONTROL);
     wire clears_counters = writes_control & write_word[1];
     wire writes_events = writes & (write_address == ADDRESS_EVENTS);
@@ -796,9 +822,8 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
             s_axi_rdata <= read_word;
             counter_high <= counter_high_next;
         end else if (s_axi_rready) s_axi_rvalid <= 1'b0;
-        refused <= write_refused + read_refused;
         restart <= writes_control & write_word[0];
-        events <= (events & ~cleared) | occurs;
+        events <= (events & ~cleared) | seen_events;
         if (writes_enable) begin
             interrupt_enable <= (interrupt_enable & ~write_mask[6:0]) | write_word[6:0];
         end
@@ -809,9 +834,23 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
             under_way <= 16'd0;
             silent_clocks <= 32'd0;
         end
+        seen_events <= occurs;
+        seen_busy <= busy;
+        seen_leaf_given <= leaf_given;
+        seen_query_given <= query_given;
+        seen_result_moves <= result_moves;
         seen_compared <= compared;
         seen_wanted <= wanted;
         seen_played <= played;
+        seen_result_photons <= result_photons;
+        seen_photon_waits <= photon_waits;
+        seen_query_waits <= query_waits;
+        seen_result_waits <= result_waits;
+        seen_leaf_malformed <= leaf_malformed;
+        seen_leaf_refused <= leaf_refused;
+        seen_query_outside <= query_outside;
+        seen_query_refused <= query_refused;
+        seen_refused <= refused;
         if (clears_counters | ~aresetn) begin
             counter_clocks <= 48'd0;
             counter_busy_clocks <= 48'd0;
@@ -832,35 +871,48 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
             counter_accesses_refused <= 48'd0;
         end else begin
             counter_clocks <= counter_clocks + 1'b1;
-            counter_busy_clocks <= counter_busy_clocks + busy;
-            counter_leaves_read <= counter_leaves_read + leaf_given;
-            counter_queries_read <= counter_queries_read + query_given;
-            counter_results <= counter_results + result_moves;
+            counter_busy_clocks <= counter_busy_clocks + seen_busy;
+            counter_leaves_read <= counter_leaves_read + seen_leaf_given;
+            counter_queries_read <= counter_queries_read + seen_query_given;
+            counter_results <= counter_results + seen_result_moves;
             counter_leaves_compared <= counter_leaves_compared + seen_compared;
             counter_leaves_wanted <= counter_leaves_wanted + seen_wanted;
             counter_groups_played <= counter_groups_played + seen_played;
-            counter_photons_in_range <= counter_photons_in_range + result_photons;
-            counter_photon_stalls <= counter_photon_stalls + photon_waits;
-            counter_query_stalls <= counter_query_stalls + query_waits;
-            counter_result_stalls <= counter_result_stalls + result_waits;
-            counter_leaves_malformed <= counter_leaves_malformed + leaf_malformed;
-            counter_leaves_refused <= counter_leaves_refused + leaf_refused;
-            counter_queries_outside <= counter_queries_outside + query_outside;
-            counter_queries_refused <= counter_queries_refused + query_refused;
-            counter_accesses_refused <= counter_accesses_refused + refused;
+            counter_photons_in_range <= counter_photons_in_range + seen_result_photons;
+            counter_photon_stalls <= counter_photon_stalls + seen_photon_waits;
+            counter_query_stalls <= counter_query_stalls + seen_query_waits;
+            counter_result_stalls <= counter_result_stalls + seen_result_waits;
+            counter_leaves_malformed <= counter_leaves_malformed + seen_leaf_malformed;
+            counter_leaves_refused <= counter_leaves_refused + seen_leaf_refused;
+            counter_queries_outside <= counter_queries_outside + seen_query_outside;
+            counter_queries_refused <= counter_queries_refused + seen_query_refused;
+            counter_accesses_refused <= counter_accesses_refused + seen_refused;
         end
         if (~aresetn) begin
             s_axi_bvalid <= 1'b0;
             s_axi_rvalid <= 1'b0;
             restart <= 1'b0;
-            refused <= 2'd0;
             events <= {(6 + 1){1'b0}};
             interrupt_enable <= {(6 + 1){1'b0}};
             stall_limit <= 32'h00020000;
             counter_high <= {(47 - 31){1'b0}};
-            seen_compared <= {(2 + 1){1'b0}};
-            seen_wanted <= {(2 + 1){1'b0}};
-            seen_played <= {(1 + 1){1'b0}};
+            seen_events <= {(6 + 1){1'b0}};
+            seen_busy <= 1'd0;
+            seen_leaf_given <= 1'd0;
+            seen_query_given <= 1'd0;
+            seen_result_moves <= 1'd0;
+            seen_compared <= 3'd0;
+            seen_wanted <= 3'd0;
+            seen_played <= 2'd0;
+            seen_result_photons <= 7'd0;
+            seen_photon_waits <= 1'd0;
+            seen_query_waits <= 1'd0;
+            seen_result_waits <= 1'd0;
+            seen_leaf_malformed <= 1'd0;
+            seen_leaf_refused <= 1'd0;
+            seen_query_outside <= 1'd0;
+            seen_query_refused <= 1'd0;
+            seen_refused <= 2'd0;
         end
     end
 endmodule

@@ -71,6 +71,8 @@ class Watch:
         self.writable = {register.address for register in registers.values() if register.writable}
         self.control = registers["control"].address
         self.counts: Counter[str] = Counter()
+        # What happened in the clock before, which the core counts now.
+        self.before: Counter[str] = Counter()
         # The counts before the edge at which the last read was taken.
         self.read_counts: Counter[str] = Counter()
         # Beats that moved on each stream since the start, through all resets.
@@ -102,6 +104,7 @@ class Watch:
         self.reference.clear_counters()
         self.reference.events.clear()
         self.counts.clear()
+        self.before.clear()
         self.held.clear()
         self.received.clear()
         self.restarts = False
@@ -136,8 +139,8 @@ class Watch:
                 self.held[prefix] = values
 
     def streams(self) -> Counter[str]:
-        """The words that move on the three streams. Returns what this clock counts."""
-        counts = Counter(clocks=1)
+        """The words that move on the three streams. Returns what happens in this clock."""
+        counts: Counter[str] = Counter()
         moved = False
         for stream, stalls, take in (
             ("photons", "photon_stalls", self.reference.take_leaf),
@@ -203,7 +206,8 @@ class Watch:
             self.counts.clear()
             self.reference.clear_counters()
         else:
-            self.counts += counts
+            self.counts += self.before + Counter(clocks=1)
+        self.before = counts
 
 
 class Bench:
@@ -334,7 +338,7 @@ class Bench:
                 f"silent for {SILENT_CLOCKS} clocks; {self.reference.owes()} results are owed; {self.watch.waits()}"
             )
             await RisingEdge(self.dut.aclk)
-        # The counters of the chains are a clock late.
+        # Counters and events are a clock late.
         await ClockCycles(self.dut.aclk, 4)
         assert self.reference.is_settled(), "the traffic has a query without a set"
 

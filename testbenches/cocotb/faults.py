@@ -14,7 +14,7 @@ FAULTS = {
     # Leaves go to other chains than tdest says.
     "swap-tdest": (r"leaf_chain = leaf_word", "leaf_chain = ~leaf_word"),
     # Results count down.
-    "count-down": (r"counter_results \+ result_moves", "counter_results - result_moves"),
+    "count-down": (r"counter_results \+ seen_result_moves", "counter_results - seen_result_moves"),
     # A slice loses the word in its second place where its first moves out.
     "lose-word": (r"first_full <= second_full \|", "first_full <= second_full &"),
     # Results of queries outside of their frame keep their sums.

@@ -255,8 +255,8 @@ const FAULTS: [CoreFault; 6] = [
     (
         "an event that comes while it is cleared is lost",
         "registers",
-        "events <= (events & ~cleared) | occurs;",
-        "events <= (events | occurs) & ~cleared;",
+        "events <= (events & ~cleared) | seen_events;",
+        "events <= (events | seen_events) & ~cleared;",
     ),
     (
         "a restart does not forget the queries under way",

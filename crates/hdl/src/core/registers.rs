@@ -4,8 +4,10 @@ use std::fmt::Write as _;
 
 use photoncube_spec::{
     Access, Core, CoreCounter, CoreEvent, CoreRegister, CoreRegisterRow, CounterRow, EventRow,
-    Widths,
+    Leaf, Widths,
 };
+
+use super::top::range;
 
 /// The fixed part of the module, in which the tables below are put.
 const TEMPLATE: &str = include_str!("registers.v");
@@ -13,7 +15,7 @@ const TEMPLATE: &str = include_str!("registers.v");
 /// The module of a core whose configuration has this digest.
 pub(super) fn registers(core: &Core, digest: u64) -> String {
     let rows = CoreRegister::all(core, digest);
-    let sum_bits = |most: u32| u32::BITS - most.leading_zeros();
+    let high = |bits: Bits| (bits.number(core) - 1).to_string();
     let parts = [
         ("TOP", core.top()),
         ("ADDRESS_HIGH", (Core::ADDRESS_BITS - 1).to_string()),
@@ -21,12 +23,28 @@ pub(super) fn registers(core: &Core, digest: u64) -> String {
         ("UNDER_WAY_BITS", Core::UNDER_WAY_BITS.to_string()),
         ("UNDER_WAY_HIGH", (Core::UNDER_WAY_BITS - 1).to_string()),
         ("EVENT_HIGH", (EventRow::ALL.len() - 1).to_string()),
+        ("COUNT_HIGH", high(Bits::Photons)),
+        ("LEAVES_HIGH", high(Bits::Leaves)),
+        ("GROUPS_HIGH", high(Bits::Groups)),
         (
-            "COUNT_HIGH",
-            (Widths::of(core.machine).count - 1).to_string(),
+            "SEEN",
+            seen(core, |wire, bits| {
+                format!(
+                    "    reg {}seen_{wire};\n    initial seen_{wire} = {bits}'d0;",
+                    range(bits)
+                )
+            }),
         ),
-        ("LEAVES_HIGH", (sum_bits(2 * core.chains) - 1).to_string()),
-        ("GROUPS_HIGH", (sum_bits(core.chains) - 1).to_string()),
+        (
+            "SEES",
+            seen(core, |wire, _| format!("        seen_{wire} <= {wire};")),
+        ),
+        (
+            "FORGETS",
+            seen(core, |wire, bits| {
+                format!("            seen_{wire} <= {bits}'d0;")
+            }),
+        ),
         ("STALL_LIMIT", reset_of(&rows, CoreRegister::StallLimit)),
         ("RESTART", CoreRegister::RESTART.ilog2().to_string()),
         (
@@ -99,28 +117,70 @@ fn counters() -> String {
     lines(declared)
 }
 
-/// What a counter is increased by in a clock.
-fn increment(counter: CoreCounter) -> &'static str {
+/// What a counter counts in a clock: the wire that has it, and the part of the template that has the wire's highest bit; `None`
+/// for the clock itself.
+fn counted(counter: CoreCounter) -> Option<(&'static str, Bits)> {
     use CoreCounter as C;
+    let bit = |wire| Some((wire, Bits::One));
     match counter {
-        C::Clocks => "1'b1",
-        C::BusyClocks => "busy",
-        C::LeavesRead => "leaf_given",
-        C::QueriesRead => "query_given",
-        C::Results => "result_moves",
-        C::LeavesCompared => "seen_compared",
-        C::LeavesWanted => "seen_wanted",
-        C::GroupsPlayed => "seen_played",
-        C::PhotonsInRange => "result_photons",
-        C::PhotonStalls => "photon_waits",
-        C::QueryStalls => "query_waits",
-        C::ResultStalls => "result_waits",
-        C::LeavesMalformed => "leaf_malformed",
-        C::LeavesRefused => "leaf_refused",
-        C::QueriesOutside => "query_outside",
-        C::QueriesRefused => "query_refused",
-        C::AccessesRefused => "refused",
+        C::Clocks => None,
+        C::BusyClocks => bit("busy"),
+        C::LeavesRead => bit("leaf_given"),
+        C::QueriesRead => bit("query_given"),
+        C::Results => bit("result_moves"),
+        C::LeavesCompared => Some(("compared", Bits::Leaves)),
+        C::LeavesWanted => Some(("wanted", Bits::Leaves)),
+        C::GroupsPlayed => Some(("played", Bits::Groups)),
+        C::PhotonsInRange => Some(("result_photons", Bits::Photons)),
+        C::PhotonStalls => bit("photon_waits"),
+        C::QueryStalls => bit("query_waits"),
+        C::ResultStalls => bit("result_waits"),
+        C::LeavesMalformed => bit("leaf_malformed"),
+        C::LeavesRefused => bit("leaf_refused"),
+        C::QueriesOutside => bit("query_outside"),
+        C::QueriesRefused => bit("query_refused"),
+        C::AccessesRefused => Some(("refused", Bits::Accesses)),
     }
+}
+
+/// The bits of what is counted in a clock.
+#[derive(Copy, Clone)]
+enum Bits {
+    One,
+    /// A read and a write.
+    Accesses,
+    /// Two leaves of each chain.
+    Leaves,
+    /// A group of each chain.
+    Groups,
+    /// The count of a result.
+    Photons,
+}
+
+impl Bits {
+    fn number(self, core: &Core) -> u32 {
+        let for_at_most = |most: u32| u32::BITS - most.leading_zeros();
+        match self {
+            Self::One => 1,
+            Self::Accesses => for_at_most(2),
+            Self::Leaves => for_at_most(Leaf::PAIR as u32 * core.chains),
+            Self::Groups => for_at_most(core.chains),
+            Self::Photons => Widths::of(core.machine).count,
+        }
+    }
+}
+
+/// A line for each wire that is counted, made of its name and its bits.
+fn seen(core: &Core, line: impl Fn(&str, u32) -> String) -> String {
+    let counted = CounterRow::ALL
+        .iter()
+        .filter_map(|row| counted(row.counter));
+    lines(counted.map(|(wire, bits)| line(wire, bits.number(core))))
+}
+
+/// What a counter is increased by.
+fn increment(counter: CoreCounter) -> String {
+    counted(counter).map_or("1'b1".to_owned(), |(wire, _)| format!("seen_{wire}"))
 }
 
 fn counter_lines(line: impl Fn(&CounterRow) -> String) -> String {

@@ -59,12 +59,9 @@ module @TOP@_registers(clock, aresetn, reset,
     // The high bits of the counter whose low word was read last.
     reg [@COUNTER_HIGH@ - 32:0] counter_high;
     reg restart;
-    // The accesses that were refused in the clock before: from the addresses to the counter is too far for a clock.
-    reg [1:0] refused;
-    // What happened in the chains in the clock before.
-    reg [@LEAVES_HIGH@:0] seen_compared;
-    reg [@LEAVES_HIGH@:0] seen_wanted;
-    reg [@GROUPS_HIGH@:0] seen_played;
+    // What happened in the clock before: the way to the counters is too far for the clock in which it happens.
+@SEEN@
+    reg [@EVENT_HIGH@:0] seen_events;
     initial s_axi_bvalid = 1'b0;
     initial s_axi_rvalid = 1'b0;
     initial events = {(@EVENT_HIGH@ + 1){1'b0}};
@@ -74,10 +71,7 @@ module @TOP@_registers(clock, aresetn, reset,
     initial silent_clocks = 32'd0;
     initial counter_high = {(@COUNTER_HIGH@ - 31){1'b0}};
     initial restart = 1'b0;
-    initial refused = 2'd0;
-    initial seen_compared = {(@LEAVES_HIGH@ + 1){1'b0}};
-    initial seen_wanted = {(@LEAVES_HIGH@ + 1){1'b0}};
-    initial seen_played = {(@GROUPS_HIGH@ + 1){1'b0}};
+    initial seen_events = {(@EVENT_HIGH@ + 1){1'b0}};
     assign reset = ~aresetn | restart;
     wire busy = |under_way;
 
@@ -120,6 +114,7 @@ module @TOP@_registers(clock, aresetn, reset,
     end
     wire write_refused = writes & ~write_known;
     wire read_refused = reads & ~read_known;
+    wire [1:0] refused = write_refused + read_refused;
     wire writes_control = writes & (write_address == ADDRESS_CONTROL);
     wire clears_counters = writes_control & write_word[@CLEAR_COUNTERS@];
     wire writes_events = writes & (write_address == ADDRESS_EVENTS);
@@ -146,9 +141,8 @@ module @TOP@_registers(clock, aresetn, reset,
             s_axi_rdata <= read_word;
             counter_high <= counter_high_next;
         end else if (s_axi_rready) s_axi_rvalid <= 1'b0;
-        refused <= write_refused + read_refused;
         restart <= writes_control & write_word[@RESTART@];
-        events <= (events & ~cleared) | occurs;
+        events <= (events & ~cleared) | seen_events;
         if (writes_enable) begin
             interrupt_enable <= (interrupt_enable & ~write_mask[@EVENT_HIGH@:0]) | write_word[@EVENT_HIGH@:0];
         end
@@ -159,9 +153,8 @@ module @TOP@_registers(clock, aresetn, reset,
             under_way <= @UNDER_WAY_BITS@'d0;
             silent_clocks <= 32'd0;
         end
-        seen_compared <= compared;
-        seen_wanted <= wanted;
-        seen_played <= played;
+        seen_events <= occurs;
+@SEES@
         if (clears_counters | ~aresetn) begin
 @COUNTER_CLEARS@
         end else begin
@@ -171,14 +164,12 @@ module @TOP@_registers(clock, aresetn, reset,
             s_axi_bvalid <= 1'b0;
             s_axi_rvalid <= 1'b0;
             restart <= 1'b0;
-            refused <= 2'd0;
             events <= {(@EVENT_HIGH@ + 1){1'b0}};
             interrupt_enable <= {(@EVENT_HIGH@ + 1){1'b0}};
             stall_limit <= @STALL_LIMIT@;
             counter_high <= {(@COUNTER_HIGH@ - 31){1'b0}};
-            seen_compared <= {(@LEAVES_HIGH@ + 1){1'b0}};
-            seen_wanted <= {(@LEAVES_HIGH@ + 1){1'b0}};
-            seen_played <= {(@GROUPS_HIGH@ + 1){1'b0}};
+            seen_events <= {(@EVENT_HIGH@ + 1){1'b0}};
+@FORGETS@
         end
     end
 endmodule

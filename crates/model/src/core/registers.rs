@@ -57,9 +57,19 @@ pub(super) struct Registers {
     counters: Vec<u64>,
     /// The value of a counter that is cleared.
     cleared: u64,
-    before: InChains,
-    /// The accesses that were refused in the clock before.
-    refused_before: u64,
+    /// What happened in the clock before.
+    before: Seen,
+}
+
+/// What counters and events are told of a clock.
+#[derive(Copy, Clone, Debug, Default)]
+struct Seen {
+    happens: Happens,
+    busy: bool,
+    /// Accesses that were refused.
+    refused: u64,
+    /// Bits of the events that occurred.
+    events: u32,
 }
 
 impl Registers {
@@ -80,8 +90,7 @@ impl Registers {
             counter_high: 0,
             counters: vec![0; CounterRow::ALL.len()],
             cleared: 0,
-            before: InChains::default(),
-            refused_before: 0,
+            before: Seen::default(),
             rows,
         }
     }
@@ -165,12 +174,17 @@ impl Registers {
         let read_refused = matches!(read, Some(None));
         let refused = u64::from(write_refused) + u64::from(read_refused);
         let stalls = self.stalls(happens);
-        let occurs = self.occurs(happens, self.refused_before > 0, stalls);
+        let seen = Seen {
+            happens: *happens,
+            busy: self.under_way > 0,
+            refused,
+            events: self.occurs(happens, refused > 0, stalls),
+        };
         self.answer_read(lite, read, happens);
-        self.count(happens, self.refused_before);
-        self.refused_before = refused;
+        let before = std::mem::replace(&mut self.before, seen);
+        self.count(&before);
         self.answer_write(lite, write);
-        self.events |= occurs;
+        self.events |= before.events;
         self.under_way += u32::from(happens.query_given);
         self.under_way -= u32::from(happens.result_moves);
         if let Some(write) = write
@@ -266,19 +280,19 @@ impl Registers {
         }
     }
 
-    fn count(&mut self, happens: &Happens, refused: u64) {
+    fn count(&mut self, seen: &Seen) {
         use CoreCounter as C;
-        let before = self.before;
+        let (happens, chains) = (&seen.happens, &seen.happens.in_chains);
         for row in CounterRow::ALL {
             let more = match row.counter {
                 C::Clocks => 1,
-                C::BusyClocks => u64::from(self.under_way > 0),
+                C::BusyClocks => seen.busy.into(),
                 C::LeavesRead => happens.leaf_given.into(),
                 C::QueriesRead => happens.query_given.into(),
                 C::Results => happens.result_moves.into(),
-                C::LeavesCompared => before.compared,
-                C::LeavesWanted => before.wanted,
-                C::GroupsPlayed => before.played,
+                C::LeavesCompared => chains.compared,
+                C::LeavesWanted => chains.wanted,
+                C::GroupsPlayed => chains.played,
                 C::PhotonsInRange => happens.result_photons,
                 C::PhotonStalls => happens.photon_waits.into(),
                 C::QueryStalls => happens.query_waits.into(),
@@ -287,12 +301,11 @@ impl Registers {
                 C::LeavesRefused => happens.leaf_refused.into(),
                 C::QueriesOutside => happens.query_outside.into(),
                 C::QueriesRefused => happens.query_refused.into(),
-                C::AccessesRefused => refused,
+                C::AccessesRefused => seen.refused,
             };
             let counter = &mut self.counters[row.counter as usize];
             *counter = (*counter + more) % (1 << Core::COUNTER_BITS);
         }
-        self.before = happens.in_chains;
     }
 
     /// The value of a counter.

@@ -49,13 +49,3 @@ counters! {
     QueriesRefused "queries_refused" "Queries that were dropped.";
     AccessesRefused "accesses_refused" "Accesses that were answered with SLVERR; two where a read and a write are refused in one clock.";
 }
-
-impl CoreCounter {
-    /// Whether it counts a clock later: what happens in all chains, and refused accesses, whose ways to a counter are long.
-    pub const fn is_later(self) -> bool {
-        matches!(
-            self,
-            Self::LeavesCompared | Self::LeavesWanted | Self::GroupsPlayed | Self::AccessesRefused
-        )
-    }
-}

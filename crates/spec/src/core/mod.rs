@@ -50,8 +50,9 @@
 //! - *Results.* Of the chains with a result, the first in the order from `turn` on gives it to the slice of results, where
 //!   that is ready; `turn` := the next chain. `turn` is 0 after `reset`.
 //! - *Under way* are the queries that were given to a chain and whose results have not left through `m_axis_results`.
-//! - *Counters* count what happens in a clock; some ([`CoreCounter::is_later`]) count it a clock later. The event
-//!   `AccessRefused` too occurs a clock later.
+//! - *Counters and events* are a clock late: what happens in a clock is counted, and sets its event, at the end of the next
+//!   clock. Only [`CoreCounter::Clocks`] counts at once. The ways to the counters are long, and so are no part of the
+//!   clock's slowest paths. `aresetn` = 0 forgets what happened in the clock before; a restart does not.
 //! - *Stall.* The core is *silent* where no word moves on any of the three streams, a query is under way or a word waits on
 //!   an input stream, and no result waits on `m_axis_results`. After as many silent clocks in a row as
 //!   [`CoreRegister::StallLimit`] says (0: never), the event `Stalled` occurs; the count goes on.
