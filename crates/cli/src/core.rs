@@ -47,6 +47,7 @@ pub struct CoreReport {
     sets: u64,
     query_words: u64,
     clocks: u64,
+    clocks_forecast: u64,
     leaves_loaded: u64,
     boxes_compared: u64,
     leaves_wanted: u64,
@@ -73,6 +74,7 @@ impl CoreReport {
             sets: work.sets,
             query_words: work.query_words,
             clocks,
+            clocks_forecast: work.clocks_forecast,
             leaves_loaded: work.counter(C::LeavesRead),
             boxes_compared: work.counter(C::LeavesCompared),
             leaves_wanted: work.counter(C::LeavesWanted),
@@ -89,11 +91,12 @@ impl CoreReport {
     pub fn text(&self) -> String {
         let groups_read = self.leaves_loaded * Leaf::GROUPS as u64;
         format!(
-            "core: {} chains of {} engines, {} clocks; {} sets of photons, {groups_read} groups read in, {} played (engines fed in {:.0} % of the \
+            "core: {} chains of {} engines, {} clocks ({} forecast); {} sets of photons, {groups_read} groups read in, {} played (engines fed in {:.0} % of the \
              clocks); {:.2} photon tests for each in range, {:.4} queries a clock\n",
             self.chains,
             self.engines,
             self.clocks,
+            self.clocks_forecast,
             self.sets,
             self.groups_played,
             100.0 * self.engines_fed,

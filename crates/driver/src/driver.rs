@@ -72,6 +72,8 @@ pub struct Work {
     pub query_words: u64,
     /// Sets of photons.
     pub sets: u64,
+    /// The scheduler's forecast of the clocks, of all cores.
+    pub clocks_forecast: u64,
     /// What the counters of all cores counted, in the order of [`CounterRow::ALL`].
     pub counters: Vec<u64>,
 }
@@ -82,6 +84,7 @@ impl Default for Work {
             queries: 0,
             query_words: 0,
             sets: 0,
+            clocks_forecast: 0,
             counters: vec![0; CounterRow::ALL.len()],
         }
     }
@@ -99,6 +102,7 @@ impl AddAssign for Work {
         self.queries += other.queries;
         self.query_words += other.query_words;
         self.sets += other.sets;
+        self.clocks_forecast += other.clocks_forecast;
         for (sum, more) in self.counters.iter_mut().zip(other.counters) {
             *sum += more;
         }
@@ -227,6 +231,7 @@ impl<T: Transport> Driver<T> {
                     queries: 0,
                     query_words: schedule.words.queries.len() as u64,
                     sets: sets.len() as u64,
+                    clocks_forecast: schedule.clocks,
                     counters: answer.counters.clone(),
                 };
                 self.read(schedule, &answer, &mut sums)?;

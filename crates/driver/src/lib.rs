@@ -1,12 +1,14 @@
 #![doc = include_str!("../README.md")]
 
 mod driver;
+mod forecast;
 mod frames;
 mod model;
 mod schedule;
 mod transport;
 
 pub use driver::{Driver, DriverError, Work};
+pub use forecast::Forecast;
 pub use frames::{Frame, FramePlan, PhotonLeaf, Set, SetBatch, SetQuery};
 pub use model::ModelTransport;
 pub use schedule::{Owed, Schedule, Scheduler};

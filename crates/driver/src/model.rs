@@ -78,6 +78,8 @@ impl Transport for ModelTransport {
                 .into());
             }
         }
+        // Counters are a clock late.
+        self.clock(None, None);
         let counters = self.counters().into_iter().zip(before);
         Ok(CoreAnswer {
             results,

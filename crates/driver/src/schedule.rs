@@ -11,11 +11,9 @@
 
 use std::collections::VecDeque;
 
-use photoncube_render::{Bounds, Cull};
-use photoncube_spec::{
-    BatchPins, Beat, Core, CoreStreams, CoreWords, Leaf, LeafSizes, PhotonFormat, QueryWord,
-};
+use photoncube_spec::{BatchPins, Beat, Core, CoreStreams, CoreWords, QueryWord};
 
+use crate::forecast::{Forecaster, Load};
 use crate::frames::{PhotonLeaf, Set, SetBatch};
 
 /// A result that a chain owes: the query's index in the picture, and its tag.
@@ -34,16 +32,16 @@ pub struct Schedule {
     pub words: CoreWords,
     /// Of each chain, in the order of its queries.
     pub owed: Vec<VecDeque<Owed>>,
+    /// A forecast of the clocks until the last result.
+    pub clocks: u64,
 }
-
-/// Clocks between two batches of a chain beside those of its work, about.
-const BATCH_CLOCKS: u64 = 4;
 
 /// Makes schedules for a core.
 #[derive(Debug)]
 pub struct Scheduler {
     core: Core,
     streams: CoreStreams,
+    forecaster: Forecaster,
 }
 
 impl Scheduler {
@@ -52,6 +50,7 @@ impl Scheduler {
         Self {
             core: *core,
             streams: CoreStreams::of(core),
+            forecaster: Forecaster::new(core),
         }
     }
 
@@ -67,6 +66,7 @@ impl Scheduler {
         let mut begun_at = vec![0; chains];
         let mut leaves = Vec::new();
         let mut batches = Vec::new();
+        let mut load = Load::new(chains);
         for set in sets {
             let chain = (0..chains).min_by_key(|&chain| free_at[chain]);
             let chain = chain.expect("a core has a chain");
@@ -77,15 +77,12 @@ impl Scheduler {
                 let last = place + 1 == set.leaves.len();
                 leaves.push((bank_is_free + share, chain, leaf, last));
             }
-            let boxes: Vec<_> = set
-                .leaves
-                .iter()
-                .filter_map(|leaf| leaf_bounds(leaf, self.format()))
-                .collect();
-            for (place, batch) in set.batches.iter().enumerate() {
+            let clocks = self.forecaster.batches(set);
+            load.add(chain, set, clocks.iter().sum());
+            for (place, (batch, clocks)) in set.batches.iter().zip(clocks).enumerate() {
                 let release = place + 1 == set.batches.len();
                 batches.push((free_at[chain], chain, batch, release));
-                free_at[chain] += self.clocks(batch, &boxes);
+                free_at[chain] += clocks;
             }
         }
         // Stable: leaves and batches of equal times keep their order.
@@ -93,6 +90,7 @@ impl Scheduler {
         batches.sort_by_key(|(time, ..)| *time);
         let mut schedule = Schedule {
             owed: vec![VecDeque::new(); chains],
+            clocks: load.clocks(),
             ..Schedule::default()
         };
         let beats = leaves
@@ -139,41 +137,4 @@ impl Scheduler {
             schedule.owed[chain].push_back(Owed { index, tag });
         }
     }
-
-    fn format(&self) -> &'static PhotonFormat {
-        let format = self.core.machine.format();
-        format.expect("a leaf machine has a photon format")
-    }
-
-    /// A forecast of the clocks of a batch: those to compare all leaves, or to play the leaves that are wanted.
-    fn clocks(&self, batch: &SetBatch, leaves: &[(u32, Bounds)]) -> u64 {
-        let radius = i64::from(2 * self.format().radius_steps());
-        let queries = batch_bounds(batch);
-        let is_wanted = |(facing, leaf): &&(u32, Bounds)| {
-            batch.facings >> facing & 1 == 1
-                && queries.is_some_and(|queries| Cull::Distance.reads(*leaf, queries, radius))
-        };
-        let wanted = leaves.iter().filter(is_wanted).count();
-        let played = (wanted * Leaf::GROUPS) as u64;
-        let compared = leaves.len().div_ceil(Leaf::PAIR) as u64;
-        let least = LeafSizes::of(self.core.leaf()).least_spacing;
-        played.max(compared).max(least.into()) + BATCH_CLOCKS
-    }
-}
-
-/// The facing of a leaf, and the box around the middles of its photons' cells.
-fn leaf_bounds(leaf: &PhotonLeaf, format: &PhotonFormat) -> Option<(u32, Bounds)> {
-    let middle = |place: u32| i64::from(2 * place + 1) << format.query_extra_bits;
-    let middles = leaf
-        .photons
-        .iter()
-        .map(|photon| photon.position.map(middle));
-    Some((leaf.facing, Bounds::around(middles)?))
-}
-
-/// The box around the middles of the queries' cells.
-fn batch_bounds(batch: &SetBatch) -> Option<Bounds> {
-    let middle = |place: u32| i64::from(2 * place + 1);
-    let queries = batch.queries.iter().map(|query| query.query.position);
-    Bounds::around(queries.map(|position| position.map(middle)))
 }
