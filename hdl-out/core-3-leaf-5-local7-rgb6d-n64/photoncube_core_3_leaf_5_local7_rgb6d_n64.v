@@ -417,15 +417,15 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64(aclk, aresetn, s_axis_photons_t
         .compared(compared_2), .wanted(wanted_2), .played(played_2));
 
     // Results: one chain after the other, then a slice.
-    wire [1:0] chosen;
-    wire result_valid;
+    wire [2:0] results_valid = {result_valid_2, result_valid_1, result_valid_0};
+    wire [1:0] turn;
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_arbiter arbiter(.clock(aclk), .reset(reset), .valid(results_valid), .turn(turn));
+    wire result_valid = results_valid[turn];
     wire result_ready;
-    photoncube_core_3_leaf_5_local7_rgb6d_n64_arbiter arbiter(.clock(aclk), .reset(reset), .valid({result_valid_2, result_valid_1, result_valid_0}),
-        .taken(result_valid & result_ready), .any_valid(result_valid), .chosen(chosen));
     reg [42:0] result_sums;
     reg [17:0] result_tag;
     always @(*) begin
-        case (chosen)
+        case (turn)
             2'd1: begin
                 result_sums = result_sums_1;
                 result_tag = result_tag_1;
@@ -440,14 +440,14 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64(aclk, aresetn, s_axis_photons_t
             end
         endcase
     end
-    assign result_ready_0 = result_ready & (chosen == 2'd0);
-    assign result_ready_1 = result_ready & (chosen == 2'd1);
-    assign result_ready_2 = result_ready & (chosen == 2'd2);
+    assign result_ready_0 = result_ready & (turn == 2'd0);
+    assign result_ready_1 = result_ready & (turn == 2'd1);
+    assign result_ready_2 = result_ready & (turn == 2'd2);
     wire result_outside = result_tag[17];
     wire [42:0] result_seen = result_outside ? {43{1'b0}} : result_sums;
     wire [62:0] result_word;
     photoncube_core_3_leaf_5_local7_rgb6d_n64_slice #(.WIDTH(63)) result_slice(.clock(aclk), .reset(reset),
-        .in_valid(result_valid), .in_ready(result_ready), .in_word({chosen, result_outside, result_tag[16], result_tag[15:0], result_seen}),
+        .in_valid(result_valid), .in_ready(result_ready), .in_word({turn, result_outside, result_tag[16], result_tag[15:0], result_seen}),
         .out_valid(m_axis_results_tvalid), .out_ready(m_axis_results_tready), .out_word(result_word));
     assign m_axis_results_tdata = {5'd0, result_word[58:0]};
     assign m_axis_results_tlast = result_word[59];
@@ -917,48 +917,21 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
     end
 endmodule
 
-// Chooses, of the chains with a result, the first from `turn` on.
-module photoncube_core_3_leaf_5_local7_rgb6d_n64_arbiter(clock, reset, valid, taken, any_valid, chosen);
+// Gives the turn to the next chain, from the one behind `turn` on, that has a result now.
+module photoncube_core_3_leaf_5_local7_rgb6d_n64_arbiter(clock, reset, valid, turn);
     input wire clock;
     input wire reset;
     input wire [2:0] valid;
-    input wire taken;
-    output reg any_valid;
-    output reg [1:0] chosen;
-    reg [1:0] turn;
+    output reg [1:0] turn;
     initial turn = 2'd0;
-    always @(*) begin
-        any_valid = 1'b0;
-        chosen = 2'd0;
-        if (~any_valid & valid[0] & (turn <= 2'd0)) begin
-            any_valid = 1'b1;
-            chosen = 2'd0;
-        end
-        if (~any_valid & valid[1] & (turn <= 2'd1)) begin
-            any_valid = 1'b1;
-            chosen = 2'd1;
-        end
-        if (~any_valid & valid[2] & (turn <= 2'd2)) begin
-            any_valid = 1'b1;
-            chosen = 2'd2;
-        end
-        if (~any_valid & valid[0]) begin
-            any_valid = 1'b1;
-            chosen = 2'd0;
-        end
-        if (~any_valid & valid[1]) begin
-            any_valid = 1'b1;
-            chosen = 2'd1;
-        end
-        if (~any_valid & valid[2]) begin
-            any_valid = 1'b1;
-            chosen = 2'd2;
-        end
-    end
-    always @(posedge clock) begin
-        if (taken) turn <= (chosen == 2'd2) ? 2'd0 : chosen + 2'd1;
-        if (reset) turn <= 2'd0;
-    end
+    wire [1:0] next =
+        valid[1] & (turn < 2'd1) ? 2'd1 :
+        valid[2] & (turn < 2'd2) ? 2'd2 :
+        valid[0] ? 2'd0 :
+        valid[1] ? 2'd1 :
+        valid[2] ? 2'd2 :
+        turn;
+    always @(posedge clock) turn <= reset ? 2'd0 : next;
 endmodule
 
 // A slice of a stream. It has two places, so that no ready passes through it.

@@ -249,8 +249,8 @@ const FAULTS: [CoreFault; 6] = [
     (
         "the chains do not take turns",
         "arbiter",
-        "if (taken) turn <=",
-        "if (1'b0) turn <=",
+        " : next;",
+        " : turn;",
     ),
     (
         "an event that comes while it is cleared is lost",

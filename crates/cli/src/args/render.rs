@@ -95,7 +95,7 @@ impl EngineArgs {
             EngineName::Format => ChosenEngine::Own((&format).into()),
             EngineName::Core => {
                 let core = Core::new(machine, self.chains)?;
-                ChosenEngine::Core(core, core::driver(&core)?)
+                ChosenEngine::Core(core, Box::new(core::driver(&core)?))
             }
         })
     }
@@ -106,7 +106,7 @@ pub enum ChosenEngine {
     /// An engine of the renderer.
     Own(Engine<'static>),
     /// A core, and its simulation.
-    Core(Core, Driver<Simulated>),
+    Core(Core, Box<Driver<Simulated>>),
 }
 
 impl ChosenEngine {
@@ -114,7 +114,7 @@ impl ChosenEngine {
     pub fn engine(&self) -> Engine<'_> {
         match self {
             Self::Own(engine) => *engine,
-            Self::Core(core, driver) => Engine::Hardware(core.machine, driver),
+            Self::Core(core, driver) => Engine::Hardware(core.machine, &**driver),
         }
     }
 

@@ -22,15 +22,16 @@ pub(super) fn results(core: &Core, streams: &CoreStreams, sizes: &Sizes) -> Stri
     let valid = valid.collect::<Vec<_>>().join(", ");
     let mut text = format!(
         "\n    // Results: one chain after the other, then a slice.\n    \
-         wire {}chosen;\n    \
-         wire result_valid;\n    \
+         wire {}results_valid = {{{valid}}};\n    \
+         wire {}turn;\n    \
+         {}_arbiter arbiter(.clock(aclk), .reset(reset), .valid(results_valid), .turn(turn));\n    \
+         wire result_valid = results_valid[turn];\n    \
          wire result_ready;\n    \
-         {}_arbiter arbiter(.clock(aclk), .reset(reset), .valid({{{valid}}}),\n        \
-         .taken(result_valid & result_ready), .any_valid(result_valid), .chosen(chosen));\n    \
          reg {}result_sums;\n    \
          reg {}result_tag;\n    \
          always @(*) begin\n        \
-         case (chosen)\n",
+         case (turn)\n",
+        format_args!("[{}:0] ", core.chains - 1),
         range(bits),
         core.top(),
         range(sums),
@@ -48,7 +49,7 @@ pub(super) fn results(core: &Core, streams: &CoreStreams, sizes: &Sizes) -> Stri
     for chain in 0..core.chains {
         let _ = writeln!(
             text,
-            "    assign result_ready_{chain} = result_ready & (chosen == {bits}'d{chain});"
+            "    assign result_ready_{chain} = result_ready & (turn == {bits}'d{chain});"
         );
     }
     let (last, outside) = (Core::LAST_BIT, Core::OUTSIDE_BIT);
@@ -68,7 +69,7 @@ pub(super) fn results(core: &Core, streams: &CoreStreams, sizes: &Sizes) -> Stri
             "result_valid",
             "result_ready",
             &format!(
-                "{{chosen, result_outside, result_tag[{last}], result_tag[{}:0], result_seen}}",
+                "{{turn, result_outside, result_tag[{last}], result_tag[{}:0], result_seen}}",
                 Core::TAG_BITS - 1
             ),
         ],

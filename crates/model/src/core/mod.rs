@@ -27,7 +27,7 @@ pub struct CoreModel {
     results: Slice<CoreResult>,
     ports: Vec<PhotonPort>,
     chains: Vec<LeafMachine>,
-    /// The chain that is asked first for a result.
+    /// The chain that gives its result, if it has one.
     turn: usize,
     registers: Registers,
 }
@@ -137,9 +137,8 @@ impl CoreModel {
             .zip(&to_chains)
             .map(|(chain, inputs)| chain.outputs(inputs))
             .collect();
-        let chosen = self
-            .chosen(&from_chains)
-            .filter(|_| self.results.is_ready() && !reset);
+        let gives = from_chains[self.turn].result_valid && self.results.is_ready() && !reset;
+        let chosen = gives.then_some(self.turn);
         if let Some(chain) = chosen {
             to_chains[chain].result_ready = true;
         }
@@ -157,13 +156,11 @@ impl CoreModel {
         }
         let result = chosen.map(|chain| result_of(chain, &from_chains[chain]));
         self.results.clock(happens.result_moves, result, reset);
-        self.turn = match chosen {
-            Some(chain) => (chain + 1) % self.chains.len(),
-            None => self.turn,
+        self.turn = if reset {
+            0
+        } else {
+            self.next_turn(&from_chains)
         };
-        if reset {
-            self.turn = 0;
-        }
         let leaf = happens
             .photon_moves
             .then(|| self.leaf(&inputs.photons.beat));
@@ -214,13 +211,12 @@ impl CoreModel {
         }
     }
 
-    /// The chain whose result is given to the slice of results.
-    fn chosen(&self, from_chains: &[Outputs]) -> Option<usize> {
-        let chains = from_chains.len();
-        let order = (self.turn..chains).chain(0..self.turn);
-        order
-            .into_iter()
-            .find(|&chain| from_chains[chain].result_valid)
+    /// The chain that has the turn in the next clock.
+    fn next_turn(&self, from_chains: &[Outputs]) -> usize {
+        let others = (self.turn + 1..from_chains.len()).chain(0..self.turn);
+        let mut others = others.into_iter();
+        let next = others.find(|&chain| from_chains[chain].result_valid);
+        next.unwrap_or(self.turn)
     }
 
     fn happens(

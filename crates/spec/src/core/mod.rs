@@ -47,8 +47,9 @@
 //! - *Queries.* A query in its slice is refused where its chain is not there, and given where its chain is ready. The
 //!   chain's tag has the query's tag in its low bits, `tlast` in [`Core::LAST_BIT`], and in [`Core::OUTSIDE_BIT`] whether
 //!   it is outside: a bit that no field has is 1, as it is where a coordinate is not less than the frame.
-//! - *Results.* Of the chains with a result, the first in the order from `turn` on gives it to the slice of results, where
-//!   that is ready; `turn` := the next chain. `turn` is 0 after `reset`.
+//! - *Results.* The chain `turn` gives its result, where it has one, to the slice of results, where that is ready. `turn` := the
+//!   next chain with a result in this clock, in the order from the one behind `turn` on; it stays where no other chain has
+//!   one. `turn` is 0 after `reset`.
 //! - *Under way* are the queries that were given to a chain and whose results have not left through `m_axis_results`.
 //! - *Counters and events* are a clock late: what happens in a clock is counted, and sets its event, at the end of the next
 //!   clock. Only [`CoreCounter::Clocks`] counts at once. The ways to the counters are long, and so are no part of the
