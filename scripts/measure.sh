@@ -73,6 +73,13 @@ for folder in hdl-out/*/; do
     target/release/photoncube run "$scene" --machine "$machine" --out "target/measured/$machine"
     cp "target/measured/$machine/run.json" "docs/measured/run-$machine.json"
 done
+# The area of chains, from which `fit` and `run` compute how many a device holds.
+chains=()
+for dimension in 4 5 6 7 8 9; do
+    chains+=(--machine "leaf-$dimension-local7-rgb6d-n4096")
+done
+target/release/photoncube synth "${chains[@]}" --flow ecp5 --json >target/measured/chains.json
+cp target/measured/chains.json docs/measured/
 for scene in cornell ring range; do
     target/release/photoncube fit "$scene" --json >"target/measured/fit-$scene.json"
     cp "target/measured/fit-$scene.json" docs/measured/

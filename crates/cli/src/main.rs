@@ -1,6 +1,7 @@
 //! `photoncube`: from a scene to a verified photon-mapping processor.
 
 mod args;
+mod chains;
 mod commands;
 mod core;
 mod digests;

@@ -7,12 +7,16 @@ mod text;
 use std::time::Instant;
 
 use anyhow::Result;
-use photoncube_render::{Engine, FieldNeed, Fit, FitOptions, Measurement, Removal, SceneFacts};
+use photoncube_render::{
+    Engine, FieldNeed, Fit, FitOptions, Measurement, Removal, Scene, SceneFacts, ViewOptions,
+    view_queries,
+};
 use serde::Serialize;
 
 use self::comparison::Compared;
 use self::left_out::LeftOut;
 use crate::args::FitArgs;
+use crate::chains::{self, ChainsChoice};
 use crate::failure::CheckFailed;
 use crate::fitted::{self, Choices, FormatRow, MachineChoice};
 use crate::hardware::PictureTime;
@@ -45,6 +49,8 @@ struct Report {
     machine: Option<MachineRow>,
     /// The fastest machine within the bound.
     fastest: Option<MachineRow>,
+    /// The cores for the scene, with the one that does the most queries a clock.
+    cores: Option<ChainsChoice>,
     /// The files of the smallest machine that were written; empty without `--emit`.
     emitted: Vec<String>,
     /// The command that runs the chosen machine.
@@ -89,6 +95,7 @@ pub fn execute(args: &FitArgs, json: bool) -> Result<()> {
         None => None,
     };
     let mut report = report(args, &options, &fit, choices.as_ref())?;
+    report.cores = cores(&scene, &options, &fit)?;
     if let (Some(out), Some(choices)) = (&args.emit, &choices) {
         machines::prepare(choices.smallest.machine)?;
         report.emitted = project::write(choices.smallest.machine, "--emit", out, scene.files())?;
@@ -133,12 +140,23 @@ fn report(
         },
         machine: smallest.map(MachineRow::of),
         fastest: fastest.map(MachineRow::of),
+        cores: None,
         photons_in_range_mean: photons_in_range_mean(fit)?,
         query_points: fit.bench.queries().len() as u64,
         emitted: Vec::new(),
         next: smallest.map(|choice| next(args, choice)),
         seconds: 0.0,
     })
+}
+
+/// The cores for the scene. A picture has more queries for each photon than a fit has, as many to a pixel as by default.
+fn cores(scene: &Scene, options: &FitOptions, fit: &Fit) -> Result<Option<ChainsChoice>> {
+    let view = ViewOptions {
+        samples_per_axis: ViewOptions::default().samples_per_axis,
+        ..options.bench.view
+    };
+    let (map, queries) = (&fit.bench.maps()[0], view_queries(scene, &view)?);
+    chains::choose(fit, options.noise_ratio, map, &queries)
 }
 
 /// The mean number of photons in range by the reference, over all queries and maps.

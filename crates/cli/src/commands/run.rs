@@ -14,6 +14,7 @@ use serde::Serialize;
 use self::sizing::Fitted;
 use super::verify::{verdict_table, verify_with_bar};
 use crate::args::RunArgs;
+use crate::chains::ChainsChoice;
 use crate::failure::CheckFailed;
 use crate::hardware::PictureTime;
 use crate::outputs::{self, Output};
@@ -333,5 +334,8 @@ fn fitted_line(fitted: &Fitted) -> String {
         row.prediction.error_over_noise,
         row.measurement.error_over_noise,
         fitted.noise_ratio,
-    )
+    ) + &fitted
+        .cores
+        .as_ref()
+        .map_or_else(String::new, ChainsChoice::text)
 }

@@ -1,6 +1,7 @@
 //! Prints the report of `fit` for people.
 
 use super::{Compared, MachineRow, RemovalRow, Report};
+use crate::chains::ChainsChoice;
 use crate::fitted::FormatRow;
 use crate::table;
 
@@ -27,6 +28,10 @@ pub fn text(report: &Report) -> String {
         text += &format!("fastest within the bound {}\n", machine_line(fastest));
         text += &format!("a picture is {} queries here\n", report.query_points);
     }
+    text += &report
+        .cores
+        .as_ref()
+        .map_or_else(String::new, ChainsChoice::text);
     for file in &report.emitted {
         text += &format!("wrote {file}\n");
     }

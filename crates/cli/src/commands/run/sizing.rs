@@ -6,6 +6,7 @@ use photoncube_spec::{Machine, PHOTON_FORMATS, PhotonFormat};
 use serde::Serialize;
 
 use crate::args::RunArgs;
+use crate::chains::{self, ChainsChoice};
 use crate::fitted::{self, FormatRow};
 use crate::stages::{Traced, view};
 
@@ -17,6 +18,8 @@ pub struct Fitted {
     /// The needed format; the machine may be wider.
     #[serde(flatten)]
     pub row: FormatRow,
+    /// The cores for the scene.
+    pub cores: Option<ChainsChoice>,
 }
 
 /// The given machine, or else the smallest machine for the scene's fit.
@@ -27,9 +30,11 @@ pub fn machine(args: &RunArgs, traced: &Traced) -> Result<(&'static Machine, Opt
     let options = options(args, traced)?;
     let fit = fitted::fit_with_bar(&traced.scene, &options)?;
     let (chosen, choices) = fitted::format_and_machines(&fit, &options)?;
+    let queries = view_queries(&traced.scene, &view(&args.picture))?;
     let fitted = Fitted {
         noise_ratio: options.noise_ratio,
         row: FormatRow::of(&chosen),
+        cores: chains::choose(&fit, options.noise_ratio, traced.map(), &queries)?,
     };
     Ok((choices.smallest.machine, Some(fitted)))
 }
