@@ -212,7 +212,6 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64(aclk, aresetn, s_axis_photons_t
     wire query_given_0;
     wire query_given_1;
     wire query_given_2;
-    wire query_last = query_word[97];
     wire query_is_outside = query_word[98];
     wire [1:0] query_chain = query_word[100:99];
     wire query_known = query_chain < 2'd3;
@@ -234,6 +233,13 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64(aclk, aresetn, s_axis_photons_t
     wire result_ready_0;
     wire [42:0] result_sums_0;
     wire [17:0] result_tag_0;
+    wire chain_query_valid_0;
+    wire chain_query_ready_0;
+    wire [98:0] query_0;
+    wire chain_result_valid_0;
+    wire chain_result_ready_0;
+    wire [42:0] chain_sums_0;
+    wire [17:0] chain_tag_0;
     wire [1:0] compared_0;
     wire [1:0] wanted_0;
     wire played_0;
@@ -244,14 +250,21 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64(aclk, aresetn, s_axis_photons_t
         .group_ready(group_ready_0), .group_last(group_last_0), .group_facing(group_facing_0), .group(group_0));
     wire query_valid_0 = query_valid & (query_chain == 2'd0);
     assign query_given_0 = query_valid_0 & query_ready_0;
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_place #(.WIDTH(99)) query_place_0(.clock(aclk), .reset(reset),
+        .in_valid(query_valid_0), .in_ready(query_ready_0), .in_word(query_word[98:0]),
+        .out_valid(chain_query_valid_0), .out_ready(chain_query_ready_0), .out_word(query_0));
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_place #(.WIDTH(61)) result_place_0(.clock(aclk), .reset(reset),
+        .in_valid(chain_result_valid_0), .in_ready(chain_result_ready_0),
+        .in_word({chain_tag_0, chain_sums_0}), .out_valid(result_valid_0),
+        .out_ready(result_ready_0), .out_word({result_tag_0, result_sums_0}));
     photoncube_leaf_5_local7_rgb6d_n64 chain_0(.clock(aclk), .reset(reset),
-        .query_valid(query_valid_0), .query_ready(query_ready_0), .query_last(query_last),
-        .query_tag({query_is_outside, query_last, query_word[63:48]}),
-        .query_x(query_word[8:0]),
-        .query_y(query_word[24:16]),
-        .query_z(query_word[40:32]),
-        .query_facings(query_word[95:64]),
-        .query_release(query_word[96]),
+        .query_valid(chain_query_valid_0), .query_ready(chain_query_ready_0), .query_last(query_0[97]),
+        .query_tag({query_0[98:97], query_0[63:48]}),
+        .query_x(query_0[8:0]),
+        .query_y(query_0[24:16]),
+        .query_z(query_0[40:32]),
+        .query_facings(query_0[95:64]),
+        .query_release(query_0[96]),
         .group_valid(group_valid_0), .group_ready(group_ready_0), .group_last(group_last_0), .group_facing(group_facing_0),
         .photon_present_0(group_0[0]),
         .photon_x_0(group_0[9:1]),
@@ -281,11 +294,11 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64(aclk, aresetn, s_axis_photons_t
         .photon_red_3(group_0[171:166]),
         .photon_green_3(group_0[177:172]),
         .photon_blue_3(group_0[183:178]),
-        .result_red(result_sums_0[11:0]),
-        .result_green(result_sums_0[23:12]),
-        .result_blue(result_sums_0[35:24]),
-        .result_count(result_sums_0[42:36]),
-        .result_valid(result_valid_0), .result_ready(result_ready_0), .result_tag(result_tag_0),
+        .result_red(chain_sums_0[11:0]),
+        .result_green(chain_sums_0[23:12]),
+        .result_blue(chain_sums_0[35:24]),
+        .result_count(chain_sums_0[42:36]),
+        .result_valid(chain_result_valid_0), .result_ready(chain_result_ready_0), .result_tag(chain_tag_0),
         .compared(compared_0), .wanted(wanted_0), .played(played_0));
 
     // Chain 1.
@@ -298,6 +311,13 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64(aclk, aresetn, s_axis_photons_t
     wire result_ready_1;
     wire [42:0] result_sums_1;
     wire [17:0] result_tag_1;
+    wire chain_query_valid_1;
+    wire chain_query_ready_1;
+    wire [98:0] query_1;
+    wire chain_result_valid_1;
+    wire chain_result_ready_1;
+    wire [42:0] chain_sums_1;
+    wire [17:0] chain_tag_1;
     wire [1:0] compared_1;
     wire [1:0] wanted_1;
     wire played_1;
@@ -308,14 +328,21 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64(aclk, aresetn, s_axis_photons_t
         .group_ready(group_ready_1), .group_last(group_last_1), .group_facing(group_facing_1), .group(group_1));
     wire query_valid_1 = query_valid & (query_chain == 2'd1);
     assign query_given_1 = query_valid_1 & query_ready_1;
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_place #(.WIDTH(99)) query_place_1(.clock(aclk), .reset(reset),
+        .in_valid(query_valid_1), .in_ready(query_ready_1), .in_word(query_word[98:0]),
+        .out_valid(chain_query_valid_1), .out_ready(chain_query_ready_1), .out_word(query_1));
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_place #(.WIDTH(61)) result_place_1(.clock(aclk), .reset(reset),
+        .in_valid(chain_result_valid_1), .in_ready(chain_result_ready_1),
+        .in_word({chain_tag_1, chain_sums_1}), .out_valid(result_valid_1),
+        .out_ready(result_ready_1), .out_word({result_tag_1, result_sums_1}));
     photoncube_leaf_5_local7_rgb6d_n64 chain_1(.clock(aclk), .reset(reset),
-        .query_valid(query_valid_1), .query_ready(query_ready_1), .query_last(query_last),
-        .query_tag({query_is_outside, query_last, query_word[63:48]}),
-        .query_x(query_word[8:0]),
-        .query_y(query_word[24:16]),
-        .query_z(query_word[40:32]),
-        .query_facings(query_word[95:64]),
-        .query_release(query_word[96]),
+        .query_valid(chain_query_valid_1), .query_ready(chain_query_ready_1), .query_last(query_1[97]),
+        .query_tag({query_1[98:97], query_1[63:48]}),
+        .query_x(query_1[8:0]),
+        .query_y(query_1[24:16]),
+        .query_z(query_1[40:32]),
+        .query_facings(query_1[95:64]),
+        .query_release(query_1[96]),
         .group_valid(group_valid_1), .group_ready(group_ready_1), .group_last(group_last_1), .group_facing(group_facing_1),
         .photon_present_0(group_1[0]),
         .photon_x_0(group_1[9:1]),
@@ -345,11 +372,11 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64(aclk, aresetn, s_axis_photons_t
         .photon_red_3(group_1[171:166]),
         .photon_green_3(group_1[177:172]),
         .photon_blue_3(group_1[183:178]),
-        .result_red(result_sums_1[11:0]),
-        .result_green(result_sums_1[23:12]),
-        .result_blue(result_sums_1[35:24]),
-        .result_count(result_sums_1[42:36]),
-        .result_valid(result_valid_1), .result_ready(result_ready_1), .result_tag(result_tag_1),
+        .result_red(chain_sums_1[11:0]),
+        .result_green(chain_sums_1[23:12]),
+        .result_blue(chain_sums_1[35:24]),
+        .result_count(chain_sums_1[42:36]),
+        .result_valid(chain_result_valid_1), .result_ready(chain_result_ready_1), .result_tag(chain_tag_1),
         .compared(compared_1), .wanted(wanted_1), .played(played_1));
 
     // Chain 2.
@@ -362,6 +389,13 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64(aclk, aresetn, s_axis_photons_t
     wire result_ready_2;
     wire [42:0] result_sums_2;
     wire [17:0] result_tag_2;
+    wire chain_query_valid_2;
+    wire chain_query_ready_2;
+    wire [98:0] query_2;
+    wire chain_result_valid_2;
+    wire chain_result_ready_2;
+    wire [42:0] chain_sums_2;
+    wire [17:0] chain_tag_2;
     wire [1:0] compared_2;
     wire [1:0] wanted_2;
     wire played_2;
@@ -372,14 +406,21 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64(aclk, aresetn, s_axis_photons_t
         .group_ready(group_ready_2), .group_last(group_last_2), .group_facing(group_facing_2), .group(group_2));
     wire query_valid_2 = query_valid & (query_chain == 2'd2);
     assign query_given_2 = query_valid_2 & query_ready_2;
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_place #(.WIDTH(99)) query_place_2(.clock(aclk), .reset(reset),
+        .in_valid(query_valid_2), .in_ready(query_ready_2), .in_word(query_word[98:0]),
+        .out_valid(chain_query_valid_2), .out_ready(chain_query_ready_2), .out_word(query_2));
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_place #(.WIDTH(61)) result_place_2(.clock(aclk), .reset(reset),
+        .in_valid(chain_result_valid_2), .in_ready(chain_result_ready_2),
+        .in_word({chain_tag_2, chain_sums_2}), .out_valid(result_valid_2),
+        .out_ready(result_ready_2), .out_word({result_tag_2, result_sums_2}));
     photoncube_leaf_5_local7_rgb6d_n64 chain_2(.clock(aclk), .reset(reset),
-        .query_valid(query_valid_2), .query_ready(query_ready_2), .query_last(query_last),
-        .query_tag({query_is_outside, query_last, query_word[63:48]}),
-        .query_x(query_word[8:0]),
-        .query_y(query_word[24:16]),
-        .query_z(query_word[40:32]),
-        .query_facings(query_word[95:64]),
-        .query_release(query_word[96]),
+        .query_valid(chain_query_valid_2), .query_ready(chain_query_ready_2), .query_last(query_2[97]),
+        .query_tag({query_2[98:97], query_2[63:48]}),
+        .query_x(query_2[8:0]),
+        .query_y(query_2[24:16]),
+        .query_z(query_2[40:32]),
+        .query_facings(query_2[95:64]),
+        .query_release(query_2[96]),
         .group_valid(group_valid_2), .group_ready(group_ready_2), .group_last(group_last_2), .group_facing(group_facing_2),
         .photon_present_0(group_2[0]),
         .photon_x_0(group_2[9:1]),
@@ -409,11 +450,11 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64(aclk, aresetn, s_axis_photons_t
         .photon_red_3(group_2[171:166]),
         .photon_green_3(group_2[177:172]),
         .photon_blue_3(group_2[183:178]),
-        .result_red(result_sums_2[11:0]),
-        .result_green(result_sums_2[23:12]),
-        .result_blue(result_sums_2[35:24]),
-        .result_count(result_sums_2[42:36]),
-        .result_valid(result_valid_2), .result_ready(result_ready_2), .result_tag(result_tag_2),
+        .result_red(chain_sums_2[11:0]),
+        .result_green(chain_sums_2[23:12]),
+        .result_blue(chain_sums_2[35:24]),
+        .result_count(chain_sums_2[42:36]),
+        .result_valid(chain_result_valid_2), .result_ready(chain_result_ready_2), .result_tag(chain_tag_2),
         .compared(compared_2), .wanted(wanted_2), .played(played_2));
 
     // Results: one chain after the other, then a slice.
@@ -969,6 +1010,29 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_slice(clock, reset, in_valid, i
             first_full <= 1'b0;
             second_full <= 1'b0;
         end
+    end
+endmodule
+
+// A place for one word. Its ready depends on its own state alone, so no path leads through it.
+module photoncube_core_3_leaf_5_local7_rgb6d_n64_place(clock, reset, in_valid, in_ready, in_word, out_valid, out_ready, out_word);
+    parameter WIDTH = 1;
+    input wire clock;
+    input wire reset;
+    input wire in_valid;
+    output wire in_ready;
+    input wire [WIDTH - 1:0] in_word;
+    output wire out_valid;
+    input wire out_ready;
+    output wire [WIDTH - 1:0] out_word;
+    reg full;
+    reg [WIDTH - 1:0] word;
+    initial full = 1'b0;
+    assign in_ready = ~full & ~reset;
+    assign out_valid = full;
+    assign out_word = word;
+    always @(posedge clock) begin
+        full <= ~reset & (full ? ~out_ready : in_valid);
+        if (~full) word <= in_word;
     end
 endmodule
 

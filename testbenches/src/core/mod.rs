@@ -227,7 +227,7 @@ fn compare(
 type CoreFault = (&'static str, &'static str, &'static str, &'static str);
 
 /// Faults that a verification of a core must find.
-const FAULTS: [CoreFault; 6] = [
+const FAULTS: [CoreFault; 7] = [
     (
         "a leaf is given where its predecessor's second group waits",
         "photon_port",
@@ -245,6 +245,12 @@ const FAULTS: [CoreFault; 6] = [
         "slice",
         "assign in_ready = ~second_full & ~reset;",
         "assign in_ready = ~reset;",
+    ),
+    (
+        "a word in a place is overwritten",
+        "place",
+        "if (~full) word <= in_word;",
+        "word <= in_word;",
     ),
     (
         "the chains do not take turns",

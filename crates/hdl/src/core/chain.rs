@@ -18,10 +18,13 @@ pub(super) fn chain_text(
         group,
         facing,
         place,
+        query,
         sums,
         ..
     } = *sizes;
     let bits = core.chain_bits();
+    let top = core.top();
+    let tag = streams.queries.field("tag").low;
     let mut text = format!(
         "\n    // Chain {chain}.\n    \
          wire group_valid_{chain};\n    \
@@ -33,29 +36,45 @@ pub(super) fn chain_text(
          wire result_ready_{chain};\n    \
          wire {}result_sums_{chain};\n    \
          wire {}result_tag_{chain};\n    \
+         wire chain_query_valid_{chain};\n    \
+         wire chain_query_ready_{chain};\n    \
+         wire {}query_{chain};\n    \
+         wire chain_result_valid_{chain};\n    \
+         wire chain_result_ready_{chain};\n    \
+         wire {}chain_sums_{chain};\n    \
+         wire {}chain_tag_{chain};\n    \
          wire [1:0] compared_{chain};\n    \
          wire [1:0] wanted_{chain};\n    \
          wire played_{chain};\n    \
-         {}_photon_port #(.GROUP({group}), .FACING({facing}), .PLACE({place})) photon_port_{chain}(.clock(aclk), .reset(reset),\n        \
+         {top}_photon_port #(.GROUP({group}), .FACING({facing}), .PLACE({place})) photon_port_{chain}(.clock(aclk), .reset(reset),\n        \
          .leaf_valid(leaf_valid & (leaf_chain == {bits}'d{chain})), .leaf_last(leaf_last), .leaf_has_second(leaf_has_second),\n        \
          .leaf(leaf), .facing(leaf_facing), .leaf_ready(leaf_ready_{chain}), .leaf_given(leaf_given_{chain}),\n        \
          .leaf_refused(leaf_refused_{chain}), .set_too_long(set_too_long_{chain}), .group_valid(group_valid_{chain}),\n        \
          .group_ready(group_ready_{chain}), .group_last(group_last_{chain}), .group_facing(group_facing_{chain}), .group(group_{chain}));\n    \
          wire query_valid_{chain} = query_valid & (query_chain == {bits}'d{chain});\n    \
          assign query_given_{chain} = query_valid_{chain} & query_ready_{chain};\n    \
+         {top}_place #(.WIDTH({})) query_place_{chain}(.clock(aclk), .reset(reset),\n        \
+         .in_valid(query_valid_{chain}), .in_ready(query_ready_{chain}), .in_word(query_word[{}:0]),\n        \
+         .out_valid(chain_query_valid_{chain}), .out_ready(chain_query_ready_{chain}), .out_word(query_{chain}));\n    \
+         {top}_place #(.WIDTH({})) result_place_{chain}(.clock(aclk), .reset(reset),\n        \
+         .in_valid(chain_result_valid_{chain}), .in_ready(chain_result_ready_{chain}),\n        \
+         .in_word({{chain_tag_{chain}, chain_sums_{chain}}}), .out_valid(result_valid_{chain}),\n        \
+         .out_ready(result_ready_{chain}), .out_word({{result_tag_{chain}, result_sums_{chain}}}));\n    \
          {machine} chain_{chain}(.clock(aclk), .reset(reset),\n        \
-         .query_valid(query_valid_{chain}), .query_ready(query_ready_{chain}), .query_last(query_last),\n        \
-         .query_tag({{query_is_outside, query_last, {}}}),\n",
+         .query_valid(chain_query_valid_{chain}), .query_ready(chain_query_ready_{chain}), .query_last(query_{chain}[{query}]),\n        \
+         .query_tag({{query_{chain}[{}:{query}], {}}}),\n",
         range(facing),
         range(group),
         range(sums),
         range(Leaf::TAG_BITS),
-        core.top(),
-        part(
-            streams.queries.field("tag").low,
-            Core::TAG_BITS,
-            "query_word"
-        ),
+        range(query + 2),
+        range(sums),
+        range(Leaf::TAG_BITS),
+        query + 2,
+        query + 1,
+        sums + Leaf::TAG_BITS,
+        query + 1,
+        part(tag, Core::TAG_BITS, &format!("query_{chain}")),
     );
     for (pin, field) in [
         ("query_x", "x"),
@@ -68,7 +87,7 @@ pub(super) fn chain_text(
         let _ = writeln!(
             text,
             "        .{pin}({}),",
-            part(field.low, field.width, "query_word")
+            part(field.low, field.width, &format!("query_{chain}"))
         );
     }
     let _ = writeln!(
@@ -98,11 +117,11 @@ pub(super) fn chain_text(
             text,
             "        .result_{}({}),",
             field.name,
-            part(field.low, field.width, &format!("result_sums_{chain}"))
+            part(field.low, field.width, &format!("chain_sums_{chain}"))
         );
     }
     text + &format!(
-        "        .result_valid(result_valid_{chain}), .result_ready(result_ready_{chain}), .result_tag(result_tag_{chain}),\n        \
+        "        .result_valid(chain_result_valid_{chain}), .result_ready(chain_result_ready_{chain}), .result_tag(chain_tag_{chain}),\n        \
          .compared(compared_{chain}), .wanted(wanted_{chain}), .played(played_{chain}));\n"
     )
 }

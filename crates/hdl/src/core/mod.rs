@@ -56,7 +56,11 @@ const NO_LOOPS: &str = "\
 ";
 
 /// The modules that do not depend on the core but by parameters.
-const COMMON: [&str; 2] = [include_str!("slice.v"), include_str!("photon_port.v")];
+const COMMON: [&str; 3] = [
+    include_str!("slice.v"),
+    include_str!("place.v"),
+    include_str!("photon_port.v"),
+];
 
 /// Emits the Verilog of a core.
 ///

@@ -255,8 +255,7 @@ fn queries(core: &Core, word: &StreamWord, sizes: &Sizes) -> String {
     }
     let _ = write!(
         text,
-        "    wire query_last = query_word[{query}];\n    \
-         wire query_is_outside = query_word[{}];\n    \
+        "    wire query_is_outside = query_word[{}];\n    \
          wire {}query_chain = query_word[{}:{}];\n    \
          wire query_known = {};\n    \
          assign query_ready = ~query_known\n        | {};\n    \

@@ -13,7 +13,7 @@ use crate::golden::GoldenMachine;
 use crate::leaf::LeafMachine;
 use port::{Fate, LeafWord, PhotonPort};
 use registers::{Happens, InChains, Registers};
-use slice::Slice;
+use slice::Places;
 
 /// A core with its state. It starts in the power-up state, in which all registers have their reset values.
 #[derive(Clone, Debug)]
@@ -22,9 +22,13 @@ pub struct CoreModel {
     streams: CoreStreams,
     digest: u64,
     radius_sq: u32,
-    photons: Slice<LeafWord>,
-    queries: Slice<QueryIn>,
-    results: Slice<CoreResult>,
+    photons: Places<LeafWord, 2>,
+    queries: Places<QueryIn, 2>,
+    results: Places<CoreResult, 2>,
+    /// In front of each chain.
+    to_chains: Vec<Places<QueryIn, 1>>,
+    /// Behind each chain.
+    from_chains: Vec<Places<CoreResult, 1>>,
     ports: Vec<PhotonPort>,
     chains: Vec<LeafMachine>,
     /// The chain that gives its result, if it has one.
@@ -62,9 +66,11 @@ impl CoreModel {
             streams: CoreStreams::of(core),
             digest,
             radius_sq: radius_sq.expect("the queries of a leaf machine have the format's radius"),
-            photons: Slice::default(),
-            queries: Slice::default(),
-            results: Slice::default(),
+            photons: Places::default(),
+            queries: Places::default(),
+            results: Places::default(),
+            to_chains: vec![Places::default(); core.chains as usize],
+            from_chains: vec![Places::default(); core.chains as usize],
             ports: vec![PhotonPort::default(); core.chains as usize],
             chains: vec![LeafMachine::new(core.machine); core.chains as usize],
             turn: 0,
@@ -128,7 +134,7 @@ impl CoreModel {
     pub fn clock(&mut self, inputs: &CoreInputs) {
         let outputs = self.outputs(inputs);
         let reset = self.resets(inputs);
-        let mut to_chains: Vec<_> = (0..self.chains.len())
+        let to_chains: Vec<_> = (0..self.chains.len())
             .map(|chain| self.chain_inputs(chain, reset))
             .collect();
         let from_chains: Vec<_> = self
@@ -137,11 +143,6 @@ impl CoreModel {
             .zip(&to_chains)
             .map(|(chain, inputs)| chain.outputs(inputs))
             .collect();
-        let gives = from_chains[self.turn].result_valid && self.results.is_ready() && !reset;
-        let chosen = gives.then_some(self.turn);
-        if let Some(chain) = chosen {
-            to_chains[chain].result_ready = true;
-        }
         let happens = self.happens(inputs, &outputs, &from_chains);
         let leaf_moves = happens.leaf_given || happens.leaf_refused;
         let query_moves = happens.query_given || happens.query_refused;
@@ -154,13 +155,8 @@ impl CoreModel {
         for (chain, inputs) in self.chains.iter_mut().zip(&to_chains) {
             chain.clock(inputs);
         }
-        let result = chosen.map(|chain| result_of(chain, &from_chains[chain]));
-        self.results.clock(happens.result_moves, result, reset);
-        self.turn = if reset {
-            0
-        } else {
-            self.next_turn(&from_chains)
-        };
+        self.results(&from_chains, happens.result_moves, reset);
+        self.queries_to_chains(&from_chains, happens.query_given, reset);
         let leaf = happens
             .photon_moves
             .then(|| self.leaf(&inputs.photons.beat));
@@ -182,8 +178,7 @@ impl CoreModel {
     }
 
     fn chain_inputs(&self, chain: usize, reset: bool) -> Inputs {
-        let query = self.queries.front();
-        let query = query.filter(|query| query.chain as usize == chain);
+        let query = self.to_chains[chain].front();
         let group = self.ports[chain].offers(self.leaf_for(chain));
         let word = query.map_or_else(QueryWord::default, |query| query.word);
         let flags = query.map_or(0, |query| {
@@ -207,15 +202,40 @@ impl CoreModel {
                 lanes: vec![Lane::default(); Spatial::LANES],
                 ..Group::default()
             }),
-            result_ready: false,
+            result_ready: self.from_chains[chain].is_ready() && !reset,
         }
     }
 
+    /// The queries: from the slice to the place in front of a chain, and from these places to the chains.
+    fn queries_to_chains(&mut self, from_chains: &[Outputs], given: bool, reset: bool) {
+        let query = self.queries.front().copied().filter(|_| given);
+        for (chain, (place, outputs)) in self.to_chains.iter_mut().zip(from_chains).enumerate() {
+            let moves = place.front().is_some() && outputs.query_ready;
+            let query = query.filter(|query| query.chain as usize == chain);
+            place.clock(moves, query, reset);
+        }
+    }
+
+    /// The results: from the chains to their places, and from the place of the chain whose turn it is to the slice.
+    fn results(&mut self, from_chains: &[Outputs], result_moves: bool, reset: bool) {
+        let result = self.from_chains[self.turn].front().copied();
+        let result = result.filter(|_| self.results.is_ready() && !reset);
+        let next = self.next_turn();
+        for (chain, (place, outputs)) in self.from_chains.iter_mut().zip(from_chains).enumerate() {
+            let found = (outputs.result_valid && place.is_ready() && !reset)
+                .then(|| result_of(chain, outputs));
+            let moves = result.is_some() && chain == self.turn;
+            place.clock(moves, found, reset);
+        }
+        self.results.clock(result_moves, result, reset);
+        self.turn = if reset { 0 } else { next };
+    }
+
     /// The chain that has the turn in the next clock.
-    fn next_turn(&self, from_chains: &[Outputs]) -> usize {
-        let others = (self.turn + 1..from_chains.len()).chain(0..self.turn);
+    fn next_turn(&self) -> usize {
+        let others = (self.turn + 1..self.chains.len()).chain(0..self.turn);
         let mut others = others.into_iter();
-        let next = others.find(|&chain| from_chains[chain].result_valid);
+        let next = others.find(|&chain| self.from_chains[chain].front().is_some());
         next.unwrap_or(self.turn)
     }
 
@@ -237,8 +257,8 @@ impl CoreModel {
         let query = self.queries.front();
         let query_refused = query.is_some_and(|query| query.chain >= self.core.chains);
         let query_given = query.is_some_and(|query| {
-            let chain = from_chains.get(query.chain as usize);
-            chain.is_some_and(|chain| chain.query_ready)
+            let place = self.to_chains.get(query.chain as usize);
+            place.is_some_and(Places::is_ready) && !self.resets(inputs)
         });
         let result = self.results.front();
         let result_moves = result.is_some() && inputs.result_ready;

@@ -1,14 +1,14 @@
-//! A slice of a stream.
+//! The places of words in a stream.
 
 use std::collections::VecDeque;
 
-/// The words in a slice, the first place first; at most two.
+/// The words in several places, the first place first: two places in a slice, one in front of and behind a chain.
 #[derive(Clone, Debug)]
-pub(super) struct Slice<W> {
+pub(super) struct Places<W, const N: usize> {
     words: VecDeque<W>,
 }
 
-impl<W> Default for Slice<W> {
+impl<W, const N: usize> Default for Places<W, N> {
     fn default() -> Self {
         Self {
             words: VecDeque::new(),
@@ -16,15 +16,13 @@ impl<W> Default for Slice<W> {
     }
 }
 
-impl<W> Slice<W> {
-    const PLACES: usize = 2;
-
-    /// The slice takes a word, unless there is a reset.
+impl<W, const N: usize> Places<W, N> {
+    /// A place is empty, and takes a word unless there is a reset.
     pub(super) fn is_ready(&self) -> bool {
-        self.words.len() < Self::PLACES
+        self.words.len() < N
     }
 
-    /// The word that the slice gives.
+    /// The word that is given.
     pub(super) fn front(&self) -> Option<&W> {
         self.words.front()
     }

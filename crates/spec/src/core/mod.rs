@@ -38,19 +38,21 @@
 //!   valid where its first place is full. A word that moves in goes to the first place where that is empty or its word
 //!   moves out and the second place is empty, else to the second. Where the first place's word moves out, the second's
 //!   follows. A `reset` empties both, so a result that waits on `m_axis_results` is then taken back.
+//! - *Places.* In front of each chain is a place for one query, and behind each chain a place for one result. Its ready is 1
+//!   where it is empty and `reset` is 0, its valid where it is full. A `reset` empties it. So no ready of a chain is a part of
+//!   a long path.
 //! - *Leaves.* A leaf in the photon slice is *refused* where its chain is not there or drops. It is *given* where its chain
 //!   has no second group and is ready; then its first group is. A leaf has a second group unless it has `tlast` and its
 //!   last four photons are absent. That is held for the chain, and given in the first of the next clocks in which the
 //!   chain is ready. The chain's `group_last` is 1 with the last group of a word with `tlast`. The number of the leaf in
 //!   its set is counted for each chain. Where the last leaf of a full set is given without `tlast`, the chain drops: up to
 //!   and with the next word with `tlast`.
-//! - *Queries.* A query in its slice is refused where its chain is not there, and given where its chain is ready. The
-//!   chain's tag has the query's tag in its low bits, `tlast` in [`Core::LAST_BIT`], and in [`Core::OUTSIDE_BIT`] whether
+//! - *Queries.* A query in its slice is refused where its chain is not there, and given where the place in front of its
+//!   chain is ready. The chain's tag has the query's tag in its low bits, `tlast` in [`Core::LAST_BIT`], and in [`Core::OUTSIDE_BIT`] whether
 //!   it is outside: a bit that no field has is 1, as it is where a coordinate is not less than the frame.
-//! - *Results.* The chain `turn` gives its result, where it has one, to the slice of results, where that is ready. `turn` := the
-//!   next chain with a result in this clock, in the order from the one behind `turn` on; it stays where no other chain has
-//!   one. `turn` is 0 after `reset`.
-//! - *Under way* are the queries that were given to a chain and whose results have not left through `m_axis_results`.
+//! - *Results.* The place behind the chain `turn` gives its result to the slice of results. `turn` := the next chain whose
+//!   place is full, in the order from the one behind `turn` on; it stays where there is no other. `turn` is 0 after `reset`.
+//! - *Under way* are the queries that were given and whose results have not left through `m_axis_results`.
 //! - *Counters and events* are a clock late: what happens in a clock is counted, and sets its event, at the end of the next
 //!   clock. Only [`CoreCounter::Clocks`] counts at once. The ways to the counters are long, and so are no part of the
 //!   clock's slowest paths. `aresetn` = 0 forgets what happened in the clock before; a restart does not.
