@@ -2,6 +2,7 @@
 
 use std::fs;
 use std::path::Path;
+use std::sync::Mutex;
 
 use photoncube_spec::find_machine;
 use serde_json::Value;
@@ -145,10 +146,22 @@ fn fit_and_run_take_a_machine_of_exactly_the_fitted_format() {
     assert_eq!(run["fitted"], Value::Null);
 }
 
+/// The engine of both pictures, whose simulation is built once.
+const CORE: [&str; 5] = [
+    "core",
+    "--machine",
+    "leaf-6-local7-rgb6d-n4096",
+    "--chains",
+    "2",
+];
+/// Held while a picture is made, so that the second finds the simulation built.
+static CORE_IS_BUILT: Mutex<()> = Mutex::new(());
+
 /// A picture through the emitted Verilog of a core, from its ports to the pixels, pixel by pixel that of the direct gather.
 #[test]
 #[ignore = "needs Verilator: scripts/setup.sh installs it"]
 fn the_emitted_verilog_of_a_core_renders_a_picture() {
+    let _built = CORE_IS_BUILT.lock().unwrap();
     let folder = tempfile::tempdir().unwrap();
     let picture = |name: &str| folder.path().join(name).display().to_string();
     let render = |output: &str, engine: &[&str]| {
@@ -164,16 +177,7 @@ fn the_emitted_verilog_of_a_core_renders_a_picture() {
         json(&[&words[..], &[output, "--engine"], engine].concat())
     };
     let (by_verilog, by_gather) = (picture("verilog.exr"), picture("gather.exr"));
-    let report = render(
-        &by_verilog,
-        &[
-            "core",
-            "--machine",
-            "leaf-6-local7-rgb6d-n4096",
-            "--chains",
-            "2",
-        ],
-    );
+    let report = render(&by_verilog, &CORE);
     render(&by_gather, &["format", "--format", "local7-rgb6d-n4096"]);
     assert_eq!(fs::read(by_verilog).unwrap(), fs::read(by_gather).unwrap());
     let core = &report["core"];
@@ -186,6 +190,7 @@ fn the_emitted_verilog_of_a_core_renders_a_picture() {
 #[test]
 #[ignore = "needs Verilator: scripts/setup.sh installs it"]
 fn the_emitted_verilog_of_a_core_renders_progressive_passes() {
+    let _built = CORE_IS_BUILT.lock().unwrap();
     let folder = tempfile::tempdir().unwrap();
     let picture = |name: &str| folder.path().join(name).display().to_string();
     let passes = |output: &str, engine: &[&str]| {
@@ -203,10 +208,7 @@ fn the_emitted_verilog_of_a_core_renders_progressive_passes() {
         json(&[&words[..], &[output, "--engine"], engine].concat())
     };
     let (by_verilog, by_gather) = (picture("verilog.exr"), picture("gather.exr"));
-    let report = passes(
-        &by_verilog,
-        &["core", "--machine", "leaf-6-local7-rgb6d-n4096"],
-    );
+    let report = passes(&by_verilog, &CORE);
     passes(&by_gather, &["format", "--format", "local7-rgb6d-n4096"]);
     assert_eq!(fs::read(by_verilog).unwrap(), fs::read(by_gather).unwrap());
     assert!(report["core"]["query_words"].as_u64() > Some(0));
