@@ -108,7 +108,16 @@ fn the_files_of_a_core_are_written_and_checked() {
     photoncube(&generate).assert().success();
     let top = "photoncube_core_2_leaf_4_local7_rgb6d_n64";
     let written = folder.path().join("core-2-leaf-4-local7-rgb6d-n64");
-    for ending in [".v", "_ecp5.v", ".rdl", ".streams.json", ".ys", ".qsf"] {
+    for ending in [
+        ".v",
+        "_ecp5.v",
+        "_tb.v",
+        ".rdl",
+        ".streams.json",
+        "_hw.tcl",
+        ".ys",
+        ".qsf",
+    ] {
         let file = written.join(format!("{top}{ending}"));
         assert!(file.exists(), "{} is missing", file.display());
     }
