@@ -61,6 +61,7 @@ fn streams(core: &Core, digest: u64) -> Result<String> {
         "queries": word(&streams.queries),
         "results": word(&streams.results),
         "registers": registers,
+        "address_bits": Core::ADDRESS_BITS,
     });
     Ok(serde_json::to_string_pretty(&text)? + "\n")
 }
