@@ -37,7 +37,7 @@ ENABLE = "interrupt_enable"
 COUNTERS = ("leaves_read", "queries_read", "results", "photons_in_range", "leaves_compared", "leaves_wanted", "groups_played")
 IDENTITY = int.from_bytes(b"PCUB", "big")
 # Clocks and seconds after which the simulation gives up.
-MOST_CLOCKS = 20000
+MOST_CLOCKS = 4000
 MOST_SECONDS = 300
 BENCH = """\
 module bench;
@@ -56,7 +56,8 @@ class Player(Module):
     def __init__(self, sink: stream.Endpoint, word: Word, beats: list[Beat]) -> None:
         signals = [getattr(sink, name) for name in word.fields] + [sink.chain, sink.last]
         values = [pack(word, beat, len(sink.chain)) for beat in beats]
-        self.specials.memory = memory = Memory(len(Cat(*signals)), len(values), init=values)
+        # A word more, which is on the pins behind the last.
+        self.specials.memory = memory = Memory(len(Cat(*signals)), len(values) + 1, init=[*values, 0])
         port = memory.get_port(async_read=True)
         self.specials += port
         place, rest = Signal(max=len(values) + 1), Signal(2)
