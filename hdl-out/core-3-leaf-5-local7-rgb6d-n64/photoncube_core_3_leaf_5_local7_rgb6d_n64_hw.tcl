@@ -1,6 +1,6 @@
 # The component core-3-leaf-5-local7-rgb6d-n64 for Intel's Platform Designer, which finds this file by its name on its search path.
 # Written by photoncube 0.1.0, `photoncube generate --machine leaf-5-local7-rgb6d-n64 --chains 3`; do not edit.
-package require qsys
+package require -exact qsys 16.1
 
 set_module_property NAME photoncube_core_3_leaf_5_local7_rgb6d_n64
 set_module_property VERSION 0.1.0

@@ -3,7 +3,7 @@
 set top $::env(TOP)
 set errors {}
 proc fault {text} { lappend ::errors $text }
-package provide qsys 1.0
+package provide qsys 16.1
 
 # Each type of interface with its roles at the side `end`: the direction, the width (0 for any), and whether the role must be there.
 array set roles {

@@ -85,7 +85,7 @@ fn generated_files_are_checked_byte_for_byte() {
     let out = folder.path().to_str().unwrap();
     let generate = ["generate", "--machine", "paper", "--out", out];
     let check = ["generate", "--machine", "paper", "--out", out, "--check"];
-    assert_eq!(json(&generate)["files"].as_array().unwrap().len(), 5);
+    assert_eq!(json(&generate)["files"].as_array().unwrap().len(), 6);
     photoncube(&check).assert().success();
 
     let verilog = folder.path().join("paper/photoncube_paper.v");

@@ -123,7 +123,7 @@ pub fn text(core: &Core) -> String {
     format!(
         "# The component {name} for Intel's Platform Designer, which finds this file by its name on its search path.\n\
          # Written by photoncube {version}, `photoncube generate --machine {machine} --chains {chains}`; do not edit.\n\
-         package require qsys\n\
+         package require -exact qsys 16.1\n\
          \n\
          set_module_property NAME {top}\n\
          set_module_property VERSION {version}\n\

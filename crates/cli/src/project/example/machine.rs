@@ -262,6 +262,20 @@ mod tests {
     }
 
     #[test]
+    fn machines_of_the_smallest_and_largest_formats_have_an_example() {
+        for name in [
+            "sequential-local4-mono1-n1",
+            "stream-local12-rgb16-n2",
+            "tile-6-local4x2-rgb4e3-n3",
+            "tile-10-local9-mono8-n65536",
+            "leaf-4-local5-rgb2-n8",
+        ] {
+            let text = machine_example(find_machine(name).unwrap()).unwrap();
+            assert!(text.contains(" results[0] = {"), "{name}");
+        }
+    }
+
+    #[test]
     fn a_set_is_played_twice_where_it_is_kept() {
         let batches = |name| {
             let sets = sets(find_machine(name).unwrap()).unwrap();

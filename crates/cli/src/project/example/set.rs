@@ -6,9 +6,9 @@ use photoncube_spec::{Machine, Photon, Query, Sums, Widths};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
-/// The photons of a set. No number of lanes divides it, so the last group has absent photons. Of a core's two leaves, the second has
-/// one photon.
-const PHOTONS: usize = 9;
+/// The photons of a set, if the sums hold as many. No number of lanes divides it, so the last group has absent photons. Of a core's
+/// two leaves, the second has one photon.
+const PHOTONS: u64 = 9;
 /// The sets that are drawn before the search for one ends.
 const ATTEMPTS: u64 = 10_000;
 
@@ -20,7 +20,8 @@ pub(super) struct Set {
 }
 
 impl Set {
-    /// The set of a number, with so many queries in each batch. Each query has photons in range and photons out of range.
+    /// The set of a number, with so many queries in each batch. Each query has photons in range and, of several photons, some out of
+    /// range.
     ///
     /// # Errors
     /// The numbers of the machine are not legal, or have no such set.
@@ -39,7 +40,8 @@ impl Set {
     }
 
     fn draw(machine: &Machine, batches: &[usize], rng: &mut Pcg64Mcg) -> Result<Self> {
-        let photons: Vec<_> = (0..PHOTONS).map(|_| photon(machine, rng)).collect();
+        let photons = machine.max_photons().min(PHOTONS);
+        let photons: Vec<_> = (0..photons).map(|_| photon(machine, rng)).collect();
         let batch = |queries: &usize| {
             let query = |_| {
                 let query = query(machine, rng);
@@ -51,10 +53,12 @@ impl Set {
         Ok(Self { photons, batches })
     }
 
-    /// Whether every query has photons in range and photons out of range.
+    /// Whether every query has photons in range and, of several photons, some out of range.
     fn tells(&self) -> bool {
+        let photons = self.photons.len() as u64;
+        let most = if photons == 1 { 1 } else { photons - 1 };
         let mut queries = self.batches.iter().flatten();
-        queries.all(|(_, sums)| (1..PHOTONS as u64).contains(&sums.count))
+        queries.all(|(_, sums)| (1..=most).contains(&sums.count))
     }
 }
 

@@ -108,7 +108,7 @@ mod tests {
     #[test]
     fn a_word_has_a_line_for_each_row_and_one_number_for_rows_of_zeros() {
         let one = vec![(3, 5), (1, 0)];
-        assert_eq!(word(&[one.clone()]), "{3'd5, 1'd0}");
+        assert_eq!(word(std::slice::from_ref(&one)), "{3'd5, 1'd0}");
         let zeros = vec![(2, 0), (4, 0)];
         let rows = [vec![(1, 0)], zeros.clone(), zeros.clone(), one, zeros];
         assert_eq!(
