@@ -127,7 +127,8 @@ def bus_ports(bus: AXILiteInterface, address_bits: int) -> dict:
         ("ar", True, ("addr", "prot")),
         ("r", False, ("resp", "data")),
     ):
-        signals, word, ready = getattr(bus, channel), "io"[not to_core], "oi"[not to_core]
+        signals = getattr(bus, channel)
+        word, ready = ("i", "o") if to_core else ("o", "i")
         ports[f"{word}_s_axi_{channel}valid"] = signals.valid
         ports[f"{ready}_s_axi_{channel}ready"] = signals.ready
         for field in fields:

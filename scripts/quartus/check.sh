@@ -82,7 +82,7 @@ done
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cp "${folders[0]}"/* "$scratch"
-sed -i 's/get_ports clock/get_ports clk/' "$scratch"/*.sdc
+sed -i 's/get_ports [a-z]*/get_ports clk/' "$scratch"/*.sdc
 if passes "$scratch" >/dev/null 2>&1; then
     echo "projects: a clock on a port that is not there was not refused, so the check says nothing" >&2
     exit 1
