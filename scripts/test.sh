@@ -78,6 +78,7 @@ first_stream() {
     stage "unit tests" cargo test --locked --workspace --lib --bins -- --include-ignored
     stage "doc tests" cargo test --locked --workspace --doc
     stage "Verilog checks" scripts/yosys/check.sh
+    stage "example testbenches" scripts/testbenches.sh
     stage "Yosys scripts" scripts/yosys/scripts.sh
     stage "Quartus projects" scripts/quartus/check.sh
     stage "second texts" scripts/yosys/ecp5.sh

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Checks the emitted cores with tools of other people: cocotb, PeakRDL, FuseSoC.
+# Checks the emitted cores with tools of other people: cocotb, PeakRDL, FuseSoC, LiteX.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 root=$(cd "$here/../.." && pwd)
@@ -8,8 +8,9 @@ if (($# > 0)); then
     cat <<USAGE
 Usage: scripts/core/check.sh
 
-Writes small cores with \`photoncube generate\` and checks their Verilog by cocotb, whose tests must also find planted faults,
-their SystemRDL by PeakRDL and the C compiler, and both by FuseSoC. PHOTONCUBE is the program (default: the debug build).
+Writes small cores with \`photoncube generate\` and checks their Verilog by cocotb, whose tests must also find planted faults, their
+SystemRDL by PeakRDL and the C compiler, both by FuseSoC, and the core in a LiteX SoC by simulation. PHOTONCUBE is the program
+(default: the debug build).
 USAGE
     [[ $1 == -h || $1 == --help ]] && exit 0
     exit 2
@@ -34,4 +35,5 @@ gcc -std=c11 -I "$scratch/registers" "$scratch/registers/registers.h.test.c" -o 
 "$scratch/offsets"
 "$("$root/scripts/setup.sh" --where-core)/python" "$here/registers.py" "${words[0]}" "$scratch/registers"
 "$here/fusesoc.sh" "$core"
+"$root/scripts/litex/check.sh" "$core"
 "$root/testbenches/cocotb/run.sh" --faults

@@ -9,7 +9,7 @@ usage() {
 Usage: scripts/core/fusesoc.sh DIR [TARGET...]
 
 DIR has a core as \`photoncube generate --chains\` wrote it; nothing is written there. Runs these targets of FuseSoC, or
-those that are named: lint (Verilator), icarus and verilator (a small testbench that checks itself), synth (Yosys to
+those that are named: lint (Verilator), icarus and verilator (the example testbench), synth (Yosys to
 the cells of ECP5). The programs are those of scripts/setup.sh; synth takes the distribution's Yosys, because FuseSoC's scripts
 are in Tcl, which YoWASP's Yosys lacks.
 
@@ -51,9 +51,8 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
 mkdir "$scratch/library"
-cp "$core/$top.v" "$scratch/library/"
+cp "$core/$top.v" "$core/${top}_tb.v" "$scratch/library/"
 sed "s/@TOP@/$top/g" "$here/core.in" >"$scratch/library/$top.core"
-"$tools/python" "$here/testbench.py" "${words[0]}" "$scratch/library/${top}_tb.v"
 # FuseSoC keeps its settings and what it has downloaded in the home folder; here it has neither.
 export XDG_CONFIG_HOME=$scratch/config XDG_CACHE_HOME=$scratch/cache XDG_DATA_HOME=$scratch/data
 cd "$scratch"

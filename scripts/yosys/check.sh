@@ -7,7 +7,8 @@ usage() {
 Usage: scripts/yosys/check.sh [FILE...]
 
 Checks emitted Verilog (default: hdl-out/*/*.v); the top module has the name of its file. Overrides of single
-modules (*_ecp5.v) are no designs: slang reads them with the file beside them, scripts/yosys/ecp5.sh proves them.
+modules (*_ecp5.v) are no designs: slang reads them with the file beside them, scripts/yosys/ecp5.sh proves them. Testbenches
+(*_tb.v) are read by slang and Icarus with the file beside them.
   yosys      no missing module, no latch, no loop, no driver conflict, no undriven net
   iverilog   Verilog-2001 with all warnings
   verilator  all warnings but WIDTH, UNUSEDSIGNAL, UNUSEDPARAM and DECLFILENAME
@@ -26,7 +27,11 @@ by_yosys() {
     yosys -q -e . -p "read_verilog \"$1\"; hierarchy -check -top $2; proc;
         select -assert-none t:\$dlatch t:\$adlatch t:\$dlatchsr t:\$sr; flatten; check -assert"
 }
-by_iverilog() { iverilog -g2001 -Wall -s "$2" -o /dev/null "$1"; }
+by_iverilog() {
+    local files=("$1")
+    [[ $1 == *_tb.v ]] && files=("${1%_tb.v}.v" "$1")
+    iverilog -g2001 -Wall -s "$2" -o /dev/null "${files[@]}"
+}
 by_slang() { "$python" "$slang" "$1"; }
 by_verilator() { verilator --lint-only -Wall "${WAIVED[@]}" --top-module "$2" "$1"; }
 
@@ -60,7 +65,10 @@ done
 check_file() {
     local file=$1 top said tool bad=() tools=(yosys iverilog verilator slang)
     top=$(basename "$file" .v)
-    [[ $file == *_ecp5.v ]] && tools=(slang)
+    case $file in
+        *_ecp5.v) tools=(slang) ;;
+        *_tb.v) tools=(iverilog slang) ;;
+    esac
     for tool in "${tools[@]}"; do
         # A tool that says anything has complained, whatever it returns.
         if ! said=$("by_$tool" "$file" "$top" 2>&1) || [[ -n $said ]]; then

@@ -4,8 +4,8 @@
 Usage: slang.py FILE...
 
 A file *_ecp5.v is read with the file beside it, without the modules there that it replaces; the FPGA's cells are not
-declared in either, so these alone may be unknown. An error fails, and so does a warning that EXPLAINED has no
-reason for. That an error and a warning are found is shown on planted text first.
+declared in either, so these alone may be unknown. A testbench *_tb.v is read with the file beside it. An error fails, and
+so does a warning that EXPLAINED has no reason for. That an error and a warning are found is shown on planted text first.
 
 Exit codes: 0 all files pass; 1 one does not; 2 bad usage or no pyslang.
 """
@@ -83,6 +83,11 @@ def with_overrides(path):
     return text + overrides
 
 
+def with_design(path):
+    """The text of a machine and of its testbench."""
+    return path.with_name(path.name.replace("_tb.v", ".v")).read_text() + path.read_text()
+
+
 def reason(what, line):
     """Why a warning is none, if it is."""
     for warning, about, holds, why in EXPLAINED:
@@ -98,6 +103,9 @@ def complaints(path, scratch):
     if path.name.endswith("_ecp5.v"):
         options, read = CELLS_ARE_UNKNOWN, scratch / "design.v"
         read.write_text(with_overrides(path))
+    if path.name.endswith("_tb.v"):
+        read = scratch / "design.v"
+        read.write_text(with_design(path))
     said = said_of(read, options)
     lines = read.read_text().splitlines()
     unexplained, used = [], set()

@@ -85,7 +85,7 @@ fn generated_files_are_checked_byte_for_byte() {
     let out = folder.path().to_str().unwrap();
     let generate = ["generate", "--machine", "paper", "--out", out];
     let check = ["generate", "--machine", "paper", "--out", out, "--check"];
-    assert_eq!(json(&generate)["files"].as_array().unwrap().len(), 5);
+    assert_eq!(json(&generate)["files"].as_array().unwrap().len(), 6);
     photoncube(&check).assert().success();
 
     let verilog = folder.path().join("paper/photoncube_paper.v");
@@ -108,7 +108,16 @@ fn the_files_of_a_core_are_written_and_checked() {
     photoncube(&generate).assert().success();
     let top = "photoncube_core_2_leaf_4_local7_rgb6d_n64";
     let written = folder.path().join("core-2-leaf-4-local7-rgb6d-n64");
-    for ending in [".v", "_ecp5.v", ".rdl", ".streams.json", ".ys", ".qsf"] {
+    for ending in [
+        ".v",
+        "_ecp5.v",
+        "_tb.v",
+        ".rdl",
+        ".streams.json",
+        "_hw.tcl",
+        ".ys",
+        ".qsf",
+    ] {
         let file = written.join(format!("{top}{ending}"));
         assert!(file.exists(), "{} is missing", file.display());
     }

@@ -7,7 +7,7 @@ use photoncube_hdl::emit_core;
 use photoncube_spec::{Core, CoreRegister, CoreStreams, StreamWord};
 use serde_json::{Value, json};
 
-use super::{Design, Project, ProjectFile, rdl};
+use super::{Design, Project, ProjectFile, example, platform, rdl};
 use crate::digests::Digests;
 
 /// Emits a core and makes all of its files, in a folder of its name.
@@ -26,12 +26,14 @@ pub fn core_project(core: &Core) -> Result<Project> {
     let more = [
         file(".rdl", rdl::text(core, emitted.digest)),
         file(".streams.json", streams(core, emitted.digest)?),
+        file("_hw.tcl", platform::text(core)),
     ];
     let design = Design {
         top: &top,
         clock: "aclk",
         text: emitted.text,
         ecp5_text: emitted.machine.ecp5_text,
+        example: example::core_example(core)?,
     };
     let files = design.files(&folder);
     Ok(Project {
@@ -59,6 +61,7 @@ fn streams(core: &Core, digest: u64) -> Result<String> {
         "queries": word(&streams.queries),
         "results": word(&streams.results),
         "registers": registers,
+        "address_bits": Core::ADDRESS_BITS,
     });
     Ok(serde_json::to_string_pretty(&text)? + "\n")
 }

@@ -1,6 +1,8 @@
-//! Makes the files of a machine: its Verilog and the project files for Yosys and Quartus.
+//! Makes the files of a machine: its Verilog, an example of how to drive it, and the project files for Yosys and Quartus.
 
 mod core;
+mod example;
+mod platform;
 mod rdl;
 
 use std::path::{Path, PathBuf};
@@ -60,6 +62,7 @@ pub fn project(machine: &Machine) -> Result<Project> {
         clock: "clock",
         text: emitted.text,
         ecp5_text: emitted.ecp5_text,
+        example: example::machine_example(machine)?,
     };
     let files = design.files(&folder);
     Ok(Project { files, digests })
@@ -72,10 +75,12 @@ struct Design<'a> {
     clock: &'a str,
     text: String,
     ecp5_text: Option<String>,
+    /// A testbench.
+    example: String,
 }
 
 impl Design<'_> {
-    /// The Verilog, the Yosys script and the Quartus project, in a folder.
+    /// The Verilog, the Yosys script, the Quartus project and the example, in a folder.
     fn files(self, folder: &Path) -> Vec<ProjectFile> {
         let top = self.top;
         let file = |ending: &str, text: String| ProjectFile {
@@ -88,6 +93,7 @@ impl Design<'_> {
             file(".qpf", format!("PROJECT_REVISION = \"{top}\"\n")),
             file(".qsf", quartus(top, self.clock)),
             file(".sdc", constraints(self.clock)),
+            file("_tb.v", self.example),
         ];
         files.extend(self.ecp5_text.map(|text| file("_ecp5.v", text)));
         files
