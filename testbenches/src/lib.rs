@@ -44,8 +44,8 @@ pub use compare::{Activity, Actual, Divergence};
 pub use controls::{Control, Controls, NoControl, PlantedFault, comparison_controls, plant};
 pub use coverage::{Coverage, CoverageKind, Gap, ModuleCoverage, Share, corners, coverage};
 pub use device::{
-    CoreSimulation, Device, DeviceError, DeviceKind, Icarus, Mutant, Observed, RustHdl, Text,
-    Unknown, UnknownDevice, Verilator, netlist, with_outputs_alone,
+    BoardSimulation, CoreSimulation, Device, DeviceError, DeviceKind, Icarus, Mutant, Observed,
+    RustHdl, Symbol, Text, Unknown, UnknownDevice, Verilator, netlist, with_outputs_alone,
 };
 pub use exhaustive::{
     LaneVerdict, Radii, UnitVerdict, exhaustive_controls, exhaustive_lane, exhaustive_lane_device,

@@ -5,6 +5,7 @@ mod forecast;
 mod frames;
 mod model;
 mod schedule;
+mod serial;
 mod transport;
 
 pub use driver::{Driver, DriverError, Work};
@@ -12,4 +13,5 @@ pub use forecast::Forecast;
 pub use frames::{Frame, FramePlan, PhotonLeaf, Set, SetBatch, SetQuery};
 pub use model::ModelTransport;
 pub use schedule::{Owed, Schedule, Scheduler};
+pub use serial::{SerialError, SerialTransport};
 pub use transport::{Transport, TransportError};

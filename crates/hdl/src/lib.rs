@@ -20,6 +20,7 @@
     allow(unused_variables, unused_mut, dead_code)
 )]
 
+mod board;
 mod build;
 mod core;
 mod defaults;
@@ -35,6 +36,7 @@ mod simulator;
 mod spatial;
 mod unit;
 
+pub use crate::board::{OnLine, Ulx3s, Ulx3sError, Ulx3sFiles, core_on_line};
 pub use crate::core::{EmittedCore, core_rows, core_within, emit_core};
 pub use build::{NotBuiltIn, most_steps};
 pub use emit::{

@@ -29,7 +29,7 @@ mod planes;
 mod sequential;
 mod spatial;
 
-pub use crate::core::CoreModel;
+pub use crate::core::{CoreModel, SerialFrame, SerialModel};
 pub use gather::{
     CountError, Gather, GatherError, Limits, PackError, RangeError, gather, pack, unpack,
 };

@@ -1,5 +1,6 @@
 //! Devices: simulators that accept rows of inputs and return rows of signals.
 
+mod board;
 mod core;
 mod icarus;
 mod mutant;
@@ -20,6 +21,7 @@ use thiserror::Error;
 use crate::compare::Actual;
 use crate::tools::{MissingTool, Tool, ToolError};
 
+pub use self::board::{BoardSimulation, Symbol};
 pub use self::core::CoreSimulation;
 pub use icarus::Icarus;
 pub use mutant::Mutant;

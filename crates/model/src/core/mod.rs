@@ -2,6 +2,7 @@
 
 mod port;
 mod registers;
+mod serial;
 mod slice;
 
 use photoncube_spec::{
@@ -14,6 +15,8 @@ use crate::leaf::LeafMachine;
 use port::{Fate, LeafWord, PhotonPort};
 use registers::{Happens, InChains, Registers};
 use slice::Places;
+
+pub use serial::{SerialFrame, SerialModel};
 
 /// A core with its state. It starts in the power-up state, in which all registers have their reset values.
 #[derive(Clone, Debug)]

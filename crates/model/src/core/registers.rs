@@ -117,6 +117,11 @@ impl Registers {
         self.read_answer
     }
 
+    /// Whether a query is under way.
+    pub(super) fn is_busy(&self) -> bool {
+        self.under_way > 0
+    }
+
     /// A write is taken.
     pub(super) fn writes(&self, lite: &LiteIn) -> bool {
         lite.write_address_valid && lite.write_data_valid && self.write_answer.is_none()

@@ -65,6 +65,7 @@ mod events;
 mod fields;
 mod ports;
 mod registers;
+mod serial;
 mod streams;
 mod words;
 
@@ -73,6 +74,7 @@ pub use events::{CoreEvent, EventRow};
 pub use fields::CoreField;
 pub use ports::{CorePins, port_columns};
 pub use registers::{Access, CoreRegister, CoreRegisterRow};
+pub use serial::{Serial, SerialFault, SerialFaultRow, SerialKind, SerialRow, SerialSizes};
 pub use streams::{CoreStreams, StreamField, StreamWord};
 pub use words::{
     Beat, CoreAnswer, CoreInputs, CoreOutputs, CoreWords, LiteAnswer, LiteIn, ResultWord, StreamIn,
