@@ -38,7 +38,7 @@ LAYERS = [
     ("crates/render", "photoncube-render", "spec model", ""),
     ("crates/driver", "photoncube-driver", "spec model render", ""),
     ("crates/hard-cases", "photoncube-hard-cases", "spec model render", ""),
-    ("testbenches", "photoncube-testbench", "spec model hdl verilog-eval fpga-flow", "render hard-cases"),
+    ("testbenches", "photoncube-testbench", "spec model hdl verilog-eval fpga-flow", "render driver hard-cases"),
     ("benches", "photoncube-benches", "", "spec model render"),
     ("crates/cli", "photoncube", "spec model hdl render driver hard-cases testbench fpga-flow", "verilog-eval"),
 ]

@@ -10,8 +10,8 @@ use photoncube_render::{Engine, PhotonMap, Scene, TraceOptions, ViewOptions, ren
 use photoncube_spec::{Core, CoreCounter, PhotonFormat, find_machine};
 
 const VIEW: ViewOptions = ViewOptions {
-    width: 8,
-    height: 8,
+    width: 5,
+    height: 5,
     samples_per_axis: 1,
     seed: 3,
 };
@@ -94,11 +94,11 @@ fn core() -> Core {
 fn traced() -> (Scene, PhotonMap) {
     let scene = Scene::built_in("cornell").unwrap();
     let options = TraceOptions {
-        photons: 500,
+        photons: 300,
         seed: 3,
     };
     let photons = trace(&scene, &options, &|_| ()).unwrap().photons;
-    let radius = PhotonMap::radius_for(&scene, 500, 8.0);
+    let radius = PhotonMap::radius_for(&scene, 300, 8.0);
     let map = PhotonMap::new(&scene, photons, radius).unwrap();
     (scene, map)
 }
@@ -117,20 +117,26 @@ fn a_picture_over_any_line_is_that_of_the_direct_gather() {
         ([0, 0], false),
         ([997, 0], false),
         ([997, 0], true),
-        ([0, 15013], false),
-        ([0, 15013], true),
-        ([1499, 16001], false),
+        ([0, 997], false),
+        ([0, 997], true),
+        ([1499, 1103], false),
     ] {
         let noise = Noise { one_in, loses };
         let port = ModelPort::new(&core, noise);
         let transport = SerialTransport::open(port, &core, DIGEST, SILENCE).unwrap();
         let driver = Driver::new(&core, vec![transport]).unwrap();
         let engine = Engine::Hardware(core.machine, &driver);
-        let found = render(&scene, &map, engine, &VIEW, &|_| ()).unwrap();
+        let found = render(&scene, &map, engine, &VIEW, &|_| ());
+        if let Err(error) = &found {
+            panic!("{noise:?}: {error:?} {:?}", driver.work());
+        }
+        let found = found.unwrap();
         assert_eq!(found.image, expected.image, "{noise:?}");
         let work = driver.work();
-        assert!(work.query_words > 0, "{noise:?}");
-        assert_eq!(work.counter(CoreCounter::Results), work.query_words);
+        assert!(work.query_words > 100, "{noise:?}");
+        if one_in[1] == 0 {
+            assert_eq!(work.counter(CoreCounter::Results), work.query_words);
+        }
     }
 }
 

@@ -14,7 +14,7 @@ use photoncube_spec::{
 };
 
 pub use error::SerialError;
-use session::{Collected, Ends, Request, Session, Wanted};
+use session::{Ends, Request, Session, Wanted};
 
 use crate::transport::{Transport, TransportError};
 
@@ -24,6 +24,8 @@ const ATTEMPTS: u32 = 6;
 /// A core at the end of a serial line, whose rules are those of [`photoncube_spec::Serial`].
 ///
 /// The line is a byte port. A read returns what has come, or an error of the kind `TimedOut` after some milliseconds in which nothing has.
+///
+/// Where the line lost a frame of the board, the core was reset, and the counters of an answer are those of the work behind that.
 pub struct SerialTransport<P> {
     core: Core,
     digest: u64,
@@ -85,7 +87,8 @@ impl<P: Read + Write> SerialTransport<P> {
             reads: addresses.len(),
             ..Wanted::default()
         };
-        let Collected { reads, .. } = self.session.run(requests, &wanted)?;
+        self.session.run(requests, &wanted)?;
+        let reads = self.session.collected().reads;
         let word = |payload: Vec<u8>| {
             let bytes = payload[1..].try_into();
             u32::from_le_bytes(bytes.expect("an answer has a word of 4 bytes"))
@@ -137,14 +140,54 @@ impl<P: Read + Write> SerialTransport<P> {
         }
     }
 
-    /// Clears the counters, gives the words, waits for the results and reads the counters.
-    fn words(&mut self, words: &CoreWords) -> Result<CoreAnswer, Ends> {
-        let rows = CoreRegister::all(&self.core, self.digest);
-        let address = |register| {
-            let row = rows.iter().find(|row| row.register == register);
-            row.expect("the map has all registers").address
-        };
-        let mut clear = address_bytes(address(CoreRegister::Control)).to_vec();
+    /// Gives the words, and waits for their results. Where a frame of the board is lost, it gives those again that are not answered.
+    fn words(&mut self, words: &CoreWords) -> Result<Vec<ResultWord>, SerialError> {
+        let chains = self.core.chains as usize;
+        let (mut left, mut known) = (words.clone(), vec![0; chains]);
+        let mut answered = vec![0; chains];
+        let mut results = Vec::with_capacity(words.queries.len());
+        let mut attempts = 0;
+        loop {
+            if std::mem::take(&mut self.lost) {
+                self.session.begin()?;
+            }
+            let ended = self.give(&left);
+            let (found, before) = (self.session.collected().results, results.len());
+            for payload in found {
+                let result = self.result(&payload);
+                match known.get_mut(result.id as usize) {
+                    Some(known) if *known > 0 => *known -= 1,
+                    of_chain => {
+                        if of_chain.is_some() {
+                            answered[result.id as usize] += 1;
+                        }
+                        results.push(result);
+                    }
+                }
+            }
+            match ended {
+                Ok(()) => return Ok(results),
+                Err(Ends::Error(error)) => {
+                    self.lost = true;
+                    return Err(error);
+                }
+                Err(Ends::Lost) => self.lost = true,
+            }
+            attempts = if results.len() > before {
+                1
+            } else {
+                attempts + 1
+            };
+            if attempts == ATTEMPTS {
+                return Err(SerialError::FromBoard { times: ATTEMPTS });
+            }
+            (left, known) = order::left(&self.core, words, &answered);
+        }
+    }
+
+    /// Clears the counters, and gives words. The session collects the results.
+    fn give(&mut self, words: &CoreWords) -> Result<(), Ends> {
+        let mut clear = address_bytes(self.address(CoreRegister::Control)).to_vec();
         clear.extend(CoreRegister::CLEAR_COUNTERS.to_le_bytes());
         let clear = Request {
             kind: SerialKind::Write,
@@ -162,26 +205,33 @@ impl<P: Read + Write> SerialTransport<P> {
             ..Wanted::default()
         };
         let requests = std::iter::once(clear).chain(of_words);
-        let Collected { results, .. } = self.session.run(requests, &wanted)?;
-        let halves = |row: &CounterRow| {
-            [
-                CoreRegister::CounterLow(row.counter),
-                CoreRegister::CounterHigh(row.counter),
-            ]
-        };
+        self.session.run(requests, &wanted)
+    }
+
+    /// The values of the counters.
+    fn counters(&mut self) -> Result<Vec<u64>, Ends> {
         let addresses: Vec<_> = CounterRow::ALL
             .iter()
-            .flat_map(halves)
-            .map(address)
+            .flat_map(|row| {
+                [
+                    CoreRegister::CounterLow(row.counter),
+                    CoreRegister::CounterHigh(row.counter),
+                ]
+            })
+            .map(|register| self.address(register))
             .collect();
         let halves = self.read(&addresses)?;
         let counters = halves
             .chunks_exact(2)
             .map(|half| u64::from(half[0]) | u64::from(half[1]) << 32);
-        Ok(CoreAnswer {
-            results: results.iter().map(|payload| self.result(payload)).collect(),
-            counters: counters.collect(),
-        })
+        Ok(counters.collect())
+    }
+
+    /// The address of a register.
+    fn address(&self, register: CoreRegister) -> u32 {
+        let rows = CoreRegister::all(&self.core, self.digest);
+        let row = rows.iter().find(|row| row.register == register);
+        row.expect("the map has all registers").address
     }
 
     fn result(&self, payload: &[u8]) -> ResultWord {
@@ -217,6 +267,8 @@ fn word_payload(bytes: usize, beat: &Beat) -> Vec<u8> {
 
 impl<P: Read + Write + Send> Transport for SerialTransport<P> {
     fn exchange(&mut self, words: &CoreWords) -> Result<CoreAnswer, TransportError> {
-        Ok(self.attempt(|transport| transport.words(words))?)
+        let results = self.words(words)?;
+        let counters = self.attempt(Self::counters)?;
+        Ok(CoreAnswer { results, counters })
     }
 }

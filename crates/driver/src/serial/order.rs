@@ -1,4 +1,4 @@
-//! The order of a core's words on a line that both of its streams share.
+//! The order of a core's words on a line that both of its streams share, and the words that are left when some were answered.
 
 use photoncube_spec::{Beat, Core, CoreStreams, CoreWords, SerialKind};
 
@@ -71,4 +71,51 @@ impl Sets {
         }
         of_query
     }
+}
+
+/// The words that are left where each chain has answered so many queries: those of all sets with a query that is not answered. Also of each chain how
+/// many results of them are known.
+pub(super) fn left(core: &Core, words: &CoreWords, answered: &[usize]) -> (CoreWords, Vec<usize>) {
+    let chains = core.chains as usize;
+    let mut sets = Sets::new(core);
+    let of_query: Vec<_> = words.queries.iter().map(|query| sets.of(query)).collect();
+    // Of each chain, the queries up to the end of each set.
+    let mut ends: Vec<Vec<usize>> = vec![Vec::new(); chains];
+    for (query, &set) in words.queries.iter().zip(&of_query) {
+        if let Some(ends) = ends.get_mut(query.dest as usize) {
+            let before = ends.last().copied().unwrap_or(0);
+            ends.resize(set + 1, before);
+            ends[set] += 1;
+        }
+    }
+    let done = |chain: usize| ends[chain].partition_point(|&end| end <= answered[chain]);
+    let done: Vec<_> = (0..chains).map(done).collect();
+    let is_left =
+        |chain: u32, set: usize| done.get(chain as usize).is_some_and(|&done| set >= done);
+    let mut set_of_leaf = vec![0; chains];
+    let mut leaf_is_left = |leaf: &&Beat| {
+        let Some(set) = set_of_leaf.get_mut(leaf.dest as usize) else {
+            return false;
+        };
+        let of_leaf = *set;
+        *set += usize::from(leaf.last);
+        is_left(leaf.dest, of_leaf)
+    };
+    let photons = words
+        .photons
+        .iter()
+        .filter(|leaf| leaf_is_left(leaf))
+        .cloned()
+        .collect();
+    let queries = words.queries.iter().zip(&of_query);
+    let queries = queries.filter(|(query, set)| is_left(query.dest, **set));
+    let known = (0..chains).map(|chain| {
+        let last_done = done[chain].checked_sub(1);
+        answered[chain] - last_done.map_or(0, |set| ends[chain][set])
+    });
+    let left = CoreWords {
+        photons,
+        queries: queries.map(|(query, _)| query.clone()).collect(),
+    };
+    (left, known.collect())
 }

@@ -145,12 +145,17 @@ impl<P: Read + Write> Session<P> {
         Ok(())
     }
 
+    /// What has come, also before a session was lost.
+    pub(super) fn collected(&mut self) -> Collected {
+        std::mem::take(&mut self.collected)
+    }
+
     /// Sends requests, and collects what comes for them.
     pub(super) fn run(
         &mut self,
         requests: impl IntoIterator<Item = Request>,
         wanted: &Wanted,
-    ) -> Result<Collected, Ends> {
+    ) -> Result<(), Ends> {
         let mut requests = requests.into_iter().peekable();
         self.collected = Collected::default();
         self.heard_at = Instant::now();
@@ -159,7 +164,7 @@ impl<P: Read + Write> Session<P> {
                 self.send(&mut requests)?;
             }
             if requests.peek().is_none() && self.collected.has(wanted) {
-                return Ok(std::mem::take(&mut self.collected));
+                return Ok(());
             }
             for heard in self.listen()? {
                 match heard {

@@ -260,11 +260,11 @@ impl SerialModel {
     /// Runs the core until nothing has moved for long.
     fn run(&mut self) {
         let mut still = 0;
-        while self.awake && (self.given.is_some() || !self.buffer.is_empty() || self.busy()) {
+        while self.awake {
             still = if self.step() { 0 } else { still + 1 };
-            self.awake = still < QUIET;
+            let works = self.given.is_some() || !self.buffer.is_empty() || self.busy();
+            self.awake = still < if works { QUIET } else { SETTLED };
         }
-        self.awake = false;
     }
 
     /// Whether queries are under way in the core.
@@ -382,6 +382,9 @@ impl SerialModel {
 
 /// The AXI response of a refused access.
 const SLVERR: u8 = 2;
+
+/// Clocks in which a word passes the slice of its stream, at most.
+const SETTLED: u64 = 8;
 
 /// Clocks without a move at the bridge after which the core waits for the host.
 const QUIET: u64 = Leaf::SILENT_CLOCKS / 16;
