@@ -17,6 +17,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod board;
 mod campaign;
 mod compare;
 mod controls;
@@ -36,6 +37,7 @@ mod trace;
 mod verify;
 
 pub use crate::core::{CoreError, CoreOptions, CoreVerdict, core_controls, verify_core};
+pub use board::{BoardError, BoardVerdict, Scenario, board_controls, verify_board};
 pub use campaign::{
     Done, Failure, Keeper, Pair, Regression, RegressionError, State, StateError, Summary, campaign,
     minimised, pairs,

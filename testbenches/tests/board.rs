@@ -9,11 +9,11 @@ use photoncube_driver::{Driver, SerialTransport};
 use photoncube_hdl::Ulx3s;
 use photoncube_render::{Engine, PhotonMap, Scene, TraceOptions, ViewOptions, render, trace};
 use photoncube_spec::{CORES, Core, CoreCounter, PhotonFormat, find_machine};
-use photoncube_testbench::{BoardSimulation, DeviceKind};
+use photoncube_testbench::{BoardSimulation, DeviceKind, Scenario, board_controls, verify_board};
 
 const VIEW: ViewOptions = ViewOptions {
-    width: 5,
-    height: 5,
+    width: 2,
+    height: 2,
     samples_per_axis: 1,
     seed: 3,
 };
@@ -30,11 +30,11 @@ fn a_picture() -> Result<(), Failed> {
     let core = board.core();
     let scene = Scene::built_in("cornell")?;
     let options = TraceOptions {
-        photons: 300,
+        photons: 150,
         seed: 3,
     };
     let photons = trace(&scene, &options, &|_| ())?.photons;
-    let radius = PhotonMap::radius_for(&scene, 300, 8.0);
+    let radius = PhotonMap::radius_for(&scene, 150, 4.0);
     let map = PhotonMap::new(&scene, photons, radius)?;
     // A query of a small bank meets in several sets more photons than the machine's format lets it meet at once.
     let format = PhotonFormat {
@@ -50,9 +50,27 @@ fn a_picture() -> Result<(), Failed> {
     let found = render(&scene, &map, engine, &VIEW, &|_| ())?;
     assert_eq!(found.image, expected.image);
     let work = driver.work();
-    assert!(work.query_words > 100, "{work:?}");
+    assert!(work.query_words > 50, "{work:?}");
     assert_eq!(work.counter(CoreCounter::Results), work.query_words);
     println!("{work:?}");
+    Ok(())
+}
+
+fn scenarios() -> Result<(), Failed> {
+    let verdict = verify_board(&board(), &Scenario::ALL, 1)?;
+    println!("{verdict:?}");
+    assert!(
+        verdict.wrong > 20 && verdict.errors >= verdict.wrong,
+        "{verdict:?}"
+    );
+    assert!(verdict.results > 20, "{verdict:?}");
+    Ok(())
+}
+
+fn faults() -> Result<(), Failed> {
+    for control in board_controls(&board(), 1)? {
+        assert!(control.found, "{}", control.planted);
+    }
     Ok(())
 }
 
@@ -60,6 +78,10 @@ fn main() {
     let trial = |name: &str, run: fn() -> Result<(), Failed>| {
         support::trial(name.to_owned(), DeviceKind::Verilator, run)
     };
-    let trials: Vec<Trial> = vec![trial("a_picture_is_that_of_the_direct_gather", a_picture)];
+    let trials: Vec<Trial> = vec![
+        trial("a_picture_is_that_of_the_direct_gather", a_picture),
+        trial("its_frames_are_those_of_the_model", scenarios),
+        trial("planted_faults_are_found", faults),
+    ];
     libtest_mimic::run(&Arguments::from_args(), trials).exit();
 }

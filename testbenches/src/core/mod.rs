@@ -5,7 +5,7 @@
 //! with the direct gather. The registers of the chains are compared by [`crate::verify`] on one chain alone.
 
 mod drive;
-mod plan;
+pub(crate) mod plan;
 
 use photoncube_hdl::{Emitted, EmittedCore, core_rows, emit_core};
 use photoncube_spec::{Core, CoreStreams};

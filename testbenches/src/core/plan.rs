@@ -10,27 +10,27 @@ use rand::{Rng, RngExt};
 
 /// A result that a chain must give.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Expected {
-    pub(super) sums: Sums,
-    pub(super) tag: u32,
-    pub(super) last: bool,
-    pub(super) outside: bool,
+pub(crate) struct Expected {
+    pub(crate) sums: Sums,
+    pub(crate) tag: u32,
+    pub(crate) last: bool,
+    pub(crate) outside: bool,
 }
 
 /// Words that wait to be offered, and the results that the chains still owe.
 #[derive(Debug, Default)]
-pub(super) struct Plan {
-    pub(super) photons: VecDeque<Beat>,
-    pub(super) queries: VecDeque<Beat>,
+pub(crate) struct Plan {
+    pub(crate) photons: VecDeque<Beat>,
+    pub(crate) queries: VecDeque<Beat>,
     /// Of each chain, in the order of its queries.
-    pub(super) owed: Vec<VecDeque<Expected>>,
+    pub(crate) owed: Vec<VecDeque<Expected>>,
 }
 
 /// One wrong word in so many.
 const WRONG: u32 = 24;
 
 /// Draws words for a core.
-pub(super) struct Draw<'a, R> {
+pub(crate) struct Draw<'a, R> {
     core: &'a Core,
     streams: &'a CoreStreams,
     widths: Widths,
@@ -38,7 +38,7 @@ pub(super) struct Draw<'a, R> {
 }
 
 impl<'a, R: Rng> Draw<'a, R> {
-    pub(super) fn new(core: &'a Core, streams: &'a CoreStreams, rng: R) -> Self {
+    pub(crate) fn new(core: &'a Core, streams: &'a CoreStreams, rng: R) -> Self {
         Self {
             core,
             streams,
@@ -47,7 +47,7 @@ impl<'a, R: Rng> Draw<'a, R> {
         }
     }
 
-    pub(super) fn rng(&mut self) -> &mut R {
+    pub(crate) fn rng(&mut self) -> &mut R {
         &mut self.rng
     }
 
@@ -60,7 +60,7 @@ impl<'a, R: Rng> Draw<'a, R> {
     }
 
     /// Appends the words of a set for every chain, and of its batches, which are mixed.
-    pub(super) fn round(&mut self, plan: &mut Plan) {
+    pub(crate) fn round(&mut self, plan: &mut Plan) {
         plan.owed
             .resize_with(self.core.chains as usize, VecDeque::new);
         let mut batches: Vec<_> = (0..self.core.chains)
@@ -267,7 +267,7 @@ impl<'a, R: Rng> Draw<'a, R> {
     }
 
     /// The pins of a stream that offers no word: anything.
-    pub(super) fn idle(&mut self, bits: u32) -> Beat {
+    pub(crate) fn idle(&mut self, bits: u32) -> Beat {
         Beat {
             data: (0..bits / 8).map(|_| self.rng.random()).collect(),
             last: self.rng.random(),

@@ -65,16 +65,18 @@ int main() {
   Vtrace top{&context};
   top.button = 0;
   top.rx = 1;
+  top.fault = 0;
   Sender sender;
   Receiver receiver;
   std::uint64_t clocks = 0;
-  struct { std::uint64_t symbols, limit; } head;
+  struct { std::uint64_t symbols, limit, fault; } head;
   std::vector<std::uint16_t> symbols;
   std::vector<char> bytes;
   while (std::fread(&head, sizeof head, 1, stdin) == 1) {
     symbols.resize(head.symbols);
     bytes.clear();
     if (std::fread(symbols.data(), sizeof symbols[0], symbols.size(), stdin) != symbols.size()) return 1;
+    top.fault = head.fault;
     std::size_t next = 0;
     std::uint64_t waited = 0;
     // Until all was sent and something has come, or nothing has come for so many clocks.

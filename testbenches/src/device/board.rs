@@ -23,6 +23,7 @@ pub struct BoardSimulation {
     process: Process,
     clocks_of_bit: u32,
     clocks: u64,
+    fault: u64,
     written: Vec<Symbol>,
     read: VecDeque<u8>,
     #[expect(dead_code, reason = "the folder lives as long as the process")]
@@ -78,7 +79,8 @@ impl BoardSimulation {
         let sources = Sources {
             design: design.map(String::as_str).join("\n"),
             harness: HARNESS.replace("@CLOCKS@", &clocks_of_bit.to_string()),
-            build: Build::Fast,
+            // Optimised in full, the build takes twice as long, which few pictures are worth.
+            build: Build::Plain,
         };
         let program = build_or_reuse(&sources, &version, folder.path())?;
         let mut command = Command::new(program);
@@ -91,6 +93,7 @@ impl BoardSimulation {
             process,
             clocks_of_bit,
             clocks: 0,
+            fault: 0,
             written: Vec::new(),
             read: VecDeque::new(),
             folder,
@@ -100,6 +103,11 @@ impl BoardSimulation {
     /// The clocks since power-up.
     pub fn clocks(&self) -> u64 {
         self.clocks
+    }
+
+    /// Makes the planted fault of that number act from now on; 0 is none. See [`FAULT`].
+    pub(crate) fn set_fault(&mut self, number: usize) {
+        self.fault = number as u64;
     }
 
     /// Sends symbols, then runs until a byte has come, or none has for the time of so many bytes. Returns what has come.
@@ -115,6 +123,7 @@ impl BoardSimulation {
         let mut frame = Vec::new();
         frame.extend((symbols.len() as u64).to_ne_bytes());
         frame.extend((silent_bytes * clocks_of_byte).to_ne_bytes());
+        frame.extend(self.fault.to_ne_bytes());
         frame.extend(
             symbols
                 .iter()
@@ -162,12 +171,16 @@ impl Read for BoardSimulation {
     }
 }
 
+/// The number of the planted fault that acts, as an expression in any module.
+pub(crate) const FAULT: &str = "photoncube_trace.fault";
+
 /// The top of simulations, around that of the board.
 fn wrapper(top: &str) -> String {
     format!(
-        "module {TRACE}(clock, button, rx, tx);\n  \
+        "module {TRACE}(clock, button, fault, rx, tx);\n  \
          input wire clock;\n  \
          input wire button;\n  \
+         input wire [7:0] fault;\n  \
          input wire rx;\n  \
          output wire tx;\n  \
          {top} board(.clk_25mhz(clock), .btn(button), .ftdi_txd(rx), .ftdi_rxd(tx), .led(), .wifi_gpio0());\n\

@@ -21,6 +21,7 @@ use thiserror::Error;
 use crate::compare::Actual;
 use crate::tools::{MissingTool, Tool, ToolError};
 
+pub(crate) use self::board::FAULT;
 pub use self::board::{BoardSimulation, Symbol};
 pub use self::core::CoreSimulation;
 pub use icarus::Icarus;

@@ -49,7 +49,8 @@ module @TOP@_frames_in(clock, reset, byte_valid, byte_data, byte_broken, room, w
     wire is_payload = octet & in_frame & (stage == PAYLOAD);
     wire ends = octet & in_frame & (stage == CRC_LOW);
     wire unknown = is_kind & (length == 8'd0);
-    wire right = ends & (crc_next == 16'd0);
+    wire crc_is_right = crc_next == 16'd0;
+    wire right = ends & crc_is_right;
     assign sync = right & (kind == 8'd@SYNC@);
     assign sync_token = tail[7:0];
     assign sync_begins = tail[15:8] == 8'd@BEGINS@;
@@ -61,7 +62,7 @@ module @TOP@_frames_in(clock, reset, byte_valid, byte_data, byte_broken, room, w
     wire no_stop = byte_valid & byte_broken;
     wire cut = flag & in_frame;
     wire outside = whole & ~flag & ~in_frame;
-    wire crc_is_wrong = ends & (crc_next != 16'd0);
+    wire crc_is_wrong = ends & ~crc_is_right;
     wire number_is_wrong = is_word & ~number_is_right;
     wire full = is_word & number_is_right & lacked_room;
     assign error = ~deaf & (no_stop | cut | outside | unknown | crc_is_wrong | number_is_wrong | full);

@@ -183,6 +183,11 @@ impl SerialModel {
         self.run();
     }
 
+    /// The bytes taken out of the buffer, modulo 2^16.
+    pub fn taken(&self) -> u16 {
+        self.taken
+    }
+
     /// Returns what the bridge has said since the last call.
     pub fn said(&mut self) -> Vec<u8> {
         self.said.drain(..).collect()
@@ -216,7 +221,8 @@ impl SerialModel {
             kind => {
                 self.expected = self.expected.wrapping_add(1);
                 self.buffer.push_back((kind, payload));
-                self.awake = true;
+                // A frame behind one that waits does not help it.
+                self.awake |= self.given.is_none();
             }
         }
     }
