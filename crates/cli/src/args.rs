@@ -18,6 +18,7 @@ use crate::machines::{ChosenMachineArgs, MachineArgs};
 use crate::scenes::SceneName;
 
 mod applies;
+mod board;
 mod compare;
 mod fit;
 mod numbers;
@@ -26,6 +27,7 @@ mod progressive;
 mod render;
 mod synth;
 
+pub use self::board::{BoardArgs, BoardCommand, SimulateArgs, Ulx3sArgs};
 pub use self::compare::CompareArgs;
 pub use self::fit::FitArgs;
 pub use self::numbers::{count, seed, short};
@@ -86,6 +88,7 @@ Examples:
   photoncube plan cornell                         how many chains of how many engines
   photoncube hard-cases                           what breaks other arithmetic, and not this
   photoncube synth --machine paper                area and clock, by Yosys and nextpnr
+  photoncube board ulx3s --out board              a bitstream for a board, with a serial line
   photoncube microprogram --machine paper-5d
 
 Exit codes: 0 all holds; 1 a check failed; 2 bad usage or bad input.";
@@ -117,6 +120,8 @@ pub enum Command {
     HardCases(HardCasesArgs),
     /// Area and clock of the machines by Yosys and nextpnr: LUTs, gates, Fmax, what binds it
     Synth(SynthArgs),
+    /// Put a core on a board, at the end of a serial line: its bitstream, or a simulation with a pseudo-terminal
+    Board(BoardArgs),
     /// Print a microprogram: listing by clock, utilisation, and the schedule checker's verdict
     Microprogram(MicroprogramArgs),
     /// Print the completions for a shell

@@ -1,4 +1,4 @@
-//! The engine `core`: a core's emitted Verilog, simulated in Verilator, that makes the gathers of a picture.
+//! The engine `core`, which makes the gathers of a picture: a core's emitted Verilog, simulated in Verilator, or a core on a board.
 
 use std::thread;
 
@@ -8,26 +8,52 @@ use photoncube_spec::{Core, CoreAnswer, CoreCounter, CoreWords, Leaf, Spatial};
 use photoncube_testbench::CoreSimulation;
 use serde::Serialize;
 
+use crate::port::{self, OnBoard};
 use crate::{machines, progress};
 
-/// A simulation of a core's Verilog as a way to the core.
-pub struct Simulated(CoreSimulation);
+/// A way to a core.
+pub enum Way {
+    /// A simulation of its Verilog.
+    Simulated(CoreSimulation),
+    /// The serial port of a board.
+    OnBoard(Box<OnBoard>),
+}
 
-impl Transport for Simulated {
+impl Transport for Way {
     fn exchange(&mut self, words: &CoreWords) -> Result<CoreAnswer, TransportError> {
-        Ok(self.0.exchange(words)?)
+        match self {
+            Self::Simulated(simulation) => Ok(simulation.exchange(words)?),
+            Self::OnBoard(on_board) => on_board.exchange(words),
+        }
     }
 }
 
 /// Builds the simulation of a core, and starts one for each processor of this computer. The frames of a picture are shared
 /// out among them.
-pub fn driver(core: &Core) -> Result<Driver<Simulated>> {
+pub fn driver(core: &Core) -> Result<Driver<Way>> {
     machines::prepare(core.machine)?;
     // The first builds the program, which the others then find in the cache.
     let count = thread::available_parallelism().map_or(1, usize::from);
-    let simulations = (0..count).map(|_| Ok(Simulated(CoreSimulation::new(core)?)));
-    let simulations: Result<Vec<_>> = simulations.collect();
-    let bar = progress::bar("simulating frames", 0);
+    let simulations = (0..count).map(|_| Ok(Way::Simulated(CoreSimulation::new(core)?)));
+    with_bar(
+        core,
+        simulations.collect::<Result<_>>()?,
+        "simulating frames",
+    )
+}
+
+/// Opens the serial port of a board, and checks that it has this core.
+pub fn driver_on_board(core: &Core, path: &str, baud: u32) -> Result<Driver<Way>> {
+    let on_board = port::open(core, path, baud)?;
+    with_bar(
+        core,
+        vec![Way::OnBoard(Box::new(on_board))],
+        "gathering frames",
+    )
+}
+
+fn with_bar(core: &Core, ways: Vec<Way>, what: &'static str) -> Result<Driver<Way>> {
+    let bar = progress::bar(what, 0);
     let show = move |done: usize, all: usize| {
         bar.set_length(all as u64);
         bar.set_position(done as u64);
@@ -35,10 +61,10 @@ pub fn driver(core: &Core) -> Result<Driver<Simulated>> {
             bar.finish_and_clear();
         }
     };
-    Ok(Driver::new(core, simulations?)?.with_progress(show))
+    Ok(Driver::new(core, ways)?.with_progress(show))
 }
 
-/// The work of the simulated cores in reports.
+/// The work of the cores in reports.
 #[derive(Debug, Serialize)]
 pub struct CoreReport {
     core: String,

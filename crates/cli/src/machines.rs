@@ -1,7 +1,5 @@
 //! A machine by name, and variations of it that are built in.
 
-use std::time::Duration;
-
 use anyhow::{Result, bail};
 use clap::Args;
 use photoncube_hdl::generator::{self, Step};
@@ -71,7 +69,7 @@ pub fn prepare(machine: &Machine) -> Result<()> {
         return Ok(());
     }
     let spinner = progress::spinner("building the machine's generator:");
-    spinner.enable_steady_tick(Duration::from_millis(200));
+    spinner.enable_steady_tick(progress::TICK);
     generator::prepare(machine, &mut |Step::Compiles(_)| spinner.inc(1))?;
     spinner.finish_and_clear();
     Ok(())

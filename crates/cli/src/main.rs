@@ -16,6 +16,7 @@ mod measured_fits;
 mod output;
 mod outputs;
 mod plots;
+mod port;
 mod progress;
 mod project;
 mod scenes;

@@ -1,9 +1,14 @@
 //! Progress bars on standard error, for work of more than a second.
 
+use std::time::Duration;
+
 use indicatif::{ProgressBar, ProgressStyle};
 
 /// The format of a bar. The bar takes the width that the words leave, so that a line of 40 columns is enough.
 const BAR: &str = "{msg} {percent:>3} % {eta:>4} left {wide_bar}";
+
+/// The time between two pictures of a spinner.
+pub const TICK: Duration = Duration::from_millis(200);
 
 /// A bar of `length` units. It is silent where standard error is not a terminal.
 pub fn bar(what: &'static str, length: u64) -> ProgressBar {

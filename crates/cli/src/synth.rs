@@ -25,7 +25,7 @@ pub const DEFAULT_GRADES: [u32; 2] = [6, 8];
 pub const TARGET_MHZ: u32 = 400;
 
 /// The command that installs the tools.
-const INSTALL: &str = "scripts/setup.sh --synthesis";
+pub const INSTALL: &str = "scripts/setup.sh --synthesis";
 
 /// Finds Yosys, and the nextpnr of a family, in a folder, or else where `scripts/setup.sh --synthesis` has
 /// installed them.

@@ -1,5 +1,6 @@
 //! Tests the commands as a user sees them: their output, their files, their exit codes.
 
+mod board;
 mod custom;
 mod estimators;
 mod fuzz;

@@ -2,10 +2,12 @@
 //!
 //! # The modules
 //!
-//! [`devices`] has the families of FPGAs as tables. [`area`](area()) and [`place`](place()) measure; [`netlist`]
+//! [`devices`] has the families of FPGAs as tables. [`area`](area()) and [`place`](place()) measure; [`bitstream`](bitstream()) makes the file
+//! that a board is loaded with; [`netlist`]
 //! and [`path`] read what Yosys and nextpnr write; [`prove`](prove()) proves the passes over a netlist.
 
 mod area;
+mod bitstream;
 mod design;
 pub mod devices;
 mod error;
@@ -23,6 +25,7 @@ pub mod wrapper;
 mod yosys;
 
 pub use area::area;
+pub use bitstream::{PackStep, Packed, Pinned, ReachedClock, bitstream, packer};
 pub use design::Design;
 pub use devices::{Device, FAMILIES, FLOWS, Family};
 pub use error::{FlowError, Result, ToolError};

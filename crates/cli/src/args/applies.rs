@@ -14,7 +14,7 @@ const ENGINES: [Engine; 4] = [
     ("model", &["machine", "coordinate-bits", "dimension"]),
     ("f64", &[]),
     ("format", &["format"]),
-    ("core", &["machine"]),
+    ("core", &["machine", "port", "baud"]),
 ];
 
 /// The commands with `--engine`.
@@ -82,11 +82,11 @@ mod tests {
 
     /// The arguments that the code of each engine reads, as an independent table.
     const USED: &str = "
-                machine coordinate-bits dimension format
-    model       x       x               x         .
-    f64         .       .               .         .
-    format      .       .               .         x
-    core        x       .               .         .
+                machine coordinate-bits dimension format port
+    model       x       x               x         .      .
+    f64         .       .               .         .      .
+    format      .       .               .         x      .
+    core        x       .               .         .      x
     ";
 
     /// Of every row and every column of the table: both names, and whether there is a cross.
@@ -135,7 +135,7 @@ mod tests {
                 (result, _) => panic!("{words:?}: {result:?}"),
             }
         }
-        assert_eq!(counts, [11, 5]);
+        assert_eq!(counts, [14, 6]);
     }
 
     #[test]

@@ -5,13 +5,14 @@ use std::path::PathBuf;
 use anyhow::Result;
 use clap::{Args as ClapArgs, ValueEnum};
 use photoncube_driver::Driver;
+use photoncube_hdl::Ulx3s;
 use photoncube_render::{Area, Caustics, DirectLight, Engine, Estimator, Lighting};
 use photoncube_spec::{Core, PHOTON_FORMATS, PhotonFormat, find_photon_format};
 use serde::Serialize;
 
 use super::PictureArgs;
 use super::numbers::count;
-use crate::core::{self, CoreReport, Simulated};
+use crate::core::{self, CoreReport, Way};
 use crate::machines::MachineArgs;
 use crate::scenes::SceneName;
 
@@ -27,6 +28,7 @@ Examples:
   photoncube render cornell -o smooth.png --engine f64 --estimator epanechnikov
   photoncube render cornell -o ladder.png --estimator ladder:4:cone
   photoncube render cornell -o core.png --engine core --machine leaf-7-local7-rgb6d-n4096
+  photoncube render cornell -o core.png --engine core --machine leaf-5-local7-rgb6d-n64 --chains 3 --port /dev/ttyUSB0
   photoncube render ring -o sharp.png --engine format --direct rays:4 --caustics own --final-gather 16
 
 Estimators:
@@ -69,6 +71,12 @@ pub struct EngineArgs {
     /// The chains of the engine `core`, each a machine
     #[arg(long, default_value_t = 1, value_name = "N")]
     pub chains: u32,
+    /// Of the engine `core`: the serial port of a board that has the core, in the place of a simulation
+    #[arg(long, value_name = "PORT")]
+    pub port: Option<String>,
+    /// Bits a second on that port, as its bitstream was made for
+    #[arg(long, default_value_t = Ulx3s::BAUD, value_name = "N", requires = "port")]
+    pub baud: u32,
 }
 
 /// What makes the radiance estimates.
@@ -80,7 +88,7 @@ pub enum EngineName {
     Model,
     /// The golden model of a photon format
     Format,
-    /// The emitted Verilog of a core of leaf machines, simulated in Verilator
+    /// The emitted Verilog of a core of leaf machines, simulated in Verilator or, with --port, on a board
     Core,
 }
 
@@ -95,18 +103,22 @@ impl EngineArgs {
             EngineName::Format => ChosenEngine::Own((&format).into()),
             EngineName::Core => {
                 let core = Core::new(machine, self.chains)?;
-                ChosenEngine::Core(core, Box::new(core::driver(&core)?))
+                let driver = match &self.port {
+                    None => core::driver(&core)?,
+                    Some(port) => core::driver_on_board(&core, port, self.baud)?,
+                };
+                ChosenEngine::Core(core, Box::new(driver))
             }
         })
     }
 }
 
-/// An engine, with the simulation of a core where it has one.
+/// An engine, with the way to a core where it is one.
 pub enum ChosenEngine {
     /// An engine of the renderer.
     Own(Engine<'static>),
-    /// A core, and its simulation.
-    Core(Core, Box<Driver<Simulated>>),
+    /// A core, and the way to it.
+    Core(Core, Box<Driver<Way>>),
 }
 
 impl ChosenEngine {

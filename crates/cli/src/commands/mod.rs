@@ -1,5 +1,6 @@
 //! The commands of the program, one file each.
 
+mod board;
 mod compare;
 mod fit;
 mod generate;
@@ -43,6 +44,7 @@ pub fn execute(args: Args) -> Result<()> {
         Command::Report(options) => report::execute(&options, json),
         Command::HardCases(options) => hard_cases::execute(&options, json),
         Command::Synth(options) => synth::execute(&options, json),
+        Command::Board(options) => board::execute(&options, json),
         Command::Microprogram(options) => microprogram::execute(&options, json),
         Command::Completions { shell } => completions(shell),
         Command::Man { out } => manual(&out),

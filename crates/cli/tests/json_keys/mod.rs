@@ -73,7 +73,7 @@ fn every_json_key_is_documented() {
 
 /// Fails where docs/json.md does not explain a key of `report`, an output of `command`.
 #[track_caller]
-fn are_explained(command: &str, report: &Value) {
+pub fn are_explained(command: &str, report: &Value) {
     let mut found = Vec::new();
     keys(report, &mut found);
     assert!(!found.is_empty(), "{command} prints keys");

@@ -100,6 +100,8 @@ impl Pll {
 impl Ulx3s {
     /// The frequency of the board's oscillator in MHz.
     pub const BOARD_MHZ: u32 = 25;
+    /// Bits a second on the line that need no special cable or setting.
+    pub const BAUD: u32 = 1_000_000;
     /// The fastest line in bits a second that the board's USB chip is specified for.
     pub const MOST_BAUD: u32 = 3_000_000;
     /// The fewest clocks of a bit.
