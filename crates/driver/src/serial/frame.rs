@@ -60,8 +60,10 @@ pub(super) struct Reader {
     /// The bytes behind the flag, without escapes; none outside of a frame.
     bytes: Option<Vec<u8>>,
     escaped: bool,
-    /// The number of the next frame; none where any is right.
+    /// The number of the next frame; none before the first.
     next: Option<u8>,
+    /// Whether a frame must have the next number.
+    counts: bool,
 }
 
 impl Reader {
@@ -71,12 +73,13 @@ impl Reader {
             bytes: None,
             escaped: false,
             next: None,
+            counts: true,
         }
     }
 
-    /// Takes any number for the next.
-    pub(super) fn forget_number(&mut self) {
-        self.next = None;
+    /// From now on, looks whether a frame has the number of the next, or takes any.
+    pub(super) fn count(&mut self, counts: bool) {
+        self.counts = counts;
     }
 
     /// Takes a byte of the line.
@@ -113,7 +116,8 @@ impl Reader {
     /// A frame of the right length.
     fn checked(&mut self, kind: SerialKind, bytes: &[u8], head: usize) -> Heard {
         let number = bytes[1];
-        if crc(bytes) != 0 || self.next.is_some_and(|next| next != number) {
+        let is_next = self.next.is_none_or(|next| next == number);
+        if crc(bytes) != 0 || self.counts && !is_next {
             return Heard::Damage;
         }
         self.next = Some(number.wrapping_add(1));

@@ -119,3 +119,90 @@ pub(super) fn left(core: &Core, words: &CoreWords, answered: &[usize]) -> (CoreW
     };
     (left, known.collect())
 }
+
+#[cfg(test)]
+mod tests {
+    use photoncube_spec::{BatchPins, Query, QueryWord, find_machine};
+
+    use super::*;
+
+    fn core() -> Core {
+        Core::new(find_machine("leaf-5-local7-rgb6d-n64").unwrap(), 2).unwrap()
+    }
+
+    fn leaf(dest: u32, last: bool) -> Beat {
+        Beat {
+            data: Vec::new(),
+            last,
+            dest,
+        }
+    }
+
+    fn query(core: &Core, dest: u32, tag: u32, release: bool) -> Beat {
+        let word = QueryWord {
+            query: Query {
+                position: [0; 3],
+                radius_sq: 0,
+            },
+            release,
+            batch: BatchPins {
+                last: true,
+                facings: 0,
+                tag,
+            },
+        };
+        let words = CoreStreams::of(core).queries;
+        Beat {
+            data: words.bytes(&CoreStreams::query_values(&word)),
+            last: true,
+            dest,
+        }
+    }
+
+    /// Two sets of chain 0 and one of chain 1; the first set of chain 0 has two batches.
+    fn words(core: &Core) -> CoreWords {
+        CoreWords {
+            photons: vec![leaf(0, false), leaf(1, true), leaf(0, true), leaf(0, true)],
+            queries: vec![
+                query(core, 1, 0, true),
+                query(core, 0, 1, false),
+                query(core, 0, 2, true),
+                query(core, 0, 3, true),
+            ],
+        }
+    }
+
+    #[test]
+    fn the_leaves_of_a_set_are_in_front_of_its_queries() {
+        let core = core();
+        let words = words(&core);
+        let order = on_line(&core, &words);
+        let kinds: String = order
+            .iter()
+            .map(|(kind, _)| char::from(kind.code()))
+            .collect();
+        assert_eq!(kinds, "PPQPQQPQ");
+    }
+
+    #[test]
+    fn sets_whose_queries_are_all_answered_are_not_left() {
+        let core = core();
+        let words = words(&core);
+        let (all, known) = left(&core, &words, &[0, 0]);
+        assert_eq!((&all, known), (&words, vec![0, 0]));
+        // A query of the first set of chain 0 is answered, the other is not: all of the set is left.
+        let (some, known) = left(&core, &words, &[1, 1]);
+        assert_eq!(known, [1, 0]);
+        assert_eq!(some.queries, words.queries[1..]);
+        assert_eq!(
+            some.photons,
+            [0, 2, 3].map(|leaf| words.photons[leaf].clone())
+        );
+        let (last, known) = left(&core, &words, &[2, 1]);
+        assert_eq!(known, [0, 0]);
+        assert_eq!(last.queries, words.queries[3..]);
+        assert_eq!(last.photons, words.photons[3..]);
+        let (none, _) = left(&core, &words, &[3, 1]);
+        assert_eq!(none, CoreWords::default());
+    }
+}

@@ -124,23 +124,21 @@ impl<P: Read + Write> Session<P> {
         (self.first, self.next, self.taken) = (0, 0, 0);
         (self.asked, self.refused, self.idle) = (0, 0, 0);
         self.collected = Collected::default();
-        self.reader.forget_number();
+        // Frames that were on their way may be lost, and are not missed.
+        self.reader.count(false);
         self.ask(true)?;
         while self.syncing {
-            for heard in self.listen()? {
-                match heard {
-                    Heard::Frame(frame) if self.is_answer(&frame) => self.syncing = false,
-                    // The end of what was on its way.
-                    Heard::Frame(_) | Heard::Damage if self.syncing => {
-                        self.reader.forget_number();
-                    }
-                    _ => {}
-                }
-            }
+            let heard = self.listen()?;
+            let mut frames = heard.iter().filter_map(|heard| match heard {
+                Heard::Frame(frame) => Some(frame),
+                Heard::Damage => None,
+            });
+            self.syncing = !frames.any(|frame| self.is_answer(frame));
             if self.syncing && self.is_silent() {
                 self.ask(true)?;
             }
         }
+        self.reader.count(true);
         self.asked = 0;
         Ok(())
     }

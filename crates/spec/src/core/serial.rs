@@ -244,6 +244,9 @@ impl SerialSizes {
     }
 }
 
+/// An address of the buffer has no value without a byte, and the bytes taken have 16 bits.
+const _: () = assert!(Serial::BUFFER_BYTES.is_power_of_two() && Serial::BUFFER_BYTES < 1 << 16);
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -285,8 +288,5 @@ mod tests {
             assert!(Serial::CREDIT_STEP / shortest < usize::from(u8::MAX));
             assert_eq!(sizes.payload(SerialKind::Query), 1 + 13);
         }
-        assert!(Serial::BUFFER_BYTES.is_power_of_two());
-        // The bytes taken have 16 bits.
-        assert!(Serial::BUFFER_BYTES < 1 << 16);
     }
 }
