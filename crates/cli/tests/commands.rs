@@ -464,11 +464,15 @@ fn help_has_examples() {
         "report",
         "hard-cases",
         "synth",
+        "board",
+        "board ulx3s",
+        "board simulate",
         "microprogram",
     ] {
-        let output = photoncube(&[command, "--help"]).assert().success();
+        let words: Vec<_> = command.split(' ').chain(["--help"]).collect();
+        let output = photoncube(&words).assert().success();
         let help = String::from_utf8(output.get_output().stdout.clone()).unwrap();
-        insta::assert_snapshot!(format!("help_{command}"), help);
+        insta::assert_snapshot!(format!("help_{}", command.replace(' ', "_")), help);
         assert!(help.contains("Examples:"), "{command}");
     }
     let output = photoncube(&["--help"]).assert().success();
