@@ -18,15 +18,15 @@ const VIEW: ViewOptions = ViewOptions {
     seed: 3,
 };
 
-/// The committed core, behind the fastest line of a clock: a simulation takes as long as its clocks.
-fn board() -> Ulx3s {
-    let (chains, machine) = CORES[0];
+/// So many chains of the committed core, behind the fastest line of a clock: a simulation takes as long as its clocks.
+fn board(chains: u32) -> Ulx3s {
+    let (_, machine) = CORES[0];
     let core = Core::new(find_machine(machine).unwrap(), chains).unwrap();
     Ulx3s::new(&core, 25, Ulx3s::MOST_BAUD).unwrap()
 }
 
 fn a_picture() -> Result<(), Failed> {
-    let board = board();
+    let board = board(CORES[0].0);
     let core = board.core();
     let scene = Scene::built_in("cornell")?;
     let options = TraceOptions {
@@ -57,7 +57,7 @@ fn a_picture() -> Result<(), Failed> {
 }
 
 fn scenarios() -> Result<(), Failed> {
-    let verdict = verify_board(&board(), &Scenario::ALL, 1)?;
+    let verdict = verify_board(&board(CORES[0].0), &Scenario::ALL, 1)?;
     println!("{verdict:?}");
     assert!(
         verdict.wrong > 20 && verdict.errors >= verdict.wrong,
@@ -67,8 +67,9 @@ fn scenarios() -> Result<(), Failed> {
     Ok(())
 }
 
+/// The faults are in the line, so one chain is enough.
 fn faults() -> Result<(), Failed> {
-    for control in board_controls(&board(), 1)? {
+    for control in board_controls(&board(1), 1)? {
         assert!(control.found, "{}", control.planted);
     }
     Ok(())
