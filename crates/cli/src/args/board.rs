@@ -15,8 +15,9 @@ use crate::machines::{self, CoreArgs};
 Examples:
   photoncube board ulx3s --out board                the sources, a bitstream, and what it takes
   photoncube board ulx3s --out board --no-build     the sources alone
-  photoncube board simulate                         prints the path of a serial line; in another terminal:
-  photoncube render cornell -o core.png --engine core --machine leaf-5-local7-rgb6d-n64 --chains 3 --port PATH
+  photoncube board simulate                         prints the path PATH of a serial line
+  photoncube render cornell -o core.png --engine core --port PATH \\
+      --machine leaf-5-local7-rgb6d-n64 --chains 3  (in another terminal)
 
 docs/board.md has the whole way to a board. It was never tried on one: what works here ends at the
 pins of the FPGA, in simulation.")]

@@ -28,7 +28,8 @@ Examples:
   photoncube render cornell -o smooth.png --engine f64 --estimator epanechnikov
   photoncube render cornell -o ladder.png --estimator ladder:4:cone
   photoncube render cornell -o core.png --engine core --machine leaf-7-local7-rgb6d-n4096
-  photoncube render cornell -o core.png --engine core --machine leaf-5-local7-rgb6d-n64 --chains 3 --port /dev/ttyUSB0
+  photoncube render cornell -o core.png --engine core --port /dev/ttyUSB0 \\
+      --machine leaf-5-local7-rgb6d-n64 --chains 3
   photoncube render ring -o sharp.png --engine format --direct rays:4 --caustics own --final-gather 16
 
 Estimators:
