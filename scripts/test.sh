@@ -84,6 +84,7 @@ first_stream() {
     stage "second texts" scripts/yosys/ecp5.sh
     stage "copies of registers" scripts/yosys/copies.sh
     stage "cores by standard tools" scripts/core/check.sh
+    stage "board" scripts/board/check.sh
 }
 second_stream() {
     stage "test files e to z" cargo test --locked --workspace --test '[!a-d]*' -- --include-ignored

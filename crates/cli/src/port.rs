@@ -24,8 +24,8 @@ const WRITE: Duration = Duration::from_secs(10);
 pub fn open(core: &Core, path: &str, baud: u32) -> Result<OnBoard> {
     let port = plain(path, baud).map_err(|error| {
         anyhow!(
-            "cannot open the port {path} at {baud} bits a second: {error}; expected the serial port of a board, such as /dev/ttyUSB0, that this \
-             user may open (on Debian: in the group dialout)"
+            "cannot open the port {path} at {baud} bits a second: {error}; expected the serial port of a board, such as \
+             /dev/ttyUSB0, that this user may open (on Debian: in the group dialout)"
         )
     })?;
     machines::prepare(core.machine)?;

@@ -2,9 +2,9 @@
 //!
 //! # The modules
 //!
-//! [`devices`] has the families of FPGAs as tables. [`area`](area()) and [`place`](place()) measure; [`bitstream`](bitstream()) makes the file
-//! that a board is loaded with; [`netlist`]
-//! and [`path`] read what Yosys and nextpnr write; [`prove`](prove()) proves the passes over a netlist.
+//! [`devices`] has the families of FPGAs as tables. [`area`](area()) and [`place`](place()) measure; [`bitstream`](bitstream()) makes the
+//! file that a board is loaded with; [`netlist`] and [`path`] read what Yosys and nextpnr write; [`prove`](prove()) proves the passes
+//! over a netlist.
 
 mod area;
 mod bitstream;

@@ -1,7 +1,8 @@
 //! Compares a board's Verilog, at the pins of its serial line, with the golden model: all frames that it sends, byte for byte.
 //!
-//! A scenario is a list of steps. A step's bytes go to both; then the frames that both have sent are compared, those of each kind in their order, and results
-//! also by their chain: the order between them depends on clocks of the line, which the model does not have, and so does when a credit is told.
+//! A scenario is a list of steps. A step's bytes go to both; then the frames that both have sent are compared, those of each kind in
+//! their order, and results also by their chain: the order between them depends on clocks of the line, which the model does not have, and
+//! so does when a credit is told.
 
 mod faults;
 mod scenario;

@@ -17,8 +17,8 @@ use crate::trace::TRACE;
 
 /// A board in a running Verilator simulation, and the other end of its serial line.
 ///
-/// What is written is sent when something is read. A read then runs the simulation until a byte comes, or until none has come for the clocks of
-/// [`Self::SILENT_BYTES`].
+/// What is written is sent when something is read. A read then runs the simulation until a byte comes, or until none has come for the
+/// clocks of [`Self::SILENT_BYTES`].
 pub struct BoardSimulation {
     process: Process,
     clocks_of_bit: u32,

@@ -53,8 +53,8 @@ pub enum SerialError {
     },
     /// Frames to the board are damaged again and again.
     #[error(
-        "the board refused the same frame {times} times, last because of `{cause}`: the line to the board damages what it carries; check the cable, \
-         or make the line slower (--baud, of the bitstream too)"
+        "the board refused the same frame {times} times, last because of `{cause}`: the line to the board damages what \
+         it carries; check the cable, or make the line slower (--baud, of the bitstream too)"
     )]
     ToBoard {
         /// How often.
@@ -64,8 +64,8 @@ pub enum SerialError {
     },
     /// Frames from the board are damaged again and again.
     #[error(
-        "the same work was begun {times} times, and each time a frame of the board was damaged or lost; check the cable, that no other program reads the \
-         port, or make the line slower (--baud, of the bitstream too)"
+        "the same work was begun {times} times, and each time a frame of the board was damaged or lost; check the cable, that no \
+         other program reads the port, or make the line slower (--baud, of the bitstream too)"
     )]
     FromBoard {
         /// How often.
@@ -73,8 +73,8 @@ pub enum SerialError {
     },
     /// The board takes all frames, but the core does not answer.
     #[error(
-        "the board works but its core has given {found} of {expected} results and no other for {} s; load the bitstream again, and check that \
-         its clock is no faster than nextpnr said",
+        "the board works but its core has given {found} of {expected} results and no other for {} s; load the bitstream again, \
+         and check that its clock is no faster than nextpnr said",
         waited.as_secs_f64()
     )]
     Stalled {

@@ -39,8 +39,8 @@ impl<P: Read + Write> SerialTransport<P> {
     /// The time without a byte after which the board is asked whether it is there.
     pub const SILENCE: Duration = Duration::from_secs(2);
 
-    /// Begins a session, and checks that the core at the other end is this one. `digest` is that of the core's configuration, `silence` the time
-    /// without a byte after which the board is asked whether it is there.
+    /// Begins a session, and checks that the core at the other end is this one. `digest` is that of the core's configuration, `silence`
+    /// the time without a byte after which the board is asked whether it is there.
     ///
     /// # Errors
     /// The port fails, nothing answers, or another core does.

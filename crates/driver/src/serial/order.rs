@@ -5,7 +5,8 @@ use photoncube_spec::{Beat, Core, CoreStreams, CoreWords, SerialKind};
 /// The frames of words, each stream in its order: the leaves up to the end of a set stand before the first query on it.
 ///
 /// A word that the core does not take holds back those behind it. A query here waits for no leaf behind it. A leaf that waits for a bank
-/// waits for queries that are in front of the query for which it was sent, by the rule that the streams follow (see [`photoncube_spec::Core`]).
+/// waits for queries that are in front of the query for which it was sent, by the rule that the streams follow (see
+/// [`photoncube_spec::Core`]).
 pub(super) fn on_line<'a>(core: &Core, words: &'a CoreWords) -> Vec<(SerialKind, &'a Beat)> {
     let ends = set_ends(core, &words.photons);
     let mut sets = Sets::new(core);
@@ -73,8 +74,8 @@ impl Sets {
     }
 }
 
-/// The words that are left where each chain has answered so many queries: those of all sets with a query that is not answered. Also of each chain how
-/// many results of them are known.
+/// The words that are left where each chain has answered so many queries: those of all sets with a query that is not answered. Also of
+/// each chain how many results of them are known.
 pub(super) fn left(core: &Core, words: &CoreWords, answered: &[usize]) -> (CoreWords, Vec<usize>) {
     let chains = core.chains as usize;
     let mut sets = Sets::new(core);

@@ -1,7 +1,7 @@
 //! The Verilog that puts a core at the end of a serial line, and on a board.
 //!
-//! The modules of the line are written in Verilog, for the reason that those of a core are. They follow the rules of [`photoncube_spec::Serial`]; the
-//! numbers in them come from its tables.
+//! The modules of the line are written in Verilog, for the reason that those of a core are. They follow the rules of
+//! [`photoncube_spec::Serial`]; the numbers in them come from its tables.
 
 mod bridge;
 mod crc;

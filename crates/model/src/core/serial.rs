@@ -22,7 +22,8 @@ pub struct SerialFrame {
     pub payload: Vec<u8>,
 }
 
-/// The remainder of a division of polynomials over bits: bytes, highest bits first, with the start value in front, by x^16 + the CRC's polynomial.
+/// The remainder of a division of polynomials over bits: bytes, highest bits first, with the start value in front, by x^16 + the CRC's
+/// polynomial.
 fn remainder(bytes: &[u8]) -> u32 {
     let mut bits: Vec<bool> = bytes
         .iter()

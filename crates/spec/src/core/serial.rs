@@ -1,24 +1,26 @@
 //! The serial line of a core: how its words pass through a UART.
 //!
-//! The core is at the end of a line of bytes: 8 bits a byte, no parity, one stop bit, no flow control by wires. The computer at the other end
-//! is the *host*. The logic between the line and the core's ports is the *bridge*.
+//! The core is at the end of a line of bytes: 8 bits a byte, no parity, one stop bit, no flow control by wires. The computer at the other
+//! end is the *host*. The logic between the line and the core's ports is the *bridge*.
 //!
 //! # Frames
-//! Everything on the line is a *frame*. Its bytes are, in this order: [`Serial::FLAG`]; the kind, a code of [`SerialRow`]; the number; the payload, whose length
-//! [`SerialSizes::payload`] says for each kind; the CRC, high byte first. Behind the flag, a byte that equals [`Serial::FLAG`] or [`Serial::ESCAPE`]
-//! is sent as two: the escape, and the byte xor [`Serial::ESCAPED`]. So a flag on the line always begins a frame. A frame has no end mark: its
-//! length follows from its kind.
+//! Everything on the line is a *frame*. Its bytes are, in this order: [`Serial::FLAG`]; the kind, a code of [`SerialRow`]; the number;
+//! the payload, whose length [`SerialSizes::payload`] says for each kind; the CRC, high byte first. Behind the flag, a byte that equals
+//! [`Serial::FLAG`] or [`Serial::ESCAPE`] is sent as two: the escape, and the byte xor [`Serial::ESCAPED`]. So a flag on the line always
+//! begins a frame. A frame has no end mark: its length follows from its kind.
 //!
 //! The CRC is over kind, number and payload, without escapes. Its polynomial is [`Serial::CRC_POLYNOMIAL`] below x^16, its first value
-//! [`Serial::CRC_START`]; bits enter with the highest of each byte first, and nothing is inverted. (It is known as CRC-16/IBM-3740.) The CRC over a whole
-//! frame, its own two bytes included, is 0.
+//! [`Serial::CRC_START`]; bits enter with the highest of each byte first, and nothing is inverted. (It is known as CRC-16/IBM-3740.) The
+//! CRC over a whole frame, its own two bytes included, is 0.
 //!
 //! # Payloads
 //! Numbers of several bytes have their lowest byte first.
-//! - [`SerialKind::Photons`], [`SerialKind::Query`]: a mark, whose bits 0 to 3 are `tdest` and bit 4 `tlast`; then the bytes of `tdata` up to the end of the last field.
-//! - [`SerialKind::Result`]: a mark, whose bits 0 to 3 are `tid`, bit 4 `tlast` and bit 5 `tuser`; then the bytes of `tdata` up to the end of the last field.
-//! - [`SerialKind::Read`]: the address, 2 bytes, whose bits from [`Core::ADDRESS_BITS`] on are not looked at. [`SerialKind::Write`]: such an address, and the
-//!   word, 4 bytes.
+//! - [`SerialKind::Photons`], [`SerialKind::Query`]: a mark, whose bits 0 to 3 are `tdest` and bit 4 `tlast`; then the bytes of `tdata`
+//!   up to the end of the last field.
+//! - [`SerialKind::Result`]: a mark, whose bits 0 to 3 are `tid`, bit 4 `tlast` and bit 5 `tuser`; then the bytes of `tdata` up to the
+//!   end of the last field.
+//! - [`SerialKind::Read`]: the address, 2 bytes, whose bits from [`Core::ADDRESS_BITS`] on are not looked at. [`SerialKind::Write`]: such
+//!   an address, and the word, 4 bytes.
 //! - [`SerialKind::WriteAnswer`]: the AXI response, 1 byte. [`SerialKind::ReadAnswer`]: the AXI response and the word, 4 bytes.
 //! - [`SerialKind::Sync`]: a token, 1 byte, and whether a session begins: 1 or 0, 1 byte.
 //! - [`SerialKind::Synced`]: the token, 1 byte; the number of the frame that the bridge expects, 1 byte; the bytes taken, 2 bytes.
@@ -26,27 +28,30 @@
 //! - [`SerialKind::Credit`]: the bytes taken, 2 bytes.
 //!
 //! # Rules of the bridge
-//! - *Order.* The bridge gives the frames of the host to the core one after the other, in the order of the line. A word that the core does not take yet holds
-//!   back those behind it. A photon word must therefore not be in front of a query for whose answer it waits. An access to a register is answered before the next frame
-//!   is looked at.
-//! - *Numbers.* The bridge expects the numbers 0, 1, ... 255, 0, ... from the host; a [`SerialKind::Sync`] has no part in them, and its number is not looked at. The bridge's own
-//!   frames, of all kinds, are numbered in the same way from power-up on.
-//! - *Buffer.* A frame whose CRC and number are right is put into a buffer of [`Serial::BUFFER_BYTES`], in which it has 1 byte for its kind and
-//!   those of its payload. A frame that is wrong leaves nothing there.
-//! - *Credit.* The bridge counts the bytes that it takes out of the buffer, modulo 2^16, and tells their sum whenever [`Serial::CREDIT_STEP`] more were taken than it has
-//!   told. The host may send a frame where the bytes of all frames since the begin of the session, without those taken, are then at most [`Serial::BUFFER_BYTES`].
-//! - *Errors.* Each row of [`SerialFaultRow`] makes the bridge send an [`SerialKind::Error`] and become *deaf*. It is also deaf at power-up. While it is deaf it drops all
-//!   frames but a [`SerialKind::Sync`], without a further error. What it took before is not lost: the core works on.
-//! - *Resynchronisation.* A right [`SerialKind::Sync`] ends the deafness, however full the buffer is. The host then goes on with the frame of the number that
-//!   [`SerialKind::Synced`] says. Where a session begins, the core is reset, the buffer is emptied, the number expected and the bytes taken are 0, and answers that
-//!   were not sent yet are forgotten.
+//! - *Order.* The bridge gives the frames of the host to the core one after the other, in the order of the line. A word that the core
+//!   does not take yet holds back those behind it. A photon word must therefore not be in front of a query for whose answer it waits. An
+//!   access to a register is answered before the next frame is looked at.
+//! - *Numbers.* The bridge expects the numbers 0, 1, ... 255, 0, ... from the host; a [`SerialKind::Sync`] has no part in them, and its
+//!   number is not looked at. The bridge's own frames, of all kinds, are numbered in the same way from power-up on.
+//! - *Buffer.* A frame whose CRC and number are right is put into a buffer of [`Serial::BUFFER_BYTES`], in which it has 1 byte for its
+//!   kind and those of its payload. A frame that is wrong leaves nothing there.
+//! - *Credit.* The bridge counts the bytes that it takes out of the buffer, modulo 2^16, and tells their sum whenever
+//!   [`Serial::CREDIT_STEP`] more were taken than it has told. The host may send a frame where the bytes of all frames since the begin of
+//!   the session, without those taken, are then at most [`Serial::BUFFER_BYTES`].
+//! - *Errors.* Each row of [`SerialFaultRow`] makes the bridge send an [`SerialKind::Error`] and become *deaf*. It is also deaf at
+//!   power-up. While it is deaf it drops all frames but a [`SerialKind::Sync`], without a further error. What it took before is not lost:
+//!   the core works on.
+//! - *Resynchronisation.* A right [`SerialKind::Sync`] ends the deafness, however full the buffer is. The host then goes on with the
+//!   frame of the number that [`SerialKind::Synced`] says. Where a session begins, the core is reset, the buffer is emptied, the number
+//!   expected and the bytes taken are 0, and answers that were not sent yet are forgotten.
+//! - *Reset.* A reset of the bridge, such as a button of a board, does what the begin of a session does, and makes the bridge deaf.
 //!
 //! # Rules of the host
 //! - At most 255 frames may be on the way that the host does not know to be taken: their numbers tell them apart.
-//! - A byte outside of a frame, a wrong CRC or a number that is not the next says that a frame of the bridge is lost, perhaps a result. The host then begins a
-//!   session, and sends all words again for which it has not all results.
-//! - Where nothing comes for some time, the host sends a [`SerialKind::Sync`] with a token of its own. Up to the [`SerialKind::Synced`] with this token it looks at no frame
-//!   of the bridge where it begins a session.
+//! - A byte outside of a frame, a wrong CRC or a number that is not the next says that a frame of the bridge is lost, perhaps a result.
+//!   The host then begins a session, and sends all words again for which it has not all results.
+//! - Where nothing comes for some time, the host sends a [`SerialKind::Sync`] with a token of its own. Up to the [`SerialKind::Synced`]
+//!   with this token it looks at no frame of the bridge where it begins a session.
 
 use super::{Core, CoreStreams, StreamWord};
 
