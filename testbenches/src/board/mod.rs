@@ -118,6 +118,7 @@ impl Comparison {
                 match *symbol {
                     Symbol::Byte(byte) => self.model.hear(byte),
                     Symbol::Broken(_) => self.model.hear_broken(),
+                    Symbol::Reset => self.model.reset(),
                 }
             }
             let mut found = simulation.exchange(&line, SILENT_BYTES)?;

@@ -17,7 +17,7 @@ pub enum Scenario {
     Words,
     /// Frames that are damaged, cut, lost, doubled, too many, and what the host does then.
     Damage,
-    /// More frames than the buffer holds, and a session that begins behind them.
+    /// More frames than the buffer holds, a session that begins behind them, and a reset by the board's button.
     Full,
 }
 
@@ -272,6 +272,18 @@ impl<'a> Host<'a> {
         }
         self.sync(false);
         self.sync(true);
+        let frames = self.round();
+        let (before, behind) = frames.split_at(frames.len() / 2);
+        for frame in before {
+            self.step().frame(frame);
+        }
+        // What was in the core is gone, and the bridge is deaf.
+        self.step().symbols.push(Symbol::Reset);
+        for frame in behind {
+            self.step().frame(frame);
+        }
+        self.sync(false);
+        self.number = 0;
         for frame in self.round() {
             self.step().frame(&frame);
         }

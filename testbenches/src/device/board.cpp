@@ -81,7 +81,12 @@ int main() {
     std::uint64_t waited = 0;
     // Until all was sent and something has come, or nothing has come for so many clocks.
     while (next < symbols.size() || !sender.idle() || (bytes.empty() && waited < head.limit)) {
-      if (sender.idle() && next < symbols.size()) sender.send(symbols[next++]);
+      top.button = 0;
+      if (sender.idle() && next < symbols.size()) {
+        const std::uint32_t symbol = symbols[next++];
+        if (symbol >> 9 & 1) top.button = 1;
+        else sender.send(symbol);
+      }
       if (sender.idle()) ++waited;
       top.rx = sender.level();
       top.clock = 0;

@@ -37,14 +37,17 @@ pub enum Symbol {
     Byte(u8),
     /// A byte without a stop bit, and a rest of two bits.
     Broken(u8),
+    /// The board's button is pressed, for less than a bit.
+    Reset,
 }
 
 impl Symbol {
-    /// Its code for the harness: bit 8 says that there is no stop bit.
+    /// Its code for the harness: bit 8 says that there is no stop bit, bit 9 that it is the button.
     fn code(self) -> u16 {
         match self {
             Self::Byte(byte) => byte.into(),
             Self::Broken(byte) => u16::from(byte) | 1 << 8,
+            Self::Reset => 1 << 9,
         }
     }
 }
@@ -171,7 +174,7 @@ impl Read for BoardSimulation {
     }
 }
 
-/// The number of the planted fault that acts, as an expression in any module.
+/// The number of the planted fault that acts, as an expression in any module: a port of the top, which is [`TRACE`].
 pub(crate) const FAULT: &str = "photoncube_trace.fault";
 
 /// The top of simulations, around that of the board.

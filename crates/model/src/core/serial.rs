@@ -184,6 +184,13 @@ impl SerialModel {
         self.run();
     }
 
+    /// A reset of the bridge.
+    pub fn reset(&mut self) {
+        self.clear();
+        self.part = None;
+        self.deaf = true;
+    }
+
     /// The bytes taken out of the buffer, modulo 2^16.
     pub fn taken(&self) -> u16 {
         self.taken
@@ -241,13 +248,18 @@ impl SerialModel {
         }
     }
 
+    /// Resets the core, and forgets what is on the way to it.
+    fn clear(&mut self) {
+        self.core = CoreModel::new(&self.kind_of_core, self.digest);
+        self.buffer.clear();
+        self.given = None;
+        (self.expected, self.taken, self.told) = (0, 0, 0);
+    }
+
     fn sync(&mut self, token: u8, begins: bool) {
         self.deaf = false;
         if begins {
-            self.core = CoreModel::new(&self.kind_of_core, self.digest);
-            self.buffer.clear();
-            self.given = None;
-            (self.expected, self.taken, self.told) = (0, 0, 0);
+            self.clear();
         }
         let [low, high] = self.taken.to_le_bytes();
         self.told = self.taken;
