@@ -40,11 +40,12 @@ trap 'rm -rf "$scratch"' EXIT
 
 "$photoncube" board ulx3s --no-build --out "$scratch" >/dev/null
 mkdir "$scratch/whole"
-# The ECP5's own cells are for the bitstream alone.
-shopt -s extglob
-cat "$scratch"/photoncube_ulx3s.v "$scratch"/photoncube_ulx3s_pll_model.v "$scratch"/photoncube_core_!(*_ecp5).v \
-    >"$scratch/whole/photoncube_ulx3s.v"
-scripts/yosys/check.sh "$scratch/whole/photoncube_ulx3s.v"
+whole=$scratch/whole/photoncube_ulx3s.v
+for file in "$scratch"/photoncube_ulx3s.v "$scratch"/photoncube_ulx3s_pll_model.v "$scratch"/photoncube_core_*.v; do
+    # The ECP5's own cells are for the bitstream alone.
+    [[ $file == *_ecp5.v ]] || cat "$file"
+done >"$whole"
+scripts/yosys/check.sh "$whole"
 ((bitstream)) || exit 0
 
 tools=$(scripts/setup.sh --where) || exit 2
