@@ -8,6 +8,8 @@ use photoncube_driver::{Driver, SerialError, SerialTransport};
 use photoncube_model::SerialModel;
 use photoncube_render::{Engine, PhotonMap, Scene, TraceOptions, ViewOptions, render, trace};
 use photoncube_spec::{Core, CoreCounter, PhotonFormat, find_machine};
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg32;
 
 const VIEW: ViewOptions = ViewOptions {
     width: 5,
@@ -19,13 +21,16 @@ const VIEW: ViewOptions = ViewOptions {
 const DIGEST: u64 = 0x0123_4567_89ab_cdef;
 const SILENCE: Duration = Duration::from_millis(20);
 
-/// A line that does something wrong with one byte of so many.
+/// A line that does something wrong with one byte of so many, on average: at regular places a host that goes back by as many bytes would meet it
+/// again and again.
 #[derive(Copy, Clone, Debug, Default)]
 struct Noise {
     /// To the board, and from it; 0 for never.
     one_in: [usize; 2],
     /// Whether the byte is lost, else a bit of it is wrong.
     loses: bool,
+    /// Whether the places are regular.
+    regular: bool,
 }
 
 /// The model of a core at the other end of a line.
@@ -33,6 +38,7 @@ struct ModelPort {
     model: SerialModel,
     noise: Noise,
     bytes: [usize; 2],
+    rng: Pcg32,
     from_board: VecDeque<u8>,
 }
 
@@ -42,6 +48,7 @@ impl ModelPort {
             model: SerialModel::new(core, DIGEST),
             noise,
             bytes: [0; 2],
+            rng: Pcg32::seed_from_u64(1),
             from_board: VecDeque::new(),
         }
     }
@@ -50,11 +57,16 @@ impl ModelPort {
     fn carried(&mut self, direction: usize, byte: u8) -> Option<u8> {
         self.bytes[direction] += 1;
         let count = self.bytes[direction];
-        match self.noise.one_in[direction] {
-            0 => Some(byte),
-            one_in if count % one_in != one_in - 1 => Some(byte),
-            _ if self.noise.loses => None,
-            _ => Some(byte ^ 1 << (count / 7 % 8)),
+        let one_in = self.noise.one_in[direction];
+        let is_wrong = match (one_in, self.noise.regular) {
+            (0, _) => false,
+            (_, true) => count % one_in == one_in - 1,
+            (_, false) => self.rng.random_range(0..one_in) == 0,
+        };
+        match (is_wrong, self.noise.loses) {
+            (false, _) => Some(byte),
+            (true, true) => None,
+            (true, false) => Some(byte ^ 1 << (count / 7 % 8)),
         }
     }
 }
@@ -121,7 +133,11 @@ fn a_picture_over_any_line_is_that_of_the_direct_gather() {
         ([0, 997], true),
         ([1499, 1103], false),
     ] {
-        let noise = Noise { one_in, loses };
+        let noise = Noise {
+            one_in,
+            loses,
+            regular: false,
+        };
         let port = ModelPort::new(&core, noise);
         let transport = SerialTransport::open(port, &core, DIGEST, SILENCE).unwrap();
         let driver = Driver::new(&core, vec![transport]).unwrap();
@@ -193,6 +209,7 @@ fn a_line_that_carries_nothing_right_is_named() {
     let to_board = Noise {
         one_in: [14, 0],
         loses: false,
+        regular: true,
     };
     let error = refusal(ModelPort::new(&core, to_board), &core, DIGEST);
     assert!(
@@ -205,6 +222,7 @@ fn a_line_that_carries_nothing_right_is_named() {
     let from_board = Noise {
         one_in: [0, 17],
         loses: false,
+        regular: true,
     };
     let error = refusal(ModelPort::new(&core, from_board), &core, DIGEST);
     assert!(matches!(error, SerialError::FromBoard { .. }), "{error}");
