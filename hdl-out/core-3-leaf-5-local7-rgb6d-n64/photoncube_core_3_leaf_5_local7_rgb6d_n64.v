@@ -243,14 +243,14 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64(aclk, aresetn, s_axis_photons_t
     wire [1:0] compared_0;
     wire [1:0] wanted_0;
     wire played_0;
-    photoncube_core_3_leaf_5_local7_rgb6d_n64_photon_port #(.GROUP(184), .FACING(5), .PLACE(3)) photon_port_0(.clock(aclk), .reset(reset),
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_photon_port #(.GROUP(184), .FACING(5), .NUMBER(3)) photon_port_0(.clock(aclk), .reset(reset),
         .leaf_valid(leaf_valid & (leaf_chain == 2'd0)), .leaf_last(leaf_last), .leaf_has_second(leaf_has_second),
         .leaf(leaf), .facing(leaf_facing), .leaf_ready(leaf_ready_0), .leaf_given(leaf_given_0),
         .leaf_refused(leaf_refused_0), .set_too_long(set_too_long_0), .group_valid(group_valid_0),
         .group_ready(group_ready_0), .group_last(group_last_0), .group_facing(group_facing_0), .group(group_0));
     wire query_valid_0 = query_valid & (query_chain == 2'd0);
     assign query_given_0 = query_valid_0 & query_ready_0;
-    photoncube_core_3_leaf_5_local7_rgb6d_n64_place #(.WIDTH(99)) query_place_0(.clock(aclk), .reset(reset),
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_slice #(.WIDTH(99)) query_slice_0(.clock(aclk), .reset(reset),
         .in_valid(query_valid_0), .in_ready(query_ready_0), .in_word(query_word[98:0]),
         .out_valid(chain_query_valid_0), .out_ready(chain_query_ready_0), .out_word(query_0));
     photoncube_core_3_leaf_5_local7_rgb6d_n64_place #(.WIDTH(61)) result_place_0(.clock(aclk), .reset(reset),
@@ -321,14 +321,14 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64(aclk, aresetn, s_axis_photons_t
     wire [1:0] compared_1;
     wire [1:0] wanted_1;
     wire played_1;
-    photoncube_core_3_leaf_5_local7_rgb6d_n64_photon_port #(.GROUP(184), .FACING(5), .PLACE(3)) photon_port_1(.clock(aclk), .reset(reset),
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_photon_port #(.GROUP(184), .FACING(5), .NUMBER(3)) photon_port_1(.clock(aclk), .reset(reset),
         .leaf_valid(leaf_valid & (leaf_chain == 2'd1)), .leaf_last(leaf_last), .leaf_has_second(leaf_has_second),
         .leaf(leaf), .facing(leaf_facing), .leaf_ready(leaf_ready_1), .leaf_given(leaf_given_1),
         .leaf_refused(leaf_refused_1), .set_too_long(set_too_long_1), .group_valid(group_valid_1),
         .group_ready(group_ready_1), .group_last(group_last_1), .group_facing(group_facing_1), .group(group_1));
     wire query_valid_1 = query_valid & (query_chain == 2'd1);
     assign query_given_1 = query_valid_1 & query_ready_1;
-    photoncube_core_3_leaf_5_local7_rgb6d_n64_place #(.WIDTH(99)) query_place_1(.clock(aclk), .reset(reset),
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_slice #(.WIDTH(99)) query_slice_1(.clock(aclk), .reset(reset),
         .in_valid(query_valid_1), .in_ready(query_ready_1), .in_word(query_word[98:0]),
         .out_valid(chain_query_valid_1), .out_ready(chain_query_ready_1), .out_word(query_1));
     photoncube_core_3_leaf_5_local7_rgb6d_n64_place #(.WIDTH(61)) result_place_1(.clock(aclk), .reset(reset),
@@ -399,14 +399,14 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64(aclk, aresetn, s_axis_photons_t
     wire [1:0] compared_2;
     wire [1:0] wanted_2;
     wire played_2;
-    photoncube_core_3_leaf_5_local7_rgb6d_n64_photon_port #(.GROUP(184), .FACING(5), .PLACE(3)) photon_port_2(.clock(aclk), .reset(reset),
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_photon_port #(.GROUP(184), .FACING(5), .NUMBER(3)) photon_port_2(.clock(aclk), .reset(reset),
         .leaf_valid(leaf_valid & (leaf_chain == 2'd2)), .leaf_last(leaf_last), .leaf_has_second(leaf_has_second),
         .leaf(leaf), .facing(leaf_facing), .leaf_ready(leaf_ready_2), .leaf_given(leaf_given_2),
         .leaf_refused(leaf_refused_2), .set_too_long(set_too_long_2), .group_valid(group_valid_2),
         .group_ready(group_ready_2), .group_last(group_last_2), .group_facing(group_facing_2), .group(group_2));
     wire query_valid_2 = query_valid & (query_chain == 2'd2);
     assign query_given_2 = query_valid_2 & query_ready_2;
-    photoncube_core_3_leaf_5_local7_rgb6d_n64_place #(.WIDTH(99)) query_place_2(.clock(aclk), .reset(reset),
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_slice #(.WIDTH(99)) query_slice_2(.clock(aclk), .reset(reset),
         .in_valid(query_valid_2), .in_ready(query_ready_2), .in_word(query_word[98:0]),
         .out_valid(chain_query_valid_2), .out_ready(chain_query_ready_2), .out_word(query_2));
     photoncube_core_3_leaf_5_local7_rgb6d_n64_place #(.WIDTH(61)) result_place_2(.clock(aclk), .reset(reset),
@@ -486,10 +486,13 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64(aclk, aresetn, s_axis_photons_t
     assign result_ready_2 = result_ready & (turn == 2'd2);
     wire result_outside = result_tag[17];
     wire [42:0] result_seen = result_outside ? {43{1'b0}} : result_sums;
+    wire result_waits;
     wire [62:0] result_word;
     photoncube_core_3_leaf_5_local7_rgb6d_n64_slice #(.WIDTH(63)) result_slice(.clock(aclk), .reset(reset),
         .in_valid(result_valid), .in_ready(result_ready), .in_word({turn, result_outside, result_tag[16], result_tag[15:0], result_seen}),
-        .out_valid(m_axis_results_tvalid), .out_ready(m_axis_results_tready), .out_word(result_word));
+        .out_valid(result_waits), .out_ready(m_axis_results_tready), .out_word(result_word));
+    // A result of before a reset is not given in the clock of the reset.
+    assign m_axis_results_tvalid = result_waits & ~reset;
     assign m_axis_results_tdata = {5'd0, result_word[58:0]};
     assign m_axis_results_tlast = result_word[59];
     assign m_axis_results_tuser = result_word[60];
@@ -553,7 +556,7 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
     chain_unknown, compared, wanted, played);
     input wire clock;
     input wire aresetn;
-    output wire reset;
+    output reg reset;
     input wire [8:0] s_axi_awaddr;
     input wire s_axi_awvalid;
     output wire s_axi_awready;
@@ -680,7 +683,6 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
     reg [31:0] silent_clocks;
     // The high bits of the counter whose low word was read last.
     reg [47 - 32:0] counter_high;
-    reg restart;
     // What happened in the clock before: the way to the counters is too far for the clock in which it happens.
     reg seen_busy;
     initial seen_busy = 1'd0;
@@ -723,9 +725,8 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
     initial under_way = 16'd0;
     initial silent_clocks = 32'd0;
     initial counter_high = {(47 - 31){1'b0}};
-    initial restart = 1'b0;
+    initial reset = 1'b0;
     initial seen_events = {(6 + 1){1'b0}};
-    assign reset = ~aresetn | restart;
     wire busy = |under_way;
 
     // An access is taken where its answer has a place.
@@ -863,7 +864,8 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
             s_axi_rdata <= read_word;
             counter_high <= counter_high_next;
         end else if (s_axi_rready) s_axi_rvalid <= 1'b0;
-        restart <= writes_control & write_word[0];
+        // A register, since the way to every chain is too far for the clock in which it is decided.
+        reset <= ~aresetn | (writes_control & write_word[0]);
         events <= (events & ~cleared) | seen_events;
         if (writes_enable) begin
             interrupt_enable <= (interrupt_enable & ~write_mask[6:0]) | write_word[6:0];
@@ -871,7 +873,7 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
         if (writes_limit) stall_limit <= (stall_limit & ~write_mask) | write_word;
         under_way <= under_way + query_given - result_moves;
         silent_clocks <= silent ? silent_next : 32'd0;
-        if (reset) begin
+        if (reset | ~aresetn) begin
             under_way <= 16'd0;
             silent_clocks <= 32'd0;
         end
@@ -932,7 +934,6 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
         if (~aresetn) begin
             s_axi_bvalid <= 1'b0;
             s_axi_rvalid <= 1'b0;
-            restart <= 1'b0;
             events <= {(6 + 1){1'b0}};
             interrupt_enable <= {(6 + 1){1'b0}};
             stall_limit <= 32'h00020000;
@@ -1036,12 +1037,12 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_place(clock, reset, in_valid, i
     end
 endmodule
 
-// Gives the leaves of a chain to it as groups, and drops the leaves for which the chain's bank has no place.
+// Takes the leaves of a chain into a place, gives them to the chain as groups, and drops those for which the chain's bank has no room.
 module photoncube_core_3_leaf_5_local7_rgb6d_n64_photon_port(clock, reset, leaf_valid, leaf_last, leaf_has_second, leaf, facing, leaf_ready,
     leaf_given, leaf_refused, set_too_long, group_valid, group_ready, group_last, group_facing, group);
     parameter GROUP = 1;
     parameter FACING = 1;
-    parameter PLACE = 1;
+    parameter NUMBER = 1;
     input wire clock;
     input wire reset;
     input wire leaf_valid;
@@ -1058,42 +1059,50 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_photon_port(clock, reset, leaf_
     output wire group_last;
     output wire [FACING - 1:0] group_facing;
     output wire [GROUP - 1:0] group;
+    // The number of the next leaf in its set.
+    reg [NUMBER - 1:0] number;
+    reg drops;
     reg second_valid;
     reg second_last;
     reg [FACING - 1:0] second_facing;
     reg [GROUP - 1:0] second_group;
-    // The number of the next leaf in its set.
-    reg [PLACE - 1:0] place;
-    reg drops;
-    initial second_valid = 1'b0;
-    initial place = {PLACE{1'b0}};
+    initial number = {NUMBER{1'b0}};
     initial drops = 1'b0;
-    wire first_valid = leaf_valid & ~drops & ~second_valid;
+    initial second_valid = 1'b0;
+    wire leaf_moves = leaf_valid & leaf_ready;
+    assign leaf_given = leaf_moves & ~drops;
+    assign leaf_refused = leaf_moves & drops;
+    assign set_too_long = leaf_given & ~leaf_last & (&number);
     // Only the last leaf of a set may have a single group.
-    wire two_groups = leaf_has_second | ~leaf_last;
-    assign leaf_ready = drops | (~second_valid & group_ready);
-    assign leaf_given = first_valid & group_ready;
-    assign leaf_refused = leaf_valid & drops;
-    assign set_too_long = leaf_given & ~leaf_last & (&place);
+    wire leaf_has_two = leaf_has_second | ~leaf_last;
+    wire first_valid;
+    wire first_ready = ~second_valid & group_ready;
+    wire first_has_two;
+    wire first_last;
+    wire [FACING - 1:0] first_facing;
+    wire [2 * GROUP - 1:0] first_leaf;
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_place #(.WIDTH(2 * GROUP + FACING + 2)) leaf_place(.clock(clock), .reset(reset),
+        .in_valid(leaf_valid & ~drops), .in_ready(leaf_ready), .in_word({leaf_has_two, leaf_last, facing, leaf}),
+        .out_valid(first_valid), .out_ready(first_ready), .out_word({first_has_two, first_last, first_facing, first_leaf}));
     assign group_valid = second_valid | first_valid;
-    assign group_last = second_valid ? second_last : ~two_groups;
-    assign group_facing = second_valid ? second_facing : facing;
-    assign group = second_valid ? second_group : leaf[GROUP - 1:0];
+    assign group_last = second_valid ? second_last : ~first_has_two;
+    assign group_facing = second_valid ? second_facing : first_facing;
+    assign group = second_valid ? second_group : first_leaf[GROUP - 1:0];
     always @(posedge clock) begin
-        if (second_valid & group_ready) second_valid <= 1'b0;
-        if (leaf_given) begin
-            place <= leaf_last ? {PLACE{1'b0}} : place + 1'b1;
-            second_valid <= two_groups;
-            second_last <= leaf_last;
-            second_facing <= facing;
-            second_group <= leaf[2 * GROUP - 1:GROUP];
-        end
+        if (leaf_given) number <= leaf_last ? {NUMBER{1'b0}} : number + 1'b1;
         if (set_too_long) drops <= 1'b1;
         if (leaf_refused & leaf_last) drops <= 1'b0;
+        if (second_valid & group_ready) second_valid <= 1'b0;
+        if (first_valid & first_ready) begin
+            second_valid <= first_has_two;
+            second_last <= first_last;
+            second_facing <= first_facing;
+            second_group <= first_leaf[2 * GROUP - 1:GROUP];
+        end
         if (reset) begin
-            second_valid <= 1'b0;
-            place <= {PLACE{1'b0}};
+            number <= {NUMBER{1'b0}};
             drops <= 1'b0;
+            second_valid <= 1'b0;
         end
     end
 endmodule

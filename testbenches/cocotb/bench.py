@@ -112,12 +112,14 @@ class Watch:
 
     def clock(self) -> None:
         """A clock edge without `aresetn`."""
+        if self.restarts:
+            self.held.pop(RESULTS, None)
+            assert not self.pin(f"{RESULTS}valid"), "a result of before a restart is given in its clock"
         self.hold_outputs()
         counts = self.streams()
         if self.restarts:
             self.reference.restart()
             self.received.clear()
-            self.held.pop(RESULTS, None)
             self.restarts = False
         self.lite(counts)
 

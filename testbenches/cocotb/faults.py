@@ -20,7 +20,7 @@ FAULTS = {
     # Results of queries outside of their frame keep their sums.
     "keep-sums": (r"result_seen = result_outside \?", "result_seen = !result_outside ?"),
     # The bit that clears the counters restarts the core.
-    "other-bit": (r"restart <= writes_control & write_word\[0\]", "restart <= writes_control & write_word[1]"),
+    "other-bit": (r"writes_control & write_word\[0\]", "writes_control & write_word[1]"),
 }
 
 

@@ -53,6 +53,7 @@ pub(super) struct Drive<'a> {
     pace: Pace,
     clock: u64,
     events_before: u32,
+    reset_before: bool,
     pub(super) happened: Happened,
 }
 
@@ -87,6 +88,7 @@ impl<'a> Drive<'a> {
             },
             clock: 0,
             events_before: 0,
+            reset_before: false,
             happened: Happened::default(),
         }
     }
@@ -128,7 +130,7 @@ impl<'a> Drive<'a> {
         let outputs = self.model.outputs(&self.inputs);
         rows.expected
             .extend(CorePins::output_row(self.streams, &outputs));
-        let ends = self.model.resets(&self.inputs);
+        let ends = self.inputs.reset || self.model.resets();
         self.note(&outputs)?;
         self.model.clock(&self.inputs);
         self.note_events();
@@ -218,7 +220,8 @@ impl<'a> Drive<'a> {
     /// Holds the results against what the chains owe, and counts.
     fn note(&mut self, outputs: &CoreOutputs) -> Result<(), CoreError> {
         self.happened.resets += u64::from(self.inputs.reset);
-        let restarts = self.model.resets(&self.inputs) && !self.inputs.reset;
+        let restarts = self.model.resets() && !self.reset_before;
+        self.reset_before = self.inputs.reset;
         self.happened.restarts += u64::from(restarts);
         if let Some(result) = outputs.result.as_ref().filter(|_| self.inputs.result_ready) {
             let (sums, tag) =

@@ -229,10 +229,10 @@ type CoreFault = (&'static str, &'static str, &'static str, &'static str);
 /// Faults that a verification of a core must find.
 const FAULTS: [CoreFault; 7] = [
     (
-        "a leaf is given where its predecessor's second group waits",
+        "a leaf within a set has one group where its last four photons are absent",
         "photon_port",
-        "& ~drops & ~second_valid;",
-        "& ~drops;",
+        "leaf_has_two = leaf_has_second | ~leaf_last;",
+        "leaf_has_two = leaf_has_second;",
     ),
     (
         "a set that is too long is read in",
@@ -267,7 +267,7 @@ const FAULTS: [CoreFault; 7] = [
     (
         "a restart does not forget the queries under way",
         "registers",
-        "if (reset) begin\n            under_way <= 16'd0;",
+        "if (reset | ~aresetn) begin\n            under_way <= 16'd0;",
         "if (1'b0) begin\n            under_way <= 16'd0;",
     ),
 ];

@@ -17,7 +17,7 @@ pub(super) fn chain_text(
     let Sizes {
         group,
         facing,
-        place,
+        number,
         query,
         sums,
         ..
@@ -46,14 +46,14 @@ pub(super) fn chain_text(
          wire [1:0] compared_{chain};\n    \
          wire [1:0] wanted_{chain};\n    \
          wire played_{chain};\n    \
-         {top}_photon_port #(.GROUP({group}), .FACING({facing}), .PLACE({place})) photon_port_{chain}(.clock(aclk), .reset(reset),\n        \
+         {top}_photon_port #(.GROUP({group}), .FACING({facing}), .NUMBER({number})) photon_port_{chain}(.clock(aclk), .reset(reset),\n        \
          .leaf_valid(leaf_valid & (leaf_chain == {bits}'d{chain})), .leaf_last(leaf_last), .leaf_has_second(leaf_has_second),\n        \
          .leaf(leaf), .facing(leaf_facing), .leaf_ready(leaf_ready_{chain}), .leaf_given(leaf_given_{chain}),\n        \
          .leaf_refused(leaf_refused_{chain}), .set_too_long(set_too_long_{chain}), .group_valid(group_valid_{chain}),\n        \
          .group_ready(group_ready_{chain}), .group_last(group_last_{chain}), .group_facing(group_facing_{chain}), .group(group_{chain}));\n    \
          wire query_valid_{chain} = query_valid & (query_chain == {bits}'d{chain});\n    \
          assign query_given_{chain} = query_valid_{chain} & query_ready_{chain};\n    \
-         {top}_place #(.WIDTH({})) query_place_{chain}(.clock(aclk), .reset(reset),\n        \
+         {top}_slice #(.WIDTH({})) query_slice_{chain}(.clock(aclk), .reset(reset),\n        \
          .in_valid(query_valid_{chain}), .in_ready(query_ready_{chain}), .in_word(query_word[{}:0]),\n        \
          .out_valid(chain_query_valid_{chain}), .out_ready(chain_query_ready_{chain}), .out_word(query_{chain}));\n    \
          {top}_place #(.WIDTH({})) result_place_{chain}(.clock(aclk), .reset(reset),\n        \

@@ -1,9 +1,9 @@
-// Gives the leaves of a chain to it as groups, and drops the leaves for which the chain's bank has no place.
+// Takes the leaves of a chain into a place, gives them to the chain as groups, and drops those for which the chain's bank has no room.
 module @TOP@_photon_port(clock, reset, leaf_valid, leaf_last, leaf_has_second, leaf, facing, leaf_ready,
     leaf_given, leaf_refused, set_too_long, group_valid, group_ready, group_last, group_facing, group);
     parameter GROUP = 1;
     parameter FACING = 1;
-    parameter PLACE = 1;
+    parameter NUMBER = 1;
     input wire clock;
     input wire reset;
     input wire leaf_valid;
@@ -20,42 +20,50 @@ module @TOP@_photon_port(clock, reset, leaf_valid, leaf_last, leaf_has_second, l
     output wire group_last;
     output wire [FACING - 1:0] group_facing;
     output wire [GROUP - 1:0] group;
+    // The number of the next leaf in its set.
+    reg [NUMBER - 1:0] number;
+    reg drops;
     reg second_valid;
     reg second_last;
     reg [FACING - 1:0] second_facing;
     reg [GROUP - 1:0] second_group;
-    // The number of the next leaf in its set.
-    reg [PLACE - 1:0] place;
-    reg drops;
-    initial second_valid = 1'b0;
-    initial place = {PLACE{1'b0}};
+    initial number = {NUMBER{1'b0}};
     initial drops = 1'b0;
-    wire first_valid = leaf_valid & ~drops & ~second_valid;
+    initial second_valid = 1'b0;
+    wire leaf_moves = leaf_valid & leaf_ready;
+    assign leaf_given = leaf_moves & ~drops;
+    assign leaf_refused = leaf_moves & drops;
+    assign set_too_long = leaf_given & ~leaf_last & (&number);
     // Only the last leaf of a set may have a single group.
-    wire two_groups = leaf_has_second | ~leaf_last;
-    assign leaf_ready = drops | (~second_valid & group_ready);
-    assign leaf_given = first_valid & group_ready;
-    assign leaf_refused = leaf_valid & drops;
-    assign set_too_long = leaf_given & ~leaf_last & (&place);
+    wire leaf_has_two = leaf_has_second | ~leaf_last;
+    wire first_valid;
+    wire first_ready = ~second_valid & group_ready;
+    wire first_has_two;
+    wire first_last;
+    wire [FACING - 1:0] first_facing;
+    wire [2 * GROUP - 1:0] first_leaf;
+    @TOP@_place #(.WIDTH(2 * GROUP + FACING + 2)) leaf_place(.clock(clock), .reset(reset),
+        .in_valid(leaf_valid & ~drops), .in_ready(leaf_ready), .in_word({leaf_has_two, leaf_last, facing, leaf}),
+        .out_valid(first_valid), .out_ready(first_ready), .out_word({first_has_two, first_last, first_facing, first_leaf}));
     assign group_valid = second_valid | first_valid;
-    assign group_last = second_valid ? second_last : ~two_groups;
-    assign group_facing = second_valid ? second_facing : facing;
-    assign group = second_valid ? second_group : leaf[GROUP - 1:0];
+    assign group_last = second_valid ? second_last : ~first_has_two;
+    assign group_facing = second_valid ? second_facing : first_facing;
+    assign group = second_valid ? second_group : first_leaf[GROUP - 1:0];
     always @(posedge clock) begin
-        if (second_valid & group_ready) second_valid <= 1'b0;
-        if (leaf_given) begin
-            place <= leaf_last ? {PLACE{1'b0}} : place + 1'b1;
-            second_valid <= two_groups;
-            second_last <= leaf_last;
-            second_facing <= facing;
-            second_group <= leaf[2 * GROUP - 1:GROUP];
-        end
+        if (leaf_given) number <= leaf_last ? {NUMBER{1'b0}} : number + 1'b1;
         if (set_too_long) drops <= 1'b1;
         if (leaf_refused & leaf_last) drops <= 1'b0;
+        if (second_valid & group_ready) second_valid <= 1'b0;
+        if (first_valid & first_ready) begin
+            second_valid <= first_has_two;
+            second_last <= first_last;
+            second_facing <= first_facing;
+            second_group <= first_leaf[2 * GROUP - 1:GROUP];
+        end
         if (reset) begin
-            second_valid <= 1'b0;
-            place <= {PLACE{1'b0}};
+            number <= {NUMBER{1'b0}};
             drops <= 1'b0;
+            second_valid <= 1'b0;
         end
     end
 endmodule

@@ -8,7 +8,7 @@ module @TOP@_registers(clock, aresetn, reset,
     chain_unknown, compared, wanted, played);
     input wire clock;
     input wire aresetn;
-    output wire reset;
+    output reg reset;
     input wire [@ADDRESS_HIGH@:0] s_axi_awaddr;
     input wire s_axi_awvalid;
     output wire s_axi_awready;
@@ -58,7 +58,6 @@ module @TOP@_registers(clock, aresetn, reset,
     reg [31:0] silent_clocks;
     // The high bits of the counter whose low word was read last.
     reg [@COUNTER_HIGH@ - 32:0] counter_high;
-    reg restart;
     // What happened in the clock before: the way to the counters is too far for the clock in which it happens.
 @SEEN@
     reg [@EVENT_HIGH@:0] seen_events;
@@ -70,9 +69,8 @@ module @TOP@_registers(clock, aresetn, reset,
     initial under_way = @UNDER_WAY_BITS@'d0;
     initial silent_clocks = 32'd0;
     initial counter_high = {(@COUNTER_HIGH@ - 31){1'b0}};
-    initial restart = 1'b0;
+    initial reset = 1'b0;
     initial seen_events = {(@EVENT_HIGH@ + 1){1'b0}};
-    assign reset = ~aresetn | restart;
     wire busy = |under_way;
 
     // An access is taken where its answer has a place.
@@ -141,7 +139,8 @@ module @TOP@_registers(clock, aresetn, reset,
             s_axi_rdata <= read_word;
             counter_high <= counter_high_next;
         end else if (s_axi_rready) s_axi_rvalid <= 1'b0;
-        restart <= writes_control & write_word[@RESTART@];
+        // A register, since the way to every chain is too far for the clock in which it is decided.
+        reset <= ~aresetn | (writes_control & write_word[@RESTART@]);
         events <= (events & ~cleared) | seen_events;
         if (writes_enable) begin
             interrupt_enable <= (interrupt_enable & ~write_mask[@EVENT_HIGH@:0]) | write_word[@EVENT_HIGH@:0];
@@ -149,7 +148,7 @@ module @TOP@_registers(clock, aresetn, reset,
         if (writes_limit) stall_limit <= (stall_limit & ~write_mask) | write_word;
         under_way <= under_way + query_given - result_moves;
         silent_clocks <= silent ? silent_next : 32'd0;
-        if (reset) begin
+        if (reset | ~aresetn) begin
             under_way <= @UNDER_WAY_BITS@'d0;
             silent_clocks <= 32'd0;
         end
@@ -163,7 +162,6 @@ module @TOP@_registers(clock, aresetn, reset,
         if (~aresetn) begin
             s_axi_bvalid <= 1'b0;
             s_axi_rvalid <= 1'b0;
-            restart <= 1'b0;
             events <= {(@EVENT_HIGH@ + 1){1'b0}};
             interrupt_enable <= {(@EVENT_HIGH@ + 1){1'b0}};
             stall_limit <= @STALL_LIMIT@;

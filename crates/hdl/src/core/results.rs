@@ -57,6 +57,7 @@ pub(super) fn results(core: &Core, streams: &CoreStreams, sizes: &Sizes) -> Stri
         text,
         "    wire result_outside = result_tag[{outside}];\n    \
          wire {}result_seen = result_outside ? {{{sums}{{1'b0}}}} : result_sums;\n    \
+         wire result_waits;\n    \
          wire {}result_word;\n",
         range(sums),
         range(result_slice),
@@ -73,11 +74,7 @@ pub(super) fn results(core: &Core, streams: &CoreStreams, sizes: &Sizes) -> Stri
                 Core::TAG_BITS - 1
             ),
         ],
-        [
-            "m_axis_results_tvalid",
-            "m_axis_results_tready",
-            "result_word",
-        ],
+        ["result_waits", "m_axis_results_tready", "result_word"],
     );
     let padding = match streams.results.bits - end {
         0 => String::new(),
@@ -85,7 +82,9 @@ pub(super) fn results(core: &Core, streams: &CoreStreams, sizes: &Sizes) -> Stri
     };
     let _ = write!(
         text,
-        "    assign m_axis_results_tdata = {{{padding}result_word[{}:0]}};\n    \
+        "    // A result of before a reset is not given in the clock of the reset.\n    \
+         assign m_axis_results_tvalid = result_waits & ~reset;\n    \
+         assign m_axis_results_tdata = {{{padding}result_word[{}:0]}};\n    \
          assign m_axis_results_tlast = result_word[{end}];\n    \
          assign m_axis_results_tuser = result_word[{}];\n    \
          assign m_axis_results_tid = result_word[{}:{}];\n    \

@@ -16,7 +16,7 @@ pub(super) struct Sizes {
     /// A leaf's facing.
     pub(super) facing: u32,
     /// The number of a leaf in its set.
-    pub(super) place: u32,
+    pub(super) number: u32,
     /// The word in the slice of photons: a leaf, `tlast`, the chain.
     pub(super) photon_slice: u32,
     /// The fields of a query.
@@ -39,7 +39,7 @@ impl Sizes {
             chain,
             group,
             facing: Leaf::FACING_BITS,
-            place: core.set_leaves().ilog2(),
+            number: core.set_leaves().ilog2(),
             photon_slice: streams.photons.end() + 1 + chain,
             query,
             query_slice: query + 2 + chain,

@@ -29,7 +29,7 @@ pub struct CoreModel {
     queries: Places<QueryIn, 2>,
     results: Places<CoreResult, 2>,
     /// In front of each chain.
-    to_chains: Vec<Places<QueryIn, 1>>,
+    to_chains: Vec<Places<QueryIn, 2>>,
     /// Behind each chain.
     from_chains: Vec<Places<CoreResult, 1>>,
     ports: Vec<PhotonPort>,
@@ -99,24 +99,29 @@ impl CoreModel {
         self.registers.events()
     }
 
-    /// Whether this clock is a reset, by `aresetn` or a restart.
-    pub fn resets(&self, inputs: &CoreInputs) -> bool {
-        inputs.reset || self.registers.restart
+    /// Whether this clock is a reset: `aresetn` was 0 in the clock before, or a restart was written.
+    pub fn resets(&self) -> bool {
+        self.registers.reset
     }
 
     /// The values of the output pins in this clock, for these inputs.
     pub fn outputs(&self, inputs: &CoreInputs) -> CoreOutputs {
-        let reset = self.resets(inputs);
+        let reset = self.resets();
         CoreOutputs {
             photon_ready: self.photons.is_ready() && !reset,
             query_ready: self.queries.is_ready() && !reset,
-            result: self.results.front().map(|result| self.result_word(result)),
+            result: self.result().map(|result| self.result_word(result)),
             write_ready: self.registers.writes(&inputs.lite) && !inputs.reset,
             write_answer: self.registers.write_answer(),
             read_ready: self.registers.read_answer().is_none() && !inputs.reset,
             read_answer: self.registers.read_answer(),
             interrupt: self.registers.interrupt(),
         }
+    }
+
+    /// The result on its port.
+    fn result(&self) -> Option<&CoreResult> {
+        self.results.front().filter(|_| !self.resets())
     }
 
     fn result_word(&self, result: &CoreResult) -> ResultWord {
@@ -136,7 +141,7 @@ impl CoreModel {
     /// Applies one rising clock edge with these inputs.
     pub fn clock(&mut self, inputs: &CoreInputs) {
         let outputs = self.outputs(inputs);
-        let reset = self.resets(inputs);
+        let reset = self.resets();
         let to_chains: Vec<_> = (0..self.chains.len())
             .map(|chain| self.chain_inputs(chain, reset))
             .collect();
@@ -170,19 +175,13 @@ impl CoreModel {
         self.queries.clock(query_moves, query, reset);
         match inputs.reset {
             true => self.registers.reset(&self.core, self.digest),
-            false => self.registers.clock(&inputs.lite, &happens, reset),
+            false => self.registers.clock(&inputs.lite, &happens),
         }
-    }
-
-    /// The leaf in front of its slice, if it is for this chain.
-    fn leaf_for(&self, chain: usize) -> Option<&LeafWord> {
-        let leaf = self.photons.front();
-        leaf.filter(|leaf| leaf.chain as usize == chain)
     }
 
     fn chain_inputs(&self, chain: usize, reset: bool) -> Inputs {
         let query = self.to_chains[chain].front();
-        let group = self.ports[chain].offers(self.leaf_for(chain));
+        let group = self.ports[chain].offers();
         let word = query.map_or_else(QueryWord::default, |query| query.word);
         let flags = query.map_or(0, |query| {
             u32::from(query.word.batch.last) << Core::LAST_BIT
@@ -209,13 +208,13 @@ impl CoreModel {
         }
     }
 
-    /// The queries: from the slice to the place in front of a chain, and from these places to the chains.
+    /// The queries: from their slice to the slice in front of a chain, and from these slices to the chains.
     fn queries_to_chains(&mut self, from_chains: &[Outputs], given: bool, reset: bool) {
         let query = self.queries.front().copied().filter(|_| given);
-        for (chain, (place, outputs)) in self.to_chains.iter_mut().zip(from_chains).enumerate() {
-            let moves = place.front().is_some() && outputs.query_ready;
+        for (chain, (slice, outputs)) in self.to_chains.iter_mut().zip(from_chains).enumerate() {
+            let moves = slice.front().is_some() && outputs.query_ready;
             let query = query.filter(|query| query.chain as usize == chain);
-            place.clock(moves, query, reset);
+            slice.clock(moves, query, reset);
         }
     }
 
@@ -250,7 +249,7 @@ impl CoreModel {
     ) -> Happens {
         let leaf = self.photons.front();
         let fate = leaf.map(|leaf| match self.ports.get(leaf.chain as usize) {
-            Some(port) => port.fate(from_chains[leaf.chain as usize].group_ready),
+            Some(port) => port.fate(self.resets()),
             None => Fate::Refused,
         });
         let leaf_given = fate == Some(Fate::Given);
@@ -260,10 +259,10 @@ impl CoreModel {
         let query = self.queries.front();
         let query_refused = query.is_some_and(|query| query.chain >= self.core.chains);
         let query_given = query.is_some_and(|query| {
-            let place = self.to_chains.get(query.chain as usize);
-            place.is_some_and(Places::is_ready) && !self.resets(inputs)
+            let slice = self.to_chains.get(query.chain as usize);
+            slice.is_some_and(Places::is_ready) && !self.resets()
         });
-        let result = self.results.front();
+        let result = self.result();
         let result_moves = result.is_some() && inputs.result_ready;
         let sum =
             |of: fn(&Outputs) -> u32| from_chains.iter().map(|chain| u64::from(of(chain))).sum();

@@ -2,7 +2,9 @@
 
 use photoncube_spec::{Core, Group, Lane, Spatial};
 
-/// A leaf in the slice of photons.
+use super::slice::Places;
+
+/// A leaf in the slice of photons, or in the place in front of a chain.
 #[derive(Clone, Debug)]
 pub(super) struct LeafWord {
     pub(super) lanes: [Lane; Core::LEAF_PHOTONS],
@@ -43,9 +45,9 @@ impl LeafWord {
 /// What becomes of the leaf in front of the slice in a clock.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub(super) enum Fate {
-    /// It waits for the chain.
+    /// It waits for the place in front of its chain.
     Waits,
-    /// Its first group is given to the chain.
+    /// It moves to that place.
     Given,
     /// It is dropped.
     Refused,
@@ -54,6 +56,8 @@ pub(super) enum Fate {
 /// The state of the way to one chain.
 #[derive(Clone, Debug, Default)]
 pub(super) struct PhotonPort {
+    place: Places<LeafWord, 1>,
+    /// The second group of the leaf that left the place last.
     second: Option<Group>,
     /// Leaves of the set that were given.
     leaves: u32,
@@ -61,19 +65,18 @@ pub(super) struct PhotonPort {
 }
 
 impl PhotonPort {
-    /// The group that the chain is offered, where `leaf` is the chain's leaf in front of the slice.
-    pub(super) fn offers(&self, leaf: Option<&LeafWord>) -> Option<Group> {
-        let first = leaf.filter(|_| !self.drops);
-        let first = first.map(|leaf| leaf.group(0, !leaf.has_two_groups()));
-        self.second.clone().or(first)
+    /// The group that the chain is offered.
+    pub(super) fn offers(&self) -> Option<Group> {
+        let first = |leaf: &LeafWord| leaf.group(0, !leaf.has_two_groups());
+        self.second.clone().or(self.place.front().map(first))
     }
 
-    /// What becomes of the leaf, where the chain is ready or not.
-    pub(super) fn fate(&self, chain_ready: bool) -> Fate {
-        match (self.drops, self.second.is_some(), chain_ready) {
-            (true, _, _) => Fate::Refused,
-            (false, false, true) => Fate::Given,
-            _ => Fate::Waits,
+    /// What becomes of a leaf of the chain in front of the slice.
+    pub(super) fn fate(&self, reset: bool) -> Fate {
+        match (self.place.is_ready() && !reset, self.drops) {
+            (false, _) => Fate::Waits,
+            (true, false) => Fate::Given,
+            (true, true) => Fate::Refused,
         }
     }
 
@@ -82,6 +85,7 @@ impl PhotonPort {
         self.leaves + 1 == core.set_leaves() && !leaf.last
     }
 
+    /// A clock in which `leaf` is the chain's leaf in front of the slice, and the chain takes a group or not.
     pub(super) fn clock(
         &mut self,
         core: &Core,
@@ -89,18 +93,16 @@ impl PhotonPort {
         chain_ready: bool,
         reset: bool,
     ) {
-        let fate = leaf.map(|leaf| (leaf, self.fate(chain_ready)));
-        if chain_ready {
-            self.second = None;
-        }
-        match fate {
+        let leaf = leaf.map(|leaf| (leaf, self.fate(reset)));
+        let given = leaf.filter(|(_, fate)| *fate == Fate::Given);
+        self.groups(given.map(|(leaf, _)| leaf.clone()), chain_ready);
+        match leaf {
             Some((leaf, Fate::Given)) => {
                 self.drops = self.is_too_long(leaf, core);
                 self.leaves = match leaf.last || self.drops {
                     true => 0,
                     false => self.leaves + 1,
                 };
-                self.second = leaf.has_two_groups().then(|| leaf.group(1, leaf.last));
             }
             Some((leaf, Fate::Refused)) => self.drops = !leaf.last,
             _ => {}
@@ -108,5 +110,17 @@ impl PhotonPort {
         if reset {
             *self = Self::default();
         }
+    }
+
+    /// The groups: from the place to the chain, the second a clock behind the first at the earliest.
+    fn groups(&mut self, given: Option<LeafWord>, chain_ready: bool) {
+        let first_moves = chain_ready && self.second.is_none();
+        let first = self.place.front().filter(|_| first_moves);
+        let has_second = first.filter(|leaf| leaf.has_two_groups());
+        let second = has_second.map(|leaf| leaf.group(1, leaf.last));
+        if chain_ready {
+            self.second = second;
+        }
+        self.place.clock(first_moves, given, false);
     }
 }

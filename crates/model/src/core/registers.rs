@@ -47,7 +47,8 @@ pub(super) struct Registers {
     rows: Vec<CoreRegisterRow>,
     write_answer: Option<LiteAnswer>,
     read_answer: Option<LiteAnswer>,
-    pub(super) restart: bool,
+    /// The next clock is a reset of streams and chains.
+    pub(super) reset: bool,
     events: u32,
     interrupt_enable: u32,
     stall_limit: u32,
@@ -81,7 +82,7 @@ impl Registers {
         Self {
             write_answer: None,
             read_answer: None,
-            restart: false,
+            reset: false,
             events: 0,
             interrupt_enable: 0,
             stall_limit: limit.map_or(0, |row| row.reset),
@@ -171,7 +172,8 @@ impl Registers {
     }
 
     /// A clock without `aresetn` = 0.
-    pub(super) fn clock(&mut self, lite: &LiteIn, happens: &Happens, restart: bool) {
+    pub(super) fn clock(&mut self, lite: &LiteIn, happens: &Happens) {
+        let resets = self.reset;
         let write = self.writes(lite).then(|| self.write(lite));
         let reads = lite.read_address_valid && self.read_answer.is_none();
         let read = reads.then(|| self.at(lite.read_address).cloned());
@@ -198,7 +200,7 @@ impl Registers {
         {
             self.counters.fill(self.cleared);
         }
-        if restart {
+        if resets {
             self.under_way = 0;
             self.silent_clocks = 0;
         }
@@ -209,6 +211,7 @@ impl Registers {
         let cleared = self.cleared;
         *self = Self::new(core, digest);
         self.clear_to(cleared);
+        self.reset = true;
     }
 
     /// Counts a silent clock, and says whether the core is now stalled.
@@ -260,7 +263,7 @@ impl Registers {
     }
 
     fn answer_write(&mut self, lite: &LiteIn, write: Option<Write>) {
-        self.restart = false;
+        self.reset = false;
         let Some(write) = write else {
             if lite.write_answer_ready {
                 self.write_answer = None;
@@ -274,7 +277,7 @@ impl Registers {
         let put = |value: u32| value & !write.mask | write.word;
         match write.register {
             Some(CoreRegister::Control) => {
-                self.restart = write.word & CoreRegister::RESTART != 0;
+                self.reset = write.word & CoreRegister::RESTART != 0;
             }
             Some(CoreRegister::Events) => self.events &= !write.word,
             Some(CoreRegister::InterruptEnable) => {

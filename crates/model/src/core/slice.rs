@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-/// The words in several places, the first place first: two places in a slice, one in front of and behind a chain.
+/// The words in several places, the first place first: a slice has two.
 #[derive(Clone, Debug)]
 pub(super) struct Places<W, const N: usize> {
     words: VecDeque<W>,

@@ -31,23 +31,26 @@
 //!
 //! # Each clock
 //! All registers have the values before the clock edge, and `:=` gives the value after it. A word *moves* where its valid and
-//! its ready are both 1. `reset` is `aresetn` = 0 or [`CoreRegister::Control`]'s restart, which is 1 for one clock, the one
-//! behind the write. `reset` goes to all chains. The pin `aresetn` = 0 also gives all registers of [`CoreRegister`] their
-//! reset values; a restart leaves them.
+//! its ready are both 1. `reset` is a register, which is 1 in each clock behind one with `aresetn` = 0, and in the clock
+//! behind a write of [`CoreRegister::Control`]'s restart. `reset` goes to all chains. The pin `aresetn` = 0 also gives all
+//! registers of [`CoreRegister`] their reset values, in the same clock; a restart leaves them. So a word that moves in the
+//! first clock of `aresetn` = 0 is lost.
 //! - *Slices.* Each stream passes a slice of two places. Its ready is 1 where its second place is empty and `reset` is 0, its
 //!   valid where its first place is full. A word that moves in goes to the first place where that is empty or its word
 //!   moves out and the second place is empty, else to the second. Where the first place's word moves out, the second's
-//!   follows. A `reset` empties both, so a result that waits on `m_axis_results` is then taken back.
-//! - *Places.* In front of each chain is a place for one query, and behind each chain a place for one result. Its ready is 1
-//!   where it is empty and `reset` is 0, its valid where it is full. A `reset` empties it. So no ready of a chain is a part of
-//!   a long path.
-//! - *Leaves.* A leaf in the photon slice is *refused* where its chain is not there or drops. It is *given* where its chain
-//!   has no second group and is ready; then its first group is. A leaf has a second group unless it has `tlast` and its
-//!   last four photons are absent. That is held for the chain, and given in the first of the next clocks in which the
-//!   chain is ready. The chain's `group_last` is 1 with the last group of a word with `tlast`. The number of the leaf in
-//!   its set is counted for each chain. Where the last leaf of a full set is given without `tlast`, the chain drops: up to
-//!   and with the next word with `tlast`.
-//! - *Queries.* A query in its slice is refused where its chain is not there, and given where the place in front of its
+//!   follows. A `reset` empties both, and `m_axis_results_tvalid` is then 0: a result that waits there is taken back.
+//! - *In front of each chain* is a slice of queries, as above, so that a chain is given a query in each clock, and a place for
+//!   one leaf. *Behind each chain* is a place for one result. The ready of a place is 1 where it is empty and `reset` is 0, its
+//!   valid where it is full. A `reset` empties it. So no ready of a chain is a part of a long path.
+//! - *Leaves.* A leaf in the photon slice is *refused* where its chain is not there. Where the place in front of its chain is
+//!   ready, it is refused if the chain drops, and else *given*: it moves to that place. The number of the leaf in its set is
+//!   counted for each chain. Where the last leaf of a full set is given without `tlast`, the chain drops: up to and with the
+//!   next word with `tlast`.
+//! - *Groups.* A leaf leaves its place where the chain is ready and no second group waits; its first group then goes to the
+//!   chain. A leaf has a second group unless it has `tlast` and its last four photons are absent. The second group waits, and
+//!   goes in the next clock in which the chain is ready. The chain's `group_last` is 1 with the last group of a word with
+//!   `tlast`.
+//! - *Queries.* A query in its slice is refused where its chain is not there, and given where the slice in front of its
 //!   chain is ready. The chain's tag has the query's tag in its low bits, `tlast` in [`Core::LAST_BIT`], and in [`Core::OUTSIDE_BIT`] whether
 //!   it is outside: a bit that no field has is 1, as it is where a coordinate is not less than the frame.
 //! - *Results.* The place behind the chain `turn` gives its result to the slice of results. `turn` := the next chain whose
