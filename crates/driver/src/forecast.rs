@@ -1,13 +1,14 @@
 //! A forecast of the clocks that a core takes.
 //!
 //! A batch takes the longer of two: comparing the boxes of all leaves of its set, [`Leaf::PAIR`] a clock, and playing the leaves
-//! that are wanted, a group a clock. A set takes the longer of its batches and of reading in the next set of equal size, a
-//! group a clock. The stream of photons has a leaf a clock for all chains.
+//! that are wanted, a group a clock. A chain has two banks: while it works on a set it reads in the next, a group a clock. The
+//! stream of photons has a leaf a clock for all chains.
 
-use photoncube_render::{Bounds, Cull, QuantisedMap, QueryPoint};
+use photoncube_render::{QuantisedMap, QueryPoint};
 use photoncube_spec::{Core, Leaf, LeafSizes, PhotonFormat};
 
-use crate::frames::{FramePlan, PhotonLeaf, Set, SetBatch};
+use crate::cull::wanted;
+use crate::frames::{FramePlan, Set};
 
 /// Clocks between two batches of a chain beside those of its work, about.
 const BATCH_CLOCKS: u64 = 4;
@@ -47,11 +48,29 @@ impl Forecast {
     }
 }
 
-/// The clocks of the sets that the chains of a core were given.
+/// When a chain reads in a set and works on it.
+#[derive(Copy, Clone, Debug, Default)]
+pub(crate) struct Times {
+    /// The clock from which a bank is free for the set: that in which the set before it begins.
+    pub(crate) bank_is_free: u64,
+    /// The clock in which its first batch begins.
+    pub(crate) begins: u64,
+}
+
+/// What a chain was given.
+#[derive(Copy, Clone, Debug, Default)]
+struct Chain {
+    last: Times,
+    /// The clock in which the last leaf is read in.
+    is_loaded: u64,
+    /// The clock in which the last batch ends.
+    ends: u64,
+}
+
+/// The sets that the chains of a core were given.
 #[derive(Clone, Debug)]
 pub(crate) struct Load {
-    /// Of each chain.
-    chains: Vec<u64>,
+    chains: Vec<Chain>,
     /// Leaves of all chains.
     leaves: u64,
 }
@@ -59,22 +78,38 @@ pub(crate) struct Load {
 impl Load {
     pub(crate) fn new(chains: usize) -> Self {
         Self {
-            chains: vec![0; chains],
+            chains: vec![Chain::default(); chains],
             leaves: 0,
         }
     }
 
+    /// The chain that is done first.
+    pub(crate) fn first_free(&self) -> usize {
+        let chains = 0..self.chains.len();
+        let first = chains.min_by_key(|&chain| self.chains[chain].ends);
+        first.expect("a core has a chain")
+    }
+
     /// Gives a chain a set whose batches take so many clocks.
-    pub(crate) fn add(&mut self, chain: usize, set: &Set, batches: u64) {
+    pub(crate) fn add(&mut self, chain: usize, set: &Set, batches: u64) -> Times {
         let leaves = set.leaves.len() as u64;
-        self.chains[chain] += batches.max(leaves * Leaf::GROUPS as u64);
         self.leaves += leaves;
+        let chain = &mut self.chains[chain];
+        let bank_is_free = chain.last.begins;
+        chain.is_loaded = chain.is_loaded.max(bank_is_free) + leaves * Leaf::GROUPS as u64;
+        let begins = chain.ends.max(chain.is_loaded);
+        chain.ends = begins + batches;
+        chain.last = Times {
+            bank_is_free,
+            begins,
+        };
+        chain.last
     }
 
     /// The clocks until the last chain is done.
     pub(crate) fn clocks(&self) -> u64 {
-        let chains = self.chains.iter().copied();
-        chains.max().unwrap_or(0).max(self.leaves)
+        let ends = self.chains.iter().map(|chain| chain.ends);
+        ends.max().unwrap_or(0).max(self.leaves)
     }
 }
 
@@ -84,6 +119,8 @@ pub(crate) struct Forecaster {
     format: &'static PhotonFormat,
     /// The fewest clocks of a batch.
     least: u64,
+    /// The clocks in which each chain is given a leaf.
+    leaf: u64,
 }
 
 impl Forecaster {
@@ -92,44 +129,31 @@ impl Forecaster {
         Self {
             format: format.expect("a leaf machine has a photon format"),
             least: LeafSizes::of(core.leaf()).least_spacing.into(),
+            leaf: (Leaf::GROUPS as u64).max(core.chains.into()),
         }
+    }
+
+    /// The photon format of the core.
+    pub(crate) fn format(&self) -> &'static PhotonFormat {
+        self.format
     }
 
     /// The clocks of each batch of a set.
     pub(crate) fn batches(&self, set: &Set) -> Vec<u64> {
-        let leaves = set.leaves.iter();
-        let boxes: Vec<_> = leaves.filter_map(|leaf| self.leaf_box(leaf)).collect();
-        let batches = set.batches.iter();
-        batches.map(|batch| self.clocks(batch, &boxes)).collect()
+        let wanted = wanted(self.format, &set.leaves, &set.batches);
+        let clocks = |wanted: &Vec<usize>| self.batch(wanted.len(), set.leaves.len());
+        wanted.iter().map(clocks).collect()
     }
 
-    fn clocks(&self, batch: &SetBatch, leaves: &[(u32, Bounds)]) -> u64 {
-        let radius = i64::from(2 * self.format.radius_steps());
-        let queries = batch_box(batch);
-        let is_wanted = |(facing, leaf): &&(u32, Bounds)| {
-            batch.facings >> facing & 1 == 1
-                && queries.is_some_and(|queries| Cull::Distance.reads(*leaf, queries, radius))
-        };
-        let wanted = leaves.iter().filter(is_wanted).count();
+    /// The clocks of a batch that wants so many leaves of a set of so many.
+    pub(crate) fn batch(&self, wanted: usize, leaves: usize) -> u64 {
         let played = (wanted * Leaf::GROUPS) as u64;
-        let compared = leaves.len().div_ceil(Leaf::PAIR) as u64;
+        let compared = leaves.div_ceil(Leaf::PAIR) as u64;
         played.max(compared).max(self.least) + BATCH_CLOCKS
     }
 
-    /// The facing of a leaf, and the box around the middles of its photons' cells.
-    fn leaf_box(&self, leaf: &PhotonLeaf) -> Option<(u32, Bounds)> {
-        let middle = |place: u32| i64::from(2 * place + 1) << self.format.query_extra_bits;
-        let middles = leaf
-            .photons
-            .iter()
-            .map(|photon| photon.position.map(middle));
-        Some((leaf.facing, Bounds::around(middles)?))
+    /// The clocks of a set whose batches take so many clocks, where all chains read in sets of as many leaves.
+    pub(crate) fn set(&self, batches: u64, leaves: usize) -> u64 {
+        batches.max(leaves as u64 * self.leaf)
     }
-}
-
-/// The box around the middles of the queries' cells.
-fn batch_box(batch: &SetBatch) -> Option<Bounds> {
-    let middle = |place: u32| i64::from(2 * place + 1);
-    let queries = batch.queries.iter().map(|query| query.query.position);
-    Bounds::around(queries.map(|position| position.map(middle)))
 }

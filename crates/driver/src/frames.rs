@@ -6,6 +6,8 @@ use std::ops::Range;
 use photoncube_render::{BatchOptions, Batches, Facings, QuantisedMap, QueryPoint, close_together};
 use photoncube_spec::{Core, Leaf, Numbers, Photon, PhotonFormat, Query};
 
+use crate::cut::Cutter;
+
 /// Blocks on an axis whose queries are in one frame. A frame has one more block on each side, since a query gathers photons
 /// of the blocks around its own.
 const QUERY_BLOCKS: i64 = Numbers::FRAME_BLOCKS as i64 - 2;
@@ -63,8 +65,7 @@ pub struct Set {
 pub struct FramePlan<'a> {
     map: &'a QuantisedMap<'a>,
     format: &'a PhotonFormat,
-    /// The most leaves of a set.
-    set_leaves: usize,
+    cutter: Cutter,
     batches: Batches,
     /// The runs of the map, each with its photons, and their numbers in each block.
     runs: Vec<Range<usize>>,
@@ -95,7 +96,7 @@ impl<'a> FramePlan<'a> {
         let mut plan = Self {
             map,
             format,
-            set_leaves: core.set_leaves() as usize,
+            cutter: Cutter::new(core),
             batches: Batches::new(map, queries, &options),
             runs: map.map().runs().collect(),
             runs_of_block: runs_by_block(map),
@@ -150,20 +151,15 @@ impl<'a> FramePlan<'a> {
             .map(|block| block.div_euclid(QUERY_BLOCKS) * QUERY_BLOCKS - 1)
     }
 
-    /// The sets of a frame, each with its batches; none where the frame has no photon.
+    /// The sets of a frame, each with its batches; none where no batch wants a photon.
     pub fn sets(&self, frame: &Frame) -> Vec<Set> {
         let mut all = Vec::new();
         let mut facings: Vec<_> = frame.batches.iter().map(|batch| batch.facings).collect();
         facings.sort_unstable();
         facings.dedup();
         for facings in facings.chunks(FACING_SETS) {
-            let leaves = self.leaves(frame, facings);
-            for leaves in leaves.chunks(self.set_leaves) {
-                all.push(Set {
-                    leaves: leaves.to_vec(),
-                    batches: self.batches(frame, facings),
-                });
-            }
+            let (leaves, batches) = (self.leaves(frame, facings), self.batches(frame, facings));
+            all.extend(self.cutter.sets(&leaves, &batches));
         }
         all
     }

@@ -1,5 +1,7 @@
 #![doc = include_str!("../README.md")]
 
+mod cull;
+mod cut;
 mod driver;
 mod forecast;
 mod frames;

@@ -62,27 +62,24 @@ impl Scheduler {
     /// Schedules sets, each on the chain that is free first.
     pub fn schedule(&self, sets: &[Set]) -> Schedule {
         let chains = self.core.chains as usize;
-        let mut free_at = vec![0; chains];
-        let mut begun_at = vec![0; chains];
         let mut leaves = Vec::new();
         let mut batches = Vec::new();
         let mut load = Load::new(chains);
         for set in sets {
-            let chain = (0..chains).min_by_key(|&chain| free_at[chain]);
-            let chain = chain.expect("a core has a chain");
-            let (bank_is_free, begins) = (begun_at[chain], free_at[chain]);
-            begun_at[chain] = begins;
-            for (place, leaf) in set.leaves.iter().enumerate() {
-                let share = (begins - bank_is_free) * place as u64 / (2 * set.leaves.len() as u64);
-                let last = place + 1 == set.leaves.len();
-                leaves.push((bank_is_free + share, chain, leaf, last));
-            }
             let clocks = self.forecaster.batches(set);
-            load.add(chain, set, clocks.iter().sum());
+            let chain = load.first_free();
+            let times = load.add(chain, set, clocks.iter().sum());
+            for (place, leaf) in set.leaves.iter().enumerate() {
+                let before = times.begins - times.bank_is_free;
+                let share = before * place as u64 / (2 * set.leaves.len() as u64);
+                let last = place + 1 == set.leaves.len();
+                leaves.push((times.bank_is_free + share, chain, leaf, last));
+            }
+            let mut begins = times.begins;
             for (place, (batch, clocks)) in set.batches.iter().zip(clocks).enumerate() {
                 let release = place + 1 == set.batches.len();
-                batches.push((free_at[chain], chain, batch, release));
-                free_at[chain] += clocks;
+                batches.push((begins, chain, batch, release));
+                begins += clocks;
             }
         }
         // Stable: leaves and batches of equal times keep their order.
