@@ -12,6 +12,9 @@ use crate::cull::wanted;
 use crate::forecast::Forecaster;
 use crate::frames::{PhotonLeaf, Set, SetBatch};
 
+/// The most clocks of a set with several batches, about. Where sets are longer, the chains of a core end their last sets at different times.
+const LONGEST_SET: u64 = 1 << 12;
+
 /// Cuts the batches of frames into sets.
 #[derive(Debug)]
 pub(crate) struct Cutter {
@@ -67,18 +70,20 @@ impl Cutter {
         all
     }
 
-    /// Cuts batches in halves for as long as that takes fewer clocks.
+    /// Cuts batches in halves for as long as that takes fewer clocks, or they take more than [`LONGEST_SET`].
     fn cut(&self, wanted: &Wanted, batches: Range<usize>) -> Vec<Range<usize>> {
         let middle = batches.start.midpoint(batches.end);
         let halves = [batches.start..middle, middle..batches.end];
-        let clocks = |batches: &Range<usize>| self.clocks(wanted, batches);
-        if batches.len() < 2 || halves.iter().map(clocks).sum::<u64>() >= clocks(&batches) {
+        let whole = self.clocks(wanted, &batches);
+        let cut = halves
+            .iter()
+            .map(|half| self.clocks(wanted, half))
+            .sum::<u64>();
+        if batches.len() < 2 || cut >= whole && whole <= LONGEST_SET {
             return vec![batches];
         }
-        halves
-            .into_iter()
-            .flat_map(|half| self.cut(wanted, half))
-            .collect()
+        let halves = halves.into_iter();
+        halves.flat_map(|half| self.cut(wanted, half)).collect()
     }
 
     /// The clocks of batches in a set of their own; in several sets, where a bank does not hold all leaves that they want.

@@ -11,7 +11,7 @@ use crate::cull::wanted;
 use crate::frames::{FramePlan, Set};
 
 /// Clocks between two batches of a chain beside those of its work, about.
-const BATCH_CLOCKS: u64 = 4;
+const BATCH_CLOCKS: u64 = 1;
 
 /// A forecast for a picture.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]

@@ -65,8 +65,7 @@ impl Scheduler {
         let mut leaves = Vec::new();
         let mut batches = Vec::new();
         let mut load = Load::new(chains);
-        for set in sets {
-            let clocks = self.forecaster.batches(set);
+        for (set, clocks) in self.mixed(sets) {
             let chain = load.first_free();
             let times = load.add(chain, set, clocks.iter().sum());
             for (place, leaf) in set.leaves.iter().enumerate() {
@@ -98,6 +97,22 @@ impl Scheduler {
             self.batch(chain, batch, release, &mut schedule);
         }
         schedule
+    }
+
+    /// The sets, each with the clocks of its batches, in an order in which some of few neighbours take few clocks a query and some many. Where
+    /// all chains take few, they wait for queries, of which the stream has one a clock.
+    fn mixed<'a>(&self, sets: &'a [Set]) -> Vec<(&'a Set, Vec<u64>)> {
+        let clocks = |set: &'a Set| (set, self.forecaster.batches(set));
+        let mut sets: Vec<_> = sets.iter().map(clocks).collect();
+        sets.sort_by_cached_key(|(set, clocks)| {
+            let queries = set.batches.iter().map(|batch| batch.queries.len() as u64);
+            // A fraction as an integer.
+            (clocks.iter().sum::<u64>() << 16) / queries.sum::<u64>().max(1)
+        });
+        // In the order of their numbers with the bits reversed, numbers that are close together are far apart.
+        let mut numbered: Vec<_> = (0_u32..).zip(sets).collect();
+        numbered.sort_by_key(|(number, _)| number.reverse_bits());
+        numbered.into_iter().map(|(_, set)| set).collect()
     }
 
     fn leaf(&self, chain: usize, leaf: &PhotonLeaf, last: bool) -> Beat {
