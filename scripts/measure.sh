@@ -2,7 +2,7 @@
 # Measures the figures that `photoncube list`, the README and docs/machines.md show, and writes them to docs/measured/:
 # area and Fmax by `photoncube synth`, then error, clocks and the comparison by `photoncube run` for each
 # machine, on `cornell`, or on the scene that the machine is fitted to; and the fit of every built-in
-# scene. Also refreshes the README's picture.
+# scene. Also refreshes the README's pictures.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -13,7 +13,7 @@ for option; do
         --random-groups) random_groups=1 ;;
         *)
             printf 'Usage: scripts/measure.sh [--place-chains] [--random-groups]\n'
-            printf 'Writes docs/measured/*.json and docs/cornell.png.\n'
+            printf 'Writes docs/measured/*.json, docs/cornell.png and docs/spheres.png.\n'
             printf '  --place-chains   also place the machines of several engines: hours\n'
             printf '  --random-groups  also compare each machine of less than 9 clocks in Verilator, on a\n'
             printf '                   million random groups: an hour\n'
@@ -52,6 +52,8 @@ measure_area_and_clock() {
 target/release/photoncube generate
 for folder in hdl-out/*/; do
     machine=$(basename "$folder")
+    # A core is no machine: its chains are measured below.
+    [[ $machine == core-* ]] && continue
     printf '\n=== %s\n' "$machine"
     measure_area_and_clock "$machine"
     case $machine in
@@ -84,5 +86,9 @@ for scene in cornell ring range; do
     target/release/photoncube fit "$scene" --json >"target/measured/fit-$scene.json"
     cp "target/measured/fit-$scene.json" docs/measured/
 done
-cp target/measured/paper/cornell.png docs/cornell.png
+# The pictures of the README, by the emitted Verilog of a core in Verilator.
+core=(--engine core --machine leaf-7-local7-rgb6d-n4096 --chains 7)
+target/release/photoncube render cornell -o docs/cornell.png "${core[@]}"
+target/release/photoncube progressive docs/scenes/spheres.toml -o docs/spheres.png "${core[@]}" --passes 16 \
+    --direct rays --caustics own --area covered
 printf '\nmeasured; a table of README.md, docs/machines.md or docs/formats.md may have changed: cargo test --bin photoncube prints it\n'
