@@ -126,7 +126,7 @@ impl Scheduler {
                 data: self
                     .streams
                     .queries
-                    .bytes(&CoreStreams::query_values(&word)),
+                    .bytes(&CoreStreams::query_values(&self.core, &word)),
                 last,
                 dest: chain as u32,
             });

@@ -186,6 +186,18 @@ impl<'a, R: Rng> Draw<'a, R> {
             .collect()
     }
 
+    /// The radius of a query: the format's, or one of any length up to it.
+    fn radius_sq(&mut self) -> u32 {
+        let largest = self.core.machine.numbers.largest_radius_word();
+        match self.core.has_radii() {
+            true => {
+                let radius = self.rng.random_range(0..=largest.isqrt());
+                self.rng.random_range(radius * radius..=largest)
+            }
+            false => largest,
+        }
+    }
+
     fn query(
         &mut self,
         chain: u32,
@@ -199,7 +211,7 @@ impl<'a, R: Rng> Draw<'a, R> {
         let tag = self.bits(Core::TAG_BITS);
         let query = Query {
             position: self.photon(near).position.map(|place| place << shift),
-            radius_sq: self.core.machine.fixed_radius_sq().unwrap_or(0),
+            radius_sq: self.radius_sq(),
         };
         let word = QueryWord {
             query,
@@ -209,7 +221,7 @@ impl<'a, R: Rng> Draw<'a, R> {
         let mut data = self
             .streams
             .queries
-            .bytes(&CoreStreams::query_values(&word));
+            .bytes(&CoreStreams::query_values(self.core, &word));
         let outside = self.wrong();
         if outside {
             // The lowest bit above a coordinate.

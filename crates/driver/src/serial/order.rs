@@ -154,7 +154,7 @@ mod tests {
         };
         let words = CoreStreams::of(core).queries;
         Beat {
-            data: words.bytes(&CoreStreams::query_values(&word)),
+            data: words.bytes(&CoreStreams::query_values(core, &word)),
             last: true,
             dest,
         }

@@ -76,13 +76,15 @@ pub(super) fn chain_text(
         query + 1,
         part(tag, Core::TAG_BITS, &format!("query_{chain}")),
     );
-    for (pin, field) in [
+    let radius = core.has_radii().then_some(("query_radius_sq", "radius_sq"));
+    let pins = [
         ("query_x", "x"),
         ("query_y", "y"),
         ("query_z", "z"),
         ("query_facings", "facings"),
         ("query_release", "release"),
-    ] {
+    ];
+    for (pin, field) in pins.into_iter().chain(radius) {
         let field = streams.queries.field(field);
         let _ = writeln!(
             text,

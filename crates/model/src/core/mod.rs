@@ -24,7 +24,8 @@ pub struct CoreModel {
     core: Core,
     streams: CoreStreams,
     digest: u64,
-    radius_sq: u32,
+    /// The radius of all queries; none where each has its own.
+    fixed_radius_sq: Option<u32>,
     photons: Places<LeafWord, 2>,
     queries: Places<QueryIn, 2>,
     results: Places<CoreResult, 2>,
@@ -63,12 +64,11 @@ impl CoreModel {
     /// # Panics
     /// Where the machine of the core is not a legal leaf machine.
     pub fn new(core: &Core, digest: u64) -> Self {
-        let radius_sq = core.machine.fixed_radius_sq();
         Self {
             core: *core,
             streams: CoreStreams::of(core),
             digest,
-            radius_sq: radius_sq.expect("the queries of a leaf machine have the format's radius"),
+            fixed_radius_sq: core.machine.fixed_radius_sq(),
             photons: Places::default(),
             queries: Places::default(),
             results: Places::default(),
@@ -190,10 +190,7 @@ impl CoreModel {
         Inputs {
             reset,
             query_valid: query.is_some(),
-            query: Query {
-                radius_sq: self.radius_sq,
-                ..word.query
-            },
+            query: word.query,
             query_release: word.release,
             batch: BatchPins {
                 tag: word.batch.tag | flags,
@@ -318,7 +315,7 @@ impl CoreModel {
             word: QueryWord {
                 query: Query {
                     position: [number(0), number(1), number(2)],
-                    radius_sq: self.radius_sq,
+                    radius_sq: self.fixed_radius_sq.unwrap_or_else(|| number(6)),
                 },
                 release: number(5) != 0,
                 batch: BatchPins {

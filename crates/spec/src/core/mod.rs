@@ -10,7 +10,8 @@
 //! - `s_axis_photons`: a word is a leaf of up to 8 photons, for the chain `tdest`. `tlast` ends the set. The first photons are
 //!   present and the others absent. A set has at most [`Core::set_leaves`] leaves.
 //! - `s_axis_queries`: a word is a query for the chain `tdest`. `tlast` ends its batch, which also ends where it has as many
-//!   queries as a chain has engines.
+//!   queries as a chain has engines. Where each query has a radius, its field `radius_sq` is at most the format's
+//!   [`crate::Numbers::largest_radius_word`]; with a larger one the sums are not defined.
 //! - `m_axis_results`: a word is the result of a query, from the chain `tid`. `tlast` is the `tlast` of the query, and the
 //!   field `tag` its tag. `tuser` is 1 where the query is outside of its frame: the sums are then 0. The results of one chain
 //!   have the order of its queries; results of different chains come as they are found.
@@ -166,6 +167,11 @@ impl Core {
     /// Bits of a chain's number on the streams: at least 1.
     pub fn chain_bits(&self) -> u32 {
         crate::formats::bits_for(u128::from(self.chains - 1)).max(1)
+    }
+
+    /// Whether each query has a radius of its own.
+    pub fn has_radii(&self) -> bool {
+        self.machine.fixed_radius_sq().is_none()
     }
 
     /// Engines of each chain.

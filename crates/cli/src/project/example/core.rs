@@ -177,7 +177,10 @@ impl Words {
         word.batch.tag = self.queries.len() as u32;
         let last = (1, u64::from(word.batch.last));
         let mut query = vec![last, (core.chain_bits(), chain.into())];
-        query.extend(fields(&streams.queries, &CoreStreams::query_values(&word)));
+        query.extend(fields(
+            &streams.queries,
+            &CoreStreams::query_values(core, &word),
+        ));
         self.queries.push(vec![query]);
         let channels = core.machine.channels().names().len();
         // A sum has at most 64 bits.
@@ -269,6 +272,8 @@ mod tests {
             (3, "leaf-5-local7-rgb6d-n64"),
             (2, "leaf-4-local6x2-rgb4d-n64"),
             (2, "leaf-5-local8-rgb8e5-n4096"),
+            (2, "leaf-5-radii-local7-rgb6d-n64"),
+            (2, "leaf-4-radii-local6x2-rgb4d-n64"),
         ] {
             let core = Core::new(find_machine(machine).unwrap(), chains).unwrap();
             let text = core_example(&core).unwrap();
