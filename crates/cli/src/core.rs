@@ -82,12 +82,13 @@ pub struct CoreReport {
     query_stalls: u64,
     tests_per_photon_in_range: f64,
     queries_per_clock: f64,
+    estimates_per_clock: f64,
     engines_fed: f64,
 }
 
 impl CoreReport {
-    /// That of the work of cores of this kind.
-    pub fn of(core: &Core, work: &Work) -> Self {
+    /// That of the work of cores of this kind for that many estimates.
+    pub fn of(core: &Core, work: &Work, estimates: u64) -> Self {
         use CoreCounter as C;
         let over = |part: u64, whole: u64| part as f64 / whole.max(1) as f64;
         let engines = core.engines();
@@ -109,6 +110,7 @@ impl CoreReport {
             query_stalls: work.counter(C::QueryStalls),
             tests_per_photon_in_range: over(tests, work.counter(C::PhotonsInRange)),
             queries_per_clock: over(work.queries, clocks),
+            estimates_per_clock: over(estimates, clocks),
             engines_fed: over(played, clocks * u64::from(core.chains)),
         }
     }
@@ -118,7 +120,7 @@ impl CoreReport {
         let groups_read = self.leaves_loaded * Leaf::GROUPS as u64;
         format!(
             "core: {} chains of {} engines, {} clocks ({} forecast); {} sets of photons, {groups_read} groups read in, {} played (engines fed in {:.0} % of the \
-             clocks); {:.2} photon tests for each in range, {:.4} queries a clock\n",
+             clocks); {:.2} photon tests for each in range, {:.4} queries a clock, {:.4} estimates a clock\n",
             self.chains,
             self.engines,
             self.clocks,
@@ -128,6 +130,7 @@ impl CoreReport {
             100.0 * self.engines_fed,
             self.tests_per_photon_in_range,
             self.queries_per_clock,
+            self.estimates_per_clock,
         )
     }
 }

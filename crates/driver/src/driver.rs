@@ -51,6 +51,11 @@ pub enum DriverError {
         /// The tag of the query; `none` where the chain owes no result.
         expected: String,
     },
+    /// A query has another radius than all queries of the core have.
+    #[error(
+        "core `{0}`: found a query with a radius of its own, expected the format's, as its machine has no other"
+    )]
+    Radius(String),
     /// A core says that a query is outside of its frame.
     #[error(
         "core `{core}`: result {place} is of a query outside of its frame; the driver and the core differ"
@@ -66,7 +71,7 @@ pub enum DriverError {
 /// The work that cores did.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Work {
-    /// Queries of the picture.
+    /// Queries that were asked for: those of the picture, each as often as it has another radius.
     pub queries: u64,
     /// Words of the query streams. A query whose photons need several sets is there for each of them.
     pub query_words: u64,
@@ -169,8 +174,13 @@ impl<T: Transport> Driver<T> {
         &self,
         map: &QuantisedMap<'_>,
         queries: &[QueryPoint],
+        radii: Vec<u32>,
     ) -> Result<Vec<Sums>, TransportError> {
-        let plan = FramePlan::new(map, &self.core, queries);
+        let fixed = self.core.machine.fixed_radius_sq();
+        if fixed.is_some_and(|fixed| radii.iter().any(|&radius| radius != fixed)) {
+            return Err(DriverError::Radius(self.core.name()).into());
+        }
+        let plan = FramePlan::new(map, &self.core, queries).with_radii(radii);
         let (next, done) = (AtomicUsize::new(0), AtomicUsize::new(0));
         let worker = |transport: &Mutex<T>| {
             let mut transport = transport
@@ -304,14 +314,27 @@ impl<T: Transport> Gatherer for Driver<T> {
         &self,
         map: &QuantisedMap<'_>,
         queries: &[QueryPoint],
+        radii_sq: &[u32],
     ) -> Result<Vec<Gathered>, GathererError> {
-        let sums = self.run(map, queries)?;
-        let gathered = |sums: Sums| Gathered {
-            sums,
-            photons: sums.count,
-            tests: sums.count,
-        };
-        Ok(sums.into_iter().map(gathered).collect())
+        let words = radii_sq
+            .iter()
+            .map(|&radius_sq| map.numbers().radius_word(radius_sq));
+        let words: Vec<_> = words.collect();
+        // A query without a word has no photons in range.
+        let asked: Vec<_> = (0..queries.len())
+            .filter(|&query| words[query].is_some())
+            .collect();
+        let points: Vec<_> = asked.iter().map(|&query| queries[query]).collect();
+        let sums = self.run(map, &points, words.into_iter().flatten().collect())?;
+        let mut all = vec![Gathered::default(); queries.len()];
+        for (query, sums) in asked.into_iter().zip(sums) {
+            all[query] = Gathered {
+                sums,
+                photons: sums.count,
+                tests: sums.count,
+            };
+        }
+        Ok(all)
     }
 }
 

@@ -2,7 +2,8 @@
 
 use photoncube_driver::{Driver, DriverError, ModelTransport, Transport, TransportError, Work};
 use photoncube_render::{
-    Engine, PhotonMap, Rendering, Scene, TraceOptions, ViewOptions, render, trace,
+    Engine, Estimator, Gatherer, Light, Lighting, PhotonMap, QuantisedMap, QueryPoint, RenderError,
+    Rendering, Scene, TraceOptions, ViewOptions, render, render_lit, trace,
 };
 use photoncube_spec::{Core, CoreAnswer, CoreCounter, CoreWords, PhotonFormat, find_machine};
 
@@ -89,6 +90,73 @@ fn a_core_renders_what_the_direct_gather_renders() {
         let in_several_sets = work.query_words > work.queries;
         assert_eq!(in_several_sets, name.ends_with("n128"), "{name}: {work:?}");
     }
+}
+
+/// The picture of an estimator by a model of a core, and its gathers.
+fn estimated(
+    (scene, map): &(Scene, PhotonMap),
+    engine: Engine<'_>,
+    estimator: &Estimator,
+) -> Result<Rendering, RenderError> {
+    let light = Light {
+        lighting: &Lighting::default(),
+        global: map,
+        caustic: None,
+        estimator,
+    };
+    render_lit(scene, light, engine, &VIEW, &|_| ())
+}
+
+/// On whole and on half steps. With 300 photons asked for, many queries have fewer in their search radius.
+#[test]
+fn queries_with_radii_make_every_estimate_of_the_integers() {
+    for (scene, chains, name) in [
+        ("cornell", 1, "leaf-7-radii-local7-rgb6d-n4096"),
+        ("ring", 3, "leaf-5-radii-local6x2-rgb4d-n4096"),
+    ] {
+        let traced = traced(scene, 60.0);
+        let core = core(chains, name);
+        for estimator in ["fixed", "ladder:4:cone", "knn:20", "knn:300"] {
+            let driver = Driver::new(&core, vec![ModelTransport::new(&core)]).unwrap();
+            let estimator = estimator.parse().unwrap();
+            let hardware = Engine::Hardware(core.machine, &driver);
+            let found = estimated(&traced, hardware, &estimator).unwrap();
+            let expected = estimated(&traced, Engine::from(core.machine), &estimator).unwrap();
+            assert_eq!(found.image, expected.image, "{name}: {estimator}");
+            let gathers = |rendering: &Rendering| rendering.stats.gathers;
+            assert_eq!(gathers(&found), gathers(&expected), "{name}: {estimator}");
+            assert_eq!(
+                driver.work().queries,
+                gathers(&found),
+                "{name}: {estimator}"
+            );
+        }
+    }
+}
+
+#[test]
+fn an_estimate_that_a_core_has_no_radii_for_is_refused() {
+    let core = core(1, "leaf-4-local7-rgb6d-n256");
+    let driver = Driver::new(&core, vec![ModelTransport::new(&core)]).unwrap();
+    let engine = Engine::Hardware(core.machine, &driver);
+    let traced = traced("cornell", 60.0);
+    let error = estimated(&traced, engine, &Estimator::KNearest { k: 20 }).unwrap_err();
+    let error = error.to_string();
+    assert!(error.contains("all have the format's radius"), "{error}");
+    let (_, map) = &traced;
+    let place = map.photons()[0].position;
+    let map = QuantisedMap::new(map, &core.machine.numbers).unwrap();
+    let query = QueryPoint {
+        position: place,
+        normal: place,
+        beta: place,
+    };
+    let error = driver.gather_all(&map, &[query], &[1]).unwrap_err();
+    let error = error.to_string();
+    assert!(
+        error.contains("a query with a radius of its own"),
+        "{error}"
+    );
 }
 
 #[test]

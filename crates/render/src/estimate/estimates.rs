@@ -6,7 +6,7 @@ use photoncube_model::Gathered;
 
 use super::estimator::{Estimator, UnfitEstimator};
 use super::gather::{Estimate, Refusal, estimate_f64, gather};
-use super::integers::{Disc, Steps};
+use super::integers::{Disc, NearestSearch, Steps};
 use super::kernel::Kernel;
 use super::neighbourhood::{EstimatorError, KernelEstimate, Neighbourhood};
 use crate::photon_map::PhotonMap;
@@ -62,23 +62,27 @@ impl Estimator {
         queries.iter().enumerate().map(estimate).collect()
     }
 
-    /// The estimates at all queries, in their order, from the gathers of a machine.
+    /// The estimates at all queries, in their order, from the gathers of a machine. Where a query has a gather after the other, each
+    /// gather of the machine has the queries that need one more.
     ///
     /// # Errors
     /// The gatherer's.
     ///
     /// # Panics
-    /// For an estimate that needs another radius than the map's, see [`Self::check`].
+    /// For an estimate that integers cannot make, see [`Self::check`].
     pub(crate) fn estimate_by(
         &self,
         gatherer: &dyn Gatherer,
         map: &QuantisedMap<'_>,
         queries: &[QueryPoint],
     ) -> Result<Vec<Estimate>, GathererError> {
+        if let Self::KNearest { k } = self {
+            return nearest_by(*k, gatherer, map, queries);
+        }
         let mut error = None;
-        let found = self.together(map, queries, |queries, _| {
+        let found = self.together(map, queries, |queries, radius_sq| {
             gatherer
-                .gather_all(map, queries)
+                .gather_all(map, queries, &vec![radius_sq; queries.len()])
                 .map_err(|found| error = Some(found))
                 .ok()
         });
@@ -172,6 +176,32 @@ impl Estimator {
             Self::Ladder(ladder) => steps.ladder(ladder, gather),
         }
     }
+}
+
+/// The estimates at the k-th photons, in rounds of gathers.
+fn nearest_by(
+    k: u64,
+    gatherer: &dyn Gatherer,
+    map: &QuantisedMap<'_>,
+    queries: &[QueryPoint],
+) -> Result<Vec<Estimate>, GathererError> {
+    let steps = Steps::of(map);
+    let mut searches = vec![NearestSearch::new(k, steps.radius_sq); queries.len()];
+    loop {
+        let open = searches.iter().enumerate();
+        let open = open.filter_map(|(query, search)| Some((query, search.next()?)));
+        let (open, radii): (Vec<_>, Vec<_>) = open.unzip();
+        if open.is_empty() {
+            break;
+        }
+        let asked: Vec<_> = open.iter().map(|&query| queries[query]).collect();
+        let gathered = gatherer.gather_all(map, &asked, &radii)?;
+        for (query, gathered) in open.into_iter().zip(gathered) {
+            searches[query].tell(Disc::of(map, &gathered));
+        }
+    }
+    let estimate = |search: &NearestSearch| steps.of_nearest(&search.found());
+    Ok(searches.iter().map(estimate).collect())
 }
 
 /// An estimate from the photons of the blocks around the query.

@@ -33,16 +33,18 @@ pub enum Engine<'a> {
     Hardware(&'a Machine, &'a dyn Gatherer),
 }
 
-/// A machine that gathers: all queries of a picture with the map's search radius.
+/// A machine that gathers all queries of a picture.
 pub trait Gatherer: std::fmt::Debug + Sync {
-    /// The sums of the queries, in their order. They must equal those of [`QuantisedMap::gather_all`].
+    /// The sums of the queries, in their order, each with a squared radius in squared fine steps of at most the map's. They must equal
+    /// those of [`QuantisedMap::gather_within`].
     ///
     /// # Errors
-    /// The machine does not answer, or not as it should.
+    /// The machine does not answer, or not as it should, or it has not these radii.
     fn gather_all(
         &self,
         map: &QuantisedMap<'_>,
         queries: &[QueryPoint],
+        radii_sq: &[u32],
     ) -> Result<Vec<Gathered>, GathererError>;
 }
 
