@@ -60,6 +60,7 @@ class Query:
 
     cell: tuple[int, ...]
     radius_sq: int
+    own_radius: dict[str, int]
     tag: int
     facings: int
     release: bool
@@ -195,10 +196,11 @@ class Reference:
         if outside:
             self.counters["queries_outside"] += 1
             self.events.add("query_outside")
-        own = values.get("radius_sq")
+        own = {name: value for name, value in values.items() if name == "radius_sq"}
         query = Query(
             cell=cell,
-            radius_sq=self.geometry.radius_sq if own is None else self.geometry.of_word(own),
+            radius_sq=self.geometry.of_word(own["radius_sq"]) if own else self.geometry.radius_sq,
+            own_radius=own,
             tag=values["tag"],
             facings=values["facings"],
             release=bool(values["release"]),
@@ -232,7 +234,7 @@ class Reference:
             channel: sum(photon.power[place] for photon in near)
             for place, channel in enumerate(self.shape.channels)
         }
-        values |= {"count": len(near), "tag": query.tag}
+        values |= {"count": len(near), "tag": query.tag} | query.own_radius
         self.counters["results"] += 1
         self.counters["photons_in_range"] += len(near)
         self.events.add("done")

@@ -8,7 +8,7 @@ use std::thread;
 
 use photoncube_model::Gathered;
 use photoncube_render::{Gatherer, GathererError, QuantisedMap, QueryPoint};
-use photoncube_spec::{Core, CoreAnswer, CoreCounter, CoreStreams, CounterRow, Sums};
+use photoncube_spec::{Core, CoreAnswer, CoreCounter, CoreStreams, CounterRow, QueryResult, Sums};
 use thiserror::Error;
 
 use crate::frames::{FramePlan, Set};
@@ -273,7 +273,7 @@ impl<T: Transport> Driver<T> {
         &self,
         mut schedule: Schedule,
         answer: &CoreAnswer,
-        sums: &mut [Sums],
+        all: &mut [Sums],
     ) -> Result<(), DriverError> {
         let (found, expected) = (answer.results.len(), schedule.words.queries.len());
         if found != expected {
@@ -285,7 +285,8 @@ impl<T: Transport> Driver<T> {
         }
         let word = &self.scheduler.streams().results;
         for (place, result) in answer.results.iter().enumerate() {
-            let (found, tag) = CoreStreams::result_of(&self.core, &word.values(&result.data));
+            let QueryResult { sums, tag, .. } =
+                CoreStreams::result_of(&self.core, &word.values(&result.data));
             let owed = schedule.owed.get_mut(result.id as usize);
             let owed = owed.and_then(|owed| owed.pop_front());
             let Some(Owed { index, .. }) = owed.filter(|owed| owed.tag == tag) else {
@@ -303,7 +304,7 @@ impl<T: Transport> Driver<T> {
                     place,
                 });
             }
-            add(&mut sums[index], found);
+            add(&mut all[index], sums);
         }
         Ok(())
     }

@@ -33,8 +33,19 @@ pub struct CoreStreams {
     /// `s_axis_queries`: `x`, `y`, `z`, `tag`, each from a multiple of 16 bits on, `facings`, `release`, and `radius_sq` where each
     /// query has a radius.
     pub queries: StreamWord,
-    /// `m_axis_results`: the sums, the count and `tag`.
+    /// `m_axis_results`: the sums, the count, `tag`, and `radius_sq` where each query has a radius.
     pub results: StreamWord,
+}
+
+/// The fields of a result.
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+pub struct QueryResult {
+    /// The sums.
+    pub sums: Sums,
+    /// The tag.
+    pub tag: u32,
+    /// The radius, where each query has one.
+    pub radius_sq: Option<u32>,
 }
 
 /// Bits between the first bits of a query's coordinates and tag.
@@ -162,8 +173,8 @@ impl CoreStreams {
         values.into_iter().chain(radius_sq).map(u64::from).collect()
     }
 
-    /// The sums of a result and its tag, from the values of its fields.
-    pub fn result_of(core: &Core, values: &[u64]) -> (Sums, u32) {
+    /// A result, from the values of its fields.
+    pub fn result_of(core: &Core, values: &[u64]) -> QueryResult {
         let channels = core.machine.channels().names().len();
         let power = |channel: usize| match channel < channels {
             true => u128::from(values[channel]),
@@ -173,7 +184,22 @@ impl CoreStreams {
             power: std::array::from_fn(power),
             count: values[channels],
         };
-        (sums, values[channels + 1] as u32)
+        QueryResult {
+            sums,
+            tag: values[channels + 1] as u32,
+            radius_sq: values.get(channels + 2).map(|&radius_sq| radius_sq as u32),
+        }
+    }
+
+    /// The values of a result's fields.
+    pub fn result_values(core: &Core, result: &QueryResult) -> Vec<u64> {
+        let channels = core.machine.channels().names().len();
+        // A sum has at most 64 bits.
+        let powers = result.sums.power[..channels].iter();
+        let powers = powers.map(|&power| power as u64);
+        let others = [result.sums.count, result.tag.into()];
+        let radius_sq = result.radius_sq.map(u64::from);
+        powers.chain(others).chain(radius_sq).collect()
     }
 }
 
@@ -265,6 +291,8 @@ fn results(core: &Core) -> StreamWord {
         .iter()
         .map(|channel| ((*channel).to_owned(), widths.sum));
     let others = [("count", widths.count), ("tag", Core::TAG_BITS)];
+    let radius = core.has_radii().then_some(("radius_sq", widths.radius_sq));
+    let others = others.into_iter().chain(radius);
     StreamWord::side_by_side(sums.chain(others.map(|(name, width)| (name.to_owned(), width))))
 }
 

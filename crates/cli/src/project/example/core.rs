@@ -2,8 +2,8 @@
 
 use anyhow::{Context, Result};
 use photoncube_spec::{
-    BatchPins, Core, CoreCounter, CoreRegister, CoreStreams, Direction, Port, Query, QueryWord,
-    StreamWord, Sums,
+    BatchPins, Core, CoreCounter, CoreRegister, CoreStreams, Direction, Port, Query, QueryResult,
+    QueryWord, StreamWord, Sums,
 };
 
 use super::set::Set;
@@ -182,13 +182,12 @@ impl Words {
             &CoreStreams::query_values(core, &word),
         ));
         self.queries.push(vec![query]);
-        let channels = core.machine.channels().names().len();
-        // A sum has at most 64 bits.
-        let mut values: Vec<_> = sums.power[..channels]
-            .iter()
-            .map(|&power| power as u64)
-            .collect();
-        values.extend([sums.count, word.batch.tag.into()]);
+        let values = QueryResult {
+            sums,
+            tag: word.batch.tag,
+            radius_sq: core.has_radii().then_some(word.query.radius_sq),
+        };
+        let values = CoreStreams::result_values(core, &values);
         let mut result = vec![(1, 0), last];
         result.extend(fields(&streams.results, &values));
         self.results.push(vec![result]);
