@@ -26,6 +26,13 @@ impl Transport for Way {
             Self::OnBoard(on_board) => on_board.exchange(words),
         }
     }
+
+    fn has_rounds(&self) -> bool {
+        match self {
+            Self::Simulated(simulation) => simulation.core().has_radii(),
+            Self::OnBoard(on_board) => on_board.has_rounds(),
+        }
+    }
 }
 
 /// Builds the simulation of a core, and starts one for each processor of this computer. The frames of a picture are shared

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::ops::Range;
 
 use photoncube_render::{BatchOptions, Batches, Facings, QuantisedMap, QueryPoint, close_together};
-use photoncube_spec::{Core, Leaf, Numbers, Photon, PhotonFormat, Query};
+use photoncube_spec::{Core, Leaf, Numbers, Photon, PhotonFormat, Query, QueryRounds};
 
 use crate::cut::Cutter;
 
@@ -113,6 +113,16 @@ impl<'a> FramePlan<'a> {
     #[must_use]
     pub fn with_radii(self, radii: Vec<u32>) -> Self {
         Self { radii, ..self }
+    }
+
+    /// This plan for batches of these rounds.
+    pub(crate) fn with_rounds(self, core: &Core, rounds: &QueryRounds) -> Self {
+        // The k nearest are those of one set.
+        let is_whole = matches!(rounds, QueryRounds::Nearest(_));
+        Self {
+            cutter: self.cutter.with_rounds(rounds.rounds(core), is_whole),
+            ..self
+        }
     }
 
     /// The frames.

@@ -11,18 +11,20 @@
 
 use std::collections::VecDeque;
 
-use photoncube_spec::{BatchPins, Beat, Core, CoreStreams, CoreWords, QueryWord};
+use photoncube_spec::{BatchPins, Beat, Core, CoreStreams, CoreWords, QueryRounds, QueryWord};
 
 use crate::forecast::{Forecaster, Load};
 use crate::frames::{PhotonLeaf, Set, SetBatch};
 
-/// A result that a chain owes: the query's index in the picture, and its tag.
+/// A result that a chain owes.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct Owed {
     /// The index of the query in the picture.
     pub index: usize,
     /// The tag.
     pub tag: u32,
+    /// The number of the result among those of the query.
+    pub result: usize,
 }
 
 /// The words for a core, and what its chains owe for them.
@@ -59,14 +61,15 @@ impl Scheduler {
         &self.streams
     }
 
-    /// Schedules sets, each on the chain that is free first.
-    pub fn schedule(&self, sets: &[Set]) -> Schedule {
+    /// Schedules sets, each on the chain that is free first, whose batches have these rounds.
+    pub fn schedule(&self, sets: &[Set], rounds: &QueryRounds) -> Schedule {
         let chains = self.core.chains as usize;
         let mut leaves = Vec::new();
         let mut batches = Vec::new();
         let mut load = Load::new(chains);
+        let forecaster = self.forecaster.with_rounds(rounds.rounds(&self.core));
         for set in sets {
-            let clocks = self.forecaster.batches(set);
+            let clocks = forecaster.batches(set);
             let chain = load.first_free();
             let times = load.add(chain, set, clocks.iter().sum());
             for (place, leaf) in set.leaves.iter().enumerate() {
@@ -88,7 +91,10 @@ impl Scheduler {
         let mut schedule = Schedule {
             owed: vec![VecDeque::new(); chains],
             clocks: load.clocks(),
-            ..Schedule::default()
+            words: CoreWords {
+                rounds: rounds.clone(),
+                ..CoreWords::default()
+            },
         };
         let beats = leaves
             .into_iter()
@@ -110,8 +116,10 @@ impl Scheduler {
     }
 
     fn batch(&self, chain: usize, batch: &SetBatch, release: bool, schedule: &mut Schedule) {
+        let mut tags = Vec::with_capacity(batch.queries.len());
         for (place, query) in batch.queries.iter().enumerate() {
             let tag = schedule.words.queries.len() as u32 % (1 << Core::TAG_BITS);
+            tags.push(tag);
             let last = place + 1 == batch.queries.len();
             let word = QueryWord {
                 query: query.query,
@@ -130,8 +138,14 @@ impl Scheduler {
                 last,
                 dest: chain as u32,
             });
-            let index = query.index;
-            schedule.owed[chain].push_back(Owed { index, tag });
+        }
+        for result in 0..schedule.words.rounds.results() {
+            let owed = batch.queries.iter().zip(&tags);
+            schedule.owed[chain].extend(owed.map(|(query, &tag)| Owed {
+                index: query.index,
+                tag,
+                result,
+            }));
         }
     }
 }

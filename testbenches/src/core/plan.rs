@@ -4,8 +4,8 @@ use std::collections::VecDeque;
 
 use photoncube_model::gather;
 use photoncube_spec::{
-    BatchPins, Beat, Core, CoreRegister, CoreStreams, Leaf, Photon, Query, QueryWord, Rounds, Sums,
-    Widths,
+    BatchPins, Beat, Core, CoreRegister, CoreStreams, Leaf, Photon, Query, QueryRounds, QueryWord,
+    Rounds, Sums, Widths,
 };
 use rand::{Rng, RngExt};
 
@@ -35,17 +35,6 @@ struct BatchWords {
     expected: Vec<Expected>,
 }
 
-/// The rounds of all batches.
-#[derive(Clone, Debug)]
-enum Mode {
-    /// One round, with the radius of the query.
-    Own,
-    /// A round for each of these radii.
-    Ladder(Vec<u32>),
-    /// Those that find the radius of the photon of this number.
-    Nearest(u32),
-}
-
 /// One wrong word in so many.
 const WRONG: u32 = 24;
 
@@ -54,7 +43,7 @@ pub(crate) struct Draw<'a, R> {
     core: &'a Core,
     streams: &'a CoreStreams,
     widths: Widths,
-    mode: Mode,
+    rounds: QueryRounds,
     rng: R,
 }
 
@@ -64,7 +53,7 @@ impl<'a, R: Rng> Draw<'a, R> {
             core,
             streams,
             widths: Widths::of(core.machine),
-            mode: Mode::Own,
+            rounds: QueryRounds::Own,
             rng,
         }
     }
@@ -94,10 +83,10 @@ impl<'a, R: Rng> Draw<'a, R> {
         writes.push((CoreRegister::Nearest, if mode == 2 { k } else { 0 }));
         // With the k nearest, the rungs are not looked at.
         writes.push((CoreRegister::Rungs, if mode == 0 { 0 } else { rungs }));
-        self.mode = match mode {
-            0 => Mode::Own,
-            1 => Mode::Ladder(radii[..rungs.min(Rounds::RUNGS) as usize].to_vec()),
-            _ => Mode::Nearest(k),
+        self.rounds = match mode {
+            0 => QueryRounds::Own,
+            1 => QueryRounds::Ladder(radii[..rungs.min(Rounds::RUNGS) as usize].to_vec()),
+            _ => QueryRounds::Nearest(k),
         };
         writes
     }
@@ -307,10 +296,12 @@ impl<'a, R: Rng> Draw<'a, R> {
             let sums = gather(self.core.machine, &query, photons.iter().copied());
             sums.expect("a set has no more photons than the sums hold")
         };
-        match &self.mode {
-            Mode::Own => vec![(query.radius_sq, sums(query.radius_sq))],
-            Mode::Ladder(radii) => radii.iter().map(|&radius| (radius, sums(radius))).collect(),
-            Mode::Nearest(k) => {
+        match &self.rounds {
+            QueryRounds::Own => vec![(query.radius_sq, sums(query.radius_sq))],
+            QueryRounds::Ladder(radii) => {
+                radii.iter().map(|&radius| (radius, sums(radius))).collect()
+            }
+            QueryRounds::Nearest(k) => {
                 let largest = self.core.machine.numbers.largest_radius_word();
                 let radii: Vec<_> = (0..=largest).collect();
                 let smallest = radii.partition_point(|&radius| sums(radius).count < u64::from(*k));

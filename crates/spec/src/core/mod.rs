@@ -81,7 +81,7 @@ pub use events::{CoreEvent, EventRow};
 pub use fields::CoreField;
 pub use ports::{CorePins, port_columns};
 pub use registers::{Access, CoreRegister, CoreRegisterRow};
-pub use rounds::Rounds;
+pub use rounds::{QueryRounds, Rounds};
 pub use serial::{Serial, SerialFault, SerialFaultRow, SerialKind, SerialRow, SerialSizes};
 pub use streams::{CoreStreams, QueryResult, StreamField, StreamWord};
 pub use words::{
@@ -176,6 +176,13 @@ impl Core {
     /// Whether each query has a radius of its own.
     pub fn has_radii(&self) -> bool {
         self.machine.fixed_radius_sq().is_none()
+    }
+
+    /// Clocks in which no word moves on any stream after which the core hangs. A chain's store may work on several batches, each in several
+    /// rounds.
+    pub fn silent_clocks(&self) -> u64 {
+        let rounds = Rounds::of(self).map_or(1, |rounds| rounds.most() * Rounds::BATCHES as u32);
+        Leaf::SILENT_CLOCKS * u64::from(rounds)
     }
 
     /// Engines of each chain.

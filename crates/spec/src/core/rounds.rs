@@ -43,7 +43,7 @@
 //!   of a round, the round is no longer under way. With that of the batch's last round, the batch's place is empty.
 //! - A `reset` empties the store. It is then not held, and `fill` and `turn` are 0.
 
-use super::Core;
+use super::{Core, CoreRegister};
 use crate::formats::bits_for;
 
 /// The numbers of the rounds of a core.
@@ -75,6 +75,52 @@ impl Rounds {
     /// The most rounds of a batch.
     pub fn most(&self) -> u32 {
         self.nearest.max(Self::RUNGS)
+    }
+}
+
+/// The rounds of all batches of some words.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub enum QueryRounds {
+    /// One round, with the query's own radius, or the format's where queries have none.
+    #[default]
+    Own,
+    /// A round for each of these radii, 1 to [`Rounds::RUNGS`] of them.
+    Ladder(Vec<u32>),
+    /// The rounds that find the radius with this number of photons.
+    Nearest(u32),
+}
+
+impl QueryRounds {
+    /// The results of each query.
+    pub fn results(&self) -> usize {
+        match self {
+            Self::Own | Self::Nearest(_) => 1,
+            Self::Ladder(radii) => radii.len(),
+        }
+    }
+
+    /// The rounds of each batch of a core.
+    pub fn rounds(&self, core: &Core) -> u32 {
+        match (self, Rounds::of(core)) {
+            (Self::Nearest(_), Some(rounds)) => rounds.nearest,
+            _ => self.results() as u32,
+        }
+    }
+
+    /// The words that a core's registers must have; none where the core has no rounds.
+    pub fn registers(&self, core: &Core) -> Vec<(CoreRegister, u32)> {
+        let (nearest, radii) = match self {
+            Self::Own => (0, &[][..]),
+            Self::Ladder(radii) => (0, &radii[..]),
+            Self::Nearest(k) => (*k, &[][..]),
+        };
+        let of_rungs = (0..).map(CoreRegister::Rung).zip(radii.iter().copied());
+        let modes = [
+            (CoreRegister::Nearest, nearest),
+            (CoreRegister::Rungs, radii.len() as u32),
+        ];
+        let all = of_rungs.chain(modes);
+        all.filter(|_| core.has_radii()).collect()
     }
 }
 
