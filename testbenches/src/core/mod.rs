@@ -301,8 +301,8 @@ const FAULTS_OF_ROUNDS: [CoreFault; 5] = [
     (
         "a ladder has more rungs than there are registers",
         "rounds",
-        "(rungs > 8) ? 8 : rungs",
-        "rungs",
+        "(rungs_asked > MOST_RUNGS) ? MOST_RUNGS : rungs_asked",
+        "rungs_asked",
     ),
 ];
 

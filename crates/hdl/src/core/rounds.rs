@@ -16,6 +16,7 @@ pub(super) fn module(core: &Core) -> Option<String> {
         ("PLACES", Rounds::BATCHES.to_string()),
         ("PLACE", Rounds::BATCHES.ilog2().to_string()),
         ("RUNGS", Rounds::RUNGS.to_string()),
+        ("RUNGS_BITS", Rounds::RUNGS_BITS.to_string()),
         ("RUNGS_HIGH", (Rounds::RUNGS_BITS - 1).to_string()),
         ("RUNG_HIGH", (Rounds::RUNGS.ilog2() - 1).to_string()),
     ];

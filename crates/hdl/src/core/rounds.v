@@ -19,6 +19,7 @@ module @TOP@_rounds(clock, reset, nearest, rungs, radii, query_valid, query_read
     localparam PLACES = @PLACES@;
     localparam PLACE = @PLACE@;
     localparam ROUND = 5;
+    localparam [ROUND - 1:0] MOST_RUNGS = @RUNGS@;
     localparam RELEASE = RADIUS_LOW - 1;
     input wire clock;
     input wire reset;
@@ -88,7 +89,8 @@ module @TOP@_rounds(clock, reset, nearest, rungs, radii, query_valid, query_read
     wire completes = takes & (query[QUERY] | (fill_position == LAST_POSITION));
     wire releases_now = query[RELEASE] | (fill_releases & (|fill_position));
     wire nearest_now = |nearest;
-    wire [ROUND - 1:0] ladder_rounds = (rungs > @RUNGS@) ? @RUNGS@ : rungs;
+    wire [ROUND - 1:0] rungs_asked = {{(ROUND - @RUNGS_BITS@){1'b0}}, rungs};
+    wire [ROUND - 1:0] ladder_rounds = (rungs_asked > MOST_RUNGS) ? MOST_RUNGS : rungs_asked;
     wire ladder_now = ~nearest_now & (|rungs);
 
     // A query is given to the chain.
