@@ -15,7 +15,8 @@
 //! - `m_axis_results`: a word is the result of a query, from the chain `tid`. `tlast` is the `tlast` of the query, and the
 //!   field `tag` its tag. Where each query has a radius, `radius_sq` is that of the result, and a query may have several results, see
 //!   [`Rounds`]. `tuser` is 1 where the query is outside of its frame: the sums are then 0. The results of one chain
-//!   have the order of its queries; results of different chains come as they are found.
+//!   have the order of its queries; results of different chains come as they are found. With a ladder,
+//!   the results of a batch come one round after the other.
 //!
 //! A word is taken at a rising edge of `aclk` with `tvalid` and `tready`. A stream's words reach the chains in their order, so
 //! a word for a busy chain holds back the words behind it. The user must not make each stream wait for the other: where a
