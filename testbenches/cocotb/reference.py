@@ -59,6 +59,8 @@ class Query:
     """A query of a batch."""
 
     cell: tuple[int, ...]
+    radius_sq: int
+    own_radius: dict[str, int]
     tag: int
     facings: int
     release: bool
@@ -73,10 +75,15 @@ class Geometry:
         self.extra = shape.extra_bits
         radius = (1 << (shape.position_bits + shape.extra_bits)) - 2
         self.radius_sq = (2 * radius) ** 2
+        self.largest_word = radius**2 - min(1, self.extra)
 
     def photon(self, cell: int) -> int:
         """The middle of a photon's cell."""
         return (2 * cell + 1) << self.extra
+
+    def of_word(self, word: int) -> int:
+        """The squared radius of a query whose word has the field `radius_sq`."""
+        return 4 * word + 3 * min(1, self.extra)
 
     def distance(self, query: int, photon: int) -> int:
         """From a photon's cell to a query's cell, along an axis."""
@@ -85,7 +92,7 @@ class Geometry:
     def is_near(self, query: Query, photon: Photon) -> bool:
         """Whether the photon is in range of the query."""
         distances = map(self.distance, query.cell, photon.cell)
-        return sum(distance**2 for distance in distances) <= self.radius_sq
+        return sum(distance**2 for distance in distances) <= query.radius_sq
 
     def boxes_are_near(self, queries: Borders, photons: Borders) -> bool:
         """Whether the box of a leaf is in range of the box of a batch."""
@@ -189,7 +196,17 @@ class Reference:
         if outside:
             self.counters["queries_outside"] += 1
             self.events.add("query_outside")
-        query = Query(cell, values["tag"], values["facings"], bool(values["release"]), beat.last, outside)
+        own = {name: value for name, value in values.items() if name == "radius_sq"}
+        query = Query(
+            cell=cell,
+            radius_sq=self.geometry.of_word(own["radius_sq"]) if own else self.geometry.radius_sq,
+            own_radius=own,
+            tag=values["tag"],
+            facings=values["facings"],
+            release=bool(values["release"]),
+            last=beat.last,
+            outside=outside,
+        )
         chain.queries.append(query)
         if beat.last or len(chain.queries) == self.shape.engines:
             chain.batches.append(chain.queries)
@@ -217,7 +234,7 @@ class Reference:
             channel: sum(photon.power[place] for photon in near)
             for place, channel in enumerate(self.shape.channels)
         }
-        values |= {"count": len(near), "tag": query.tag}
+        values |= {"count": len(near), "tag": query.tag} | query.own_radius
         self.counters["results"] += 1
         self.counters["photons_in_range"] += len(near)
         self.events.add("done")

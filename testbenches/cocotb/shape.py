@@ -99,5 +99,5 @@ def read_shape(path: Path) -> Shape:
         registers=layout["registers"],
         position_bits=int(name[1]),
         extra_bits=int(name[2] or 0),
-        channels=tuple(name for name in results.fields if name not in ("count", "tag")),
+        channels=tuple(name for name in results.fields if name not in ("count", "tag", "radius_sq")),
     )

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from random import Random
 
-from reference import AXES, FACINGS, PHOTONS, Beat
+from reference import AXES, FACINGS, PHOTONS, Beat, Geometry
 from shape import Shape
 
 
@@ -94,6 +94,8 @@ class Traffic:
         everything = (1 << FACINGS) - 1
         facings = everything if self.happens(0.6) else self.random.getrandbits(FACINGS)
         values = dict(zip(AXES, cell)) | {"tag": self.random.getrandbits(16), "facings": facings, "release": int(release)}
+        if "radius_sq" in self.shape.queries.fields:
+            values["radius_sq"] = self.random.randint(0, Geometry(self.shape).largest_word)
         word = self.shape.queries.pack(values)
         if self.happens(self.wrong.outside):
             word |= 1 << self.random.choice(self.shape.queries.spare_bits())

@@ -13,11 +13,13 @@ const MACHINES: [&str; 3] = [
 ];
 
 /// Leaf machines: two engines with banks of two pairs of leaves; one engine, half steps and squares from products; exponents and
-/// one channel.
-const LEAF_MACHINES: [&str; 3] = [
+/// one channel; and queries that each have a radius, of whole and of half steps.
+const LEAF_MACHINES: [&str; 5] = [
     "leaf-5-local7-rgb6d-n32",
     "leaf-4-local6x2-rgb4d-n256",
     "leaf-6-local8-mono3e4-n128",
+    "leaf-5-radii-local7-rgb6d-n32",
+    "leaf-4-radii-local6x2-rgb4d-n256",
 ];
 
 fn equal(name: &str, kind: DeviceKind, iterations: u64) {

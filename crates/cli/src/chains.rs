@@ -7,7 +7,7 @@ use anyhow::{Context, Result};
 use photoncube_driver::Forecast;
 use photoncube_render::{Fit, Measurement, PhotonMap, QuantisedMap, QueryPoint};
 use photoncube_spec::{
-    Core, CustomOrganisation, Numbers, PhotonFormat, custom_machine, find_machine,
+    Core, CustomOrganisation, Numbers, PhotonFormat, Radius, custom_machine, find_machine,
 };
 use serde::{Deserialize, Serialize};
 
@@ -121,7 +121,13 @@ pub fn choose(
     let map = QuantisedMap::new(map, &Numbers::Local(format))?;
     let row = |chain: &MeasuredChain| -> Result<Option<ChainsRow>> {
         let dimension = find_machine(&chain.machine)?.dimension;
-        let Ok(machine) = custom_machine(CustomOrganisation::Leaf { dimension }, &format) else {
+        let Ok(machine) = custom_machine(
+            CustomOrganisation::Leaf {
+                dimension,
+                radius: Radius::Format,
+            },
+            &format,
+        ) else {
             return Ok(None);
         };
         let chains = chain.area.fitting();

@@ -26,6 +26,13 @@ impl Transport for Way {
             Self::OnBoard(on_board) => on_board.exchange(words),
         }
     }
+
+    fn has_rounds(&self) -> bool {
+        match self {
+            Self::Simulated(simulation) => simulation.core().has_radii(),
+            Self::OnBoard(on_board) => on_board.has_rounds(),
+        }
+    }
 }
 
 /// Builds the simulation of a core, and starts one for each processor of this computer. The frames of a picture are shared
@@ -82,12 +89,13 @@ pub struct CoreReport {
     query_stalls: u64,
     tests_per_photon_in_range: f64,
     queries_per_clock: f64,
+    estimates_per_clock: f64,
     engines_fed: f64,
 }
 
 impl CoreReport {
-    /// That of the work of cores of this kind.
-    pub fn of(core: &Core, work: &Work) -> Self {
+    /// That of the work of cores of this kind for that many estimates.
+    pub fn of(core: &Core, work: &Work, estimates: u64) -> Self {
         use CoreCounter as C;
         let over = |part: u64, whole: u64| part as f64 / whole.max(1) as f64;
         let engines = core.engines();
@@ -109,6 +117,7 @@ impl CoreReport {
             query_stalls: work.counter(C::QueryStalls),
             tests_per_photon_in_range: over(tests, work.counter(C::PhotonsInRange)),
             queries_per_clock: over(work.queries, clocks),
+            estimates_per_clock: over(estimates, clocks),
             engines_fed: over(played, clocks * u64::from(core.chains)),
         }
     }
@@ -118,7 +127,7 @@ impl CoreReport {
         let groups_read = self.leaves_loaded * Leaf::GROUPS as u64;
         format!(
             "core: {} chains of {} engines, {} clocks ({} forecast); {} sets of photons, {groups_read} groups read in, {} played (engines fed in {:.0} % of the \
-             clocks); {:.2} photon tests for each in range, {:.4} queries a clock\n",
+             clocks); {:.2} photon tests for each in range, {:.4} queries a clock, {:.4} estimates a clock\n",
             self.chains,
             self.engines,
             self.clocks,
@@ -128,6 +137,7 @@ impl CoreReport {
             100.0 * self.engines_fed,
             self.tests_per_photon_in_range,
             self.queries_per_clock,
+            self.estimates_per_clock,
         )
     }
 }

@@ -21,6 +21,8 @@ pub(crate) struct Cutter {
     forecaster: Forecaster,
     /// The most leaves of a set.
     set_leaves: usize,
+    /// Each batch should have all leaves that it wants in one set.
+    is_whole: bool,
 }
 
 /// Batches of a frame, and which of the frame's leaves each wants.
@@ -46,6 +48,16 @@ impl Cutter {
         Self {
             forecaster: Forecaster::new(core),
             set_leaves: core.set_leaves() as usize,
+            is_whole: false,
+        }
+    }
+
+    /// A cutter for batches of so many rounds. Where they are `is_whole`, each has all leaves that it wants in one set, if a bank holds them.
+    pub(crate) fn with_rounds(self, rounds: u32, is_whole: bool) -> Self {
+        Self {
+            forecaster: self.forecaster.with_rounds(rounds),
+            is_whole,
+            ..self
         }
     }
 
@@ -74,12 +86,11 @@ impl Cutter {
     fn cut(&self, wanted: &Wanted, batches: Range<usize>) -> Vec<Range<usize>> {
         let middle = batches.start.midpoint(batches.end);
         let halves = [batches.start..middle, middle..batches.end];
-        let whole = self.clocks(wanted, &batches);
-        let cut = halves
-            .iter()
-            .map(|half| self.clocks(wanted, half))
-            .sum::<u64>();
-        if batches.len() < 2 || cut >= whole && whole <= LONGEST_SET {
+        let clocks = |batches: &Range<usize>| self.clocks(wanted, batches);
+        let whole = clocks(&batches);
+        let is_too_large = self.is_whole && wanted.by(&batches).len() > self.set_leaves;
+        let takes_fewer = || halves.iter().map(clocks).sum::<u64>() < whole;
+        if batches.len() < 2 || !(is_too_large || whole > LONGEST_SET || takes_fewer()) {
             return vec![batches];
         }
         let halves = halves.into_iter();

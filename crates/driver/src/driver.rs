@@ -2,15 +2,19 @@
 
 use std::fmt;
 use std::ops::AddAssign;
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, MutexGuard};
 use std::thread;
 
 use photoncube_model::Gathered;
-use photoncube_render::{Gatherer, GathererError, QuantisedMap, QueryPoint};
-use photoncube_spec::{Core, CoreAnswer, CoreCounter, CoreStreams, CounterRow, Sums};
+use photoncube_render::{Gatherer, GathererError, NearestGathered, QuantisedMap, QueryPoint};
+use photoncube_spec::{
+    Core, CoreAnswer, CoreCounter, CoreStreams, CounterRow, PhotonFormat, QueryResult, QueryRounds,
+    Rounds, Widths,
+};
 use thiserror::Error;
 
+use crate::found::{Found, take_split};
 use crate::frames::{FramePlan, Set};
 use crate::schedule::{Owed, Schedule, Scheduler};
 use crate::transport::{Transport, TransportError};
@@ -51,6 +55,11 @@ pub enum DriverError {
         /// The tag of the query; `none` where the chain owes no result.
         expected: String,
     },
+    /// A query has another radius than all queries of the core have.
+    #[error(
+        "core `{0}`: found a query with a radius of its own, expected the format's, as its machine has no other"
+    )]
+    Radius(String),
     /// A core says that a query is outside of its frame.
     #[error(
         "core `{core}`: result {place} is of a query outside of its frame; the driver and the core differ"
@@ -66,7 +75,7 @@ pub enum DriverError {
 /// The work that cores did.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Work {
-    /// Queries of the picture.
+    /// Queries that were asked for: those of the picture, each as often as it has another radius.
     pub queries: u64,
     /// Words of the query streams. A query whose photons need several sets is there for each of them.
     pub query_words: u64,
@@ -160,25 +169,43 @@ impl<T: Transport> Driver<T> {
 
     /// The work so far.
     pub fn work(&self) -> Work {
-        let work = self.work.lock();
-        work.unwrap_or_else(std::sync::PoisonError::into_inner)
-            .clone()
+        locked(&self.work).clone()
     }
 
+    /// Whether the cores do rounds.
+    fn has_rounds(&self) -> bool {
+        let mut transports = self.transports.iter();
+        transports.all(|transport| locked(transport).has_rounds())
+    }
+
+    /// Does queries in rounds, each with a radius of its own where `radii` is not empty. Returns what was found of each query, for each of
+    /// its results.
     fn run(
         &self,
         map: &QuantisedMap<'_>,
         queries: &[QueryPoint],
-    ) -> Result<Vec<Sums>, TransportError> {
-        let plan = FramePlan::new(map, &self.core, queries);
+        radii: Vec<u32>,
+        rounds: &QueryRounds,
+    ) -> Result<Vec<Vec<Found>>, TransportError> {
+        let fixed = self.core.machine.fixed_radius_sq();
+        if fixed.is_some_and(|fixed| radii.iter().any(|&radius| radius != fixed)) {
+            return Err(DriverError::Radius(self.core.name()).into());
+        }
+        let plan = FramePlan::new(map, &self.core, queries)
+            .with_radii(radii)
+            .with_rounds(&self.core, rounds);
+        let nothing = vec![vec![Found::default(); queries.len()]; rounds.results()];
         let (next, done) = (AtomicUsize::new(0), AtomicUsize::new(0));
         let worker = |transport: &Mutex<T>| {
-            let mut transport = transport
-                .lock()
-                .unwrap_or_else(std::sync::PoisonError::into_inner);
-            self.share(&plan, &mut *transport, queries.len(), &next, &done)
+            let mut share = Share {
+                found: nothing.clone(),
+                work: Work::default(),
+            };
+            let transport = &mut *locked(transport);
+            self.share(&plan, transport, rounds, &mut share, &next, &done)?;
+            Ok(share)
         };
-        let shares: Vec<_> = thread::scope(|scope| {
+        let shares: Vec<Result<Share, TransportError>> = thread::scope(|scope| {
             let threads: Vec<_> = self
                 .transports
                 .iter()
@@ -189,52 +216,51 @@ impl<T: Transport> Driver<T> {
                 .map(|share| share.expect("a worker does not panic"))
                 .collect()
         });
-        let mut all = vec![Sums::default(); queries.len()];
+        let mut all = nothing.clone();
         let mut work = Work {
             queries: queries.len() as u64,
             ..Work::default()
         };
         for share in shares {
-            let (sums, share_work) = share?;
-            work += share_work;
-            all.iter_mut()
-                .zip(sums)
-                .for_each(|(all, sums)| add(all, sums));
+            let share: Share = share?;
+            work += share.work;
+            let all = all.iter_mut().flatten();
+            all.zip(share.found.into_iter().flatten())
+                .for_each(|(all, found)| all.add(&found));
         }
-        *self
-            .work
-            .lock()
-            .unwrap_or_else(std::sync::PoisonError::into_inner) += work;
+        *locked(&self.work) += work;
         Ok(all)
     }
 
-    /// Does frames until none is left. Returns the sums of all queries, 0 where another core does them.
+    /// Does frames until none is left.
     fn share(
         &self,
         plan: &FramePlan<'_>,
         transport: &mut T,
-        queries: usize,
+        rounds: &QueryRounds,
+        share: &mut Share,
         next: &AtomicUsize,
         done: &AtomicUsize,
-    ) -> Result<(Vec<Sums>, Work), TransportError> {
-        let mut sums = vec![Sums::default(); queries];
-        let mut work = Work::default();
+    ) -> Result<(), TransportError> {
         loop {
-            let (sets, frames) = self.several(plan, next);
+            let (mut sets, frames) = self.several(plan, next);
             if frames == 0 {
-                return Ok((sums, work));
+                return Ok(());
+            }
+            if matches!(rounds, QueryRounds::Nearest(_)) {
+                take_split(&mut sets, &mut share.found[0]);
             }
             if !sets.is_empty() {
-                let schedule = self.scheduler.schedule(&sets);
+                let schedule = self.scheduler.schedule(&sets, rounds);
                 let answer = transport.exchange(&schedule.words)?;
-                work += Work {
+                share.work += Work {
                     queries: 0,
                     query_words: schedule.words.queries.len() as u64,
                     sets: sets.len() as u64,
                     clocks_forecast: schedule.clocks,
                     counters: answer.counters.clone(),
                 };
-                self.read(schedule, &answer, &mut sums)?;
+                self.read(schedule, &answer, &mut share.found)?;
             }
             let all_done = done.fetch_add(frames, Ordering::Relaxed) + frames;
             (self.progress)(all_done, plan.frames().len());
@@ -258,14 +284,14 @@ impl<T: Transport> Driver<T> {
         (all, frames)
     }
 
-    /// Adds the results to the sums of their queries.
+    /// Adds the results to what was found of their queries.
     fn read(
         &self,
         mut schedule: Schedule,
         answer: &CoreAnswer,
-        sums: &mut [Sums],
+        all: &mut [Vec<Found>],
     ) -> Result<(), DriverError> {
-        let (found, expected) = (answer.results.len(), schedule.words.queries.len());
+        let (found, expected) = (answer.results.len(), schedule.words.results());
         if found != expected {
             return Err(DriverError::Results {
                 core: self.core.name(),
@@ -275,10 +301,19 @@ impl<T: Transport> Driver<T> {
         }
         let word = &self.scheduler.streams().results;
         for (place, result) in answer.results.iter().enumerate() {
-            let (found, tag) = CoreStreams::result_of(&self.core, &word.values(&result.data));
+            let QueryResult {
+                sums,
+                tag,
+                radius_sq,
+            } = CoreStreams::result_of(&self.core, &word.values(&result.data));
             let owed = schedule.owed.get_mut(result.id as usize);
             let owed = owed.and_then(|owed| owed.pop_front());
-            let Some(Owed { index, .. }) = owed.filter(|owed| owed.tag == tag) else {
+            let Some(Owed {
+                index,
+                result: number,
+                ..
+            }) = owed.filter(|owed| owed.tag == tag)
+            else {
                 return Err(DriverError::Tag {
                     core: self.core.name(),
                     place,
@@ -293,7 +328,12 @@ impl<T: Transport> Driver<T> {
                     place,
                 });
             }
-            add(&mut sums[index], found);
+            all[number][index].add(&Found {
+                sums,
+                radius_sq: radius_sq.unwrap_or(0),
+                results: 1,
+                is_split: false,
+            });
         }
         Ok(())
     }
@@ -304,20 +344,102 @@ impl<T: Transport> Gatherer for Driver<T> {
         &self,
         map: &QuantisedMap<'_>,
         queries: &[QueryPoint],
+        radii_sq: &[u32],
     ) -> Result<Vec<Gathered>, GathererError> {
-        let sums = self.run(map, queries)?;
-        let gathered = |sums: Sums| Gathered {
-            sums,
-            photons: sums.count,
-            tests: sums.count,
+        let words = radii_sq
+            .iter()
+            .map(|&radius_sq| map.numbers().radius_word(radius_sq));
+        let words: Vec<_> = words.collect();
+        // A query without a word has no photons in range.
+        let asked: Vec<_> = (0..queries.len())
+            .filter(|&query| words[query].is_some())
+            .collect();
+        let points: Vec<_> = asked.iter().map(|&query| queries[query]).collect();
+        let words = words.into_iter().flatten().collect();
+        let found = self.run(map, &points, words, &QueryRounds::Own)?;
+        let mut all = vec![Gathered::default(); queries.len()];
+        for (query, found) in asked.into_iter().zip(&found[0]) {
+            all[query] = found.gathered();
+        }
+        Ok(all)
+    }
+
+    fn gather_ladder(
+        &self,
+        map: &QuantisedMap<'_>,
+        queries: &[QueryPoint],
+        radii_sq: &[u32],
+    ) -> Result<Vec<Vec<Gathered>>, GathererError> {
+        let word = |&radius_sq: &u32| map.numbers().radius_word(radius_sq);
+        let words: Option<Vec<_>> = radii_sq.iter().map(word).collect();
+        // A single radius is that of the queries, and where no photon can be in range there is no word.
+        let words = words.filter(|words| words.len() > 1 && self.has_rounds());
+        let Some(words) = words else {
+            let gather =
+                |&radius_sq| self.gather_all(map, queries, &vec![radius_sq; queries.len()]);
+            return radii_sq.iter().map(gather).collect();
         };
-        Ok(sums.into_iter().map(gathered).collect())
+        let mut all = Vec::new();
+        for words in words.chunks(Rounds::RUNGS as usize) {
+            let found = self.run(map, queries, Vec::new(), &QueryRounds::Ladder(words.into()))?;
+            let gathered = found
+                .iter()
+                .map(|found| found.iter().map(Found::gathered).collect());
+            all.extend(gathered);
+        }
+        Ok(all)
+    }
+
+    fn k_nearest(
+        &self,
+        map: &QuantisedMap<'_>,
+        queries: &[QueryPoint],
+        k: u64,
+    ) -> Result<Vec<Option<NearestGathered>>, GathererError> {
+        let machine = self.core.machine;
+        let k = u32::try_from(k)
+            .ok()
+            .filter(|k| k.ilog2() < Widths::of(machine).count);
+        let (Some(k), Some(rounds)) = (k, Rounds::of(&self.core).filter(|_| self.has_rounds()))
+        else {
+            return Ok(vec![None; queries.len()]);
+        };
+        let found = self.run(map, queries, Vec::new(), &QueryRounds::Nearest(k))?;
+        let nearest = |found: &Found| {
+            if found.is_split {
+                return None;
+            }
+            if found.results == 0 {
+                // No leaf is near the query.
+                return Some(NearestGathered {
+                    radius_sq: map.radius_sq(),
+                    ..NearestGathered::default()
+                });
+            }
+            let half_steps = machine.format().is_some_and(PhotonFormat::half_steps);
+            // On half steps a word stands for one step more, so that no word stands for a radius of 0, which has no photons.
+            let is_within_none = half_steps && found.radius_sq == 0;
+            Some(NearestGathered {
+                radius_sq: found.radius_sq + u32::from(half_steps),
+                gathered: match is_within_none {
+                    true => Gathered::default(),
+                    false => found.gathered(),
+                },
+                gathers: rounds.nearest.into(),
+            })
+        };
+        Ok(found[0].iter().map(nearest).collect())
     }
 }
 
-fn add(all: &mut Sums, more: Sums) {
-    for (all, more) in all.power.iter_mut().zip(more.power) {
-        *all += more;
-    }
-    all.count += more.count;
+/// What a worker found, and its work.
+struct Share {
+    found: Vec<Vec<Found>>,
+    work: Work,
+}
+
+fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex
+        .lock()
+        .unwrap_or_else(std::sync::PoisonError::into_inner)
 }

@@ -114,13 +114,15 @@ impl Load {
 }
 
 /// Forecasts the batches of a core.
-#[derive(Debug)]
+#[derive(Copy, Clone, Debug)]
 pub(crate) struct Forecaster {
     format: &'static PhotonFormat,
     /// The fewest clocks of a batch.
     least: u64,
     /// The clocks in which each chain is given a leaf.
     leaf: u64,
+    /// The rounds of each batch.
+    rounds: u64,
 }
 
 impl Forecaster {
@@ -130,6 +132,15 @@ impl Forecaster {
             format: format.expect("a leaf machine has a photon format"),
             least: LeafSizes::of(core.leaf()).least_spacing.into(),
             leaf: (Leaf::GROUPS as u64).max(core.chains.into()),
+            rounds: 1,
+        }
+    }
+
+    /// A forecaster of batches of so many rounds.
+    pub(crate) fn with_rounds(self, rounds: u32) -> Self {
+        Self {
+            rounds: rounds.into(),
+            ..self
         }
     }
 
@@ -149,7 +160,7 @@ impl Forecaster {
     pub(crate) fn batch(&self, wanted: usize, leaves: usize) -> u64 {
         let played = (wanted * Leaf::GROUPS) as u64;
         let compared = leaves.div_ceil(Leaf::PAIR) as u64;
-        played.max(compared).max(self.least) + BATCH_CLOCKS
+        self.rounds * (played.max(compared).max(self.least) + BATCH_CLOCKS)
     }
 
     /// The clocks of a set whose batches take so many clocks, where all chains read in sets of as many leaves.

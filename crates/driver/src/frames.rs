@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::ops::Range;
 
 use photoncube_render::{BatchOptions, Batches, Facings, QuantisedMap, QueryPoint, close_together};
-use photoncube_spec::{Core, Leaf, Numbers, Photon, PhotonFormat, Query};
+use photoncube_spec::{Core, Leaf, Numbers, Photon, PhotonFormat, Query, QueryRounds};
 
 use crate::cut::Cutter;
 
@@ -67,6 +67,8 @@ pub struct FramePlan<'a> {
     format: &'a PhotonFormat,
     cutter: Cutter,
     batches: Batches,
+    /// The radius of each query of the picture, a word of the machine; empty where all have the map's.
+    radii: Vec<u32>,
     /// The runs of the map, each with its photons, and their numbers in each block.
     runs: Vec<Range<usize>>,
     runs_of_block: HashMap<[i64; 3], Vec<usize>>,
@@ -98,12 +100,29 @@ impl<'a> FramePlan<'a> {
             format,
             cutter: Cutter::new(core),
             batches: Batches::new(map, queries, &options),
+            radii: Vec::new(),
             runs: map.map().runs().collect(),
             runs_of_block: runs_by_block(map),
             frames: Vec::new(),
         };
         plan.cut_into_frames();
         plan
+    }
+
+    /// This plan with a radius for each query of the picture: words of the machine, see [`Numbers::radius_word`].
+    #[must_use]
+    pub fn with_radii(self, radii: Vec<u32>) -> Self {
+        Self { radii, ..self }
+    }
+
+    /// This plan for batches of these rounds.
+    pub(crate) fn with_rounds(self, core: &Core, rounds: &QueryRounds) -> Self {
+        // The k nearest are those of one set.
+        let is_whole = matches!(rounds, QueryRounds::Nearest(_));
+        Self {
+            cutter: self.cutter.with_rounds(rounds.rounds(core), is_whole),
+            ..self
+        }
     }
 
     /// The frames.
@@ -210,7 +229,7 @@ impl<'a> FramePlan<'a> {
         let batches = batches.filter_map(|batch| Some((batch, position(&batch.facings)?)));
         let query = |query: usize| SetQuery {
             index: self.batches.order[query],
-            query: self.query(frame, &self.batches.queries[query]),
+            query: self.query(frame, query),
         };
         let batch = |(batch, set): (&FrameBatch, usize)| SetBatch {
             queries: batch.queries.clone().map(query).collect(),
@@ -220,18 +239,20 @@ impl<'a> FramePlan<'a> {
     }
 
     /// A query in the coordinates of its frame.
-    fn query(&self, frame: &Frame, query: &QueryPoint) -> Query {
+    fn query(&self, frame: &Frame, place: usize) -> Query {
+        let query = &self.batches.queries[place];
         let bits = self.format.radius_bits();
         let (block, _) = self.map.map().place(query.position);
         // In the frame of its own, the query is in the block of offset 1.
         let own = self.map.query(query.position);
-        let place = |axis: usize| {
+        let index = self.batches.order[place];
+        let coordinate = |axis: usize| {
             let offset = (block[axis] - frame.origin[axis]) as u32;
             (offset << bits) + own.position[axis] - (1 << bits)
         };
         Query {
-            position: [0, 1, 2].map(place),
-            ..own
+            position: [0, 1, 2].map(coordinate),
+            radius_sq: self.radii.get(index).copied().unwrap_or(own.radius_sq),
         }
     }
 }

@@ -4,6 +4,7 @@ mod cull;
 mod cut;
 mod driver;
 mod forecast;
+mod found;
 mod frames;
 mod model;
 mod schedule;

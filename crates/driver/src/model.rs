@@ -2,7 +2,8 @@
 
 use photoncube_model::CoreModel;
 use photoncube_spec::{
-    Beat, Core, CoreAnswer, CoreInputs, CoreOutputs, CoreWords, CounterRow, Leaf, StreamIn,
+    Beat, Core, CoreAnswer, CoreInputs, CoreOutputs, CoreRegister, CoreWords, CounterRow, LiteIn,
+    StreamIn,
 };
 
 use crate::transport::{Transport, TransportError};
@@ -10,6 +11,7 @@ use crate::transport::{Transport, TransportError};
 /// The golden model of a core, clock by clock.
 #[derive(Debug)]
 pub struct ModelTransport {
+    core: Core,
     model: CoreModel,
 }
 
@@ -19,7 +21,35 @@ impl ModelTransport {
         // No register is read, so the digest of the Verilog has no part.
         let digest = 0;
         Self {
+            core: *core,
             model: CoreModel::new(core, digest),
+        }
+    }
+
+    /// Writes the registers that words need.
+    fn set(&mut self, words: &CoreWords) {
+        let rows = CoreRegister::all(&self.core, 0);
+        for (register, word) in words.rounds.registers(&self.core) {
+            let row = rows.iter().find(|row| row.register == register);
+            let lite = LiteIn {
+                write_address: row.expect("the map has all registers").address,
+                write_address_valid: true,
+                write_data: word,
+                write_strobe: 0xf,
+                write_data_valid: true,
+                ..LiteIn::default()
+            };
+            let answer = LiteIn {
+                write_answer_ready: true,
+                ..LiteIn::default()
+            };
+            for lite in [lite, answer] {
+                let inputs = CoreInputs {
+                    lite,
+                    ..CoreInputs::default()
+                };
+                self.model.clock(&inputs);
+            }
         }
     }
 
@@ -52,10 +82,12 @@ impl Transport for ModelTransport {
     fn exchange(&mut self, words: &CoreWords) -> Result<CoreAnswer, TransportError> {
         let mut photons = words.photons.iter().peekable();
         let mut queries = words.queries.iter().peekable();
+        self.set(words);
         let before = self.counters();
-        let mut results = Vec::with_capacity(words.queries.len());
+        let mut results = Vec::with_capacity(words.results());
         let mut still = 0;
-        while results.len() < words.queries.len() {
+        let silent_clocks = self.core.silent_clocks();
+        while results.len() < words.results() {
             let outputs = self.clock(photons.peek().copied(), queries.peek().copied());
             still += 1;
             if outputs.photon_ready && photons.next().is_some() {
@@ -68,12 +100,12 @@ impl Transport for ModelTransport {
                 results.push(result);
                 still = 0;
             }
-            if still > Leaf::SILENT_CLOCKS {
+            if still > silent_clocks {
                 return Err(format!(
                     "the model has not moved a word for {} clocks, with {} of {} results",
-                    Leaf::SILENT_CLOCKS,
+                    silent_clocks,
                     results.len(),
-                    words.queries.len()
+                    words.results()
                 )
                 .into());
             }
@@ -85,5 +117,9 @@ impl Transport for ModelTransport {
             results,
             counters: counters.map(|(after, before)| after - before).collect(),
         })
+    }
+
+    fn has_rounds(&self) -> bool {
+        self.core.has_radii()
     }
 }

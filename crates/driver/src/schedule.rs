@@ -11,18 +11,20 @@
 
 use std::collections::VecDeque;
 
-use photoncube_spec::{BatchPins, Beat, Core, CoreStreams, CoreWords, QueryWord};
+use photoncube_spec::{BatchPins, Beat, Core, CoreStreams, CoreWords, QueryRounds, QueryWord};
 
 use crate::forecast::{Forecaster, Load};
 use crate::frames::{PhotonLeaf, Set, SetBatch};
 
-/// A result that a chain owes: the query's index in the picture, and its tag.
+/// A result that a chain owes.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct Owed {
     /// The index of the query in the picture.
     pub index: usize,
     /// The tag.
     pub tag: u32,
+    /// The number of the result among those of the query.
+    pub result: usize,
 }
 
 /// The words for a core, and what its chains owe for them.
@@ -59,13 +61,14 @@ impl Scheduler {
         &self.streams
     }
 
-    /// Schedules sets, each on the chain that is free first.
-    pub fn schedule(&self, sets: &[Set]) -> Schedule {
+    /// Schedules sets, each on the chain that is free first, whose batches have these rounds.
+    pub fn schedule(&self, sets: &[Set], rounds: &QueryRounds) -> Schedule {
         let chains = self.core.chains as usize;
         let mut leaves = Vec::new();
         let mut batches = Vec::new();
         let mut load = Load::new(chains);
-        for (set, clocks) in self.mixed(sets) {
+        let forecaster = self.forecaster.with_rounds(rounds.rounds(&self.core));
+        for (set, clocks) in mixed(&forecaster, sets) {
             let chain = load.first_free();
             let times = load.add(chain, set, clocks.iter().sum());
             for (place, leaf) in set.leaves.iter().enumerate() {
@@ -87,7 +90,10 @@ impl Scheduler {
         let mut schedule = Schedule {
             owed: vec![VecDeque::new(); chains],
             clocks: load.clocks(),
-            ..Schedule::default()
+            words: CoreWords {
+                rounds: rounds.clone(),
+                ..CoreWords::default()
+            },
         };
         let beats = leaves
             .into_iter()
@@ -97,22 +103,6 @@ impl Scheduler {
             self.batch(chain, batch, release, &mut schedule);
         }
         schedule
-    }
-
-    /// The sets, each with the clocks of its batches, in an order in which some of few neighbours take few clocks a query and some many. Where
-    /// all chains take few, they wait for queries, of which the stream has one a clock.
-    fn mixed<'a>(&self, sets: &'a [Set]) -> Vec<(&'a Set, Vec<u64>)> {
-        let clocks = |set: &'a Set| (set, self.forecaster.batches(set));
-        let mut sets: Vec<_> = sets.iter().map(clocks).collect();
-        sets.sort_by_cached_key(|(set, clocks)| {
-            let queries = set.batches.iter().map(|batch| batch.queries.len() as u64);
-            // A fraction as an integer.
-            (clocks.iter().sum::<u64>() << 16) / queries.sum::<u64>().max(1)
-        });
-        // In the order of their numbers with the bits reversed, numbers that are close together are far apart.
-        let mut numbered: Vec<_> = (0_u32..).zip(sets).collect();
-        numbered.sort_by_key(|(number, _)| number.reverse_bits());
-        numbered.into_iter().map(|(_, set)| set).collect()
     }
 
     fn leaf(&self, chain: usize, leaf: &PhotonLeaf, last: bool) -> Beat {
@@ -125,8 +115,10 @@ impl Scheduler {
     }
 
     fn batch(&self, chain: usize, batch: &SetBatch, release: bool, schedule: &mut Schedule) {
+        let mut tags = Vec::with_capacity(batch.queries.len());
         for (place, query) in batch.queries.iter().enumerate() {
             let tag = schedule.words.queries.len() as u32 % (1 << Core::TAG_BITS);
+            tags.push(tag);
             let last = place + 1 == batch.queries.len();
             let word = QueryWord {
                 query: query.query,
@@ -141,12 +133,34 @@ impl Scheduler {
                 data: self
                     .streams
                     .queries
-                    .bytes(&CoreStreams::query_values(&word)),
+                    .bytes(&CoreStreams::query_values(&self.core, &word)),
                 last,
                 dest: chain as u32,
             });
-            let index = query.index;
-            schedule.owed[chain].push_back(Owed { index, tag });
+        }
+        for result in 0..schedule.words.rounds.results() {
+            let owed = batch.queries.iter().zip(&tags);
+            schedule.owed[chain].extend(owed.map(|(query, &tag)| Owed {
+                index: query.index,
+                tag,
+                result,
+            }));
         }
     }
+}
+
+/// The sets, each with the clocks of its batches, in an order in which some of few neighbours take few clocks a query and some many. Where
+/// all chains take few, they wait for queries, of which the stream has one a clock.
+fn mixed<'a>(forecaster: &Forecaster, sets: &'a [Set]) -> Vec<(&'a Set, Vec<u64>)> {
+    let clocks = |set: &'a Set| (set, forecaster.batches(set));
+    let mut sets: Vec<_> = sets.iter().map(clocks).collect();
+    sets.sort_by_cached_key(|(set, clocks)| {
+        let queries = set.batches.iter().map(|batch| batch.queries.len() as u64);
+        // A fraction as an integer.
+        (clocks.iter().sum::<u64>() << 16) / queries.sum::<u64>().max(1)
+    });
+    // In the order of their numbers with the bits reversed, numbers that are close together are far apart.
+    let mut numbered: Vec<_> = (0_u32..).zip(sets).collect();
+    numbered.sort_by_key(|(number, _)| number.reverse_bits());
+    numbered.into_iter().map(|(_, set)| set).collect()
 }

@@ -12,4 +12,9 @@ pub trait Transport: Send {
     /// # Errors
     /// The core does not answer.
     fn exchange(&mut self, words: &CoreWords) -> Result<CoreAnswer, TransportError>;
+
+    /// Whether words may have rounds of other kinds than [`photoncube_spec::QueryRounds::Own`].
+    fn has_rounds(&self) -> bool {
+        false
+    }
 }

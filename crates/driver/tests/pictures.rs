@@ -2,9 +2,12 @@
 
 use photoncube_driver::{Driver, DriverError, ModelTransport, Transport, TransportError, Work};
 use photoncube_render::{
-    Engine, PhotonMap, Rendering, Scene, TraceOptions, ViewOptions, render, trace,
+    Engine, Estimator, Gatherer, Light, Lighting, PhotonMap, QuantisedMap, QueryPoint, RenderError,
+    Rendering, Scene, TraceOptions, ViewOptions, render, render_lit, trace,
 };
-use photoncube_spec::{Core, CoreAnswer, CoreCounter, CoreWords, PhotonFormat, find_machine};
+use photoncube_spec::{
+    Core, CoreAnswer, CoreCounter, CoreWords, PhotonFormat, QueryRounds, find_machine,
+};
 
 const VIEW: ViewOptions = ViewOptions {
     width: 12,
@@ -89,6 +92,121 @@ fn a_core_renders_what_the_direct_gather_renders() {
         let in_several_sets = work.query_words > work.queries;
         assert_eq!(in_several_sets, name.ends_with("n128"), "{name}: {work:?}");
     }
+}
+
+/// The picture of an estimator by a model of a core, and its gathers.
+fn estimated(
+    (scene, map): &(Scene, PhotonMap),
+    engine: Engine<'_>,
+    estimator: &Estimator,
+) -> Result<Rendering, RenderError> {
+    let light = Light {
+        lighting: &Lighting::default(),
+        global: map,
+        caustic: None,
+        estimator,
+    };
+    render_lit(scene, light, engine, &VIEW, &|_| ())
+}
+
+/// A core that the host asks for one round at a time.
+struct WithoutRounds(ModelTransport);
+
+impl Transport for WithoutRounds {
+    fn exchange(&mut self, words: &CoreWords) -> Result<CoreAnswer, TransportError> {
+        assert_eq!(words.rounds, QueryRounds::Own);
+        self.0.exchange(words)
+    }
+}
+
+const ESTIMATORS: [&str; 5] = ["fixed", "ladder:4:cone", "ladder:11", "knn:20", "knn:300"];
+
+/// On whole and on half steps. With 300 photons asked for, many queries have fewer in their search radius.
+#[test]
+fn queries_with_radii_make_every_estimate_of_the_integers() {
+    for (scene, chains, name) in [
+        ("cornell", 1, "leaf-7-radii-local7-rgb6d-n4096"),
+        ("ring", 3, "leaf-5-radii-local6x2-rgb4d-n4096"),
+    ] {
+        let traced = traced(scene, 60.0);
+        let core = core(chains, name);
+        for estimator in ESTIMATORS {
+            let model = WithoutRounds(ModelTransport::new(&core));
+            let driver = Driver::new(&core, vec![model]).unwrap();
+            let estimator = estimator.parse().unwrap();
+            let hardware = Engine::Hardware(core.machine, &driver);
+            let found = estimated(&traced, hardware, &estimator).unwrap();
+            let expected = estimated(&traced, Engine::from(core.machine), &estimator).unwrap();
+            assert_eq!(found.image, expected.image, "{name}: {estimator}");
+            let gathers = |rendering: &Rendering| rendering.stats.gathers;
+            assert_eq!(gathers(&found), gathers(&expected), "{name}: {estimator}");
+            assert_eq!(
+                driver.work().queries,
+                gathers(&found),
+                "{name}: {estimator}"
+            );
+        }
+    }
+}
+
+/// The bank of the last machine holds fewer leaves than some batches want. For their queries the host asks one round at a time.
+#[test]
+fn the_rounds_of_a_core_make_every_estimate_of_the_integers() {
+    for (scene, chains, name) in [
+        ("cornell", 1, "leaf-7-radii-local7-rgb6d-n4096"),
+        ("ring", 3, "leaf-5-radii-local6x2-rgb4d-n4096"),
+        ("cornell", 2, "leaf-4-radii-local7-rgb6d-n256"),
+    ] {
+        let (scene, map) = traced(scene, 60.0);
+        let core = core(chains, name);
+        for estimator in ESTIMATORS {
+            let driver = Driver::new(&core, vec![ModelTransport::new(&core)]).unwrap();
+            let estimator: Estimator = estimator.parse().unwrap();
+            let traced = (scene.clone(), map.clone());
+            let hardware = Engine::Hardware(core.machine, &driver);
+            let found = estimated(&traced, hardware, &estimator).unwrap();
+            // A query of a small bank meets in several sets more photons than the machine's format lets it meet at once.
+            let format = PhotonFormat {
+                max_photons: 1 << 20,
+                ..*core.machine.format().unwrap()
+            };
+            let expected = estimated(&traced, Engine::from(&format), &estimator).unwrap();
+            assert_eq!(found.image, expected.image, "{name}: {estimator}");
+            let work = driver.work();
+            let asked = work.queries as f64 / found.stats.estimates as f64;
+            assert!(asked <= 2.0, "{name}: {estimator}: {asked}");
+            // A ladder of more than eight rungs is two.
+            let in_part_by_host = asked.fract() > 0.0;
+            let is_split =
+                name.ends_with("n256") && matches!(estimator, Estimator::KNearest { .. });
+            assert_eq!(in_part_by_host, is_split, "{name}: {estimator}: {asked}");
+        }
+    }
+}
+
+#[test]
+fn an_estimate_that_a_core_has_no_radii_for_is_refused() {
+    let core = core(1, "leaf-4-local7-rgb6d-n256");
+    let driver = Driver::new(&core, vec![ModelTransport::new(&core)]).unwrap();
+    let engine = Engine::Hardware(core.machine, &driver);
+    let traced = traced("cornell", 60.0);
+    let error = estimated(&traced, engine, &Estimator::KNearest { k: 20 }).unwrap_err();
+    let error = error.to_string();
+    assert!(error.contains("all have the format's radius"), "{error}");
+    let (_, map) = &traced;
+    let place = map.photons()[0].position;
+    let map = QuantisedMap::new(map, &core.machine.numbers).unwrap();
+    let query = QueryPoint {
+        position: place,
+        normal: place,
+        beta: place,
+    };
+    let error = driver.gather_all(&map, &[query], &[1]).unwrap_err();
+    let error = error.to_string();
+    assert!(
+        error.contains("a query with a radius of its own"),
+        "{error}"
+    );
 }
 
 #[test]

@@ -7,7 +7,8 @@
 //! - `sequential`: the paper's 16 cells;
 //! - `stream`: one engine, each query with a radius of its own;
 //! - `tile-D`: `2^(D - 4)` engines in a chain, D from 4 to 10, with the radius of the format;
-//! - `leaf-D`: the chain of `tile-D` behind a memory that skips the photons far from a batch of queries.
+//! - `leaf-D`: the chain of `tile-D` behind a memory that skips the photons far from a batch of queries;
+//! - `leaf-D-radii`: `leaf-D`, each query with a radius of its own.
 //!
 //! `stream-local6x2-rgb4d-n4096` is an example. Squares are made from digits where there is a squarer from digits for the
 //! format, and as one product elsewhere.
@@ -41,6 +42,8 @@ pub enum CustomOrganisation {
     Leaf {
         /// The dimension of the hypercube: `2^(dimension - 4)` engines.
         dimension: u32,
+        /// The source of the search radius.
+        radius: Radius,
     },
 }
 
@@ -49,7 +52,8 @@ pub enum CustomOrganisation {
 pub enum CustomError {
     /// There is no such organisation.
     #[error(
-        "there is no organisation `{0}` of custom machines; expected sequential, stream, tile-4 to tile-10, or leaf-4 to leaf-10"
+        "there is no organisation `{0}` of custom machines; expected sequential, stream, tile-4 to tile-10, leaf-4 to leaf-10, or leaf-4-radii to \
+         leaf-10-radii"
     )]
     Organisation(String),
     /// The name of the format is not one.
@@ -79,7 +83,9 @@ impl CustomOrganisation {
     pub fn from_name(name: &str) -> Result<Self, CustomError> {
         let dimensions = Hypercube::MIN_DIMENSION..=Hypercube::MAX_DIMENSION;
         let tiles = dimensions.clone().map(|dimension| Self::Tile { dimension });
-        let leaves = dimensions.map(|dimension| Self::Leaf { dimension });
+        let leaves = dimensions.flat_map(|dimension| {
+            [Radius::Format, Radius::Query].map(|radius| Self::Leaf { dimension, radius })
+        });
         let mut all = [Self::Sequential, Self::Stream]
             .into_iter()
             .chain(tiles)
@@ -94,7 +100,14 @@ impl CustomOrganisation {
             Self::Sequential => "sequential".to_owned(),
             Self::Stream => "stream".to_owned(),
             Self::Tile { dimension } => format!("tile-{dimension}"),
-            Self::Leaf { dimension } => format!("leaf-{dimension}"),
+            Self::Leaf {
+                dimension,
+                radius: Radius::Format,
+            } => format!("leaf-{dimension}"),
+            Self::Leaf {
+                dimension,
+                radius: Radius::Query,
+            } => format!("leaf-{dimension}-radii"),
         }
     }
 
@@ -103,8 +116,12 @@ impl CustomOrganisation {
             Self::Sequential => "16 cells that do one instruction a clock".to_owned(),
             Self::Stream => "one engine of 16 cells that keep their instructions".to_owned(),
             Self::Tile { dimension } => chain(dimension),
-            Self::Leaf { dimension } => {
-                format!("{} behind a memory of leaves", chain(dimension))
+            Self::Leaf { dimension, radius } => {
+                let radii = match radius {
+                    Radius::Format => "",
+                    Radius::Query => ", a radius for each query",
+                };
+                format!("{} behind a memory of leaves{radii}", chain(dimension))
             }
         };
         format!("{cells}, the photon format {}", format.name())
@@ -113,7 +130,7 @@ impl CustomOrganisation {
     fn dimension(self) -> u32 {
         match self {
             Self::Sequential | Self::Stream => Hypercube::MIN_DIMENSION,
-            Self::Tile { dimension } | Self::Leaf { dimension } => dimension,
+            Self::Tile { dimension } | Self::Leaf { dimension, .. } => dimension,
         }
     }
 
@@ -124,8 +141,8 @@ impl CustomOrganisation {
             Self::Stream => (Radius::Query, FINE, NO_OTHERS),
             Self::Tile { .. } if is_product => (Radius::Format, PRODUCT.cuts, NO_OTHERS),
             Self::Tile { .. } => (Radius::Format, DIGITS, NO_OTHERS),
-            Self::Leaf { .. } if is_product => (Radius::Format, LEAF_LATE_PRODUCT.cuts, NO_OTHERS),
-            Self::Leaf { dimension } => (Radius::Format, LEAF, leaf_products(dimension)),
+            Self::Leaf { radius, .. } if is_product => (radius, LEAF_LATE_PRODUCT.cuts, NO_OTHERS),
+            Self::Leaf { dimension, radius } => (radius, LEAF, leaf_products(dimension)),
         };
         let chain = Spatial {
             query_axes: self.dimension() - Hypercube::MIN_DIMENSION,
@@ -245,6 +262,7 @@ mod tests {
             "tile-4-local7-rgb6d-n4096",
             "tile-10-local4-mono1-n8",
             "leaf-7-local7-rgb6d-n4096",
+            "leaf-7-radii-local7-rgb6d-n4096",
         ] {
             let machine = find_machine(name).unwrap();
             assert_eq!(machine.name, name);
@@ -262,6 +280,25 @@ mod tests {
             ..*custom
         };
         assert_eq!(renamed, *named);
+    }
+
+    #[test]
+    fn a_leaf_machine_with_radii_has_another_radius_and_nothing_else() {
+        let fixed = find_machine("leaf-6-local7-rgb6d-n4096").unwrap();
+        let radii = find_machine("leaf-6-radii-local7-rgb6d-n4096").unwrap();
+        let leaf = *radii.leaf().unwrap();
+        assert_eq!(leaf.chain.radius, Radius::Query);
+        let chain = Spatial {
+            radius: Radius::Format,
+            ..leaf.chain
+        };
+        let without = Machine {
+            name: fixed.name,
+            summary: fixed.summary,
+            organisation: Organisation::Leaf(Leaf { chain, ..leaf }),
+            ..*radii
+        };
+        assert_eq!(without, *fixed);
     }
 
     #[test]

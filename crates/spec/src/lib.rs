@@ -41,8 +41,9 @@ pub mod overlap;
 pub use crate::core::{
     Access, Beat, CORES, Core, CoreAnswer, CoreCounter, CoreError, CoreEvent, CoreField,
     CoreInputs, CoreOutputs, CorePins, CoreRegister, CoreRegisterRow, CoreStreams, CoreWords,
-    CounterRow, EventRow, LiteAnswer, LiteIn, ResultWord, Serial, SerialFault, SerialFaultRow,
-    SerialKind, SerialRow, SerialSizes, StreamField, StreamIn, StreamWord, port_columns,
+    CounterRow, EventRow, LiteAnswer, LiteIn, QueryResult, QueryRounds, ResultWord, Rounds, Serial,
+    SerialFault, SerialFaultRow, SerialKind, SerialRow, SerialSizes, StreamField, StreamIn,
+    StreamWord, port_columns,
 };
 pub use cell::{
     CellTables, ControlWord, Field, FieldRow, OVERLAPPED, Op, OpRow, POWER_WORDS, Place, Read,

@@ -1,11 +1,11 @@
 //! Drives the golden model of a core with random words, waits, accesses and resets, and writes down its pins.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, VecDeque};
 
 use photoncube_model::CoreModel;
 use photoncube_spec::{
     Core, CoreEvent, CoreInputs, CoreOutputs, CorePins, CoreRegister, CoreRegisterRow, CoreStreams,
-    EventRow, LiteIn, StreamIn,
+    EventRow, LiteIn, QueryResult, StreamIn,
 };
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
@@ -54,6 +54,12 @@ pub(super) struct Drive<'a> {
     clock: u64,
     events_before: u32,
     reset_before: bool,
+    /// Other rounds are drawn when no query is under way.
+    changes_rounds: bool,
+    /// Words that wait to be written to registers of the rounds: their addresses and the words.
+    settings: VecDeque<(u32, u32)>,
+    /// Such a word is offered.
+    sets: bool,
     pub(super) happened: Happened,
 }
 
@@ -61,6 +67,8 @@ pub(super) struct Drive<'a> {
 const PACE_CLOCKS: u32 = 256;
 /// A reset comes once in so many clocks.
 const RESET_CLOCKS: u32 = 3000;
+/// The rounds change after so many sets of each chain, on average.
+const ROUNDS_OF_WORDS: u32 = 3;
 /// One word in so many that are written may be a command to restart.
 const RESTART_WORDS: u32 = 8;
 
@@ -89,6 +97,9 @@ impl<'a> Drive<'a> {
             clock: 0,
             events_before: 0,
             reset_before: false,
+            changes_rounds: false,
+            settings: VecDeque::new(),
+            sets: false,
             happened: Happened::default(),
         }
     }
@@ -111,7 +122,7 @@ impl<'a> Drive<'a> {
 
     fn clock(&mut self, rows: &mut Rows) -> Result<(), CoreError> {
         if self.plan.photons.is_empty() && self.plan.queries.is_empty() {
-            self.draw.round(&mut self.plan);
+            self.next_words();
         }
         if self.one_in(PACE_CLOCKS) {
             let mut chance = || [8, 64, 192, 256][self.draw.rng().random_range(0..4)];
@@ -139,9 +150,40 @@ impl<'a> Drive<'a> {
             // What was under way is lost, and so are the words that would have followed it.
             self.plan = Plan::default();
             self.inputs = CoreInputs::default();
+            self.settings.clear();
+            self.sets = false;
+            self.set_rounds();
         }
         self.clock += 1;
         Ok(())
+    }
+
+    /// Draws the next words, now and then for other rounds. The rounds change only while no query is under way.
+    fn next_words(&mut self) {
+        let is_idle = self.plan.owed.iter().all(VecDeque::is_empty);
+        match self.changes_rounds {
+            true if is_idle => {
+                self.changes_rounds = false;
+                self.set_rounds();
+            }
+            false if self.settings.is_empty() && !self.sets => {
+                self.draw.round(&mut self.plan);
+                self.changes_rounds = self.core.has_radii() && self.one_in(ROUNDS_OF_WORDS);
+            }
+            _ => {}
+        }
+    }
+
+    /// Draws other rounds, and has the words of their registers wait.
+    fn set_rounds(&mut self) {
+        if !self.core.has_radii() {
+            return;
+        }
+        for (register, word) in self.draw.other_rounds() {
+            let row = self.rows.iter().find(|row| row.register == register);
+            let row = row.expect("the map has all registers");
+            self.settings.push_back((row.address, word));
+        }
     }
 
     /// Offers words where none is offered. A word that is offered stays.
@@ -171,8 +213,16 @@ impl<'a> Drive<'a> {
     fn access(&mut self) {
         let [address, data, read] = [(); 3].map(|()| self.chance(self.pace.accesses));
         let mut lite = self.inputs.lite;
+        if !lite.write_address_valid
+            && !lite.write_data_valid
+            && let Some((address, word)) = self.settings.pop_front()
+        {
+            (lite.write_address, lite.write_data, lite.write_strobe) = (address, word, 15);
+            (lite.write_address_valid, lite.write_data_valid) = (true, true);
+            self.sets = true;
+        }
         if !lite.write_address_valid {
-            lite.write_address = self.address();
+            lite.write_address = self.address_to_write();
             lite.write_address_valid = address;
         }
         if !lite.write_data_valid {
@@ -190,6 +240,19 @@ impl<'a> Drive<'a> {
         lite.write_answer_ready = self.chance(self.pace.accesses);
         lite.read_answer_ready = self.chance(self.pace.accesses);
         self.inputs.lite = lite;
+    }
+
+    /// An address that changes no rounds.
+    fn address_to_write(&mut self) -> u32 {
+        let of_rounds = |row: &CoreRegisterRow| row.address >= CoreRegister::ROUNDS;
+        let rounds: Vec<_> = self.rows.iter().filter(|row| of_rounds(row)).collect();
+        let rounds: Vec<_> = rounds.iter().map(|row| row.address).collect();
+        loop {
+            let address = self.address();
+            if !rounds.contains(&(address & !3)) {
+                return address;
+            }
+        }
     }
 
     /// An address: mostly that of a register, sometimes any.
@@ -224,13 +287,17 @@ impl<'a> Drive<'a> {
         self.reset_before = self.inputs.reset;
         self.happened.restarts += u64::from(restarts);
         if let Some(result) = outputs.result.as_ref().filter(|_| self.inputs.result_ready) {
-            let (sums, tag) =
-                CoreStreams::result_of(self.core, &self.streams.results.values(&result.data));
+            let QueryResult {
+                sums,
+                tag,
+                radius_sq,
+            } = CoreStreams::result_of(self.core, &self.streams.results.values(&result.data));
             let owed = self.plan.owed.get_mut(result.id as usize);
             let expected = owed.and_then(|owed| owed.pop_front());
             let found = super::plan::Expected {
                 sums,
                 tag,
+                radius_sq: radius_sq.filter(|_| !result.outside),
                 last: result.last,
                 outside: result.outside,
             };
@@ -277,6 +344,7 @@ impl<'a> Drive<'a> {
         if outputs.write_ready {
             lite.write_address_valid = false;
             lite.write_data_valid = false;
+            self.sets = false;
             self.happened.accesses += 1;
         }
         if outputs.read_ready && lite.read_address_valid {

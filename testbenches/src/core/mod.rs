@@ -272,6 +272,40 @@ const FAULTS: [CoreFault; 7] = [
     ),
 ];
 
+/// Faults in the store of batches, which a core has whose queries have radii.
+const FAULTS_OF_ROUNDS: [CoreFault; 5] = [
+    (
+        "a batch on the next set is taken before the last round of the batch that releases the set",
+        "rounds",
+        "held <= releases_now;",
+        "held <= 1'b0;",
+    ),
+    (
+        "a batch releases its set in its first round",
+        "rounds",
+        "word[RELEASE] & is_last_round",
+        "word[RELEASE]",
+    ),
+    (
+        "the bisection goes on from the radius itself",
+        "rounds",
+        "radius_back + 1'b1",
+        "radius_back",
+    ),
+    (
+        "the k nearest have the sums of the last round",
+        "rounds",
+        "shows_kept ? kept[{back, back_position}] : sums",
+        "sums",
+    ),
+    (
+        "a ladder has more rungs than there are registers",
+        "rounds",
+        "(rungs_asked > MOST_RUNGS) ? MOST_RUNGS : rungs_asked",
+        "rungs_asked",
+    ),
+];
+
 /// Plants each fault in the text of a small core, in a device.
 ///
 /// # Errors
@@ -293,7 +327,8 @@ pub fn core_controls(core: &Core, kind: DeviceKind, seed: u64) -> Result<Vec<Con
             found,
         })
     };
-    FAULTS.iter().map(control).collect()
+    let of_rounds = FAULTS_OF_ROUNDS.iter().filter(|_| core.has_radii());
+    FAULTS.iter().chain(of_rounds).map(control).collect()
 }
 
 #[cfg(test)]

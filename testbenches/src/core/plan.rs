@@ -4,7 +4,8 @@ use std::collections::VecDeque;
 
 use photoncube_model::gather;
 use photoncube_spec::{
-    BatchPins, Beat, Core, CoreStreams, Leaf, Photon, Query, QueryWord, Sums, Widths,
+    BatchPins, Beat, Core, CoreRegister, CoreStreams, Leaf, Photon, Query, QueryRounds, QueryWord,
+    Rounds, Sums, Widths,
 };
 use rand::{Rng, RngExt};
 
@@ -13,6 +14,8 @@ use rand::{Rng, RngExt};
 pub(crate) struct Expected {
     pub(crate) sums: Sums,
     pub(crate) tag: u32,
+    /// The radius, where queries have one; none where the query is outside of its frame.
+    pub(crate) radius_sq: Option<u32>,
     pub(crate) last: bool,
     pub(crate) outside: bool,
 }
@@ -26,6 +29,12 @@ pub(crate) struct Plan {
     pub(crate) owed: Vec<VecDeque<Expected>>,
 }
 
+/// A batch, and the results that its chain must give for it.
+struct BatchWords {
+    words: Vec<Beat>,
+    expected: Vec<Expected>,
+}
+
 /// One wrong word in so many.
 const WRONG: u32 = 24;
 
@@ -34,6 +43,7 @@ pub(crate) struct Draw<'a, R> {
     core: &'a Core,
     streams: &'a CoreStreams,
     widths: Widths,
+    rounds: QueryRounds,
     rng: R,
 }
 
@@ -43,6 +53,7 @@ impl<'a, R: Rng> Draw<'a, R> {
             core,
             streams,
             widths: Widths::of(core.machine),
+            rounds: QueryRounds::Own,
             rng,
         }
     }
@@ -59,6 +70,27 @@ impl<'a, R: Rng> Draw<'a, R> {
         self.rng.random_range(0..1_u64 << bits) as u32
     }
 
+    /// Draws other rounds for the batches from now on. Returns the words to write to registers.
+    pub(crate) fn other_rounds(&mut self) -> Vec<(CoreRegister, u32)> {
+        let rungs = self.rng.random_range(1..1 << Rounds::RUNGS_BITS);
+        let radii: Vec<_> = (0..Rounds::RUNGS).map(|_| self.radius_sq()).collect();
+        let k = self
+            .rng
+            .random_range(1..=self.core.machine.max_photons() as u32 / 2);
+        let rung = |(rung, radius_sq): (u32, &u32)| (CoreRegister::Rung(rung), *radius_sq);
+        let mut writes: Vec<_> = (0..).zip(&radii).map(rung).collect();
+        let mode = self.rng.random_range(0..3);
+        writes.push((CoreRegister::Nearest, if mode == 2 { k } else { 0 }));
+        // With the k nearest, the rungs are not looked at.
+        writes.push((CoreRegister::Rungs, if mode == 0 { 0 } else { rungs }));
+        self.rounds = match mode {
+            0 => QueryRounds::Own,
+            1 => QueryRounds::Ladder(radii[..rungs.min(Rounds::RUNGS) as usize].to_vec()),
+            _ => QueryRounds::Nearest(k),
+        };
+        writes
+    }
+
     /// Appends the words of a set for every chain, and of its batches, which are mixed.
     pub(crate) fn round(&mut self, plan: &mut Plan) {
         plan.owed
@@ -71,9 +103,9 @@ impl<'a, R: Rng> Draw<'a, R> {
             .collect();
         while batches.iter().any(|batches| !batches.is_empty()) {
             let chain = self.rng.random_range(0..batches.len());
-            for (word, expected) in batches[chain].pop_front().into_iter().flatten() {
-                plan.queries.push_back(word);
-                plan.owed[chain].push_back(expected);
+            if let Some(batch) = batches[chain].pop_front() {
+                plan.queries.extend(batch.words);
+                plan.owed[chain].extend(batch.expected);
             }
             if self.wrong() {
                 self.query_for_no_chain(plan);
@@ -162,13 +194,13 @@ impl<'a, R: Rng> Draw<'a, R> {
     }
 
     /// The batches of a set with their results. The last releases the set.
-    fn batches(&mut self, chain: u32, set: &[(u32, Photon)]) -> VecDeque<Vec<(Beat, Expected)>> {
+    fn batches(&mut self, chain: u32, set: &[(u32, Photon)]) -> VecDeque<BatchWords> {
         let batches = self.rng.random_range(1..=3);
         let batch = |batch| self.batch(chain, set, batch + 1 == batches);
         (0..batches).map(batch).collect()
     }
 
-    fn batch(&mut self, chain: u32, set: &[(u32, Photon)], release: bool) -> Vec<(Beat, Expected)> {
+    fn batch(&mut self, chain: u32, set: &[(u32, Photon)], release: bool) -> BatchWords {
         let engines = self.core.engines() as u32;
         let queries = self.rng.random_range(1..=engines);
         let facings = self.rng.random::<u32>() | 1 << self.bits(2);
@@ -176,14 +208,32 @@ impl<'a, R: Rng> Draw<'a, R> {
             Some((_, photon)) => photon.position,
             None => [0; 3],
         };
-        (0..queries)
+        let (words, results): (Vec<_>, Vec<_>) = (0..queries)
             .map(|number| {
                 // A batch of as many queries as engines ends without `tlast` too.
                 let is_last = number + 1 == queries;
                 let needs_last = queries < engines || self.rng.random();
                 self.query(chain, set, near, facings, release, is_last && needs_last)
             })
-            .collect()
+            .unzip();
+        let rounds = 0..results.first().map_or(0, Vec::len);
+        let expected = rounds.flat_map(|round| results.iter().map(move |of| of[round].clone()));
+        BatchWords {
+            words,
+            expected: expected.collect(),
+        }
+    }
+
+    /// The radius of a query: the format's, or one of any length up to it.
+    fn radius_sq(&mut self) -> u32 {
+        let largest = self.core.machine.numbers.largest_radius_word();
+        match self.core.has_radii() {
+            true => {
+                let radius = self.rng.random_range(0..=largest.isqrt());
+                self.rng.random_range(radius * radius..=largest)
+            }
+            false => largest,
+        }
     }
 
     fn query(
@@ -194,12 +244,12 @@ impl<'a, R: Rng> Draw<'a, R> {
         facings: u32,
         release: bool,
         last: bool,
-    ) -> (Beat, Expected) {
+    ) -> (Beat, Vec<Expected>) {
         let shift = self.widths.coordinate - self.widths.photon;
         let tag = self.bits(Core::TAG_BITS);
         let query = Query {
             position: self.photon(near).position.map(|place| place << shift),
-            radius_sq: self.core.machine.fixed_radius_sq().unwrap_or(0),
+            radius_sq: self.radius_sq(),
         };
         let word = QueryWord {
             query,
@@ -209,7 +259,7 @@ impl<'a, R: Rng> Draw<'a, R> {
         let mut data = self
             .streams
             .queries
-            .bytes(&CoreStreams::query_values(&word));
+            .bytes(&CoreStreams::query_values(self.core, &word));
         let outside = self.wrong();
         if outside {
             // The lowest bit above a coordinate.
@@ -219,26 +269,46 @@ impl<'a, R: Rng> Draw<'a, R> {
             data[bit / 8] |= 1 << (bit % 8);
         }
         let gathered = set.iter().filter(|(facing, _)| facings >> facing & 1 == 1);
-        let sums = gather(
-            self.core.machine,
-            &query,
-            gathered.map(|(_, photon)| *photon),
-        );
+        let photons: Vec<_> = gathered.map(|(_, photon)| *photon).collect();
+        let found = self.found(&query, &photons);
         let stream = Beat {
             data,
             last,
             dest: chain,
         };
-        let expected = Expected {
-            sums: match outside {
-                true => Sums::default(),
-                false => sums.expect("a set has no more photons than the sums hold"),
-            },
+        let expected = |(radius_sq, sums)| Expected {
+            sums: if outside { Sums::default() } else { sums },
             tag,
+            radius_sq: (self.core.has_radii() && !outside).then_some(radius_sq),
             last,
             outside,
         };
-        (stream, expected)
+        (stream, found.into_iter().map(expected).collect())
+    }
+
+    /// The radius and the sums of each result of a query, by the direct gather.
+    fn found(&self, query: &Query, photons: &[Photon]) -> Vec<(u32, Sums)> {
+        let sums = |radius_sq: u32| {
+            let query = Query {
+                radius_sq,
+                ..*query
+            };
+            let sums = gather(self.core.machine, &query, photons.iter().copied());
+            sums.expect("a set has no more photons than the sums hold")
+        };
+        match &self.rounds {
+            QueryRounds::Own => vec![(query.radius_sq, sums(query.radius_sq))],
+            QueryRounds::Ladder(radii) => {
+                radii.iter().map(|&radius| (radius, sums(radius))).collect()
+            }
+            QueryRounds::Nearest(k) => {
+                let largest = self.core.machine.numbers.largest_radius_word();
+                let radii: Vec<_> = (0..=largest).collect();
+                let smallest = radii.partition_point(|&radius| sums(radius).count < u64::from(*k));
+                let smallest = smallest as u32;
+                vec![(smallest.min(largest), sums(smallest.saturating_sub(1)))]
+            }
+        }
     }
 
     /// A number of a chain that there is not, if the streams can name one.

@@ -78,11 +78,14 @@ int main() {
   rise(top);
   top.aresetn = 1;
   std::vector<char> in, out;
-  std::uint64_t counts[2];
+  std::uint64_t counts[4];
   while (std::fread(counts, sizeof counts, 1, stdin) == 1) {
-    const std::uint64_t photons = counts[0], queries = counts[1];
+    const std::uint64_t photons = counts[0], queries = counts[1], wanted = counts[2];
+    std::vector<std::uint32_t> registers(2 * counts[3]);
+    if (std::fread(registers.data(), 4, registers.size(), stdin) != registers.size()) return 1;
+    for (std::size_t place = 0; place < registers.size(); place += 2) write_register(top, registers[place], registers[place + 1]);
     in.resize(photons * (photon_bytes + 2) + queries * (query_bytes + 2));
-    out.resize(queries * (result_bytes + 3));
+    out.resize(wanted * (result_bytes + 3));
     if (std::fread(in.data(), 1, in.size(), stdin) != in.size()) return 1;
     const char* photon = in.data();
     const char* query = photon + photons * (photon_bytes + 2);
@@ -91,7 +94,7 @@ int main() {
     std::uint64_t photon_at = 0, query_at = 0, results = 0, still = 0;
     bool new_photon = true, new_query = true;
     top.m_axis_results_tready = 1;
-    while (results < queries && still < @SILENT@) {
+    while (results < wanted && still < @SILENT@) {
       if (new_photon && photon_at < photons) {
         set(top.s_axis_photons_tdata, photon, photon_bytes);
         top.s_axis_photons_tlast = photon[photon_bytes];
@@ -135,7 +138,7 @@ int main() {
       if (std::fwrite(&counter, sizeof counter, 1, stdout) != 1) return 1;
     }
     std::fflush(stdout);
-    if (results < queries) return 1;
+    if (results < wanted) return 1;
   }
   top.final();
   return 0;

@@ -6,8 +6,8 @@ use std::process::Command;
 
 use photoncube_hdl::{core_within, emit_core};
 use photoncube_spec::{
-    Core, CoreAnswer, CoreRegister, CoreStreams, CoreWords, CounterRow, Direction, Leaf,
-    ResultWord, StreamWord,
+    Core, CoreAnswer, CoreRegister, CoreStreams, CoreWords, CounterRow, Direction, ResultWord,
+    StreamWord,
 };
 use tempfile::TempDir;
 
@@ -20,6 +20,7 @@ use crate::trace::TRACE;
 
 /// A core in a running Verilator simulation.
 pub struct CoreSimulation {
+    core: Core,
     results: StreamWord,
     process: Process,
     #[expect(dead_code, reason = "the folder lives as long as the process")]
@@ -54,10 +55,16 @@ impl CoreSimulation {
             folder.path(),
         )?;
         Ok(Self {
+            core: *core,
             results: CoreStreams::of(core).results,
             process,
             folder,
         })
+    }
+
+    /// The core.
+    pub fn core(&self) -> &Core {
+        &self.core
     }
 
     /// Gives the core words, and waits until it has answered every query among them.
@@ -65,9 +72,10 @@ impl CoreSimulation {
     /// # Errors
     /// The core hangs, or the simulation ends before its answer.
     pub fn exchange(&mut self, words: &CoreWords) -> Result<CoreAnswer, DeviceError> {
-        let frame = frame(words);
+        let frame = frame(&self.core, words);
         let data_bytes = self.results.bits as usize / 8;
-        let count = words.queries.len();
+        let count = words.results();
+        let silent_clocks = self.core.silent_clocks();
         let mut answer = CoreAnswer::default();
         self.process.converse(
             |stdin| stdin.write_all(&frame),
@@ -83,8 +91,7 @@ impl CoreSimulation {
                 match found == count {
                     true => Ok(()),
                     false => Err(std::io::Error::other(format!(
-                        "the core moved no word for {} clocks, with {found} of {count} results",
-                        Leaf::SILENT_CLOCKS
+                        "the core moved no word for {silent_clocks} clocks, with {found} of {count} results"
                     ))),
                 }
             },
@@ -109,11 +116,26 @@ fn result(word: &[u8], data_bytes: usize) -> ResultWord {
     }
 }
 
-/// The words in bytes: the numbers of leaves and queries, then each word's data, `tlast` and `tdest`.
-fn frame(words: &CoreWords) -> Vec<u8> {
+/// The words in bytes: the numbers of leaves, queries, results and registers to write; the address and the word of each register; each
+/// word's data, `tlast` and `tdest`.
+fn frame(core: &Core, words: &CoreWords) -> Vec<u8> {
+    // The digest changes no address.
+    let rows = CoreRegister::all(core, 0);
+    let registers = words.rounds.registers(core);
+    let counts = [
+        words.photons.len(),
+        words.queries.len(),
+        words.results(),
+        registers.len(),
+    ];
     let mut frame = Vec::new();
-    for beats in [&words.photons, &words.queries] {
-        frame.extend((beats.len() as u64).to_ne_bytes());
+    for count in counts {
+        frame.extend((count as u64).to_ne_bytes());
+    }
+    for (register, word) in registers {
+        let row = rows.iter().find(|row| row.register == register);
+        let address = row.expect("the map has all registers").address;
+        frame.extend([address, word].map(u32::to_ne_bytes).concat());
     }
     for beat in words.photons.iter().chain(&words.queries) {
         frame.extend(&beat.data);
@@ -146,7 +168,7 @@ fn harness(core: &Core, digest: u64) -> String {
         ("PHOTON_BYTES", (streams.photons.bits / 8).to_string()),
         ("QUERY_BYTES", (streams.queries.bits / 8).to_string()),
         ("RESULT_BYTES", (streams.results.bits / 8).to_string()),
-        ("SILENT", Leaf::SILENT_CLOCKS.to_string()),
+        ("SILENT", core.silent_clocks().to_string()),
         ("CONTROL", address(CoreRegister::Control)),
         ("CLEAR", CoreRegister::CLEAR_COUNTERS.to_string()),
         ("COUNTERS", counters.join(", ")),

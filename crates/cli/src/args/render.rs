@@ -131,11 +131,11 @@ impl ChosenEngine {
         }
     }
 
-    /// The work of the core so far, if it is one.
-    pub fn core_report(&self) -> Option<CoreReport> {
+    /// The work of the core so far for that many estimates, if it is one.
+    pub fn core_report(&self, estimates: u64) -> Option<CoreReport> {
         match self {
             Self::Own(_) => None,
-            Self::Core(core, driver) => Some(CoreReport::of(core, &driver.work())),
+            Self::Core(core, driver) => Some(CoreReport::of(core, &driver.work(), estimates)),
         }
     }
 }

@@ -124,7 +124,7 @@ pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
     let report = Report {
         scene: args.scene.to_string(),
         engine: EngineReport::of(engine),
-        core: chosen.core_report(),
+        core: chosen.core_report(stats.estimates),
         light: LightingReport::of(&lighting),
         output: args.output.display().to_string(),
         seed: args.seed,

@@ -84,7 +84,7 @@ pub fn execute(args: &RenderArgs, json: bool) -> Result<()> {
         caustic_radius: caustic.map(PhotonMap::radius),
         seed: args.picture.seed,
         seconds: start.elapsed().as_secs_f64(),
-        core: chosen.core_report(),
+        core: chosen.core_report(rendering.stats.estimates),
     };
     output::print(json, &report, || text(&report))
 }

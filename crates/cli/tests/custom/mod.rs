@@ -50,7 +50,7 @@ fn a_machine_that_cannot_be_made_is_refused() {
         (
             "core",
             FORMAT,
-            "expected sequential, stream, tile-4 to tile-10, or leaf-4 to leaf-10",
+            "expected sequential, stream, tile-4 to tile-10, leaf-4 to leaf-10, or leaf-4-radii to leaf-10-radii",
         ),
         (
             "stream",
@@ -184,6 +184,30 @@ fn the_emitted_verilog_of_a_core_renders_a_picture() {
     assert!(core["groups_played"].as_u64() > core["sets"].as_u64());
     assert_eq!(core["query_words"], report["query_points"]);
     assert_eq!(core["core"], "core-2-leaf-6-local7-rgb6d-n4096");
+}
+
+/// The rounds of a core, which its registers ask for: one word for each query.
+#[test]
+#[ignore = "needs Verilator: scripts/setup.sh installs it"]
+fn the_emitted_verilog_of_a_core_does_rounds() {
+    let _built = CORE_IS_BUILT.lock().unwrap();
+    let machine = "leaf-6-radii-local7-rgb6d-n4096";
+    let folder = tempfile::tempdir().unwrap();
+    let picture = |name: &str| folder.path().join(name).display().to_string();
+    for estimator in ["ladder:4:cone", "knn:50"] {
+        let render = |output: &str, engine: &str| {
+            let words = ["render", "cornell", "--size", "32x32", "--photons", "50000"];
+            let of_engine = ["-o", output, "--engine", engine, "--machine", machine];
+            json(&[&words[..], &of_engine, &["--estimator", estimator]].concat())
+        };
+        let (by_verilog, by_model) = (picture("verilog.exr"), picture("model.exr"));
+        let report = render(&by_verilog, "core");
+        render(&by_model, "model");
+        assert_eq!(fs::read(by_verilog).unwrap(), fs::read(by_model).unwrap());
+        let core = &report["core"];
+        assert_eq!(core["query_words"], report["query_points"]);
+        assert_eq!(core["queries_per_clock"], core["estimates_per_clock"]);
+    }
 }
 
 /// Progressive passes, each through the emitted Verilog of a core.

@@ -117,6 +117,7 @@ pub(super) fn left(core: &Core, words: &CoreWords, answered: &[usize]) -> (CoreW
     let left = CoreWords {
         photons,
         queries: queries.map(|(query, _)| query.clone()).collect(),
+        rounds: words.rounds.clone(),
     };
     (left, known.collect())
 }
@@ -154,7 +155,7 @@ mod tests {
         };
         let words = CoreStreams::of(core).queries;
         Beat {
-            data: words.bytes(&CoreStreams::query_values(&word)),
+            data: words.bytes(&CoreStreams::query_values(core, &word)),
             last: true,
             dest,
         }
@@ -170,6 +171,7 @@ mod tests {
                 query(core, 0, 2, true),
                 query(core, 0, 3, true),
             ],
+            ..CoreWords::default()
         }
     }
 

@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 
 use photoncube_spec::{Core, CoreStreams, Leaf};
 
+use super::rounds;
 use super::top::{Sizes, part, range};
 
 /// A chain, and the way of groups to it.
@@ -25,6 +26,8 @@ pub(super) fn chain_text(
     let bits = core.chain_bits();
     let top = core.top();
     let tag = streams.queries.field("tag").low;
+    let ways =
+        rounds::ways(core, streams, sizes, chain).unwrap_or_else(|| ways(core, sizes, chain));
     let mut text = format!(
         "\n    // Chain {chain}.\n    \
          wire group_valid_{chain};\n    \
@@ -52,14 +55,7 @@ pub(super) fn chain_text(
          .leaf_refused(leaf_refused_{chain}), .set_too_long(set_too_long_{chain}), .group_valid(group_valid_{chain}),\n        \
          .group_ready(group_ready_{chain}), .group_last(group_last_{chain}), .group_facing(group_facing_{chain}), .group(group_{chain}));\n    \
          wire query_valid_{chain} = query_valid & (query_chain == {bits}'d{chain});\n    \
-         assign query_given_{chain} = query_valid_{chain} & query_ready_{chain};\n    \
-         {top}_slice #(.WIDTH({})) query_slice_{chain}(.clock(aclk), .reset(reset),\n        \
-         .in_valid(query_valid_{chain}), .in_ready(query_ready_{chain}), .in_word(query_word[{}:0]),\n        \
-         .out_valid(chain_query_valid_{chain}), .out_ready(chain_query_ready_{chain}), .out_word(query_{chain}));\n    \
-         {top}_place #(.WIDTH({})) result_place_{chain}(.clock(aclk), .reset(reset),\n        \
-         .in_valid(chain_result_valid_{chain}), .in_ready(chain_result_ready_{chain}),\n        \
-         .in_word({{chain_tag_{chain}, chain_sums_{chain}}}), .out_valid(result_valid_{chain}),\n        \
-         .out_ready(result_ready_{chain}), .out_word({{result_tag_{chain}, result_sums_{chain}}}));\n    \
+         assign query_given_{chain} = query_valid_{chain} & query_ready_{chain};\n{ways}    \
          {machine} chain_{chain}(.clock(aclk), .reset(reset),\n        \
          .query_valid(chain_query_valid_{chain}), .query_ready(chain_query_ready_{chain}), .query_last(query_{chain}[{query}]),\n        \
          .query_tag({{query_{chain}[{}:{query}], {}}}),\n",
@@ -70,19 +66,18 @@ pub(super) fn chain_text(
         range(query + 2),
         range(sums),
         range(Leaf::TAG_BITS),
-        query + 2,
-        query + 1,
-        sums + Leaf::TAG_BITS,
         query + 1,
         part(tag, Core::TAG_BITS, &format!("query_{chain}")),
     );
-    for (pin, field) in [
+    let radius = core.has_radii().then_some(("query_radius_sq", "radius_sq"));
+    let pins = [
         ("query_x", "x"),
         ("query_y", "y"),
         ("query_z", "z"),
         ("query_facings", "facings"),
         ("query_release", "release"),
-    ] {
+    ];
+    for (pin, field) in pins.into_iter().chain(radius) {
         let field = streams.queries.field(field);
         let _ = writeln!(
             text,
@@ -123,5 +118,24 @@ pub(super) fn chain_text(
     text + &format!(
         "        .result_valid(chain_result_valid_{chain}), .result_ready(chain_result_ready_{chain}), .result_tag(chain_tag_{chain}),\n        \
          .compared(compared_{chain}), .wanted(wanted_{chain}), .played(played_{chain}));\n"
+    )
+}
+
+/// The way of queries to a chain and of its results to their place, where a chain is given each query once.
+fn ways(core: &Core, sizes: &Sizes, chain: u32) -> String {
+    let Sizes { query, sums, .. } = *sizes;
+    let top = core.top();
+    format!(
+        "    \
+         {top}_slice #(.WIDTH({})) query_slice_{chain}(.clock(aclk), .reset(reset),\n        \
+         .in_valid(query_valid_{chain}), .in_ready(query_ready_{chain}), .in_word(query_word[{}:0]),\n        \
+         .out_valid(chain_query_valid_{chain}), .out_ready(chain_query_ready_{chain}), .out_word(query_{chain}));\n    \
+         {top}_place #(.WIDTH({})) result_place_{chain}(.clock(aclk), .reset(reset),\n        \
+         .in_valid(chain_result_valid_{chain}), .in_ready(chain_result_ready_{chain}),\n        \
+         .in_word({{chain_tag_{chain}, chain_sums_{chain}}}), .out_valid(result_valid_{chain}),\n        \
+         .out_ready(result_ready_{chain}), .out_word({{result_tag_{chain}, result_sums_{chain}}}));\n",
+        query + 2,
+        query + 1,
+        sums + Leaf::TAG_BITS,
     )
 }

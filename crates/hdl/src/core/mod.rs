@@ -9,6 +9,7 @@ mod chain;
 mod header;
 mod registers;
 mod results;
+mod rounds;
 mod rows;
 mod top;
 mod within;
@@ -79,6 +80,10 @@ pub fn emit_core(core: &Core) -> Result<EmittedCore, EmitError> {
     for common in COMMON {
         text += "\n";
         text += &common.replace("@TOP@", &top);
+    }
+    if let Some(rounds) = rounds::module(core) {
+        text += "\n";
+        text += &rounds;
     }
     text += "\n";
     text += &machine.text;

@@ -7,6 +7,7 @@ use photoncube_spec::{
     Leaf, Widths,
 };
 
+use super::rounds;
 use super::top::range;
 
 /// The fixed part of the module, in which the tables below are put.
@@ -68,6 +69,22 @@ pub(super) fn registers(core: &Core, digest: u64) -> String {
                 )
             }),
         ),
+        ("ROUND_PORTS", of_rounds(core, rounds::ports)),
+        ("ROUND_DECLARATIONS", of_rounds(core, rounds::declarations)),
+        ("ROUND_WRITES", of_rounds(core, rounds::writes)),
+        ("ROUND_RESETS", of_rounds(core, rounds::resets)),
+        (
+            "LAST_RESULT",
+            match core.has_radii() {
+                true => "result_ends",
+                false => "result_moves",
+            }
+            .to_owned(),
+        ),
+        (
+            "NOT_PLAYED",
+            of_rounds(core, |_| " & ~(|played)".to_owned()),
+        ),
         ("READS", reads(&rows)),
         ("HIGH_COPIES", high_copies(&rows)),
         ("WRITABLE", writable(&rows)),
@@ -82,6 +99,14 @@ pub(super) fn registers(core: &Core, digest: u64) -> String {
         "all parts are replaced"
     );
     replaced
+}
+
+/// A part of the template that only a core with rounds has.
+fn of_rounds(core: &Core, part: impl Fn(&Core) -> String) -> String {
+    match core.has_radii() {
+        true => part(core),
+        false => String::new(),
+    }
 }
 
 fn reset_of(rows: &[CoreRegisterRow], register: CoreRegister) -> String {
@@ -243,6 +268,7 @@ fn value(row: &CoreRegisterRow) -> String {
             "{{{}'d0, counter_high}}",
             2 * Core::REGISTER_BITS - Core::COUNTER_BITS
         ),
+        R::Nearest | R::Rungs | R::Rung(_) => rounds::value(row),
     }
 }
 

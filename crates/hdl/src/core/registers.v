@@ -5,7 +5,7 @@ module @TOP@_registers(clock, aresetn, reset,
     s_axi_rdata, s_axi_rresp, s_axi_rvalid, s_axi_rready, irq,
     photon_moves, photon_waits, query_moves, query_waits, result_moves, result_waits, result_photons,
     leaf_given, leaf_refused, leaf_malformed, set_too_long, query_given, query_refused, query_outside,
-    chain_unknown, compared, wanted, played);
+    chain_unknown, compared, wanted, played@ROUND_PORTS@);
     input wire clock;
     input wire aresetn;
     output reg reset;
@@ -45,7 +45,7 @@ module @TOP@_registers(clock, aresetn, reset,
     input wire chain_unknown;
     input wire [@LEAVES_HIGH@:0] compared;
     input wire [@LEAVES_HIGH@:0] wanted;
-    input wire [@GROUPS_HIGH@:0] played;
+    input wire [@GROUPS_HIGH@:0] played;@ROUND_DECLARATIONS@
     // The addresses, in bytes.
 @ADDRESSES@
     localparam OKAY = 2'b00;
@@ -119,8 +119,8 @@ module @TOP@_registers(clock, aresetn, reset,
     wire writes_enable = writes & (write_address == ADDRESS_INTERRUPT_ENABLE);
     wire writes_limit = writes & (write_address == ADDRESS_STALL_LIMIT);
 
-    wire ends = result_moves & ~query_given & (under_way == @UNDER_WAY_BITS@'d1);
-    wire silent = (busy | photon_waits | query_waits) & ~(photon_moves | query_moves | result_moves) & ~result_waits;
+    wire ends = @LAST_RESULT@ & ~query_given & (under_way == @UNDER_WAY_BITS@'d1);
+    wire silent = (busy | photon_waits | query_waits) & ~(photon_moves | query_moves | result_moves) & ~result_waits@NOT_PLAYED@;
     wire [31:0] silent_next = silent_clocks + 32'd1;
     wire stalls = silent & (|stall_limit) & (silent_next == stall_limit);
     wire [@EVENT_HIGH@:0] occurs;
@@ -145,8 +145,8 @@ module @TOP@_registers(clock, aresetn, reset,
         if (writes_enable) begin
             interrupt_enable <= (interrupt_enable & ~write_mask[@EVENT_HIGH@:0]) | write_word[@EVENT_HIGH@:0];
         end
-        if (writes_limit) stall_limit <= (stall_limit & ~write_mask) | write_word;
-        under_way <= under_way + query_given - result_moves;
+        if (writes_limit) stall_limit <= (stall_limit & ~write_mask) | write_word;@ROUND_WRITES@
+        under_way <= under_way + query_given - @LAST_RESULT@;
         silent_clocks <= silent ? silent_next : 32'd0;
         if (reset | ~aresetn) begin
             under_way <= @UNDER_WAY_BITS@'d0;
@@ -165,7 +165,7 @@ module @TOP@_registers(clock, aresetn, reset,
             events <= {(@EVENT_HIGH@ + 1){1'b0}};
             interrupt_enable <= {(@EVENT_HIGH@ + 1){1'b0}};
             stall_limit <= @STALL_LIMIT@;
-            counter_high <= {(@COUNTER_HIGH@ - 31){1'b0}};
+            counter_high <= {(@COUNTER_HIGH@ - 31){1'b0}};@ROUND_RESETS@
             seen_events <= {(@EVENT_HIGH@ + 1){1'b0}};
 @FORGETS@
         end

@@ -16,6 +16,11 @@ pub(super) fn results(core: &Core, streams: &CoreStreams, sizes: &Sizes) -> Stri
     } = *sizes;
     let end = streams.results.end();
     let count = streams.results.field("count");
+    let radius = core.has_radii().then(|| streams.results.field("radius_sq"));
+    let [is_last, radius_in] = match radius {
+        Some(_) => ["result_last, ", "result_radius, "],
+        None => [""; 2],
+    };
     let valid = (0..core.chains)
         .rev()
         .map(|chain| format!("result_valid_{chain}"));
@@ -28,7 +33,7 @@ pub(super) fn results(core: &Core, streams: &CoreStreams, sizes: &Sizes) -> Stri
          wire result_valid = results_valid[turn];\n    \
          wire result_ready;\n    \
          reg {}result_sums;\n    \
-         reg {}result_tag;\n    \
+         reg {}result_tag;\n{}    \
          always @(*) begin\n        \
          case (turn)\n",
         format_args!("[{}:0] ", core.chains - 1),
@@ -36,16 +41,18 @@ pub(super) fn results(core: &Core, streams: &CoreStreams, sizes: &Sizes) -> Stri
         core.top(),
         range(sums),
         range(Leaf::TAG_BITS),
+        radius.map_or(String::new(), |radius| format!(
+            "    reg {}result_radius;\n    reg result_last;\n",
+            range(radius.width)
+        )),
     );
     for chain in 1..core.chains {
-        let _ = writeln!(
-            text,
-            "            {bits}'d{chain}: begin\n                result_sums = result_sums_{chain};\n                \
-             result_tag = result_tag_{chain};\n            end"
-        );
+        text += &format!("            {bits}'d{chain}: {}", of_chain(core, chain));
     }
-    text += "            default: begin\n                result_sums = result_sums_0;\n                \
-             result_tag = result_tag_0;\n            end\n        endcase\n    end\n";
+    text += &format!(
+        "            default: {}        endcase\n    end\n",
+        of_chain(core, 0)
+    );
     for chain in 0..core.chains {
         let _ = writeln!(
             text,
@@ -70,7 +77,7 @@ pub(super) fn results(core: &Core, streams: &CoreStreams, sizes: &Sizes) -> Stri
             "result_valid",
             "result_ready",
             &format!(
-                "{{turn, result_outside, result_tag[{last}], result_tag[{}:0], result_seen}}",
+                "{{{is_last}turn, result_outside, result_tag[{last}], {radius_in}result_tag[{}:0], result_seen}}",
                 Core::TAG_BITS - 1
             ),
         ],
@@ -98,5 +105,22 @@ pub(super) fn results(core: &Core, streams: &CoreStreams, sizes: &Sizes) -> Stri
         part(count.low, count.width, "result_word"),
         count.width,
     );
+    if core.has_radii() {
+        let _ = writeln!(
+            text,
+            "    wire result_ends = result_moves & result_word[{}];",
+            end + 2 + bits
+        );
+    }
     text
+}
+
+/// The choice of a chain's result.
+fn of_chain(core: &Core, chain: u32) -> String {
+    let parts = ["sums", "tag"].into_iter();
+    let of_rounds = ["radius", "last"].into_iter().filter(|_| core.has_radii());
+    let lines = parts.chain(of_rounds);
+    let lines =
+        lines.map(|part| format!("                result_{part} = result_{part}_{chain};\n"));
+    format!("begin\n{}            end\n", lines.collect::<String>())
 }

@@ -6,6 +6,7 @@ use photoncube_spec::{Core, CoreStreams, Leaf, Port, Spatial, StreamWord};
 
 use super::chain::chain_text;
 use super::results::results;
+use super::rounds;
 
 /// The bits of each word in the core. A slice's word has the chain's number and the flags of its stream beside the fields.
 pub(super) struct Sizes {
@@ -25,7 +26,8 @@ pub(super) struct Sizes {
     pub(super) query_slice: u32,
     /// The sums and the count of a result.
     pub(super) sums: u32,
-    /// The word in the slice of results: sums, tag, `tlast`, whether the query is outside, the chain.
+    /// The word in the slice of results: the fields, `tlast`, whether the query is outside, the chain, and in a core with rounds whether it
+    /// is the query's last.
     pub(super) result_slice: u32,
 }
 
@@ -44,7 +46,7 @@ impl Sizes {
             query,
             query_slice: query + 2 + chain,
             sums,
-            result_slice: streams.results.end() + 2 + chain,
+            result_slice: streams.results.end() + 2 + chain + u32::from(core.has_radii()),
         }
     }
 }
@@ -55,6 +57,9 @@ pub(super) fn top(core: &Core, machine: &str) -> String {
     let sizes = Sizes::of(core, &streams);
     let mut text = head(core);
     text += "    wire reset;\n";
+    if core.has_radii() {
+        text += &rounds::wires(core);
+    }
     text += &photons(core, &streams.photons, &sizes);
     text += &queries(core, &streams.queries, &sizes);
     for chain in 0..core.chains {
@@ -329,7 +334,12 @@ fn register_instance(core: &Core) -> String {
         "wanted",
         "played",
     ];
-    let named = of_axi.chain(wires).map(|name| (name, name.to_owned()));
+    let of_rounds = ["result_ends", "nearest", "rungs", "radii"];
+    let of_rounds = of_rounds.into_iter().filter(|_| core.has_radii());
+    let named = of_axi
+        .chain(wires)
+        .chain(of_rounds)
+        .map(|name| (name, name.to_owned()));
     let expressions = [
         ("clock", "aclk"),
         (

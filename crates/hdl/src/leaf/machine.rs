@@ -9,7 +9,7 @@ use super::extent::{ExtentSoFar, Held};
 use super::fill::Fill;
 use super::former::{Former, TokenPlace};
 use super::gathers::GathersOfPair;
-use super::player::Player;
+use super::player::{Player, PresentUnlessBlank};
 use super::scan::{CullStage, PairQueue, Scan};
 use super::tags::Tags;
 use super::words::{BoxWords, GroupWords};
@@ -20,24 +20,6 @@ use crate::spatial::wiring::{Wires, Wiring, logic_of_wires, wires, with_wires};
 
 const LANES: usize = Spatial::LANES;
 const AXES: usize = 3;
-
-/// The presence of a photon on its way to the chain: none is present in a group that stands for no photons.
-#[derive(LogicBlock, Default)]
-pub(crate) struct PresentUnlessBlank {
-    pub blank: Signal<In, Bit>,
-    pub word: Signal<In, Bits<1>>,
-    pub present: Signal<Out, Bits<1>>,
-}
-
-impl Logic for PresentUnlessBlank {
-    #[hdl_gen]
-    fn update(&mut self) {
-        self.present.next = self.word.val();
-        if self.blank.val() {
-            self.present.next = 0.into();
-        }
-    }
-}
 
 /// The machine. The widths up to `N` are those of the chain; `PB` place, `LB` leaf, `KB` pair, `NB` number of tokens, `SB` spacing, `OB`
 /// batches under way, `TB` tag's place, `RB` result's number.
@@ -77,6 +59,8 @@ pub(crate) struct LeafMachine<
     pub query_x: Signal<In, Bits<C>>,
     pub query_y: Signal<In, Bits<C>>,
     pub query_z: Signal<In, Bits<C>>,
+    /// One squared radius; empty where the radius is the format's.
+    pub query_radius_sq: Vec<Signal<In, Bits<Q>>>,
     pub query_release: Signal<In, Bit>,
     pub query_last: Signal<In, Bit>,
     pub query_facings: Signal<In, Bits<FACINGS>>,
@@ -191,17 +175,19 @@ impl<
         };
         let sizes = LeafSizes::of(leaf);
         let channels = machine.channels().names().len();
-        let radius_sq = machine.fixed_radius_sq();
-        let radius_sq = radius_sq.expect("the queries of a leaf machine have the format's radius");
+        let format = machine
+            .format()
+            .expect("a leaf machine has a photon format");
         let pins = Pins::of(machine);
         with_wires!(defaulted!(Self {
+            query_radius_sq: signals(machine.fixed_radius_sq().is_none().into()),
             photon_channel: signals(channels * LANES),
             photon_exponent: signals(if E > 0 { LANES } else { 0 }),
             result: signals(channels),
             group_words: GroupWords::new(machine.channels().names()),
             former: Former::new(sizes.engines),
             gathers: GathersOfPair::new(sizes.cull_clocks),
-            culler: Culler::new(leaf.culler, radius_sq),
+            culler: Culler::new(leaf.culler, format.largest_in_range()),
             cull: signals(sizes.cull_clocks as usize),
             player: Player::new(sizes.least_spacing, sizes.most_outstanding),
             tags: Tags::new(sizes.engines),
@@ -476,6 +462,9 @@ impl<
             (chain.group_last) = (player.word_last_out);
             (chain.result_ready) = (tags.chain_ready);
         );
+        for radius in 0..self.query_radius_sq.len() {
+            wires!(self, wiring: (chain.query_radius_sq[radius]) = (query_radius_sq[radius]););
+        }
         for lane in 0..LANES {
             wires!(self, wiring:
                 (unless_blank[lane].blank) = (player.word_blank_out);

@@ -77,6 +77,9 @@ impl<
         driver.put(&mut self.query_x);
         driver.put(&mut self.query_y);
         driver.put(&mut self.query_z);
+        for radius_sq in &mut self.query_radius_sq {
+            driver.put(radius_sq);
+        }
         driver.put(&mut self.query_release);
         driver.put(&mut self.query_last);
         driver.put(&mut self.query_facings);

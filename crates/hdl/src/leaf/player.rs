@@ -183,3 +183,21 @@ impl<const PB: usize, const KB: usize, const SB: usize, const OB: usize> Logic
         self.word_blank_out.next = self.word_blank.q.val();
     }
 }
+
+/// The presence of a photon on its way to the chain: none is present in a group that stands for no photons.
+#[derive(LogicBlock, Default)]
+pub(crate) struct PresentUnlessBlank {
+    pub blank: Signal<In, Bit>,
+    pub word: Signal<In, Bits<1>>,
+    pub present: Signal<Out, Bits<1>>,
+}
+
+impl Logic for PresentUnlessBlank {
+    #[hdl_gen]
+    fn update(&mut self) {
+        self.present.next = self.word.val();
+        if self.blank.val() {
+            self.present.next = 0.into();
+        }
+    }
+}

@@ -2,18 +2,20 @@
 
 mod port;
 mod registers;
+mod rounds;
 mod serial;
 mod slice;
 
 use photoncube_spec::{
     BatchPins, Beat, Core, CoreCounter, CoreInputs, CoreOutputs, CoreStreams, Group, Inputs, Lane,
-    Outputs, Query, QueryWord, ResultWord, Spatial, Sums,
+    Outputs, Query, QueryResult, QueryWord, ResultWord, Rounds, Spatial, Sums,
 };
 
 use crate::golden::GoldenMachine;
 use crate::leaf::LeafMachine;
 use port::{Fate, LeafWord, PhotonPort};
 use registers::{Happens, InChains, Registers};
+use rounds::{Shown, Store};
 use slice::Places;
 
 pub use serial::{SerialFrame, SerialModel};
@@ -24,13 +26,16 @@ pub struct CoreModel {
     core: Core,
     streams: CoreStreams,
     digest: u64,
-    radius_sq: u32,
+    /// The radius of all queries; none where each has its own.
+    fixed_radius_sq: Option<u32>,
     photons: Places<LeafWord, 2>,
     queries: Places<QueryIn, 2>,
     results: Places<CoreResult, 2>,
     /// In front of each chain.
     to_chains: Vec<Places<QueryIn, 2>>,
-    /// Behind each chain.
+    /// In front of each chain's slice, and behind the chain; none where all queries have the format's radius.
+    stores: Vec<RoundsOfChain>,
+    /// Behind each chain, or behind its store.
     from_chains: Vec<Places<CoreResult, 1>>,
     ports: Vec<PhotonPort>,
     chains: Vec<LeafMachine>,
@@ -55,6 +60,16 @@ struct CoreResult {
     last: bool,
     outside: bool,
     chain: u32,
+    radius_sq: Option<u32>,
+    /// The query has no further result.
+    is_final: bool,
+}
+
+/// The store of a chain, and the place for a result between the two.
+#[derive(Clone, Debug)]
+struct RoundsOfChain {
+    store: Store,
+    found: Places<Outputs, 1>,
 }
 
 impl CoreModel {
@@ -63,15 +78,19 @@ impl CoreModel {
     /// # Panics
     /// Where the machine of the core is not a legal leaf machine.
     pub fn new(core: &Core, digest: u64) -> Self {
-        let radius_sq = core.machine.fixed_radius_sq();
         Self {
             core: *core,
             streams: CoreStreams::of(core),
             digest,
-            radius_sq: radius_sq.expect("the queries of a leaf machine have the format's radius"),
+            fixed_radius_sq: core.machine.fixed_radius_sq(),
             photons: Places::default(),
             queries: Places::default(),
             results: Places::default(),
+            stores: Rounds::of(core).map_or(Vec::new(), |rounds| {
+                let store = Store::new(rounds, core.engines());
+                let found = Places::default();
+                vec![RoundsOfChain { store, found }; core.chains as usize]
+            }),
             to_chains: vec![Places::default(); core.chains as usize],
             from_chains: vec![Places::default(); core.chains as usize],
             ports: vec![PhotonPort::default(); core.chains as usize],
@@ -125,11 +144,12 @@ impl CoreModel {
     }
 
     fn result_word(&self, result: &CoreResult) -> ResultWord {
-        let channels = self.core.machine.channels().names().len();
-        let powers = result.sums.power[..channels].iter();
-        // A sum has at most 64 bits.
-        let mut values: Vec<_> = powers.map(|&power| power as u64).collect();
-        values.extend([result.sums.count, u64::from(result.tag)]);
+        let fields = QueryResult {
+            sums: result.sums,
+            tag: result.tag,
+            radius_sq: result.radius_sq,
+        };
+        let values = CoreStreams::result_values(&self.core, &fields);
         ResultWord {
             data: self.streams.results.bytes(&values),
             last: result.last,
@@ -163,8 +183,9 @@ impl CoreModel {
         for (chain, inputs) in self.chains.iter_mut().zip(&to_chains) {
             chain.clock(inputs);
         }
-        self.results(&from_chains, happens.result_moves, reset);
-        self.queries_to_chains(&from_chains, happens.query_given, reset);
+        let of_stores = self.results_to_stores(&from_chains, reset);
+        self.results(&from_chains, &of_stores.shown, happens.result_moves, reset);
+        self.queries_to_chains(&from_chains, &of_stores.comes, happens.query_given, reset);
         let leaf = happens
             .photon_moves
             .then(|| self.leaf(&inputs.photons.beat));
@@ -190,10 +211,7 @@ impl CoreModel {
         Inputs {
             reset,
             query_valid: query.is_some(),
-            query: Query {
-                radius_sq: self.radius_sq,
-                ..word.query
-            },
+            query: word.query,
             query_release: word.release,
             batch: BatchPins {
                 tag: word.batch.tag | flags,
@@ -204,28 +222,81 @@ impl CoreModel {
                 lanes: vec![Lane::default(); Spatial::LANES],
                 ..Group::default()
             }),
-            result_ready: self.from_chains[chain].is_ready() && !reset,
+            result_ready: !reset
+                && match self.stores.get(chain) {
+                    Some(rounds) => rounds.found.is_ready(),
+                    None => self.from_chains[chain].is_ready(),
+                },
         }
     }
 
-    /// The queries: from their slice to the slice in front of a chain, and from these slices to the chains.
-    fn queries_to_chains(&mut self, from_chains: &[Outputs], given: bool, reset: bool) {
+    /// The queries: from their slice to the store or the slice in front of a chain, from the store to the slice, and from the slices to
+    /// the chains. `comes` has the results that the stores take.
+    fn queries_to_chains(
+        &mut self,
+        from_chains: &[Outputs],
+        comes: &[Option<Outputs>],
+        given: bool,
+        reset: bool,
+    ) {
         let query = self.queries.front().copied().filter(|_| given);
+        let settings = &self.registers.settings;
         for (chain, (slice, outputs)) in self.to_chains.iter_mut().zip(from_chains).enumerate() {
             let moves = slice.front().is_some() && outputs.query_ready;
-            let query = query.filter(|query| query.chain as usize == chain);
+            let mut query = query.filter(|query| query.chain as usize == chain);
+            if let Some(RoundsOfChain { store, .. }) = self.stores.get_mut(chain) {
+                let ready = slice.is_ready() && !reset;
+                let offered = store.offers(settings).filter(|_| ready);
+                store.clock(settings, query, ready, comes[chain].as_ref(), reset);
+                query = offered;
+            }
             slice.clock(moves, query, reset);
         }
     }
 
+    /// The results between chains and stores: each that leaves its place in this clock. A store's own result goes to the place behind it.
+    fn results_to_stores(&mut self, from_chains: &[Outputs], reset: bool) -> ResultsOfStores {
+        let settings = &self.registers.settings;
+        let mut all = ResultsOfStores::default();
+        for (chain, rounds) in self.stores.iter_mut().enumerate() {
+            let shown = rounds
+                .found
+                .front()
+                .map(|found| (*found, rounds.store.shows(found, settings)));
+            let ready = self.from_chains[chain].is_ready() && !reset;
+            let moving = shown.filter(|(_, shown)| shown.is_none() || ready);
+            let outputs = &from_chains[chain];
+            let takes = outputs.result_valid && rounds.found.is_ready() && !reset;
+            rounds
+                .found
+                .clock(moving.is_some(), takes.then_some(*outputs), reset);
+            all.comes.push(moving.as_ref().map(|(found, _)| *found));
+            all.shown.push(moving.and_then(|(_, shown)| shown));
+        }
+        all
+    }
+
     /// The results: from the chains to their places, and from the place of the chain whose turn it is to the slice.
-    fn results(&mut self, from_chains: &[Outputs], result_moves: bool, reset: bool) {
+    fn results(
+        &mut self,
+        from_chains: &[Outputs],
+        shown: &[Option<Shown>],
+        result_moves: bool,
+        reset: bool,
+    ) {
         let result = self.from_chains[self.turn].front().copied();
         let result = result.filter(|_| self.results.is_ready() && !reset);
         let next = self.next_turn();
         for (chain, (place, outputs)) in self.from_chains.iter_mut().zip(from_chains).enumerate() {
-            let found = (outputs.result_valid && place.is_ready() && !reset)
-                .then(|| result_of(chain, outputs));
+            let found = match shown.get(chain) {
+                Some(shown) => shown.as_ref().map(|shown| CoreResult {
+                    radius_sq: Some(shown.radius_sq),
+                    is_final: shown.is_last,
+                    ..result_of(chain, &shown.outputs)
+                }),
+                None => (outputs.result_valid && place.is_ready() && !reset)
+                    .then(|| result_of(chain, outputs)),
+            };
             let moves = result.is_some() && chain == self.turn;
             place.clock(moves, found, reset);
         }
@@ -259,8 +330,12 @@ impl CoreModel {
         let query = self.queries.front();
         let query_refused = query.is_some_and(|query| query.chain >= self.core.chains);
         let query_given = query.is_some_and(|query| {
-            let slice = self.to_chains.get(query.chain as usize);
-            slice.is_some_and(Places::is_ready) && !self.resets()
+            let chain = query.chain as usize;
+            let is_ready = match self.stores.get(chain) {
+                Some(rounds) => rounds.store.is_ready(),
+                None => self.to_chains.get(chain).is_some_and(Places::is_ready),
+            };
+            is_ready && !self.resets()
         });
         let result = self.result();
         let result_moves = result.is_some() && inputs.result_ready;
@@ -272,6 +347,7 @@ impl CoreModel {
             query_moves: inputs.queries.valid && outputs.query_ready,
             query_waits: inputs.queries.valid && !outputs.query_ready,
             result_moves,
+            result_ends: result_moves && result.is_some_and(|result| result.is_final),
             result_waits: result.is_some() && !inputs.result_ready,
             result_photons: result
                 .filter(|_| result_moves)
@@ -318,7 +394,7 @@ impl CoreModel {
             word: QueryWord {
                 query: Query {
                     position: [number(0), number(1), number(2)],
-                    radius_sq: self.radius_sq,
+                    radius_sq: self.fixed_radius_sq.unwrap_or_else(|| number(6)),
                 },
                 release: number(5) != 0,
                 batch: BatchPins {
@@ -346,5 +422,14 @@ fn result_of(chain: usize, outputs: &Outputs) -> CoreResult {
         last: flag(Core::LAST_BIT),
         outside,
         chain: chain as u32,
+        radius_sq: None,
+        is_final: true,
     }
+}
+
+/// Of each store, the result of its chain that it takes in a clock, and the result that it gives. Empty where there are no stores.
+#[derive(Debug, Default)]
+struct ResultsOfStores {
+    comes: Vec<Option<Outputs>>,
+    shown: Vec<Option<Shown>>,
 }

@@ -4,6 +4,8 @@ use photoncube_spec::{
     Core, CoreCounter, CoreEvent, CoreRegister, CoreRegisterRow, CounterRow, LiteAnswer, LiteIn,
 };
 
+use super::rounds::Settings;
+
 /// What happens in a clock outside of the registers.
 #[derive(Copy, Clone, Debug, Default)]
 pub(super) struct Happens {
@@ -12,6 +14,8 @@ pub(super) struct Happens {
     pub(super) query_moves: bool,
     pub(super) query_waits: bool,
     pub(super) result_moves: bool,
+    /// The result that moves is the last of its query.
+    pub(super) result_ends: bool,
     pub(super) result_waits: bool,
     /// The count of the result that moves.
     pub(super) result_photons: u64,
@@ -52,6 +56,7 @@ pub(super) struct Registers {
     events: u32,
     interrupt_enable: u32,
     stall_limit: u32,
+    pub(super) settings: Settings,
     under_way: u32,
     silent_clocks: u32,
     counter_high: u32,
@@ -86,6 +91,7 @@ impl Registers {
             events: 0,
             interrupt_enable: 0,
             stall_limit: limit.map_or(0, |row| row.reset),
+            settings: Settings::default(),
             under_way: 0,
             silent_clocks: 0,
             counter_high: 0,
@@ -168,6 +174,9 @@ impl Registers {
             R::UnderWay => self.under_way,
             R::CounterLow(counter) => self.counters[counter as usize] as u32,
             R::CounterHigh(_) => self.counter_high,
+            R::Nearest => self.settings.nearest,
+            R::Rungs => self.settings.rungs,
+            R::Rung(rung) => self.settings.radii[rung as usize],
         }
     }
 
@@ -193,7 +202,7 @@ impl Registers {
         self.answer_write(lite, write);
         self.events |= before.events;
         self.under_way += u32::from(happens.query_given);
-        self.under_way -= u32::from(happens.result_moves);
+        self.under_way -= u32::from(happens.result_ends);
         if let Some(write) = write
             && write.register == Some(CoreRegister::Control)
             && write.word & CoreRegister::CLEAR_COUNTERS != 0
@@ -218,7 +227,8 @@ impl Registers {
     fn stalls(&mut self, happens: &Happens) -> bool {
         let moves = happens.photon_moves || happens.query_moves || happens.result_moves;
         let waits = self.under_way > 0 || happens.photon_waits || happens.query_waits;
-        if moves || !waits || happens.result_waits {
+        let plays = self.has_rounds() && happens.in_chains.played > 0;
+        if moves || !waits || happens.result_waits || plays {
             self.silent_clocks = 0;
             return false;
         }
@@ -227,7 +237,7 @@ impl Registers {
     }
 
     fn occurs(&self, happens: &Happens, refused: bool, stalls: bool) -> u32 {
-        let ends = happens.result_moves && self.under_way == 1 && !happens.query_given;
+        let ends = happens.result_ends && self.under_way == 1 && !happens.query_given;
         let events = [
             (CoreEvent::Done, ends),
             (CoreEvent::LeafMalformed, happens.leaf_malformed),
@@ -284,8 +294,32 @@ impl Registers {
                 self.interrupt_enable = put(self.interrupt_enable) & CoreRegister::all_events();
             }
             Some(CoreRegister::StallLimit) => self.stall_limit = put(self.stall_limit),
-            _ => {}
+            Some(register) => {
+                let width = self.width(register);
+                let setting = match register {
+                    CoreRegister::Nearest => &mut self.settings.nearest,
+                    CoreRegister::Rungs => &mut self.settings.rungs,
+                    CoreRegister::Rung(rung) => &mut self.settings.radii[rung as usize],
+                    _ => return,
+                };
+                *setting = put(*setting) & (u32::MAX >> (u32::BITS - width));
+            }
+            None => {}
         }
+    }
+
+    /// Whether each query may have several rounds.
+    fn has_rounds(&self) -> bool {
+        self.rows
+            .iter()
+            .any(|row| row.register == CoreRegister::Nearest)
+    }
+
+    /// Bits of the first field of a register; of a register without fields all.
+    fn width(&self, register: CoreRegister) -> u32 {
+        let row = self.rows.iter().find(|row| row.register == register);
+        let field = row.and_then(|row| row.fields.first());
+        field.map_or(u32::BITS, |field| field.width)
     }
 
     fn count(&mut self, seen: &Seen) {

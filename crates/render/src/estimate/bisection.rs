@@ -15,6 +15,67 @@ pub struct Bisection {
     pub gathers: u32,
 }
 
+/// The search for the k nearest, gather by gather: gather at [`Self::next`], tell the count, and so on until there is no next.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Search {
+    k: u64,
+    /// The count at each radius below is less than k.
+    low: u64,
+    /// The count at this radius is `at_high`.
+    high: u64,
+    /// At least k; none before the first gather, and where even the largest radius has fewer.
+    at_high: Option<u64>,
+    gathers: u32,
+}
+
+impl Search {
+    /// A search for k photons with a squared radius of at most `max_radius_sq`.
+    pub(crate) fn new(k: u64, max_radius_sq: u64) -> Self {
+        Self {
+            k,
+            low: 0,
+            high: max_radius_sq,
+            at_high: None,
+            gathers: 0,
+        }
+    }
+
+    /// The squared radius of the next gather; none where the search is over.
+    pub(crate) fn next(&self) -> Option<u64> {
+        match self.at_high {
+            None => (self.gathers == 0).then_some(self.high),
+            Some(_) => (self.low < self.high).then(|| self.low.midpoint(self.high)),
+        }
+    }
+
+    /// Whether a gather with that count has k photons.
+    pub(crate) fn is_enough(&self, count: u64) -> bool {
+        count >= self.k
+    }
+
+    /// Tells the count of the next gather.
+    pub(crate) fn tell(&mut self, count: u64) {
+        let Some(radius_sq) = self.next() else {
+            return;
+        };
+        self.gathers += 1;
+        if self.is_enough(count) {
+            (self.high, self.at_high) = (radius_sq, Some(count));
+        } else if self.at_high.is_some() {
+            self.low = radius_sq + 1;
+        }
+    }
+
+    /// What was found when the search is over; `None` where even the largest radius has fewer than k photons.
+    pub(crate) fn found(&self) -> Option<Bisection> {
+        self.at_high.map(|count| Bisection {
+            radius_sq: self.high,
+            count,
+            gathers: self.gathers,
+        })
+    }
+}
+
 /// The smallest `radius_sq` from 0 to `max_radius_sq` with `count(radius_sq) >= k`, in at most
 /// 1 + bits gathers (bits: the length of `max_radius_sq` in binary); `None`, after one
 /// gather, where even the largest has fewer photons.
@@ -30,28 +91,11 @@ pub fn smallest_radius_sq<E>(
     max_radius_sq: u64,
     mut count: impl FnMut(u64) -> Result<u64, E>,
 ) -> Result<Option<Bisection>, E> {
-    let mut gathers = 1;
-    let mut at_high = count(max_radius_sq)?;
-    if at_high < k {
-        return Ok(None);
+    let mut search = Search::new(k, max_radius_sq);
+    while let Some(radius_sq) = search.next() {
+        search.tell(count(radius_sq)?);
     }
-    // Invariant: count(high) >= k, and the count at each radius below `low` is less than k.
-    let (mut low, mut high) = (0, max_radius_sq);
-    while low < high {
-        let middle = low + (high - low) / 2;
-        let found = count(middle)?;
-        gathers += 1;
-        if found >= k {
-            (high, at_high) = (middle, found);
-        } else {
-            low = middle + 1;
-        }
-    }
-    Ok(Some(Bisection {
-        radius_sq: high,
-        count: at_high,
-        gathers,
-    }))
+    Ok(search.found())
 }
 
 #[cfg(test)]

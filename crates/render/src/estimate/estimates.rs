@@ -6,12 +6,12 @@ use photoncube_model::Gathered;
 
 use super::estimator::{Estimator, UnfitEstimator};
 use super::gather::{Estimate, Refusal, estimate_f64, gather};
-use super::integers::{Disc, Steps};
+use super::integers::{Disc, KNearest, NearestSearch, Steps};
 use super::kernel::Kernel;
 use super::neighbourhood::{EstimatorError, KernelEstimate, Neighbourhood};
 use crate::photon_map::PhotonMap;
 use crate::quantise::QuantisedMap;
-use crate::render::{Gatherer, GathererError};
+use crate::render::{Gatherer, GathererError, NearestGathered};
 use crate::view::QueryPoint;
 
 /// An engine's maps are a photon map and, in an engine of integers, `quantised`, which is that map in its
@@ -48,8 +48,10 @@ impl Estimator {
         queries: &[QueryPoint],
     ) -> Result<Vec<Estimate>, (usize, Refusal)> {
         let together = |quantised: &QuantisedMap<'_>| {
-            let gather =
-                |queries: &[QueryPoint], radius_sq| quantised.gather_all(queries, radius_sq).ok();
+            let gather = |queries: &[QueryPoint], radii_sq: &[u32]| {
+                let at = |radius_sq: &u32| quantised.gather_all(queries, *radius_sq).ok();
+                radii_sq.iter().map(at).collect()
+            };
             self.together(quantised, queries, gather)
         };
         if let Some(found) = quantised.and_then(together) {
@@ -62,23 +64,27 @@ impl Estimator {
         queries.iter().enumerate().map(estimate).collect()
     }
 
-    /// The estimates at all queries, in their order, from the gathers of a machine.
+    /// The estimates at all queries, in their order, from the gathers of a machine. Where a query has a gather after the other, each
+    /// gather of the machine has the queries that need one more.
     ///
     /// # Errors
     /// The gatherer's.
     ///
     /// # Panics
-    /// For an estimate that needs another radius than the map's, see [`Self::check`].
+    /// For an estimate that integers cannot make, see [`Self::check`].
     pub(crate) fn estimate_by(
         &self,
         gatherer: &dyn Gatherer,
         map: &QuantisedMap<'_>,
         queries: &[QueryPoint],
     ) -> Result<Vec<Estimate>, GathererError> {
+        if let Self::KNearest { k } = self {
+            return nearest_by(*k, gatherer, map, queries);
+        }
         let mut error = None;
-        let found = self.together(map, queries, |queries, _| {
+        let found = self.together(map, queries, |queries, radii_sq| {
             gatherer
-                .gather_all(map, queries)
+                .gather_ladder(map, queries, radii_sq)
                 .map_err(|found| error = Some(found))
                 .ok()
         });
@@ -94,7 +100,7 @@ impl Estimator {
         &self,
         map: &QuantisedMap<'_>,
         queries: &[QueryPoint],
-        mut gather_all: impl FnMut(&[QueryPoint], u32) -> Option<Vec<Gathered>>,
+        gather_all: impl FnOnce(&[QueryPoint], &[u32]) -> Option<Vec<Vec<Gathered>>>,
     ) -> Option<Vec<Estimate>> {
         let steps = Steps::of(map);
         let radii = match self {
@@ -109,8 +115,7 @@ impl Estimator {
         let mut order: Vec<usize> = (0..queries.len()).collect();
         order.sort_by_cached_key(|index| map.map().sort_key(&queries[*index]));
         let sorted: Vec<_> = order.iter().map(|index| queries[*index]).collect();
-        let at = |radius_sq: &u32| gather_all(&sorted, *radius_sq);
-        let gathered: Vec<_> = radii.iter().map(at).collect::<Option<_>>()?;
+        let gathered = gather_all(&sorted, &radii)?;
         let mut found = vec![Estimate::default(); queries.len()];
         for (place, query) in order.iter().enumerate() {
             // The gathers are in the order of the radii.
@@ -172,6 +177,44 @@ impl Estimator {
             Self::Ladder(ladder) => steps.ladder(ladder, gather),
         }
     }
+}
+
+/// The estimates at the k-th photons: those that the machine finds, and the others in rounds of gathers.
+fn nearest_by(
+    k: u64,
+    gatherer: &dyn Gatherer,
+    map: &QuantisedMap<'_>,
+    queries: &[QueryPoint],
+) -> Result<Vec<Estimate>, GathererError> {
+    let steps = Steps::of(map);
+    let by_machine = gatherer.k_nearest(map, queries, k)?;
+    let mut searches = vec![NearestSearch::new(k, steps.radius_sq); queries.len()];
+    loop {
+        let open = searches.iter().enumerate();
+        let open = open.filter(|(query, _)| by_machine[*query].is_none());
+        let open = open.filter_map(|(query, search)| Some((query, search.next()?)));
+        let (open, radii): (Vec<_>, Vec<_>) = open.unzip();
+        if open.is_empty() {
+            break;
+        }
+        let asked: Vec<_> = open.iter().map(|&query| queries[query]).collect();
+        let gathered = gatherer.gather_all(map, &asked, &radii)?;
+        for (query, gathered) in open.into_iter().zip(gathered) {
+            searches[query].tell(Disc::of(map, &gathered));
+        }
+    }
+    let found = |(search, by_machine): (&NearestSearch, &Option<NearestGathered>)| match by_machine
+    {
+        Some(found) => KNearest {
+            // A disc without area has no density.
+            radius_sq: found.radius_sq.max(1),
+            disc: Disc::of(map, &found.gathered),
+            gathers: found.gathers,
+        },
+        None => search.found(),
+    };
+    let found = searches.iter().zip(&by_machine).map(found);
+    Ok(found.map(|found| steps.of_nearest(&found)).collect())
 }
 
 /// An estimate from the photons of the blocks around the query.

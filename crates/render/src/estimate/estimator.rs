@@ -54,7 +54,8 @@ pub enum UnfitEstimator {
     SmoothInIntegers(Kernel),
     /// An estimate by a machine whose queries all have the format's radius.
     #[error(
-        "estimator: found another than `fixed`, expected `fixed`: the queries of the machine `{0}` all have the format's radius"
+        "estimator: found another than `fixed`, expected `fixed`: the queries of the machine `{0}` all have the format's \
+         radius; those of a machine such as leaf-7-radii-local7-rgb6d-n4096 each have one"
     )]
     OtherRadius(&'static str),
 }
@@ -91,10 +92,14 @@ impl Estimator {
     pub fn check(&self, engine: Engine<'_>) -> Result<(), UnfitEstimator> {
         match (self, engine) {
             (Self::KNearest { k }, _) if *k < MIN_K => Err(UnfitEstimator::TooFewAsked(*k)),
-            (Self::Smooth { kernel }, Engine::Integers(..)) if *kernel != Kernel::Rectangle => {
+            (Self::Smooth { kernel }, Engine::Integers(..) | Engine::Hardware(..))
+                if *kernel != Kernel::Rectangle =>
+            {
                 Err(UnfitEstimator::SmoothInIntegers(*kernel))
             }
-            (estimator, Engine::Hardware(machine, _)) if *estimator != Self::FixedRadius => {
+            (estimator, Engine::Hardware(machine, _))
+                if *estimator != Self::FixedRadius && machine.fixed_radius_sq().is_some() =>
+            {
                 Err(UnfitEstimator::OtherRadius(machine.name))
             }
             _ => Ok(()),

@@ -6,7 +6,7 @@
 use glam::DVec3;
 use photoncube_model::Gathered;
 
-use super::bisection::smallest_radius_sq;
+use super::bisection::Search;
 use super::gather::{Estimate, disc_area};
 use super::ladder::Ladder;
 use crate::quantise::QuantisedMap;
@@ -108,14 +108,18 @@ impl Steps {
         k: u64,
         gather: impl FnMut(u32) -> Result<Disc, E>,
     ) -> Result<Estimate, E> {
-        let found = k_nearest(k, self.radius_sq, gather)?;
-        Ok(Estimate {
+        Ok(self.of_nearest(&k_nearest(k, self.radius_sq, gather)?))
+    }
+
+    /// The estimate at the k-th photon that was found.
+    pub fn of_nearest(&self, found: &KNearest) -> Estimate {
+        Estimate {
             irradiance: found.disc.power / self.area_of(found.radius_sq),
             tests: found.disc.tests,
             skipped: 0,
             in_range: found.disc.count,
             gathers: found.gathers,
-        })
+        }
     }
 
     /// Estimates with a ladder. Each rung is divided by the area of its own rounded radius, so that the
@@ -172,30 +176,67 @@ pub(crate) fn k_nearest<E>(
     max: u32,
     mut gather: impl FnMut(u32) -> Result<Disc, E>,
 ) -> Result<KNearest, E> {
-    let (mut gathers, mut fewer, mut enough) = (0, Disc::default(), Disc::default());
-    let count = |radius_sq: u64| {
+    let mut search = NearestSearch::new(k, max);
+    while let Some(radius_sq) = search.next() {
+        search.tell(gather(radius_sq)?);
+    }
+    Ok(search.found())
+}
+
+/// The search of [`k_nearest`], gather by gather.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct NearestSearch {
+    search: Search,
+    max: u32,
+    /// The last gather with fewer than k photons, and the last with k or more.
+    fewer: Disc,
+    enough: Disc,
+    gathers: u64,
+}
+
+impl NearestSearch {
+    /// A search for the k-th photon, up to `max` (squared steps).
+    pub fn new(k: u64, max: u32) -> Self {
+        Self {
+            search: Search::new(k, max.into()),
+            max,
+            fewer: Disc::default(),
+            enough: Disc::default(),
+            gathers: 0,
+        }
+    }
+
+    /// The squared radius of the next gather; none where the search is over.
+    pub fn next(&self) -> Option<u32> {
         // At most `max`, so it fits.
-        let disc = gather(radius_sq as u32)?;
-        gathers += 1;
-        *(if disc.count < k {
-            &mut fewer
-        } else {
-            &mut enough
+        self.search.next().map(|radius_sq| radius_sq as u32)
+    }
+
+    /// Tells what the next gather found.
+    pub fn tell(&mut self, disc: Disc) {
+        *(match self.search.is_enough(disc.count) {
+            true => &mut self.enough,
+            false => &mut self.fewer,
         }) = disc;
-        Ok(disc.count)
-    };
-    let found = smallest_radius_sq(k, max.into(), count)?;
-    let (radius_sq, disc) = match found.map(|found| found.radius_sq as u32) {
-        None => (max, fewer),
-        Some(0) => (1, enough),
-        // The bisection ends only after a gather with fewer than k at one step less.
-        Some(radius_sq) => (radius_sq, fewer),
-    };
-    Ok(KNearest {
-        radius_sq,
-        disc,
-        gathers,
-    })
+        self.gathers += 1;
+        self.search.tell(disc.count);
+    }
+
+    /// What was found when the search is over.
+    pub fn found(&self) -> KNearest {
+        let found = self.search.found();
+        let (radius_sq, disc) = match found.map(|found| found.radius_sq as u32) {
+            None => (self.max, self.fewer),
+            Some(0) => (1, self.enough),
+            // The bisection ends only after a gather with fewer than k at one step less.
+            Some(radius_sq) => (radius_sq, self.fewer),
+        };
+        KNearest {
+            radius_sq,
+            disc,
+            gathers: self.gathers,
+        }
+    }
 }
 
 #[cfg(test)]

@@ -33,17 +33,59 @@ pub enum Engine<'a> {
     Hardware(&'a Machine, &'a dyn Gatherer),
 }
 
-/// A machine that gathers: all queries of a picture with the map's search radius.
+/// A machine that gathers all queries of a picture.
 pub trait Gatherer: std::fmt::Debug + Sync {
-    /// The sums of the queries, in their order. They must equal those of [`QuantisedMap::gather_all`].
+    /// The sums of the queries, in their order, each with a squared radius in squared fine steps of at most the map's. They must equal
+    /// those of [`QuantisedMap::gather_within`].
     ///
     /// # Errors
-    /// The machine does not answer, or not as it should.
+    /// The machine does not answer, or not as it should, or it has not these radii.
     fn gather_all(
         &self,
         map: &QuantisedMap<'_>,
         queries: &[QueryPoint],
+        radii_sq: &[u32],
     ) -> Result<Vec<Gathered>, GathererError>;
+
+    /// The sums of the queries within each of these squared radii: for each radius those of all queries. A machine may make all
+    /// gathers of a query from one word.
+    ///
+    /// # Errors
+    /// As for [`Self::gather_all`].
+    fn gather_ladder(
+        &self,
+        map: &QuantisedMap<'_>,
+        queries: &[QueryPoint],
+        radii_sq: &[u32],
+    ) -> Result<Vec<Vec<Gathered>>, GathererError> {
+        let gather = |&radius_sq| self.gather_all(map, queries, &vec![radius_sq; queries.len()]);
+        radii_sq.iter().map(gather).collect()
+    }
+
+    /// The k nearest photons of each query, where the machine finds them without more words. The renderer finds the others by
+    /// [`Self::gather_all`].
+    ///
+    /// # Errors
+    /// As for [`Self::gather_all`].
+    fn k_nearest(
+        &self,
+        _map: &QuantisedMap<'_>,
+        queries: &[QueryPoint],
+        _k: u64,
+    ) -> Result<Vec<Option<NearestGathered>>, GathererError> {
+        Ok(vec![None; queries.len()])
+    }
+}
+
+/// What a machine found of the k nearest photons of a query.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct NearestGathered {
+    /// The smallest squared radius with k photons, in squared fine steps; the map's where no radius has as many.
+    pub radius_sq: u32,
+    /// The sums within one square step less; within the map's radius where no radius has k photons, and within 0 where that has.
+    pub gathered: Gathered,
+    /// The gathers that the machine made.
+    pub gathers: u64,
 }
 
 /// The error of a machine that gathers.

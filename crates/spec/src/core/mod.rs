@@ -10,10 +10,13 @@
 //! - `s_axis_photons`: a word is a leaf of up to 8 photons, for the chain `tdest`. `tlast` ends the set. The first photons are
 //!   present and the others absent. A set has at most [`Core::set_leaves`] leaves.
 //! - `s_axis_queries`: a word is a query for the chain `tdest`. `tlast` ends its batch, which also ends where it has as many
-//!   queries as a chain has engines.
+//!   queries as a chain has engines. Where each query has a radius, its field `radius_sq` is at most the format's
+//!   [`crate::Numbers::largest_radius_word`]; with a larger one the sums are not defined.
 //! - `m_axis_results`: a word is the result of a query, from the chain `tid`. `tlast` is the `tlast` of the query, and the
-//!   field `tag` its tag. `tuser` is 1 where the query is outside of its frame: the sums are then 0. The results of one chain
-//!   have the order of its queries; results of different chains come as they are found.
+//!   field `tag` its tag. Where each query has a radius, `radius_sq` is that of the result, and a query may have several results, see
+//!   [`Rounds`]. `tuser` is 1 where the query is outside of its frame: the sums are then 0. The results of one chain
+//!   have the order of its queries; results of different chains come as they are found. With a ladder,
+//!   the results of a batch come one round after the other.
 //!
 //! A word is taken at a rising edge of `aclk` with `tvalid` and `tready`. A stream's words reach the chains in their order, so
 //! a word for a busy chain holds back the words behind it. The user must not make each stream wait for the other: where a
@@ -55,12 +58,13 @@
 //!   it is outside: a bit that no field has is 1, as it is where a coordinate is not less than the frame.
 //! - *Results.* The place behind the chain `turn` gives its result to the slice of results. `turn` := the next chain whose
 //!   place is full, in the order from the one behind `turn` on; it stays where there is no other. `turn` is 0 after `reset`.
-//! - *Under way* are the queries that were given and whose results have not left through `m_axis_results`.
+//! - *Under way* are the queries that were given and whose results, each its last, have not left through `m_axis_results`.
 //! - *Counters and events* are a clock late: what happens in a clock is counted, and sets its event, at the end of the next
 //!   clock. Only [`CoreCounter::Clocks`] counts at once. The ways to the counters are long, and so are no part of the
 //!   clock's slowest paths. `aresetn` = 0 forgets what happened in the clock before; a restart does not.
 //! - *Stall.* The core is *silent* where no word moves on any of the three streams, a query is under way or a word waits on
-//!   an input stream, and no result waits on `m_axis_results`. After as many silent clocks in a row as
+//!   an input stream, and no result waits on `m_axis_results`. Where each query has a radius, no chain is given a group by its memory
+//!   either. After as many silent clocks in a row as
 //!   [`CoreRegister::StallLimit`] says (0: never), the event `Stalled` occurs; the count goes on.
 
 mod counters;
@@ -68,6 +72,7 @@ mod events;
 mod fields;
 mod ports;
 mod registers;
+mod rounds;
 mod serial;
 mod streams;
 mod words;
@@ -77,8 +82,9 @@ pub use events::{CoreEvent, EventRow};
 pub use fields::CoreField;
 pub use ports::{CorePins, port_columns};
 pub use registers::{Access, CoreRegister, CoreRegisterRow};
+pub use rounds::{QueryRounds, Rounds};
 pub use serial::{Serial, SerialFault, SerialFaultRow, SerialKind, SerialRow, SerialSizes};
-pub use streams::{CoreStreams, StreamField, StreamWord};
+pub use streams::{CoreStreams, QueryResult, StreamField, StreamWord};
 pub use words::{
     Beat, CoreAnswer, CoreInputs, CoreOutputs, CoreWords, LiteAnswer, LiteIn, ResultWord, StreamIn,
 };
@@ -166,6 +172,18 @@ impl Core {
     /// Bits of a chain's number on the streams: at least 1.
     pub fn chain_bits(&self) -> u32 {
         crate::formats::bits_for(u128::from(self.chains - 1)).max(1)
+    }
+
+    /// Whether each query has a radius of its own.
+    pub fn has_radii(&self) -> bool {
+        self.machine.fixed_radius_sq().is_none()
+    }
+
+    /// Clocks in which no word moves on any stream after which the core hangs. A chain's store may work on several batches, each in several
+    /// rounds.
+    pub fn silent_clocks(&self) -> u64 {
+        let rounds = Rounds::of(self).map_or(1, |rounds| rounds.most() * Rounds::BATCHES as u32);
+        Leaf::SILENT_CLOCKS * u64::from(rounds)
     }
 
     /// Engines of each chain.

@@ -3,7 +3,8 @@
 use super::counters::CounterRow;
 use super::events::EventRow;
 use super::fields::CoreField;
-use super::{Core, CoreCounter};
+use super::{Core, CoreCounter, Rounds};
+use crate::formats::Widths;
 use crate::leaf::Leaf;
 
 /// A register with an address of its own. A counter has two: of its low word, and of its high word.
@@ -35,6 +36,13 @@ pub enum CoreRegister {
     CounterLow(CoreCounter),
     /// The copy of the high word of the counter whose low word was read last.
     CounterHigh(CoreCounter),
+    /// The number k of the photon that the k nearest end at; 0 for none. This register and the next two are there where queries have
+    /// radii, see [`Rounds`].
+    Nearest,
+    /// The rungs of the ladder; 0 for none.
+    Rungs,
+    /// The radius of a rung.
+    Rung(u32),
 }
 
 /// How a register is accessed.
@@ -87,6 +95,8 @@ impl CoreRegister {
     pub const VERSION: u32 = 1;
     /// The address of the first counter.
     pub const COUNTERS: u32 = 0x40;
+    /// The address of the first register of the rounds.
+    pub const ROUNDS: u32 = 0x100;
     /// `Control`: the chains and streams restart.
     pub const RESTART: u32 = 1 << 0;
     /// `Control`: all counters := 0.
@@ -235,7 +245,9 @@ impl CoreRegister {
                     fields,
                 },
             );
-        fixed.chain(counters()).collect()
+        let rounds = Rounds::of(core).map(|_| rounds(core));
+        let rounds = rounds.into_iter().flatten();
+        fixed.chain(counters()).chain(rounds).collect()
     }
 
     /// The bits of `InterruptEnable` and `Events`.
@@ -298,6 +310,56 @@ fn counters() -> impl Iterator<Item = CoreRegisterRow> {
         })
 }
 
+/// The registers of the rounds.
+fn rounds(core: &Core) -> impl Iterator<Item = CoreRegisterRow> {
+    let widths = Widths::of(core.machine);
+    let row = |(register, name, width, about): (CoreRegister, String, u32, &'static str)| {
+        (
+            register,
+            name,
+            about,
+            CoreField {
+                name: "value",
+                low: 0,
+                width,
+                about,
+            },
+        )
+    };
+    let modes = [
+        (
+            CoreRegister::Nearest,
+            "nearest".to_owned(),
+            widths.count,
+            "The number k of the photon whose distance is the radius of each query; 0 for none.",
+        ),
+        (
+            CoreRegister::Rungs,
+            "rungs".to_owned(),
+            Rounds::RUNGS_BITS,
+            "The rungs of the ladder that each query has a result for, where nearest is 0; 0 for none.",
+        ),
+    ];
+    let rungs = (0..Rounds::RUNGS).map(move |rung| {
+        (
+            CoreRegister::Rung(rung),
+            format!("rung_{rung}"),
+            widths.radius_sq,
+            "The squared radius of a rung, as radius_sq of a query.",
+        )
+    });
+    let rows = modes.into_iter().chain(rungs).map(row).zip(0..);
+    rows.map(|((register, name, about, field), place)| CoreRegisterRow {
+        register,
+        name,
+        address: CoreRegister::ROUNDS + 4 * place,
+        access: Access::ReadWrite,
+        about: about.to_owned(),
+        reset: 0,
+        fields: vec![field],
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -318,5 +380,20 @@ mod tests {
         // Four chains of two engines and, in each bank, eight leaves of eight photons.
         assert_eq!(of("shape").reset, 4 | 2 << 8 | 8 << 16);
         assert_eq!(of("clocks_low").address, CoreRegister::COUNTERS);
+    }
+
+    #[test]
+    fn a_core_whose_queries_have_radii_has_registers_for_its_rounds() {
+        let machine = find_machine("leaf-5-radii-local7-rgb6d-n64").unwrap();
+        let rows = CoreRegister::all(&Core::new(machine, 4).unwrap(), 0);
+        let of = |name: &str| rows.iter().find(|row| row.name == name).unwrap();
+        assert_eq!(of("nearest").address, CoreRegister::ROUNDS);
+        assert_eq!(of("nearest").fields[0].width, 7, "64 photons");
+        assert_eq!(of("rung_7").address, CoreRegister::ROUNDS + 4 * 9);
+        assert_eq!(of("rung_7").fields[0].width, 14);
+        for pair in rows.windows(2) {
+            assert!(pair[0].address < pair[1].address, "{pair:?}");
+        }
+        assert!(rows.last().unwrap().address < 1 << Core::ADDRESS_BITS);
     }
 }

@@ -30,10 +30,22 @@ pub struct StreamWord {
 pub struct CoreStreams {
     /// `s_axis_photons`: the photons of a leaf one after the other, then `facing`.
     pub photons: StreamWord,
-    /// `s_axis_queries`: `x`, `y`, `z`, `tag`, each from a multiple of 16 bits on, `facings`, `release`.
+    /// `s_axis_queries`: `x`, `y`, `z`, `tag`, each from a multiple of 16 bits on, `facings`, `release`, and `radius_sq` where each
+    /// query has a radius.
     pub queries: StreamWord,
-    /// `m_axis_results`: the sums, the count and `tag`.
+    /// `m_axis_results`: the sums, the count, `tag`, and `radius_sq` where each query has a radius.
     pub results: StreamWord,
+}
+
+/// The fields of a result.
+#[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
+pub struct QueryResult {
+    /// The sums.
+    pub sums: Sums,
+    /// The tag.
+    pub tag: u32,
+    /// The radius, where each query has one.
+    pub radius_sq: Option<u32>,
 }
 
 /// Bits between the first bits of a query's coordinates and tag.
@@ -153,15 +165,16 @@ impl CoreStreams {
     }
 
     /// The values of a query's fields.
-    pub fn query_values(query: &QueryWord) -> Vec<u64> {
+    pub fn query_values(core: &Core, query: &QueryWord) -> Vec<u64> {
         let [x, y, z] = query.query.position;
         let batch = query.batch;
         let values = [x, y, z, batch.tag, batch.facings, u32::from(query.release)];
-        values.map(u64::from).into()
+        let radius_sq = core.has_radii().then_some(query.query.radius_sq);
+        values.into_iter().chain(radius_sq).map(u64::from).collect()
     }
 
-    /// The sums of a result and its tag, from the values of its fields.
-    pub fn result_of(core: &Core, values: &[u64]) -> (Sums, u32) {
+    /// A result, from the values of its fields.
+    pub fn result_of(core: &Core, values: &[u64]) -> QueryResult {
         let channels = core.machine.channels().names().len();
         let power = |channel: usize| match channel < channels {
             true => u128::from(values[channel]),
@@ -171,7 +184,22 @@ impl CoreStreams {
             power: std::array::from_fn(power),
             count: values[channels],
         };
-        (sums, values[channels + 1] as u32)
+        QueryResult {
+            sums,
+            tag: values[channels + 1] as u32,
+            radius_sq: values.get(channels + 2).map(|&radius_sq| radius_sq as u32),
+        }
+    }
+
+    /// The values of a result's fields.
+    pub fn result_values(core: &Core, result: &QueryResult) -> Vec<u64> {
+        let channels = core.machine.channels().names().len();
+        // A sum has at most 64 bits.
+        let powers = result.sums.power[..channels].iter();
+        let powers = powers.map(|&power| power as u64);
+        let others = [result.sums.count, result.tag.into()];
+        let radius_sq = result.radius_sq.map(u64::from);
+        powers.chain(others).chain(radius_sq).collect()
     }
 }
 
@@ -238,8 +266,8 @@ fn lane_of(core: &Core, values: &[u64]) -> Lane {
 }
 
 fn queries(core: &Core) -> StreamWord {
-    let coordinate = Widths::of(core.machine).coordinate;
-    let names = ["x", "y", "z"].map(|axis| (axis, coordinate));
+    let widths = Widths::of(core.machine);
+    let names = ["x", "y", "z"].map(|axis| (axis, widths.coordinate));
     let mut word = StreamWord::default();
     for (place, (name, width)) in (0..).zip(names.into_iter().chain([("tag", Core::TAG_BITS)])) {
         word.fields.push(StreamField {
@@ -250,6 +278,9 @@ fn queries(core: &Core) -> StreamWord {
     }
     word.push("facings", Leaf::FACINGS);
     word.push("release", 1);
+    if core.has_radii() {
+        word.push("radius_sq", widths.radius_sq);
+    }
     word.padded()
 }
 
@@ -260,6 +291,8 @@ fn results(core: &Core) -> StreamWord {
         .iter()
         .map(|channel| ((*channel).to_owned(), widths.sum));
     let others = [("count", widths.count), ("tag", Core::TAG_BITS)];
+    let radius = core.has_radii().then_some(("radius_sq", widths.radius_sq));
+    let others = others.into_iter().chain(radius);
     StreamWord::side_by_side(sums.chain(others.map(|(name, width)| (name.to_owned(), width))))
 }
 
@@ -279,6 +312,7 @@ mod tests {
             "leaf-5-local7-rgb6d-n64",
             "leaf-4-local6x2-rgb4d-n64",
             "leaf-5-local8-rgb8e5-n4096",
+            "leaf-4-radii-local6x2-rgb4d-n64",
         ] {
             let core = core(name);
             let streams = CoreStreams::of(&core);
@@ -319,8 +353,27 @@ mod tests {
                 tag: 4,
             },
         };
-        let bytes = word.bytes(&CoreStreams::query_values(&query));
+        let bytes = word.bytes(&CoreStreams::query_values(&core, &query));
         assert_eq!(bytes, [1, 0, 2, 0, 3, 0, 4, 0, 5, 0, 0, 0, 1, 0, 0, 0]);
+    }
+
+    #[test]
+    fn a_query_has_a_radius_only_where_the_machine_has_it() {
+        let [fixed, radii] = ["leaf-5-local7-rgb6d-n64", "leaf-5-radii-local7-rgb6d-n64"].map(core);
+        let query = QueryWord {
+            query: Query {
+                position: [1, 2, 3],
+                radius_sq: 0x1234,
+            },
+            ..QueryWord::default()
+        };
+        let values = |core: &Core| CoreStreams::query_values(core, &query);
+        assert_eq!(values(&fixed), [1, 2, 3, 0, 0, 0]);
+        assert_eq!(values(&radii), [1, 2, 3, 0, 0, 0, 0x1234]);
+        let word = CoreStreams::of(&radii).queries;
+        assert_eq!(word.field("radius_sq").width, 14);
+        assert_eq!(word.bits, CoreStreams::of(&fixed).queries.bits);
+        assert_eq!(word.values(&word.bytes(&values(&radii))), values(&radii));
     }
 
     #[test]

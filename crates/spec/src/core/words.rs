@@ -1,6 +1,6 @@
 //! The values of a core's pins in one clock.
 
-use super::{CorePins, CoreStreams};
+use super::{CorePins, CoreStreams, QueryRounds};
 
 /// A word of an AXI4-Stream to the core.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -110,6 +110,15 @@ pub struct CoreWords {
     pub photons: Vec<Beat>,
     /// The queries.
     pub queries: Vec<Beat>,
+    /// The rounds of their batches.
+    pub rounds: QueryRounds,
+}
+
+impl CoreWords {
+    /// The number of results for the queries.
+    pub fn results(&self) -> usize {
+        self.queries.len() * self.rounds.results()
+    }
 }
 
 /// What a core answers to such words.

@@ -13,6 +13,8 @@
 //! the one box and each photon in the other, |d| is at least the gap's |d|, of equal sign. So every square, their sum,
 //! and whether an axis is far, are at least those of the gaps: where the gaps are out of range, so is the photon.
 //!
+//! A query's own radius is at most the format's. The boxes are compared with the format's radius, so this holds for each radius.
+//!
 //! # Streams
 //! - *Sets*: groups of four photons from a first to one with `group_last`, at most [`Leaf::bank_groups`] of them; the group
 //!   at the last place counts as last. Two groups that follow each other are a leaf. All photons of a leaf have one
@@ -42,7 +44,7 @@ use crate::spatial::{EngineKind, HeadSizes, Spatial};
 /// The parameters of a leaf machine beside its numbers.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub struct Leaf {
-    /// The chain of engines. It has no photon memory of its own, and all queries have the format's radius.
+    /// The chain of engines. It has no photon memory of its own.
     pub chain: Spatial,
     /// The squarers and the pipeline registers of the comparison of boxes.
     pub culler: EngineKind,

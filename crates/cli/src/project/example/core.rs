@@ -2,8 +2,8 @@
 
 use anyhow::{Context, Result};
 use photoncube_spec::{
-    BatchPins, Core, CoreCounter, CoreRegister, CoreStreams, Direction, Port, Query, QueryWord,
-    StreamWord, Sums,
+    BatchPins, Core, CoreCounter, CoreRegister, CoreStreams, Direction, Port, Query, QueryResult,
+    QueryWord, StreamWord, Sums,
 };
 
 use super::set::Set;
@@ -177,15 +177,17 @@ impl Words {
         word.batch.tag = self.queries.len() as u32;
         let last = (1, u64::from(word.batch.last));
         let mut query = vec![last, (core.chain_bits(), chain.into())];
-        query.extend(fields(&streams.queries, &CoreStreams::query_values(&word)));
+        query.extend(fields(
+            &streams.queries,
+            &CoreStreams::query_values(core, &word),
+        ));
         self.queries.push(vec![query]);
-        let channels = core.machine.channels().names().len();
-        // A sum has at most 64 bits.
-        let mut values: Vec<_> = sums.power[..channels]
-            .iter()
-            .map(|&power| power as u64)
-            .collect();
-        values.extend([sums.count, word.batch.tag.into()]);
+        let values = QueryResult {
+            sums,
+            tag: word.batch.tag,
+            radius_sq: core.has_radii().then_some(word.query.radius_sq),
+        };
+        let values = CoreStreams::result_values(core, &values);
         let mut result = vec![(1, 0), last];
         result.extend(fields(&streams.results, &values));
         self.results.push(vec![result]);
@@ -269,6 +271,8 @@ mod tests {
             (3, "leaf-5-local7-rgb6d-n64"),
             (2, "leaf-4-local6x2-rgb4d-n64"),
             (2, "leaf-5-local8-rgb8e5-n4096"),
+            (2, "leaf-5-radii-local7-rgb6d-n64"),
+            (2, "leaf-4-radii-local6x2-rgb4d-n64"),
         ] {
             let core = Core::new(find_machine(machine).unwrap(), chains).unwrap();
             let text = core_example(&core).unwrap();

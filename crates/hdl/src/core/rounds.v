@@ -1,0 +1,205 @@
+// Holds batches of queries, and gives the chain each batch once for each of its rounds, with the radii of the round.
+module @TOP@_rounds(clock, reset, nearest, rungs, radii, query_valid, query_ready, query, given_valid, given_ready, given,
+    found_valid, found_ready, found, result_valid, result_ready, result);
+    // Bits of a query's fields, and the place of its radius, below which is release. Above the fields are tlast and whether it is outside.
+    parameter QUERY = 3;
+    parameter RADIUS_LOW = 2;
+    parameter RADIUS = 1;
+    // Bits of a result's sums and count; the place of the count. Above them is the tag.
+    parameter SUMS = 1;
+    parameter COUNT_LOW = 0;
+    parameter COUNT = 1;
+    parameter TAG = 1;
+    // Bits of a query's position in its batch, and the last position.
+    parameter POSITION = 1;
+    parameter LAST_POSITION = 0;
+    // The largest radius, and the rounds that find the k nearest.
+    parameter LARGEST = 0;
+    parameter NEAREST_ROUNDS = 1;
+    localparam PLACES = @PLACES@;
+    localparam PLACE = @PLACE@;
+    localparam ROUND = 5;
+    localparam [ROUND - 1:0] MOST_RUNGS = @RUNGS@;
+    localparam RELEASE = RADIUS_LOW - 1;
+    input wire clock;
+    input wire reset;
+    input wire [COUNT - 1:0] nearest;
+    input wire [@RUNGS_HIGH@:0] rungs;
+    input wire [@RUNGS@ * RADIUS - 1:0] radii;
+    input wire query_valid;
+    output wire query_ready;
+    input wire [QUERY + 1:0] query;
+    output wire given_valid;
+    input wire given_ready;
+    output wire [QUERY + 1:0] given;
+    input wire found_valid;
+    output wire found_ready;
+    input wire [SUMS + TAG - 1:0] found;
+    output wire result_valid;
+    input wire result_ready;
+    // From the highest bit: whether it is the query's last result, the radius, the tag, the sums.
+    output wire [SUMS + TAG + RADIUS:0] result;
+    // Each place: it has a whole batch; a round of it is under way; a round is left to give; it releases the set.
+    reg [PLACES - 1:0] complete;
+    reg [PLACES - 1:0] under_way;
+    reg [PLACES - 1:0] has_left;
+    reg [PLACES - 1:0] releases;
+    reg [PLACES - 1:0] finds_nearest;
+    reg [PLACES - 1:0] is_ladder;
+    reg [POSITION - 1:0] ends [0:PLACES - 1];
+    reg [ROUND - 1:0] all_rounds [0:PLACES - 1];
+    reg [ROUND - 1:0] rounds_given [0:PLACES - 1];
+    // Each query of each place.
+    reg [QUERY + 1:0] queries [0:(PLACES << POSITION) - 1];
+    reg [RADIUS - 1:0] radius_given [0:(PLACES << POSITION) - 1];
+    reg [RADIUS - 1:0] numbers [0:(PLACES << POSITION) - 1];
+    reg [SUMS - 1:0] kept [0:(PLACES << POSITION) - 1];
+    // The places whose results come back, in their order. A ladder is there once.
+    reg [PLACE - 1:0] order [0:PLACES - 1];
+    reg [PLACE - 1:0] order_write;
+    reg [PLACE - 1:0] order_read;
+    reg [PLACE - 1:0] fill;
+    reg [POSITION - 1:0] fill_position;
+    reg fill_releases;
+    reg held;
+    // The place of the oldest batch with a round left.
+    reg [PLACE - 1:0] first;
+    reg [PLACE - 1:0] turn;
+    reg [POSITION - 1:0] position;
+    reg [POSITION - 1:0] back_position;
+    // The round of a ladder whose results come back.
+    reg [ROUND - 1:0] back_round;
+    initial complete = {PLACES{1'b0}};
+    initial under_way = {PLACES{1'b0}};
+    initial has_left = {PLACES{1'b0}};
+    initial order_write = {PLACE{1'b0}};
+    initial order_read = {PLACE{1'b0}};
+    initial fill = {PLACE{1'b0}};
+    initial fill_position = {POSITION{1'b0}};
+    initial held = 1'b0;
+    initial first = {PLACE{1'b0}};
+    initial turn = {PLACE{1'b0}};
+    initial position = {POSITION{1'b0}};
+    initial back_position = {POSITION{1'b0}};
+    initial back_round = {ROUND{1'b0}};
+
+    // A query is taken.
+    assign query_ready = ~complete[fill] & ~held & ~reset;
+    wire takes = query_valid & query_ready;
+    wire completes = takes & (query[QUERY] | (fill_position == LAST_POSITION));
+    wire releases_now = query[RELEASE] | (fill_releases & (|fill_position));
+    wire nearest_now = |nearest;
+    wire [ROUND - 1:0] rungs_asked = {{(ROUND - @RUNGS_BITS@){1'b0}}, rungs};
+    wire [ROUND - 1:0] ladder_rounds = (rungs_asked > MOST_RUNGS) ? MOST_RUNGS : rungs_asked;
+    wire ladder_now = ~nearest_now & (|rungs);
+
+    // A query is given to the chain.
+    wire [ROUND - 1:0] round = rounds_given[turn];
+    wire [ROUND - 1:0] next_round = round + 1'b1;
+    wire is_last_round = next_round == all_rounds[turn];
+    wire [PLACE - 1:0] place_before = turn - 1'b1;
+    wire follows = finds_nearest[turn] & ~is_last_round & (round < rounds_given[place_before]);
+    assign given_valid = has_left[turn] & (is_ladder[turn] | ~under_way[turn]) & ((turn == first) | follows);
+    wire [QUERY + 1:0] word = queries[{turn, position}];
+    wire [RADIUS - 1:0] number = (|round) ? numbers[{turn, position}] : {RADIUS{1'b0}};
+    wire [RADIUS - 1:0] first_bit = {{(RADIUS - 1){1'b0}}, 1'b1} << (NEAREST_ROUNDS - 1);
+    wire [RADIUS - 1:0] round_bit = first_bit >> round;
+    wire [RADIUS - 1:0] below = number | (round_bit - 1'b1);
+    wire [RADIUS - 1:0] nearest_radius = (below > LARGEST) ? LARGEST : below;
+    wire [RADIUS - 1:0] ladder_radius = radii[round[@RUNG_HIGH@:0] * RADIUS +: RADIUS];
+    wire [RADIUS - 1:0] radius = finds_nearest[turn] ? nearest_radius : is_ladder[turn] ? ladder_radius : word[RADIUS_LOW +: RADIUS];
+    assign given = {word[QUERY + 1:RADIUS_LOW + RADIUS], radius, word[RELEASE] & is_last_round, word[RELEASE - 1:0]};
+    wire gives = given_valid & given_ready;
+    wire gives_last = gives & (position == ends[turn]);
+
+    // A result of the oldest round comes back.
+    wire [PLACE - 1:0] back = order[order_read];
+    wire is_first_result = rounds_given[back] == 1;
+    wire is_last_result = is_ladder[back] ? (back_round + 1'b1 == all_rounds[back]) : ~has_left[back];
+    wire [RADIUS - 1:0] ladder_back = radii[back_round[@RUNG_HIGH@:0] * RADIUS +: RADIUS];
+    wire [RADIUS - 1:0] radius_back = is_ladder[back] ? ladder_back : radius_given[{back, back_position}];
+    wire [RADIUS - 1:0] number_back = is_first_result ? {RADIUS{1'b0}} : numbers[{back, back_position}];
+    wire [SUMS - 1:0] sums = found[SUMS - 1:0];
+    wire enough = sums[COUNT_LOW +: COUNT] >= nearest;
+    wire [RADIUS - 1:0] number_next = enough ? number_back : radius_back + 1'b1;
+    wire gives_result = ~finds_nearest[back] | is_last_result;
+    assign result_valid = found_valid & gives_result;
+    assign found_ready = ~gives_result | result_ready;
+    wire comes = found_valid & found_ready;
+    wire comes_last = comes & (back_position == ends[back]);
+    wire shows_kept = finds_nearest[back] & enough & (|number_next);
+    wire [SUMS - 1:0] sums_shown = shows_kept ? kept[{back, back_position}] : sums;
+    wire [RADIUS - 1:0] nearest_shown = (number_next > LARGEST) ? LARGEST : number_next;
+    wire [RADIUS - 1:0] radius_shown = finds_nearest[back] ? nearest_shown : radius_back;
+    assign result = {is_last_result, radius_shown, found[SUMS + TAG - 1:SUMS], sums_shown};
+
+    always @(posedge clock) begin
+        if (takes) begin
+            queries[{fill, fill_position}] <= query;
+            fill_position <= fill_position + 1'b1;
+            fill_releases <= releases_now;
+        end
+        if (completes) begin
+            complete[fill] <= 1'b1;
+            has_left[fill] <= 1'b1;
+            releases[fill] <= releases_now;
+            finds_nearest[fill] <= nearest_now;
+            is_ladder[fill] <= ladder_now;
+            ends[fill] <= fill_position;
+            all_rounds[fill] <= nearest_now ? NEAREST_ROUNDS : ladder_now ? ladder_rounds : 1;
+            rounds_given[fill] <= {ROUND{1'b0}};
+            held <= releases_now;
+            fill_position <= {POSITION{1'b0}};
+            fill <= fill + 1'b1;
+        end
+        if (gives) begin
+            radius_given[{turn, position}] <= radius;
+            position <= position + 1'b1;
+        end
+        if (gives_last) begin
+            under_way[turn] <= 1'b1;
+            rounds_given[turn] <= next_round;
+            if (~is_ladder[turn] | ~(|round)) begin
+                order[order_write] <= turn;
+                order_write <= order_write + 1'b1;
+            end
+            position <= {POSITION{1'b0}};
+            if (is_last_round) begin
+                has_left[turn] <= 1'b0;
+                first <= first + 1'b1;
+                if (releases[turn]) held <= 1'b0;
+            end
+        end
+        if (~given_valid | (gives_last & (~is_ladder[turn] | is_last_round))) turn <= turn + 1'b1;
+        if (comes) begin
+            numbers[{back, back_position}] <= number_next;
+            if (~enough) kept[{back, back_position}] <= sums;
+            back_position <= back_position + 1'b1;
+        end
+        if (comes_last) begin
+            back_position <= {POSITION{1'b0}};
+            back_round <= back_round + 1'b1;
+            if (~is_ladder[back] | is_last_result) begin
+                under_way[back] <= 1'b0;
+                order_read <= order_read + 1'b1;
+                back_round <= {ROUND{1'b0}};
+            end
+            if (is_last_result) complete[back] <= 1'b0;
+        end
+        if (reset) begin
+            complete <= {PLACES{1'b0}};
+            under_way <= {PLACES{1'b0}};
+            has_left <= {PLACES{1'b0}};
+            order_write <= {PLACE{1'b0}};
+            order_read <= {PLACE{1'b0}};
+            fill <= {PLACE{1'b0}};
+            fill_position <= {POSITION{1'b0}};
+            held <= 1'b0;
+            first <= {PLACE{1'b0}};
+            turn <= {PLACE{1'b0}};
+            position <= {POSITION{1'b0}};
+            back_position <= {POSITION{1'b0}};
+            back_round <= {ROUND{1'b0}};
+        end
+    end
+endmodule
