@@ -9,6 +9,7 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args as ClapArgs, ValueEnum};
 use fpga_flow::{Device, FLOWS, Flow, Placer, Router};
 
+use crate::project::ABC9_TARGET_PS;
 use crate::synth::DEFAULT_DEVICE;
 use crate::synth::figures::recorded_flows;
 
@@ -52,6 +53,10 @@ pub struct SynthArgs {
     /// Place and route with this seed alone: where one takes an hour, or does not route
     #[arg(long, conflicts_with = "seeds", value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
     pub seed: Option<u32>,
+    /// The clock for which Yosys maps, in ps: where a path is longer, it takes more LUTs
+    #[arg(long, default_value_t = ABC9_TARGET_PS, value_name = "PS", conflicts_with_all = ["update", "check"],
+        value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    pub map_for: u32,
     /// How to place
     #[arg(long, default_value = "heap", value_name = "P", value_parser = placers())]
     pub placer: Placer,
@@ -162,6 +167,7 @@ impl SynthArgs {
     /// Whether nothing is left out.
     pub fn is_complete(&self) -> bool {
         let everything = self.machines.is_empty() && self.flows.is_empty();
-        everything && self.grades.is_empty() && self.seed.is_none()
+        let all_tries = self.grades.is_empty() && self.seed.is_none();
+        everything && all_tries && self.map_for == ABC9_TARGET_PS
     }
 }

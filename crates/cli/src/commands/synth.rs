@@ -10,11 +10,11 @@ use serde::Serialize;
 
 use crate::args::SynthArgs;
 use crate::failure::CheckFailed;
+use crate::output;
 use crate::synth::clock::{Clock, clocks};
 use crate::synth::figures::{self, AreaRow, AreaSetting, COMMAND, PlaceRow, PlaceSetting, Row};
 use crate::synth::plan::{DeviceUse, Plan};
 use crate::synth::{self, DEFAULT_DEVICE, Subject, TARGET_MHZ, tables};
-use crate::{output, project};
 
 #[derive(Serialize)]
 struct Report {
@@ -192,9 +192,9 @@ fn measure(args: &SynthArgs, tools: &Tools, subjects: Vec<Subject>, json: bool) 
         device: plan.device.name,
         package: plan.device.package,
         target_mhz: TARGET_MHZ,
-        abc9_target_ps: project::ABC9_TARGET_PS,
+        abc9_target_ps: args.map_for,
         tool_versions,
-        scripts: script_rows(&plan),
+        scripts: script_rows(&plan, args.map_for),
         fmax_by_grade: clocks(&placements),
         areas,
         placements,
@@ -226,10 +226,10 @@ fn verilog_rows(plan: &Plan) -> Vec<VerilogRow> {
     plan.subjects.iter().map(row).collect()
 }
 
-fn script_rows(plan: &Plan) -> Vec<ScriptRow> {
+fn script_rows(plan: &Plan, abc9_target_ps: u32) -> Vec<ScriptRow> {
     let row = |&flow: &&'static Flow| ScriptRow {
         flow,
-        script: flow.script("TOP", project::ABC9_TARGET_PS),
+        script: flow.script("TOP", abc9_target_ps),
     };
     plan.flows.iter().map(row).collect()
 }

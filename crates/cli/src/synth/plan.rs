@@ -19,7 +19,6 @@ use super::figures::{AreaRow, Group, PlaceRow, Row};
 use super::writer::{Others, Writer};
 use super::{Subject, TARGET_MHZ, flow_to_place};
 use crate::args::SynthArgs;
-use crate::project::ABC9_TARGET_PS;
 use crate::{measured, progress};
 
 /// The measurements to make.
@@ -34,6 +33,7 @@ pub struct Plan {
     pub device: &'static Device,
     grades: Vec<Option<u32>>,
     seeds: RangeInclusive<u32>,
+    abc9_target_ps: u32,
     placer: Placer,
     router: Router,
     jobs: usize,
@@ -56,6 +56,7 @@ impl Plan {
             device: args.device,
             grades: grades.into_iter().collect(),
             seeds: args.all_seeds(),
+            abc9_target_ps: args.map_for,
             placer: args.placer,
             router: args.router,
             jobs: args.jobs.map_or_else(cores, usize::from),
@@ -136,7 +137,7 @@ impl Plan {
                 &folder,
                 &subject.design,
                 flow,
-                ABC9_TARGET_PS,
+                self.abc9_target_ps,
             );
             let row = AreaRow {
                 machine: machine.to_owned(),
@@ -196,7 +197,7 @@ impl Plan {
         Target {
             device: self.device,
             flow: flow_to_place(subject.machine, self.device),
-            abc9_target_ps: ABC9_TARGET_PS,
+            abc9_target_ps: self.abc9_target_ps,
         }
     }
 

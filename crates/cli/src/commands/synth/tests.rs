@@ -5,6 +5,7 @@ use serde_json::Value;
 use super::*;
 use crate::args::{Args, Command};
 use crate::measured;
+use crate::project::ABC9_TARGET_PS;
 
 fn plan(arguments: &[&str]) -> Plan {
     let arguments = [&["photoncube", "synth"][..], arguments].concat();
@@ -130,9 +131,9 @@ fn report() -> Report {
         device: plan.device.name,
         package: plan.device.package,
         target_mhz: TARGET_MHZ,
-        abc9_target_ps: project::ABC9_TARGET_PS,
+        abc9_target_ps: ABC9_TARGET_PS,
         tool_versions: [("yosys".to_owned(), "0.70".to_owned())].into(),
-        scripts: script_rows(&plan),
+        scripts: script_rows(&plan, ABC9_TARGET_PS),
         areas: measured.areas,
         placements: Vec::new(),
         fmax_by_grade: measured.fmax_by_grade,
