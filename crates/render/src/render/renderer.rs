@@ -156,7 +156,11 @@ impl<'a> Renderer<'a> {
         first: u32,
     ) -> Result<Vec<Estimate>, RenderError> {
         let quantised = source.quantised.as_ref();
-        if let (Engine::Hardware(machine, gatherer), Some(map)) = (self.engine, quantised) {
+        // A machine whose queries all have the format's radius cannot gather at another: the processor does, in the map's integers.
+        let is_fixed = *estimator == Estimator::FixedRadius;
+        if let (Engine::Hardware(machine, gatherer), Some(map)) = (self.engine, quantised)
+            && (is_fixed || machine.fixed_radius_sq().is_none())
+        {
             let found = estimator.estimate_by(gatherer, map, queries.points());
             return found.map_err(|source| RenderError::Gatherer {
                 machine: machine.name,
