@@ -78,12 +78,16 @@ pub fn execute(args: &SynthArgs, json: bool) -> Result<()> {
             args.device.name
         );
     }
+    let core = match (args.chains, &machines[..]) {
+        (None, _) => None,
+        (Some(chains), &[machine]) => Some(Core::new(machine, chains)?),
+        (Some(_), several) => bail!("--chains: found {} machines, expected one", several.len()),
+    };
     let places_in = args.places().then(|| args.device.family());
     let tools = synth::tools(args.tools.as_deref(), places_in)?;
-    let subjects = match (args.chains, &machines[..]) {
-        (None, _) => subjects(&machines)?,
-        (Some(chains), &[machine]) => vec![Subject::of_core(&Core::new(machine, chains)?)?],
-        (Some(_), several) => bail!("--chains: found {} machines, expected one", several.len()),
+    let subjects = match core {
+        None => subjects(&machines)?,
+        Some(core) => vec![Subject::of_core(&core)?],
     };
     measure(args, &tools, subjects, json)
 }
