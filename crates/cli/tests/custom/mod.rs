@@ -233,8 +233,17 @@ fn the_emitted_verilog_of_a_core_renders_progressive_passes() {
     };
     let (by_verilog, by_gather) = (picture("verilog.exr"), picture("gather.exr"));
     let report = passes(&by_verilog, &CORE);
-    passes(&by_gather, &["format", "--format", "local7-rgb6d-n4096"]);
+    let gathered = passes(&by_gather, &["format", "--format", "local7-rgb6d-n4096"]);
     assert_eq!(fs::read(by_verilog).unwrap(), fs::read(by_gather).unwrap());
+    // The estimate of the bias needs the gathers at half the squared radius.
+    let estimated = |report: &Value| {
+        let passes = report["progress"].as_array().unwrap().clone();
+        let columns = ["estimated_noise", "estimated_bias", "error_bound"];
+        let row = |pass: Value| columns.map(|column| pass[column].clone());
+        passes.into_iter().map(row).collect::<Vec<_>>()
+    };
+    assert!(estimated(&report).last().unwrap()[1].as_f64() > Some(0.0));
+    assert_eq!(estimated(&report), estimated(&gathered));
     assert!(report["core"]["query_words"].as_u64() > Some(0));
 }
 
