@@ -7,7 +7,9 @@ use std::sync::{Mutex, MutexGuard};
 use std::thread;
 
 use photoncube_model::Gathered;
-use photoncube_render::{Gatherer, GathererError, NearestGathered, QuantisedMap, QueryPoint};
+use photoncube_render::{
+    Gatherer, GathererError, NearestGathered, QuantisedMap, QueryPoint, gather_rungs,
+};
 use photoncube_spec::{
     Core, CoreAnswer, CoreCounter, CoreStreams, CounterRow, PhotonFormat, QueryResult, QueryRounds,
     Rounds, Widths,
@@ -375,9 +377,7 @@ impl<T: Transport> Gatherer for Driver<T> {
         // A single radius is that of the queries, and where no photon can be in range there is no word.
         let words = words.filter(|words| words.len() > 1 && self.has_rounds());
         let Some(words) = words else {
-            let gather =
-                |&radius_sq| self.gather_all(map, queries, &vec![radius_sq; queries.len()]);
-            return radii_sq.iter().map(gather).collect();
+            return gather_rungs(self, map, queries, radii_sq);
         };
         let mut all = Vec::new();
         for words in words.chunks(Rounds::RUNGS as usize) {

@@ -90,7 +90,7 @@ pub use progressive::{
 pub use quantise::{QuantiseError, QuantisedMap};
 pub use render::{
     Engine, Gatherer, GathererError, Light, NearestGathered, RenderError, RenderStats, Rendering,
-    WorkloadError, render, render_lit, workload,
+    WorkloadError, gather_rungs, render, render_lit, workload,
 };
 pub use scene::{Bsdf, LightChoice, ObjError, Scene, SceneError, Surface};
 pub use schedule::{

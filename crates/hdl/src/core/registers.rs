@@ -69,7 +69,7 @@ pub(super) fn registers(core: &Core, digest: u64) -> String {
                 )
             }),
         ),
-        ("ROUND_PORTS", of_rounds(core, rounds::ports)),
+        ("ROUND_PORTS", of_rounds(core, |_| rounds::PORTS.to_owned())),
         ("ROUND_DECLARATIONS", of_rounds(core, rounds::declarations)),
         ("ROUND_WRITES", of_rounds(core, rounds::writes)),
         ("ROUND_RESETS", of_rounds(core, rounds::resets)),

@@ -15,6 +15,7 @@ pub(super) fn module(core: &Core) -> Option<String> {
         ("TOP", core.top()),
         ("PLACES", Rounds::BATCHES.to_string()),
         ("PLACE", Rounds::BATCHES.ilog2().to_string()),
+        ("ROUND", Rounds::ROUND_BITS.to_string()),
         ("RUNGS", Rounds::RUNGS.to_string()),
         ("RUNGS_BITS", Rounds::RUNGS_BITS.to_string()),
         ("RUNGS_HIGH", (Rounds::RUNGS_BITS - 1).to_string()),
@@ -119,9 +120,7 @@ fn field(core: &Core, register: CoreRegister) -> CoreField {
 }
 
 /// The ports of the module of registers.
-pub(super) fn ports(_: &Core) -> String {
-    ",\n    result_ends, nearest, rungs, radii".to_owned()
-}
+pub(super) const PORTS: &str = ",\n    result_ends, nearest, rungs, radii";
 
 /// Their declarations. The registers of the rungs are side by side.
 pub(super) fn declarations(core: &Core) -> String {

@@ -18,7 +18,7 @@ module @TOP@_rounds(clock, reset, nearest, rungs, radii, query_valid, query_read
     parameter NEAREST_ROUNDS = 1;
     localparam PLACES = @PLACES@;
     localparam PLACE = @PLACE@;
-    localparam ROUND = 5;
+    localparam ROUND = @ROUND@;
     localparam [ROUND - 1:0] MOST_RUNGS = @RUNGS@;
     localparam RELEASE = RADIUS_LOW - 1;
     input wire clock;

@@ -58,8 +58,7 @@ pub trait Gatherer: std::fmt::Debug + Sync {
         queries: &[QueryPoint],
         radii_sq: &[u32],
     ) -> Result<Vec<Vec<Gathered>>, GathererError> {
-        let gather = |&radius_sq| self.gather_all(map, queries, &vec![radius_sq; queries.len()]);
-        radii_sq.iter().map(gather).collect()
+        gather_rungs(self, map, queries, radii_sq)
     }
 
     /// The k nearest photons of each query, where the machine finds them without more words. The renderer finds the others by
@@ -75,6 +74,20 @@ pub trait Gatherer: std::fmt::Debug + Sync {
     ) -> Result<Vec<Option<NearestGathered>>, GathererError> {
         Ok(vec![None; queries.len()])
     }
+}
+
+/// [`Gatherer::gather_ladder`] by a [`Gatherer::gather_all`] for each radius.
+///
+/// # Errors
+/// Those of the gathers.
+pub fn gather_rungs<G: Gatherer + ?Sized>(
+    gatherer: &G,
+    map: &QuantisedMap<'_>,
+    queries: &[QueryPoint],
+    radii_sq: &[u32],
+) -> Result<Vec<Vec<Gathered>>, GathererError> {
+    let gather = |&radius_sq| gatherer.gather_all(map, queries, &vec![radius_sq; queries.len()]);
+    radii_sq.iter().map(gather).collect()
 }
 
 /// What a machine found of the k nearest photons of a query.

@@ -60,6 +60,8 @@ impl Rounds {
     pub const BATCHES: usize = 4;
     /// The most rungs of a ladder, a power of two.
     pub const RUNGS: u32 = 8;
+    /// Bits of the number of a round.
+    pub const ROUND_BITS: u32 = 5;
     /// Bits of the number of rungs.
     pub const RUNGS_BITS: u32 = Self::RUNGS.ilog2() + 1;
 
@@ -139,13 +141,19 @@ mod tests {
         assert_eq!((half.largest, half.nearest), (254 * 254 - 1, 16));
     }
 
-    /// The bisection tests no radius above the number of all ones, less one. That must be the largest at least.
+    /// The bisection tests no radius above the number of all ones, less one. That must be the largest at least. And the number of a round
+    /// must fit its bits.
     #[test]
-    fn the_largest_radius_of_no_format_is_all_ones() {
+    fn the_largest_radius_of_no_format_is_all_ones_and_all_rounds_have_numbers() {
         for radius_bits in 4..=14 {
             let radius: u64 = (1 << radius_bits) - 2;
             for largest in [radius * radius, radius * radius - 1] {
                 assert!(!(largest + 1).is_power_of_two(), "{radius_bits}");
+                let rounds = Rounds {
+                    largest: u32::try_from(largest).unwrap(),
+                    nearest: bits_for(largest.into()),
+                };
+                assert!(rounds.most() < 1 << Rounds::ROUND_BITS, "{radius_bits}");
             }
         }
     }
