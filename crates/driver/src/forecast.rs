@@ -2,7 +2,7 @@
 //!
 //! A batch takes the longer of two: comparing the boxes of all leaves of its set, [`Leaf::PAIR`] a clock, and playing the leaves
 //! that are wanted, a group a clock. A chain has two banks: while it works on a set it reads in the next, a group a clock. The
-//! stream of photons has a leaf a clock for all chains.
+//! stream of photons has a leaf a clock for all chains, and the stream of queries a query.
 
 use photoncube_render::{QuantisedMap, QueryPoint};
 use photoncube_spec::{Core, Leaf, LeafSizes, PhotonFormat};
@@ -38,7 +38,10 @@ impl Forecast {
         }
         Self {
             queries: queries.len() as u64,
-            clocks: load.clocks().div_ceil(core.chains.into()).max(load.leaves),
+            clocks: load
+                .of_chains()
+                .div_ceil(core.chains.into())
+                .max(load.of_streams()),
         }
     }
 
@@ -71,8 +74,9 @@ struct Chain {
 #[derive(Clone, Debug)]
 pub(crate) struct Load {
     chains: Vec<Chain>,
-    /// Leaves of all chains.
+    /// Leaves and queries of all chains.
     leaves: u64,
+    queries: u64,
 }
 
 impl Load {
@@ -80,6 +84,7 @@ impl Load {
         Self {
             chains: vec![Chain::default(); chains],
             leaves: 0,
+            queries: 0,
         }
     }
 
@@ -94,6 +99,8 @@ impl Load {
     pub(crate) fn add(&mut self, chain: usize, set: &Set, batches: u64) -> Times {
         let leaves = set.leaves.len() as u64;
         self.leaves += leaves;
+        let queries = set.batches.iter().map(|batch| batch.queries.len() as u64);
+        self.queries += queries.sum::<u64>();
         let chain = &mut self.chains[chain];
         let bank_is_free = chain.last.begins;
         chain.is_loaded = chain.is_loaded.max(bank_is_free) + leaves * Leaf::GROUPS as u64;
@@ -108,8 +115,18 @@ impl Load {
 
     /// The clocks until the last chain is done.
     pub(crate) fn clocks(&self) -> u64 {
+        self.of_chains().max(self.of_streams())
+    }
+
+    /// The clocks of the chain that is done last.
+    fn of_chains(&self) -> u64 {
         let ends = self.chains.iter().map(|chain| chain.ends);
-        ends.max().unwrap_or(0).max(self.leaves)
+        ends.max().unwrap_or(0)
+    }
+
+    /// The clocks of the longer stream, where a word moves in each.
+    fn of_streams(&self) -> u64 {
+        self.leaves.max(self.queries)
     }
 }
 
