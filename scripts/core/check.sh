@@ -23,17 +23,20 @@ program=${PHOTONCUBE:-${CARGO_TARGET_DIR:-$root/target}/debug/photoncube}
 }
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-machine=leaf-4-local7-rgb6d-n64
-"$program" generate --machine "$machine" --chains 1 --out "$scratch" >/dev/null
-core=$scratch/core-1-$machine
-words=("$core"/*.streams.json)
-
-"$here/registers.sh" "${words[0]%.streams.json}.rdl" "$scratch/registers"
-# PeakRDL's second file asserts the offsets of all registers when it runs.
-gcc -std=c11 -Wall -Wextra -Werror -fsyntax-only "$scratch/registers/registers.h"
-gcc -std=c11 -I "$scratch/registers" "$scratch/registers/registers.h.test.c" -o "$scratch/offsets"
-"$scratch/offsets"
-"$("$root/scripts/setup.sh" --where-core)/python" "$here/registers.py" "${words[0]}" "$scratch/registers"
+python=$("$root/scripts/setup.sh" --where-core)/python
+# The registers of a core with rounds and of one without. All else is checked on the second.
+for machine in leaf-4-radii-local7-rgb6d-n64 leaf-4-local7-rgb6d-n64; do
+    "$program" generate --machine "$machine" --chains 1 --out "$scratch" >/dev/null
+    core=$scratch/core-1-$machine
+    words=("$core"/*.streams.json)
+    registers=$scratch/registers-$machine
+    "$here/registers.sh" "${words[0]%.streams.json}.rdl" "$registers"
+    # PeakRDL's second file asserts the offsets of all registers when it runs.
+    gcc -std=c11 -Wall -Wextra -Werror -fsyntax-only "$registers/registers.h"
+    gcc -std=c11 -I "$registers" "$registers/registers.h.test.c" -o "$scratch/offsets"
+    "$scratch/offsets"
+    "$python" "$here/registers.py" "${words[0]}" "$registers"
+done
 "$here/fusesoc.sh" "$core"
 "$root/scripts/litex/check.sh" "$core"
 "$root/testbenches/cocotb/run.sh" --faults
