@@ -12,8 +12,8 @@ use photoncube_spec::{CORES, Core, CoreCounter, PhotonFormat, find_machine};
 use photoncube_testbench::{BoardSimulation, DeviceKind, Scenario, board_controls, verify_board};
 
 const VIEW: ViewOptions = ViewOptions {
-    width: 2,
-    height: 2,
+    width: 4,
+    height: 4,
     samples_per_axis: 1,
     seed: 3,
 };
