@@ -12,7 +12,8 @@ use crate::cull::wanted;
 use crate::forecast::Forecaster;
 use crate::frames::{PhotonLeaf, Set, SetBatch};
 
-/// The most clocks of a set with several batches, about. Where sets are longer, the chains of a core end their last sets at different times.
+/// The most clocks of a round of a set with several batches, about. Where sets are longer, the chains of a core end their last sets at
+/// different times. Where they have so few batches that no rounds of several are under way at once, the engines wait.
 const LONGEST_SET: u64 = 1 << 12;
 
 /// Cuts the batches of frames into sets.
@@ -82,7 +83,8 @@ impl Cutter {
         all
     }
 
-    /// Cuts batches in halves for as long as that takes fewer clocks, or they take more than [`LONGEST_SET`].
+    /// Cuts batches in halves for as long as that takes fewer clocks, or a round of them takes more than
+    /// [`LONGEST_SET`].
     fn cut(&self, wanted: &Wanted, batches: Range<usize>) -> Vec<Range<usize>> {
         let middle = batches.start.midpoint(batches.end);
         let halves = [batches.start..middle, middle..batches.end];
@@ -90,7 +92,9 @@ impl Cutter {
         let whole = clocks(&batches);
         let is_too_large = self.is_whole && wanted.by(&batches).len() > self.set_leaves;
         let takes_fewer = || halves.iter().map(clocks).sum::<u64>() < whole;
-        if batches.len() < 2 || !(is_too_large || whole > LONGEST_SET || takes_fewer()) {
+        if batches.len() < 2
+            || !(is_too_large || whole > self.forecaster.rounds() * LONGEST_SET || takes_fewer())
+        {
             return vec![batches];
         }
         let halves = halves.into_iter();

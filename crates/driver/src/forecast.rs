@@ -166,6 +166,11 @@ impl Forecaster {
         self.format
     }
 
+    /// The rounds of each batch.
+    pub(crate) fn rounds(&self) -> u64 {
+        self.rounds
+    }
+
     /// The clocks of each batch of a set.
     pub(crate) fn batches(&self, set: &Set) -> Vec<u64> {
         let wanted = wanted(self.format, &set.leaves, &set.batches);
