@@ -227,12 +227,12 @@ fn compare(
 type CoreFault = (&'static str, &'static str, &'static str, &'static str);
 
 /// Faults that a verification of a core must find.
-const FAULTS: [CoreFault; 7] = [
+const FAULTS: [CoreFault; 9] = [
     (
         "a leaf within a set has one group where its last four photons are absent",
         "photon_port",
-        "leaf_has_two = leaf_has_second | ~leaf_last;",
-        "leaf_has_two = leaf_has_second;",
+        "sent = {sent_has_second | ~sent_last,",
+        "sent = {sent_has_second,",
     ),
     (
         "a set that is too long is read in",
@@ -251,6 +251,18 @@ const FAULTS: [CoreFault; 7] = [
         "place",
         "if (~full) word <= in_word;",
         "word <= in_word;",
+    ),
+    (
+        "a leaf goes to a chain whose places are full",
+        "link",
+        "assign in_ready = ~left[BITS - 1] & ~reset;",
+        "assign in_ready = ~reset;",
+    ),
+    (
+        "a reset does not empty the queue of queries",
+        "query_port",
+        "read <= reset ?",
+        "read <= 1'b0 ?",
     ),
     (
         "the chains do not take turns",

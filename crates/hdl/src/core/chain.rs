@@ -26,6 +26,7 @@ pub(super) fn chain_text(
     let bits = core.chain_bits();
     let top = core.top();
     let tag = streams.queries.field("tag").low;
+    let end = streams.photons.end();
     let ways =
         rounds::ways(core, streams, sizes, chain).unwrap_or_else(|| ways(core, sizes, chain));
     let mut text = format!(
@@ -50,12 +51,19 @@ pub(super) fn chain_text(
          wire [1:0] wanted_{chain};\n    \
          wire played_{chain};\n    \
          {top}_photon_port #(.GROUP({group}), .FACING({facing}), .NUMBER({number})) photon_port_{chain}(.clock(aclk), .reset(reset),\n        \
-         .leaf_valid(leaf_valid & (leaf_chain == {bits}'d{chain})), .leaf_last(leaf_last), .leaf_has_second(leaf_has_second),\n        \
-         .leaf(leaf), .facing(leaf_facing), .leaf_ready(leaf_ready_{chain}), .leaf_given(leaf_given_{chain}),\n        \
-         .leaf_refused(leaf_refused_{chain}), .set_too_long(set_too_long_{chain}), .group_valid(group_valid_{chain}),\n        \
+         .leaf_valid(leaf_valid & (leaf_chain == {bits}'d{chain})), .leaf_last(leaf_last), .leaf_ready(leaf_ready_{chain}),\n        \
+         .leaf_given(leaf_given_{chain}), .leaf_refused(leaf_refused_{chain}), .set_too_long(set_too_long_{chain}),\n        \
+         .sent_last(leaf_sent[{end}]), .sent_has_second(leaf_sent[{}]), .sent_leaf(leaf_sent[{}:0]),\n        \
+         .sent_facing({}), .group_valid(group_valid_{chain}),\n        \
          .group_ready(group_ready_{chain}), .group_last(group_last_{chain}), .group_facing(group_facing_{chain}), .group(group_{chain}));\n    \
          wire query_valid_{chain} = query_valid & (query_chain == {bits}'d{chain});\n    \
-         assign query_given_{chain} = query_valid_{chain} & query_ready_{chain};\n{ways}    \
+         assign query_given_{chain} = query_valid_{chain} & query_ready_{chain};\n    \
+         wire queued_valid_{chain};\n    \
+         wire queued_ready_{chain};\n    \
+         wire {}queued_{chain};\n    \
+         {top}_query_port #(.WIDTH({}), .PLACE({})) query_port_{chain}(.clock(aclk), .reset(reset),\n        \
+         .query_valid(query_valid_{chain}), .query_ready(query_ready_{chain}), .sent_query(query_sent),\n        \
+         .out_valid(queued_valid_{chain}), .out_ready(queued_ready_{chain}), .out_word(queued_{chain}));\n{ways}    \
          {machine} chain_{chain}(.clock(aclk), .reset(reset),\n        \
          .query_valid(chain_query_valid_{chain}), .query_ready(chain_query_ready_{chain}), .query_last(query_{chain}[{query}]),\n        \
          .query_tag({{query_{chain}[{}:{query}], {}}}),\n",
@@ -66,6 +74,12 @@ pub(super) fn chain_text(
         range(query + 2),
         range(sums),
         range(Leaf::TAG_BITS),
+        end + 1,
+        2 * group - 1,
+        part(2 * group, facing, "leaf_sent"),
+        range(query + 2),
+        query + 2,
+        Core::QUERY_PLACES.ilog2(),
         query + 1,
         part(tag, Core::TAG_BITS, &format!("query_{chain}")),
     );
@@ -123,19 +137,17 @@ pub(super) fn chain_text(
 
 /// The way of queries to a chain and of its results to their place, where a chain is given each query once.
 fn ways(core: &Core, sizes: &Sizes, chain: u32) -> String {
-    let Sizes { query, sums, .. } = *sizes;
+    let sums = sizes.sums;
     let top = core.top();
     format!(
         "    \
-         {top}_slice #(.WIDTH({})) query_slice_{chain}(.clock(aclk), .reset(reset),\n        \
-         .in_valid(query_valid_{chain}), .in_ready(query_ready_{chain}), .in_word(query_word[{}:0]),\n        \
-         .out_valid(chain_query_valid_{chain}), .out_ready(chain_query_ready_{chain}), .out_word(query_{chain}));\n    \
+         assign chain_query_valid_{chain} = queued_valid_{chain};\n    \
+         assign queued_ready_{chain} = chain_query_ready_{chain};\n    \
+         assign query_{chain} = queued_{chain};\n    \
          {top}_place #(.WIDTH({})) result_place_{chain}(.clock(aclk), .reset(reset),\n        \
          .in_valid(chain_result_valid_{chain}), .in_ready(chain_result_ready_{chain}),\n        \
          .in_word({{chain_tag_{chain}, chain_sums_{chain}}}), .out_valid(result_valid_{chain}),\n        \
          .out_ready(result_ready_{chain}), .out_word({{result_tag_{chain}, result_sums_{chain}}}));\n",
-        query + 2,
-        query + 1,
         sums + Leaf::TAG_BITS,
     )
 }

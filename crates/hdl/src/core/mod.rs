@@ -57,10 +57,12 @@ const NO_LOOPS: &str = "\
 ";
 
 /// The modules that do not depend on the core but by parameters.
-const COMMON: [&str; 3] = [
+const COMMON: [&str; 5] = [
     include_str!("slice.v"),
     include_str!("place.v"),
+    include_str!("link.v"),
     include_str!("photon_port.v"),
+    include_str!("query_port.v"),
 ];
 
 /// Emits the Verilog of a core.

@@ -1,6 +1,7 @@
-// Takes the leaves of a chain into a place, gives them to the chain as groups, and drops those for which the chain's bank has no room.
-module @TOP@_photon_port(clock, reset, leaf_valid, leaf_last, leaf_has_second, leaf, facing, leaf_ready,
-    leaf_given, leaf_refused, set_too_long, group_valid, group_ready, group_last, group_facing, group);
+// Takes the leaves of a chain into two places beside the chain, gives them to the chain as groups, and drops those for which the chain's bank has
+// no room.
+module @TOP@_photon_port(clock, reset, leaf_valid, leaf_last, leaf_ready, leaf_given, leaf_refused, set_too_long,
+    sent_last, sent_has_second, sent_leaf, sent_facing, group_valid, group_ready, group_last, group_facing, group);
     parameter GROUP = 1;
     parameter FACING = 1;
     parameter NUMBER = 1;
@@ -8,13 +9,15 @@ module @TOP@_photon_port(clock, reset, leaf_valid, leaf_last, leaf_has_second, l
     input wire reset;
     input wire leaf_valid;
     input wire leaf_last;
-    input wire leaf_has_second;
-    input wire [2 * GROUP - 1:0] leaf;
-    input wire [FACING - 1:0] facing;
     output wire leaf_ready;
     output wire leaf_given;
     output wire leaf_refused;
     output wire set_too_long;
+    // The leaf that left the slice in the clock before, of this chain or another.
+    input wire sent_last;
+    input wire sent_has_second;
+    input wire [2 * GROUP - 1:0] sent_leaf;
+    input wire [FACING - 1:0] sent_facing;
     output wire group_valid;
     input wire group_ready;
     output wire group_last;
@@ -23,47 +26,64 @@ module @TOP@_photon_port(clock, reset, leaf_valid, leaf_last, leaf_has_second, l
     // The number of the next leaf in its set.
     reg [NUMBER - 1:0] number;
     reg drops;
-    reg second_valid;
-    reg second_last;
-    reg [FACING - 1:0] second_facing;
-    reg [GROUP - 1:0] second_group;
+    // The places, from the highest bit: two groups, last, facing, the photons. Leaves go to them in turn.
+    reg [2 * GROUP + FACING + 1:0] even;
+    reg [2 * GROUP + FACING + 1:0] odd;
+    reg even_full;
+    reg odd_full;
+    reg writes_odd;
+    // The group that is given.
+    reg reads_odd;
+    reg reads_second;
     initial number = {NUMBER{1'b0}};
     initial drops = 1'b0;
-    initial second_valid = 1'b0;
-    wire leaf_moves = leaf_valid & leaf_ready;
-    assign leaf_given = leaf_moves & ~drops;
-    assign leaf_refused = leaf_moves & drops;
-    assign set_too_long = leaf_given & ~leaf_last & (&number);
+    initial even_full = 1'b0;
+    initial odd_full = 1'b0;
+    initial writes_odd = 1'b0;
+    initial reads_odd = 1'b0;
+    initial reads_second = 1'b0;
     // Only the last leaf of a set may have a single group.
-    wire leaf_has_two = leaf_has_second | ~leaf_last;
-    wire first_valid;
-    wire first_ready = ~second_valid & group_ready;
-    wire first_has_two;
-    wire first_last;
-    wire [FACING - 1:0] first_facing;
-    wire [2 * GROUP - 1:0] first_leaf;
-    @TOP@_place #(.WIDTH(2 * GROUP + FACING + 2)) leaf_place(.clock(clock), .reset(reset),
-        .in_valid(leaf_valid & ~drops), .in_ready(leaf_ready), .in_word({leaf_has_two, leaf_last, facing, leaf}),
-        .out_valid(first_valid), .out_ready(first_ready), .out_word({first_has_two, first_last, first_facing, first_leaf}));
-    assign group_valid = second_valid | first_valid;
-    assign group_last = second_valid ? second_last : ~first_has_two;
-    assign group_facing = second_valid ? second_facing : first_facing;
-    assign group = second_valid ? second_group : first_leaf[GROUP - 1:0];
+    wire [2 * GROUP + FACING + 1:0] sent = {sent_has_second | ~sent_last, sent_last, sent_facing, sent_leaf};
+    wire [2 * GROUP + FACING + 1:0] front = reads_odd ? odd : even;
+    wire ends = reads_second | ~front[2 * GROUP + FACING + 1];
+    wire group_moves = group_valid & group_ready;
+    wire has_place;
+    wire arrives;
+    @TOP@_link #(.BITS(2)) link(.clock(clock), .reset(reset), .in_valid(leaf_valid & ~drops), .in_ready(has_place),
+        .arrives(arrives), .taken(group_moves & ends));
+    assign leaf_ready = has_place | drops;
+    assign leaf_given = leaf_valid & has_place & ~drops;
+    assign leaf_refused = leaf_valid & drops;
+    assign set_too_long = leaf_given & ~leaf_last & (&number);
+    assign group_valid = reads_odd ? odd_full : even_full;
+    assign group_last = ends & front[2 * GROUP + FACING];
+    assign group_facing = front[2 * GROUP +: FACING];
+    assign group = reads_second ? front[2 * GROUP - 1:GROUP] : front[GROUP - 1:0];
     always @(posedge clock) begin
         if (leaf_given) number <= leaf_last ? {NUMBER{1'b0}} : number + 1'b1;
         if (set_too_long) drops <= 1'b1;
         if (leaf_refused & leaf_last) drops <= 1'b0;
-        if (second_valid & group_ready) second_valid <= 1'b0;
-        if (first_valid & first_ready) begin
-            second_valid <= first_has_two;
-            second_last <= first_last;
-            second_facing <= first_facing;
-            second_group <= first_leaf[2 * GROUP - 1:GROUP];
+        if (~even_full) even <= sent;
+        if (~odd_full) odd <= sent;
+        if (arrives) begin
+            if (writes_odd) odd_full <= 1'b1;
+            else even_full <= 1'b1;
+            writes_odd <= ~writes_odd;
+        end
+        if (group_moves) reads_second <= ~ends;
+        if (group_moves & ends) begin
+            if (reads_odd) odd_full <= 1'b0;
+            else even_full <= 1'b0;
+            reads_odd <= ~reads_odd;
         end
         if (reset) begin
             number <= {NUMBER{1'b0}};
             drops <= 1'b0;
-            second_valid <= 1'b0;
+            even_full <= 1'b0;
+            odd_full <= 1'b0;
+            writes_odd <= 1'b0;
+            reads_odd <= 1'b0;
+            reads_second <= 1'b0;
         end
     end
 endmodule

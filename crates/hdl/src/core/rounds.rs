@@ -65,7 +65,7 @@ pub(super) fn ways(
         "    {top}_rounds #(.QUERY({query}), .RADIUS_LOW({}), .RADIUS({}), .SUMS({sums}), .COUNT_LOW({}), .COUNT({}), .TAG({}),\n        \
          .POSITION({position}), .LAST_POSITION({last_position}), .LARGEST({}), .NEAREST_ROUNDS({})) rounds_{chain}(.clock(aclk), .reset(reset),\n        \
          .nearest(nearest), .rungs(rungs), .radii(radii),\n        \
-         .query_valid(query_valid_{chain}), .query_ready(query_ready_{chain}), .query(query_word[{}:0]),\n        \
+         .query_valid(queued_valid_{chain}), .query_ready(queued_ready_{chain}), .query(queued_{chain}),\n        \
          .given_valid(given_valid_{chain}), .given_ready(given_ready_{chain}), .given(given_{chain}),\n        \
          .found_valid(found_valid_{chain}), .found_ready(found_ready_{chain}), .found(found_{chain}),\n        \
          .result_valid(shown_valid_{chain}), .result_ready(shown_ready_{chain}), .result(shown_{chain}));\n    \
@@ -87,7 +87,6 @@ pub(super) fn ways(
         Leaf::TAG_BITS,
         rounds.largest,
         rounds.nearest,
-        query + 1,
         query + 2,
     );
     Some(text)

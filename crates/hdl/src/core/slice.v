@@ -25,10 +25,8 @@ module @TOP@_slice(clock, reset, in_valid, in_ready, in_word, out_valid, out_rea
             second_full <= 1'b0;
             if (second_full) first_word <= second_word;
             else first_word <= in_word;
-        end else if (in_valid & in_ready) begin
-            second_full <= 1'b1;
-            second_word <= in_word;
-        end
+        end else if (in_valid & in_ready) second_full <= 1'b1;
+        if (~second_full) second_word <= in_word;
         if (reset) begin
             first_full <= 1'b0;
             second_full <= 1'b0;

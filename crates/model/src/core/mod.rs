@@ -1,5 +1,6 @@
 //! The step-exact model of cores, by the rules of [`photoncube_spec::Core`]. Its chains are [`LeafMachine`]s.
 
+mod link;
 mod port;
 mod registers;
 mod rounds;
@@ -13,6 +14,7 @@ use photoncube_spec::{
 
 use crate::golden::GoldenMachine;
 use crate::leaf::LeafMachine;
+use link::Link;
 use port::{Fate, LeafWord, PhotonPort};
 use registers::{Happens, InChains, Registers};
 use rounds::{Shown, Store};
@@ -31,9 +33,9 @@ pub struct CoreModel {
     photons: Places<LeafWord, 2>,
     queries: Places<QueryIn, 2>,
     results: Places<CoreResult, 2>,
-    /// In front of each chain.
-    to_chains: Vec<Places<QueryIn, 2>>,
-    /// In front of each chain's slice, and behind the chain; none where all queries have the format's radius.
+    /// The queue in front of each chain, or of its store.
+    to_chains: Vec<Link<QueryIn, { Core::QUERY_PLACES as usize }>>,
+    /// In front of each chain, and behind it; none where all queries have the format's radius.
     stores: Vec<RoundsOfChain>,
     /// Behind each chain, or behind its store.
     from_chains: Vec<Places<CoreResult, 1>>,
@@ -65,10 +67,11 @@ struct CoreResult {
     is_final: bool,
 }
 
-/// The store of a chain, and the place for a result between the two.
+/// The store of a chain, the slice of queries and the place for a result between the two.
 #[derive(Clone, Debug)]
 struct RoundsOfChain {
     store: Store,
+    given: Places<QueryIn, 2>,
     found: Places<Outputs, 1>,
 }
 
@@ -88,10 +91,14 @@ impl CoreModel {
             results: Places::default(),
             stores: Rounds::of(core).map_or(Vec::new(), |rounds| {
                 let store = Store::new(rounds, core.engines());
-                let found = Places::default();
-                vec![RoundsOfChain { store, found }; core.chains as usize]
+                let rounds = RoundsOfChain {
+                    store,
+                    given: Places::default(),
+                    found: Places::default(),
+                };
+                vec![rounds; core.chains as usize]
             }),
-            to_chains: vec![Places::default(); core.chains as usize],
+            to_chains: vec![Link::default(); core.chains as usize],
             from_chains: vec![Places::default(); core.chains as usize],
             ports: vec![PhotonPort::default(); core.chains as usize],
             chains: vec![LeafMachine::new(core.machine); core.chains as usize],
@@ -201,7 +208,10 @@ impl CoreModel {
     }
 
     fn chain_inputs(&self, chain: usize, reset: bool) -> Inputs {
-        let query = self.to_chains[chain].front();
+        let query = match self.stores.get(chain) {
+            Some(rounds) => rounds.given.front(),
+            None => self.to_chains[chain].front(),
+        };
         let group = self.ports[chain].offers();
         let word = query.map_or_else(QueryWord::default, |query| query.word);
         let flags = query.map_or(0, |query| {
@@ -230,8 +240,8 @@ impl CoreModel {
         }
     }
 
-    /// The queries: from their slice to the store or the slice in front of a chain, from the store to the slice, and from the slices to
-    /// the chains. `comes` has the results that the stores take.
+    /// The queries: from their slice to the queue in front of a chain, and from there to the chain, or to its store and from the store by
+    /// a slice. `comes` has the results that the stores take.
     fn queries_to_chains(
         &mut self,
         from_chains: &[Outputs],
@@ -241,16 +251,22 @@ impl CoreModel {
     ) {
         let query = self.queries.front().copied().filter(|_| given);
         let settings = &self.registers.settings;
-        for (chain, (slice, outputs)) in self.to_chains.iter_mut().zip(from_chains).enumerate() {
-            let moves = slice.front().is_some() && outputs.query_ready;
-            let mut query = query.filter(|query| query.chain as usize == chain);
-            if let Some(RoundsOfChain { store, .. }) = self.stores.get_mut(chain) {
-                let ready = slice.is_ready() && !reset;
-                let offered = store.offers(settings).filter(|_| ready);
-                store.clock(settings, query, ready, comes[chain].as_ref(), reset);
-                query = offered;
-            }
-            slice.clock(moves, query, reset);
+        for (chain, (queue, outputs)) in self.to_chains.iter_mut().zip(from_chains).enumerate() {
+            let queued = queue.front().copied();
+            let moves = match self.stores.get_mut(chain) {
+                None => queued.is_some() && outputs.query_ready,
+                Some(RoundsOfChain { store, given, .. }) => {
+                    let takes = queued.filter(|_| store.is_ready() && !reset);
+                    let moves = given.front().is_some() && outputs.query_ready;
+                    let ready = given.is_ready() && !reset;
+                    let offered = store.offers(settings).filter(|_| ready);
+                    store.clock(settings, takes, ready, comes[chain].as_ref(), reset);
+                    given.clock(moves, offered, reset);
+                    takes.is_some()
+                }
+            };
+            let query = query.filter(|query| query.chain as usize == chain);
+            queue.clock(moves, query, reset);
         }
     }
 
@@ -331,11 +347,7 @@ impl CoreModel {
         let query_refused = query.is_some_and(|query| query.chain >= self.core.chains);
         let query_given = query.is_some_and(|query| {
             let chain = query.chain as usize;
-            let is_ready = match self.stores.get(chain) {
-                Some(rounds) => rounds.store.is_ready(),
-                None => self.to_chains.get(chain).is_some_and(Places::is_ready),
-            };
-            is_ready && !self.resets()
+            self.to_chains.get(chain).is_some_and(Link::is_ready) && !self.resets()
         });
         let result = self.result();
         let result_moves = result.is_some() && inputs.result_ready;

@@ -2,9 +2,9 @@
 
 use photoncube_spec::{Core, Group, Lane, Spatial};
 
-use super::slice::Places;
+use super::link::Link;
 
-/// A leaf in the slice of photons, or in the place in front of a chain.
+/// A leaf in the slice of photons, or in a place in front of a chain.
 #[derive(Clone, Debug)]
 pub(super) struct LeafWord {
     pub(super) lanes: [Lane; Core::LEAF_PHOTONS],
@@ -45,9 +45,9 @@ impl LeafWord {
 /// What becomes of the leaf in front of the slice in a clock.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub(super) enum Fate {
-    /// It waits for the place in front of its chain.
+    /// It waits for a place in front of its chain.
     Waits,
-    /// It moves to that place.
+    /// It leaves for such a place.
     Given,
     /// It is dropped.
     Refused,
@@ -56,33 +56,35 @@ pub(super) enum Fate {
 /// The state of the way to one chain.
 #[derive(Clone, Debug, Default)]
 pub(super) struct PhotonPort {
-    place: Places<LeafWord, 1>,
-    /// The second group of the leaf that left the place last.
-    second: Option<Group>,
+    leaves: Link<LeafWord, 2>,
+    /// The chain took the first group of the leaf in front.
+    has_first: bool,
     /// Leaves of the set that were given.
-    leaves: u32,
+    number: u32,
     drops: bool,
 }
 
 impl PhotonPort {
     /// The group that the chain is offered.
     pub(super) fn offers(&self) -> Option<Group> {
-        let first = |leaf: &LeafWord| leaf.group(0, !leaf.has_two_groups());
-        self.second.clone().or(self.place.front().map(first))
+        self.leaves.front().map(|leaf| match self.has_first {
+            false => leaf.group(0, !leaf.has_two_groups()),
+            true => leaf.group(1, leaf.last),
+        })
     }
 
     /// What becomes of a leaf of the chain in front of the slice.
     pub(super) fn fate(&self, reset: bool) -> Fate {
-        match (self.place.is_ready() && !reset, self.drops) {
-            (false, _) => Fate::Waits,
-            (true, false) => Fate::Given,
-            (true, true) => Fate::Refused,
+        match (self.drops, self.leaves.is_ready() && !reset) {
+            (true, _) => Fate::Refused,
+            (false, true) => Fate::Given,
+            (false, false) => Fate::Waits,
         }
     }
 
     /// The leaf, which is given, is the last that a bank holds, and not the last of its set.
     pub(super) fn is_too_long(&self, leaf: &LeafWord, core: &Core) -> bool {
-        self.leaves + 1 == core.set_leaves() && !leaf.last
+        self.number + 1 == core.set_leaves() && !leaf.last
     }
 
     /// A clock in which `leaf` is the chain's leaf in front of the slice, and the chain takes a group or not.
@@ -93,34 +95,31 @@ impl PhotonPort {
         chain_ready: bool,
         reset: bool,
     ) {
+        if reset {
+            *self = Self::default();
+            return;
+        }
         let leaf = leaf.map(|leaf| (leaf, self.fate(reset)));
         let given = leaf.filter(|(_, fate)| *fate == Fate::Given);
         self.groups(given.map(|(leaf, _)| leaf.clone()), chain_ready);
         match leaf {
             Some((leaf, Fate::Given)) => {
                 self.drops = self.is_too_long(leaf, core);
-                self.leaves = match leaf.last || self.drops {
+                self.number = match leaf.last || self.drops {
                     true => 0,
-                    false => self.leaves + 1,
+                    false => self.number + 1,
                 };
             }
             Some((leaf, Fate::Refused)) => self.drops = !leaf.last,
             _ => {}
         }
-        if reset {
-            *self = Self::default();
-        }
     }
 
-    /// The groups: from the place to the chain, the second a clock behind the first at the earliest.
+    /// The groups: the leaf in front leaves its place with its last.
     fn groups(&mut self, given: Option<LeafWord>, chain_ready: bool) {
-        let first_moves = chain_ready && self.second.is_none();
-        let first = self.place.front().filter(|_| first_moves);
-        let has_second = first.filter(|leaf| leaf.has_two_groups());
-        let second = has_second.map(|leaf| leaf.group(1, leaf.last));
-        if chain_ready {
-            self.second = second;
-        }
-        self.place.clock(first_moves, given, false);
+        let front = self.leaves.front().filter(|_| chain_ready);
+        let has_more = front.map(|leaf| leaf.has_two_groups() && !self.has_first);
+        self.leaves.clock(has_more == Some(false), given, false);
+        self.has_first = has_more.unwrap_or(self.has_first);
     }
 }

@@ -42,18 +42,21 @@
 //!   valid where its first place is full. A word that moves in goes to the first place where that is empty or its word
 //!   moves out and the second place is empty, else to the second. Where the first place's word moves out, the second's
 //!   follows. A `reset` empties both, and `m_axis_results_tvalid` is then 0: a result that waits there is taken back.
-//! - *In front of each chain* is a slice of queries, as above, so that a chain is given a query in each clock, and a place for
-//!   one leaf. *Behind each chain* is a place for one result. The ready of a place is 1 where it is empty and `reset` is 0, its
-//!   valid where it is full. A `reset` empties it. So no ready of a chain is a part of a long path.
-//! - *Leaves.* A leaf in the photon slice is *refused* where its chain is not there. Where the place in front of its chain is
-//!   ready, it is refused if the chain drops, and else *given*: it moves to that place. The number of the leaf in its set is
+//! - *Links.* A link leads from a slice to places in front of a chain: two for leaves, and [`Core::QUERY_PLACES`] for queries. The link
+//!   counts the places that are left: after `reset` all, one less with each word that leaves the slice for the chain, and one more
+//!   two clocks after a word leaves its place. Its ready is 1 where a place is left and `reset` is 0. A word that leaves the slice is a clock on
+//!   its way, and the chain can be given it in the clock behind that one. A `reset` empties the places and the way. So no
+//!   path leads from a chain to a stream or back within a clock, wherever the two are.
+//! - *Behind each chain* is a place for one result. The ready of a place is 1 where it is empty and `reset` is 0, its
+//!   valid where it is full. A `reset` empties it.
+//! - *Leaves.* A leaf in the photon slice is *refused* where its chain is not there or drops, and else *given* where the link to its chain
+//!   is ready. The number of the leaf in its set is
 //!   counted for each chain. Where the last leaf of a full set is given without `tlast`, the chain drops: up to and with the
 //!   next word with `tlast`.
-//! - *Groups.* A leaf leaves its place where the chain is ready and no second group waits; its first group then goes to the
-//!   chain. A leaf has a second group unless it has `tlast` and its last four photons are absent. The second group waits, and
-//!   goes in the next clock in which the chain is ready. The chain's `group_last` is 1 with the last group of a word with
-//!   `tlast`.
-//! - *Queries.* A query in its slice is refused where its chain is not there, and given where the slice in front of its
+//! - *Groups.* The oldest leaf in a place gives the chain its first group where the chain is ready, then its second in the next clock
+//!   in which the chain is ready, and leaves with its last. A leaf has a second group unless it has `tlast` and its last four
+//!   photons are absent. The chain's `group_last` is 1 with the last group of a word with `tlast`.
+//! - *Queries.* A query in its slice is refused where its chain is not there, and given where the link to its
 //!   chain is ready. The chain's tag has the query's tag in its low bits, `tlast` in [`Core::LAST_BIT`], and in [`Core::OUTSIDE_BIT`] whether
 //!   it is outside: a bit that no field has is 1, as it is where a coordinate is not less than the frame.
 //! - *Results.* The place behind the chain `turn` gives its result to the slice of results. `turn` := the next chain whose
@@ -122,6 +125,8 @@ pub enum CoreError {
 impl Core {
     /// The most chains.
     pub const MOST_CHAINS: u32 = 16;
+    /// Places for queries in front of each chain: a power of 2, so many that a chain can be given a query in each clock.
+    pub const QUERY_PLACES: u32 = 16;
     /// Bits of the tag of a query: those of a chain's tag, without two flags of the core.
     pub const TAG_BITS: u32 = Leaf::TAG_BITS - 2;
     /// The bit of a chain's tag that has the `tlast` of the query.
