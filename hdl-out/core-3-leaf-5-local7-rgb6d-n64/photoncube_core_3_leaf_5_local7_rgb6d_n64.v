@@ -160,7 +160,7 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64(aclk, aresetn, s_axis_photons_t
     output wire irq;
     wire reset;
 
-    // Leaves: a slice, a register, then to the chain of their number.
+    // Leaves: a slice, then to the chain of their number.
     wire [375:0] leaf_word;
     wire leaf_valid;
     wire leaf_ready;
@@ -171,8 +171,6 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64(aclk, aresetn, s_axis_photons_t
     wire [1:0] leaf_chain = leaf_word[375:374];
     wire [7:0] leaf_present = {leaf_word[322], leaf_word[276], leaf_word[230], leaf_word[184], leaf_word[138], leaf_word[92], leaf_word[46], leaf_word[0]};
     wire leaf_has_second = |leaf_present[7:4];
-    reg [374:0] leaf_sent;
-    always @(posedge aclk) leaf_sent <= {leaf_has_second, leaf_word[373:0]};
     // A photon behind an absent one.
     wire leaf_has_gap = |(leaf_present[7:1] & ~leaf_present[6:0]);
     wire leaf_known = leaf_chain < 2'd3;
@@ -197,7 +195,7 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64(aclk, aresetn, s_axis_photons_t
     wire leaf_refused = leaf_unknown | leaf_refused_0 | leaf_refused_1 | leaf_refused_2;
     wire set_too_long = set_too_long_0 | set_too_long_1 | set_too_long_2;
 
-    // Queries: a slice, a register, then to the chain of their number.
+    // Queries: a slice, then to the chain of their number.
     wire [100:0] query_word;
     wire query_valid;
     wire query_ready;
@@ -212,8 +210,6 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64(aclk, aresetn, s_axis_photons_t
     wire query_given_0;
     wire query_given_1;
     wire query_given_2;
-    reg [98:0] query_sent;
-    always @(posedge aclk) query_sent <= query_word[98:0];
     wire query_is_outside = query_word[98];
     wire [1:0] query_chain = query_word[100:99];
     wire query_known = query_chain < 2'd3;
@@ -248,16 +244,15 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64(aclk, aresetn, s_axis_photons_t
     photoncube_core_3_leaf_5_local7_rgb6d_n64_photon_port #(.GROUP(184), .FACING(5), .NUMBER(3)) photon_port_0(.clock(aclk), .reset(reset),
         .leaf_valid(leaf_valid & (leaf_chain == 2'd0)), .leaf_last(leaf_last), .leaf_ready(leaf_ready_0),
         .leaf_given(leaf_given_0), .leaf_refused(leaf_refused_0), .set_too_long(set_too_long_0),
-        .sent_last(leaf_sent[373]), .sent_has_second(leaf_sent[374]), .sent_leaf(leaf_sent[367:0]),
-        .sent_facing(leaf_sent[372:368]), .group_valid(group_valid_0),
+        .leaf_has_second(leaf_has_second), .leaf(leaf_word[367:0]), .facing(leaf_word[372:368]), .group_valid(group_valid_0),
         .group_ready(group_ready_0), .group_last(group_last_0), .group_facing(group_facing_0), .group(group_0));
     wire query_valid_0 = query_valid & (query_chain == 2'd0);
-    assign query_given_0 = query_valid_0 & query_ready_0;
     wire queued_valid_0;
     wire queued_ready_0;
     wire [98:0] queued_0;
     photoncube_core_3_leaf_5_local7_rgb6d_n64_query_port #(.WIDTH(99), .PLACE(4)) query_port_0(.clock(aclk), .reset(reset),
-        .query_valid(query_valid_0), .query_ready(query_ready_0), .sent_query(query_sent),
+        .query_valid(query_valid_0), .query_ready(query_ready_0), .query_given(query_given_0),
+        .query(query_word[98:0]),
         .out_valid(queued_valid_0), .out_ready(queued_ready_0), .out_word(queued_0));
     assign chain_query_valid_0 = queued_valid_0;
     assign queued_ready_0 = chain_query_ready_0;
@@ -333,16 +328,15 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64(aclk, aresetn, s_axis_photons_t
     photoncube_core_3_leaf_5_local7_rgb6d_n64_photon_port #(.GROUP(184), .FACING(5), .NUMBER(3)) photon_port_1(.clock(aclk), .reset(reset),
         .leaf_valid(leaf_valid & (leaf_chain == 2'd1)), .leaf_last(leaf_last), .leaf_ready(leaf_ready_1),
         .leaf_given(leaf_given_1), .leaf_refused(leaf_refused_1), .set_too_long(set_too_long_1),
-        .sent_last(leaf_sent[373]), .sent_has_second(leaf_sent[374]), .sent_leaf(leaf_sent[367:0]),
-        .sent_facing(leaf_sent[372:368]), .group_valid(group_valid_1),
+        .leaf_has_second(leaf_has_second), .leaf(leaf_word[367:0]), .facing(leaf_word[372:368]), .group_valid(group_valid_1),
         .group_ready(group_ready_1), .group_last(group_last_1), .group_facing(group_facing_1), .group(group_1));
     wire query_valid_1 = query_valid & (query_chain == 2'd1);
-    assign query_given_1 = query_valid_1 & query_ready_1;
     wire queued_valid_1;
     wire queued_ready_1;
     wire [98:0] queued_1;
     photoncube_core_3_leaf_5_local7_rgb6d_n64_query_port #(.WIDTH(99), .PLACE(4)) query_port_1(.clock(aclk), .reset(reset),
-        .query_valid(query_valid_1), .query_ready(query_ready_1), .sent_query(query_sent),
+        .query_valid(query_valid_1), .query_ready(query_ready_1), .query_given(query_given_1),
+        .query(query_word[98:0]),
         .out_valid(queued_valid_1), .out_ready(queued_ready_1), .out_word(queued_1));
     assign chain_query_valid_1 = queued_valid_1;
     assign queued_ready_1 = chain_query_ready_1;
@@ -418,16 +412,15 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64(aclk, aresetn, s_axis_photons_t
     photoncube_core_3_leaf_5_local7_rgb6d_n64_photon_port #(.GROUP(184), .FACING(5), .NUMBER(3)) photon_port_2(.clock(aclk), .reset(reset),
         .leaf_valid(leaf_valid & (leaf_chain == 2'd2)), .leaf_last(leaf_last), .leaf_ready(leaf_ready_2),
         .leaf_given(leaf_given_2), .leaf_refused(leaf_refused_2), .set_too_long(set_too_long_2),
-        .sent_last(leaf_sent[373]), .sent_has_second(leaf_sent[374]), .sent_leaf(leaf_sent[367:0]),
-        .sent_facing(leaf_sent[372:368]), .group_valid(group_valid_2),
+        .leaf_has_second(leaf_has_second), .leaf(leaf_word[367:0]), .facing(leaf_word[372:368]), .group_valid(group_valid_2),
         .group_ready(group_ready_2), .group_last(group_last_2), .group_facing(group_facing_2), .group(group_2));
     wire query_valid_2 = query_valid & (query_chain == 2'd2);
-    assign query_given_2 = query_valid_2 & query_ready_2;
     wire queued_valid_2;
     wire queued_ready_2;
     wire [98:0] queued_2;
     photoncube_core_3_leaf_5_local7_rgb6d_n64_query_port #(.WIDTH(99), .PLACE(4)) query_port_2(.clock(aclk), .reset(reset),
-        .query_valid(query_valid_2), .query_ready(query_ready_2), .sent_query(query_sent),
+        .query_valid(query_valid_2), .query_ready(query_ready_2), .query_given(query_given_2),
+        .query(query_word[98:0]),
         .out_valid(queued_valid_2), .out_ready(queued_ready_2), .out_word(queued_2));
     assign chain_query_valid_2 = queued_valid_2;
     assign queued_ready_2 = chain_query_ready_2;
@@ -1058,30 +1051,28 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_place(clock, reset, in_valid, i
     end
 endmodule
 
-// Lets the words of a stream go to a chain that is far away: a word goes where a place at the chain is empty and no word is under way to it.
-// Both ways are registers, so no path leads from the chain to the stream.
-module photoncube_core_3_leaf_5_local7_rgb6d_n64_link(clock, reset, in_valid, in_ready, arrives, taken);
+// Counts the places that a chain far away has left for the words of a stream. A word goes to the chain where a place is left.
+// What comes back from the chain is a register, so no path leads from the chain to the stream.
+module photoncube_core_3_leaf_5_local7_rgb6d_n64_link(clock, reset, in_valid, in_ready, moves, taken);
     // The chain has 2^(BITS - 1) places.
     parameter BITS = 1;
     input wire clock;
     input wire reset;
     input wire in_valid;
     output wire in_ready;
-    // The word that left the stream in the clock before is at the chain.
-    output reg arrives;
-    // A word leaves its place at the chain.
+    // The word goes to its place.
+    output wire moves;
+    // A word leaves its place.
     input wire taken;
     reg returned;
     // One less than the places that are left: the sign says that there is none.
     reg [BITS - 1:0] left;
     localparam [BITS - 1:0] ALL_LEFT = {BITS{1'b1}} >> 1;
-    initial arrives = 1'b0;
     initial returned = 1'b0;
     initial left = ALL_LEFT;
     assign in_ready = ~left[BITS - 1] & ~reset;
-    wire moves = in_valid & in_ready;
+    assign moves = in_valid & in_ready;
     always @(posedge clock) begin
-        arrives <= moves & ~reset;
         returned <= taken & ~reset;
         left <= reset ? ALL_LEFT : left - moves + returned;
     end
@@ -1089,8 +1080,8 @@ endmodule
 
 // Takes the leaves of a chain into two places beside the chain, gives them to the chain as groups, and drops those for which the chain's bank has
 // no room.
-module photoncube_core_3_leaf_5_local7_rgb6d_n64_photon_port(clock, reset, leaf_valid, leaf_last, leaf_ready, leaf_given, leaf_refused, set_too_long,
-    sent_last, sent_has_second, sent_leaf, sent_facing, group_valid, group_ready, group_last, group_facing, group);
+module photoncube_core_3_leaf_5_local7_rgb6d_n64_photon_port(clock, reset, leaf_valid, leaf_last, leaf_has_second, leaf, facing, leaf_ready,
+    leaf_given, leaf_refused, set_too_long, group_valid, group_ready, group_last, group_facing, group);
     parameter GROUP = 1;
     parameter FACING = 1;
     parameter NUMBER = 1;
@@ -1098,15 +1089,13 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_photon_port(clock, reset, leaf_
     input wire reset;
     input wire leaf_valid;
     input wire leaf_last;
+    input wire leaf_has_second;
+    input wire [2 * GROUP - 1:0] leaf;
+    input wire [FACING - 1:0] facing;
     output wire leaf_ready;
     output wire leaf_given;
     output wire leaf_refused;
     output wire set_too_long;
-    // The leaf that left the slice in the clock before, of this chain or another.
-    input wire sent_last;
-    input wire sent_has_second;
-    input wire [2 * GROUP - 1:0] sent_leaf;
-    input wire [FACING - 1:0] sent_facing;
     output wire group_valid;
     input wire group_ready;
     output wire group_last;
@@ -1132,16 +1121,14 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_photon_port(clock, reset, leaf_
     initial reads_odd = 1'b0;
     initial reads_second = 1'b0;
     // Only the last leaf of a set may have a single group.
-    wire [2 * GROUP + FACING + 1:0] sent = {sent_has_second | ~sent_last, sent_last, sent_facing, sent_leaf};
+    wire [2 * GROUP + FACING + 1:0] word = {leaf_has_second | ~leaf_last, leaf_last, facing, leaf};
     wire [2 * GROUP + FACING + 1:0] front = reads_odd ? odd : even;
     wire ends = reads_second | ~front[2 * GROUP + FACING + 1];
     wire group_moves = group_valid & group_ready;
     wire has_place;
-    wire arrives;
     photoncube_core_3_leaf_5_local7_rgb6d_n64_link #(.BITS(2)) link(.clock(clock), .reset(reset), .in_valid(leaf_valid & ~drops), .in_ready(has_place),
-        .arrives(arrives), .taken(group_moves & ends));
+        .moves(leaf_given), .taken(group_moves & ends));
     assign leaf_ready = has_place | drops;
-    assign leaf_given = leaf_valid & has_place & ~drops;
     assign leaf_refused = leaf_valid & drops;
     assign set_too_long = leaf_given & ~leaf_last & (&number);
     assign group_valid = reads_odd ? odd_full : even_full;
@@ -1152,9 +1139,9 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_photon_port(clock, reset, leaf_
         if (leaf_given) number <= leaf_last ? {NUMBER{1'b0}} : number + 1'b1;
         if (set_too_long) drops <= 1'b1;
         if (leaf_refused & leaf_last) drops <= 1'b0;
-        if (~even_full) even <= sent;
-        if (~odd_full) odd <= sent;
-        if (arrives) begin
+        if (~even_full) even <= word;
+        if (~odd_full) odd <= word;
+        if (leaf_given) begin
             if (writes_odd) odd_full <= 1'b1;
             else even_full <= 1'b1;
             writes_odd <= ~writes_odd;
@@ -1178,7 +1165,7 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_photon_port(clock, reset, leaf_
 endmodule
 
 // Takes the queries of a chain into a queue beside the chain.
-module photoncube_core_3_leaf_5_local7_rgb6d_n64_query_port(clock, reset, query_valid, query_ready, sent_query, out_valid, out_ready, out_word);
+module photoncube_core_3_leaf_5_local7_rgb6d_n64_query_port(clock, reset, query_valid, query_ready, query_given, query, out_valid, out_ready, out_word);
     parameter WIDTH = 1;
     // The queue has 2^PLACE places.
     parameter PLACE = 1;
@@ -1186,8 +1173,8 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_query_port(clock, reset, query_
     input wire reset;
     input wire query_valid;
     output wire query_ready;
-    // The query that left the slice in the clock before, of this chain or another.
-    input wire [WIDTH - 1:0] sent_query;
+    output wire query_given;
+    input wire [WIDTH - 1:0] query;
     output wire out_valid;
     input wire out_ready;
     output wire [WIDTH - 1:0] out_word;
@@ -1197,15 +1184,14 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_query_port(clock, reset, query_
     reg [PLACE:0] read;
     initial write = {(PLACE + 1){1'b0}};
     initial read = {(PLACE + 1){1'b0}};
-    wire arrives;
     wire taken = out_valid & out_ready;
     photoncube_core_3_leaf_5_local7_rgb6d_n64_link #(.BITS(PLACE + 1)) link(.clock(clock), .reset(reset), .in_valid(query_valid), .in_ready(query_ready),
-        .arrives(arrives), .taken(taken));
+        .moves(query_given), .taken(taken));
     assign out_valid = write != read;
     assign out_word = words[read[PLACE - 1:0]];
     always @(posedge clock) begin
-        if (arrives) words[write[PLACE - 1:0]] <= sent_query;
-        write <= reset ? {(PLACE + 1){1'b0}} : write + arrives;
+        if (query_given) words[write[PLACE - 1:0]] <= query;
+        write <= reset ? {(PLACE + 1){1'b0}} : write + query_given;
         read <= reset ? {(PLACE + 1){1'b0}} : read + taken;
     end
 endmodule

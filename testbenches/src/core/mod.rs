@@ -231,8 +231,8 @@ const FAULTS: [CoreFault; 9] = [
     (
         "a leaf within a set has one group where its last four photons are absent",
         "photon_port",
-        "sent = {sent_has_second | ~sent_last,",
-        "sent = {sent_has_second,",
+        "word = {leaf_has_second | ~leaf_last,",
+        "word = {leaf_has_second,",
     ),
     (
         "a set that is too long is read in",

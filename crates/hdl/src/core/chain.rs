@@ -26,7 +26,6 @@ pub(super) fn chain_text(
     let bits = core.chain_bits();
     let top = core.top();
     let tag = streams.queries.field("tag").low;
-    let end = streams.photons.end();
     let ways =
         rounds::ways(core, streams, sizes, chain).unwrap_or_else(|| ways(core, sizes, chain));
     let mut text = format!(
@@ -53,16 +52,15 @@ pub(super) fn chain_text(
          {top}_photon_port #(.GROUP({group}), .FACING({facing}), .NUMBER({number})) photon_port_{chain}(.clock(aclk), .reset(reset),\n        \
          .leaf_valid(leaf_valid & (leaf_chain == {bits}'d{chain})), .leaf_last(leaf_last), .leaf_ready(leaf_ready_{chain}),\n        \
          .leaf_given(leaf_given_{chain}), .leaf_refused(leaf_refused_{chain}), .set_too_long(set_too_long_{chain}),\n        \
-         .sent_last(leaf_sent[{end}]), .sent_has_second(leaf_sent[{}]), .sent_leaf(leaf_sent[{}:0]),\n        \
-         .sent_facing({}), .group_valid(group_valid_{chain}),\n        \
+         .leaf_has_second(leaf_has_second), .leaf(leaf_word[{}:0]), .facing({}), .group_valid(group_valid_{chain}),\n        \
          .group_ready(group_ready_{chain}), .group_last(group_last_{chain}), .group_facing(group_facing_{chain}), .group(group_{chain}));\n    \
          wire query_valid_{chain} = query_valid & (query_chain == {bits}'d{chain});\n    \
-         assign query_given_{chain} = query_valid_{chain} & query_ready_{chain};\n    \
          wire queued_valid_{chain};\n    \
          wire queued_ready_{chain};\n    \
          wire {}queued_{chain};\n    \
          {top}_query_port #(.WIDTH({}), .PLACE({})) query_port_{chain}(.clock(aclk), .reset(reset),\n        \
-         .query_valid(query_valid_{chain}), .query_ready(query_ready_{chain}), .sent_query(query_sent),\n        \
+         .query_valid(query_valid_{chain}), .query_ready(query_ready_{chain}), .query_given(query_given_{chain}),\n        \
+         .query(query_word[{}:0]),\n        \
          .out_valid(queued_valid_{chain}), .out_ready(queued_ready_{chain}), .out_word(queued_{chain}));\n{ways}    \
          {machine} chain_{chain}(.clock(aclk), .reset(reset),\n        \
          .query_valid(chain_query_valid_{chain}), .query_ready(chain_query_ready_{chain}), .query_last(query_{chain}[{query}]),\n        \
@@ -74,12 +72,12 @@ pub(super) fn chain_text(
         range(query + 2),
         range(sums),
         range(Leaf::TAG_BITS),
-        end + 1,
         2 * group - 1,
-        part(2 * group, facing, "leaf_sent"),
+        part(2 * group, facing, "leaf_word"),
         range(query + 2),
         query + 2,
         Core::QUERY_PLACES.ilog2(),
+        query + 1,
         query + 1,
         part(tag, Core::TAG_BITS, &format!("query_{chain}")),
     );

@@ -1,7 +1,7 @@
 // Takes the leaves of a chain into two places beside the chain, gives them to the chain as groups, and drops those for which the chain's bank has
 // no room.
-module @TOP@_photon_port(clock, reset, leaf_valid, leaf_last, leaf_ready, leaf_given, leaf_refused, set_too_long,
-    sent_last, sent_has_second, sent_leaf, sent_facing, group_valid, group_ready, group_last, group_facing, group);
+module @TOP@_photon_port(clock, reset, leaf_valid, leaf_last, leaf_has_second, leaf, facing, leaf_ready,
+    leaf_given, leaf_refused, set_too_long, group_valid, group_ready, group_last, group_facing, group);
     parameter GROUP = 1;
     parameter FACING = 1;
     parameter NUMBER = 1;
@@ -9,15 +9,13 @@ module @TOP@_photon_port(clock, reset, leaf_valid, leaf_last, leaf_ready, leaf_g
     input wire reset;
     input wire leaf_valid;
     input wire leaf_last;
+    input wire leaf_has_second;
+    input wire [2 * GROUP - 1:0] leaf;
+    input wire [FACING - 1:0] facing;
     output wire leaf_ready;
     output wire leaf_given;
     output wire leaf_refused;
     output wire set_too_long;
-    // The leaf that left the slice in the clock before, of this chain or another.
-    input wire sent_last;
-    input wire sent_has_second;
-    input wire [2 * GROUP - 1:0] sent_leaf;
-    input wire [FACING - 1:0] sent_facing;
     output wire group_valid;
     input wire group_ready;
     output wire group_last;
@@ -43,16 +41,14 @@ module @TOP@_photon_port(clock, reset, leaf_valid, leaf_last, leaf_ready, leaf_g
     initial reads_odd = 1'b0;
     initial reads_second = 1'b0;
     // Only the last leaf of a set may have a single group.
-    wire [2 * GROUP + FACING + 1:0] sent = {sent_has_second | ~sent_last, sent_last, sent_facing, sent_leaf};
+    wire [2 * GROUP + FACING + 1:0] word = {leaf_has_second | ~leaf_last, leaf_last, facing, leaf};
     wire [2 * GROUP + FACING + 1:0] front = reads_odd ? odd : even;
     wire ends = reads_second | ~front[2 * GROUP + FACING + 1];
     wire group_moves = group_valid & group_ready;
     wire has_place;
-    wire arrives;
     @TOP@_link #(.BITS(2)) link(.clock(clock), .reset(reset), .in_valid(leaf_valid & ~drops), .in_ready(has_place),
-        .arrives(arrives), .taken(group_moves & ends));
+        .moves(leaf_given), .taken(group_moves & ends));
     assign leaf_ready = has_place | drops;
-    assign leaf_given = leaf_valid & has_place & ~drops;
     assign leaf_refused = leaf_valid & drops;
     assign set_too_long = leaf_given & ~leaf_last & (&number);
     assign group_valid = reads_odd ? odd_full : even_full;
@@ -63,9 +59,9 @@ module @TOP@_photon_port(clock, reset, leaf_valid, leaf_last, leaf_ready, leaf_g
         if (leaf_given) number <= leaf_last ? {NUMBER{1'b0}} : number + 1'b1;
         if (set_too_long) drops <= 1'b1;
         if (leaf_refused & leaf_last) drops <= 1'b0;
-        if (~even_full) even <= sent;
-        if (~odd_full) odd <= sent;
-        if (arrives) begin
+        if (~even_full) even <= word;
+        if (~odd_full) odd <= word;
+        if (leaf_given) begin
             if (writes_odd) odd_full <= 1'b1;
             else even_full <= 1'b1;
             writes_odd <= ~writes_odd;

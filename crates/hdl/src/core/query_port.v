@@ -1,5 +1,5 @@
 // Takes the queries of a chain into a queue beside the chain.
-module @TOP@_query_port(clock, reset, query_valid, query_ready, sent_query, out_valid, out_ready, out_word);
+module @TOP@_query_port(clock, reset, query_valid, query_ready, query_given, query, out_valid, out_ready, out_word);
     parameter WIDTH = 1;
     // The queue has 2^PLACE places.
     parameter PLACE = 1;
@@ -7,8 +7,8 @@ module @TOP@_query_port(clock, reset, query_valid, query_ready, sent_query, out_
     input wire reset;
     input wire query_valid;
     output wire query_ready;
-    // The query that left the slice in the clock before, of this chain or another.
-    input wire [WIDTH - 1:0] sent_query;
+    output wire query_given;
+    input wire [WIDTH - 1:0] query;
     output wire out_valid;
     input wire out_ready;
     output wire [WIDTH - 1:0] out_word;
@@ -18,15 +18,14 @@ module @TOP@_query_port(clock, reset, query_valid, query_ready, sent_query, out_
     reg [PLACE:0] read;
     initial write = {(PLACE + 1){1'b0}};
     initial read = {(PLACE + 1){1'b0}};
-    wire arrives;
     wire taken = out_valid & out_ready;
     @TOP@_link #(.BITS(PLACE + 1)) link(.clock(clock), .reset(reset), .in_valid(query_valid), .in_ready(query_ready),
-        .arrives(arrives), .taken(taken));
+        .moves(query_given), .taken(taken));
     assign out_valid = write != read;
     assign out_word = words[read[PLACE - 1:0]];
     always @(posedge clock) begin
-        if (arrives) words[write[PLACE - 1:0]] <= sent_query;
-        write <= reset ? {(PLACE + 1){1'b0}} : write + arrives;
+        if (query_given) words[write[PLACE - 1:0]] <= query;
+        write <= reset ? {(PLACE + 1){1'b0}} : write + query_given;
         read <= reset ? {(PLACE + 1){1'b0}} : read + taken;
     end
 endmodule

@@ -151,7 +151,7 @@ fn photons(core: &Core, word: &StreamWord, sizes: &Sizes) -> String {
     } = *sizes;
     let lane = group / Spatial::LANES as u32;
     let mut text = format!(
-        "\n    // Leaves: a slice, a register, then to the chain of their number.\n    wire {}leaf_word;\n    wire leaf_valid;\n    wire leaf_ready;\n",
+        "\n    // Leaves: a slice, then to the chain of their number.\n    wire {}leaf_word;\n    wire leaf_valid;\n    wire leaf_ready;\n",
         range(photon_slice)
     );
     text += &slice(
@@ -179,8 +179,6 @@ fn photons(core: &Core, word: &StreamWord, sizes: &Sizes) -> String {
          wire {}leaf_chain = leaf_word[{}:{}];\n    \
          wire {}leaf_present = {{{}}};\n    \
          wire leaf_has_second = |leaf_present[{}:{}];\n    \
-         reg {}leaf_sent;\n    \
-         always @(posedge aclk) leaf_sent <= {{leaf_has_second, leaf_word[{end}:0]}};\n    \
          // A photon behind an absent one.\n    \
          wire leaf_has_gap = |(leaf_present[{}:1] & ~leaf_present[{}:0]);\n    \
          wire leaf_known = {};\n",
@@ -191,7 +189,6 @@ fn photons(core: &Core, word: &StreamWord, sizes: &Sizes) -> String {
         present.join(", "),
         photons - 1,
         photons / 2,
-        range(end + 2),
         photons - 1,
         photons - 2,
         is_known(core, "leaf_chain"),
@@ -225,7 +222,7 @@ fn queries(core: &Core, word: &StreamWord, sizes: &Sizes) -> String {
         ..
     } = *sizes;
     let mut text = format!(
-        "\n    // Queries: a slice, a register, then to the chain of their number.\n    \
+        "\n    // Queries: a slice, then to the chain of their number.\n    \
          wire {}query_word;\n    \
          wire query_valid;\n    \
          wire query_ready;\n    \
@@ -255,17 +252,13 @@ fn queries(core: &Core, word: &StreamWord, sizes: &Sizes) -> String {
     }
     let _ = write!(
         text,
-        "    reg {}query_sent;\n    \
-         always @(posedge aclk) query_sent <= query_word[{}:0];\n    \
-         wire query_is_outside = query_word[{}];\n    \
+        "    wire query_is_outside = query_word[{}];\n    \
          wire {}query_chain = query_word[{}:{}];\n    \
          wire query_known = {};\n    \
          assign query_ready = ~query_known\n        | {};\n    \
          wire query_given = {};\n    \
          wire query_refused = query_valid & ~query_known;\n    \
          wire query_outside = query_given & query_is_outside;\n",
-        range(query + 2),
-        query + 1,
         query + 1,
         range(chain),
         query + 1 + chain,

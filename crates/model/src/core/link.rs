@@ -1,14 +1,12 @@
-//! The way of words to a chain that is far away.
+//! The link from a stream to a chain that is far away.
 
 use super::slice::Places;
 
-/// The places of a chain for the words of a stream, and the registers of the way to them and back.
+/// The places of a chain for the words of a stream, and what the stream knows of them.
 #[derive(Clone, Debug)]
 pub(super) struct Link<W, const N: usize> {
-    /// Places that the stream knows to be empty, without a word under way to them.
+    /// Places that the stream knows to be empty.
     left: usize,
-    /// The word that left the stream in the clock before.
-    arrives: Option<W>,
     places: Places<W, N>,
     /// A word left its place in the clock before.
     returned: bool,
@@ -18,7 +16,6 @@ impl<W, const N: usize> Default for Link<W, N> {
     fn default() -> Self {
         Self {
             left: N,
-            arrives: None,
             places: Places::default(),
             returned: false,
         }
@@ -45,7 +42,6 @@ impl<W, const N: usize> Link<W, N> {
         self.left += usize::from(self.returned);
         self.left -= usize::from(moves_in.is_some());
         self.returned = moves_out;
-        self.places.clock(moves_out, self.arrives.take(), false);
-        self.arrives = moves_in;
+        self.places.clock(moves_out, moves_in, false);
     }
 }

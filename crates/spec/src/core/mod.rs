@@ -44,9 +44,8 @@
 //!   follows. A `reset` empties both, and `m_axis_results_tvalid` is then 0: a result that waits there is taken back.
 //! - *Links.* A link leads from a slice to places in front of a chain: two for leaves, and [`Core::QUERY_PLACES`] for queries. The link
 //!   counts the places that are left: after `reset` all, one less with each word that leaves the slice for the chain, and one more
-//!   two clocks after a word leaves its place. Its ready is 1 where a place is left and `reset` is 0. A word that leaves the slice is a clock on
-//!   its way, and the chain can be given it in the clock behind that one. A `reset` empties the places and the way. So no
-//!   path leads from a chain to a stream or back within a clock, wherever the two are.
+//!   two clocks after a word leaves its place. Its ready is 1 where a place is left and `reset` is 0. A word that leaves the slice is in
+//!   a place in the next clock. A `reset` empties the places. So no path leads from a chain to a stream.
 //! - *Behind each chain* is a place for one result. The ready of a place is 1 where it is empty and `reset` is 0, its
 //!   valid where it is full. A `reset` empties it.
 //! - *Leaves.* A leaf in the photon slice is *refused* where its chain is not there or drops, and else *given* where the link to its chain
