@@ -207,6 +207,8 @@ impl ChainsChoice {
 
 #[cfg(test)]
 mod tests {
+    use photoncube_hdl::{Level, emit};
+
     use super::*;
 
     fn measured() -> Vec<MeasuredChain> {
@@ -231,6 +233,34 @@ mod tests {
             .map(|chain| engines(&chain.machine))
             .collect();
         assert_eq!(engines, [1, 2, 4, 8, 16, 32]);
+    }
+
+    /// An area of another text would choose the wrong core. `scripts/measure.sh` measures anew.
+    #[test]
+    fn the_measured_chains_are_those_that_are_emitted() {
+        #[derive(Deserialize)]
+        struct Texts {
+            machines: Vec<Text>,
+        }
+        #[derive(Deserialize)]
+        struct Text {
+            machine: String,
+            verilog_sha256: String,
+        }
+        let texts: Texts = serde_json::from_str(MEASURED).unwrap();
+        let measured: Vec<_> = measured().into_iter().map(|chain| chain.machine).collect();
+        let named: Vec<_> = texts.machines.iter().map(|text| &text.machine).collect();
+        assert_eq!(named, measured.iter().collect::<Vec<_>>());
+        for text in &texts.machines {
+            let machine = find_machine(&text.machine).unwrap();
+            let emitted = emit(machine, Level::Machine).unwrap();
+            assert_eq!(
+                emitted.ecp5_sha256(),
+                text.verilog_sha256,
+                "{}: docs/measured/chains.json has the area of another text",
+                text.machine
+            );
+        }
     }
 
     /// Each cell is the one that binds in some area.
