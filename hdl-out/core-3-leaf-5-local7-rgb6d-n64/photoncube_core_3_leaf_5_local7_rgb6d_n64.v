@@ -1051,8 +1051,8 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_place(clock, reset, in_valid, i
     end
 endmodule
 
-// Counts the places that a chain far away has left for the words of a stream. A word goes to the chain where a place is left.
-// What comes back from the chain is a register, so no path leads from the chain to the stream.
+// Flow control by credits, between a stream and the places for its words at a chain. A word goes to the chain where a place is left.
+// A register holds what comes back from the chain, so no path leads from the chain to the stream.
 module photoncube_core_3_leaf_5_local7_rgb6d_n64_link(clock, reset, in_valid, in_ready, moves, taken);
     // The chain has 2^(BITS - 1) places.
     parameter BITS = 1;
@@ -1065,7 +1065,7 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_link(clock, reset, in_valid, in
     // A word leaves its place.
     input wire taken;
     reg returned;
-    // One less than the places that are left: the sign says that there is none.
+    // The credits: the places that are left, less one. So the sign says that there is none.
     reg [BITS - 1:0] left;
     localparam [BITS - 1:0] ALL_LEFT = {BITS{1'b1}} >> 1;
     initial returned = 1'b0;
@@ -1164,7 +1164,7 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_photon_port(clock, reset, leaf_
     end
 endmodule
 
-// Takes the queries of a chain into a queue beside the chain.
+// The queue of queries in front of a chain.
 module photoncube_core_3_leaf_5_local7_rgb6d_n64_query_port(clock, reset, query_valid, query_ready, query_given, query, out_valid, out_ready, out_word);
     parameter WIDTH = 1;
     // The queue has 2^PLACE places.

@@ -1,5 +1,5 @@
-// Counts the places that a chain far away has left for the words of a stream. A word goes to the chain where a place is left.
-// What comes back from the chain is a register, so no path leads from the chain to the stream.
+// Flow control by credits, between a stream and the places for its words at a chain. A word goes to the chain where a place is left.
+// A register holds what comes back from the chain, so no path leads from the chain to the stream.
 module @TOP@_link(clock, reset, in_valid, in_ready, moves, taken);
     // The chain has 2^(BITS - 1) places.
     parameter BITS = 1;
@@ -12,7 +12,7 @@ module @TOP@_link(clock, reset, in_valid, in_ready, moves, taken);
     // A word leaves its place.
     input wire taken;
     reg returned;
-    // One less than the places that are left: the sign says that there is none.
+    // The credits: the places that are left, less one. So the sign says that there is none.
     reg [BITS - 1:0] left;
     localparam [BITS - 1:0] ALL_LEFT = {BITS{1'b1}} >> 1;
     initial returned = 1'b0;

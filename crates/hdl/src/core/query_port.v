@@ -1,4 +1,4 @@
-// Takes the queries of a chain into a queue beside the chain.
+// The queue of queries in front of a chain.
 module @TOP@_query_port(clock, reset, query_valid, query_ready, query_given, query, out_valid, out_ready, out_word);
     parameter WIDTH = 1;
     // The queue has 2^PLACE places.

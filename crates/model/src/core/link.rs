@@ -1,11 +1,11 @@
-//! The link from a stream to a chain that is far away.
+//! Flow control by credits, between a stream and a chain.
 
 use super::slice::Places;
 
 /// The places of a chain for the words of a stream, and what the stream knows of them.
 #[derive(Clone, Debug)]
 pub(super) struct Link<W, const N: usize> {
-    /// Places that the stream knows to be empty.
+    /// The credits: places that the stream knows to be empty.
     left: usize,
     places: Places<W, N>,
     /// A word left its place in the clock before.

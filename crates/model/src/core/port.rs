@@ -99,7 +99,7 @@ impl PhotonPort {
             *self = Self::default();
             return;
         }
-        let leaf = leaf.map(|leaf| (leaf, self.fate(reset)));
+        let leaf = leaf.map(|leaf| (leaf, self.fate(false)));
         let given = leaf.filter(|(_, fate)| *fate == Fate::Given);
         self.groups(given.map(|(leaf, _)| leaf.clone()), chain_ready);
         match leaf {

@@ -42,16 +42,15 @@
 //!   valid where its first place is full. A word that moves in goes to the first place where that is empty or its word
 //!   moves out and the second place is empty, else to the second. Where the first place's word moves out, the second's
 //!   follows. A `reset` empties both, and `m_axis_results_tvalid` is then 0: a result that waits there is taken back.
-//! - *Links.* A link leads from a slice to places in front of a chain: two for leaves, and [`Core::QUERY_PLACES`] for queries. The link
-//!   counts the places that are left: after `reset` all, one less with each word that leaves the slice for the chain, and one more
-//!   two clocks after a word leaves its place. Its ready is 1 where a place is left and `reset` is 0. A word that leaves the slice is in
-//!   a place in the next clock. A `reset` empties the places. So no path leads from a chain to a stream.
+//! - *Links.* A link leads from a slice to places in front of each chain: two for leaves, and [`Core::QUERY_PLACES`] for queries. Its flow
+//!   control is by credits. After `reset` it has as many credits as places. A word that leaves the slice for the chain takes a credit,
+//!   and gives it back two clocks after it leaves its place. The ready of the link is 1 where it has a credit and `reset` is 0. A word that
+//!   leaves the slice is in a place in the next clock. A `reset` empties the places. So no path leads from a chain to a stream.
 //! - *Behind each chain* is a place for one result. The ready of a place is 1 where it is empty and `reset` is 0, its
 //!   valid where it is full. A `reset` empties it.
-//! - *Leaves.* A leaf in the photon slice is *refused* where its chain is not there or drops, and else *given* where the link to its chain
-//!   is ready. The number of the leaf in its set is
-//!   counted for each chain. Where the last leaf of a full set is given without `tlast`, the chain drops: up to and with the
-//!   next word with `tlast`.
+//! - *Leaves.* A leaf in the photon slice is *refused* where its chain is not there or drops, and else *given* where the link to
+//!   its chain is ready. The number of the leaf in its set is counted for each chain. Where the last leaf of a full set is given without
+//!   `tlast`, the chain drops: up to and with the next word with `tlast`.
 //! - *Groups.* The oldest leaf in a place gives the chain its first group where the chain is ready, then its second in the next clock
 //!   in which the chain is ready, and leaves with its last. A leaf has a second group unless it has `tlast` and its last four
 //!   photons are absent. The chain's `group_last` is 1 with the last group of a word with `tlast`.

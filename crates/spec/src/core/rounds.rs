@@ -24,17 +24,17 @@
 //!
 //! # Each clock
 //! The words of [`super`] hold. The places are numbered, and behind the last comes the first.
-//! - *Taking.* A query is given to the store where the place `fill` is empty, the store is not *held*, and there is no reset. It goes
-//!   behind the queries in that place. A batch is *complete* with a query that has `tlast`, and with as many queries as engines.
-//!   `fill` := the next place with the last query. A batch *releases* where one of its queries has `release`. The store is held from
-//!   the clock behind the last query of a batch that releases.
+//! - *Taking.* The store takes the oldest query of the link to the chain where the place `fill` is empty, the store is not *held*, and there
+//!   is no reset. The query goes behind those in that place. A batch is *complete* with a query that has `tlast`, and with as many queries
+//!   as engines. `fill` := the next place with the last query. A batch *releases* where one of its queries has `release`. The store is
+//!   held from the clock behind the last query of a batch that releases.
 //! - *Giving.* The batch in the place `turn` *goes* where it is complete, a round of it is left, and it is of one of these:
 //!   - the oldest with a round left, and a ladder, or none of its rounds is under way;
 //!   - a nearest, none of its rounds is under way, its last is not the next, and it was given fewer rounds than the batch in the place
 //!     before.
 //!
 //!   So rounds of a ladder follow each other, and those of nearests alternate. Of two batches, the older gives its last results first.
-//!   The queries of a batch that goes are offered, one after the other, to the slice in front of the chain, with the radius of the round.
+//!   The queries of a batch that goes are offered, one after the other, with the radius of the round, to a slice between the store and the chain.
 //!   They have their `release` in the last round only. A round is under way with the last of its queries. `turn` := the next place with
 //!   it, but not within a ladder. With the last round of a batch that releases, the store is no longer held. Where the batch in `turn`
 //!   does not go, `turn` := the next place.
