@@ -164,8 +164,11 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64(aclk, aresetn, s_axis_photons_t
     wire [375:0] leaf_word;
     wire leaf_valid;
     wire leaf_ready;
+    wire photon_slice_ready;
+    // No word is taken in the clock of a reset.
+    assign s_axis_photons_tready = photon_slice_ready & ~reset;
     photoncube_core_3_leaf_5_local7_rgb6d_n64_slice #(.WIDTH(376)) photon_slice(.clock(aclk), .reset(reset),
-        .in_valid(s_axis_photons_tvalid), .in_ready(s_axis_photons_tready), .in_word({s_axis_photons_tdest, s_axis_photons_tlast, s_axis_photons_tdata[372:0]}),
+        .in_valid(s_axis_photons_tvalid), .in_ready(photon_slice_ready), .in_word({s_axis_photons_tdest, s_axis_photons_tlast, s_axis_photons_tdata[372:0]}),
         .out_valid(leaf_valid), .out_ready(leaf_ready), .out_word(leaf_word));
     wire leaf_last = leaf_word[373];
     wire [1:0] leaf_chain = leaf_word[375:374];
@@ -175,17 +178,32 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64(aclk, aresetn, s_axis_photons_t
     wire leaf_has_gap = |(leaf_present[7:1] & ~leaf_present[6:0]);
     wire leaf_known = leaf_chain < 2'd3;
     wire leaf_ready_0;
-    wire leaf_ready_1;
-    wire leaf_ready_2;
     wire leaf_given_0;
-    wire leaf_given_1;
-    wire leaf_given_2;
     wire leaf_refused_0;
-    wire leaf_refused_1;
-    wire leaf_refused_2;
     wire set_too_long_0;
+    wire leaf_taken_0;
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_photon_port #(.NUMBER(3), .PLACE(3), .STAGES(1)) photon_port_0(.clock(aclk), .reset(reset),
+        .leaf_valid(leaf_valid & (leaf_chain == 2'd0)), .leaf_last(leaf_last), .leaf_ready(leaf_ready_0),
+        .leaf_given(leaf_given_0), .leaf_refused(leaf_refused_0), .set_too_long(set_too_long_0),
+        .leaf_taken(leaf_taken_0));
+    wire leaf_ready_1;
+    wire leaf_given_1;
+    wire leaf_refused_1;
     wire set_too_long_1;
+    wire leaf_taken_1;
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_photon_port #(.NUMBER(3), .PLACE(3), .STAGES(2)) photon_port_1(.clock(aclk), .reset(reset),
+        .leaf_valid(leaf_valid & (leaf_chain == 2'd1)), .leaf_last(leaf_last), .leaf_ready(leaf_ready_1),
+        .leaf_given(leaf_given_1), .leaf_refused(leaf_refused_1), .set_too_long(set_too_long_1),
+        .leaf_taken(leaf_taken_1));
+    wire leaf_ready_2;
+    wire leaf_given_2;
+    wire leaf_refused_2;
     wire set_too_long_2;
+    wire leaf_taken_2;
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_photon_port #(.NUMBER(3), .PLACE(3), .STAGES(3)) photon_port_2(.clock(aclk), .reset(reset),
+        .leaf_valid(leaf_valid & (leaf_chain == 2'd2)), .leaf_last(leaf_last), .leaf_ready(leaf_ready_2),
+        .leaf_given(leaf_given_2), .leaf_refused(leaf_refused_2), .set_too_long(set_too_long_2),
+        .leaf_taken(leaf_taken_2));
     assign leaf_ready = ~leaf_known
         | ((leaf_chain == 2'd0) & leaf_ready_0)
         | ((leaf_chain == 2'd1) & leaf_ready_1)
@@ -194,22 +212,32 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64(aclk, aresetn, s_axis_photons_t
     wire leaf_unknown = leaf_valid & ~leaf_known;
     wire leaf_refused = leaf_unknown | leaf_refused_0 | leaf_refused_1 | leaf_refused_2;
     wire set_too_long = set_too_long_0 | set_too_long_1 | set_too_long_2;
+    // The second group follows the first by a clock.
+    reg [183:0] second_group;
+    always @(posedge aclk) second_group <= leaf_word[367:184];
+    wire [376:0] leaf_out = {leaf_chain, leaf_has_second, leaf_last, leaf_word[372:368],
+        second_group, leaf_word[183:0]};
 
     // Queries: a slice, then to the chain of their number.
     wire [100:0] query_word;
     wire query_valid;
     wire query_ready;
+    wire query_slice_ready;
+    assign s_axis_queries_tready = query_slice_ready & ~reset;
     // A bit that no field has is 1: the coordinate is too large for the frame.
     wire query_in_outside = |{s_axis_queries_tdata[15:9], s_axis_queries_tdata[31:25], s_axis_queries_tdata[47:41], s_axis_queries_tdata[127:97]};
     photoncube_core_3_leaf_5_local7_rgb6d_n64_slice #(.WIDTH(101)) query_slice(.clock(aclk), .reset(reset),
-        .in_valid(s_axis_queries_tvalid), .in_ready(s_axis_queries_tready), .in_word({s_axis_queries_tdest, query_in_outside, s_axis_queries_tlast, s_axis_queries_tdata[96:0]}),
+        .in_valid(s_axis_queries_tvalid), .in_ready(query_slice_ready), .in_word({s_axis_queries_tdest, query_in_outside, s_axis_queries_tlast, s_axis_queries_tdata[96:0]}),
         .out_valid(query_valid), .out_ready(query_ready), .out_word(query_word));
     wire query_ready_0;
-    wire query_ready_1;
-    wire query_ready_2;
     wire query_given_0;
+    wire query_taken_0;
+    wire query_ready_1;
     wire query_given_1;
+    wire query_taken_1;
+    wire query_ready_2;
     wire query_given_2;
+    wire query_taken_2;
     wire query_is_outside = query_word[98];
     wire [1:0] query_chain = query_word[100:99];
     wire query_known = query_chain < 2'd3;
@@ -220,6 +248,15 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64(aclk, aresetn, s_axis_photons_t
     wire query_given = query_given_0 | query_given_1 | query_given_2;
     wire query_refused = query_valid & ~query_known;
     wire query_outside = query_given & query_is_outside;
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_link #(.BITS(5), .STAGES(1)) query_link_0(.clock(aclk), .reset(reset),
+        .in_valid(query_valid & (query_chain == 2'd0)), .in_ready(query_ready_0),
+        .moves(query_given_0), .taken(query_taken_0));
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_link #(.BITS(5), .STAGES(2)) query_link_1(.clock(aclk), .reset(reset),
+        .in_valid(query_valid & (query_chain == 2'd1)), .in_ready(query_ready_1),
+        .moves(query_given_1), .taken(query_taken_1));
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_link #(.BITS(5), .STAGES(3)) query_link_2(.clock(aclk), .reset(reset),
+        .in_valid(query_valid & (query_chain == 2'd2)), .in_ready(query_ready_2),
+        .moves(query_given_2), .taken(query_taken_2));
 
     // Chain 0.
     wire group_valid_0;
@@ -241,19 +278,36 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64(aclk, aresetn, s_axis_photons_t
     wire [1:0] compared_0;
     wire [1:0] wanted_0;
     wire played_0;
-    photoncube_core_3_leaf_5_local7_rgb6d_n64_photon_port #(.GROUP(184), .FACING(5), .NUMBER(3)) photon_port_0(.clock(aclk), .reset(reset),
-        .leaf_valid(leaf_valid & (leaf_chain == 2'd0)), .leaf_last(leaf_last), .leaf_ready(leaf_ready_0),
-        .leaf_given(leaf_given_0), .leaf_refused(leaf_refused_0), .set_too_long(set_too_long_0),
-        .leaf_has_second(leaf_has_second), .leaf(leaf_word[367:0]), .facing(leaf_word[372:368]), .group_valid(group_valid_0),
-        .group_ready(group_ready_0), .group_last(group_last_0), .group_facing(group_facing_0), .group(group_0));
-    wire query_valid_0 = query_valid & (query_chain == 2'd0);
+    reg [1:0] compared_before_0;
+    reg [1:0] wanted_before_0;
+    reg played_before_0;
+    initial compared_before_0 = 2'd0;
+    initial wanted_before_0 = 2'd0;
+    initial played_before_0 = 1'b0;
+    always @(posedge aclk) begin
+        compared_before_0 <= reset ? 2'd0 : compared_0;
+        wanted_before_0 <= reset ? 2'd0 : wanted_0;
+        played_before_0 <= reset ? 1'b0 : played_0;
+    end
+    wire leaf_passes_0;
+    wire [376:0] leaf_stage_0;
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_stage #(.WIDTH(377)) leaf_stage_0_register(.clock(aclk), .reset(reset),
+        .in_valid(leaf_given), .in_word(leaf_out), .out_valid(leaf_passes_0), .out_word(leaf_stage_0));
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_photon_queue #(.GROUP(184), .FACING(5), .PLACE(4)) photon_queue_0(.clock(aclk), .reset(reset),
+        .leaf_valid(leaf_passes_0 & (leaf_stage_0[376:375] == 2'd0)), .leaf_has_second(leaf_stage_0[374]),
+        .leaf_last(leaf_stage_0[373]), .leaf_facing(leaf_stage_0[372:368]), .first(leaf_stage_0[183:0]), .second(leaf_stage_0[367:184]),
+        .leaf_taken(leaf_taken_0), .group_valid(group_valid_0), .group_ready(group_ready_0),
+        .group_last(group_last_0), .group_facing(group_facing_0), .group(group_0));
+    wire query_passes_0;
+    wire [100:0] query_stage_0;
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_stage #(.WIDTH(101)) query_stage_0_register(.clock(aclk), .reset(reset),
+        .in_valid(query_given), .in_word(query_word), .out_valid(query_passes_0), .out_word(query_stage_0));
     wire queued_valid_0;
     wire queued_ready_0;
     wire [98:0] queued_0;
-    photoncube_core_3_leaf_5_local7_rgb6d_n64_query_port #(.WIDTH(99), .PLACE(4)) query_port_0(.clock(aclk), .reset(reset),
-        .query_valid(query_valid_0), .query_ready(query_ready_0), .query_given(query_given_0),
-        .query(query_word[98:0]),
-        .out_valid(queued_valid_0), .out_ready(queued_ready_0), .out_word(queued_0));
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_query_queue #(.WIDTH(99), .PLACE(4)) query_queue_0(.clock(aclk), .reset(reset),
+        .in_valid(query_passes_0 & (query_stage_0[100:99] == 2'd0)), .in_word(query_stage_0[98:0]),
+        .out_valid(queued_valid_0), .out_ready(queued_ready_0), .out_word(queued_0), .taken(query_taken_0));
     assign chain_query_valid_0 = queued_valid_0;
     assign queued_ready_0 = chain_query_ready_0;
     assign query_0 = queued_0;
@@ -325,19 +379,36 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64(aclk, aresetn, s_axis_photons_t
     wire [1:0] compared_1;
     wire [1:0] wanted_1;
     wire played_1;
-    photoncube_core_3_leaf_5_local7_rgb6d_n64_photon_port #(.GROUP(184), .FACING(5), .NUMBER(3)) photon_port_1(.clock(aclk), .reset(reset),
-        .leaf_valid(leaf_valid & (leaf_chain == 2'd1)), .leaf_last(leaf_last), .leaf_ready(leaf_ready_1),
-        .leaf_given(leaf_given_1), .leaf_refused(leaf_refused_1), .set_too_long(set_too_long_1),
-        .leaf_has_second(leaf_has_second), .leaf(leaf_word[367:0]), .facing(leaf_word[372:368]), .group_valid(group_valid_1),
-        .group_ready(group_ready_1), .group_last(group_last_1), .group_facing(group_facing_1), .group(group_1));
-    wire query_valid_1 = query_valid & (query_chain == 2'd1);
+    reg [1:0] compared_before_1;
+    reg [1:0] wanted_before_1;
+    reg played_before_1;
+    initial compared_before_1 = 2'd0;
+    initial wanted_before_1 = 2'd0;
+    initial played_before_1 = 1'b0;
+    always @(posedge aclk) begin
+        compared_before_1 <= reset ? 2'd0 : compared_1;
+        wanted_before_1 <= reset ? 2'd0 : wanted_1;
+        played_before_1 <= reset ? 1'b0 : played_1;
+    end
+    wire leaf_passes_1;
+    wire [376:0] leaf_stage_1;
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_stage #(.WIDTH(377)) leaf_stage_1_register(.clock(aclk), .reset(reset),
+        .in_valid(leaf_passes_0), .in_word(leaf_stage_0), .out_valid(leaf_passes_1), .out_word(leaf_stage_1));
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_photon_queue #(.GROUP(184), .FACING(5), .PLACE(4)) photon_queue_1(.clock(aclk), .reset(reset),
+        .leaf_valid(leaf_passes_1 & (leaf_stage_1[376:375] == 2'd1)), .leaf_has_second(leaf_stage_1[374]),
+        .leaf_last(leaf_stage_1[373]), .leaf_facing(leaf_stage_1[372:368]), .first(leaf_stage_1[183:0]), .second(leaf_stage_1[367:184]),
+        .leaf_taken(leaf_taken_1), .group_valid(group_valid_1), .group_ready(group_ready_1),
+        .group_last(group_last_1), .group_facing(group_facing_1), .group(group_1));
+    wire query_passes_1;
+    wire [100:0] query_stage_1;
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_stage #(.WIDTH(101)) query_stage_1_register(.clock(aclk), .reset(reset),
+        .in_valid(query_passes_0), .in_word(query_stage_0), .out_valid(query_passes_1), .out_word(query_stage_1));
     wire queued_valid_1;
     wire queued_ready_1;
     wire [98:0] queued_1;
-    photoncube_core_3_leaf_5_local7_rgb6d_n64_query_port #(.WIDTH(99), .PLACE(4)) query_port_1(.clock(aclk), .reset(reset),
-        .query_valid(query_valid_1), .query_ready(query_ready_1), .query_given(query_given_1),
-        .query(query_word[98:0]),
-        .out_valid(queued_valid_1), .out_ready(queued_ready_1), .out_word(queued_1));
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_query_queue #(.WIDTH(99), .PLACE(4)) query_queue_1(.clock(aclk), .reset(reset),
+        .in_valid(query_passes_1 & (query_stage_1[100:99] == 2'd1)), .in_word(query_stage_1[98:0]),
+        .out_valid(queued_valid_1), .out_ready(queued_ready_1), .out_word(queued_1), .taken(query_taken_1));
     assign chain_query_valid_1 = queued_valid_1;
     assign queued_ready_1 = chain_query_ready_1;
     assign query_1 = queued_1;
@@ -409,19 +480,36 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64(aclk, aresetn, s_axis_photons_t
     wire [1:0] compared_2;
     wire [1:0] wanted_2;
     wire played_2;
-    photoncube_core_3_leaf_5_local7_rgb6d_n64_photon_port #(.GROUP(184), .FACING(5), .NUMBER(3)) photon_port_2(.clock(aclk), .reset(reset),
-        .leaf_valid(leaf_valid & (leaf_chain == 2'd2)), .leaf_last(leaf_last), .leaf_ready(leaf_ready_2),
-        .leaf_given(leaf_given_2), .leaf_refused(leaf_refused_2), .set_too_long(set_too_long_2),
-        .leaf_has_second(leaf_has_second), .leaf(leaf_word[367:0]), .facing(leaf_word[372:368]), .group_valid(group_valid_2),
-        .group_ready(group_ready_2), .group_last(group_last_2), .group_facing(group_facing_2), .group(group_2));
-    wire query_valid_2 = query_valid & (query_chain == 2'd2);
+    reg [1:0] compared_before_2;
+    reg [1:0] wanted_before_2;
+    reg played_before_2;
+    initial compared_before_2 = 2'd0;
+    initial wanted_before_2 = 2'd0;
+    initial played_before_2 = 1'b0;
+    always @(posedge aclk) begin
+        compared_before_2 <= reset ? 2'd0 : compared_2;
+        wanted_before_2 <= reset ? 2'd0 : wanted_2;
+        played_before_2 <= reset ? 1'b0 : played_2;
+    end
+    wire leaf_passes_2;
+    wire [376:0] leaf_stage_2;
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_stage #(.WIDTH(377)) leaf_stage_2_register(.clock(aclk), .reset(reset),
+        .in_valid(leaf_passes_1), .in_word(leaf_stage_1), .out_valid(leaf_passes_2), .out_word(leaf_stage_2));
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_photon_queue #(.GROUP(184), .FACING(5), .PLACE(4)) photon_queue_2(.clock(aclk), .reset(reset),
+        .leaf_valid(leaf_passes_2 & (leaf_stage_2[376:375] == 2'd2)), .leaf_has_second(leaf_stage_2[374]),
+        .leaf_last(leaf_stage_2[373]), .leaf_facing(leaf_stage_2[372:368]), .first(leaf_stage_2[183:0]), .second(leaf_stage_2[367:184]),
+        .leaf_taken(leaf_taken_2), .group_valid(group_valid_2), .group_ready(group_ready_2),
+        .group_last(group_last_2), .group_facing(group_facing_2), .group(group_2));
+    wire query_passes_2;
+    wire [100:0] query_stage_2;
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_stage #(.WIDTH(101)) query_stage_2_register(.clock(aclk), .reset(reset),
+        .in_valid(query_passes_1), .in_word(query_stage_1), .out_valid(query_passes_2), .out_word(query_stage_2));
     wire queued_valid_2;
     wire queued_ready_2;
     wire [98:0] queued_2;
-    photoncube_core_3_leaf_5_local7_rgb6d_n64_query_port #(.WIDTH(99), .PLACE(4)) query_port_2(.clock(aclk), .reset(reset),
-        .query_valid(query_valid_2), .query_ready(query_ready_2), .query_given(query_given_2),
-        .query(query_word[98:0]),
-        .out_valid(queued_valid_2), .out_ready(queued_ready_2), .out_word(queued_2));
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_query_queue #(.WIDTH(99), .PLACE(4)) query_queue_2(.clock(aclk), .reset(reset),
+        .in_valid(query_passes_2 & (query_stage_2[100:99] == 2'd2)), .in_word(query_stage_2[98:0]),
+        .out_valid(queued_valid_2), .out_ready(queued_ready_2), .out_word(queued_2), .taken(query_taken_2));
     assign chain_query_valid_2 = queued_valid_2;
     assign queued_ready_2 = chain_query_ready_2;
     assign query_2 = queued_2;
@@ -473,39 +561,38 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64(aclk, aresetn, s_axis_photons_t
         .result_valid(chain_result_valid_2), .result_ready(chain_result_ready_2), .result_tag(chain_tag_2),
         .compared(compared_2), .wanted(wanted_2), .played(played_2));
 
-    // Results: one chain after the other, then a slice.
-    wire [2:0] results_valid = {result_valid_2, result_valid_1, result_valid_0};
-    wire [1:0] turn;
-    photoncube_core_3_leaf_5_local7_rgb6d_n64_arbiter arbiter(.clock(aclk), .reset(reset), .valid(results_valid), .turn(turn));
-    wire result_valid = results_valid[turn];
-    wire result_ready;
-    reg [42:0] result_sums;
-    reg [17:0] result_tag;
-    always @(*) begin
-        case (turn)
-            2'd1: begin
-                result_sums = result_sums_1;
-                result_tag = result_tag_1;
-            end
-            2'd2: begin
-                result_sums = result_sums_2;
-                result_tag = result_tag_2;
-            end
-            default: begin
-                result_sums = result_sums_0;
-                result_tag = result_tag_0;
-            end
-        endcase
-    end
-    assign result_ready_0 = result_ready & (turn == 2'd0);
-    assign result_ready_1 = result_ready & (turn == 2'd1);
-    assign result_ready_2 = result_ready & (turn == 2'd2);
-    wire result_outside = result_tag[17];
-    wire [42:0] result_seen = result_outside ? {43{1'b0}} : result_sums;
+    // Results: each chain's are merged with those of the chains behind it, then a slice.
+    wire result_comes_2;
+    wire result_goes_2;
+    wire [62:0] result_merged_2;
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_merge #(.WIDTH(63)) merge_2(.clock(aclk), .reset(reset),
+        .own_valid(result_valid_2), .own_ready(result_ready_2),
+        .own_word({2'd2, result_tag_2[17], result_tag_2[16], result_tag_2[15:0], result_sums_2}),
+        .passing_valid(1'b0), .passing_ready(), .passing_word(63'd0),
+        .out_valid(result_comes_2), .out_ready(result_goes_2), .out_word(result_merged_2));
+    wire result_comes_1;
+    wire result_goes_1;
+    wire [62:0] result_merged_1;
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_merge #(.WIDTH(63)) merge_1(.clock(aclk), .reset(reset),
+        .own_valid(result_valid_1), .own_ready(result_ready_1),
+        .own_word({2'd1, result_tag_1[17], result_tag_1[16], result_tag_1[15:0], result_sums_1}),
+        .passing_valid(result_comes_2), .passing_ready(result_goes_2), .passing_word(result_merged_2),
+        .out_valid(result_comes_1), .out_ready(result_goes_1), .out_word(result_merged_1));
+    wire result_comes_0;
+    wire result_goes_0;
+    wire [62:0] result_merged_0;
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_merge #(.WIDTH(63)) merge_0(.clock(aclk), .reset(reset),
+        .own_valid(result_valid_0), .own_ready(result_ready_0),
+        .own_word({2'd0, result_tag_0[17], result_tag_0[16], result_tag_0[15:0], result_sums_0}),
+        .passing_valid(result_comes_1), .passing_ready(result_goes_1), .passing_word(result_merged_1),
+        .out_valid(result_comes_0), .out_ready(result_goes_0), .out_word(result_merged_0));
+    // The sums of a query outside of its frame are 0.
+    wire result_outside = result_merged_0[60];
+    wire [42:0] result_seen = result_outside ? {43{1'b0}} : result_merged_0[42:0];
     wire result_waits;
     wire [62:0] result_word;
     photoncube_core_3_leaf_5_local7_rgb6d_n64_slice #(.WIDTH(63)) result_slice(.clock(aclk), .reset(reset),
-        .in_valid(result_valid), .in_ready(result_ready), .in_word({turn, result_outside, result_tag[16], result_tag[15:0], result_seen}),
+        .in_valid(result_comes_0), .in_ready(result_goes_0), .in_word({result_merged_0[62:43], result_seen}),
         .out_valid(result_waits), .out_ready(m_axis_results_tready), .out_word(result_word));
     // A result of before a reset is not given in the clock of the reset.
     assign m_axis_results_tvalid = result_waits & ~reset;
@@ -516,10 +603,10 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64(aclk, aresetn, s_axis_photons_t
     wire result_moves = m_axis_results_tvalid & m_axis_results_tready;
     wire [6:0] result_photons = result_moves ? result_word[42:36] : 7'd0;
 
-    // What happens in a clock, for the counters.
-    wire [2:0] compared = compared_0 + compared_1 + compared_2;
-    wire [2:0] wanted = wanted_0 + wanted_1 + wanted_2;
-    wire [1:0] played = played_0 + played_1 + played_2;
+    // What the chains did in the clock before, for the counters.
+    wire [2:0] compared = reset ? 3'd0 : compared_before_0 + compared_before_1 + compared_before_2;
+    wire [2:0] wanted = reset ? 3'd0 : wanted_before_0 + wanted_before_1 + wanted_before_2;
+    wire [1:0] played = reset ? 2'd0 : played_before_0 + played_before_1 + played_before_2;
     photoncube_core_3_leaf_5_local7_rgb6d_n64_registers registers(
         .aresetn(aresetn),
         .s_axi_awaddr(s_axi_awaddr),
@@ -696,7 +783,13 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
     reg [6:0] interrupt_enable;
     reg [31:0] stall_limit;
     reg [15:0] under_way;
+    // Whether the clock before was silent, and the number of silent clocks up to the one before that.
+    reg seen_silent;
     reg [31:0] silent_clocks;
+    // Whether a read was taken in the clock before, and which register has its address.
+    reg reading;
+    reg [44:0] selected;
+    initial reading = 1'b0;
     // The high bits of the counter whose low word was read last.
     reg [47 - 32:0] counter_high;
     // What happened in the clock before: the way to the counters is too far for the clock in which it happens.
@@ -730,27 +823,36 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
     initial seen_query_outside = 1'd0;
     reg seen_query_refused;
     initial seen_query_refused = 1'd0;
-    reg [1:0] seen_refused;
-    initial seen_refused = 2'd0;
-    reg [6:0] seen_events;
+    reg seen_ends;
+    initial seen_ends = 1'd0;
+    reg seen_set_too_long;
+    initial seen_set_too_long = 1'd0;
+    reg seen_chain_unknown;
+    initial seen_chain_unknown = 1'd0;
+    reg seen_stalls;
+    initial seen_stalls = 1'd0;
+    // Whether a write and a read were answered in the clock before.
+    reg seen_write;
+    reg seen_read;
+    initial seen_write = 1'b0;
+    initial seen_read = 1'b0;
     initial s_axi_bvalid = 1'b0;
     initial s_axi_rvalid = 1'b0;
     initial events = {(6 + 1){1'b0}};
     initial interrupt_enable = {(6 + 1){1'b0}};
     initial stall_limit = 32'h00020000;
     initial under_way = 16'd0;
+    initial seen_silent = 1'b0;
     initial silent_clocks = 32'd0;
     initial counter_high = {(47 - 31){1'b0}};
     initial reset = 1'b0;
-    initial seen_events = {(6 + 1){1'b0}};
     wire busy = |under_way;
 
     // An access is taken where its answer has a place.
     wire writes = s_axi_awvalid & s_axi_wvalid & ~s_axi_bvalid & aresetn;
-    wire reads = s_axi_arvalid & ~s_axi_rvalid & aresetn;
     assign s_axi_awready = writes;
     assign s_axi_wready = writes;
-    assign s_axi_arready = ~s_axi_rvalid & aresetn;
+    assign s_axi_arready = ~s_axi_rvalid & ~reading & aresetn;
     wire [31:0] write_mask = {{8{s_axi_wstrb[3]}}, {8{s_axi_wstrb[2]}}, {8{s_axi_wstrb[1]}}, {8{s_axi_wstrb[0]}}};
     wire [31:0] write_word = s_axi_wdata & write_mask;
     // The two low bits are not looked at: the strobes name the bytes.
@@ -767,87 +869,93 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
             default: write_known = 1'b0;
         endcase
     end
-    reg read_known;
-    reg [31:0] read_word;
-    always @(*) begin
-        read_known = 1'b1;
-        read_word = 32'd0;
-        case (read_address)
-            ADDRESS_IDENTITY: read_word = 32'h50435542;
-            ADDRESS_VERSION: read_word = 32'h00000001;
-            ADDRESS_DIGEST_LOW: read_word = 32'h38ce968a;
-            ADDRESS_DIGEST_HIGH: read_word = 32'h40d709dd;
-            ADDRESS_SHAPE: read_word = 32'h00080203;
-            ADDRESS_CONTROL: read_word = 32'd0;
-            ADDRESS_STATUS: read_word = {28'd0, result_waits, query_waits, photon_waits, busy};
-            ADDRESS_EVENTS: read_word = {25'd0, events};
-            ADDRESS_INTERRUPT_ENABLE: read_word = {25'd0, interrupt_enable};
-            ADDRESS_STALL_LIMIT: read_word = stall_limit;
-            ADDRESS_UNDER_WAY: read_word = {16'd0, under_way};
-            ADDRESS_CLOCKS_LOW: read_word = counter_clocks[31:0];
-            ADDRESS_CLOCKS_HIGH: read_word = {16'd0, counter_high};
-            ADDRESS_BUSY_CLOCKS_LOW: read_word = counter_busy_clocks[31:0];
-            ADDRESS_BUSY_CLOCKS_HIGH: read_word = {16'd0, counter_high};
-            ADDRESS_LEAVES_READ_LOW: read_word = counter_leaves_read[31:0];
-            ADDRESS_LEAVES_READ_HIGH: read_word = {16'd0, counter_high};
-            ADDRESS_QUERIES_READ_LOW: read_word = counter_queries_read[31:0];
-            ADDRESS_QUERIES_READ_HIGH: read_word = {16'd0, counter_high};
-            ADDRESS_RESULTS_LOW: read_word = counter_results[31:0];
-            ADDRESS_RESULTS_HIGH: read_word = {16'd0, counter_high};
-            ADDRESS_LEAVES_COMPARED_LOW: read_word = counter_leaves_compared[31:0];
-            ADDRESS_LEAVES_COMPARED_HIGH: read_word = {16'd0, counter_high};
-            ADDRESS_LEAVES_WANTED_LOW: read_word = counter_leaves_wanted[31:0];
-            ADDRESS_LEAVES_WANTED_HIGH: read_word = {16'd0, counter_high};
-            ADDRESS_GROUPS_PLAYED_LOW: read_word = counter_groups_played[31:0];
-            ADDRESS_GROUPS_PLAYED_HIGH: read_word = {16'd0, counter_high};
-            ADDRESS_PHOTONS_IN_RANGE_LOW: read_word = counter_photons_in_range[31:0];
-            ADDRESS_PHOTONS_IN_RANGE_HIGH: read_word = {16'd0, counter_high};
-            ADDRESS_PHOTON_STALLS_LOW: read_word = counter_photon_stalls[31:0];
-            ADDRESS_PHOTON_STALLS_HIGH: read_word = {16'd0, counter_high};
-            ADDRESS_QUERY_STALLS_LOW: read_word = counter_query_stalls[31:0];
-            ADDRESS_QUERY_STALLS_HIGH: read_word = {16'd0, counter_high};
-            ADDRESS_RESULT_STALLS_LOW: read_word = counter_result_stalls[31:0];
-            ADDRESS_RESULT_STALLS_HIGH: read_word = {16'd0, counter_high};
-            ADDRESS_LEAVES_MALFORMED_LOW: read_word = counter_leaves_malformed[31:0];
-            ADDRESS_LEAVES_MALFORMED_HIGH: read_word = {16'd0, counter_high};
-            ADDRESS_LEAVES_REFUSED_LOW: read_word = counter_leaves_refused[31:0];
-            ADDRESS_LEAVES_REFUSED_HIGH: read_word = {16'd0, counter_high};
-            ADDRESS_QUERIES_OUTSIDE_LOW: read_word = counter_queries_outside[31:0];
-            ADDRESS_QUERIES_OUTSIDE_HIGH: read_word = {16'd0, counter_high};
-            ADDRESS_QUERIES_REFUSED_LOW: read_word = counter_queries_refused[31:0];
-            ADDRESS_QUERIES_REFUSED_HIGH: read_word = {16'd0, counter_high};
-            ADDRESS_ACCESSES_REFUSED_LOW: read_word = counter_accesses_refused[31:0];
-            ADDRESS_ACCESSES_REFUSED_HIGH: read_word = {16'd0, counter_high};
-            default: read_known = 1'b0;
-        endcase
-    end
-    reg [47 - 32:0] counter_high_next;
-    always @(*) begin
-        counter_high_next = counter_high;
-        case (read_address)
-            ADDRESS_CLOCKS_LOW: counter_high_next = counter_clocks[47:32];
-            ADDRESS_BUSY_CLOCKS_LOW: counter_high_next = counter_busy_clocks[47:32];
-            ADDRESS_LEAVES_READ_LOW: counter_high_next = counter_leaves_read[47:32];
-            ADDRESS_QUERIES_READ_LOW: counter_high_next = counter_queries_read[47:32];
-            ADDRESS_RESULTS_LOW: counter_high_next = counter_results[47:32];
-            ADDRESS_LEAVES_COMPARED_LOW: counter_high_next = counter_leaves_compared[47:32];
-            ADDRESS_LEAVES_WANTED_LOW: counter_high_next = counter_leaves_wanted[47:32];
-            ADDRESS_GROUPS_PLAYED_LOW: counter_high_next = counter_groups_played[47:32];
-            ADDRESS_PHOTONS_IN_RANGE_LOW: counter_high_next = counter_photons_in_range[47:32];
-            ADDRESS_PHOTON_STALLS_LOW: counter_high_next = counter_photon_stalls[47:32];
-            ADDRESS_QUERY_STALLS_LOW: counter_high_next = counter_query_stalls[47:32];
-            ADDRESS_RESULT_STALLS_LOW: counter_high_next = counter_result_stalls[47:32];
-            ADDRESS_LEAVES_MALFORMED_LOW: counter_high_next = counter_leaves_malformed[47:32];
-            ADDRESS_LEAVES_REFUSED_LOW: counter_high_next = counter_leaves_refused[47:32];
-            ADDRESS_QUERIES_OUTSIDE_LOW: counter_high_next = counter_queries_outside[47:32];
-            ADDRESS_QUERIES_REFUSED_LOW: counter_high_next = counter_queries_refused[47:32];
-            ADDRESS_ACCESSES_REFUSED_LOW: counter_high_next = counter_accesses_refused[47:32];
-            default: counter_high_next = counter_high;
-        endcase
-    end
-    wire write_refused = writes & ~write_known;
-    wire read_refused = reads & ~read_known;
-    wire [1:0] refused = write_refused + read_refused;
+    // A read is answered in the clock behind the one in which it is taken: the way through all registers is too far for one clock.
+    wire read_known = |selected;
+    wire [31:0] read_word = 32'd0
+        | ({32{selected[0]}} & 32'h50435542)
+        | ({32{selected[1]}} & 32'h00000001)
+        | ({32{selected[2]}} & 32'h38ce968a)
+        | ({32{selected[3]}} & 32'h40d709dd)
+        | ({32{selected[4]}} & 32'h00080203)
+        | ({32{selected[5]}} & 32'd0)
+        | ({32{selected[6]}} & {28'd0, result_waits, query_waits, photon_waits, busy})
+        | ({32{selected[7]}} & {25'd0, events})
+        | ({32{selected[8]}} & {25'd0, interrupt_enable})
+        | ({32{selected[9]}} & stall_limit)
+        | ({32{selected[10]}} & {16'd0, under_way})
+        | ({32{selected[11]}} & counter_clocks[31:0])
+        | ({32{selected[12]}} & {16'd0, counter_high})
+        | ({32{selected[13]}} & counter_busy_clocks[31:0])
+        | ({32{selected[14]}} & {16'd0, counter_high})
+        | ({32{selected[15]}} & counter_leaves_read[31:0])
+        | ({32{selected[16]}} & {16'd0, counter_high})
+        | ({32{selected[17]}} & counter_queries_read[31:0])
+        | ({32{selected[18]}} & {16'd0, counter_high})
+        | ({32{selected[19]}} & counter_results[31:0])
+        | ({32{selected[20]}} & {16'd0, counter_high})
+        | ({32{selected[21]}} & counter_leaves_compared[31:0])
+        | ({32{selected[22]}} & {16'd0, counter_high})
+        | ({32{selected[23]}} & counter_leaves_wanted[31:0])
+        | ({32{selected[24]}} & {16'd0, counter_high})
+        | ({32{selected[25]}} & counter_groups_played[31:0])
+        | ({32{selected[26]}} & {16'd0, counter_high})
+        | ({32{selected[27]}} & counter_photons_in_range[31:0])
+        | ({32{selected[28]}} & {16'd0, counter_high})
+        | ({32{selected[29]}} & counter_photon_stalls[31:0])
+        | ({32{selected[30]}} & {16'd0, counter_high})
+        | ({32{selected[31]}} & counter_query_stalls[31:0])
+        | ({32{selected[32]}} & {16'd0, counter_high})
+        | ({32{selected[33]}} & counter_result_stalls[31:0])
+        | ({32{selected[34]}} & {16'd0, counter_high})
+        | ({32{selected[35]}} & counter_leaves_malformed[31:0])
+        | ({32{selected[36]}} & {16'd0, counter_high})
+        | ({32{selected[37]}} & counter_leaves_refused[31:0])
+        | ({32{selected[38]}} & {16'd0, counter_high})
+        | ({32{selected[39]}} & counter_queries_outside[31:0])
+        | ({32{selected[40]}} & {16'd0, counter_high})
+        | ({32{selected[41]}} & counter_queries_refused[31:0])
+        | ({32{selected[42]}} & {16'd0, counter_high})
+        | ({32{selected[43]}} & counter_accesses_refused[31:0])
+        | ({32{selected[44]}} & {16'd0, counter_high});
+    wire reads_low = 1'b0
+        | selected[11]
+        | selected[13]
+        | selected[15]
+        | selected[17]
+        | selected[19]
+        | selected[21]
+        | selected[23]
+        | selected[25]
+        | selected[27]
+        | selected[29]
+        | selected[31]
+        | selected[33]
+        | selected[35]
+        | selected[37]
+        | selected[39]
+        | selected[41]
+        | selected[43];
+    wire [47 - 32:0] counter_high_next = {(47 - 31){1'b0}}
+        | ({16{selected[11]}} & counter_clocks[47:32])
+        | ({16{selected[13]}} & counter_busy_clocks[47:32])
+        | ({16{selected[15]}} & counter_leaves_read[47:32])
+        | ({16{selected[17]}} & counter_queries_read[47:32])
+        | ({16{selected[19]}} & counter_results[47:32])
+        | ({16{selected[21]}} & counter_leaves_compared[47:32])
+        | ({16{selected[23]}} & counter_leaves_wanted[47:32])
+        | ({16{selected[25]}} & counter_groups_played[47:32])
+        | ({16{selected[27]}} & counter_photons_in_range[47:32])
+        | ({16{selected[29]}} & counter_photon_stalls[47:32])
+        | ({16{selected[31]}} & counter_query_stalls[47:32])
+        | ({16{selected[33]}} & counter_result_stalls[47:32])
+        | ({16{selected[35]}} & counter_leaves_malformed[47:32])
+        | ({16{selected[37]}} & counter_leaves_refused[47:32])
+        | ({16{selected[39]}} & counter_queries_outside[47:32])
+        | ({16{selected[41]}} & counter_queries_refused[47:32])
+        | ({16{selected[43]}} & counter_accesses_refused[47:32]);
+    wire write_refused = seen_write & (s_axi_bresp != OKAY);
+    wire read_refused = seen_read & (s_axi_rresp != OKAY);
+    wire [1:0] seen_refused = write_refused + read_refused;
     wire writes_control = writes & (write_address == ADDRESS_CONTROL);
     wire clears_counters = writes_control & write_word[1];
     wire writes_events = writes & (write_address == ADDRESS_EVENTS);
@@ -856,16 +964,15 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
 
     wire ends = result_moves & ~query_given & (under_way == 16'd1);
     wire silent = (busy | photon_waits | query_waits) & ~(photon_moves | query_moves | result_moves) & ~result_waits;
-    wire [31:0] silent_next = silent_clocks + 32'd1;
-    wire stalls = silent & (|stall_limit) & (silent_next == stall_limit);
-    wire [6:0] occurs;
-    assign occurs[0] = ends;
-    assign occurs[1] = leaf_malformed;
-    assign occurs[2] = set_too_long;
-    assign occurs[3] = query_outside;
-    assign occurs[4] = chain_unknown;
-    assign occurs[5] = |refused;
-    assign occurs[6] = stalls;
+    wire stalls = (|stall_limit) & (silent_clocks == stall_limit);
+    wire [6:0] occurred;
+    assign occurred[0] = |seen_ends;
+    assign occurred[1] = |seen_leaf_malformed;
+    assign occurred[2] = |seen_set_too_long;
+    assign occurred[3] = |seen_query_outside;
+    assign occurred[4] = |seen_chain_unknown;
+    assign occurred[5] = |seen_refused;
+    assign occurred[6] = |seen_stalls;
     wire [6:0] cleared = writes_events ? write_word[6:0] : {(6 + 1){1'b0}};
     assign irq = |(events & interrupt_enable);
 
@@ -874,26 +981,75 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
             s_axi_bvalid <= 1'b1;
             s_axi_bresp <= write_known ? OKAY : SLVERR;
         end else if (s_axi_bready) s_axi_bvalid <= 1'b0;
-        if (reads) begin
+        reading <= s_axi_arvalid & s_axi_arready;
+        selected[0] <= read_address == ADDRESS_IDENTITY;
+        selected[1] <= read_address == ADDRESS_VERSION;
+        selected[2] <= read_address == ADDRESS_DIGEST_LOW;
+        selected[3] <= read_address == ADDRESS_DIGEST_HIGH;
+        selected[4] <= read_address == ADDRESS_SHAPE;
+        selected[5] <= read_address == ADDRESS_CONTROL;
+        selected[6] <= read_address == ADDRESS_STATUS;
+        selected[7] <= read_address == ADDRESS_EVENTS;
+        selected[8] <= read_address == ADDRESS_INTERRUPT_ENABLE;
+        selected[9] <= read_address == ADDRESS_STALL_LIMIT;
+        selected[10] <= read_address == ADDRESS_UNDER_WAY;
+        selected[11] <= read_address == ADDRESS_CLOCKS_LOW;
+        selected[12] <= read_address == ADDRESS_CLOCKS_HIGH;
+        selected[13] <= read_address == ADDRESS_BUSY_CLOCKS_LOW;
+        selected[14] <= read_address == ADDRESS_BUSY_CLOCKS_HIGH;
+        selected[15] <= read_address == ADDRESS_LEAVES_READ_LOW;
+        selected[16] <= read_address == ADDRESS_LEAVES_READ_HIGH;
+        selected[17] <= read_address == ADDRESS_QUERIES_READ_LOW;
+        selected[18] <= read_address == ADDRESS_QUERIES_READ_HIGH;
+        selected[19] <= read_address == ADDRESS_RESULTS_LOW;
+        selected[20] <= read_address == ADDRESS_RESULTS_HIGH;
+        selected[21] <= read_address == ADDRESS_LEAVES_COMPARED_LOW;
+        selected[22] <= read_address == ADDRESS_LEAVES_COMPARED_HIGH;
+        selected[23] <= read_address == ADDRESS_LEAVES_WANTED_LOW;
+        selected[24] <= read_address == ADDRESS_LEAVES_WANTED_HIGH;
+        selected[25] <= read_address == ADDRESS_GROUPS_PLAYED_LOW;
+        selected[26] <= read_address == ADDRESS_GROUPS_PLAYED_HIGH;
+        selected[27] <= read_address == ADDRESS_PHOTONS_IN_RANGE_LOW;
+        selected[28] <= read_address == ADDRESS_PHOTONS_IN_RANGE_HIGH;
+        selected[29] <= read_address == ADDRESS_PHOTON_STALLS_LOW;
+        selected[30] <= read_address == ADDRESS_PHOTON_STALLS_HIGH;
+        selected[31] <= read_address == ADDRESS_QUERY_STALLS_LOW;
+        selected[32] <= read_address == ADDRESS_QUERY_STALLS_HIGH;
+        selected[33] <= read_address == ADDRESS_RESULT_STALLS_LOW;
+        selected[34] <= read_address == ADDRESS_RESULT_STALLS_HIGH;
+        selected[35] <= read_address == ADDRESS_LEAVES_MALFORMED_LOW;
+        selected[36] <= read_address == ADDRESS_LEAVES_MALFORMED_HIGH;
+        selected[37] <= read_address == ADDRESS_LEAVES_REFUSED_LOW;
+        selected[38] <= read_address == ADDRESS_LEAVES_REFUSED_HIGH;
+        selected[39] <= read_address == ADDRESS_QUERIES_OUTSIDE_LOW;
+        selected[40] <= read_address == ADDRESS_QUERIES_OUTSIDE_HIGH;
+        selected[41] <= read_address == ADDRESS_QUERIES_REFUSED_LOW;
+        selected[42] <= read_address == ADDRESS_QUERIES_REFUSED_HIGH;
+        selected[43] <= read_address == ADDRESS_ACCESSES_REFUSED_LOW;
+        selected[44] <= read_address == ADDRESS_ACCESSES_REFUSED_HIGH;
+        if (reading) begin
             s_axi_rvalid <= 1'b1;
             s_axi_rresp <= read_known ? OKAY : SLVERR;
             s_axi_rdata <= read_word;
-            counter_high <= counter_high_next;
+            if (reads_low) counter_high <= counter_high_next;
         end else if (s_axi_rready) s_axi_rvalid <= 1'b0;
         // A register, since the way to every chain is too far for the clock in which it is decided.
         reset <= ~aresetn | (writes_control & write_word[0]);
-        events <= (events & ~cleared) | seen_events;
+        events <= (events & ~cleared) | occurred;
         if (writes_enable) begin
             interrupt_enable <= (interrupt_enable & ~write_mask[6:0]) | write_word[6:0];
         end
         if (writes_limit) stall_limit <= (stall_limit & ~write_mask) | write_word;
         under_way <= under_way + query_given - result_moves;
-        silent_clocks <= silent ? silent_next : 32'd0;
+        seen_silent <= silent;
+        silent_clocks <= seen_silent ? silent_clocks + 32'd1 : 32'd0;
         if (reset | ~aresetn) begin
             under_way <= 16'd0;
+            seen_silent <= 1'b0;
             silent_clocks <= 32'd0;
         end
-        seen_events <= occurs;
+        seen_write <= writes;
+        seen_read <= reading;
         seen_busy <= busy;
         seen_leaf_given <= leaf_given;
         seen_query_given <= query_given;
@@ -909,7 +1065,10 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
         seen_leaf_refused <= leaf_refused;
         seen_query_outside <= query_outside;
         seen_query_refused <= query_refused;
-        seen_refused <= refused;
+        seen_ends <= ends;
+        seen_set_too_long <= set_too_long;
+        seen_chain_unknown <= chain_unknown;
+        seen_stalls <= stalls;
         if (clears_counters | ~aresetn) begin
             counter_clocks <= 48'd0;
             counter_busy_clocks <= 48'd0;
@@ -954,7 +1113,6 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
             interrupt_enable <= {(6 + 1){1'b0}};
             stall_limit <= 32'h00020000;
             counter_high <= {(47 - 31){1'b0}};
-            seen_events <= {(6 + 1){1'b0}};
             seen_busy <= 1'd0;
             seen_leaf_given <= 1'd0;
             seen_query_given <= 1'd0;
@@ -970,27 +1128,14 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
             seen_leaf_refused <= 1'd0;
             seen_query_outside <= 1'd0;
             seen_query_refused <= 1'd0;
-            seen_refused <= 2'd0;
+            seen_ends <= 1'd0;
+            seen_set_too_long <= 1'd0;
+            seen_chain_unknown <= 1'd0;
+            seen_stalls <= 1'd0;
         end
     end
 endmodule
 
-// Gives the turn to the next chain, from the one behind `turn` on, that has a result now.
-module photoncube_core_3_leaf_5_local7_rgb6d_n64_arbiter(clock, reset, valid, turn);
-    input wire clock;
-    input wire reset;
-    input wire [2:0] valid;
-    output reg [1:0] turn;
-    initial turn = 2'd0;
-    wire [1:0] next =
-        valid[1] & (turn < 2'd1) ? 2'd1 :
-        valid[2] & (turn < 2'd2) ? 2'd2 :
-        valid[0] ? 2'd0 :
-        valid[1] ? 2'd1 :
-        valid[2] ? 2'd2 :
-        turn;
-    always @(posedge clock) turn <= reset ? 2'd0 : next;
-endmodule
 
 // A slice of a stream. It has two places, so that no ready passes through it.
 module photoncube_core_3_leaf_5_local7_rgb6d_n64_slice(clock, reset, in_valid, in_ready, in_word, out_valid, out_ready, out_word);
@@ -1010,7 +1155,7 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_slice(clock, reset, in_valid, i
     initial first_full = 1'b0;
     initial second_full = 1'b0;
     wire first_takes = ~first_full | out_ready;
-    assign in_ready = ~second_full & ~reset;
+    assign in_ready = ~second_full;
     assign out_valid = first_full;
     assign out_word = first_word;
     always @(posedge clock) begin
@@ -1042,7 +1187,7 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_place(clock, reset, in_valid, i
     reg full;
     reg [WIDTH - 1:0] word;
     initial full = 1'b0;
-    assign in_ready = ~full & ~reset;
+    assign in_ready = ~full;
     assign out_valid = full;
     assign out_word = word;
     always @(posedge clock) begin
@@ -1051,148 +1196,204 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_place(clock, reset, in_valid, i
     end
 endmodule
 
-// Flow control by credits, between a stream and the places for its words at a chain. A word goes to the chain where a place is left.
-// A register holds what comes back from the chain, so no path leads from the chain to the stream.
+// Flow control by credits, between a stream and the queue for its words at a chain. A word that moves is on its way to the queue for as many
+// clocks as it has stages to pass, and so is the credit that comes back. So no path leads from the chain to the stream.
 module photoncube_core_3_leaf_5_local7_rgb6d_n64_link(clock, reset, in_valid, in_ready, moves, taken);
-    // The chain has 2^(BITS - 1) places.
+    // The queue has 2^(BITS - 1) places.
     parameter BITS = 1;
+    parameter STAGES = 1;
     input wire clock;
     input wire reset;
     input wire in_valid;
     output wire in_ready;
-    // The word goes to its place.
+    // The word leaves the stream.
     output wire moves;
-    // A word leaves its place.
+    // A word leaves the queue.
     input wire taken;
-    reg returned;
+    reg [STAGES - 1:0] returning;
     // The credits: the places that are left, less one. So the sign says that there is none.
     reg [BITS - 1:0] left;
     localparam [BITS - 1:0] ALL_LEFT = {BITS{1'b1}} >> 1;
-    initial returned = 1'b0;
+    initial returning = {STAGES{1'b0}};
     initial left = ALL_LEFT;
-    assign in_ready = ~left[BITS - 1] & ~reset;
-    assign moves = in_valid & in_ready;
+    assign in_ready = ~left[BITS - 1];
+    assign moves = in_valid & in_ready & ~reset;
     always @(posedge clock) begin
-        returned <= taken & ~reset;
-        left <= reset ? ALL_LEFT : left - moves + returned;
+        returning <= reset ? {STAGES{1'b0}} : (returning << 1) | taken;
+        left <= reset ? ALL_LEFT : left - moves + returning[STAGES - 1];
     end
 endmodule
 
-// Takes the leaves of a chain into two places beside the chain, gives them to the chain as groups, and drops those for which the chain's bank has
-// no room.
-module photoncube_core_3_leaf_5_local7_rgb6d_n64_photon_port(clock, reset, leaf_valid, leaf_last, leaf_has_second, leaf, facing, leaf_ready,
-    leaf_given, leaf_refused, set_too_long, group_valid, group_ready, group_last, group_facing, group);
-    parameter GROUP = 1;
-    parameter FACING = 1;
+// A stage of the way from a stream to the chains. It gives each word on after a clock.
+module photoncube_core_3_leaf_5_local7_rgb6d_n64_stage(clock, reset, in_valid, in_word, out_valid, out_word);
+    parameter WIDTH = 1;
+    input wire clock;
+    input wire reset;
+    input wire in_valid;
+    input wire [WIDTH - 1:0] in_word;
+    output reg out_valid;
+    output reg [WIDTH - 1:0] out_word;
+    initial out_valid = 1'b0;
+    always @(posedge clock) begin
+        out_valid <= in_valid & ~reset;
+        out_word <= in_word;
+    end
+endmodule
+
+// Says which leaves of the photon slice go to a chain, and drops those for which the chain's bank has no room.
+module photoncube_core_3_leaf_5_local7_rgb6d_n64_photon_port(clock, reset, leaf_valid, leaf_last, leaf_ready, leaf_given, leaf_refused, set_too_long, leaf_taken);
     parameter NUMBER = 1;
+    // The queue has 2^PLACE places for leaves.
+    parameter PLACE = 1;
+    parameter STAGES = 1;
     input wire clock;
     input wire reset;
     input wire leaf_valid;
     input wire leaf_last;
-    input wire leaf_has_second;
-    input wire [2 * GROUP - 1:0] leaf;
-    input wire [FACING - 1:0] facing;
     output wire leaf_ready;
     output wire leaf_given;
     output wire leaf_refused;
     output wire set_too_long;
+    // A leaf leaves the queue.
+    input wire leaf_taken;
+    // The number of the next leaf in its set.
+    reg [NUMBER - 1:0] number;
+    reg drops;
+    // A leaf was given in the clock before. Its second group comes now, so no other leaf may come.
+    reg gave;
+    initial number = {NUMBER{1'b0}};
+    initial drops = 1'b0;
+    initial gave = 1'b0;
+    wire has_place;
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_link #(.BITS(PLACE + 1), .STAGES(STAGES)) link(.clock(clock), .reset(reset), .in_valid(leaf_valid & ~drops & ~gave),
+        .in_ready(has_place), .moves(leaf_given), .taken(leaf_taken));
+    assign leaf_ready = (has_place & ~gave) | drops;
+    assign leaf_refused = leaf_valid & drops;
+    assign set_too_long = leaf_given & ~leaf_last & (&number);
+    always @(posedge clock) begin
+        if (leaf_given) number <= leaf_last ? {NUMBER{1'b0}} : number + 1'b1;
+        if (set_too_long) drops <= 1'b1;
+        if (leaf_refused & leaf_last) drops <= 1'b0;
+        gave <= leaf_given;
+        if (reset) begin
+            number <= {NUMBER{1'b0}};
+            drops <= 1'b0;
+            gave <= 1'b0;
+        end
+    end
+endmodule
+
+// The queue of leaves in front of a chain, as groups. The second group of a leaf comes a clock after its first.
+module photoncube_core_3_leaf_5_local7_rgb6d_n64_photon_queue(clock, reset, leaf_valid, leaf_has_second, leaf_last, leaf_facing, first, second, leaf_taken,
+    group_valid, group_ready, group_last, group_facing, group);
+    parameter GROUP = 1;
+    parameter FACING = 1;
+    // The queue has 2^PLACE places for groups.
+    parameter PLACE = 1;
+    input wire clock;
+    input wire reset;
+    input wire leaf_valid;
+    input wire leaf_has_second;
+    input wire leaf_last;
+    input wire [FACING - 1:0] leaf_facing;
+    input wire [GROUP - 1:0] first;
+    // The second group of the leaf that came in the clock before.
+    input wire [GROUP - 1:0] second;
+    output wire leaf_taken;
     output wire group_valid;
     input wire group_ready;
     output wire group_last;
     output wire [FACING - 1:0] group_facing;
     output wire [GROUP - 1:0] group;
-    // The number of the next leaf in its set.
-    reg [NUMBER - 1:0] number;
-    reg drops;
-    // The places, from the highest bit: two groups, last, facing, the photons. Leaves go to them in turn.
-    reg [2 * GROUP + FACING + 1:0] even;
-    reg [2 * GROUP + FACING + 1:0] odd;
-    reg even_full;
-    reg odd_full;
-    reg writes_odd;
-    // The group that is given.
-    reg reads_odd;
-    reg reads_second;
-    initial number = {NUMBER{1'b0}};
-    initial drops = 1'b0;
-    initial even_full = 1'b0;
-    initial odd_full = 1'b0;
-    initial writes_odd = 1'b0;
-    initial reads_odd = 1'b0;
-    initial reads_second = 1'b0;
+    // From the highest bit: whether it is the last of its leaf, and of its set; the facing; the photons.
+    reg [GROUP + FACING + 1:0] groups [0:(1 << PLACE) - 1];
+    // The places of the next group to write and to give; one more bit says whether all are full where the places are the same.
+    reg [PLACE:0] write;
+    reg [PLACE:0] read;
+    reg second_comes;
+    reg second_last;
+    reg [FACING - 1:0] second_facing;
+    initial write = {(PLACE + 1){1'b0}};
+    initial read = {(PLACE + 1){1'b0}};
+    initial second_comes = 1'b0;
     // Only the last leaf of a set may have a single group.
-    wire [2 * GROUP + FACING + 1:0] word = {leaf_has_second | ~leaf_last, leaf_last, facing, leaf};
-    wire [2 * GROUP + FACING + 1:0] front = reads_odd ? odd : even;
-    wire ends = reads_second | ~front[2 * GROUP + FACING + 1];
+    wire has_two = leaf_has_second | ~leaf_last;
+    wire comes = leaf_valid | second_comes;
+    wire [GROUP + FACING + 1:0] first_in = {~has_two, leaf_last & ~has_two, leaf_facing, first};
+    wire [GROUP + FACING + 1:0] second_in = {1'b1, second_last, second_facing, second};
+    wire [GROUP + FACING + 1:0] front = groups[read[PLACE - 1:0]];
     wire group_moves = group_valid & group_ready;
-    wire has_place;
-    photoncube_core_3_leaf_5_local7_rgb6d_n64_link #(.BITS(2)) link(.clock(clock), .reset(reset), .in_valid(leaf_valid & ~drops), .in_ready(has_place),
-        .moves(leaf_given), .taken(group_moves & ends));
-    assign leaf_ready = has_place | drops;
-    assign leaf_refused = leaf_valid & drops;
-    assign set_too_long = leaf_given & ~leaf_last & (&number);
-    assign group_valid = reads_odd ? odd_full : even_full;
-    assign group_last = ends & front[2 * GROUP + FACING];
-    assign group_facing = front[2 * GROUP +: FACING];
-    assign group = reads_second ? front[2 * GROUP - 1:GROUP] : front[GROUP - 1:0];
+    assign group_valid = write != read;
+    assign leaf_taken = group_moves & front[GROUP + FACING + 1];
+    assign group_last = front[GROUP + FACING];
+    assign group_facing = front[GROUP +: FACING];
+    assign group = front[GROUP - 1:0];
     always @(posedge clock) begin
-        if (leaf_given) number <= leaf_last ? {NUMBER{1'b0}} : number + 1'b1;
-        if (set_too_long) drops <= 1'b1;
-        if (leaf_refused & leaf_last) drops <= 1'b0;
-        if (~even_full) even <= word;
-        if (~odd_full) odd <= word;
-        if (leaf_given) begin
-            if (writes_odd) odd_full <= 1'b1;
-            else even_full <= 1'b1;
-            writes_odd <= ~writes_odd;
-        end
-        if (group_moves) reads_second <= ~ends;
-        if (group_moves & ends) begin
-            if (reads_odd) odd_full <= 1'b0;
-            else even_full <= 1'b0;
-            reads_odd <= ~reads_odd;
-        end
-        if (reset) begin
-            number <= {NUMBER{1'b0}};
-            drops <= 1'b0;
-            even_full <= 1'b0;
-            odd_full <= 1'b0;
-            writes_odd <= 1'b0;
-            reads_odd <= 1'b0;
-            reads_second <= 1'b0;
-        end
+        if (comes) groups[write[PLACE - 1:0]] <= second_comes ? second_in : first_in;
+        write <= reset ? {(PLACE + 1){1'b0}} : write + comes;
+        read <= reset ? {(PLACE + 1){1'b0}} : read + group_moves;
+        second_comes <= leaf_valid & has_two & ~reset;
+        second_last <= leaf_last;
+        second_facing <= leaf_facing;
     end
 endmodule
 
-// The queue of queries in front of a chain.
-module photoncube_core_3_leaf_5_local7_rgb6d_n64_query_port(clock, reset, query_valid, query_ready, query_given, query, out_valid, out_ready, out_word);
+// The queue of queries in front of a chain. The stream gives it a word only where it has a place.
+module photoncube_core_3_leaf_5_local7_rgb6d_n64_query_queue(clock, reset, in_valid, in_word, out_valid, out_ready, out_word, taken);
     parameter WIDTH = 1;
     // The queue has 2^PLACE places.
     parameter PLACE = 1;
     input wire clock;
     input wire reset;
-    input wire query_valid;
-    output wire query_ready;
-    output wire query_given;
-    input wire [WIDTH - 1:0] query;
+    input wire in_valid;
+    input wire [WIDTH - 1:0] in_word;
     output wire out_valid;
     input wire out_ready;
     output wire [WIDTH - 1:0] out_word;
+    output wire taken;
     reg [WIDTH - 1:0] words [0:(1 << PLACE) - 1];
     // The places of the next word to write and to give; one more bit says whether all are full where the places are the same.
     reg [PLACE:0] write;
     reg [PLACE:0] read;
     initial write = {(PLACE + 1){1'b0}};
     initial read = {(PLACE + 1){1'b0}};
-    wire taken = out_valid & out_ready;
-    photoncube_core_3_leaf_5_local7_rgb6d_n64_link #(.BITS(PLACE + 1)) link(.clock(clock), .reset(reset), .in_valid(query_valid), .in_ready(query_ready),
-        .moves(query_given), .taken(taken));
+    assign taken = out_valid & out_ready;
     assign out_valid = write != read;
     assign out_word = words[read[PLACE - 1:0]];
     always @(posedge clock) begin
-        if (query_given) words[write[PLACE - 1:0]] <= query;
-        write <= reset ? {(PLACE + 1){1'b0}} : write + query_given;
+        if (in_valid) words[write[PLACE - 1:0]] <= in_word;
+        write <= reset ? {(PLACE + 1){1'b0}} : write + in_valid;
         read <= reset ? {(PLACE + 1){1'b0}} : read + taken;
+    end
+endmodule
+
+// Merges the results of a chain with those that pass it. Where both have one, they take turns.
+module photoncube_core_3_leaf_5_local7_rgb6d_n64_merge(clock, reset, own_valid, own_ready, own_word, passing_valid, passing_ready, passing_word,
+    out_valid, out_ready, out_word);
+    parameter WIDTH = 1;
+    input wire clock;
+    input wire reset;
+    input wire own_valid;
+    output wire own_ready;
+    input wire [WIDTH - 1:0] own_word;
+    input wire passing_valid;
+    output wire passing_ready;
+    input wire [WIDTH - 1:0] passing_word;
+    output wire out_valid;
+    input wire out_ready;
+    output wire [WIDTH - 1:0] out_word;
+    // The last word was the chain's own.
+    reg was_own;
+    initial was_own = 1'b0;
+    wire is_own = own_valid & ~(passing_valid & was_own);
+    wire ready;
+    assign own_ready = ready & is_own;
+    assign passing_ready = ready & ~is_own;
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_slice #(.WIDTH(WIDTH)) slice(.clock(clock), .reset(reset), .in_valid(own_valid | passing_valid), .in_ready(ready),
+        .in_word(is_own ? own_word : passing_word), .out_valid(out_valid), .out_ready(out_ready), .out_word(out_word));
+    always @(posedge clock) begin
+        if (ready & (own_valid | passing_valid)) was_own <= is_own;
+        if (reset) was_own <= 1'b0;
     end
 endmodule
 

@@ -73,7 +73,9 @@ class Watch:
         self.counts: Counter[str] = Counter()
         # What happened in the clock before, which the core counts now.
         self.before: Counter[str] = Counter()
-        # The counts before the edge at which the last read was taken.
+        # The address of a read that was taken in the clock before.
+        self.reading: int | None = None
+        # The counts before the edge at which the last read was answered.
         self.read_counts: Counter[str] = Counter()
         # Beats that moved on each stream since the start, through all resets.
         self.beats: Counter[str] = Counter()
@@ -108,6 +110,7 @@ class Watch:
         self.held.clear()
         self.received.clear()
         self.restarts = False
+        self.reading = None
         self.silent = 0
 
     def clock(self) -> None:
@@ -183,12 +186,14 @@ class Watch:
         return Counter(results=1, photons_in_range=photons)
 
     def lite(self, counts: Counter[str]) -> None:
-        """The accesses that are taken. Counters and commands take effect behind the edge."""
+        """The accesses that are taken. Counters and commands take effect behind the edge. A read is answered a clock later."""
         clears = False
-        if self.pin("s_axi_arvalid") and self.pin("s_axi_arready"):
+        if self.reading is not None:
             self.read_counts = self.counts.copy()
-            if self.pin("s_axi_araddr") & ~3 not in self.readable:
+            if self.reading not in self.readable:
                 counts["accesses_refused"] += 1
+        reads = self.pin("s_axi_arvalid") and self.pin("s_axi_arready")
+        self.reading = self.pin("s_axi_araddr") & ~3 if reads else None
         writes = self.pin("s_axi_awvalid") and self.pin("s_axi_awready")
         taken = self.pin("s_axi_wvalid") and self.pin("s_axi_wready")
         assert writes == taken, "the core takes the address and the word of a write in one clock"

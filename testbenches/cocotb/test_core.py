@@ -13,6 +13,7 @@ from __future__ import annotations
 import json
 import logging
 import os
+from collections.abc import Callable
 from pathlib import Path
 from random import Random
 
@@ -31,6 +32,8 @@ ROUNDS = int(os.environ.get("PHOTONCUBE_ROUNDS", "20"))
 WRONG_ROUNDS = int(os.environ.get("PHOTONCUBE_WRONG", "20"))
 RESETS = int(os.environ.get("PHOTONCUBE_RESETS", "4"))
 SEED = int(os.environ.get("PHOTONCUBE_SEED", "1"))
+# Clocks after which a test no longer waits for something that a few words cause.
+MOST_CLOCKS = 2000
 # Rounds between two comparisons of all counters.
 ROUNDS_AT_ONCE = max(5, ROUNDS // 100)
 
@@ -43,6 +46,15 @@ async def begun(dut: SimHandleBase, seed: int) -> Bench:
         port.log.setLevel(logging.ERROR)
     await bench.start()
     return bench
+
+
+async def until(bench: Bench, what: str, happens: Callable[[], object]) -> None:
+    """Waits for a clock in which something has happened."""
+    for _ in range(MOST_CLOCKS):
+        if happens():
+            return
+        await RisingEdge(bench.dut.aclk)
+    raise AssertionError(f"waited {MOST_CLOCKS} clocks for {what}")
 
 
 def finish(bench: Bench, least: int = 1) -> None:
@@ -141,12 +153,11 @@ async def a_word_waits_through_a_restart(dut: SimHandleBase) -> None:
     """A leaf that waits on the pins during a restart is not lost: it is the first of the first set behind it."""
     bench = await begun(dut, 4)
     traffic = Traffic(bench.shape, bench.random)
-    leaves = [traffic.leaf(True, 0) for _ in range(8)]
+    leaves = [traffic.leaf(True, 0) for _ in range(24)]
     bench.send(bench.photons, leaves)
-    while bench.watch.counts["photon_stalls"] < 20:
-        await RisingEdge(dut.aclk)
+    await until(bench, "20 clocks in which a leaf waits", lambda: bench.watch.counts["photon_stalls"] >= 20)
     taken = bench.watch.beats["photons"]
-    assert 2 <= taken < len(leaves), f"{taken} leaves were taken, expected two sets and the slice"
+    assert 2 <= taken < len(leaves), f"{taken} leaves were taken, expected two sets, the queue of the chain and the slice"
     await bench.write("control", 1)
     await ClockCycles(dut.aclk, 50)
     bench.send(bench.queries, [traffic.query(True, True, 0) for _ in range(len(leaves) - taken)])
@@ -165,19 +176,16 @@ async def one_query(dut: SimHandleBase) -> None:
     await ClockCycles(dut.aclk, 60)
     assert await bench.counter("busy_clocks") == 0
     bench.send(bench.queries, [traffic.query(True, True, 0)])
-    while not bench.watch.beats["queries"]:
-        await RisingEdge(dut.aclk)
+    await until(bench, "a query that moves", lambda: bench.watch.beats["queries"])
     moved = bench.watch.counts["clocks"]
     bench.results.pause = True
-    while not bench.watch.counts["result_stalls"]:
-        await RisingEdge(dut.aclk)
+    await until(bench, "a result that waits", lambda: bench.watch.counts["result_stalls"])
     status = await bench.read("status")
     assert status == 0b1001, f"status: found {status:#b}, expected busy and result_waits"
     assert await bench.read("under_way") == 1
     assert dut.irq.value == 0
     bench.results.pause = False
-    while not bench.watch.beats["results"]:
-        await RisingEdge(dut.aclk)
+    await until(bench, "a result that moves", lambda: bench.watch.beats["results"])
     left = bench.watch.counts["clocks"]
     # An event is a clock late.
     await ClockCycles(dut.aclk, 2)
@@ -238,17 +246,16 @@ async def stalled(dut: SimHandleBase) -> None:
     await bench.write("stall_limit", limit)
     await bench.write("interrupt_enable", 1 << EVENTS.index("stalled"))
     bench.send(bench.queries, [traffic.query(True, True, 0)])
-    while not bench.watch.beats["queries"]:
-        await RisingEdge(dut.aclk)
+    await until(bench, "a query that moves", lambda: bench.watch.beats["queries"])
     # The query waits in the slice for a clock: the core is silent from the clock in which it is under way.
     clocks = 0
     while dut.irq.value == 0:
         await RisingEdge(dut.aclk)
         clocks += 1
         assert clocks < 2 * limit, "the event stalled did not occur"
-    # Behind the edge at which the query moved: a clock in the slice, the silent ones, one by which events are late, and one
-    # in which the pin is read.
-    assert clocks == limit + 3, f"stalled after {clocks} clocks, expected {limit + 3}"
+    # Behind the edge at which the query moved: a clock in the slice, the silent ones, two by which these are counted late, one by
+    # which events are late, and one in which the pin is read.
+    assert clocks == limit + 5, f"stalled after {clocks} clocks, expected {limit + 5}"
     bench.reference.events.add("stalled")
     bench.send(bench.photons, [traffic.leaf(True, 0)])
     await bench.drain()

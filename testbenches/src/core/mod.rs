@@ -230,9 +230,9 @@ type CoreFault = (&'static str, &'static str, &'static str, &'static str);
 const FAULTS: [CoreFault; 9] = [
     (
         "a leaf within a set has one group where its last four photons are absent",
-        "photon_port",
-        "word = {leaf_has_second | ~leaf_last,",
-        "word = {leaf_has_second,",
+        "photon_queue",
+        "has_two = leaf_has_second | ~leaf_last;",
+        "has_two = leaf_has_second;",
     ),
     (
         "a set that is too long is read in",
@@ -243,8 +243,8 @@ const FAULTS: [CoreFault; 9] = [
     (
         "a word is lost where both places of a slice are full",
         "slice",
-        "assign in_ready = ~second_full & ~reset;",
-        "assign in_ready = ~reset;",
+        "assign in_ready = ~second_full;",
+        "assign in_ready = 1'b1;",
     ),
     (
         "a word in a place is overwritten",
@@ -253,34 +253,50 @@ const FAULTS: [CoreFault; 9] = [
         "word <= in_word;",
     ),
     (
-        "a leaf goes to a chain whose places are full",
+        "a word goes to a queue that is full",
         "link",
-        "assign in_ready = ~left[BITS - 1] & ~reset;",
-        "assign in_ready = ~reset;",
+        "assign in_ready = ~left[BITS - 1];",
+        "assign in_ready = 1'b1;",
+    ),
+    (
+        "a leaf is given to a chain while the second group of the one before is on its way",
+        "photon_port",
+        "gave <= leaf_given;",
+        "gave <= 1'b0;",
     ),
     (
         "a reset does not empty the queue of queries",
-        "query_port",
+        "query_queue",
         "read <= reset ?",
         "read <= 1'b0 ?",
     ),
     (
-        "the chains do not take turns",
-        "arbiter",
-        " : next;",
-        " : turn;",
-    ),
-    (
         "an event that comes while it is cleared is lost",
         "registers",
-        "events <= (events & ~cleared) | seen_events;",
-        "events <= (events | seen_events) & ~cleared;",
+        "events <= (events & ~cleared) | occurred;",
+        "events <= (events | occurred) & ~cleared;",
     ),
     (
         "a restart does not forget the queries under way",
         "registers",
         "if (reset | ~aresetn) begin\n            under_way <= 16'd0;",
         "if (1'b0) begin\n            under_way <= 16'd0;",
+    ),
+];
+
+/// Faults in what leads past a chain, which changes nothing where there is one chain.
+const FAULTS_OF_SEVERAL: [CoreFault; 2] = [
+    (
+        "a reset does not stop the words on their way to the chains",
+        "stage",
+        "out_valid <= in_valid & ~reset;",
+        "out_valid <= in_valid;",
+    ),
+    (
+        "the results of a chain do not take turns with those that pass it",
+        "merge",
+        "own_valid & ~(passing_valid & was_own);",
+        "own_valid;",
     ),
 ];
 
@@ -339,8 +355,10 @@ pub fn core_controls(core: &Core, kind: DeviceKind, seed: u64) -> Result<Vec<Con
             found,
         })
     };
+    let of_several = FAULTS_OF_SEVERAL.iter().filter(|_| core.chains > 1);
     let of_rounds = FAULTS_OF_ROUNDS.iter().filter(|_| core.has_radii());
-    FAULTS.iter().chain(of_rounds).map(control).collect()
+    let faults = FAULTS.iter().chain(of_several).chain(of_rounds);
+    faults.map(control).collect()
 }
 
 #[cfg(test)]

@@ -4,8 +4,8 @@ use std::fmt::Write as _;
 
 use photoncube_spec::{Core, CoreStreams, Leaf};
 
-use super::rounds;
 use super::top::{Sizes, part, range};
+use super::{rounds, stages};
 
 /// A chain, and the way of groups to it.
 pub(super) fn chain_text(
@@ -18,16 +18,15 @@ pub(super) fn chain_text(
     let Sizes {
         group,
         facing,
-        number,
         query,
         sums,
         ..
     } = *sizes;
-    let bits = core.chain_bits();
-    let top = core.top();
     let tag = streams.queries.field("tag").low;
     let ways =
         rounds::ways(core, streams, sizes, chain).unwrap_or_else(|| ways(core, sizes, chain));
+    let leaves = stages::leaves(core, sizes, chain);
+    let queries = stages::queries(core, sizes, chain);
     let mut text = format!(
         "\n    // Chain {chain}.\n    \
          wire group_valid_{chain};\n    \
@@ -49,19 +48,17 @@ pub(super) fn chain_text(
          wire [1:0] compared_{chain};\n    \
          wire [1:0] wanted_{chain};\n    \
          wire played_{chain};\n    \
-         {top}_photon_port #(.GROUP({group}), .FACING({facing}), .NUMBER({number})) photon_port_{chain}(.clock(aclk), .reset(reset),\n        \
-         .leaf_valid(leaf_valid & (leaf_chain == {bits}'d{chain})), .leaf_last(leaf_last), .leaf_ready(leaf_ready_{chain}),\n        \
-         .leaf_given(leaf_given_{chain}), .leaf_refused(leaf_refused_{chain}), .set_too_long(set_too_long_{chain}),\n        \
-         .leaf_has_second(leaf_has_second), .leaf(leaf_word[{}:0]), .facing({}), .group_valid(group_valid_{chain}),\n        \
-         .group_ready(group_ready_{chain}), .group_last(group_last_{chain}), .group_facing(group_facing_{chain}), .group(group_{chain}));\n    \
-         wire query_valid_{chain} = query_valid & (query_chain == {bits}'d{chain});\n    \
-         wire queued_valid_{chain};\n    \
-         wire queued_ready_{chain};\n    \
-         wire {}queued_{chain};\n    \
-         {top}_query_port #(.WIDTH({}), .PLACE({})) query_port_{chain}(.clock(aclk), .reset(reset),\n        \
-         .query_valid(query_valid_{chain}), .query_ready(query_ready_{chain}), .query_given(query_given_{chain}),\n        \
-         .query(query_word[{}:0]),\n        \
-         .out_valid(queued_valid_{chain}), .out_ready(queued_ready_{chain}), .out_word(queued_{chain}));\n{ways}    \
+         reg [1:0] compared_before_{chain};\n    \
+         reg [1:0] wanted_before_{chain};\n    \
+         reg played_before_{chain};\n    \
+         initial compared_before_{chain} = 2'd0;\n    \
+         initial wanted_before_{chain} = 2'd0;\n    \
+         initial played_before_{chain} = 1'b0;\n    \
+         always @(posedge aclk) begin\n        \
+         compared_before_{chain} <= reset ? 2'd0 : compared_{chain};\n        \
+         wanted_before_{chain} <= reset ? 2'd0 : wanted_{chain};\n        \
+         played_before_{chain} <= reset ? 1'b0 : played_{chain};\n    \
+         end\n{leaves}{queries}{ways}    \
          {machine} chain_{chain}(.clock(aclk), .reset(reset),\n        \
          .query_valid(chain_query_valid_{chain}), .query_ready(chain_query_ready_{chain}), .query_last(query_{chain}[{query}]),\n        \
          .query_tag({{query_{chain}[{}:{query}], {}}}),\n",
@@ -72,12 +69,6 @@ pub(super) fn chain_text(
         range(query + 2),
         range(sums),
         range(Leaf::TAG_BITS),
-        2 * group - 1,
-        part(2 * group, facing, "leaf_word"),
-        range(query + 2),
-        query + 2,
-        Core::QUERY_PLACES.ilog2(),
-        query + 1,
         query + 1,
         part(tag, Core::TAG_BITS, &format!("query_{chain}")),
     );

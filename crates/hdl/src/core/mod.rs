@@ -4,13 +4,14 @@
 //! are written here in Verilog: rust-hdl has no way to name ports as AXI does, and one text with a loop over the chains
 //! serves every core. They follow the rules of [`photoncube_spec::Core`]; `photoncube verify core` compares them with the model, clock by clock.
 
-mod arbiter;
 mod chain;
 mod header;
+mod inputs;
 mod registers;
 mod results;
 mod rounds;
 mod rows;
+mod stages;
 mod top;
 mod within;
 
@@ -57,12 +58,15 @@ const NO_LOOPS: &str = "\
 ";
 
 /// The modules that do not depend on the core but by parameters.
-const COMMON: [&str; 5] = [
+const COMMON: [&str; 8] = [
     include_str!("slice.v"),
     include_str!("place.v"),
     include_str!("link.v"),
+    include_str!("stage.v"),
     include_str!("photon_port.v"),
-    include_str!("query_port.v"),
+    include_str!("photon_queue.v"),
+    include_str!("query_queue.v"),
+    include_str!("merge.v"),
 ];
 
 /// Emits the Verilog of a core.
@@ -78,7 +82,6 @@ pub fn emit_core(core: &Core) -> Result<EmittedCore, EmitError> {
     text += "\n";
     text += &registers::registers(core, digest);
     text += "\n";
-    text += &arbiter::arbiter(core);
     for common in COMMON {
         text += "\n";
         text += &common.replace("@TOP@", &top);

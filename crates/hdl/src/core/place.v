@@ -12,7 +12,7 @@ module @TOP@_place(clock, reset, in_valid, in_ready, in_word, out_valid, out_rea
     reg full;
     reg [WIDTH - 1:0] word;
     initial full = 1'b0;
-    assign in_ready = ~full & ~reset;
+    assign in_ready = ~full;
     assign out_valid = full;
     assign out_word = word;
     always @(posedge clock) begin

@@ -1,7 +1,5 @@
 //! The module with the registers of a core, behind AXI4-Lite.
 
-use std::fmt::Write as _;
-
 use photoncube_spec::{
     Access, Core, CoreCounter, CoreEvent, CoreRegister, CoreRegisterRow, CounterRow, EventRow,
     Leaf, Widths,
@@ -85,8 +83,11 @@ pub(super) fn registers(core: &Core, digest: u64) -> String {
             "NOT_PLAYED",
             of_rounds(core, |_| " & ~(|played)".to_owned()),
         ),
-        ("READS", reads(&rows)),
-        ("HIGH_COPIES", high_copies(&rows)),
+        ("SELECTED_HIGH", (rows.len() - 1).to_string()),
+        ("SELECTS", selects(&rows)),
+        ("READ_WORD", read_word(&rows)),
+        ("READS_LOW", of_counters(&rows, |_, selected| selected)),
+        ("HIGH_COPIES", of_counters(&rows, high_copy)),
         ("WRITABLE", writable(&rows)),
     ];
     let replaced = parts
@@ -164,7 +165,7 @@ fn counted(counter: CoreCounter) -> Option<(&'static str, Bits)> {
         C::LeavesRefused => bit("leaf_refused"),
         C::QueriesOutside => bit("query_outside"),
         C::QueriesRefused => bit("query_refused"),
-        C::AccessesRefused => Some(("refused", Bits::Accesses)),
+        C::AccessesRefused => Some((REFUSED, Bits::Accesses)),
     }
 }
 
@@ -195,12 +196,26 @@ impl Bits {
     }
 }
 
-/// A line for each wire that is counted, made of its name and its bits.
+/// The accesses that are refused. What was refused in the clock before is known from the answers, which are registers.
+const REFUSED: &str = "refused";
+
+/// A line for each register of what happened in the clock before, made of the wire's name and its bits.
 fn seen(core: &Core, line: impl Fn(&str, u32) -> String) -> String {
     let counted = CounterRow::ALL
         .iter()
         .filter_map(|row| counted(row.counter));
-    lines(counted.map(|(wire, bits)| line(wire, bits.number(core))))
+    let mut wires: Vec<_> = counted.filter(|(wire, _)| *wire != REFUSED).collect();
+    for row in EventRow::ALL {
+        let wire = cause(row.event);
+        if wire != REFUSED && wires.iter().all(|(counted, _)| *counted != wire) {
+            wires.push((wire, Bits::One));
+        }
+    }
+    lines(
+        wires
+            .iter()
+            .map(|(wire, bits)| line(wire, bits.number(core))),
+    )
 }
 
 /// What a counter is increased by.
@@ -216,23 +231,28 @@ fn counter_lines(line: impl Fn(&CounterRow) -> String) -> String {
     )
 }
 
-/// The condition of each event, in the order of their bits.
-fn events() -> String {
+/// The wire by which an event occurs.
+fn cause(event: CoreEvent) -> &'static str {
     use CoreEvent as E;
-    let condition = |event| match event {
+    match event {
         E::Done => "ends",
         E::LeafMalformed => "leaf_malformed",
         E::SetTooLong => "set_too_long",
         E::QueryOutside => "query_outside",
         E::ChainUnknown => "chain_unknown",
-        E::AccessRefused => "|refused",
+        E::AccessRefused => REFUSED,
         E::Stalled => "stalls",
-    };
+    }
+}
+
+/// The condition of each event, in the order of their bits.
+fn events() -> String {
     lines(EventRow::ALL.iter().map(|row| {
+        let event = row.event;
         format!(
-            "    assign occurs[{}] = {};",
-            row.event as u32,
-            condition(row.event)
+            "    assign occurred[{}] = |seen_{};",
+            event as u32,
+            cause(event)
         )
     }))
 }
@@ -240,10 +260,7 @@ fn events() -> String {
 /// The value of a register when it is read.
 fn value(row: &CoreRegisterRow) -> String {
     use CoreRegister as R;
-    let counter = |counter: CoreCounter| {
-        let row = CounterRow::ALL.iter().find(|row| row.counter == counter);
-        format!("counter_{}", row.expect("the table has all counters").name)
-    };
+    let counter = |counter| format!("counter_{}", counter_name(counter));
     match row.register {
         R::Identity | R::Version | R::DigestLow | R::DigestHigh | R::Shape => {
             format!("32'h{:08x}", row.reset)
@@ -272,31 +289,51 @@ fn value(row: &CoreRegisterRow) -> String {
     }
 }
 
-fn reads(rows: &[CoreRegisterRow]) -> String {
-    lines(rows.iter().map(|row| {
+/// For each register, whether a read has its address.
+fn selects(rows: &[CoreRegisterRow]) -> String {
+    let numbered = rows.iter().enumerate();
+    lines(numbered.map(|(number, row)| {
         format!(
-            "            {}: read_word = {};",
-            address_name(row),
-            value(row)
+            "        selected[{number}] <= read_address == {};",
+            address_name(row)
         )
     }))
 }
 
-fn high_copies(rows: &[CoreRegisterRow]) -> String {
-    let mut text = String::new();
-    for row in rows {
-        if let CoreRegister::CounterLow(counter) = row.register {
-            let counter = CounterRow::ALL.iter().find(|row| row.counter == counter);
-            let name = counter.expect("the table has all counters").name;
-            let _ = writeln!(
-                text,
-                "            {}: counter_high_next = counter_{name}[{}:32];",
-                address_name(row),
-                Core::COUNTER_BITS - 1
-            );
-        }
-    }
-    text.trim_end().to_owned()
+/// The word of the selected register.
+fn read_word(rows: &[CoreRegisterRow]) -> String {
+    let numbered = rows.iter().enumerate();
+    lines(
+        numbered.map(|(number, row)| {
+            format!("        | ({{32{{selected[{number}]}}}} & {})", value(row))
+        }),
+    )
+}
+
+/// For each low word of a counter a term, made of the counter's name and whether the word is selected.
+fn of_counters(rows: &[CoreRegisterRow], term: impl Fn(&str, String) -> String) -> String {
+    let numbered = rows.iter().enumerate();
+    lines(numbered.filter_map(|(number, row)| {
+        let CoreRegister::CounterLow(counter) = row.register else {
+            return None;
+        };
+        let term = term(counter_name(counter), format!("selected[{number}]"));
+        Some(format!("        | {term}"))
+    }))
+}
+
+/// The high bits of a counter, where its low word is selected.
+fn high_copy(counter: &str, selected: String) -> String {
+    let high = Core::COUNTER_BITS - 1;
+    format!(
+        "({{{}{{{selected}}}}} & counter_{counter}[{high}:32])",
+        Core::COUNTER_BITS - Core::REGISTER_BITS
+    )
+}
+
+fn counter_name(counter: CoreCounter) -> &'static str {
+    let row = CounterRow::ALL.iter().find(|row| row.counter == counter);
+    row.expect("the table has all counters").name
 }
 
 fn writable(rows: &[CoreRegisterRow]) -> String {

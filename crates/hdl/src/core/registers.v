@@ -55,30 +55,39 @@ module @TOP@_registers(clock, aresetn, reset,
     reg [@EVENT_HIGH@:0] interrupt_enable;
     reg [31:0] stall_limit;
     reg [@UNDER_WAY_HIGH@:0] under_way;
+    // Whether the clock before was silent, and the number of silent clocks up to the one before that.
+    reg seen_silent;
     reg [31:0] silent_clocks;
+    // Whether a read was taken in the clock before, and which register has its address.
+    reg reading;
+    reg [@SELECTED_HIGH@:0] selected;
+    initial reading = 1'b0;
     // The high bits of the counter whose low word was read last.
     reg [@COUNTER_HIGH@ - 32:0] counter_high;
     // What happened in the clock before: the way to the counters is too far for the clock in which it happens.
 @SEEN@
-    reg [@EVENT_HIGH@:0] seen_events;
+    // Whether a write and a read were answered in the clock before.
+    reg seen_write;
+    reg seen_read;
+    initial seen_write = 1'b0;
+    initial seen_read = 1'b0;
     initial s_axi_bvalid = 1'b0;
     initial s_axi_rvalid = 1'b0;
     initial events = {(@EVENT_HIGH@ + 1){1'b0}};
     initial interrupt_enable = {(@EVENT_HIGH@ + 1){1'b0}};
     initial stall_limit = @STALL_LIMIT@;
     initial under_way = @UNDER_WAY_BITS@'d0;
+    initial seen_silent = 1'b0;
     initial silent_clocks = 32'd0;
     initial counter_high = {(@COUNTER_HIGH@ - 31){1'b0}};
     initial reset = 1'b0;
-    initial seen_events = {(@EVENT_HIGH@ + 1){1'b0}};
     wire busy = |under_way;
 
     // An access is taken where its answer has a place.
     wire writes = s_axi_awvalid & s_axi_wvalid & ~s_axi_bvalid & aresetn;
-    wire reads = s_axi_arvalid & ~s_axi_rvalid & aresetn;
     assign s_axi_awready = writes;
     assign s_axi_wready = writes;
-    assign s_axi_arready = ~s_axi_rvalid & aresetn;
+    assign s_axi_arready = ~s_axi_rvalid & ~reading & aresetn;
     wire [31:0] write_mask = {{8{s_axi_wstrb[3]}}, {8{s_axi_wstrb[2]}}, {8{s_axi_wstrb[1]}}, {8{s_axi_wstrb[0]}}};
     wire [31:0] write_word = s_axi_wdata & write_mask;
     // The two low bits are not looked at: the strobes name the bytes.
@@ -92,27 +101,17 @@ module @TOP@_registers(clock, aresetn, reset,
             default: write_known = 1'b0;
         endcase
     end
-    reg read_known;
-    reg [31:0] read_word;
-    always @(*) begin
-        read_known = 1'b1;
-        read_word = 32'd0;
-        case (read_address)
-@READS@
-            default: read_known = 1'b0;
-        endcase
-    end
-    reg [@COUNTER_HIGH@ - 32:0] counter_high_next;
-    always @(*) begin
-        counter_high_next = counter_high;
-        case (read_address)
-@HIGH_COPIES@
-            default: counter_high_next = counter_high;
-        endcase
-    end
-    wire write_refused = writes & ~write_known;
-    wire read_refused = reads & ~read_known;
-    wire [1:0] refused = write_refused + read_refused;
+    // A read is answered in the clock behind the one in which it is taken: the way through all registers is too far for one clock.
+    wire read_known = |selected;
+    wire [31:0] read_word = 32'd0
+@READ_WORD@;
+    wire reads_low = 1'b0
+@READS_LOW@;
+    wire [@COUNTER_HIGH@ - 32:0] counter_high_next = {(@COUNTER_HIGH@ - 31){1'b0}}
+@HIGH_COPIES@;
+    wire write_refused = seen_write & (s_axi_bresp != OKAY);
+    wire read_refused = seen_read & (s_axi_rresp != OKAY);
+    wire [1:0] seen_refused = write_refused + read_refused;
     wire writes_control = writes & (write_address == ADDRESS_CONTROL);
     wire clears_counters = writes_control & write_word[@CLEAR_COUNTERS@];
     wire writes_events = writes & (write_address == ADDRESS_EVENTS);
@@ -121,9 +120,8 @@ module @TOP@_registers(clock, aresetn, reset,
 
     wire ends = @LAST_RESULT@ & ~query_given & (under_way == @UNDER_WAY_BITS@'d1);
     wire silent = (busy | photon_waits | query_waits) & ~(photon_moves | query_moves | result_moves) & ~result_waits@NOT_PLAYED@;
-    wire [31:0] silent_next = silent_clocks + 32'd1;
-    wire stalls = silent & (|stall_limit) & (silent_next == stall_limit);
-    wire [@EVENT_HIGH@:0] occurs;
+    wire stalls = (|stall_limit) & (silent_clocks == stall_limit);
+    wire [@EVENT_HIGH@:0] occurred;
 @EVENTS@
     wire [@EVENT_HIGH@:0] cleared = writes_events ? write_word[@EVENT_HIGH@:0] : {(@EVENT_HIGH@ + 1){1'b0}};
     assign irq = |(events & interrupt_enable);
@@ -133,26 +131,31 @@ module @TOP@_registers(clock, aresetn, reset,
             s_axi_bvalid <= 1'b1;
             s_axi_bresp <= write_known ? OKAY : SLVERR;
         end else if (s_axi_bready) s_axi_bvalid <= 1'b0;
-        if (reads) begin
+        reading <= s_axi_arvalid & s_axi_arready;
+@SELECTS@
+        if (reading) begin
             s_axi_rvalid <= 1'b1;
             s_axi_rresp <= read_known ? OKAY : SLVERR;
             s_axi_rdata <= read_word;
-            counter_high <= counter_high_next;
+            if (reads_low) counter_high <= counter_high_next;
         end else if (s_axi_rready) s_axi_rvalid <= 1'b0;
         // A register, since the way to every chain is too far for the clock in which it is decided.
         reset <= ~aresetn | (writes_control & write_word[@RESTART@]);
-        events <= (events & ~cleared) | seen_events;
+        events <= (events & ~cleared) | occurred;
         if (writes_enable) begin
             interrupt_enable <= (interrupt_enable & ~write_mask[@EVENT_HIGH@:0]) | write_word[@EVENT_HIGH@:0];
         end
         if (writes_limit) stall_limit <= (stall_limit & ~write_mask) | write_word;@ROUND_WRITES@
         under_way <= under_way + query_given - @LAST_RESULT@;
-        silent_clocks <= silent ? silent_next : 32'd0;
+        seen_silent <= silent;
+        silent_clocks <= seen_silent ? silent_clocks + 32'd1 : 32'd0;
         if (reset | ~aresetn) begin
             under_way <= @UNDER_WAY_BITS@'d0;
+            seen_silent <= 1'b0;
             silent_clocks <= 32'd0;
         end
-        seen_events <= occurs;
+        seen_write <= writes;
+        seen_read <= reading;
 @SEES@
         if (clears_counters | ~aresetn) begin
 @COUNTER_CLEARS@
@@ -166,7 +169,6 @@ module @TOP@_registers(clock, aresetn, reset,
             interrupt_enable <= {(@EVENT_HIGH@ + 1){1'b0}};
             stall_limit <= @STALL_LIMIT@;
             counter_high <= {(@COUNTER_HIGH@ - 31){1'b0}};@ROUND_RESETS@
-            seen_events <= {(@EVENT_HIGH@ + 1){1'b0}};
 @FORGETS@
         end
     end

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use photoncube_spec::{Core, CoreStreams, Leaf};
+use photoncube_spec::{Core, CoreStreams};
 
 use super::top::{Sizes, part, range, slice};
 
@@ -16,57 +16,22 @@ pub(super) fn results(core: &Core, streams: &CoreStreams, sizes: &Sizes) -> Stri
     } = *sizes;
     let end = streams.results.end();
     let count = streams.results.field("count");
-    let radius = core.has_radii().then(|| streams.results.field("radius_sq"));
-    let [is_last, radius_in] = match radius {
-        Some(_) => ["result_last, ", "result_radius, "],
-        None => [""; 2],
-    };
-    let valid = (0..core.chains)
-        .rev()
-        .map(|chain| format!("result_valid_{chain}"));
-    let valid = valid.collect::<Vec<_>>().join(", ");
-    let mut text = format!(
-        "\n    // Results: one chain after the other, then a slice.\n    \
-         wire {}results_valid = {{{valid}}};\n    \
-         wire {}turn;\n    \
-         {}_arbiter arbiter(.clock(aclk), .reset(reset), .valid(results_valid), .turn(turn));\n    \
-         wire result_valid = results_valid[turn];\n    \
-         wire result_ready;\n    \
-         reg {}result_sums;\n    \
-         reg {}result_tag;\n{}    \
-         always @(*) begin\n        \
-         case (turn)\n",
-        format_args!("[{}:0] ", core.chains - 1),
-        range(bits),
-        core.top(),
-        range(sums),
-        range(Leaf::TAG_BITS),
-        radius.map_or(String::new(), |radius| format!(
-            "    reg {}result_radius;\n    reg result_last;\n",
-            range(radius.width)
-        )),
+    let mut text = String::from(
+        "\n    // Results: each chain's are merged with those of the chains behind it, then a slice.\n",
     );
-    for chain in 1..core.chains {
-        text += &format!("            {bits}'d{chain}: {}", of_chain(core, chain));
+    for chain in (0..core.chains).rev() {
+        text += &merge(core, sizes, chain);
     }
-    text += &format!(
-        "            default: {}        endcase\n    end\n",
-        of_chain(core, 0)
-    );
-    for chain in 0..core.chains {
-        let _ = writeln!(
-            text,
-            "    assign result_ready_{chain} = result_ready & (turn == {bits}'d{chain});"
-        );
-    }
-    let (last, outside) = (Core::LAST_BIT, Core::OUTSIDE_BIT);
+    let (last, outside) = (end, end + 1);
     let _ = write!(
         text,
-        "    wire result_outside = result_tag[{outside}];\n    \
-         wire {}result_seen = result_outside ? {{{sums}{{1'b0}}}} : result_sums;\n    \
+        "    // The sums of a query outside of its frame are 0.\n    \
+         wire result_outside = result_merged_0[{outside}];\n    \
+         wire {}result_seen = result_outside ? {{{sums}{{1'b0}}}} : result_merged_0[{}:0];\n    \
          wire result_waits;\n    \
          wire {}result_word;\n",
         range(sums),
+        sums - 1,
         range(result_slice),
     );
     text += &slice(
@@ -74,11 +39,11 @@ pub(super) fn results(core: &Core, streams: &CoreStreams, sizes: &Sizes) -> Stri
         "result",
         result_slice,
         [
-            "result_valid",
-            "result_ready",
+            "result_comes_0",
+            "result_goes_0",
             &format!(
-                "{{{is_last}turn, result_outside, result_tag[{last}], {radius_in}result_tag[{}:0], result_seen}}",
-                Core::TAG_BITS - 1
+                "{{result_merged_0[{}:{sums}], result_seen}}",
+                result_slice - 1
             ),
         ],
         ["result_waits", "m_axis_results_tready", "result_word"],
@@ -92,13 +57,12 @@ pub(super) fn results(core: &Core, streams: &CoreStreams, sizes: &Sizes) -> Stri
         "    // A result of before a reset is not given in the clock of the reset.\n    \
          assign m_axis_results_tvalid = result_waits & ~reset;\n    \
          assign m_axis_results_tdata = {{{padding}result_word[{}:0]}};\n    \
-         assign m_axis_results_tlast = result_word[{end}];\n    \
-         assign m_axis_results_tuser = result_word[{}];\n    \
+         assign m_axis_results_tlast = result_word[{last}];\n    \
+         assign m_axis_results_tuser = result_word[{outside}];\n    \
          assign m_axis_results_tid = result_word[{}:{}];\n    \
          wire result_moves = m_axis_results_tvalid & m_axis_results_tready;\n    \
          wire {}result_photons = result_moves ? {} : {}'d0;\n",
         end - 1,
-        end + 1,
         end + 1 + bits,
         end + 2,
         range(count.width),
@@ -115,12 +79,40 @@ pub(super) fn results(core: &Core, streams: &CoreStreams, sizes: &Sizes) -> Stri
     text
 }
 
-/// The choice of a chain's result.
-fn of_chain(core: &Core, chain: u32) -> String {
-    let parts = ["sums", "tag"].into_iter();
-    let of_rounds = ["radius", "last"].into_iter().filter(|_| core.has_radii());
-    let lines = parts.chain(of_rounds);
-    let lines =
-        lines.map(|part| format!("                result_{part} = result_{part}_{chain};\n"));
-    format!("begin\n{}            end\n", lines.collect::<String>())
+/// The results of a chain and of those behind it.
+fn merge(core: &Core, sizes: &Sizes, chain: u32) -> String {
+    let (bits, width) = (core.chain_bits(), sizes.result_slice);
+    let [is_last, radius] = match core.has_radii() {
+        true => [
+            format!("result_last_{chain}, "),
+            format!("result_radius_{chain}, "),
+        ],
+        false => [String::new(), String::new()],
+    };
+    let tag = format!("result_tag_{chain}");
+    let (last, outside, tag_high) = (Core::LAST_BIT, Core::OUTSIDE_BIT, Core::TAG_BITS - 1);
+    let own = format!(
+        "{{{is_last}{bits}'d{chain}, {tag}[{outside}], {tag}[{last}], {radius}{tag}[{tag_high}:0], result_sums_{chain}}}"
+    );
+    let behind = chain + 1;
+    let [passing_valid, passing_ready, passing_word] = match behind < core.chains {
+        true => [
+            format!("result_comes_{behind}"),
+            format!("result_goes_{behind}"),
+            format!("result_merged_{behind}"),
+        ],
+        false => ["1'b0".to_owned(), String::new(), format!("{width}'d0")],
+    };
+    format!(
+        "    wire result_comes_{chain};\n    \
+         wire result_goes_{chain};\n    \
+         wire {}result_merged_{chain};\n    \
+         {}_merge #(.WIDTH({width})) merge_{chain}(.clock(aclk), .reset(reset),\n        \
+         .own_valid(result_valid_{chain}), .own_ready(result_ready_{chain}),\n        \
+         .own_word({own}),\n        \
+         .passing_valid({passing_valid}), .passing_ready({passing_ready}), .passing_word({passing_word}),\n        \
+         .out_valid(result_comes_{chain}), .out_ready(result_goes_{chain}), .out_word(result_merged_{chain}));\n",
+        range(width),
+        core.top(),
+    )
 }

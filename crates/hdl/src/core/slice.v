@@ -16,7 +16,7 @@ module @TOP@_slice(clock, reset, in_valid, in_ready, in_word, out_valid, out_rea
     initial first_full = 1'b0;
     initial second_full = 1'b0;
     wire first_takes = ~first_full | out_ready;
-    assign in_ready = ~second_full & ~reset;
+    assign in_ready = ~second_full;
     assign out_valid = first_full;
     assign out_word = first_word;
     always @(posedge clock) begin

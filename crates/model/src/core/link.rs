@@ -1,28 +1,37 @@
 //! Flow control by credits, between a stream and a chain.
 
+use std::collections::VecDeque;
+
 use super::slice::Places;
 
-/// The places of a chain for the words of a stream, and what the stream knows of them.
+/// The queue of a chain for the words of a stream, and the way to it.
 #[derive(Clone, Debug)]
 pub(super) struct Link<W, const N: usize> {
     /// The credits: places that the stream knows to be empty.
     left: usize,
+    /// What is in each stage of the way, the next to arrive in front.
+    on_the_way: VecDeque<Option<W>>,
     places: Places<W, N>,
-    /// A word left its place in the clock before.
-    returned: bool,
+    /// Whether a credit is in each stage of the way back, the next to arrive in front.
+    returning: VecDeque<bool>,
 }
 
-impl<W, const N: usize> Default for Link<W, N> {
-    fn default() -> Self {
+impl<W: Clone, const N: usize> Link<W, N> {
+    /// An empty queue with this many stages in front of it.
+    pub(super) fn new(stages: usize) -> Self {
         Self {
             left: N,
+            on_the_way: vec![None; stages].into(),
             places: Places::default(),
-            returned: false,
+            returning: vec![false; stages].into(),
         }
     }
-}
 
-impl<W, const N: usize> Link<W, N> {
+    /// The stages in front of the queue.
+    pub(super) fn stages(&self) -> usize {
+        self.on_the_way.len()
+    }
+
     /// A word may leave the stream, unless there is a reset.
     pub(super) fn is_ready(&self) -> bool {
         self.left > 0
@@ -34,14 +43,16 @@ impl<W, const N: usize> Link<W, N> {
     }
 
     /// A clock in which the word in front moves out or not, and a word may leave the stream.
-    pub(super) fn clock(&mut self, moves_out: bool, moves_in: Option<W>, reset: bool) {
+    pub(super) fn clock(&mut self, moves_out: bool, leaves: Option<W>, reset: bool) {
         if reset {
-            *self = Self::default();
+            *self = Self::new(self.stages());
             return;
         }
-        self.left += usize::from(self.returned);
-        self.left -= usize::from(moves_in.is_some());
-        self.returned = moves_out;
-        self.places.clock(moves_out, moves_in, false);
+        self.left -= usize::from(leaves.is_some());
+        self.returning.push_back(moves_out);
+        self.left += usize::from(self.returning.pop_front() == Some(true));
+        self.on_the_way.push_back(leaves);
+        let arrives = self.on_the_way.pop_front().flatten();
+        self.places.clock(moves_out, arrives, false);
     }
 }

@@ -1,6 +1,7 @@
 //! The step-exact model of cores, by the rules of [`photoncube_spec::Core`]. Its chains are [`LeafMachine`]s.
 
 mod link;
+mod merge;
 mod port;
 mod registers;
 mod rounds;
@@ -15,6 +16,7 @@ use photoncube_spec::{
 use crate::golden::GoldenMachine;
 use crate::leaf::LeafMachine;
 use link::Link;
+use merge::{Merge, Merged};
 use port::{Fate, LeafWord, PhotonPort};
 use registers::{Happens, InChains, Registers};
 use rounds::{Shown, Store};
@@ -41,8 +43,10 @@ pub struct CoreModel {
     from_chains: Vec<Places<CoreResult, 1>>,
     ports: Vec<PhotonPort>,
     chains: Vec<LeafMachine>,
-    /// The chain that gives its result, if it has one.
-    turn: usize,
+    /// The slices in which the results of a chain are merged with those of the chains behind it.
+    merges: Vec<Merge<CoreResult>>,
+    /// What the chains did in the clock before.
+    in_chains: InChains,
     registers: Registers,
 }
 
@@ -98,11 +102,12 @@ impl CoreModel {
                 };
                 vec![rounds; core.chains as usize]
             }),
-            to_chains: vec![Link::default(); core.chains as usize],
+            to_chains: core_stages(core).map(Link::new).collect(),
             from_chains: vec![Places::default(); core.chains as usize],
-            ports: vec![PhotonPort::default(); core.chains as usize],
+            ports: core_stages(core).map(PhotonPort::new).collect(),
             chains: vec![LeafMachine::new(core.machine); core.chains as usize],
-            turn: 0,
+            merges: vec![Merge::default(); core.chains as usize],
+            in_chains: InChains::default(),
             registers: Registers::new(core, digest),
         }
     }
@@ -139,7 +144,7 @@ impl CoreModel {
             result: self.result().map(|result| self.result_word(result)),
             write_ready: self.registers.writes(&inputs.lite) && !inputs.reset,
             write_answer: self.registers.write_answer(),
-            read_ready: self.registers.read_answer().is_none() && !inputs.reset,
+            read_ready: self.registers.is_ready_to_read() && !inputs.reset,
             read_answer: self.registers.read_answer(),
             interrupt: self.registers.interrupt(),
         }
@@ -178,7 +183,11 @@ impl CoreModel {
             .zip(&to_chains)
             .map(|(chain, inputs)| chain.outputs(inputs))
             .collect();
-        let happens = self.happens(inputs, &outputs, &from_chains);
+        let happens = self.happens(inputs, &outputs);
+        self.in_chains = match reset {
+            true => InChains::default(),
+            false => InChains::of(&from_chains),
+        };
         let leaf_moves = happens.leaf_given || happens.leaf_refused;
         let query_moves = happens.query_given || happens.query_refused;
 
@@ -292,7 +301,7 @@ impl CoreModel {
         all
     }
 
-    /// The results: from the chains to their places, and from the place of the chain whose turn it is to the slice.
+    /// The results: from the chains to their places, from there through the slices of the chains in front, and to the slice of the stream.
     fn results(
         &mut self,
         from_chains: &[Outputs],
@@ -300,10 +309,16 @@ impl CoreModel {
         result_moves: bool,
         reset: bool,
     ) {
-        let result = self.from_chains[self.turn].front().copied();
-        let result = result.filter(|_| self.results.is_ready() && !reset);
-        let next = self.next_turn();
-        for (chain, (place, outputs)) in self.from_chains.iter_mut().zip(from_chains).enumerate() {
+        let first = self.merges[0].front().copied();
+        let first = first.filter(|_| self.results.is_ready() && !reset);
+        self.results.clock(result_moves, first, reset);
+        let mut moves_out = first.is_some();
+        for (chain, outputs) in from_chains.iter().enumerate() {
+            let moves_in = self.moves_in(chain).filter(|_| !reset);
+            let takes = moves_in.as_ref().map(|(kind, _)| *kind);
+            self.merges[chain].clock(moves_out, moves_in, reset);
+            moves_out = takes == Some(Merged::Passing);
+            let place = &mut self.from_chains[chain];
             let found = match shown.get(chain) {
                 Some(shown) => shown.as_ref().map(|shown| CoreResult {
                     radius_sq: Some(shown.radius_sq),
@@ -313,27 +328,24 @@ impl CoreModel {
                 None => (outputs.result_valid && place.is_ready() && !reset)
                     .then(|| result_of(chain, outputs)),
             };
-            let moves = result.is_some() && chain == self.turn;
-            place.clock(moves, found, reset);
+            place.clock(takes == Some(Merged::Own), found, reset);
         }
-        self.results.clock(result_moves, result, reset);
-        self.turn = if reset { 0 } else { next };
     }
 
-    /// The chain that has the turn in the next clock.
-    fn next_turn(&self) -> usize {
-        let others = (self.turn + 1..self.chains.len()).chain(0..self.turn);
-        let mut others = others.into_iter();
-        let next = others.find(|&chain| self.from_chains[chain].front().is_some());
-        next.unwrap_or(self.turn)
+    /// The result that goes into the slice of a chain, unless there is a reset.
+    fn moves_in(&self, chain: usize) -> Option<(Merged, CoreResult)> {
+        let own = self.from_chains[chain].front().copied();
+        let behind = self.merges.get(chain + 1);
+        let passing = behind.and_then(|merge| merge.front().copied());
+        let kind = self.merges[chain].takes(own.is_some(), passing.is_some())?;
+        let word = match kind {
+            Merged::Own => own,
+            Merged::Passing => passing,
+        };
+        word.map(|word| (kind, word))
     }
 
-    fn happens(
-        &self,
-        inputs: &CoreInputs,
-        outputs: &CoreOutputs,
-        from_chains: &[Outputs],
-    ) -> Happens {
+    fn happens(&self, inputs: &CoreInputs, outputs: &CoreOutputs) -> Happens {
         let leaf = self.photons.front();
         let fate = leaf.map(|leaf| match self.ports.get(leaf.chain as usize) {
             Some(port) => port.fate(self.resets()),
@@ -351,8 +363,6 @@ impl CoreModel {
         });
         let result = self.result();
         let result_moves = result.is_some() && inputs.result_ready;
-        let sum =
-            |of: fn(&Outputs) -> u32| from_chains.iter().map(|chain| u64::from(of(chain))).sum();
         Happens {
             photon_moves: inputs.photons.valid && outputs.photon_ready,
             photon_waits: inputs.photons.valid && !outputs.photon_ready,
@@ -372,10 +382,9 @@ impl CoreModel {
             query_refused,
             query_outside: query_given && query.is_some_and(|query| query.outside),
             chain_unknown: leaf_unknown || query_refused,
-            in_chains: InChains {
-                compared: sum(|outputs| outputs.events.compared),
-                wanted: sum(|outputs| outputs.events.wanted),
-                played: sum(|outputs| outputs.events.played.into()),
+            in_chains: match self.resets() {
+                true => InChains::default(),
+                false => self.in_chains,
             },
         }
     }
@@ -419,6 +428,11 @@ impl CoreModel {
             chain: beat.dest,
         }
     }
+}
+
+/// The stages in front of each chain.
+fn core_stages(core: &Core) -> impl Iterator<Item = usize> {
+    (0..core.chains).map(|chain| core.stages(chain) as usize)
 }
 
 /// The result of a chain, as it enters its slice.

@@ -54,9 +54,11 @@ pub(super) enum Fate {
 }
 
 /// The state of the way to one chain.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub(super) struct PhotonPort {
-    leaves: Link<LeafWord, 2>,
+    leaves: Link<LeafWord, { Core::LEAF_PLACES as usize }>,
+    /// A leaf was given in the clock before.
+    gave: bool,
     /// The chain took the first group of the leaf in front.
     has_first: bool,
     /// Leaves of the set that were given.
@@ -65,6 +67,17 @@ pub(super) struct PhotonPort {
 }
 
 impl PhotonPort {
+    /// The way to a chain behind this many stages.
+    pub(super) fn new(stages: usize) -> Self {
+        Self {
+            leaves: Link::new(stages),
+            gave: false,
+            has_first: false,
+            number: 0,
+            drops: false,
+        }
+    }
+
     /// The group that the chain is offered.
     pub(super) fn offers(&self) -> Option<Group> {
         self.leaves.front().map(|leaf| match self.has_first {
@@ -75,7 +88,8 @@ impl PhotonPort {
 
     /// What becomes of a leaf of the chain in front of the slice.
     pub(super) fn fate(&self, reset: bool) -> Fate {
-        match (self.drops, self.leaves.is_ready() && !reset) {
+        let may_leave = self.leaves.is_ready() && !self.gave && !reset;
+        match (self.drops, may_leave) {
             (true, _) => Fate::Refused,
             (false, true) => Fate::Given,
             (false, false) => Fate::Waits,
@@ -96,11 +110,12 @@ impl PhotonPort {
         reset: bool,
     ) {
         if reset {
-            *self = Self::default();
+            *self = Self::new(self.leaves.stages());
             return;
         }
         let leaf = leaf.map(|leaf| (leaf, self.fate(false)));
         let given = leaf.filter(|(_, fate)| *fate == Fate::Given);
+        self.gave = given.is_some();
         self.groups(given.map(|(leaf, _)| leaf.clone()), chain_ready);
         match leaf {
             Some((leaf, Fate::Given)) => {

@@ -2,6 +2,7 @@
 
 use photoncube_spec::{
     Core, CoreCounter, CoreEvent, CoreRegister, CoreRegisterRow, CounterRow, LiteAnswer, LiteIn,
+    Outputs,
 };
 
 use super::rounds::Settings;
@@ -27,15 +28,28 @@ pub(super) struct Happens {
     pub(super) query_refused: bool,
     pub(super) query_outside: bool,
     pub(super) chain_unknown: bool,
+    /// Of the clock before.
     pub(super) in_chains: InChains,
 }
 
 /// What all chains do in a clock.
 #[derive(Copy, Clone, Debug, Default)]
 pub(super) struct InChains {
-    pub(super) compared: u64,
-    pub(super) wanted: u64,
-    pub(super) played: u64,
+    compared: u64,
+    wanted: u64,
+    played: u64,
+}
+
+impl InChains {
+    /// The sums over the chains.
+    pub(super) fn of(chains: &[Outputs]) -> Self {
+        let sum = |of: fn(&Outputs) -> u32| chains.iter().map(|chain| u64::from(of(chain))).sum();
+        Self {
+            compared: sum(|outputs| outputs.events.compared),
+            wanted: sum(|outputs| outputs.events.wanted),
+            played: sum(|outputs| outputs.events.played.into()),
+        }
+    }
 }
 
 /// A write in a clock, with the bits that its strobe leaves.
@@ -51,6 +65,8 @@ pub(super) struct Registers {
     rows: Vec<CoreRegisterRow>,
     write_answer: Option<LiteAnswer>,
     read_answer: Option<LiteAnswer>,
+    /// The read that was taken in the clock before: its register, if there is one at its address.
+    reading: Option<Option<CoreRegisterRow>>,
     /// The next clock is a reset of streams and chains.
     pub(super) reset: bool,
     events: u32,
@@ -58,6 +74,9 @@ pub(super) struct Registers {
     stall_limit: u32,
     pub(super) settings: Settings,
     under_way: u32,
+    /// Whether the clock before was silent.
+    seen_silent: bool,
+    /// Silent clocks up to the one before that.
     silent_clocks: u32,
     counter_high: u32,
     counters: Vec<u64>,
@@ -87,12 +106,14 @@ impl Registers {
         Self {
             write_answer: None,
             read_answer: None,
+            reading: None,
             reset: false,
             events: 0,
             interrupt_enable: 0,
             stall_limit: limit.map_or(0, |row| row.reset),
             settings: Settings::default(),
             under_way: 0,
+            seen_silent: false,
             silent_clocks: 0,
             counter_high: 0,
             counters: vec![0; CounterRow::ALL.len()],
@@ -127,6 +148,11 @@ impl Registers {
     /// Whether a query is under way.
     pub(super) fn is_busy(&self) -> bool {
         self.under_way > 0
+    }
+
+    /// A read is taken if there is one.
+    pub(super) fn is_ready_to_read(&self) -> bool {
+        self.read_answer.is_none() && self.reading.is_none()
     }
 
     /// A write is taken.
@@ -184,8 +210,9 @@ impl Registers {
     pub(super) fn clock(&mut self, lite: &LiteIn, happens: &Happens) {
         let resets = self.reset;
         let write = self.writes(lite).then(|| self.write(lite));
-        let reads = lite.read_address_valid && self.read_answer.is_none();
-        let read = reads.then(|| self.at(lite.read_address).cloned());
+        let reads = lite.read_address_valid && self.is_ready_to_read();
+        let taken = reads.then(|| self.at(lite.read_address).cloned());
+        let read = std::mem::replace(&mut self.reading, taken);
         let write_refused = write.is_some_and(|write| write.register.is_none());
         let read_refused = matches!(read, Some(None));
         let refused = u64::from(write_refused) + u64::from(read_refused);
@@ -211,6 +238,7 @@ impl Registers {
         }
         if resets {
             self.under_way = 0;
+            self.seen_silent = false;
             self.silent_clocks = 0;
         }
     }
@@ -223,17 +251,18 @@ impl Registers {
         self.reset = true;
     }
 
-    /// Counts a silent clock, and says whether the core is now stalled.
+    /// Counts the clock before if it was silent, and says whether the core is now stalled.
     fn stalls(&mut self, happens: &Happens) -> bool {
         let moves = happens.photon_moves || happens.query_moves || happens.result_moves;
         let waits = self.under_way > 0 || happens.photon_waits || happens.query_waits;
         let plays = self.has_rounds() && happens.in_chains.played > 0;
-        if moves || !waits || happens.result_waits || plays {
-            self.silent_clocks = 0;
-            return false;
-        }
-        self.silent_clocks = self.silent_clocks.wrapping_add(1);
-        self.stall_limit > 0 && self.silent_clocks == self.stall_limit
+        let stalls = self.stall_limit > 0 && self.silent_clocks == self.stall_limit;
+        self.silent_clocks = match self.seen_silent {
+            true => self.silent_clocks.wrapping_add(1),
+            false => 0,
+        };
+        self.seen_silent = waits && !moves && !happens.result_waits && !plays;
+        stalls
     }
 
     fn occurs(&self, happens: &Happens, refused: bool, stalls: bool) -> u32 {

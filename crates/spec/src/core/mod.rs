@@ -42,31 +42,36 @@
 //!   valid where its first place is full. A word that moves in goes to the first place where that is empty or its word
 //!   moves out and the second place is empty, else to the second. Where the first place's word moves out, the second's
 //!   follows. A `reset` empties both, and `m_axis_results_tvalid` is then 0: a result that waits there is taken back.
-//! - *Links.* A link leads from a slice to places in front of each chain: two for leaves, and [`Core::QUERY_PLACES`] for queries. Its flow
-//!   control is by credits. After `reset` it has as many credits as places. A word that leaves the slice for the chain takes a credit,
-//!   and gives it back two clocks after it leaves its place. The ready of the link is 1 where it has a credit and `reset` is 0. A word that
-//!   leaves the slice is in a place in the next clock. A `reset` empties the places. So no path leads from a chain to a stream.
+//! - *Links.* In front of each chain is a queue with [`Core::LEAF_PLACES`] places for leaves, and one with [`Core::QUERY_PLACES`] for queries.
+//!   A link leads from a slice to each queue. A word passes [`Core::stages`] registers on its way, one in each clock, so for chain n it is in
+//!   the queue n + 2 clocks after it leaves the slice. Its flow control is by credits. After `reset` it has as many credits as places. A word
+//!   that leaves the slice for the chain takes a credit, and gives it back n + 2 clocks after it leaves the queue. The ready of the link is 1
+//!   where it has a credit and `reset` is 0. A `reset` empties the stages and the queues. So no path leads from a chain to a stream, and none
+//!   is longer than from one chain to the next.
 //! - *Behind each chain* is a place for one result. The ready of a place is 1 where it is empty and `reset` is 0, its
 //!   valid where it is full. A `reset` empties it.
-//! - *Leaves.* A leaf in the photon slice is *refused* where its chain is not there or drops, and else *given* where the link to
-//!   its chain is ready. The number of the leaf in its set is counted for each chain. Where the last leaf of a full set is given without
-//!   `tlast`, the chain drops: up to and with the next word with `tlast`.
-//! - *Groups.* The oldest leaf in a place gives the chain its first group where the chain is ready, then its second in the next clock
+//! - *Leaves.* A leaf in the photon slice is *refused* where its chain is not there or drops. Else it is *given* where the link to
+//!   its chain is ready and no leaf was given to that chain in the clock before. The number of the leaf in its set is counted for each chain.
+//!   Where the last leaf of a full set is given without `tlast`, the chain drops: up to and with the next word with `tlast`.
+//! - *Groups.* The oldest leaf in a queue gives the chain its first group where the chain is ready, then its second in the next clock
 //!   in which the chain is ready, and leaves with its last. A leaf has a second group unless it has `tlast` and its last four
 //!   photons are absent. The chain's `group_last` is 1 with the last group of a word with `tlast`.
 //! - *Queries.* A query in its slice is refused where its chain is not there, and given where the link to its
 //!   chain is ready. The chain's tag has the query's tag in its low bits, `tlast` in [`Core::LAST_BIT`], and in [`Core::OUTSIDE_BIT`] whether
 //!   it is outside: a bit that no field has is 1, as it is where a coordinate is not less than the frame.
-//! - *Results.* The place behind the chain `turn` gives its result to the slice of results. `turn` := the next chain whose
-//!   place is full, in the order from the one behind `turn` on; it stays where there is no other. `turn` is 0 after `reset`.
+//! - *Results.* Each chain has a slice, of its own results and of those that come from the slice of the chain behind it, the one with the next
+//!   number. Where both have a result, the one goes in that is not of the kind that went in last; after `reset` the chain's own goes first.
+//!   The slice of chain 0 gives its results to that of the stream.
+//! - *Reads.* A read is taken where no other waits for its answer. It is answered in the next clock, from the registers as they are then, and
+//!   has then what it does: it sets events, counts, and holds the high word of a counter.
 //! - *Under way* are the queries that were given and whose results, each its last, have not left through `m_axis_results`.
 //! - *Counters and events* are a clock late: what happens in a clock is counted, and sets its event, at the end of the next
-//!   clock. Only [`CoreCounter::Clocks`] counts at once. The ways to the counters are long, and so are no part of the
-//!   clock's slowest paths. `aresetn` = 0 forgets what happened in the clock before; a restart does not.
+//!   clock. Only [`CoreCounter::Clocks`] counts at once, and what the chains do - leaves compared and wanted, groups played - is two clocks
+//!   late, and not counted where that clock or the next is one of `reset`. The ways to the counters are long, and so are no part of the clock's slowest paths. `aresetn` = 0 forgets what happened in the clock before; a restart does not.
 //! - *Stall.* The core is *silent* where no word moves on any of the three streams, a query is under way or a word waits on
-//!   an input stream, and no result waits on `m_axis_results`. Where each query has a radius, no chain is given a group by its memory
-//!   either. After as many silent clocks in a row as
-//!   [`CoreRegister::StallLimit`] says (0: never), the event `Stalled` occurs; the count goes on.
+//!   an input stream, and no result waits on `m_axis_results`. Where each query has a radius, no chain was given a group by its memory
+//!   in the clock before either. After as many silent clocks in a row as [`CoreRegister::StallLimit`] says (0: never), the event `Stalled`
+//!   occurs, in the second clock behind them; the count goes on.
 
 mod counters;
 mod events;
@@ -123,8 +128,10 @@ pub enum CoreError {
 impl Core {
     /// The most chains.
     pub const MOST_CHAINS: u32 = 16;
-    /// Places for queries in front of each chain: a power of 2, so many that a chain can be given a query in each clock.
+    /// Places for queries in the queue of each chain: a power of 2, so many that the first chains can be given a query in each clock.
     pub const QUERY_PLACES: u32 = 16;
+    /// Places for leaves in the queue of each chain: a power of 2. A chain takes a leaf in two clocks.
+    pub const LEAF_PLACES: u32 = 8;
     /// Bits of the tag of a query: those of a chain's tag, without two flags of the core.
     pub const TAG_BITS: u32 = Leaf::TAG_BITS - 2;
     /// The bit of a chain's tag that has the `tlast` of the query.
@@ -187,6 +194,11 @@ impl Core {
     pub fn silent_clocks(&self) -> u64 {
         let rounds = Rounds::of(self).map_or(1, |rounds| rounds.most() * Rounds::BATCHES as u32);
         Leaf::SILENT_CLOCKS * u64::from(rounds)
+    }
+
+    /// The stages that a word of a stream passes up to the queue of a chain, one for each chain up to it; the chains are counted from 0.
+    pub fn stages(&self, chain: u32) -> u32 {
+        chain + 1
     }
 
     /// Engines of each chain.
