@@ -259,7 +259,8 @@ impl<'a> Host<'a> {
     fn full(&mut self) {
         self.never_stalled();
         let bytes = self.sizes.payload(SerialKind::Photons);
-        let frames = Serial::BUFFER_BYTES / (bytes + 1) + 8;
+        // The buffer, the queue of the chain, its two sets and the slice are full, and more.
+        let frames = Serial::BUFFER_BYTES / (bytes + 1) + Core::LEAF_PLACES as usize + 8;
         let step_frames: Vec<_> = (0..frames)
             .map(|_| {
                 let mut payload: Vec<u8> = (0..bytes).map(|_| self.rng.random()).collect();

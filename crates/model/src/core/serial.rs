@@ -370,7 +370,7 @@ impl SerialModel {
         }
     }
 
-    /// The clock behind an access, in which its answer comes.
+    /// The clocks behind an access, up to that in which its answer comes.
     fn access(&mut self, kind: SerialKind) {
         self.given = None;
         let inputs = CoreInputs {
@@ -381,13 +381,17 @@ impl SerialModel {
             },
             ..CoreInputs::default()
         };
-        let outputs = self.core.outputs(&inputs);
-        self.core.clock(&inputs);
-        let answer = match kind {
-            SerialKind::Read => outputs.read_answer,
-            _ => outputs.write_answer,
+        let mut answer = || {
+            let outputs = self.core.outputs(&inputs);
+            self.core.clock(&inputs);
+            match kind {
+                SerialKind::Read => outputs.read_answer,
+                _ => outputs.write_answer,
+            }
         };
-        let LiteAnswer { refused, word } = answer.expect("the core answers in the next clock");
+        // A read is answered a clock after a write.
+        let answer = answer().or_else(answer);
+        let LiteAnswer { refused, word } = answer.expect("the core answers within two clocks");
         let mut payload = vec![if refused { SLVERR } else { 0 }];
         match kind {
             SerialKind::Read => {
