@@ -562,13 +562,14 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64(aclk, aresetn, s_axis_photons_t
         .compared(compared_2), .wanted(wanted_2), .played(played_2));
 
     // Results: each chain's are merged with those of the chains behind it, then a slice.
+    wire unused_ready;
     wire result_comes_2;
     wire result_goes_2;
     wire [62:0] result_merged_2;
     photoncube_core_3_leaf_5_local7_rgb6d_n64_merge #(.WIDTH(63)) merge_2(.clock(aclk), .reset(reset),
         .own_valid(result_valid_2), .own_ready(result_ready_2),
         .own_word({2'd2, result_tag_2[17], result_tag_2[16], result_tag_2[15:0], result_sums_2}),
-        .passing_valid(1'b0), .passing_ready(), .passing_word(63'd0),
+        .passing_valid(1'b0), .passing_ready(unused_ready), .passing_word(63'd0),
         .out_valid(result_comes_2), .out_ready(result_goes_2), .out_word(result_merged_2));
     wire result_comes_1;
     wire result_goes_1;

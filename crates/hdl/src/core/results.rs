@@ -17,7 +17,7 @@ pub(super) fn results(core: &Core, streams: &CoreStreams, sizes: &Sizes) -> Stri
     let end = streams.results.end();
     let count = streams.results.field("count");
     let mut text = String::from(
-        "\n    // Results: each chain's are merged with those of the chains behind it, then a slice.\n",
+        "\n    // Results: each chain's are merged with those of the chains behind it, then a slice.\n    wire unused_ready;\n",
     );
     for chain in (0..core.chains).rev() {
         text += &merge(core, sizes, chain);
@@ -101,7 +101,12 @@ fn merge(core: &Core, sizes: &Sizes, chain: u32) -> String {
             format!("result_goes_{behind}"),
             format!("result_merged_{behind}"),
         ],
-        false => ["1'b0".to_owned(), String::new(), format!("{width}'d0")],
+        // Lints ask for a wire at each pin, and for no use of one whose name says that it has none.
+        false => [
+            "1'b0".to_owned(),
+            "unused_ready".to_owned(),
+            format!("{width}'d0"),
+        ],
     };
     format!(
         "    wire result_comes_{chain};\n    \
