@@ -67,7 +67,8 @@
 //! - *Under way* are the queries that were given and whose results, each its last, have not left through `m_axis_results`.
 //! - *Counters and events* are a clock late: what happens in a clock is counted, and sets its event, at the end of the next
 //!   clock. Only [`CoreCounter::Clocks`] counts at once, and what the chains do - leaves compared and wanted, groups played - is two clocks
-//!   late, and not counted where that clock or the next is one of `reset`. The ways to the counters are long, and so are no part of the clock's slowest paths. `aresetn` = 0 forgets what happened in the clock before; a restart does not.
+//!   late, and not counted where that clock or the next is one of `reset`. The ways to the counters are long, and so are no part of the
+//!   clock's slowest paths. `aresetn` = 0 forgets what happened in the clock before; a restart does not.
 //! - *Stall.* The core is *silent* where no word moves on any of the three streams, a query is under way or a word waits on
 //!   an input stream, and no result waits on `m_axis_results`. Where each query has a radius, no chain was given a group by its memory
 //!   in the clock before either. After as many silent clocks in a row as [`CoreRegister::StallLimit`] says (0: never), the event `Stalled`
