@@ -305,9 +305,10 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64(aclk, aresetn, s_axis_photons_t
     wire queued_valid_0;
     wire queued_ready_0;
     wire [98:0] queued_0;
-    photoncube_core_3_leaf_5_local7_rgb6d_n64_query_queue #(.WIDTH(99), .PLACE(4)) query_queue_0(.clock(aclk), .reset(reset),
+    assign query_taken_0 = queued_valid_0 & queued_ready_0;
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_queue #(.WIDTH(99), .PLACE(4)) query_queue_0(.clock(aclk), .reset(reset),
         .in_valid(query_passes_0 & (query_stage_0[100:99] == 2'd0)), .in_word(query_stage_0[98:0]),
-        .out_valid(queued_valid_0), .out_ready(queued_ready_0), .out_word(queued_0), .taken(query_taken_0));
+        .out_valid(queued_valid_0), .out_ready(queued_ready_0), .out_word(queued_0));
     assign chain_query_valid_0 = queued_valid_0;
     assign queued_ready_0 = chain_query_ready_0;
     assign query_0 = queued_0;
@@ -406,9 +407,10 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64(aclk, aresetn, s_axis_photons_t
     wire queued_valid_1;
     wire queued_ready_1;
     wire [98:0] queued_1;
-    photoncube_core_3_leaf_5_local7_rgb6d_n64_query_queue #(.WIDTH(99), .PLACE(4)) query_queue_1(.clock(aclk), .reset(reset),
+    assign query_taken_1 = queued_valid_1 & queued_ready_1;
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_queue #(.WIDTH(99), .PLACE(4)) query_queue_1(.clock(aclk), .reset(reset),
         .in_valid(query_passes_1 & (query_stage_1[100:99] == 2'd1)), .in_word(query_stage_1[98:0]),
-        .out_valid(queued_valid_1), .out_ready(queued_ready_1), .out_word(queued_1), .taken(query_taken_1));
+        .out_valid(queued_valid_1), .out_ready(queued_ready_1), .out_word(queued_1));
     assign chain_query_valid_1 = queued_valid_1;
     assign queued_ready_1 = chain_query_ready_1;
     assign query_1 = queued_1;
@@ -507,9 +509,10 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64(aclk, aresetn, s_axis_photons_t
     wire queued_valid_2;
     wire queued_ready_2;
     wire [98:0] queued_2;
-    photoncube_core_3_leaf_5_local7_rgb6d_n64_query_queue #(.WIDTH(99), .PLACE(4)) query_queue_2(.clock(aclk), .reset(reset),
+    assign query_taken_2 = queued_valid_2 & queued_ready_2;
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_queue #(.WIDTH(99), .PLACE(4)) query_queue_2(.clock(aclk), .reset(reset),
         .in_valid(query_passes_2 & (query_stage_2[100:99] == 2'd2)), .in_word(query_stage_2[98:0]),
-        .out_valid(queued_valid_2), .out_ready(queued_ready_2), .out_word(queued_2), .taken(query_taken_2));
+        .out_valid(queued_valid_2), .out_ready(queued_ready_2), .out_word(queued_2));
     assign chain_query_valid_2 = queued_valid_2;
     assign queued_ready_2 = chain_query_ready_2;
     assign query_2 = queued_2;
@@ -1284,6 +1287,33 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_photon_port(clock, reset, leaf_
     end
 endmodule
 
+// A queue in front of a chain. It has no ready: a word comes only where a place is left, which the link of its stream knows.
+module photoncube_core_3_leaf_5_local7_rgb6d_n64_queue(clock, reset, in_valid, in_word, out_valid, out_ready, out_word);
+    parameter WIDTH = 1;
+    // The queue has 2^PLACE places.
+    parameter PLACE = 1;
+    input wire clock;
+    input wire reset;
+    input wire in_valid;
+    input wire [WIDTH - 1:0] in_word;
+    output wire out_valid;
+    input wire out_ready;
+    output wire [WIDTH - 1:0] out_word;
+    reg [WIDTH - 1:0] words [0:(1 << PLACE) - 1];
+    // The places of the next word to write and to give; one more bit says whether all are full where the places are the same.
+    reg [PLACE:0] write;
+    reg [PLACE:0] read;
+    initial write = {(PLACE + 1){1'b0}};
+    initial read = {(PLACE + 1){1'b0}};
+    assign out_valid = write != read;
+    assign out_word = words[read[PLACE - 1:0]];
+    always @(posedge clock) begin
+        if (in_valid) words[write[PLACE - 1:0]] <= in_word;
+        write <= reset ? {(PLACE + 1){1'b0}} : write + in_valid;
+        read <= reset ? {(PLACE + 1){1'b0}} : read + (out_valid & out_ready);
+    end
+endmodule
+
 // The queue of leaves in front of a chain, as groups. The second group of a leaf comes a clock after its first.
 module photoncube_core_3_leaf_5_local7_rgb6d_n64_photon_queue(clock, reset, leaf_valid, leaf_has_second, leaf_last, leaf_facing, first, second, leaf_taken,
     group_valid, group_ready, group_last, group_facing, group);
@@ -1306,65 +1336,24 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_photon_queue(clock, reset, leaf
     output wire group_last;
     output wire [FACING - 1:0] group_facing;
     output wire [GROUP - 1:0] group;
-    // From the highest bit: whether it is the last of its leaf, and of its set; the facing; the photons.
-    reg [GROUP + FACING + 1:0] groups [0:(1 << PLACE) - 1];
-    // The places of the next group to write and to give; one more bit says whether all are full where the places are the same.
-    reg [PLACE:0] write;
-    reg [PLACE:0] read;
     reg second_comes;
     reg second_last;
     reg [FACING - 1:0] second_facing;
-    initial write = {(PLACE + 1){1'b0}};
-    initial read = {(PLACE + 1){1'b0}};
     initial second_comes = 1'b0;
     // Only the last leaf of a set may have a single group.
     wire has_two = leaf_has_second | ~leaf_last;
-    wire comes = leaf_valid | second_comes;
+    // From the highest bit: whether it is the last of its leaf, and of its set; the facing; the photons.
     wire [GROUP + FACING + 1:0] first_in = {~has_two, leaf_last & ~has_two, leaf_facing, first};
     wire [GROUP + FACING + 1:0] second_in = {1'b1, second_last, second_facing, second};
-    wire [GROUP + FACING + 1:0] front = groups[read[PLACE - 1:0]];
-    wire group_moves = group_valid & group_ready;
-    assign group_valid = write != read;
-    assign leaf_taken = group_moves & front[GROUP + FACING + 1];
-    assign group_last = front[GROUP + FACING];
-    assign group_facing = front[GROUP +: FACING];
-    assign group = front[GROUP - 1:0];
+    wire ends;
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_queue #(.WIDTH(GROUP + FACING + 2), .PLACE(PLACE)) queue(.clock(clock), .reset(reset),
+        .in_valid(leaf_valid | second_comes), .in_word(second_comes ? second_in : first_in),
+        .out_valid(group_valid), .out_ready(group_ready), .out_word({ends, group_last, group_facing, group}));
+    assign leaf_taken = group_valid & group_ready & ends;
     always @(posedge clock) begin
-        if (comes) groups[write[PLACE - 1:0]] <= second_comes ? second_in : first_in;
-        write <= reset ? {(PLACE + 1){1'b0}} : write + comes;
-        read <= reset ? {(PLACE + 1){1'b0}} : read + group_moves;
         second_comes <= leaf_valid & has_two & ~reset;
         second_last <= leaf_last;
         second_facing <= leaf_facing;
-    end
-endmodule
-
-// The queue of queries in front of a chain. The stream gives it a word only where it has a place.
-module photoncube_core_3_leaf_5_local7_rgb6d_n64_query_queue(clock, reset, in_valid, in_word, out_valid, out_ready, out_word, taken);
-    parameter WIDTH = 1;
-    // The queue has 2^PLACE places.
-    parameter PLACE = 1;
-    input wire clock;
-    input wire reset;
-    input wire in_valid;
-    input wire [WIDTH - 1:0] in_word;
-    output wire out_valid;
-    input wire out_ready;
-    output wire [WIDTH - 1:0] out_word;
-    output wire taken;
-    reg [WIDTH - 1:0] words [0:(1 << PLACE) - 1];
-    // The places of the next word to write and to give; one more bit says whether all are full where the places are the same.
-    reg [PLACE:0] write;
-    reg [PLACE:0] read;
-    initial write = {(PLACE + 1){1'b0}};
-    initial read = {(PLACE + 1){1'b0}};
-    assign taken = out_valid & out_ready;
-    assign out_valid = write != read;
-    assign out_word = words[read[PLACE - 1:0]];
-    always @(posedge clock) begin
-        if (in_valid) words[write[PLACE - 1:0]] <= in_word;
-        write <= reset ? {(PLACE + 1){1'b0}} : write + in_valid;
-        read <= reset ? {(PLACE + 1){1'b0}} : read + taken;
     end
 endmodule
 

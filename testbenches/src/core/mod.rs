@@ -265,8 +265,8 @@ const FAULTS: [CoreFault; 9] = [
         "gave <= 1'b0;",
     ),
     (
-        "a reset does not empty the queue of queries",
-        "query_queue",
+        "a reset does not empty a queue",
+        "queue",
         "read <= reset ?",
         "read <= 1'b0 ?",
     ),

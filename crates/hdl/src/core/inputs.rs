@@ -31,7 +31,7 @@ pub(super) fn photons(core: &Core, word: &StreamWord, sizes: &Sizes) -> String {
         ],
         ["leaf_valid", "leaf_ready", "leaf_word"],
     );
-    text + &leaf_fields(core, end, sizes) + &photon_ports(core, sizes) + &leaf_leaves(core, sizes)
+    text + &leaf_fields(core, end, sizes) + &photon_ports(core, sizes) + &leaf_out(core, sizes)
 }
 
 /// The parts of the leaf in the slice, whose last photon ends at `end`.
@@ -64,7 +64,7 @@ fn leaf_fields(core: &Core, end: u32, sizes: &Sizes) -> String {
     )
 }
 
-/// What says for each chain whether the leaf goes to it.
+/// A module for each chain, which says whether the leaf goes to it.
 fn photon_ports(core: &Core, sizes: &Sizes) -> String {
     let bits = sizes.chain;
     let mut text = String::new();
@@ -94,7 +94,7 @@ fn photon_ports(core: &Core, sizes: &Sizes) -> String {
 }
 
 /// The leaf as it leaves the slice for the first stage.
-fn leaf_leaves(core: &Core, sizes: &Sizes) -> String {
+fn leaf_out(core: &Core, sizes: &Sizes) -> String {
     let group = sizes.group;
     format!(
         "    assign leaf_ready = ~leaf_known\n        | {};\n    \
@@ -122,12 +122,11 @@ fn leaf_leaves(core: &Core, sizes: &Sizes) -> String {
 /// The query stream up to the chains.
 pub(super) fn queries(core: &Core, word: &StreamWord, sizes: &Sizes) -> String {
     let Sizes {
-        chain,
+        chain: bits,
         query,
         query_slice,
         ..
     } = *sizes;
-    let bits = chain;
     let mut text = format!(
         "\n    // Queries: a slice, then to the chain of their number.\n    \
          wire {}query_word;\n    \
@@ -169,8 +168,8 @@ pub(super) fn queries(core: &Core, word: &StreamWord, sizes: &Sizes) -> String {
          wire query_refused = query_valid & ~query_known;\n    \
          wire query_outside = query_given & query_is_outside;\n",
         query + 1,
-        range(chain),
-        query + 1 + chain,
+        range(bits),
+        query + 1 + bits,
         query + 2,
         is_known(core, "query_chain"),
         of_chain(core, "query_chain", |chain| format!("query_ready_{chain}")),

@@ -64,8 +64,8 @@ const COMMON: [&str; 8] = [
     include_str!("link.v"),
     include_str!("stage.v"),
     include_str!("photon_port.v"),
+    include_str!("queue.v"),
     include_str!("photon_queue.v"),
-    include_str!("query_queue.v"),
     include_str!("merge.v"),
 ];
 

@@ -20,33 +20,21 @@ module @TOP@_photon_queue(clock, reset, leaf_valid, leaf_has_second, leaf_last, 
     output wire group_last;
     output wire [FACING - 1:0] group_facing;
     output wire [GROUP - 1:0] group;
-    // From the highest bit: whether it is the last of its leaf, and of its set; the facing; the photons.
-    reg [GROUP + FACING + 1:0] groups [0:(1 << PLACE) - 1];
-    // The places of the next group to write and to give; one more bit says whether all are full where the places are the same.
-    reg [PLACE:0] write;
-    reg [PLACE:0] read;
     reg second_comes;
     reg second_last;
     reg [FACING - 1:0] second_facing;
-    initial write = {(PLACE + 1){1'b0}};
-    initial read = {(PLACE + 1){1'b0}};
     initial second_comes = 1'b0;
     // Only the last leaf of a set may have a single group.
     wire has_two = leaf_has_second | ~leaf_last;
-    wire comes = leaf_valid | second_comes;
+    // From the highest bit: whether it is the last of its leaf, and of its set; the facing; the photons.
     wire [GROUP + FACING + 1:0] first_in = {~has_two, leaf_last & ~has_two, leaf_facing, first};
     wire [GROUP + FACING + 1:0] second_in = {1'b1, second_last, second_facing, second};
-    wire [GROUP + FACING + 1:0] front = groups[read[PLACE - 1:0]];
-    wire group_moves = group_valid & group_ready;
-    assign group_valid = write != read;
-    assign leaf_taken = group_moves & front[GROUP + FACING + 1];
-    assign group_last = front[GROUP + FACING];
-    assign group_facing = front[GROUP +: FACING];
-    assign group = front[GROUP - 1:0];
+    wire ends;
+    @TOP@_queue #(.WIDTH(GROUP + FACING + 2), .PLACE(PLACE)) queue(.clock(clock), .reset(reset),
+        .in_valid(leaf_valid | second_comes), .in_word(second_comes ? second_in : first_in),
+        .out_valid(group_valid), .out_ready(group_ready), .out_word({ends, group_last, group_facing, group}));
+    assign leaf_taken = group_valid & group_ready & ends;
     always @(posedge clock) begin
-        if (comes) groups[write[PLACE - 1:0]] <= second_comes ? second_in : first_in;
-        write <= reset ? {(PLACE + 1){1'b0}} : write + comes;
-        read <= reset ? {(PLACE + 1){1'b0}} : read + group_moves;
         second_comes <= leaf_valid & has_two & ~reset;
         second_last <= leaf_last;
         second_facing <= leaf_facing;

@@ -71,9 +71,10 @@ pub(super) fn queries(core: &Core, sizes: &Sizes, chain: u32) -> String {
             "    wire queued_valid_{chain};\n    \
              wire queued_ready_{chain};\n    \
              wire {}queued_{chain};\n    \
-             {}_query_queue #(.WIDTH({fields}), .PLACE({})) query_queue_{chain}(.clock(aclk), .reset(reset),\n        \
+             assign query_taken_{chain} = queued_valid_{chain} & queued_ready_{chain};\n    \
+             {}_queue #(.WIDTH({fields}), .PLACE({})) query_queue_{chain}(.clock(aclk), .reset(reset),\n        \
              .in_valid({}), .in_word(query_stage_{chain}[{}:0]),\n        \
-             .out_valid(queued_valid_{chain}), .out_ready(queued_ready_{chain}), .out_word(queued_{chain}), .taken(query_taken_{chain}));\n",
+             .out_valid(queued_valid_{chain}), .out_ready(queued_ready_{chain}), .out_word(queued_{chain}));\n",
             range(fields),
             core.top(),
             Core::QUERY_PLACES.ilog2(),
