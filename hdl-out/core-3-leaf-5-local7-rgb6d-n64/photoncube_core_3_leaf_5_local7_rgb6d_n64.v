@@ -161,14 +161,14 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64(aclk, aresetn, s_axis_photons_t
     wire reset;
 
     // Leaves: a slice, then to the chain of their number.
-    wire [375:0] leaf_word;
+    wire [378:0] leaf_word;
     wire leaf_valid;
     wire leaf_ready;
     wire photon_slice_ready;
     // No word is taken in the clock of a reset.
     assign s_axis_photons_tready = photon_slice_ready & ~reset;
-    photoncube_core_3_leaf_5_local7_rgb6d_n64_slice #(.WIDTH(376)) photon_slice(.clock(aclk), .reset(reset),
-        .in_valid(s_axis_photons_tvalid), .in_ready(photon_slice_ready), .in_word({s_axis_photons_tdest, s_axis_photons_tlast, s_axis_photons_tdata[372:0]}),
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_slice #(.WIDTH(379)) photon_slice(.clock(aclk), .reset(reset),
+        .in_valid(s_axis_photons_tvalid), .in_ready(photon_slice_ready), .in_word({{s_axis_photons_tdest == 2'd2, s_axis_photons_tdest == 2'd1, s_axis_photons_tdest == 2'd0}, s_axis_photons_tdest, s_axis_photons_tlast, s_axis_photons_tdata[372:0]}),
         .out_valid(leaf_valid), .out_ready(leaf_ready), .out_word(leaf_word));
     wire leaf_last = leaf_word[373];
     wire [1:0] leaf_chain = leaf_word[375:374];
@@ -176,42 +176,32 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64(aclk, aresetn, s_axis_photons_t
     wire leaf_has_second = |leaf_present[7:4];
     // A photon behind an absent one.
     wire leaf_has_gap = |(leaf_present[7:1] & ~leaf_present[6:0]);
-    wire leaf_known = leaf_chain < 2'd3;
-    wire leaf_ready_0;
-    wire leaf_given_0;
-    wire leaf_refused_0;
-    wire set_too_long_0;
+    // Which chain it is for, if there is that chain.
+    wire [2:0] leaf_is_for = leaf_word[378:376];
+    wire [2:0] leaf_readies;
+    wire [2:0] leaves_given;
+    wire [2:0] leaves_refused;
+    wire [2:0] sets_too_long;
     wire leaf_taken_0;
     photoncube_core_3_leaf_5_local7_rgb6d_n64_photon_port #(.NUMBER(3), .PLACE(3), .STAGES(1)) photon_port_0(.clock(aclk), .reset(reset),
-        .leaf_valid(leaf_valid & (leaf_chain == 2'd0)), .leaf_last(leaf_last), .leaf_ready(leaf_ready_0),
-        .leaf_given(leaf_given_0), .leaf_refused(leaf_refused_0), .set_too_long(set_too_long_0),
+        .leaf_valid(leaf_valid & leaf_is_for[0]), .leaf_last(leaf_last), .leaf_ready(leaf_readies[0]),
+        .leaf_given(leaves_given[0]), .leaf_refused(leaves_refused[0]), .set_too_long(sets_too_long[0]),
         .leaf_taken(leaf_taken_0));
-    wire leaf_ready_1;
-    wire leaf_given_1;
-    wire leaf_refused_1;
-    wire set_too_long_1;
     wire leaf_taken_1;
     photoncube_core_3_leaf_5_local7_rgb6d_n64_photon_port #(.NUMBER(3), .PLACE(3), .STAGES(2)) photon_port_1(.clock(aclk), .reset(reset),
-        .leaf_valid(leaf_valid & (leaf_chain == 2'd1)), .leaf_last(leaf_last), .leaf_ready(leaf_ready_1),
-        .leaf_given(leaf_given_1), .leaf_refused(leaf_refused_1), .set_too_long(set_too_long_1),
+        .leaf_valid(leaf_valid & leaf_is_for[1]), .leaf_last(leaf_last), .leaf_ready(leaf_readies[1]),
+        .leaf_given(leaves_given[1]), .leaf_refused(leaves_refused[1]), .set_too_long(sets_too_long[1]),
         .leaf_taken(leaf_taken_1));
-    wire leaf_ready_2;
-    wire leaf_given_2;
-    wire leaf_refused_2;
-    wire set_too_long_2;
     wire leaf_taken_2;
     photoncube_core_3_leaf_5_local7_rgb6d_n64_photon_port #(.NUMBER(3), .PLACE(3), .STAGES(3)) photon_port_2(.clock(aclk), .reset(reset),
-        .leaf_valid(leaf_valid & (leaf_chain == 2'd2)), .leaf_last(leaf_last), .leaf_ready(leaf_ready_2),
-        .leaf_given(leaf_given_2), .leaf_refused(leaf_refused_2), .set_too_long(set_too_long_2),
+        .leaf_valid(leaf_valid & leaf_is_for[2]), .leaf_last(leaf_last), .leaf_ready(leaf_readies[2]),
+        .leaf_given(leaves_given[2]), .leaf_refused(leaves_refused[2]), .set_too_long(sets_too_long[2]),
         .leaf_taken(leaf_taken_2));
-    assign leaf_ready = ~leaf_known
-        | ((leaf_chain == 2'd0) & leaf_ready_0)
-        | ((leaf_chain == 2'd1) & leaf_ready_1)
-        | ((leaf_chain == 2'd2) & leaf_ready_2);
-    wire leaf_given = leaf_given_0 | leaf_given_1 | leaf_given_2;
-    wire leaf_unknown = leaf_valid & ~leaf_known;
-    wire leaf_refused = leaf_unknown | leaf_refused_0 | leaf_refused_1 | leaf_refused_2;
-    wire set_too_long = set_too_long_0 | set_too_long_1 | set_too_long_2;
+    assign leaf_ready = ~(|leaf_is_for) | (|(leaf_is_for & leaf_readies));
+    wire leaf_given = |leaves_given;
+    wire leaf_unknown = leaf_valid & ~(|leaf_is_for);
+    wire leaf_refused = leaf_unknown | (|leaves_refused);
+    wire set_too_long = |sets_too_long;
     // The second group follows the first by a clock.
     reg [183:0] second_group;
     always @(posedge aclk) second_group <= leaf_word[367:184];
@@ -219,44 +209,36 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64(aclk, aresetn, s_axis_photons_t
         second_group, leaf_word[183:0]};
 
     // Queries: a slice, then to the chain of their number.
-    wire [100:0] query_word;
+    wire [103:0] query_word;
     wire query_valid;
     wire query_ready;
     wire query_slice_ready;
     assign s_axis_queries_tready = query_slice_ready & ~reset;
     // A bit that no field has is 1: the coordinate is too large for the frame.
     wire query_in_outside = |{s_axis_queries_tdata[15:9], s_axis_queries_tdata[31:25], s_axis_queries_tdata[47:41], s_axis_queries_tdata[127:97]};
-    photoncube_core_3_leaf_5_local7_rgb6d_n64_slice #(.WIDTH(101)) query_slice(.clock(aclk), .reset(reset),
-        .in_valid(s_axis_queries_tvalid), .in_ready(query_slice_ready), .in_word({s_axis_queries_tdest, query_in_outside, s_axis_queries_tlast, s_axis_queries_tdata[96:0]}),
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_slice #(.WIDTH(104)) query_slice(.clock(aclk), .reset(reset),
+        .in_valid(s_axis_queries_tvalid), .in_ready(query_slice_ready), .in_word({{s_axis_queries_tdest == 2'd2, s_axis_queries_tdest == 2'd1, s_axis_queries_tdest == 2'd0}, s_axis_queries_tdest, query_in_outside, s_axis_queries_tlast, s_axis_queries_tdata[96:0]}),
         .out_valid(query_valid), .out_ready(query_ready), .out_word(query_word));
-    wire query_ready_0;
-    wire query_given_0;
-    wire query_taken_0;
-    wire query_ready_1;
-    wire query_given_1;
-    wire query_taken_1;
-    wire query_ready_2;
-    wire query_given_2;
-    wire query_taken_2;
+    wire [2:0] query_readies;
+    wire [2:0] queries_given;
     wire query_is_outside = query_word[98];
-    wire [1:0] query_chain = query_word[100:99];
-    wire query_known = query_chain < 2'd3;
-    assign query_ready = ~query_known
-        | ((query_chain == 2'd0) & query_ready_0)
-        | ((query_chain == 2'd1) & query_ready_1)
-        | ((query_chain == 2'd2) & query_ready_2);
-    wire query_given = query_given_0 | query_given_1 | query_given_2;
-    wire query_refused = query_valid & ~query_known;
+    wire [2:0] query_is_for = query_word[103:101];
+    assign query_ready = ~(|query_is_for) | (|(query_is_for & query_readies));
+    wire query_given = |queries_given;
+    wire query_refused = query_valid & ~(|query_is_for);
     wire query_outside = query_given & query_is_outside;
+    wire query_taken_0;
     photoncube_core_3_leaf_5_local7_rgb6d_n64_link #(.BITS(5), .STAGES(1)) query_link_0(.clock(aclk), .reset(reset),
-        .in_valid(query_valid & (query_chain == 2'd0)), .in_ready(query_ready_0),
-        .moves(query_given_0), .taken(query_taken_0));
+        .in_valid(query_valid & query_is_for[0]), .in_ready(query_readies[0]),
+        .moves(queries_given[0]), .taken(query_taken_0));
+    wire query_taken_1;
     photoncube_core_3_leaf_5_local7_rgb6d_n64_link #(.BITS(5), .STAGES(2)) query_link_1(.clock(aclk), .reset(reset),
-        .in_valid(query_valid & (query_chain == 2'd1)), .in_ready(query_ready_1),
-        .moves(query_given_1), .taken(query_taken_1));
+        .in_valid(query_valid & query_is_for[1]), .in_ready(query_readies[1]),
+        .moves(queries_given[1]), .taken(query_taken_1));
+    wire query_taken_2;
     photoncube_core_3_leaf_5_local7_rgb6d_n64_link #(.BITS(5), .STAGES(3)) query_link_2(.clock(aclk), .reset(reset),
-        .in_valid(query_valid & (query_chain == 2'd2)), .in_ready(query_ready_2),
-        .moves(query_given_2), .taken(query_taken_2));
+        .in_valid(query_valid & query_is_for[2]), .in_ready(query_readies[2]),
+        .moves(queries_given[2]), .taken(query_taken_2));
 
     // Chain 0.
     wire group_valid_0;
@@ -301,7 +283,7 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64(aclk, aresetn, s_axis_photons_t
     wire query_passes_0;
     wire [100:0] query_stage_0;
     photoncube_core_3_leaf_5_local7_rgb6d_n64_stage #(.WIDTH(101)) query_stage_0_register(.clock(aclk), .reset(reset),
-        .in_valid(query_given), .in_word(query_word), .out_valid(query_passes_0), .out_word(query_stage_0));
+        .in_valid(query_given), .in_word(query_word[100:0]), .out_valid(query_passes_0), .out_word(query_stage_0));
     wire queued_valid_0;
     wire queued_ready_0;
     wire [98:0] queued_0;
@@ -1254,7 +1236,8 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_photon_port(clock, reset, leaf_
     input wire reset;
     input wire leaf_valid;
     input wire leaf_last;
-    output wire leaf_ready;
+    // A register, since it leads through all chains' to every place of the slice.
+    output reg leaf_ready;
     output wire leaf_given;
     output wire leaf_refused;
     output wire set_too_long;
@@ -1263,26 +1246,24 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_photon_port(clock, reset, leaf_
     // The number of the next leaf in its set.
     reg [NUMBER - 1:0] number;
     reg drops;
-    // A leaf was given in the clock before. Its second group comes now, so no other leaf may come.
-    reg gave;
     initial number = {NUMBER{1'b0}};
     initial drops = 1'b0;
-    initial gave = 1'b0;
+    initial leaf_ready = 1'b1;
     wire has_place;
-    photoncube_core_3_leaf_5_local7_rgb6d_n64_link #(.BITS(PLACE + 1), .STAGES(STAGES)) link(.clock(clock), .reset(reset), .in_valid(leaf_valid & ~drops & ~gave),
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_link #(.BITS(PLACE + 1), .STAGES(STAGES)) link(.clock(clock), .reset(reset), .in_valid(leaf_valid & leaf_ready & ~drops),
         .in_ready(has_place), .moves(leaf_given), .taken(leaf_taken));
-    assign leaf_ready = (has_place & ~gave) | drops;
     assign leaf_refused = leaf_valid & drops;
     assign set_too_long = leaf_given & ~leaf_last & (&number);
+    wire drops_next = set_too_long | (drops & ~(leaf_valid & leaf_last));
     always @(posedge clock) begin
         if (leaf_given) number <= leaf_last ? {NUMBER{1'b0}} : number + 1'b1;
-        if (set_too_long) drops <= 1'b1;
-        if (leaf_refused & leaf_last) drops <= 1'b0;
-        gave <= leaf_given;
+        drops <= drops_next;
+        // In the clock behind a leaf its second group comes, so no other leaf may.
+        leaf_ready <= drops_next | (has_place & ~leaf_given);
         if (reset) begin
             number <= {NUMBER{1'b0}};
             drops <= 1'b0;
-            gave <= 1'b0;
+            leaf_ready <= 1'b1;
         end
     end
 endmodule

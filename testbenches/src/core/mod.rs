@@ -237,8 +237,8 @@ const FAULTS: [CoreFault; 9] = [
     (
         "a set that is too long is read in",
         "photon_port",
-        "if (set_too_long) drops <= 1'b1;",
-        "",
+        "drops_next = set_too_long | (drops",
+        "drops_next = (drops",
     ),
     (
         "a word is lost where both places of a slice are full",
@@ -261,8 +261,8 @@ const FAULTS: [CoreFault; 9] = [
     (
         "a leaf is given to a chain while the second group of the one before is on its way",
         "photon_port",
-        "gave <= leaf_given;",
-        "gave <= 1'b0;",
+        "(has_place & ~leaf_given);",
+        "has_place;",
     ),
     (
         "a reset does not empty a queue",

@@ -8,7 +8,8 @@ module @TOP@_photon_port(clock, reset, leaf_valid, leaf_last, leaf_ready, leaf_g
     input wire reset;
     input wire leaf_valid;
     input wire leaf_last;
-    output wire leaf_ready;
+    // A register, since it leads through all chains' to every place of the slice.
+    output reg leaf_ready;
     output wire leaf_given;
     output wire leaf_refused;
     output wire set_too_long;
@@ -17,26 +18,24 @@ module @TOP@_photon_port(clock, reset, leaf_valid, leaf_last, leaf_ready, leaf_g
     // The number of the next leaf in its set.
     reg [NUMBER - 1:0] number;
     reg drops;
-    // A leaf was given in the clock before. Its second group comes now, so no other leaf may come.
-    reg gave;
     initial number = {NUMBER{1'b0}};
     initial drops = 1'b0;
-    initial gave = 1'b0;
+    initial leaf_ready = 1'b1;
     wire has_place;
-    @TOP@_link #(.BITS(PLACE + 1), .STAGES(STAGES)) link(.clock(clock), .reset(reset), .in_valid(leaf_valid & ~drops & ~gave),
+    @TOP@_link #(.BITS(PLACE + 1), .STAGES(STAGES)) link(.clock(clock), .reset(reset), .in_valid(leaf_valid & leaf_ready & ~drops),
         .in_ready(has_place), .moves(leaf_given), .taken(leaf_taken));
-    assign leaf_ready = (has_place & ~gave) | drops;
     assign leaf_refused = leaf_valid & drops;
     assign set_too_long = leaf_given & ~leaf_last & (&number);
+    wire drops_next = set_too_long | (drops & ~(leaf_valid & leaf_last));
     always @(posedge clock) begin
         if (leaf_given) number <= leaf_last ? {NUMBER{1'b0}} : number + 1'b1;
-        if (set_too_long) drops <= 1'b1;
-        if (leaf_refused & leaf_last) drops <= 1'b0;
-        gave <= leaf_given;
+        drops <= drops_next;
+        // In the clock behind a leaf its second group comes, so no other leaf may.
+        leaf_ready <= drops_next | (has_place & ~leaf_given);
         if (reset) begin
             number <= {NUMBER{1'b0}};
             drops <= 1'b0;
-            gave <= 1'b0;
+            leaf_ready <= 1'b1;
         end
     end
 endmodule

@@ -66,7 +66,8 @@ pub(super) fn queries(core: &Core, sizes: &Sizes, chain: u32) -> String {
         query, query_slice, ..
     } = *sizes;
     let fields = query + 2;
-    stage(core, "query", "query_word", query_slice, chain)
+    let query_word = part(0, query_slice, "query_word");
+    stage(core, "query", &query_word, query_slice, chain)
         + &format!(
             "    wire queued_valid_{chain};\n    \
              wire queued_ready_{chain};\n    \

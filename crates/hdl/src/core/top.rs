@@ -8,7 +8,8 @@ use super::chain::chain_text;
 use super::results::results;
 use super::{inputs, rounds};
 
-/// The bits of each word in the core. A slice's word has the chain's number and the flags of its stream beside the fields.
+/// The bits of each word in the core. A slice's word has the chain's number and the flags of its stream beside the fields, and above
+/// all that, where it comes from a port, a bit for each chain.
 pub(super) struct Sizes {
     /// A chain's number.
     pub(super) chain: u32,

@@ -57,8 +57,8 @@ pub(super) enum Fate {
 #[derive(Clone, Debug)]
 pub(super) struct PhotonPort {
     leaves: Link<LeafWord, { Core::LEAF_PLACES as usize }>,
-    /// A leaf was given in the clock before.
-    gave: bool,
+    /// A place was left in the clock before, and no leaf was given then.
+    open: bool,
     /// The chain took the first group of the leaf in front.
     has_first: bool,
     /// Leaves of the set that were given.
@@ -71,7 +71,7 @@ impl PhotonPort {
     pub(super) fn new(stages: usize) -> Self {
         Self {
             leaves: Link::new(stages),
-            gave: false,
+            open: true,
             has_first: false,
             number: 0,
             drops: false,
@@ -88,8 +88,7 @@ impl PhotonPort {
 
     /// What becomes of a leaf of the chain in front of the slice.
     pub(super) fn fate(&self, reset: bool) -> Fate {
-        let may_leave = self.leaves.is_ready() && !self.gave && !reset;
-        match (self.drops, may_leave) {
+        match (self.drops, self.open && !reset) {
             (true, _) => Fate::Refused,
             (false, true) => Fate::Given,
             (false, false) => Fate::Waits,
@@ -115,7 +114,7 @@ impl PhotonPort {
         }
         let leaf = leaf.map(|leaf| (leaf, self.fate(false)));
         let given = leaf.filter(|(_, fate)| *fate == Fate::Given);
-        self.gave = given.is_some();
+        self.open = self.leaves.is_ready() && given.is_none();
         self.groups(given.map(|(leaf, _)| leaf.clone()), chain_ready);
         match leaf {
             Some((leaf, Fate::Given)) => {

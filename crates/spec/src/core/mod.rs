@@ -51,7 +51,7 @@
 //! - *Behind each chain* is a place for one result. The ready of a place is 1 where it is empty and `reset` is 0, its
 //!   valid where it is full. A `reset` empties it.
 //! - *Leaves.* A leaf in the photon slice is *refused* where its chain is not there or drops. Else it is *given* where the link to
-//!   its chain is ready and no leaf was given to that chain in the clock before. The number of the leaf in its set is counted for each chain.
+//!   its chain was ready in the clock before and no leaf was given to that chain then; in the clock behind `reset` that is so. The number of the leaf in its set is counted for each chain.
 //!   Where the last leaf of a full set is given without `tlast`, the chain drops: up to and with the next word with `tlast`.
 //! - *Groups.* The oldest leaf in a queue gives the chain its first group where the chain is ready, then its second in the next clock
 //!   in which the chain is ready, and leaves with its last. A leaf has a second group unless it has `tlast` and its last four
