@@ -9,17 +9,24 @@ use crate::args::{count, seed};
 
 /// A value of `--against`.
 #[derive(Clone, Debug)]
-pub struct Devices(Vec<DeviceKind>);
+pub enum Devices {
+    /// The one that compares fastest.
+    Fastest,
+    /// Every one.
+    All,
+    /// The one of that name.
+    Named(DeviceKind),
+}
 
 impl FromStr for Devices {
     type Err = UnknownDevice;
 
     fn from_str(name: &str) -> Result<Self, UnknownDevice> {
-        Ok(Self(match name {
-            "all" => DeviceKind::ALL.to_vec(),
-            "fastest" => vec![DeviceKind::fastest()],
-            name => vec![DeviceKind::from_name(name)?],
-        }))
+        Ok(match name {
+            "all" => Self::All,
+            "fastest" => Self::Fastest,
+            name => Self::Named(DeviceKind::from_name(name)?),
+        })
     }
 }
 
@@ -29,10 +36,22 @@ pub const AGAINST: &str = "What to compare the golden model with: rust-hdl, text
 
 /// The devices of `--against`, each once, in the given order.
 pub fn devices(against: &[Devices]) -> Vec<DeviceKind> {
+    devices_where(against, DeviceKind::fastest())
+}
+
+/// The devices of `--against` where `fastest` compares fastest, each once, in the given order.
+pub fn devices_where(against: &[Devices], fastest: DeviceKind) -> Vec<DeviceKind> {
     let mut devices = Vec::new();
-    for &device in against.iter().flat_map(|named| &named.0) {
-        if !devices.contains(&device) {
-            devices.push(device);
+    for named in against {
+        let named: &[DeviceKind] = match named {
+            Devices::Fastest => &[fastest],
+            Devices::All => &DeviceKind::ALL,
+            Devices::Named(device) => &[*device],
+        };
+        for &device in named {
+            if !devices.contains(&device) {
+                devices.push(device);
+            }
         }
     }
     devices
