@@ -16,7 +16,7 @@ use serde::Serialize;
 
 use crate::controls::Control;
 use crate::device::{DeviceError, DeviceKind, Verilator, hdl_error};
-use crate::stimulus::Source;
+use crate::stimulus::{Protocol, Source};
 use crate::trace::TRACE;
 use crate::verify::{Verdict, VerifyError, VerifyOptions, verify_device};
 
@@ -178,6 +178,15 @@ pub fn corners(machine: &Machine) -> Vec<Source<'static>> {
     match machine.overlap_program() {
         // In these machines the sums of lanes cross links of their own width.
         Some(_) => vec![Source::FullThenEmpty, Source::LaneAlone],
+        // Results that wait fill the queue of batches under way.
+        None if machine.leaf().is_some() => [
+            Source::corners(machine),
+            vec![
+                Source::Protocol(Protocol::Stalls),
+                Source::Protocol(Protocol::Holds),
+            ],
+        ]
+        .concat(),
         None if machine.has_memory() => Source::corners(machine),
         None => vec![Source::FullThenEmpty],
     }

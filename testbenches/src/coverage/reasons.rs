@@ -1,7 +1,7 @@
 //! The reasons why some points cannot be used by any stimulus.
 
 use photoncube_hdl::Emitted;
-use photoncube_spec::{Machine, Organisation, PhotonFormat, Role, Squarer, Widths};
+use photoncube_spec::{LeafSizes, Machine, Organisation, PhotonFormat, Role, Squarer, Widths};
 
 use super::constants::{Constants, constants};
 use super::points::{CoverageKind, Point};
@@ -125,9 +125,64 @@ const RULES: &[Rule] = &[
             let leaves = ["_out", "_d", "_q", ".d", ".q"]
                 .iter()
                 .any(|end| path.ends_with(end));
-            path.starts_with(&last) && path.contains("token_valid") && leaves
+            // The chain of a leaf machine is an instance.
+            let of_chain = path.strip_prefix("chain.").unwrap_or(path);
+            of_chain.starts_with(&last) && path.contains("token_valid") && leaves
         },
         why: "behind the last engine is none that a query could go on to",
+    },
+    Rule {
+        kind: CoverageKind::Toggle,
+        holds: |words, _, path, bit| {
+            let cleared = [
+                ("player.rest", 1),
+                ("player.rest_but_one", 2),
+                ("player.mask_but_one", 1),
+            ];
+            let is_cleared = |&(name, bits): &(&str, u32)| path == name && bit < bits;
+            words.machine.leaf().is_some() && cleared.iter().any(is_cleared)
+        },
+        why: "the lowest one of a mask is cleared, so its lowest bit is 0; behind two such steps its two lowest bits are",
+    },
+    Rule {
+        kind: CoverageKind::Toggle,
+        holds: |words, _, path, bit| {
+            is_register(path, "player.spacing")
+                && leaf_sizes(words).is_some_and(|sizes| bit >= bits_of(clocks_counted(sizes)))
+        },
+        why: SPACING,
+    },
+    Rule {
+        kind: CoverageKind::Branch,
+        holds: |words, point, path, _| {
+            point.module == "player"
+                && path.ends_with("if of `if (~is_spaced) begin`")
+                && leaf_sizes(words).is_some_and(|sizes| clocks_counted(sizes) == 0)
+        },
+        why: SPACING,
+    },
+    Rule {
+        kind: CoverageKind::Toggle,
+        holds: |words, _, path, _| is_register(path, "tags.tag_result") && has_one_engine(words),
+        why: FIRST_IS_LAST,
+    },
+    Rule {
+        kind: CoverageKind::Branch,
+        holds: |words, point, path, _| {
+            point.module == "tags"
+                && path.ends_with("else of `if (is_last) begin`")
+                && has_one_engine(words)
+        },
+        why: FIRST_IS_LAST,
+    },
+    Rule {
+        kind: CoverageKind::Toggle,
+        holds: |words, _, path, bit| {
+            path == "chain.head.admission.promised"
+                && has_one_engine(words)
+                && leaf_sizes(words).is_some_and(|sizes| bit + 1 >= sizes.most_outstanding)
+        },
+        why: "of the most batches under way, the result of the first is read from its queue before the last group of the last is taken",
     },
     Rule {
         kind: CoverageKind::User,
@@ -156,6 +211,37 @@ const RULES: &[Rule] = &[
         why: "of a half square the high digit alone is squared, and it has fewer bits than a digit",
     },
 ];
+
+/// The reason for what a player does not count between two last groups.
+const SPACING: &str = "the player counts the clocks between two last groups, less two, which this machine leaves in fewer bits or not at all";
+
+/// The reason for what a batch of several results would use.
+const FIRST_IS_LAST: &str = "with one engine the first result of a batch is its last";
+
+/// The sizes of a leaf machine.
+fn leaf_sizes(words: &Words<'_>) -> Option<LeafSizes> {
+    words.machine.leaf().map(LeafSizes::of)
+}
+
+fn has_one_engine(words: &Words<'_>) -> bool {
+    leaf_sizes(words).is_some_and(|sizes| sizes.engines == 1)
+}
+
+/// The most that a leaf machine's player counts between two last groups: in one of the clocks between it finds that it may go on, in
+/// another the group is played.
+fn clocks_counted(sizes: LeafSizes) -> u32 {
+    sizes.least_spacing.saturating_sub(2)
+}
+
+fn bits_of(largest: u32) -> u32 {
+    u32::BITS - largest.leading_zeros()
+}
+
+/// Whether the path is that of a register, or of a wire to or from it.
+fn is_register(path: &str, register: &str) -> bool {
+    let end = path.strip_prefix(register);
+    end.is_some_and(|end| ["_d", "_q", ".d", ".q"].contains(&end))
+}
 
 /// The reason for bit 1 of every square of a whole number.
 const SQUARES: &str = "a square is 0 or 1 modulo 4";

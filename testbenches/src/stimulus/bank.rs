@@ -1,8 +1,9 @@
-//! Stimulus for a photon memory: banks filled to the last place, with and without a last group there.
+//! Stimulus for a photon memory: banks filled to the last place, with and without a last group there. In a memory of leaves also
+//! queues filled to the last place.
 
 use std::ops::ControlFlow;
 
-use photoncube_spec::Machine;
+use photoncube_spec::{Leaf, LeafSizes, Machine};
 
 use super::StimulusError;
 use super::case::Case;
@@ -92,7 +93,39 @@ pub(super) fn full_bank(
     if resets(machine, driver, held)?.is_break() {
         return Ok(ControlFlow::Break(()));
     }
+    if let Some(leaf) = machine.leaf()
+        && full_queues(machine, leaf, driver)?.is_break()
+    {
+        return Ok(ControlFlow::Break(()));
+    }
     Ok(driver.flush())
+}
+
+/// The fullest set, every leaf of which is wanted, for many batches of a query each. Four batches are played while one result is taken,
+/// so as many batches as possible come to be under way. The player then waits, and the pairs of the batch behind fill the
+/// queue of pairs.
+fn full_queues(
+    machine: &Machine,
+    leaf: &Leaf,
+    driver: &mut Driver<'_>,
+) -> Result<ControlFlow<()>, StimulusError> {
+    // Three in four batches that are played remain under way.
+    let batches = 2 * LeafSizes::of(leaf).most_outstanding;
+    let all: Vec<_> = (1..=batches)
+        .map(|batch| Case {
+            keeps_photons: batch < batches,
+            ..Case::fullest(machine)
+        })
+        .collect();
+    let traffic = Traffic {
+        result: Pace::Pattern {
+            high: 1,
+            low: 4 * u64::from(leaf.bank_groups),
+            phase: 0,
+        },
+        ..Traffic::STREAMING
+    };
+    driver.run(&all, traffic)
 }
 
 /// The cases of all sets, with separate queries for each batch.

@@ -439,9 +439,10 @@ impl<'a> Driver<'a> {
 
 /// The tag of a query, by its case and its index in the case.
 fn tag((case, index): (usize, usize)) -> u32 {
-    let number = case << 6 | index;
-    // An odd factor makes all bits of neighbouring tags differ.
-    (number as u32).wrapping_mul(0x9E37) & ((1 << Leaf::TAG_BITS) - 1)
+    let number = (case << 6 | index) as u32;
+    // A multiplicative hash (Knuth, The Art of Computer Programming, 6.4): its high bits differ between neighbours, and each of them is
+    // 0 and 1 also where every case has a single query.
+    number.wrapping_mul(0x9E37_79B1) >> (u32::BITS - Leaf::TAG_BITS)
 }
 
 /// Whether the machine computes a gather: all machines do, except those with a user's program that the

@@ -1,6 +1,6 @@
 //! Tests that the stimulus has the stated properties and is reproducible.
 
-use photoncube_spec::{Group, MACHINES, Register, Role, SEQUENTIAL, SignalPlace};
+use photoncube_spec::{Group, Leaf, LeafSizes, MACHINES, Register, Role, SEQUENTIAL, SignalPlace};
 
 use super::*;
 
@@ -223,5 +223,30 @@ fn a_lane_alone_is_given_all_of_a_querys_photons() {
         if register == Register::Sum {
             assert_eq!(seen & wanted, wanted, "{}: {seen:#x}", pin.name);
         }
+    }
+}
+
+/// Random stimulus fills neither the queue of pairs nor the batches under way.
+#[test]
+fn a_full_bank_fills_every_queue_of_a_leaf_machine() {
+    for name in ["leaf-4-local6x2-rgb4d-n1024", "leaf-5-local7-rgb6d-n1024"] {
+        let machine = photoncube_spec::find_machine(name).unwrap();
+        let sizes = LeafSizes::of(machine.leaf().unwrap());
+        let observed = Pins::of(machine).observed;
+        let blocks = blocks(machine, Source::FullBank, 1, 1);
+        let most = |register: &str| {
+            let column = observed.iter().position(|pin| pin.name == register);
+            let rows = blocks
+                .iter()
+                .flat_map(|block| block.expected.chunks(observed.len()));
+            rows.map(|row| row[column.unwrap()]).max()
+        };
+        let under_way = sizes.most_outstanding.into();
+        assert_eq!(most("leaf_outstanding_0"), Some(under_way), "{name}");
+        assert_eq!(
+            most("leaf_queue_count_0"),
+            Some(Leaf::QUEUE.into()),
+            "{name}"
+        );
     }
 }
