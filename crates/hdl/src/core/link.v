@@ -13,6 +13,7 @@ module @TOP@_link(clock, reset, in_valid, in_ready, moves, taken);
     // A word leaves the queue.
     input wire taken;
     reg [STAGES - 1:0] returning;
+    wire [STAGES:0] come_back = {returning, taken};
     // The credits: the places that are left, less one. So the sign says that there is none.
     reg [BITS - 1:0] left;
     localparam [BITS - 1:0] ALL_LEFT = {BITS{1'b1}} >> 1;
@@ -21,7 +22,7 @@ module @TOP@_link(clock, reset, in_valid, in_ready, moves, taken);
     assign in_ready = ~left[BITS - 1];
     assign moves = in_valid & in_ready & ~reset;
     always @(posedge clock) begin
-        returning <= reset ? {STAGES{1'b0}} : (returning << 1) | taken;
+        returning <= reset ? {STAGES{1'b0}} : come_back[STAGES - 1:0];
         left <= reset ? ALL_LEFT : left - moves + returning[STAGES - 1];
     end
 endmodule
