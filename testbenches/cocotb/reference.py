@@ -81,6 +81,10 @@ class Geometry:
         """The middle of a photon's cell."""
         return (2 * cell + 1) << self.extra
 
+    def at_most_largest(self, word: int) -> int:
+        """The radius that a field `radius_sq` means: one above the largest means the largest."""
+        return min(word, self.largest_word)
+
     def of_word(self, word: int) -> int:
         """The squared radius of a query whose word has the field `radius_sq`."""
         return 4 * word + 3 * min(1, self.extra)
@@ -196,7 +200,7 @@ class Reference:
         if outside:
             self.counters["queries_outside"] += 1
             self.events.add("query_outside")
-        own = {name: value for name, value in values.items() if name == "radius_sq"}
+        own = {name: self.geometry.at_most_largest(value) for name, value in values.items() if name == "radius_sq"}
         query = Query(
             cell=cell,
             radius_sq=self.geometry.of_word(own["radius_sq"]) if own else self.geometry.radius_sq,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from random import Random
 
-from reference import AXES, FACINGS, PHOTONS, Beat, Geometry
+from reference import AXES, FACINGS, PHOTONS, Beat
 from shape import Shape
 
 
@@ -95,7 +95,8 @@ class Traffic:
         facings = everything if self.happens(0.6) else self.random.getrandbits(FACINGS)
         values = dict(zip(AXES, cell)) | {"tag": self.random.getrandbits(16), "facings": facings, "release": int(release)}
         if "radius_sq" in self.shape.queries.fields:
-            values["radius_sq"] = self.random.randint(0, Geometry(self.shape).largest_word)
+            # Those above the largest radius too.
+            values["radius_sq"] = self.random.randint(0, self.shape.queries.fields["radius_sq"].most)
         word = self.shape.queries.pack(values)
         if self.happens(self.wrong.outside):
             word |= 1 << self.random.choice(self.shape.queries.spare_bits())

@@ -301,7 +301,7 @@ const FAULTS_OF_SEVERAL: [CoreFault; 2] = [
 ];
 
 /// Faults in the store of batches, which a core has whose queries have radii.
-const FAULTS_OF_ROUNDS: [CoreFault; 5] = [
+const FAULTS_OF_ROUNDS: [CoreFault; 6] = [
     (
         "a batch on the next set is taken before the last round of the batch that releases the set",
         "rounds",
@@ -313,6 +313,12 @@ const FAULTS_OF_ROUNDS: [CoreFault; 5] = [
         "rounds",
         "word[RELEASE] & is_last_round",
         "word[RELEASE]",
+    ),
+    (
+        "a radius above the largest is gathered",
+        "rounds",
+        "(asked > LARGEST) ? LARGEST : asked",
+        "(finds_nearest[turn] & (asked > LARGEST)) ? LARGEST : asked",
     ),
     (
         "the bisection goes on from the radius itself",

@@ -224,16 +224,23 @@ impl<'a, R: Rng> Draw<'a, R> {
         }
     }
 
-    /// The radius of a query: the format's, or one of any length up to it.
+    /// The field of a query's radius: the format's, or one of any length up to it, or one above it, which means the largest.
     fn radius_sq(&mut self) -> u32 {
-        let largest = self.core.machine.numbers.largest_radius_word();
+        let largest = self.largest();
         match self.core.has_radii() {
+            true if self.wrong() => self
+                .rng
+                .random_range(largest + 1..1 << self.widths.radius_sq),
             true => {
                 let radius = self.rng.random_range(0..=largest.isqrt());
                 self.rng.random_range(radius * radius..=largest)
             }
             false => largest,
         }
+    }
+
+    fn largest(&self) -> u32 {
+        self.core.machine.numbers.largest_radius_word()
     }
 
     fn query(
@@ -288,6 +295,7 @@ impl<'a, R: Rng> Draw<'a, R> {
 
     /// The radius and the sums of each result of a query, by the direct gather.
     fn found(&self, query: &Query, photons: &[Photon]) -> Vec<(u32, Sums)> {
+        let largest = self.largest();
         let sums = |radius_sq: u32| {
             let query = Query {
                 radius_sq,
@@ -296,13 +304,14 @@ impl<'a, R: Rng> Draw<'a, R> {
             let sums = gather(self.core.machine, &query, photons.iter().copied());
             sums.expect("a set has no more photons than the sums hold")
         };
+        let at_most_largest = |asked: u32| {
+            let radius = asked.min(largest);
+            (radius, sums(radius))
+        };
         match &self.rounds {
-            QueryRounds::Own => vec![(query.radius_sq, sums(query.radius_sq))],
-            QueryRounds::Ladder(radii) => {
-                radii.iter().map(|&radius| (radius, sums(radius))).collect()
-            }
+            QueryRounds::Own => vec![at_most_largest(query.radius_sq)],
+            QueryRounds::Ladder(radii) => radii.iter().copied().map(at_most_largest).collect(),
             QueryRounds::Nearest(k) => {
-                let largest = self.core.machine.numbers.largest_radius_word();
                 let radii: Vec<_> = (0..=largest).collect();
                 let smallest = radii.partition_point(|&radius| sums(radius).count < u64::from(*k));
                 let smallest = smallest as u32;

@@ -105,9 +105,9 @@ module @TOP@_rounds(clock, reset, nearest, rungs, radii, query_valid, query_read
     wire [RADIUS - 1:0] first_bit = {{(RADIUS - 1){1'b0}}, 1'b1} << (NEAREST_ROUNDS - 1);
     wire [RADIUS - 1:0] round_bit = first_bit >> round;
     wire [RADIUS - 1:0] below = number | (round_bit - 1'b1);
-    wire [RADIUS - 1:0] nearest_radius = (below > LARGEST) ? LARGEST : below;
     wire [RADIUS - 1:0] ladder_radius = radii[round[@RUNG_HIGH@:0] * RADIUS +: RADIUS];
-    wire [RADIUS - 1:0] radius = finds_nearest[turn] ? nearest_radius : is_ladder[turn] ? ladder_radius : word[RADIUS_LOW +: RADIUS];
+    wire [RADIUS - 1:0] asked = finds_nearest[turn] ? below : is_ladder[turn] ? ladder_radius : word[RADIUS_LOW +: RADIUS];
+    wire [RADIUS - 1:0] radius = (asked > LARGEST) ? LARGEST : asked;
     assign given = {word[QUERY + 1:RADIUS_LOW + RADIUS], radius, word[RELEASE] & is_last_round, word[RELEASE - 1:0]};
     wire gives = given_valid & given_ready;
     wire gives_last = gives & (position == ends[turn]);
@@ -129,8 +129,8 @@ module @TOP@_rounds(clock, reset, nearest, rungs, radii, query_valid, query_read
     wire comes_last = comes & (back_position == ends[back]);
     wire shows_kept = finds_nearest[back] & enough & (|number_next);
     wire [SUMS - 1:0] sums_shown = shows_kept ? kept[{back, back_position}] : sums;
-    wire [RADIUS - 1:0] nearest_shown = (number_next > LARGEST) ? LARGEST : number_next;
-    wire [RADIUS - 1:0] radius_shown = finds_nearest[back] ? nearest_shown : radius_back;
+    wire [RADIUS - 1:0] reached = finds_nearest[back] ? number_next : radius_back;
+    wire [RADIUS - 1:0] radius_shown = (reached > LARGEST) ? LARGEST : reached;
     assign result = {is_last_result, radius_shown, found[SUMS + TAG - 1:SUMS], sums_shown};
 
     always @(posedge clock) begin

@@ -151,14 +151,21 @@ impl Store {
 
     fn radius(&self, batch: &Batch, asked: &Asked, settings: &Settings) -> u32 {
         match batch.kind {
-            Kind::Own => asked.query.word.query.radius_sq,
-            Kind::Ladder(_) => settings.radii[batch.given as usize],
+            Kind::Own => self.at_most_largest(asked.query.word.query.radius_sq.into()),
+            Kind::Ladder(_) => self.rung(settings, batch.given),
             Kind::Nearest => {
                 let bit = 1_u64 << (batch.left(self.rounds) - 1);
-                let radius = u64::from(asked.number) + bit - 1;
-                radius.min(self.rounds.largest.into()) as u32
+                self.at_most_largest(u64::from(asked.number) + bit - 1)
             }
         }
+    }
+
+    fn rung(&self, settings: &Settings, round: u32) -> u32 {
+        self.at_most_largest(settings.radii[round as usize].into())
+    }
+
+    fn at_most_largest(&self, radius: u64) -> u32 {
+        radius.min(self.rounds.largest.into()) as u32
     }
 
     /// What the store makes of a chain's result: a result of its own, or none.
@@ -176,7 +183,7 @@ impl Store {
                 }
                 told.number.min(self.rounds.largest)
             }
-            Kind::Ladder(_) => settings.radii[batch.back as usize],
+            Kind::Ladder(_) => self.rung(settings, batch.back),
             Kind::Own => asked.radius,
         };
         Some(Shown {

@@ -10,8 +10,8 @@
 //! - `s_axis_photons`: a word is a leaf of up to 8 photons, for the chain `tdest`. `tlast` ends the set. The first photons are
 //!   present and the others absent. A set has at most [`Core::set_leaves`] leaves.
 //! - `s_axis_queries`: a word is a query for the chain `tdest`. `tlast` ends its batch, which also ends where it has as many
-//!   queries as a chain has engines. Where each query has a radius, its field `radius_sq` is at most the format's
-//!   [`crate::Numbers::largest_radius_word`]; with a larger one the sums are not defined.
+//!   queries as a chain has engines. Where each query has a radius, a field `radius_sq` above the format's
+//!   [`crate::Numbers::largest_radius_word`] means that largest radius.
 //! - `m_axis_results`: a word is the result of a query, from the chain `tid`. `tlast` is the `tlast` of the query, and the
 //!   field `tag` its tag. Where each query has a radius, `radius_sq` is that of the result, and a query may have several results, see
 //!   [`Rounds`]. `tuser` is 1 where the query is outside of its frame: the sums are then 0. The results of one chain

@@ -345,7 +345,7 @@ fn rounds(core: &Core) -> impl Iterator<Item = CoreRegisterRow> {
             CoreRegister::Rung(rung),
             format!("rung_{rung}"),
             widths.radius_sq,
-            "The squared radius of a rung, as radius_sq of a query.",
+            "The squared radius of a rung, as radius_sq of a query; one above the largest of the format means the largest.",
         )
     });
     let rows = modes.into_iter().chain(rungs).map(row).zip(0..);

@@ -13,8 +13,8 @@
 //!   sums are kept. Only the last round gives a result. Its radius is the number, but at most R. Its sums are those that were kept
 //!   last, or those of the last round where the number is 0.
 //! - *Ladder*, where `Nearest` is 0 and `Rungs` is not: the batch has as many rounds as `Rungs` says, but at most
-//!   [`Rounds::RUNGS`]. The radius of round i is [`super::CoreRegister::Rung`] i. Each round gives a result.
-//! - *Own*, where both are 0: the batch has one round. The radius is the query's own, and the round gives a result.
+//!   [`Rounds::RUNGS`]. The radius of round i is [`super::CoreRegister::Rung`] i, but at most R. Each round gives a result.
+//! - *Own*, where both are 0: the batch has one round. The radius is the query's own, but at most R, and the round gives a result.
 //!
 //! So the radius of a *nearest* result is the smallest with k photons, or R where no radius has as many. Its sums are those of one
 //! step less, or of R. Where even the radius 0 has k photons, they are those of the radius 0.
