@@ -24,7 +24,7 @@ program=${PHOTONCUBE:-${CARGO_TARGET_DIR:-$root/target}/debug/photoncube}
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 python=$("$root/scripts/setup.sh" --where-core)/python
-# The registers of a core with rounds and of one without. All else is checked on the second.
+# A core with rounds and one without. FuseSoC and LiteX check the second.
 for machine in leaf-4-radii-local7-rgb6d-n64 leaf-4-local7-rgb6d-n64; do
     "$program" generate --machine "$machine" --chains 1 --out "$scratch" >/dev/null
     core=$scratch/core-1-$machine
@@ -40,3 +40,5 @@ done
 "$here/fusesoc.sh" "$core"
 "$root/scripts/litex/check.sh" "$core"
 "$root/testbenches/cocotb/run.sh" --faults
+# Queries with radii, of which some are above the largest.
+"$root/testbenches/cocotb/run.sh" --machine leaf-4-radii-local7-rgb6d-n64 --test random_traffic --test wrong_words

@@ -95,7 +95,7 @@ class Traffic:
         facings = everything if self.happens(0.6) else self.random.getrandbits(FACINGS)
         values = dict(zip(AXES, cell)) | {"tag": self.random.getrandbits(16), "facings": facings, "release": int(release)}
         if "radius_sq" in self.shape.queries.fields:
-            # Those above the largest radius too.
+            # Some are above the largest radius.
             values["radius_sq"] = self.random.randint(0, self.shape.queries.fields["radius_sq"].most)
         word = self.shape.queries.pack(values)
         if self.happens(self.wrong.outside):

@@ -224,7 +224,7 @@ impl<'a, R: Rng> Draw<'a, R> {
         }
     }
 
-    /// The field of a query's radius: the format's, or one of any length up to it, or one above it, which means the largest.
+    /// The field of a radius: the format's; where queries have radii, one of any length up to it or, at times, above it.
     fn radius_sq(&mut self) -> u32 {
         let largest = self.largest();
         match self.core.has_radii() {
@@ -304,13 +304,13 @@ impl<'a, R: Rng> Draw<'a, R> {
             let sums = gather(self.core.machine, &query, photons.iter().copied());
             sums.expect("a set has no more photons than the sums hold")
         };
-        let at_most_largest = |asked: u32| {
-            let radius = asked.min(largest);
+        let of_field = |field: u32| {
+            let radius = field.min(largest);
             (radius, sums(radius))
         };
         match &self.rounds {
-            QueryRounds::Own => vec![at_most_largest(query.radius_sq)],
-            QueryRounds::Ladder(radii) => radii.iter().copied().map(at_most_largest).collect(),
+            QueryRounds::Own => vec![of_field(query.radius_sq)],
+            QueryRounds::Ladder(radii) => radii.iter().copied().map(of_field).collect(),
             QueryRounds::Nearest(k) => {
                 let radii: Vec<_> = (0..=largest).collect();
                 let smallest = radii.partition_point(|&radius| sums(radius).count < u64::from(*k));

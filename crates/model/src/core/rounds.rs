@@ -160,6 +160,7 @@ impl Store {
         }
     }
 
+    /// The radius of that round of a ladder.
     fn rung(&self, settings: &Settings, round: u32) -> u32 {
         self.at_most_largest(settings.radii[round as usize].into())
     }
@@ -181,7 +182,7 @@ impl Store {
                 if told.number > 0 {
                     outputs.result = told.kept;
                 }
-                told.number.min(self.rounds.largest)
+                self.at_most_largest(told.number.into())
             }
             Kind::Ladder(_) => self.rung(settings, batch.back),
             Kind::Own => asked.radius,
