@@ -95,8 +95,10 @@ class Traffic:
         facings = everything if self.happens(0.6) else self.random.getrandbits(FACINGS)
         values = dict(zip(AXES, cell)) | {"tag": self.random.getrandbits(16), "facings": facings, "release": int(release)}
         if "radius_sq" in self.shape.queries.fields:
-            # Some are above the largest radius.
-            values["radius_sq"] = self.random.randint(0, self.shape.queries.fields["radius_sq"].most)
+            # Of those near the field's end, most are above the largest radius.
+            most = self.shape.queries.fields["radius_sq"].most
+            least = most - (most >> 5) if self.happens(0.3) else 0
+            values["radius_sq"] = self.random.randint(least, most)
         word = self.shape.queries.pack(values)
         if self.happens(self.wrong.outside):
             word |= 1 << self.random.choice(self.shape.queries.spare_bits())
