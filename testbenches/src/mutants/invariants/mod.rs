@@ -107,11 +107,9 @@ pub(super) struct Invariants {
     place: Vec<usize>,
     /// For each place, which is the values of the `place` registers in a row: the values of all registers.
     known: BTreeMap<u64, Vec<Values>>,
-    /// The most photons that a query may have. The driver of the machine ensures this, so it is assumed and
-    /// not proven.
-    max_photons: u64,
-    /// The registers that count a query's photons.
-    counts: Vec<usize>,
+    /// The ports of a query's sums, each with the number of bits that the most photons of a query need. The
+    /// driver of the machine ensures that a query has no more photons, so this is assumed and not proven.
+    declared: BTreeMap<String, u32>,
     /// Combinations that never occur: of small registers of the control block, or of all flags in machines
     /// without a program.
     never: Vec<Never>,
@@ -161,11 +159,7 @@ impl Invariants {
             registers: design.register_paths.clone(),
             names: registers.clone().map(|pin| pin.name.clone()).collect(),
             known: BTreeMap::new(),
-            max_photons: machine.max_photons(),
-            counts: registers
-                .enumerate()
-                .filter_map(|(index, pin)| is_count(machine, pin.place).then_some(index))
-                .collect(),
+            declared: declared(machine, design),
             never: Vec::new(),
             relations: machine
                 .spatial()
@@ -415,10 +409,28 @@ impl Invariants {
     }
 }
 
-/// Whether a register is the sum of a cell that counts photons.
-fn is_count(machine: &Machine, place: SignalPlace) -> bool {
-    let sum = Register::Sum;
-    matches!(place, SignalPlace::Cell { node, register } if register == sum && machine.hypercube().role(node) == Role::D)
+/// The ports of a query's sums: the result pins, and the sum register of each cell. Each is given with the
+/// bits of the largest sum that the most photons of a query can reach.
+fn declared(machine: &Machine, design: &Emitted) -> BTreeMap<String, u32> {
+    let needed = Widths::of_numbers(&machine.numbers);
+    let channels = machine.channels().names().iter();
+    let pins = channels.map(|channel| (format!("result_{channel}"), needed.sum));
+    let count = ("result_count".to_owned(), needed.count);
+    let pins = pins.chain([count]);
+    let registers = design.pins.observed[design.pins.outputs..].iter();
+    let registers = registers.zip(&design.register_paths);
+    let cells = registers.filter_map(|(pin, path)| match pin.place {
+        SignalPlace::Cell {
+            node,
+            register: Register::Sum,
+        } => {
+            let counts = machine.hypercube().role(node) == Role::D;
+            let bits = if counts { needed.count } else { needed.sum };
+            Some((format!("{path}.q"), bits))
+        }
+        _ => None,
+    });
+    pins.chain(cells).collect()
 }
 
 /// All combinations of values of `count` of these registers, each given with its bits.

@@ -2,9 +2,6 @@
 
 use super::{Invariants, Never, Relation, UNKNOWN, Values};
 
-/// The output pin of a result's count.
-const COUNT: &str = "result_count";
-
 /// The conjunction of conditions, as a list. Yosys reads a list quickly, and takes minutes for a chain of ten
 /// thousand `&&`, at each read.
 fn all_of(conditions: &[String]) -> String {
@@ -32,7 +29,10 @@ impl Invariants {
     pub fn around_miter(&self) -> String {
         let name = |name: &str, direction: &str| match direction {
             "input" => Some(format!("in_{name}")),
-            _ => (name == COUNT).then(|| format!("gold_{name}")),
+            _ => self
+                .declared
+                .contains_key(name)
+                .then(|| format!("gold_{name}")),
         };
         self.around("miter", name) + "endmodule\n"
     }
@@ -55,19 +55,14 @@ impl Invariants {
         )
     }
 
-    /// The conditions that the result's count pin, and the registers that count, have no bit above those of
-    /// the most photons.
+    /// The conditions that a query's sums have no bit above those that the most photons need.
     fn declared_count(&self) -> Vec<String> {
-        let above = self.max_photons.ilog2() + 1;
-        let pin = self.ports.get(COUNT);
-        let pin = pin.map(|port| (format!("p{}", self.port_number(COUNT)), port.width() as u32));
-        let registers = self.counts.iter();
-        let counts = registers.filter_map(|&index| self.register(index, "q"));
-        pin.into_iter()
-            .chain(counts)
-            .filter(|(_, bits)| above < *bits)
-            .map(|(port, bits)| format!("{port}[{}:{above}] == 0", bits - 1))
-            .collect()
+        let condition = |(name, needed): (&String, &u32)| {
+            let bits = self.ports.get(name)?.width();
+            let number = self.port_number(name);
+            ((*needed as usize) < bits).then(|| format!("p{number}[{}:{needed}] == 0", bits - 1))
+        };
+        self.declared.iter().filter_map(condition).collect()
     }
 
     /// The invariants as conditions on the current registers.
