@@ -339,7 +339,8 @@ fn is_near(machine: &Machine, place: SignalPlace, other: SignalPlace) -> bool {
     }
 }
 
-fn activity(step: Step, done: bool, inputs: &Inputs) -> Activity {
+/// The activity of a sequential machine whose control block is at this step.
+pub(crate) fn activity(step: Step, done: bool, inputs: &Inputs) -> Activity {
     let row = SEQUENTIAL.op(step.op);
     if done {
         return Activity::HasResult;

@@ -35,6 +35,7 @@ mod stimulus;
 mod tools;
 mod trace;
 mod verify;
+mod waves;
 
 pub use crate::core::{CoreError, CoreOptions, CoreVerdict, core_controls, verify_core};
 pub use board::{BoardError, BoardVerdict, Scenario, board_controls, verify_board};
@@ -59,11 +60,15 @@ pub use faults::{
 };
 pub use formal::{Formal, FormalError, Proof, formal};
 pub use levels::{PartVerdict, verify_part, verify_part_device};
-pub use mutants::{Fate, Judged, MutantOptions, MutantPart, MutantReport, Mutation, mutants};
+pub use mutants::{
+    Fate, Judged, MutantOptions, MutantPart, MutantReport, Mutation, RecordedMutant, mutants,
+    record_mutant,
+};
 pub use programs::{
     DrawnProgram, MOST_PROGRAM_ITERATIONS, Open, ProgramClass, ProgramFailure, ProgramOptions,
     ProgramVerdict, ProgramsError, draw_program, program_control, programmed, verify_programs,
 };
 pub use stimulus::{Block, Pressure, Protocol, Source, StimulusError, chunk_seed, generate};
 pub use tools::{MissingTool, Tool, ToolError, pinned_tools};
-pub use verify::{Verdict, VerifyError, VerifyOptions, verify, verify_device};
+pub use verify::{Verdict, VerifyError, VerifyOptions, verify, verify_device, verify_recorded};
+pub use waves::{NS_PER_CLOCK, Recorder, WaveFiles, Waves};

@@ -14,6 +14,7 @@ use crate::compare::{Comparer, Divergence};
 use crate::device::{Device, DeviceError, DeviceKind, Observed, hdl_error};
 use crate::faults::UnknownDifference;
 use crate::stimulus::{Block, Pressure, Source, StimulusError, generate};
+use crate::waves::{Recorder, Waves};
 
 /// The stimulus of a verification and its length.
 #[derive(Copy, Clone, Debug)]
@@ -105,17 +106,45 @@ pub fn verify(
     options: &VerifyOptions<'_>,
     progress: &dyn Fn(u64),
 ) -> Result<Verdict, VerifyError> {
+    let (mut device, digest) = opened(machine, kind)?;
+    let verdict = verify_device(machine, device.as_mut(), options, progress)?;
+    Ok(Verdict {
+        verilog_sha256: Some(digest),
+        ..verdict
+    })
+}
+
+/// Verifies a machine in a device as [`verify`] does, and records the last `clocks` clocks. A difference does not
+/// end the recording at once. If the device does not run, nothing is recorded.
+pub fn verify_recorded(
+    machine: &Machine,
+    kind: DeviceKind,
+    options: &VerifyOptions<'_>,
+    clocks: usize,
+    progress: &dyn Fn(u64),
+) -> (Result<Verdict, VerifyError>, Option<Waves>) {
+    let (device, digest) = match opened(machine, kind) {
+        Ok(opened) => opened,
+        Err(error) => return (Err(error.into()), None),
+    };
+    let mut recorder = Recorder::new(machine, device, clocks);
+    let ended = verify_device(machine, &mut recorder, options, progress);
+    let verdict = ended.map(|verdict| Verdict {
+        verilog_sha256: Some(digest),
+        ..verdict
+    });
+    (verdict, Some(recorder.into_waves()))
+}
+
+/// Opens a device with a machine. Returns it with the digest of the machine's emitted text.
+fn opened(machine: &Machine, kind: DeviceKind) -> Result<(Box<dyn Device>, String), DeviceError> {
     let design = emit(machine, Level::Machine).map_err(hdl_error(machine))?;
-    let mut device = match kind {
+    let device = match kind {
         // The device simulates the blocks that the text is printed from.
         DeviceKind::RustHdl => kind.open(machine, Level::Machine)?,
         kind => kind.open_emitted(&design)?,
     };
-    let verdict = verify_device(machine, device.as_mut(), options, progress)?;
-    Ok(Verdict {
-        verilog_sha256: Some(design.verilog_sha256()),
-        ..verdict
-    })
+    Ok((device, design.verilog_sha256()))
 }
 
 /// Verifies a machine in a device that is open and has not run yet.

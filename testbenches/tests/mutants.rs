@@ -4,7 +4,9 @@ mod support;
 
 use libtest_mimic::{Arguments, Failed};
 use photoncube_spec::find_machine;
-use photoncube_testbench::{DeviceKind, Fate, MutantOptions, MutantPart, mutants};
+use photoncube_testbench::{
+    DeviceKind, Fate, Judged, MutantOptions, MutantPart, mutants, record_mutant,
+};
 
 /// The number of mutants. `photoncube verify mutants` judges more, and those of other machines.
 const MUTANTS: u64 = 24;
@@ -45,5 +47,19 @@ fn none_survives(machine: &str, part: MutantPart) -> Result<(), Failed> {
     let controls = &report.controls;
     assert!(!controls.is_empty() && controls.iter().all(|control| control.found));
     assert!(report.vectors_compared > 0);
+    let killed = report.mutants.iter().find(|m| m.fate == Fate::Killed);
+    recorded(machine, &options, killed.ok_or("none was killed")?)
+}
+
+/// A killed mutant's waveform shows the first difference. A part of a machine has no golden model beside it.
+fn recorded(machine: &str, options: &MutantOptions, killed: &Judged) -> Result<(), Failed> {
+    let machine = find_machine(machine)?;
+    let recorded = record_mutant(machine, options, killed.mutation.mutant, 100)?;
+    let recorded = recorded.ok_or("a mutant of the report has a number")?;
+    assert!(recorded.killed && recorded.mutation == killed.mutation);
+    let has_model = options.part == MutantPart::Machine;
+    assert_eq!(recorded.waves.difference().is_some(), has_model);
+    assert!(!recorded.waves.clocks().is_empty());
+    assert!(record_mutant(machine, options, u64::MAX, 1)?.is_none());
     Ok(())
 }

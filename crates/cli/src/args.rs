@@ -13,7 +13,7 @@ use photoncube_render::{
 };
 
 use self::numbers::{positive, with_negative_values};
-use crate::commands::{VerifyArgs, with_method};
+use crate::commands::{VerifyArgs, WavesArgs, with_method};
 use crate::machines::{ChosenMachineArgs, MachineArgs};
 use crate::scenes::SceneName;
 
@@ -165,6 +165,8 @@ pub struct RunArgs {
     /// At least so many iterations (groups of photons of this scene) to compare in each simulator [default: by its speed]
     #[arg(long, value_name = "N", value_parser = count(1..=u64::MAX))]
     pub iterations: Option<u64>,
+    #[command(flatten)]
+    pub waves: WavesArgs,
 }
 
 /// The picture's size and quality.

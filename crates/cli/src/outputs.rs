@@ -12,6 +12,9 @@ use crate::files;
 /// The legal endings of the name of a plot or a map.
 const PLOT_ENDINGS: [&str; 1] = [".svg"];
 
+/// The legal endings of the name of a waveform.
+const WAVE_ENDINGS: [&str; 1] = [".vcd"];
+
 /// A file that a command will write.
 #[derive(Clone, Debug)]
 pub struct Output {
@@ -38,6 +41,17 @@ impl Output {
     pub fn plot(option: &'static str, path: &Path) -> Self {
         let path = path.to_owned();
         let endings = &PLOT_ENDINGS;
+        Self {
+            option,
+            path,
+            endings,
+        }
+    }
+
+    /// A waveform that the option names.
+    pub fn waves(option: &'static str, path: &Path) -> Self {
+        let path = path.to_owned();
+        let endings = &WAVE_ENDINGS;
         Self {
             option,
             path,

@@ -53,6 +53,24 @@ pub trait Device {
     fn replay(&mut self, inputs: &[u64], observed: &mut Observed) -> Result<(), DeviceError>;
 }
 
+impl<D: Device + ?Sized> Device for Box<D> {
+    fn name(&self) -> &str {
+        (**self).name()
+    }
+
+    fn tool_version(&self) -> &str {
+        (**self).tool_version()
+    }
+
+    fn visible(&self) -> usize {
+        (**self).visible()
+    }
+
+    fn replay(&mut self, inputs: &[u64], observed: &mut Observed) -> Result<(), DeviceError> {
+        (**self).replay(inputs, observed)
+    }
+}
+
 /// Rows of observed values.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Observed {

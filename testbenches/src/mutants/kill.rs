@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use photoncube_hdl::{Emitted, Level};
-use photoncube_spec::Machine;
+use photoncube_spec::{Machine, Pins};
 
 use super::{MutantOptions, Mutation};
 use crate::compare::Comparer;
@@ -12,6 +12,7 @@ use crate::device::{Device, DeviceError, Observed, Verilator};
 use crate::levels::{memory_scrub_rows, memory_walk};
 use crate::stimulus::{Block, Protocol, Source, generate, scrub_rows};
 use crate::verify::{VerifyError, wrong_count};
+use crate::waves::{Recorder, Waves};
 
 /// The mutated design in Verilator, with one active mutation.
 struct Selected {
@@ -115,7 +116,7 @@ impl<'a> Kills<'a> {
             ControlFlow::Continue(())
         })?;
         kills.blocks = blocks;
-        let mut compared = kills.begin(0)?;
+        let mut compared = kills.compared(kills.device(0)?)?;
         for block in &kills.blocks {
             if let Some(difference) = compared.difference(block)? {
                 return Err(difference);
@@ -180,18 +181,22 @@ impl<'a> Kills<'a> {
 
     /// A mutant after the rows with which a chunk begins. Its registers are not compared before that, because
     /// Yosys's `mutate` loses the initial values of the registers that it changes.
-    fn begin(&self, mutant: u64) -> Result<Compared<'a>, VerifyError> {
-        let mut device = self.device(mutant)?;
+    fn compared<D: Device>(&self, mut device: D) -> Result<Compared<'a, D>, VerifyError> {
         let mut observed = Observed::default();
         device.replay(&self.scrub, &mut observed)?;
-        let mut pins = self.mutated.pins.clone();
-        // The last pin selects the mutation.
-        pins.inputs.pop();
         Ok(Compared {
-            comparer: Comparer::of_pins(self.machine, pins, device.visible()),
+            comparer: Comparer::of_pins(self.machine, self.pins(), device.visible()),
             device,
             observed,
         })
+    }
+
+    /// The pins of the part.
+    fn pins(&self) -> Pins {
+        let mut pins = self.mutated.pins.clone();
+        // The last pin selects the mutation.
+        pins.inputs.pop();
+        pins
     }
 
     fn device(&self, mutant: u64) -> Result<Selected, DeviceError> {
@@ -204,7 +209,13 @@ impl<'a> Kills<'a> {
 
     /// Whether the first iterations kill the mutant.
     pub fn dies(&self, mutation: &Mutation) -> Result<bool, VerifyError> {
-        let mut compared = self.begin(mutation.mutant)?;
+        self.dies_at_first(&mut self.compared(self.device(mutation.mutant)?)?)
+    }
+
+    fn dies_at_first<D: Device>(
+        &self,
+        compared: &mut Compared<'_, D>,
+    ) -> Result<bool, VerifyError> {
         let mut dies = false;
         for block in &self.blocks {
             dies = compared.difference(block)?.is_some();
@@ -212,14 +223,24 @@ impl<'a> Kills<'a> {
                 break;
             }
         }
-        self.count(&compared, dies);
+        self.count(compared, dies);
         Ok(dies)
     }
 
-    /// Whether one of these kills the mutant: longer stimulus, resets in each clock of a query, the stimulus
-    /// of the machine's corners.
+    /// Whether later stimulus kills the mutant, see [`Self::later_sources`].
     pub fn dies_later(&self, mutation: &Mutation) -> Result<bool, VerifyError> {
-        let (seed, iterations) = (self.options.seed + 1, self.options.more_iterations);
+        for source in self.later_sources() {
+            let mut compared = self.compared(self.device(mutation.mutant)?)?;
+            if self.dies_under(source, &mut compared)? {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
+    /// The stimulus of mutants that the first iterations do not kill: resets in each clock of a query, more
+    /// iterations, the stimulus of the machine's corners.
+    fn later_sources(&self) -> Vec<Source<'static>> {
         let corners = match self.part {
             MutantPart::Machine => Source::corners(self.machine),
             MutantPart::Memory => Vec::new(),
@@ -228,40 +249,73 @@ impl<'a> Kills<'a> {
             MutantPart::Machine => Some(Source::Protocol(Protocol::Resets)),
             MutantPart::Memory => None,
         };
-        let sources = resets.into_iter().chain([Source::Random]).chain(corners);
-        for source in sources {
-            let mut compared = self.begin(mutation.mutant)?;
-            let mut found = Ok(None);
-            self.stimulus(source, seed, iterations, &mut |block| {
-                found = compared.difference(&block);
-                match found {
-                    Ok(None) => ControlFlow::Continue(()),
-                    _ => ControlFlow::Break(()),
-                }
-            })?;
-            let dies = found?.is_some();
-            self.count(&compared, dies);
-            if dies {
-                return Ok(true);
-            }
-        }
-        Ok(false)
+        let sources = resets.into_iter().chain([Source::Random]);
+        sources.chain(corners).collect()
     }
 
-    fn count(&self, compared: &Compared<'_>, dies: bool) {
+    fn dies_under<D: Device>(
+        &self,
+        source: Source<'_>,
+        compared: &mut Compared<'_, D>,
+    ) -> Result<bool, VerifyError> {
+        let (seed, iterations) = (self.options.seed + 1, self.options.more_iterations);
+        let mut found = Ok(None);
+        self.stimulus(source, seed, iterations, &mut |block| {
+            found = compared.difference(&block);
+            match found {
+                Ok(None) => ControlFlow::Continue(()),
+                _ => ControlFlow::Break(()),
+            }
+        })?;
+        let dies = found?.is_some();
+        self.count(compared, dies);
+        Ok(dies)
+    }
+
+    /// Records a mutant under the first iterations and, where these do not kill it, under the later stimulus. Returns
+    /// whether it died, with the waveform of the last stimulus.
+    pub fn record(&self, mutation: &Mutation, clocks: usize) -> Result<(bool, Waves), VerifyError> {
+        let recorded = || self.compared(self.recorder(mutation, clocks)?);
+        let mut compared = recorded()?;
+        let mut dies = self.dies_at_first(&mut compared)?;
+        for source in self.later_sources() {
+            if dies {
+                break;
+            }
+            compared = recorded()?;
+            dies = self.dies_under(source, &mut compared)?;
+        }
+        Ok((dies, compared.device.into_waves()))
+    }
+
+    fn recorder(
+        &self,
+        mutation: &Mutation,
+        clocks: usize,
+    ) -> Result<Recorder<Selected>, DeviceError> {
+        let device = self.device(mutation.mutant)?;
+        let recorder = match self.part {
+            MutantPart::Machine => Recorder::new(self.machine, device, clocks),
+            MutantPart::Memory => Recorder::of_part(self.machine, self.pins(), device, clocks),
+        };
+        let unknown = self.scrub.len() / self.pins().inputs.len();
+        Ok(recorder.unknown_for(unknown as u64))
+    }
+
+    fn count<D>(&self, compared: &Compared<'_, D>, dies: bool) {
         let vectors = compared.comparer.vectors + u64::from(dies);
         self.vectors.fetch_add(vectors, Ordering::Relaxed);
     }
 }
 
 /// A mutant in a comparison.
-struct Compared<'a> {
-    device: Selected,
+struct Compared<'a, D> {
+    device: D,
     comparer: Comparer<'a>,
     observed: Observed,
 }
 
-impl Compared<'_> {
+impl<D: Device> Compared<'_, D> {
     /// The first difference in the next block; `None` if there is none.
     fn difference(&mut self, block: &Block) -> Result<Option<VerifyError>, VerifyError> {
         self.observed.clear();

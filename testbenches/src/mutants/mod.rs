@@ -12,7 +12,7 @@ mod prove;
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use photoncube_hdl::emit;
+use photoncube_hdl::{Emitted, emit};
 use photoncube_spec::Machine;
 use rayon::prelude::*;
 use serde::Serialize;
@@ -21,6 +21,7 @@ use crate::controls::Control;
 use crate::device::{DeviceKind, hdl_error};
 use crate::tools::Tool;
 use crate::verify::VerifyError;
+use crate::waves::Waves;
 
 pub use design::Mutation;
 use invariants::Invariants;
@@ -113,16 +114,11 @@ pub fn mutants(
     options: &MutantOptions,
     progress: &(dyn Fn(u64) + Sync),
 ) -> Result<MutantReport, VerifyError> {
-    let missing = [DeviceKind::Verilator, DeviceKind::Netlist]
-        .into_iter()
-        .find_map(DeviceKind::missing_tool);
-    if let Some(missing) = missing {
-        return Err(crate::DeviceError::from(missing).into());
-    }
-    let level = options.part.level();
-    let design = emit(machine, level).map_err(hdl_error(machine))?;
-    let mutations = design::draw(&design, options.mutants, options.seed)?;
-    let mutated = design::with_all(&design, &mutations)?;
+    let Drawn {
+        design,
+        mutations,
+        mutated,
+    } = Drawn::new(machine, options)?;
     let kills = Kills::new(machine, options.part, &mutated, options)?;
     let judged = AtomicU64::new(0);
     let count = || progress(judged.fetch_add(1, Ordering::Relaxed) + 1);
@@ -175,6 +171,73 @@ pub fn mutants(
         controls,
         mutants: judged,
     })
+}
+
+/// A mutant under the stimulus, and its waveform.
+#[derive(Debug)]
+pub struct RecordedMutant {
+    /// The mutation.
+    pub mutation: Mutation,
+    /// Whether some signal differed from the golden model.
+    pub killed: bool,
+    /// The number of clocks compared.
+    pub vectors_compared: u64,
+    /// The waveform. If the stimulus does not kill the mutant, it is of the end of the last stimulus.
+    pub waves: Waves,
+}
+
+/// Records one of the mutants that [`mutants`] draws with these options, under the stimulus that it has there. Keeps
+/// at most `clocks` clocks. `None` where no mutant has that number.
+///
+/// # Errors
+/// A tool is missing or fails, or the design without any mutation differs from the golden model.
+pub fn record_mutant(
+    machine: &Machine,
+    options: &MutantOptions,
+    mutant: u64,
+    clocks: usize,
+) -> Result<Option<RecordedMutant>, VerifyError> {
+    let drawn = Drawn::new(machine, options)?;
+    let mut mutations = drawn.mutations.iter();
+    let Some(mutation) = mutations.find(|mutation| mutation.mutant == mutant) else {
+        return Ok(None);
+    };
+    let kills = Kills::new(machine, options.part, &drawn.mutated, options)?;
+    let (killed, waves) = kills.record(mutation, clocks)?;
+    Ok(Some(RecordedMutant {
+        mutation: mutation.clone(),
+        killed,
+        vectors_compared: kills.vectors.into_inner(),
+        waves,
+    }))
+}
+
+/// The mutations of a design.
+struct Drawn {
+    design: Emitted,
+    mutations: Vec<Mutation>,
+    /// The design with all mutations.
+    mutated: Emitted,
+}
+
+impl Drawn {
+    fn new(machine: &Machine, options: &MutantOptions) -> Result<Self, VerifyError> {
+        let missing = [DeviceKind::Verilator, DeviceKind::Netlist]
+            .into_iter()
+            .find_map(DeviceKind::missing_tool);
+        if let Some(missing) = missing {
+            return Err(crate::DeviceError::from(missing).into());
+        }
+        let level = options.part.level();
+        let design = emit(machine, level).map_err(hdl_error(machine))?;
+        let mutations = design::draw(&design, options.mutants, options.seed)?;
+        let mutated = design::with_all(&design, &mutations)?;
+        Ok(Self {
+            design,
+            mutations,
+            mutated,
+        })
+    }
 }
 
 /// The number of killed mutants on which the proofs are tried.

@@ -24,7 +24,7 @@ use clap_complete::Shell;
 use photoncube_model::GatherError;
 use photoncube_testbench::{StimulusError, VerifyError};
 
-pub use self::verify::{METHODS, VerifyArgs, with_method};
+pub use self::verify::{METHODS, VerifyArgs, WavesArgs, with_method};
 use crate::args::{Args, Command};
 use crate::{files, output, outputs};
 

@@ -12,7 +12,7 @@ use photoncube_testbench::{DeviceKind, Source, Verdict, VerifyError, VerifyOptio
 use serde::Serialize;
 
 use self::sizing::Fitted;
-use super::verify::{verdict_table, verify_with_bar};
+use super::verify::{Written, verdict_table, verify_with_bar};
 use crate::args::RunArgs;
 use crate::chains::ChainsChoice;
 use crate::failure::CheckFailed;
@@ -52,6 +52,8 @@ struct Report {
     divergence: Option<String>,
     devices: Vec<Verdict>,
     devices_not_found: Vec<NotFound>,
+    /// The waveform of the last simulator; `None` where none was asked for.
+    waves: Option<Written>,
     /// The difference of the golden model's picture from the f64 reference's, rms over pixels and channels.
     #[serde(flatten)]
     distance: Distance,
@@ -86,6 +88,7 @@ pub fn execute(args: &RunArgs, json: bool) -> Result<()> {
     let scene = scenes::load(&args.scene)?;
     let paths = Paths::of(args);
     paths.check(&scene)?;
+    args.waves.check(scene.files())?;
     let view = view(&args.picture);
     sight::check(&scene, &view)?;
     let mut seconds = Seconds::default();
@@ -142,6 +145,7 @@ pub fn execute(args: &RunArgs, json: bool) -> Result<()> {
         divergence: compared.divergence.clone(),
         devices: compared.verdicts,
         devices_not_found: compared.not_found,
+        waves: compared.waves,
         distance,
         picture: paths.picture.display().to_string(),
         reference_picture: paths.reference.display().to_string(),
@@ -200,6 +204,8 @@ fn timed<T>(seconds: &mut f64, work: impl FnOnce() -> Result<T>) -> Result<T> {
 struct Comparison {
     verdicts: Vec<Verdict>,
     not_found: Vec<NotFound>,
+    /// The waveform of the last device.
+    waves: Option<Written>,
     /// The first difference, which ends the comparison.
     divergence: Option<String>,
 }
@@ -225,6 +231,7 @@ fn compare(args: &RunArgs, machine: &Machine, traced: &Traced) -> Result<Compari
     let mut compared = Comparison {
         verdicts: Vec::new(),
         not_found: Vec::new(),
+        waves: None,
         divergence: None,
     };
     let repeat = format!(
@@ -251,7 +258,9 @@ fn compare(args: &RunArgs, machine: &Machine, traced: &Traced) -> Result<Compari
                 repeat: &repeat,
             },
         };
-        match verify_with_bar(machine, device, &options) {
+        let (ended, recorded) = verify_with_bar(machine, device, &options, args.waves.clocks());
+        compared.waves = args.waves.write(recorded.as_ref())?;
+        match ended {
             Ok(verdict) => compared.verdicts.push(verdict),
             Err(VerifyError::Diverged(divergence)) => {
                 compared.divergence = Some(divergence.to_string());
@@ -305,6 +314,9 @@ fn text(report: &Report) -> String {
     text += &r.fitted.as_ref().map_or_else(String::new, fitted_line);
     text += "\n";
     text += &verdict_table(&r.devices);
+    if let Some(waves) = &r.waves {
+        text += &(waves.text() + "\n");
+    }
     for missing in &r.devices_not_found {
         text += &format!(
             "\nNOT RUN: {}: `{}` was not found; install it with: {}\n",

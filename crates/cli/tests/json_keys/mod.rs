@@ -9,6 +9,12 @@ use super::{json, photoncube};
 const PAGE: &str = include_str!("../../../../docs/json.md");
 const COMMITTED_FIGURES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/measured");
 
+/// A case that `verify campaign` wrote.
+pub const CASE: &str = concat!(
+    env!("CARGO_MANIFEST_DIR"),
+    "/../../testbenches/regressions/planted-adder.json"
+);
+
 /// A campaign with a job.
 const CAMPAIGN: &str = r#"{"seed": 1, "jobs": [{"job": 0, "seconds": 1.5, "machine": "paper",
     "device": "verilator", "tool_version": "5", "seed": 1, "iterations": 2, "results_compared": 1,
@@ -39,6 +45,8 @@ fn every_json_key_is_documented() {
     let exr = folder.path().join("x.exr");
     let exr = exr.to_str().unwrap();
     let progressive = ["progressive", "ring", "-o", exr, "--photons", "1000"];
+    let waves = folder.path().join("x.vcd");
+    let waves = waves.to_str().unwrap();
     let state = folder.path().join("state.json");
     let state = state.to_str().unwrap();
     std::fs::write(state, CAMPAIGN).unwrap();
@@ -51,7 +59,8 @@ fn every_json_key_is_documented() {
         &["generate", "--machine", "paper", "--out", out],
         &[&["plan"][..], &small[..]].concat(),
         &["synth", "--check", "--out", COMMITTED_FIGURES],
-        &["verify", "--iterations", "5"],
+        &["verify", "--iterations", "5", "--waves", waves],
+        &["verify", "equivalence", "--case", CASE, "--waves", waves],
         &["verify", "fuzz", "5"],
         &["verify", "lint"],
         &["verify", "programs", "1"],
@@ -147,6 +156,13 @@ fn keys_of_mutants() {
     // The memory alone is the smallest design that has mutants.
     let memory = ["--machine", "tile-6-mixed", "--part", "memory"];
     of_a_method_with_tools(&[&["verify", "mutants", "3"][..], &memory].concat(), 0);
+    let folder = tempfile::tempdir().unwrap();
+    let waves = folder.path().join("x.vcd");
+    let one = ["--mutant", "1", "--waves", waves.to_str().unwrap()];
+    of_a_method_with_tools(
+        &[&["verify", "mutants", "3"][..], &one, &memory].concat(),
+        0,
+    );
 }
 
 #[test]

@@ -88,6 +88,49 @@ fn compare_writes_no_map_over_what_it_reads_or_into_another_kind() {
     }
 }
 
+/// Three files or none; a name of another kind is refused before the work, whose length has no end.
+#[test]
+fn a_waveform_is_written_with_the_files_that_set_up_viewers() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    let endless = ["verify", "--against", "text", "--iterations", "1e15"];
+    let save = precious(&at("kept.gtkw"));
+    let message = error(&[&endless[..], &["--waves", &save]].concat(), 2);
+    assert!(
+        message.contains("ends in .gtkw, expected .vcd"),
+        "{message}"
+    );
+    let message = error(&["verify", "--case", &save, "--waves", &save], 2);
+    assert!(
+        message.contains("ends in .gtkw, expected .vcd"),
+        "{message}"
+    );
+    let vcd = at("kept.vcd");
+    let vcd = vcd.to_str().unwrap();
+    let message = error(&["verify", "--case", &save, "--waves", vcd], 2);
+    assert!(
+        message.contains("which is read, expected another"),
+        "{message}"
+    );
+    assert_eq!(fs::read_to_string(&save).unwrap(), PRECIOUS);
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+
+    let short = ["verify", "--against", "text", "--iterations", "5"];
+    let vcd = at("w.vcd");
+    let vcd = vcd.to_str().unwrap();
+    let mut output = photoncube(&[&short[..], &["--waves", vcd, "--waves-clocks", "40"]].concat());
+    let output = output.assert().success();
+    let text = String::from_utf8_lossy(&output.get_output().stdout).into_owned();
+    for name in ["w.vcd", "w.sucl", "w.gtkw"] {
+        assert!(text.contains(name), "{text}");
+        assert!(fs::metadata(at(name)).unwrap().len() > 100, "{name}");
+    }
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 4);
+    // The names are those of the other commands too.
+    let message = error(&["verify", "mutants", "9", "--waves", vcd], 2);
+    assert!(message.contains("found no --mutant"), "{message}");
+}
+
 /// The built-in scene as a file.
 const CORNELL: &str = include_str!("../../../render/scenes/cornell.json");
 

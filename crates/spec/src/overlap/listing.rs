@@ -74,6 +74,17 @@ impl fmt::Display for Program {
 }
 
 impl Program {
+    /// The ops that a cell of the role begins in a clock of the kernel, as the listing writes them; `-` where there
+    /// is none.
+    pub fn listed(&self, clock: u32, role: Role) -> String {
+        let entries = COLUMNS.iter().map(|column| self.entry(clock, role, column));
+        let entries: Vec<_> = entries.filter(|entry| !entry.is_empty()).collect();
+        match entries.is_empty() {
+            true => "-".to_owned(),
+            false => entries.join(", "),
+        }
+    }
+
     fn entry(&self, clock: u32, role: Role, column: &Column) -> String {
         let here =
             |op: &&KernelOp| op.clock == clock && op.role == role && (column.shows)(op.step.op);

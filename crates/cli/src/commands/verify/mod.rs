@@ -21,6 +21,7 @@ mod placed;
 mod programs;
 #[cfg(test)]
 mod tests;
+mod waves;
 
 use std::collections::BTreeSet;
 use std::path::PathBuf;
@@ -34,6 +35,7 @@ use crate::{output, verified};
 use self::core::CoreMethod;
 pub use self::equivalence::{verdict_table, verify_with_bar};
 pub use self::old_flags::with_method;
+pub use self::waves::{WavesArgs, Written};
 use campaign::Campaign;
 use coverage::Coverage;
 use equivalence::Equivalence;

@@ -5,11 +5,14 @@ use clap::Args;
 use photoncube_spec::Machine;
 use photoncube_testbench::{
     DeviceKind, Fate, MutantOptions, MutantPart, MutantReport, Tool, comparison_controls, mutants,
+    record_mutant,
 };
+use serde_json::json;
 
 use super::method::Method;
 use super::options::StimulusArgs;
 use super::outcome::{Outcome, equal};
+use super::waves::WavesArgs;
 use crate::args::count;
 use crate::machines::MachineArgs;
 use crate::progress;
@@ -32,13 +35,21 @@ pub struct Mutants {
     part: Option<String>,
     #[command(flatten)]
     stimulus: StimulusArgs,
+    /// Only mutant K of the list, to record it with --waves
+    #[arg(long, value_name = "K", requires = "waves")]
+    mutant: Option<u64>,
+    #[command(flatten)]
+    waves: WavesArgs,
 }
 
 impl Method for Mutants {
     const NAME: &'static str = "mutants";
     const ABOUT: &'static str = "Plant about N mutations in the emitted Verilog, one at a time, and see whether the stimulus \
         finds each; a mutant that is not found in --iterations must be proven equivalent";
-    const EXAMPLES: &'static [&'static str] = &["photoncube verify mutants 700 --machine overlap"];
+    const EXAMPLES: &'static [&'static str] = &[
+        "photoncube verify mutants 700 --machine overlap",
+        "photoncube verify mutants 100 --machine paper --mutant 7 --waves mutant.vcd",
+    ];
 
     fn tools(&self) -> Vec<Tool> {
         [&[Tool::Yosys], DeviceKind::Verilator.tools()].concat()
@@ -53,6 +64,12 @@ impl Method for Mutants {
             iterations: ITERATIONS,
             more_iterations: self.stimulus.iterations,
         };
+        if self.mutant.is_none() && self.waves.clocks().is_some() {
+            bail!("--waves: found no --mutant, expected the number of the mutant that is recorded");
+        }
+        if let Some(mutant) = self.mutant {
+            return self.record(machine, &options, mutant);
+        }
         let bar = progress::bar("mutants", self.mutants);
         let report = equal(mutants(machine, &options, &|done| bar.set_position(done)))?;
         bar.finish_and_clear();
@@ -79,17 +96,68 @@ impl Method for Mutants {
 }
 
 impl Mutants {
-    fn line(&self, report: &MutantReport) -> Result<Line> {
-        let part = match report.part == MutantPart::Machine.name() {
-            true => "",
-            false => report.part,
+    /// Records one of the mutants and says whether the stimulus finds it.
+    fn record(&self, machine: &Machine, options: &MutantOptions, mutant: u64) -> Result<Outcome> {
+        self.waves.check(&[])?;
+        let clocks = self.waves.clocks().unwrap_or_default();
+        let Some(recorded) = equal(record_mutant(machine, options, mutant, clocks))? else {
+            bail!(
+                "--mutant: found {mutant}, which none of these mutants is; `photoncube verify mutants {}` with the same \
+                   options and --json lists their numbers",
+                self.mutants
+            );
         };
-        let option = match part {
+        let written = self.waves.write(Some(&recorded.waves))?;
+        let found = match recorded.killed {
+            true => "killed",
+            false => "not killed by the stimulus: it is equivalent, or it survives",
+        };
+        let details = json!({
+            "machine": machine.name,
+            "part": options.part.name(),
+            "mutant": mutant,
+            "module": recorded.mutation.module,
+            "mutation": recorded.mutation.options,
+            "killed": recorded.killed,
+            "vectors_compared": recorded.vectors_compared,
+            "waves": written,
+        });
+        let line = Line {
+            aspect: format!("mutant {mutant}"),
+            by: Tool::Verilator.version()?,
+            volume: 1,
+            unit: "mutants".to_owned(),
+            result: found.to_owned(),
+            command: format!(
+                "{} --mutant {mutant} --waves FILE.vcd",
+                self.command(machine.name, options.part.name())
+            ),
+            ..Line::of_machine(machine.name)?
+        };
+        let outcome =
+            Outcome::new::<Self>(comparison_controls([DeviceKind::Verilator])?, &details)?;
+        let outcome = outcome.note(format!(
+            "{}: mutant {mutant} is {found}: {}",
+            machine.name, recorded.mutation.options
+        ));
+        Ok(outcome.waves(written.as_ref()).lines([line]))
+    }
+
+    /// The command of these mutants.
+    fn command(&self, machine: &str, part: &str) -> String {
+        let part = match aspect(part) {
             "" => String::new(),
             part => format!(" --part {part}"),
         };
+        format!(
+            "photoncube verify mutants {} --machine {machine}{part} --iterations {} --seed {}",
+            self.mutants, self.stimulus.iterations, self.stimulus.seed.seed
+        )
+    }
+
+    fn line(&self, report: &MutantReport) -> Result<Line> {
         Ok(Line {
-            aspect: part.to_owned(),
+            aspect: aspect(report.part).to_owned(),
             by: report.tool_version.clone(),
             volume: report.mutants.len() as u64,
             unit: "mutants".to_owned(),
@@ -99,12 +167,17 @@ impl Mutants {
                 report.count(Fate::Equivalent),
                 report.count(Fate::Survived)
             ),
-            command: format!(
-                "photoncube verify mutants {} --machine {}{option} --iterations {} --seed {}",
-                self.mutants, report.machine, self.stimulus.iterations, report.seed
-            ),
+            command: self.command(report.machine, report.part),
             ..Line::of_machine(report.machine)?
         })
+    }
+}
+
+/// The part as an aspect of the machine, which the whole machine is not.
+fn aspect(part: &str) -> &str {
+    match part == MutantPart::Machine.name() {
+        true => "",
+        false => part,
     }
 }
 

@@ -6,6 +6,7 @@ use serde::Serialize;
 use serde_json::Value;
 
 use super::method::Method;
+use super::waves::Written;
 use crate::failure::CheckFailed;
 use crate::table;
 use crate::verified::Line;
@@ -68,6 +69,14 @@ impl Outcome {
         self.text += note.as_ref();
         self.text.push('\n');
         self
+    }
+
+    /// Adds the files of a waveform, where one was written.
+    pub fn waves(self, written: Option<&Written>) -> Self {
+        match written {
+            None => self,
+            Some(written) => self.note(written.text()),
+        }
     }
 
     /// Adds what was verified.

@@ -1,16 +1,22 @@
 //! The method `equivalence`: compares a machine with the golden model in every visible signal and every clock.
 
+mod case;
+
+use std::path::PathBuf;
+
 use anyhow::Result;
 use clap::Args;
 use photoncube_spec::Machine;
 use photoncube_testbench::{
-    DeviceKind, Tool, Verdict, VerifyError, VerifyOptions, comparison_controls, verify,
+    DeviceKind, Tool, Verdict, VerifyError, VerifyOptions, Waves, comparison_controls, verify,
+    verify_recorded,
 };
 use serde_json::json;
 
 use super::method::Method;
 use super::options::{AGAINST, Devices, StimulusArgs, devices, tools};
 use super::outcome::{Outcome, UpToDifference};
+use super::waves::WavesArgs;
 use crate::machines::MachineArgs;
 use crate::verified::Line;
 use crate::{progress, table};
@@ -24,6 +30,11 @@ pub struct Equivalence {
     against: Vec<Devices>,
     #[command(flatten)]
     stimulus: StimulusArgs,
+    /// Replay a case that `verify campaign` wrote, instead of random stimulus; the case names the machine
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["machine", "iterations", "seed"])]
+    case: Option<PathBuf>,
+    #[command(flatten)]
+    waves: WavesArgs,
 }
 
 impl Equivalence {
@@ -50,6 +61,7 @@ impl Method for Equivalence {
         "photoncube verify equivalence --against icarus,verilator --iterations 2000",
         "photoncube verify --against verilator --iterations 1000000 --json",
         "photoncube verify --machine paper-5d --against all --seed 7",
+        "photoncube verify --against icarus --iterations 50 --waves paper.vcd",
     ];
 
     fn tools(&self) -> Vec<Tool> {
@@ -57,10 +69,17 @@ impl Method for Equivalence {
     }
 
     fn run(&self) -> Result<Outcome> {
+        self.waves.check(self.case.as_slice())?;
+        if let Some(path) = &self.case {
+            return case::replay(path, &devices(&self.against), &self.waves);
+        }
         let machine = self.machine.find_to_emit()?;
+        let mut written = None;
         let mut all = UpToDifference::new(|verdict: &Verdict| verdict.vectors_compared);
         for device in devices(&self.against) {
-            let ended = verify_with_bar(machine, device, &self.stimulus.random());
+            let (options, clocks) = (self.stimulus.random(), self.waves.clocks());
+            let (ended, recorded) = verify_with_bar(machine, device, &options, clocks);
+            written = self.waves.write(recorded.as_ref())?;
             if !all.add(device.name(), ended)? {
                 break;
             }
@@ -72,25 +91,32 @@ impl Method for Equivalence {
             "vectors_compared": all.vectors_compared,
             "mismatches": all.mismatches(),
             "devices": all.verdicts,
+            "waves": written,
         });
         let controls = comparison_controls(devices(&self.against))?;
         Ok(Outcome::new::<Self>(controls, &details)?
             .rows("devices", COLUMNS)
+            .waves(written.as_ref())
             .lines(all.verdicts.iter().map(|verdict| self.line(verdict)))
             .findings(all.difference))
     }
 }
 
-/// Verifies with a progress bar.
+/// Verifies with a progress bar. Records the last `clocks` clocks where this is given.
 pub fn verify_with_bar(
     machine: &Machine,
     device: DeviceKind,
     options: &VerifyOptions<'_>,
-) -> Result<Verdict, VerifyError> {
+    clocks: Option<usize>,
+) -> (Result<Verdict, VerifyError>, Option<Waves>) {
     let bar = progress::bar(device.name(), options.iterations);
-    let verdict = verify(machine, device, options, &|done| bar.set_position(done));
+    let progress = |done| bar.set_position(done);
+    let ended = match clocks {
+        None => (verify(machine, device, options, &progress), None),
+        Some(clocks) => verify_recorded(machine, device, options, clocks, &progress),
+    };
     bar.finish_and_clear();
-    verdict
+    ended
 }
 
 /// The columns of a table of comparisons.
