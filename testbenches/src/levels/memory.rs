@@ -113,6 +113,8 @@ pub(crate) struct MemoryWalk<'a> {
     stretch: Stretch,
     /// The number of groups taken of the set that is being filled.
     place: usize,
+    /// The last places of the two sets that ended last; one of them is played.
+    ends: [usize; 2],
     block: Block,
     clocks: u64,
     seed: u64,
@@ -147,6 +149,7 @@ impl<'a> MemoryWalk<'a> {
             stretch: Stretch::any(&mut rng, bank),
             rng,
             place: 0,
+            ends: [0; 2],
             block: Block::default(),
             clocks: 0,
             seed,
@@ -247,6 +250,11 @@ impl<'a> MemoryWalk<'a> {
             0 => corner(rng, 16) as u32,
             1 => rng.random_range(0..4),
             2 => self.place.saturating_sub(rng.random_range(0..2)) as u32,
+            // Around the end of a set, with which it is compared.
+            4 => {
+                let end = self.ends[rng.random_range(0..2)] + rng.random_range(0..4);
+                end.saturating_sub(rng.random_range(0..4)) as u32
+            }
             // One bit of the word: it is compared with a number larger than a set's.
             3 => 1 << rng.random_range(0..16),
             _ => 0,
@@ -308,6 +316,9 @@ impl<'a> MemoryWalk<'a> {
         let takes = row.inputs.group_valid && self.model.group_ready();
         self.model.clock(&row.inputs, row.head);
         let ends = row.inputs.group.last || self.place + 1 == self.bank;
+        if takes && ends {
+            self.ends = [self.place, self.ends[0]];
+        }
         self.place = match takes {
             _ if row.inputs.reset => 0,
             true if ends => 0,
