@@ -287,6 +287,9 @@ pub struct ReportArgs {
     /// The view whose pixels are the queries
     #[arg(long, default_value_t = Size { width: 32, height: 32 }, value_name = "WxH")]
     pub size: Size,
+    /// The picture of the page, for which the machines' time is forecast
+    #[arg(long, default_value_t = Size { width: 256, height: 256 }, value_name = "WxH")]
+    pub picture_size: Size,
     /// Seed of all random numbers
     #[arg(long, default_value_t = 1, value_name = "S", value_parser = seed)]
     pub seed: u64,

@@ -15,6 +15,7 @@ mod measured;
 mod measured_fits;
 mod output;
 mod outputs;
+mod page;
 mod plots;
 mod port;
 mod progress;

@@ -7,7 +7,7 @@ use anyhow::{Result, anyhow};
 use photoncube_render::{
     Engine, Estimator, Image, LIGHT_RADIANCE, Light, Lighting, PhotonMap, PhotonMaps, Radii,
     Rendering, Scene, TraceOptions, ViewOptions, error_map, light_mask, rel_mse, relative_errors,
-    render_lit, rms_relative_difference, rmse, trace,
+    render, render_lit, rms_relative_difference, rmse, trace,
 };
 use serde::Serialize;
 
@@ -15,7 +15,7 @@ use crate::args::PictureArgs;
 use crate::{files, progress};
 
 /// The exposure of written pictures: radiance 1 is white.
-const EXPOSURE: f64 = 1.0;
+pub const EXPOSURE: f64 = 1.0;
 
 /// A scene with its photon maps.
 pub struct Traced {
@@ -67,8 +67,23 @@ pub fn picture(
     view: &ViewOptions,
     what: &'static str,
 ) -> Result<Rendering> {
-    let (lighting, estimator) = (Lighting::default(), Estimator::FixedRadius);
-    picture_lit(traced, engine, &lighting, &estimator, view, what)
+    picture_of_map(&traced.scene, traced.map(), engine, view, what)
+}
+
+/// Stages 4 to 6 without writing, from one photon map of all light. The search radius is fixed.
+pub fn picture_of_map(
+    scene: &Scene,
+    map: &PhotonMap,
+    engine: Engine<'_>,
+    view: &ViewOptions,
+    what: &'static str,
+) -> Result<Rendering> {
+    let pixels = u64::from(view.width) * u64::from(view.height);
+    let bar = progress::bar(what, pixels);
+    let progress = |done| bar.set_position(done);
+    let rendering = render(scene, map, engine, view, &progress)?;
+    bar.finish_and_clear();
+    Ok(rendering)
 }
 
 /// Stages 4 to 6 without writing, with a lighting and an estimator.

@@ -3,6 +3,7 @@
 
 mod dimensions;
 mod estimators;
+mod page;
 mod pictures;
 mod row;
 mod speed;
@@ -12,7 +13,7 @@ mod verdict;
 use std::path::PathBuf;
 
 use anyhow::Result;
-use photoncube_render::{BenchOptions, Engine, ErrorBench, Scene, ViewOptions};
+use photoncube_render::{BenchOptions, Engine, ErrorBench, Scene, ViewOptions, view_queries};
 use photoncube_spec::{MACHINES, PHOTON_FORMATS};
 use serde::Serialize;
 
@@ -30,7 +31,7 @@ struct Report {
     maps: u64,
     photons: u64,
     in_range: f64,
-    /// The number of queries of each machine's `clocks`.
+    /// The number of queries of the picture of `picture_size`, which each machine's `clocks` are for.
     query_points: u64,
     noise_relative: f64,
     /// The bound of `error_over_noise`, which is the requested ratio.
@@ -46,6 +47,10 @@ struct Report {
     bits_plot: String,
     hardware_plot: String,
     dimensions_plot: String,
+    /// The path of the page.
+    page: String,
+    #[serde(skip)]
+    page_text: String,
     #[serde(skip)]
     facts: Facts,
 }
@@ -87,6 +92,16 @@ fn options(args: &ReportArgs) -> BenchOptions {
     }
 }
 
+/// The view of the picture of the page, for which the machines' time is forecast.
+fn picture_view(args: &ReportArgs) -> ViewOptions {
+    ViewOptions {
+        width: args.picture_size.width,
+        height: args.picture_size.height,
+        samples_per_axis: 1,
+        seed: args.seed,
+    }
+}
+
 fn measure(args: &ReportArgs, scene: &Scene, options: &BenchOptions) -> Result<Report> {
     let formats = PHOTON_FORMATS.iter().map(Engine::from);
     let engines: Vec<_> = formats.chain(MACHINES.iter().map(Engine::from)).collect();
@@ -94,15 +109,25 @@ fn measure(args: &ReportArgs, scene: &Scene, options: &BenchOptions) -> Result<R
     let bench = ErrorBench::traced(scene, options, &|maps| bar.set_position(maps))?;
     // This measurement has no error of its own: if it fails, the scene is the cause and not a format.
     let reference = bench.measure(Engine::F64)?;
+    let picture = view_queries(scene, &picture_view(args))?;
     let mut rows = Vec::new();
     for engine in engines {
-        rows.push(row::row(&bench, engine, args.noise_ratio)?);
+        rows.push(row::row(&bench, engine, args.noise_ratio, &picture)?);
         bar.inc(1);
     }
     bar.finish_and_clear();
     let speeds = speed::measure(&bench, &mut rows)?;
     pictures::mark_fronts(&mut rows);
     let paths = Paths::of(args);
+    let verdict = Verdict::of(&rows);
+    let about = page::About {
+        args,
+        scene,
+        bench: &bench,
+        rows: &rows,
+        verdict: &verdict,
+    };
+    let page_text = about.text()?;
     let estimates = reference.estimates_compared + reference.estimates_too_noisy;
     let queries = bench.queries().len() as u64;
     Ok(Report {
@@ -111,10 +136,10 @@ fn measure(args: &ReportArgs, scene: &Scene, options: &BenchOptions) -> Result<R
         maps: args.maps,
         photons: args.photons,
         in_range: args.in_range,
-        query_points: queries,
+        query_points: picture.len() as u64,
         noise_relative: reference.noise_relative,
         noise_ratio: args.noise_ratio,
-        scene_needs: Verdict::of(&rows),
+        scene_needs: verdict,
         rows,
         estimators: estimators::measure(&bench, args.in_range),
         speeds,
@@ -123,6 +148,8 @@ fn measure(args: &ReportArgs, scene: &Scene, options: &BenchOptions) -> Result<R
         bits_plot: paths.bits.display().to_string(),
         hardware_plot: paths.hardware.display().to_string(),
         dimensions_plot: paths.dimensions.display().to_string(),
+        page: paths.page.display().to_string(),
+        page_text,
         facts: Facts {
             scene_name: scene.name().to_owned(),
             estimates,
@@ -139,6 +166,7 @@ struct Paths {
     bits: PathBuf,
     hardware: PathBuf,
     dimensions: PathBuf,
+    page: PathBuf,
     data: PathBuf,
 }
 
@@ -151,6 +179,7 @@ impl Paths {
             bits: file("-bits.svg"),
             hardware: file("-hardware.svg"),
             dimensions: file("-dimensions.svg"),
+            page: file(".html"),
             data: file(".json"),
         }
     }
@@ -161,6 +190,7 @@ impl Paths {
             &self.bits,
             &self.hardware,
             &self.dimensions,
+            &self.page,
             &self.data,
         ];
         let outputs = paths.map(|path| Output::within("--out", path.clone()));
@@ -173,6 +203,7 @@ impl Paths {
             (&self.bits, pictures::BITS.draw(report)?),
             (&self.hardware, pictures::HARDWARE.draw(report)?),
             (&self.dimensions, dimensions::plot(&report.dimensions)?),
+            (&self.page, report.page_text.clone()),
             (&self.data, serde_json::to_string_pretty(report)? + "\n"),
         ];
         let files = plots.iter();

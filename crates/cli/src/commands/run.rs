@@ -1,5 +1,6 @@
 //! The command `run`: the whole path, from a scene to verified Verilog and a picture.
 
+mod page;
 mod sizing;
 
 use std::path::PathBuf;
@@ -60,6 +61,8 @@ struct Report {
     picture: String,
     reference_picture: String,
     error_map: String,
+    /// The path of the page.
+    page: String,
     verilog: String,
     seconds: Seconds,
 }
@@ -150,9 +153,20 @@ pub fn execute(args: &RunArgs, json: bool) -> Result<()> {
         picture: paths.picture.display().to_string(),
         reference_picture: paths.reference.display().to_string(),
         error_map: paths.error_map.display().to_string(),
+        page: paths.page.display().to_string(),
         verilog: written[0].clone(),
         seconds,
     };
+    let about = page::About {
+        args,
+        machine,
+        traced: &traced,
+        view: &view,
+        rendering: &rendering,
+        reference: &reference,
+        report: &report,
+    };
+    files::write(&paths.page, about.text()?.as_bytes())?;
     let summary = serde_json::to_string_pretty(&report)? + "\n";
     files::write(&paths.summary, summary.as_bytes())?;
     output::print(json, &report, || text(&report))?;
@@ -167,6 +181,7 @@ struct Paths {
     picture: PathBuf,
     reference: PathBuf,
     error_map: PathBuf,
+    page: PathBuf,
     summary: PathBuf,
 }
 
@@ -178,6 +193,7 @@ impl Paths {
             picture: path(".png"),
             reference: path("-f64.png"),
             error_map: path("-error.svg"),
+            page: path(".html"),
             summary: args.out.join("run.json"),
         }
     }
@@ -187,6 +203,7 @@ impl Paths {
             &self.picture,
             &self.reference,
             &self.error_map,
+            &self.page,
             &self.summary,
         ];
         let outputs = paths.map(|path| Output::within("--out", path.clone()));
@@ -283,6 +300,7 @@ fn text(report: &Report) -> String {
          \x20 at the clock      {}\n\
          \x20 model against f64 {:.3} % rms relative error of the picture, relMSE {:.2e}, RMSE {:.2e}\n\
          \x20 pictures          {}, {}, {}\n\
+         \x20 page              {}\n\
          \x20 Verilog           {}\n",
         r.scene,
         r.machine,
@@ -309,6 +327,7 @@ fn text(report: &Report) -> String {
         r.picture,
         r.reference_picture,
         r.error_map,
+        r.page,
         r.verilog,
     );
     text += &r.fitted.as_ref().map_or_else(String::new, fitted_line);

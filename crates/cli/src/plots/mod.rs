@@ -6,9 +6,9 @@ mod chart;
 mod convergence;
 mod labels;
 mod legend;
-mod palette;
+pub mod palette;
 mod panels;
-mod ticks;
+pub mod ticks;
 
 pub use self::against_error::{Better, Kind, Plot, Point, against_error, pareto_front};
 pub use self::convergence::{Curve, Reached, convergence_plot};

@@ -1,6 +1,6 @@
 //! Colours that a computation shows to be distinguishable for the colour-blind.
 
-use plotters::style::RGBColor;
+use plotters::style::{RGBColor, WHITE};
 
 /// The colour of the most important item of a picture: a front, a bound.
 pub const FIRST: RGBColor = RGBColor(213, 94, 0);
@@ -13,9 +13,44 @@ pub const INK: RGBColor = RGBColor(30, 30, 30);
 /// The colour of unimportant items.
 pub const FAINT: RGBColor = RGBColor(165, 165, 165);
 
+/// The colours of a page.
+pub struct Set {
+    /// The background.
+    pub paper: RGBColor,
+    /// Lines and texts.
+    pub ink: RGBColor,
+    /// Unimportant items.
+    pub faint: RGBColor,
+    /// The most important item.
+    pub first: RGBColor,
+    /// The second item, and links.
+    pub second: RGBColor,
+    /// The third item.
+    pub third: RGBColor,
+}
+
+/// The colours of a light page.
+pub const LIGHT: Set = Set {
+    paper: WHITE,
+    ink: INK,
+    faint: FAINT,
+    first: FIRST,
+    second: SECOND,
+    third: THIRD,
+};
+
+/// The colours of a dark page.
+pub const DARK: Set = Set {
+    paper: RGBColor(18, 20, 24),
+    ink: RGBColor(240, 240, 240),
+    faint: RGBColor(92, 96, 102),
+    first: RGBColor(255, 140, 40),
+    second: RGBColor(70, 140, 255),
+    third: RGBColor(130, 190, 245),
+};
+
 #[cfg(test)]
 mod tests {
-    use plotters::style::WHITE;
 
     use super::*;
 
@@ -87,7 +122,20 @@ mod tests {
 
     #[test]
     fn all_colours_are_apart_for_every_eye() {
-        let colours = [FIRST, SECOND, THIRD, INK, FAINT, WHITE];
+        for set in [LIGHT, DARK] {
+            let Set {
+                paper,
+                ink,
+                faint,
+                first,
+                second,
+                third,
+            } = set;
+            are_apart(&[first, second, third, ink, faint, paper]);
+        }
+    }
+
+    fn are_apart(colours: &[RGBColor]) {
         for (index, a) in colours.iter().enumerate() {
             for b in &colours[..index] {
                 assert!(

@@ -4,7 +4,7 @@ use std::fs;
 
 use serde_json::Value;
 
-use super::shared::REPORT;
+use super::shared::{REPORT, RUN, Written};
 use super::{error, estimators, json, photoncube};
 
 #[test]
@@ -193,4 +193,39 @@ fn a_plan_has_a_row_for_each_size() {
     assert!(longer.contains("longer than the 8 engines"), "{longer}");
     let wrong = error(&["plan", "cornell", "--format", "local7"], 2);
     assert!(wrong.contains("there is no format `local7`"), "{wrong}");
+}
+
+/// The text of the page of a report.
+fn page(written: &Written) -> String {
+    fs::read_to_string(written.report["page"].as_str().unwrap()).unwrap()
+}
+
+/// `scripts/page/check.sh` opens the pages in a browser.
+#[test]
+fn pages_hold_all_that_they_show_and_say_what_the_report_says() {
+    for (page, named) in [(page(&REPORT), "scene_needs"), (page(&RUN), "fitted")] {
+        assert!(page.len() < 3_000_000, "{named}: {} bytes", page.len());
+        // Pictures are in the page; addresses of other pages are in no attribute.
+        for attribute in ["src=\"", "href=\""] {
+            let values = page.split(attribute).skip(1);
+            let values: Vec<_> = values.map(|rest| rest.split('"').next().unwrap()).collect();
+            assert!(!values.is_empty(), "{named}: {attribute}");
+            let is_inside = |value: &&str| value.starts_with("data:") || value.starts_with('#');
+            let outside: Vec<_> = values.iter().filter(|value| !is_inside(value)).collect();
+            assert!(outside.is_empty(), "{named}: {outside:?}");
+        }
+        assert!(page.contains("id=\"verdict\""), "{named}");
+        assert!(page.contains("class=\"steps-data\""), "{named}");
+    }
+    let report = &REPORT.report["scene_needs"];
+    let verdict = page(&REPORT).split("</section>").next().unwrap().to_owned();
+    for key in ["format", "smallest_machine", "fastest_machine"] {
+        let name = report[key].as_str().unwrap();
+        assert!(verdict.contains(&format!(">{name}<")), "{key}: {name}");
+    }
+    let bits = report["bits_per_photon"].as_u64().unwrap();
+    assert!(verdict.contains(&format!("needs {bits} bits a photon")));
+    let run = page(&RUN);
+    let machine = RUN.report["machine"].as_str().unwrap();
+    assert!(run.contains(&format!("The machine is <strong>{machine}</strong>")));
 }

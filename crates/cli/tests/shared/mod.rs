@@ -38,6 +38,7 @@ pub static RUN: LazyLock<Written> = LazyLock::new(|| {
 /// The output of `report` for the default scene.
 pub static REPORT: LazyLock<Written> = LazyLock::new(|| {
     let small = ["--photons", "5000", "--size", "8x8", "--maps", "3"];
+    let small = [&small[..], &["--picture-size", "48x48"]].concat();
     Written::by("report", &small)
 });
 

@@ -4,14 +4,14 @@ use anyhow::Result;
 
 use super::Report;
 use super::row::Row;
-use crate::plots::{Better, Kind, Plot, Point, against_error, pareto_front};
+use crate::plots::{Better, Plot, Point, against_error, pareto_front};
 
 /// A figure of merit that is plotted against the error.
 pub struct Merit {
     title: &'static str,
     axis: &'static str,
     better: Better,
-    of: fn(&Row) -> Option<f64>,
+    pub of: fn(&Row) -> Option<f64>,
 }
 
 pub const SPEED: Merit = Merit {
@@ -56,21 +56,7 @@ pub fn mark_fronts(rows: &mut [Row]) {
 
 impl Merit {
     fn point(&self, row: &Row) -> Option<Point> {
-        let measurement = row.measurement?;
-        Some(Point {
-            label: row.name.clone(),
-            kind: match row.is_format() {
-                true => Kind::Format,
-                false => Kind::Machine,
-            },
-            error: measurement.error_over_noise,
-            interval: [
-                measurement.error_over_noise_low,
-                measurement.error_over_noise_high,
-            ],
-            figure: (self.of)(row)?,
-            holds: row.within_bound,
-        })
+        row.point((self.of)(row)?)
     }
 
     /// Draws the plot as SVG.

@@ -1,12 +1,13 @@
 //! The figures of a format or a machine.
 
 use anyhow::Result;
-use photoncube_render::{BenchError, Engine, ErrorBench, ErrorReport, Measurement};
+use photoncube_render::{BenchError, Engine, ErrorBench, ErrorReport, Measurement, QueryPoint};
 use photoncube_spec::PhotonFormat;
 use serde::Serialize;
 
 use crate::hardware::PictureTime;
 use crate::measured::{Area, Measured};
+use crate::plots::{Kind, Point};
 
 /// A row of the table.
 #[derive(Serialize)]
@@ -58,6 +59,25 @@ impl Row {
         Some(self.measurement?.error_over_noise)
     }
 
+    /// The row in a plot of a figure against the error; `None` where the error was not measured.
+    pub fn point(&self, figure: f64) -> Option<Point> {
+        let measurement = self.measurement?;
+        Some(Point {
+            label: self.name.clone(),
+            kind: match self.is_format() {
+                true => Kind::Format,
+                false => Kind::Machine,
+            },
+            error: measurement.error_over_noise,
+            interval: [
+                measurement.error_over_noise_low,
+                measurement.error_over_noise_high,
+            ],
+            figure,
+            holds: self.within_bound,
+        })
+    }
+
     /// LUT4 equivalents without DSP blocks.
     pub fn lut4_equivalents(&self) -> Option<u64> {
         let area = self.hardware.area_without_dsp.as_ref()?;
@@ -76,7 +96,14 @@ impl Row {
 }
 
 /// Measures the row of a format or a machine. A row that cannot represent the scene states the reason.
-pub fn row(bench: &ErrorBench, engine: Engine<'_>, bound: f64) -> Result<Row> {
+///
+/// `picture` has the queries of the picture whose time is forecast.
+pub fn row(
+    bench: &ErrorBench,
+    engine: Engine<'_>,
+    bound: f64,
+    picture: &[QueryPoint],
+) -> Result<Row> {
     let measured = bench.measure_light(engine);
     let (measurement, error, cannot) = match &measured {
         Ok(report) => (
@@ -113,7 +140,7 @@ pub fn row(bench: &ErrorBench, engine: Engine<'_>, bound: f64) -> Result<Row> {
         bits_per_photon,
         cannot,
         within_bound: measurement.is_some_and(|m| m.error_over_noise <= bound),
-        hardware: hardware(bench, engine, measured.is_ok())?,
+        hardware: hardware(bench, engine, picture, measured.is_ok())?,
         photon_tests_per_second: None,
         photon_tests_per_second_spread: None,
         on_speed_front: false,
@@ -133,7 +160,12 @@ pub fn reason(error: &BenchError) -> String {
     cause.to_string()
 }
 
-fn hardware(bench: &ErrorBench, engine: Engine<'_>, takes_scene: bool) -> Result<Hardware> {
+fn hardware(
+    bench: &ErrorBench,
+    engine: Engine<'_>,
+    picture: &[QueryPoint],
+    takes_scene: bool,
+) -> Result<Hardware> {
     let Engine::Integers(_, Some(machine)) = engine else {
         return Ok(Hardware::default());
     };
@@ -141,7 +173,7 @@ fn hardware(bench: &ErrorBench, engine: Engine<'_>, takes_scene: bool) -> Result
     let measured = Measured::of(machine)?;
     let fmax_mhz = measured.fastest().map(|clock| clock.fmax_mhz);
     let time = match takes_scene {
-        true => PictureTime::of(machine, &bench.maps()[0], bench.queries())?,
+        true => PictureTime::of(machine, &bench.maps()[0], picture)?,
         false => PictureTime::default(),
     };
     Ok(Hardware {

@@ -11,7 +11,7 @@ use crate::table;
 pub fn text(report: &Report) -> String {
     let facts = &report.facts;
     format!(
-        "{}: {}\n\n\
+        "{}: {}\npage: {}\n\n\
          noise {} rms over {} maps of at least {} photons ({} stored in the first: batches of {BATCH_PATHS} paths are \
          completed);\n{:.0} in range on average, {} aimed at; {} of {} estimates left out, their queries noisier than {}\n\n\
          {}{}\
@@ -22,6 +22,7 @@ pub fn text(report: &Report) -> String {
         report
             .scene_needs
             .text(report.noise_ratio, report.query_points),
+        report.page,
         percent(report.noise_relative),
         report.maps,
         report.photons,

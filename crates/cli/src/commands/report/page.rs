@@ -1,0 +1,342 @@
+//! The report as a page.
+
+use anyhow::{Context, Result};
+use maud::{Markup, html};
+use photoncube_render::{Engine, ErrorBench, PhotonMap, Scene, ViewOptions};
+use photoncube_spec::{Machine, find_machine};
+
+use super::pictures::{BITS, Merit};
+use super::row::Row;
+use super::verdict::Verdict;
+use crate::args::ReportArgs;
+use crate::hardware::digits;
+use crate::page::{
+    Cell, Chart, Example, Page, Pictures, Section, Trace, figures, hypercube, is_drawn, pictures,
+    schedule, units,
+};
+use crate::plots::{Better, Point};
+use crate::stages::picture_of_map;
+use crate::verified;
+
+/// The machine that is shown where no machine is within the bound.
+const PAPER: &str = "paper";
+/// The machines whose schedules are shown, one of each organisation.
+const SCHEDULES: [&str; 3] = [PAPER, "overlap", "stream"];
+/// The name of the error in charts and tables.
+const ERROR: &str = "rms error over the scene's own noise";
+
+/// What the page is about.
+pub struct About<'a> {
+    pub args: &'a ReportArgs,
+    pub scene: &'a Scene,
+    pub bench: &'a ErrorBench,
+    pub rows: &'a [Row],
+    pub verdict: &'a Verdict,
+}
+
+/// The picture of the page, and what it takes.
+struct Picture {
+    view: ViewOptions,
+    machine: &'static Machine,
+    body: Markup,
+    /// Photons that the golden model tests for it.
+    photon_tests: u64,
+}
+
+impl About<'_> {
+    /// The text of the page.
+    pub fn text(&self) -> Result<String> {
+        let picture = self.picture()?;
+        let size = format!("{} x {}", picture.view.width, picture.view.height);
+        let speeds = self.speeds(&picture);
+        let figure = format!("pictures of {size} pixels a second");
+        let mut sections = vec![
+            Section {
+                id: "picture",
+                title: format!("The picture, by {}", picture.machine.name),
+                body: picture.body.clone(),
+            },
+            Section {
+                id: "speed",
+                title: "Speed against error".to_owned(),
+                body: html! {
+                    p {
+                        "Machines at their measured clock on an ECP5, by the golden model's clocks while no stream waits. \
+                         Photon formats: their golden model on one core of this computer, measured now."
+                    }
+                    (self.chart(&figure, Better::Larger, &speeds))
+                },
+            },
+            Section {
+                id: "bits",
+                title: "Bits against error".to_owned(),
+                body: self.chart(
+                    "bits of a stored photon",
+                    Better::Smaller,
+                    &self.points(&BITS),
+                ),
+            },
+        ];
+        sections.push(self.hypercube(&picture)?);
+        sections.push(Section {
+            id: "schedules",
+            title: "What the cells do, clock by clock".to_owned(),
+            body: html! {
+                (units())
+                @for name in SCHEDULES {
+                    @if let Ok(machine) = find_machine(name) { (schedule(machine)) }
+                }
+            },
+        });
+        sections.push(Section {
+            id: "machines",
+            title: "All machines and formats".to_owned(),
+            body: self.table(&speeds, &figure),
+        });
+        sections.push(self.verification()?);
+        let page = Page {
+            title: format!(
+                "{}: the precision it needs, and the machines",
+                self.scene.name()
+            ),
+            verdict: self.facts(&picture),
+            sections,
+            command: self.command(),
+        };
+        Ok(page.text())
+    }
+
+    fn map(&self) -> &PhotonMap {
+        &self.bench.maps()[0]
+    }
+
+    /// The machine that makes the picture: the smallest within the bound, if there is one.
+    fn machine(&self) -> Result<&'static Machine> {
+        let name = self.verdict.smallest_machine.as_deref();
+        Ok(find_machine(name.unwrap_or(PAPER))?)
+    }
+
+    fn picture(&self) -> Result<Picture> {
+        let machine = self.machine()?;
+        let view = super::picture_view(self.args);
+        let render = |engine, what| picture_of_map(self.scene, self.map(), engine, &view, what);
+        let reference = render(Engine::F64, "rendering, f64")?;
+        let rendering = render(Engine::from(machine), "rendering, model")?;
+        let title = format!("relative error: {} of {}", machine.name, self.scene.name());
+        Ok(Picture {
+            body: pictures(&Pictures {
+                made_by: machine.name,
+                picture: &rendering.image,
+                reference: &reference.image,
+                title: &title,
+            })?,
+            photon_tests: rendering.stats.photon_tests,
+            machine,
+            view,
+        })
+    }
+
+    /// The answer: what the scene needs, the smallest and the fastest machine, and a CPU core beside them.
+    fn facts(&self, picture: &Picture) -> Vec<Markup> {
+        let bound = self.args.noise_ratio;
+        let size = format!("{} x {}", picture.view.width, picture.view.height);
+        let mut facts = Vec::new();
+        match (&self.verdict.format, self.verdict.bits_per_photon) {
+            (Some(format), Some(bits)) => facts.push(html! {
+                strong { (self.scene.name()) " needs " (bits) " bits a photon" } ": " code { (format) }
+                " has the fewest of the listed formats whose error is within " (bound) " of the scene's own noise."
+            }),
+            _ => facts.push(html! {
+                strong { "No listed format is precise enough" } " for " (self.scene.name()) ": none has an error within "
+                (bound) " of the scene's own noise."
+            }),
+        }
+        if let Some(name) = &self.verdict.smallest_machine {
+            let row = self.rows.iter().find(|row| row.name == *name);
+            let area = row.and_then(Row::lut4_equivalents);
+            facts.push(html! {
+                "The smallest machine within that bound is " strong { (name) }
+                @if let Some(area) = area { ", " (area) " LUT4 equivalents" } "."
+            });
+        }
+        if let Some(name) = &self.verdict.fastest_machine {
+            let row = self.rows.iter().find(|row| row.name == *name);
+            let time = row.map(|row| row.hardware.time.clone()).unwrap_or_default();
+            facts.push(html! {
+                "The fastest is " strong { (name) }
+                @match (time.seconds_per_picture, time.fmax_mhz, time.speed_grade) {
+                    (Some(seconds), Some(mhz), Some(grade)) => {
+                        ": " strong { (digits(seconds)) " s" } " for a picture of " (size) " pixels on an ECP5, speed grade "
+                        (grade) ", at its measured " (format!("{mhz:.0}")) " MHz, while no stream waits."
+                    }
+                    _ => { "; its clock is not measured." }
+                }
+            });
+        }
+        if let Some((format, seconds)) = self.on_cpu(picture) {
+            facts.push(html! {
+                "A core of this computer takes " strong { (digits(seconds)) " s" } " for the photon tests of that picture, by the golden \
+                 model of " code { (format) } "."
+            });
+        }
+        facts.push(
+            html! { code { "photoncube fit" } " searches all formats, so it may find fewer bits." },
+        );
+        facts
+    }
+
+    /// The seconds of a CPU core for the photon tests of the picture, in the format of the fewest bits.
+    fn on_cpu(&self, picture: &Picture) -> Option<(&str, f64)> {
+        let format = self.verdict.format.as_deref()?;
+        let row = self.rows.iter().find(|row| row.name == format)?;
+        Some((
+            format,
+            picture.photon_tests as f64 / row.photon_tests_per_second?,
+        ))
+    }
+
+    /// For each row, its pictures a second.
+    fn speeds(&self, picture: &Picture) -> Vec<Option<f64>> {
+        let tests = picture.photon_tests as f64;
+        let speed = |row: &Row| match row.is_format() {
+            true => Some(row.photon_tests_per_second? / tests),
+            false => row.pictures_per_second(),
+        };
+        self.rows.iter().map(speed).collect()
+    }
+
+    fn points(&self, merit: &Merit) -> Vec<Option<f64>> {
+        self.rows.iter().map(|row| (merit.of)(row)).collect()
+    }
+
+    fn chart(&self, figure: &str, better: Better, values: &[Option<f64>]) -> Markup {
+        let rows = self.rows.iter().zip(values);
+        let point = |(row, value): (&Row, &Option<f64>)| -> Option<Point> { row.point((*value)?) };
+        let points: Vec<_> = rows.filter_map(point).collect();
+        Chart {
+            figure,
+            error: ERROR,
+            better,
+            bound: self.args.noise_ratio,
+            points: &points,
+        }
+        .markup()
+    }
+
+    fn hypercube(&self, picture: &Picture) -> Result<Section> {
+        // A machine without a microprogram has no steps to show.
+        let is_shown = picture.machine.microprogram().is_some() && is_drawn(picture.machine);
+        let machine = if is_shown {
+            picture.machine
+        } else {
+            find_machine(PAPER)?
+        };
+        let example = Example::of(self.scene, self.map(), machine, &picture.view)?;
+        let trace = Trace::of(machine, &example).context("the values of the hypercube")?;
+        Ok(Section {
+            id: "hypercube",
+            title: "A group of photons on the hypercube".to_owned(),
+            body: hypercube(machine, &example, &trace),
+        })
+    }
+
+    fn table(&self, speeds: &[Option<f64>], figure: &str) -> Markup {
+        let rows: Vec<_> = self
+            .rows
+            .iter()
+            .zip(speeds)
+            .map(|(row, speed)| cells(row, *speed))
+            .collect();
+        let header = [
+            "name",
+            "kind",
+            "bits a photon",
+            "error / noise",
+            "within the bound",
+            "LUT4 equivalents",
+            "clock, MHz",
+            figure,
+        ];
+        let caption = format!(
+            "Machines and formats; those above the bound of {} are grey",
+            self.args.noise_ratio
+        );
+        figures(&caption, &header, &rows, |row| !self.rows[row].within_bound)
+    }
+
+    /// What was verified of the machines that the verdict names.
+    fn verification(&self) -> Result<Section> {
+        let named = [
+            &self.verdict.smallest_machine,
+            &self.verdict.fastest_machine,
+        ];
+        let is_named = |name: &str| named.iter().any(|other| other.as_deref() == Some(name));
+        let table = verified::committed()?;
+        let lines = table.lines.iter().filter(|line| is_named(&line.machine));
+        let rows: Vec<_> = lines
+            .map(|line| {
+                let digest = line
+                    .verilog_sha256
+                    .as_deref()
+                    .map(|digest| digest.chars().take(12).collect());
+                vec![
+                    Cell::text(&line.machine),
+                    Cell::text(format!("{} {}", line.method, line.aspect)),
+                    Cell::Number(line.volume.to_string()),
+                    Cell::text(&line.unit),
+                    Cell::text(&line.result),
+                    digest.map_or(Cell::None, Cell::Text),
+                ]
+            })
+            .collect();
+        let header = [
+            "machine",
+            "method",
+            "volume",
+            "of",
+            "outcome",
+            "SHA-256 of the Verilog",
+        ];
+        Ok(Section {
+            id: "verification",
+            title: "How the machines of the verdict are verified".to_owned(),
+            body: match rows.is_empty() {
+                true => html! { p { "Nothing is recorded about them." } },
+                false => figures("Recorded results", &header, &rows, |_| false),
+            },
+        })
+    }
+
+    fn command(&self) -> String {
+        let args = self.args;
+        format!(
+            "photoncube report {} --photons {} --in-range {} --maps {} --noise-ratio {} --size {} --picture-size {} --seed {}",
+            args.scene,
+            args.photons,
+            args.in_range,
+            args.maps,
+            args.noise_ratio,
+            args.size,
+            args.picture_size,
+            args.seed
+        )
+    }
+}
+
+fn cells(row: &Row, speed: Option<f64>) -> Vec<Cell> {
+    let clock = row.hardware.time.fmax_mhz;
+    vec![
+        Cell::text(&row.name),
+        Cell::text(row.kind),
+        Cell::Number(row.bits_per_photon.to_string()),
+        Cell::number(row.error_over_noise().map(|error| format!("{error:.4}"))),
+        Cell::text(match (&row.cannot, row.within_bound) {
+            (Some(_), _) => "cannot hold the scene",
+            (None, true) => "yes",
+            (None, false) => "no",
+        }),
+        Cell::number(row.lut4_equivalents().map(|area| area.to_string())),
+        Cell::number(clock.map(|mhz| format!("{mhz:.0}"))),
+        Cell::number(speed.map(digits)),
+    ]
+}

@@ -1,0 +1,462 @@
+//! A figure of merit against the error, as SVG: both axes logarithmic, the bound drawn, what is beyond it greyed.
+
+use std::fmt::Write as _;
+
+use maud::{Markup, PreEscaped, html};
+
+use super::figures::{Cell, figures};
+use super::scrolling;
+use crate::plots::{Better, Kind, Point, pareto_front, ticks};
+use crate::table::significant;
+
+/// A chart.
+pub struct Chart<'a> {
+    /// The name of the figure, with its unit.
+    pub figure: &'a str,
+    /// The name of the error.
+    pub error: &'a str,
+    /// Which direction of the figure is better.
+    pub better: Better,
+    /// The bound of the error.
+    pub bound: f64,
+    /// The points.
+    pub points: &'a [Point],
+}
+
+const WIDTH: f64 = 860.0;
+const HEIGHT: f64 = 520.0;
+const LEFT: f64 = 76.0;
+const RIGHT: f64 = 24.0;
+const TOP: f64 = 34.0;
+const BOTTOM: f64 = 64.0;
+/// The height of a line of text, and the mean width of its letters.
+const LINE: f64 = 17.0;
+const LETTER: f64 = 7.4;
+
+/// A logarithmic scale from values to places.
+struct Scale {
+    low: f64,
+    high: f64,
+    from: f64,
+    to: f64,
+}
+
+impl Scale {
+    /// A scale that has room around all values.
+    fn of(values: impl Iterator<Item = f64>, from: f64, to: f64) -> Self {
+        let (mut low, mut high) = (f64::INFINITY, 0.0_f64);
+        for value in values {
+            low = low.min(value);
+            high = high.max(value);
+        }
+        let (low, high) = (low / 1.3, high * 1.3);
+        Self {
+            low,
+            high,
+            from,
+            to,
+        }
+    }
+
+    fn at(&self, value: f64) -> f64 {
+        let part = (value / self.low).ln() / (self.high / self.low).ln();
+        self.from + part.clamp(0.0, 1.0) * (self.to - self.from)
+    }
+}
+
+/// A rectangle that a label takes.
+#[derive(Copy, Clone)]
+struct Taken {
+    left: f64,
+    top: f64,
+    right: f64,
+    bottom: f64,
+}
+
+impl Taken {
+    fn meets(&self, other: &Self) -> bool {
+        self.left < other.right
+            && other.left < self.right
+            && self.top < other.bottom
+            && other.top < self.bottom
+    }
+}
+
+impl Chart<'_> {
+    /// The chart, and its points as a table.
+    pub fn markup(&self) -> Markup {
+        let points: Vec<_> = self
+            .points
+            .iter()
+            .filter(|point| is_positive(point))
+            .cloned()
+            .collect();
+        if points.is_empty() {
+            return html! { p { "No figure of " (self.figure) " was measured." } };
+        }
+        let front = pareto_front(&points, self.better);
+        html! {
+            figure.chart {
+                (scrolling(&format!("Chart: {}", self.figure), PreEscaped(self.svg(&points, &front))))
+                p.readout aria-live="polite" { "Point at a mark, or step to it by the Tab key, to read its figures." }
+                ul.legend {
+                    li { span.mark.format {} "photon format" }
+                    li { span.mark.machine {} "machine" }
+                    li { span.mark.best {} "best within the bound (Pareto front)" }
+                    li { span.mark.beyond {} "error above the bound" }
+                }
+            }
+            details {
+                summary { "The figures of this chart as a table" }
+                (self.table(&points, &front))
+            }
+        }
+    }
+
+    fn table(&self, points: &[Point], front: &[bool]) -> Markup {
+        let rows: Vec<_> = points
+            .iter()
+            .zip(front)
+            .map(|(point, on_front)| {
+                vec![
+                    Cell::text(&point.label),
+                    Cell::Number(significant(point.figure, 3)),
+                    Cell::Number(significant(point.error, 3)),
+                    Cell::Number(format!(
+                        "{} to {}",
+                        significant(point.interval[0], 3),
+                        significant(point.interval[1], 3)
+                    )),
+                    Cell::text(if point.holds { "yes" } else { "no" }),
+                    Cell::text(if *on_front { "yes" } else { "" }),
+                ]
+            })
+            .collect();
+        let header = [
+            "name",
+            self.figure,
+            self.error,
+            "95 % interval",
+            "within the bound",
+            "on the Pareto front",
+        ];
+        figures(
+            &format!("{} against {}", self.figure, self.error),
+            &header,
+            &rows,
+            |row| !points[row].holds,
+        )
+    }
+
+    fn svg(&self, points: &[Point], front: &[bool]) -> String {
+        let errors = points.iter().map(|point| point.error);
+        let x = Scale::of(errors.chain([self.bound]), LEFT, WIDTH - RIGHT);
+        let y = Scale::of(
+            points.iter().map(|point| point.figure),
+            HEIGHT - BOTTOM,
+            TOP,
+        );
+        let mut svg = format!(
+            "<svg viewBox=\"0 0 {WIDTH} {HEIGHT}\" role=\"group\" aria-label=\"{}\">\n",
+            escaped(&self.description(points, front))
+        );
+        let bound = x.at(self.bound);
+        let _ = writeln!(
+            svg,
+            "<rect class=\"beyond\" x=\"{bound:.1}\" y=\"{TOP}\" width=\"{:.1}\" height=\"{:.1}\"/>",
+            WIDTH - RIGHT - bound,
+            HEIGHT - BOTTOM - TOP
+        );
+        self.axes(&mut svg, &x, &y);
+        let _ = writeln!(
+            svg,
+            "<path class=\"bound\" d=\"M{bound:.1} {TOP}V{:.1}\"/><text class=\"bound-name\" text-anchor=\"middle\" x=\"{:.1}\" y=\"{:.1}\">bound {}</text>",
+            HEIGHT - BOTTOM,
+            bound,
+            TOP - 10.0,
+            significant(self.bound, 2)
+        );
+        self.front(&mut svg, points, front, &x, &y);
+        for (point, on_front) in points.iter().zip(front) {
+            self.point(
+                &mut svg,
+                point,
+                *on_front,
+                [x.at(point.error), y.at(point.figure)],
+            );
+        }
+        labels(&mut svg, points, front, &x, &y, self.bound);
+        svg + "</svg>\n"
+    }
+
+    fn axes(&self, svg: &mut String, x: &Scale, y: &Scale) {
+        let foot = HEIGHT - BOTTOM;
+        for value in ticks::round(x.low, x.high) {
+            let at = x.at(value);
+            let _ = writeln!(
+                svg,
+                "<path class=\"grid\" d=\"M{at:.1} {TOP}V{foot}\"/><text class=\"tick\" x=\"{at:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{}</text>",
+                foot + 20.0,
+                ticks::short(value)
+            );
+        }
+        for value in ticks::round(y.low, y.high) {
+            let at = y.at(value);
+            let _ = writeln!(
+                svg,
+                "<path class=\"grid\" d=\"M{LEFT} {at:.1}H{:.1}\"/><text class=\"tick\" x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"end\">{}</text>",
+                WIDTH - RIGHT,
+                LEFT - 8.0,
+                at + 5.0,
+                ticks::short(value)
+            );
+        }
+        let middle = (TOP + foot) / 2.0;
+        let _ = writeln!(
+            svg,
+            "<text class=\"axis\" x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{}</text>\
+             <text class=\"axis\" transform=\"translate(20 {middle:.1}) rotate(-90)\" text-anchor=\"middle\">{}</text>",
+            (LEFT + WIDTH - RIGHT) / 2.0,
+            HEIGHT - 14.0,
+            escaped(self.error),
+            escaped(self.figure)
+        );
+    }
+
+    fn front(&self, svg: &mut String, points: &[Point], front: &[bool], x: &Scale, y: &Scale) {
+        let corners = corners(points, front, x, y, self.bound);
+        let line: Vec<_> = corners
+            .iter()
+            .map(|[x, y]| format!("{x:.1} {y:.1}"))
+            .collect();
+        if !line.is_empty() {
+            let _ = writeln!(svg, "<path class=\"front\" d=\"M{}\"/>", line.join("L"));
+        }
+    }
+
+    fn point(&self, svg: &mut String, point: &Point, on_front: bool, [x, y]: [f64; 2]) {
+        let kind = match point.kind {
+            Kind::Format => "format",
+            Kind::Machine => "machine",
+        };
+        let mut class = format!("point {kind}");
+        if on_front {
+            class += " best";
+        }
+        if !point.holds {
+            class += " above";
+        }
+        let says = format!(
+            "{}: {} {}, {} {} (95 % interval {} to {}){}",
+            point.label,
+            self.figure,
+            significant(point.figure, 3),
+            self.error,
+            significant(point.error, 3),
+            significant(point.interval[0], 3),
+            significant(point.interval[1], 3),
+            if point.holds { "" } else { ", above the bound" }
+        );
+        let mark = match point.kind {
+            Kind::Format => format!("<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"6\"/>"),
+            Kind::Machine => {
+                format!(
+                    "<rect x=\"{:.1}\" y=\"{:.1}\" width=\"11\" height=\"11\"/>",
+                    x - 5.5,
+                    y - 5.5
+                )
+            }
+        };
+        let _ = writeln!(
+            svg,
+            "<g class=\"{class}\" tabindex=\"0\" role=\"img\" aria-label=\"{}\">{mark}</g>",
+            escaped(&says)
+        );
+    }
+
+    /// The text in place of the picture.
+    fn description(&self, points: &[Point], front: &[bool]) -> String {
+        let best = points.iter().zip(front).filter(|(_, on)| **on);
+        let best: Vec<_> = best.map(|(point, _)| point.label.as_str()).collect();
+        let beyond = points.iter().filter(|point| !point.holds).count();
+        format!(
+            "{} against {}, {} marks, of which {beyond} are above the bound of {}. Best within it: {}.",
+            self.figure,
+            self.error,
+            points.len(),
+            significant(self.bound, 2),
+            match best.is_empty() {
+                true => "none".to_owned(),
+                false => best.join(", "),
+            }
+        )
+    }
+}
+
+/// The corners of the line through the points of the front, up to the bound. It is a staircase: between two points,
+/// the figure of the one with the smaller error is reached.
+fn corners(points: &[Point], front: &[bool], x: &Scale, y: &Scale, bound: f64) -> Vec<[f64; 2]> {
+    let mut best: Vec<_> = points
+        .iter()
+        .zip(front)
+        .filter(|(_, on)| **on)
+        .map(|(point, _)| [x.at(point.error), y.at(point.figure)])
+        .collect();
+    best.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    let mut corners: Vec<[f64; 2]> = Vec::new();
+    for point in best {
+        if let Some(&[_, before]) = corners.last() {
+            corners.push([point[0], before]);
+        }
+        corners.push(point);
+    }
+    if let Some(&[_, last]) = corners.last() {
+        corners.push([x.at(bound), last]);
+    }
+    corners
+}
+
+/// The names of the points of the front, each at the first place around its point that no other name takes. A name
+/// that has no place is left to the table.
+fn labels(svg: &mut String, points: &[Point], front: &[bool], x: &Scale, y: &Scale, bound: f64) {
+    let corners = corners(points, front, x, y, bound);
+    let lines = corners.windows(2).map(|ends| Taken {
+        left: ends[0][0].min(ends[1][0]) - 2.0,
+        top: ends[0][1].min(ends[1][1]) - 2.0,
+        right: ends[0][0].max(ends[1][0]) + 2.0,
+        bottom: ends[0][1].max(ends[1][1]) + 2.0,
+    });
+    let wall = Taken {
+        left: x.at(bound) - 2.0,
+        top: TOP,
+        right: x.at(bound) + 2.0,
+        bottom: HEIGHT - BOTTOM,
+    };
+    let lines = lines.chain([wall]);
+    let marks = points.iter().map(|point| {
+        let (x, y) = (x.at(point.error), y.at(point.figure));
+        Taken {
+            left: x - 6.0,
+            top: y - 6.0,
+            right: x + 6.0,
+            bottom: y + 6.0,
+        }
+    });
+    let mut taken: Vec<_> = marks.chain(lines).collect();
+    let mut named: Vec<_> = points.iter().zip(front).filter(|(_, on)| **on).collect();
+    // Machines first, since formats stand close together.
+    named.sort_by_key(|(point, _)| point.kind == Kind::Format);
+    for (point, _) in named {
+        let (x, y) = (x.at(point.error), y.at(point.figure));
+        let width = LETTER * point.label.chars().count() as f64;
+        let places = [
+            [x + 10.0, y + 5.0],
+            [x - 10.0 - width, y + 5.0],
+            [x - width / 2.0, y - 12.0],
+            [x - width / 2.0, y + 24.0],
+            [x + 10.0, y - 12.0],
+            [x + 10.0, y + 24.0],
+            [x - 10.0 - width, y - 12.0],
+            [x - 10.0 - width, y + 24.0],
+        ];
+        let rectangle = |[left, base]: [f64; 2]| Taken {
+            left,
+            top: base - LINE + 4.0,
+            right: left + width,
+            bottom: base + 4.0,
+        };
+        let is_free = |place: &&[f64; 2]| {
+            let wanted = rectangle(**place);
+            wanted.left > LEFT
+                && wanted.right < WIDTH - RIGHT
+                && wanted.top > TOP
+                && wanted.bottom < HEIGHT - BOTTOM
+                && !taken.iter().any(|other| other.meets(&wanted))
+        };
+        let free = places.iter().find(is_free).copied();
+        if let Some(place) = free {
+            taken.push(rectangle(place));
+            let _ = writeln!(
+                svg,
+                "<text class=\"name\" x=\"{:.1}\" y=\"{:.1}\">{}</text>",
+                place[0],
+                place[1],
+                escaped(&point.label)
+            );
+        }
+    }
+}
+
+/// A logarithmic axis has no place for other figures.
+fn is_positive(point: &Point) -> bool {
+    point.error > 0.0 && point.figure > 0.0
+}
+
+/// A text in SVG or in an attribute.
+pub(super) fn escaped(text: &str) -> String {
+    html! { (text) }.into_string()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn point(label: &str, error: f64, figure: f64) -> Point {
+        Point {
+            label: label.to_owned(),
+            kind: Kind::Machine,
+            error,
+            interval: [error * 0.9, error * 1.1],
+            figure,
+            holds: error <= 0.1,
+        }
+    }
+
+    fn chart(points: &[Point]) -> String {
+        let chart = Chart {
+            figure: "speed",
+            error: "error",
+            better: Better::Larger,
+            bound: 0.1,
+            points,
+        };
+        chart.markup().into_string()
+    }
+
+    #[test]
+    fn names_of_near_points_do_not_collide_and_all_points_are_in_the_table() {
+        let points: Vec<_> = (0..12)
+            .map(|i| {
+                point(
+                    &format!("machine-{i}"),
+                    0.01 * 1.02_f64.powi(i),
+                    10.0 * 1.02_f64.powi(i),
+                )
+            })
+            .collect();
+        let text = chart(&points);
+        let names = text.matches("<text class=\"name\"").count();
+        assert!((1..12).contains(&names), "{names}");
+        assert_eq!(text.matches("<th scope=\"row\">machine-").count(), 12);
+        assert_eq!(text.matches("class=\"point machine best\"").count(), 12);
+    }
+
+    #[test]
+    fn a_point_above_the_bound_is_greyed_and_named_as_such() {
+        let text = chart(&[point("good", 0.05, 1.0), point("bad", 0.2, 5.0)]);
+        assert!(
+            text.contains("of which 1 are above the bound of 0.10. Best within it: good."),
+            "{text}"
+        );
+        assert!(text.contains("point machine above"));
+        assert!(text.contains(
+            "bad: speed 5.00, error 0.200 (95 % interval 0.180 to 0.220), above the bound"
+        ));
+    }
+
+    #[test]
+    fn figures_of_zero_have_no_place_and_names_are_escaped() {
+        assert!(chart(&[point("zero", 0.0, 1.0)]).contains("No figure of speed"));
+        assert!(chart(&[point("<b>", 0.05, 1.0)]).contains("&lt;b&gt;: speed"));
+    }
+}

@@ -1,0 +1,115 @@
+//! What the cells of a machine do, clock by clock, as a table coloured by unit.
+
+use maud::{Markup, html};
+use photoncube_spec::overlap::{Program, program_report};
+use photoncube_spec::{Machine, Role, SEQUENTIAL, schedule_report};
+
+use super::scrolling;
+
+/// An entry: what is done, and the name of its unit.
+type Entry = (String, &'static str);
+
+/// The colours of the units.
+pub fn units() -> Markup {
+    html! {
+        ul.legend {
+            li { span.mark.square {} "square unit, (A-B)^2" }
+            li { span.mark.gate {} "gate, if A>B output 0" }
+            li { span.mark.add {} "adder, A+B" }
+        }
+    }
+}
+
+/// The schedule of a machine, coloured by [`units`].
+pub fn schedule(machine: &Machine) -> Markup {
+    let (says, header, rows) = match (
+        machine.microprogram(),
+        machine.overlap_program(),
+        machine.spatial(),
+    ) {
+        (Some(program), ..) => {
+            let report = schedule_report(&program, machine.hypercube());
+            let rows = program.steps().into_iter().map(|step| {
+                let row = SEQUENTIAL.op(step.op);
+                let unit = row.unit.map_or("", |unit| unit.module());
+                vec![(step.to_string(), unit), (row.formula.to_owned(), "")]
+            });
+            (
+                format!(
+                    "All cells do one step a clock. The units work in {:.1} % of the clocks.",
+                    100.0 * report.unit_utilisation()
+                ),
+                vec!["clock", "all cells", "meaning"],
+                rows.collect(),
+            )
+        }
+        (_, Some(program), _) => (
+            format!(
+                "Two groups enter every {} clocks. The units work in {:.1} % of the clocks. In the table, b3 is the second \
+                 group of the iteration that began three passes ago.",
+                program.interval,
+                100.0 * program_report(&program).unit_utilisation()
+            ),
+            vec!["clock of the kernel", "X", "Y", "Z", "D"],
+            kernel(&program),
+        ),
+        (_, _, Some(spatial)) => {
+            let rows = spatial.flow(machine.squarer).into_iter().map(|row| {
+                vec![
+                    (row.clock.to_string(), ""),
+                    (row.cells.to_owned(), ""),
+                    (row.units.to_owned(), unit_of(row.units)),
+                    (row.step.to_owned(), ""),
+                ]
+            });
+            (
+                "Each cell keeps its instruction, and a group of photons enters every clock: all units work in every clock. The \
+                 rows are a group's way through an engine."
+                    .to_owned(),
+                vec!["place", "clock", "cells", "units", "value"],
+                rows.collect(),
+            )
+        }
+        _ => (String::new(), Vec::new(), Vec::new()),
+    };
+    let caption = format!("The schedule of {}", machine.name);
+    html! {
+        p { (says) }
+        (scrolling(&caption, table(&caption, &header, &rows)))
+    }
+}
+
+fn kernel(program: &Program) -> Vec<Vec<Entry>> {
+    let of_clock = |clock| {
+        let roles = Role::ALL.into_iter();
+        roles
+            .map(|role| (program.listed(clock, role), ""))
+            .collect()
+    };
+    (0..program.interval).map(of_clock).collect()
+}
+
+/// The class of the first unit that is named.
+fn unit_of(units: &str) -> &'static str {
+    ["square_unit", "gate_unit", "add_unit"]
+        .into_iter()
+        .find(|unit| units.starts_with(unit.trim_end_matches("_unit")))
+        .unwrap_or("")
+}
+
+fn table(caption: &str, header: &[&str], rows: &[Vec<Entry>]) -> Markup {
+    html! {
+        table.schedule.roles[header.len() == 1 + Role::ALL.len()] {
+            caption { (caption) }
+            thead { tr { @for title in header { th scope="col" { (title) } } } }
+            tbody {
+                @for (index, row) in rows.iter().enumerate() {
+                    tr {
+                        th scope="row" { (index) }
+                        @for (text, unit) in row { td class=(unit) { (text) } }
+                    }
+                }
+            }
+        }
+    }
+}
