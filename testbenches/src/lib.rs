@@ -37,7 +37,9 @@ mod trace;
 mod verify;
 mod waves;
 
-pub use crate::core::{CoreError, CoreOptions, CoreVerdict, core_controls, verify_core};
+pub use crate::core::{
+    CoreError, CoreOptions, CoreVerdict, core_controls, verify_core, verify_core_recorded,
+};
 pub use board::{BoardError, BoardVerdict, Scenario, board_controls, verify_board};
 pub use campaign::{
     Done, Failure, Keeper, Pair, Regression, RegressionError, State, StateError, Summary, campaign,

@@ -5,10 +5,11 @@ use std::collections::BTreeMap;
 use std::io::Cursor;
 use std::ops::ControlFlow;
 
-use photoncube_spec::{Machine, Pins, find_machine};
+use photoncube_spec::{Core, Machine, Pins, find_machine};
 use photoncube_testbench::{
-    Device, DeviceError, DeviceKind, Mutant, NS_PER_CLOCK, Observed, Recorder, Source, Unknown,
-    VerifyError, VerifyOptions, Waves, generate, verify_device, verify_recorded,
+    CoreOptions, Device, DeviceError, DeviceKind, Mutant, NS_PER_CLOCK, Observed, Recorder, Source,
+    Unknown, VerifyError, VerifyOptions, Waves, generate, verify_core_recorded, verify_device,
+    verify_recorded,
 };
 
 /// The clocks that are kept; fewer than a run has, so that the first are forgotten.
@@ -296,6 +297,29 @@ fn viewers_are_told_names_that_exist() {
             assert!(read.0.contains_key(path), "{name}: {path}");
         }
     }
+}
+
+/// A core has the pins of its ports. Each result that was compared is a clock of the waveform in which the port of
+/// the results has both valid and ready.
+#[test]
+fn the_handshakes_of_a_core_are_those_that_were_counted() {
+    let core = Core::new(find_machine("leaf-4-local7-rgb6d-n64").unwrap(), 1).unwrap();
+    let options = CoreOptions::new(20_000, 1);
+    let (verdict, waves) =
+        verify_core_recorded(&core, DeviceKind::Text, &options, usize::MAX, &|_| ());
+    let (verdict, waves) = (verdict.unwrap(), waves.unwrap());
+    assert_eq!(waves.clocks(), 0..20_000);
+    assert_eq!(waves.difference(), None);
+    let read = Read::of(&waves);
+    let moves = |valid: &str, ready: &str| {
+        let both = |clock: &u64| read.at(valid, *clock) == "1" && read.at(ready, *clock) == "1";
+        waves.clocks().filter(both).count() as u64
+    };
+    let results = moves("text.m_axis_results.tvalid", "inputs.m_axis_results.tready");
+    assert_eq!(results, verdict.results_compared);
+    let leaves = moves("inputs.s_axis_photons.tvalid", "text.s_axis_photons.tready");
+    assert_eq!(leaves, verdict.leaf_beats);
+    assert_eq!(read.below("text").len(), verdict.signals_per_vector);
 }
 
 /// The golden model, with a register that has unknown bits.

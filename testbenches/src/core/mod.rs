@@ -14,6 +14,7 @@ use thiserror::Error;
 
 use crate::controls::{Control, plant};
 use crate::device::{Device, DeviceError, DeviceKind, Observed, hdl_error};
+use crate::waves::{Recorder, Waves};
 use drive::{Drive, Rows, possible_events};
 
 /// Clocks that are compared at once.
@@ -141,14 +142,69 @@ fn verify_core_text(
 ) -> Result<CoreVerdict, CoreError> {
     let rows = core_rows(core, emitted);
     let mut device = kind.open_emitted(&rows)?;
+    let subject = Subject {
+        core,
+        digest: emitted.digest,
+        rows: &rows,
+    };
+    verify_rows(&subject, &mut device, |_, _| (), options, tick)
+}
+
+/// Verifies a core as [`verify_core`] does, and records its pins in the last `clocks` clocks. If the device does not
+/// run, nothing is recorded.
+pub fn verify_core_recorded(
+    core: &Core,
+    kind: DeviceKind,
+    options: &CoreOptions,
+    clocks: usize,
+    tick: &dyn Fn(u64),
+) -> (Result<CoreVerdict, CoreError>, Option<Waves>) {
+    let opened = || -> Result<_, DeviceError> {
+        let emitted = emit_core(core).map_err(hdl_error(core.machine))?;
+        let rows = core_rows(core, &emitted);
+        let device = kind.open_emitted(&rows)?;
+        Ok((emitted.digest, rows, device))
+    };
+    let (digest, rows, device) = match opened() {
+        Ok(opened) => opened,
+        Err(error) => return (Err(error.into()), None),
+    };
+    let mut recorder = Recorder::of_given(&core.name(), rows.pins.clone(), device, clocks);
+    let subject = Subject {
+        core,
+        digest,
+        rows: &rows,
+    };
+    let expect = |recorder: &mut Recorder<_>, block: &Rows| recorder.expect(&block.expected);
+    let ended = verify_rows(&subject, &mut recorder, expect, options, tick);
+    (ended, Some(recorder.into_waves()))
+}
+
+/// A core, with the digest in its registers and the text around its Verilog that has a pin for each column.
+struct Subject<'a> {
+    core: &'a Core,
+    digest: u64,
+    rows: &'a Emitted,
+}
+
+/// Verifies a core in an open device. `announce` is called with each block before the device replays it.
+fn verify_rows<D: Device>(
+    subject: &Subject<'_>,
+    device: &mut D,
+    announce: impl Fn(&mut D, &Rows),
+    options: &CoreOptions,
+    tick: &dyn Fn(u64),
+) -> Result<CoreVerdict, CoreError> {
+    let Subject { core, digest, rows } = *subject;
     let streams = CoreStreams::of(core);
-    let mut drive = Drive::new(core, &streams, emitted.digest, options);
+    let mut drive = Drive::new(core, &streams, digest, options);
     let mut compared = 0;
     while compared < options.clocks {
         let clocks = (options.clocks - compared).min(BLOCK as u64) as usize;
         let mut block = Rows::default();
         drive.run(clocks, &mut block)?;
-        compare(core, &rows, device.as_mut(), &block, compared, options.seed)?;
+        announce(device, &block);
+        compare(core, rows, device, &block, compared, options.seed)?;
         compared += clocks as u64;
         tick(compared);
     }

@@ -296,7 +296,7 @@ impl<'a> Kills<'a> {
         let device = self.device(mutation.mutant)?;
         let recorder = match self.part {
             MutantPart::Machine => Recorder::new(self.machine, device, clocks),
-            MutantPart::Memory => Recorder::of_part(self.machine, self.pins(), device, clocks),
+            MutantPart::Memory => Recorder::of_part(self.machine.name, self.pins(), device, clocks),
         };
         let unknown = self.scrub.len() / self.pins().inputs.len();
         Ok(recorder.unknown_for(unknown as u64))

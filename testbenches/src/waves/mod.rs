@@ -9,7 +9,7 @@ mod vcd;
 
 use std::collections::VecDeque;
 
-use photoncube_spec::{Machine, Pins};
+use photoncube_spec::Pins;
 
 pub use recorder::Recorder;
 use scopes::Scope;
@@ -27,7 +27,8 @@ const MOST_NAMES: usize = 4;
 /// the first difference.
 #[derive(Debug)]
 pub struct Waves {
-    machine: &'static str,
+    /// What was recorded.
+    subject: String,
     /// The device's name as an identifier.
     device: String,
     pins: Pins,
@@ -76,9 +77,9 @@ pub struct WaveFiles {
 }
 
 impl Waves {
-    fn new(machine: &Machine, pins: Pins, visible: usize, device: &str, most: usize) -> Self {
+    fn new(subject: &str, pins: Pins, visible: usize, device: &str, most: usize) -> Self {
         Self {
-            machine: machine.name,
+            subject: subject.to_owned(),
             device: device.replace('-', "_"),
             pins,
             visible,

@@ -1,5 +1,7 @@
 //! A device whose signals are recorded.
 
+use std::collections::VecDeque;
+
 use photoncube_model::{GoldenMachine, golden_machine};
 use photoncube_spec::{Machine, Pins};
 
@@ -7,33 +9,56 @@ use super::{Row, Steps, Waves};
 use crate::compare::Actual;
 use crate::device::{Device, DeviceError, Observed};
 
-/// A device that records its signals, beside those of a golden model that receives the inputs of the device.
+/// A device that records its signals, beside those of a golden model.
 pub struct Recorder<D> {
     device: D,
-    machine: Machine,
-    model: Option<Box<dyn GoldenMachine>>,
+    model: Model,
     /// The number of first clocks in which the registers may differ from the golden model.
     unknown_clocks: u64,
     waves: Waves,
 }
 
+/// Where the golden model's signals come from.
+enum Model {
+    /// There is none.
+    None,
+    /// A machine that receives the inputs of the device.
+    Machine(Box<Machine>, Box<dyn GoldenMachine>),
+    /// They are given before the device runs.
+    Given(VecDeque<u64>),
+}
+
 impl<D: Device> Recorder<D> {
     /// Records a machine in a device that has not run yet. At most `clocks` clocks are kept, and at least one.
     pub fn new(machine: &Machine, device: D, clocks: usize) -> Self {
-        let mut recorder = Self::of_part(machine, Pins::of(machine), device, clocks);
-        recorder.model = Some(golden_machine(machine));
+        let mut recorder = Self::of_part(machine.name, Pins::of(machine), device, clocks);
+        recorder.model = Model::Machine(Box::new(*machine), golden_machine(machine));
         recorder.waves.has_model = true;
         recorder.waves.steps = Steps::of(machine);
         recorder
     }
 
-    /// Records a part of a machine that has these pins and no golden model.
-    pub(crate) fn of_part(machine: &Machine, pins: Pins, device: D, clocks: usize) -> Self {
-        let waves = Waves::new(machine, pins, device.visible(), device.name(), clocks);
+    /// Records something whose golden model's signals are given by [`Self::expect`].
+    pub(crate) fn of_given(subject: &str, pins: Pins, device: D, clocks: usize) -> Self {
+        let mut recorder = Self::of_part(subject, pins, device, clocks);
+        recorder.model = Model::Given(VecDeque::new());
+        recorder.waves.has_model = true;
+        recorder
+    }
+
+    /// Adds the golden model's signals of the clocks that the device replays next.
+    pub(crate) fn expect(&mut self, rows: &[u64]) {
+        if let Model::Given(expected) = &mut self.model {
+            expected.extend(rows);
+        }
+    }
+
+    /// Records something that has these pins and no golden model.
+    pub(crate) fn of_part(subject: &str, pins: Pins, device: D, clocks: usize) -> Self {
+        let waves = Waves::new(subject, pins, device.visible(), device.name(), clocks);
         Self {
             device,
-            machine: *machine,
-            model: None,
+            model: Model::None,
             unknown_clocks: 0,
             waves,
         }
@@ -54,10 +79,17 @@ impl<D: Device> Recorder<D> {
     /// The golden model's signals in this clock. Applies the clock's rising edge to the model.
     fn modelled(&mut self, inputs: &[u64]) -> Vec<u64> {
         let mut row = Vec::new();
-        if let Some(model) = &mut self.model {
-            let inputs = Pins::inputs_of(&self.machine, inputs);
-            model.observe(&inputs, &mut row);
-            model.clock(&inputs);
+        match &mut self.model {
+            Model::None => {}
+            Model::Machine(machine, model) => {
+                let inputs = Pins::inputs_of(machine, inputs);
+                model.observe(&inputs, &mut row);
+                model.clock(&inputs);
+            }
+            Model::Given(expected) => {
+                let columns = self.waves.pins.observed.len().min(expected.len());
+                row.extend(expected.drain(..columns));
+            }
         }
         row
     }

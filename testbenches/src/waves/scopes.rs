@@ -72,7 +72,8 @@ impl Scope {
     /// All scopes: the run, the input pins, then the device and the golden model, each with a scope for each part of
     /// the machine.
     pub fn of(waves: &Waves) -> Vec<Self> {
-        let mut scopes = vec![Self::run(waves), Self::inputs(waves)];
+        let mut scopes = vec![Self::run(waves)];
+        scopes.extend(Self::parts("inputs", &waves.pins.inputs, Shown::Input));
         let visible = &waves.pins.observed[..waves.visible];
         scopes.extend(Self::parts(&waves.device, visible, Shown::Device));
         if waves.has_model {
@@ -97,20 +98,11 @@ impl Scope {
         }
     }
 
-    fn inputs(waves: &Waves) -> Self {
-        let inputs = waves.pins.inputs.iter().enumerate();
-        let inputs = inputs.map(|(index, pin)| Signal::of(&pin.name, pin, Shown::Input(index)));
-        Self {
-            path: vec!["inputs".to_owned()],
-            signals: inputs.collect(),
-        }
-    }
-
-    /// The scopes of observed signals. Successive signals of one part of the machine are in one scope.
+    /// The scopes of pins and registers. Successive signals of one part of the machine are in one scope.
     fn parts(top: &str, pins: &[Pin], shown: fn(usize) -> Shown) -> Vec<Self> {
         let mut scopes: Vec<Self> = Vec::new();
         for (column, pin) in pins.iter().enumerate() {
-            let part = part(pin.place);
+            let part = part(pin);
             let path = [Some(top.to_owned()), part.clone()].into_iter().flatten();
             let path: Vec<_> = path.collect();
             let prefix = part.map(|part| part + "_").unwrap_or_default();
@@ -128,10 +120,10 @@ impl Scope {
     }
 }
 
-/// The part of the machine that a signal is in; `None` for a pin.
-fn part(place: SignalPlace) -> Option<String> {
-    Some(match place {
-        SignalPlace::Top => return None,
+/// The part of the machine that a signal is in, or the AXI port of a core that it belongs to; `None` for another pin.
+fn part(pin: &Pin) -> Option<String> {
+    Some(match pin.place {
+        SignalPlace::Top => return port(&pin.name),
         SignalPlace::Control(_) => "control".to_owned(),
         SignalPlace::Cell { node, .. } => format!("cell_{node}"),
         SignalPlace::Head { .. } => "head".to_owned(),
@@ -139,4 +131,14 @@ fn part(place: SignalPlace) -> Option<String> {
         SignalPlace::Leaf { .. } => "leaf".to_owned(),
         SignalPlace::Engine { engine, .. } => format!("engine_{engine}"),
     })
+}
+
+/// The AXI port of a pin, as `s_axis_photons` of `s_axis_photons_tvalid` and `s_axi` of `s_axi_rdata`.
+fn port(pin: &str) -> Option<String> {
+    let words: Vec<_> = pin.split('_').collect();
+    match words[..] {
+        ["s" | "m", "axis", port, _, ..] => Some(format!("{}_axis_{port}", words[0])),
+        ["s", "axi", _, ..] => Some("s_axi".to_owned()),
+        _ => None,
+    }
 }

@@ -9,11 +9,15 @@ const MOST_SHOWN: usize = 1_000;
 /// GTKWave's trace flags, see `analyzer.h` of GTKWave: right-justified with 0x20.
 const BINARY: &str = "@28";
 const DECIMAL: &str = "@24";
+/// For the words of a stream.
+const HEXADECIMAL: &str = "@22";
 const TEXT: &str = "@820";
 /// GTKWave's zoom at which the values of a clock can be read: minus the binary logarithm of the ns in about 200 pixels.
 const ZOOM: &str = "-5.0";
 /// The clocks that are shown before the first difference.
 const BEFORE: u64 = 8;
+/// The most bits of a signal that is shown as a decimal number.
+const WIDEST_NUMBER: u32 = 48;
 /// A group that is open, one that is closed, and their ends.
 const OPEN: [&str; 2] = ["@800200", "@1000200"];
 const CLOSED: [&str; 2] = ["@c00200", "@1401200"];
@@ -89,7 +93,14 @@ pub(super) fn gtkwave(waves: &Waves, scopes: &[Scope]) -> String {
             let (flags, range) = match signal.bits {
                 None => (TEXT, String::new()),
                 Some(1) => (BINARY, String::new()),
-                Some(bits) => (DECIMAL, format!("[{}:0]", bits - 1)),
+                Some(bits) => {
+                    let flags = if bits > WIDEST_NUMBER {
+                        HEXADECIMAL
+                    } else {
+                        DECIMAL
+                    };
+                    (flags, format!("[{}:0]", bits - 1))
+                }
             };
             text += &format!("{flags}\n{path}.{}{range}\n", signal.name);
         }

@@ -26,8 +26,8 @@ fn write(waves: &Waves, scopes: &[Scope], to: &mut Vec<u8>) -> io::Result<()> {
     let mut writer = Writer::new(to);
     writer.version(&format!("photoncube {}", env!("CARGO_PKG_VERSION")))?;
     writer.comment(&format!(
-        "Machine {}: values before the rising edge that ends a clock. Clock n of the run begins at {NS_PER_CLOCK} n ns.",
-        waves.machine
+        "{}: values before the rising edge that ends a clock. Clock n of the run begins at {NS_PER_CLOCK} n ns.",
+        waves.subject
     ))?;
     writer.timescale(1, TimescaleUnit::NS)?;
     let signals = declared(scopes, &mut writer)?;

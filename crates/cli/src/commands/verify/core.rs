@@ -6,12 +6,14 @@ use photoncube_hdl::emit_core;
 use photoncube_spec::{CORES, Core};
 use photoncube_testbench::{
     Controls, CoreError, CoreOptions, CoreVerdict, DeviceKind, Tool, core_controls, verify_core,
+    verify_core_recorded,
 };
 use serde_json::json;
 
 use super::method::Method;
 use super::options::{AGAINST, Devices, SeedArgs, devices, tools};
 use super::outcome::Outcome;
+use super::waves::WavesArgs;
 use crate::args::count;
 use crate::failure::CheckFailed;
 use crate::machines::{self, CoreArgs};
@@ -33,6 +35,8 @@ pub struct CoreMethod {
     against: Vec<Devices>,
     #[command(flatten)]
     seed: SeedArgs,
+    #[command(flatten)]
+    waves: WavesArgs,
 }
 
 /// The columns of the table.
@@ -69,8 +73,10 @@ impl Method for CoreMethod {
     const NAME: &'static str = "core";
     const ABOUT: &'static str = "Compare a core, which is several leaf machines behind AXI ports, with its golden model: every \
         pin in every clock, under waits, wrong words, accesses to registers, resets and restarts";
-    const EXAMPLES: &'static [&'static str] =
-        &["photoncube verify core --machine leaf-5-local7-rgb6d-n64 --chains 3"];
+    const EXAMPLES: &'static [&'static str] = &[
+        "photoncube verify core --machine leaf-5-local7-rgb6d-n64 --chains 3",
+        "photoncube verify core --machine leaf-4-local7-rgb6d-n64 --clocks 20000 --waves core.vcd",
+    ];
 
     fn tools(&self) -> Vec<Tool> {
         tools(&self.against)
@@ -80,6 +86,8 @@ impl Method for CoreMethod {
         let core = self.core.find(&self.machine)?;
         machines::prepare(core.machine)?;
         let options = CoreOptions::new(self.clocks, self.seed.seed);
+        self.waves.check(&[])?;
+        let mut written = None;
         let mut verdicts = Vec::new();
         for kind in devices(&self.against) {
             if kind == DeviceKind::RustHdl {
@@ -88,11 +96,21 @@ impl Method for CoreMethod {
                 );
             }
             let bar = progress::bar("core", self.clocks);
-            let verdict = verify_core(&core, kind, &options, &|done| bar.set_position(done));
+            let tick = |done| bar.set_position(done);
+            let (verdict, recorded) = match self.waves.clocks() {
+                None => (verify_core(&core, kind, &options, &tick), None),
+                Some(clocks) => verify_core_recorded(&core, kind, &options, clocks, &tick),
+            };
             bar.finish_and_clear();
+            written = self.waves.write(recorded.as_ref())?;
             verdicts.push(verdict.map_err(|error| match error {
                 CoreError::Device(error) => error.into(),
-                wrong => anyhow::Error::from(CheckFailed(wrong.to_string())),
+                wrong => {
+                    let waves = written
+                        .as_ref()
+                        .map_or_else(String::new, |written| format!("\n{}", written.text()));
+                    anyhow::Error::from(CheckFailed(format!("{wrong}{waves}")))
+                }
             })?);
         }
         let controls = core_controls(&core, DeviceKind::Text, self.seed.seed)?;
@@ -104,13 +122,14 @@ impl Method for CoreMethod {
             "chains": core.chains,
             "seed": self.seed.seed,
             "verdicts": verdicts,
+            "waves": written,
         });
         let lines = verdicts
             .iter()
             .map(|verdict| self.line(&core, verdict, &about));
         let lines: Vec<_> = lines.collect();
         let outcome = Outcome::new::<Self>(Controls::gathered(controls)?, &details)?;
-        let outcome = outcome.rows("verdicts", COLUMNS);
+        let outcome = outcome.rows("verdicts", COLUMNS).waves(written.as_ref());
         let events = verdicts.first().map(|verdict| {
             let events = verdict.events.iter();
             let events: Vec<_> = events
