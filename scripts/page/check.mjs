@@ -102,6 +102,29 @@ async function steps(page, file) {
   await same(clocks, "by End");
 }
 
+// Steps through the registers of engines and compares each value that is shown with the table of all values.
+async function pipelines(page, file) {
+  for (const stepper of await page.$$(".stepper:has(.pipeline)")) {
+    const table = await stepper.evaluate((element) =>
+      [...element.nextElementSibling.querySelectorAll("tbody tr")].map((row) => [...row.children].map((cell) => cell.textContent)),
+    );
+    const clocks = (table[0] ?? []).length - 1;
+    check(clocks > 9 && table.length > 20, `${file}: a pipeline of ${clocks} clocks and ${table.length} registers, expected more`);
+    const shown = () =>
+      stepper.$$eval(".pipeline tr", (rows) =>
+        rows.map((row) => [...row.querySelectorAll("td")].map((cell) => cell.textContent).join(" ")),
+      );
+    for (let clock = 0; clock < clocks; clock++) {
+      const expected = table.map((row) => row[clock + 1]);
+      check(
+        JSON.stringify(await shown()) === JSON.stringify(expected),
+        `${file}: in clock ${clock} of a pipeline, the registers differ from the table`,
+      );
+      await (await stepper.$('button[data-go="next"]')).click();
+    }
+  }
+}
+
 const browser = await puppeteer.launch({ executablePath: chromium, args: ["--no-sandbox", "--disable-gpu"] });
 for (const file of pages) {
   const bytes = statSync(file).size;
@@ -113,6 +136,7 @@ for (const file of pages) {
   await slider(page, file);
   await charts(page, file);
   await steps(page, file);
+  await pipelines(page, file);
   await barriers(page, file, "light");
   await page.close();
   const dark = await opened(browser, file, "dark", WIDTHS.desktop);

@@ -79,6 +79,7 @@ faults=(
     'a slider that does nothing|slider.addEventListener("input", show)|0'
     'a mark that shows nothing|point.addEventListener("focus", show)|0'
     'the state before, drawn as the one after|const now = states\[at\]|const now = states[Math.max(0, at - 1)]'
+    'registers of an engine of the clock before|cell.textContent = clocks\[at\]|cell.textContent = clocks[Math.max(0, at - 1)]'
     'keys that do nothing|ArrowLeft: "back"|ArrowLeft: "next"'
     'a button without a name|<button type="button" data-go="first">First|<button type="button" data-go="first">'
     'a picture without a text|alt="The scene by the reference in f64"|'

@@ -8,7 +8,7 @@ use serde_json::json;
 
 use super::chart::escaped;
 use super::figures::{Cell, figures};
-use super::{Example, Trace, scrolling};
+use super::{Example, Trace, controls, scrolling};
 
 /// The size of a node's box, and the distances of the nodes of a quad and of the quads.
 const BOX: [f64; 2] = [122.0, 58.0];
@@ -54,13 +54,7 @@ pub fn hypercube(machine: &Machine, example: &Example, trace: &Trace) -> Markup 
             " of them are in range. Every clock all cells do one step. The values are those of the golden model."
         }
         div.stepper role="group" aria-label="A group of photons, clock by clock" {
-            div.controls {
-                button type="button" data-go="first" { "First" }
-                button type="button" data-go="back" { "Back" }
-                button type="button" data-go="next" { "Next" }
-                button type="button" data-go="last" { "Last" }
-                span.hint { "or the arrow keys" }
-            }
+            (controls())
             p.now aria-live="polite" { "Before the first step" }
             div.cube { (scrolling("Drawing of the hypercube", PreEscaped(drawing(cube, trace)))) }
             ol.steps {

@@ -7,6 +7,7 @@ mod chart;
 mod figures;
 mod hypercube;
 mod pictures;
+mod pipeline;
 mod schedule;
 mod trace;
 
@@ -17,6 +18,7 @@ pub use chart::Chart;
 pub use figures::{Cell, figures};
 pub use hypercube::{hypercube, is_drawn};
 pub use pictures::{Pictures, pictures};
+pub use pipeline::Pipeline;
 pub use schedule::{schedule, units};
 pub use trace::{Example, Trace};
 
@@ -127,6 +129,19 @@ fn colours() -> String {
 
 fn css(RGBColor(red, green, blue): RGBColor) -> String {
     format!("#{red:02x}{green:02x}{blue:02x}")
+}
+
+/// The buttons that step from clock to clock.
+fn controls() -> Markup {
+    html! {
+        div.controls {
+            button type="button" data-go="first" { "First" }
+            button type="button" data-go="back" { "Back" }
+            button type="button" data-go="next" { "Next" }
+            button type="button" data-go="last" { "Last" }
+            span.hint { "or the arrow keys" }
+        }
+    }
 }
 
 /// Something wide, which scrolls by itself where it is wider than the page.

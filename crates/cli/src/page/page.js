@@ -20,18 +20,37 @@ for (const chart of document.querySelectorAll(".chart")) {
     point.addEventListener("click", show);
   }
 }
-// The hypercube, clock by clock.
-for (const stepper of document.querySelectorAll(".stepper")) {
-  const { registers, steps, states } = JSON.parse(stepper.querySelector(".steps-data").textContent);
+// Steps from clock to clock: by the buttons and by the keys. `show` draws the state after so many steps.
+function step(stepper, steps, show) {
+  let at = 0;
+  const go = { first: () => 0, back: () => at - 1, next: () => at + 1, last: () => steps };
+  const move = (where) => {
+    at = Math.max(0, Math.min(steps, go[where]()));
+    show(at);
+  };
+  for (const button of stepper.querySelectorAll("button"))
+    button.addEventListener("click", () => move(button.dataset.go));
+  stepper.addEventListener("keydown", (event) => {
+    const where = { ArrowRight: "next", ArrowLeft: "back", Home: "first", End: "last" }[event.key];
+    if (!where) return;
+    event.preventDefault();
+    move(where);
+  });
+  show(0);
+}
+const data = (element) => JSON.parse(element.textContent);
+// The hypercube.
+for (const source of document.querySelectorAll(".steps-data")) {
+  const stepper = source.closest(".stepper");
+  const { registers, steps, states } = data(source);
   const items = stepper.querySelectorAll(".steps li");
   const column = Object.fromEntries(registers.map((name, index) => [name, index]));
-  let at = 0;
-  const show = () => {
-    const step = at > 0 ? steps[at - 1] : null;
+  step(stepper, steps.length, (at) => {
+    const last = at > 0 ? steps[at - 1] : null;
     stepper.querySelector(".now").textContent =
-      step ? `After clock ${at} of ${steps.length}, ${step.text}: ${step.formula}` : "Before the first step";
+      last ? `After clock ${at} of ${steps.length}, ${last.text}: ${last.formula}` : "Before the first step";
     for (const link of stepper.querySelectorAll(".link"))
-      link.classList.toggle("active", step !== null && link.dataset.axis === step.axis);
+      link.classList.toggle("active", last !== null && link.dataset.axis === last.axis);
     for (const node of stepper.querySelectorAll(".node")) {
       const now = states[at][node.dataset.node];
       const before = at > 0 ? states[at - 1][node.dataset.node] : now;
@@ -42,19 +61,19 @@ for (const stepper of document.querySelectorAll(".stepper")) {
       if (index === at - 1) item.setAttribute("aria-current", "step");
       else item.removeAttribute("aria-current");
     });
-  };
-  const go = { first: () => 0, back: () => at - 1, next: () => at + 1, last: () => steps.length };
-  const move = (where) => {
-    at = Math.max(0, Math.min(steps.length, go[where]()));
-    show();
-  };
-  for (const button of stepper.querySelectorAll("button"))
-    button.addEventListener("click", () => move(button.dataset.go));
-  stepper.addEventListener("keydown", (event) => {
-    const where = { ArrowRight: "next", ArrowLeft: "back", Home: "first", End: "last" }[event.key];
-    if (!where) return;
-    event.preventDefault();
-    move(where);
   });
-  show();
+}
+// The registers of engines.
+for (const source of document.querySelectorAll(".pipeline-data")) {
+  const stepper = source.closest(".stepper");
+  const { clocks } = data(source);
+  const cells = stepper.querySelectorAll("[data-place]");
+  step(stepper, clocks.length - 1, (at) => {
+    stepper.querySelector(".now").textContent = `Clock ${at} of ${clocks.length - 1}`;
+    for (const cell of cells) {
+      const place = cell.dataset.place;
+      cell.textContent = clocks[at][place];
+      cell.classList.toggle("changed", at > 0 && clocks[at][place] !== clocks[at - 1][place]);
+    }
+  });
 }

@@ -10,10 +10,11 @@ use photoncube_spec::{
 };
 use photoncube_testbench::{Source, generate};
 
-/// A query and as many photons as a group has.
+/// A query and the photons of some groups.
 pub struct Example {
     query: Query,
-    photons: Vec<Photon>,
+    /// The photons.
+    pub photons: Vec<Photon>,
     /// The number of these photons that are in range.
     pub in_range: u64,
 }
@@ -22,8 +23,8 @@ pub struct Example {
 const GROUPS: u64 = 200;
 
 impl Example {
-    /// A query of a view and a group of the photons that it gathers, of which some are in range and some are not, if
-    /// there is such a query.
+    /// A query of a view and `groups` groups of the photons that it gathers. Of these all but one are in range, if there
+    /// is such a query.
     ///
     /// # Errors
     /// The machine cannot hold the scene, or no query of the view gathers a photon.
@@ -32,9 +33,10 @@ impl Example {
         map: &PhotonMap,
         machine: &Machine,
         view: &ViewOptions,
+        groups: usize,
     ) -> Result<Self> {
         let queries = workload(scene, map, machine, view, GROUPS, view.seed)?;
-        let group = machine.photons_per_iteration();
+        let count = groups * machine.photons_per_iteration();
         let mut best: Option<Self> = None;
         for (query, photons) in queries {
             let near = |photon: &Photon| -> Result<bool> {
@@ -47,15 +49,15 @@ impl Example {
                     false => outside.push(photon),
                 }
             }
-            let wanted = inside.len().min(group - 1);
+            let wanted = inside.len().min(count - 1);
             let chosen = inside.into_iter().take(wanted).chain(outside);
-            let photons: Vec<_> = chosen.take(group).collect();
+            let photons: Vec<_> = chosen.take(count).collect();
             let example = Self {
                 query,
                 photons,
                 in_range: wanted as u64,
             };
-            if example.photons.len() == group && wanted == group - 1 {
+            if example.photons.len() == count && wanted == count - 1 {
                 return Ok(example);
             }
             if best
@@ -89,7 +91,7 @@ impl Trace {
             bail!("machine `{}` has no microprogram", machine.name);
         };
         let program = program.steps();
-        let rows = rows(machine, example)?;
+        let rows = Rows::of(machine, example, 1)?.observed;
         let pins = Pins::of(machine);
         let place = |wanted| pins.observed.iter().position(|pin| pin.place == wanted);
         let control = place(SignalPlace::Control(0)).context("a program has an address")?;
@@ -130,44 +132,85 @@ impl Trace {
     }
 }
 
-/// The golden model's signals for the example alone, clock by clock.
-fn rows(machine: &Machine, example: &Example) -> Result<Vec<Vec<u64>>> {
-    let queries = [(example.query, example.photons.clone())];
-    let source = Source::Workload {
-        queries: &queries,
-        repeat: "",
+/// The golden model's signals for an example alone, clock by clock.
+pub struct Rows {
+    pins: Pins,
+    inputs: Vec<Vec<u64>>,
+    /// For each clock, all pins and registers.
+    pub observed: Vec<Vec<u64>>,
+}
+
+impl Rows {
+    /// Runs the golden model on as many equal queries with the photons of the example.
+    ///
+    /// # Errors
+    /// The golden model refuses the example.
+    pub fn of(machine: &Machine, example: &Example, queries: usize) -> Result<Self> {
+        let queries = vec![(example.query, example.photons.clone()); queries];
+        let source = Source::Workload {
+            queries: &queries,
+            repeat: "",
+        };
+        let pins = Pins::of(machine);
+        let (mut inputs, mut observed) = (Vec::new(), Vec::new());
+        let mut sink = |block: photoncube_testbench::Block| {
+            let rows = block.inputs.chunks_exact(pins.inputs.len());
+            inputs.extend(rows.map(<[u64]>::to_vec));
+            let rows = block.expected.chunks_exact(pins.observed.len());
+            observed.extend(rows.map(<[u64]>::to_vec));
+            ControlFlow::Continue(())
+        };
+        generate(machine, source, 1, 1, &mut sink)?;
+        Ok(Self {
+            pins,
+            inputs,
+            observed,
+        })
+    }
+
+    /// The clocks in which an input pin and an output pin are both set.
+    ///
+    /// # Errors
+    /// The machine has no such pins.
+    pub fn clocks_with(&self, input: &str, output: &str) -> Result<Vec<usize>> {
+        let column = |pins: &[photoncube_spec::Pin], name: &str| {
+            let column = pins.iter().position(|pin| pin.name == name);
+            column.with_context(|| format!("no pin {name}"))
+        };
+        let input = column(&self.pins.inputs, input)?;
+        let output = column(&self.pins.observed, output)?;
+        let rows = self.inputs.iter().zip(&self.observed).enumerate();
+        let both = rows.filter(|(_, (inputs, outputs))| inputs[input] == 1 && outputs[output] == 1);
+        Ok(both.map(|(clock, _)| clock).collect())
+    }
+}
+
+/// An example of the built-in scene `ring`, for tests.
+#[cfg(test)]
+pub fn example(machine: &Machine, groups: usize) -> Example {
+    let scene = Scene::built_in("ring").unwrap();
+    let options = photoncube_render::TraceOptions {
+        photons: 5_000,
+        seed: 1,
     };
-    let columns = Pins::of(machine).observed.len();
-    let mut rows = Vec::new();
-    let mut sink = |block: photoncube_testbench::Block| {
-        rows.extend(block.expected.chunks_exact(columns).map(<[u64]>::to_vec));
-        ControlFlow::Continue(())
+    let traced = photoncube_render::trace(&scene, &options, &|_| ()).unwrap();
+    let map = PhotonMap::new(&scene, traced.photons, 0.2).unwrap();
+    let view = ViewOptions {
+        width: 16,
+        height: 16,
+        ..ViewOptions::default()
     };
-    generate(machine, source, 1, 1, &mut sink)?;
-    Ok(rows)
+    Example::of(&scene, &map, machine, &view, groups).unwrap()
 }
 
 #[cfg(test)]
 mod tests {
-    use photoncube_render::{TraceOptions, trace};
     use photoncube_spec::{Op, Role, find_machine};
 
     use super::*;
 
     fn traced(machine: &Machine) -> (Example, Trace) {
-        let scene = Scene::built_in("ring").unwrap();
-        let options = TraceOptions {
-            photons: 5_000,
-            seed: 1,
-        };
-        let photons = trace(&scene, &options, &|_| ()).unwrap().photons;
-        let map = PhotonMap::new(&scene, photons, 0.2).unwrap();
-        let view = ViewOptions {
-            width: 16,
-            height: 16,
-            ..ViewOptions::default()
-        };
-        let example = Example::of(&scene, &map, machine, &view).unwrap();
+        let example = example(machine, 1);
         let trace = Trace::of(machine, &example).unwrap();
         (example, trace)
     }

@@ -11,8 +11,8 @@ use super::verdict::Verdict;
 use crate::args::ReportArgs;
 use crate::hardware::digits;
 use crate::page::{
-    Cell, Chart, Example, Page, Pictures, Section, Trace, figures, hypercube, is_drawn, pictures,
-    schedule, units,
+    Cell, Chart, Example, Page, Pictures, Pipeline, Section, Trace, figures, hypercube, is_drawn,
+    pictures, schedule, units,
 };
 use crate::plots::{Better, Point};
 use crate::stages::picture_of_map;
@@ -22,6 +22,8 @@ use crate::verified;
 const PAPER: &str = "paper";
 /// The machines whose schedules are shown, one of each organisation.
 const SCHEDULES: [&str; 3] = [PAPER, "overlap", "stream"];
+/// The machines through which groups are stepped: one engine, and a chain of two.
+const PIPELINES: [&str; 2] = ["stream", "tile-5"];
 /// The name of the error in charts and tables.
 const ERROR: &str = "rms error over the scene's own noise";
 
@@ -78,6 +80,7 @@ impl About<'_> {
             },
         ];
         sections.push(self.hypercube(&picture)?);
+        sections.push(self.pipelines(&picture)?);
         sections.push(Section {
             id: "schedules",
             title: "What the cells do, clock by clock".to_owned(),
@@ -231,12 +234,26 @@ impl About<'_> {
         } else {
             find_machine(PAPER)?
         };
-        let example = Example::of(self.scene, self.map(), machine, &picture.view)?;
+        let example = Example::of(self.scene, self.map(), machine, &picture.view, 1)?;
         let trace = Trace::of(machine, &example).context("the values of the hypercube")?;
         Ok(Section {
             id: "hypercube",
             title: "A group of photons on the hypercube".to_owned(),
             body: hypercube(machine, &example, &trace),
+        })
+    }
+
+    fn pipelines(&self, picture: &Picture) -> Result<Section> {
+        let mut body = Vec::new();
+        for name in PIPELINES {
+            let machine = find_machine(name)?;
+            let example = Example::of(self.scene, self.map(), machine, &picture.view, 2)?;
+            body.push(Pipeline::of(machine, &example)?.markup(machine, &example));
+        }
+        Ok(Section {
+            id: "pipelines",
+            title: "Groups of photons through engines".to_owned(),
+            body: html! { @for pipeline in body { (pipeline) } },
         })
     }
 

@@ -3,20 +3,23 @@
 use anyhow::Result;
 use maud::{Markup, html};
 use photoncube_render::{Rendering, ViewOptions};
-use photoncube_spec::{Machine, find_machine};
+use photoncube_spec::{Machine, Spatial, find_machine};
 
 use super::Report;
 use crate::args::RunArgs;
 use crate::hardware::digits;
 use crate::page::{
-    Cell, Example, Page, Pictures, Section, Trace, figures, hypercube, is_drawn, pictures,
-    schedule, units,
+    Cell, Example, Page, Pictures, Pipeline, Section, Trace, figures, hypercube, is_drawn,
+    pictures, schedule, units,
 };
 use crate::stages::Traced;
 use crate::table::grouped;
 
 /// The machine whose steps are shown where the machine of the run has no microprogram.
 const PAPER: &str = "paper";
+
+/// The most engines whose registers are shown.
+const MOST_ENGINES: usize = 2;
 
 /// What the page is about.
 pub struct About<'a> {
@@ -43,27 +46,29 @@ impl About<'_> {
             reference: &self.reference.image,
             title: &title,
         })?;
+        let mut sections = vec![
+            Section {
+                id: "picture",
+                title: "The picture".to_owned(),
+                body: picture,
+            },
+            Section {
+                id: "comparison",
+                title: "The emitted Verilog against the golden model".to_owned(),
+                body: self.comparison(),
+            },
+            self.hypercube()?,
+        ];
+        sections.extend(self.pipeline()?);
+        sections.push(Section {
+            id: "schedule",
+            title: "What the cells do, clock by clock".to_owned(),
+            body: html! { (units()) (schedule(self.machine)) },
+        });
         let page = Page {
             title: format!("{name} on {}", self.machine.name),
             verdict: self.facts(),
-            sections: vec![
-                Section {
-                    id: "picture",
-                    title: "The picture".to_owned(),
-                    body: picture,
-                },
-                Section {
-                    id: "comparison",
-                    title: "The emitted Verilog against the golden model".to_owned(),
-                    body: self.comparison(),
-                },
-                self.hypercube()?,
-                Section {
-                    id: "schedule",
-                    title: "What the cells do, clock by clock".to_owned(),
-                    body: html! { (units()) (schedule(self.machine)) },
-                },
-            ],
+            sections,
             command: self.command(),
         };
         Ok(page.text())
@@ -152,13 +157,30 @@ impl About<'_> {
             find_machine(PAPER)?
         };
         let (scene, map) = (&self.traced.scene, self.traced.map());
-        let example = Example::of(scene, map, machine, self.view)?;
+        let example = Example::of(scene, map, machine, self.view, 1)?;
         let trace = Trace::of(machine, &example)?;
         Ok(Section {
             id: "hypercube",
             title: "A group of photons on the hypercube".to_owned(),
             body: hypercube(machine, &example, &trace),
         })
+    }
+
+    /// The registers of the machine's engines, if they are few enough to look at.
+    fn pipeline(&self) -> Result<Option<Section>> {
+        let machine = self.machine;
+        let engines = machine.spatial().map_or(0, Spatial::engines);
+        if engines == 0 || engines > MOST_ENGINES || machine.has_memory() {
+            return Ok(None);
+        }
+        let (scene, map) = (&self.traced.scene, self.traced.map());
+        let example = Example::of(scene, map, machine, self.view, 2)?;
+        let pipeline = Pipeline::of(machine, &example)?;
+        Ok(Some(Section {
+            id: "pipeline",
+            title: "Groups of photons through the machine".to_owned(),
+            body: pipeline.markup(machine, &example),
+        }))
     }
 
     fn command(&self) -> String {
