@@ -25,21 +25,32 @@ impl Prover<'_> {
     /// Yosys does not run.
     pub fn proof(&self, mutation: &Mutation) -> Result<Option<String>, DeviceError> {
         let plain = format!("hierarchy -top miter\nopt -full\n{}", solve("", "miter"));
-        if self.is_proven(mutation, &plain)? {
+        if self.is_proven(mutation, &plain, &[])? {
             let proof = "the same next values of all registers, from any values, by sat";
             return Ok(Some(proof.to_owned()));
         }
         let options = "-set-assumes";
         let known = format!("{}\n{}", around_two(), solve(options, "wrapper"));
-        if self.is_proven(mutation, &known)? {
+        if self.is_proven(mutation, &known, &[])? {
             let proof = "the same next values of all registers, from any values within the \
                          invariants and the declared count, by sat";
+            return Ok(Some(proof.to_owned()));
+        }
+        let stays = self.invariants.group_stays();
+        if !stays.is_empty() && self.is_proven(mutation, &known, &stays)? {
+            let proof = "the same next values of all registers, from any values within the invariants and the \
+                         declared count, while a group stays valid until it is taken, by sat";
             return Ok(Some(proof.to_owned()));
         }
         Ok(None)
     }
 
-    fn is_proven(&self, mutation: &Mutation, last: &str) -> Result<bool, DeviceError> {
+    fn is_proven(
+        &self,
+        mutation: &Mutation,
+        last: &str,
+        more: &[String],
+    ) -> Result<bool, DeviceError> {
         let (top, options) = (&self.design.top, &mutation.options);
         let script = format!(
             "design -save elaborated\n{FLAT}\nrename {top} gold\ndesign -stash gold\n\
@@ -49,7 +60,7 @@ impl Prover<'_> {
              miter -equiv -flatten -make_assert -make_outputs gold gate miter\n{last}"
         );
         let folder = scratch_folder()?;
-        let wrapper = self.invariants.around_miter();
+        let wrapper = self.invariants.around_miter(more);
         write_file(&folder.path().join("wrapper.sv"), &wrapper)?;
         match yosys(folder.path(), self.design, &script) {
             Ok(()) => Ok(true),

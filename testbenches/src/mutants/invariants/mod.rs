@@ -13,7 +13,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use fpga_flow::Netlist;
 use fpga_flow::netlist::{Module, Port};
 use photoncube_hdl::Emitted;
-use photoncube_spec::{Machine, Register, Role, SignalPlace, Widths};
+use photoncube_spec::{Machine, Register, Role, SEQUENTIAL, SignalPlace, Step, Widths};
 
 use followers::Followers;
 use relations::Relation;
@@ -110,6 +110,8 @@ pub(super) struct Invariants {
     /// The ports of a query's sums, each with the number of bits that the most photons of a query need. The
     /// driver of the machine ensures that a query has no more photons, so this is assumed and not proven.
     declared: BTreeMap<String, u32>,
+    /// The addresses of the steps that read a group which an earlier step has read.
+    reads_again: Vec<usize>,
     /// Combinations that never occur: of small registers of the control block, or of all flags in machines
     /// without a program.
     never: Vec<Never>,
@@ -160,6 +162,7 @@ impl Invariants {
             names: registers.clone().map(|pin| pin.name.clone()).collect(),
             known: BTreeMap::new(),
             declared: declared(machine, design),
+            reads_again: reads_again(machine),
             never: Vec::new(),
             relations: machine
                 .spatial()
@@ -431,6 +434,17 @@ fn declared(machine: &Machine, design: &Emitted) -> BTreeMap<String, u32> {
         _ => None,
     });
     pins.chain(cells).collect()
+}
+
+/// The addresses of the steps of a sequential machine that read a group which the step before has read too.
+fn reads_again(machine: &Machine) -> Vec<usize> {
+    let steps = machine
+        .microprogram()
+        .map_or(Vec::new(), |program| program.steps());
+    let reads = |step: &Step| SEQUENTIAL.op(step.op).reads_group();
+    let pairs = steps.windows(2).enumerate();
+    let again = pairs.filter(|(_, pair)| pair.iter().all(reads));
+    again.map(|(address, _)| address + 1).collect()
 }
 
 /// All combinations of values of `count` of these registers, each given with its bits.

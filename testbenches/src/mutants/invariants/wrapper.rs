@@ -24,9 +24,9 @@ impl Invariants {
         self.around("gold", |name, _| Some(name.to_owned()))
     }
 
-    /// The module `wrapper` without its last lines, around the comparison of two designs, which Yosys calls
-    /// `miter`.
-    pub fn around_miter(&self) -> String {
+    /// The module `wrapper` around the comparison of two designs, which Yosys calls `miter`. `more` are further
+    /// conditions that it assumes.
+    pub fn around_miter(&self, more: &[String]) -> String {
         let name = |name: &str, direction: &str| match direction {
             "input" => Some(format!("in_{name}")),
             _ => self
@@ -34,7 +34,26 @@ impl Invariants {
                 .contains_key(name)
                 .then(|| format!("gold_{name}")),
         };
-        self.around("miter", name) + "endmodule\n"
+        let more: Vec<_> = more
+            .iter()
+            .map(|condition| format!("  always @* assume({condition});\n"))
+            .collect();
+        self.around("miter", name) + &more.concat() + "endmodule\n"
+    }
+
+    /// The conditions that a group stays valid until it is taken, as the machine's protocol has it: it is valid in
+    /// each step that reads a group which an earlier step has read.
+    pub fn group_stays(&self) -> Vec<String> {
+        let Some(address) = self
+            .place
+            .first()
+            .and_then(|&index| self.register(index, "q"))
+        else {
+            return Vec::new();
+        };
+        let (address, valid) = (address.0, self.port_number("group_valid"));
+        let at = |step: &usize| format!("{address} != {step} || p{valid}");
+        self.reads_again.iter().map(at).collect()
     }
 
     /// A wrapper around a module in which some of the design's ports have other names.
