@@ -6,6 +6,7 @@ use maud::{Markup, PreEscaped, html};
 
 use super::figures::{Cell, figures};
 use super::scrolling;
+use crate::plots::labels::{Labels, leader};
 use crate::plots::{Better, Kind, Point, pareto_front, ticks};
 use crate::table::significant;
 
@@ -29,9 +30,6 @@ const LEFT: f64 = 76.0;
 const RIGHT: f64 = 24.0;
 const TOP: f64 = 34.0;
 const BOTTOM: f64 = 64.0;
-/// The height of a line of text, and the mean width of its letters.
-const LINE: f64 = 17.0;
-const LETTER: f64 = 7.4;
 
 /// A logarithmic scale from values to places.
 struct Scale {
@@ -61,24 +59,6 @@ impl Scale {
     fn at(&self, value: f64) -> f64 {
         let part = (value / self.low).ln() / (self.high / self.low).ln();
         self.from + part.clamp(0.0, 1.0) * (self.to - self.from)
-    }
-}
-
-/// A rectangle that a label takes.
-#[derive(Copy, Clone)]
-struct Taken {
-    left: f64,
-    top: f64,
-    right: f64,
-    bottom: f64,
-}
-
-impl Taken {
-    fn meets(&self, other: &Self) -> bool {
-        self.left < other.right
-            && other.left < self.right
-            && self.top < other.bottom
-            && other.top < self.bottom
     }
 }
 
@@ -316,74 +296,39 @@ fn corners(points: &[Point], front: &[bool], x: &Scale, y: &Scale, bound: f64) -
     corners
 }
 
-/// The names of the points of the front, each at the first place around its point that no other name takes. A name
-/// that has no place is left to the table.
+/// The names of the points of the front, each near its point and where no mark, line or other name is. A name that is
+/// farther from its point has a line to it.
 fn labels(svg: &mut String, points: &[Point], front: &[bool], x: &Scale, y: &Scale, bound: f64) {
-    let corners = corners(points, front, x, y, bound);
-    let lines = corners.windows(2).map(|ends| Taken {
-        left: ends[0][0].min(ends[1][0]) - 2.0,
-        top: ends[0][1].min(ends[1][1]) - 2.0,
-        right: ends[0][0].max(ends[1][0]) + 2.0,
-        bottom: ends[0][1].max(ends[1][1]) + 2.0,
-    });
-    let wall = Taken {
-        left: x.at(bound) - 2.0,
-        top: TOP,
-        right: x.at(bound) + 2.0,
-        bottom: HEIGHT - BOTTOM,
-    };
-    let lines = lines.chain([wall]);
-    let marks = points.iter().map(|point| {
-        let (x, y) = (x.at(point.error), y.at(point.figure));
-        Taken {
-            left: x - 6.0,
-            top: y - 6.0,
-            right: x + 6.0,
-            bottom: y + 6.0,
-        }
-    });
-    let mut taken: Vec<_> = marks.chain(lines).collect();
-    let mut named: Vec<_> = points.iter().zip(front).filter(|(_, on)| **on).collect();
+    // A place within the chart fits the type.
+    let pixel = |[x, y]: [f64; 2]| (x as i32, y as i32);
+    let at = |point: &Point| pixel([x.at(point.error), y.at(point.figure)]);
+    let places: Vec<_> = points.iter().map(at).collect();
+    let within = [[LEFT, TOP], [WIDTH - RIGHT, HEIGHT - BOTTOM]].map(pixel);
+    let mut labels = Labels::around(&places, within.into());
+    let wall = x.at(bound);
+    labels.avoid(pixel([wall, TOP]), pixel([wall, HEIGHT - BOTTOM]));
+    for ends in corners(points, front, x, y, bound).windows(2) {
+        labels.avoid(pixel(ends[0]), pixel(ends[1]));
+    }
+    let named = points.iter().zip(front).filter(|(_, on)| **on);
+    let mut named: Vec<_> = named.map(|(point, _)| point).collect();
     // Machines first, since formats stand close together.
-    named.sort_by_key(|(point, _)| point.kind == Kind::Format);
-    for (point, _) in named {
-        let (x, y) = (x.at(point.error), y.at(point.figure));
-        let width = LETTER * point.label.chars().count() as f64;
-        let places = [
-            [x + 10.0, y + 5.0],
-            [x - 10.0 - width, y + 5.0],
-            [x - width / 2.0, y - 12.0],
-            [x - width / 2.0, y + 24.0],
-            [x + 10.0, y - 12.0],
-            [x + 10.0, y + 24.0],
-            [x - 10.0 - width, y - 12.0],
-            [x - 10.0 - width, y + 24.0],
-        ];
-        let rectangle = |[left, base]: [f64; 2]| Taken {
-            left,
-            top: base - LINE + 4.0,
-            right: left + width,
-            bottom: base + 4.0,
+    named.sort_by_key(|point| point.kind == Kind::Format);
+    for point in named {
+        let Some(place) = labels.place(at(point), &point.label) else {
+            continue;
         };
-        let is_free = |place: &&[f64; 2]| {
-            let wanted = rectangle(**place);
-            wanted.left > LEFT
-                && wanted.right < WIDTH - RIGHT
-                && wanted.top > TOP
-                && wanted.bottom < HEIGHT - BOTTOM
-                && !taken.iter().any(|other| other.meets(&wanted))
-        };
-        let free = places.iter().find(is_free).copied();
-        if let Some(place) = free {
-            taken.push(rectangle(place));
-            let _ = writeln!(
-                svg,
-                "<text class=\"name\" x=\"{:.1}\" y=\"{:.1}\">{}</text>",
-                place[0],
-                place[1],
-                escaped(&point.label)
-            );
+        if let Some((to_x, to_y)) = leader(at(point), place) {
+            let (x, y) = at(point);
+            let _ = writeln!(svg, "<path class=\"leader\" d=\"M{x} {y}L{to_x} {to_y}\"/>");
         }
+        let ((left, _), (_, bottom)) = place;
+        let _ = writeln!(
+            svg,
+            "<text class=\"name\" x=\"{left}\" y=\"{}\">{}</text>",
+            bottom - 3,
+            escaped(&point.label)
+        );
     }
 }
 
@@ -425,20 +370,20 @@ mod tests {
 
     #[test]
     fn names_of_near_points_do_not_collide_and_all_points_are_in_the_table() {
+        let near = |i: i32| {
+            let more = 1.02_f64.powi(i);
+            point(&format!("machine-{i}"), 0.01 * more, 10.0 * more)
+        };
+        // A point far away makes the others near.
         let points: Vec<_> = (0..12)
-            .map(|i| {
-                point(
-                    &format!("machine-{i}"),
-                    0.01 * 1.02_f64.powi(i),
-                    10.0 * 1.02_f64.powi(i),
-                )
-            })
+            .map(near)
+            .chain([point("far", 1e-5, 1e-3)])
             .collect();
         let text = chart(&points);
-        let names = text.matches("<text class=\"name\"").count();
-        assert!((1..12).contains(&names), "{names}");
+        assert_eq!(text.matches("<text class=\"name\"").count(), 13);
+        assert!(text.contains("class=\"leader\""));
         assert_eq!(text.matches("<th scope=\"row\">machine-").count(), 12);
-        assert_eq!(text.matches("class=\"point machine best\"").count(), 12);
+        assert_eq!(text.matches("class=\"point machine best\"").count(), 13);
     }
 
     #[test]

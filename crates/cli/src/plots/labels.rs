@@ -15,6 +15,8 @@ const LINE: i32 = 15;
 const CHARACTER: i32 = 7;
 /// Half of a point's size in pixels, plus a margin.
 const POINT: i32 = 7;
+/// The pixels that a label keeps from a line.
+const LINE_MARGIN: i32 = 2;
 /// The number of distances that are tried, in steps of [`STEP`].
 const STEPS: i32 = 90;
 const STEP: i32 = 4;
@@ -26,6 +28,19 @@ impl Labels {
         let square = |&(x, y): &(i32, i32)| ((x - r, y - r), (x + r, y + r));
         let taken = points.iter().map(square).collect();
         Self { taken, within }
+    }
+
+    /// Keeps labels from a level or an upright line.
+    pub fn avoid(&mut self, from: (i32, i32), to: (i32, i32)) {
+        let low = (
+            from.0.min(to.0) - LINE_MARGIN,
+            from.1.min(to.1) - LINE_MARGIN,
+        );
+        let high = (
+            from.0.max(to.0) + LINE_MARGIN,
+            from.1.max(to.1) + LINE_MARGIN,
+        );
+        self.taken.push((low, high));
     }
 
     /// The nearest free place for the label of the point; `None` where there is none.
@@ -87,6 +102,16 @@ mod tests {
             assert!(one.0.0 >= 90 && one.0.1 >= 80 && one.1.0 <= 300 && one.1.1 <= 300);
         }
         assert!(leader(place, boxes[0]).is_none() && leader(place, boxes[7]).is_some());
+    }
+
+    #[test]
+    fn a_label_keeps_from_a_line() {
+        let mut labels = Labels::around(&[(50, 50)], ((0, 0), (200, 200)));
+        let free = labels.place((50, 50), "label").unwrap();
+        let mut labels = Labels::around(&[(50, 50)], ((0, 0), (200, 200)));
+        labels.avoid((free.0.0, free.0.1 + 5), (free.1.0, free.0.1 + 5));
+        let other = labels.place((50, 50), "label").unwrap();
+        assert!(!overlap(free, other));
     }
 
     #[test]

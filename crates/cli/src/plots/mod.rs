@@ -4,7 +4,7 @@
 mod against_error;
 mod chart;
 mod convergence;
-mod labels;
+pub mod labels;
 mod legend;
 pub mod palette;
 mod panels;
