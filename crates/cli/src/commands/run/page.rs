@@ -85,7 +85,7 @@ impl About<'_> {
             });
         }
         facts.push(
-            html! { "The machine is " strong { (report.machine) } ", " (self.machine.summary) "." },
+            html! { "The machine is " strong { (report.machine) } ", " (self.machine.summary.replace('`', "")) "." },
         );
         facts.push(match (report.time.seconds_per_picture, report.time.fmax_mhz, report.time.speed_grade) {
             (Some(seconds), Some(mhz), Some(grade)) => html! {
