@@ -269,7 +269,7 @@ pub struct ReportArgs {
     /// A built-in scene (see `photoncube list`) or a scene file, TOML (see docs/scenes.md) or JSON
     #[arg(default_value = "cornell")]
     pub scene: SceneName,
-    /// The folder for the plot (SVG) and the table's data (JSON)
+    /// The folder for the page (HTML), the plots (SVG) and the data of the table (JSON)
     #[arg(long, default_value = "out", value_name = "DIR")]
     pub out: PathBuf,
     /// At least this many photons are stored in each map

@@ -2,13 +2,15 @@
 
 use std::fmt::Write as _;
 
+use anyhow::Result;
 use maud::{Markup, PreEscaped, html};
-use photoncube_spec::{Axis, Hypercube, Machine, SEQUENTIAL, Step};
+use photoncube_render::{PhotonMap, Scene, ViewOptions};
+use photoncube_spec::{Axis, Hypercube, Machine, SEQUENTIAL, Step, find_machine};
 use serde_json::json;
 
 use super::chart::escaped;
 use super::figures::{Cell, figures};
-use super::{Example, Trace, controls, scrolling};
+use super::{Example, Section, Trace, controls, or_reason, scrolling};
 
 /// The size of a node's box, and the distances of the nodes of a quad and of the quads.
 const BOX: [f64; 2] = [122.0, 58.0];
@@ -28,13 +30,37 @@ fn size() -> [f64; 2] {
     [0, 1].map(|side| 2.0 * MARGIN + BOX[side] + NEAR[side] + FAR[side] + 20.0)
 }
 
-/// Whether the machine's hypercube has the four dimensions that the drawing has.
-pub fn is_drawn(machine: &Machine) -> bool {
-    machine.hypercube().dimension() == 4
+/// The machine whose steps are shown where the given one has no microprogram, or a cube that is not drawn.
+const PAPER: &str = "paper";
+/// The dimensions of the drawing.
+const DIMENSIONS: u32 = 4;
+
+/// A group of photons of the scene on the hypercube of the machine, or on that of `paper`.
+pub fn hypercube_section(
+    scene: &Scene,
+    map: &PhotonMap,
+    machine: &Machine,
+    view: &ViewOptions,
+) -> Section {
+    let body = || -> Result<Markup> {
+        let is_drawn = machine.hypercube().dimension() == DIMENSIONS;
+        let machine = match is_drawn && machine.microprogram().is_some() {
+            true => machine,
+            false => find_machine(PAPER)?,
+        };
+        let example = Example::of(scene, map, machine, view, 1)?;
+        let trace = Trace::of(machine, &example)?;
+        Ok(hypercube(machine, &example, &trace))
+    };
+    Section {
+        id: "hypercube",
+        title: "A group of photons on the hypercube".to_owned(),
+        body: or_reason(body()),
+    }
 }
 
-/// The drawing with its controls, and all values as a table. See [`is_drawn`].
-pub fn hypercube(machine: &Machine, example: &Example, trace: &Trace) -> Markup {
+/// The drawing with its controls, and all values as a table.
+fn hypercube(machine: &Machine, example: &Example, trace: &Trace) -> Markup {
     let cube = machine.hypercube();
     let data = json!({
         "registers": trace.registers,

@@ -11,16 +11,18 @@ mod pipeline;
 mod schedule;
 mod trace;
 
+use anyhow::Result;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use plotters::style::RGBColor;
 
 pub use chart::Chart;
 pub use figures::{Cell, figures};
-pub use hypercube::{hypercube, is_drawn};
+pub use hypercube::hypercube_section;
 pub use pictures::{Pictures, pictures};
 pub use pipeline::Pipeline;
 pub use schedule::{schedule, units};
-pub use trace::{Example, Trace};
+pub use trace::Example;
+use trace::Trace;
 
 use crate::plots::palette;
 
@@ -129,6 +131,11 @@ fn colours() -> String {
 
 fn css(RGBColor(red, green, blue): RGBColor) -> String {
     format!("#{red:02x}{green:02x}{blue:02x}")
+}
+
+/// The contents of a section, or the reason why they cannot be shown. The rest of the page is shown all the same.
+pub fn or_reason(body: Result<Markup>) -> Markup {
+    body.unwrap_or_else(|error| html! { p { "Not shown: " (format!("{error:#}")) "." } })
 }
 
 /// The buttons that step from clock to clock.

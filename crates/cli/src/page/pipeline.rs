@@ -2,12 +2,16 @@
 
 use anyhow::{Context, Result};
 use maud::{Markup, PreEscaped, html};
+use photoncube_render::{PhotonMap, Scene, ViewOptions};
 use photoncube_spec::{Machine, Pins, SignalPlace};
 use serde_json::json;
 
 use super::figures::{Cell, figures};
 use super::trace::{Example, Rows};
 use super::{controls, scrolling};
+
+/// The groups of an example.
+const GROUPS: usize = 2;
 
 /// The registers of all engines, clock by clock.
 pub struct Pipeline {
@@ -31,7 +35,7 @@ impl Pipeline {
     ///
     /// # Errors
     /// The golden model refuses the example.
-    pub fn of(machine: &Machine, example: &Example) -> Result<Self> {
+    fn of(machine: &Machine, example: &Example) -> Result<Self> {
         let queries = machine.queries_at_once();
         let run = Rows::of(machine, example, queries)?;
         let taken = run.clocks_with("query_valid", "query_ready")?;
@@ -72,8 +76,22 @@ impl Pipeline {
         })
     }
 
+    /// An example of the scene through the engines of the machine.
+    ///
+    /// # Errors
+    /// The machine cannot hold the scene, or no query of the view gathers a photon.
+    pub fn of_scene(
+        scene: &Scene,
+        map: &PhotonMap,
+        machine: &Machine,
+        view: &ViewOptions,
+    ) -> Result<Markup> {
+        let example = Example::of(scene, map, machine, view, GROUPS)?;
+        Ok(Self::of(machine, &example)?.markup(machine, &example))
+    }
+
     /// The registers with their controls, and all values as a table.
-    pub fn markup(&self, machine: &Machine, example: &Example) -> Markup {
+    fn markup(&self, machine: &Machine, example: &Example) -> Markup {
         let engines = 1 + self.rows.iter().map(|row| row.engine).max().unwrap_or(0);
         let data = json!({ "clocks": self.clocks }).to_string();
         html! {

@@ -1,6 +1,6 @@
 //! The report as a page.
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 use maud::{Markup, html};
 use photoncube_render::{Engine, ErrorBench, PhotonMap, Scene, ViewOptions};
 use photoncube_spec::{Machine, find_machine};
@@ -11,7 +11,7 @@ use super::verdict::Verdict;
 use crate::args::ReportArgs;
 use crate::hardware::digits;
 use crate::page::{
-    Cell, Chart, Example, Page, Pictures, Pipeline, Section, Trace, figures, hypercube, is_drawn,
+    Cell, Chart, Page, Pictures, Pipeline, Section, figures, hypercube_section, or_reason,
     pictures, schedule, units,
 };
 use crate::plots::{Better, Point};
@@ -41,8 +41,8 @@ struct Picture {
     view: ViewOptions,
     machine: &'static Machine,
     body: Markup,
-    /// Photons that the golden model tests for it.
-    photon_tests: u64,
+    /// Photons that the golden model tests for it; `None` where it could not be made.
+    photon_tests: Option<u64>,
 }
 
 impl About<'_> {
@@ -79,8 +79,14 @@ impl About<'_> {
                 ),
             },
         ];
-        sections.push(self.hypercube(&picture)?);
-        sections.push(self.pipelines(&picture)?);
+        let (scene, map) = (self.scene, self.map());
+        sections.push(hypercube_section(
+            scene,
+            map,
+            picture.machine,
+            &picture.view,
+        ));
+        sections.push(self.pipelines(&picture));
         sections.push(Section {
             id: "schedules",
             title: "What the cells do, clock by clock".to_owned(),
@@ -122,21 +128,29 @@ impl About<'_> {
     fn picture(&self) -> Result<Picture> {
         let machine = self.machine()?;
         let view = super::picture_view(self.args);
-        let render = |engine, what| picture_of_map(self.scene, self.map(), engine, &view, what);
+        let made = self.rendered(machine, &view);
+        let photon_tests = made.as_ref().ok().map(|(_, tests)| *tests);
+        Ok(Picture {
+            view,
+            machine,
+            body: or_reason(made.map(|(body, _)| body)),
+            photon_tests,
+        })
+    }
+
+    /// The pictures, and the photons that the golden model tests for that of the machine.
+    fn rendered(&self, machine: &Machine, view: &ViewOptions) -> Result<(Markup, u64)> {
+        let render = |engine, what| picture_of_map(self.scene, self.map(), engine, view, what);
         let reference = render(Engine::F64, "rendering, f64")?;
         let rendering = render(Engine::from(machine), "rendering, model")?;
         let title = format!("relative error: {} of {}", machine.name, self.scene.name());
-        Ok(Picture {
-            body: pictures(&Pictures {
-                made_by: machine.name,
-                picture: &rendering.image,
-                reference: &reference.image,
-                title: &title,
-            })?,
-            photon_tests: rendering.stats.photon_tests,
-            machine,
-            view,
-        })
+        let body = pictures(&Pictures {
+            made_by: machine.name,
+            picture: &rendering.image,
+            reference: &reference.image,
+            title: &title,
+        })?;
+        Ok((body, rendering.stats.photon_tests))
     }
 
     /// The answer: what the scene needs, the smallest and the fastest machine, and a CPU core beside them.
@@ -194,15 +208,14 @@ impl About<'_> {
         let row = self.rows.iter().find(|row| row.name == format)?;
         Some((
             format,
-            picture.photon_tests as f64 / row.photon_tests_per_second?,
+            picture.photon_tests? as f64 / row.photon_tests_per_second?,
         ))
     }
 
     /// For each row, its pictures a second.
     fn speeds(&self, picture: &Picture) -> Vec<Option<f64>> {
-        let tests = picture.photon_tests as f64;
         let speed = |row: &Row| match row.is_format() {
-            true => Some(row.photon_tests_per_second? / tests),
+            true => Some(row.photon_tests_per_second? / picture.photon_tests? as f64),
             false => row.pictures_per_second(),
         };
         self.rows.iter().map(speed).collect()
@@ -226,35 +239,16 @@ impl About<'_> {
         .markup()
     }
 
-    fn hypercube(&self, picture: &Picture) -> Result<Section> {
-        // A machine without a microprogram has no steps to show.
-        let is_shown = picture.machine.microprogram().is_some() && is_drawn(picture.machine);
-        let machine = if is_shown {
-            picture.machine
-        } else {
-            find_machine(PAPER)?
-        };
-        let example = Example::of(self.scene, self.map(), machine, &picture.view, 1)?;
-        let trace = Trace::of(machine, &example).context("the values of the hypercube")?;
-        Ok(Section {
-            id: "hypercube",
-            title: "A group of photons on the hypercube".to_owned(),
-            body: hypercube(machine, &example, &trace),
-        })
-    }
-
-    fn pipelines(&self, picture: &Picture) -> Result<Section> {
-        let mut body = Vec::new();
-        for name in PIPELINES {
+    fn pipelines(&self, picture: &Picture) -> Section {
+        let of = |name| {
             let machine = find_machine(name)?;
-            let example = Example::of(self.scene, self.map(), machine, &picture.view, 2)?;
-            body.push(Pipeline::of(machine, &example)?.markup(machine, &example));
-        }
-        Ok(Section {
+            Pipeline::of_scene(self.scene, self.map(), machine, &picture.view)
+        };
+        Section {
             id: "pipelines",
             title: "Groups of photons through engines".to_owned(),
-            body: html! { @for pipeline in body { (pipeline) } },
-        })
+            body: html! { @for name in PIPELINES { (or_reason(of(name))) } },
+        }
     }
 
     fn table(&self, speeds: &[Option<f64>], figure: &str) -> Markup {

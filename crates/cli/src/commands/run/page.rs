@@ -3,20 +3,17 @@
 use anyhow::Result;
 use maud::{Markup, html};
 use photoncube_render::{Rendering, ViewOptions};
-use photoncube_spec::{Machine, Spatial, find_machine};
+use photoncube_spec::{Machine, Spatial};
 
 use super::Report;
 use crate::args::RunArgs;
 use crate::hardware::digits;
 use crate::page::{
-    Cell, Example, Page, Pictures, Pipeline, Section, Trace, figures, hypercube, is_drawn,
-    pictures, schedule, units,
+    Cell, Page, Pictures, Pipeline, Section, figures, hypercube_section, or_reason, pictures,
+    schedule, units,
 };
 use crate::stages::Traced;
 use crate::table::grouped;
-
-/// The machine whose steps are shown where the machine of the run has no microprogram.
-const PAPER: &str = "paper";
 
 /// The most engines whose registers are shown.
 const MOST_ENGINES: usize = 2;
@@ -57,9 +54,14 @@ impl About<'_> {
                 title: "The emitted Verilog against the golden model".to_owned(),
                 body: self.comparison(),
             },
-            self.hypercube()?,
+            hypercube_section(
+                &self.traced.scene,
+                self.traced.map(),
+                self.machine,
+                self.view,
+            ),
         ];
-        sections.extend(self.pipeline()?);
+        sections.extend(self.pipeline());
         sections.push(Section {
             id: "schedule",
             title: "What the cells do, clock by clock".to_owned(),
@@ -149,38 +151,19 @@ impl About<'_> {
         }
     }
 
-    fn hypercube(&self) -> Result<Section> {
-        let is_drawn = self.machine.microprogram().is_some() && is_drawn(self.machine);
-        let machine = if is_drawn {
-            self.machine
-        } else {
-            find_machine(PAPER)?
-        };
-        let (scene, map) = (&self.traced.scene, self.traced.map());
-        let example = Example::of(scene, map, machine, self.view, 1)?;
-        let trace = Trace::of(machine, &example)?;
-        Ok(Section {
-            id: "hypercube",
-            title: "A group of photons on the hypercube".to_owned(),
-            body: hypercube(machine, &example, &trace),
-        })
-    }
-
     /// The registers of the machine's engines, if they are few enough to look at.
-    fn pipeline(&self) -> Result<Option<Section>> {
+    fn pipeline(&self) -> Option<Section> {
         let machine = self.machine;
         let engines = machine.spatial().map_or(0, Spatial::engines);
         if engines == 0 || engines > MOST_ENGINES || machine.has_memory() {
-            return Ok(None);
+            return None;
         }
-        let (scene, map) = (&self.traced.scene, self.traced.map());
-        let example = Example::of(scene, map, machine, self.view, 2)?;
-        let pipeline = Pipeline::of(machine, &example)?;
-        Ok(Some(Section {
+        let body = Pipeline::of_scene(&self.traced.scene, self.traced.map(), machine, self.view);
+        Some(Section {
             id: "pipeline",
             title: "Groups of photons through the machine".to_owned(),
-            body: pipeline.markup(machine, &example),
-        }))
+            body: or_reason(body),
+        })
     }
 
     fn command(&self) -> String {
