@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 use photoncube_spec::overlap::{Program, program_report};
-use photoncube_spec::{Machine, Role, SEQUENTIAL, schedule_report};
+use photoncube_spec::{Machine, Role, SEQUENTIAL, Unit, schedule_report};
 
 use super::scrolling;
 
@@ -13,9 +13,9 @@ type Entry = (String, &'static str);
 pub fn units() -> Markup {
     html! {
         ul.legend {
-            li { span.mark.square {} "square unit, (A-B)^2" }
-            li { span.mark.gate {} "gate, if A>B output 0" }
-            li { span.mark.add {} "adder, A+B" }
+            @for unit in [Unit::Square, Unit::Gate, Unit::Add] {
+                li { span.mark.(unit.name()) {} (unit.name()) ": " (unit.formula()) }
+            }
         }
     }
 }

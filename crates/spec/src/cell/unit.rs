@@ -38,6 +38,16 @@ impl Unit {
         module.strip_suffix("_unit").unwrap_or(module)
     }
 
+    /// What the unit computes, in the paper's words; empty for a port.
+    pub fn formula(self) -> &'static str {
+        match self {
+            Self::Square => "(A-B)^2",
+            Self::Gate => "if A>B, output 0",
+            Self::Add => "A+B",
+            Self::Port | Self::PhotonPort | Self::PowerPort => "",
+        }
+    }
+
     /// Whether the unit only loads words of a stream.
     pub fn is_port(self) -> bool {
         matches!(self, Self::Port | Self::PhotonPort | Self::PowerPort)
