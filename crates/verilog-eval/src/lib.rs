@@ -63,6 +63,23 @@ impl Refusal {
     }
 }
 
+/// The instances of modules in the module of that name, in the order of the text: the name of each instance, and the name of
+/// its module. The other modules need not be in the text.
+///
+/// # Errors
+/// The text is outside the subset, or has no such module.
+pub fn instances_in(text: &str, module: &str) -> Result<Vec<(String, String)>, Refusal> {
+    let modules = read::read(text)?;
+    let Some(found) = modules.into_iter().find(|found| found.name == module) else {
+        return refuse(1, format!("there is no module `{module}`"));
+    };
+    let instance = |item| match item {
+        syntax::Item::Instance(instance) => Some((instance.name, instance.module)),
+        _ => None,
+    };
+    Ok(found.items.into_iter().filter_map(instance).collect())
+}
+
 fn refuse<T>(line: Line, found: String) -> Result<T, Refusal> {
     Err(Refusal::new(line, found))
 }

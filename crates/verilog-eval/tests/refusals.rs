@@ -1,6 +1,6 @@
 //! Requires that constructs outside the subset are refused by name and line.
 
-use verilog_eval::{Design, Evaluator, Signal};
+use verilog_eval::{Design, Evaluator, Signal, instances_in};
 
 const OTHER: &str = "module other(i, o);\n  input wire i;\n  output wire o;\nendmodule\n";
 
@@ -157,4 +157,18 @@ fn signals_that_are_not_there_in_that_width_are_refused() {
     let wide = module("input wire [64:0] w;\nwire a = i;");
     let refusal = evaluator(&wide, &[("w", 65)]).err().expect("it is refused");
     assert!(refusal.to_string().contains("at most 64"), "{refusal}");
+}
+
+#[test]
+fn instances_are_those_of_the_module_with_parameters_too() {
+    let text = format!(
+        "{OTHER}module top(i, o);\n  input wire i;\n  output wire o;\n  wire between;\n  other first(.i(i), .o(between));\n  \
+         absent #(.BITS(2)) second(.i(between), .o(o));\nendmodule\n"
+    );
+    let found = instances_in(&text, "top").unwrap();
+    let named = |name: &str, module: &str| (name.to_owned(), module.to_owned());
+    assert_eq!(found, [named("first", "other"), named("second", "absent")]);
+    assert_eq!(instances_in(&text, "other").unwrap(), []);
+    let refusal = instances_in(&text, "bottom").unwrap_err().to_string();
+    assert!(refusal.contains("no module `bottom`"), "{refusal}");
 }
