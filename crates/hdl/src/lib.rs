@@ -37,7 +37,7 @@ mod spatial;
 mod unit;
 
 pub use crate::board::{OnLine, Ulx3s, Ulx3sError, Ulx3sFiles, core_on_line};
-pub use crate::core::{EmittedCore, core_rows, core_within, emit_core};
+pub use crate::core::{EmittedCore, core_instances, core_rows, core_within, emit_core};
 pub use build::{NotBuiltIn, most_steps};
 pub use emit::{
     BlockRam, EmitError, Emitted, Linted, emit, emit_unit, interface_text, lint_control,

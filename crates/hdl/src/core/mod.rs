@@ -16,6 +16,7 @@ mod top;
 mod within;
 
 use photoncube_spec::Core;
+use verilog_eval::{Refusal, instances_in};
 
 use crate::emit::{EmitError, Emitted, emit, sha256};
 use crate::level::Level;
@@ -78,7 +79,7 @@ pub fn emit_core(core: &Core) -> Result<EmittedCore, EmitError> {
     let digest = digest(core, &machine);
     let top = core.top();
     let mut text = header::header(core, digest) + NO_LOOPS;
-    text += &top::top(core, &machine.top);
+    text += &core_top(core);
     text += "\n";
     text += &registers::registers(core, digest);
     text += "\n";
@@ -98,6 +99,20 @@ pub fn emit_core(core: &Core) -> Result<EmittedCore, EmitError> {
         digest,
         machine,
     })
+}
+
+/// The instances in a core's top module, in the order of the text: the name of each, and the name of its module. They need no
+/// generator of the core's leaf machine.
+///
+/// # Errors
+/// The text of the module is outside the subset of Verilog that the built-in evaluator reads.
+pub fn core_instances(core: &Core) -> Result<Vec<(String, String)>, Refusal> {
+    instances_in(&core_top(core), &core.top())
+}
+
+/// The text of a core's top module alone.
+fn core_top(core: &Core) -> String {
+    top::top(core, &core.machine.module_prefix())
 }
 
 /// The digest of a core's configuration.
