@@ -57,7 +57,7 @@ pub use formats::{
     find_photon_format,
 };
 pub use hypercube::{Axis, Hypercube, Role};
-pub use interface::{Direction, Fact, Interface, Port};
+pub use interface::{Direction, Fact, Interface, Limitation, Port};
 pub use leaf::{Leaf, LeafRegister, LeafRow, LeafSizes, QueryWord};
 pub use machine::{Machine, module_prefix};
 pub use machines::{MACHINES, UnknownMachine, find_machine};

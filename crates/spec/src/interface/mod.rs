@@ -1,14 +1,17 @@
 //! The interface of a machine for an integrator: its ports, their protocol, its limits.
 //!
-//! The headers of the emitted Verilog, `docs/ports.md` and `photoncube list MACHINE` print this interface.
+//! The headers of the emitted Verilog, `docs/ports.md`, the datasheets and `photoncube list MACHINE` print this
+//! interface.
 
 mod facts;
+mod limitations;
 mod ports;
 mod protocol;
 
 use crate::machine::Machine;
 
 pub use facts::Fact;
+pub use limitations::Limitation;
 pub use ports::{Direction, Port};
 
 /// The interface of a machine.
@@ -20,6 +23,8 @@ pub struct Interface {
     pub protocol: Vec<String>,
     /// Formats, limits and clocks.
     pub facts: Vec<Fact>,
+    /// What a user must design around.
+    pub limitations: Vec<Limitation>,
 }
 
 impl Interface {
@@ -29,6 +34,7 @@ impl Interface {
             ports: ports::ports(machine),
             protocol: protocol::protocol(machine),
             facts: facts::facts(machine),
+            limitations: limitations::limitations(machine),
         }
     }
 }
