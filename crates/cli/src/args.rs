@@ -13,7 +13,7 @@ use photoncube_render::{
 };
 
 use self::numbers::{positive, with_negative_values};
-use crate::commands::{VerifyArgs, WavesArgs, with_method};
+use crate::commands::{VerifyArgs, WavesArgs, family_names, with_method};
 use crate::machines::{ChosenMachineArgs, MachineArgs};
 use crate::scenes::SceneName;
 
@@ -82,6 +82,7 @@ Examples:
   photoncube fit ring                             the smallest machine that the scene needs
   photoncube verify --against verilator --iterations 1000000
   photoncube generate --machine paper --out /tmp/verilog
+  photoncube datasheet --html --out sheets        ports, timing, area, clock of each family
   photoncube render cornell -o box.png --engine f64
   photoncube progressive cornell -o box.png --error-target 0.1
   photoncube report ring                          formats by error and speed, with a plot
@@ -102,6 +103,8 @@ pub enum Command {
     Fit(FitArgs),
     /// List the scenes and the machines, each with its figures; or print the datasheet of one machine
     List(ListArgs),
+    /// Write the datasheets of the families of machines, with pictures of the hardware and timing diagrams
+    Datasheet(DatasheetArgs),
     /// Write the Verilog of the machines, with project files for Yosys and Quartus
     Generate(GenerateArgs),
     /// Verify a machine by one of several methods; without one, compare it with the golden model, bit for bit
@@ -204,6 +207,33 @@ pub struct ListArgs {
     /// Print every table, however wide
     #[arg(long, conflicts_with = "machine")]
     pub wide: bool,
+}
+
+/// `datasheet`
+#[derive(ClapArgs, Debug)]
+#[command(after_help = "\
+Examples:
+  photoncube datasheet                     all datasheets and pictures into docs/
+  photoncube datasheet --check             fails where docs/ is not what would be written
+  photoncube datasheet tile --html --out sheets
+
+A datasheet is DIR/datasheets/FAMILY.md, its pictures are in DIR/pictures: cell, hypercube, tile and
+core from the specification, and timing diagrams from the golden model, as SVG and as WaveJSON.
+--html also writes DIR/datasheets/FAMILY.html, one file with the pictures in it. `photoncube list
+MACHINE` names the family of a machine.")]
+pub struct DatasheetArgs {
+    /// Only this family [default: all, and the overview of the hardware]
+    #[arg(value_name = "FAMILY", value_parser = family_names())]
+    pub family: Option<String>,
+    /// The folder to write
+    #[arg(long, default_value = "docs", value_name = "DIR")]
+    pub out: PathBuf,
+    /// Also write each datasheet as one HTML file
+    #[arg(long)]
+    pub html: bool,
+    /// Write nothing; fail if the folder holds anything else than would be written
+    #[arg(long)]
+    pub check: bool,
 }
 
 /// `generate`

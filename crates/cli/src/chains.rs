@@ -11,6 +11,7 @@ use photoncube_spec::{
 };
 use serde::{Deserialize, Serialize};
 
+use crate::synth::figures::AreaRow;
 use crate::table;
 
 /// The areas of chains of one format on an ECP5, as `photoncube synth --flow ecp5 --json` prints them; scripts/measure.sh
@@ -70,6 +71,19 @@ struct MeasuredChain {
     machine: String,
     #[serde(flatten)]
     area: Area,
+}
+
+/// The measured areas of chains, a row for each machine and flow.
+///
+/// # Errors
+/// The committed file cannot be read.
+pub fn measured_areas() -> Result<Vec<AreaRow>> {
+    #[derive(Deserialize)]
+    struct Areas {
+        areas: Vec<AreaRow>,
+    }
+    let read: Areas = serde_json::from_str(MEASURED).context("docs/measured/chains.json")?;
+    Ok(read.areas)
 }
 
 /// A core that the device holds.

@@ -10,6 +10,31 @@ pub fn significant(number: f64, digits: u32) -> String {
     format!("{number:.places$}")
 }
 
+/// A table.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Table {
+    /// The headings of the columns.
+    pub header: Vec<String>,
+    /// The cells, row by row.
+    pub rows: Vec<Vec<String>>,
+}
+
+impl Table {
+    /// A table with these headings.
+    pub fn new(header: &[&str], rows: impl IntoIterator<Item = Vec<String>>) -> Self {
+        Self {
+            header: header.iter().map(ToString::to_string).collect(),
+            rows: rows.into_iter().collect(),
+        }
+    }
+
+    /// The table as Markdown.
+    pub fn markdown(&self) -> String {
+        let header: Vec<_> = self.header.iter().map(String::as_str).collect();
+        markdown(&header, &self.rows)
+    }
+}
+
 /// A Markdown table with padded columns.
 pub fn markdown(header: &[&str], rows: &[Vec<String>]) -> String {
     let width = |column: usize| {

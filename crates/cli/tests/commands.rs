@@ -2,6 +2,7 @@
 
 mod board;
 mod custom;
+mod datasheets;
 mod estimators;
 mod fuzz;
 mod json_keys;
@@ -425,6 +426,7 @@ fn completions_and_manual_pages_name_every_command() {
         "run",
         "fit",
         "list",
+        "datasheet",
         "generate",
         "verify",
         "render",
@@ -455,6 +457,7 @@ fn help_has_examples() {
         "run",
         "fit",
         "list",
+        "datasheet",
         "generate",
         "verify",
         "render",

@@ -2,6 +2,7 @@
 
 mod board;
 mod compare;
+mod datasheet;
 mod fit;
 mod generate;
 mod hard_cases;
@@ -24,6 +25,7 @@ use clap_complete::Shell;
 use photoncube_model::GatherError;
 use photoncube_testbench::{StimulusError, VerifyError};
 
+pub use self::datasheet::{Family, family_names};
 pub use self::verify::{METHODS, VerifyArgs, WavesArgs, with_method};
 use crate::args::{Args, Command};
 use crate::{files, output, outputs};
@@ -35,6 +37,7 @@ pub fn execute(args: Args) -> Result<()> {
         Command::Run(options) => with_hint(run::execute(&options, json)),
         Command::Fit(options) => with_hint(fit::execute(&options, json)),
         Command::List(options) => list::execute(&options, json),
+        Command::Datasheet(options) => datasheet::execute(&options, json),
         Command::Generate(options) => generate::execute(&options, json),
         Command::Verify(options) => verify::execute(&options, json),
         Command::Render(options) => with_hint(render::execute(&options, json)),

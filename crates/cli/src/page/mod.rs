@@ -13,7 +13,6 @@ mod trace;
 
 use anyhow::Result;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
-use plotters::style::RGBColor;
 
 pub use chart::Chart;
 pub use figures::{Cell, figures};
@@ -105,7 +104,7 @@ impl Page {
 }
 
 /// The colours of light and dark pages, as variables.
-fn colours() -> String {
+pub fn colours() -> String {
     let set = |colours: &palette::Set| -> String {
         let names = ["paper", "ink", "faint", "first", "second", "third"];
         let all = [
@@ -118,7 +117,7 @@ fn colours() -> String {
         ];
         let named = names.iter().zip(all);
         named
-            .map(|(name, colour)| format!("--{name}:{};", css(colour)))
+            .map(|(name, colour)| format!("--{name}:{};", palette::css(colour)))
             .collect()
     };
     format!(
@@ -127,10 +126,6 @@ fn colours() -> String {
         set(&palette::DARK),
         set(&palette::LIGHT)
     )
-}
-
-fn css(RGBColor(red, green, blue): RGBColor) -> String {
-    format!("#{red:02x}{green:02x}{blue:02x}")
 }
 
 /// The contents of a section, or the reason why they cannot be shown. The rest of the page is shown all the same.

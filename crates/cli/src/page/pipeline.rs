@@ -7,8 +7,9 @@ use photoncube_spec::{Machine, Pins, SignalPlace};
 use serde_json::json;
 
 use super::figures::{Cell, figures};
-use super::trace::{Example, Rows};
+use super::trace::Example;
 use super::{controls, scrolling};
+use crate::rows::Rows;
 
 /// The groups of an example.
 const GROUPS: usize = 2;
@@ -37,7 +38,7 @@ impl Pipeline {
     /// The golden model refuses the example.
     fn of(machine: &Machine, example: &Example) -> Result<Self> {
         let queries = machine.queries_at_once();
-        let run = Rows::of(machine, example, queries)?;
+        let run = Rows::of(machine, &example.workload(queries))?;
         let taken = run.clocks_with("query_valid", "query_ready")?;
         let results = run.clocks_with("result_ready", "result_valid")?;
         let first = taken

@@ -1,14 +1,13 @@
 //! A group of photons through a sequential machine, with the real values of all registers, clock by clock.
 
-use std::ops::ControlFlow;
-
 use anyhow::{Context, Result, bail};
 use photoncube_model::gather;
 use photoncube_render::{PhotonMap, Scene, ViewOptions, workload};
 use photoncube_spec::{
     CellTables, Machine, Photon, Pins, Query, Register, SEQUENTIAL, SignalPlace, Step,
 };
-use photoncube_testbench::{Source, generate};
+
+use crate::rows::Rows;
 
 /// A query and the photons of some groups.
 pub struct Example {
@@ -69,6 +68,11 @@ impl Example {
         }
         best.context("no query of the view gathers a photon")
     }
+
+    /// So many equal queries, each with the photons.
+    pub fn workload(&self, queries: usize) -> Vec<(Query, Vec<Photon>)> {
+        vec![(self.query, self.photons.clone()); queries]
+    }
 }
 
 /// The registers of all cells, clock by clock.
@@ -91,7 +95,7 @@ impl Trace {
             bail!("machine `{}` has no microprogram", machine.name);
         };
         let program = program.steps();
-        let rows = Rows::of(machine, example, 1)?.observed;
+        let rows = Rows::of(machine, &example.workload(1))?.observed;
         let pins = Pins::of(machine);
         let place = |wanted| pins.observed.iter().position(|pin| pin.place == wanted);
         let control = place(SignalPlace::Control(0)).context("a program has an address")?;
@@ -129,59 +133,6 @@ impl Trace {
             registers: tables.registers.iter().map(|row| row.mnemonic).collect(),
             states: rows[loads..=end].iter().map(state).collect(),
         })
-    }
-}
-
-/// The golden model's signals for an example alone, clock by clock.
-pub struct Rows {
-    pins: Pins,
-    inputs: Vec<Vec<u64>>,
-    /// For each clock, all pins and registers.
-    pub observed: Vec<Vec<u64>>,
-}
-
-impl Rows {
-    /// Runs the golden model on as many equal queries with the photons of the example.
-    ///
-    /// # Errors
-    /// The golden model refuses the example.
-    pub fn of(machine: &Machine, example: &Example, queries: usize) -> Result<Self> {
-        let queries = vec![(example.query, example.photons.clone()); queries];
-        let source = Source::Workload {
-            queries: &queries,
-            repeat: "",
-        };
-        let pins = Pins::of(machine);
-        let (mut inputs, mut observed) = (Vec::new(), Vec::new());
-        let mut sink = |block: photoncube_testbench::Block| {
-            let rows = block.inputs.chunks_exact(pins.inputs.len());
-            inputs.extend(rows.map(<[u64]>::to_vec));
-            let rows = block.expected.chunks_exact(pins.observed.len());
-            observed.extend(rows.map(<[u64]>::to_vec));
-            ControlFlow::Continue(())
-        };
-        generate(machine, source, 1, 1, &mut sink)?;
-        Ok(Self {
-            pins,
-            inputs,
-            observed,
-        })
-    }
-
-    /// The clocks in which an input pin and an output pin are both set.
-    ///
-    /// # Errors
-    /// The machine has no such pins.
-    pub fn clocks_with(&self, input: &str, output: &str) -> Result<Vec<usize>> {
-        let column = |pins: &[photoncube_spec::Pin], name: &str| {
-            let column = pins.iter().position(|pin| pin.name == name);
-            column.with_context(|| format!("no pin {name}"))
-        };
-        let input = column(&self.pins.inputs, input)?;
-        let output = column(&self.pins.observed, output)?;
-        let rows = self.inputs.iter().zip(&self.observed).enumerate();
-        let both = rows.filter(|(_, (inputs, outputs))| inputs[input] == 1 && outputs[output] == 1);
-        Ok(both.map(|(clock, _)| clock).collect())
     }
 }
 

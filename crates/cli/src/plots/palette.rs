@@ -49,6 +49,11 @@ pub const DARK: Set = Set {
     third: RGBColor(130, 190, 245),
 };
 
+/// The colour as CSS and SVG write it.
+pub fn css(RGBColor(red, green, blue): RGBColor) -> String {
+    format!("#{red:02x}{green:02x}{blue:02x}")
+}
+
 #[cfg(test)]
 mod tests {
 

@@ -12,6 +12,7 @@ use photoncube_hdl::{Level, emit};
 use photoncube_spec::Machine;
 
 pub use self::core::core_project;
+pub use self::example::Set;
 use crate::digests::Digests;
 use crate::files;
 use crate::outputs::{self, Output};

@@ -5,25 +5,28 @@ use fpga_flow::{CriticalPath, FLOWS, Figure, Flow};
 use super::clock::Clock;
 use super::figures::AreaRow;
 use super::plan::DeviceUse;
-use crate::table;
+use crate::table::{self, Table};
 
-/// A table for each flow that has rows.
+/// A table for each flow that has rows, below the flow's name.
 pub fn areas(rows: &[AreaRow]) -> String {
-    let mut text = String::new();
-    for flow in FLOWS {
-        let rows: Vec<_> = rows.iter().filter(|row| row.flow == flow).collect();
-        if rows.is_empty() {
-            continue;
-        }
-        text += &format!("Area, {} ({}):\n", flow.heading, flow.name);
+    let tables = areas_by_flow(rows);
+    let text = |(name, table): &(String, Table)| format!("Area, {name}:\n{}\n", table.markdown());
+    tables.iter().map(text).collect()
+}
+
+/// The areas of each flow that has rows, with the flow's name.
+pub fn areas_by_flow(rows: &[AreaRow]) -> Vec<(String, Table)> {
+    let of_flow = |flow: &Flow| {
+        let rows: Vec<_> = rows.iter().filter(|row| *row.flow == *flow).collect();
         let figures = flow.figures;
         let header: Vec<_> = figures.iter().map(|figure| figure.heading()).collect();
         let header = [&["machine"][..], &header].concat();
-        let cells: Vec<_> = rows.iter().map(|row| area_cells(row, figures)).collect();
-        text += &table::markdown(&header, &cells);
-        text += "\n";
-    }
-    text
+        let cells = rows.iter().map(|row| area_cells(row, figures));
+        let table = Table::new(&header, cells);
+        let name = format!("{} ({})", flow.heading, flow.name);
+        (!rows.is_empty()).then_some((name, table))
+    };
+    FLOWS.into_iter().filter_map(of_flow).collect()
 }
 
 fn area_cells(row: &AreaRow, figures: &[Figure]) -> Vec<String> {

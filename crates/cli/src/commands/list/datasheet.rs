@@ -7,6 +7,7 @@ use photoncube_spec::{Interface, Machine};
 use serde::Serialize;
 
 use super::{MachineRow, machine_row};
+use crate::commands::Family;
 use crate::output;
 use crate::synth::clock::Clock;
 use crate::synth::tables;
@@ -23,6 +24,10 @@ struct Datasheet {
     ports: Vec<Port>,
     /// The rules of the streams' handshakes, one rule a line.
     protocol: Vec<String>,
+    /// What a user must design around.
+    limitations: Vec<LimitationRow>,
+    /// The page of the machine's family.
+    datasheet: String,
     /// The squared search radius where the machine fixes it; `None` where it comes with each query.
     fixed_radius_sq: Option<u32>,
     latency_clocks: Option<u32>,
@@ -40,6 +45,13 @@ struct Port {
     direction: &'static str,
     bits: u32,
     means: String,
+}
+
+/// What is limited, and what to do about it.
+#[derive(Debug, Serialize)]
+struct LimitationRow {
+    limitation: String,
+    remedy: String,
 }
 
 /// Prints a machine's datasheet.
@@ -69,6 +81,15 @@ fn datasheet(machine: &Machine) -> Result<Datasheet> {
             })
             .collect(),
         protocol: interface.protocol,
+        limitations: interface
+            .limitations
+            .into_iter()
+            .map(|row| LimitationRow {
+                limitation: row.says,
+                remedy: row.remedy,
+            })
+            .collect(),
+        datasheet: Family::of(machine).page(),
         fixed_radius_sq: machine.fixed_radius_sq(),
         latency_clocks: match (&overlapped, machine.spatial()) {
             (Some(program), _) => Some(program_report(program).latency_clocks),
@@ -81,7 +102,7 @@ fn datasheet(machine: &Machine) -> Result<Datasheet> {
 }
 
 fn text(sheet: &Datasheet, machine: &Machine) -> String {
-    design(sheet, machine) + &area_and_fmax(sheet) + &verified_by(sheet)
+    design(sheet, machine) + &limitations(sheet) + &area_and_fmax(sheet) + &verified_by(sheet)
 }
 
 /// The facts about the machine's design, without measurements.
@@ -98,13 +119,25 @@ fn design(sheet: &Datasheet, machine: &Machine) -> String {
     );
     format!(
         "{}\n\n{}\n{}\n\nVerilog: hdl-out/{}\n\
-         \x20        which `photoncube generate --machine {}` writes\n",
+         \x20        which `photoncube generate --machine {}` writes\n\
+         Family:  {}, with pictures and timing diagram\n",
         wrapped(&format!("{}: {}", machine.name, machine.summary), 2),
         interface_text(machine),
         wrapped(&widths, 2),
         sheet.verilog_file,
-        machine.name
+        machine.name,
+        sheet.datasheet
     )
+}
+
+fn limitations(sheet: &Datasheet) -> String {
+    let rows = sheet.limitations.iter();
+    let row = |row: &LimitationRow| {
+        let said = format!("  - {} {}", row.limitation, row.remedy).replace('`', "");
+        wrapped(&said, 4) + "\n"
+    };
+    let rows: String = rows.map(row).collect();
+    format!("\nKnown limitations:\n{rows}")
 }
 
 fn area_and_fmax(sheet: &Datasheet) -> String {
@@ -195,6 +228,8 @@ mod tests {
                 "clocks ",
                 "Ports of",
                 "Protocol:",
+                "Known limitations:",
+                "docs/datasheets/",
                 "Area, ",
                 "Fmax, ",
                 "Verified, ",

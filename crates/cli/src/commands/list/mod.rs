@@ -1,6 +1,7 @@
 //! The command `list`: scenes and machines with their figures, or the datasheet of one machine.
 
 mod datasheet;
+mod ports;
 mod text;
 
 use anyhow::Result;
@@ -12,6 +13,9 @@ use crate::args::ListArgs;
 use crate::measured::{self, Measured};
 use crate::measured_fits::{FitRow, fit_rows};
 use crate::output;
+
+pub use self::ports::{clocks, widths};
+pub use self::text::{proofs, speed};
 
 #[derive(Serialize)]
 struct Report {
@@ -44,8 +48,9 @@ struct SceneRow {
     surfaces: usize,
 }
 
+/// A machine with its figures.
 #[derive(Serialize)]
-struct MachineRow {
+pub struct MachineRow {
     machine: &'static str,
     summary: &'static str,
     format: Option<String>,
@@ -64,7 +69,8 @@ struct MachineRow {
     initiation_interval: f64,
     photon_tests_per_clock: f64,
     #[serde(flatten)]
-    measured: Measured,
+    /// What was measured of it.
+    pub measured: Measured,
 }
 
 /// Lists all scenes, machines and formats, or prints one machine's datasheet.
@@ -112,7 +118,8 @@ fn format_row(format: &PhotonFormat) -> FormatRow {
     }
 }
 
-fn machine_row(machine: &Machine) -> Result<MachineRow> {
+/// The figures of a machine.
+pub fn machine_row(machine: &Machine) -> Result<MachineRow> {
     let widths = Widths::of(machine);
     Ok(MachineRow {
         machine: machine.name,

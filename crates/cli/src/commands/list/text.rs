@@ -4,7 +4,7 @@ use super::{MachineRow, Report};
 use crate::measured::Area;
 use crate::measured_fits::fit_table;
 use crate::synth::tables;
-use crate::table;
+use crate::table::{self, Table};
 
 const COLUMNS_SAY: &str = "LUT4: LUTs and what takes their place on ECP5, without DSP blocks or, where that was \
     not measured, with them. MHz and tests/s: Fmax in the fastest speed grade that was measured. Bits: of a stored \
@@ -14,7 +14,7 @@ const COLUMNS_SAY: &str = "LUT4: LUTs and what takes their place on ECP5, withou
 pub fn narrow(report: &Report, fmax_source: &str) -> String {
     let mut text = names(report);
     text += "\nFigures:\n";
-    text += &table_of(NARROW, report.machines.iter());
+    text += &table_of(NARROW, report.machines.iter()).markdown();
     text + &format!(
         "\n{}\n{}\n\nAll of one machine: `photoncube list MACHINE`. Every table: `photoncube list --wide`.\n",
         table::wrapped(COLUMNS_SAY, 0),
@@ -115,10 +115,15 @@ const AREA: &[Column] = &[
 ];
 
 /// A table of machines with these columns.
-fn table_of<'a>(columns: &[Column], machines: impl Iterator<Item = &'a MachineRow>) -> String {
+fn table_of<'a>(columns: &[Column], machines: impl Iterator<Item = &'a MachineRow>) -> Table {
     let header: Vec<_> = columns.iter().map(|(header, _)| *header).collect();
     let row = |row| columns.iter().map(|(_, cell)| cell(row)).collect();
-    table::markdown(&header, &machines.map(row).collect::<Vec<_>>())
+    Table::new(&header, machines.map(row))
+}
+
+/// The speed and the error of machines.
+pub fn speed<'a>(machines: impl Iterator<Item = &'a MachineRow>) -> Table {
+    table_of(SPEED, machines)
 }
 
 fn or_dash(text: Option<String>) -> String {
@@ -168,21 +173,21 @@ fn width_table(machines: &[MachineRow]) -> String {
 
 /// The tables of docs/machines.md: speed and error, area, proof.
 fn machine_tables(machines: &[MachineRow]) -> String {
-    let [speed, area] = [SPEED, AREA].map(|columns| table_of(columns, machines.iter()));
-    format!("{speed}\n{area}\n{}", proof_table(machines))
+    let [speed, area] = [SPEED, AREA].map(|columns| table_of(columns, machines.iter()).markdown());
+    format!("{speed}\n{area}\n{}", proofs(machines.iter()).markdown())
 }
 
 /// A row for each comparison of a machine's Verilog with the golden model.
-fn proof_table(machines: &[MachineRow]) -> String {
+pub fn proofs<'a>(machines: impl Iterator<Item = &'a MachineRow>) -> Table {
     let header = ["machine", "verified against", "compared"];
-    let rows = machines.iter().flat_map(|row| {
+    let rows = machines.flat_map(|row| {
         let proofs = row.measured.verified_against.split("; ");
         proofs.map(|proof| {
             let (devices, compared) = proof.split_once(": ").unwrap_or((proof, ""));
             [row.machine, devices, compared].map(str::to_owned).to_vec()
         })
     });
-    table::markdown(&header, &rows.collect::<Vec<_>>())
+    Table::new(&header, rows)
 }
 
 fn fmax_cell(row: &MachineRow) -> String {

@@ -10,3 +10,4 @@ mod text;
 
 pub(super) use self::core::core_example;
 pub(super) use self::machine::machine_example;
+pub use self::set::Set;

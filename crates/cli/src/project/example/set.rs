@@ -13,10 +13,11 @@ const PHOTONS: u64 = 9;
 const ATTEMPTS: u64 = 10_000;
 
 /// A set of photons, and the batches of queries that gather it.
-pub(super) struct Set {
-    pub(super) photons: Vec<Photon>,
+pub struct Set {
+    /// The photons, in their order.
+    pub photons: Vec<Photon>,
     /// Each query with its sums over the photons.
-    pub(super) batches: Vec<Vec<(Query, Sums)>>,
+    pub batches: Vec<Vec<(Query, Sums)>>,
 }
 
 impl Set {
@@ -25,7 +26,7 @@ impl Set {
     ///
     /// # Errors
     /// The numbers of the machine are not legal, or have no such set.
-    pub(super) fn new(machine: &Machine, number: u64, batches: &[usize]) -> Result<Self> {
+    pub fn new(machine: &Machine, number: u64, batches: &[usize]) -> Result<Self> {
         for attempt in 0..ATTEMPTS {
             let mut rng = Pcg64Mcg::seed_from_u64(number * ATTEMPTS + attempt);
             let set = Self::draw(machine, batches, &mut rng)?;

@@ -1,7 +1,8 @@
 //! The pages that show figures hold the tables that are made of the measured figures.
 
-use photoncube_spec::{Interface, MACHINES, Machine, Port, Widths};
+use photoncube_spec::{Interface, MACHINES, Port};
 
+use super::super::ports::{clocks, widths};
 use super::super::report;
 use super::*;
 use crate::measured;
@@ -31,7 +32,7 @@ fn front_page_table(machines: &[MachineRow]) -> String {
         .collect();
     let find = |name| machines.iter().find(|row| row.machine == name);
     let rows = FRONT_PAGE.map(|name| find(name).expect("the README names machines that exist"));
-    table_of(&columns, rows.into_iter())
+    table_of(&columns, rows.into_iter()).markdown()
 }
 
 /// The lines of a page's tables that are longer than so many characters.
@@ -73,60 +74,12 @@ fn the_page_of_machines_shows_what_list_wide_prints() {
     assert_eq!(wide_rows(MACHINES_PAGE, 120), [""; 0]);
 }
 
-/// A table with a row for each machine: its name and these numbers, `-` where there is none.
-fn table_of_machines(header: &str, row: impl Fn(&Machine) -> Vec<Option<f64>>) -> String {
-    let cell = |number: Option<f64>| number.map_or("-".to_owned(), |number| number.to_string());
-    let cells = |machine: &Machine| {
-        let name = [machine.name.to_owned()].into_iter();
-        name.chain(row(machine).into_iter().map(cell)).collect()
-    };
-    let header: Vec<_> = header.split(", ").collect();
-    table::markdown(&header, &MACHINES.iter().map(cells).collect::<Vec<_>>())
-}
-
-/// The widths of a machine's ports and the number of its channels; `None` where it has no such port.
-fn widths(machine: &Machine) -> Vec<Option<f64>> {
-    let of = Widths::of(machine);
-    let radius_sq = machine.fixed_radius_sq().map_or(of.radius_sq, |_| 0);
-    let channels = machine.channels().count();
-    let all = [
-        of.coordinate,
-        radius_sq,
-        of.photon,
-        channels,
-        of.mantissa,
-        of.exponent,
-        of.sum,
-        of.count,
-    ];
-    all.map(|bits| (bits > 0).then_some(bits.into())).to_vec()
-}
-
-/// The clocks of a machine.
-fn clocks(machine: &Machine) -> Vec<Option<f64>> {
-    let spatial = machine.spatial();
-    let group = machine.rate().interval();
-    let overlapped = machine.overlap_program().map(|p| p.occupied_clocks(2));
-    let two = overlapped.or(machine.microprogram().map(|p| p.occupied_clocks(2)));
-    let more = two.map(|clocks| clocks as f64 - 2.0 * group);
-    vec![
-        Some(machine.queries_at_once() as f64),
-        Some(machine.photons_per_iteration() as f64),
-        Some(group),
-        more.or(spatial.map(|spatial| spatial.batch_gap_clocks().into())),
-        spatial.map(|spatial| spatial.least_batch_clocks().into()),
-        spatial.map(|spatial| spatial.latency_clocks().into()),
-        Some(machine.max_photons() as f64),
-    ]
-}
-
 #[test]
 fn the_page_of_ports_has_every_port_width_and_clock_of_every_machine() {
     let name = "docs/ports.md";
-    let header = "machine, query, radius_sq, photon, channels, power, exponent, sum, count";
-    shows(PORTS_PAGE, name, &table_of_machines(header, widths));
-    let header = "machine, queries, lanes, a group, more, at least, latency, max photons";
-    shows(PORTS_PAGE, name, &table_of_machines(header, clocks));
+    for table in [widths(MACHINES.iter()), clocks(MACHINES.iter())] {
+        shows(PORTS_PAGE, name, &table.markdown());
+    }
     assert_eq!(wide_rows(PORTS_PAGE, table::COLUMNS), [""; 0]);
     let rows = PORTS_PAGE.lines().filter(|line| line.starts_with("| `"));
     let row = |port: &str| rows.clone().find(|row| row.contains(&format!("`{port}")));

@@ -1,0 +1,160 @@
+//! The datasheet of cores.
+
+use anyhow::Result;
+use photoncube_spec::{
+    Access, CORES, Core, CoreRegister, CoreStreams, EventRow, Port, StreamWord, find_machine,
+};
+
+use super::document::Document;
+use super::family::CORE;
+use super::sheet::{begun, energy, limitations, port_table, timing};
+use crate::table::Table;
+
+/// The datasheet of cores, with the ports and words of the core whose Verilog is committed.
+///
+/// # Errors
+/// There is no such core.
+pub fn sheet() -> Result<Document> {
+    let (chains, machine) = CORES[0];
+    let core = Core::new(find_machine(machine)?, chains)?;
+    let mut document = begun(&CORE);
+    document.text(
+        "`photoncube generate --machine M --chains N` writes the Verilog of N leaf machines M as a core. [Cores](../cores.md) has the rules in full.",
+    );
+    document.heading("Ports");
+    document.text(format!(
+        "The ports of `{}`. The widths of `tdata`, `tdest` and `tid` depend on the machine and the number of chains; the head of the Verilog \
+         has those of another core.",
+        core.name()
+    ));
+    document.table(port_table(&ports(&core)));
+    words(&mut document, &core);
+    document.heading("Protocol and timing");
+    document.list(
+        [
+            "A word is taken at a rising edge of `aclk` with `tvalid` and `tready`. A word, once valid, stays as it is until it is taken.",
+            "`s_axis_photons`: a word is a leaf for the chain `tdest`, and `tlast` ends the set.",
+            "`s_axis_queries`: a word is a query for the chain `tdest`, and `tlast` ends its batch, which also ends where it has as many queries \
+             as a chain has engines.",
+            "`m_axis_results`: a word is the result of a query of the chain `tid`, with the query's tag and `tlast`. Results of a chain have \
+             the order of its queries.",
+        ]
+        .map(str::to_owned),
+    );
+    timing(&mut document, &CORE);
+    registers(&mut document, &core);
+    document.heading("Latency and throughput");
+    document.text(format!(
+        "A word for chain n is in front of that chain n + 2 clocks after it leaves its slice. A chain takes a leaf in two clocks and is a [leaf machine](leaf.md) \
+         of {} engines in the picture above. How many queries a clock a core does depends on the scene; [cores](../cores.md#a-whole-chip) has \
+         figures of whole pictures.",
+        core.engines()
+    ));
+    document.heading("Formats and limits");
+    document.list([
+        format!("chains: 1 to {}", Core::MOST_CHAINS),
+        format!(
+            "leaves of a set: at most {} in this core, two sets a chain",
+            core.set_leaves()
+        ),
+        format!("photons of a leaf: up to {}", Core::LEAF_PHOTONS),
+        format!(
+            "counters: {} bits; registers: {} bits",
+            Core::COUNTER_BITS,
+            Core::REGISTER_BITS
+        ),
+        format!("tag of a query: {} bits", Core::TAG_BITS),
+    ]);
+    limitations(&mut document, &core.limitations());
+    document.heading("Area and clock");
+    document.text(
+        "[Cores](../cores.md#a-whole-chip) has area and clock of a core of one chain and of six on an LFE5U-85F, by seed. The area of a chain is in \
+         the [datasheet of leaf machines](leaf.md#area).",
+    );
+    energy(&mut document);
+    document.heading("How they are verified");
+    document.text(
+        "`photoncube verify core` compares every pin in every clock with the golden model. [Verification](../verification.md) describes the \
+         methods.",
+    );
+    Ok(document)
+}
+
+/// The ports, each with a meaning. The head of the Verilog says nothing of those that are as the protocols have them.
+fn ports(core: &Core) -> Vec<Port> {
+    let mut ports = core.ports();
+    for port in ports.iter_mut().filter(|port| port.meaning.is_empty()) {
+        let protocol = match port.name.contains("_axis_") {
+            true => "AXI4-Stream",
+            false => "AXI4-Lite",
+        };
+        port.meaning = format!("as {protocol} has it");
+    }
+    ports
+}
+
+/// The fields of the three words.
+fn words(document: &mut Document, core: &Core) {
+    let streams = CoreStreams::of(core);
+    let words = [
+        ("s_axis_photons_tdata", &streams.photons),
+        ("s_axis_queries_tdata", &streams.queries),
+        ("m_axis_results_tdata", &streams.results),
+    ];
+    document.text(
+        "The fields of the words. The fields of the photons 1 to 7 of a leaf follow in the order of those of photon 0. Bits without a field are 0 in a \
+         query, and not looked at in a leaf.",
+    );
+    let rows = words.iter().flat_map(|(port, word)| fields(port, word));
+    document.table(Table::new(&["port", "field", "bits", "from bit"], rows));
+}
+
+fn fields(port: &str, word: &StreamWord) -> Vec<Vec<String>> {
+    let of_other_photon = |name: &str| {
+        let number = name
+            .rsplit_once('_')
+            .and_then(|(_, number)| number.parse::<u32>().ok());
+        number.is_some_and(|number| number > 0)
+    };
+    let fields = word
+        .fields
+        .iter()
+        .filter(|field| !of_other_photon(&field.name));
+    let row = fields.map(|field| {
+        vec![
+            format!("`{port}`"),
+            field.name.clone(),
+            field.width.to_string(),
+            field.low.to_string(),
+        ]
+    });
+    row.collect()
+}
+
+fn registers(document: &mut Document, core: &Core) {
+    document.heading("Registers");
+    // The digest is a value, which the table leaves out.
+    let rows = CoreRegister::all(core, 0).into_iter().map(|row| {
+        let access = match row.access {
+            Access::Read => "read",
+            Access::ReadWrite => "read, write",
+            Access::WriteOneToClear => "read, 1 clears",
+            Access::WriteOneToDo => "write",
+        };
+        vec![
+            format!("{:03x}", row.address),
+            format!("`{}`", row.name),
+            access.to_owned(),
+            row.about,
+        ]
+    });
+    document.table(Table::new(
+        &["address", "register", "access", "means"],
+        rows,
+    ));
+    document.text("The events, from bit 0 of `events` and `interrupt_enable` on:");
+    let events = EventRow::ALL
+        .iter()
+        .map(|row| vec![format!("`{}`", row.name), row.about.to_owned()]);
+    document.table(Table::new(&["event", "means"], events));
+}
