@@ -6,15 +6,17 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-place_chains=0 random_groups=0
+place_chains=0 place_cores=0 random_groups=0
 for option; do
     case $option in
         --place-chains) place_chains=1 ;;
+        --place-cores) place_cores=1 ;;
         --random-groups) random_groups=1 ;;
         *)
-            printf 'Usage: scripts/measure.sh [--place-chains] [--random-groups]\n'
+            printf 'Usage: scripts/measure.sh [--place-chains] [--place-cores] [--random-groups]\n'
             printf 'Writes docs/measured/*.json, docs/cornell.png and docs/spheres.png.\n'
             printf '  --place-chains   also place the machines of several engines: hours\n'
+            printf '  --place-cores    also place cores of one chain and of six: two hours\n'
             printf '  --random-groups  also compare each machine of less than 9 clocks in Verilator, on a\n'
             printf '                   million random groups: an hour\n'
             [[ $option == -h || $option == --help ]] && exit 0
@@ -82,6 +84,17 @@ for dimension in 4 5 6 7 8 9; do
 done
 target/release/photoncube synth "${chains[@]}" --flow ecp5 --json >target/measured/chains.json
 cp target/measured/chains.json docs/measured/
+# The clock of cores. Of six chains a seed takes 40 minutes.
+place_core() {
+    local core=core-$1-leaf-7-local7-rgb6d-n4096
+    target/release/photoncube synth --machine leaf-7-local7-rgb6d-n4096 --chains "$1" --flow ecp5 --flow place --grade 8 \
+        --seeds "$2" --map-for 4500 --json >"target/measured/$core.json"
+    cp "target/measured/$core.json" docs/measured/
+}
+if ((place_cores)); then
+    place_core 1 3
+    place_core 6 2
+fi
 for scene in cornell ring range; do
     target/release/photoncube fit "$scene" --json >"target/measured/fit-$scene.json"
     cp "target/measured/fit-$scene.json" docs/measured/

@@ -29,24 +29,43 @@ impl PictureTime {
         let clocks = forecast_clocks(map, queries, machine)?;
         let measured = Measured::of(machine)?;
         let fastest = measured.fastest();
-        let fmax_mhz = fastest.map(|clock| clock.fmax_mhz);
-        let seconds = clocks
-            .zip(fmax_mhz)
-            .map(|(clocks, mhz)| clocks as f64 / (mhz * 1e6));
-        Ok(Self {
-            clocks,
-            fmax_mhz,
-            speed_grade: fastest.and_then(|clock| clock.speed_grade),
-            seconds_per_picture: seconds,
-            pictures_per_second: seconds.map(f64::recip),
+        Ok(match (clocks, fastest) {
+            (Some(clocks), Some(clock)) => Self::at(clocks, clock.fmax_mhz, clock.speed_grade),
+            _ => Self {
+                clocks,
+                fmax_mhz: fastest.map(|clock| clock.fmax_mhz),
+                speed_grade: fastest.and_then(|clock| clock.speed_grade),
+                ..Self::default()
+            },
         })
+    }
+
+    /// The time of so many clocks at a measured clock.
+    pub fn at(clocks: u64, fmax_mhz: f64, speed_grade: Option<u32>) -> Self {
+        let seconds = clocks as f64 / (fmax_mhz * 1e6);
+        Self {
+            clocks: Some(clocks),
+            fmax_mhz: Some(fmax_mhz),
+            speed_grade,
+            seconds_per_picture: Some(seconds),
+            pictures_per_second: Some(seconds.recip()),
+        }
     }
 
     /// "0.34 s a picture, 2.9 pictures/s, at 95 MHz (ECP5, speed grade 8, routed), no waiting".
     pub fn text(&self) -> String {
+        self.said("no waiting")
+    }
+
+    /// The text for a core, in whose clocks the words on its streams are counted.
+    pub fn text_with_loads(&self) -> String {
+        self.said("loads of photons included")
+    }
+
+    fn said(&self, of_streams: &str) -> String {
         match (self.seconds_per_picture, self.fmax_mhz, self.speed_grade) {
             (Some(seconds), Some(mhz), Some(grade)) => format!(
-                "{} s a picture, {} pictures/s, at {mhz:.0} MHz (ECP5, speed grade {grade}, routed), no waiting",
+                "{} s a picture, {} pictures/s, at {mhz:.0} MHz (ECP5, speed grade {grade}, routed), {of_streams}",
                 digits(seconds),
                 digits(seconds.recip())
             ),

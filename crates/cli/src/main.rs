@@ -4,6 +4,7 @@ mod args;
 mod chains;
 mod commands;
 mod core;
+mod cores;
 mod digests;
 mod failure;
 mod files;

@@ -1,12 +1,14 @@
 //! Renders with the golden model of cores, and compares with the direct gather.
 
-use photoncube_driver::{Driver, DriverError, ModelTransport, Transport, TransportError, Work};
+use photoncube_driver::{
+    Driver, DriverError, Forecast, ModelTransport, Transport, TransportError, Work,
+};
 use photoncube_render::{
     Engine, Estimator, Gatherer, Light, Lighting, PhotonMap, QuantisedMap, QueryPoint, RenderError,
-    Rendering, Scene, TraceOptions, ViewOptions, render, render_lit, trace,
+    Rendering, Scene, TraceOptions, ViewOptions, render, render_lit, trace, view_queries,
 };
 use photoncube_spec::{
-    Core, CoreAnswer, CoreCounter, CoreWords, PhotonFormat, QueryRounds, find_machine,
+    Core, CoreAnswer, CoreCounter, CoreWords, Numbers, PhotonFormat, QueryRounds, find_machine,
 };
 
 const VIEW: ViewOptions = ViewOptions {
@@ -91,6 +93,39 @@ fn a_core_renders_what_the_direct_gather_renders() {
         }
         let in_several_sets = work.query_words > work.queries;
         assert_eq!(in_several_sets, name.ends_with("n128"), "{name}: {work:?}");
+    }
+}
+
+/// `report` says the seconds of a picture by this forecast, which is made without a simulation.
+#[test]
+fn the_forecast_of_a_picture_is_near_its_simulated_clocks() {
+    let view = ViewOptions {
+        width: 128,
+        height: 128,
+        ..VIEW
+    };
+    let core = core(6, "leaf-7-local7-rgb6d-n4096");
+    for scene in ["cornell", "ring"] {
+        let (scene, map) = traced(scene, 200.0);
+        let queries = view_queries(&scene, &view).unwrap();
+        let numbers = Numbers::Local(*core.machine.format().unwrap());
+        let quantised = QuantisedMap::new(&map, &numbers).unwrap();
+        let forecast = Forecast::of(&core, &quantised, &queries);
+        assert_eq!(forecast.queries, queries.len() as u64);
+
+        let driver = Driver::new(&core, vec![ModelTransport::new(&core)]).unwrap();
+        let engine = Engine::Hardware(core.machine, &driver);
+        render(&scene, &map, engine, &view, &|_| ()).unwrap();
+        let clocks = driver.work().counter(CoreCounter::Clocks);
+        // The forecast leaves out the first sets' way in: a leaf a clock for all chains, so at most this many clocks. A twentieth more
+        // stands for what the last sets of the chains end apart.
+        let way_in = u64::from(core.chains * core.set_leaves());
+        let (least, most) = (forecast.clocks, forecast.clocks * 21 / 20 + way_in);
+        assert!(
+            (least..=most).contains(&clocks),
+            "{}: {clocks}, forecast {least}",
+            scene.name()
+        );
     }
 }
 

@@ -22,7 +22,7 @@ use self::speed::Speeds;
 use self::verdict::Verdict;
 use crate::args::ReportArgs;
 use crate::outputs::{self, Output};
-use crate::{files, output, progress, scenes, sight};
+use crate::{cores, files, output, progress, scenes, sight};
 
 #[derive(Serialize)]
 struct Report {
@@ -105,7 +105,11 @@ fn picture_view(args: &ReportArgs) -> ViewOptions {
 fn measure(args: &ReportArgs, scene: &Scene, options: &BenchOptions) -> Result<Report> {
     let formats = PHOTON_FORMATS.iter().map(Engine::from);
     let engines: Vec<_> = formats.chain(MACHINES.iter().map(Engine::from)).collect();
-    let bar = progress::bar("measuring formats", args.maps + engines.len() as u64);
+    let cores = cores::measured()?;
+    let bar = progress::bar(
+        "measuring formats",
+        args.maps + (engines.len() + cores.len()) as u64,
+    );
     let bench = ErrorBench::traced(scene, options, &|maps| bar.set_position(maps))?;
     // This measurement has no error of its own: if it fails, the scene is the cause and not a format.
     let reference = bench.measure(Engine::F64)?;
@@ -113,6 +117,10 @@ fn measure(args: &ReportArgs, scene: &Scene, options: &BenchOptions) -> Result<R
     let mut rows = Vec::new();
     for engine in engines {
         rows.push(row::row(&bench, engine, args.noise_ratio, &picture)?);
+        bar.inc(1);
+    }
+    for core in &cores {
+        rows.push(row::core_row(&bench, core, args.noise_ratio, &picture)?);
         bar.inc(1);
     }
     bar.finish_and_clear();
@@ -126,6 +134,7 @@ fn measure(args: &ReportArgs, scene: &Scene, options: &BenchOptions) -> Result<R
         bench: &bench,
         rows: &rows,
         verdict: &verdict,
+        noise: reference.noise_relative,
     };
     let page_text = about.text()?;
     let estimates = reference.estimates_compared + reference.estimates_too_noisy;

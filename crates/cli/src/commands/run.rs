@@ -16,6 +16,7 @@ use self::sizing::Fitted;
 use super::verify::{Written, verdict_table, verify_with_bar};
 use crate::args::RunArgs;
 use crate::chains::ChainsChoice;
+use crate::cores::CoreTime;
 use crate::failure::CheckFailed;
 use crate::hardware::PictureTime;
 use crate::outputs::{self, Output};
@@ -353,6 +354,18 @@ fn text(report: &Report) -> String {
     )
 }
 
+/// The time of the picture on the fastest core, if there is one.
+fn core_line(core: Option<&CoreTime>) -> String {
+    core.map_or_else(String::new, |core| {
+        format!(
+            "\x20 fastest core      {}: error / noise {:.4}; {}\n",
+            core.core,
+            core.error_over_noise,
+            core.time.text_with_loads()
+        )
+    })
+}
+
 fn fitted_line(fitted: &Fitted) -> String {
     let row = &fitted.row;
     format!(
@@ -365,8 +378,9 @@ fn fitted_line(fitted: &Fitted) -> String {
         row.prediction.error_over_noise,
         row.measurement.error_over_noise,
         fitted.noise_ratio,
-    ) + &fitted
-        .cores
-        .as_ref()
-        .map_or_else(String::new, ChainsChoice::text)
+    ) + &core_line(fitted.fastest_core.as_ref())
+        + &fitted
+            .cores
+            .as_ref()
+            .map_or_else(String::new, ChainsChoice::text)
 }

@@ -20,6 +20,8 @@ pub struct Chart<'a> {
     pub better: Better,
     /// The bound of the error.
     pub bound: f64,
+    /// The error that equals the scene's own noise.
+    pub noise: f64,
     /// The points.
     pub points: &'a [Point],
 }
@@ -84,6 +86,10 @@ impl Chart<'_> {
                     li { span.mark.machine {} "machine" }
                     li { span.mark.best {} "best within the bound (Pareto front)" }
                     li { span.mark.beyond {} "error above the bound" }
+                    li { span.mark.whisker {} "of the best: 95 % interval of the error" }
+                    @if points.iter().any(|point| point.figure_range.is_some()) {
+                        li { span.mark.whisker.upright {} "of formats: slowest and fastest repeat on this computer" }
+                    }
                 }
             }
             details {
@@ -102,11 +108,10 @@ impl Chart<'_> {
                     Cell::text(&point.label),
                     Cell::Number(significant(point.figure, 3)),
                     Cell::Number(significant(point.error, 3)),
-                    Cell::Number(format!(
-                        "{} to {}",
-                        significant(point.interval[0], 3),
-                        significant(point.interval[1], 3)
-                    )),
+                    Cell::Number(spelled(point.interval)),
+                    point
+                        .figure_range
+                        .map_or(Cell::None, |range| Cell::Number(spelled(range))),
                     Cell::text(if point.holds { "yes" } else { "no" }),
                     Cell::text(if *on_front { "yes" } else { "" }),
                 ]
@@ -117,6 +122,7 @@ impl Chart<'_> {
             self.figure,
             self.error,
             "95 % interval",
+            "slowest to fastest repeat",
             "within the bound",
             "on the Pareto front",
         ];
@@ -131,11 +137,9 @@ impl Chart<'_> {
     fn svg(&self, points: &[Point], front: &[bool]) -> String {
         let errors = points.iter().map(|point| point.error);
         let x = Scale::of(errors.chain([self.bound]), LEFT, WIDTH - RIGHT);
-        let y = Scale::of(
-            points.iter().map(|point| point.figure),
-            HEIGHT - BOTTOM,
-            TOP,
-        );
+        let figures = points.iter().map(|point| point.figure);
+        let repeats = points.iter().filter_map(|point| point.figure_range);
+        let y = Scale::of(figures.chain(repeats.flatten()), HEIGHT - BOTTOM, TOP);
         let mut svg = format!(
             "<svg viewBox=\"0 0 {WIDTH} {HEIGHT}\" role=\"group\" aria-label=\"{}\">\n",
             escaped(&self.description(points, front))
@@ -156,7 +160,17 @@ impl Chart<'_> {
             TOP - 10.0,
             significant(self.bound, 2)
         );
+        if (x.low..x.high).contains(&self.noise) {
+            let noise = x.at(self.noise);
+            let _ = writeln!(
+                svg,
+                "<path class=\"noise\" d=\"M{noise:.1} {TOP}V{:.1}\"/><text class=\"bound-name\" text-anchor=\"middle\" x=\"{noise:.1}\" y=\"{:.1}\">the scene's noise</text>",
+                HEIGHT - BOTTOM,
+                TOP - 10.0
+            );
+        }
         self.front(&mut svg, points, front, &x, &y);
+        whiskers(&mut svg, points, front, &x, &y);
         for (point, on_front) in points.iter().zip(front) {
             self.point(
                 &mut svg,
@@ -226,15 +240,18 @@ impl Chart<'_> {
         if !point.holds {
             class += " above";
         }
+        let repeats = point.figure_range.map_or_else(String::new, |range| {
+            format!(" (repeats {})", spelled(range))
+        });
         let says = format!(
-            "{}: {} {}, {} {} (95 % interval {} to {}){}",
+            "{}: {} {}{}, {} {} (95 % interval {}){}",
             point.label,
             self.figure,
             significant(point.figure, 3),
+            repeats,
             self.error,
             significant(point.error, 3),
-            significant(point.interval[0], 3),
-            significant(point.interval[1], 3),
+            spelled(point.interval),
             if point.holds { "" } else { ", above the bound" }
         );
         let mark = match point.kind {
@@ -332,6 +349,33 @@ fn labels(svg: &mut String, points: &[Point], front: &[bool], x: &Scale, y: &Sca
     }
 }
 
+/// The intervals of the errors of the front, because those of all points would hide the points; and of each point that was
+/// measured repeatedly on this computer the slowest and the fastest repeat.
+fn whiskers(svg: &mut String, points: &[Point], front: &[bool], x: &Scale, y: &Scale) {
+    for (point, on_front) in points.iter().zip(front) {
+        let [across, up] = [x.at(point.error), y.at(point.figure)];
+        if *on_front {
+            let [low, high] = point.interval.map(|error| x.at(error.max(x.low)));
+            let _ = writeln!(
+                svg,
+                "<path class=\"whisker\" d=\"M{low:.1} {up:.1}H{high:.1}\"/>"
+            );
+        }
+        if let Some(range) = point.figure_range {
+            let [low, high] = range.map(|figure| y.at(figure));
+            let _ = writeln!(
+                svg,
+                "<path class=\"whisker\" d=\"M{across:.1} {low:.1}V{high:.1}\"/>"
+            );
+        }
+    }
+}
+
+/// "0.18 to 0.22".
+fn spelled([low, high]: [f64; 2]) -> String {
+    format!("{} to {}", significant(low, 3), significant(high, 3))
+}
+
 /// A logarithmic axis has no place for other figures.
 fn is_positive(point: &Point) -> bool {
     point.error > 0.0 && point.figure > 0.0
@@ -353,6 +397,7 @@ mod tests {
             error,
             interval: [error * 0.9, error * 1.1],
             figure,
+            figure_range: None,
             holds: error <= 0.1,
         }
     }
@@ -363,6 +408,7 @@ mod tests {
             error: "error",
             better: Better::Larger,
             bound: 0.1,
+            noise: 1.0,
             points,
         };
         chart.markup().into_string()
@@ -397,6 +443,22 @@ mod tests {
         assert!(text.contains(
             "bad: speed 5.00, error 0.200 (95 % interval 0.180 to 0.220), above the bound"
         ));
+    }
+
+    #[test]
+    fn repeats_are_drawn_and_told() {
+        let measured = Point {
+            figure_range: Some([4.0, 8.0]),
+            ..point("format", 0.05, 5.0)
+        };
+        let text = chart(&[measured, point("machine", 0.2, 1.0)]);
+        assert!(text.contains("format: speed 5.00 (repeats 4.00 to 8.00), error 0.0500"));
+        // The interval of the error of the one on the front, and the repeats of the one that has any.
+        assert_eq!(text.matches("<path class=\"whisker\"").count(), 2);
+        assert!(text.contains("4.00 to 8.00</td>"), "{text}");
+        let unmeasured = chart(&[point("machine", 0.05, 1.0)]);
+        assert_eq!(unmeasured.matches("<path class=\"whisker\"").count(), 1);
+        assert!(!unmeasured.contains("repeats "));
     }
 
     #[test]

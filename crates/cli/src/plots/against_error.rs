@@ -31,6 +31,8 @@ pub struct Point {
     pub interval: [f64; 2],
     /// The figure of merit; the plot states which direction is better.
     pub figure: f64,
+    /// The smallest and the largest of its repeated measurements; `None` where it is not measured on this computer.
+    pub figure_range: Option<[f64; 2]>,
     /// Whether its error is within the bound.
     pub holds: bool,
 }
@@ -278,6 +280,7 @@ mod tests {
             error,
             interval: [0.9 * error, 1.1 * error],
             figure,
+            figure_range: None,
             holds: error <= 0.7,
         }
     }

@@ -5,11 +5,13 @@ mod ports;
 mod text;
 
 use anyhow::Result;
+use fpga_flow::Figures;
 use photoncube_render::Scene;
 use photoncube_spec::{MACHINES, Machine, PHOTON_FORMATS, PhotonFormat, Widths, find_machine};
 use serde::Serialize;
 
 use crate::args::ListArgs;
+use crate::cores::{self, MeasuredCore};
 use crate::measured::{self, Measured};
 use crate::measured_fits::{FitRow, fit_rows};
 use crate::output;
@@ -21,8 +23,24 @@ pub use self::text::{proofs, speed};
 struct Report {
     scenes: Vec<SceneRow>,
     machines: Vec<MachineRow>,
+    measured_cores: Vec<CoreRow>,
     formats: Vec<FormatRow>,
     fits: Vec<FitRow>,
+}
+
+/// A core whose clock is measured, with the area of its modules on ECP5.
+#[derive(Serialize)]
+struct CoreRow {
+    core: String,
+    machine: &'static str,
+    chains: u32,
+    chain_engines: usize,
+    fmax_mhz: f64,
+    speed_grade: Option<u32>,
+    seeds: usize,
+    #[serde(flatten)]
+    area: Figures,
+    verilog_sha256: String,
 }
 
 /// A photon format, with the machines that are built for it.
@@ -95,9 +113,25 @@ fn report() -> Result<Report> {
     Ok(Report {
         scenes: scenes.collect::<Result<_>>()?,
         machines: MACHINES.iter().map(machine_row).collect::<Result<_>>()?,
+        measured_cores: cores::measured()?.into_iter().map(core_row).collect(),
         formats: PHOTON_FORMATS.iter().map(format_row).collect(),
         fits: fit_rows()?,
     })
+}
+
+fn core_row(measured: MeasuredCore) -> CoreRow {
+    let (core, clock) = (measured.core, measured.clock);
+    CoreRow {
+        core: core.name(),
+        machine: core.machine.name,
+        chains: core.chains,
+        chain_engines: core.engines(),
+        fmax_mhz: clock.fmax_mhz,
+        speed_grade: clock.speed_grade,
+        seeds: clock.seeds,
+        area: measured.area.figures,
+        verilog_sha256: measured.verilog_sha256,
+    }
 }
 
 fn format_row(format: &PhotonFormat) -> FormatRow {

@@ -1,6 +1,8 @@
 //! Prints the lists as text: the figures that fit a terminal, or all of them.
 
-use super::{MachineRow, Report};
+use fpga_flow::Figure;
+
+use super::{CoreRow, MachineRow, Report};
 use crate::measured::Area;
 use crate::measured_fits::fit_table;
 use crate::synth::tables;
@@ -48,12 +50,31 @@ fn names(report: &Report) -> String {
     text += "\nMachines:\n";
     let machines = report.machines.iter();
     text += &padded(machines.map(|row| (row.machine, row.summary.to_owned())));
+    text += "\nCores whose clock is measured (docs/cores.md):\n";
+    let cores = report.measured_cores.iter();
+    text += &padded(cores.map(|row| (row.core.as_str(), core_said(row))));
     text += "\nPhoton formats of the golden model, bits per photon (`photoncube report` measures them):\n";
     let formats = report.formats.iter();
     text + &padded(formats.map(|row| {
         let said = format!("{:>2} {}", row.bits_per_photon, row.summary);
         (row.format.as_str(), said)
     }))
+}
+
+/// "6 chains of 8 engines, 140 MHz, 61956 LUT4 and 108 DSP blocks".
+fn core_said(row: &CoreRow) -> String {
+    let area = |figure| row.area.get(&figure).copied().unwrap_or_default();
+    let chains = match row.chains {
+        1 => "one chain".to_owned(),
+        chains => format!("{chains} chains"),
+    };
+    format!(
+        "{chains} of {} engines: {:.0} MHz, {} LUT4 and {} DSP blocks",
+        row.chain_engines,
+        row.fmax_mhz,
+        area(Figure::Lut4Equivalents),
+        area(Figure::Dsp)
+    )
 }
 
 /// A line for each name, with the descriptions in one column.

@@ -16,6 +16,7 @@ use crate::page::{
 };
 use crate::plots::{Better, Point};
 use crate::stages::picture_of_map;
+use crate::table::grouped;
 use crate::verified;
 
 /// The machine that is shown where no machine is within the bound.
@@ -34,6 +35,8 @@ pub struct About<'a> {
     pub bench: &'a ErrorBench,
     pub rows: &'a [Row],
     pub verdict: &'a Verdict,
+    /// The scene's own noise as a part of the radiance, rms.
+    pub noise: f64,
 }
 
 /// The picture of the page, and what it takes.
@@ -43,6 +46,37 @@ struct Picture {
     body: Markup,
     /// Photons that the golden model tests for it; `None` where it could not be made.
     photon_tests: Option<u64>,
+}
+
+/// Pictures a second, or another figure of a chart.
+struct Speed {
+    figure: f64,
+    /// The slowest and the fastest repeat; `None` where it is not measured on this computer.
+    range: Option<[f64; 2]>,
+}
+
+impl Speed {
+    fn once(figure: f64) -> Self {
+        Self {
+            figure,
+            range: None,
+        }
+    }
+}
+
+impl Picture {
+    /// The pictures a second of a CPU core with the golden model of a format.
+    fn speed_of_format(&self, row: &Row) -> Option<Speed> {
+        let tests = self.photon_tests? as f64;
+        let range = [
+            row.photon_tests_per_second_low?,
+            row.photon_tests_per_second_high?,
+        ];
+        Some(Speed {
+            figure: row.photon_tests_per_second? / tests,
+            range: Some(range.map(|speed| speed / tests)),
+        })
+    }
 }
 
 impl About<'_> {
@@ -64,19 +98,22 @@ impl About<'_> {
                 body: html! {
                     p {
                         "Machines at their measured clock on an ECP5, by the golden model's clocks while no stream waits. \
-                         Photon formats: their golden model on one core of this computer, measured now."
+                         Cores at theirs, by the driver's forecast of their clocks, in which photons and queries come in over the core's \
+                         streams. Photon formats: their golden model on one core of this computer, measured now."
                     }
                     (self.chart(&figure, Better::Larger, &speeds))
                 },
             },
             Section {
                 id: "bits",
-                title: "Bits against error".to_owned(),
-                body: self.chart(
-                    "bits of a stored photon",
-                    Better::Smaller,
-                    &self.points(&BITS),
-                ),
+                title: "Bits of a photon against the noise of the scene".to_owned(),
+                body: html! {
+                    p {
+                        "The scene's own noise is " (format!("{:.2} %", 100.0 * self.noise)) " of the radiance, rms over "
+                        (self.args.maps) " maps of at least " (grouped(self.args.photons)) " photons each. An error of 1 would be as large."
+                    }
+                    (self.chart("bits of a stored photon", Better::Smaller, &self.points(&BITS)))
+                },
             },
         ];
         let (scene, map) = (self.scene, self.map());
@@ -184,16 +221,22 @@ impl About<'_> {
                 @match (time.seconds_per_picture, time.fmax_mhz, time.speed_grade) {
                     (Some(seconds), Some(mhz), Some(grade)) => {
                         ": " strong { (digits(seconds)) " s" } " for a picture of " (size) " pixels on an ECP5, speed grade "
-                        (grade) ", at its measured " (format!("{mhz:.0}")) " MHz, while no stream waits."
+                        (grade) ", at its measured " (format!("{mhz:.0}")) " MHz, "
+                        @if row.is_some_and(Row::is_core) { "the loads of its photons included, by the driver's forecast." }
+                        @else { "while no stream waits." }
                     }
                     _ => { "; its clock is not measured." }
                 }
             });
         }
-        if let Some((format, seconds)) = self.on_cpu(picture) {
+        if let Some((format, speed)) = self.on_cpu(picture) {
             facts.push(html! {
-                "A core of this computer takes " strong { (digits(seconds)) " s" } " for the photon tests of that picture, by the golden \
-                 model of " code { (format) } "."
+                "One CPU core of this computer takes " strong { (digits(speed.figure.recip())) " s" } " for the photon tests of that \
+                 picture, by the golden model of " code { (format) }
+                @if let Some([slowest, fastest]) = speed.range {
+                    " (" (digits(fastest.recip())) " to " (digits(slowest.recip())) " s in repeats)"
+                }
+                "."
             });
         }
         facts.push(
@@ -202,38 +245,43 @@ impl About<'_> {
         facts
     }
 
-    /// The seconds of a CPU core for the photon tests of the picture, in the format of the fewest bits.
-    fn on_cpu(&self, picture: &Picture) -> Option<(&str, f64)> {
+    /// The pictures a second of a CPU core, in the format of the fewest bits.
+    fn on_cpu(&self, picture: &Picture) -> Option<(&str, Speed)> {
         let format = self.verdict.format.as_deref()?;
         let row = self.rows.iter().find(|row| row.name == format)?;
-        Some((
-            format,
-            picture.photon_tests? as f64 / row.photon_tests_per_second?,
-        ))
+        Some((format, picture.speed_of_format(row)?))
     }
 
     /// For each row, its pictures a second.
-    fn speeds(&self, picture: &Picture) -> Vec<Option<f64>> {
+    fn speeds(&self, picture: &Picture) -> Vec<Option<Speed>> {
         let speed = |row: &Row| match row.is_format() {
-            true => Some(row.photon_tests_per_second? / picture.photon_tests? as f64),
-            false => row.pictures_per_second(),
+            true => picture.speed_of_format(row),
+            false => row.pictures_per_second().map(Speed::once),
         };
         self.rows.iter().map(speed).collect()
     }
 
-    fn points(&self, merit: &Merit) -> Vec<Option<f64>> {
-        self.rows.iter().map(|row| (merit.of)(row)).collect()
+    fn points(&self, merit: &Merit) -> Vec<Option<Speed>> {
+        let point = |row| (merit.of)(row).map(Speed::once);
+        self.rows.iter().map(point).collect()
     }
 
-    fn chart(&self, figure: &str, better: Better, values: &[Option<f64>]) -> Markup {
+    fn chart(&self, figure: &str, better: Better, values: &[Option<Speed>]) -> Markup {
         let rows = self.rows.iter().zip(values);
-        let point = |(row, value): (&Row, &Option<f64>)| -> Option<Point> { row.point((*value)?) };
+        let point = |(row, value): (&Row, &Option<Speed>)| -> Option<Point> {
+            let value = value.as_ref()?;
+            Some(Point {
+                figure_range: value.range,
+                ..row.point(value.figure)?
+            })
+        };
         let points: Vec<_> = rows.filter_map(point).collect();
         Chart {
             figure,
             error: ERROR,
             better,
             bound: self.args.noise_ratio,
+            noise: 1.0,
             points: &points,
         }
         .markup()
@@ -251,12 +299,12 @@ impl About<'_> {
         }
     }
 
-    fn table(&self, speeds: &[Option<f64>], figure: &str) -> Markup {
+    fn table(&self, speeds: &[Option<Speed>], figure: &str) -> Markup {
         let rows: Vec<_> = self
             .rows
             .iter()
             .zip(speeds)
-            .map(|(row, speed)| cells(row, *speed))
+            .map(|(row, speed)| cells(row, speed.as_ref()))
             .collect();
         let header = [
             "name",
@@ -264,7 +312,7 @@ impl About<'_> {
             "bits a photon",
             "error / noise",
             "within the bound",
-            "LUT4 equivalents",
+            "LUT4 equivalents (of a core beside its DSP blocks)",
             "clock, MHz",
             figure,
         ];
@@ -334,7 +382,7 @@ impl About<'_> {
     }
 }
 
-fn cells(row: &Row, speed: Option<f64>) -> Vec<Cell> {
+fn cells(row: &Row, speed: Option<&Speed>) -> Vec<Cell> {
     let clock = row.hardware.time.fmax_mhz;
     vec![
         Cell::text(&row.name),
@@ -346,8 +394,12 @@ fn cells(row: &Row, speed: Option<f64>) -> Vec<Cell> {
             (None, true) => "yes",
             (None, false) => "no",
         }),
-        Cell::number(row.lut4_equivalents().map(|area| area.to_string())),
+        Cell::number(
+            row.lut4_equivalents()
+                .or(row.hardware.lut4_equivalents_with_dsp)
+                .map(|area| area.to_string()),
+        ),
         Cell::number(clock.map(|mhz| format!("{mhz:.0}"))),
-        Cell::number(speed.map(digits)),
+        Cell::number(speed.map(|speed| digits(speed.figure))),
     ]
 }

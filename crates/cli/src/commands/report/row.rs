@@ -1,10 +1,12 @@
 //! The figures of a format or a machine.
 
 use anyhow::Result;
+use fpga_flow::Figure;
 use photoncube_render::{BenchError, Engine, ErrorBench, ErrorReport, Measurement, QueryPoint};
 use photoncube_spec::PhotonFormat;
 use serde::Serialize;
 
+use crate::cores::MeasuredCore;
 use crate::hardware::PictureTime;
 use crate::measured::{Area, Measured};
 use crate::plots::{Kind, Point};
@@ -14,7 +16,7 @@ use crate::plots::{Kind, Point};
 pub struct Row {
     /// A format's or a machine's name.
     pub name: String,
-    /// Whether it is a format or a machine. A format alone has no clocks and no area.
+    /// Whether it is a format, a machine or a core. A format alone has no clocks and no area.
     pub kind: &'static str,
     /// The machine's photon format; null for plain numbers.
     pub format: Option<String>,
@@ -32,6 +34,10 @@ pub struct Row {
     pub photon_tests_per_second: Option<f64>,
     /// The spread of that speed between repeats.
     pub photon_tests_per_second_spread: Option<f64>,
+    /// The slowest repeat.
+    pub photon_tests_per_second_low: Option<f64>,
+    /// The fastest repeat.
+    pub photon_tests_per_second_high: Option<f64>,
     pub on_speed_front: bool,
     pub on_bits_front: bool,
     pub on_hardware_front: bool,
@@ -48,6 +54,8 @@ pub struct Hardware {
     pub initiation_interval: Option<f64>,
     pub photon_tests_per_clock: Option<f64>,
     pub area_without_dsp: Option<Area>,
+    /// The LUT4 equivalents of a core, whose squarers are DSP blocks too.
+    pub lut4_equivalents_with_dsp: Option<u64>,
     pub photon_tests_per_second_at_fmax: Option<f64>,
     #[serde(flatten)]
     pub time: PictureTime,
@@ -63,7 +71,7 @@ impl Row {
     pub fn point(&self, figure: f64) -> Option<Point> {
         let measurement = self.measurement?;
         Some(Point {
-            label: self.name.clone(),
+            label: self.label(),
             kind: match self.is_format() {
                 true => Kind::Format,
                 false => Kind::Machine,
@@ -74,11 +82,22 @@ impl Row {
                 measurement.error_over_noise_high,
             ],
             figure,
+            figure_range: None,
             holds: self.within_bound,
         })
     }
 
-    /// LUT4 equivalents without DSP blocks.
+    /// The name in a plot. That of a core would take half of its width, so it ends before the format of its photons.
+    fn label(&self) -> String {
+        let name = self.name.as_str();
+        let short = match &self.format {
+            Some(format) if self.is_core() => name.strip_suffix(&format!("-{format}")),
+            _ => None,
+        };
+        short.unwrap_or(name).to_owned()
+    }
+
+    /// LUT4 equivalents without DSP blocks; a core is measured with them only.
     pub fn lut4_equivalents(&self) -> Option<u64> {
         let area = self.hardware.area_without_dsp.as_ref()?;
         Some(area.lut4_equivalents)
@@ -87,6 +106,11 @@ impl Row {
     /// The speed at the machine's measured clock.
     pub fn pictures_per_second(&self) -> Option<f64> {
         self.hardware.time.pictures_per_second
+    }
+
+    /// Whether the row is a core of several chains.
+    pub fn is_core(&self) -> bool {
+        self.kind == "core"
     }
 
     /// Whether the row is a format alone.
@@ -104,15 +128,6 @@ pub fn row(
     bound: f64,
     picture: &[QueryPoint],
 ) -> Result<Row> {
-    let measured = bench.measure_light(engine);
-    let (measurement, error, cannot) = match &measured {
-        Ok(report) => (
-            Some(Measurement::of(report)),
-            Some(*report.luminance()),
-            None,
-        ),
-        Err(error) => (None, None, Some(reason(error))),
-    };
     let (name, kind, format, bits_per_photon) = match engine {
         Engine::F64 => ("f64".to_owned(), "reference", None, 0),
         Engine::Integers(numbers, machine) => {
@@ -133,22 +148,84 @@ pub fn row(
             machine.bits_per_photon(),
         ),
     };
-    Ok(Row {
-        name,
-        kind,
+    let mut row = Row {
         format,
         bits_per_photon,
+        ..measured(bench, engine, bound, name, kind)
+    };
+    row.hardware = hardware(bench, engine, picture, row.cannot.is_none())?;
+    Ok(row)
+}
+
+/// Measures the row of a core, by the golden model of its format.
+///
+/// `picture` has the queries of the picture whose time is forecast.
+pub fn core_row(
+    bench: &ErrorBench,
+    measured_core: &MeasuredCore,
+    bound: f64,
+    picture: &[QueryPoint],
+) -> Result<Row> {
+    let (core, clock) = (&measured_core.core, &measured_core.clock);
+    let numbers = measured_core.numbers_of_picture();
+    let mut row = Row {
+        format: core.machine.format().map(PhotonFormat::name),
+        bits_per_photon: core.machine.bits_per_photon(),
+        ..measured(bench, Engine::from(&numbers), bound, core.name(), "core")
+    };
+    let rate = measured_core.photon_tests_per_clock();
+    row.hardware = Hardware {
+        initiation_interval: Some(core.machine.rate().interval()),
+        photon_tests_per_clock: Some(rate),
+        area_without_dsp: None,
+        lut4_equivalents_with_dsp: measured_core
+            .area
+            .figures
+            .get(&Figure::Lut4Equivalents)
+            .copied(),
+        photon_tests_per_second_at_fmax: Some(rate * clock.fmax_mhz * 1e6),
+        time: match row.cannot {
+            None => measured_core.time(&bench.maps()[0], picture)?,
+            Some(_) => PictureTime::default(),
+        },
+    };
+    Ok(row)
+}
+
+/// A row with the error that is measured, and with nothing else.
+fn measured(
+    bench: &ErrorBench,
+    engine: Engine<'_>,
+    bound: f64,
+    name: String,
+    kind: &'static str,
+) -> Row {
+    let (measurement, error, cannot) = match &bench.measure_light(engine) {
+        Ok(report) => (
+            Some(Measurement::of(report)),
+            Some(*report.luminance()),
+            None,
+        ),
+        Err(error) => (None, None, Some(reason(error))),
+    };
+    Row {
+        name,
+        kind,
+        format: None,
+        bits_per_photon: 0,
         cannot,
         within_bound: measurement.is_some_and(|m| m.error_over_noise <= bound),
-        hardware: hardware(bench, engine, picture, measured.is_ok())?,
+        hardware: Hardware::default(),
         photon_tests_per_second: None,
         photon_tests_per_second_spread: None,
+        photon_tests_per_second_low: None,
+        photon_tests_per_second_high: None,
         on_speed_front: false,
         on_bits_front: false,
         on_hardware_front: false,
         measurement,
         error,
-    })
+    }
 }
 
 /// The innermost cause of an error: that of the golden model, without the pixel or the map.
@@ -180,6 +257,7 @@ fn hardware(
         initiation_interval: Some(machine.rate().interval()),
         photon_tests_per_clock: Some(rate),
         area_without_dsp: measured.area_without_dsp,
+        lut4_equivalents_with_dsp: None,
         photon_tests_per_second_at_fmax: fmax_mhz.map(|fmax| rate * fmax * 1e6),
         time,
     })

@@ -32,13 +32,15 @@ pub fn measure(bench: &ErrorBench, rows: &mut [Row]) -> Result<Speeds> {
         gather_speed(map, queries, Engine::F64)?,
         f32_speed(map, queries),
     ];
-    let mut widest_spread = loops.iter().map(|speed| speed.spread).fold(0.0, f64::max);
+    let mut widest_spread = loops.iter().map(Speed::spread).fold(0.0, f64::max);
     for row in rows.iter_mut().filter(|row| is_measured(row)) {
         let format = find_photon_format(&row.name)?;
         let speed: Speed = gather_speed(map, queries, Engine::from(&format))?;
         row.photon_tests_per_second = Some(speed.photon_tests_per_second);
-        row.photon_tests_per_second_spread = Some(speed.spread);
-        widest_spread = widest_spread.max(speed.spread);
+        row.photon_tests_per_second_spread = Some(speed.spread());
+        row.photon_tests_per_second_low = Some(speed.slowest);
+        row.photon_tests_per_second_high = Some(speed.fastest);
+        widest_spread = widest_spread.max(speed.spread());
         bar.inc(1);
     }
     bar.finish_and_clear();

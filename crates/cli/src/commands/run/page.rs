@@ -96,6 +96,19 @@ impl About<'_> {
             },
             _ => html! { "Its clock is not measured, so the time of the picture is not known." },
         });
+        let core = report
+            .fitted
+            .as_ref()
+            .and_then(|fitted| fitted.fastest_core.as_ref());
+        if let Some(core) = core
+            && let (Some(seconds), Some(mhz)) = (core.time.seconds_per_picture, core.time.fmax_mhz)
+        {
+            facts.push(html! {
+                "The fastest core within the bound is " strong { (core.core) } ": " strong { (digits(seconds)) " s" }
+                " for this picture at its measured " (format!("{mhz:.0}")) " MHz, the loads of its photons included, by the driver's \
+                 forecast."
+            });
+        }
         facts.push(html! {
             "This computer took " strong { (digits(report.seconds.render_model)) " s" } " for the picture, by the golden model on all cores."
         });

@@ -7,6 +7,7 @@ use serde::Serialize;
 
 use crate::args::RunArgs;
 use crate::chains::{self, ChainsChoice};
+use crate::cores::{self, CoreTime};
 use crate::fitted::{self, FormatRow};
 use crate::stages::{Traced, view};
 
@@ -20,6 +21,8 @@ pub struct Fitted {
     pub row: FormatRow,
     /// The cores for the scene.
     pub cores: Option<ChainsChoice>,
+    /// The fastest core whose clock is measured and whose error is within the bound.
+    pub fastest_core: Option<CoreTime>,
 }
 
 /// The given machine, or else the smallest machine for the scene's fit.
@@ -35,6 +38,7 @@ pub fn machine(args: &RunArgs, traced: &Traced) -> Result<(&'static Machine, Opt
         noise_ratio: options.noise_ratio,
         row: FormatRow::of(&chosen),
         cores: chains::choose(&fit, options.noise_ratio, traced.map(), &queries)?,
+        fastest_core: cores::fastest_within(&fit, options.noise_ratio, traced.map(), &queries)?,
     };
     Ok((choices.smallest.machine, Some(fitted)))
 }
