@@ -1,5 +1,7 @@
 //! Cores whose clock is measured after place and route, and the time that they take for a picture.
 
+use std::collections::BTreeMap;
+
 use anyhow::{Context, Result, ensure};
 use photoncube_driver::Forecast;
 use photoncube_render::{Fit, PhotonMap, QuantisedMap, QueryPoint};
@@ -12,6 +14,8 @@ use crate::synth::figures::{AreaRow, PlaceRow};
 
 /// The machine of each chain of the measured cores.
 const CHAIN: &str = "leaf-7-local7-rgb6d-n4096";
+/// The tool that placed and routed them.
+const PLACED_BY: &str = "nextpnr-ecp5";
 /// By the number of chains, what `photoncube synth --json` printed; `scripts/measure.sh --place-cores` writes the files.
 const MEASURED: [(u32, &str); 2] = [
     (
@@ -27,6 +31,8 @@ const MEASURED: [(u32, &str); 2] = [
 #[derive(Deserialize)]
 struct Measurements {
     machines: Vec<Text>,
+    device: String,
+    tool_versions: BTreeMap<String, String>,
     areas: Vec<AreaRow>,
     placements: Vec<PlaceRow>,
 }
@@ -46,6 +52,8 @@ pub struct MeasuredCore {
     pub area: AreaRow,
     /// The digest of the Verilog that was placed.
     pub verilog_sha256: String,
+    /// How the clock was measured, in a sentence.
+    pub source: String,
 }
 
 /// All cores whose clock is measured.
@@ -71,8 +79,14 @@ impl MeasuredCore {
             text.machine,
             core.name()
         );
+        let version = measured.tool_versions.get(PLACED_BY);
+        let version = version.with_context(|| format!("no version of {PLACED_BY}"))?;
         Ok(Self {
             core,
+            source: format!(
+                "The clock is that of {PLACED_BY} {version} in an {}, post-route, the median of the seeds.",
+                measured.device
+            ),
             clock: clock.context("it has no placement")?,
             area: measured.areas.into_iter().next().context("no area")?,
             verilog_sha256: text.verilog_sha256,

@@ -7,13 +7,14 @@ use photoncube_spec::{
 
 use super::document::Document;
 use super::family::CORE;
-use super::sheet::{begun, energy, limitations, port_table, timing};
+use super::sheet::{areas_of, begun, clock_table, energy, limitations, port_table, timing};
+use crate::cores::{self, MeasuredCore};
 use crate::table::Table;
 
 /// The datasheet of cores, with the ports and words of the core whose Verilog is committed.
 ///
 /// # Errors
-/// There is no such core.
+/// There is no such core, or a committed figure cannot be read.
 pub fn sheet() -> Result<Document> {
     let (chains, machine) = CORES[0];
     let core = Core::new(find_machine(machine)?, chains)?;
@@ -66,11 +67,7 @@ pub fn sheet() -> Result<Document> {
         format!("tag of a query: {} bits", Core::TAG_BITS),
     ]);
     limitations(&mut document, &core.limitations());
-    document.heading("Area and clock");
-    document.text(
-        "[Cores](../cores.md#a-whole-chip) has area and clock of a core of one chain and of six on an LFE5U-85F, by seed. The area of a chain is in \
-         the [datasheet of leaf machines](leaf.md#area).",
-    );
+    area_and_clock(&mut document, &cores::measured()?);
     energy(&mut document);
     document.heading("How they are verified");
     document.text(
@@ -78,6 +75,25 @@ pub fn sheet() -> Result<Document> {
          methods.",
     );
     Ok(document)
+}
+
+/// What is measured of the cores that were placed.
+fn area_and_clock(document: &mut Document, measured: &[MeasuredCore]) {
+    document.heading("Area");
+    let areas: Vec<_> = measured.iter().map(|core| core.area.clone()).collect();
+    areas_of(document, &areas);
+    document.text(
+        "The area is before place and route. That of a chain alone is in the [datasheet of leaf machines](leaf.md#area).",
+    );
+    document.heading("Clock");
+    let clocks: Vec<_> = measured.iter().map(|core| core.clock.clone()).collect();
+    document.table(clock_table(&clocks));
+    let mut sources: Vec<_> = measured.iter().map(|core| core.source.as_str()).collect();
+    sources.dedup();
+    document.text(format!(
+        "{} [Cores](../cores.md#a-whole-chip) has whole pictures at these clocks.",
+        sources.join(" ")
+    ));
 }
 
 /// The ports, each with a meaning. The head of the Verilog says nothing of those that are as the protocols have them.

@@ -211,7 +211,8 @@ fn area_and_clock(document: &mut Document, rows: &[MachineRow]) -> Result<()> {
     Ok(())
 }
 
-fn areas_of(document: &mut Document, areas: &[AreaRow]) {
+/// A table of areas for each flow.
+pub fn areas_of(document: &mut Document, areas: &[AreaRow]) {
     for (flow, table) in tables::areas_by_flow(areas) {
         document.text(format!("{flow}:"));
         document.table(table);
@@ -228,7 +229,8 @@ fn area_of_chains(document: &mut Document) -> Result<()> {
     Ok(())
 }
 
-fn clock_table(clocks: &[Clock]) -> Table {
+/// A row for each clock.
+pub fn clock_table(clocks: &[Clock]) -> Table {
     let row = |clock: &Clock| {
         vec![
             clock.machine.clone(),
