@@ -41,7 +41,7 @@ pub use crate::core::{EmittedCore, core_instances, core_rows, core_within, emit_
 pub use build::{NotBuiltIn, most_steps};
 pub use emit::{
     BlockRam, EmitError, Emitted, Linted, emit, emit_unit, interface_text, lint_control,
-    lint_machine,
+    lint_machine, ports_text,
 };
 pub use level::Level;
 pub use simulator::{NotSettled, Simulator, level_pins};

@@ -34,17 +34,21 @@ pub fn interface_text(machine: &Machine) -> String {
         let name = format!("{:1$}  ", fact.name, width.unwrap_or(0));
         push(&mut text, &name, &fact.value);
     }
-    text += &format!(
-        "\nPorts of {}; bit 0 is the lowest:\n",
-        machine.module_prefix()
-    );
-    let columns = PortColumns::of(&interface.ports);
-    for port in &interface.ports {
-        push(&mut text, &columns.left(port), &port.meaning);
-    }
+    text += "\n";
+    text += &ports_text(&machine.module_prefix(), &interface.ports);
     text += "\nProtocol:\n";
     for rule in &interface.protocol {
         push(&mut text, "  - ", rule);
+    }
+    text
+}
+
+/// Describes the ports of a top module, in lines of at most 97 columns.
+pub fn ports_text(top: &str, ports: &[Port]) -> String {
+    let mut text = format!("Ports of {top}; bit 0 is the lowest:\n");
+    let columns = PortColumns::of(ports);
+    for port in ports {
+        push(&mut text, &columns.left(port), &port.meaning);
     }
     text
 }
