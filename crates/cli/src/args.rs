@@ -101,7 +101,7 @@ pub enum Command {
     Run(RunArgs),
     /// Find the smallest photon format and machine whose error stays below a part of the noise
     Fit(FitArgs),
-    /// List the scenes and the machines, each with its figures; or print the datasheet of one machine
+    /// List the scenes and the machines, each with its figures; or print the datasheet of one machine or core
     List(ListArgs),
     /// Write the datasheets of the families of machines, with pictures of the hardware and timing diagrams
     Datasheet(DatasheetArgs),
@@ -199,9 +199,10 @@ Examples:
   photoncube list
   photoncube list stream                   its ports, numbers, clocks, area, Fmax, and how it was verified
   photoncube list --wide                   every figure of every machine, far wider than a terminal
+  photoncube list core-6-leaf-7-local7-rgb6d-n4096
   photoncube list tile-6 --json")]
 pub struct ListArgs {
-    /// Only this machine, with its datasheet
+    /// Only this machine or core, with its datasheet
     #[arg(value_name = "MACHINE")]
     pub machine: Option<String>,
     /// Print every table, however wide

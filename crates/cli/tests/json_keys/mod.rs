@@ -53,6 +53,7 @@ fn every_json_key_is_documented() {
     for args in [
         &["list"][..],
         &["list", "tile-6"],
+        &["list", "core-6-leaf-7-local7-rgb6d-n4096"],
         &[&progressive[..], &["--size", "8x8", "--passes", "2"]].concat(),
         &["compare", exr, exr],
         &["microprogram"],

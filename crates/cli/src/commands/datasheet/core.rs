@@ -11,6 +11,38 @@ use super::sheet::{areas_of, begun, clock_table, energy, limitations, port_table
 use crate::cores::{self, MeasuredCore};
 use crate::table::Table;
 
+/// The rules of the streams, a sentence or two each.
+pub const PROTOCOL: [&str; 4] = [
+    "A word is taken at a rising edge of `aclk` with `tvalid` and `tready`. A word, once valid, stays as it is until it is taken.",
+    "`s_axis_photons`: a word is a leaf for the chain `tdest`, and `tlast` ends the set.",
+    "`s_axis_queries`: a word is a query for the chain `tdest`, and `tlast` ends its batch, which also ends where it has as many queries \
+     as a chain has engines.",
+    "`m_axis_results`: a word is the result of a query of the chain `tid`, with the query's tag and `tlast`. Results of a chain have \
+     the order of its queries.",
+];
+
+/// How cores are verified.
+pub const VERIFIED: &str =
+    "`photoncube verify core` compares every pin in every clock with the golden model.";
+
+/// The limits of a core, each with its name.
+pub fn facts(core: &Core) -> [(&'static str, String); 6] {
+    [
+        ("chains", format!("1 to {}", Core::MOST_CHAINS)),
+        (
+            "leaves of a set",
+            format!(
+                "at most {} in this core, two sets a chain",
+                core.set_leaves()
+            ),
+        ),
+        ("photons of a leaf", format!("up to {}", Core::LEAF_PHOTONS)),
+        ("counters", format!("{} bits", Core::COUNTER_BITS)),
+        ("registers", format!("{} bits", Core::REGISTER_BITS)),
+        ("tag of a query", format!("{} bits", Core::TAG_BITS)),
+    ]
+}
+
 /// The datasheet of cores, with the ports and words of the core whose Verilog is committed.
 ///
 /// # Errors
@@ -31,17 +63,7 @@ pub fn sheet() -> Result<Document> {
     document.table(port_table(&ports(&core)));
     words(&mut document, &core);
     document.heading("Protocol and timing");
-    document.list(
-        [
-            "A word is taken at a rising edge of `aclk` with `tvalid` and `tready`. A word, once valid, stays as it is until it is taken.",
-            "`s_axis_photons`: a word is a leaf for the chain `tdest`, and `tlast` ends the set.",
-            "`s_axis_queries`: a word is a query for the chain `tdest`, and `tlast` ends its batch, which also ends where it has as many queries \
-             as a chain has engines.",
-            "`m_axis_results`: a word is the result of a query of the chain `tid`, with the query's tag and `tlast`. Results of a chain have \
-             the order of its queries.",
-        ]
-        .map(str::to_owned),
-    );
+    document.list(PROTOCOL.map(str::to_owned));
     timing(&mut document, &CORE);
     registers(&mut document, &core);
     document.heading("Latency and throughput");
@@ -52,28 +74,14 @@ pub fn sheet() -> Result<Document> {
         core.engines()
     ));
     document.heading("Formats and limits");
-    document.list([
-        format!("chains: 1 to {}", Core::MOST_CHAINS),
-        format!(
-            "leaves of a set: at most {} in this core, two sets a chain",
-            core.set_leaves()
-        ),
-        format!("photons of a leaf: up to {}", Core::LEAF_PHOTONS),
-        format!(
-            "counters: {} bits; registers: {} bits",
-            Core::COUNTER_BITS,
-            Core::REGISTER_BITS
-        ),
-        format!("tag of a query: {} bits", Core::TAG_BITS),
-    ]);
+    document.list(facts(&core).map(|(name, value)| format!("{name}: {value}")));
     limitations(&mut document, &core.limitations());
     area_and_clock(&mut document, &cores::measured()?);
     energy(&mut document);
     document.heading("How they are verified");
-    document.text(
-        "`photoncube verify core` compares every pin in every clock with the golden model. [Verification](../verification.md) describes the \
-         methods.",
-    );
+    document.text(format!(
+        "{VERIFIED} [Verification](../verification.md) describes the methods."
+    ));
     Ok(document)
 }
 
@@ -97,7 +105,7 @@ fn area_and_clock(document: &mut Document, measured: &[MeasuredCore]) {
 }
 
 /// The ports, each with a meaning. The head of the Verilog says nothing of those that are as the protocols have them.
-fn ports(core: &Core) -> Vec<Port> {
+pub fn ports(core: &Core) -> Vec<Port> {
     let mut ports = core.ports();
     for port in ports.iter_mut().filter(|port| port.meaning.is_empty()) {
         let protocol = match port.name.contains("_axis_") {

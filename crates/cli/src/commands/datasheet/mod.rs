@@ -14,7 +14,10 @@ use std::path::Path;
 use anyhow::{Result, bail};
 use serde::Serialize;
 
-pub use self::family::{Family, family_names};
+pub use self::core::{
+    PROTOCOL as CORE_PROTOCOL, VERIFIED as CORE_VERIFIED, facts as core_facts, ports as core_ports,
+};
+pub use self::family::{CORE, Family, family_names};
 use self::files::{FOLDERS, PageFile, page_files};
 use crate::args::DatasheetArgs;
 use crate::failure::CheckFailed;

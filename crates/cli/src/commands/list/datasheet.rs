@@ -3,13 +3,14 @@
 use anyhow::Result;
 use photoncube_hdl::interface_text;
 use photoncube_spec::overlap::program_report;
-use photoncube_spec::{Interface, Machine};
+use photoncube_spec::{Interface, Limitation, Machine, Port};
 use serde::Serialize;
 
 use super::{MachineRow, machine_row};
 use crate::commands::Family;
 use crate::output;
 use crate::synth::clock::Clock;
+use crate::synth::figures::AreaRow;
 use crate::synth::tables;
 use crate::table::{grouped, wrapped};
 use crate::verified::{self, Line};
@@ -21,7 +22,7 @@ struct Datasheet {
     /// The path of the top module's file below `hdl-out`.
     verilog_module: String,
     verilog_file: String,
-    ports: Vec<Port>,
+    ports: Vec<PortRow>,
     /// The rules of the streams' handshakes, one rule a line.
     protocol: Vec<String>,
     /// What a user must design around.
@@ -40,7 +41,7 @@ struct Datasheet {
 
 /// A port of the top module; `photon_x_0..3` means the ports of lanes 0 to 3.
 #[derive(Debug, Serialize)]
-struct Port {
+pub(super) struct PortRow {
     port: String,
     direction: &'static str,
     bits: u32,
@@ -49,9 +50,29 @@ struct Port {
 
 /// What is limited, and what to do about it.
 #[derive(Debug, Serialize)]
-struct LimitationRow {
+pub(super) struct LimitationRow {
     limitation: String,
     remedy: String,
+}
+
+impl From<Port> for PortRow {
+    fn from(port: Port) -> Self {
+        Self {
+            port: port.name,
+            direction: port.direction.name(),
+            bits: port.width,
+            means: port.meaning,
+        }
+    }
+}
+
+impl From<Limitation> for LimitationRow {
+    fn from(row: Limitation) -> Self {
+        Self {
+            limitation: row.says,
+            remedy: row.remedy,
+        }
+    }
 }
 
 /// Prints a machine's datasheet.
@@ -67,27 +88,16 @@ fn datasheet(machine: &Machine) -> Result<Datasheet> {
     let (program, overlapped) = (machine.microprogram(), machine.overlap_program());
     let one_group = program.map(|program| program.latency_clocks(1));
     let interface = Interface::of(machine);
-    let ports = interface.ports.into_iter();
     Ok(Datasheet {
         row: machine_row(machine)?,
         verilog_file: format!("{}/{module}.v", machine.name),
         verilog_module: module,
-        ports: ports
-            .map(|port| Port {
-                port: port.name,
-                direction: port.direction.name(),
-                bits: port.width,
-                means: port.meaning,
-            })
-            .collect(),
+        ports: interface.ports.into_iter().map(PortRow::from).collect(),
         protocol: interface.protocol,
         limitations: interface
             .limitations
             .into_iter()
-            .map(|row| LimitationRow {
-                limitation: row.says,
-                remedy: row.remedy,
-            })
+            .map(LimitationRow::from)
             .collect(),
         datasheet: Family::of(machine).page(),
         fixed_radius_sq: machine.fixed_radius_sq(),
@@ -102,7 +112,11 @@ fn datasheet(machine: &Machine) -> Result<Datasheet> {
 }
 
 fn text(sheet: &Datasheet, machine: &Machine) -> String {
-    design(sheet, machine) + &limitations(sheet) + &area_and_fmax(sheet) + &verified_by(sheet)
+    let measured = &sheet.row.measured;
+    design(sheet, machine)
+        + &limitations(&sheet.limitations)
+        + &area_and_fmax(&measured.areas, &measured.fmax_by_grade)
+        + &verified_by(sheet)
 }
 
 /// The facts about the machine's design, without measurements.
@@ -130,22 +144,18 @@ fn design(sheet: &Datasheet, machine: &Machine) -> String {
     )
 }
 
-fn limitations(sheet: &Datasheet) -> String {
-    let rows = sheet.limitations.iter();
+pub(super) fn limitations(rows: &[LimitationRow]) -> String {
     let row = |row: &LimitationRow| {
         let said = format!("  - {} {}", row.limitation, row.remedy).replace('`', "");
         wrapped(&said, 4) + "\n"
     };
-    let rows: String = rows.map(row).collect();
+    let rows: String = rows.iter().map(row).collect();
     format!("\nKnown limitations:\n{rows}")
 }
 
-fn area_and_fmax(sheet: &Datasheet) -> String {
-    let mut text = format!(
-        "\n{}Fmax, ECP5:\n",
-        tables::areas(&sheet.row.measured.areas)
-    );
-    match &sheet.row.measured.fmax_by_grade[..] {
+pub(super) fn area_and_fmax(areas: &[AreaRow], clocks: &[Clock]) -> String {
+    let mut text = format!("\n{}Fmax, ECP5:\n", tables::areas(areas));
+    match clocks {
         [] => text += "  not measured\n",
         clocks => text.extend(clocks.iter().map(clock)),
     }

@@ -1,5 +1,6 @@
-//! The command `list`: scenes and machines with their figures, or the datasheet of one machine.
+//! The command `list`: scenes and machines with their figures, or the datasheet of one machine or core.
 
+mod core;
 mod datasheet;
 mod ports;
 mod text;
@@ -91,10 +92,13 @@ pub struct MachineRow {
     pub measured: Measured,
 }
 
-/// Lists all scenes, machines and formats, or prints one machine's datasheet.
+/// Lists all scenes, machines and formats, or prints the datasheet of one machine or core.
 pub fn execute(args: &ListArgs, json: bool) -> Result<()> {
     if let Some(name) = &args.machine {
-        return datasheet::print(find_machine(name)?, json);
+        return match self::core::named(name) {
+            Some(core) => self::core::print(&core?, json),
+            None => datasheet::print(find_machine(name)?, json),
+        };
     }
     let report = report()?;
     let fmax_source = measured::fmax_source()?;

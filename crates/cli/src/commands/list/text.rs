@@ -2,6 +2,7 @@
 
 use fpga_flow::Figure;
 
+use super::core::chains_said;
 use super::{CoreRow, MachineRow, Report};
 use crate::measured::Area;
 use crate::measured_fits::fit_table;
@@ -64,13 +65,9 @@ fn names(report: &Report) -> String {
 /// "6 chains of 8 engines, 140 MHz, 61956 LUT4 and 108 DSP blocks".
 fn core_said(row: &CoreRow) -> String {
     let area = |figure| row.area.get(&figure).copied().unwrap_or_default();
-    let chains = match row.chains {
-        1 => "one chain".to_owned(),
-        chains => format!("{chains} chains"),
-    };
     format!(
-        "{chains} of {} engines: {:.0} MHz, {} LUT4 and {} DSP blocks",
-        row.chain_engines,
+        "{}: {:.0} MHz, {} LUT4 and {} DSP blocks",
+        chains_said(row.chains, row.chain_engines),
         row.fmax_mhz,
         area(Figure::Lut4Equivalents),
         area(Figure::Dsp)
