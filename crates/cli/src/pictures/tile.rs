@@ -95,7 +95,10 @@ fn remarks(machine: &Machine, spatial: &Spatial) -> Vec<String> {
             "{} clocks after a batch's last group its first result",
             spatial.latency_clocks()
         ),
-        "leaves the head; each further one comes 2 clocks".to_owned(),
+        format!(
+            "leaves the head; each further one comes {} clocks",
+            Spatial::RESULT_CLOCKS
+        ),
         "later, in the order of the queries.".to_owned(),
     ]
     .into()

@@ -131,7 +131,7 @@ fn shown(reset: &[u64], queries: &[u64], results: &[u64]) -> Result<std::ops::Ra
 
 #[cfg(test)]
 mod tests {
-    use photoncube_spec::find_machine;
+    use photoncube_spec::{Spatial, find_machine};
 
     use super::*;
 
@@ -158,6 +158,10 @@ mod tests {
             assert_eq!(results.len(), BATCHES * machine.queries_at_once());
             let latency = machine.spatial().unwrap().latency_clocks() as usize;
             assert_eq!(results[0] - last[0], latency, "{name}");
+            let of_batch = &results[..machine.queries_at_once()];
+            for pair in of_batch.windows(2) {
+                assert_eq!((pair[1] - pair[0]) as u32, Spatial::RESULT_CLOCKS, "{name}");
+            }
         }
     }
 

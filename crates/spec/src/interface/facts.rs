@@ -129,9 +129,10 @@ fn latency(machine: &Machine) -> Option<String> {
     let first = format!("{} clocks from", spatial.latency_clocks());
     Some(match spatial.engines() {
         1 => format!("{first} a query's last group to its result"),
-        _ => {
-            format!("{first} a batch's last group to its first result, 2 more to each further one")
-        }
+        _ => format!(
+            "{first} a batch's last group to its first result, {} more to each further one",
+            Spatial::RESULT_CLOCKS
+        ),
     })
 }
 

@@ -94,6 +94,8 @@ impl Spatial {
     pub const ENGINE_CELLS: usize = 16;
     /// Photons that an engine tests in a clock, one in each quad: the lanes of a group.
     pub const LANES: usize = 4;
+    /// Clocks from an engine's result to that of the next engine, where nothing waits.
+    pub const RESULT_CLOCKS: u32 = 2;
 
     /// The number of engines, which is the number of queries in a batch.
     pub fn engines(&self) -> usize {
@@ -102,7 +104,8 @@ impl Spatial {
 
     /// Clocks from the one in which a batch's last group is taken to the first in which its first result can
     /// be taken. The group passes the entry, the hop register, the stages of positions and of powers, the
-    /// result chain, the queue's memory and the pins. Each further engine's result comes two clocks later.
+    /// result chain, the queue's memory and the pins. Each further engine's result comes
+    /// [`Self::RESULT_CLOCKS`] later.
     pub fn latency_clocks(&self) -> u32 {
         self.latency() + self.cuts.power_latency() + 5
     }

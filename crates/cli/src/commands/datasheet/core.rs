@@ -2,7 +2,7 @@
 
 use anyhow::Result;
 use photoncube_spec::{
-    Access, CORES, Core, CoreRegister, CoreStreams, EventRow, Port, StreamWord, find_machine,
+    Access, CORES, Core, CoreRegister, CoreStreams, EventRow, Leaf, Port, StreamWord, find_machine,
 };
 
 use super::document::Document;
@@ -68,9 +68,11 @@ pub fn sheet() -> Result<Document> {
     registers(&mut document, &core);
     document.heading("Latency and throughput");
     document.text(format!(
-        "A word for chain n is in front of that chain n + 2 clocks after it leaves its slice. A chain takes a leaf in two clocks and is a [leaf machine](leaf.md) \
-         of {} engines in the picture above. How many queries a clock a core does depends on the scene; [cores](../cores.md#a-whole-chip) has \
+        "A word for chain n is in front of that chain n + {} clocks after it leaves its slice; the first chain is 0. A chain takes a leaf in {} clocks \
+         and is a [leaf machine](leaf.md) of {} engines in the picture above. How many queries a clock a core does depends on the scene; [cores](../cores.md#a-whole-chip) has \
          figures of whole pictures.",
+        core.stages(0) + 1,
+        Leaf::GROUPS,
         core.engines()
     ));
     document.heading("Formats and limits");

@@ -151,7 +151,7 @@ impl Family {
 
 #[cfg(test)]
 mod tests {
-    use photoncube_spec::{CORES, MACHINES, find_machine};
+    use photoncube_spec::{CORES, MACHINES, Spatial, find_machine};
 
     use super::*;
 
@@ -168,5 +168,22 @@ mod tests {
             assert!(members.count() > 0, "{}", family.name);
         }
         assert_eq!(CORE.example, CORES[0].1);
+    }
+
+    #[test]
+    fn the_numbers_in_the_words_about_tiles_are_those_of_the_machines() {
+        let tile = FAMILIES
+            .iter()
+            .find(|family| family.name == "tile")
+            .unwrap();
+        let members = MACHINES.iter().filter(|m| Family::of(m).name == tile.name);
+        let engines: Vec<_> = members.map(Machine::queries_at_once).collect();
+        let said = format!(
+            "{} to {} engines of {} cells",
+            engines.iter().min().unwrap(),
+            engines.iter().max().unwrap(),
+            Spatial::ENGINE_CELLS
+        );
+        assert!(tile.about[0].contains(&said), "{said}");
     }
 }

@@ -12,7 +12,7 @@ use crate::table::Table;
 /// How a datasheet looks on screen and paper, beside its colours.
 const STYLE: &str = "\
 body{background:var(--paper);color:var(--ink);font:16px/1.5 sans-serif;max-width:72rem;margin:0 auto;padding:1rem}
-a{color:var(--second)}img{max-width:100%;height:auto}.wide{overflow-x:auto}
+a{color:var(--second)}.wide{overflow-x:auto}
 table{border-collapse:collapse;font-size:.875rem}th,td{border:1px solid var(--faint);padding:.2rem .5rem;text-align:left}";
 
 /// The HTML of a document. `picture` gives the SVG text of a picture.
@@ -25,7 +25,7 @@ pub fn html<'a>(document: &Document, picture: impl Fn(&str) -> Option<&'a str>) 
         Part::Picture { name, says } => {
             let svg = picture(name).with_context(|| format!("there is no picture `{name}`"))?;
             let data = format!("data:image/svg+xml;base64,{}", STANDARD.encode(svg));
-            Ok(html! { p { img src=(data) alt=(says); } })
+            Ok(html! { div.wide tabindex="0" { img src=(data) alt=(says); } })
         }
         part => Ok(markup(part)),
     });
@@ -136,7 +136,10 @@ mod tests {
             ),
             ("<li>one &amp; only</li>", "\n- one & only\n"),
             ("<td>x | y</td>", "| x \\| y |"),
-            ("alt=\"a cell\"", "\n![a cell](../pictures/cell.svg)\n"),
+            (
+                "alt=\"a cell\"",
+                "\n[![a cell](../pictures/cell.svg)](../pictures/cell.svg)\n",
+            ),
         ] {
             assert!(html.contains(part), "{part}: {html}");
             assert!(markdown.contains(of_markdown), "{of_markdown}: {markdown}");

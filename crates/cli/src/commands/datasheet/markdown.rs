@@ -13,7 +13,10 @@ pub fn markdown(document: &Document, pictures: &str) -> String {
             Part::Text(words) => format!("{words}\n"),
             Part::List(items) => items.iter().map(|item| format!("- {item}\n")).collect(),
             Part::Table(table) => escaped(table).markdown(),
-            Part::Picture { name, says } => format!("![{says}]({pictures}/{name}.svg)\n"),
+            // A page shrinks a wide picture; the link leads to it as it is.
+            Part::Picture { name, says } => {
+                format!("[![{says}]({pictures}/{name}.svg)]({pictures}/{name}.svg)\n")
+            }
         };
     }
     text
