@@ -46,7 +46,7 @@ pub fn core(core: &Core) -> Result<String> {
     let instances = instances(core)?;
     let registers = FIRST_CHAIN + PITCH * core.chains as i32;
     let registers = Place::new(CONTROL, registers, MERGE + BOX[0] - CONTROL, BOX[1]);
-    let height = registers.y + 204;
+    let height = registers.y + 220;
     let description = format!(
         "The modules of {} between its ports. Leaves and queries pass a slice each, then stages, one for each chain, and a queue in front of \
          each of {} chains. Results pass a place behind each chain, are merged, and leave through a slice.",
@@ -176,7 +176,8 @@ fn wires(canvas: &mut Canvas, core: &Core) {
                 &format!(
                     "M{} {y} V{} H{} V{y}",
                     QUEUES + 20,
-                    y - 8,
+                    // Clear of the tips of the arrows.
+                    y - 12,
                     CONTROL + BOX[0] - 20
                 ),
             );
@@ -222,7 +223,7 @@ fn ports(canvas: &mut Canvas, core: &Core, registers: Place) -> Result<()> {
         ),
         (
             "s_axi_",
-            Place::new(PORTS, registers.y, OF_PORTS, 180),
+            Place::new(PORTS, registers.y, OF_PORTS, 196),
             into(registers.y + half),
         ),
         (

@@ -12,7 +12,7 @@ use crate::table::Table;
 /// How a datasheet looks on screen and paper, beside its colours.
 const STYLE: &str = "\
 body{background:var(--paper);color:var(--ink);font:16px/1.5 sans-serif;max-width:72rem;margin:0 auto;padding:1rem}
-a{color:var(--second)}.wide{overflow-x:auto}
+a{color:var(--second)}.wide{overflow-x:auto;margin:1rem 0}
 table{border-collapse:collapse;font-size:.875rem}th,td{border:1px solid var(--faint);padding:.2rem .5rem;text-align:left}";
 
 /// The HTML of a document. `picture` gives the SVG text of a picture.
