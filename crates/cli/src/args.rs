@@ -22,6 +22,8 @@ mod board;
 mod compare;
 mod fit;
 mod numbers;
+#[cfg(test)]
+mod pages;
 mod plan;
 mod progressive;
 mod render;

@@ -22,9 +22,10 @@ fn files(folder: &Path) -> Vec<PathBuf> {
 }
 
 /// The values of an attribute in a page of HTML.
-fn attribute<'a>(html: &'a str, name: &str) -> impl Iterator<Item = &'a str> {
-    let values = html.split(format!(" {name}=\"").leak() as &str).skip(1);
-    values.filter_map(|rest| rest.split('"').next())
+fn attribute<'a>(html: &'a str, name: &str) -> Vec<&'a str> {
+    let opening = format!(" {name}=\"");
+    let values = html.split(&opening).skip(1);
+    values.filter_map(|rest| rest.split('"').next()).collect()
 }
 
 /// A path without `.` and `..`.
@@ -60,14 +61,14 @@ pub fn dead_links(book: &Path) -> Vec<String> {
         .collect();
     let mut dead = BTreeSet::new();
     for (page, text) in &texts {
-        for link in attribute(text, "href").chain(attribute(text, "src")) {
+        for link in [attribute(text, "href"), attribute(text, "src")].concat() {
             let (file, heading) = link.split_once('#').unwrap_or((link, ""));
             let target = match file {
                 "" => page.clone(),
                 _ => normal(&page.parent().unwrap().join(file)),
             };
             let has_heading = || {
-                let id = |text: &String| attribute(text, "id").any(|id| id == heading);
+                let id = |text: &String| attribute(text, "id").contains(&heading);
                 texts.get(&target).is_some_and(id)
             };
             let lives = target.is_file() && (heading.is_empty() || has_heading());

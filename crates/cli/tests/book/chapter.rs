@@ -17,7 +17,7 @@ const OVERWRITE: &str = "BOOK";
 
 /// One session of a shell, so that `cd`, variables and `$?` mean what they mean to a reader.
 fn script(parts: &[Part]) -> String {
-    let mut script = String::from("exec 2>&1\n");
+    let mut script = String::from("set -o pipefail; exec 2>&1\n");
     for part in parts {
         match part {
             Part::File { name, text } => {
@@ -35,10 +35,8 @@ fn script(parts: &[Part]) -> String {
 
 /// The output and the exit code of each command.
 fn execute(folder: &Path, parts: &[Part]) -> Vec<(String, i32)> {
-    let programs = folder.join("programs");
-    fs::create_dir(&programs).unwrap();
     let photoncube = assert_cmd::cargo::cargo_bin("photoncube");
-    std::os::unix::fs::symlink(photoncube, programs.join("photoncube")).unwrap();
+    let programs = photoncube.parent().unwrap();
     let before = std::env::var("PATH").unwrap_or_default();
     let session = folder.join("session");
     fs::write(&session, script(parts)).unwrap();
@@ -61,7 +59,6 @@ fn execute(folder: &Path, parts: &[Part]) -> Vec<(String, i32)> {
 
 /// The output in the words of the page: what its wildcards stand for is theirs.
 fn in_words_of_the_page(found: &str, promised: &str) -> String {
-    // A wildcard that stands for no line at all.
     let (found, promised) = (Data::text(found), Data::text(promised));
     let found = NormalizeToExpected::new()
         .redact()

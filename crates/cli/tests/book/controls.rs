@@ -73,6 +73,7 @@ fn a_wrong_chapter_is_found() -> Result<(), Failed> {
             "echo done\ndone",
             "exit code 2, and printed\nerror:",
         ),
+        ("$ printf", "$ false | printf", "exit code 1, and printed"),
         ("cd inner", "exit 0", "ended the session"),
         ("```console", "```sh", "found a block `sh`"),
         // The block is then an example, and `cat` finds no file.

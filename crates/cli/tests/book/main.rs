@@ -26,7 +26,7 @@ const NOT_RUN: [(&str, &str); 6] = [
     ),
     ("first-machine", "cd photoncube"),
     ("first-machine", "cargo run --release -- run"),
-    ("first-machine", "cargo install --locked --path crates/cli"),
+    ("first-machine", "export PATH=$PWD/target/release:$PATH"),
     ("first-machine", "mkdir ../mine"),
     ("first-machine", "cd ../mine"),
 ];
