@@ -1,4 +1,4 @@
-//! Holds every command line of `photoncube` in the pages to the command line that there is.
+//! Holds the command lines of `photoncube` in the pages to those that there are.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -9,9 +9,9 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-/// The pages at the root and in the folders of `docs/`.
+/// The pages at the root and in `docs/`, but the book, whose commands a test runs.
 fn pages() -> Vec<PathBuf> {
-    let folders = ["", "docs", "docs/book", "docs/datasheets", "docs/measured"];
+    let folders = ["", "docs", "docs/datasheets", "docs/measured"];
     let entries = folders.map(|folder| fs::read_dir(root().join(folder)).unwrap());
     let paths = entries.into_iter().flatten();
     let paths = paths.map(|entry| entry.unwrap().path());
@@ -69,7 +69,7 @@ fn every_command_line_of_the_pages_is_one_that_is_accepted() {
             wrong.extend(mistake(&command).map(|error| format!("{}: {error}", page.display())));
         }
     }
-    assert!(seen > 60, "found {seen} commands");
+    assert!(seen > 40, "found {seen} commands");
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
