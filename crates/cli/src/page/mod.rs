@@ -58,15 +58,7 @@ impl Page {
         let page = html! {
             (DOCTYPE)
             html lang="en" {
-                head {
-                    meta charset="utf-8";
-                    meta name="viewport" content="width=device-width, initial-scale=1";
-                    meta name="color-scheme" content="light dark";
-                    title { (self.title) " · Photoncube" }
-                    // A page without an icon of its own makes browsers ask for one.
-                    link rel="icon" href="data:,";
-                    style { (PreEscaped(colours())) (PreEscaped(STYLE)) }
-                }
+                (head(&format!("{} · Photoncube", self.title), STYLE))
                 body {
                     a.skip href="#verdict" { "To the verdict" }
                     header {
@@ -103,8 +95,23 @@ impl Page {
     }
 }
 
+/// The head of an HTML file, with the colours of both themes beside its style.
+pub fn head(title: &str, style: &str) -> Markup {
+    html! {
+        head {
+            meta charset="utf-8";
+            meta name="viewport" content="width=device-width, initial-scale=1";
+            meta name="color-scheme" content="light dark";
+            title { (title) }
+            // A page without an icon of its own makes browsers ask for one.
+            link rel="icon" href="data:,";
+            style { (PreEscaped(colours())) (PreEscaped(style)) }
+        }
+    }
+}
+
 /// The colours of light and dark pages, as variables.
-pub fn colours() -> String {
+fn colours() -> String {
     let set = |colours: &palette::Set| -> String {
         let names = ["paper", "ink", "faint", "first", "second", "third"];
         let all = [

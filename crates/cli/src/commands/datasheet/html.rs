@@ -3,7 +3,7 @@
 use anyhow::{Context, Result};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use maud::{DOCTYPE, Markup, PreEscaped, html};
+use maud::{DOCTYPE, Markup, html};
 
 use super::document::{Document, Part};
 use crate::page;
@@ -33,13 +33,7 @@ pub fn html<'a>(document: &Document, picture: impl Fn(&str) -> Option<&'a str>) 
     let page = html! {
         (DOCTYPE)
         html lang="en" {
-            head {
-                meta charset="utf-8";
-                meta name="viewport" content="width=device-width, initial-scale=1";
-                meta name="color-scheme" content="light dark";
-                title { (document.title) }
-                style { (PreEscaped(page::colours())) (PreEscaped(STYLE)) }
-            }
+            (page::head(&document.title, STYLE))
             body {
                 h1 { (document.title) }
                 @for part in &parts { (part) }
