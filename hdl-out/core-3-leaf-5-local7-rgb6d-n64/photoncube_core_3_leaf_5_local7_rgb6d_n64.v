@@ -1035,7 +1035,7 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
             silent_clocks <= 32'd0;
         end
         seen_write <= writes;
-        seen_read <= reading;
+        seen_read <= reading & aresetn;
         seen_busy <= busy;
         seen_leaf_given <= leaf_given;
         seen_query_given <= query_given;

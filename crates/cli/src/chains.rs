@@ -19,7 +19,7 @@ use crate::table;
 const MEASURED: &str = include_str!("../../../docs/measured/chains.json");
 
 /// The cells of an LFE5U-85F (Lattice FPGA-DS-02012, table 1.1; the LUTs and flip-flops are those that nextpnr finds).
-const DEVICE: Area = Area {
+pub const DEVICE: Area = Area {
     lut4_equivalents: 83_640,
     ff: 83_640,
     dsp: 156,
@@ -35,9 +35,11 @@ const DIGIT_BITS: [u32; 2] = [7, 8];
 
 /// What chains take of a device.
 #[derive(Copy, Clone, Debug, Deserialize)]
-struct Area {
-    lut4_equivalents: u64,
-    ff: u64,
+pub struct Area {
+    /// LUTs, or cells in their place.
+    pub lut4_equivalents: u64,
+    /// Flip-flops.
+    pub ff: u64,
     dsp: u64,
     block_ram: u64,
 }

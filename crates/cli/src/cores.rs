@@ -167,8 +167,44 @@ pub fn fastest_within(
 
 #[cfg(test)]
 mod tests {
+    use fpga_flow::Figure;
+
     use super::*;
+    use crate::chains::DEVICE;
     use crate::synth::Subject;
+    use crate::table::grouped;
+
+    /// "| 6 | 61,962 (74 %) | 57,558 (69 %) | 150 | 108 | 122.6 (121.1 to 124.1, 2 seeds) |".
+    fn row_of_page(measured: &MeasuredCore) -> String {
+        let area = |figure| measured.area.figures[&figure];
+        let part = |figure, of: u64| {
+            let cells = area(figure);
+            let percent = 100.0 * cells as f64 / of as f64;
+            format!("{} ({percent:.0} %)", grouped(cells))
+        };
+        let clock = &measured.clock;
+        format!(
+            "| {} | {} | {} | {} | {} | {:.1} ({:.1} to {:.1}, {} seeds) |\n",
+            measured.core.chains,
+            part(Figure::Lut4Equivalents, DEVICE.lut4_equivalents),
+            part(Figure::Ff, DEVICE.ff),
+            area(Figure::BlockRam),
+            area(Figure::Dsp),
+            clock.fmax_mhz,
+            clock.fmax_mhz_low,
+            clock.fmax_mhz_high,
+            clock.seeds
+        )
+    }
+
+    #[test]
+    fn the_page_of_cores_has_the_measured_area_and_clock() {
+        let page = include_str!("../../../docs/cores.md");
+        for core in measured().unwrap() {
+            let row = row_of_page(&core);
+            assert!(page.contains(&row), "docs/cores.md lacks the row\n{row}");
+        }
+    }
 
     /// A clock of another text would be that of another core. One chain tells for all, as all chains are of one machine.
     #[test]

@@ -54,8 +54,10 @@ pub(super) struct Drive<'a> {
     clock: u64,
     events_before: u32,
     reset_before: bool,
-    /// Other rounds are drawn when no query is under way.
-    changes_rounds: bool,
+    /// A read of an address without a register was taken in the clock before.
+    read_refused: bool,
+    /// No words are drawn until no query is under way; then other rounds are.
+    drains: bool,
     /// Words that wait to be written to registers of the rounds: their addresses and the words.
     settings: VecDeque<(u32, u32)>,
     /// Such a word is offered.
@@ -67,8 +69,10 @@ pub(super) struct Drive<'a> {
 const PACE_CLOCKS: u32 = 256;
 /// A reset comes once in so many clocks.
 const RESET_CLOCKS: u32 = 3000;
-/// The rounds change after so many sets of each chain, on average.
-const ROUNDS_OF_WORDS: u32 = 3;
+/// Behind a read that is refused a reset comes once in so many times, in the clock of its answer.
+const RESET_REFUSALS: u32 = 16;
+/// The core drains after so many sets of each chain, on average, and its rounds change.
+const SETS_TO_DRAIN: u32 = 3;
 /// One word in so many that are written may be a command to restart.
 const RESTART_WORDS: u32 = 8;
 
@@ -97,7 +101,8 @@ impl<'a> Drive<'a> {
             clock: 0,
             events_before: 0,
             reset_before: false,
-            changes_rounds: false,
+            read_refused: false,
+            drains: false,
             settings: VecDeque::new(),
             sets: false,
             happened: Happened::default(),
@@ -134,7 +139,10 @@ impl<'a> Drive<'a> {
             };
         }
         self.offer();
-        self.inputs.reset = self.one_in(RESET_CLOCKS);
+        self.inputs.reset = self.one_in(match self.read_refused {
+            true => RESET_REFUSALS,
+            false => RESET_CLOCKS,
+        });
         self.inputs.result_ready = self.chance(self.pace.results);
         rows.inputs
             .extend(CorePins::input_row(self.streams, &self.inputs));
@@ -153,22 +161,25 @@ impl<'a> Drive<'a> {
             self.settings.clear();
             self.sets = false;
             self.set_rounds();
+            // Often the events are read before an access can set one, so that an event which the reset left is seen.
+            self.inputs.lite.read_address = self.events_address();
+            self.inputs.lite.read_address_valid = self.one_in(2);
         }
         self.clock += 1;
         Ok(())
     }
 
-    /// Draws the next words, now and then for other rounds. The rounds change only while no query is under way.
+    /// Draws the next words. Now and then it waits until no query is under way, which alone is when rounds may change.
     fn next_words(&mut self) {
         let is_idle = self.plan.owed.iter().all(VecDeque::is_empty);
-        match self.changes_rounds {
+        match self.drains {
             true if is_idle => {
-                self.changes_rounds = false;
+                self.drains = false;
                 self.set_rounds();
             }
             false if self.settings.is_empty() && !self.sets => {
                 self.draw.round(&mut self.plan);
-                self.changes_rounds = self.core.has_radii() && self.one_in(ROUNDS_OF_WORDS);
+                self.drains = self.one_in(SETS_TO_DRAIN);
             }
             _ => {}
         }
@@ -242,12 +253,16 @@ impl<'a> Drive<'a> {
         self.inputs.lite = lite;
     }
 
+    fn events_address(&self) -> u32 {
+        let mut rows = self.rows.iter();
+        let events = rows.find(|row| row.register == CoreRegister::Events);
+        events.expect("the map has all registers").address
+    }
+
     /// An address that changes no rounds. It is often that of the events, so that some are cleared in the clock in which they occur.
     fn address_to_write(&mut self) -> u32 {
         if self.one_in(4) {
-            let mut rows = self.rows.iter();
-            let events = rows.find(|row| row.register == CoreRegister::Events);
-            return events.expect("the map has all registers").address;
+            return self.events_address();
         }
         let of_rounds = |row: &CoreRegisterRow| row.address >= CoreRegister::ROUNDS;
         let rounds: Vec<_> = self.rows.iter().filter(|row| of_rounds(row)).collect();
@@ -346,13 +361,16 @@ impl<'a> Drive<'a> {
             self.happened.queries += 1;
         }
         let lite: &mut LiteIn = &mut self.inputs.lite;
+        let reads = outputs.read_ready && lite.read_address_valid;
+        let is_read = |row: &CoreRegisterRow| row.address == lite.read_address & !3;
+        self.read_refused = reads && !self.rows.iter().any(is_read);
         if outputs.write_ready {
             lite.write_address_valid = false;
             lite.write_data_valid = false;
             self.sets = false;
             self.happened.accesses += 1;
         }
-        if outputs.read_ready && lite.read_address_valid {
+        if reads {
             lite.read_address_valid = false;
             self.happened.accesses += 1;
         }

@@ -283,7 +283,7 @@ fn compare(
 type CoreFault = (&'static str, &'static str, &'static str, &'static str);
 
 /// Faults that a verification of a core must find.
-const FAULTS: [CoreFault; 9] = [
+const FAULTS: [CoreFault; 10] = [
     (
         "a leaf within a set has one group where its last four photons are absent",
         "photon_queue",
@@ -331,6 +331,12 @@ const FAULTS: [CoreFault; 9] = [
         "registers",
         "events <= (events & ~cleared) | occurred;",
         "events <= (events | occurred) & ~cleared;",
+    ),
+    (
+        "a reset does not forget a read that was refused",
+        "registers",
+        "seen_read <= reading & aresetn;",
+        "seen_read <= reading;",
     ),
     (
         "a restart does not forget the queries under way",

@@ -155,7 +155,7 @@ module @TOP@_registers(clock, aresetn, reset,
             silent_clocks <= 32'd0;
         end
         seen_write <= writes;
-        seen_read <= reading;
+        seen_read <= reading & aresetn;
 @SEES@
         if (clears_counters | ~aresetn) begin
 @COUNTER_CLEARS@

@@ -116,14 +116,6 @@ impl Core {
                 ),
             ),
             (
-                true,
-                limitation(
-                    "A refused read that is taken in the clock before the first of `aresetn` = 0 is not forgotten by a reset of one clock: the event \
-                     `access_refused` occurs behind it, and the access is counted.",
-                    "Hold `aresetn` at 0 for two clocks.",
-                ),
-            ),
-            (
                 self.has_radii(),
                 limitation(
                     "The registers of rounds must not change while a query is under way.",
