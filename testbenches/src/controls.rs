@@ -108,12 +108,17 @@ impl PlantedFault {
     /// There is no machine of that name.
     pub fn plant(&self) -> Result<(&'static Machine, Emitted), DeviceError> {
         let machine = find_machine(self.machine).expect("a fault names a built-in machine");
+        Ok((machine, self.plant_in(machine)?))
+    }
+
+    /// The text of another machine with such a module, with the fault.
+    fn plant_in(&self, machine: &Machine) -> Result<Emitted, DeviceError> {
         let mut design = emit(machine, Level::Machine).map_err(hdl_error(machine))?;
         let module = format!("{}_{}", machine.module_prefix(), self.module);
         for (from, to) in self.edits {
             design.text = plant(&design.text, &module, from, to)?;
         }
-        Ok((machine, design))
+        Ok(design)
     }
 
     /// The fault and its machine, for people.
@@ -163,23 +168,48 @@ const LOST_CARRIES: PlantedFault = PlantedFault {
 pub fn comparison_controls(
     kinds: impl IntoIterator<Item = DeviceKind>,
 ) -> Result<Controls, VerifyError> {
+    let (machine, design) = LOST_CARRIES.plant()?;
+    controls_in(kinds, machine, &design)
+}
+
+/// [`comparison_controls`] with the fault in the text of a machine with a user's program.
+///
+/// # Errors
+/// The text cannot be made, or a device does not run.
+pub fn program_comparison_controls(
+    kinds: impl IntoIterator<Item = DeviceKind>,
+    machine: &Machine,
+) -> Result<Controls, VerifyError> {
+    controls_in(kinds, machine, &LOST_CARRIES.plant_in(machine)?)
+}
+
+fn controls_in(
+    kinds: impl IntoIterator<Item = DeviceKind>,
+    machine: &Machine,
+    design: &Emitted,
+) -> Result<Controls, VerifyError> {
     let kinds = kinds.into_iter();
     let mut kinds: BTreeSet<_> = kinds.filter(|kind| *kind != DeviceKind::RustHdl).collect();
     let first = kinds.pop_first().unwrap_or(DeviceKind::Text);
-    let more: Result<Vec<_>, _> = kinds.into_iter().map(comparison_control).collect();
-    Ok(Controls::new(comparison_control(first)?, more?))
+    let control = |kind| comparison_control(kind, machine, design);
+    let more: Result<Vec<_>, _> = kinds.into_iter().map(control).collect();
+    Ok(Controls::new(control(first)?, more?))
 }
 
-fn comparison_control(kind: DeviceKind) -> Result<Control, VerifyError> {
-    let (machine, design) = LOST_CARRIES.plant()?;
+fn comparison_control(
+    kind: DeviceKind,
+    machine: &Machine,
+    design: &Emitted,
+) -> Result<Control, VerifyError> {
     let options = VerifyOptions {
         iterations: 1_000,
         seed: 1,
         source: Source::Random,
     };
-    let mut device = kind.open_emitted(&design)?;
+    let mut device = kind.open_emitted(design)?;
     let ended = verify_device(machine, device.as_mut(), &options, &|_| ());
-    Control::of(format!("{}, in {kind}", LOST_CARRIES.told()), ended)
+    let planted = format!("{}: {}, in {kind}", machine.name, LOST_CARRIES.what);
+    Control::of(planted, ended)
 }
 
 #[cfg(test)]

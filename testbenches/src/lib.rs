@@ -46,7 +46,10 @@ pub use campaign::{
     minimised, pairs,
 };
 pub use compare::{Activity, Actual, Divergence};
-pub use controls::{Control, Controls, NoControl, PlantedFault, comparison_controls, plant};
+pub use controls::{
+    Control, Controls, NoControl, PlantedFault, comparison_controls, plant,
+    program_comparison_controls,
+};
 pub use coverage::{Coverage, CoverageKind, Gap, ModuleCoverage, Share, corners, coverage};
 pub use device::{
     BoardSimulation, CoreSimulation, Device, DeviceError, DeviceKind, Icarus, Mutant, Observed,

@@ -15,6 +15,7 @@ use photoncube_render::{
 use self::numbers::{positive, with_negative_values};
 use crate::commands::{VerifyArgs, WavesArgs, family_names, with_method};
 use crate::machines::{ChosenMachineArgs, MachineArgs};
+use crate::own_program::ProgramArgs;
 use crate::scenes::SceneName;
 
 mod applies;
@@ -246,11 +247,16 @@ Examples:
   photoncube generate                      all named machines into hdl-out/
   photoncube generate --check              fails where hdl-out/ is not what would be written
   photoncube generate --machine paper --coordinate-bits 12 --out /tmp/verilog
+  photoncube generate --machine paper-5d --program mine.txt --out /tmp/verilog
   photoncube generate --format local6x2-rgb4d-n4096 --organisation stream --out /tmp/verilog
   photoncube generate --machine leaf-7-local7-rgb6d-n4096 --chains 4 --out /tmp/verilog
 
 With --chains: a core of that many leaf machines behind AXI4-Stream and AXI4-Lite, with its
 registers in SystemRDL and the words of its streams in JSON.
+
+With --program: a sequential machine, `paper` where --machine names none, with the microprogram of a
+listing as `photoncube microprogram` prints it. What the schedule checker rejects is not written. The
+machine is named after the file, as paper-program-mine; `verify --program FILE` compares it.
 
 A machine of a format of one's own is compiled when it is used for the first time, by cargo and
 from the sources of photoncube. Its name, such as stream-local6x2-rgb4d-n4096, is accepted by
@@ -265,12 +271,14 @@ pub struct GenerateArgs {
     /// The variant of it on a hypercube of N dimensions
     #[arg(long, value_name = "N", requires = "machine")]
     pub dimension: Option<u32>,
+    #[command(flatten)]
+    pub program: ProgramArgs,
     /// A machine of this photon format, by name (see docs/formats.md)
     #[arg(
         long,
         value_name = "F",
         requires = "organisation",
-        conflicts_with = "machine"
+        conflicts_with_all = ["machine", "program"]
     )]
     pub format: Option<String>,
     /// The organisation of the machine of that format: sequential, stream, tile-4 to tile-10, leaf-4 to leaf-10, or leaf-4-radii to
@@ -278,7 +286,7 @@ pub struct GenerateArgs {
     #[arg(long, value_name = "O", requires = "format", value_parser = CustomOrganisation::from_name)]
     pub organisation: Option<CustomOrganisation>,
     /// A core of N of this leaf machine, behind AXI4-Stream and AXI4-Lite
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", conflicts_with = "program")]
     pub chains: Option<u32>,
     /// The folder to write, one folder in it for each machine
     #[arg(long, default_value = "hdl-out", value_name = "DIR")]
@@ -351,7 +359,9 @@ Examples:
   photoncube microprogram
   photoncube microprogram --machine paper-5d --json
   photoncube microprogram > mine.txt           a listing to change: docs/microprograms.md
-  photoncube microprogram --file mine.txt      check it (exit 1 if rejected)")]
+  photoncube microprogram --file mine.txt      check it (exit 1 if rejected)
+  photoncube generate --program mine.txt --out /tmp/verilog       the machine that runs it
+  photoncube verify --program mine.txt         compare that machine with the golden model")]
 pub struct MicroprogramArgs {
     #[command(flatten)]
     pub machine: MachineArgs,

@@ -16,6 +16,7 @@ mod measured;
 mod measured_fits;
 mod output;
 mod outputs;
+mod own_program;
 mod page;
 mod pictures;
 mod plots;

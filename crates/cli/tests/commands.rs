@@ -8,6 +8,7 @@ mod fuzz;
 mod json_keys;
 mod lint;
 mod outputs;
+mod own_program;
 mod pictures;
 mod placed;
 mod reports;

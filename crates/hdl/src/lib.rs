@@ -40,8 +40,8 @@ pub use crate::board::{OnLine, Ulx3s, Ulx3sError, Ulx3sFiles, core_on_line};
 pub use crate::core::{EmittedCore, core_instances, core_rows, core_within, emit_core};
 pub use build::{NotBuiltIn, most_steps};
 pub use emit::{
-    BlockRam, EmitError, Emitted, Linted, emit, emit_unit, interface_text, lint_control,
-    lint_machine, ports_text,
+    BlockRam, EmitError, Emitted, Linted, emit, emit_unit, generate_command, interface_text,
+    lint_control, lint_machine, ports_text,
 };
 pub use level::Level;
 pub use simulator::{NotSettled, Simulator, level_pins};

@@ -7,7 +7,7 @@ use crate::hypercube::Hypercube;
 use crate::leaf::Leaf;
 use crate::organisation::{Organisation, Rate};
 use crate::overlap;
-use crate::sequential::Microprogram;
+use crate::sequential::{Microprogram, OwnProgram};
 use crate::spatial::{Radius, Spatial};
 
 /// A machine's configuration.
@@ -48,6 +48,14 @@ impl Machine {
             Organisation::Sequential => Some(Microprogram::all_reduce(self.hypercube())),
             Organisation::Programmed(program) => Some(program.microprogram()),
             Organisation::Overlapped | Organisation::Spatial(_) | Organisation::Leaf(_) => None,
+        }
+    }
+
+    /// The sequential machine whose control store has this program in place of the machine's own.
+    pub fn with_program(&self, program: OwnProgram) -> Self {
+        Self {
+            organisation: Organisation::Programmed(program),
+            ..*self
         }
     }
 

@@ -12,7 +12,7 @@ use std::collections::HashSet;
 use std::fmt;
 
 use photoncube_hdl::{Level, emit, most_steps};
-use photoncube_spec::{MACHINES, Machine, Microprogram, Organisation, OwnProgram};
+use photoncube_spec::{MACHINES, Machine, Microprogram, OwnProgram};
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -199,11 +199,7 @@ struct One {
 /// # Panics
 /// Where the program is longer than [`photoncube_spec::MOST_OWN_STEPS`].
 pub fn programmed(machine: &Machine, program: &Microprogram) -> Machine {
-    let own = OwnProgram::new(program).expect("programs are drawn short enough");
-    Machine {
-        organisation: Organisation::Programmed(own),
-        ..*machine
-    }
+    machine.with_program(OwnProgram::new(program).expect("programs are drawn short enough"))
 }
 
 /// Compares one program, with the stimulus of its seed.

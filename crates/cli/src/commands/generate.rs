@@ -57,8 +57,9 @@ pub fn execute(args: &GenerateArgs, json: bool) -> Result<()> {
         .par_iter()
         .map(|machine| project::project(machine))
         .collect::<Result<_>>()?;
+    let is_all = args.machine.is_none() && args.format.is_none() && args.program.program.is_none();
     let mut designs: Vec<_> = machines.iter().map(|m| m.name.to_owned()).collect();
-    if args.machine.is_none() && args.format.is_none() {
+    if is_all {
         for core in cores()? {
             designs.push(core.name());
             projects.push(project::core_project(&core)?);
@@ -69,7 +70,7 @@ pub fn execute(args: &GenerateArgs, json: bool) -> Result<()> {
     let digests: ByMachine = digests.collect();
     let mut project_files: Vec<_> = projects.into_iter().flat_map(|p| p.files).collect();
     let mut by_digest = Vec::new();
-    if args.machine.is_none() && args.format.is_none() {
+    if is_all {
         let sums = sums(&project_files);
         if args.check {
             by_digest = absent(&args.out);
@@ -141,15 +142,16 @@ fn machines(args: &GenerateArgs) -> Result<Vec<&'static Machine>> {
         machines::prepare(machine)?;
         return Ok(vec![machine]);
     }
-    let Some(name) = &args.machine else {
+    let default = args.program.program.as_ref().map(|_| MACHINES[0].name);
+    let Some(name) = args.machine.as_deref().or(default) else {
         return Ok(MACHINES.iter().collect());
     };
     let selection = MachineArgs {
-        machine: name.clone(),
+        machine: name.to_owned(),
         coordinate_bits: args.coordinate_bits,
         dimension: args.dimension,
     };
-    Ok(vec![selection.find_to_emit()?])
+    Ok(vec![args.program.apply(selection.find()?)?])
 }
 
 /// The machines that have no folder and need none, because the digests of their files are checked.

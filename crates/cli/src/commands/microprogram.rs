@@ -3,18 +3,14 @@
 mod overlap;
 mod spatial;
 
-use std::fs;
-use std::path::Path;
-
-use anyhow::{Context, Result, anyhow};
-use photoncube_spec::{
-    Machine, Microprogram, ScheduleReport, check_schedule, parse_listing, schedule_report,
-};
+use anyhow::Result;
+use photoncube_spec::{Machine, Microprogram, ScheduleReport, check_schedule, schedule_report};
 use serde::Serialize;
 
 use crate::args::MicroprogramArgs;
 use crate::failure::CheckFailed;
 use crate::output;
+use crate::own_program::read;
 
 #[derive(Serialize)]
 struct Report {
@@ -48,12 +44,6 @@ pub fn execute(args: &MicroprogramArgs, json: bool) -> Result<()> {
         return Ok(());
     }
     Err(CheckFailed(format!("{} is rejected: {}", report.source, report.verdict)).into())
-}
-
-fn read(path: &Path) -> Result<Microprogram> {
-    let text = fs::read_to_string(path)
-        .with_context(|| format!("cannot read the listing {}", path.display()))?;
-    parse_listing(&text).map_err(|error| anyhow!("{}: {error}", path.display()))
 }
 
 fn report(
@@ -121,7 +111,7 @@ fn said(report: &Report, schedule: &ScheduleReport) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use photoncube_spec::{Axis, SEQUENTIAL, find_machine};
+    use photoncube_spec::{Axis, SEQUENTIAL, find_machine, parse_listing};
 
     #[test]
     fn the_papers_schedule_report() {

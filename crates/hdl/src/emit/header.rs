@@ -2,7 +2,7 @@
 //!
 //! It consists of comment lines only, which the digests of results leave out.
 
-use photoncube_spec::{Interface, Machine, Port};
+use photoncube_spec::{Interface, Machine, Organisation, Port};
 
 use super::modules::split;
 use crate::level::Level;
@@ -21,6 +21,9 @@ pub(super) fn header(machine: &Machine, level: Level) -> String {
     if level == Level::Machine {
         text += "\n";
         text += &interface_text(machine);
+        if let (true, Some(program)) = (runs_own_program(machine), machine.microprogram()) {
+            text += &format!("\nThe microprogram:\n{program}");
+        }
     }
     comment(&text)
 }
@@ -86,10 +89,23 @@ fn first_lines(about: &str, machine: &Machine) -> String {
     let mut text = licence();
     push(&mut text, "", about);
     text + &format!(
-        "Written by photoncube {}, `photoncube generate --machine {}`; do not edit.\n",
+        "Written by photoncube {}, `{}`; do not edit.\n",
         env!("CARGO_PKG_VERSION"),
-        machine.name
+        generate_command(machine)
     )
+}
+
+/// The command that writes the machine's files. FILE is the listing of a user's program, which the header has.
+pub fn generate_command(machine: &Machine) -> String {
+    match runs_own_program(machine) {
+        true => "photoncube generate --program FILE".to_owned(),
+        false => format!("photoncube generate --machine {}", machine.name),
+    }
+}
+
+/// Whether the machine runs a program of the user's. Its name does not say which.
+fn runs_own_program(machine: &Machine) -> bool {
+    matches!(machine.organisation, Organisation::Programmed(_))
 }
 
 /// The header of a unit on its own.
@@ -165,7 +181,7 @@ fn push(lines: &mut String, left: &str, text: &str) {
 
 #[cfg(test)]
 mod tests {
-    use photoncube_spec::{MACHINES, Pins, find_machine};
+    use photoncube_spec::{MACHINES, OwnProgram, Pins, find_machine, parse_listing};
 
     use super::*;
 
@@ -186,6 +202,24 @@ mod tests {
                 assert!(text.contains(&format!(" {stem}")), "{}", pin.name);
             }
         }
+    }
+
+    #[test]
+    fn a_program_of_the_users_own_is_in_the_header() {
+        let paper = find_machine("paper").unwrap();
+        let program = paper.microprogram().unwrap();
+        let own = paper.with_program(OwnProgram::new(&program).unwrap());
+        let text = header(&own, Level::Machine);
+        let listing: String = text
+            .lines()
+            .map(|line| line.replacen("//", "", 1) + "\n")
+            .collect();
+        let listing = listing.split("The microprogram:\n").nth(1).unwrap();
+        assert_eq!(parse_listing(listing), Ok(program));
+        assert!(
+            text.contains("`photoncube generate --program FILE`"),
+            "{text}"
+        );
     }
 
     #[test]

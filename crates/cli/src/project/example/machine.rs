@@ -1,6 +1,7 @@
 //! The example of a machine.
 
 use anyhow::Result;
+use photoncube_hdl::generate_command;
 use photoncube_spec::{
     BatchPins, Group, Inputs, Lane, Machine, Outputs, Photon, Pin, Pins, Query, Sums,
 };
@@ -63,6 +64,7 @@ pub(in crate::project) fn machine_example(machine: &Machine) -> Result<String> {
     let connections = text::connections(names.map(|name| (name.clone(), name)));
     let mut values = vec![
         ("NAME", machine.name.to_owned()),
+        ("COMMAND", generate_command(machine)),
         ("TOP", machine.module_prefix()),
         ("VERSION", env!("CARGO_PKG_VERSION").to_owned()),
         ("BATCH", machine.queries_at_once().to_string()),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // An example of how to drive @NAME@: two sets of photons and @RESULTS@ queries, @BATCH@ at once.
-// Written by photoncube @VERSION@, `photoncube generate --machine @NAME@`; do not edit.
+// Written by photoncube @VERSION@, `@COMMAND@`; do not edit.
 //
 //   iverilog -g2005 -o example @TOP@.v @TOP@_tb.v
 //   vvp example

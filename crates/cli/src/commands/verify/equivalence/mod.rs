@@ -8,8 +8,8 @@ use anyhow::Result;
 use clap::Args;
 use photoncube_spec::Machine;
 use photoncube_testbench::{
-    DeviceKind, Tool, Verdict, VerifyError, VerifyOptions, Waves, comparison_controls, verify,
-    verify_recorded,
+    Controls, DeviceKind, Tool, Verdict, VerifyError, VerifyOptions, Waves, comparison_controls,
+    program_comparison_controls, verify, verify_recorded,
 };
 use serde_json::json;
 
@@ -18,6 +18,7 @@ use super::options::{AGAINST, Devices, StimulusArgs, devices, tools};
 use super::outcome::{Outcome, UpToDifference};
 use super::waves::WavesArgs;
 use crate::machines::MachineArgs;
+use crate::own_program::ProgramArgs;
 use crate::verified::Line;
 use crate::{progress, table};
 
@@ -26,27 +27,59 @@ use crate::{progress, table};
 pub struct Equivalence {
     #[command(flatten)]
     machine: MachineArgs,
+    #[command(flatten)]
+    program: ProgramArgs,
     #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = "rust-hdl,text", help = AGAINST)]
     against: Vec<Devices>,
     #[command(flatten)]
     stimulus: StimulusArgs,
     /// Replay a case that `verify campaign` wrote, instead of random stimulus; the case names the machine
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["machine", "iterations", "seed"])]
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["machine", "program", "iterations", "seed"])]
     case: Option<PathBuf>,
     #[command(flatten)]
     waves: WavesArgs,
 }
 
 impl Equivalence {
-    fn line(&self, verdict: &Verdict) -> Line {
+    /// The controls: with a program of the user's, the fault is in the machine that runs it.
+    fn controls(&self, machine: &Machine) -> Result<Controls> {
+        let devices = devices(&self.against);
+        Ok(match self.program.program {
+            Some(_) => program_comparison_controls(devices, machine)?,
+            None => comparison_controls(devices)?,
+        })
+    }
+
+    /// The verdict, whose difference names the options that choose the machine. Its name alone does not choose one that
+    /// runs a program of the user's.
+    fn with_options<V>(
+        &self,
+        base: &Machine,
+        ended: Result<V, VerifyError>,
+    ) -> Result<V, VerifyError> {
+        ended.map_err(|error| match error {
+            VerifyError::Diverged(mut difference) => {
+                let named = format!("--machine {}", difference.machine);
+                let options = self.program.options(base.name);
+                difference.repeat = difference.repeat.replace(&named, &options);
+                VerifyError::Diverged(difference)
+            }
+            other => other,
+        })
+    }
+
+    fn line(&self, base: &Machine, verdict: &Verdict) -> Line {
         Line {
             by: format!("{}: {}", verdict.device, verdict.tool_version),
             volume: verdict.vectors_compared,
             unit: format!("vectors of {} signals", verdict.signals_per_vector),
             result: "0 mismatches".to_owned(),
             command: format!(
-                "photoncube verify equivalence --machine {} --against {} --iterations {} --seed {}",
-                verdict.machine, verdict.device, self.stimulus.iterations, self.stimulus.seed.seed
+                "photoncube verify equivalence {} --against {} --iterations {} --seed {}",
+                self.program.options(base.name),
+                verdict.device,
+                self.stimulus.iterations,
+                self.stimulus.seed.seed
             ),
             ..Line::about(verdict.machine.to_owned(), verdict.verilog_sha256.clone())
         }
@@ -61,6 +94,7 @@ impl Method for Equivalence {
         "photoncube verify equivalence --against icarus,verilator --iterations 2000",
         "photoncube verify --against verilator --iterations 1000000 --json",
         "photoncube verify --machine paper-5d --against all --seed 7",
+        "photoncube verify --machine paper-5d --program mine.txt",
         "photoncube verify --against icarus --iterations 50 --waves paper.vcd",
     ];
 
@@ -73,19 +107,21 @@ impl Method for Equivalence {
         if let Some(path) = &self.case {
             return case::replay(path, &devices(&self.against), &self.waves);
         }
-        let machine = self.machine.find_to_emit()?;
+        let base = self.machine.find()?;
+        let machine = self.program.apply(base)?;
         let mut written = None;
         let mut all = UpToDifference::new(|verdict: &Verdict| verdict.vectors_compared);
         for device in devices(&self.against) {
             let (options, clocks) = (self.stimulus.random(), self.waves.clocks());
             let (ended, recorded) = verify_with_bar(machine, device, &options, clocks);
             written = self.waves.write(recorded.as_ref())?;
-            if !all.add(device.name(), ended)? {
+            if !all.add(device.name(), self.with_options(base, ended))? {
                 break;
             }
         }
         let details = json!({
             "machine": machine.name,
+            "program": self.program.program.as_ref().map(|path| path.display().to_string()),
             "seed": self.stimulus.seed.seed,
             "iterations": self.stimulus.iterations,
             "vectors_compared": all.vectors_compared,
@@ -93,11 +129,10 @@ impl Method for Equivalence {
             "devices": all.verdicts,
             "waves": written,
         });
-        let controls = comparison_controls(devices(&self.against))?;
-        Ok(Outcome::new::<Self>(controls, &details)?
+        Ok(Outcome::new::<Self>(self.controls(machine)?, &details)?
             .rows("devices", COLUMNS)
             .waves(written.as_ref())
-            .lines(all.verdicts.iter().map(|verdict| self.line(verdict)))
+            .lines(all.verdicts.iter().map(|verdict| self.line(base, verdict)))
             .findings(all.difference))
     }
 }
@@ -130,6 +165,7 @@ pub fn verdict_table(verdicts: &[Verdict]) -> String {
 
 #[cfg(test)]
 mod tests {
+    use clap::FromArgMatches;
     use photoncube_spec::find_machine;
     use photoncube_testbench::{Mutant, Source, verify_device};
 
@@ -152,10 +188,16 @@ mod tests {
         let mut mutant = Mutant::sound(machine).with_row_fault(flip);
         let ended = verify_device(machine, &mut mutant, &options, &|_| {});
         let mut all = UpToDifference::new(|verdict: &Verdict| verdict.vectors_compared);
+        let line = "photoncube verify equivalence --program own.txt";
+        let args = Equivalence::augment_args(clap::Command::new("equivalence"));
+        let matches = args.get_matches_from(line.split(' ').skip(2));
+        let chosen = Equivalence::from_arg_matches(&matches).unwrap();
+        let ended = chosen.with_options(machine, ended);
         assert!(!all.add("mutant", ended).unwrap());
         assert_eq!(all.mismatches(), 1);
         let found = all.difference.unwrap();
         assert!(found.contains("node 15, register q"), "{found}");
-        assert!(found.contains("repeat    photoncube verify"), "{found}");
+        let repeat = "repeat    photoncube verify --machine paper --program own.txt --against";
+        assert!(found.contains(repeat), "{found}");
     }
 }
