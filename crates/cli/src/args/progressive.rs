@@ -17,6 +17,8 @@ Examples:
   photoncube progressive cornell -o box.png --error-target 0.1 --confidence 0.9 --passes 1000
   photoncube progressive ring -o ring.exr --engine format --snapshots --plot ring.svg
   photoncube progressive cornell -o box.exr --size 128x128 --reference docs/reference/cornell.exr
+  photoncube progressive cornell -o box.png --state box.state --passes 16
+  photoncube progressive cornell -o box.png --state box.state --resume --passes 64
 
 Each pass has photons of its own, and a smaller radius; the picture is the mean of the passes. Each
 pass gathers at the whole and at half the squared radius, which tells the bias; the spread of the
@@ -24,7 +26,11 @@ passes tells the noise. A pixel's bound is |bias| + t s / sqrt n, with n the pas
 over the passes of the pixel less its bias, and t Student's factor: its error is not above it, with
 the confidence asked for. --error-target stops when the bounds' root mean square, each over the
 pixel's luminance, is not above it. See docs/accuracy.md for how many bounds hold, and where they do
-not.")]
+not.
+
+Ctrl-C ends the run after the pass that is under way, and writes the picture of the passes so far.
+--resume needs the options of the run that began the picture: those of the passes, the engine and the
+light. --passes, --error-target, --confidence and the files may be others.")]
 pub struct ProgressiveArgs {
     /// A built-in scene (see `photoncube list`) or a scene file, TOML (see docs/scenes.md) or JSON
     pub scene: SceneName,
@@ -74,6 +80,12 @@ pub struct ProgressiveArgs {
     /// Also write the picture after 1, 2, 4, 8, ... passes, with the number in its name
     #[arg(long)]
     pub snapshots: bool,
+    /// Keep the state of the picture in this file: at the end, at Ctrl-C, and each minute
+    #[arg(long, value_name = "FILE")]
+    pub state: Option<PathBuf>,
+    /// Go on from the state in the file of --state; the picture is byte for byte that of one run
+    #[arg(long, requires = "state")]
+    pub resume: bool,
 }
 
 fn parse_confidence(text: &str) -> Result<f64, String> {

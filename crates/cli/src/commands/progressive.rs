@@ -1,14 +1,17 @@
 //! The command `progressive`: a picture that improves pass by pass.
 
-use std::path::{Path, PathBuf};
-use std::time::Instant;
+mod kept;
+mod text;
 
-use anyhow::{Result, ensure};
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+use anyhow::{Context, Result, ensure};
 use photoncube_render::{
     ErrorEstimate, Estimator, Image, Progressive, ProgressiveOptions, Scene, ViewOptions,
     error_map, luminance,
 };
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::args::{EngineReport, LightingReport, ProgressiveArgs, short};
 use crate::core::CoreReport;
@@ -17,11 +20,13 @@ use crate::interrupt::Interrupt;
 use crate::outputs::{self, Output};
 use crate::plots::{Curve, Reached, convergence_plot};
 use crate::stages::{Distance, write_picture};
-use crate::table::markdown;
 use crate::{files, output, progress, scenes, sight};
 
+use self::kept::{Keeper, Kept};
+use self::text::text;
+
 /// The figures after some passes.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 struct Row {
     passes: u64,
     photons: u64,
@@ -63,6 +68,10 @@ struct Report {
     photon_tests: u64,
     /// The files beside the picture: snapshots, plot, error map.
     files: Vec<String>,
+    /// The file with the state after the last pass.
+    state: Option<String>,
+    /// The passes that were in the state at the start.
+    resumed_passes: u64,
     /// Whether a signal ended the run before its passes were made.
     interrupted: bool,
     progress: Vec<Row>,
@@ -105,14 +114,20 @@ pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
         );
     }
     let progressive = Progressive::new(&scene, engine, lighting, view, options)?;
+    let settings = kept::settings(args, &scene, engine, &lighting);
     let mut work = Work {
         args,
         progressive,
         reference,
         start: Instant::now(),
+        seconds_before: 0.0,
         rows: Vec::new(),
         files: Vec::new(),
+        keeper: args.state.clone().map(|path| Keeper::new(path, settings)),
     };
+    work.resume()?;
+    let before = work.progressive.stats().estimates;
+    let resumed_passes = work.progressive.passes();
     let end = work.run(&Interrupt::watch()?)?;
     let (image, stats) = (work.progressive.image(), work.progressive.stats());
     sight::check_light(&image, &scene, &view, stats)?;
@@ -124,7 +139,7 @@ pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
     let report = Report {
         scene: args.scene.to_string(),
         engine: EngineReport::of(engine),
-        core: chosen.core_report(stats.estimates),
+        core: chosen.core_report(stats.estimates - before),
         light: LightingReport::of(&lighting),
         output: args.output.display().to_string(),
         seed: args.seed,
@@ -134,6 +149,8 @@ pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
         query_points: stats.query_points,
         photon_tests: stats.photon_tests,
         files: work.files,
+        state: args.state.as_ref().map(|path| path.display().to_string()),
+        resumed_passes,
         interrupted: end == End::Interrupted,
         progress: work.rows,
         quantile: error.map(|error| error.quantile),
@@ -142,7 +159,11 @@ pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
     let (output, all) = (&report.output, args.passes);
     match (end, args.error_target) {
         (End::Interrupted, _) => Err(CheckFailed(format!(
-            "interrupted after {passes} of {all} passes; {output} is their mean"
+            "interrupted after {passes} of {all} passes; {output} is their mean{}",
+            match args.state {
+                Some(_) => "; the same command with --resume goes on",
+                None => "",
+            }
         ))
         .into()),
         (End::Passes, Some(target)) => Err(CheckFailed(format!(
@@ -158,6 +179,8 @@ pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
 fn check_outputs(args: &ProgressiveArgs, scene: &Scene) -> Result<()> {
     let mut outputs = vec![Output::picture("-o", &args.output)];
     outputs.extend(args.plot.iter().map(|path| Output::plot("--plot", path)));
+    let state = args.state.iter();
+    outputs.extend(state.map(|path| Output::within("--state", path.clone())));
     let map = args.error_map.iter();
     outputs.extend(map.map(|path| Output::plot("--error-map", path)));
     if args.snapshots {
@@ -189,36 +212,94 @@ fn options(args: &ProgressiveArgs) -> ProgressiveOptions {
     }
 }
 
+/// The time between two writings of the state while the passes go on.
+const KEPT_EVERY: Duration = Duration::from_secs(60);
+
 struct Work<'a> {
     args: &'a ProgressiveArgs,
     progressive: Progressive<'a>,
     reference: Option<Image>,
     start: Instant,
+    /// The time of the passes that were made before this run.
+    seconds_before: f64,
     /// The rows after 1, 2, 4, 8, ... passes and after the last.
     rows: Vec<Row>,
     /// The files that were written.
     files: Vec<String>,
+    keeper: Option<Keeper>,
 }
 
 impl Work<'_> {
-    /// Makes the passes, at least one.
+    /// Takes over the state of an earlier run, if that is asked for.
+    fn resume(&mut self) -> Result<()> {
+        let Some(keeper) = &self.keeper else {
+            return Ok(());
+        };
+        if !self.args.resume {
+            return keeper.check_new();
+        }
+        let kept = keeper.read()?;
+        let (passes, all) = (kept.state.passes(), self.args.passes);
+        ensure!(
+            passes <= all,
+            "{}: found {passes} passes, expected at most --passes {all}",
+            keeper.path().display()
+        );
+        self.progressive.resume(&kept.state)?;
+        self.seconds_before = kept.seconds;
+        self.rows = kept.rows_for(self.reference.as_ref());
+        Ok(())
+    }
+
+    /// Makes passes until there are enough. A new picture gets at least one.
     fn run(&mut self, interrupt: &Interrupt) -> Result<End> {
         let bar = progress::bar("passes", self.args.passes);
-        let end = loop {
+        bar.set_position(self.progressive.passes());
+        let mut end = None;
+        if self.progressive.passes() > 0 {
+            // The passes that were made before may be enough.
+            end = self.ended(interrupt)?;
+        }
+        let mut kept = Instant::now();
+        while end.is_none() {
             self.progressive.pass()?;
-            let passes = self.progressive.passes();
-            bar.set_position(passes);
-            let error = self.progressive.error(self.args.confidence);
-            let end = self.end(error.as_ref(), interrupt);
-            if passes.is_power_of_two() || end.is_some() {
-                self.push_row(error.as_ref())?;
+            bar.set_position(self.progressive.passes());
+            end = self.ended(interrupt)?;
+            if end.is_some() || kept.elapsed() >= KEPT_EVERY {
+                self.keep()?;
+                kept = Instant::now();
             }
-            if let Some(end) = end {
-                break end;
-            }
-        };
+        }
         bar.finish_and_clear();
+        end.context("a picture has an end")
+    }
+
+    /// Whether the passes so far are enough. Adds their row to the table where it has a place there.
+    fn ended(&mut self, interrupt: &Interrupt) -> Result<Option<End>> {
+        let error = self.progressive.error(self.args.confidence);
+        let end = self.end(error.as_ref(), interrupt);
+        if self.progressive.passes().is_power_of_two() || end.is_some() {
+            self.push_row(error.as_ref())?;
+        }
         Ok(end)
+    }
+
+    /// Writes the state.
+    fn keep(&self) -> Result<()> {
+        let Some(keeper) = &self.keeper else {
+            return Ok(());
+        };
+        let reference = self.reference.as_ref();
+        keeper.write(&Kept {
+            state: self.progressive.state(),
+            rows: self.rows.clone(),
+            reference: reference.map(kept::sha256_of_image),
+            seconds: self.seconds(),
+        })
+    }
+
+    fn seconds(&self) -> f64 {
+        self.seconds_before + self.start.elapsed().as_secs_f64()
     }
 
     fn end(&self, error: Option<&ErrorEstimate>, interrupt: &Interrupt) -> Option<End> {
@@ -254,7 +335,7 @@ impl Work<'_> {
             estimated_noise: error.map(ErrorEstimate::noise),
             rel_mse: distance.transpose()?.map(|distance| distance.rel_mse),
             bounded_share: bounded,
-            seconds: self.start.elapsed().as_secs_f64(),
+            seconds: self.seconds(),
         });
         Ok(())
     }
@@ -317,148 +398,13 @@ fn snapshot(output: &Path, passes: u64) -> PathBuf {
     output.with_file_name(format!("{stem}-{passes:04}.{ending}"))
 }
 
-/// A column of the table.
-struct Column {
-    name: &'static str,
-    needs_reference: bool,
-    of: fn(&Row) -> String,
-}
-
-const COLUMNS: [Column; 9] = [
-    column("passes", |row| row.passes.to_string()),
-    column("photons", |row| row.photons.to_string()),
-    column("radius", |row| format!("{:.5}", row.search_radius)),
-    column("noise", |row| percent(row.estimated_noise)),
-    column("bias", |row| percent(row.estimated_bias)),
-    column("bound", |row| percent(row.error_bound)),
-    column("relMSE", |row| {
-        row.rel_mse.map_or("-".to_owned(), |e| format!("{e:.2e}"))
-    })
-    .against_reference(),
-    column("in bounds", |row| percent(row.bounded_share)).against_reference(),
-    column("seconds", |row| format!("{:.1}", row.seconds)),
-];
-
-const fn column(name: &'static str, of: fn(&Row) -> String) -> Column {
-    Column {
-        name,
-        needs_reference: false,
-        of,
-    }
-}
-
-impl Column {
-    const fn against_reference(self) -> Self {
-        Self {
-            needs_reference: true,
-            ..self
-        }
-    }
-}
-
-fn percent(value: Option<f64>) -> String {
-    value.map_or("-".to_owned(), |value| format!("{:.2} %", 100.0 * value))
-}
-
-fn text(report: &Report) -> String {
-    let has_reference = report.progress.iter().any(|row| row.rel_mse.is_some());
-    let columns = COLUMNS.iter();
-    let columns: Vec<_> = columns
-        .filter(|column| has_reference || !column.needs_reference)
-        .collect();
-    let header: Vec<_> = columns.iter().map(|column| column.name).collect();
-    let cells = |row: &Row| columns.iter().map(|column| (column.of)(row)).collect();
-    let table = markdown(
-        &header,
-        &report.progress.iter().map(cells).collect::<Vec<_>>(),
-    );
-    let mut text = format!("{table}{}\n{}\n", bound_line(report), report.output);
-    text.extend(report.files.iter().map(|file| format!("{file}\n")));
-    text
-}
-
-/// A line that states why the bound is larger than noise and bias together.
-fn bound_line(report: &Report) -> String {
-    let confidence = 100.0 * report.confidence;
-    let Some(quantile) = report.quantile else {
-        return "One pass tells nothing of its error.\n".to_owned();
-    };
-    format!(
-        "noise, bias, bound: root mean squares over the pixels, each as a part of the pixel's luminance.\n\
-         A pixel's error is not above its bound, with {confidence:.0} % confidence. Its bound is |bias| + t s / sqrt n, with\n\
-         n the passes, t = {quantile:.2} Student's factor for them, and s the spread over the passes of the pixel less its\n\
-         bias, which is sqrt 5 times that of the pixel where light is even. The bias of one pixel is noisy. The column\n\
-         `bias` is without that noise, so `bound` is more than `bias` and t times `noise` together.\n"
-    )
-}
-
 #[cfg(test)]
 mod tests {
-    use clap::Parser;
-
     use super::*;
-    use crate::args::{Args, Command};
 
     #[test]
     fn snapshots_are_named_by_their_passes() {
         let name = snapshot(Path::new("out/box.png"), 8);
         assert_eq!(name, Path::new("out/box-0008.png"));
-    }
-
-    fn report(rel_mse: Option<f64>) -> Report {
-        let row = Row {
-            passes: 2,
-            photons: 10,
-            search_radius: 0.1,
-            error_bound: Some(0.2),
-            estimated_bias: Some(0.05),
-            estimated_noise: Some(0.05),
-            rel_mse,
-            bounded_share: rel_mse,
-            seconds: 1.0,
-        };
-        let args = ["photoncube", "progressive", "cornell", "-o", "o.png"];
-        let Command::Progressive(args) = Args::parse_from(args).command else {
-            unreachable!("that is the command");
-        };
-        let light = LightingReport::of(&args.light.lighting());
-        Report {
-            scene: "cornell".to_owned(),
-            engine: EngineReport::of(args.engine.find().unwrap().engine()),
-            core: None,
-            light,
-            output: "o.png".to_owned(),
-            seed: 1,
-            alpha: 0.5,
-            confidence: 0.9,
-            error_target: None,
-            query_points: 1,
-            photon_tests: 1,
-            files: vec!["plot.svg".to_owned()],
-            interrupted: false,
-            progress: vec![row],
-            quantile: Some(6.31),
-        }
-    }
-
-    #[test]
-    fn columns_of_a_reference_are_there_with_one_and_the_bound_is_explained() {
-        let without = text(&report(None));
-        assert!(
-            !without.contains("relMSE") && !without.contains("in bounds"),
-            "{without}"
-        );
-        assert!(
-            without.contains("t = 6.31 Student's")
-                && without.contains("bound is |bias| + t s / sqrt n")
-                && without.contains("90 % confidence"),
-            "{without}"
-        );
-        assert!(without.ends_with("o.png\nplot.svg\n"), "{without}");
-        let with = text(&report(Some(0.01)));
-        assert!(
-            with.contains("relMSE") && with.contains("in bounds"),
-            "{with}"
-        );
     }
 }

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use super::{error, files_in, json};
+use super::{error, files_in, json, photoncube};
 
 const SMALL: [&str; 4] = ["--photons", "20000", "--samples", "2"];
 
@@ -234,6 +234,8 @@ fn an_interrupted_picture_is_the_mean_of_its_passes() {
             "-o",
             "p.exr",
             "--snapshots",
+            "--state",
+            "p.state",
             "--json",
         ])
         .args(endless)
@@ -255,9 +257,103 @@ fn an_interrupted_picture_is_the_mean_of_its_passes() {
     let passes = report["progress"].as_array().unwrap().last().unwrap()["passes"].as_u64();
     let said = String::from_utf8(ended.stderr).unwrap();
     let expected = format!(
-        "interrupted after {} of 100000000 passes; p.exr",
+        "interrupted after {} of 100000000 passes; p.exr is their mean; the same command with --resume",
         passes.unwrap()
     );
     assert!(said.contains(&expected), "{said}");
     assert!(folder.path().join("p.exr").is_file());
+    let kept = fs::read(folder.path().join("p.state")).unwrap();
+    assert!(kept.starts_with(b"photoncube progressive state 1\n"));
+}
+
+/// Runs that end after some passes and go on, with an engine of floats and one of integers, against one run.
+#[test]
+fn a_resumed_picture_is_byte_for_byte_that_of_one_run() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    for engine in ["f64", "format"] {
+        let run = |picture: &str, more: &[&str]| {
+            let small = ["--size", "12x12", "--photons", "1000", "--engine", engine];
+            let start = ["progressive", "ring", "-o", picture];
+            let mut report = json(&[&start[..], &small, more].concat());
+            for row in report["progress"].as_array_mut().unwrap() {
+                row.as_object_mut().unwrap().remove("seconds");
+            }
+            report
+        };
+        let (whole, parts, state) = (at("whole.exr"), at("parts.exr"), at("state"));
+        let whole_report = run(&whole, &["--passes", "5"]);
+        run(&parts, &["--passes", "3", "--state", &state]);
+        let go_on = ["--state", &state, "--resume", "--passes", "5"];
+        let parts_report = run(&parts, &go_on);
+        assert_eq!(fs::read(&parts).unwrap(), fs::read(&whole).unwrap());
+        for key in ["progress", "photon_tests", "query_points"] {
+            assert_eq!(parts_report[key], whole_report[key], "{key}");
+        }
+        assert_eq!(parts_report["resumed_passes"], 3);
+        // There is nothing left to do, and the picture is written again.
+        fs::remove_file(&parts).unwrap();
+        assert_eq!(run(&parts, &go_on)["progress"], whole_report["progress"]);
+        assert_eq!(fs::read(&parts).unwrap(), fs::read(&whole).unwrap());
+        fs::remove_file(state).unwrap();
+    }
+}
+
+#[test]
+fn a_state_that_cannot_be_continued_is_refused_and_stays() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let (picture, state, foreign) = (at("p.png"), at("state"), at("foreign"));
+    let start = ["--size", "8x8", "--photons", "500", "--engine", "f64"];
+    let start = [&["progressive", "cornell", "-o", &picture], &start[..]].concat();
+    let with = |more: &[&'static str]| [&start[..], more].concat();
+    let kept = with(&["--passes", "3"]);
+    let kept = [&kept[..], &["--state", &state]].concat();
+    photoncube(&kept).assert().success();
+    let before = fs::read(&state).unwrap();
+    fs::write(&foreign, "# a listing\n").unwrap();
+    let resume = |words: &[&str], state: &str| {
+        let go_on = ["--resume", "--state", state].map(ToOwned::to_owned);
+        let words = words.iter().map(|word| (*word).to_owned()).chain(go_on);
+        words.collect::<Vec<_>>()
+    };
+    let of_light = with(&["--direct", "rays:2", "--seed", "7"]);
+    let of_scene: Vec<_> = start
+        .iter()
+        .map(|word| word.replace("cornell", "ring"))
+        .collect();
+    let of_scene: Vec<_> = of_scene.iter().map(String::as_str).collect();
+    for (words, expected) in [
+        (
+            kept.iter().map(|word| (*word).to_owned()).collect(),
+            "found a file, expected none without --resume",
+        ),
+        (
+            resume(&of_light, &state),
+            "--direct: found map, expected rays:2; --seed: found 1, expected 7; give the options",
+        ),
+        (resume(&of_scene, &state), "scene, its SHA-256: found "),
+        (
+            resume(&with(&["--passes", "2"]), &state),
+            "found 3 passes, expected at most --passes 2",
+        ),
+        (
+            resume(&start, &foreign),
+            "begins with \"# a listing\", expected \"photoncube progressive state 1\"",
+        ),
+        (
+            resume(&start, &at("none")),
+            "leave out --resume to begin a new picture: No such file",
+        ),
+        (
+            resume(&start, folder.path().to_str().unwrap()),
+            "found a folder",
+        ),
+    ] {
+        let words: Vec<_> = words.iter().map(String::as_str).collect();
+        let message = error(&words, 2);
+        assert!(message.contains(expected), "{words:?}: {message}");
+    }
+    assert!(error(&with(&["--resume"]), 2).contains("--state"));
+    assert_eq!(fs::read(&state).unwrap(), before);
 }

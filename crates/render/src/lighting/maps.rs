@@ -2,13 +2,15 @@
 
 use std::collections::HashMap;
 
+use serde::{Deserialize, Serialize};
+
 use super::{Caustics, Lighting};
 use crate::photon_map::{MapError, PhotonMap};
 use crate::scene::Scene;
 use crate::trace::{PathKind, Photon, PhotonTrace};
 
 /// The search radii of the maps (scene units).
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Radii {
     /// The search radius of the global map.
     pub global: f64,

@@ -11,6 +11,20 @@ pub struct Moments {
 }
 
 impl Moments {
+    /// The moments of `count` values with that mean and that sum of squared distances from it.
+    pub(crate) fn of(count: u64, mean: f64, squares: f64) -> Self {
+        Self {
+            count,
+            mean,
+            squares,
+        }
+    }
+
+    /// The mean, and the sum of squared distances from it.
+    pub(crate) fn mean_and_squares(&self) -> (f64, f64) {
+        (self.mean, self.squares)
+    }
+
     /// Adds one value.
     pub fn push(&mut self, value: f64) {
         self.count += 1;

@@ -9,13 +9,13 @@ use crate::metrics::{Moments, luminance};
 /// The statistics of a pixel over all passes.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct Pixel {
-    sum: DVec3,
+    pub sum: DVec3,
     /// The luminance at the search radius, x.
-    plain: Moments,
+    pub plain: Moments,
     /// The luminance without bias, c = 2 y - x.
-    corrected: Moments,
+    pub corrected: Moments,
     /// The bias of the luminance, b = 2 (x - y).
-    bias: Moments,
+    pub bias: Moments,
 }
 
 impl Pixel {

@@ -25,11 +25,13 @@
 //! r^2. The estimate then misses a part of it until the radius is smaller than the distance from the jump.
 
 mod error;
+mod state;
 
 use glam::DVec3;
 use thiserror::Error;
 
 pub use self::error::{ErrorEstimate, PixelBound};
+pub use self::state::{OtherPicture, ProgressiveState};
 
 use self::error::Pixel;
 use crate::estimate::Estimator;

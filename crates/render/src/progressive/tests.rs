@@ -97,3 +97,37 @@ fn a_factor_that_is_none_is_an_error() {
         assert!(matches!(made.err(), Some(ProgressiveError::Alpha { .. })));
     }
 }
+
+/// With light sources of its own, and with caustics whose radius is found in a later pass.
+#[test]
+fn a_picture_that_is_continued_is_that_of_one_run() {
+    let format = &PHOTON_FORMATS[0];
+    let own = Lighting {
+        caustics: crate::Caustics::Own(20.0),
+        ..Lighting::default()
+    };
+    for (scene, engine, lighting) in [
+        ("cornell", Engine::F64, Lighting::default()),
+        ("ring", Engine::from(format), own),
+    ] {
+        let scene = Scene::built_in(scene).unwrap();
+        let new = || Progressive::new(&scene, engine, lighting, VIEW, options(2_000, 0.6)).unwrap();
+        let mut whole = new();
+        (0..5).for_each(|_| whole.pass().unwrap());
+        for before in [0, 1, 3, 5] {
+            let mut first = new();
+            (0..before).for_each(|_| first.pass().unwrap());
+            let mut second = new();
+            second.resume(&first.state()).unwrap();
+            (before..5).for_each(|_| second.pass().unwrap());
+            assert_eq!(second.state(), whole.state(), "{before}");
+            assert_eq!(second.image(), whole.image());
+            assert_eq!(second.error(0.9), whole.error(0.9));
+        }
+        let view = ViewOptions { width: 23, ..VIEW };
+        let mut other =
+            Progressive::new(&scene, engine, lighting, view, options(2_000, 0.6)).unwrap();
+        let said = other.resume(&whole.state()).unwrap_err().to_string();
+        assert_eq!(said, "found the state of 576 pixels, expected 552");
+    }
+}

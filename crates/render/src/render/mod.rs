@@ -8,6 +8,7 @@ use std::ops::AddAssign;
 
 use photoncube_model::{GatherError, Gathered};
 use photoncube_spec::{Machine, Numbers, PhotonFormat};
+use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 pub(crate) use self::renderer::Renderer;
@@ -197,7 +198,7 @@ impl RenderError {
 }
 
 /// Statistics of the work of rendering.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct RenderStats {
     /// The number of view rays that ended on a front; each is one query.
     pub query_points: u64,

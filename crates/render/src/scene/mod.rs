@@ -17,6 +17,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use glam::DVec3;
+use sha2::{Digest, Sha256};
 
 pub use error::SceneError;
 pub(crate) use lights::{Lights, emitters};
@@ -157,6 +158,23 @@ impl Scene {
     #[must_use]
     pub fn name(&self) -> &str {
         &self.name
+    }
+
+    /// SHA-256 of all that a picture of the scene follows from, in hexadecimal digits. The name of the scene and the place
+    /// and the form of its files are not part of it.
+    #[must_use]
+    pub fn sha256(&self) -> String {
+        let Self {
+            camera,
+            surfaces,
+            light_choice,
+            leave_distance,
+            ..
+        } = self;
+        // `Debug` prints a number with the fewest digits that are read as the same number.
+        let text = format!("{camera:?} {surfaces:?} {light_choice:?} {leave_distance:?}");
+        let digest = Sha256::digest(text);
+        digest.iter().map(|byte| format!("{byte:02x}")).collect()
     }
 
     /// The files that the scene was read from: its own, if it is in one, and those of its meshes.

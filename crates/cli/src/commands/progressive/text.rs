@@ -1,0 +1,149 @@
+//! The report of `progressive` for people.
+
+use super::{Report, Row};
+use crate::table::markdown;
+
+/// A column of the table.
+struct Column {
+    name: &'static str,
+    needs_reference: bool,
+    of: fn(&Row) -> String,
+}
+
+const COLUMNS: [Column; 9] = [
+    column("passes", |row| row.passes.to_string()),
+    column("photons", |row| row.photons.to_string()),
+    column("radius", |row| format!("{:.5}", row.search_radius)),
+    column("noise", |row| percent(row.estimated_noise)),
+    column("bias", |row| percent(row.estimated_bias)),
+    column("bound", |row| percent(row.error_bound)),
+    column("relMSE", |row| {
+        row.rel_mse.map_or("-".to_owned(), |e| format!("{e:.2e}"))
+    })
+    .against_reference(),
+    column("in bounds", |row| percent(row.bounded_share)).against_reference(),
+    column("seconds", |row| format!("{:.1}", row.seconds)),
+];
+
+const fn column(name: &'static str, of: fn(&Row) -> String) -> Column {
+    Column {
+        name,
+        needs_reference: false,
+        of,
+    }
+}
+
+impl Column {
+    const fn against_reference(self) -> Self {
+        Self {
+            needs_reference: true,
+            ..self
+        }
+    }
+}
+
+fn percent(value: Option<f64>) -> String {
+    value.map_or("-".to_owned(), |value| format!("{:.2} %", 100.0 * value))
+}
+
+/// The report for people.
+pub(super) fn text(report: &Report) -> String {
+    let has_reference = report.progress.iter().any(|row| row.rel_mse.is_some());
+    let columns = COLUMNS.iter();
+    let columns: Vec<_> = columns
+        .filter(|column| has_reference || !column.needs_reference)
+        .collect();
+    let header: Vec<_> = columns.iter().map(|column| column.name).collect();
+    let cells = |row: &Row| columns.iter().map(|column| (column.of)(row)).collect();
+    let table = markdown(
+        &header,
+        &report.progress.iter().map(cells).collect::<Vec<_>>(),
+    );
+    let mut text = format!("{table}{}\n{}\n", bound_line(report), report.output);
+    text.extend(report.files.iter().map(|file| format!("{file}\n")));
+    text
+}
+
+/// A line that states why the bound is larger than noise and bias together.
+fn bound_line(report: &Report) -> String {
+    let confidence = 100.0 * report.confidence;
+    let Some(quantile) = report.quantile else {
+        return "One pass tells nothing of its error.\n".to_owned();
+    };
+    format!(
+        "noise, bias, bound: root mean squares over the pixels, each as a part of the pixel's luminance.\n\
+         A pixel's error is not above its bound, with {confidence:.0} % confidence. Its bound is\n\
+         |bias| + t s / sqrt n, with n the passes, t = {quantile:.2} Student's factor for them, and s the\n\
+         spread over the passes of the pixel less its bias, which is sqrt 5 times that of the pixel where\n\
+         light is even. The bias of one pixel is noisy. The column `bias` is without that noise, so\n\
+         `bound` is more than `bias` and t times `noise` together.\n"
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::Parser;
+
+    use super::*;
+    use crate::args::{Args, Command, EngineReport, LightingReport};
+
+    fn report(rel_mse: Option<f64>) -> Report {
+        let row = Row {
+            passes: 2,
+            photons: 10,
+            search_radius: 0.1,
+            error_bound: Some(0.2),
+            estimated_bias: Some(0.05),
+            estimated_noise: Some(0.05),
+            rel_mse,
+            bounded_share: rel_mse,
+            seconds: 1.0,
+        };
+        let args = ["photoncube", "progressive", "cornell", "-o", "o.png"];
+        let Command::Progressive(args) = Args::parse_from(args).command else {
+            unreachable!("that is the command");
+        };
+        let light = LightingReport::of(&args.light.lighting());
+        Report {
+            scene: "cornell".to_owned(),
+            engine: EngineReport::of(args.engine.find().unwrap().engine()),
+            core: None,
+            light,
+            output: "o.png".to_owned(),
+            seed: 1,
+            alpha: 0.5,
+            confidence: 0.9,
+            error_target: None,
+            query_points: 1,
+            photon_tests: 1,
+            files: vec!["plot.svg".to_owned()],
+            state: None,
+            resumed_passes: 0,
+            interrupted: false,
+            progress: vec![row],
+            quantile: Some(6.31),
+        }
+    }
+
+    #[test]
+    fn columns_of_a_reference_are_there_with_one_and_the_bound_is_explained() {
+        let without = text(&report(None));
+        assert!(
+            !without.contains("relMSE") && !without.contains("in bounds"),
+            "{without}"
+        );
+        assert!(without.lines().all(|line| line.len() <= 100), "{without}");
+        assert!(
+            without.contains("t = 6.31 Student's")
+                && without.contains("bound is\n|bias| + t s / sqrt n")
+                && without.contains("90 % confidence"),
+            "{without}"
+        );
+        assert!(without.ends_with("o.png\nplot.svg\n"), "{without}");
+        let with = text(&report(Some(0.01)));
+        assert!(
+            with.contains("relMSE") && with.contains("in bounds"),
+            "{with}"
+        );
+    }
+}

@@ -1,0 +1,99 @@
+//! The state of a progressive picture after some passes, from which more passes can be made at another time.
+
+use serde::{Deserialize, Serialize};
+use thiserror::Error;
+
+use super::Progressive;
+use super::error::Pixel;
+use crate::lighting::Radii;
+use crate::metrics::Moments;
+use crate::render::RenderStats;
+
+/// All that later passes and the error's estimate need of the passes so far. The numbers are those of the sums, not
+/// rounded, so a picture that is interrupted and continued is bit for bit the picture of one run.
+///
+/// Scene, engine, lighting, view and options are not part of it: the caller must give the same ones.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ProgressiveState {
+    passes: u64,
+    photons: u64,
+    radii: Option<Radii>,
+    shrunk_sq: f64,
+    stats: RenderStats,
+    pixels: Vec<[f64; 9]>,
+}
+
+impl ProgressiveState {
+    /// The number of passes made.
+    #[must_use]
+    pub fn passes(&self) -> u64 {
+        self.passes
+    }
+}
+
+/// A state that is not one of this picture.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[error("found the state of {found} pixels, expected {expected}")]
+pub struct OtherPicture {
+    /// The number of pixels in the state.
+    pub found: usize,
+    /// The number of pixels of the picture.
+    pub expected: usize,
+}
+
+impl Progressive<'_> {
+    /// The state after the passes so far.
+    #[must_use]
+    pub fn state(&self) -> ProgressiveState {
+        ProgressiveState {
+            passes: self.passes,
+            photons: self.photons,
+            radii: self.radii,
+            shrunk_sq: self.shrunk_sq,
+            stats: self.stats,
+            pixels: self.pixels.iter().map(Pixel::numbers).collect(),
+        }
+    }
+
+    /// Takes over a state, as if its passes had been made here.
+    ///
+    /// # Errors
+    /// The state has another number of pixels.
+    pub fn resume(&mut self, state: &ProgressiveState) -> Result<(), OtherPicture> {
+        let expected = match state.passes {
+            0 => 0,
+            _ => self.view.width as usize * self.view.height as usize,
+        };
+        let found = state.pixels.len();
+        if found != expected {
+            return Err(OtherPicture { found, expected });
+        }
+        let pixel = |numbers: &[f64; 9]| Pixel::of_numbers(numbers, state.passes);
+        self.pixels = state.pixels.iter().map(pixel).collect();
+        (self.passes, self.photons) = (state.passes, state.photons);
+        (self.radii, self.shrunk_sq) = (state.radii, state.shrunk_sq);
+        self.stats = state.stats;
+        Ok(())
+    }
+}
+
+impl Pixel {
+    /// The sum and, of each of the moments, the mean and the squares. Each has as many values as there were passes.
+    fn numbers(&self) -> [f64; 9] {
+        let [red, green, blue] = self.sum.to_array();
+        let moments = [&self.plain, &self.corrected, &self.bias];
+        let [(x, xx), (c, cc), (b, bb)] = moments.map(Moments::mean_and_squares);
+        [red, green, blue, x, xx, c, cc, b, bb]
+    }
+
+    fn of_numbers(numbers: &[f64; 9], passes: u64) -> Self {
+        let [red, green, blue, x, xx, c, cc, b, bb] = *numbers;
+        let moments = |mean, squares| Moments::of(passes, mean, squares);
+        Self {
+            sum: [red, green, blue].into(),
+            plain: moments(x, xx),
+            corrected: moments(c, cc),
+            bias: moments(b, bb),
+        }
+    }
+}
