@@ -15,6 +15,7 @@ use photoncube_render::{
 use self::numbers::{positive, with_negative_values};
 use crate::commands::{VerifyArgs, WavesArgs, family_names, with_method};
 use crate::machines::{ChosenMachineArgs, MachineArgs};
+use crate::narrow::WideArgs;
 use crate::own_program::ProgramArgs;
 use crate::scenes::SceneName;
 
@@ -173,6 +174,8 @@ pub struct RunArgs {
     pub iterations: Option<u64>,
     #[command(flatten)]
     pub waves: WavesArgs,
+    #[command(flatten)]
+    pub wide: WideArgs,
 }
 
 /// The picture's size and quality.
@@ -254,9 +257,9 @@ Examples:
 With --chains: a core of that many leaf machines behind AXI4-Stream and AXI4-Lite, with its
 registers in SystemRDL and the words of its streams in JSON.
 
-With --program: a sequential machine, `paper` where --machine names none, with the microprogram of a
-listing as `photoncube microprogram` prints it. What the schedule checker rejects is not written. The
-machine is named after the file, as paper-program-mine; `verify --program FILE` compares it.
+With --program: a sequential machine, `paper` where --machine names none, with the microprogram of
+a listing as `photoncube microprogram` prints it. What the schedule checker rejects is not written.
+The machine is named after the file, as paper-program-mine; `verify --program FILE` compares it.
 
 A machine of a format of one's own is compiled when it is used for the first time, by cargo and
 from the sources of photoncube. Its name, such as stream-local6x2-rgb4d-n4096, is accepted by
@@ -334,6 +337,8 @@ pub struct ReportArgs {
     /// Seed of all random numbers
     #[arg(long, default_value_t = 1, value_name = "S", value_parser = seed)]
     pub seed: u64,
+    #[command(flatten)]
+    pub wide: WideArgs,
 }
 
 /// `hard-cases`
@@ -350,6 +355,8 @@ pub struct HardCasesArgs {
     /// Only this photon format (see `photoncube list`; any legal name is one) [default: all of them]
     #[arg(long, value_name = "F")]
     pub format: Option<String>,
+    #[command(flatten)]
+    pub wide: WideArgs,
 }
 
 /// `microprogram`

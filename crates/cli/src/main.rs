@@ -14,6 +14,7 @@ mod interrupt;
 mod machines;
 mod measured;
 mod measured_fits;
+mod narrow;
 mod output;
 mod outputs;
 mod own_program;

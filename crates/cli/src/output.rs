@@ -5,6 +5,8 @@ use std::io::{self, ErrorKind, Write};
 use anyhow::Result;
 use serde::Serialize;
 
+use crate::narrow::{WideArgs, narrow};
+
 /// Prints `value` as one JSON object if asked, else the text.
 pub fn print<T: Serialize>(json: bool, value: &T, text: impl FnOnce() -> String) -> Result<()> {
     let text = match json {
@@ -12,6 +14,19 @@ pub fn print<T: Serialize>(json: bool, value: &T, text: impl FnOnce() -> String)
         false => text(),
     };
     write(&text)
+}
+
+/// [`print()`] of a text with tables, which are made to fit a terminal unless they are asked for in full.
+pub fn print_tables<T: Serialize>(
+    json: bool,
+    wide: WideArgs,
+    value: &T,
+    text: impl FnOnce() -> String,
+) -> Result<()> {
+    print(json, value, || match wide.wide {
+        true => text(),
+        false => narrow(&text()),
+    })
 }
 
 /// Writes to standard output. A reader that has closed the pipe, such as `head`, is not an error.

@@ -7,6 +7,7 @@ use photoncube_render::{BenchOptions, FitOptions, MAX_PHOTONS, ViewOptions};
 
 use super::Size;
 use super::numbers::{count, positive, seed};
+use crate::narrow::WideArgs;
 use crate::scenes::SceneName;
 
 /// `fit`
@@ -45,6 +46,8 @@ pub struct FitArgs {
     /// Seed of all random numbers
     #[arg(long, default_value_t = FitOptions::default().bench.seed, value_name = "S", value_parser = seed)]
     pub seed: u64,
+    #[command(flatten)]
+    pub wide: WideArgs,
 }
 
 impl FitArgs {

@@ -5,6 +5,7 @@ use photoncube_render::{Cull, Facings};
 
 use super::PictureArgs;
 use super::numbers::{count, positive};
+use crate::narrow::WideArgs;
 use crate::scenes::SceneName;
 
 /// The most photons of a leaf and engines of a chip: more than any FPGA holds.
@@ -50,6 +51,8 @@ pub struct PlanArgs {
     pub engines: u32,
     #[command(flatten)]
     pub picture: PictureArgs,
+    #[command(flatten)]
+    pub wide: WideArgs,
 }
 
 fn cull(name: &str) -> Result<Cull, String> {

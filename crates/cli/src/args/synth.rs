@@ -9,6 +9,7 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args as ClapArgs, ValueEnum};
 use fpga_flow::{Device, FLOWS, Flow, Placer, Router};
 
+use crate::narrow::WideArgs;
 use crate::project::ABC9_TARGET_PS;
 use crate::synth::DEFAULT_DEVICE;
 use crate::synth::figures::recorded_flows;
@@ -78,6 +79,8 @@ pub struct SynthArgs {
     /// Measure nothing; fail if the files are not about these machines' Verilog, all of it
     #[arg(long, conflicts_with_all = ["update", "flows", "device", "grades", "seeds", "seed", "placer", "router", "jobs", "tools"])]
     pub check: bool,
+    #[command(flatten)]
+    pub wide: WideArgs,
 }
 
 /// A flow, or the clock.

@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use crate::args::CompareArgs;
 use crate::failure::CheckFailed;
+use crate::narrow::narrow;
 use crate::outputs::{self, Output};
 use crate::stages::{Distance, map_of};
 use crate::{files, output};
@@ -39,7 +40,7 @@ pub fn execute(args: &CompareArgs, json: bool) -> Result<()> {
         distance,
         error_map: args.error_map.as_ref().map(|p| p.display().to_string()),
     };
-    output::print(json, &report, || text(&report))?;
+    output::print(json, &report, || narrow(&text(&report)))?;
     match args.max_rel_mse {
         Some(max) if distance.rel_mse > max => Err(CheckFailed(format!(
             "{}: found a relMSE of {:.3e}, expected at most {max:.3e}",

@@ -101,7 +101,7 @@ pub fn execute(args: &FitArgs, json: bool) -> Result<()> {
         report.emitted = project::write(choices.smallest.machine, "--emit", out, scene.files())?;
     }
     report.seconds = start.elapsed().as_secs_f64();
-    output::print(json, &report, || text::text(&report))?;
+    output::print_tables(json, args.wide, &report, || text::text(&report))?;
     match (&fit.chosen, &choices) {
         (None, _) => Err(CheckFailed(fitted::no_format(&options)).into()),
         (Some(chosen), None) => Err(CheckFailed(fitted::no_machine(&chosen.format)).into()),

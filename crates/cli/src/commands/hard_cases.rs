@@ -36,7 +36,7 @@ pub fn execute(args: &HardCasesArgs, json: bool) -> Result<()> {
         failed: failed.iter().map(|case| case.case).collect(),
         cases,
     };
-    output::print(json, &report, || text(&report))?;
+    output::print_tables(json, args.wide, &report, || text(&report))?;
     match message.is_empty() {
         true => Ok(()),
         false => Err(CheckFailed(message.join("\n")).into()),

@@ -99,8 +99,8 @@ fn said(report: &Report, schedule: &ScheduleReport) -> String {
         );
     }
     text += &format!(
-        "Utilisation: units {}, registers {}, both {}: the clocks in which one works, or is read\n\
-         or written, over clocks x number. (The paper's own, 62 %, has no formula.)\n",
+        "Utilisation: units {}, registers {}, both {}: the clocks in which one works, or is\n\
+         read or written, over clocks x number. (The paper's own, 62 %, has no formula.)\n",
         percent(report.unit_utilisation),
         percent(report.register_utilisation),
         percent(report.utilisation)

@@ -111,7 +111,7 @@ pub fn execute(args: &PlanArgs, json: bool) -> Result<()> {
         facings: args.facings.name(),
         schedules,
     };
-    output::print(json, &report, || text(&report))
+    output::print_tables(json, args.wide, &report, || text(&report))
 }
 
 /// The engines of chains, as given; else the usual ones, of which the chip has no longer ones than it has engines.

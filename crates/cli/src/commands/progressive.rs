@@ -17,6 +17,7 @@ use crate::args::{EngineReport, LightingReport, ProgressiveArgs, short};
 use crate::core::CoreReport;
 use crate::failure::CheckFailed;
 use crate::interrupt::Interrupt;
+use crate::narrow::narrow;
 use crate::outputs::{self, Output};
 use crate::plots::{Curve, Reached, convergence_plot};
 use crate::stages::{Distance, write_picture};
@@ -155,7 +156,7 @@ pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
         progress: work.rows,
         quantile: error.map(|error| error.quantile),
     };
-    output::print(json, &report, || text(&report))?;
+    output::print(json, &report, || narrow(&text(&report)))?;
     let (output, all) = (&report.output, args.passes);
     match (end, args.error_target) {
         (End::Interrupted, _) => Err(CheckFailed(format!(

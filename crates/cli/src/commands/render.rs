@@ -8,6 +8,7 @@ use serde::Serialize;
 
 use crate::args::{EngineReport, LightingReport, RenderArgs};
 use crate::core::CoreReport;
+use crate::narrow::narrow;
 use crate::outputs::{self, Output};
 use crate::stages::{picture_lit, trace_scene, view, write_picture};
 use crate::{output, scenes, sight};
@@ -86,7 +87,7 @@ pub fn execute(args: &RenderArgs, json: bool) -> Result<()> {
         seconds: start.elapsed().as_secs_f64(),
         core: chosen.core_report(rendering.stats.estimates),
     };
-    output::print(json, &report, || text(&report))
+    output::print(json, &report, || narrow(&text(&report)))
 }
 
 fn text(report: &Report) -> String {

@@ -74,7 +74,7 @@ pub fn execute(args: &ReportArgs, json: bool) -> Result<()> {
     let measured = measure(args, &scene, &options);
     let report = sight::explained(measured, &scene, &options.view)?;
     paths.write(&report)?;
-    output::print(json, &report, || text::text(&report))
+    output::print_tables(json, args.wide, &report, || text::text(&report))
 }
 
 fn options(args: &ReportArgs) -> BenchOptions {

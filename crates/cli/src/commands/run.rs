@@ -170,7 +170,7 @@ pub fn execute(args: &RunArgs, json: bool) -> Result<()> {
     files::write(&paths.page, about.text()?.as_bytes())?;
     let summary = serde_json::to_string_pretty(&report)? + "\n";
     files::write(&paths.summary, summary.as_bytes())?;
-    output::print(json, &report, || text(&report))?;
+    output::print_tables(json, args.wide, &report, || text(&report))?;
     match report.divergence {
         None => Ok(()),
         Some(divergence) => Err(CheckFailed(divergence).into()),

@@ -131,7 +131,7 @@ fn check(args: &SynthArgs, subjects: &[Subject], json: bool) -> Result<()> {
         not_mapped: figures::without::<figures::AreaRow>(&args.out, subjects)?,
         not_placed: figures::without::<PlaceRow>(&args.out, subjects)?,
     };
-    output::print(json, &report, || {
+    output::print_tables(json, args.wide, &report, || {
         format!(
             "checked the figures of {} machines in {}: {} stale\n\
              without an area: {}\nwithout a clock: {}\n",
@@ -205,7 +205,7 @@ fn measure(args: &SynthArgs, tools: &Tools, subjects: Vec<Subject>, json: bool) 
         device_use,
         files: written.into_iter().flatten().collect(),
     };
-    output::print(json, &report, || text(&report))?;
+    output::print_tables(json, args.wide, &report, || text(&report))?;
     conclusion(&report)
 }
 

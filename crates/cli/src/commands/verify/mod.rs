@@ -30,6 +30,7 @@ use anyhow::Result;
 use clap::{Arg, ArgMatches, Args, Command, FromArgMatches, value_parser};
 
 use crate::failure::CheckFailed;
+use crate::narrow::WideArgs;
 use crate::{output, verified};
 
 use self::core::CoreMethod;
@@ -74,6 +75,7 @@ pub struct VerifyArgs {
     /// The method; `None` for the table of results.
     method: Option<Box<dyn Chosen>>,
     record: Option<PathBuf>,
+    wide: WideArgs,
 }
 
 impl Args for VerifyArgs {
@@ -83,10 +85,11 @@ impl Args for VerifyArgs {
             .value_name("FILE")
             .value_parser(value_parser!(PathBuf))
             .help("Put what was found into this table of results, a JSON file, if the run passes");
-        let methods = METHODS.map(|entry| entry.command().arg(&record));
+        let methods = METHODS.map(|entry| WideArgs::augment_args(entry.command().arg(&record)));
         let table = Command::new(TABLE).about(
             "Print the committed table of results, docs/measured/verification.md; verifies nothing",
         );
+        let table = WideArgs::augment_args(table);
         let examples = METHODS.map(|entry| format!("\n  {}", entry.examples[0]));
         command
             .subcommand_required(true)
@@ -109,17 +112,20 @@ impl Args for VerifyArgs {
 
 impl FromArgMatches for VerifyArgs {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
-        let chosen = matches.subcommand().and_then(|(name, matches)| {
-            let entry = METHODS.iter().find(|entry| entry.name == name)?;
-            Some((entry, matches))
-        });
-        let Some((entry, matches)) = chosen else {
+        let (name, matches) = matches.subcommand().unwrap_or((TABLE, matches));
+        let wide = WideArgs::from_arg_matches(matches)?;
+        let Some(entry) = METHODS.iter().find(|entry| entry.name == name) else {
             let (method, record) = (None, None);
-            return Ok(Self { method, record });
+            return Ok(Self {
+                method,
+                record,
+                wide,
+            });
         };
         Ok(Self {
             method: Some(entry.chosen(matches)?),
             record: matches.get_one("record").cloned(),
+            wide,
         })
     }
 
@@ -132,13 +138,13 @@ impl FromArgMatches for VerifyArgs {
 /// Runs the method, prints its outcome, and records it if it passes.
 pub fn execute(args: &VerifyArgs, json: bool) -> Result<()> {
     let Some(method) = &args.method else {
-        return results(json);
+        return results(json, args.wide);
     };
     if let Some(missing) = method.tools().iter().find_map(|tool| tool.find().err()) {
         return Err(missing.into());
     }
     let outcome = method.run()?;
-    output::print(json, &outcome, || outcome.text())?;
+    output::print_tables(json, args.wide, &outcome, || outcome.text())?;
     outcome.conclusion()?;
     match &args.record {
         Some(path) => verified::record(path, outcome.recorded()),
@@ -148,9 +154,9 @@ pub fn execute(args: &VerifyArgs, json: bool) -> Result<()> {
 
 /// Prints the results about today's Verilog. Fails if there are results about other Verilog, which are not
 /// printed.
-fn results(json: bool) -> Result<()> {
+fn results(json: bool, wide: WideArgs) -> Result<()> {
     let table = verified::committed()?;
-    output::print(json, &table, || verified::table(&table.lines))?;
+    output::print_tables(json, wide, &table, || verified::table(&table.lines))?;
     let stale: BTreeSet<_> = table
         .stale
         .iter()
