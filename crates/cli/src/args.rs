@@ -211,9 +211,8 @@ pub struct ListArgs {
     /// Only this machine or core, with its datasheet
     #[arg(value_name = "MACHINE")]
     pub machine: Option<String>,
-    /// Print every table, however wide
-    #[arg(long, conflicts_with = "machine")]
-    pub wide: bool,
+    #[command(flatten)]
+    pub wide: WideArgs,
 }
 
 /// `datasheet`

@@ -13,7 +13,8 @@ const MOST_LINES: usize = 4;
 /// The characters around a cell: a space before it, a space and a bar after it.
 const AROUND: usize = 3;
 
-/// Whether tables are printed in full.
+// Whether tables are printed in full. A doc comment would replace the description of each method of `verify`, to which
+// the option is added by hand.
 #[derive(Args, Copy, Clone, Debug)]
 pub struct WideArgs {
     /// Print every table in full, however wide, as Markdown
@@ -136,7 +137,9 @@ impl Table {
     }
 
     fn column(&self, index: usize) -> impl Iterator<Item = &str> {
-        self.rows.iter().filter_map(move |row| row.get(index).map(String::as_str))
+        self.rows
+            .iter()
+            .filter_map(move |row| row.get(index).map(String::as_str))
     }
 
     fn natural(&self, column: usize) -> usize {
@@ -159,12 +162,16 @@ impl Table {
         let cells: Vec<_> = (0..columns).map(cells).collect();
         while widths.iter().sum::<usize>() > room {
             let may = (0..columns).filter(|&column| widths[column] > least[column]);
-            let widest = may.max_by_key(|&column| (widths[column] > cells[column], widths[column]))?;
+            let widest =
+                may.max_by_key(|&column| (widths[column] > cells[column], widths[column]))?;
             widths[widest] -= 1;
         }
         let lines = |row: &Vec<String>| {
             let cells = row.iter().zip(&widths);
-            cells.map(|(cell, &width)| broken(cell, width).len()).max().unwrap_or(0)
+            cells
+                .map(|(cell, &width)| broken(cell, width).len())
+                .max()
+                .unwrap_or(0)
         };
         let most = self.rows.iter().map(lines).max().unwrap_or(0);
         (most <= MOST_LINES).then_some(widths)
@@ -173,7 +180,11 @@ impl Table {
 
 /// A row in as many lines as its cells take.
 fn row_text(row: &[String], widths: &[usize]) -> String {
-    let cells: Vec<_> = row.iter().zip(widths).map(|(cell, &width)| broken(cell, width)).collect();
+    let cells: Vec<_> = row
+        .iter()
+        .zip(widths)
+        .map(|(cell, &width)| broken(cell, width))
+        .collect();
     let lines = cells.iter().map(Vec::len).max().unwrap_or(0);
     let line = |index: usize| {
         let parts = cells.iter().zip(widths).map(|(cell, &width)| {
@@ -203,11 +214,20 @@ mod tests {
     fn headers_are_broken_first_and_then_the_widest_cells() {
         let header = ["device", "results compared", "tool"];
         let tool = "one two three four five ".repeat(5);
-        let table = markdown(&header, &[vec!["text".into(), "7".into(), tool.trim().into()]]);
+        let table = markdown(
+            &header,
+            &[vec!["text".into(), "7".into(), tool.trim().into()]],
+        );
         let lines: Vec<_> = narrow(&table).lines().map(str::to_owned).collect();
-        assert!(lines[0].starts_with("| device | results  | tool "), "{lines:?}");
+        assert!(
+            lines[0].starts_with("| device | results  | tool "),
+            "{lines:?}"
+        );
         assert!(lines[1].starts_with("|        | compared |"), "{lines:?}");
-        assert!(lines[3].starts_with("| text   | 7        | one two three"), "{lines:?}");
+        assert!(
+            lines[3].starts_with("| text   | 7        | one two three"),
+            "{lines:?}"
+        );
         assert!(lines[4].starts_with("|        |          | "), "{lines:?}");
         assert_eq!(lines.len(), 5);
     }
@@ -220,7 +240,10 @@ mod tests {
         let columns = text.lines().next().unwrap().matches("column").count();
         assert!((6..12).contains(&columns), "{text}");
         let expected = format!("Left out: column{columns}, ");
-        assert!(text.contains(&expected) && text.ends_with("--wide prints all columns.\n"), "{text}");
+        assert!(
+            text.contains(&expected) && text.ends_with("--wide prints all columns.\n"),
+            "{text}"
+        );
     }
 
     #[test]

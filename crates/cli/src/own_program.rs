@@ -79,7 +79,7 @@ fn programmed(machine: &'static Machine, path: &Path) -> Result<&'static Machine
         )
     })?;
     let label = label(path);
-    let name = format!("{}-program-{label}", machine.name);
+    let name = format!("{}{}{label}", machine.name, Machine::WITH_PROGRAM);
     if find_machine(&name).is_ok() {
         bail!(
             "--program: there is a machine `{name}` already; rename {}",

@@ -347,7 +347,7 @@ mod tests {
         assert!(
             docs.ends_with(&table),
             "docs/measured/verification.md has other results than docs/measured/verification.json: put what \
-             `photoncube verify table` prints in place of its sections"
+             `photoncube verify table --wide` prints in place of its sections"
         );
         let sections = |text: &str| text.lines().filter(|line| line.starts_with("## ")).count();
         assert_eq!(sections(docs), sections(&table));

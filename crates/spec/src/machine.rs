@@ -51,6 +51,9 @@ impl Machine {
         }
     }
 
+    /// Parts the machine's own name from that of a user's program, in the name of a machine that runs it.
+    pub const WITH_PROGRAM: &str = "-program-";
+
     /// The sequential machine whose control store has this program in place of the machine's own.
     pub fn with_program(&self, program: OwnProgram) -> Self {
         Self {

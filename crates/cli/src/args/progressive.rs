@@ -29,8 +29,8 @@ pixel's luminance, is not above it. See docs/accuracy.md for how many bounds hol
 not.
 
 Ctrl-C ends the run after the pass that is under way, and writes the picture of the passes so far.
---resume needs the options of the run that began the picture: those of the passes, the engine and the
-light. --passes, --error-target, --confidence and the files may be others.")]
+--resume needs the options of the run that began the picture: those of the passes, the engine and
+the light. --passes, --error-target, --confidence and the files may be others.")]
 pub struct ProgressiveArgs {
     /// A built-in scene (see `photoncube list`) or a scene file, TOML (see docs/scenes.md) or JSON
     pub scene: SceneName,

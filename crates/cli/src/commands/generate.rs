@@ -14,6 +14,7 @@ use crate::args::GenerateArgs;
 use crate::digests::{self, ByMachine};
 use crate::failure::CheckFailed;
 use crate::machines::{self, MachineArgs};
+use crate::narrow::narrow;
 use crate::project::{self, ProjectFile};
 use crate::{files, output, outputs};
 
@@ -129,7 +130,7 @@ fn finish(
         by_digest,
         stale: stale.lines(),
     };
-    output::print(json, &report, || text(&report))?;
+    output::print(json, &report, || narrow(&text(&report)))?;
     match stale.message(&args.out, report.files.len()) {
         None => Ok(()),
         Some(message) => Err(CheckFailed(message).into()),

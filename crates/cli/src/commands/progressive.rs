@@ -115,7 +115,10 @@ pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
         );
     }
     let progressive = Progressive::new(&scene, engine, lighting, view, options)?;
-    let settings = kept::settings(args, &scene, engine, &lighting);
+    let keeper = args.state.clone().map(|path| {
+        let settings = kept::settings(args, &scene, engine, &lighting);
+        Keeper::new(path, settings)
+    });
     let mut work = Work {
         args,
         progressive,
@@ -124,7 +127,7 @@ pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
         seconds_before: 0.0,
         rows: Vec::new(),
         files: Vec::new(),
-        keeper: args.state.clone().map(|path| Keeper::new(path, settings)),
+        keeper,
     };
     work.resume()?;
     let before = work.progressive.stats().estimates;

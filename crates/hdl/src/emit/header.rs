@@ -97,9 +97,11 @@ fn first_lines(about: &str, machine: &Machine) -> String {
 
 /// The command that writes the machine's files. FILE is the listing of a user's program, which the header has.
 pub fn generate_command(machine: &Machine) -> String {
+    let parts = machine.name.split_once(Machine::WITH_PROGRAM);
+    let base = parts.map_or(machine.name, |(base, _)| base);
     match runs_own_program(machine) {
-        true => "photoncube generate --program FILE".to_owned(),
-        false => format!("photoncube generate --machine {}", machine.name),
+        true => format!("photoncube generate --machine {base} --program FILE"),
+        false => format!("photoncube generate --machine {base}"),
     }
 }
 
@@ -208,7 +210,10 @@ mod tests {
     fn a_program_of_the_users_own_is_in_the_header() {
         let paper = find_machine("paper").unwrap();
         let program = paper.microprogram().unwrap();
-        let own = paper.with_program(OwnProgram::new(&program).unwrap());
+        let own = Machine {
+            name: "paper-program-mine",
+            ..paper.with_program(OwnProgram::new(&program).unwrap())
+        };
         let text = header(&own, Level::Machine);
         let listing: String = text
             .lines()
@@ -216,10 +221,8 @@ mod tests {
             .collect();
         let listing = listing.split("The microprogram:\n").nth(1).unwrap();
         assert_eq!(parse_listing(listing), Ok(program));
-        assert!(
-            text.contains("`photoncube generate --program FILE`"),
-            "{text}"
-        );
+        let command = "`photoncube generate --machine paper --program FILE`";
+        assert!(text.contains(command), "{text}");
     }
 
     #[test]

@@ -12,36 +12,45 @@ use crate::hypercube::Role;
 /// A column of the listing.
 struct Column {
     title: &'static str,
+    /// The characters of its longest entry, or of its title; 0 for the last column.
+    width: usize,
     shows: fn(Op) -> bool,
 }
 
 const COLUMNS: &[Column] = &[
     Column {
         title: "photon",
+        width: 6,
         shows: |op| op == Op::LoadPhoton,
     },
     Column {
         title: "square",
+        width: 6,
         shows: |op| op == Op::SquareDifference,
     },
     Column {
         title: "gate",
+        width: 6,
         shows: |op| op == Op::Compare,
     },
     Column {
         title: "operand",
+        width: 8,
         shows: |op| matches!(op, Op::Receive | Op::Gate),
     },
     Column {
         title: "adder",
+        width: 6,
         shows: |op| matches!(op, Op::Add | Op::Accumulate),
     },
     Column {
         title: "distance",
+        width: 9,
         shows: |op| matches!(op, Op::Keep | Op::Relay),
     },
     Column {
         title: "power: word of the queue, and whose",
+        width: 0,
         shows: |op| matches!(op, Op::LoadPower | Op::MovePower(_)),
     },
 ];
@@ -111,7 +120,9 @@ fn line(
     role: &str,
     cells: impl Iterator<Item = String>,
 ) -> fmt::Result {
-    let cells: String = cells.map(|cell| format!("{cell:<10}")).collect();
+    let cells = COLUMNS.iter().zip(cells);
+    let cell = |(column, cell): (&Column, String)| format!("{cell:<0$} ", column.width);
+    let cells: String = cells.map(cell).collect();
     let text = format!("{clock:>5}  {role:<5} {cells}");
     writeln!(f, "{}", text.trim_end())
 }

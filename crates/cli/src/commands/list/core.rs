@@ -8,6 +8,7 @@ use serde::Serialize;
 use super::datasheet::{LimitationRow, PortRow, area_and_fmax, limitations};
 use crate::commands::datasheet::{CORE, CORE_PROTOCOL, CORE_VERIFIED, core_facts, core_ports};
 use crate::cores;
+use crate::narrow::WideArgs;
 use crate::output;
 use crate::synth::clock::Clock;
 use crate::synth::figures::AreaRow;
@@ -43,9 +44,9 @@ pub fn named(name: &str) -> Option<Result<Core>> {
 }
 
 /// Prints a core's datasheet.
-pub fn print(core: &Core, json: bool) -> Result<()> {
+pub fn print(core: &Core, wide: WideArgs, json: bool) -> Result<()> {
     let sheet = sheet(core)?;
-    output::print(json, &sheet, || text(&sheet, core))
+    output::print_tables(json, wide, &sheet, || text(&sheet, core))
 }
 
 fn sheet(core: &Core) -> Result<CoreSheet> {

@@ -8,6 +8,7 @@ use serde::Serialize;
 
 use super::{MachineRow, machine_row};
 use crate::commands::Family;
+use crate::narrow::WideArgs;
 use crate::output;
 use crate::synth::clock::Clock;
 use crate::synth::figures::AreaRow;
@@ -76,9 +77,9 @@ impl From<Limitation> for LimitationRow {
 }
 
 /// Prints a machine's datasheet.
-pub fn print(machine: &Machine, json: bool) -> Result<()> {
+pub fn print(machine: &Machine, wide: WideArgs, json: bool) -> Result<()> {
     let sheet = datasheet(machine)?;
-    output::print(json, &sheet, || text(&sheet, machine))
+    output::print_tables(json, wide, &sheet, || text(&sheet, machine))
 }
 
 fn datasheet(machine: &Machine) -> Result<Datasheet> {

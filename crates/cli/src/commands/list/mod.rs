@@ -96,13 +96,13 @@ pub struct MachineRow {
 pub fn execute(args: &ListArgs, json: bool) -> Result<()> {
     if let Some(name) = &args.machine {
         return match self::core::named(name) {
-            Some(core) => self::core::print(&core?, json),
-            None => datasheet::print(find_machine(name)?, json),
+            Some(core) => self::core::print(&core?, args.wide, json),
+            None => datasheet::print(find_machine(name)?, args.wide, json),
         };
     }
     let report = report()?;
     let fmax_source = measured::fmax_source()?;
-    output::print(json, &report, || match args.wide {
+    output::print(json, &report, || match args.wide.wide {
         true => text::wide(&report, &fmax_source),
         false => text::narrow(&report, &fmax_source),
     })?;

@@ -6,6 +6,7 @@ use photoncube_spec::{Machine, OVERLAPPED, UnitUse};
 use serde::Serialize;
 
 use crate::failure::CheckFailed;
+use crate::narrow::narrow;
 use crate::output;
 
 #[derive(Serialize)]
@@ -37,7 +38,7 @@ struct UnitRow {
 /// Prints the machine's program and the checker's verdict.
 pub fn execute(machine: &'static Machine, json: bool) -> Result<()> {
     let report = report(machine);
-    output::print(json, &report, || text(&report))?;
+    output::print(json, &report, || narrow(&text(&report)))?;
     if report.accepted {
         return Ok(());
     }

@@ -4,6 +4,7 @@ use anyhow::Result;
 use photoncube_spec::{EngineUnits, Machine, Spatial};
 use serde::Serialize;
 
+use crate::narrow::narrow;
 use crate::{output, table};
 
 #[derive(Serialize)]
@@ -35,7 +36,7 @@ struct Step {
 /// Prints the steps of a group through the machine.
 pub fn execute(machine: &'static Machine, spatial: &Spatial, json: bool) -> Result<()> {
     let report = report(machine, spatial);
-    output::print(json, &report, || text(&report))
+    output::print(json, &report, || narrow(&text(&report)))
 }
 
 fn report(machine: &'static Machine, spatial: &Spatial) -> Report {
