@@ -152,19 +152,22 @@ impl Table {
         words.map(|word| width(&word)).max().unwrap_or(0)
     }
 
-    /// Widths with which the first columns fit; `None` where they do not, or where a row would take too many lines.
+    /// Widths with which the first columns fit; `None` where they do not. The header is broken first, and then the cells of the
+    /// widest column, because a table with many broken cells is hard to read.
     fn widths(&self, columns: usize) -> Option<Vec<usize>> {
-        let least: Vec<_> = (0..columns).map(|column| self.least(column)).collect();
         let mut widths: Vec<_> = (0..columns).map(|column| self.natural(column)).collect();
+        let cells: Vec<_> = (0..columns).map(|column| self.cells(column)).collect();
+        let widest = (0..columns).max_by_key(|&column| cells[column])?;
+        let least = |column: usize| match column == widest {
+            true => self.least(column),
+            false => self.least(column).max(cells[column]),
+        };
+        let least: Vec<_> = (0..columns).map(least).collect();
         let room = COLUMNS - 1 - AROUND * columns.min(COLUMNS / AROUND - 1);
-        // A header is broken before a cell is, and a wide column before a narrow one.
-        let cells = |column: usize| self.column(column).skip(1).map(width).max().unwrap_or(0);
-        let cells: Vec<_> = (0..columns).map(cells).collect();
         while widths.iter().sum::<usize>() > room {
             let may = (0..columns).filter(|&column| widths[column] > least[column]);
-            let widest =
-                may.max_by_key(|&column| (widths[column] > cells[column], widths[column]))?;
-            widths[widest] -= 1;
+            let next = may.max_by_key(|&column| (widths[column] > cells[column], widths[column]));
+            widths[next?] -= 1;
         }
         let lines = |row: &Vec<String>| {
             let cells = row.iter().zip(&widths);
@@ -175,6 +178,11 @@ impl Table {
         };
         let most = self.rows.iter().map(lines).max().unwrap_or(0);
         (most <= MOST_LINES).then_some(widths)
+    }
+
+    /// The width of the longest cell of a column below its header.
+    fn cells(&self, column: usize) -> usize {
+        self.column(column).skip(1).map(width).max().unwrap_or(0)
     }
 }
 

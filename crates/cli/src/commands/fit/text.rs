@@ -72,11 +72,11 @@ fn trials(report: &Report) -> String {
         "format",
         "bits/photon",
         "predicted",
+        "measured",
+        "95 % interval",
         "positions",
         "powers",
         "even light",
-        "measured",
-        "95 % interval",
         "worst in",
         "luminance",
     ];
@@ -102,14 +102,14 @@ fn cells(what: String, row: &FormatRow) -> Vec<String> {
         row.format.clone(),
         row.bits_per_photon.to_string(),
         figure(prediction.error_over_noise),
-        figure(prediction.position_error_over_noise),
-        figure(prediction.power_error_over_noise),
-        figure(prediction.law_error_over_noise),
         figure(measurement.error_over_noise),
         format!(
             "{:.4} to {:.4}",
             measurement.error_over_noise_low, measurement.error_over_noise_high
         ),
+        figure(prediction.position_error_over_noise),
+        figure(prediction.power_error_over_noise),
+        figure(prediction.law_error_over_noise),
         measurement.measure.name().to_owned(),
         figure(measurement.luminance_error_over_noise),
     ]
@@ -141,14 +141,14 @@ fn comparison(rows: &[Compared]) -> String {
         "format",
         "bits/photon",
         "saved",
+        "area",
+        "clocks",
+        "Fmax",
+        "FF",
         "radius",
         "power",
         "work",
         "sum",
-        "area",
-        "FF",
-        "Fmax",
-        "clocks",
     ];
     let unknown = || "not measured".to_owned();
     let row = |row: &Compared| {
@@ -157,19 +157,19 @@ fn comparison(rows: &[Compared]) -> String {
             row.format.clone().unwrap_or_else(|| "plain".to_owned()),
             row.bits_per_photon.to_string(),
             row.bits_per_photon_saved.to_string(),
-            row.radius_bits.to_string(),
-            row.power_bits.to_string(),
-            row.work_bits.to_string(),
-            row.sum_bits.to_string(),
             row.lut4_equivalents
                 .map_or_else(unknown, |area| area.to_string()),
-            row.ff.map_or_else(unknown, |ff| ff.to_string()),
-            row.fmax_mhz
-                .map_or_else(unknown, |fmax| format!("{fmax:.0} MHz")),
             format!(
                 "{} for {} photons",
                 row.initiation_interval, row.photons_per_iteration
             ),
+            row.fmax_mhz
+                .map_or_else(unknown, |fmax| format!("{fmax:.0} MHz")),
+            row.ff.map_or_else(unknown, |ff| ff.to_string()),
+            row.radius_bits.to_string(),
+            row.power_bits.to_string(),
+            row.work_bits.to_string(),
+            row.sum_bits.to_string(),
         ]
     };
     table::markdown(&header, &rows.iter().map(row).collect::<Vec<_>>())
