@@ -22,6 +22,7 @@
 
 mod board;
 mod build;
+pub mod cache;
 mod core;
 mod defaults;
 mod emit;

@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use photoncube_hdl::Emitted;
-use photoncube_hdl::generator::user_cache;
+use photoncube_hdl::cache::user_cache;
 use tempfile::TempDir;
 
 use super::packing::Packing;

@@ -5,24 +5,17 @@
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::io;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::{Mutex, PoisonError};
 
 use photoncube_spec::Machine;
-use sha2::{Digest, Sha256};
 
 use super::{GeneratorError, Step, cargo, package};
+use crate::cache::{Files, cache, digest, failed, unpacked, write};
 
-/// The folders of the project that a generator is built from, and the versions of all other crates.
-const SOURCES: [&str; 6] = [
-    "crates/hdl",
-    "crates/rust-hdl-lint",
-    "crates/spec",
-    "crates/svg",
-    "crates/verilog-eval",
-    "Cargo.lock",
-];
+/// The sources that a generator is built from: paths from the project's root, and the texts. They are those that this
+/// program was built from, wherever its clone is now.
+const SOURCES: &Files = &include!(concat!(env!("OUT_DIR"), "/sources.rs"));
 
 /// The generators that this process has used. The sources are not expected to change while it runs.
 static FOUND: Mutex<BTreeMap<&'static str, PathBuf>> = Mutex::new(BTreeMap::new());
@@ -37,19 +30,19 @@ pub(super) fn program(
     if let Some(program) = found.get(machine.name) {
         return Ok(program.clone());
     }
-    let sources = sources(machine)?;
     let text = package::program(machine);
-    let digest = digest(&sources, &text)?;
-    let cache = user_cache().unwrap_or_else(std::env::temp_dir);
-    let cache = cache.join("photoncube/generators");
+    let of_sources = digest(SOURCES);
+    let digest = digest(&[("", of_sources.as_bytes()), ("", text.as_bytes())]);
+    let cache = cache("generators");
     let program = cache.join(&digest);
     if !program.is_file() {
+        let sources = unpacked(&cache.join("sources"), SOURCES)?;
         let folder =
             tempfile::tempdir().map_err(failed("make a folder in", &std::env::temp_dir()))?;
         let folder = folder.path();
         let manifest = package::manifest(&sources, &digest);
-        write(&folder.join("Cargo.toml"), &manifest)?;
-        write(&folder.join("src/main.rs"), &text)?;
+        write(&folder.join("Cargo.toml"), manifest.as_bytes())?;
+        write(&folder.join("src/main.rs"), text.as_bytes())?;
         let lock = sources.join("Cargo.lock");
         fs::copy(&lock, folder.join("Cargo.lock")).map_err(failed("copy", &lock))?;
         let built = cargo::build(machine.name, folder, &cache.join("target"), progress)?;
@@ -65,76 +58,29 @@ pub(super) fn program(
     Ok(program)
 }
 
-/// The folder of the project's sources: that of PHOTONCUBE_SOURCES, or where this crate was compiled.
-fn sources(machine: &'static Machine) -> Result<PathBuf, GeneratorError> {
-    let compiled = || Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
-    let folder = std::env::var_os("PHOTONCUBE_SOURCES").map_or_else(compiled, PathBuf::from);
-    let is_there = SOURCES.iter().all(|source| folder.join(source).exists());
-    match folder.canonicalize().ok().filter(|_| is_there) {
-        Some(folder) => Ok(folder),
-        None => Err(GeneratorError::NoSources {
-            machine: machine.name,
-            path: folder.display().to_string(),
-        }),
-    }
-}
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
 
-/// SHA-256 of this text and of all files of [`SOURCES`] with their paths, in hexadecimal digits.
-fn digest(sources: &Path, text: &str) -> Result<String, GeneratorError> {
-    let mut files = Vec::new();
-    for source in SOURCES {
-        collect(&sources.join(source), &mut files)?;
-    }
-    files.sort();
-    let mut hasher = Sha256::new();
-    let mut update = |bytes: &[u8]| {
-        hasher.update((bytes.len() as u64).to_le_bytes());
-        hasher.update(bytes);
-    };
-    update(text.as_bytes());
-    for file in files {
-        update(file.as_os_str().as_encoded_bytes());
-        update(&fs::read(&file).map_err(failed("read", &file))?);
-    }
-    Ok(hasher
-        .finalize()
-        .iter()
-        .map(|byte| format!("{byte:02x}"))
-        .collect())
-}
+    use super::*;
 
-/// The file, or all files below the folder.
-fn collect(path: &Path, files: &mut Vec<PathBuf>) -> Result<(), GeneratorError> {
-    if path.is_file() {
-        files.push(path.to_owned());
-        return Ok(());
+    #[test]
+    fn the_sources_are_todays_without_tests() {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+        for (path, text) in SOURCES {
+            assert_eq!(*text, fs::read(root.join(path)).unwrap(), "{path}");
+            assert!(!path.contains("/tests/"), "{path}");
+        }
+        for expected in [
+            "Cargo.lock",
+            "Cargo.toml",
+            "crates/hdl/build.rs",
+            "crates/hdl/src/generator/cache.rs",
+            "crates/hdl/src/core/registers.v",
+            "crates/spec/src/lib.rs",
+            "crates/svg/Cargo.toml",
+        ] {
+            assert!(SOURCES.iter().any(|(path, _)| *path == expected));
+        }
     }
-    for entry in fs::read_dir(path).map_err(failed("read", path))? {
-        collect(&entry.map_err(failed("read", path))?.path(), files)?;
-    }
-    Ok(())
-}
-
-fn write(path: &Path, text: &str) -> Result<(), GeneratorError> {
-    let folder = path.parent().unwrap_or(path);
-    fs::create_dir_all(folder).map_err(failed("make", folder))?;
-    fs::write(path, text).map_err(failed("write", path))
-}
-
-fn failed(action: &'static str, path: &Path) -> impl Fn(io::Error) -> GeneratorError {
-    let path = path.display().to_string();
-    move |error| GeneratorError::File {
-        action,
-        path: path.clone(),
-        reason: error.to_string(),
-    }
-}
-
-/// The user's cache folder, by the XDG rules; `None` where there is none.
-pub fn user_cache() -> Option<PathBuf> {
-    let folder = |name| std::env::var_os(name).map(PathBuf::from);
-    let absolute = |path: &PathBuf| path.is_absolute();
-    folder("XDG_CACHE_HOME")
-        .filter(absolute)
-        .or_else(|| Some(folder("HOME").filter(absolute)?.join(".cache")))
 }

@@ -20,6 +20,7 @@ use serde::de::DeserializeOwned;
 use thiserror::Error;
 
 use crate::build::NotBuiltIn;
+use crate::cache::CacheError;
 use crate::emit::{Emitted, Linted};
 use crate::level::Level;
 use crate::pinned::with_registers;
@@ -28,7 +29,6 @@ use protocol::{Design, EMIT, LINT, SIMULATE};
 pub use crate::build::{sequential, spatial};
 pub use crate::leaf::leaf;
 pub use crate::pinned::MachineBlock;
-pub use cache::user_cache;
 pub use serve::serve;
 
 /// Builds the block of a machine at a level; `None` where the machine has no such level.
@@ -40,17 +40,6 @@ pub enum GeneratorError {
     /// The machine is neither compiled in nor a custom machine.
     #[error(transparent)]
     NotBuiltIn(#[from] NotBuiltIn),
-    /// The sources of this crate are not where they were when this program was built.
-    #[error(
-        "machine `{machine}` needs a generator, which is built from the sources of photoncube: found none in {path}; set \
-         PHOTONCUBE_SOURCES to a clone of the project"
-    )]
-    NoSources {
-        /// The name of the machine.
-        machine: &'static str,
-        /// The folder in which the sources were expected.
-        path: String,
-    },
     /// cargo could not be started.
     #[error(
         "machine `{machine}` needs a generator, which cargo builds: cannot start {cargo}: {reason}; install Rust by rustup, \
@@ -75,15 +64,8 @@ pub enum GeneratorError {
         said: String,
     },
     /// A file of the cache cannot be read or written.
-    #[error("cannot {action} {path}: {reason}")]
-    File {
-        /// The action that failed.
-        action: &'static str,
-        /// The path of the file or folder.
-        path: String,
-        /// The error of the operating system.
-        reason: String,
-    },
+    #[error(transparent)]
+    Cache(#[from] CacheError),
     /// The generator ran and ended with an error.
     #[error("the generator of machine `{machine}` failed: {said}")]
     Failed {
