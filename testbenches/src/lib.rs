@@ -30,6 +30,7 @@ mod formal;
 mod levels;
 mod mutants;
 mod programs;
+mod setup;
 mod squares;
 mod stimulus;
 mod tools;
@@ -73,7 +74,8 @@ pub use programs::{
     DrawnProgram, MOST_PROGRAM_ITERATIONS, Open, ProgramClass, ProgramFailure, ProgramOptions,
     ProgramVerdict, ProgramsError, draw_program, program_control, programmed, verify_programs,
 };
+pub use setup::{pinned_tools, setup_script};
 pub use stimulus::{Block, Pressure, Protocol, Source, StimulusError, chunk_seed, generate};
-pub use tools::{MissingTool, Tool, ToolError, pinned_tools};
+pub use tools::{MissingTool, Tool, ToolError};
 pub use verify::{Verdict, VerifyError, VerifyOptions, verify, verify_device, verify_recorded};
 pub use waves::{NS_PER_CLOCK, Recorder, WaveFiles, Waves};

@@ -9,6 +9,8 @@ use std::sync::OnceLock;
 use fpga_flow::Yosys;
 use thiserror::Error;
 
+use crate::setup::pinned_tools;
+
 /// An external program that some device needs.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Tool {
@@ -195,25 +197,6 @@ impl From<fpga_flow::ToolError> for ToolError {
             },
         }
     }
-}
-
-/// The script with the pinned versions of the tools, from the project's root.
-const SETUP: &str = "scripts/setup.sh";
-
-/// The folder of the tools of pinned versions that `scripts/setup.sh` of this project has installed; `None`
-/// where there are none, or where the current folder is not in the project. It is looked up once.
-pub fn pinned_tools() -> Option<&'static Path> {
-    static FOLDER: OnceLock<Option<PathBuf>> = OnceLock::new();
-    let folder = || {
-        let here = env::current_dir().ok()?;
-        let mut scripts = here.ancestors().map(|folder| folder.join(SETUP));
-        let script = scripts.find(|script| script.is_file())?;
-        let output = output(Command::new(script).arg("--where")).ok()?;
-        let said = String::from_utf8_lossy(&output.stdout).into_owned();
-        let folder = said.lines().last().map(PathBuf::from);
-        folder.filter(|_| output.status.success())
-    };
-    FOLDER.get_or_init(folder).as_deref()
 }
 
 /// The path of a program on the PATH; `None` where it is missing.

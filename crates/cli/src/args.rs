@@ -131,6 +131,8 @@ pub enum Command {
     Board(BoardArgs),
     /// Print a microprogram: listing by clock, utilisation, and the schedule checker's verdict
     Microprogram(MicroprogramArgs),
+    /// Install the simulators, Yosys and what places and routes, each in its pinned version
+    Setup(SetupArgs),
     /// Print the completions for a shell
     Completions {
         /// The shell
@@ -356,6 +358,33 @@ pub struct HardCasesArgs {
     pub format: Option<String>,
     #[command(flatten)]
     pub wide: WideArgs,
+}
+
+/// `setup`
+#[derive(ClapArgs, Debug)]
+#[command(after_help = "\
+Examples:
+  photoncube setup                 simulators, Yosys, and what checks cores
+  photoncube setup --synthesis     also nextpnr, for `synth` and `board`
+  photoncube setup --where         the folder of the programs from PyPI; installs nothing
+
+From the distribution, which must be Debian 12 or have its versions: Icarus Verilog, Verilator,
+Yosys, g++, make, Python. From PyPI, in environments of their own in the user's cache: Yosys,
+pyslang, cocotb, PeakRDL, FuseSoC, LiteX, mdBook. What is there is not changed. This is
+`scripts/setup.sh` of the project, which has more options.")]
+pub struct SetupArgs {
+    /// Also what places and routes: nextpnr for ECP5 and iCE40
+    #[arg(long)]
+    pub synthesis: bool,
+    /// Also ccache, which shortens repeated Verilator builds
+    #[arg(long)]
+    pub ccache: bool,
+    /// Only mdBook; this needs Python 3 with venv, and no Debian
+    #[arg(long, conflicts_with_all = ["synthesis", "ccache"])]
+    pub book: bool,
+    /// Install nothing: print the folder of the programs, or fail if they are not there
+    #[arg(long = "where", conflicts_with_all = ["synthesis", "ccache"])]
+    pub place: bool,
 }
 
 /// `microprogram`

@@ -84,7 +84,7 @@ fn broken(text: &str, most: usize) -> Vec<String> {
 /// The words of a text. A number stays with its `%`, and a command between backquotes stays in one line.
 fn words(text: &str) -> Vec<String> {
     let mut words: Vec<String> = Vec::new();
-    let has_commands = text.matches('`').count() % 2 == 0;
+    let has_commands = text.matches('`').count().is_multiple_of(2);
     let mut is_command = false;
     for word in text.split(' ') {
         match words.last_mut() {

@@ -25,9 +25,9 @@ pub const DEFAULT_GRADES: [u32; 2] = [6, 8];
 pub const TARGET_MHZ: u32 = 400;
 
 /// The command that installs the tools.
-pub const INSTALL: &str = "scripts/setup.sh --synthesis";
+pub const INSTALL: &str = "photoncube setup --synthesis";
 
-/// Finds Yosys, and the nextpnr of a family, in a folder, or else where `scripts/setup.sh --synthesis` has
+/// Finds Yosys, and the nextpnr of a family, in a folder, or else where `photoncube setup --synthesis` has
 /// installed them.
 ///
 /// # Errors
@@ -36,7 +36,7 @@ pub fn tools(folder: Option<&Path>, places_in: Option<&Family>) -> Result<Tools>
     let installed = pinned_tools();
     let Some(folder) = folder.or(installed) else {
         bail!(
-            "found no tools of `scripts/setup.sh --where`; `{INSTALL}` installs them, --tools names a folder"
+            "found no tools of `photoncube setup --where`; `{INSTALL}` installs them, --tools names a folder"
         );
     };
     Tools::find(Some(folder), places_in).map_err(|error| match error {

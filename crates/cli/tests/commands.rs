@@ -14,6 +14,7 @@ mod placed;
 mod reports;
 mod robustness;
 mod scenes;
+mod setup;
 mod shared;
 mod usage;
 
@@ -432,6 +433,7 @@ fn completions_and_manual_pages_name_every_command() {
         "verify",
         "render",
         "synth",
+        "setup",
         "microprogram",
     ];
     let output = photoncube(&["completions", "bash"]).assert().success();

@@ -107,7 +107,7 @@ fn bad_usage_ends_2_says_what_was_expected_and_writes_nothing() {
         (&["--device", "up5k", "--grade", "6"], "has only one"),
         (&["--check", "--update"], "cannot be used with"),
         (&["--check", "--out", missing], "no folder"),
-        (&["--tools", out], "scripts/setup.sh --synthesis"),
+        (&["--tools", out], "photoncube setup --synthesis"),
     ];
     for (args, expected) in cases {
         let args = match args.contains(&"--out") {

@@ -67,7 +67,7 @@ Examples:
 Yosys maps the core, nextpnr places and routes it in the package CABGA381 at speed grade 6, ecppack
 writes the bitstream; minutes for a small core. A core that the FPGA cannot hold, or that does not
 reach the clock, ends with exit code 1, and no bitstream is written.
-`scripts/setup.sh --synthesis` installs the tools.")]
+`photoncube setup --synthesis` installs the tools.")]
 pub struct Ulx3sArgs {
     #[command(flatten)]
     pub on_board: OnBoardArgs,
@@ -91,7 +91,7 @@ pub struct Ulx3sArgs {
         conflicts_with = "no_build"
     )]
     pub seed: u32,
-    /// The folder of the tools [default: where `scripts/setup.sh --synthesis` installed them]
+    /// The folder of the tools [default: where `photoncube setup --synthesis` installed them]
     #[arg(long, value_name = "DIR", conflicts_with = "no_build")]
     pub tools: Option<PathBuf>,
 }

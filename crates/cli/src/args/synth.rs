@@ -29,7 +29,7 @@ Yosys maps each machine in every flow; nextpnr places and routes it on an FPGA, 
 that gives each port a register, with DSP blocks only where the machine's squarer is a product. About
 5 s for each machine and flow, and half a minute for each machine, speed grade and seed; more where
 machines are larger. A machine that the FPGA cannot hold ends with exit code 1, with what is lacking.
-`scripts/setup.sh --synthesis` installs the tools.")]
+`photoncube setup --synthesis` installs the tools.")]
 pub struct SynthArgs {
     /// Only this machine; can be given several times [default: all]
     #[arg(long = "machine", value_name = "M")]
@@ -67,7 +67,7 @@ pub struct SynthArgs {
     /// Runs at the same time [default: one for each core]
     #[arg(long, value_name = "N")]
     pub jobs: Option<NonZeroUsize>,
-    /// The folder of the tools [default: where `scripts/setup.sh --synthesis` installed them]
+    /// The folder of the tools [default: where `photoncube setup --synthesis` installed them]
     #[arg(long, value_name = "DIR")]
     pub tools: Option<PathBuf>,
     /// The folder of synthesis.json and place.json

@@ -13,6 +13,7 @@ mod progressive;
 mod render;
 mod report;
 mod run;
+mod setup;
 mod synth;
 mod verify;
 
@@ -49,6 +50,7 @@ pub fn execute(args: Args) -> Result<()> {
         Command::Synth(options) => synth::execute(&options, json),
         Command::Board(options) => board::execute(&options, json),
         Command::Microprogram(options) => microprogram::execute(&options, json),
+        Command::Setup(options) => setup::execute(&options, json),
         Command::Completions { shell } => completions(shell),
         Command::Man { out } => manual(&out),
     }

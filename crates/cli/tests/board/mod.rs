@@ -44,7 +44,7 @@ fn what_a_board_cannot_do_is_refused() {
     assert!(said.contains("47 MHz, expected one of ["), "{said}");
     let said = error(&[&ulx3s[..], &["--tools", out]].concat(), 2);
     assert!(
-        said.contains("`scripts/setup.sh --synthesis` installs it"),
+        said.contains("`photoncube setup --synthesis` installs it"),
         "{said}"
     );
     assert_eq!(fs::read_dir(out).unwrap().count(), 0);

@@ -123,10 +123,7 @@ fn a_key_is_explained_once_and_no_line_is_wider_than_the_page() {
 
 /// The keys of methods that need Verilator, Icarus or Yosys. Each must end with `code`.
 pub fn of_a_method_with_tools(args: &[&str], code: i32) {
-    // `verify placed` asks `scripts/setup.sh` where its tools are.
-    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
-    let mut command = photoncube(args);
-    let output = command.arg("--json").current_dir(root).assert().code(code);
+    let output = photoncube(args).arg("--json").assert().code(code);
     let report = serde_json::from_slice(&output.get_output().stdout).unwrap();
     are_explained(args[0], &report);
 }

@@ -70,7 +70,7 @@ impl Method for Placed {
     const NAME: &'static str = "placed";
     const ABOUT: &'static str = "Map the machine as `synth` does for an ECP5, prove the passes over its netlist, and simulate \
         the netlist as Yosys makes it and after each pass, with models of its cells; the last is what is placed. Needs \
-        Yosys of scripts/setup.sh --synthesis";
+        Yosys of `photoncube setup`";
     const EXAMPLES: &'static [&'static str] = &["photoncube verify placed --machine stream"];
 
     fn tools(&self) -> Vec<Tool> {
