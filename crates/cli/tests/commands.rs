@@ -470,6 +470,7 @@ fn help_has_examples() {
         "report",
         "hard-cases",
         "synth",
+        "setup",
         "board",
         "board ulx3s",
         "board simulate",
