@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // core-3-leaf-5-local7-rgb6d-n64: 3 chains behind AXI4-Stream and AXI4-Lite; each is the machine
 // leaf-5-local7-rgb6d-n64: 2 engines in a chain behind a memory of leaves, the photon format local7-rgb6d-n64.
-// Written by photoncube 0.1.0, `photoncube generate --machine leaf-5-local7-rgb6d-n64 --chains 3`; do not edit.
+// Written by photoncube 0.2.0, `photoncube generate --machine leaf-5-local7-rgb6d-n64 --chains 3`; do not edit.
 //
 // Ports of photoncube_core_3_leaf_5_local7_rgb6d_n64:
 //   input           aclk                   every register changes at its rising edge
@@ -1372,7 +1372,7 @@ endmodule
 // SPDX-License-Identifier: MIT
 // leaf-5-local7-rgb6d-n64: 2 engines in a chain behind a memory of leaves, the photon format
 // local7-rgb6d-n64.
-// Written by photoncube 0.1.0, `photoncube generate --machine leaf-5-local7-rgb6d-n64`; do not edit.
+// Written by photoncube 0.2.0, `photoncube generate --machine leaf-5-local7-rgb6d-n64`; do not edit.
 //
 // cells          32
 // numbers        photon format local7-rgb6d-n64, 39 bits a stored photon

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // leaf-5-local7-rgb6d-n64: 10 modules of photoncube_leaf_5_local7_rgb6d_n64.v, made of an ECP5's
 // own cells.
-// Written by photoncube 0.1.0, `photoncube generate --machine leaf-5-local7-rgb6d-n64`; do not edit.
+// Written by photoncube 0.2.0, `photoncube generate --machine leaf-5-local7-rgb6d-n64`; do not edit.
 //
 // Each replaces the module of that name in photoncube_leaf_5_local7_rgb6d_n64.v and is the same
 // function, which scripts/yosys/ecp5.sh proves. With both files as they are a name is declared

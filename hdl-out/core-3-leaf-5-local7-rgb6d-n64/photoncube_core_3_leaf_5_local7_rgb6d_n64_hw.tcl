@@ -1,9 +1,9 @@
 # The component core-3-leaf-5-local7-rgb6d-n64 for Intel's Platform Designer, which finds this file by its name on its search path.
-# Written by photoncube 0.1.0, `photoncube generate --machine leaf-5-local7-rgb6d-n64 --chains 3`; do not edit.
+# Written by photoncube 0.2.0, `photoncube generate --machine leaf-5-local7-rgb6d-n64 --chains 3`; do not edit.
 package require -exact qsys 16.1
 
 set_module_property NAME photoncube_core_3_leaf_5_local7_rgb6d_n64
-set_module_property VERSION 0.1.0
+set_module_property VERSION 0.2.0
 set_module_property DISPLAY_NAME "Photoncube core-3-leaf-5-local7-rgb6d-n64"
 set_module_property DESCRIPTION "3 chains of leaf-5-local7-rgb6d-n64 behind AXI4-Stream and AXI4-Lite"
 set_module_property GROUP Photoncube

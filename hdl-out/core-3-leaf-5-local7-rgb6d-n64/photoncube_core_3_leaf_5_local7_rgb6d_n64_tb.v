@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // An example of how to drive core-3-leaf-5-local7-rgb6d-n64.
 // Each chain is given a set of photons and two batches of queries. Then registers are read.
-// Written by photoncube 0.1.0, `photoncube generate --machine leaf-5-local7-rgb6d-n64 --chains 3`; do not edit.
+// Written by photoncube 0.2.0, `photoncube generate --machine leaf-5-local7-rgb6d-n64 --chains 3`; do not edit.
 //
 //   iverilog -g2005 -o example photoncube_core_3_leaf_5_local7_rgb6d_n64.v photoncube_core_3_leaf_5_local7_rgb6d_n64_tb.v
 //   vvp example

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // overlap: the paper's 16 cells with all units at work: a modulo-scheduled kernel.
-// Written by photoncube 0.1.0, `photoncube generate --machine overlap`; do not edit.
+// Written by photoncube 0.2.0, `photoncube generate --machine overlap`; do not edit.
 //
 // cells         16
 // numbers       plain: 8-bit coordinates, 16-bit powers

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // overlap: 1 modules of photoncube_overlap.v, made of an ECP5's own cells.
-// Written by photoncube 0.1.0, `photoncube generate --machine overlap`; do not edit.
+// Written by photoncube 0.2.0, `photoncube generate --machine overlap`; do not edit.
 //
 // Each replaces the module of that name in photoncube_overlap.v and is the same function, which
 // scripts/yosys/ecp5.sh proves. With both files as they are a name is declared twice. Yosys:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // paper: Ryu, Kim, Lee: 16 cells on a 4-D hypercube, squarers for LUTs.
-// Written by photoncube 0.1.0, `photoncube generate --machine paper`; do not edit.
+// Written by photoncube 0.2.0, `photoncube generate --machine paper`; do not edit.
 //
 // cells         16
 // numbers       plain: 8-bit coordinates, 16-bit powers

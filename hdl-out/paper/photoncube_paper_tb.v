@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // An example of how to drive paper: two sets of photons and 2 queries, 1 at once.
-// Written by photoncube 0.1.0, `photoncube generate --machine paper`; do not edit.
+// Written by photoncube 0.2.0, `photoncube generate --machine paper`; do not edit.
 //
 //   iverilog -g2005 -o example photoncube_paper.v photoncube_paper_tb.v
 //   vvp example

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // stream: one engine of 16 cells that keep their instructions: a group of 4 photons a clock.
-// Written by photoncube 0.1.0, `photoncube generate --machine stream`; do not edit.
+// Written by photoncube 0.2.0, `photoncube generate --machine stream`; do not edit.
 //
 // cells         16
 // numbers       photon format local8-rgb8d-n16384, 48 bits a stored photon

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // stream: 9 modules of photoncube_stream.v, made of an ECP5's own cells.
-// Written by photoncube 0.1.0, `photoncube generate --machine stream`; do not edit.
+// Written by photoncube 0.2.0, `photoncube generate --machine stream`; do not edit.
 //
 // Each replaces the module of that name in photoncube_stream.v and is the same function, which
 // scripts/yosys/ecp5.sh proves. With both files as they are a name is declared twice. Yosys:

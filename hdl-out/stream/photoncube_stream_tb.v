@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // An example of how to drive stream: two sets of photons and 2 queries, 1 at once.
-// Written by photoncube 0.1.0, `photoncube generate --machine stream`; do not edit.
+// Written by photoncube 0.2.0, `photoncube generate --machine stream`; do not edit.
 //
 //   iverilog -g2005 -o example photoncube_stream.v photoncube_stream_tb.v
 //   vvp example

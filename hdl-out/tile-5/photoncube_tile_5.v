@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // tile-5: 2 engines in a chain: every photon is read once for 2 queries.
-// Written by photoncube 0.1.0, `photoncube generate --machine tile-5`; do not edit.
+// Written by photoncube 0.2.0, `photoncube generate --machine tile-5`; do not edit.
 //
 // cells          32
 // numbers        photon format local7-rgb6d-n4096, 39 bits a stored photon

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // tile-5: 9 modules of photoncube_tile_5.v, made of an ECP5's own cells.
-// Written by photoncube 0.1.0, `photoncube generate --machine tile-5`; do not edit.
+// Written by photoncube 0.2.0, `photoncube generate --machine tile-5`; do not edit.
 //
 // Each replaces the module of that name in photoncube_tile_5.v and is the same function, which
 // scripts/yosys/ecp5.sh proves. With both files as they are a name is declared twice. Yosys:

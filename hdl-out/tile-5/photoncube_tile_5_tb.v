@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // An example of how to drive tile-5: two sets of photons and 4 queries, 2 at once.
-// Written by photoncube 0.1.0, `photoncube generate --machine tile-5`; do not edit.
+// Written by photoncube 0.2.0, `photoncube generate --machine tile-5`; do not edit.
 //
 //   iverilog -g2005 -o example photoncube_tile_5.v photoncube_tile_5_tb.v
 //   vvp example

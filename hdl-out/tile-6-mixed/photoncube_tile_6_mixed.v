@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // tile-6-mixed: 4 engines of three kinds of squarers, and the photon memory.
-// Written by photoncube 0.1.0, `photoncube generate --machine tile-6-mixed`; do not edit.
+// Written by photoncube 0.2.0, `photoncube generate --machine tile-6-mixed`; do not edit.
 //
 // cells          64
 // numbers        photon format local7-rgb6d-n4096, 39 bits a stored photon

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // An example of how to drive tile-6-mixed: two sets of photons and 12 queries, 4 at once.
-// Written by photoncube 0.1.0, `photoncube generate --machine tile-6-mixed`; do not edit.
+// Written by photoncube 0.2.0, `photoncube generate --machine tile-6-mixed`; do not edit.
 //
 //   iverilog -g2005 -o example photoncube_tile_6_mixed.v photoncube_tile_6_mixed_tb.v
 //   vvp example
