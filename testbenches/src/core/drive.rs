@@ -51,6 +51,8 @@ pub(super) struct Drive<'a> {
     plan: Plan,
     inputs: CoreInputs,
     pace: Pace,
+    /// [`seldom()`] of the core.
+    seldom: u32,
     clock: u64,
     events_before: u32,
     reset_before: bool,
@@ -67,6 +69,9 @@ pub(super) struct Drive<'a> {
 
 /// Clocks between two changes of pace, on average.
 const PACE_CLOCKS: u32 = 256;
+/// A round has a set for each chain. Where the sets of a round have more leaves than this, resets and restarts come less often
+/// in proportion, so that a core of large banks comes to the end of its work between them.
+const LEAVES_OF_ROUND: u32 = 64;
 /// A reset comes once in so many clocks.
 const RESET_CLOCKS: u32 = 3000;
 /// Behind a read that is refused a reset comes once in so many times, in the clock of its answer.
@@ -75,6 +80,11 @@ const RESET_REFUSALS: u32 = 16;
 const SETS_TO_DRAIN: u32 = 3;
 /// One word in so many that are written may be a command to restart.
 const RESTART_WORDS: u32 = 8;
+
+/// How many times less often resets and restarts come than in a core of small banks.
+pub(super) fn seldom(core: &Core) -> u32 {
+    (core.chains * core.set_leaves() / LEAVES_OF_ROUND).max(1)
+}
 
 impl<'a> Drive<'a> {
     pub(super) fn new(
@@ -98,6 +108,7 @@ impl<'a> Drive<'a> {
                 results: 256,
                 accesses: 64,
             },
+            seldom: seldom(core),
             clock: 0,
             events_before: 0,
             reset_before: false,
@@ -139,10 +150,11 @@ impl<'a> Drive<'a> {
             };
         }
         self.offer();
-        self.inputs.reset = self.one_in(match self.read_refused {
+        let clocks = match self.read_refused {
             true => RESET_REFUSALS,
             false => RESET_CLOCKS,
-        });
+        };
+        self.inputs.reset = self.one_in(clocks * self.seldom);
         self.inputs.result_ready = self.chance(self.pace.results);
         rows.inputs
             .extend(CorePins::input_row(self.streams, &self.inputs));
@@ -294,7 +306,7 @@ impl<'a> Drive<'a> {
     /// A word to write: small, so that it is a stall limit that a test can reach, and seldom the command to restart.
     fn word(&mut self) -> u32 {
         let word = self.draw.rng().random_range(0..256);
-        match self.one_in(RESTART_WORDS) {
+        match self.one_in(RESTART_WORDS * self.seldom) {
             true => word | CoreRegister::RESTART,
             false => word & !CoreRegister::RESTART,
         }

@@ -8,7 +8,7 @@ mod drive;
 pub(crate) mod plan;
 
 use photoncube_hdl::{Emitted, EmittedCore, core_rows, emit_core};
-use photoncube_spec::{Core, CoreStreams};
+use photoncube_spec::{CORES, Core, CoreStreams, find_machine};
 use serde::Serialize;
 use thiserror::Error;
 
@@ -402,11 +402,24 @@ const FAULTS_OF_ROUNDS: [CoreFault; 6] = [
     ),
 ];
 
-/// Plants each fault in the text of a small core, in a device.
+/// A core of banks so small, and so few chains, that all that the faults need comes within the clocks of a control.
+fn of_small_banks(core: &Core) -> Core {
+    let (chains, small) = CORES[0];
+    let machine = match core.has_radii() {
+        _ if drive::seldom(core) == 1 => return *core,
+        true => "leaf-5-radii-local7-rgb6d-n64",
+        false => small,
+    };
+    let machine = find_machine(machine).expect("a legal name is a machine");
+    Core::new(machine, core.chains.min(chains)).expect("a core has so many chains")
+}
+
+/// Plants each fault in the text of the core, or of one like it of small banks, in a device.
 ///
 /// # Errors
 /// The device does not run.
 pub fn core_controls(core: &Core, kind: DeviceKind, seed: u64) -> Result<Vec<Control>, CoreError> {
+    let core = &of_small_banks(core);
     let emitted = emit_core(core).map_err(hdl_error(core.machine))?;
     let control = |(what, module, from, to): &CoreFault| {
         let mut faulty = emitted.clone();
