@@ -359,7 +359,7 @@ fn fit_says_what_it_found_to_people() {
     let text = String::from_utf8(output.get_output().stdout.clone()).unwrap();
     for expected in [
         "less: position bit",
-        "bits saved per photon",
+        "| fitted | saved | because",
         "go on with: ",
     ] {
         assert!(text.contains(expected), "{expected}: {text}");
