@@ -3,6 +3,11 @@
 // leaf-5-local7-rgb6d-n64: 2 engines in a chain behind a memory of leaves, the photon format local7-rgb6d-n64.
 // Written by photoncube 0.2.0, `photoncube generate --machine leaf-5-local7-rgb6d-n64 --chains 3`; do not edit.
 //
+// numbers        photon format local7-rgb6d-n64, 39 bits a stored photon
+// power unit     the photon map's own: its largest power in any channel is the largest word
+// search radius  fixed, 126 of a block edge's 128 steps: in range where d^2 <= 15876
+// most photons   64 a query
+//
 // Ports of photoncube_core_3_leaf_5_local7_rgb6d_n64:
 //   input           aclk                   every register changes at its rising edge
 //   input           aresetn                synchronous, active low; one clock is enough
@@ -21,7 +26,7 @@
 //   input           m_axis_results_tready
 //   output          m_axis_results_tlast   the tlast of the query
 //   output [1:0]    m_axis_results_tid     the chain that the result is from
-//   output          m_axis_results_tuser   the query was outside of its frame; the sums are 0
+//   output          m_axis_results_tuser   a coordinate of the query is too large for the frame; the sums are 0
 //   input  [8:0]    s_axi_awaddr           in bytes; the two low bits are not looked at
 //   input  [2:0]    s_axi_awprot           not looked at
 //   input           s_axi_awvalid
@@ -54,12 +59,39 @@
 //   y_6 294:286, z_6 303:295, red_6 309:304, green_6 315:310, blue_6 321:316, present_7 322:322,
 //   x_7 331:323, y_7 340:332, z_7 349:341, red_7 355:350, green_7 361:356, blue_7 367:362,
 //   facing 372:368
+//     present_0   the leaf has this photon; where it is 0, the photon's other fields are not looked
+//                 at; no photon is behind an absent one
+//     x_0         unsigned; cell i of 2^-7 block edge, in a frame of 4 block edges; stands for the
+//                 cell's middle
+//     y_0         unsigned; cell i of 2^-7 block edge, in a frame of 4 block edges; stands for the
+//                 cell's middle
+//     z_0         unsigned; cell i of 2^-7 block edge, in a frame of 4 block edges; stands for the
+//                 cell's middle
+//     red_0       unsigned; power units
+//     green_0     unsigned; power units
+//     blue_0      unsigned; power units
+//     facing      any number; batches with bit i of facings gather the leaves of facing i
 //
 // Fields of s_axis_queries_tdata, highest and lowest bit:
 //   x 8:0, y 24:16, z 40:32, tag 63:48, facings 95:64, release 96:96
+//     x           unsigned; cell i of 2^-7 block edge, in a frame of 4 block edges; stands for the
+//                 cell's middle
+//     y           unsigned; cell i of 2^-7 block edge, in a frame of 4 block edges; stands for the
+//                 cell's middle
+//     z           unsigned; cell i of 2^-7 block edge, in a frame of 4 block edges; stands for the
+//                 cell's middle
+//     tag         any number; the query's result has it
+//     facings     the facings that the batch gathers, bit i for facing i; those of its first query
+//                 count
+//     release     any query of a batch may set it: the set of photons is given up behind that batch
 //
 // Fields of m_axis_results_tdata, highest and lowest bit:
 //   red 11:0, green 23:12, blue 35:24, count 42:36, tag 58:43
+//     red         sum of the powers in range, in power units
+//     green       sum of the powers in range, in power units
+//     blue        sum of the powers in range, in power units
+//     count       photons in range
+//     tag         the tag of the query
 //
 // Registers, by their addresses in bytes:
 //   000 identity
@@ -1445,7 +1477,9 @@ endmodule
 //   - A leaf is two groups of a set that follow each other, the first two and so on. All its
 //     photons have one facing, and their order means nothing. A leaf is skipped where the box
 //     around its photons is out of range of the box around the batch's queries, so photons of a
-//     leaf should be close together, and so should queries of a batch.
+//     leaf should be close together, and so should queries of a batch. A facing is any number: a
+//     leaf of facing i is gathered by the batches with bit i of query_facings, and the machine does
+//     nothing else with it.
 //   - Ready and valid pins are registers, or depend on registers alone.
 //   - Reset needs one clock. No ready pin looks at it, so what is taken in that clock is lost; what
 //     was under way is forgotten.

@@ -69,7 +69,7 @@ impl PictureTime {
                 digits(seconds),
                 digits(seconds.recip())
             ),
-            _ => "not known: no clock of it is measured".to_owned(),
+            _ => "its speed is not known, as no clock of it is measured".to_owned(),
         }
     }
 }

@@ -84,6 +84,12 @@ fn cell(value: &Value) -> String {
     }
 }
 
+/// A number with its noun: "1 format", "3 formats".
+pub fn counted(number: u64, noun: &str) -> String {
+    let end = if number == 1 { "" } else { "s" };
+    format!("{} {noun}{end}", grouped(number))
+}
+
 /// A number with a comma before every three digits.
 pub fn grouped(number: u64) -> String {
     let digits = number.to_string();

@@ -43,7 +43,7 @@ pub use crate::core::{
     CoreInputs, CoreOutputs, CorePins, CoreRegister, CoreRegisterRow, CoreStreams, CoreWords,
     CounterRow, EventRow, LiteAnswer, LiteIn, QueryResult, QueryRounds, ResultWord, Rounds, Serial,
     SerialFault, SerialFaultRow, SerialKind, SerialRow, SerialSizes, StreamField, StreamIn,
-    StreamWord, port_columns,
+    StreamRow, StreamWord, port_columns,
 };
 pub use cell::{
     CellTables, ControlWord, Field, FieldRow, OVERLAPPED, Op, OpRow, POWER_WORDS, Place, Read,

@@ -3,7 +3,7 @@
 
 use thiserror::Error;
 
-use crate::custom::{self, CustomError};
+use crate::custom::{self, CustomError, CustomOrganisation};
 use crate::formats::{
     Channels, Exponent, Numbers, PHOTON_FORMATS, PhotonFormat, PlainFormat, PowerFormat, Rounding,
     Squarer,
@@ -286,6 +286,12 @@ pub enum UnknownMachine {
         /// The names of all named machines.
         expected: String,
     },
+    /// The name is that of an organisation alone.
+    #[error(
+        "`{0}` is an organisation, and a machine is an organisation with a photon format, such as {0}-local7-rgb6d-n4096; `photoncube list` \
+         has the named machines"
+    )]
+    Organisation(String),
     /// The name is that of a custom machine which cannot be made.
     #[error(transparent)]
     Custom(#[from] CustomError),
@@ -301,6 +307,9 @@ pub fn find_machine(name: &str) -> Result<&'static Machine, UnknownMachine> {
     }
     if let Some(custom) = custom::find(name) {
         return Ok(custom?);
+    }
+    if CustomOrganisation::from_name(name).is_ok() {
+        return Err(UnknownMachine::Organisation(name.to_owned()));
     }
     Err(UnknownMachine::Name {
         found: name.to_owned(),

@@ -166,11 +166,11 @@ fn photons_in_range_mean(fit: &Fit) -> Result<f64> {
     Ok(reference.photons_in_range as f64 / estimates.max(1) as f64)
 }
 
-/// The command that runs the scene on that machine, as it was fitted.
+/// The command that runs the scene on that machine, with the photons and the picture for which its sums are sized.
 fn next(args: &FitArgs, choice: &MachineChoice) -> String {
     format!(
-        "photoncube run {} --machine {} --in-range {}",
-        args.scene, choice.machine.name, args.in_range
+        "photoncube run {} --machine {} --photons {} --size {} --in-range {}",
+        args.scene, choice.machine.name, args.photons, args.size, args.in_range
     )
 }
 

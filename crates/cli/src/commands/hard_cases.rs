@@ -7,7 +7,8 @@ use serde::Serialize;
 
 use crate::args::HardCasesArgs;
 use crate::failure::CheckFailed;
-use crate::{output, progress, table};
+use crate::table::{self, counted};
+use crate::{output, progress};
 
 #[derive(Serialize)]
 struct Report {
@@ -82,9 +83,9 @@ fn why_failed(case: &HardCaseReport) -> String {
 fn text(report: &Report) -> String {
     let header = [
         "case",
-        "what could break",
         "result",
         "bound",
+        "what could break",
         "why that bound",
         "contrast",
     ];
@@ -92,9 +93,9 @@ fn text(report: &Report) -> String {
     let looked_at: u64 = report.cases.iter().map(|case| case.looked_at).sum();
     table::markdown(&header, &rows)
         + &format!(
-            "\n{} cases in {} formats, {looked_at} decisions, photons and sums looked at, {} failed\n",
+            "\n{} cases in {}, {looked_at} decisions, photons and sums looked at, {} failed\n",
             report.cases.len(),
-            report.formats.len(),
+            counted(report.formats.len() as u64, "format"),
             report.failed.len()
         )
 }
@@ -116,9 +117,9 @@ fn row(case: &HardCaseReport) -> Vec<String> {
     };
     vec![
         case.case.to_owned(),
-        case.breaks.to_owned(),
         result,
         case.bound.clone(),
+        case.breaks.to_owned(),
         case.why.to_owned(),
         format!("{} {}{hard}", number(case.contrast), case.contrast_of),
     ]

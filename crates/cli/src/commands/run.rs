@@ -21,6 +21,7 @@ use crate::failure::CheckFailed;
 use crate::hardware::PictureTime;
 use crate::outputs::{self, Output};
 use crate::stages::{Distance, Traced, map_of, picture, trace_scene, view, write_picture};
+use crate::table::grouped;
 use crate::{files, machines, output, project, scenes, sight};
 
 #[derive(Serialize)]
@@ -305,19 +306,19 @@ fn text(report: &Report) -> String {
          \x20 Verilog           {}\n",
         r.scene,
         r.machine,
-        r.photons,
-        r.photon_paths,
-        r.photons_asked,
-        r.query_points,
+        grouped(r.photons as u64),
+        grouped(r.photon_paths),
+        grouped(r.photons_asked),
+        grouped(r.query_points),
         r.photons_in_range_mean,
         r.search_radius,
         r.in_range,
-        r.photon_tests,
-        r.photon_groups,
-        r.largest_query,
+        grouped(r.photon_tests),
+        grouped(r.photon_groups),
+        grouped(r.largest_query),
         r.time
             .clocks
-            .map_or_else(|| "not known".to_owned(), |clocks| clocks.to_string()),
+            .map_or_else(|| "not known".to_owned(), grouped),
         r.initiation_interval,
         r.photons_per_iteration,
         r.photon_tests_per_clock,
@@ -345,7 +346,8 @@ fn text(report: &Report) -> String {
     }
     text += &format!(
         "\n{} vectors compared on the emitted Verilog, {} mismatches\n",
-        r.vectors_compared, r.mismatches
+        grouped(r.vectors_compared),
+        r.mismatches
     );
     let s = &r.seconds;
     text + &format!(
@@ -369,10 +371,8 @@ fn core_line(core: Option<&CoreTime>) -> String {
 fn fitted_line(fitted: &Fitted) -> String {
     let row = &fitted.row;
     format!(
-        "\x20 the scene needs   {}: {} bits per photon, error / noise {:.4} predicted, {:.4} measured, \
-         below {};\n\
-         \x20                   its sums hold the largest query of this picture; `photoncube fit` does not see that query,\n\
-         \x20                   and may find another -n\n",
+        "\x20 the scene needs   {}: {} bits per photon, error / noise {:.4} predicted, {:.4} measured, below {}; its sums \
+         hold the largest query of this picture, which `photoncube fit` does not see\n",
         row.format,
         row.bits_per_photon,
         row.prediction.error_over_noise,

@@ -64,7 +64,8 @@ fn hypercube(machine: &Machine, example: &Example, trace: &Trace) -> Markup {
     let cube = machine.hypercube();
     let data = json!({
         "registers": trace.registers,
-        "steps": trace.steps.iter().map(|step| json!({
+        "steps": trace.steps.iter().zip(&trace.clocks).map(|(step, clock)| json!({
+            "clock": clock,
             "text": step.to_string(),
             "axis": step.axis.map(Axis::name),
             "formula": SEQUENTIAL.op(step.op).formula,
@@ -84,8 +85,8 @@ fn hypercube(machine: &Machine, example: &Example, trace: &Trace) -> Markup {
             p.now aria-live="polite" { "Before the first step" }
             div.cube { (scrolling("Drawing of the hypercube", PreEscaped(drawing(cube, trace)))) }
             ol.steps {
-                @for step in &trace.steps {
-                    li { code { (step) } " " span.unit { (unit(*step)) } " " (SEQUENTIAL.op(step.op).formula) }
+                @for (step, clock) in trace.steps.iter().zip(&trace.clocks) {
+                    li { span.clock { (clock) } " " code { (step) } " " span.unit { (unit(*step)) } ": " (SEQUENTIAL.op(step.op).formula) }
                 }
             }
             script type="application/json" class="steps-data" { (PreEscaped(data)) }

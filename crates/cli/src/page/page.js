@@ -48,7 +48,7 @@ for (const source of document.querySelectorAll(".steps-data")) {
   step(stepper, steps.length, (at) => {
     const last = at > 0 ? steps[at - 1] : null;
     stepper.querySelector(".now").textContent =
-      last ? `After clock ${at} of ${steps.length}, ${last.text}: ${last.formula}` : "Before the first step";
+      last ? `After clock ${last.clock}, ${last.text}: ${last.formula}` : "Before the first step";
     for (const link of stepper.querySelectorAll(".link"))
       link.classList.toggle("active", last !== null && link.dataset.axis === last.axis);
     for (const node of stepper.querySelectorAll(".node")) {

@@ -31,7 +31,7 @@ struct Row {
 }
 
 impl Pipeline {
-    /// Runs the golden model of a spatial machine on an example: from the clock that takes the first query to the one
+    /// Runs the golden model of a spatial machine on an example: from the clock that takes the first group to the one
     /// that shows the first result. Every engine has the query of the example.
     ///
     /// # Errors
@@ -45,7 +45,9 @@ impl Pipeline {
             .len()
             .checked_sub(queries)
             .context("the golden model took no query")?;
-        let first = taken[first];
+        let of_groups = run.clocks_with("group_valid", "group_ready")?;
+        let first = of_groups.into_iter().find(|clock| *clock >= taken[first]);
+        let first = first.context("the golden model took no group")?;
         let last = results.into_iter().find(|clock| *clock > first);
         let last = last.context("the golden model gave no result")?;
         let pins = Pins::of(machine);

@@ -5,6 +5,7 @@ use photoncube_spec::overlap::{Program, program_report};
 use photoncube_spec::{Machine, Role, SEQUENTIAL, Unit, schedule_report};
 
 use super::scrolling;
+use super::trace::clock_names;
 
 /// An entry: what is done, and the name of its unit.
 type Entry = (String, &'static str);
@@ -29,10 +30,15 @@ pub fn schedule(machine: &Machine) -> Markup {
     ) {
         (Some(program), ..) => {
             let report = schedule_report(&program, machine.hypercube());
-            let rows = program.steps().into_iter().map(|step| {
+            let steps = program.steps().into_iter().zip(clock_names(&program));
+            let rows = steps.map(|(step, clock)| {
                 let row = SEQUENTIAL.op(step.op);
                 let unit = row.unit.map_or("", |unit| unit.module());
-                vec![(step.to_string(), unit), (row.formula.to_owned(), "")]
+                vec![
+                    (clock, ""),
+                    (step.to_string(), unit),
+                    (row.formula.to_owned(), ""),
+                ]
             });
             (
                 format!(
@@ -54,8 +60,10 @@ pub fn schedule(machine: &Machine) -> Markup {
             kernel(&program),
         ),
         (_, _, Some(spatial)) => {
-            let rows = spatial.flow(machine.squarer).into_iter().map(|row| {
+            let flow = spatial.flow(machine.squarer).into_iter().enumerate();
+            let rows = flow.map(|(place, row)| {
                 vec![
+                    (place.to_string(), ""),
                     (row.clock.to_string(), ""),
                     (row.cells.to_owned(), ""),
                     (row.units.to_owned(), unit_of(row.units)),
@@ -80,11 +88,10 @@ pub fn schedule(machine: &Machine) -> Markup {
 }
 
 fn kernel(program: &Program) -> Vec<Vec<Entry>> {
-    let of_clock = |clock| {
+    let of_clock = |clock: u32| {
         let roles = Role::ALL.into_iter();
-        roles
-            .map(|role| (program.listed(clock, role), ""))
-            .collect()
+        let roles = roles.map(|role| (program.listed(clock, role), ""));
+        [(clock.to_string(), "")].into_iter().chain(roles).collect()
     };
     (0..program.interval).map(of_clock).collect()
 }
@@ -103,10 +110,11 @@ fn table(caption: &str, header: &[&str], rows: &[Vec<Entry>]) -> Markup {
             caption { (caption) }
             thead { tr { @for title in header { th scope="col" { (title) } } } }
             tbody {
-                @for (index, row) in rows.iter().enumerate() {
+                @for row in rows {
                     tr {
-                        th scope="row" { (index) }
-                        @for (text, unit) in row { td class=(unit) { (text) } }
+                        @for (column, (text, unit)) in row.iter().enumerate() {
+                            @if column == 0 { th scope="row" { (text) } } @else { td class=(unit) { (text) } }
+                        }
                     }
                 }
             }

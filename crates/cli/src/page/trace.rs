@@ -4,7 +4,7 @@ use anyhow::{Context, Result, bail};
 use photoncube_model::gather;
 use photoncube_render::{PhotonMap, Scene, ViewOptions, workload};
 use photoncube_spec::{
-    CellTables, Machine, Photon, Pins, Query, Register, SEQUENTIAL, SignalPlace, Step,
+    CellTables, Machine, Microprogram, Photon, Pins, Query, Register, SEQUENTIAL, SignalPlace, Step,
 };
 
 use crate::rows::Rows;
@@ -79,6 +79,8 @@ impl Example {
 pub struct Trace {
     /// The steps, one a clock.
     pub steps: Vec<Step>,
+    /// The clocks of the steps, as [`clock_names`].
+    pub clocks: Vec<String>,
     /// The mnemonics of a cell's registers.
     pub registers: Vec<&'static str>,
     /// Before the first step and after each: for each node, the values of its registers.
@@ -94,7 +96,7 @@ impl Trace {
         let Some(program) = machine.microprogram() else {
             bail!("machine `{}` has no microprogram", machine.name);
         };
-        let program = program.steps();
+        let (program, clocks) = (program.steps(), clock_names(&program));
         let rows = Rows::of(machine, &example.workload(1))?.observed;
         let pins = Pins::of(machine);
         let place = |wanted| pins.observed.iter().position(|pin| pin.place == wanted);
@@ -129,11 +131,22 @@ impl Trace {
             columns.iter().map(of_node).collect()
         };
         Ok(Self {
+            clocks,
             steps: program,
             registers: tables.registers.iter().map(|row| row.mnemonic).collect(),
             states: rows[loads..=end].iter().map(state).collect(),
         })
     }
+}
+
+/// The names of a program's clocks as its listing has them: `query 0`, and the clocks of an iteration, `0` and on.
+pub fn clock_names(program: &Microprogram) -> Vec<String> {
+    let iteration = program.initiation_interval();
+    let query = program.steps().len() as u32 - iteration;
+    let of_query = (0..query).map(|clock| format!("query {clock}"));
+    of_query
+        .chain((0..iteration).map(|clock| clock.to_string()))
+        .collect()
 }
 
 /// An example of the built-in scene `ring`, for tests.

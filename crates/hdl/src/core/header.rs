@@ -2,6 +2,8 @@
 
 use photoncube_spec::{Core, CoreRegister, CoreStreams, StreamWord};
 
+use crate::emit::push;
+
 /// The longest line in characters, without the comment mark.
 const COLUMNS: usize = 97;
 
@@ -23,8 +25,12 @@ pub(super) fn header(core: &Core, digest: u64) -> String {
             core.chains
         ),
         String::new(),
-        format!("Ports of {}:", core.top()),
     ];
+    for fact in core.number_facts() {
+        lines.extend(told(&format!("{:13}  ", fact.name), &fact.value));
+    }
+    lines.push(String::new());
+    lines.push(format!("Ports of {}:", core.top()));
     for port in core.ports() {
         let direction = port.direction.name();
         let range = match port.width {
@@ -41,14 +47,13 @@ pub(super) fn header(core: &Core, digest: u64) -> String {
         );
     }
     let streams = CoreStreams::of(core);
-    for (name, word) in [
-        ("s_axis_photons_tdata", &streams.photons),
-        ("s_axis_queries_tdata", &streams.queries),
-        ("m_axis_results_tdata", &streams.results),
-    ] {
+    for row in streams.rows() {
         lines.push(String::new());
-        lines.push(format!("Fields of {name}, highest and lowest bit:"));
-        lines.extend(fields(word));
+        lines.push(format!("Fields of {}, highest and lowest bit:", row.port));
+        lines.extend(fields(row.word));
+        for (field, meaning) in row.meanings(core) {
+            lines.extend(told(&format!("    {:10}  ", field.name), &meaning));
+        }
     }
     lines.push(String::new());
     lines.push("Registers, by their addresses in bytes:".to_owned());
@@ -59,6 +64,13 @@ pub(super) fn header(core: &Core, digest: u64) -> String {
         .iter()
         .map(|line| format!("// {line}").trim_end().to_owned() + "\n");
     commented.collect::<String>() + "\n"
+}
+
+/// The lines of a text behind its name.
+fn told(name: &str, text: &str) -> Vec<String> {
+    let mut lines = String::new();
+    push(&mut lines, name, text);
+    lines.lines().map(str::to_owned).collect()
 }
 
 /// The fields of a word, several on a line.

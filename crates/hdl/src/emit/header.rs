@@ -160,7 +160,7 @@ fn kind(port: &Port) -> String {
 }
 
 /// Appends `text` to the right of `left`, with further lines below the text where one line is too short.
-fn push(lines: &mut String, left: &str, text: &str) {
+pub(crate) fn push(lines: &mut String, left: &str, text: &str) {
     let mut line = left.to_owned();
     let indent = " ".repeat(left.len());
     let mut is_empty = true;

@@ -30,6 +30,7 @@ use header::{header, override_header, unit_header};
 
 pub(crate) use checks::lint_block;
 pub use checks::{Linted, lint_control, lint_machine};
+pub(crate) use header::push;
 pub use header::{generate_command, interface_text, ports_text};
 
 /// Emitted Verilog, with the data that a simulation of it needs.

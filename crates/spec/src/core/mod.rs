@@ -77,6 +77,7 @@
 mod counters;
 mod events;
 mod fields;
+mod meanings;
 mod ports;
 mod registers;
 mod rounds;
@@ -87,6 +88,7 @@ mod words;
 pub use counters::{CoreCounter, CounterRow};
 pub use events::{CoreEvent, EventRow};
 pub use fields::CoreField;
+pub use meanings::StreamRow;
 pub use ports::{CorePins, port_columns};
 pub use registers::{Access, CoreRegister, CoreRegisterRow};
 pub use rounds::{QueryRounds, Rounds};

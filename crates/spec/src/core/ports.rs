@@ -102,7 +102,7 @@ impl Core {
             Output,
             "m_axis_results_tuser",
             1,
-            "the query was outside of its frame; the sums are 0",
+            "a coordinate of the query is too large for the frame; the sums are 0",
         );
         add(
             Input,

@@ -97,8 +97,8 @@ impl Core {
                 true,
                 limitation(
                     "A word for a busy chain holds back the words behind it on its stream, so two streams can wait for each other for ever.",
-                    "Send the words in the order of `crates/driver/src/schedule.rs`, or let each chain's queries on a set come before any query \
-                     that waits for a leaf behind that set.",
+                    "Number the sets of each chain. Send all sets n before any set n + 1, and all queries on sets n before any query on a set \
+                     n + 1. (`crates/driver/src/schedule.rs` finds an order with fewer waits.)",
                 ),
             ),
             (

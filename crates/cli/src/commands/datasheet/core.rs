@@ -2,7 +2,8 @@
 
 use anyhow::Result;
 use photoncube_spec::{
-    Access, CORES, Core, CoreRegister, CoreStreams, EventRow, Leaf, Port, StreamWord, find_machine,
+    Access, CORES, Core, CoreRegister, CoreStreams, EventRow, Leaf, Port, StreamField, StreamRow,
+    find_machine,
 };
 
 use super::document::Document;
@@ -28,7 +29,14 @@ pub const VERIFIED: &str =
 /// The limits of a core, each with its name.
 pub fn facts(core: &Core) -> [(&'static str, String); 6] {
     [
-        ("chains", format!("1 to {}", Core::MOST_CHAINS)),
+        (
+            "chains",
+            format!(
+                "{}; a core may have 1 to {}",
+                core.chains,
+                Core::MOST_CHAINS
+            ),
+        ),
         (
             "leaves of a set",
             format!(
@@ -76,6 +84,7 @@ pub fn sheet() -> Result<Document> {
         core.engines()
     ));
     document.heading("Formats and limits");
+    document.text(format!("Those of `{}`:", core.name()));
     document.list(facts(&core).map(|(name, value)| format!("{name}: {value}")));
     limitations(&mut document, &core.limitations());
     area_and_clock(&mut document, &cores::measured()?);
@@ -122,39 +131,32 @@ pub fn ports(core: &Core) -> Vec<Port> {
 /// The fields of the three words.
 fn words(document: &mut Document, core: &Core) {
     let streams = CoreStreams::of(core);
-    let words = [
-        ("s_axis_photons_tdata", &streams.photons),
-        ("s_axis_queries_tdata", &streams.queries),
-        ("m_axis_results_tdata", &streams.results),
-    ];
     document.text(
-        "The fields of the words. The fields of the photons 1 to 7 of a leaf follow in the order of those of photon 0. Bits without a field are 0 in a \
-         query, and not looked at in a leaf.",
+        "The fields of the words. The fields of the photons 1 to 7 of a leaf follow in the order of those of photon 0. Bits without a field are not \
+         looked at in a leaf. In a query they are 0: where one is 1, the coordinate below it is too large for the frame.",
     );
-    let rows = words.iter().flat_map(|(port, word)| fields(port, word));
-    document.table(Table::new(&["port", "field", "bits", "from bit"], rows));
+    let rows = streams.rows();
+    let rows = rows.iter().flat_map(|row| fields(core, row));
+    document.table(Table::new(
+        &["port", "field", "bits", "from bit", "means"],
+        rows,
+    ));
+    let facts = core.number_facts().into_iter();
+    document.list(facts.map(|fact| format!("{}: {}", fact.name, fact.value)));
 }
 
-fn fields(port: &str, word: &StreamWord) -> Vec<Vec<String>> {
-    let of_other_photon = |name: &str| {
-        let number = name
-            .rsplit_once('_')
-            .and_then(|(_, number)| number.parse::<u32>().ok());
-        number.is_some_and(|number| number > 0)
-    };
-    let fields = word
-        .fields
-        .iter()
-        .filter(|field| !of_other_photon(&field.name));
-    let row = fields.map(|field| {
+/// The fields of a word; of the photons of a leaf only the first.
+fn fields(core: &Core, row: &StreamRow) -> Vec<Vec<String>> {
+    let cells = |(field, meaning): (&StreamField, String)| {
         vec![
-            format!("`{port}`"),
+            format!("`{}`", row.port),
             field.name.clone(),
             field.width.to_string(),
             field.low.to_string(),
+            meaning,
         ]
-    });
-    row.collect()
+    };
+    row.meanings(core).into_iter().map(cells).collect()
 }
 
 fn registers(document: &mut Document, core: &Core) {

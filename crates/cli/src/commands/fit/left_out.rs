@@ -75,7 +75,7 @@ fn positions(prediction: &Prediction) -> String {
     let part = prediction.position_error_over_noise;
     let times = part / prediction.law_error_over_noise;
     format!(
-        "its part of the error is {part:.3} of the noise, {times:.1} times what even light makes"
+        "its part of the error is {part:.3} of the noise, {times:.1} times that under even light"
     )
 }
 

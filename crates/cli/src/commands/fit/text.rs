@@ -3,7 +3,7 @@
 use super::{Compared, MachineRow, RemovalRow, Report};
 use crate::chains::ChainsChoice;
 use crate::fitted::FormatRow;
-use crate::table;
+use crate::table::{self, grouped};
 
 /// The whole text of the report.
 pub fn text(report: &Report) -> String {
@@ -26,7 +26,10 @@ pub fn text(report: &Report) -> String {
     if let (Some(smallest), Some(fastest)) = (&report.machine, &report.fastest) {
         text += &format!("\nsmallest machine {}\n", machine_line(smallest));
         text += &format!("fastest within the bound {}\n", machine_line(fastest));
-        text += &format!("a picture is {} queries here\n", report.query_points);
+        text += &format!(
+            "a picture is {} queries here, one a pixel\n",
+            grouped(report.query_points)
+        );
     }
     text += &report
         .cores

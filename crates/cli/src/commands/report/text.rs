@@ -58,12 +58,12 @@ fn rows(report: &Report) -> String {
         "bits/photon",
         "error/noise",
         &within,
+        "pictures/s",
         "clocks",
         "tests/clock",
         "LUT4 + CCU2C",
         "Fmax",
         "M tests/s at Fmax",
-        "pictures/s",
         "rms error",
         "p99",
         "bias",
@@ -89,6 +89,7 @@ fn cells(row: &Row) -> Vec<String> {
         row.bits_per_photon.to_string(),
         or_dash(row.error_over_noise().map(|error| format!("{error:.4}"))),
         verdict_of(row).to_owned(),
+        or_dash(row.pictures_per_second().map(digits)),
         or_dash(
             hardware
                 .initiation_interval
@@ -106,7 +107,6 @@ fn cells(row: &Row) -> Vec<String> {
                 .photon_tests_per_second_at_fmax
                 .map(|speed| format!("{:.1}", speed / 1e6)),
         ),
-        or_dash(row.pictures_per_second().map(digits)),
         or_dash(error.map(|error| percent(error.rms_relative_error))),
         or_dash(error.map(|error| percent(error.p99_relative_error))),
         or_dash(error.map(|error| format!("{:+.4} %", 100.0 * error.bias_relative))),
@@ -138,15 +138,24 @@ fn best_in(row: &Row) -> String {
     names.map(|(_, name)| *name).collect::<Vec<_>>().join(", ")
 }
 
-/// Lines that state why some rows have no figures.
+/// Lines that state why some rows have no figures: one for each reason, with all rows that have it.
 fn cannot(report: &Report) -> String {
-    let reasons = report.rows.iter().filter_map(|row| {
-        let reason = row.cannot.as_ref()?;
-        Some(format!("{} cannot take this scene: {reason}\n", row.name))
-    });
-    let reasons: String = reasons.collect();
+    let mut reasons: Vec<(&str, Vec<&str>)> = Vec::new();
+    for row in &report.rows {
+        let Some(reason) = &row.cannot else { continue };
+        match reasons.iter_mut().find(|(other, _)| other == reason) {
+            Some((_, names)) => names.push(&row.name),
+            None => reasons.push((reason, vec![&row.name])),
+        }
+    }
+    let line = |(reason, names): (&str, Vec<&str>)| {
+        format!("{} cannot take this scene: {reason}\n", names.join(", "))
+    };
     match reasons.is_empty() {
         true => "\n".to_owned(),
-        false => format!("\n{reasons}fewer photons in range, by --in-range, need less\n\n"),
+        false => {
+            let lines: String = reasons.into_iter().map(line).collect();
+            format!("\n{lines}fewer photons in range, by --in-range, need less\n\n")
+        }
     }
 }

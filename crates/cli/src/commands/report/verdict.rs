@@ -5,6 +5,7 @@ use serde::Serialize;
 
 use super::row::Row;
 use crate::hardware::digits;
+use crate::table::grouped;
 
 /// The best listed formats and machines within the bound. `fit` searches all formats; the report does not.
 #[derive(Debug, Default, PartialEq, Serialize)]
@@ -51,11 +52,15 @@ impl Verdict {
         };
         let machine = |name: &Option<String>| name.clone().unwrap_or_else(|| "none".to_owned());
         let speed = self.pictures_per_second.map_or_else(String::new, |speed| {
-            format!(", {} pictures of {query_points} queries/s", digits(speed))
+            format!(
+                ", {} pictures/s of {} queries each",
+                digits(speed),
+                grouped(query_points)
+            )
         });
         format!(
             "of the formats and machines listed below, with an error within {bound} of the noise (luminance, red, green \
-             and blue):\n{needs}; the smallest machine is {}; the fastest {}{speed}.\n\
+             and blue):\n{needs}; the smallest machine is {}; the fastest is {}{speed}.\n\
              `photoncube fit` searches all formats, so it may find fewer bits.",
             machine(&self.smallest_machine),
             machine(&self.fastest_machine),

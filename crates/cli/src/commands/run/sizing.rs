@@ -1,6 +1,6 @@
 //! Chooses the machine of a run: the given one, or the one that the scene needs.
 
-use anyhow::Result;
+use anyhow::{Result, bail};
 use photoncube_render::{BenchOptions, FitOptions, QuantisedMap, largest_query, view_queries};
 use photoncube_spec::{Machine, PHOTON_FORMATS, PhotonFormat};
 use serde::Serialize;
@@ -28,6 +28,7 @@ pub struct Fitted {
 /// The given machine, or else the smallest machine for the scene's fit.
 pub fn machine(args: &RunArgs, traced: &Traced) -> Result<(&'static Machine, Option<Fitted>)> {
     if let Some(machine) = args.machine.find()? {
+        check_room(machine, args, traced)?;
         return Ok((machine, None));
     }
     let options = options(args, traced)?;
@@ -43,14 +44,41 @@ pub fn machine(args: &RunArgs, traced: &Traced) -> Result<(&'static Machine, Opt
     Ok((choices.smallest.machine, Some(fitted)))
 }
 
+/// Refuses a machine whose sums do not hold the picture's largest query, before anything is emitted.
+fn check_room(machine: &Machine, args: &RunArgs, traced: &Traced) -> Result<()> {
+    let Some(format) = machine.format() else {
+        return Ok(());
+    };
+    let largest = largest_in_picture(format, args, traced)?;
+    let holds = format.max_photons;
+    if largest <= holds {
+        return Ok(());
+    }
+    let wider = PhotonFormat {
+        max_photons: largest.next_power_of_two(),
+        ..*format
+    };
+    bail!(
+        "machine `{}`: a query of this picture has {largest} photons, expected at most {holds}, which its format declares: give a smaller \
+         --in-range, or a machine of the format {}",
+        machine.name,
+        wider.name()
+    )
+}
+
+/// The photons of the picture's largest query, in blocks of a format.
+fn largest_in_picture(format: &PhotonFormat, args: &RunArgs, traced: &Traced) -> Result<u64> {
+    let queries = view_queries(&traced.scene, &view(&args.picture))?;
+    let map = traced.map();
+    let map = map.reblocked(QuantisedMap::edge_for(format, map.radius()))?;
+    Ok(largest_query(&map, &queries))
+}
+
 /// The options of the fit: the defaults of `fit` with the run's seed and photons in range, and no more
 /// photons than the run has. The sums hold the picture's own queries.
 fn options(args: &RunArgs, traced: &Traced) -> Result<FitOptions> {
     let options = FitOptions::default();
     let (bench, picture) = (options.bench, &args.picture);
-    let queries = view_queries(&traced.scene, &view(picture))?;
-    let map = traced.map();
-    let map = map.reblocked(QuantisedMap::edge_for(&coarsest(), map.radius()))?;
     let bench = BenchOptions {
         photons: bench.photons.min(picture.photons),
         in_range: picture.in_range,
@@ -59,7 +87,7 @@ fn options(args: &RunArgs, traced: &Traced) -> Result<FitOptions> {
     };
     Ok(FitOptions {
         bench,
-        largest_query: largest_query(&map, &queries),
+        largest_query: largest_in_picture(&coarsest(), args, traced)?,
         ..options
     })
 }
