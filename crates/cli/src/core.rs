@@ -11,6 +11,14 @@ use serde::Serialize;
 use crate::port::{self, OnBoard};
 use crate::{machines, progress};
 
+/// "6 chains of 8 engines".
+pub fn chains_said(chains: u32, engines: usize) -> String {
+    match chains {
+        1 => format!("one chain of {engines} engines"),
+        chains => format!("{chains} chains of {engines} engines"),
+    }
+}
+
 /// A way to a core.
 pub enum Way {
     /// A simulation of its Verilog.
@@ -126,10 +134,9 @@ impl CoreReport {
     pub fn text(&self) -> String {
         let groups_read = self.leaves_loaded * Leaf::GROUPS as u64;
         format!(
-            "core: {} chains of {} engines, {} clocks ({} forecast); {} sets of photons, {groups_read} groups read in, {} played (engines fed in {:.0} % of the \
+            "core: {}, {} clocks ({} forecast); {} sets of photons, {groups_read} groups read in, {} played (engines fed in {:.0} % of the \
              clocks); {:.2} photon tests for each in range, {:.4} queries a clock, {:.4} estimates a clock\n",
-            self.chains,
-            self.engines,
+            chains_said(self.chains, self.engines),
             self.clocks,
             self.clocks_forecast,
             self.sets,

@@ -97,7 +97,7 @@ fn text(report: &Report) -> String {
     };
     format!(
         "{}: {} photons (at least {} traced, in whole batches of {BATCH_PATHS} paths{left_out}), {:.0} in range of \
-         an estimate ({} aimed at); {} query points, {} estimates, {} photon tests ({} skipped by their place) in \
+         an estimate (the radius aims at {}); {} query points, {} estimates, {} photon tests ({} skipped by their place) in \
          {:.1} s; estimator {}, {:.1} gathers an estimate\n",
         report.output,
         report.photons,

@@ -42,7 +42,7 @@ pub enum ImageError {
         found: String,
     },
     /// The file could not be read.
-    #[error("{}: {message}; expected an OpenEXR picture with red, green and blue", path.display())]
+    #[error("{}: {message}; expected an OpenEXR picture with red, green and blue, as commands write where -o ends in .exr", path.display())]
     Read {
         /// The path of the file.
         path: PathBuf,

@@ -98,7 +98,7 @@ impl Core {
                 limitation(
                     "A word for a busy chain holds back the words behind it on its stream, so two streams can wait for each other for ever.",
                     "Number the sets of each chain. Send all sets n before any set n + 1, and all queries on sets n before any query on a set \
-                     n + 1. (`crates/driver/src/schedule.rs` finds an order with fewer waits.)",
+                     n + 1. `crates/driver/src/schedule.rs` finds an order with fewer waits.",
                 ),
             ),
             (

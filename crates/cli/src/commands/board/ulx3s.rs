@@ -14,6 +14,7 @@ use photoncube_testbench::pinned_tools;
 use serde::Serialize;
 
 use crate::args::Ulx3sArgs;
+use crate::core::chains_said;
 use crate::failure::CheckFailed;
 use crate::outputs::{self, Output};
 use crate::project::ABC9_TARGET_PS;
@@ -252,10 +253,9 @@ fn conclusion(report: &Report) -> Result<()> {
 
 fn text(report: &Report) -> String {
     let mut text = format!(
-        "{} on a ULX3S: {} chains of {} engines, {} photons in its banks; {} MHz, a serial line of {} bits a second\n",
+        "{} on a ULX3S: {}, {} photons in its banks; {} MHz, a serial line of {} bits a second\n",
         report.core,
-        report.chains,
-        report.engines,
+        chains_said(report.chains, report.engines),
         report.photons_held,
         report.clock_mhz,
         report.baud

@@ -8,8 +8,11 @@ use crate::table::{self, grouped};
 /// The whole text of the report.
 pub fn text(report: &Report) -> String {
     let mut text = facts(report);
-    text += "\nPredicted on the pilot, then measured on maps of their own; error / noise:\n";
-    text += &trials(report);
+    let trials = trials(report);
+    if !trials.is_empty() {
+        text += "\nPredicted on the pilot, then measured on maps of their own; error / noise:\n";
+        text += &trials;
+    }
     if let Some(fitted) = &report.fitted {
         text += &format!(
             "\n{}: {} bits per photon, error / noise {:.4}, below {}; each removal above it\n",
@@ -69,6 +72,7 @@ fn facts(report: &Report) -> String {
     )
 }
 
+/// The measured formats; empty where none was predicted to be within the bound.
 fn trials(report: &Report) -> String {
     let header = [
         "",
@@ -94,7 +98,10 @@ fn trials(report: &Report) -> String {
     let less = |removal: &RemovalRow| cells(format!("less: {}", removal.less), &removal.row);
     let removals = report.removals.iter().map(less);
     let rows: Vec<_> = broken.chain(fitted).chain(removals).collect();
-    table::markdown(&header, &rows)
+    match rows.is_empty() {
+        true => String::new(),
+        false => table::markdown(&header, &rows),
+    }
 }
 
 fn cells(what: String, row: &FormatRow) -> Vec<String> {

@@ -7,6 +7,7 @@ use serde::Serialize;
 
 use super::datasheet::{LimitationRow, PortRow, area_and_fmax, limitations};
 use crate::commands::datasheet::{CORE, CORE_PROTOCOL, CORE_VERIFIED, core_facts, core_ports};
+use crate::core::chains_said;
 use crate::cores;
 use crate::narrow::WideArgs;
 use crate::output;
@@ -71,14 +72,6 @@ fn sheet(core: &Core) -> Result<CoreSheet> {
         areas: measured.iter().map(|row| row.area.clone()).collect(),
         fmax_by_grade: measured.into_iter().map(|row| row.clock).collect(),
     })
-}
-
-/// "6 chains of 8 engines".
-pub fn chains_said(chains: u32, engines: usize) -> String {
-    match chains {
-        1 => format!("one chain of {engines} engines"),
-        chains => format!("{chains} chains of {engines} engines"),
-    }
 }
 
 fn text(sheet: &CoreSheet, core: &Core) -> String {

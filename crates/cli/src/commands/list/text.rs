@@ -2,8 +2,8 @@
 
 use fpga_flow::Figure;
 
-use super::core::chains_said;
 use super::{CoreRow, MachineRow, Report};
+use crate::core::chains_said;
 use crate::measured::Area;
 use crate::measured_fits::fit_table;
 use crate::synth::tables;
