@@ -199,7 +199,7 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64(aclk, aresetn, s_axis_photons_t
     wire photon_slice_ready;
     // No word is taken in the clock of a reset.
     assign s_axis_photons_tready = photon_slice_ready & ~reset;
-    photoncube_core_3_leaf_5_local7_rgb6d_n64_slice #(.WIDTH(379)) photon_slice(.clock(aclk), .reset(reset),
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_slice #(.WIDTH(379), .HEAD(6)) photon_slice(.clock(aclk), .reset(reset),
         .in_valid(s_axis_photons_tvalid), .in_ready(photon_slice_ready), .in_word({{s_axis_photons_tdest == 2'd2, s_axis_photons_tdest == 2'd1, s_axis_photons_tdest == 2'd0}, s_axis_photons_tdest, s_axis_photons_tlast, s_axis_photons_tdata[372:0]}),
         .out_valid(leaf_valid), .out_ready(leaf_ready), .out_word(leaf_word));
     wire leaf_last = leaf_word[373];
@@ -248,7 +248,7 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64(aclk, aresetn, s_axis_photons_t
     assign s_axis_queries_tready = query_slice_ready & ~reset;
     // A bit that no field has is 1: the coordinate is too large for the frame.
     wire query_in_outside = |{s_axis_queries_tdata[15:9], s_axis_queries_tdata[31:25], s_axis_queries_tdata[47:41], s_axis_queries_tdata[127:97]};
-    photoncube_core_3_leaf_5_local7_rgb6d_n64_slice #(.WIDTH(104)) query_slice(.clock(aclk), .reset(reset),
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_slice #(.WIDTH(104), .HEAD(7)) query_slice(.clock(aclk), .reset(reset),
         .in_valid(s_axis_queries_tvalid), .in_ready(query_slice_ready), .in_word({{s_axis_queries_tdest == 2'd2, s_axis_queries_tdest == 2'd1, s_axis_queries_tdest == 2'd0}, s_axis_queries_tdest, query_in_outside, s_axis_queries_tlast, s_axis_queries_tdata[96:0]}),
         .out_valid(query_valid), .out_ready(query_ready), .out_word(query_word));
     wire [2:0] query_readies;
@@ -609,7 +609,7 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64(aclk, aresetn, s_axis_photons_t
     wire [42:0] result_seen = result_outside ? {43{1'b0}} : result_merged_0[42:0];
     wire result_waits;
     wire [62:0] result_word;
-    photoncube_core_3_leaf_5_local7_rgb6d_n64_slice #(.WIDTH(63)) result_slice(.clock(aclk), .reset(reset),
+    photoncube_core_3_leaf_5_local7_rgb6d_n64_slice #(.WIDTH(63), .HEAD(4)) result_slice(.clock(aclk), .reset(reset),
         .in_valid(result_comes_0), .in_ready(result_goes_0), .in_word({result_merged_0[62:43], result_seen}),
         .out_valid(result_waits), .out_ready(m_axis_results_tready), .out_word(result_word));
     // A result of before a reset is not given in the clock of the reset.
@@ -1155,9 +1155,11 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_registers(clock, aresetn, reset
 endmodule
 
 
-// A slice of a stream. It has two places, so that no ready passes through it.
+// A slice of a stream. It has two places, so that no ready passes through it. A word stays in its place until it goes, and only its
+// HEAD highest bits move to the first place.
 module photoncube_core_3_leaf_5_local7_rgb6d_n64_slice(clock, reset, in_valid, in_ready, in_word, out_valid, out_ready, out_word);
-    parameter WIDTH = 1;
+    parameter WIDTH = 2;
+    parameter HEAD = 1;
     input wire clock;
     input wire reset;
     input wire in_valid;
@@ -1168,25 +1170,39 @@ module photoncube_core_3_leaf_5_local7_rgb6d_n64_slice(clock, reset, in_valid, i
     output wire [WIDTH - 1:0] out_word;
     reg first_full;
     reg second_full;
-    reg [WIDTH - 1:0] first_word;
-    reg [WIDTH - 1:0] second_word;
+    reg [HEAD - 1:0] first_head;
+    reg [HEAD - 1:0] second_head;
+    reg writes_odd;
+    reg reads_odd;
+    reg [WIDTH - HEAD - 1:0] even_body;
+    reg [WIDTH - HEAD - 1:0] odd_body;
     initial first_full = 1'b0;
     initial second_full = 1'b0;
+    initial writes_odd = 1'b0;
+    initial reads_odd = 1'b0;
+    wire [HEAD - 1:0] in_head = in_word[WIDTH - 1:WIDTH - HEAD];
     wire first_takes = ~first_full | out_ready;
     assign in_ready = ~second_full;
     assign out_valid = first_full;
-    assign out_word = first_word;
+    assign out_word = {first_head, reads_odd ? odd_body : even_body};
     always @(posedge clock) begin
         if (first_takes) begin
             first_full <= second_full | (in_valid & in_ready);
             second_full <= 1'b0;
-            if (second_full) first_word <= second_word;
-            else first_word <= in_word;
+            if (second_full) first_head <= second_head;
+            else first_head <= in_head;
         end else if (in_valid & in_ready) second_full <= 1'b1;
-        if (~second_full) second_word <= in_word;
+        if (~second_full) second_head <= in_head;
+        // The place that is written is free while a word can come.
+        if (in_ready & ~writes_odd) even_body <= in_word[WIDTH - HEAD - 1:0];
+        if (in_ready & writes_odd) odd_body <= in_word[WIDTH - HEAD - 1:0];
+        writes_odd <= writes_odd ^ (in_valid & in_ready);
+        reads_odd <= reads_odd ^ (out_valid & out_ready);
         if (reset) begin
             first_full <= 1'b0;
             second_full <= 1'b0;
+            writes_odd <= 1'b0;
+            reads_odd <= 1'b0;
         end
     end
 endmodule
@@ -1374,7 +1390,7 @@ endmodule
 // Merges the results of a chain with those that pass it. Where both have one, they take turns.
 module photoncube_core_3_leaf_5_local7_rgb6d_n64_merge(clock, reset, own_valid, own_ready, own_word, passing_valid, passing_ready, passing_word,
     out_valid, out_ready, out_word);
-    parameter WIDTH = 1;
+    parameter WIDTH = 2;
     input wire clock;
     input wire reset;
     input wire own_valid;

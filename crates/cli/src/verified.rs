@@ -89,9 +89,11 @@ impl Line {
         }
     }
 
-    /// The key of a line. A new line replaces an earlier one with an equal key.
+    /// The key of a line. A new line replaces an earlier one with an equal key, of whatever version of the tool: the first word of
+    /// `by` is the tool.
     fn key(&self) -> [&str; 4] {
-        [&self.machine, &self.method, &self.aspect, &self.by]
+        let tool = self.by.split([' ', ':']).next().unwrap_or_default();
+        [&self.machine, &self.method, &self.aspect, tool]
     }
 
     /// The place of the method in [`METHODS`]; `None` where it is none of them.
@@ -282,6 +284,17 @@ mod tests {
         record(&path, &[line("overlap", 2), line("paper", 3)]).unwrap();
         let lines = parse(&std::fs::read_to_string(&path).unwrap()).unwrap();
         assert_eq!(lines, [line("overlap", 2), line("paper", 3)]);
+        let newer = Line {
+            by: "icarus 12.0".into(),
+            ..line("paper", 4)
+        };
+        let other_tool = Line {
+            by: "verilator 5".into(),
+            ..line("paper", 5)
+        };
+        record(&path, &[newer.clone(), other_tool.clone()]).unwrap();
+        let lines = parse(&std::fs::read_to_string(&path).unwrap()).unwrap();
+        assert_eq!(lines, [line("overlap", 2), newer, other_tool]);
     }
 
     #[test]

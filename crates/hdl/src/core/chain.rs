@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use photoncube_spec::{Core, CoreStreams, Leaf};
 
-use super::top::{Sizes, part, range};
+use super::top::{QUERY_FLAGS, Sizes, part, range};
 use super::{rounds, stages};
 
 /// A chain, and the way of groups to it.
@@ -66,7 +66,7 @@ pub(super) fn chain_text(
         range(group),
         range(sums),
         range(Leaf::TAG_BITS),
-        range(query + 2),
+        range(query + QUERY_FLAGS),
         range(sums),
         range(Leaf::TAG_BITS),
         query + 1,

@@ -20,7 +20,7 @@ pub(super) fn photons(core: &Core, word: &StreamWord, sizes: &Sizes) -> String {
     text += &slice(
         core,
         "photon",
-        width,
+        [width, width - end],
         [
             "s_axis_photons_tvalid",
             "photon_slice_ready",
@@ -138,7 +138,7 @@ pub(super) fn queries(core: &Core, word: &StreamWord, sizes: &Sizes) -> String {
     text += &slice(
         core,
         "query",
-        width,
+        [width, width - query],
         [
             "s_axis_queries_tvalid",
             "query_slice_ready",

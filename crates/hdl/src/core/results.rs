@@ -37,7 +37,7 @@ pub(super) fn results(core: &Core, streams: &CoreStreams, sizes: &Sizes) -> Stri
     text += &slice(
         core,
         "result",
-        result_slice,
+        [result_slice, result_slice - end],
         [
             "result_comes_0",
             "result_goes_0",

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use photoncube_spec::{Core, CoreField, CoreRegister, CoreRegisterRow, CoreStreams, Leaf, Rounds};
 
-use super::top::{Sizes, range};
+use super::top::{QUERY_FLAGS, Sizes, range};
 
 const TEMPLATE: &str = include_str!("rounds.v");
 
@@ -49,7 +49,7 @@ pub(super) fn ways(
     for (name, width) in [
         ("given_valid", 1),
         ("given_ready", 1),
-        ("given", query + 2),
+        ("given", query + QUERY_FLAGS),
         ("found_valid", 1),
         ("found_ready", 1),
         ("found", found),
@@ -69,7 +69,7 @@ pub(super) fn ways(
          .given_valid(given_valid_{chain}), .given_ready(given_ready_{chain}), .given(given_{chain}),\n        \
          .found_valid(found_valid_{chain}), .found_ready(found_ready_{chain}), .found(found_{chain}),\n        \
          .result_valid(shown_valid_{chain}), .result_ready(shown_ready_{chain}), .result(shown_{chain}));\n    \
-         {top}_slice #(.WIDTH({})) query_slice_{chain}(.clock(aclk), .reset(reset),\n        \
+         {top}_slice #(.WIDTH({}), .HEAD({})) query_slice_{chain}(.clock(aclk), .reset(reset),\n        \
          .in_valid(given_valid_{chain}), .in_ready(given_ready_{chain}), .in_word(given_{chain}),\n        \
          .out_valid(chain_query_valid_{chain}), .out_ready(chain_query_ready_{chain}), .out_word(query_{chain}));\n    \
          {top}_place #(.WIDTH({found})) found_place_{chain}(.clock(aclk), .reset(reset),\n        \
@@ -87,7 +87,8 @@ pub(super) fn ways(
         Leaf::TAG_BITS,
         rounds.largest,
         rounds.nearest,
-        query + 2,
+        query + QUERY_FLAGS,
+        QUERY_FLAGS,
     );
     Some(text)
 }

@@ -5,7 +5,7 @@
 
 use photoncube_spec::{Core, Leaf};
 
-use super::top::{Sizes, part, range};
+use super::top::{QUERY_FLAGS, Sizes, part, range};
 
 /// A chain's stage. Its words come from the stage of the chain before; those of the first come from the wire `out`, where they are given.
 fn stage(core: &Core, word: &str, out: &str, width: u32, chain: u32) -> String {
@@ -65,7 +65,7 @@ pub(super) fn queries(core: &Core, sizes: &Sizes, chain: u32) -> String {
     let Sizes {
         query, query_slice, ..
     } = *sizes;
-    let fields = query + 2;
+    let fields = query + QUERY_FLAGS;
     let query_word = part(0, query_slice, "query_word");
     stage(core, "query", &query_word, query_slice, chain)
         + &format!(

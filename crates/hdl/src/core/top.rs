@@ -8,6 +8,9 @@ use super::chain::chain_text;
 use super::results::results;
 use super::{inputs, rounds};
 
+/// The flags above the fields of a query: `tlast`, and whether a bit without a field is 1.
+pub(super) const QUERY_FLAGS: u32 = 2;
+
 /// The bits of each word in the core. A slice's word has the chain's number and the flags of its stream beside the fields, and above
 /// all that, where it comes from a port, a bit for each chain.
 pub(super) struct Sizes {
@@ -49,7 +52,7 @@ impl Sizes {
             photon_slice: streams.photons.end() + 1 + chain,
             photon_stage: streams.photons.end() + 2 + chain,
             query,
-            query_slice: query + 2 + chain,
+            query_slice: query + QUERY_FLAGS + chain,
             sums,
             result_slice: streams.results.end() + 2 + chain + u32::from(core.has_radii()),
         }
@@ -106,17 +109,17 @@ fn head(core: &Core) -> String {
     text
 }
 
-/// An instance of the slice of a stream.
+/// An instance of the slice of a stream. The flags that decide where a word goes are its `head` highest bits.
 pub(super) fn slice(
     core: &Core,
     stream: &str,
-    width: u32,
+    [width, head]: [u32; 2],
     [valid, ready, word]: [&str; 3],
     out: [&str; 3],
 ) -> String {
     let [out_valid, out_ready, out_word] = out;
     format!(
-        "    {}_slice #(.WIDTH({width})) {stream}_slice(.clock(aclk), .reset(reset),\n        \
+        "    {}_slice #(.WIDTH({width}), .HEAD({head})) {stream}_slice(.clock(aclk), .reset(reset),\n        \
          .in_valid({valid}), .in_ready({ready}), .in_word({word}),\n        \
          .out_valid({out_valid}), .out_ready({out_ready}), .out_word({out_word}));\n",
         core.top()
