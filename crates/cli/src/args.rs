@@ -1,16 +1,17 @@
 //! The command line.
 
-use photoncube_spec::CustomOrganisation;
 use std::ffi::OsString;
 use std::fmt;
 use std::path::PathBuf;
 use std::str::FromStr;
 
+use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Args as ClapArgs, CommandFactory, FromArgMatches, Parser, Subcommand};
 use clap_complete::Shell;
 use photoncube_render::{
     BenchOptions, FitOptions, MAX_PHOTONS, MAX_PIXELS, TraceOptions, ViewOptions,
 };
+use photoncube_spec::{CustomOrganisation, nearest};
 
 use self::numbers::{positive, with_negative_values};
 use crate::commands::{VerifyArgs, WavesArgs, family_names, with_method};
@@ -74,10 +75,28 @@ impl Args {
     ) -> Result<Self, clap::Error> {
         let mut command = with_negative_values(Self::command());
         let (words, _) = with_method(words.into_iter().map(Into::into).collect());
-        let matches = command.try_get_matches_from_mut(words)?;
+        let matches = command.try_get_matches_from_mut(&words);
+        let matches = matches.map_err(|error| with_nearest_command(error, &command, &words))?;
         applies::check(&mut command, &matches)?;
         Self::from_arg_matches(&matches).map_err(|error| error.format(&mut command))
     }
+}
+
+/// Adds the nearest command to the error about an unknown one, where clap, which looks for letters at nearly the same places, found none.
+fn with_nearest_command(
+    mut error: clap::Error,
+    command: &clap::Command,
+    words: &[OsString],
+) -> clap::Error {
+    let found = words.get(1).map(|word| word.to_string_lossy());
+    let is_unknown = error.kind() == ErrorKind::InvalidSubcommand
+        && error.get(ContextKind::SuggestedSubcommand).is_none();
+    let names = command.get_subcommands().map(clap::Command::get_name);
+    if let (true, Some(name)) = (is_unknown, found.and_then(|found| nearest(&found, names))) {
+        let suggested = ContextValue::Strings(vec![name.to_owned()]);
+        error.insert(ContextKind::SuggestedSubcommand, suggested);
+    }
+    error
 }
 
 const EXAMPLES: &str = "\

@@ -10,6 +10,9 @@ use crate::table::COLUMNS;
 /// The most lines that a row of a table may take.
 const MOST_LINES: usize = 4;
 
+/// How a line begins that is a command.
+const COMMAND: &str = concat!(env!("CARGO_BIN_NAME"), " ");
+
 /// The characters around a cell: a space before it, a space and a bar after it.
 const AROUND: usize = 3;
 
@@ -47,9 +50,9 @@ fn width(text: &str) -> usize {
     text.chars().count()
 }
 
-/// A line, broken between words. Further lines begin below its text, which two spaces part from what is on its left.
+/// A line, broken between words; one that is a command stays whole, to be copied. Further lines begin below its text, which two spaces part from what is on its left.
 fn prose(line: &str) -> String {
-    if width(line) <= COLUMNS {
+    if width(line) <= COLUMNS || line.trim_start().starts_with(COMMAND) {
         return format!("{line}\n");
     }
     let start = line.len() - line.trim_start().len();
@@ -256,6 +259,8 @@ mod tests {
 
     #[test]
     fn a_line_goes_on_below_its_text_and_a_command_is_not_broken() {
+        let command = format!("  photoncube run {}\n", "--photons 2000 ".repeat(9).trim());
+        assert_eq!(narrow(&command), command);
         let text = format!("  key   {}`photoncube list`\n", "word ".repeat(17));
         let lines: Vec<_> = narrow(&text).lines().map(str::to_owned).collect();
         assert_eq!(lines[1], "        `photoncube list`");

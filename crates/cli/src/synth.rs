@@ -36,7 +36,8 @@ pub fn tools(folder: Option<&Path>, places_in: Option<&Family>) -> Result<Tools>
     let installed = pinned_tools();
     let Some(folder) = folder.or(installed) else {
         bail!(
-            "found no tools of `photoncube setup --where`; `{INSTALL}` installs them, --tools names a folder"
+            "the pinned Yosys and nextpnr are not installed, and those of the system are not used; `{INSTALL}` installs them, --tools names \
+             a folder that has them"
         );
     };
     Tools::find(Some(folder), places_in).map_err(|error| match error {

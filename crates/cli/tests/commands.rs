@@ -360,7 +360,7 @@ fn fit_says_what_it_found_to_people() {
     for expected in [
         "less: position bit",
         "| fitted | saved | because",
-        "go on with: ",
+        "go on with:\n  photoncube run ring --machine ",
     ] {
         assert!(text.contains(expected), "{expected}: {text}");
     }

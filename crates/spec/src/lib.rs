@@ -61,7 +61,7 @@ pub use interface::{Direction, Fact, Interface, Limitation, Port};
 pub use leaf::{Leaf, LeafRegister, LeafRow, LeafSizes, QueryWord};
 pub use machine::{Machine, module_prefix};
 pub use machines::{MACHINES, UnknownMachine, find_machine};
-pub use nearest::did_you_mean;
+pub use nearest::{did_you_mean, nearest};
 pub use organisation::{Organisation, Rate};
 pub use pace::{Pace, SharedGroups};
 pub use pins::{Pin, Pins, SignalPlace};

@@ -4,11 +4,16 @@
 /// compiler uses this rule for unknown names. At least one letter must be right.
 const LETTERS_A_SLIP: usize = 3;
 
-/// Returns ` (did you mean `NAME`?)` with the name of `known` that is the fewest slips away from `found`, or
-/// an empty string where no name is near. A slip is a letter too many, too few, wrong, or two letters in the
-/// wrong order. Case is ignored.
+/// Returns ` (did you mean `NAME`?)` with the [`nearest`] name of `known`, or an empty string where none is near.
 #[must_use]
 pub fn did_you_mean<'a>(found: &str, known: impl IntoIterator<Item = &'a str>) -> String {
+    nearest(found, known).map_or_else(String::new, |name| format!(" (did you mean `{name}`?)"))
+}
+
+/// Returns the name of `known` that is the fewest slips away from `found`; `None` where no name is near. A slip is a letter too
+/// many, too few, wrong, or two letters in the wrong order. Case is ignored.
+#[must_use]
+pub fn nearest<'a>(found: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let found = found.to_lowercase();
     let length = found.chars().count();
     let slips = |name: &str| strsim::damerau_levenshtein(&found, &name.to_lowercase());
@@ -18,10 +23,8 @@ pub fn did_you_mean<'a>(found: &str, known: impl IntoIterator<Item = &'a str>) -
     };
     let names = known.into_iter().map(|name| (name, slips(name)));
     // `min_by_key` takes the first of several equally near names.
-    match names.filter(is_near).min_by_key(|(_, slips)| *slips) {
-        Some((name, _)) => format!(" (did you mean `{name}`?)"),
-        None => String::new(),
-    }
+    let nearest = names.filter(is_near).min_by_key(|(_, slips)| *slips);
+    nearest.map(|(name, _)| name)
 }
 
 #[cfg(test)]

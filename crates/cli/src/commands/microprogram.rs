@@ -3,8 +3,10 @@
 mod overlap;
 mod spatial;
 
-use anyhow::Result;
-use photoncube_spec::{Machine, Microprogram, ScheduleReport, check_schedule, schedule_report};
+use anyhow::{Result, bail};
+use photoncube_spec::{
+    MACHINES, Machine, Microprogram, ScheduleReport, check_schedule, schedule_report,
+};
 use serde::Serialize;
 
 use crate::args::MicroprogramArgs;
@@ -33,7 +35,18 @@ struct Report {
 pub fn execute(args: &MicroprogramArgs, json: bool) -> Result<()> {
     let machine = args.machine.find()?;
     let (source, program) = match (&args.file, machine.microprogram(), machine.spatial()) {
-        (Some(path), _, _) => (path.display().to_string(), read(path)?),
+        (Some(_), None, _) => {
+            let with_program = MACHINES
+                .iter()
+                .filter(|machine| machine.microprogram().is_some());
+            let names: Vec<_> = with_program.map(|machine| machine.name).collect();
+            bail!(
+                "--file: machine `{}` runs no microprogram, expected one of {}",
+                machine.name,
+                names.join(", ")
+            )
+        }
+        (Some(path), ..) => (path.display().to_string(), read(path)?),
         (None, Some(program), _) => (format!("machine {}", machine.name), program),
         (None, None, Some(spatial)) => return spatial::execute(machine, spatial, json),
         (None, None, None) => return overlap::execute(machine, json),

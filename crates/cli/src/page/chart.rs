@@ -331,12 +331,15 @@ fn labels(svg: &mut String, points: &[Point], front: &[bool], x: &Scale, y: &Sca
     let mut named: Vec<_> = named.map(|(point, _)| point).collect();
     // Machines first, since formats stand close together.
     named.sort_by_key(|point| point.kind == Kind::Format);
-    for point in named {
-        let Some(place) = labels.place(at(point), &point.label) else {
+    for ((x, y), label) in by_place(
+        named
+            .into_iter()
+            .map(|point| (at(point), point.label.as_str())),
+    ) {
+        let Some(place) = labels.place((x, y), &label) else {
             continue;
         };
-        if let Some((to_x, to_y)) = leader(at(point), place) {
-            let (x, y) = at(point);
+        if let Some((to_x, to_y)) = leader((x, y), place) {
             let _ = writeln!(svg, "<path class=\"leader\" d=\"M{x} {y}L{to_x} {to_y}\"/>");
         }
         let ((left, _), (_, bottom)) = place;
@@ -344,9 +347,25 @@ fn labels(svg: &mut String, points: &[Point], front: &[bool], x: &Scale, y: &Sca
             svg,
             "<text class=\"name\" x=\"{left}\" y=\"{}\">{}</text>",
             bottom - 3,
-            escaped(&point.label)
+            escaped(&label)
         );
     }
+}
+
+/// One name for each place: where several points lie, that of the first and how many more there are.
+fn by_place<'a>(named: impl Iterator<Item = ((i32, i32), &'a str)>) -> Vec<((i32, i32), String)> {
+    let mut places: Vec<((i32, i32), &str, usize)> = Vec::new();
+    for (place, label) in named {
+        match places.iter_mut().find(|(other, ..)| *other == place) {
+            Some((.., more)) => *more += 1,
+            None => places.push((place, label, 0)),
+        }
+    }
+    let named = |(place, label, more)| match more {
+        0 => (place, str::to_owned(label)),
+        more => (place, format!("{label} and {more} more")),
+    };
+    places.into_iter().map(named).collect()
 }
 
 /// The intervals of the errors of the front, because those of all points would hide the points; and of each point that was
@@ -389,6 +408,16 @@ pub(super) fn escaped(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn points_at_one_place_have_one_name() {
+        let named = [((1, 2), "a"), ((3, 4), "b"), ((1, 2), "c"), ((1, 2), "d")];
+        let expected = [
+            ((1, 2), "a and 2 more".to_owned()),
+            ((3, 4), "b".to_owned()),
+        ];
+        assert_eq!(by_place(named.into_iter()), expected);
+    }
 
     fn point(label: &str, error: f64, figure: f64) -> Point {
         Point {

@@ -86,7 +86,11 @@ fn hypercube(machine: &Machine, example: &Example, trace: &Trace) -> Markup {
             div.cube { (scrolling("Drawing of the hypercube", PreEscaped(drawing(cube, trace)))) }
             ol.steps {
                 @for (step, clock) in trace.steps.iter().zip(&trace.clocks) {
-                    li { span.clock { (clock) } " " code { (step) } " " span.unit { (unit(*step)) } ": " (SEQUENTIAL.op(step.op).formula) }
+                    li {
+                        span { (clock) }
+                        code { (step) }
+                        span { span.unit { (unit(*step)) } ": " (SEQUENTIAL.op(step.op).formula) }
+                    }
                 }
             }
             script type="application/json" class="steps-data" { (PreEscaped(data)) }

@@ -104,6 +104,10 @@ fn a_name_with_a_slip_is_told_with_the_one_that_was_meant() {
         let expected = format!("(did you mean `{meant}`?)");
         assert!(message.contains(&expected), "{args:?}: {message}");
     }
+    for (slip, meant) in [("rnu", "run"), ("rendr", "render"), ("reprot", "report")] {
+        let message = error(&[slip], 2);
+        assert!(message.contains(&format!("'{meant}'")), "{slip}: {message}");
+    }
 }
 
 #[test]
@@ -211,6 +215,18 @@ fn printed_lines_fit_a_terminal_unless_all_of_a_table_is_asked_for() {
         let wide = text(&[words, &["--wide"]].concat());
         assert!(too_wide(&wide).is_some(), "{words:?}");
     }
+}
+
+#[test]
+fn a_listing_is_refused_for_a_machine_that_runs_none() {
+    let message = error(
+        &["microprogram", "--machine", "stream", "--file", "own.txt"],
+        2,
+    );
+    assert!(
+        message.contains("`stream` runs no microprogram, expected one of paper"),
+        "{message}"
+    );
 }
 
 #[test]

@@ -42,7 +42,7 @@ pub fn text(report: &Report) -> String {
         text += &format!("wrote {file}\n");
     }
     if let Some(next) = &report.next {
-        text += &format!("go on with: {next}\n");
+        text += &format!("go on with:\n  {next}\n");
     }
     text + &format!("{:.0} s\n", report.seconds)
 }
