@@ -76,10 +76,23 @@ impl Args {
         let mut command = with_negative_values(Self::command());
         let (words, _) = with_method(words.into_iter().map(Into::into).collect());
         let matches = command.try_get_matches_from_mut(&words);
-        let matches = matches.map_err(|error| with_nearest_command(error, &command, &words))?;
+        let matches = matches.map_err(|error| with_tip(error, &command, &words))?;
         applies::check(&mut command, &matches)?;
         Self::from_arg_matches(&matches).map_err(|error| error.format(&mut command))
     }
+}
+
+/// Adds what was probably meant to an error.
+fn with_tip(mut error: clap::Error, command: &clap::Command, words: &[OsString]) -> clap::Error {
+    let invalid = error.get(ContextKind::InvalidArg).map(ToString::to_string);
+    if error.kind() == ErrorKind::UnknownArgument && invalid.as_deref() == Some("--scene") {
+        let tip = "a scene needs no option: give its name or its file alone";
+        error.insert(
+            ContextKind::Suggested,
+            ContextValue::StyledStrs(vec![tip.into()]),
+        );
+    }
+    with_nearest_command(error, command, words)
 }
 
 /// Adds the nearest command to the error about an unknown one, where clap, which looks for letters at nearly the same places, found none.

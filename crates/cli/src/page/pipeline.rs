@@ -103,7 +103,8 @@ impl Pipeline {
                 (machine.photons_per_iteration()) ", pass "
                 @if engines == 1 { "one engine" } @else { (engines) " engines, one after the other" }
                 ". A group enters every clock. A row is a register of an engine with all its instances: a value for each photon, \
-                 axis or channel. " (example.in_range) " of the photons are in range."
+                 axis or channel. A name that ends in valid, and token, keep, next and swap, are of the control that gives the engine its \
+                 query. " (example.in_range) " of the photons are in range."
             }
             div.stepper role="group" aria-label={ "Registers of " (machine.name) ", clock by clock" } {
                 (controls())
