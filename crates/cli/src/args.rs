@@ -85,7 +85,13 @@ impl Args {
 /// Adds what was probably meant to an error.
 fn with_tip(mut error: clap::Error, command: &clap::Command, words: &[OsString]) -> clap::Error {
     let invalid = error.get(ContextKind::InvalidArg).map(ToString::to_string);
-    if error.kind() == ErrorKind::UnknownArgument && invalid.as_deref() == Some("--scene") {
+    let of_command = words.get(1).and_then(|name| command.find_subcommand(name));
+    let has_scene = of_command.is_some_and(|command| {
+        let mut arguments = command.get_arguments();
+        arguments.any(|argument| argument.get_id() == "scene")
+    });
+    let is_unknown = error.kind() == ErrorKind::UnknownArgument;
+    if is_unknown && has_scene && invalid.as_deref() == Some("--scene") {
         let tip = "a scene needs no option: give its name or its file alone";
         error.insert(
             ContextKind::Suggested,

@@ -212,7 +212,7 @@ impl ChainsChoice {
         let rows: Vec<_> = self.compared.iter().map(row).collect();
         format!(
             "\nCores that fit an LFE5U-85F by the area of their chains alone, with a forecast for {} queries:\n{}\
-             the most queries a clock: {} (error / noise {:.4}); it was not placed and routed\n\
+             the most queries a clock, by area alone: {} (error / noise {:.4})\n\
              A core takes a query of more photons in several sets, whose sums the driver adds.\n",
             table::grouped(self.query_points as u64),
             table::markdown(&header, &rows),

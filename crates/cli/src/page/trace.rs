@@ -141,12 +141,9 @@ impl Trace {
 
 /// The names of a program's clocks as its listing has them: `query 0`, and the clocks of an iteration, `0` and on.
 pub fn clock_names(program: &Microprogram) -> Vec<String> {
-    let iteration = program.initiation_interval();
-    let query = program.steps().len() as u32 - iteration;
-    let of_query = (0..query).map(|clock| format!("query {clock}"));
-    of_query
-        .chain((0..iteration).map(|clock| clock.to_string()))
-        .collect()
+    let of_query = (0..program.query_clocks()).map(|clock| format!("query {clock}"));
+    let of_iteration = (0..program.initiation_interval()).map(|clock| clock.to_string());
+    of_query.chain(of_iteration).collect()
 }
 
 /// An example of the built-in scene `ring`, for tests.

@@ -94,6 +94,8 @@ fn report_goes_on_where_a_machine_cannot_take_the_scene() {
         text.contains(expected) && text.contains("--in-range"),
         "{text}"
     );
+    let tiles = "tile-4, tile-5, tile-6, tile-7, tile-8, tile-9, tile-10, ";
+    assert!(text.contains(tiles), "one reason, one line: {text}");
     assert!(
         text.starts_with("cornell: of the formats and machines listed below, "),
         "the verdict comes first: {text}"
@@ -170,6 +172,8 @@ fn a_query_of_too_many_photons_is_told_with_the_option_that_helps() {
     let run = ["run", "--machine", "tile-6", "--out", out.to_str().unwrap()];
     let message = error(&[&run[..], &many].concat(), 2);
     assert!(message.contains("give a smaller --in-range"), "{message}");
+    assert!(message.contains("a format with -n"), "{message}");
+    assert!(!out.exists(), "it is refused before the Verilog is written");
 }
 
 /// Smaller batches have fewer tests of photons that cannot be in range, and more chains.

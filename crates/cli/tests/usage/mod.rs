@@ -110,6 +110,8 @@ fn a_name_with_a_slip_is_told_with_the_one_that_was_meant() {
     }
     let message = error(&["run", "--scene", "cornell"], 2);
     assert!(message.contains("a scene needs no option"), "{message}");
+    let message = error(&["generate", "--scene", "cornell"], 2);
+    assert!(!message.contains("a scene needs no option"), "{message}");
 }
 
 #[test]

@@ -35,8 +35,8 @@ pub struct RangeError {
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error(
     "a query of {found} photons is {} over the {max_photons} that {holder} declares: \
-     its sums could overflow; a smaller search radius or a format with a larger `max_photons` has room",
-    .found - .max_photons
+     its sums could overflow; a smaller search radius or a format with -n{} has room",
+    .found - .max_photons, .found.next_power_of_two()
 )]
 pub struct CountError {
     /// The number of photons given.

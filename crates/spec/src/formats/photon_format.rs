@@ -241,7 +241,7 @@ impl PhotonFormat {
             Rounding::Dithered => ", dithered",
         };
         format!(
-            "{} bits of place on each axis{}, {words} {mantissa_bits} bits{exponent}{rounding}",
+            "{} bits per axis{}, {words} {mantissa_bits} bits{exponent}{rounding}",
             self.position_bits,
             queries.get(self.query_extra_bits as usize).unwrap_or(&""),
         )

@@ -189,7 +189,7 @@ mod tests {
         assert_eq!(format.name(), "local6x2-mono5b3d-n4096");
         assert_eq!(
             format.summary(),
-            "6 bits of place on each axis, queries on quarter steps, one channel of 5 bits, a block's exponent, dithered"
+            "6 bits per axis, queries on quarter steps, one channel of 5 bits, a block's exponent, dithered"
         );
     }
 

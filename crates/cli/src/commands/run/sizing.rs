@@ -1,6 +1,7 @@
 //! Chooses the machine of a run: the given one, or the one that the scene needs.
 
-use anyhow::{Result, bail};
+use anyhow::Result;
+use photoncube_model::{GatherError, Limits};
 use photoncube_render::{BenchOptions, FitOptions, QuantisedMap, largest_query, view_queries};
 use photoncube_spec::{Machine, PHOTON_FORMATS, PhotonFormat};
 use serde::Serialize;
@@ -50,20 +51,8 @@ fn check_room(machine: &Machine, args: &RunArgs, traced: &Traced) -> Result<()> 
         return Ok(());
     };
     let largest = largest_in_picture(format, args, traced)?;
-    let holds = format.max_photons;
-    if largest <= holds {
-        return Ok(());
-    }
-    let wider = PhotonFormat {
-        max_photons: largest.next_power_of_two(),
-        ..*format
-    };
-    bail!(
-        "machine `{}`: a query of this picture has {largest} photons, expected at most {holds}, which its format declares: give a smaller \
-         --in-range, or a machine of the format {}",
-        machine.name,
-        wider.name()
-    )
+    let checked = Limits::of(&machine.numbers)?.check_count(largest);
+    Ok(checked.map_err(GatherError::from)?)
 }
 
 /// The photons of the picture's largest query, in blocks of a format.
