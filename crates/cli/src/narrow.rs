@@ -59,12 +59,20 @@ fn prose(line: &str) -> String {
     let gap = line[start..].find("  ").map(|gap| start + gap);
     let after_gap = gap.map(|gap| line.len() - line[gap..].trim_start().len());
     let is_left = |at: &usize| width(&line[..*at]) < COLUMNS / 2;
-    let (left, text) = line.split_at(after_gap.filter(is_left).unwrap_or(start));
-    let indent = width(left);
-    let lines = broken(text, COLUMNS - indent);
-    let indented = |(index, part): (usize, &String)| match index {
-        0 => format!("{left}{part}\n"),
-        _ => format!("{:indent$}{part}\n", ""),
+    let parts_at = |at: usize| {
+        let (left, text) = line.split_at(at);
+        let indent = width(left);
+        (left, indent, broken(text, COLUMNS.saturating_sub(indent)))
+    };
+    let fits = |(_, indent, lines): &(&str, usize, Vec<String>)| {
+        lines.iter().all(|line| indent + width(line) <= COLUMNS)
+    };
+    // A word that is too long to stand beside what is on the left stands alone.
+    let beside = after_gap.filter(is_left).map(parts_at).filter(fits);
+    let (left, indent, lines) = beside.unwrap_or_else(|| parts_at(start));
+    let indented = |(index, part): (usize, &String)| {
+        let left = if index == 0 { left } else { "" };
+        format!("{left:indent$}{part}").trim_end().to_owned() + "\n"
     };
     lines.iter().enumerate().map(indented).collect()
 }
@@ -264,6 +272,9 @@ mod tests {
         let text = format!("  key   {}`photoncube list`\n", "word ".repeat(17));
         let lines: Vec<_> = narrow(&text).lines().map(str::to_owned).collect();
         assert_eq!(lines[1], "        `photoncube list`");
+        let long = format!("`{}`", ["photoncube"; 8].join(" "));
+        let lines = narrow(&format!("  a longer key   {long} ends\n"));
+        assert_eq!(lines, format!("  a longer key\n  {long} ends\n"));
     }
 
     proptest! {
