@@ -112,7 +112,7 @@ async function pipelines(page, file) {
     check(clocks > 9 && table.length > 20, `${file}: a pipeline of ${clocks} clocks and ${table.length} registers, expected more`);
     const shown = () =>
       stepper.$$eval(".pipeline tr", (rows) =>
-        rows.map((row) => [...row.querySelectorAll("td")].map((cell) => cell.textContent).join(" ")),
+        rows.map((row) => [...row.querySelectorAll("[data-place]")].map((cell) => cell.textContent).join(" ")),
       );
     for (let clock = 0; clock < clocks; clock++) {
       const expected = table.map((row) => row[clock + 1]);

@@ -182,7 +182,7 @@ fn by_speed(mut candidates: Vec<Candidate>) -> Vec<Candidate> {
 /// The fitted format and its machines. It is a failed check where either is missing.
 pub fn format_and_machines(fit: &Fit, options: &FitOptions) -> Result<(Trial, Choices)> {
     let Some(trial) = &fit.chosen else {
-        return Err(CheckFailed(no_format(options)).into());
+        return Err(CheckFailed(no_format(fit, options)).into());
     };
     match choose(fit, options, trial)? {
         Some(choices) => Ok((trial.clone(), choices)),
@@ -190,11 +190,18 @@ pub fn format_and_machines(fit: &Fit, options: &FitOptions) -> Result<(Trial, Ch
     }
 }
 
-/// A message that states why there is no format.
-pub fn no_format(options: &FitOptions) -> String {
+/// A message that states why there is no format, and what the error can come down to.
+pub fn no_format(fit: &Fit, options: &FitOptions) -> String {
+    let bound = short(options.noise_ratio);
+    let widest = match &fit.widest {
+        Some(trial) => format!(
+            ", at least {:.2e}: the widest, {}, is measured there",
+            trial.measured.error_over_noise, trial.format
+        ),
+        None => String::new(),
+    };
     format!(
-        "no photon format's error is below {} of the scene's noise; expected a larger --noise-ratio",
-        short(options.noise_ratio)
+        "no photon format's error is below {bound} of the scene's noise; expected a larger --noise-ratio{widest}"
     )
 }
 

@@ -371,7 +371,10 @@ fn a_ratio_that_nothing_meets_ends_1_and_one_of_nothing_ends_2() {
     let tiny = ["--photons", "2000", "--size", "6x6", "--maps", "3"];
     let fit = |ratio| [&["fit", "cornell", "--noise-ratio", ratio][..], &tiny[..]].concat();
     let message = error(&fit("0.000001"), 1);
-    assert!(message.contains("larger --noise-ratio"), "{message}");
+    assert!(
+        message.contains("larger --noise-ratio, at least "),
+        "{message}"
+    );
     for ratio in ["0", "nan"] {
         assert!(error(&fit(ratio), 2).contains("number above 0"), "{ratio}");
     }

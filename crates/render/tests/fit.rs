@@ -129,6 +129,9 @@ fn a_loose_bound_takes_the_least_there_is_and_a_tight_one_nothing() {
     assert_eq!(less, ["two channels"]);
     let tight = small(1e-6);
     assert!(tight.chosen.is_none() && tight.removals.is_empty());
+    let widest = tight.widest.unwrap();
+    assert_eq!(widest.format.position_bits, 12);
+    assert!(!widest.holds && widest.measured.error_over_noise < 0.1);
 }
 
 #[test]

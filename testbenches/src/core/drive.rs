@@ -56,6 +56,10 @@ pub(super) struct Drive<'a> {
     clock: u64,
     events_before: u32,
     reset_before: bool,
+    /// A reset waits for the next leaf that is taken.
+    reset_waits: bool,
+    /// Clocks until a reset that follows a leaf.
+    reset_in: Option<u32>,
     /// A read of an address without a register was taken in the clock before.
     read_refused: bool,
     /// No words are drawn until no query is under way; then other rounds are.
@@ -72,8 +76,10 @@ const PACE_CLOCKS: u32 = 256;
 /// A round has a set for each chain. Where the sets of a round have more leaves than this, resets and restarts come less often
 /// in proportion, so that a core of large banks comes to the end of its work between them.
 const LEAVES_OF_ROUND: u32 = 64;
-/// A reset comes once in so many clocks.
+/// A reset comes once in so many clocks. Every second one waits for a leaf and comes behind it.
 const RESET_CLOCKS: u32 = 3000;
+/// The clocks behind a leaf in which it passes the stages on its way to a chain.
+const CLOCKS_TO_CHAINS: u32 = 4;
 /// Behind a read that is refused a reset comes once in so many times, in the clock of its answer.
 const RESET_REFUSALS: u32 = 16;
 /// The core drains after so many sets of each chain, on average, and its rounds change.
@@ -112,6 +118,8 @@ impl<'a> Drive<'a> {
             clock: 0,
             events_before: 0,
             reset_before: false,
+            reset_waits: false,
+            reset_in: None,
             read_refused: false,
             drains: false,
             settings: VecDeque::new(),
@@ -150,11 +158,7 @@ impl<'a> Drive<'a> {
             };
         }
         self.offer();
-        let clocks = match self.read_refused {
-            true => RESET_REFUSALS,
-            false => RESET_CLOCKS,
-        };
-        self.inputs.reset = self.one_in(clocks * self.seldom);
+        self.inputs.reset = self.resets();
         self.inputs.result_ready = self.chance(self.pace.results);
         rows.inputs
             .extend(CorePins::input_row(self.streams, &self.inputs));
@@ -179,6 +183,24 @@ impl<'a> Drive<'a> {
         }
         self.clock += 1;
         Ok(())
+    }
+
+    /// Whether there is a reset in this clock.
+    fn resets(&mut self) -> bool {
+        let clocks = match self.read_refused {
+            true => RESET_REFUSALS,
+            false => RESET_CLOCKS,
+        };
+        if let Some(left) = &mut self.reset_in {
+            *left -= 1;
+            let is_due = *left == 0;
+            self.reset_in = self.reset_in.filter(|_| !is_due);
+            return is_due;
+        }
+        let comes = self.one_in(clocks * self.seldom);
+        let waits = comes && !self.read_refused && self.one_in(2);
+        self.reset_waits |= waits;
+        comes && !waits
     }
 
     /// Draws the next words. Now and then it waits until no query is under way, which alone is when rounds may change.
@@ -367,6 +389,9 @@ impl<'a> Drive<'a> {
         if moved(&mut self.inputs.photons, outputs.photon_ready) {
             self.plan.photons.pop_front();
             self.happened.leaves += 1;
+            if std::mem::take(&mut self.reset_waits) {
+                self.reset_in = Some(self.draw.rng().random_range(1..=CLOCKS_TO_CHAINS));
+            }
         }
         if moved(&mut self.inputs.queries, outputs.query_ready) {
             self.plan.queries.pop_front();

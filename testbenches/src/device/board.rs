@@ -10,7 +10,7 @@ use tempfile::TempDir;
 
 use super::process::Process;
 use super::simulation::hdl_error;
-use super::verilator::{Build, Sources, build_or_reuse};
+use super::verilator::{Sources, build_or_reuse};
 use super::{DeviceError, scratch_folder};
 use crate::tools::Tool;
 use crate::trace::TRACE;
@@ -82,8 +82,7 @@ impl BoardSimulation {
         let sources = Sources {
             design: design.map(String::as_str).join("\n"),
             harness: HARNESS.replace("@CLOCKS@", &clocks_of_bit.to_string()),
-            // Optimised in full, the build takes twice as long, which few pictures are worth.
-            build: Build::Plain,
+            coverage: false,
         };
         let program = build_or_reuse(&sources, &version, folder.path())?;
         let mut command = Command::new(program);

@@ -13,7 +13,7 @@ use tempfile::TempDir;
 
 use super::process::Process;
 use super::simulation::hdl_error;
-use super::verilator::{Build, Sources, build_or_reuse};
+use super::verilator::{Sources, build_or_reuse};
 use super::{DeviceError, scratch_folder};
 use crate::tools::Tool;
 use crate::trace::TRACE;
@@ -45,7 +45,7 @@ impl CoreSimulation {
         let sources = Sources {
             design: emitted.text.clone() + &core_within(TRACE, CLOCK, core, &emitted),
             harness: harness(core, emitted.digest),
-            build: Build::Fast,
+            coverage: false,
         };
         let program = build_or_reuse(&sources, &version, folder.path())?;
         let mut command = Command::new(program);

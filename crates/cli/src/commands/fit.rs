@@ -103,7 +103,7 @@ pub fn execute(args: &FitArgs, json: bool) -> Result<()> {
     report.seconds = start.elapsed().as_secs_f64();
     output::print_tables(json, args.wide, &report, || text::text(&report))?;
     match (&fit.chosen, &choices) {
-        (None, _) => Err(CheckFailed(fitted::no_format(&options)).into()),
+        (None, _) => Err(CheckFailed(fitted::no_format(&fit, &options)).into()),
         (Some(chosen), None) => Err(CheckFailed(fitted::no_machine(&chosen.format)).into()),
         (Some(_), Some(_)) => Ok(()),
     }

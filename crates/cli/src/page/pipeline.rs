@@ -3,7 +3,7 @@
 use anyhow::{Context, Result};
 use maud::{Markup, PreEscaped, html};
 use photoncube_render::{PhotonMap, Scene, ViewOptions};
-use photoncube_spec::{Machine, Pins, SignalPlace};
+use photoncube_spec::{EngineRow, Machine, Pins, SignalPlace};
 use serde_json::json;
 
 use super::figures::{Cell, figures};
@@ -28,6 +28,8 @@ struct Row {
     name: &'static str,
     /// The places of its instances among the values of a clock.
     places: std::ops::Range<usize>,
+    /// A label for each instance, such as `x 2` for axis x of photon 2; empty for the only one.
+    labels: Vec<String>,
 }
 
 impl Pipeline {
@@ -51,24 +53,37 @@ impl Pipeline {
         let last = results.into_iter().find(|clock| *clock > first);
         let last = last.context("the golden model gave no result")?;
         let pins = Pins::of(machine);
+        let format = machine
+            .format()
+            .context("the machine has no photon format")?;
+        let channels = format.power.channels.names();
         let mut columns = Vec::new();
         let mut rows: Vec<Row> = Vec::new();
         for (column, pin) in pins.observed.iter().enumerate() {
             let SignalPlace::Engine {
-                engine, register, ..
+                engine,
+                register,
+                index,
             } = pin.place
             else {
                 continue;
             };
             let place = columns.len();
             columns.push(column);
-            let name = register.row().name;
+            let EngineRow {
+                name, instances, ..
+            } = register.row();
+            let label = instances.suffix(index, channels).replace('_', " ");
             match rows.last_mut() {
-                Some(row) if (row.engine, row.name) == (engine, name) => row.places.end = place + 1,
+                Some(row) if (row.engine, row.name) == (engine, *name) => {
+                    row.places.end = place + 1;
+                    row.labels.push(label);
+                }
                 _ => rows.push(Row {
                     engine,
                     name,
                     places: place..place + 1,
+                    labels: vec![label],
                 }),
             }
         }
@@ -102,8 +117,8 @@ impl Pipeline {
                 (machine.name) ": " (example.photons.len()) " photons of this scene, in groups of "
                 (machine.photons_per_iteration()) ", pass "
                 @if engines == 1 { "one engine" } @else { (engines) " engines, one after the other" }
-                ". A group enters every clock. A row is a register of an engine with all its instances: a value for each photon, \
-                 axis or channel. A name that ends in valid, and token, keep, next and swap, are of the control that gives the engine its \
+                ". A group enters every clock. A row is a register of an engine. Over each of its values stand the axis or channel and \
+                 the photon of the group, or the pair of photons, that it belongs to. A name that ends in valid, and token, keep, next and swap, are of the control that gives the engine its \
                  query. " (example.in_range) " of the photons are in range."
             }
             div.stepper role="group" aria-label={ "Registers of " (machine.name) ", clock by clock" } {
@@ -126,8 +141,11 @@ impl Pipeline {
                     @for row in &self.rows {
                         tr {
                             th scope="row" { "engine " (row.engine) ", " (row.name) }
-                            @for place in row.places.clone() {
-                                td.number data-place=(place) { (self.clocks[0][place]) }
+                            @for (place, label) in row.places.clone().zip(&row.labels) {
+                                td.number {
+                                    @if !label.is_empty() { span.instance { (label.trim_start()) } }
+                                    span data-place=(place) { (self.clocks[0][place]) }
+                                }
                             }
                         }
                     }

@@ -118,7 +118,7 @@ impl<'a> Placed<'a> {
             DeviceKind::Icarus => {
                 Icarus::new(&design).map(|device| Box::new(device) as Box<dyn Device>)
             }
-            _ => Verilator::of_netlist(&design).map(|device| Box::new(device) as Box<dyn Device>),
+            _ => Verilator::new(&design).map(|device| Box::new(device) as Box<dyn Device>),
         };
         Ok(opened
             .map_err(VerifyError::from)

@@ -209,7 +209,14 @@ fn printed_lines_fit_a_terminal_unless_all_of_a_table_is_asked_for() {
         &["microprogram", "--machine", "tile-6"],
         &["hard-cases", "--format", "local7-rgb6d"],
         &plan,
-        &["generate", "--check", "--out", hdl_out],
+        &[
+            "generate",
+            "--check",
+            "--machine",
+            "paper",
+            "--out",
+            hdl_out,
+        ],
         &["verify", "table"],
         &["verify", "--against", "text", "--iterations", "10"],
     ] {

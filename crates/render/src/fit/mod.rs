@@ -137,6 +137,8 @@ pub struct Fit {
     pub broken: Vec<Trial>,
     /// The chosen format; `None` where no legal format is below the bound.
     pub chosen: Option<Trial>,
+    /// The candidate with the most bits, where no legal format is below the bound: what the error can come down to.
+    pub widest: Option<Trial>,
     /// The effect of removing one bit from it, for each removal.
     pub removals: Vec<Removal>,
     /// The maps of the measurement, for further measurements.
@@ -176,11 +178,17 @@ pub fn fit(
         progress: &|figures| progress(FitProgress::of(all_maps, all_maps, figures)),
     };
     let (first, broken) = search.first(&formats)?;
-    let (chosen, removals) = match first {
-        None => (None, Vec::new()),
+    // Where the prediction rejects every candidate, the measurement of the widest has the last word.
+    let first = match first {
+        None => search.widest(&formats)?,
+        first => first,
+    };
+    let (chosen, widest, removals) = match first {
+        None => (None, None, Vec::new()),
+        Some(widest) if !widest.holds => (None, Some(widest), Vec::new()),
         Some(first) => {
             let (chosen, removals) = search.descend(first)?;
-            (Some(chosen), removals)
+            (Some(chosen), None, removals)
         }
     };
     Ok(Fit {
@@ -191,6 +199,7 @@ pub fn fit(
         parts: search.predictor.parts(),
         broken,
         chosen,
+        widest,
         removals,
         bench,
     })

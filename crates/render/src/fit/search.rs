@@ -88,6 +88,14 @@ impl Search<'_> {
         Ok((None, broken))
     }
 
+    /// The last of `candidates`, which has the most bits.
+    pub fn widest(&mut self, candidates: &[PhotonFormat]) -> Result<Option<Trial>, BenchError> {
+        candidates
+            .last()
+            .map(|format| self.trial(format))
+            .transpose()
+    }
+
     /// Descends from a format that holds to one from which nothing can be removed. Returns it with the trial
     /// of each removal.
     pub fn descend(&mut self, from: Trial) -> Result<(Trial, Vec<Removal>), BenchError> {
