@@ -45,21 +45,24 @@ pub struct Area {
 }
 
 impl Area {
-    /// The number of such chains that the device holds.
-    fn fitting(&self) -> u32 {
+    /// The number of such chains that the device holds, and what there is no more of.
+    fn fitting(&self) -> (u32, &'static str) {
         let luts = (DEVICE.lut4_equivalents as f64 * USABLE) as u64;
         let by_cell = [
-            (luts, self.lut4_equivalents),
-            (DEVICE.ff, self.ff),
-            (DEVICE.dsp, self.dsp),
-            (DEVICE.block_ram, self.block_ram),
+            (luts, self.lut4_equivalents, "LUTs"),
+            (DEVICE.ff, self.ff, "flip-flops"),
+            (DEVICE.dsp, self.dsp, "DSP blocks"),
+            (DEVICE.block_ram, self.block_ram, "block RAMs"),
         ];
         let fitting = by_cell
             .into_iter()
-            .filter(|(_, each)| *each > 0)
-            .map(|(all, each)| all / each);
-        let most = u64::from(Core::MOST_CHAINS);
-        fitting.min().unwrap_or(most).min(most) as u32
+            .filter(|(_, each, _)| *each > 0)
+            .map(|(all, each, cell)| ((all / each) as u32, cell));
+        let most = (Core::MOST_CHAINS, "chains of a core");
+        fitting
+            .chain([most])
+            .min_by_key(|(chains, _)| *chains)
+            .unwrap_or(most)
     }
 }
 
@@ -97,6 +100,8 @@ pub struct ChainsRow {
     pub chain_engines: u64,
     /// Chains of the core.
     pub chains: u32,
+    /// What limits the chains: cells of the device, or the most chains of a core.
+    pub limited_by: &'static str,
     /// LUT4 equivalents of all chains, by the measured chain.
     pub lut4_equivalents: u64,
     /// The forecast of the queries of a clock.
@@ -146,7 +151,7 @@ pub fn choose(
         ) else {
             return Ok(None);
         };
-        let chains = chain.area.fitting();
+        let (chains, limited_by) = chain.area.fitting();
         let Ok(core) = Core::new(machine, chains) else {
             return Ok(None);
         };
@@ -155,6 +160,7 @@ pub fn choose(
             machine: machine.name,
             chain_engines: core.engines() as u64,
             chains,
+            limited_by,
             lut4_equivalents: chain.area.lut4_equivalents * u64::from(chains),
             queries_per_clock: forecast.queries_per_clock(),
         }))
@@ -200,20 +206,27 @@ fn format(
 impl ChainsChoice {
     /// The choice in words, with the table of what was compared.
     pub fn text(&self) -> String {
-        let header = ["machine of a chain", "chains", "LUT4", "queries a clock"];
+        let header = [
+            "machine of a chain",
+            "chains",
+            "limited by",
+            "LUT4 equivalents",
+            "queries a clock",
+        ];
         let row = |row: &ChainsRow| {
             vec![
                 row.machine.to_owned(),
                 row.chains.to_string(),
+                row.limited_by.to_owned(),
                 table::grouped(row.lut4_equivalents),
                 format!("{:.4}", row.queries_per_clock),
             ]
         };
         let rows: Vec<_> = self.compared.iter().map(row).collect();
         format!(
-            "\nCores that fit an LFE5U-85F by the area of their chains alone, with a forecast for {} queries:\n{}\
+            "\nCores that fit an LFE5U-85F by the area of their chains alone, with a forecast for a picture of {} queries:\n{}\
              the most queries a clock, by area alone: {} (error / noise {:.4})\n\
-             A core takes a query of more photons in several sets, whose sums the driver adds.\n",
+             docs/cores.md has the cores that were placed and routed. A core takes a query of more photons in several sets, whose sums the driver adds.\n",
             table::grouped(self.query_points as u64),
             table::markdown(&header, &rows),
             self.core,
@@ -238,7 +251,7 @@ mod tests {
     fn the_device_holds_fewer_chains_the_more_engines_they_have() {
         let fitting: Vec<_> = measured()
             .iter()
-            .map(|chain| chain.area.fitting())
+            .map(|chain| chain.area.fitting().0)
             .collect();
         assert!(
             fitting.is_sorted_by(|fewer, more| fewer >= more),
@@ -285,27 +298,40 @@ mod tests {
             dsp: 0,
             block_ram: 0,
         };
-        assert_eq!(none.fitting(), Core::MOST_CHAINS);
+        assert_eq!(none.fitting(), (Core::MOST_CHAINS, "chains of a core"));
         let luts = (DEVICE.lut4_equivalents as f64 * USABLE) as u64;
-        for area in [
-            Area {
-                lut4_equivalents: luts / 3,
-                ..none
-            },
-            Area {
-                ff: DEVICE.ff / 3,
-                ..none
-            },
-            Area {
-                dsp: DEVICE.dsp / 3,
-                ..none
-            },
-            Area {
-                block_ram: DEVICE.block_ram / 3,
-                ..none
-            },
-        ] {
-            assert_eq!(area.fitting(), 3, "{area:?}");
+        let areas = [
+            (
+                "LUTs",
+                Area {
+                    lut4_equivalents: luts / 3,
+                    ..none
+                },
+            ),
+            (
+                "flip-flops",
+                Area {
+                    ff: DEVICE.ff / 3,
+                    ..none
+                },
+            ),
+            (
+                "DSP blocks",
+                Area {
+                    dsp: DEVICE.dsp / 3,
+                    ..none
+                },
+            ),
+            (
+                "block RAMs",
+                Area {
+                    block_ram: DEVICE.block_ram / 3,
+                    ..none
+                },
+            ),
+        ];
+        for (cell, area) in areas {
+            assert_eq!(area.fitting(), (3, cell), "{area:?}");
         }
     }
 }

@@ -58,7 +58,7 @@ pub fn committed() -> Result<ByMachine> {
 mod tests {
     use std::collections::BTreeSet;
 
-    use photoncube_spec::{CORES, Core, MACHINES, find_machine};
+    use photoncube_spec::{CORES, Core, MACHINES, RECORDED_CORES, find_machine};
 
     use super::*;
 
@@ -73,7 +73,8 @@ mod tests {
     fn every_machine_has_its_digests() {
         let committed = committed().unwrap();
         let machines = MACHINES.iter().map(|machine| machine.name.to_owned());
-        let cores = CORES.iter().map(|&(chains, machine)| {
+        let cores = CORES.iter().chain(&RECORDED_CORES);
+        let cores = cores.map(|&(chains, machine)| {
             let machine = find_machine(machine).unwrap();
             Core::new(machine, chains).unwrap().name()
         });

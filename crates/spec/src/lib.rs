@@ -41,9 +41,9 @@ pub mod overlap;
 pub use crate::core::{
     Access, Beat, CORES, Core, CoreAnswer, CoreCounter, CoreError, CoreEvent, CoreField,
     CoreInputs, CoreOutputs, CorePins, CoreRegister, CoreRegisterRow, CoreStreams, CoreWords,
-    CounterRow, EventRow, LiteAnswer, LiteIn, QueryResult, QueryRounds, ResultWord, Rounds, Serial,
-    SerialFault, SerialFaultRow, SerialKind, SerialRow, SerialSizes, StreamField, StreamIn,
-    StreamRow, StreamWord, port_columns,
+    CounterRow, EventRow, LiteAnswer, LiteIn, QueryResult, QueryRounds, RECORDED_CORES, ResultWord,
+    Rounds, Serial, SerialFault, SerialFaultRow, SerialKind, SerialRow, SerialSizes, StreamField,
+    StreamIn, StreamRow, StreamWord, port_columns,
 };
 pub use cell::{
     CellTables, ControlWord, Field, FieldRow, OVERLAPPED, Op, OpRow, POWER_WORDS, Place, Read,
@@ -60,7 +60,7 @@ pub use hypercube::{Axis, Hypercube, Role};
 pub use interface::{Direction, Fact, Interface, Limitation, Port};
 pub use leaf::{Leaf, LeafRegister, LeafRow, LeafSizes, QueryWord};
 pub use machine::{Machine, module_prefix};
-pub use machines::{MACHINES, UnknownMachine, find_machine};
+pub use machines::{MACHINES, UnknownMachine, find_machine, parts_of_core};
 pub use nearest::{did_you_mean, nearest};
 pub use organisation::{Organisation, Rate};
 pub use pace::{Pace, SharedGroups};

@@ -292,6 +292,16 @@ pub enum UnknownMachine {
          has the named machines"
     )]
     Organisation(String),
+    /// The name is that of a core, whose machine and chains are two options.
+    #[error(
+        "`core-{chains}-{machine}` is a core; commands for cores take it as --machine {machine} --chains {chains}"
+    )]
+    Core {
+        /// The chains that the name has.
+        chains: u32,
+        /// The rest of the name.
+        machine: String,
+    },
     /// The name is that of a custom machine which cannot be made.
     #[error(transparent)]
     Custom(#[from] CustomError),
@@ -304,6 +314,10 @@ pub enum UnknownMachine {
 pub fn find_machine(name: &str) -> Result<&'static Machine, UnknownMachine> {
     if let Some(machine) = MACHINES.iter().find(|machine| machine.name == name) {
         return Ok(machine);
+    }
+    if let Some((chains, machine)) = parts_of_core(name) {
+        let machine = machine.to_owned();
+        return Err(UnknownMachine::Core { chains, machine });
     }
     if let Some(custom) = custom::find(name) {
         return Ok(custom?);
@@ -320,6 +334,12 @@ pub fn find_machine(name: &str) -> Result<&'static Machine, UnknownMachine> {
             .collect::<Vec<_>>()
             .join(", "),
     })
+}
+
+/// The number of chains and the machine in a core's name, such as `core-6-leaf-7-local7-rgb6d-n4096`.
+pub fn parts_of_core(name: &str) -> Option<(u32, &str)> {
+    let (chains, machine) = name.strip_prefix("core-")?.split_once('-')?;
+    Some((chains.parse().ok()?, machine))
 }
 
 #[cfg(test)]

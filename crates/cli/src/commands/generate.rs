@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Result, bail};
 use photoncube_spec::{
-    CORES, Core, MACHINES, Machine, custom_machine, find_machine, find_photon_format,
+    CORES, Core, MACHINES, Machine, RECORDED_CORES, custom_machine, find_machine,
+    find_photon_format,
 };
 use rayon::prelude::*;
 use serde::Serialize;
@@ -61,14 +62,14 @@ pub fn execute(args: &GenerateArgs, json: bool) -> Result<()> {
     let is_all = args.machine.is_none() && args.format.is_none() && args.program.program.is_none();
     let mut designs: Vec<_> = machines.iter().map(|m| m.name.to_owned()).collect();
     if is_all {
-        for core in cores()? {
+        for core in cores(&CORES)? {
             designs.push(core.name());
             projects.push(project::core_project(&core)?);
         }
     }
     let digests = designs.iter().cloned().zip(&projects);
     let digests = digests.map(|(design, project)| (design, project.digests.clone()));
-    let digests: ByMachine = digests.collect();
+    let mut digests: ByMachine = digests.collect();
     let mut project_files: Vec<_> = projects.into_iter().flat_map(|p| p.files).collect();
     let mut by_digest = Vec::new();
     if is_all {
@@ -79,6 +80,9 @@ pub fn execute(args: &GenerateArgs, json: bool) -> Result<()> {
             project_files.retain(is_there);
         }
         project_files.push(sums);
+        for core in cores(&RECORDED_CORES)? {
+            digests.insert(core.name(), project::core_project(&core)?.digests);
+        }
         project_files.push(ProjectFile {
             path: digests::FILE.into(),
             text: digests::text(&digests)?,
@@ -87,14 +91,14 @@ pub fn execute(args: &GenerateArgs, json: bool) -> Result<()> {
     finish(args, designs, &project_files, by_digest, json)
 }
 
-/// The cores that are committed. Their machines' generators are built.
-fn cores() -> Result<Vec<Core>> {
+/// The cores of these chains and machines. Their machines' generators are built.
+fn cores(of: &[(u32, &str)]) -> Result<Vec<Core>> {
     let core = |&(chains, machine): &(u32, &str)| {
         let core = Core::new(find_machine(machine)?, chains)?;
         machines::prepare(core.machine)?;
         Ok(core)
     };
-    CORES.iter().map(core).collect()
+    of.iter().map(core).collect()
 }
 
 /// Writes, or checks, the files of a core.

@@ -117,6 +117,13 @@ pub struct Core {
 /// is not.
 pub const CORES: [(u32, &str); 1] = [(3, "leaf-5-local7-rgb6d-n64")];
 
+/// Further cores that are verified and whose results are recorded. Of their Verilog only the digest is committed. The first is the
+/// fastest that was placed and routed; the second has rounds.
+pub const RECORDED_CORES: [(u32, &str); 2] = [
+    (6, "leaf-7-local7-rgb6d-n4096"),
+    (2, "leaf-5-radii-local7-rgb6d-n64"),
+];
+
 /// There is no such core.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum CoreError {

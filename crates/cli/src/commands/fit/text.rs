@@ -28,9 +28,12 @@ pub fn text(report: &Report) -> String {
     }
     if let (Some(smallest), Some(fastest)) = (&report.machine, &report.fastest) {
         text += &format!("\nsmallest machine {}\n", machine_line(smallest));
-        text += &format!("fastest within the bound {}\n", machine_line(fastest));
         text += &format!(
-            "a picture is {} queries here, one a pixel\n",
+            "fastest machine whose every field is wide enough {}\n",
+            machine_line(fastest)
+        );
+        text += &format!(
+            "a picture of these two machines is the {} queries of the fit, one a pixel\n",
             grouped(report.query_points)
         );
     }

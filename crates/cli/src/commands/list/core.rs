@@ -2,10 +2,10 @@
 
 use anyhow::Result;
 use photoncube_hdl::ports_text;
-use photoncube_spec::{Core, find_machine};
+use photoncube_spec::{Core, find_machine, parts_of_core};
 use serde::Serialize;
 
-use super::datasheet::{LimitationRow, PortRow, area_and_fmax, limitations};
+use super::datasheet::{LimitationRow, PortRow, area_and_fmax, limitations, recorded};
 use crate::commands::datasheet::{CORE, CORE_PROTOCOL, CORE_VERIFIED, core_facts, core_ports};
 use crate::core::chains_said;
 use crate::cores;
@@ -14,6 +14,7 @@ use crate::output;
 use crate::synth::clock::Clock;
 use crate::synth::figures::AreaRow;
 use crate::table::wrapped;
+use crate::verified::{self, Line};
 
 #[derive(Serialize)]
 struct CoreSheet {
@@ -31,6 +32,10 @@ struct CoreSheet {
     areas: Vec<AreaRow>,
     /// Its clock, if it is measured.
     fmax_by_grade: Vec<Clock>,
+    /// The recorded results of verification.
+    lines: Vec<Line>,
+    /// Results about other Verilog.
+    stale: Vec<Line>,
 }
 
 /// The core of a name such as `core-6-leaf-7-local7-rgb6d-n4096`; `None` where the name is of another kind.
@@ -38,8 +43,7 @@ struct CoreSheet {
 /// # Errors
 /// There is no such machine, or no core of it with so many chains.
 pub fn named(name: &str) -> Option<Result<Core>> {
-    let (chains, machine) = name.strip_prefix("core-")?.split_once('-')?;
-    let chains = chains.parse().ok()?;
+    let (chains, machine) = parts_of_core(name)?;
     let core = |machine| Ok(Core::new(machine, chains)?);
     Some(find_machine(machine).map_err(Into::into).and_then(core))
 }
@@ -55,6 +59,8 @@ fn sheet(core: &Core) -> Result<CoreSheet> {
     let measured: Vec<_> = measured
         .filter(|row| row.core.name() == core.name())
         .collect();
+    let is_its = |line: &Line| line.machine == core.name();
+    let verified = verified::committed()?;
     Ok(CoreSheet {
         core: core.name(),
         machine: core.machine.name,
@@ -71,6 +77,8 @@ fn sheet(core: &Core) -> Result<CoreSheet> {
         datasheet: CORE.page(),
         areas: measured.iter().map(|row| row.area.clone()).collect(),
         fmax_by_grade: measured.into_iter().map(|row| row.clock).collect(),
+        lines: verified.lines.into_iter().filter(is_its).collect(),
+        stale: verified.stale.into_iter().filter(is_its).collect(),
     })
 }
 
@@ -92,7 +100,8 @@ fn text(sheet: &CoreSheet, core: &Core) -> String {
     format!(
         "{}\n\n{facts}\n{}\nProtocol:\n{protocol}\n\
          Verilog: `photoncube generate --machine {} --chains {}` writes it\n\
-         Family:  {}, with words, registers, pictures and timing diagram\n{}{}\n{}\n",
+         Family:  {}, with words, registers, pictures and timing diagram\n{}{}\n{}\n\n\
+         Recorded of this core:\n{}",
         wrapped(&about, 2),
         ports_text(&sheet.verilog_module, &core_ports(core)),
         sheet.machine,
@@ -100,7 +109,8 @@ fn text(sheet: &CoreSheet, core: &Core) -> String {
         sheet.datasheet,
         limitations(&sheet.limitations),
         area_and_fmax(&sheet.areas, &sheet.fmax_by_grade),
-        wrapped(CORE_VERIFIED, 0)
+        wrapped(CORE_VERIFIED, 0),
+        recorded(&sheet.lines, &sheet.stale)
     )
 }
 

@@ -196,7 +196,12 @@ fn verified_by(sheet: &Datasheet) -> String {
         text += "\n";
     }
     text += "\nVerified by other methods (docs/verification.md says what each is):\n";
-    for line in &sheet.lines {
+    text + &recorded(&sheet.lines, &sheet.stale)
+}
+
+/// The recorded results, a line each.
+pub(super) fn recorded(lines: &[Line], stale: &[Line]) -> String {
+    let said = |line: &Line| {
         let volume = grouped(line.volume);
         let said = format!(
             "  {}: {volume} {}; {} ({})",
@@ -205,17 +210,15 @@ fn verified_by(sheet: &Datasheet) -> String {
             line.result,
             line.by
         );
-        text += &wrapped(&said, 4);
-        text += "\n";
-    }
-    if sheet.lines.is_empty() {
+        wrapped(&said, 4) + "\n"
+    };
+    let mut text: String = lines.iter().map(said).collect();
+    if lines.is_empty() {
         text += "  nothing is recorded\n";
     }
-    if !sheet.stale.is_empty() {
-        text += &format!(
-            "  {} results are about other Verilog and left out\n",
-            sheet.stale.len()
-        );
+    if !stale.is_empty() {
+        let stale = stale.len();
+        text += &format!("  {stale} results are about other Verilog and left out\n");
     }
     text
 }

@@ -1,5 +1,7 @@
 //! The report as a page.
 
+use std::collections::BTreeSet;
+
 use anyhow::Result;
 use maud::{Markup, html};
 use photoncube_render::{Engine, ErrorBench, PhotonMap, Scene, ViewOptions};
@@ -197,8 +199,9 @@ impl About<'_> {
         let mut facts = Vec::new();
         match (&self.verdict.format, self.verdict.bits_per_photon) {
             (Some(format), Some(bits)) => facts.push(html! {
-                strong { (self.scene.name()) " needs " (bits) " bits a photon" } ": " code { (format) }
-                " has the fewest of the listed formats whose error is within " (bound) " of the scene's own noise."
+                strong { (self.scene.name()) " needs at most " (bits) " bits a photon" } ": " code { (format) }
+                " has the fewest of the formats listed below, alone or in a machine, whose error is within " (bound)
+                " of the scene's own noise."
             }),
             _ => facts.push(html! {
                 strong { "No listed format is precise enough" } " for " (self.scene.name()) ": none has an error within "
@@ -245,11 +248,14 @@ impl About<'_> {
         facts
     }
 
-    /// The pictures a second of a CPU core, in the format of the fewest bits.
+    /// The pictures a second of a CPU core, in the format of the fewest bits of those whose speed was measured.
     fn on_cpu(&self, picture: &Picture) -> Option<(&str, Speed)> {
-        let format = self.verdict.format.as_deref()?;
-        let row = self.rows.iter().find(|row| row.name == format)?;
-        Some((format, picture.speed_of_format(row)?))
+        let formats = self
+            .rows
+            .iter()
+            .filter(|row| row.is_format() && row.within_bound);
+        let row = formats.min_by_key(|row| row.bits_per_photon)?;
+        Some((&row.name, picture.speed_of_format(row)?))
     }
 
     /// For each row, its pictures a second.
@@ -331,6 +337,9 @@ impl About<'_> {
         ];
         let is_named = |name: &str| named.iter().any(|other| other.as_deref() == Some(name));
         let table = verified::committed()?;
+        let names: BTreeSet<_> = named.into_iter().flatten().collect();
+        let is_recorded = |name: &str| table.lines.iter().any(|line| line.machine == name);
+        let unrecorded = names.iter().filter(|name| !is_recorded(name));
         let lines = table.lines.iter().filter(|line| is_named(&line.machine));
         let rows: Vec<_> = lines
             .map(|line| {
@@ -359,9 +368,9 @@ impl About<'_> {
         Ok(Section {
             id: "verification",
             title: "How the machines of the verdict are verified".to_owned(),
-            body: match rows.is_empty() {
-                true => html! { p { "Nothing is recorded about them." } },
-                false => figures("Recorded results", &header, &rows, |_| false),
+            body: html! {
+                @if !rows.is_empty() { (figures("Recorded results", &header, &rows, |_| false)) }
+                @for name in unrecorded { p { "Nothing is recorded of " strong { (name) } "." } }
             },
         })
     }

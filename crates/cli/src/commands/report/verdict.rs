@@ -10,7 +10,7 @@ use crate::table::grouped;
 /// The best listed formats and machines within the bound. `fit` searches all formats; the report does not.
 #[derive(Debug, Default, PartialEq, Serialize)]
 pub struct Verdict {
-    /// The format with the fewest bits; `None` where no listed format is within the bound.
+    /// The format with the fewest bits, alone or in a machine; `None` where none is within the bound.
     pub format: Option<String>,
     /// The bits of a stored photon in that format.
     pub bits_per_photon: Option<u32>,
@@ -26,16 +26,16 @@ impl Verdict {
     /// Finds the verdict of the rows.
     pub fn of(rows: &[Row]) -> Self {
         let within = || rows.iter().filter(|row| row.within_bound);
-        let format = within().filter(|row| row.is_format());
-        let format = format.min_by_key(|row| row.bits_per_photon);
+        let formats = within().filter_map(|row| Some((row.format.as_ref()?, row.bits_per_photon)));
+        let format = formats.min_by_key(|(_, bits)| *bits);
         let machines = || within().filter(|row| !row.is_format());
         let sized = machines().filter_map(|row| Some((row, row.lut4_equivalents()?)));
         let smallest = sized.min_by_key(|(_, area)| *area);
         let timed = machines().filter_map(|row| Some((row, row.pictures_per_second()?)));
         let fastest = timed.max_by(|(_, a), (_, b)| a.total_cmp(b));
         Self {
-            format: format.map(|row| row.name.clone()),
-            bits_per_photon: format.map(|row| row.bits_per_photon),
+            format: format.map(|(format, _)| format.clone()),
+            bits_per_photon: format.map(|(_, bits)| bits),
             smallest_machine: smallest.map(|(row, _)| row.name.clone()),
             fastest_machine: fastest.map(|(row, _)| row.name.clone()),
             pictures_per_second: fastest.map(|(_, speed)| speed),

@@ -179,17 +179,25 @@ impl About<'_> {
         })
     }
 
+    /// The command that makes this page, with the values of its defaults.
     fn command(&self) -> String {
         let (args, picture) = (self.args, &self.args.picture);
+        let machine = match self.report.fitted {
+            Some(_) => format!("--maps {}", args.maps),
+            None => format!("--machine {}", self.machine.name),
+        };
+        let iterations = args
+            .iterations
+            .map(|iterations| format!(" --iterations {iterations}"));
         format!(
-            "photoncube run {} --machine {} --photons {} --size {} --samples {} --in-range {} --seed {}",
+            "photoncube run {} {machine} --photons {} --size {} --samples {} --in-range {} --seed {}{}",
             args.scene,
-            self.machine.name,
             picture.photons,
             picture.size,
             picture.samples,
             picture.in_range,
-            picture.seed
+            picture.seed,
+            iterations.unwrap_or_default()
         )
     }
 }
