@@ -5,6 +5,8 @@
 //
 // numbers        photon format local7-rgb6d-n64, 39 bits a stored photon
 // power unit     the photon map's own: its largest power in any channel is the largest word
+// frame          4 x 4 x 4 blocks; a block's edge is at least the search radius; a query has its
+//                place in the inner 2 x 2 x 2 blocks, so that all photons in range are in the frame
 // search radius  fixed, 126 of a block edge's 128 steps: in range where d^2 <= 15876
 // most photons   64 a query
 //
@@ -1425,6 +1427,8 @@ endmodule
 // cells          32
 // numbers        photon format local7-rgb6d-n64, 39 bits a stored photon
 // power unit     the photon map's own: its largest power in any channel is the largest word
+// frame          4 x 4 x 4 blocks; a block's edge is at least the search radius; a query has its
+//                place in the inner 2 x 2 x 2 blocks, so that all photons in range are in the frame
 // search radius  fixed, 126 of a block edge's 128 steps: in range where d^2 <= 15876
 // most photons   64 a query
 // squarers       digits in 1, product in 1 of 2 engines

@@ -5,6 +5,8 @@
 // cells         16
 // numbers       plain: 8-bit coordinates, 16-bit powers
 // power unit    the photon map's own: its largest power in any channel is the largest word
+// frame         4 x 4 x 4 blocks; a block's edge is at least the search radius; a query has its
+//               place in the inner 2 x 2 x 2 blocks, so that all photons in range are in the frame
 // most photons  65537 a query
 // squarers      digits
 // clocks        3 for 2 groups of 4 photons; 20 for a query of 1 group, 168 for one of 100

@@ -5,6 +5,8 @@
 // cells         16
 // numbers       photon format local8-rgb8d-n16384, 48 bits a stored photon
 // power unit    the photon map's own: its largest power in any channel is the largest word
+// frame         4 x 4 x 4 blocks; a block's edge is at least the search radius; a query has its
+//               place in the inner 2 x 2 x 2 blocks, so that all photons in range are in the frame
 // most photons  16384 a query
 // squarers      digits
 // clocks        1 for a group of 4 photons; a change of query costs none

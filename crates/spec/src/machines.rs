@@ -210,7 +210,11 @@ pub const MACHINES: &[Machine] = &[
         numbers: plain(8),
         squarer: Squarer::Digits,
     },
-    tile("tile-4", "one engine of a tile, to measure by", 0),
+    tile(
+        "tile-4",
+        "one engine with the ports of a tile: what a tile costs without a chain",
+        0,
+    ),
     tile(
         "tile-5",
         "2 engines in a chain: every photon is read once for 2 queries",

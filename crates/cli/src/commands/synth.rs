@@ -258,7 +258,10 @@ fn text(report: &Report) -> String {
         .collect();
     text += &format!("By {}.", versions.join(", "));
     match report.files.as_slice() {
-        [] => text += " Nothing was written: that takes all machines, or --update.\n",
+        [] => {
+            text += " Nothing was written: these figures are for you to read. `list` and `run` know the committed ones alone, which \
+                     all machines or --update rewrite.\n"
+        }
         files => text += &format!(" Wrote {}.\n", files.join(", ")),
     }
     text

@@ -44,13 +44,21 @@ pub fn hypercube_section(
 ) -> Section {
     let body = || -> Result<Markup> {
         let is_drawn = machine.hypercube().dimension() == DIMENSIONS;
-        let machine = match is_drawn && machine.microprogram().is_some() {
+        let shown = match is_drawn && machine.microprogram().is_some() {
             true => machine,
             false => find_machine(PAPER)?,
         };
-        let example = Example::of(scene, map, machine, view, 1)?;
-        let trace = Trace::of(machine, &example)?;
-        Ok(hypercube(machine, &example, &trace))
+        let example = Example::of(scene, map, shown, view, 1)?;
+        let trace = Trace::of(shown, &example)?;
+        Ok(html! {
+            @if shown.name != machine.name {
+                p {
+                    code { (machine.name) } " has no steps that a drawing of four dimensions shows. " code { (shown.name) }
+                    " has, and is drawn here, with photons of this scene in its own numbers."
+                }
+            }
+            (hypercube(shown, &example, &trace))
+        })
     };
     Section {
         id: "hypercube",

@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 use photoncube_spec::overlap::{Program, program_report};
-use photoncube_spec::{Machine, Role, SEQUENTIAL, Unit, schedule_report};
+use photoncube_spec::{Machine, OVERLAPPED, Role, SEQUENTIAL, Unit, schedule_report};
 
 use super::scrolling;
 use super::trace::clock_names;
@@ -84,6 +84,20 @@ pub fn schedule(machine: &Machine) -> Markup {
     html! {
         p { (says) }
         (scrolling(&caption, table(&caption, &header, &rows)))
+        @if machine.overlap_program().is_some() { (ops_of_overlap()) }
+    }
+}
+
+/// The meaning of the entries of an overlapped machine's schedule.
+fn ops_of_overlap() -> Markup {
+    html! {
+        p {
+            "An entry is an op, the axis of the neighbour whose value it takes where it takes one, and the group. An entry such as "
+            code { "2:b1" } " says that place 2 of the cell's queue of powers has the power of group b1."
+        }
+        ul.legend {
+            @for row in OVERLAPPED.ops { li { code { (row.op.mnemonic()) } ": " (row.formula) } }
+        }
     }
 }
 

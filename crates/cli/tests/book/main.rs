@@ -19,7 +19,12 @@ use self::page::Part;
 const TOOLS: [&str; 3] = ["iverilog", "vvp", "yosys"];
 
 /// The commands that no test runs, by chapter; the chapter says why.
-const NOT_RUN: [(&str, &str); 6] = [
+const NOT_RUN: [(&str, &str); 7] = [
+    // It takes nextpnr, and two minutes.
+    (
+        "core",
+        "photoncube synth --machine leaf-5-local7-rgb6d-n64 --chains 1 --flow ecp5 --flow place --grade 8 --seeds 1",
+    ),
     (
         "core",
         "quartus_sh --flow compile photoncube_core_1_leaf_5_local7_rgb6d_n64",

@@ -68,7 +68,14 @@ impl Core {
     pub fn number_facts(&self) -> Vec<Fact> {
         let facts = Interface::of(self.machine).facts.into_iter();
         let is_of_words = |fact: &Fact| {
-            ["numbers", "power unit", "search radius", "most photons"].contains(&fact.name)
+            [
+                "numbers",
+                "power unit",
+                "frame",
+                "search radius",
+                "most photons",
+            ]
+            .contains(&fact.name)
         };
         facts.filter(is_of_words).collect()
     }

@@ -25,6 +25,7 @@ pub(super) fn facts(machine: &Machine) -> Vec<Fact> {
                     .to_owned(),
             ),
         ),
+        ("frame", Some(frame())),
         ("search radius", radius(machine)),
         (
             "most photons",
@@ -50,6 +51,15 @@ fn numbers(machine: &Machine) -> String {
             machine.bits_per_photon()
         ),
     }
+}
+
+/// Where the host must put the frame. The machine looks at differences of coordinates only, so it cannot notice a wrong place.
+fn frame() -> String {
+    let blocks = Numbers::FRAME_BLOCKS;
+    format!(
+        "{blocks} x {blocks} x {blocks} blocks; a block's edge is at least the search radius; a query has its place in the inner 2 x 2 x 2 \
+         blocks, so that all photons in range are in the frame"
+    )
 }
 
 /// The fixed search radius of a machine that has no pin for it.

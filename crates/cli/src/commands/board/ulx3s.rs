@@ -242,7 +242,7 @@ fn conclusion(report: &Report) -> Result<()> {
         None => Ok(()),
         Some(slow) => Err(CheckFailed(format!(
             "the clock {} reaches {:.1} MHz, expected {:.1}; give a slower --mhz ({:?}) or another --seed",
-            slow.net,
+            slow.net.trim_start_matches("$glbnet$"),
             slow.fmax_mhz,
             slow.needed_mhz,
             Ulx3s::clocks()
@@ -266,7 +266,9 @@ fn text(report: &Report) -> String {
     for clock in &report.fmax_by_clock {
         text += &format!(
             "{}: reaches {:.1} MHz, needs {:.1}\n",
-            clock.net, clock.fmax_mhz, clock.needed_mhz
+            clock.net.trim_start_matches("$glbnet$"),
+            clock.fmax_mhz,
+            clock.needed_mhz
         );
     }
     if let (Some(path), Some(bytes)) = (&report.bitstream, report.bitstream_bytes) {

@@ -2,8 +2,8 @@
 
 use anyhow::Result;
 use photoncube_spec::{
-    Access, CORES, Core, CoreRegister, CoreStreams, EventRow, Leaf, Port, StreamField, StreamRow,
-    find_machine,
+    Access, CORES, Core, CoreField, CoreRegister, CoreRegisterRow, CoreStreams, EventRow, Leaf,
+    Port, StreamField, StreamRow, find_machine,
 };
 
 use super::document::Document;
@@ -133,7 +133,7 @@ fn words(document: &mut Document, core: &Core) {
     let streams = CoreStreams::of(core);
     document.text(
         "The fields of the words. The fields of the photons 1 to 7 of a leaf follow in the order of those of photon 0. Bits without a field are not \
-         looked at in a leaf. In a query they are 0: where one is 1, the coordinate below it is too large for the frame.",
+         looked at in a leaf. In a query they must be 0: where one is 1, the query is outside of the frame, as the bits above a coordinate are those of a larger one.",
     );
     let rows = streams.rows();
     let rows = rows.iter().flat_map(|row| fields(core, row));
@@ -161,8 +161,9 @@ fn fields(core: &Core, row: &StreamRow) -> Vec<Vec<String>> {
 
 fn registers(document: &mut Document, core: &Core) {
     document.heading("Registers");
-    // The digest is a value, which the table leaves out.
-    let rows = CoreRegister::all(core, 0).into_iter().map(|row| {
+    document.text("Addresses and values after reset are hexadecimal; a dash stands where the value depends on the core or on the moment.");
+    let all = CoreRegister::all(core, 0);
+    let rows = all.iter().map(|row| {
         let access = match row.access {
             Access::Read => "read",
             Access::ReadWrite => "read, write",
@@ -173,16 +174,60 @@ fn registers(document: &mut Document, core: &Core) {
             format!("{:03x}", row.address),
             format!("`{}`", row.name),
             access.to_owned(),
-            row.about,
+            reset(row),
+            row.about.clone(),
         ]
     });
     document.table(Table::new(
-        &["address", "register", "access", "means"],
+        &["address", "register", "access", "after reset", "means"],
         rows,
     ));
+    document.text("The fields of registers that have several, or that do not fill the word; the other bits read as 0:");
+    let rows = all
+        .iter()
+        .filter(|row| !is_of_events(row))
+        .flat_map(fields_of_register);
+    document.table(Table::new(&["register", "bits", "field", "means"], rows));
     document.text("The events, from bit 0 of `events` and `interrupt_enable` on:");
     let events = EventRow::ALL
         .iter()
         .map(|row| vec![format!("`{}`", row.name), row.about.to_owned()]);
     document.table(Table::new(&["event", "means"], events));
+}
+
+/// The value of a register after `aresetn`; a dash where it depends on the moment or on the core.
+fn reset(row: &CoreRegisterRow) -> String {
+    use CoreRegister as R;
+    match row.register {
+        R::DigestLow | R::DigestHigh | R::Shape | R::Control => "–".to_owned(),
+        _ if row.is_live() => "–".to_owned(),
+        _ => format!("{:x}", row.reset),
+    }
+}
+
+/// Whether the bits of the register are the events, which have a table of their own.
+fn is_of_events(row: &CoreRegisterRow) -> bool {
+    matches!(
+        row.register,
+        CoreRegister::Events | CoreRegister::InterruptEnable
+    )
+}
+
+/// A row for each field of a register; none where one field fills the word.
+fn fields_of_register(row: &CoreRegisterRow) -> Vec<Vec<String>> {
+    let fills = matches!(row.fields.as_slice(), [field] if field.width == Core::REGISTER_BITS);
+    let cells = |field: &CoreField| {
+        let high = field.low + field.width - 1;
+        let bits = match field.width {
+            1 => format!("{high}"),
+            _ => format!("{high}:{}", field.low),
+        };
+        vec![
+            format!("`{}`", row.name),
+            bits,
+            format!("`{}`", field.name),
+            field.about.to_owned(),
+        ]
+    };
+    row.fields.iter().filter(|_| !fills).map(cells).collect()
 }

@@ -54,7 +54,7 @@ fn facts(report: &Report) -> String {
     let light = &report.light;
     format!(
         "{}: noise {:.2} % rms over {} maps of {} photons at least; pilot of {} maps\n\
-         \x20 in range     {:.0} photons on average, {} aimed at\n\
+         \x20 in range     {:.0} photons on average, {} aimed at among the photons asked for\n\
          \x20 colours      {} (photons deviate from one colour by {:.0e})\n\
          \x20 powers       the strongest photon has {:.6} times the weakest's\n\
          \x20 largest query {} photons\n\

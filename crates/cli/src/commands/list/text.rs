@@ -57,7 +57,7 @@ fn names(report: &Report) -> String {
     text += "\nPhoton formats of the golden model, bits per photon (`photoncube report` measures them):\n";
     let formats = report.formats.iter();
     text + &padded(formats.map(|row| {
-        let said = format!("{:>2} {}", row.bits_per_photon, row.summary);
+        let said = format!("{:>2}: {}", row.bits_per_photon, row.summary);
         (row.format.as_str(), said)
     }))
 }

@@ -115,7 +115,7 @@ impl About<'_> {
         facts.push(match &report.divergence {
             None => html! {
                 "Its emitted Verilog equals the golden model in " strong { (grouped(report.vectors_compared)) " clocks" }
-                " with photons of this scene, in every signal."
+                " with photons of this scene, in every signal. These are the clocks of all simulators together."
             },
             Some(_) => html! { strong { "Its emitted Verilog differs from the golden model" } "; see the comparison." },
         });

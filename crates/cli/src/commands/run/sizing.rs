@@ -80,7 +80,6 @@ fn options(args: &RunArgs, traced: &Traced) -> Result<FitOptions> {
             height: bench.view.height.min(picture.size.height),
             ..bench.view
         },
-        ..bench
     };
     Ok(FitOptions {
         bench,
