@@ -64,7 +64,7 @@ fn is_of_first_photon(name: &str) -> bool {
 }
 
 impl Core {
-    /// The formats and limits of the chains' words: the numbers, the unit of powers, the search radius, the most photons of a query.
+    /// The formats and limits of the chains' words: the numbers, the unit of powers, the frame, the search radius, the most photons of a query.
     pub fn number_facts(&self) -> Vec<Fact> {
         let facts = Interface::of(self.machine).facts.into_iter();
         let is_of_words = |fact: &Fact| {
@@ -103,7 +103,7 @@ mod tests {
                 assert!(!meaning.is_empty(), "{machine}: {}", field.name);
             }
             // The search radius is a fact only where the queries have none.
-            let facts = if core.has_radii() { 3 } else { 4 };
+            let facts = if core.has_radii() { 4 } else { 5 };
             assert_eq!(core.number_facts().len(), facts, "{machine}");
         }
     }
