@@ -118,7 +118,7 @@ impl Pipeline {
                 (machine.photons_per_iteration()) ", pass "
                 @if engines == 1 { "one engine" } @else { (engines) " engines, one after the other" }
                 ". A group enters every clock. A row is a register of an engine. Over each of its values stand the axis or channel and \
-                 the photon of the group, or the pair of photons, that it belongs to. A name that ends in valid, and token, keep, next and swap, are of the control that gives the engine its \
+                 the photon of the group, or the pair of photons, that it belongs to; in a delay, the place. A name that ends in valid, and token, keep, next and swap, are of the control that gives the engine its \
                  query. " (example.in_range) " of the photons are in range."
             }
             div.stepper role="group" aria-label={ "Registers of " (machine.name) ", clock by clock" } {

@@ -349,8 +349,8 @@ impl About<'_> {
                     .map(|digest| digest.chars().take(12).collect());
                 vec![
                     Cell::text(&line.machine),
-                    Cell::text(format!("{} {}", line.method, line.aspect)),
-                    Cell::Number(line.volume.to_string()),
+                    Cell::text(line.heading()),
+                    Cell::Number(grouped(line.volume)),
                     Cell::text(&line.unit),
                     Cell::text(&line.result),
                     digest.map_or(Cell::None, Cell::Text),
