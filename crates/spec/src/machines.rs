@@ -355,6 +355,14 @@ mod tests {
     use crate::sequential::check_schedule;
 
     #[test]
+    fn the_name_of_a_core_is_answered_with_its_options() {
+        let message = find_machine("core-7-leaf-7-local7-rgb6d-n4096").unwrap_err();
+        let options = "--machine leaf-7-local7-rgb6d-n4096 --chains 7";
+        assert!(message.to_string().contains(options), "{message}");
+        assert_eq!(parts_of_core("core-x-leaf-7"), None);
+    }
+
+    #[test]
     fn every_named_machine_runs_a_legal_program_in_a_frame_that_holds_it() {
         for machine in MACHINES {
             assert_eq!(find_machine(machine.name), Ok(machine));

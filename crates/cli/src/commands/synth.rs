@@ -259,8 +259,8 @@ fn text(report: &Report) -> String {
     text += &format!("By {}.", versions.join(", "));
     match report.files.as_slice() {
         [] => {
-            text += " Nothing was written: these figures are for you to read. `list` and `run` know the committed ones alone, which \
-                     all machines or --update rewrite.\n"
+            text += " Nothing was written: `list` and `run` know only the committed figures, which a run of all machines, or \
+                     --update, writes.\n"
         }
         files => text += &format!(" Wrote {}.\n", files.join(", ")),
     }
