@@ -19,8 +19,8 @@ Examples:
   photoncube fit range --photons 1000000 --in-range 500
   photoncube fit mine.toml --emit verilog      writes the smallest machine of exactly this format
 
-The estimate is that of a fixed radius. `render --engine format --format F --estimator E` and `compare`
-measure a format for another one.
+The estimate is that of a fixed radius. `render --engine format --format F --estimator E` and
+`compare` measure a format for another one.
 
 Every format is predicted on a pilot, the smallest below the bound is measured on photon maps of
 its own, and so is each format with one bit less: exit code 0 says that it holds and they do not.")]

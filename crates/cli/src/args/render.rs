@@ -30,7 +30,8 @@ Examples:
   photoncube render cornell -o core.png --engine core --machine leaf-7-local7-rgb6d-n4096
   photoncube render cornell -o core.png --engine core --port /dev/ttyUSB0 \\
       --machine leaf-5-local7-rgb6d-n64 --chains 3
-  photoncube render ring -o sharp.png --engine format --direct rays:4 --caustics own --final-gather 16
+  photoncube render ring -o sharp.png --engine format --direct rays:4 --caustics own \\
+      --final-gather 16
 
 Estimators:
   fixed                    all photons within the search radius count the same

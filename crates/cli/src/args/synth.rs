@@ -21,14 +21,15 @@ Examples:
   photoncube synth                                   all machines, and writes docs/measured/
   photoncube synth --machine paper --grade 8 --seeds 1
   photoncube synth --machine paper --flow gates --flow intel --json
-  photoncube synth --machine paper --update          replaces that machine's rows and keeps the others
-  photoncube synth --machine paper --device up5k     the area and the clock in an iCE40, or what it lacks
-  photoncube synth --check                           fails where docs/measured/ is about other Verilog
+  photoncube synth --machine paper --update          replaces that machine's rows, no others
+  photoncube synth --machine paper --device up5k     area and clock in an iCE40, or what it lacks
+  photoncube synth --check                           fails where the committed rows are stale
 
 Yosys maps each machine in every flow; nextpnr places and routes it on an FPGA, in a serial wrapper
-that gives each port a register, with DSP blocks only where the machine's squarer is a product. About
-5 s for each machine and flow, and half a minute for each machine, speed grade and seed; more where
-machines are larger. A machine that the FPGA cannot hold ends with exit code 1, with what is lacking.
+that gives each port a register, with DSP blocks only where the machine's squarer is a product.
+About 5 s for each machine and flow, and half a minute for each machine, speed grade and seed; more
+where machines are larger. A machine that the FPGA cannot hold ends with exit code 1, and with what
+is lacking.
 `photoncube setup --synthesis` installs the tools.")]
 pub struct SynthArgs {
     /// Only this machine; can be given several times [default: all]

@@ -71,9 +71,12 @@ pub fn schedule(machine: &Machine) -> Markup {
                 ]
             });
             (
-                "Each cell keeps its instruction, and a group of photons enters every clock: all units work in every clock. The \
-                 rows are a group's way through an engine."
-                    .to_owned(),
+                format!(
+                    "Each cell keeps its instruction, and a group of photons enters every clock: all units work in every clock. The \
+                     rows are a group's way through an engine. With the clocks of the head and of the queue of results, {} pass from \
+                     a batch's last group to its first result.",
+                    spatial.latency_clocks()
+                ),
                 vec!["place", "clock", "cells", "units", "value"],
                 rows.collect(),
             )
