@@ -17,6 +17,7 @@
 
 mod blocks;
 mod clean;
+mod comparisons;
 mod expressions;
 mod found;
 mod report;
@@ -48,9 +49,14 @@ impl Planted {
 }
 
 fn cases() -> impl Iterator<Item = &'static Case> {
-    [expressions::CASES, selections::CASES, structure::CASES]
-        .into_iter()
-        .flatten()
+    [
+        expressions::CASES,
+        comparisons::CASES,
+        selections::CASES,
+        structure::CASES,
+    ]
+    .into_iter()
+    .flatten()
 }
 
 /// Runs the lint on every planted mistake and its correction.
