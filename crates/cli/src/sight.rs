@@ -6,6 +6,8 @@ use photoncube_render::{
     Image, MetricsError, RenderStats, Scene, Sights, ViewOptions, WorkloadError, sees_a_front,
 };
 
+use crate::table::grouped;
+
 /// A suggestion for scenes that have a light.
 const TRY: &str = "turn a light there, or give more --photons or a larger --in-range";
 
@@ -42,6 +44,18 @@ pub fn explained<T>(result: Result<T>, scene: &Scene, view: &ViewOptions) -> Res
     )
 }
 
+/// A line about the photons whose power rounds to 0 in the integers of a picture; empty where there are none.
+pub fn without_power(photons: u64) -> String {
+    match photons {
+        0 => String::new(),
+        photons => format!(
+            "{} photons give no light: their power is below half a step of these numbers; `photoncube fit` finds numbers that \
+             hold them\n",
+            grouped(photons)
+        ),
+    }
+}
+
 /// Checks, after the work, that the picture has light. A black picture has no meaningful error.
 pub fn check_light(
     image: &Image,
@@ -51,6 +65,12 @@ pub fn check_light(
 ) -> Result<()> {
     if image.pixels().iter().any(|pixel| *pixel != DVec3::ZERO) {
         return Ok(());
+    }
+    if stats.photons_without_power > 0 && stats.photons_in_range > 0 {
+        bail!(
+            "the picture is black: {}",
+            without_power(stats.photons_without_power).trim_end()
+        );
     }
     bail!(
         "no light reaches what the camera sees: {} query points, {} photons in range of them; {}; \

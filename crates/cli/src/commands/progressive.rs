@@ -67,6 +67,7 @@ struct Report {
     error_target: Option<f64>,
     query_points: u64,
     photon_tests: u64,
+    photons_without_power: u64,
     /// The files beside the picture: snapshots, plot, error map.
     files: Vec<String>,
     /// The file with the state after the last pass.
@@ -152,6 +153,7 @@ pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
         error_target: args.error_target,
         query_points: stats.query_points,
         photon_tests: stats.photon_tests,
+        photons_without_power: stats.photons_without_power,
         files: work.files,
         state: args.state.as_ref().map(|path| path.display().to_string()),
         resumed_passes,

@@ -34,6 +34,7 @@ struct Report {
     gathers_per_query: f64,
     photon_tests: u64,
     photons_skipped: u64,
+    photons_without_power: u64,
     search_radius: f64,
     caustic_radius: Option<f64>,
     seed: u64,
@@ -81,6 +82,7 @@ pub fn execute(args: &RenderArgs, json: bool) -> Result<()> {
         gathers_per_query: rendering.stats.gathers_mean(),
         photon_tests: rendering.stats.photon_tests,
         photons_skipped: rendering.stats.photons_skipped,
+        photons_without_power: rendering.stats.photons_without_power,
         search_radius: traced.map().radius(),
         caustic_radius: caustic.map(PhotonMap::radius),
         seed: args.picture.seed,
@@ -111,9 +113,10 @@ fn text(report: &Report) -> String {
         report.seconds,
         report.estimator,
         report.gathers_per_query,
-    ) + &report
-        .core
-        .as_ref()
-        .map(CoreReport::text)
-        .unwrap_or_default()
+    ) + &sight::without_power(report.photons_without_power)
+        + &report
+            .core
+            .as_ref()
+            .map(CoreReport::text)
+            .unwrap_or_default()
 }

@@ -40,6 +40,7 @@ struct Report {
     query_points: u64,
     photon_tests: u64,
     largest_query: u64,
+    photons_without_power: u64,
     photon_groups: u64,
     bits_per_photon: u32,
     initiation_interval: f64,
@@ -138,6 +139,7 @@ pub fn execute(args: &RunArgs, json: bool) -> Result<()> {
         query_points: stats.query_points,
         photon_tests: stats.photon_tests,
         largest_query: stats.largest_query,
+        photons_without_power: stats.photons_without_power,
         photon_groups: stats.photon_groups,
         bits_per_photon: machine.bits_per_photon(),
         initiation_interval: machine.rate().interval(),
@@ -333,6 +335,7 @@ fn text(report: &Report) -> String {
         r.verilog,
     );
     text += &r.fitted.as_ref().map_or_else(String::new, fitted_line);
+    text += &sight::without_power(r.photons_without_power);
     text += "\n";
     text += &verdict_table(&r.devices);
     if let Some(waves) = &r.waves {

@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use super::usage::text;
 use super::{error, files_in, json, photoncube};
 
 const SMALL: [&str; 4] = ["--photons", "20000", "--samples", "2"];
@@ -356,4 +357,23 @@ fn a_state_that_cannot_be_continued_is_refused_and_stays() {
     }
     assert!(error(&with(&["--resume"]), 2).contains("--state"));
     assert_eq!(fs::read(&state).unwrap(), before);
+}
+
+/// Powers of two million to one do not fit the 16 bits of `paper`; an exponent holds them.
+#[test]
+fn photons_that_lose_their_power_are_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let picture = folder.path().join("x.png");
+    let picture = picture.to_str().unwrap();
+    let small = ["--size", "8x8", "--samples", "1", "--photons", "5000"];
+    let render = ["render", "range", "-o", picture, "--machine"];
+    let of = |machine| [&render[..], &[machine], &small].concat();
+    let lost = json(&of("paper"))["photons_without_power"]
+        .as_u64()
+        .unwrap();
+    assert!(lost > 1000, "{lost}");
+    let said = text(&of("paper"));
+    assert!(said.contains("photons give no light"), "{said}");
+    assert_eq!(json(&of("local"))["photons_without_power"], 0);
+    assert!(!text(&of("local")).contains("no light"));
 }

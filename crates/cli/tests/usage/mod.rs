@@ -184,7 +184,7 @@ fn paths_need_not_be_utf_8() {
     assert_eq!(files_in(folder.path()), 2);
 }
 
-fn text(args: &[&str]) -> String {
+pub fn text(args: &[&str]) -> String {
     let output = photoncube(args).assert().success();
     String::from_utf8(output.get_output().stdout.clone()).unwrap()
 }

@@ -29,7 +29,7 @@ use glam::DVec3;
 use photoncube_model::{Gather, GatherError, PhotonPlanes};
 use photoncube_spec::{
     self as spec, Exponent, FormatError, Numbers, PhotonBlock, PhotonFormat, PhotonRecord, Query,
-    Sums,
+    Rounding, Sums,
 };
 use rayon::prelude::*;
 use thiserror::Error;
@@ -148,6 +148,20 @@ impl<'a> QuantisedMap<'a> {
     #[must_use]
     pub fn records(&self) -> &[PhotonRecord] {
         &self.records
+    }
+
+    /// The number of photons whose power rounds to 0 in every channel: they are counted where they are in range, and give no light.
+    /// 0 where powers are dithered, because the light is then right on average.
+    #[must_use]
+    pub fn photons_without_power(&self) -> u64 {
+        if self.numbers().power().rounding == Rounding::Dithered {
+            return 0;
+        }
+        let photons = self.map.photons().iter().zip(&self.records);
+        let is_lost = |(photon, record): &(&Photon, &PhotonRecord)| {
+            record.mantissa == [0; 3] && photon.power != DVec3::ZERO
+        };
+        photons.filter(is_lost).count() as u64
     }
 
     /// The flux that sums of powers represent.

@@ -223,6 +223,9 @@ pub struct RenderStats {
     pub photon_groups: u64,
     /// The largest number of photons that one query tested.
     pub largest_query: u64,
+    /// The photons of the maps whose power rounds to 0, see [`QuantisedMap::photons_without_power`].
+    #[serde(default)]
+    pub photons_without_power: u64,
 }
 
 impl AddAssign for RenderStats {
@@ -235,6 +238,7 @@ impl AddAssign for RenderStats {
         self.photons_in_range += other.photons_in_range;
         self.photon_groups += other.photon_groups;
         self.largest_query = self.largest_query.max(other.largest_query);
+        self.photons_without_power += other.photons_without_power;
     }
 }
 

@@ -93,7 +93,10 @@ impl<'a> Renderer<'a> {
         let bands = (0..self.options.height.div_ceil(rows)).into_par_iter();
         let bands: Result<Vec<_>, RenderError> = bands.map(band).collect();
         let mut pixels: Pixels = vec![Vec::new(); estimators.len()];
-        let mut stats = RenderStats::default();
+        let mut stats = RenderStats {
+            photons_without_power: self.photons_without_power(),
+            ..RenderStats::default()
+        };
         for (band, band_stats) in bands? {
             for (all, band) in pixels.iter_mut().zip(band) {
                 all.extend(band);
@@ -106,6 +109,13 @@ impl<'a> Renderer<'a> {
             images: images.collect(),
             stats,
         })
+    }
+
+    fn photons_without_power(&self) -> u64 {
+        let sources = [Some(&self.global), self.caustic.as_ref()];
+        let maps = sources.into_iter().flatten();
+        let maps = maps.filter_map(|source| source.quantised.as_ref());
+        maps.map(QuantisedMap::photons_without_power).sum()
     }
 
     /// The rows of a band. A machine is given the whole picture, so that queries that are close together share its photons.
@@ -205,6 +215,7 @@ impl<'a> Renderer<'a> {
             photons_in_range: found.in_range,
             photon_groups: found.gathers * self.engine.groups(found.tests),
             largest_query: found.tests,
+            ..RenderStats::default()
         }
     }
 }

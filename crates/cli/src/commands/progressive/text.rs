@@ -1,6 +1,7 @@
 //! The report of `progressive` for people.
 
 use super::{Report, Row};
+use crate::sight;
 use crate::table::markdown;
 
 /// A column of the table.
@@ -59,7 +60,8 @@ pub(super) fn text(report: &Report) -> String {
         &header,
         &report.progress.iter().map(cells).collect::<Vec<_>>(),
     );
-    let mut text = format!("{table}{}\n{}\n", bound_line(report), report.output);
+    let lost = sight::without_power(report.photons_without_power);
+    let mut text = format!("{table}{}{lost}\n{}\n", bound_line(report), report.output);
     text.extend(report.files.iter().map(|file| format!("{file}\n")));
     text
 }
@@ -116,6 +118,7 @@ mod tests {
             error_target: None,
             query_points: 1,
             photon_tests: 1,
+            photons_without_power: 0,
             files: vec!["plot.svg".to_owned()],
             state: None,
             resumed_passes: 0,

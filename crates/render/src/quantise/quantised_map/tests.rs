@@ -63,6 +63,28 @@ fn powers_use_the_whole_range_and_round_to_nearest() {
     }
 }
 
+/// One photon has a million times the power of the strongest other one: less than half a step of 16 bits, and far within an
+/// exponent of 5 bits.
+#[test]
+fn photons_that_lose_their_power_are_counted() {
+    let scene = Scene::built_in("cornell").unwrap();
+    let mut photons = map().photons().to_vec();
+    let powers = photons.iter().map(|photon| photon.power.max_element());
+    photons[0].power = DVec3::splat(1e6 * powers.fold(0.0, f64::max));
+    let others = photons.len() as u64 - 1;
+    let map = PhotonMap::new(&scene, photons, RADIUS).unwrap();
+    let lost = |numbers: &Numbers| {
+        let quantised = QuantisedMap::new(&map, numbers).unwrap();
+        quantised.photons_without_power()
+    };
+    assert_eq!(lost(&find_machine("paper").unwrap().numbers), others);
+    let format = |name: &str| Numbers::Local(photoncube_spec::find_photon_format(name).unwrap());
+    assert_eq!(lost(&format("local8-rgb8e5")), 0);
+    assert_eq!(lost(&format("local8-rgb8")), others);
+    // Dithered, the light is right on average.
+    assert_eq!(lost(&format("local8-rgb8d")), 0);
+}
+
 #[test]
 fn a_map_without_light_is_all_zero() {
     let scene = Scene::built_in("cornell").unwrap();
