@@ -62,36 +62,14 @@ all_verilog() {
     (cd hdl-out && sha256sum --quiet --check SHA256SUMS)
 }
 
-# Runs two functions at the same time. What the second prints comes when both have ended.
-together() {
-    local code=0 stream
-    # With job control, each is a process group, which ends as one when the script is interrupted.
-    set -m
-    "$1" &
-    "$2" >"$scratch/second.log" 2>&1 &
-    set +m
-    streams=($(jobs -p))
-    for stream in "${streams[@]}"; do
-        wait "$stream" || code=$?
-    done
-    streams=()
-    cat "$scratch/second.log"
-    ((code == 0)) || exit "$code"
-}
-
-# The tools come over the network while the crates are compiled.
-compile() {
-    stage "format" cargo fmt --all --check
-    stage "layers" scripts/check_layers.sh
-    stage "clippy" cargo clippy --locked --workspace --all-targets -- -D warnings
-    stage "docs" env RUSTDOCFLAGS="-D warnings" cargo doc --locked --workspace --no-deps
-    stage "build" cargo test --locked --workspace --no-run --quiet
-    stage "examples" examples
-    stage "all Verilog" all_verilog
-}
-set_up() {
-    stage "set-up" scripts/setup.sh --ccache
-}
+stage "set-up" scripts/setup.sh --ccache
+stage "format" cargo fmt --all --check
+stage "layers" scripts/check_layers.sh
+stage "clippy" cargo clippy --locked --workspace --all-targets -- -D warnings
+stage "docs" env RUSTDOCFLAGS="-D warnings" cargo doc --locked --workspace --no-deps
+stage "build" cargo test --locked --workspace --no-run --quiet
+stage "examples" examples
+stage "all Verilog" all_verilog
 
 # Two streams, because most checks wait for one simulator or one Yosys at a time. Every test is in one of them:
 # the second has the test files that the first leaves out.
@@ -112,7 +90,18 @@ second_stream() {
     stage "test files e to z" cargo test --locked --workspace --test '[!a-d]*' -- --include-ignored
 }
 
-together compile set_up
-together first_stream second_stream
+# With job control, each stream is a process group, which ends as one when the script is interrupted.
+set -m
+first_stream &
+second_stream >"$scratch/second.log" 2>&1 &
+set +m
+streams=($(jobs -p))
+code=0
+for stream in "${streams[@]}"; do
+    wait "$stream" || code=$?
+done
+streams=()
+cat "$scratch/second.log"
+((code == 0)) || exit "$code"
 
 printf '\nall stages passed\n'

@@ -20,9 +20,8 @@ fn has_netlist_trial(machine: &Machine) -> bool {
     Extent::of(machine) == Extent::Full || machine.name == "local-half"
 }
 
-/// The iterations on random stimulus. The full extent is for one engine: an iteration of a chain compares several, and the
-/// devices whose time goes by the register do fewer.
-fn random_iterations(kind: DeviceKind, machine: &Machine) -> Option<u64> {
+/// The iterations on random stimulus.
+fn random_iterations(kind: DeviceKind, extent: Extent) -> Option<u64> {
     let iterations = match kind {
         DeviceKind::RustHdl => [5_000, 1_000, 50, 0],
         DeviceKind::Text => [20_000, 2_000, 500, 50],
@@ -30,16 +29,7 @@ fn random_iterations(kind: DeviceKind, machine: &Machine) -> Option<u64> {
         DeviceKind::Verilator => [100_000, 0, 0, 0],
         DeviceKind::Netlist => [100, 50, 0, 0],
     };
-    let engines = machine
-        .spatial()
-        .map_or(1, |spatial| spatial.engines() as u64);
-    let extent = Extent::of(machine);
-    let iterations = chosen(extent, iterations)?;
-    Some(match (extent, kind) {
-        (_, DeviceKind::Text | DeviceKind::Verilator) => iterations,
-        (Extent::Full, _) => iterations / engines,
-        _ => iterations,
-    })
+    chosen(extent, iterations)
 }
 
 /// The iterations on photons of the scene. The netlist differs from Icarus only in its gates, which random
@@ -93,7 +83,8 @@ fn main() {
     // The trials of one machine stand apart, so that a simulation that one has built is ready for the next.
     for machine in MACHINES {
         for kind in DeviceKind::ALL {
-            let Some(iterations) = random_iterations(kind, machine) else {
+            let iterations = random_iterations(kind, Extent::of(machine));
+            let Some(iterations) = iterations else {
                 continue;
             };
             if kind != DeviceKind::Netlist || has_netlist_trial(machine) {

@@ -192,10 +192,9 @@ Examples:
   photoncube run cornell --machine paper-12 --out out --photons 2000000 --json
 
 Without --machine the scene is fitted first, as by `photoncube fit`.
-Both fit on maps of at most 200000 photons, at 64x64 points of the view (`run`: at most --size),
-and size the sums for twice the largest query of these maps. `run` also makes the sums hold the
-largest query of its own picture, which has all --photons; its format may therefore end in a larger
--n than the one that `fit` prints.
+Both fit on maps of at most 200000 photons and size the sums for twice the largest query of these
+maps. `run` also makes the sums hold the largest query of its own picture, which has all --photons;
+its format may therefore end in a larger -n than the one that `fit` prints.
 The Verilog is compared with the golden model, on photons of the scene, in the built-in evaluator
 and in every simulator that is found (Icarus, Verilator); those that are not found are named, with
 the command that installs them.")]

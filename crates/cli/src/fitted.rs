@@ -196,13 +196,20 @@ pub fn no_format(fit: &Fit, options: &FitOptions) -> String {
     let widest = match &fit.widest {
         Some(trial) => format!(
             ", at least {:.2e}: the widest, {}, is measured there",
-            trial.measured.error_over_noise, trial.format
+            rounded_up(trial.measured.error_over_noise),
+            trial.format
         ),
         None => String::new(),
     };
     format!(
         "no photon format's error is below {bound} of the scene's noise; expected a larger --noise-ratio{widest}"
     )
+}
+
+/// The number of three digits that is not below `error`, so that a bound of it holds.
+fn rounded_up(error: f64) -> f64 {
+    let step = 10_f64.powf(error.log10().floor() - 2.0);
+    (error / step).ceil() * step
 }
 
 /// A message that states why there is no machine.
@@ -239,6 +246,14 @@ mod tests {
 
     fn names(candidates: &[Candidate]) -> Vec<&str> {
         candidates.iter().map(|c| c.machine.name).collect()
+    }
+
+    #[test]
+    fn a_bound_that_is_named_is_not_below_the_error() {
+        for error in [0.012_941, 0.012_999, 0.013, 1.234_5e-5, 2.0] {
+            let named: f64 = format!("{:.2e}", rounded_up(error)).parse().unwrap();
+            assert!(error <= named && named < 1.011 * error, "{error}: {named}");
+        }
     }
 
     #[test]

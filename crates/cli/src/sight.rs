@@ -80,3 +80,26 @@ pub fn check_light(
         Sights::of(scene, view)?
     );
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_picture_is_black_for_want_of_light_or_of_power() {
+        let scene = Scene::built_in("cornell").unwrap();
+        let view = ViewOptions::default();
+        let image = Image::new(1, 1, vec![DVec3::ZERO]).unwrap();
+        let said = |photons_without_power| {
+            let stats = RenderStats {
+                photons_in_range: 7,
+                photons_without_power,
+                ..RenderStats::default()
+            };
+            let error = check_light(&image, &scene, &view, stats).unwrap_err();
+            error.to_string()
+        };
+        assert!(said(0).starts_with("no light reaches what the camera sees"));
+        assert!(said(1200).starts_with("the picture is black: 1,200 photons give no light"));
+    }
+}

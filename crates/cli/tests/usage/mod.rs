@@ -190,7 +190,7 @@ pub fn text(args: &[&str]) -> String {
 }
 
 /// The first line that is wider than a terminal. A command between backquotes is not broken, so its line may be longer.
-fn too_wide(text: &str) -> Option<&str> {
+pub fn too_wide(text: &str) -> Option<&str> {
     let mut lines = text.lines();
     lines.find(|line| line.chars().count() > 100 && !line.contains('`'))
 }

@@ -2,9 +2,7 @@
 
 use anyhow::Result;
 use photoncube_model::{GatherError, Limits};
-use photoncube_render::{
-    BenchOptions, FitOptions, QuantisedMap, ViewOptions, largest_query, view_queries,
-};
+use photoncube_render::{BenchOptions, FitOptions, QuantisedMap, largest_query, view_queries};
 use photoncube_spec::{Machine, PHOTON_FORMATS, PhotonFormat};
 use serde::Serialize;
 
@@ -75,11 +73,7 @@ fn options(args: &RunArgs, traced: &Traced) -> Result<FitOptions> {
         in_range: picture.in_range,
         maps: args.maps,
         seed: picture.seed,
-        view: ViewOptions {
-            width: bench.view.width.min(picture.size.width),
-            height: bench.view.height.min(picture.size.height),
-            ..bench.view
-        },
+        ..bench
     };
     Ok(FitOptions {
         bench,
