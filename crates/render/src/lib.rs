@@ -85,8 +85,8 @@ pub use metrics::{
 pub use performance::{Speed, f32_speed, forecast_clocks, gather_speed};
 pub use photon_map::{Candidates, MapError, PhotonMap};
 pub use progressive::{
-    ErrorEstimate, OtherPicture, PixelBound, Progressive, ProgressiveError, ProgressiveOptions,
-    ProgressiveState,
+    Balance, Chosen, ErrorEstimate, OtherPicture, PixelBound, Progressive, ProgressiveError,
+    ProgressiveOptions, ProgressiveState,
 };
 pub use quantise::{QuantiseError, QuantisedMap};
 pub use render::{

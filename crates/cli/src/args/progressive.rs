@@ -22,11 +22,10 @@ Examples:
 
 Each pass has photons of its own, and a smaller radius; the picture is the mean of the passes. Each
 pass gathers at the whole and at half the squared radius, which tells the bias; the spread of the
-passes tells the noise. A pixel's bound is |bias| + t s / sqrt n, with n the passes, s the spread
-over the passes of the pixel less its bias, and t Student's factor: its error is not above it, with
-the confidence asked for. --error-target stops when the bounds' root mean square, each over the
-pixel's luminance, is not above it. See docs/accuracy.md for how many bounds hold, and where they do
-not.
+passes tells the noise. Where the bias of a pixel is significant, it is taken off. --error-target
+stops when sqrt(noise^2 + 2 bias^2), root mean squares over the pixels, each over the pixel's
+luminance, is not above it. A pixel's own bound (--error-map) is not exceeded with the probability
+--confidence. See docs/accuracy.md for how many bounds hold, and where they do not.
 
 Ctrl-C ends the run after the pass that is under way, and writes the picture of the passes so far.
 --resume needs the options of the run that began the picture: those of the passes, the engine and

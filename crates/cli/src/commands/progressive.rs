@@ -80,6 +80,8 @@ struct Report {
     /// Student's quantile of the last pass; `None` after one pass.
     #[serde(skip)]
     quantile: Option<f64>,
+    #[serde(skip)]
+    is_mostly_bias: bool,
 }
 
 /// The reason why no more passes are made.
@@ -159,6 +161,7 @@ pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
         resumed_passes,
         interrupted: end == End::Interrupted,
         progress: work.rows,
+        is_mostly_bias: error.as_ref().is_some_and(ErrorEstimate::is_mostly_bias),
         quantile: error.map(|error| error.quantile),
     };
     output::print(json, &report, || narrow(&text(&report)))?;

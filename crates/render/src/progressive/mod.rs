@@ -15,25 +15,34 @@
 //! smooth irradiance E, r^2 / 8 times its Laplacian). So with x the estimate at r and y the estimate at r /
 //! sqrt 2:
 //!
-//! - b = 2 (x - y) estimates the bias of x, and c = x - b = 2 y - x has none (Richardson's extrapolation);
-//! - over n passes, the mean of x is in error by the mean of b, within t s / sqrt n with confidence C, where s^2 is the
-//!   variance of c and t the two-sided quantile of Student's distribution of n - 1 degrees.
+//! - b = 2 (x - y) estimates the bias of x, and c = x - b = 2 y - x has none (Richardson's extrapolation). With S the power in
+//!   range and S_in that at half the squared radius, c = (4 S_in - S) / (pi r^2), from the sums of two rings.
+//! - Where the mean of b over n passes is significant, 3.5 standard deviations or as improbable by Student's distribution of n - 1
+//!   degrees, the picture has the mean of c. Elsewhere it has the mean of x, which has less noise.
+//! - The noise is s / sqrt n, where s^2 is the variance over the passes of what the picture has. The squared bias is the mean of
+//!   (mean b)^2 over the 3 x 3 pixels around, less what noise contributes; a quarter of it in a corrected pixel.
+//! - A pixel's error is below sqrt((t noise)^2 + 2 (u bias)^2) with confidence C, where t is the two-sided quantile of Student's
+//!   distribution and u that of the normal distribution. The bound of the picture is sqrt(noise^2 + 2 bias^2), with the root mean
+//!   squares over the pixels, each over its luminance.
 //!
-//! A pixel's error is thus below |mean b| + t s / sqrt n with confidence C.
-//!
-//! Where the irradiance jumps within the radius, as at the border of a shadow, the bias does not fall with
-//! r^2. The estimate then misses a part of it until the radius is smaller than the distance from the jump.
+//! Where the irradiance jumps within the radius, as at the border of a shadow, the bias does not fall with r^2. A pixel at the jump
+//! itself shows none of it, its neighbours show a part. This is why the squared bias is a mean over neighbours and counts twice.
+//! Where black meets light, a pixel's luminance is mostly leaked light; the relative error is therefore taken over the luminance
+//! less the bias.
 
+mod balance;
 mod error;
+mod pixel;
 mod state;
 
 use glam::DVec3;
 use thiserror::Error;
 
+pub use self::balance::{Balance, Chosen};
 pub use self::error::{ErrorEstimate, PixelBound};
 pub use self::state::{OtherPicture, ProgressiveState};
 
-use self::error::Pixel;
+use self::pixel::{Pixel, significant_ratio};
 use crate::estimate::Estimator;
 use crate::image::Image;
 use crate::lighting::{Lighting, PhotonMaps, Radii};
@@ -207,12 +216,18 @@ impl<'a> Progressive<'a> {
         self.stats
     }
 
-    /// The picture, the mean of all passes; black before the first.
+    /// The picture, the mean of all passes, with the bias taken off where it is significant; black before the first.
     #[must_use]
     pub fn image(&self) -> Image {
         let pixels = match self.passes {
             0 => vec![DVec3::ZERO; self.view.width as usize * self.view.height as usize],
-            _ => self.pixels.iter().map(Pixel::radiance).collect(),
+            passes => {
+                let ratio = significant_ratio(passes);
+                self.pixels
+                    .iter()
+                    .map(|pixel| pixel.radiance(ratio))
+                    .collect()
+            }
         };
         Image::from_rows(self.view.width, pixels)
     }
@@ -221,7 +236,12 @@ impl<'a> Progressive<'a> {
     /// 1.
     #[must_use]
     pub fn error(&self, confidence: f64) -> Option<ErrorEstimate> {
-        ErrorEstimate::of(&self.pixels, self.passes, confidence)
+        ErrorEstimate::of(
+            &self.pixels,
+            self.view.width as usize,
+            self.passes,
+            confidence,
+        )
     }
 }
 

@@ -4,10 +4,13 @@ use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use super::Progressive;
-use super::error::Pixel;
+use super::pixel::Pixel;
 use crate::lighting::Radii;
 use crate::metrics::Moments;
 use crate::render::RenderStats;
+
+/// The numbers of a pixel.
+const NUMBERS: usize = 12;
 
 /// All that later passes and the error's estimate need of the passes so far. The numbers are those of the sums, not
 /// rounded, so a picture that is interrupted and continued is bit for bit the picture of one run.
@@ -20,7 +23,7 @@ pub struct ProgressiveState {
     radii: Option<Radii>,
     shrunk_sq: f64,
     stats: RenderStats,
-    pixels: Vec<[f64; 9]>,
+    pixels: Vec<[f64; NUMBERS]>,
 }
 
 impl ProgressiveState {
@@ -68,7 +71,7 @@ impl Progressive<'_> {
         if found != expected {
             return Err(OtherPicture { found, expected });
         }
-        let pixel = |numbers: &[f64; 9]| Pixel::of_numbers(numbers, state.passes);
+        let pixel = |numbers: &[f64; NUMBERS]| Pixel::of_numbers(numbers, state.passes);
         self.pixels = state.pixels.iter().map(pixel).collect();
         (self.passes, self.photons) = (state.passes, state.photons);
         (self.radii, self.shrunk_sq) = (state.radii, state.shrunk_sq);
@@ -78,19 +81,47 @@ impl Progressive<'_> {
 }
 
 impl Pixel {
-    /// The sum and, of each of the moments, the mean and the squares. Each has as many values as there were passes.
-    fn numbers(&self) -> [f64; 9] {
+    /// The two sums and, of each of the moments, the mean and the squares. Each has as many values as there were passes.
+    fn numbers(&self) -> [f64; NUMBERS] {
         let [red, green, blue] = self.sum.to_array();
+        let [inner_red, inner_green, inner_blue] = self.inner_sum.to_array();
         let moments = [&self.plain, &self.corrected, &self.bias];
         let [(x, xx), (c, cc), (b, bb)] = moments.map(Moments::mean_and_squares);
-        [red, green, blue, x, xx, c, cc, b, bb]
+        [
+            red,
+            green,
+            blue,
+            inner_red,
+            inner_green,
+            inner_blue,
+            x,
+            xx,
+            c,
+            cc,
+            b,
+            bb,
+        ]
     }
 
-    fn of_numbers(numbers: &[f64; 9], passes: u64) -> Self {
-        let [red, green, blue, x, xx, c, cc, b, bb] = *numbers;
+    fn of_numbers(numbers: &[f64; NUMBERS], passes: u64) -> Self {
+        let [
+            red,
+            green,
+            blue,
+            inner_red,
+            inner_green,
+            inner_blue,
+            x,
+            xx,
+            c,
+            cc,
+            b,
+            bb,
+        ] = *numbers;
         let moments = |mean, squares| Moments::of(passes, mean, squares);
         Self {
             sum: [red, green, blue].into(),
+            inner_sum: [inner_red, inner_green, inner_blue].into(),
             plain: moments(x, xx),
             corrected: moments(c, cc),
             bias: moments(b, bb),

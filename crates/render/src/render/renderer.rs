@@ -1,5 +1,6 @@
 //! Stage 5: renders bands of a picture, with every map and every requested estimator.
 
+use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use glam::DVec3;
@@ -80,18 +81,40 @@ impl<'a> Renderer<'a> {
         estimators: &[Estimator],
         progress: &(dyn Fn(u64) + Sync),
     ) -> Result<Rendered, RenderError> {
+        let (rows, height) = (self.band_rows(), self.options.height);
+        let starts = (0..height.div_ceil(rows)).map(|band| band * rows);
+        let bands = starts.map(|first| first..height.min(first + rows));
+        self.render_bands(bands.collect(), estimators, progress)
+    }
+
+    /// Renders every `stride`-th row only. The images consist of these rows.
+    ///
+    /// # Errors
+    /// An engine refuses a query.
+    pub fn render_rows(
+        &self,
+        stride: u32,
+        estimators: &[Estimator],
+    ) -> Result<Vec<Image>, RenderError> {
+        let rows = (stride / 2..self.options.height).step_by(stride as usize);
+        let bands = rows.map(|row| row..row + 1).collect();
+        Ok(self.render_bands(bands, estimators, &|_| ())?.images)
+    }
+
+    fn render_bands(
+        &self,
+        bands: Vec<Range<u32>>,
+        estimators: &[Estimator],
+        progress: &(dyn Fn(u64) + Sync),
+    ) -> Result<Rendered, RenderError> {
         let done = AtomicU64::new(0);
-        let rows = self.band_rows();
-        let band = |band: u32| {
-            let first = band * rows;
-            let end = self.options.height.min(first + rows);
-            let found = self.band(first, end, estimators)?;
-            let count = u64::from(end - first) * u64::from(self.options.width);
+        let band = |rows: Range<u32>| {
+            let count = rows.len() as u64 * u64::from(self.options.width);
+            let found = self.band(rows.start, rows.end, estimators)?;
             progress(done.fetch_add(count, Ordering::Relaxed) + count);
             Ok(found)
         };
-        let bands = (0..self.options.height.div_ceil(rows)).into_par_iter();
-        let bands: Result<Vec<_>, RenderError> = bands.map(band).collect();
+        let bands: Result<Vec<_>, RenderError> = bands.into_par_iter().map(band).collect();
         let mut pixels: Pixels = vec![Vec::new(); estimators.len()];
         let mut stats = RenderStats {
             photons_without_power: self.photons_without_power(),

@@ -17,7 +17,7 @@ use crate::args::{EngineReport, LightingReport, ProgressiveArgs};
 use crate::files;
 
 /// The first line. The number is that of the format and changes with it.
-const FIRST_LINE: &[u8] = b"photoncube progressive state 1\n";
+const FIRST_LINE: &[u8] = b"photoncube progressive state 2\n";
 
 /// The bytes of SHA-256.
 const DIGEST_BYTES: usize = 32;
@@ -238,11 +238,11 @@ mod tests {
     }
 
     #[test]
-    fn what_is_written_is_read_and_a_pixel_takes_nine_numbers() {
+    fn what_is_written_is_read_and_a_pixel_takes_twelve_numbers() {
         let (settings, kept) = (settings(), kept());
         let bytes = bytes(&settings, &kept).unwrap();
         assert_eq!(read(&settings, &bytes).unwrap(), kept);
-        let pixels = 16 * 9 * size_of::<f64>();
+        let pixels = 16 * 12 * size_of::<f64>();
         assert!(
             (pixels..pixels + 256).contains(&bytes.len()),
             "{}",

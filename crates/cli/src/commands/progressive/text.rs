@@ -66,19 +66,27 @@ pub(super) fn text(report: &Report) -> String {
     text
 }
 
-/// A line that states why the bound is larger than noise and bias together.
+/// What is said where bias is the larger part of the bound.
+const BIAS_RULES: &str = "\
+    Bias is the larger part of the bound: light leaks by the radius, as at the borders of shadows. The\n\
+    bias is known less well than noise, and falls slowly with more passes. A smaller --in-range lowers\n\
+    it; so do --direct rays and --caustics own.\n";
+
+/// Explains the columns of the error.
 fn bound_line(report: &Report) -> String {
     let confidence = 100.0 * report.confidence;
     let Some(quantile) = report.quantile else {
         return "One pass tells nothing of its error.\n".to_owned();
     };
     format!(
-        "noise, bias, bound: root mean squares over the pixels, each as a part of the pixel's luminance.\n\
-         A pixel's error is not above its bound, with {confidence:.0} % confidence. Its bound is\n\
-         |bias| + t s / sqrt n, with n the passes, t = {quantile:.2} Student's factor for them, and s the\n\
-         spread over the passes of the pixel less its bias, which is sqrt 5 times that of the pixel where\n\
-         light is even. The bias of one pixel is noisy. The column `bias` is without that noise, so\n\
-         `bound` is more than `bias` and t times `noise` together.\n"
+        "noise, bias: root mean squares over the pixels, each as a part of the pixel's luminance less its\n\
+         bias. The bound is sqrt(noise^2 + 2 bias^2): where light jumps within the radius, the passes show\n\
+         only a part of the bias. The bound of one pixel's error holds with {confidence:.0} % confidence; there the\n\
+         noise counts t = {quantile:.2} times, Student's factor for these passes.\n{}",
+        match report.is_mostly_bias {
+            true => BIAS_RULES,
+            false => "",
+        }
     )
 }
 
@@ -125,6 +133,7 @@ mod tests {
             interrupted: false,
             progress: vec![row],
             quantile: Some(6.31),
+            is_mostly_bias: false,
         }
     }
 
