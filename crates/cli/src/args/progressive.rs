@@ -27,6 +27,11 @@ stops when sqrt(noise^2 + 2 bias^2), root mean squares over the pixels, each ove
 luminance, is not above it. A pixel's own bound (--error-map) is not exceeded with the probability
 --confidence. See docs/accuracy.md for how many bounds hold, and where they do not.
 
+Photons, view rays and shadow rays of a pass are chosen by a pilot where they are not given: it
+measures on some rows what each contributes to the error, and takes the choice of least error for a
+given work. The same scene and seed give the same choice. Direct light comes from shadow rays and
+caustics from a map of their own, unless --direct map and --caustics map are given.
+
 Ctrl-C ends the run after the pass that is under way, and writes the picture of the passes so far.
 --resume needs the options of the run that began the picture: those of the passes, the engine and
 the light. --passes, --error-target, --confidence and the files may be others.")]
@@ -46,8 +51,9 @@ pub struct ProgressiveArgs {
     #[arg(long, default_value_t = 0.9, value_name = "C", value_parser = parse_confidence)]
     pub confidence: f64,
     /// At least this many photons are traced in each pass; with `--direct rays` the map keeps only those of indirect light
-    #[arg(long, default_value_t = ProgressiveOptions::default().photons, value_name = "N", value_parser = count(1..=MAX_PHOTONS))]
-    pub photons: u64,
+    /// [default: the pilot's choice]
+    #[arg(long, value_name = "N", value_parser = count(1..=MAX_PHOTONS))]
+    pub photons: Option<u64>,
     /// Photons in range that the radius of the first pass aims at, on average
     #[arg(long, default_value_t = ProgressiveOptions::default().in_range, value_name = "N", value_parser = positive)]
     pub in_range: f64,
@@ -57,9 +63,9 @@ pub struct ProgressiveArgs {
     /// Picture size in pixels
     #[arg(long, default_value_t = Size::of(&ViewOptions::default()), value_name = "WxH")]
     pub size: Size,
-    /// Query points for each pixel and pass: N x N
-    #[arg(long, default_value_t = 1, value_name = "N", value_parser = count(1..=64_u32))]
-    pub samples: u32,
+    /// Query points for each pixel and pass: N x N [default: the pilot's choice]
+    #[arg(long, value_name = "N", value_parser = count(1..=64_u32))]
+    pub samples: Option<u32>,
     /// Seed of all random numbers; the same seed gives the same picture
     #[arg(long, default_value_t = 1, value_name = "S", value_parser = seed)]
     pub seed: u64,

@@ -187,33 +187,41 @@ impl LightingReport {
             area: lighting.area.to_string(),
         }
     }
+
+    /// The source of direct light, as on the command line.
+    pub fn direct(&self) -> &str {
+        &self.direct
+    }
 }
 
 /// Where the light of a picture comes from.
 #[derive(ClapArgs, Copy, Clone, Debug)]
 pub struct LightArgs {
-    /// Direct light from the photon `map`, or by N shadow rays to each light: `rays[:N]`
-    #[arg(long, default_value_t = DirectLight::Map, value_name = "D")]
-    pub direct: DirectLight,
-    /// Caustics from the one photon `map`, or from one of their own with N photons in range: `own[:N]`
-    #[arg(long, default_value_t = Caustics::Map, value_name = "C")]
-    pub caustics: Caustics,
+    /// Direct light from the photon `map`, or by N shadow rays to each light: `rays[:N]` [default: `map` in `render`; in
+    /// `progressive` by as many rays as the pilot chooses]
+    #[arg(long, value_name = "D")]
+    pub direct: Option<DirectLight>,
+    /// Caustics from the one photon `map`, or from one of their own with N photons in range: `own[:N]` [default: `map` in
+    /// `render`, `own:50` in `progressive`]
+    #[arg(long, value_name = "C")]
+    pub caustics: Option<Caustics>,
     /// Rays of a final gather from each query point; 0 for none
     #[arg(long, default_value_t = 0, value_name = "N", value_parser = count(0..=65_536_u32))]
     pub final_gather: u32,
-    /// What sums of power are divided by: the `disc`, or what it covers of surfaces, `covered`
-    #[arg(long, default_value_t = Area::Disc, value_name = "A")]
-    pub area: Area,
+    /// What sums of power are divided by: the `disc`, or what it covers of surfaces, `covered` [default: `disc` in `render`,
+    /// `covered` in `progressive`]
+    #[arg(long, value_name = "A")]
+    pub area: Option<Area>,
 }
 
 impl LightArgs {
-    /// The lighting as the crate `photoncube-render` takes it.
-    pub fn lighting(&self) -> Lighting {
+    /// The lighting as the crate `photoncube-render` takes it. What is not given is that of `default`.
+    pub fn lighting(&self, default: &Lighting) -> Lighting {
         Lighting {
-            direct: self.direct,
-            caustics: self.caustics,
+            direct: self.direct.unwrap_or(default.direct),
+            caustics: self.caustics.unwrap_or(default.caustics),
             final_gather: self.final_gather,
-            area: self.area,
+            area: self.area.unwrap_or(default.area),
         }
     }
 }

@@ -8,8 +8,8 @@ use std::time::{Duration, Instant};
 
 use anyhow::{Context, Result, ensure};
 use photoncube_render::{
-    ErrorEstimate, Estimator, Image, Progressive, ProgressiveOptions, Scene, ViewOptions,
-    error_map, luminance,
+    Area, Balance, Caustics, Chosen, DirectLight, ErrorEstimate, Estimator, Image, Lighting,
+    Progressive, ProgressiveOptions, Scene, ViewOptions, error_map, luminance,
 };
 use serde::{Deserialize, Serialize};
 
@@ -62,6 +62,8 @@ struct Report {
     light: LightingReport,
     output: String,
     seed: u64,
+    photons_per_pass: u64,
+    samples_per_axis: u32,
     alpha: f64,
     confidence: f64,
     error_target: Option<f64>,
@@ -100,11 +102,34 @@ pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
     let chosen = args.engine.find()?;
     let engine = chosen.engine();
     let scene = scenes::load(&args.scene)?;
-    let lighting = args.light.lighting();
+    let lighting = args.light.lighting(&LIGHTING);
     lighting.check(&scene, &Estimator::FixedRadius)?;
-    let (view, options) = (view(args), options(args));
     check_outputs(args, &scene)?;
-    sight::check(&scene, &view)?;
+    let base = ViewOptions {
+        width: args.size.width,
+        height: args.size.height,
+        seed: args.seed,
+        ..ViewOptions::default()
+    };
+    sight::check(&scene, &base)?;
+    let balance = balance(args, &scene, &lighting, &base)?;
+    let (view, options) = (
+        ViewOptions {
+            samples_per_axis: balance.samples_per_axis,
+            ..base
+        },
+        ProgressiveOptions {
+            photons: balance.photons,
+            ..options(args)
+        },
+    );
+    let lighting = Lighting {
+        direct: match lighting.direct {
+            DirectLight::Map => DirectLight::Map,
+            DirectLight::Rays(_) => DirectLight::Rays(balance.rays),
+        },
+        ..lighting
+    };
     let reference = args.reference.as_deref().map(Image::read_exr).transpose()?;
     if let (Some(reference), Some(path)) = (&reference, &args.reference) {
         let size = (reference.width(), reference.height());
@@ -119,7 +144,7 @@ pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
     }
     let progressive = Progressive::new(&scene, engine, lighting, view, options)?;
     let keeper = args.state.clone().map(|path| {
-        let settings = kept::settings(args, &scene, engine, &lighting);
+        let settings = kept::settings(args, &scene, engine, &lighting, &balance);
         Keeper::new(path, settings)
     });
     let mut work = Work {
@@ -150,6 +175,8 @@ pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
         light: LightingReport::of(&lighting),
         output: args.output.display().to_string(),
         seed: args.seed,
+        photons_per_pass: balance.photons,
+        samples_per_axis: balance.samples_per_axis,
         alpha: args.alpha,
         confidence: args.confidence,
         error_target: args.error_target,
@@ -176,8 +203,12 @@ pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
         ))
         .into()),
         (End::Passes, Some(target)) => Err(CheckFailed(format!(
-            "the error target {} is not reached in {all} passes: give more --passes",
-            short(target)
+            "the error target {} is not reached in {all} passes: give more --passes{}",
+            short(target),
+            match report.is_mostly_bias {
+                true => ", or a smaller --in-range, as most of the error is bias",
+                false => "",
+            }
         ))
         .into()),
         _ => Ok(()),
@@ -203,22 +234,40 @@ fn check_outputs(args: &ProgressiveArgs, scene: &Scene) -> Result<()> {
     outputs::check(&outputs, &inputs)
 }
 
-fn view(args: &ProgressiveArgs) -> ViewOptions {
-    ViewOptions {
-        width: args.size.width,
-        height: args.size.height,
-        samples_per_axis: args.samples,
-        seed: args.seed,
-    }
-}
+/// The lighting that is not given: what needs the least time for an error. The pilot chooses the number of shadow rays.
+const LIGHTING: Lighting = Lighting {
+    direct: DirectLight::Rays(1),
+    caustics: Caustics::OWN,
+    final_gather: 0,
+    area: Area::Covered,
+};
 
 fn options(args: &ProgressiveArgs) -> ProgressiveOptions {
     ProgressiveOptions {
-        photons: args.photons,
         in_range: args.in_range,
         alpha: args.alpha,
         seed: args.seed,
+        ..ProgressiveOptions::default()
     }
+}
+
+/// What a pass is made of: what is given, and what a pilot chooses.
+fn balance(
+    args: &ProgressiveArgs,
+    scene: &Scene,
+    lighting: &Lighting,
+    view: &ViewOptions,
+) -> Result<Balance> {
+    let chosen = Chosen {
+        photons: args.photons,
+        samples_per_axis: args.samples,
+        rays: match args.light.direct {
+            Some(DirectLight::Rays(rays)) => Some(rays),
+            _ => None,
+        },
+    };
+    let options = options(args);
+    Ok(Balance::choose(scene, lighting, view, &options, chosen)?)
 }
 
 /// The time between two writings of the state while the passes go on.

@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use anyhow::Result;
-use photoncube_render::{BATCH_PATHS, DirectLight, PhotonMap};
+use photoncube_render::{BATCH_PATHS, DirectLight, Lighting, PhotonMap};
 use serde::Serialize;
 
 use crate::args::{EngineReport, LightingReport, RenderArgs};
@@ -48,7 +48,7 @@ pub fn execute(args: &RenderArgs, json: bool) -> Result<()> {
     let engine = chosen.engine();
     args.estimator.check(engine)?;
     let scene = scenes::load(&args.scene)?;
-    let lighting = args.light.lighting();
+    let lighting = args.light.lighting(&Lighting::default());
     lighting.check(&scene, &args.estimator)?;
     outputs::check(&[Output::picture("-o", &args.output)], scene.files())?;
     let view = view(&args.picture);

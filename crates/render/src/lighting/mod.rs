@@ -53,6 +53,12 @@ pub enum Caustics {
     Own(f64),
 }
 
+impl Caustics {
+    /// A separate map with 50 photons in range of a caustic photon. That is fewer than elsewhere, because caustics are bright and
+    /// sharp.
+    pub const OWN: Self = Self::Own(50.0);
+}
+
 /// The divisor of a sum of power. On the command line: `disc`, `covered`.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Area {

@@ -7,10 +7,6 @@ use thiserror::Error;
 
 use super::{Area, Caustics, DirectLight};
 
-/// The default number of photons in range of a caustic photon. It is smaller than elsewhere, because caustics
-/// are bright and sharp.
-const CAUSTIC_IN_RANGE: f64 = 50.0;
-
 /// The error of a text that is not the name of a lighting.
 #[derive(Debug, Clone, Error, PartialEq, Eq)]
 #[error("{what}: found `{found}`, expected {expected}")]
@@ -76,7 +72,7 @@ impl FromStr for Caustics {
         let error = || UnknownLighting::of("caustics", text, expected);
         match text.split_once(':') {
             None if text == "map" => Ok(Self::Map),
-            None if text == "own" => Ok(Self::Own(CAUSTIC_IN_RANGE)),
+            None if text == "own" => Ok(Self::OWN),
             Some(("own", in_range)) => match in_range.parse::<f64>() {
                 Ok(in_range) if in_range > 0.0 && in_range.is_finite() => Ok(Self::Own(in_range)),
                 _ => Err(error()),
@@ -123,7 +119,7 @@ mod tests {
             assert_eq!(text.parse::<Area>().unwrap().to_string(), text);
         }
         assert_eq!("rays".parse(), Ok(DirectLight::Rays(1)));
-        assert_eq!("own".parse(), Ok(Caustics::Own(CAUSTIC_IN_RANGE)));
+        assert_eq!("own".parse(), Ok(Caustics::OWN));
     }
 
     #[test]

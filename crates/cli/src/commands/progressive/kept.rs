@@ -8,7 +8,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail, ensure};
-use photoncube_render::{Engine, Image, Lighting, ProgressiveState, Scene};
+use photoncube_render::{Balance, Engine, Image, Lighting, ProgressiveState, Scene};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
@@ -32,15 +32,16 @@ pub fn settings(
     scene: &Scene,
     engine: Engine<'_>,
     lighting: &Lighting,
+    balance: &Balance,
 ) -> Settings {
     let own = [
         ("photoncube version", env!("CARGO_PKG_VERSION").to_owned()),
         ("scene, its SHA-256", scene.sha256()),
-        ("--photons", args.photons.to_string()),
+        ("--photons", balance.photons.to_string()),
         ("--in-range", args.in_range.to_string()),
         ("--alpha", args.alpha.to_string()),
         ("--size", args.size.to_string()),
-        ("--samples", args.samples.to_string()),
+        ("--samples", balance.samples_per_axis.to_string()),
         ("--seed", args.seed.to_string()),
     ];
     let own = own.map(|(name, value)| (name.to_owned(), value));

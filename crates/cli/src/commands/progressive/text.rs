@@ -61,9 +61,20 @@ pub(super) fn text(report: &Report) -> String {
         &report.progress.iter().map(cells).collect::<Vec<_>>(),
     );
     let lost = sight::without_power(report.photons_without_power);
-    let mut text = format!("{table}{}{lost}\n{}\n", bound_line(report), report.output);
+    let pass = pass_line(report);
+    let bound = bound_line(report);
+    let mut text = format!("{table}{pass}{bound}{lost}\n{}\n", report.output);
     text.extend(report.files.iter().map(|file| format!("{file}\n")));
     text
+}
+
+/// A line that states what a pass is made of.
+fn pass_line(report: &Report) -> String {
+    let (photons, axis) = (report.photons_per_pass, report.samples_per_axis);
+    let direct = report.light.direct();
+    format!(
+        "A pass: at least {photons} photons traced, {axis} x {axis} view rays a pixel, direct light by {direct}.\n"
+    )
 }
 
 /// What is said where bias is the larger part of the bound.
@@ -113,7 +124,8 @@ mod tests {
         let Command::Progressive(args) = Args::parse_from(args).command else {
             unreachable!("that is the command");
         };
-        let light = LightingReport::of(&args.light.lighting());
+        let light =
+            LightingReport::of(&args.light.lighting(&photoncube_render::Lighting::default()));
         Report {
             scene: "cornell".to_owned(),
             engine: EngineReport::of(args.engine.find().unwrap().engine()),
@@ -121,6 +133,8 @@ mod tests {
             light,
             output: "o.png".to_owned(),
             seed: 1,
+            photons_per_pass: 5000,
+            samples_per_axis: 2,
             alpha: 0.5,
             confidence: 0.9,
             error_target: None,
