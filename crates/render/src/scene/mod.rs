@@ -22,6 +22,7 @@ use sha2::{Digest, Sha256};
 pub use error::SceneError;
 pub(crate) use lights::{Lights, emitters};
 pub use obj::ObjError;
+pub(crate) use surface::Scattered;
 pub use surface::{Bsdf, Surface};
 
 use self::hierarchy::Hierarchy;

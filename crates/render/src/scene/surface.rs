@@ -92,33 +92,55 @@ impl Surface {
     /// cos / pi, for a mirror that of the law of reflection. At the border of a medium it is one of both ways
     /// by chance, with the shares of Fresnel's equations.
     pub(crate) fn scatter(&self, ray: &Ray, hit: &Hit, rng: &mut Pcg64Mcg) -> Scattered {
-        let on = |direction| Scattered {
-            ray: Ray {
-                origin: hit.position,
-                direction,
-            },
-            radiance: 1.0,
-        };
         match self.bsdf {
-            Bsdf::Diffuse { .. } => on(cosine_direction(hit.normal, rng)),
+            Bsdf::Diffuse { .. } => Scattered::from(hit, cosine_direction(hit.normal, rng)),
             // d - 2 (d . n) n, which is independent of the side.
-            Bsdf::Mirror { .. } => on(ray.direction.reflect(hit.normal)),
+            Bsdf::Mirror { .. } => Scattered::from(hit, ray.direction.reflect(hit.normal)),
             Bsdf::Dielectric { ratio } => {
-                let (normal, ratio) = if hit.front {
-                    (hit.normal, ratio)
-                } else {
-                    (-hit.normal, 1.0 / ratio)
-                };
-                let border = Border::new(ray.direction, normal, ratio);
-                let goes_on = rng.random::<f64>() >= border.reflected;
-                match border.refracted.filter(|_| goes_on) {
-                    None => on(ray.direction.reflect(normal)),
-                    Some(direction) => Scattered {
-                        radiance: 1.0 / (ratio * ratio),
-                        ..on(direction)
-                    },
-                }
+                let ways = Ways::of(ray, hit, ratio);
+                let goes_on = rng.random::<f64>() >= ways.share;
+                let refracted = ways.refracted.filter(|_| goes_on);
+                refracted.unwrap_or(ways.reflected)
             }
+        }
+    }
+
+    /// Both ways of light at the border of a medium; `None` elsewhere, and with total reflection.
+    pub(crate) fn both_ways(&self, ray: &Ray, hit: &Hit) -> Option<[(f64, Scattered); 2]> {
+        let Bsdf::Dielectric { ratio } = self.bsdf else {
+            return None;
+        };
+        let ways = Ways::of(ray, hit, ratio);
+        let refracted = (1.0 - ways.share, ways.refracted?);
+        Some([(ways.share, ways.reflected), refracted])
+    }
+}
+
+/// The ways of light at the border of a medium.
+struct Ways {
+    /// The share of the light that is reflected, from 0 to 1.
+    share: f64,
+    reflected: Scattered,
+    /// `None` with total reflection.
+    refracted: Option<Scattered>,
+}
+
+impl Ways {
+    /// `ratio` is the index of refraction behind the surface, over that before it.
+    fn of(ray: &Ray, hit: &Hit, ratio: f64) -> Self {
+        let (normal, ratio) = match hit.front {
+            true => (hit.normal, ratio),
+            false => (-hit.normal, 1.0 / ratio),
+        };
+        let border = Border::new(ray.direction, normal, ratio);
+        let refracted = border.refracted.map(|direction| Scattered {
+            radiance: 1.0 / (ratio * ratio),
+            ..Scattered::from(hit, direction)
+        });
+        Self {
+            share: border.reflected,
+            reflected: Scattered::from(hit, ray.direction.reflect(normal)),
+            refracted,
         }
     }
 }
@@ -132,6 +154,18 @@ pub(crate) struct Scattered {
     /// medium of index n a bundle of rays is n^2 times as narrow, so that L / n^2 is constant. The flux of
     /// photons has no such factor.
     pub radiance: f64,
+}
+
+impl Scattered {
+    fn from(hit: &Hit, direction: DVec3) -> Self {
+        Self {
+            ray: Ray {
+                origin: hit.position,
+                direction,
+            },
+            radiance: 1.0,
+        }
+    }
 }
 
 #[cfg(test)]
