@@ -3,15 +3,14 @@
 
 Usage: mitsuba_scene.py SCENE.json PICTURE.exr [SIDE [SAMPLES]]
 
-Quads, boxes of six quads, and spheres; diffuse, dielectric and conductor, as in docs/scenes/spheres.json.
+Quads, boxes of six quads, and spheres; diffuse, dielectric and conductor, as in docs/scenes/spheres.json and in
+crates/render/scenes.
 """
 
 import json
 import sys
 
 import mitsuba as mi
-
-mi.set_variant("scalar_rgb")
 
 
 def matrix(columns):
@@ -42,22 +41,25 @@ def bsdf(text):
     return {"type": "conductor", "material": "none", "specular_reflectance": rgb(text["specular_reflectance"])}
 
 
-def shape(text):
+def forms(text):
     if text["kind"] == "sphere":
-        found = {"type": "sphere", "center": text["center"], "radius": text["radius"]}
-    else:
-        found = quad(text["vertices"])
-    found["bsdf"] = bsdf(text["bsdf"])
-    if "emitter" in text:
-        found["emitter"] = {"type": "area", "radiance": rgb(text["emitter"]["radiance"])}
-    return found
+        return [{"type": "sphere", "center": text["center"], "radius": text["radius"]}]
+    corners = text["vertices"]
+    faces = text.get("quads_ccw_outward", [[0, 1, 2, 3]])
+    return [quad([corners[index] for index in face]) for face in faces]
 
 
-def main():
-    source, target = sys.argv[1:3]
-    side = int(sys.argv[3]) if len(sys.argv) > 3 else 128
-    samples = int(sys.argv[4]) if len(sys.argv) > 4 else 4096
-    text = json.load(open(source))
+def shapes(name, text):
+    """The shapes of one entry of a scene file: one, or one for each face."""
+    for index, found in enumerate(forms(text)):
+        found["bsdf"] = bsdf(text["bsdf"])
+        if "emitter" in text:
+            found["emitter"] = {"type": "area", "radiance": rgb(text["emitter"]["radiance"])}
+        yield f"{name.replace('-', '_')}_{index}", found
+
+
+def load(text, side, samples):
+    """The scene, for Mitsuba's variant that is set."""
     camera = text["camera"]
     scene = {
         "type": "scene",
@@ -72,9 +74,19 @@ def main():
         },
     }
     for name, value in text["shapes"].items():
-        scene[name.replace("-", "_")] = shape(value)
-    picture = mi.render(mi.load_dict(scene))
-    mi.Bitmap(picture).write(target)
+        scene.update(shapes(name, value))
+    return mi.load_dict(scene)
 
 
-main()
+def main():
+    source, target = sys.argv[1:3]
+    side = int(sys.argv[3]) if len(sys.argv) > 3 else 128
+    samples = int(sys.argv[4]) if len(sys.argv) > 4 else 4096
+    mi.set_variant("scalar_rgb")
+    with open(source, encoding="utf-8") as file:
+        text = json.load(file)
+    mi.Bitmap(mi.render(load(text, side, samples))).write(target)
+
+
+if __name__ == "__main__":
+    main()

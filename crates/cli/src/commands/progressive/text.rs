@@ -160,11 +160,18 @@ mod tests {
         );
         assert!(without.lines().all(|line| line.len() <= 100), "{without}");
         assert!(
-            without.contains("t = 6.31 Student's")
-                && without.contains("bound is\n|bias| + t s / sqrt n")
-                && without.contains("90 % confidence"),
+            without.contains("t = 6.31 times")
+                && without.contains("sqrt(noise^2 + 2 bias^2)")
+                && without.contains("90 % confidence")
+                && without.contains("at least 5000 photons traced, 2 x 2 view rays"),
             "{without}"
         );
+        assert!(!without.contains(BIAS_RULES), "{without}");
+        let biased = text(&Report {
+            is_mostly_bias: true,
+            ..report(None)
+        });
+        assert!(biased.contains(BIAS_RULES), "{biased}");
         assert!(without.ends_with("o.png\nplot.svg\n"), "{without}");
         let with = text(&report(Some(0.01)));
         assert!(
