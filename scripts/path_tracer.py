@@ -3,7 +3,7 @@
 
 Usage: path_tracer.py PHOTONCUBE WORK_FOLDER
 
-PHOTONCUBE is the program. Scenes: the Cornell box with boxes, with a ball of glass, with a mirror ball; 128 x 128 pixels. The
+PHOTONCUBE is the program; WORK_FOLDER gets the scenes and the pictures. Scenes: the Cornell box with boxes, with a ball of glass, with a mirror ball; 128 x 128 pixels. The
 truth is Mitsuba's path tracer with SAMPLES samples a pixel in each of two halves; their difference gives its own noise, which is
 taken off every error. The measure is relMSE without the light and the pixels that touch it. Seconds are of all threads, user and system, of
 the render call for Mitsuba (compiled before, by a picture that does not count) and of the whole program for photoncube. Both
@@ -112,6 +112,7 @@ def measure(program, work, name, text):
     peer = Mitsuba(text)
     halves = [peer.render(SAMPLES, seed) for seed in (1000, 2000)]
     truth = (halves[0] + halves[1]) / 2
+    mi.Bitmap(truth.astype(np.float32)).write(str(work / f"{name}-truth.exr"))
     kept = mask(truth)
     # The variance of the mean of two is a quarter of that of their difference.
     noise = rel_mse(halves[0], halves[1], kept) / 4

@@ -114,6 +114,7 @@ impl Data {
             .map(|_| QueryPoint {
                 position: light.place(&mut rng),
                 normal: light.tilt() * DVec3::Y,
+                surface: None,
                 beta: DVec3::ONE,
             })
             .collect();
@@ -147,7 +148,7 @@ fn radius_for(
     for _ in 0..30 {
         let radius = f64::midpoint(low, high);
         let count = |query: &&QueryPoint| {
-            let runs = widest.candidates(query.position, query.normal);
+            let runs = widest.candidates(query.position, query.front());
             let photons = runs.flat_map(|run| &widest.photons()[run.photons]);
             let near = photons.filter(|p| p.position.distance(query.position) <= radius);
             near.count() as f64

@@ -234,6 +234,7 @@ fn an_estimate_that_a_core_has_no_radii_for_is_refused() {
     let query = QueryPoint {
         position: place,
         normal: place,
+        surface: None,
         beta: place,
     };
     let error = driver.gather_all(&map, &[query], &[1]).unwrap_err();

@@ -4,7 +4,7 @@ use photoncube_model::{GatherError, Gathered, PhotonPlanes, Surroundings};
 use photoncube_spec::{PhotonBlock, PhotonFormat, PhotonRecord, Query};
 
 use super::case::HardCaseError;
-use super::room::NORMAL;
+use super::room::FRONT;
 use super::setting::Setting;
 use photoncube_render::QuantisedMap;
 
@@ -37,7 +37,7 @@ pub(super) fn all_met(setting: &Setting, format: &PhotonFormat) -> Result<Vec<Me
     let mut all = Vec::new();
     for &place in &setting.queries {
         let query = quantised.query(place);
-        for block in quantised.blocks(place, NORMAL) {
+        for block in quantised.blocks(place, FRONT) {
             for record in block.photons {
                 let photons = std::slice::from_ref(record);
                 all.push(Met {

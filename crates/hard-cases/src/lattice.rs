@@ -12,7 +12,7 @@ use photoncube_spec::{PhotonFormat, PhotonRecord, Query};
 use super::case::{Bound, Contrast, HardCase, HardCaseError, Outcome, every_format, percent};
 use super::grid::Grid;
 use super::naive::in_range_absolute;
-use super::room::{COLOUR, NORMAL, RADIUS, Room, photon, points};
+use super::room::{COLOUR, FRONT, RADIUS, Room, photon, points};
 use super::setting::Setting;
 use photoncube_render::MISCLASSIFIED_TIMES_STEPS;
 use photoncube_render::Photon;
@@ -173,7 +173,7 @@ fn tight(format: &PhotonFormat) -> Result<Outcome, HardCaseError> {
     let quantised = QuantisedMap::new(&setting.map, &format.into())?;
     let (mut wrong, mut truly, mut absolute) = (0, 0, 0);
     for &query in &setting.queries {
-        for (photon, verdict) in quantised.verdicts(query, NORMAL) {
+        for (photon, verdict) in quantised.verdicts(query, FRONT) {
             let exact = photon.position.distance(query) <= radius;
             wrong += u64::from(verdict != exact);
             truly += u64::from(exact);

@@ -9,7 +9,7 @@ use photoncube_spec::{Exponent, PhotonBlock, PhotonFormat, PhotonRecord, Query, 
 use super::case::{Bound, Contrast, HardCase, HardCaseError, Outcome, every_format, percent};
 use super::grid::Grid;
 use super::naive::sum_f32;
-use super::room::{MIDDLE, NORMAL, RADIUS, Room, photon, photons};
+use super::room::{FRONT, MIDDLE, RADIUS, Room, photon, photons};
 use super::setting::Setting;
 use photoncube_render::QuantisedMap;
 
@@ -83,7 +83,7 @@ fn identical(grid: &Grid, count: usize) -> Result<Setting, HardCaseError> {
 fn quarter_million(format: &PhotonFormat) -> Result<Outcome, HardCaseError> {
     let setting = identical(&Grid::of_format(format), QUARTER)?;
     let quantised = QuantisedMap::new(&setting.map, &format.into())?;
-    let sums = quantised.gather(MIDDLE, NORMAL)?;
+    let sums = quantised.gather(MIDDLE, FRONT)?;
     let count = setting.counts[0];
     let one = one(&quantised)?;
     Ok(difference(
@@ -144,7 +144,7 @@ fn million(format: &PhotonFormat) -> Result<Outcome, HardCaseError> {
     let quantised = QuantisedMap::new(&map, &format.into())?;
     let query = quantised.query(MIDDLE);
     let (mut sums, mut looked_at) = (Sums::default(), 0);
-    for block in quantised.blocks(MIDDLE, NORMAL) {
+    for block in quantised.blocks(MIDDLE, FRONT) {
         sums = repeated(format, &query, block, count)?;
         looked_at += sums.count;
     }
@@ -181,7 +181,7 @@ fn repeated(
 /// The sums of one of the map's photons, which are all equal.
 fn one(quantised: &QuantisedMap<'_>) -> Result<Sums, HardCaseError> {
     let gather = Gather::new(quantised.numbers())?;
-    let blocks = quantised.blocks(MIDDLE, NORMAL).map(|mut block| {
+    let blocks = quantised.blocks(MIDDLE, FRONT).map(|mut block| {
         block.photons = &block.photons[..1];
         block
     });
@@ -207,7 +207,7 @@ fn permuted(format: &PhotonFormat) -> Result<Outcome, HardCaseError> {
     let pairs = a.sums(format)?.into_iter().zip(b.sums(format)?);
     let changed = pairs.filter(|(a, b)| a != b).count() as u64;
     let rounded = |setting: &Setting, query| {
-        let runs = setting.map.candidates(query, NORMAL);
+        let runs = setting.map.candidates(query, FRONT);
         let all = runs.flat_map(|run| &setting.map.photons()[run.photons]);
         let near = all.filter(|p| p.position.distance(query) <= RADIUS);
         sum_f32(near.map(|p| p.power.x)).to_bits()

@@ -6,7 +6,7 @@ use photoncube_spec::PhotonFormat;
 use super::case::{Bound, Contrast, HardCase, HardCaseError, Outcome, every_format, percent};
 use super::grid::Grid;
 use super::naive::in_range_wrapping_32;
-use super::room::{COLOUR, NORMAL, RADIUS, Room, photon, photons, points};
+use super::room::{COLOUR, FRONT, RADIUS, Room, photon, photons, points};
 use super::setting::Setting;
 use photoncube_render::Photon;
 use photoncube_render::PhotonMap;
@@ -135,7 +135,7 @@ fn own_corners(format: &PhotonFormat) -> Result<Outcome, HardCaseError> {
     let (mut missed, mut outside, mut looked_at) = (0, 0, 0);
     for setting in corners(&Grid::of_format(format))? {
         missed += setting.miscounted(format)?;
-        let own = setting.map.candidates(setting.queries[0], NORMAL);
+        let own = setting.map.candidates(setting.queries[0], FRONT);
         let own = own.filter(|run| run.offset == [1; 3]);
         let own: usize = own.map(|run| run.photons.len()).sum();
         outside += setting.counts[0] - own as u64;
@@ -193,7 +193,7 @@ fn lost_by_blocks_of_the_radius() -> Result<f64, HardCaseError> {
         photons.retain(|p| p.position.distance(query) <= RADIUS);
         in_range += photons.len();
         let map = PhotonMap::new(&scene, photons, RADIUS)?;
-        let found = map.candidates(query, NORMAL).map(|run| run.photons.len());
+        let found = map.candidates(query, FRONT).map(|run| run.photons.len());
         lost += map.photons().len() - found.sum::<usize>();
     }
     Ok(percent(lost as u64, in_range as u64))

@@ -9,10 +9,13 @@ use super::case::HardCaseError;
 use super::grid::Grid;
 use photoncube_render::PhotonMap;
 use photoncube_render::Scene;
-use photoncube_render::{Facing, Photon};
+use photoncube_render::{Facing, Front, Photon};
 
-/// The upward normal. All photons count as lying on the floor, wherever they are.
-pub(super) const NORMAL: DVec3 = DVec3::Y;
+/// A front that faces up. All photons count as lying on the floor, wherever they are.
+pub(super) const FRONT: Front = Front {
+    normal: DVec3::Y,
+    surface: None,
+};
 
 /// The room's middle.
 pub(super) const MIDDLE: DVec3 = DVec3::splat(0.5);

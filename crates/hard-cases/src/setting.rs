@@ -4,7 +4,7 @@ use glam::DVec3;
 use photoncube_spec::{Machine, Photon, PhotonFormat, Query, Sums};
 
 use super::case::HardCaseError;
-use super::room::NORMAL;
+use super::room::FRONT;
 use photoncube_render::{PhotonMap, QuantisedMap, QueryPoint};
 
 /// A photon map with query points.
@@ -42,7 +42,8 @@ impl Setting {
         let quantised = QuantisedMap::new(&self.map, &format.into())?;
         let query = |&position: &DVec3| QueryPoint {
             position,
-            normal: NORMAL,
+            normal: FRONT.normal,
+            surface: FRONT.surface,
             beta: DVec3::ONE,
         };
         let queries: Vec<_> = self.queries.iter().map(query).collect();
@@ -65,7 +66,7 @@ impl Setting {
         let words = QuantisedMap::new(&self.map, &machine.numbers)?;
         let queries = self.queries.iter();
         Ok(queries
-            .map(|&query| (words.query(query), words.photons(query, NORMAL).collect()))
+            .map(|&query| (words.query(query), words.photons(query, FRONT).collect()))
             .collect())
     }
 }

@@ -10,7 +10,7 @@ use super::case::{Bound, Contrast, HardCase, HardCaseError, Outcome, every_forma
 use super::exact::{Met, all_met};
 use super::grid::Grid;
 use super::naive::{in_range_wrapping_16, in_range_wrapping_32};
-use super::room::{COLOUR, NORMAL, RADIUS, Room, photon, points};
+use super::room::{COLOUR, FRONT, RADIUS, Room, photon, points};
 use super::setting::Setting;
 use photoncube_render::QuantisedMap;
 
@@ -177,9 +177,7 @@ fn scene_wide(
     let beyond = SMALL_RADIUS + 3_f64.sqrt() * Grid::of_format(format).cell(SMALL_RADIUS);
     let (mut wrong, mut truly, mut falsely, mut looked_at) = (0, 0, 0, 0);
     for &query in &setting.queries {
-        let taken = quantised
-            .verdicts(query, NORMAL)
-            .filter(|verdict| verdict.1);
+        let taken = quantised.verdicts(query, FRONT).filter(|verdict| verdict.1);
         let far = taken.filter(|(p, _)| p.position.distance(query) > beyond);
         wrong += far.count() as u64;
         for photon in setting.map.photons() {

@@ -101,4 +101,6 @@ pub use trace::{
     BATCH_PATHS, Facing, MAX_PHOTONS, PathKind, Photon, PhotonTrace, TraceError, TraceOptions,
     trace,
 };
-pub use view::{Camera, FovAxis, QueryPoint, Ray, Sights, ViewError, ViewOptions, sees_a_front};
+pub use view::{
+    Camera, FovAxis, Front, QueryPoint, Ray, Sights, ViewError, ViewOptions, sees_a_front,
+};

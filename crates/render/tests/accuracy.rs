@@ -139,7 +139,7 @@ fn bisection_on_the_models_count_finds_the_kth_photon() {
             let exact = near.k_nearest(k, Kernel::Rectangle).unwrap();
             let max = quantised.radius_sq();
             let count = |radius_sq: u64| {
-                let sums = quantised.gather_within(query.position, query.normal, radius_sq as u32);
+                let sums = quantised.gather_within(query.position, query.front(), radius_sq as u32);
                 sums.map(|sums| sums.count)
             };
             let Some(kth) = smallest_radius_sq(k, u64::from(max), count).unwrap() else {
@@ -210,7 +210,7 @@ fn integer_ladder(quantised: &QuantisedMap<'_>, query: &QueryPoint, ladder: &Lad
     let steps_sq = quantised.radius_sq();
     let mut sum = 0.0;
     for (radius_sq, rung) in ladder.radii_sq(steps_sq).iter().zip(ladder.rungs()) {
-        let sums = quantised.gather_within(query.position, query.normal, *radius_sq);
+        let sums = quantised.gather_within(query.position, query.front(), *radius_sq);
         let power = quantised.flux(sums.unwrap().power);
         sum += rung.weight * luminance(power) * (f64::from(steps_sq) / f64::from(*radius_sq));
     }

@@ -1,7 +1,7 @@
 //! Measures the error of formats at single queries, against f64 on the same photons.
 
 use glam::DVec3;
-use photoncube_render::{Photon, PhotonMap, QuantisedMap, Scene, TraceOptions, trace};
+use photoncube_render::{Front, Photon, PhotonMap, QuantisedMap, Scene, TraceOptions, trace};
 use photoncube_spec::{PhotonFormat, find_photon_format};
 
 /// The figures of many queries.
@@ -22,7 +22,7 @@ fn measure(map: &PhotonMap, queries: &[(DVec3, DVec3)], format: &PhotonFormat) -
     let (mut squares, mut noise) = (0.0, 0.0);
     for &(position, normal) in queries {
         let (mut exact, mut exact_sq) = (0.0, 0.0);
-        for (photon, verdict) in quantised.verdicts(position, normal) {
+        for (photon, verdict) in quantised.verdicts(position, Front::of_any(normal)) {
             let truly = photon.position.distance(position) <= map.radius();
             wrong += u64::from(verdict != truly);
             in_range += u64::from(truly);
@@ -32,7 +32,7 @@ fn measure(map: &PhotonMap, queries: &[(DVec3, DVec3)], format: &PhotonFormat) -
             }
         }
         if exact > 0.0 {
-            let sums = quantised.gather(position, normal).unwrap();
+            let sums = quantised.gather(position, Front::of_any(normal)).unwrap();
             let sum = quantised.flux(sums.power).element_sum();
             squares += (sum / exact - 1.0).powi(2);
             noise += exact_sq / (exact * exact);

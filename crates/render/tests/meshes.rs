@@ -9,8 +9,8 @@ use std::time::Instant;
 
 use glam::DVec3;
 use photoncube_render::{
-    Engine, Facing, Geometry, Kernel, Neighbourhood, Photon, PhotonMap, QueryPoint, Rendering,
-    Scene, TraceOptions, ViewOptions, render, trace,
+    Engine, Facing, Front, Geometry, Kernel, Neighbourhood, Photon, PhotonMap, QueryPoint,
+    Rendering, Scene, TraceOptions, ViewOptions, render, trace,
 };
 use photoncube_spec::find_photon_format;
 
@@ -190,14 +190,20 @@ fn photons_of_a_curved_surface_are_chosen_by_their_facing() {
             let point = QueryPoint {
                 position: query.position,
                 normal,
+                surface: None,
                 beta: DVec3::ONE,
             };
             let estimate = |near: Neighbourhood| near.fixed_radius(0.5, Kernel::Rectangle).unwrap();
             let gathered = estimate(Neighbourhood::block_walk(&map, &point));
-            let brute = estimate(Neighbourhood::brute_force(&scene, &photons, &point));
+            let brute = estimate(Neighbourhood::brute_force(
+                &scene,
+                &photons,
+                &point,
+                map.radius(),
+            ));
             assert_eq!(gathered.in_range, brute.in_range);
             assert!(brute.in_range > 0);
-            let runs = map.candidates(query.position, normal);
+            let runs = map.candidates(query.position, Front::of_any(normal));
             for photon in runs.flat_map(|run| &map.photons()[run.photons]) {
                 let surface = &scene.surfaces()[photon.surface as usize];
                 if surface.shape == "ball" {

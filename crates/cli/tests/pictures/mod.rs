@@ -122,7 +122,10 @@ fn passes_go_on_until_the_error_is_small_enough() {
     let rows = report["progress"].as_array().unwrap();
     let last = rows.last().unwrap();
     assert!(last["error_bound"].as_f64().unwrap() <= 0.05, "{last}");
-    assert!((3..100).contains(&last["passes"].as_u64().unwrap()), "{last}");
+    assert!(
+        (3..100).contains(&last["passes"].as_u64().unwrap()),
+        "{last}"
+    );
     // 90 % of 256 pixels, with three standard deviations of 1.9 %.
     assert!(last["bounded_share"].as_f64().unwrap() >= 0.84, "{last}");
     let rel_mse = |row: &serde_json::Value| row["rel_mse"].as_f64().unwrap();

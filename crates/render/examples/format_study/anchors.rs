@@ -142,7 +142,7 @@ impl Absolute {
     fn answer(&self, query: &QueryPoint) -> (DVec3, Misclassified) {
         let (mut flux, mut counts) = (DVec3::ZERO, Misclassified::default());
         let (radius, centre) = (self.map.radius(), self.cell(query.position));
-        for run in self.map.candidates(query.position, query.normal) {
+        for run in self.map.candidates(query.position, query.front()) {
             for photon in &self.map.photons()[run.photons] {
                 let truly = photon.position.distance(query.position) <= radius;
                 let inside = self.cell(photon.position).distance(centre) * self.step <= radius;

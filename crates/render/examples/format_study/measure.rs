@@ -130,7 +130,7 @@ pub fn power_alone(
     study(bench, prepare, |(quantised, powers), query| {
         let map = quantised.map();
         let (mut flux, mut counts) = (DVec3::ZERO, Misclassified::default());
-        let runs = map.candidates(query.position, query.normal);
+        let runs = map.candidates(query.position, query.front());
         for photon in runs.flat_map(|run| run.photons) {
             let distance = map.photons()[photon].position.distance(query.position);
             let inside = distance <= map.radius();

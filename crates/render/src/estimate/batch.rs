@@ -66,10 +66,10 @@ impl QuantisedMap<'_> {
         query: &QueryPoint,
         radius_sq: u32,
     ) -> Result<Gathered, GatherError> {
-        let blocks = self.blocks(query.position, query.normal);
+        let blocks = self.blocks(query.position, query.front());
         let photons = blocks.map(|block| block.photons.len() as u64).sum();
         Ok(Gathered {
-            sums: self.gather_within(query.position, query.normal, radius_sq)?,
+            sums: self.gather_within(query.position, query.front(), radius_sq)?,
             photons,
             tests: photons,
         })
@@ -93,10 +93,10 @@ impl QuantisedMap<'_> {
         }
         let mut first = 0;
         while first < queries.len() {
-            let (block, normal) = (blocks[first], queries[first].normal);
-            let alike = |place: &usize| blocks[*place] == block && queries[*place].normal == normal;
+            let (block, front) = (blocks[first], queries[first].front());
+            let alike = |place: &usize| blocks[*place] == block && queries[*place].front() == front;
             let end = first + (first..queries.len()).take_while(alike).count();
-            let runs = self.map().around(block, normal);
+            let runs = self.map().around(block, front);
             around.set(planes, runs.map(|run| (run.offset, run.run)));
             let (here, found) = (&local[first..end], &mut found[first..end]);
             planes.gather_by(instructions, &around, here, found)?;
@@ -107,19 +107,16 @@ impl QuantisedMap<'_> {
 }
 
 impl PhotonMap {
-    /// Sorts queries so that those of one block that face alike are consecutive, and blocks follow a Morton
+    /// Sorts queries so that those of one block and front are consecutive, and blocks follow a Morton
     /// curve. Photons are then still in the caches when the next queries need them.
     pub fn sort_queries(&self, queries: &mut [QueryPoint]) {
         queries.sort_by_cached_key(|query| self.sort_key(query));
     }
 
     /// The sort key of that order.
-    pub(crate) fn sort_key(&self, query: &QueryPoint) -> (u64, [u64; 3]) {
+    pub(crate) fn sort_key(&self, query: &QueryPoint) -> (u64, ([u64; 3], Option<u32>)) {
         // Blocks outside the grid hold no photons to share.
         let block = self.place(query.position).0.to_array();
-        (
-            morton(block.map(|index| index as u64)),
-            query.normal.to_array().map(f64::to_bits),
-        )
+        (morton(block.map(|index| index as u64)), query.front().key())
     }
 }

@@ -53,7 +53,7 @@ pub(crate) fn estimate_f64(map: &PhotonMap, query: &QueryPoint) -> Estimate {
         ..Estimate::default()
     };
     let mut power = DVec3::ZERO;
-    for run in map.candidates(query.position, query.normal) {
+    for run in map.candidates(query.position, query.front()) {
         estimate.tests += run.photons.len() as u64;
         for photon in &map.photons()[run.photons] {
             if photon.position.distance_squared(query.position) <= radius_sq {
@@ -110,6 +110,7 @@ mod tests {
         QueryPoint {
             position: DVec3::new(x, -1.0, 0.0),
             normal,
+            surface: None,
             beta: DVec3::ONE,
         }
     }

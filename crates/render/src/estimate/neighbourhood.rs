@@ -69,14 +69,17 @@ pub enum EstimatorError {
 }
 
 impl Neighbourhood {
-    /// Every photon of the scene, tested against the facing rule one by one; unlimited reach.
-    /// The slow reference of [`Self::block_walk`].
+    /// Every photon of the scene, tested one by one against the rule of [`PhotonMap`] for that search radius (scene units); unlimited
+    /// reach. The slow reference of [`Self::block_walk`].
     #[must_use]
-    pub fn brute_force(scene: &Scene, photons: &[Photon], query: &QueryPoint) -> Self {
+    pub fn brute_force(scene: &Scene, photons: &[Photon], query: &QueryPoint, radius: f64) -> Self {
+        let cosine = PhotonMap::MIN_FACING_COSINE;
+        let joined = query.surface.map(|own| scene.joined(own, radius, cosine));
         let faces = |photon: &&Photon| {
             let surface = &scene.surfaces()[photon.surface as usize];
             let normal = surface.facing_normal(photon.facing);
-            normal.dot(query.normal) > PhotonMap::MIN_FACING_COSINE
+            let is_joined = |joined: &Vec<u32>| joined.contains(&photon.surface);
+            normal.dot(query.normal) > cosine && joined.as_ref().is_none_or(is_joined)
         };
         let facing = photons.iter().filter(faces);
         Self {
@@ -88,7 +91,7 @@ impl Neighbourhood {
     /// The photons of the blocks around the query; their reach is the map's radius.
     #[must_use]
     pub fn block_walk(map: &PhotonMap, query: &QueryPoint) -> Self {
-        let runs = map.candidates(query.position, query.normal);
+        let runs = map.candidates(query.position, query.front());
         let photons = runs.flat_map(|run| &map.photons()[run.photons]);
         Self {
             near: photons.map(|p| near(p, query)).collect(),

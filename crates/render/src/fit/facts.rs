@@ -44,7 +44,7 @@ impl SceneFacts {
 #[must_use]
 pub fn largest_query(map: &PhotonMap, queries: &[QueryPoint]) -> u64 {
     let tests = |query: &QueryPoint| {
-        let runs = map.candidates(query.position, query.normal);
+        let runs = map.candidates(query.position, query.front());
         runs.map(|run| run.photons.len() as u64).sum()
     };
     queries.iter().map(tests).max().unwrap_or(0)

@@ -38,7 +38,7 @@ pub(super) fn position_part(
 
 /// The reflected light of the photons that the format finds in range, with exact powers.
 fn light(rounded: &QuantisedMap<'_>, query: &QueryPoint) -> DVec3 {
-    let verdicts = rounded.verdicts(query.position, query.normal);
+    let verdicts = rounded.verdicts(query.position, query.front());
     let in_range = verdicts.filter(|(_, in_range)| *in_range);
     let power: DVec3 = in_range.map(|(photon, _)| photon.power).sum();
     query.beta * power / disc_area(rounded.map())

@@ -100,7 +100,7 @@ impl GatheredMap {
 
 fn in_range(map: &PhotonMap, query: &QueryPoint) -> Vec<u32> {
     let radius_sq = map.radius() * map.radius();
-    let runs = map.candidates(query.position, query.normal);
+    let runs = map.candidates(query.position, query.front());
     let photons = runs.flat_map(|run| run.photons);
     let inside = photons.filter(|photon| {
         let position = map.photons()[*photon].position;

@@ -72,6 +72,20 @@ impl Quad {
         [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(|(u, v)| self.point(u, v))
     }
 
+    /// The distance of a point from the quad, in scene units.
+    #[must_use]
+    pub fn distance(&self, point: DVec3) -> f64 {
+        let local = point - self.origin;
+        let height = self.normal.dot(local);
+        let [u, v] = self.dual.map(|d| d.dot(local));
+        if (0.0..=1.0).contains(&u) && (0.0..=1.0).contains(&v) {
+            return height.abs();
+        }
+        let corners = self.corners();
+        let edges = (0..4).map(|i| from_segment(point, corners[i], corners[(i + 1) % 4]));
+        edges.fold(f64::INFINITY, f64::min)
+    }
+
     /// The point where `ray` meets the quad at a distance over `t_min` and below `t_max`.
     ///
     /// The position is computed from the edge coordinates and not from the distance, so that it lies on the
@@ -96,6 +110,13 @@ impl Quad {
     }
 }
 
+/// The distance of a point from the segment between `a` and `b`.
+fn from_segment(point: DVec3, a: DVec3, b: DVec3) -> f64 {
+    let way = b - a;
+    let part = ((point - a).dot(way) / way.length_squared()).clamp(0.0, 1.0);
+    point.distance(a + part * way)
+}
+
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
@@ -117,6 +138,16 @@ mod tests {
         let quad = Quad::from_corners([z, DVec3::X, DVec3::X + DVec3::Y, DVec3::Y]).unwrap();
         assert_eq!(quad.normal(), DVec3::Z);
         assert_eq!(quad.area(), 1.0);
+    }
+
+    #[test]
+    fn distances_are_to_the_inside_an_edge_and_a_corner() {
+        let corners = [(0.0, 1.0), (2.0, 1.0), (2.0, 0.0), (0.0, 0.0)];
+        let quad = Quad::from_corners(corners.map(|(x, z)| DVec3::new(x, 0.0, z))).unwrap();
+        let distance = |x, y, z| quad.distance(DVec3::new(x, y, z));
+        assert_eq!(distance(0.5, 0.25, 0.5), 0.25);
+        assert_eq!(distance(1.0, 3.0, -4.0), 5.0);
+        assert_eq!(distance(4.0, 1.0, 3.0), 3.0);
     }
 
     #[test]

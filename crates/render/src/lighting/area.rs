@@ -5,6 +5,7 @@ use glam::{DVec2, DVec3};
 use crate::geometry::{Geometry, Quad};
 use crate::photon_map::PhotonMap;
 use crate::scene::Scene;
+use crate::view::Front;
 
 /// The largest distance from a front, as a fraction of the radius, of a query point on it; positions are
 /// rounded.
@@ -12,14 +13,16 @@ const ON_FRONT: f64 = 1e-6;
 
 /// The flat fronts of a scene that store photons.
 pub(crate) struct Fronts {
-    quads: Vec<Quad>,
+    /// Each with the index of its surface.
+    quads: Vec<(u32, Quad)>,
 }
 
 impl Fronts {
     pub fn of(scene: &Scene) -> Self {
-        let diffuse = scene.surfaces().iter().filter(|s| !s.is_specular());
-        let quads = diffuse.filter_map(|surface| match &surface.geometry {
-            Geometry::Quad(quad) => Some(quad.clone()),
+        let surfaces = (0..).zip(scene.surfaces());
+        let diffuse = surfaces.filter(|(_, surface)| !surface.is_specular());
+        let quads = diffuse.filter_map(|(index, surface)| match &surface.geometry {
+            Geometry::Quad(quad) => Some((index, quad.clone())),
             _ => None,
         });
         Self {
@@ -28,12 +31,20 @@ impl Fronts {
     }
 
     /// The area of the disc over the area, inside the search sphere of `radius`, of the fronts whose photons
-    /// a query at `position` gathers, by the rule of [`PhotonMap`]. The ratio is at least 1 where only one
+    /// a query at `position` on `front` gathers from `map`, by the rule of [`PhotonMap`]. The ratio is at least 1 where only one
     /// front is near. It is 1 where the query is on none of the fronts, since it is then on a curved surface.
-    pub fn disc_over_covered(&self, position: DVec3, normal: DVec3, radius: f64) -> f64 {
+    pub fn disc_over_covered(
+        &self,
+        map: &PhotonMap,
+        position: DVec3,
+        front: &Front,
+        radius: f64,
+    ) -> f64 {
+        let joined = front.surface.map(|surface| map.joined_surfaces(surface));
+        let counts = |surface: &u32| joined.is_none_or(|joined| joined.contains(surface));
         let (mut covered, mut on_front) = (0.0, false);
-        for quad in &self.quads {
-            if quad.normal().dot(normal) > PhotonMap::MIN_FACING_COSINE {
+        for (surface, quad) in &self.quads {
+            if quad.normal().dot(front.normal) > PhotonMap::MIN_FACING_COSINE && counts(surface) {
                 let (height, area) = cut(quad, position, radius);
                 covered += area;
                 on_front |= height < ON_FRONT * radius && area > 0.0;
@@ -89,6 +100,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
+    use crate::scene::fixtures::traced_cornell;
 
     fn floor() -> Quad {
         let corners = [(0.0, 0.0), (0.0, 1.0), (2.0, 1.0), (2.0, 0.0)];
@@ -134,13 +146,18 @@ mod tests {
 
     #[test]
     fn a_query_in_the_middle_of_a_wall_has_the_disc_and_at_its_edge_half() {
-        let scene = Scene::built_in("cornell").unwrap();
+        let (scene, map) = traced_cornell(1000, 1, 0.05);
         let fronts = Fronts::of(&scene);
-        let factor = |x| fronts.disc_over_covered(DVec3::new(x, -1.0, 0.9), DVec3::Y, 0.05);
+        let floor = Front::of_any(DVec3::Y);
+        let factor = |x| {
+            let position = DVec3::new(x, -1.0, 0.9);
+            fronts.disc_over_covered(&map, position, &floor, map.radius())
+        };
         // 1e-5: the reference's single-precision corners.
         assert!((factor(-0.8) - 1.0).abs() < 1e-5);
         assert!((factor(-1.0) - 2.0).abs() < 1e-3, "{}", factor(-1.0));
         // The point is on no front, as on a curved surface, so the factor is 1.
-        assert_eq!(fronts.disc_over_covered(DVec3::ZERO, DVec3::Y, 0.05), 1.0);
+        let off = fronts.disc_over_covered(&map, DVec3::ZERO, &floor, map.radius());
+        assert_eq!(off, 1.0);
     }
 }

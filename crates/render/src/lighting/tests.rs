@@ -52,6 +52,7 @@ fn shadow_rays_give_the_form_factor() {
     let query = QueryPoint {
         position: DVec3::new(centre.x, -1.0, centre.z),
         normal: DVec3::Y,
+        surface: None,
         beta: DVec3::ONE,
     };
     let half = (high - low) / 2.0 / (centre.y + 1.0);
@@ -72,6 +73,7 @@ fn what_is_in_the_way_casts_a_shadow() {
         let query = QueryPoint {
             position: position.into(),
             normal,
+            surface: None,
             beta: DVec3::ONE,
         };
         let mut points = Apart::new(&mut stream(1, Purpose::Light, 0));

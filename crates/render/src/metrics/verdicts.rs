@@ -14,13 +14,13 @@ pub(super) fn verdicts(
     let radius_sq = map.radius() * map.radius();
     let mut counts = Misclassified::default();
     if let Some(quantised) = quantised {
-        for (photon, verdict) in quantised.verdicts(query.position, query.normal) {
+        for (photon, verdict) in quantised.verdicts(query.position, query.front()) {
             let truly = photon.position.distance_squared(query.position) <= radius_sq;
             counts.push(truly, verdict);
         }
         return counts;
     }
-    for run in map.candidates(query.position, query.normal) {
+    for run in map.candidates(query.position, query.front()) {
         for photon in &map.photons()[run.photons] {
             let truly = photon.position.distance_squared(query.position) <= radius_sq;
             counts.push(truly, truly);

@@ -35,7 +35,7 @@ fn shared(map: &PhotonMap, queries: &[QueryPoint]) -> HashMap<Vec<usize>, (u64, 
     let mut lists: HashMap<Vec<usize>, (u64, u64)> = HashMap::new();
     for query in queries {
         let (mut runs, mut photons) = (Vec::new(), 0);
-        for run in map.candidates(query.position, query.normal) {
+        for run in map.candidates(query.position, query.front()) {
             runs.push(run.run);
             photons += run.photons.len() as u64;
         }

@@ -81,7 +81,7 @@ pub fn f32_speed(map: &PhotonMap, queries: &[QueryPoint]) -> Speed {
     let radius_sq = (map.radius() * map.radius()) as f32;
     let tests_of = |query: &QueryPoint| {
         let (centre, mut power, mut tests) = (query.position.as_vec3(), Vec3::ZERO, 0);
-        for run in map.candidates(query.position, query.normal) {
+        for run in map.candidates(query.position, query.front()) {
             tests += run.photons.len() as u64;
             for (position, flux) in &photons[run.photons] {
                 if position.distance_squared(centre) <= radius_sq {

@@ -7,25 +7,45 @@ use crate::trace::{Facing, Photon};
 
 /// The facings of all surfaces, numbered in the order of the surfaces. In a scene of flat surfaces a group's
 /// number is that of its surface.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct Groups {
     /// The first group of each surface, and the number of all groups.
     first: Vec<u32>,
     /// The normal of each group's facing.
     normals: Vec<DVec3>,
+    /// The surface of each group.
+    surfaces: Vec<u32>,
+    /// For each surface, the surfaces whose photons may count for a query on it, in order.
+    joined: Vec<Vec<u32>>,
 }
 
 impl Groups {
-    pub fn of(scene: &Scene) -> Self {
+    /// The facings of a scene, of which those face alike whose cosine exceeds `cosine`, for queries of a search radius (scene units).
+    pub fn of(scene: &Scene, radius: f64, cosine: f64) -> Self {
         let mut groups = Self {
             first: vec![0],
-            normals: Vec::new(),
+            ..Self::default()
         };
-        for surface in scene.surfaces() {
+        for (index, surface) in scene.surfaces().iter().enumerate() {
             groups.normals.extend(normals(surface));
+            groups.surfaces.resize(groups.normals.len(), index as u32);
             groups.first.push(groups.normals.len() as u32);
         }
+        let surfaces = 0..scene.surfaces().len() as u32;
+        let joined = surfaces.map(|surface| scene.joined(surface, radius, cosine));
+        groups.joined = joined.collect();
         groups
+    }
+
+    /// Whether photons of a group may count for a query on `surface`.
+    pub fn are_joined(&self, surface: u32, group: u32) -> bool {
+        let other = self.surfaces[group as usize];
+        other == surface || self.joined_surfaces(surface).contains(&other)
+    }
+
+    /// The surfaces whose photons may count for a query on `surface`, in order.
+    pub fn joined_surfaces(&self, surface: u32) -> &[u32] {
+        &self.joined[surface as usize]
     }
 
     /// The number of surfaces.

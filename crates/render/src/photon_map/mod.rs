@@ -15,6 +15,7 @@ use self::error::{check_edge, check_radius, outside};
 use self::groups::Groups;
 use crate::scene::Scene;
 use crate::trace::Photon;
+use crate::view::Front;
 
 mod error;
 mod groups;
@@ -71,6 +72,10 @@ pub struct Candidates {
 /// are sorted by surface within their block, so the selection precedes the stream to the processor: an
 /// excluded photon never counts as a photon test.
 ///
+/// A photon of another surface is a candidate only where the two surfaces are joined: where they touch along an edge, or are joined
+/// by surfaces smaller than the search sphere. So no light leaks between two floors in one plane behind a wall, or onto a shelf
+/// from the wall behind it.
+///
 /// On a curved surface (a sphere, a mesh) the photon's normal is rounded to one of 96, its [`Facing`], by
 /// 16.4 degrees at most. So the rule's 60 degrees are 43.6 to 76.4 there: a photon whose normal is within 43.6
 /// degrees of the query's is always a candidate, one beyond 76.4 never.
@@ -81,8 +86,7 @@ pub struct Candidates {
 /// a relMSE of 0.15 against the path-traced reference, this rule 0.011; a
 /// cosine of 0.999 gives the same as 0.5 there.
 ///
-/// Not modelled: two sheets that face the same way closer together than the radius (a shelf on a
-/// wall, the light below the ceiling) still mix; and at the border of a surface the disc of
+/// Not modelled: on one surface light leaks under a wall that stands on it, since both sides are one surface; and at the border of a surface the disc of
 /// area pi r^2 reaches over it, which darkens a strip of width r.
 ///
 /// On a curved surface the photons in range lie on a patch that is not that disc. With the principal
@@ -153,7 +157,7 @@ impl PhotonMap {
             photons: Vec::new(),
             runs: Vec::new(),
             rows: Rows::default(),
-            groups: Groups::of(scene),
+            groups: Groups::of(scene, radius, Self::MIN_FACING_COSINE),
         };
         map.check(&photons, high)?;
         map.sort(photons);
@@ -318,21 +322,16 @@ impl PhotonMap {
         key(self.place(position).0).expect("checked: inside the scene")
     }
 
-    /// The runs that a query at `position` on a surface of unit normal `normal` gathers, by the rule stated
-    /// at [`PhotonMap`]: the runs of the 27 blocks around it that face its way, in the map's order.
-    pub fn candidates(&self, position: DVec3, normal: DVec3) -> impl Iterator<Item = Candidates> {
+    /// The runs that a query at `position` on `front` gathers, by the rule stated at [`PhotonMap`]: the runs of the 27 blocks around it that face its way, in the map's order.
+    pub fn candidates(&self, position: DVec3, front: Front) -> impl Iterator<Item = Candidates> {
         let (centre, _) = self.place(position);
-        self.around(centre, normal)
+        self.around(centre, front)
     }
 
     /// The runs that any query in the block `centre` gathers, by the rule stated at [`PhotonMap`].
-    pub(crate) fn around(
-        &self,
-        centre: I64Vec3,
-        normal: DVec3,
-    ) -> impl Iterator<Item = Candidates> {
+    pub(crate) fn around(&self, centre: I64Vec3, front: Front) -> impl Iterator<Item = Candidates> {
         let runs = self.rows.around(centre);
-        runs.filter(move |(_, run)| self.faces(self.runs[*run].group, normal))
+        runs.filter(move |(_, run)| self.gathers(self.runs[*run].group, &front))
             .map(|(offset, run)| Candidates {
                 offset,
                 run,
@@ -340,10 +339,15 @@ impl PhotonMap {
             })
     }
 
-    /// For each group of photons of one facing, whether a query on a surface of unit normal `normal` gathers it.
-    pub(crate) fn facings(&self, normal: DVec3) -> Vec<bool> {
+    /// For each group of photons of one facing, whether a query on that front gathers it.
+    pub(crate) fn facings(&self, front: &Front) -> Vec<bool> {
         let groups = 0..self.groups.count() as u32;
-        groups.map(|group| self.faces(group, normal)).collect()
+        groups.map(|group| self.gathers(group, front)).collect()
+    }
+
+    /// The surfaces whose photons may count for a query on `surface`, in order.
+    pub(crate) fn joined_surfaces(&self, surface: u32) -> &[u32] {
+        self.groups.joined_surfaces(surface)
     }
 
     /// The group of a run's photons of one facing, as an index into a set of [`crate::Batches::facing_sets`].
@@ -354,8 +358,11 @@ impl PhotonMap {
         self.runs[run].group
     }
 
-    fn faces(&self, group: u32, normal: DVec3) -> bool {
-        self.groups.normal(group).dot(normal) > Self::MIN_FACING_COSINE
+    fn gathers(&self, group: u32, front: &Front) -> bool {
+        self.groups.normal(group).dot(front.normal) > Self::MIN_FACING_COSINE
+            && front
+                .surface
+                .is_none_or(|surface| self.groups.are_joined(surface, group))
     }
 }
 

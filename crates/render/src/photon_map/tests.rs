@@ -1,3 +1,4 @@
+use crate::view::Front;
 use proptest::prelude::*;
 
 use super::*;
@@ -48,7 +49,7 @@ fn candidates_hold_every_facing_photon_in_range_and_no_other_facing() {
     for query in map.photons().iter().step_by(977) {
         let normal = faced(&map, query);
         let gathered: Vec<usize> = map
-            .candidates(query.position, normal)
+            .candidates(query.position, Front::of_any(normal))
             .flat_map(|c| c.photons)
             .collect();
         for (index, photon) in map.photons().iter().enumerate() {
@@ -67,7 +68,7 @@ fn offsets_place_the_photon_in_the_query_frame() {
     for query in map.photons().iter().step_by(1001) {
         let normal = faced(&map, query);
         let centre = map.in_blocks(query.position).floor();
-        for c in map.candidates(query.position, normal) {
+        for c in map.candidates(query.position, Front::of_any(normal)) {
             let place = centre + DVec3::from(c.offset.map(f64::from)) - DVec3::ONE;
             for photon in &map.photons()[c.photons] {
                 assert_eq!(map.in_blocks(photon.position).floor(), place);
@@ -84,7 +85,7 @@ fn larger_blocks_hold_the_same_photons_in_range() {
     assert_eq!((larger.radius(), larger.edge()), (radius, edge));
     let count = |map: &PhotonMap, query: &Photon| {
         let near = |p: &&Photon| p.position.distance(query.position) <= radius;
-        let runs = map.candidates(query.position, faced(map, query));
+        let runs = map.candidates(query.position, Front::of_any(faced(map, query)));
         let photons = runs.flat_map(|c| &map.photons()[c.photons]);
         photons.filter(near).count()
     };
@@ -149,7 +150,7 @@ fn the_radius_for_a_count_finds_about_that_many() {
     let map = PhotonMap::new(&scene, photons, radius).unwrap();
     let in_range = |query: &Photon| {
         let near = |p: &&Photon| p.position.distance(query.position) <= radius;
-        let facing = map.candidates(query.position, faced(&map, query));
+        let facing = map.candidates(query.position, Front::of_any(faced(&map, query)));
         facing
             .flat_map(|c| &map.photons()[c.photons])
             .filter(near)
@@ -164,7 +165,10 @@ fn the_radius_for_a_count_finds_about_that_many() {
 #[test]
 fn an_empty_map_has_no_candidates() {
     let map = PhotonMap::new(&scene(), vec![], 0.1).unwrap();
-    assert_eq!(map.candidates(DVec3::ZERO, DVec3::Y).count(), 0);
+    assert_eq!(
+        map.candidates(DVec3::ZERO, Front::of_any(DVec3::Y)).count(),
+        0
+    );
     assert_eq!((map.blocks(), map.fullest_block()), (0, 0));
 }
 
@@ -174,7 +178,7 @@ proptest! {
     fn queries_anywhere_do_not_panic(x in prop::num::f64::ANY, y in -2.0..2.0f64, z in prop::num::f64::ANY) {
         let photon = Photon { position: DVec3::ZERO, power: DVec3::ONE, surface: 0, facing: Facing::FLAT };
         let map = PhotonMap::new(&scene(), vec![photon], 0.1).unwrap();
-        let _ = map.candidates(DVec3::new(x, y, z), DVec3::Y).count();
+        let _ = map.candidates(DVec3::new(x, y, z), Front::of_any(DVec3::Y)).count();
     }
 }
 

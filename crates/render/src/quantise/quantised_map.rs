@@ -37,6 +37,7 @@ use thiserror::Error;
 use super::power_scale::{PowerScale, power_of_two};
 use crate::photon_map::{Candidates, MapError, PhotonMap};
 use crate::trace::Photon;
+use crate::view::Front;
 
 /// The reason why a photon map has no form in these numbers.
 #[derive(Debug, Error, PartialEq)]
@@ -210,10 +211,9 @@ impl<'a> QuantisedMap<'a> {
         }
     }
 
-    /// The photons that a query at `position` on a surface of unit normal `normal` gathers, by the
-    /// rule of [`PhotonMap`].
-    pub fn blocks(&self, position: DVec3, normal: DVec3) -> impl Iterator<Item = PhotonBlock<'_>> {
-        let runs = self.map.candidates(position, normal);
+    /// The photons that a query at `position` on `front` gathers, by the rule of [`PhotonMap`].
+    pub fn blocks(&self, position: DVec3, front: Front) -> impl Iterator<Item = PhotonBlock<'_>> {
+        let runs = self.map.candidates(position, front);
         runs.map(
             |Candidates {
                  offset, photons, ..
@@ -227,13 +227,9 @@ impl<'a> QuantisedMap<'a> {
 
     /// The photons of [`Self::blocks`] as the words of a machine's stream, in order. A block's offset is the
     /// top of their coordinates, and its exponent is a part of each word.
-    pub fn photons(
-        &self,
-        position: DVec3,
-        normal: DVec3,
-    ) -> impl Iterator<Item = spec::Photon> + '_ {
+    pub fn photons(&self, position: DVec3, front: Front) -> impl Iterator<Item = spec::Photon> {
         let bits = self.numbers().position_bits();
-        let blocks = self.blocks(position, normal);
+        let blocks = self.blocks(position, front);
         blocks.flat_map(move |block| {
             let base = block.offset.map(|blocks| blocks << bits);
             block.photons.iter().map(move |record| spec::Photon {
@@ -248,8 +244,8 @@ impl<'a> QuantisedMap<'a> {
     ///
     /// # Errors
     /// More photons are around the query than the numbers declare.
-    pub fn gather(&self, position: DVec3, normal: DVec3) -> Result<Sums, GatherError> {
-        self.gather_within(position, normal, self.radius_sq())
+    pub fn gather(&self, position: DVec3, front: Front) -> Result<Sums, GatherError> {
+        self.gather_within(position, front, self.radius_sq())
     }
 
     /// Gathers the sums of a query with another search radius, `radius_sq` in squared fine steps.
@@ -260,24 +256,20 @@ impl<'a> QuantisedMap<'a> {
     pub fn gather_within(
         &self,
         position: DVec3,
-        normal: DVec3,
+        front: Front,
         radius_sq: u32,
     ) -> Result<Sums, GatherError> {
         match self.query_within(position, radius_sq) {
-            Some(query) => self.gather.sums(&query, self.blocks(position, normal)),
+            Some(query) => self.gather.sums(&query, self.blocks(position, front)),
             None => Ok(Sums::default()),
         }
     }
 
     /// Every photon that a query gathers, before rounding, with the in-range decision of the integers.
     /// Misclassified photons are counted from these.
-    pub fn verdicts(
-        &self,
-        position: DVec3,
-        normal: DVec3,
-    ) -> impl Iterator<Item = (&Photon, bool)> {
+    pub fn verdicts(&self, position: DVec3, front: Front) -> impl Iterator<Item = (&Photon, bool)> {
         let query = self.query(position);
-        let runs = self.map.candidates(position, normal);
+        let runs = self.map.candidates(position, front);
         runs.flat_map(
             move |Candidates {
                       offset, photons, ..

@@ -221,7 +221,9 @@ impl<'a> Renderer<'a> {
         match (&self.fronts, radius) {
             (Some(fronts), Some(radius)) => queries.shade(
                 found,
-                |query| fronts.disc_over_covered(query.position, query.normal, radius),
+                |query| {
+                    fronts.disc_over_covered(source.map, query.position, &query.front(), radius)
+                },
                 radiance,
             ),
             _ => queries.shade(found, |_| 1.0, radiance),

@@ -111,7 +111,7 @@ fn seen(
         .samples(scene, pixel.x, pixel.y)
         .nth(pixel.sample as usize);
     let point = sample?.query?;
-    let photons = quantised.photons(point.position, point.normal);
+    let photons = quantised.photons(point.position, point.front());
     let photons: Vec<_> = photons.collect();
     (!photons.is_empty()).then(|| (quantised.query(point.position), photons))
 }

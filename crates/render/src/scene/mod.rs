@@ -6,6 +6,7 @@ mod file;
 pub(crate) mod fixtures;
 mod fresnel;
 mod hierarchy;
+mod joins;
 mod json;
 mod lights;
 mod obj;
@@ -26,6 +27,7 @@ pub(crate) use surface::Scattered;
 pub use surface::{Bsdf, Surface};
 
 use self::hierarchy::Hierarchy;
+use self::joins::Joins;
 
 use crate::geometry::Hit;
 use crate::view::{Camera, Ray};
@@ -66,6 +68,7 @@ pub struct Scene {
     light_choice: LightChoice,
     leave_distance: f64,
     hierarchy: Hierarchy,
+    joins: Joins,
     files: Vec<PathBuf>,
 }
 
@@ -148,10 +151,12 @@ impl Scene {
             surfaces,
             light_choice: LightChoice::default(),
             leave_distance: 0.0,
+            joins: Joins::default(),
             files: Vec::new(),
         };
         let [low, high] = scene.bounds();
         scene.leave_distance = LEAVE_DISTANCE * low.distance(high);
+        scene.joins = Joins::of(&scene.surfaces, low.distance(high));
         scene
     }
 
@@ -209,6 +214,18 @@ impl Scene {
         corners.fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[low, high], c| {
             [low.min(c), high.max(c)]
         })
+    }
+
+    /// The surfaces, in order, whose photons may count for a query of that search radius on `surface`: those joined with it, of normals
+    /// whose cosine exceeds `cosine`. A curved surface has normals of all directions.
+    pub(crate) fn joined(&self, surface: u32, radius: f64, cosine: f64) -> Vec<u32> {
+        let flat = |surface: u32| self.surfaces[surface as usize].geometry.flat_normal();
+        let own = flat(surface);
+        let alike = |other| match (own, flat(other)) {
+            (Some(own), Some(other)) => own.dot(other) > cosine,
+            _ => true,
+        };
+        self.joins.around(surface, radius, alike)
     }
 
     /// The nearest hit of a ray and its surface's index. Hits at the ray's start are ignored, so that a ray

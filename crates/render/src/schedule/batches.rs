@@ -2,7 +2,6 @@
 
 use std::collections::HashMap;
 
-use glam::DVec3;
 use photoncube_spec::PhotonFormat;
 
 use super::Bounds;
@@ -10,7 +9,7 @@ use crate::geometry::morton;
 use crate::photon_map::PhotonMap;
 use crate::quantise::QuantisedMap;
 use crate::trace::Facing;
-use crate::view::QueryPoint;
+use crate::view::{Front, QueryPoint};
 
 /// How queries are put into batches.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -99,7 +98,7 @@ impl Batches {
             let region = eighth.map(|eighth| eighth >> (ORDER_BITS + 1));
             let facing = match options.facings {
                 Facings::Engine => Facing::of(query.normal).index(),
-                Facings::Chain => facings.number(map.map(), query.normal),
+                Facings::Chain => facings.number(map.map(), &query.front()),
             };
             (morton(region), facing, morton(eighth))
         });
@@ -111,7 +110,7 @@ impl Batches {
             let place = place(map, format, query);
             let facing = match options.facings {
                 Facings::Engine => 0,
-                Facings::Chain => facings.number(map.map(), query.normal),
+                Facings::Chain => facings.number(map.map(), &query.front()),
             };
             let joined = batches.last_mut().filter(|batch| {
                 let fits = |longest| batch.bounds.with(place).longest() <= longest;
@@ -143,17 +142,16 @@ impl Batches {
 /// Numbers for the sets of facings that queries gather, in the order in which they are met.
 #[derive(Default)]
 struct FacingSets {
-    of_normals: HashMap<[u64; 3], usize>,
+    of_fronts: HashMap<([u64; 3], Option<u32>), usize>,
     sets: HashMap<Vec<bool>, usize>,
 }
 
 impl FacingSets {
-    fn number(&mut self, map: &PhotonMap, normal: DVec3) -> usize {
-        let Self { of_normals, sets } = self;
-        let bits = normal.to_array().map(f64::to_bits);
-        *of_normals.entry(bits).or_insert_with(|| {
+    fn number(&mut self, map: &PhotonMap, front: &Front) -> usize {
+        let Self { of_fronts, sets } = self;
+        *of_fronts.entry(front.key()).or_insert_with(|| {
             let next = sets.len();
-            *sets.entry(map.facings(normal)).or_insert(next)
+            *sets.entry(map.facings(front)).or_insert(next)
         })
     }
 

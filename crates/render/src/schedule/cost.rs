@@ -81,11 +81,11 @@ fn runs(map: &QuantisedMap<'_>, batches: &Batches, batch: &Batch) -> Vec<usize> 
     let mut runs = Vec::new();
     let mut known = None;
     for query in queries {
-        let key = (map.map().place(query.position).0, query.normal);
+        let key = (map.map().place(query.position).0, query.front());
         // Neighbours in the order are mostly in one block of one surface.
         if known != Some(key) {
             known = Some(key);
-            let found = map.map().candidates(query.position, query.normal);
+            let found = map.map().candidates(query.position, query.front());
             runs.extend(found.map(|run| run.run));
         }
     }

@@ -61,9 +61,9 @@ fn lost(
             .filter(|leaf| cull.reads(leaf.bounds, batch.bounds, radius));
         let read: HashSet<_> = near.flat_map(|leaf| &leaf.photons).copied().collect();
         for query in &batches.queries[batch.queries.clone()] {
-            let candidates = map.map().candidates(query.position, query.normal);
+            let candidates = map.map().candidates(query.position, query.front());
             let photons = candidates.flat_map(|run| run.photons);
-            let verdicts = map.verdicts(query.position, query.normal);
+            let verdicts = map.verdicts(query.position, query.front());
             for (photon, (_, in_range)) in photons.zip(verdicts) {
                 let is_read = read.contains(&(photon as u32));
                 found += usize::from(in_range && is_read);

@@ -12,7 +12,7 @@ pub use self::camera::{Camera, FovAxis, Ray};
 pub use self::sights::{Sights, sees_a_front};
 
 use crate::geometry::Hit;
-use crate::scene::{Scattered, Scene, Surface};
+use crate::scene::{Scattered, Scene};
 use crate::trace::sample::{Purpose, stream};
 
 /// The options of a picture.
@@ -70,9 +70,47 @@ pub struct QueryPoint {
     pub position: DVec3,
     /// The unit normal of its surface's front.
     pub normal: DVec3,
+    /// The index of its surface; `None` where it is not known, and photons of all surfaces that face its way count.
+    pub surface: Option<u32>,
     /// The factor from irradiance to radiance at the camera: rho / pi, the diffuse BRDF, times the
     /// reflectances of the mirrors in between.
     pub beta: DVec3,
+}
+
+impl QueryPoint {
+    /// The front that the point is on.
+    #[must_use]
+    pub fn front(&self) -> Front {
+        Front {
+            normal: self.normal,
+            surface: self.surface,
+        }
+    }
+}
+
+/// The front of a surface at a point, which decides which photons count there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Front {
+    /// The unit normal.
+    pub normal: DVec3,
+    /// The index of the surface; `None` for any surface.
+    pub surface: Option<u32>,
+}
+
+impl Front {
+    /// A front of any surface, with that unit normal.
+    #[must_use]
+    pub fn of_any(normal: DVec3) -> Self {
+        Self {
+            normal,
+            surface: None,
+        }
+    }
+
+    /// Numbers that differ between fronts.
+    pub(crate) fn key(&self) -> ([u64; 3], Option<u32>) {
+        (self.normal.to_array().map(f64::to_bits), self.surface)
+    }
 }
 
 /// The result of one view ray.
@@ -250,20 +288,20 @@ fn follow(scene: &Scene, mut way: Way, rng: &mut Pcg64Mcg, found: &mut Vec<Sight
 impl Sight {
     fn sample(self, scene: &Scene) -> ViewSample {
         match self {
-            Self::Diffuse { surface, hit, beta } => {
-                diffuse_sample(&scene.surfaces()[surface], &hit, beta)
-            }
+            Self::Diffuse { surface, hit, beta } => diffuse_sample(scene, surface, &hit, beta),
             Self::Back { .. } | Self::Nothing | Self::Lost => ViewSample::default(),
         }
     }
 }
 
-fn diffuse_sample(surface: &Surface, hit: &Hit, beta: DVec3) -> ViewSample {
+fn diffuse_sample(scene: &Scene, index: usize, hit: &Hit, beta: DVec3) -> ViewSample {
+    let surface = &scene.surfaces()[index];
     ViewSample {
         emitted: beta * surface.radiance,
         query: Some(QueryPoint {
             position: hit.position,
             normal: hit.normal,
+            surface: Some(index as u32),
             beta: beta * surface.reflectance() / std::f64::consts::PI,
         }),
     }

@@ -75,7 +75,7 @@ fn integer_engines() -> Vec<Engine<'static>> {
 fn sorted_distances(quantised: &QuantisedMap<'_>, query: &QueryPoint) -> Vec<u32> {
     let (numbers, centre) = (quantised.numbers(), quantised.query(query.position));
     let mut distances = Vec::new();
-    for block in quantised.blocks(query.position, query.normal) {
+    for block in quantised.blocks(query.position, query.front()) {
         for record in block.photons {
             distances.push(distance_sq(numbers, &centre, block.offset, record.position));
         }
@@ -132,7 +132,7 @@ fn the_kth_photon_of_a_machine_is_the_kth_of_its_sorted_distances() {
     let mut found = 0;
     for query in view_queries(&scene, &VIEW).unwrap() {
         let centre = quantised.query(query.position);
-        let photons = quantised.photons(query.position, query.normal);
+        let photons = quantised.photons(query.position, query.front());
         let mut distances: Vec<u32> = photons
             .map(|p| {
                 (0..3)
@@ -181,7 +181,7 @@ fn in_f64_every_form_is_the_brute_force() {
     let forms = ["knn:20", "cone", "epanechnikov", "ladder:4:cone"];
     let found = forms.map(|form| estimates(&form.parse().unwrap(), Engine::F64));
     for (index, query) in queries.iter().enumerate() {
-        let all = Neighbourhood::brute_force(&scene, map.photons(), query);
+        let all = Neighbourhood::brute_force(&scene, map.photons(), query, map.radius());
         let radius = map.radius();
         let k_nearest = all.k_nearest(20, Kernel::Rectangle).unwrap();
         let expected = [

@@ -1,3 +1,4 @@
+use crate::view::Front;
 use photoncube_model::gather;
 use photoncube_spec::{MACHINES, PlainFormat, find_machine};
 use proptest::prelude::*;
@@ -21,9 +22,11 @@ fn positions_are_off_by_less_than_a_step() {
         let step = RADIUS / f64::from(1 << machine.position_bits());
         for query in map.photons().iter().step_by(211) {
             let normal = DVec3::Y;
-            let integers: Vec<_> = quantised.photons(query.position, normal).collect();
+            let integers: Vec<_> = quantised
+                .photons(query.position, Front::of_any(normal))
+                .collect();
             let floats: Vec<usize> = map
-                .candidates(query.position, normal)
+                .candidates(query.position, Front::of_any(normal))
                 .flat_map(|c| c.photons)
                 .collect();
             assert_eq!(integers.len(), floats.len());
@@ -143,9 +146,9 @@ fn a_machine_sums_what_its_format_does() {
                 .geometry
                 .flat_normal()
                 .unwrap();
-            let streamed = quantised.photons(photon.position, normal);
+            let streamed = quantised.photons(photon.position, Front::of_any(normal));
             let sums = gather(machine, &quantised.query(photon.position), streamed).unwrap();
-            let expected = quantised.gather(photon.position, normal).unwrap();
+            let expected = quantised.gather(photon.position, Front::of_any(normal)).unwrap();
             assert_eq!(sums, expected);
             in_range += sums.count;
         }
