@@ -4,8 +4,8 @@
 //!
 //! - the gather's variance A, which depends on the photons in range alone: A n^-alpha / (2 - alpha);
 //! - the squared bias, in proportion to r^4 and thus to the inverse squared photons p of a pass: B (p_0 / p)^2 n^(2 alpha - 2) / alpha^2;
-//! - the variance V of the points in a pixel, over the view rays s of a pixel: V / (s n);
-//! - the variance D of the points on the lights, over the shadow rays s k of a pixel: D / (s k n).
+//! - the variance V of the points in a pixel, of s view rays in as many cells: V / (s^1.5 n), as for an edge through the pixel;
+//! - the variance D of the points on the lights, of s k shadow rays that are well separated: D / ((s k)^1.5 n).
 //!
 //! A pilot measures A, B, V and D on some rows of the picture. The choice is the one of least error among a grid of p, s and k, in the
 //! time of 32 passes of three photons, four view rays and 16 shadow rays a pixel. All numbers are relative to a pixel's luminance, as
@@ -141,8 +141,8 @@ impl Pilot<'_> {
             true => {
                 let [many, others] = seeds.map(|seed| self.render(&maps[0], seed, RAYS, whole));
                 let rest = half_square_of_difference(&many?[0], &others?[0]);
-                // D (1 - 1 / RAYS) is the difference. Noise may make it negative.
-                ((points - rest) / (1.0 - 1.0 / f64::from(RAYS))).clamp(0.0, points)
+                // D (1 - RAYS^-1.5) is the difference. Noise may make it negative.
+                ((points - rest) / (1.0 - separated(f64::from(RAYS)))).clamp(0.0, points)
             }
         };
         Ok(Parts {
@@ -234,7 +234,8 @@ impl Parts {
         let gather = self.gather * passes.powf(-alpha) / (2.0 - alpha);
         let shrunk = passes.powf(alpha - 1.0) / alpha;
         let bias_sq = self.bias_sq * (self.photons / photons * shrunk).powi(2);
-        gather + bias_sq + (self.points + self.lights / rays) / (samples * passes)
+        let view = self.points * separated(samples) + self.lights * separated(samples * rays);
+        gather + bias_sq + view / passes
     }
 
     /// The balance of least error, with the parts that are given.
@@ -268,6 +269,11 @@ impl Parts {
         }
         least.expect("the grid has points").1
     }
+}
+
+/// The variance of the mean of `points` points, each in a cell of its own, over that of one point: that of an edge through the cells.
+fn separated(points: f64) -> f64 {
+    points.powf(-1.5)
 }
 
 /// The cost of a pass, in shadow rays.
