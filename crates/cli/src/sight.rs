@@ -3,7 +3,8 @@
 use anyhow::{Result, bail};
 use glam::DVec3;
 use photoncube_render::{
-    Image, MetricsError, RenderStats, Scene, Sights, ViewOptions, WorkloadError, sees_a_front,
+    BallError, Image, MetricsError, RenderStats, Scene, Sights, ViewOptions, WorkloadError,
+    sees_a_front,
 };
 
 use crate::table::grouped;
@@ -56,6 +57,25 @@ pub fn without_power(photons: u64) -> String {
     }
 }
 
+/// A line for each error of the estimates on a ball.
+pub fn balls(errors: &[BallError]) -> String {
+    let line = |error: &BallError| {
+        let (shape, percent) = (&error.shape, 100.0 * error.radius);
+        let mut line = format!("`{shape}`: the search radius is {percent:.0} % of the ball's.");
+        if let Some(degrees) = error.leak {
+            line += &format!(
+                " Light leaks {degrees:.0} degrees round its dark side; --direct rays avoids this."
+            );
+        }
+        if let Some(part) = error.too_dark {
+            let percent = 100.0 * part;
+            line += &format!(" It has {percent:.0} % of its light; --area covered restores it.");
+        }
+        line + "\n"
+    };
+    errors.iter().map(line).collect()
+}
+
 /// Checks, after the work, that the picture has light. A black picture has no meaningful error.
 pub fn check_light(
     image: &Image,
@@ -84,6 +104,22 @@ pub fn check_light(
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn an_error_on_a_ball_names_it_and_the_option_that_helps() {
+        let error = BallError {
+            shape: "ball".to_owned(),
+            radius: 2.0,
+            leak: Some(90.0),
+            too_dark: Some(0.25),
+        };
+        assert_eq!(
+            balls(&[error]),
+            "`ball`: the search radius is 200 % of the ball's. Light leaks 90 degrees round its dark side; --direct rays \
+             avoids this. It has 25 % of its light; --area covered restores it.\n"
+        );
+        assert_eq!(balls(&[]), "");
+    }
 
     #[test]
     fn a_picture_is_black_for_want_of_light_or_of_power() {

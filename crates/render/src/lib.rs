@@ -74,7 +74,8 @@ pub use image::{
     light_mask, rel_mse, relative_errors, rms_relative_difference, rmse,
 };
 pub use lighting::{
-    Area, Caustics, DirectLight, Lighting, LightingError, PhotonMaps, Radii, UnknownLighting,
+    Area, BallError, Caustics, DirectLight, Lighting, LightingError, PhotonMaps, Radii,
+    UnknownLighting, ball_errors,
 };
 pub use metrics::{
     BenchError, BenchOptions, ErrorBench, ErrorReport, ErrorStudy, EstimatorReport, Interval,

@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 use anyhow::{Context, Result, ensure};
 use photoncube_render::{
     Area, Balance, Caustics, Chosen, DirectLight, ErrorEstimate, Estimator, Image, Lighting,
-    Progressive, ProgressiveOptions, Scene, ViewOptions, error_map, luminance,
+    Progressive, ProgressiveOptions, Scene, ViewOptions, ball_errors, error_map, luminance,
 };
 use serde::{Deserialize, Serialize};
 
@@ -84,6 +84,9 @@ struct Report {
     quantile: Option<f64>,
     #[serde(skip)]
     is_mostly_bias: bool,
+    /// What is said of balls, by the radius of the last pass.
+    #[serde(skip)]
+    balls: String,
 }
 
 /// The reason why no more passes are made.
@@ -188,6 +191,11 @@ pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
         resumed_passes,
         interrupted: end == End::Interrupted,
         progress: work.rows,
+        balls: sight::balls(&ball_errors(
+            &scene,
+            &lighting,
+            work.progressive.radius().unwrap_or_default(),
+        )),
         is_mostly_bias: error.as_ref().is_some_and(ErrorEstimate::is_mostly_bias),
         quantile: error.map(|error| error.quantile),
     };

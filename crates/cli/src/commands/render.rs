@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use anyhow::Result;
-use photoncube_render::{BATCH_PATHS, DirectLight, Lighting, PhotonMap};
+use photoncube_render::{BATCH_PATHS, DirectLight, Lighting, PhotonMap, ball_errors};
 use serde::Serialize;
 
 use crate::args::{EngineReport, LightingReport, RenderArgs};
@@ -38,6 +38,9 @@ struct Report {
     search_radius: f64,
     caustic_radius: Option<f64>,
     seed: u64,
+    /// What is said of balls.
+    #[serde(skip)]
+    balls: String,
     seconds: f64,
     core: Option<CoreReport>,
 }
@@ -86,6 +89,11 @@ pub fn execute(args: &RenderArgs, json: bool) -> Result<()> {
         search_radius: traced.map().radius(),
         caustic_radius: caustic.map(PhotonMap::radius),
         seed: args.picture.seed,
+        balls: sight::balls(&ball_errors(
+            &traced.scene,
+            &lighting,
+            traced.map().radius(),
+        )),
         seconds: start.elapsed().as_secs_f64(),
         core: chosen.core_report(rendering.stats.estimates),
     };
@@ -114,6 +122,7 @@ fn text(report: &Report) -> String {
         report.estimator,
         report.gathers_per_query,
     ) + &sight::without_power(report.photons_without_power)
+        + &report.balls
         + &report
             .core
             .as_ref()

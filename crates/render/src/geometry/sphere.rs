@@ -27,6 +27,12 @@ impl Sphere {
         4.0 * std::f64::consts::PI * self.radius * self.radius
     }
 
+    /// The radius, in scene units.
+    #[must_use]
+    pub fn radius(&self) -> f64 {
+        self.radius
+    }
+
     /// The smallest and the largest corner of the bounding box, in scene units.
     #[must_use]
     pub fn bounds(&self) -> [DVec3; 2] {

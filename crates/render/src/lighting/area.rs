@@ -2,6 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
+use super::balls::disc_over_cap;
 use crate::geometry::{Geometry, Quad};
 use crate::photon_map::PhotonMap;
 use crate::scene::Scene;
@@ -15,6 +16,8 @@ const ON_FRONT: f64 = 1e-6;
 pub(crate) struct Fronts {
     /// Each with the index of its surface.
     quads: Vec<(u32, Quad)>,
+    /// The radius of each surface that is a ball, in scene units.
+    balls: Vec<Option<f64>>,
 }
 
 impl Fronts {
@@ -25,14 +28,23 @@ impl Fronts {
             Geometry::Quad(quad) => Some((index, quad.clone())),
             _ => None,
         });
+        let balls = scene
+            .surfaces()
+            .iter()
+            .map(|surface| match &surface.geometry {
+                Geometry::Sphere(sphere) => Some(sphere.radius()),
+                _ => None,
+            });
         Self {
             quads: quads.collect(),
+            balls: balls.collect(),
         }
     }
 
     /// The area of the disc over the area, inside the search sphere of `radius`, of the fronts whose photons
     /// a query at `position` on `front` gathers from `map`, by the rule of [`PhotonMap`]. The ratio is at least 1 where only one
-    /// front is near. It is 1 where the query is on none of the fronts, since it is then on a curved surface.
+    /// front is near. On a ball the front is the part of it whose photons count. The ratio is 1 where the query is on none of the fronts,
+    /// since it is then on another curved surface.
     pub fn disc_over_covered(
         &self,
         map: &PhotonMap,
@@ -40,6 +52,10 @@ impl Fronts {
         front: &Front,
         radius: f64,
     ) -> f64 {
+        let surface = front.surface.map(|surface| surface as usize);
+        if let Some(ball) = surface.and_then(|surface| self.balls[surface]) {
+            return disc_over_cap(radius / ball);
+        }
         let joined = front.surface.map(|surface| map.joined_surfaces(surface));
         let counts = |surface: &u32| joined.is_none_or(|joined| joined.contains(surface));
         let (mut covered, mut on_front) = (0.0, false);

@@ -13,6 +13,7 @@
 //! After Jensen, "Realistic Image Synthesis Using Photon Mapping" (2001), chapter 9.
 
 mod area;
+mod balls;
 mod direct;
 mod maps;
 mod named;
@@ -22,6 +23,7 @@ use rand_pcg::Pcg64Mcg;
 use thiserror::Error;
 
 pub(crate) use self::area::Fronts;
+pub use self::balls::{BallError, ball_errors};
 pub use self::maps::{PhotonMaps, Radii};
 pub use self::named::UnknownLighting;
 
@@ -67,7 +69,8 @@ pub enum Area {
     #[default]
     Disc,
     /// The area, inside the search sphere, of the flat fronts whose photons are gathered; no other part of
-    /// the disc can have photons. For curved surfaces, the disc.
+    /// the disc can have photons. On a ball smaller than the disc, the part of the ball whose photons count. On other curved surfaces,
+    /// the disc.
     Covered,
 }
 

@@ -60,7 +60,7 @@ pub(super) fn text(report: &Report) -> String {
         &header,
         &report.progress.iter().map(cells).collect::<Vec<_>>(),
     );
-    let lost = sight::without_power(report.photons_without_power);
+    let lost = sight::without_power(report.photons_without_power) + &report.balls;
     let pass = pass_line(report);
     let bound = bound_line(report);
     let mut text = format!("{table}{pass}{bound}{lost}\n{}\n", report.output);
@@ -148,6 +148,7 @@ mod tests {
             progress: vec![row],
             quantile: Some(6.31),
             is_mostly_bias: false,
+            balls: String::new(),
         }
     }
 

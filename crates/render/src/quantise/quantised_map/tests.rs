@@ -148,7 +148,9 @@ fn a_machine_sums_what_its_format_does() {
                 .unwrap();
             let streamed = quantised.photons(photon.position, Front::of_any(normal));
             let sums = gather(machine, &quantised.query(photon.position), streamed).unwrap();
-            let expected = quantised.gather(photon.position, Front::of_any(normal)).unwrap();
+            let expected = quantised
+                .gather(photon.position, Front::of_any(normal))
+                .unwrap();
             assert_eq!(sums, expected);
             in_range += sums.count;
         }
