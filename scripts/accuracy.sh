@@ -4,19 +4,23 @@ set -euo pipefail
 
 usage() {
     cat <<'USAGE'
-Usage: scripts/accuracy.sh [lighting | passes | confidence]
+Usage: scripts/accuracy.sh [lighting | passes | confidence | target | peer]
 
-Prints tables (Markdown), all three unless one is named:
+Prints tables (Markdown), all but `peer` unless one is named:
   lighting    the Cornell box lit in several ways, against the path-traced reference
   passes      progressive photon mapping of it, and of it with balls of glass and metal, by f64 and by integers of
               the default photon format
-  confidence  on each built-in scene, how many pixels' error is within its bound, against f64 at convergence
-About fifteen minutes on two cores, most of them for the last.
+  confidence  on scenes with and without mirrors and glass, how many pixels' error is within its bound
+  target      on these scenes, where --error-target stops, and how far the picture is from the truth there
+  peer        CPU seconds to an error, beside Mitsuba's path tracer; installs it from PyPI into a folder of its own,
+              and needs Debian's package libllvm19
+The truth of `confidence` and `target` is f64 at convergence, made first: two minutes a scene. About half an hour on two
+cores; `peer` ten minutes more.
 USAGE
 }
 
 case ${1-all} in
-    all | lighting | passes | confidence) what=${1-all} ;;
+    all | lighting | passes | confidence | target | peer) what=${1-all} ;;
     -h | --help)
         usage
         exit 0
@@ -77,7 +81,7 @@ percent = lambda value: "-" if value is None else f"{100 * value:.1f} %"
 for a, b in zip(f64, integers):
     print(f"| {b['passes']} | {b['photons']} | {b['search_radius']:.4f} | {a['rel_mse']:.2e} | {b['rel_mse']:.2e} "
           f"| {percent(b['estimated_noise'])} | {percent(b['estimated_bias'])} | {percent(b['error_bound'])} "
-          f"| {percent(b['bounded_share'])} |")
+          f"| {percent(b['bounded_share'])} | {b['seconds']:.1f} |")
 PY
 }
 
@@ -89,44 +93,93 @@ passes_of() {
         photoncube progressive "$scene" "${size[@]}" -o "$work/p-$engine.exr" --engine "$engine" "$@" \
             --passes 64 --reference "$truth" --json >"$work/p-$engine.json"
     done
-    printf '\n`%s` with `%s`:\n\n' "$scene" "$*"
-    printf '| passes | photons | radius | f64: relMSE | integers: relMSE | noise | bias | bound | in bounds |\n'
-    printf '| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n'
+    printf '\n`%s%s`:\n\n' "$scene" "${*:+ $*}"
+    printf '| passes | photons | radius | f64: relMSE | integers: relMSE | noise | bias | bound | in bounds | seconds, integers |\n'
+    printf '| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n'
     rows "$work/p-f64.json" "$work/p-format.json"
     printf '\nAfter the last pass, integers against f64 on the same photons: relMSE %s.\n' \
         "$(compare "$work/p-format.exr" "$work/p-f64.exr" rel_mse)"
 }
 
 passes() {
-    passes_of cornell docs/reference/cornell.exr --direct rays --area covered
-    passes_of docs/scenes/spheres.toml docs/reference/spheres.exr --direct rays --caustics own --area covered
+    passes_of cornell docs/reference/cornell.exr
+    passes_of cornell docs/reference/cornell.exr --photons 200000 --samples 1 --direct rays
+    passes_of cornell docs/reference/cornell.exr --final-gather 4
+    passes_of docs/scenes/spheres.toml docs/reference/spheres.exr
+}
+
+# Scenes with their lighting: the default, and all light by the map.
+cases=("cornell" "cornell --direct map --caustics map" "ring" "ring --direct map --caustics map"
+    "docs/scenes/balls.toml" "docs/scenes/mirrors.toml" "docs/scenes/spheres.toml")
+
+# The picture of a scene in f64 at convergence, 64 x 64, made once.
+truth_of() {
+    local picture=$work/truth-$(basename "$1" .toml).exr
+    [[ -e $picture ]] || photoncube progressive "$1" --size 64x64 -o "$picture" --engine f64 --photons 1000000 --in-range 30 \
+        --samples 4 --direct rays:8 --passes 64 --seed 5000 >/dev/null
+    printf '%s' "$picture"
 }
 
 confidence() {
-    printf '\n| scene | confidence | passes | bound | in bounds | bound of the f64 reference |\n'
-    printf '| --- | --- | --- | --- | --- | --- |\n'
-    local scene share bound
-    for scene in cornell ring range; do
-        bound=$(photoncube progressive "$scene" --size 64x64 -o "$work/$scene.exr" --engine f64 --area covered \
-            --direct rays:4 --caustics own:30 --photons 400000 --in-range 30 --passes 128 --seed 5000 --json |
-            json "f\"{100 * r['progress'][-1]['error_bound']:.1f} %\"")
+    printf '\n| scene, options | confidence | passes: 4 | 16 | 64 |\n'
+    printf '| --- | --- | --- | --- | --- |\n'
+    local case share
+    for case in "${cases[@]}"; do
         for share in 0.5 0.9; do
-            photoncube progressive "$scene" --size 64x64 -o "$work/c.exr" --engine format --area covered \
-                --confidence "$share" --passes 32 --reference "$work/$scene.exr" --json >"$work/c.json"
-            python3 - "$work/c.json" "$scene" "$share" "$bound" <<'PY'
+            # shellcheck disable=SC2086 # a scene and options
+            photoncube progressive $case --size 64x64 -o "$work/c.exr" --engine format --confidence "$share" --passes 64 \
+                --reference "$(truth_of "${case%% *}")" --json >"$work/c.json"
+            python3 - "$work/c.json" "$case" "$share" <<'PY'
 import json, sys
-name, scene, share, bound = sys.argv[1:]
-for row in json.load(open(name))["progress"]:
-    if row["passes"] in (4, 32):
-        print(f"| {scene} | {100 * float(share):.0f} % | {row['passes']} | {100 * row['error_bound']:.1f} % "
-              f"| {100 * row['bounded_share']:.1f} % | {bound} |")
+name, case, share = sys.argv[1:]
+rows = {row["passes"]: row for row in json.load(open(name))["progress"]}
+within = " | ".join(f"{100 * rows[passes]['bounded_share']:.1f} %" for passes in (4, 16, 64))
+print(f"| `{case}` | {100 * float(share):.0f} % | {within} |")
 PY
         done
     done
 }
 
-for table in lighting passes confidence; do
+target() {
+    printf '\n| scene, options | target | passes | bound | of it, bias | root of relMSE | stopped by |\n'
+    printf '| --- | --- | --- | --- | --- | --- | --- |\n'
+    local case target
+    for case in "${cases[@]}"; do
+        for target in 0.1 0.05; do
+            # An exit code of 1 says that the target was not reached.
+            # shellcheck disable=SC2086 # a scene and options
+            photoncube progressive $case --size 64x64 -o "$work/t.exr" --engine format --error-target "$target" --passes 200 \
+                --reference "$(truth_of "${case%% *}")" --json >"$work/t.json" 2>/dev/null || true
+            python3 - "$work/t.json" "$case" "$target" <<'PY'
+import json, sys
+name, case, target = sys.argv[1:]
+row = json.load(open(name))["progress"][-1]
+stop = "the target" if row["error_bound"] <= float(target) else "the passes"
+print(f"| `{case}` | {float(target):.2f} | {row['passes']} | {row['error_bound']:.3f} | {2 ** 0.5 * row['estimated_bias']:.3f} "
+      f"| {row['rel_mse'] ** 0.5:.3f} | {stop} |")
+PY
+        done
+    done
+}
+
+peer() {
+    local tools=${XDG_CACHE_HOME:-$HOME/.cache}/photoncube/peer
+    [[ -x $tools/bin/python ]] || python3 -m venv "$tools"
+    "$tools/bin/pip" install --quiet --requirement scripts/requirements-peer.txt
+    local llvm=(/usr/lib/*-linux-gnu/libLLVM.so.19.1)
+    if [[ ! -e ${llvm[0]} ]]; then
+        echo "scripts/accuracy.sh: found no libLLVM 19, which Mitsuba compiles by; install Debian's package libllvm19" >&2
+        exit 1
+    fi
+    printf '\n'
+    DRJIT_LIBLLVM_PATH=${llvm[0]} "$tools/bin/python" scripts/path_tracer.py target/release/photoncube "$work"
+}
+
+for table in lighting passes confidence target; do
     if [[ $what == all || $what == "$table" ]]; then
         "$table"
     fi
 done
+if [[ $what == peer ]]; then
+    peer
+fi

@@ -153,14 +153,8 @@ fn a_query_of_too_many_photons_is_told_with_the_option_that_helps() {
     let picture = picture.to_str().unwrap();
     let many = ["--photons", "20000", "--size", "4x4", "--in-range", "2500"];
     for command in ["render", "progressive"] {
-        let args = [
-            command,
-            "cornell",
-            "-o",
-            picture,
-            "--machine",
-            "fit-cornell",
-        ];
+        let args = [command, "cornell", "-o", picture, "--direct", "map"];
+        let args = [&args[..], &["--machine", "fit-cornell"]].concat();
         let message = error(&[&args[..], &many].concat(), 2);
         assert!(message.contains("give a smaller --in-range"), "{message}");
         assert_eq!(
