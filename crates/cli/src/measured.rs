@@ -379,7 +379,7 @@ impl Proof {
         let clocks: u64 = self.devices.iter().map(|d| d.vectors_compared).sum();
         let signals = self.devices.iter().map(|d| d.signals_per_vector).max();
         format!(
-            "{}: {iterations} {groups}, {clocks} clocks of {} signals, {} mismatches",
+            "{}: {iterations} {groups}, {clocks} clocks of {} signals, {} wrong",
             devices.join(", "),
             signals.unwrap_or(0),
             self.mismatches

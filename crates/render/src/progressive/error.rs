@@ -59,16 +59,17 @@ impl ErrorEstimate {
         if passes < 2 || !(confidence > 0.0 && confidence < 1.0) {
             return None;
         }
-        let squares = pixels.iter().map(|pixel| pixel.bias.mean().powi(2));
-        let noises = pixels.iter().map(|pixel| deviation(&pixel.bias).powi(2));
-        let squares = around(width, &squares.collect::<Vec<_>>());
-        let noises = around(width, &noises.collect::<Vec<_>>());
+        let bias_sq = |pixel: &Pixel| {
+            let gathers = pixel.bias != Moments::of(passes, 0.0, 0.0);
+            gathers.then(|| [pixel.bias.mean().powi(2), deviation(&pixel.bias).powi(2)])
+        };
+        let biases: Vec<_> = pixels.iter().map(bias_sq).collect();
         let factors = Factors {
             significant: significant_ratio(passes),
             student: student(passes, confidence),
             normal: Normal::standard().inverse_cdf(0.5 + 0.5 * confidence),
         };
-        let found = pixels.iter().zip(squares.into_iter().zip(noises));
+        let found = pixels.iter().zip(around(width, &biases));
         let found = found.map(|(pixel, bias)| factors.bound(pixel, bias));
         Some(Self {
             confidence,
@@ -129,7 +130,7 @@ struct Factors {
 
 impl Factors {
     /// The bound of a pixel with that mean squared bias around it, and the part of it that is noise.
-    fn bound(&self, pixel: &Pixel, (square, noise_sq): (f64, f64)) -> PixelBound {
+    fn bound(&self, pixel: &Pixel, [square, noise_sq]: [f64; 2]) -> PixelBound {
         let is_corrected = pixel.is_corrected(self.significant);
         let found_sq = square - noise_sq;
         let (mean, bias_sq) = match is_corrected {
@@ -154,15 +155,22 @@ impl Factors {
     }
 }
 
-/// The means over the 3 x 3 pixels around each pixel, those at the border over the pixels that exist.
-fn around(width: usize, values: &[f64]) -> Vec<f64> {
+/// The means over those of the 3 x 3 pixels around each pixel that have values: the pixels in the picture whose estimates are not 0 in
+/// every pass. A pixel without values has neither bias nor noise.
+fn around(width: usize, values: &[Option<[f64; 2]>]) -> Vec<[f64; 2]> {
     let height = values.len() / width.max(1);
     let mean = |index: usize| {
+        if values[index].is_none() {
+            return [0.0; 2];
+        }
         let (x, y) = (index % width, index / width);
         let rows = y.saturating_sub(1)..(y + 2).min(height);
         let columns = x.saturating_sub(1)..(x + 2).min(width);
         let rows = rows.map(|row| &values[row * width..][columns.clone()]);
-        rows.flatten().copied().collect::<Moments>().mean()
+        let near: Vec<_> = rows.flatten().flatten().collect();
+        let mean =
+            |which: usize| near.iter().map(|pair| pair[which]).sum::<f64>() / near.len() as f64;
+        [mean(0), mean(1)]
     };
     (0..values.len()).map(mean).collect()
 }
@@ -232,12 +240,13 @@ mod tests {
 
     #[test]
     fn means_around_are_those_of_the_pixels_that_exist() {
-        let values = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0];
-        let expected = [3.0, 3.5, 4.0, 3.0, 3.5, 4.0];
-        for (found, expected) in around(3, &values).iter().zip(expected) {
-            assert!((found - expected).abs() < 1e-12, "{found} {expected}");
-        }
-        assert_eq!(around(1, &[7.0]), [7.0]);
+        let values = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0].map(|value| Some([value, -value]));
+        let expected = [3.0, 3.5, 4.0, 3.0, 3.5, 4.0].map(|value| [value, -value]);
+        assert_eq!(around(3, &values), expected);
+        assert_eq!(around(1, &values[5..]), [[6.0, -6.0]]);
+        // The first pixel gathers nothing.
+        let values = [None, values[0], values[2]];
+        assert_eq!(around(3, &values), [[0.0; 2], [2.0, -2.0], [2.0, -2.0]]);
     }
 
     #[test]
