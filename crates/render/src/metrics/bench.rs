@@ -285,7 +285,9 @@ impl ErrorBench {
         let quantised = engine.quantised(map)?;
         let answers = self.queries.par_iter();
         let answers = answers.map(|query| answer(estimator, map, quantised.as_ref(), query));
-        let answers = answers.collect::<Result<Vec<_>, _>>()?;
+        // All are made first, so that the error is that of the first query, whatever the threads.
+        let answers: Vec<_> = answers.collect();
+        let answers = answers.into_iter().collect::<Result<Vec<_>, _>>()?;
         let mut verdicts = Misclassified::default();
         answers
             .iter()
