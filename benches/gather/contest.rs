@@ -102,7 +102,7 @@ impl Contestant for FixedPoint<'_> {
     }
 
     fn bytes(&self) -> usize {
-        self.map.planes().map_or(0, PhotonPlanes::bytes) + self.map.map().index_bytes()
+        self.map.planes().map_or(0, PhotonPlanes::bytes)
     }
 
     fn gather(&self, every: usize) -> Found {

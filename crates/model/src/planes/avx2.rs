@@ -9,8 +9,9 @@ use core::arch::x86_64::__m256i;
 use pulp::cast;
 use pulp::x86::V3;
 
-use super::lanes::{Boxes, Bytes, Lanes};
+use super::lanes::{Boxes, Lanes};
 use super::leaf::LEAF;
+use super::store::LeafPlanes;
 use super::tray::TRAY;
 
 /// The squared distances on one axis of a query from 16 boxes.
@@ -48,70 +49,78 @@ fn total(simd: V3, eight: __m256i) -> u32 {
     (a + b) + (c + d)
 }
 
+/// The sums of a tray.
+#[derive(Copy, Clone, Debug)]
+pub(super) struct Sums<const PLANES: usize> {
+    /// 16 words a plane, each the sum of the mantissas of two photons.
+    planes: [__m256i; PLANES],
+    /// 32 bytes, one for each photon of a leaf.
+    count: __m256i,
+}
+
 impl Lanes for V3 {
     /// All ones where a photon is in range.
     type Mask = __m256i;
-    type Mantissas = __m256i;
-    /// 16 words, each the sum of the mantissas of two photons.
-    type Sum = __m256i;
-    /// 32 bytes, one for each photon of a leaf.
-    type Count = __m256i;
+    type Powers<const PLANES: usize> = [__m256i; PLANES];
+    type Sums<const PLANES: usize> = Sums<PLANES>;
 
     #[inline(always)]
-    fn mantissas(self, bytes: &Bytes) -> __m256i {
-        cast(*bytes)
+    fn powers<const PLANES: usize>(self, planes: &LeafPlanes) -> [__m256i; PLANES] {
+        let mut powers = [self.avx._mm256_setzero_si256(); PLANES];
+        for (index, power) in powers.iter_mut().enumerate() {
+            *power = cast(*planes.mantissas(index));
+        }
+        powers
     }
 
     #[inline(always)]
-    fn no_sum(self) -> __m256i {
-        self.avx._mm256_setzero_si256()
-    }
-
-    #[inline(always)]
-    fn no_count(self) -> __m256i {
-        self.avx._mm256_setzero_si256()
-    }
-
-    #[inline(always)]
-    fn add(self, sum: __m256i, in_range: __m256i, mantissas: &__m256i) -> __m256i {
-        // All ones are -1, so multiplying by the mask negates the mantissas.
-        let pairs = self.avx2._mm256_maddubs_epi16(*mantissas, in_range);
-        self.avx2._mm256_sub_epi16(sum, pairs)
-    }
-
-    #[inline(always)]
-    fn add_count(self, count: __m256i, in_range: __m256i) -> __m256i {
-        self.avx2._mm256_sub_epi8(count, in_range)
-    }
-
-    #[inline(always)]
-    fn count(self, count: __m256i) -> u32 {
+    fn no_sums<const PLANES: usize>(self) -> Sums<PLANES> {
         let zero = self.avx._mm256_setzero_si256();
-        total(self, self.avx2._mm256_sad_epu8(count, zero))
+        Sums {
+            planes: [zero; PLANES],
+            count: zero,
+        }
     }
 
     #[inline(always)]
-    fn total(self, sum: __m256i) -> u32 {
-        let ones = self.avx._mm256_set1_epi16(1);
-        total(self, self.avx2._mm256_madd_epi16(sum, ones))
+    fn add<const PLANES: usize>(
+        self,
+        sums: &mut Sums<PLANES>,
+        in_range: __m256i,
+        powers: &[__m256i; PLANES],
+    ) {
+        sums.count = self.avx2._mm256_sub_epi8(sums.count, in_range);
+        for (sum, mantissas) in sums.planes.iter_mut().zip(powers) {
+            // All ones are -1, so multiplying by the mask negates the mantissas.
+            let pairs = self.avx2._mm256_maddubs_epi16(*mantissas, in_range);
+            *sum = self.avx2._mm256_sub_epi16(*sum, pairs);
+        }
     }
 
     #[inline(always)]
-    fn totals(self, [a, b, c]: [__m256i; 3], count: __m256i) -> ([u32; 3], u32) {
+    fn totals<const PLANES: usize>(self, sums: Sums<PLANES>) -> ([u32; PLANES], u32) {
+        let mut totals = [0; PLANES];
         let (avx2, zero) = (self.avx2, self.avx._mm256_setzero_si256());
         let ones = self.avx._mm256_set1_epi16(1);
-        let a = avx2._mm256_madd_epi16(a, ones);
-        let b = avx2._mm256_madd_epi16(b, ones);
-        let c = avx2._mm256_madd_epi16(c, ones);
-        let count = avx2._mm256_sad_epu8(count, zero);
-        // Neighbouring words are added twice; then each half of the register has one word of each sum.
-        let ab = avx2._mm256_hadd_epi32(a, b);
-        let cd = avx2._mm256_hadd_epi32(c, count);
-        let all = avx2._mm256_hadd_epi32(ab, cd);
-        let low = self.avx._mm256_castsi256_si128(all);
-        let high = avx2._mm256_extracti128_si256::<1>(all);
-        let [a, b, c, count]: [u32; 4] = cast(self.sse2._mm_add_epi32(low, high));
-        ([a, b, c], count)
+        let count = avx2._mm256_sad_epu8(sums.count, zero);
+        if let [a, b, c] = sums.planes[..] {
+            // Neighbouring words are added twice; then each half of the register has one word of each sum.
+            let ab = avx2._mm256_hadd_epi32(
+                avx2._mm256_madd_epi16(a, ones),
+                avx2._mm256_madd_epi16(b, ones),
+            );
+            let cd = avx2._mm256_hadd_epi32(avx2._mm256_madd_epi16(c, ones), count);
+            let all = avx2._mm256_hadd_epi32(ab, cd);
+            let low = self.avx._mm256_castsi256_si128(all);
+            let high = avx2._mm256_extracti128_si256::<1>(all);
+            let [a, b, c, count]: [u32; 4] = cast(self.sse2._mm_add_epi32(low, high));
+            totals.copy_from_slice(&[a, b, c]);
+            return (totals, count);
+        }
+        for (each, sum) in totals.iter_mut().zip(sums.planes) {
+            *each = total(self, avx2._mm256_madd_epi16(sum, ones));
+        }
+        (totals, total(self, count))
     }
 
     #[inline(always)]

@@ -7,11 +7,9 @@ use pulp::cast;
 use pulp::x86::V3;
 
 use super::frame::Frame;
-use super::lanes::{
-    BYTES_NOWHERE, Bytes, OfBytes, OfFlatBytes, OfWords, Positions, WORDS_NOWHERE, Words,
-};
+use super::lanes::{BYTES_NOWHERE, OfBytes, OfFlatBytes, OfWords, Positions, WORDS_NOWHERE};
 use super::leaf::LEAF;
-use super::store::{Window, plane};
+use super::store::{Bytes, LeafPlanes};
 
 /// A window of this table that starts at 32 - n has n bytes of all ones, then zeros.
 const PRESENT: [u8; 2 * LEAF] = {
@@ -115,15 +113,29 @@ pub(super) struct ByteQuery {
 
 /// The coordinates on an axis from bytes, in half fine steps from the middle of the frame.
 #[inline(always)]
-fn byte_places(simd: V3, bytes: &Bytes, corner: i16) -> [__m256i; 2] {
-    let [low, high] = words(simd, cast(*bytes));
+fn byte_places(
+    simd: V3,
+    frame: &Frame,
+    planes: &LeafPlanes,
+    axis: usize,
+    corner: i16,
+) -> [__m256i; 2] {
+    let mut places = words(simd, cast(planes.bytes(axis)));
+    let blocks = words(simd, cast(*planes.blocks()));
+    let on_axis = simd.sse2._mm_cvtsi32_si128(2 * axis as i32);
+    let edge_bits = simd.sse2._mm_cvtsi32_si128(frame.edge_bits() as i32);
     let corner = simd.avx._mm256_set1_epi16(2 * corner);
-    let low = simd.avx2._mm256_add_epi16(low, low);
-    let high = simd.avx2._mm256_add_epi16(high, high);
-    [
-        simd.avx2._mm256_add_epi16(low, corner),
-        simd.avx2._mm256_add_epi16(high, corner),
-    ]
+    for (place, block) in places.iter_mut().zip(blocks) {
+        let block = simd.avx2._mm256_srl_epi16(block, on_axis);
+        let block = simd
+            .avx2
+            ._mm256_and_si256(block, simd.avx._mm256_set1_epi16(3));
+        let block = simd.avx2._mm256_sll_epi16(block, edge_bits);
+        let in_cube = simd.avx2._mm256_add_epi16(*place, block);
+        let halves = simd.avx2._mm256_add_epi16(in_cube, in_cube);
+        *place = simd.avx2._mm256_add_epi16(halves, corner);
+    }
+    places
 }
 
 /// A query's coordinate on an axis, in half fine steps.
@@ -142,23 +154,24 @@ fn byte_over(frame: &Frame) -> i32 {
 /// Photons and queries are counted in half fine steps, so that the distance is always the difference of two
 /// integers.
 impl Positions<V3> for OfBytes {
-    const BYTES: usize = 1;
-
     type Photons = Places;
     type Query = ByteQuery;
 
     #[inline(always)]
     fn photons(
         simd: V3,
-        window: &Window,
-        photons: usize,
+        frame: &Frame,
+        planes: &LeafPlanes,
         axes: [usize; 3],
         corner: [i16; 3],
     ) -> Places {
-        let x = byte_places(simd, plane(window, axes[0], photons), corner[0]);
-        let y = byte_places(simd, plane(window, axes[1], photons), corner[1]);
-        let z = byte_places(simd, plane(window, axes[2], photons), corner[2]);
-        Places::new(simd, [present(simd, x, photons, BYTES_NOWHERE), y, z])
+        let x = byte_places(simd, frame, planes, axes[0], corner[0]);
+        let y = byte_places(simd, frame, planes, axes[1], corner[1]);
+        let z = byte_places(simd, frame, planes, axes[2], corner[2]);
+        Places::new(
+            simd,
+            [present(simd, x, planes.photons(), BYTES_NOWHERE), y, z],
+        )
     }
 
     #[inline(always)]
@@ -208,25 +221,23 @@ pub(super) struct FlatQuery {
 }
 
 impl Positions<V3> for OfFlatBytes {
-    const BYTES: usize = 1;
-
     type Photons = FlatPlaces;
     type Query = FlatQuery;
 
     #[inline(always)]
     fn photons(
         simd: V3,
-        window: &Window,
-        photons: usize,
+        frame: &Frame,
+        planes: &LeafPlanes,
         axes: [usize; 3],
         corner: [i16; 3],
     ) -> FlatPlaces {
-        let x = byte_places(simd, plane(window, axes[0], photons), corner[0]);
-        let y = byte_places(simd, plane(window, axes[1], photons), corner[1]);
-        let z: &Bytes = plane(window, axes[2], photons);
+        let x = byte_places(simd, frame, planes, axes[0], corner[0]);
+        let y = byte_places(simd, frame, planes, axes[1], corner[1]);
+        let z = planes.shared(axes[2], frame.edge_bits());
         FlatPlaces {
-            xy: pairs(simd, present(simd, x, photons, BYTES_NOWHERE), y),
-            z: 2 * (i32::from(corner[2]) + i32::from(z[0])),
+            xy: pairs(simd, present(simd, x, planes.photons(), BYTES_NOWHERE), y),
+            z: 2 * (i32::from(corner[2]) + z),
         }
     }
 
@@ -292,24 +303,21 @@ fn squares(simd: V3, query: &WordQuery, m: __m256i) -> __m256i {
 
 /// Photons and queries are counted in fine steps, and their differences saturate.
 impl Positions<V3> for OfWords {
-    const BYTES: usize = 2;
-
     type Photons = Places;
     type Query = WordQuery;
 
     #[inline(always)]
     fn photons(
         simd: V3,
-        window: &Window,
-        photons: usize,
+        _: &Frame,
+        planes: &LeafPlanes,
         axes: [usize; 3],
         corner: [i16; 3],
     ) -> Places {
         let zero = simd.avx._mm256_setzero_si256();
         let mut places = [[zero; 2]; 3];
         for axis in 0..3 {
-            let words: &Words = plane(window, 2 * axes[axis], photons);
-            let [first, second]: [__m256i; 2] = cast(*words);
+            let [first, second]: [__m256i; 2] = cast(planes.words(axes[axis]));
             // The order in which the unpack instructions place the bytes.
             let low = simd
                 .avx2
@@ -323,7 +331,7 @@ impl Positions<V3> for OfWords {
                 simd.avx2._mm256_add_epi16(high, corner),
             ];
         }
-        places[0] = present(simd, places[0], photons, WORDS_NOWHERE);
+        places[0] = present(simd, places[0], planes.photons(), WORDS_NOWHERE);
         Places::new(simd, places)
     }
 

@@ -2,8 +2,8 @@
 
 use super::frame::Frame;
 use super::lanes::{Boxes, Lanes, Positions};
-use super::store::{PhotonPlanes, plane};
-use super::surroundings::Seen;
+use super::store::Planes;
+use super::windows::Seen;
 
 /// The most leaves of a tray: one for each bit of a word. They fit the first-level cache.
 pub(super) const TRAY: usize = 32;
@@ -12,7 +12,7 @@ pub(super) const TRAY: usize = 32;
 #[derive(Copy, Clone)]
 pub(super) struct Opened<L: Lanes, P: Positions<L>, const PLANES: usize> {
     pub positions: P::Photons,
-    pub mantissas: [L::Mantissas; PLANES],
+    pub powers: L::Powers<PLANES>,
     pub photons: u64,
 }
 
@@ -45,7 +45,7 @@ impl<L: Lanes, P: Positions<L>, const PLANES: usize> Tray<L, P, PLANES> {
     pub fn lay(
         &mut self,
         lanes: L,
-        planes: &PhotonPlanes,
+        planes: &Planes,
         frame: &Frame,
         axes: [usize; 3],
         seen: &[Seen],
@@ -54,22 +54,12 @@ impl<L: Lanes, P: Positions<L>, const PLANES: usize> Tray<L, P, PLANES> {
         self.leaves.clear();
         self.leaves.reserve(seen.len());
         for (index, seen) in seen.iter().enumerate().take(TRAY) {
-            let photons = usize::from(seen.leaf.photons);
-            let window = planes.window(&seen.leaf);
-            let mut mantissas = [lanes.mantissas(plane(window, 3 * P::BYTES, photons)); PLANES];
-            for (index, mantissas) in mantissas.iter_mut().enumerate() {
-                *mantissas = lanes.mantissas(plane(window, 3 * P::BYTES + index, photons));
-            }
+            let planes = planes.planes(&seen.leaf);
+            let corner = ordered(frame.corner(seen.offset), axes);
             self.leaves.push(Opened {
-                positions: P::photons(
-                    lanes,
-                    window,
-                    photons,
-                    axes,
-                    ordered(frame.corner(seen.offset), axes),
-                ),
-                mantissas,
-                photons: photons as u64,
+                positions: P::photons(lanes, frame, &planes, axes, corner),
+                powers: lanes.powers(&planes),
+                photons: planes.photons() as u64,
             });
             for axis in 0..3 {
                 self.boxes.low[axis][index] = seen.low[axis];

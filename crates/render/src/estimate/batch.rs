@@ -1,6 +1,9 @@
-//! Gathers many queries at once with the fast gather; the lookup for a block serves all queries in it.
+//! Gathers many queries at once with the fast gather; a lookup serves all queries near each other.
 
-use photoncube_model::{GatherError, Gathered, Instructions, PhotonPlanes, Surroundings};
+use glam::DVec3;
+use photoncube_model::{
+    GatherError, Gathered, INDEX_MASK, Instructions, PhotonPlanes, PlacedQuery,
+};
 use rayon::prelude::*;
 
 use crate::geometry::morton;
@@ -16,8 +19,8 @@ impl QuantisedMap<'_> {
     /// Gathers the sums of all queries with a search radius of `radius_sq` squared fine steps, in their order.
     /// They equal those of [`Self::gather_within`], bit for bit.
     ///
-    /// In a photon format, consecutive queries in one block, on surfaces that face alike, share the lookup of
-    /// the photons around them: see [`PhotonMap::sort_queries`].
+    /// In a photon format, consecutive queries in one cube of blocks, on surfaces that face alike, share the
+    /// lookup of the photons around them: see [`PhotonMap::sort_queries`].
     ///
     /// # Errors
     /// As for [`Self::gather_within`], for one of the queries.
@@ -83,26 +86,51 @@ impl QuantisedMap<'_> {
         radius_word: u32,
         found: &mut [Gathered],
     ) -> Result<(), GatherError> {
-        let mut around = Surroundings::default();
-        let mut blocks = Vec::with_capacity(queries.len());
-        let mut local = Vec::with_capacity(queries.len());
-        for query in queries {
-            let (block, fraction) = self.map().place(query.position);
-            blocks.push(block);
-            local.push(self.query_at(fraction, radius_word));
+        let mut facings = Facings::new(self.map());
+        let placed: Vec<_> = queries
+            .iter()
+            .map(|query| {
+                let (block, fraction) = self.map().place(query.position);
+                PlacedQuery {
+                    // Blocks further out have no photons around them.
+                    block: block.to_array().map(|at| at.clamp(-2, OUTSIDE) as i32),
+                    fraction: self.fraction(fraction),
+                    facing: facings.number(query.normal),
+                }
+            })
+            .collect();
+        let faces = |facing, group| facings.faces(facing, group);
+        planes.gather(instructions, radius_word, &placed, faces, found)
+    }
+}
+
+/// A block that is not next to any of the grid.
+const OUTSIDE: i64 = INDEX_MASK as i64 + 2;
+
+/// The directions in which queries face, numbered, and the groups of photons that face them.
+struct Facings<'a> {
+    map: &'a PhotonMap,
+    normals: Vec<DVec3>,
+}
+
+impl<'a> Facings<'a> {
+    fn new(map: &'a PhotonMap) -> Self {
+        Self {
+            map,
+            normals: Vec::new(),
         }
-        let mut first = 0;
-        while first < queries.len() {
-            let (block, normal) = (blocks[first], queries[first].normal);
-            let alike = |place: &usize| blocks[*place] == block && queries[*place].normal == normal;
-            let end = first + (first..queries.len()).take_while(alike).count();
-            let runs = self.map().around(block, normal);
-            around.set(planes, runs.map(|run| (run.offset, run.run)));
-            let (here, found) = (&local[first..end], &mut found[first..end]);
-            planes.gather_by(instructions, &around, here, found)?;
-            first = end;
+    }
+
+    /// The number of a query's direction. Consecutive queries on one flat surface have one number.
+    fn number(&mut self, normal: DVec3) -> u32 {
+        if self.normals.last() != Some(&normal) {
+            self.normals.push(normal);
         }
-        Ok(())
+        self.normals.len() as u32 - 1
+    }
+
+    fn faces(&self, facing: u32, group: u32) -> bool {
+        self.map.faces(group, self.normals[facing as usize])
     }
 }
 

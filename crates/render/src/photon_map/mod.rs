@@ -9,6 +9,7 @@
 use std::ops::Range;
 
 use glam::{DVec3, I64Vec3};
+use photoncube_model::{INDEX_BITS, INDEX_MASK, Rows};
 use rayon::prelude::*;
 
 use self::error::{check_edge, check_radius, outside};
@@ -18,14 +19,8 @@ use crate::trace::Photon;
 
 mod error;
 mod groups;
-mod rows;
 
 pub use self::error::MapError;
-use self::rows::Rows;
-
-/// The bits of a block's index on one axis: three indices and a sign bit fit 64 bits.
-const INDEX_BITS: u32 = 21;
-const INDEX_MASK: u64 = (1 << INDEX_BITS) - 1;
 
 /// The photons of one facing of one surface in one block, a slice of the map's order.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -36,13 +31,9 @@ struct Run {
 }
 
 impl Run {
-    fn x(&self) -> u64 {
-        self.block & INDEX_MASK
-    }
-
-    /// The sort key of rows of blocks along x.
-    fn row(&self) -> u64 {
-        self.block >> INDEX_BITS
+    /// The index of the block on each axis.
+    fn block(&self) -> [u64; 3] {
+        [0, 1, 2].map(|axis| self.block >> (axis * INDEX_BITS) & INDEX_MASK)
     }
 
     fn photons(&self) -> Range<usize> {
@@ -244,7 +235,7 @@ impl PhotonMap {
             });
             start = end;
         }
-        self.rows = Rows::of(&self.runs);
+        self.runs.iter().for_each(|run| self.rows.push(run.block()));
     }
 
     /// The search radius, in scene units.
@@ -286,12 +277,6 @@ impl PhotonMap {
         })
     }
 
-    /// The number of bytes of the index that finds runs.
-    #[must_use]
-    pub fn index_bytes(&self) -> usize {
-        size_of_val(self.runs.as_slice()) + self.rows.bytes()
-    }
-
     /// The photons of every run, as indices into [`Self::photons`], in its order.
     pub fn runs(&self) -> impl ExactSizeIterator<Item = Range<usize>> {
         self.runs.iter().map(Run::photons)
@@ -321,23 +306,25 @@ impl PhotonMap {
     /// The runs that a query at `position` on a surface of unit normal `normal` gathers, by the rule stated
     /// at [`PhotonMap`]: the runs of the 27 blocks around it that face its way, in the map's order.
     pub fn candidates(&self, position: DVec3, normal: DVec3) -> impl Iterator<Item = Candidates> {
-        let (centre, _) = self.place(position);
-        self.around(centre, normal)
+        let centre = self.place(position).0.to_array();
+        let [low, high] = [-1, 1].map(|step| centre.map(|at| at.saturating_add(step)));
+        let mut candidates = Vec::new();
+        self.rows.within(low, high, |offset, run| {
+            if self.faces(self.runs[run].group, normal) {
+                candidates.push(Candidates {
+                    offset,
+                    run,
+                    photons: self.runs[run].photons(),
+                });
+            }
+        });
+        candidates.into_iter()
     }
 
-    /// The runs that any query in the block `centre` gathers, by the rule stated at [`PhotonMap`].
-    pub(crate) fn around(
-        &self,
-        centre: I64Vec3,
-        normal: DVec3,
-    ) -> impl Iterator<Item = Candidates> {
-        let runs = self.rows.around(centre);
-        runs.filter(move |(_, run)| self.faces(self.runs[*run].group, normal))
-            .map(|(offset, run)| Candidates {
-                offset,
-                run,
-                photons: self.runs[run].photons(),
-            })
+    /// The blocks of every run, by the index on each axis of the grid, with its group and its photons.
+    pub(crate) fn located_runs(&self) -> impl Iterator<Item = ([u64; 3], u32, Range<usize>)> {
+        let runs = self.runs.iter();
+        runs.map(|run| (run.block(), run.group, run.photons()))
     }
 
     /// For each group of photons of one facing, whether a query on a surface of unit normal `normal` gathers it.
@@ -354,7 +341,8 @@ impl PhotonMap {
         self.runs[run].group
     }
 
-    fn faces(&self, group: u32, normal: DVec3) -> bool {
+    /// Whether a query on a surface of unit normal `normal` gathers the photons of a group.
+    pub(crate) fn faces(&self, group: u32, normal: DVec3) -> bool {
         self.groups.normal(group).dot(normal) > Self::MIN_FACING_COSINE
     }
 }
