@@ -107,7 +107,8 @@ fn run(format: PhotonFormat) -> impl Strategy<Value = Run> {
     let records = prop::collection::vec(record(format), 0..3 * LEAF);
     // The photons are on a wall along two axes, or on none.
     let wall = prop::option::of((0_usize..3, 0..=ones(format.position_bits)));
-    let block = prop::array::uniform3(0_u32..7);
+    // Cubes are 8 blocks wide.
+    let block = prop::array::uniform3(5_u32..12);
     (block, 0_u32..2, 0..=largest, records, wall).prop_map(
         |(block, group, exponent, mut records, wall)| {
             if let Some((axis, cell)) = wall {
@@ -128,7 +129,7 @@ fn query(format: PhotonFormat) -> impl Strategy<Value = PlacedQuery> {
     let last = ones(format.radius_bits());
     let coordinate = prop_oneof![0..=last, Just(0), Just(last)];
     let fraction = prop::array::uniform3(coordinate);
-    (prop::array::uniform3(-1_i32..8), fraction, 0_u32..3).prop_map(|(block, fraction, facing)| {
+    (prop::array::uniform3(4_i32..13), fraction, 0_u32..3).prop_map(|(block, fraction, facing)| {
         PlacedQuery {
             block,
             fraction,
@@ -151,7 +152,7 @@ fn scene() -> impl Strategy<Value = Scene> {
                     ..*query
                 });
                 let mut all: Vec<_> = queries.iter().copied().chain(beside).collect();
-                all.sort_by_key(|query| (query.block.map(|at| at >> 2), query.facing));
+                all.sort_by_key(|query| (query.block.map(|at| at >> 3), query.facing));
                 all
             })
         });

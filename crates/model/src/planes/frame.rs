@@ -46,8 +46,14 @@ impl Frame {
     }
 
     /// The position of a query in fine steps from the frame's corner, which is less than two cubes of 2^14.
-    #[inline(always)]
+    ///
+    /// # Panics
+    /// Where a fraction is outside its block.
+    #[inline]
     pub fn position(&self, query: &PlacedQuery) -> [u16; 3] {
+        let [x, y, z] = query.fraction;
+        let outside = u32::from(x | y | z) >> self.edge_bits;
+        assert_eq!(outside, 0, "{query:?} is outside its block");
         let block = in_frame(query.block, self.blocks);
         std::array::from_fn(|axis| (block[axis] << self.edge_bits) as u16 + query.fraction[axis])
     }

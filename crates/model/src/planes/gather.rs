@@ -32,16 +32,23 @@ enum Set {
     /// x86-64 with AVX2.
     #[cfg(target_arch = "x86_64")]
     Avx2(pulp::x86::V3),
+    /// x86-64 with the AVX-512 of all servers that have any: F, BW, CD, DQ and VL.
+    #[cfg(target_arch = "x86_64")]
+    Avx512(pulp::x86::V4),
 }
 
 impl Instructions {
     /// The instruction sets that this processor has, the fastest first.
     pub fn available() -> impl Iterator<Item = Self> {
         #[cfg(target_arch = "x86_64")]
-        let faster = pulp::x86::V3::try_new().map(Set::Avx2);
+        let faster = [
+            pulp::x86::V4::try_new().map(Set::Avx512),
+            pulp::x86::V3::try_new().map(Set::Avx2),
+        ];
         #[cfg(not(target_arch = "x86_64"))]
-        let faster = None;
-        faster.into_iter().chain([Set::Portable]).map(Self)
+        let faster = [None];
+        let faster = faster.into_iter().flatten();
+        faster.chain([Set::Portable]).map(Self)
     }
 
     /// The fastest instruction set that this processor has.
@@ -59,6 +66,8 @@ impl Instructions {
             Set::Portable => "portable",
             #[cfg(target_arch = "x86_64")]
             Set::Avx2(_) => "AVX2",
+            #[cfg(target_arch = "x86_64")]
+            Set::Avx512(_) => "AVX-512",
         }
     }
 }
@@ -100,17 +109,12 @@ impl PhotonPlanes {
             position,
             radius_sq,
         })?;
-        let outside = |query: &&PlacedQuery| {
-            let fractions = query.fraction.into_iter();
-            fractions.max().map(u32::from) >= Some(self.format().edge_steps())
-        };
-        if let Some(query) = queries.iter().find(outside) {
-            panic!("{query:?} is outside its block");
-        }
+        let frame = Frame::new(self.format(), self.cube_edge(), radius_sq);
+        let positions: Vec<_> = queries.iter().map(|query| frame.position(query)).collect();
         let work = Work {
             photons: self,
-            queries,
-            frame: Frame::new(self.format(), self.cube_edge(), radius_sq),
+            positions: &positions,
+            frame,
             windows: Windows::new(self, queries, faces),
             found,
         };
@@ -118,6 +122,11 @@ impl PhotonPlanes {
             Set::Portable => work.by(Portable),
             #[cfg(target_arch = "x86_64")]
             Set::Avx2(simd) => simd.vectorize(
+                #[inline(always)]
+                || work.by(simd),
+            ),
+            #[cfg(target_arch = "x86_64")]
+            Set::Avx512(simd) => simd.vectorize(
                 #[inline(always)]
                 || work.by(simd),
             ),

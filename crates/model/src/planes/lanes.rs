@@ -1,7 +1,8 @@
 //! The traits of the kernel: operations on all photons of a leaf, or on all leaves of a tray, at a time.
 
+use super::cube::Part;
 use super::frame::Frame;
-use super::store::LeafPlanes;
+use super::store::{LeafPlanes, Words};
 use super::tray::TRAY;
 
 /// The coordinate of lanes without a photon in formats of bytes, in steps or half steps. It is out of range
@@ -39,13 +40,19 @@ pub(super) trait Lanes: Copy {
     /// Adds the photons in range to the sums.
     fn add<const PLANES: usize>(
         self,
-        sums: &mut Self::Sums<PLANES>,
+        sums: Self::Sums<PLANES>,
         in_range: Self::Mask,
         powers: &Self::Powers<PLANES>,
-    );
+    ) -> Self::Sums<PLANES>;
 
     /// The total of each plane, and the count.
     fn totals<const PLANES: usize>(self, sums: Self::Sums<PLANES>) -> ([u32; PLANES], u32);
+
+    /// A mask with a bit for each leaf of the tray, set where its box and the one from `low` to `high` meet.
+    fn meeting(self, boxes: &Boxes, low: [u16; 3], high: [u16; 3]) -> u32;
+
+    /// A mask with a bit for each lane of a leaf whose packed block is one of the part.
+    fn inside(self, part: Part, blocks: &Words) -> u32;
 
     /// A mask with a bit for each leaf of the tray. It is set for every leaf that the sphere of the query at
     /// `query` in the frame touches, and for few others.
@@ -70,8 +77,9 @@ pub(super) trait Positions<L: Lanes> {
         corner: [i16; 3],
     ) -> Self::Photons;
 
-    /// Prepares the query at `place`, whose axes are in the order of the photons' axes.
-    fn query(lanes: L, frame: &Frame, place: [i16; 3]) -> Self::Query;
+    /// Prepares the query at `place`, whose axes are in the order of the photons' axes. `shared` is the coordinate
+    /// of all photons on the last axis, for positions that need it.
+    fn query(lanes: L, frame: &Frame, place: [i16; 3], shared: i16) -> Self::Query;
 
     fn in_range(lanes: L, photons: &Self::Photons, query: &Self::Query) -> L::Mask;
 }
@@ -79,8 +87,8 @@ pub(super) trait Positions<L: Lanes> {
 /// Formats of up to 8 bits per radius.
 pub(super) struct OfBytes;
 
-/// Formats of up to 8 bits per radius, for leaves whose photons share the last coordinate, such as those on a
-/// wall along the other two axes. The distance on the last axis is computed once for all of them.
+/// Formats of up to 8 bits per radius, for leaves whose photons all share the last coordinate, such as those on a
+/// wall along the other two axes. The distance on the last axis is computed once for all leaves.
 pub(super) struct OfFlatBytes;
 
 /// Formats of 9 to 14 bits per radius.

@@ -1,12 +1,12 @@
 //! The portable implementation of [`Lanes`]: plain loops over arrays, which compilers vectorise.
 
-use super::cube::block_on;
+use super::cube::{Part, block_on};
 use super::frame::Frame;
 use super::lanes::{
     BYTES_NOWHERE, Boxes, Lanes, OfBytes, OfFlatBytes, OfWords, Positions, WORDS_NOWHERE,
 };
 use super::leaf::LEAF;
-use super::store::LeafPlanes;
+use super::store::{LeafPlanes, Words};
 use super::tray::TRAY;
 
 /// Words of a sum: as many as fit a vector register of the processors that this code is for.
@@ -29,6 +29,28 @@ fn total(sum: [u16; WORDS]) -> u32 {
         total += u32::from(word);
     }
     total
+}
+
+/// The sum with the mantissas of the photons in range.
+#[inline(always)]
+fn added(mut sum: [u16; WORDS], in_range: &[u16; LEAF], mantissas: &[u16; LEAF]) -> [u16; WORDS] {
+    for first in (0..LEAF).step_by(WORDS) {
+        for word in 0..WORDS {
+            sum[word] += in_range[first + word] & mantissas[first + word];
+        }
+    }
+    sum
+}
+
+/// The count with the photons in range, whose masks are -1.
+#[inline(always)]
+fn counted(mut count: [u16; WORDS], in_range: &[u16; LEAF]) -> [u16; WORDS] {
+    for first in (0..LEAF).step_by(WORDS) {
+        for word in 0..WORDS {
+            count[word] = count[word].wrapping_sub(in_range[first + word]);
+        }
+    }
+    count
 }
 
 impl Lanes for Portable {
@@ -59,22 +81,15 @@ impl Lanes for Portable {
     #[inline(always)]
     fn add<const PLANES: usize>(
         self,
-        sums: &mut Sums<PLANES>,
+        mut sums: Sums<PLANES>,
         in_range: [u16; LEAF],
         powers: &[[u16; LEAF]; PLANES],
-    ) {
-        for first in (0..LEAF).step_by(WORDS) {
-            for word in 0..WORDS {
-                sums.count[word] = sums.count[word].wrapping_sub(in_range[first + word]);
-            }
-        }
+    ) -> Sums<PLANES> {
+        sums.count = counted(sums.count, &in_range);
         for (sum, mantissas) in sums.planes.iter_mut().zip(powers) {
-            for first in (0..LEAF).step_by(WORDS) {
-                for word in 0..WORDS {
-                    sum[word] += in_range[first + word] & mantissas[first + word];
-                }
-            }
+            *sum = added(*sum, &in_range, mantissas);
         }
+        sums
     }
 
     #[inline(always)]
@@ -84,6 +99,32 @@ impl Lanes for Portable {
             *each = total(sum);
         }
         (totals, total(sums.count))
+    }
+
+    #[inline(always)]
+    fn meeting(self, boxes: &Boxes, low: [u16; 3], high: [u16; 3]) -> u32 {
+        let mut apart = [false; TRAY];
+        for axis in 0..3 {
+            for (leaf, apart) in apart.iter_mut().enumerate() {
+                *apart |= boxes.high[axis][leaf] < low[axis];
+                *apart |= boxes.low[axis][leaf] > high[axis];
+            }
+        }
+        let mut meeting = 0;
+        for (leaf, apart) in apart.iter().enumerate() {
+            meeting |= u32::from(!apart) << leaf;
+        }
+        meeting
+    }
+
+    #[inline(always)]
+    fn inside(self, part: Part, blocks: &Words) -> u32 {
+        let mut inside = 0;
+        for (lane, block) in blocks.chunks_exact(2).enumerate() {
+            let block = u16::from_le_bytes([block[0], block[1]]);
+            inside |= u32::from(part.contains(block)) << lane;
+        }
+        inside
     }
 
     #[inline(always)]
@@ -147,15 +188,15 @@ impl Positions<Portable> for OfBytes {
         axes: [usize; 3],
         corner: [i16; 3],
     ) -> Places {
-        let (positions, blocks) = (axes.map(|axis| planes.bytes(axis)), planes.blocks());
+        let positions = axes.map(|axis| planes.bytes(axis));
         places(planes.photons(), BYTES_NOWHERE, corner, |axis, lane| {
-            let block = i16::from(block_on(blocks[lane], axes[axis]));
+            let block = block_on(planes.block(lane), axes[axis]) as i16;
             (block << frame.edge_bits()) + i16::from(positions[axis][lane])
         })
     }
 
     #[inline(always)]
-    fn query(_: Portable, frame: &Frame, place: [i16; 3]) -> Query {
+    fn query(_: Portable, frame: &Frame, place: [i16; 3], _: i16) -> Query {
         Query {
             frame: *frame,
             place,
@@ -170,7 +211,8 @@ impl Positions<Portable> for OfBytes {
 
 impl Positions<Portable> for OfFlatBytes {
     type Photons = Places;
-    type Query = Query;
+    /// With the square on the last axis.
+    type Query = (Query, u16);
 
     #[inline(always)]
     fn photons(
@@ -184,14 +226,17 @@ impl Positions<Portable> for OfFlatBytes {
     }
 
     #[inline(always)]
-    fn query(portable: Portable, frame: &Frame, place: [i16; 3]) -> Query {
-        <OfBytes as Positions<Portable>>::query(portable, frame, place)
+    fn query(_: Portable, frame: &Frame, place: [i16; 3], shared: i16) -> (Query, u16) {
+        let query = Query {
+            frame: *frame,
+            place,
+        };
+        (query, byte_square(&query, 2, shared))
     }
 
     #[inline(always)]
-    fn in_range(_: Portable, photons: &Places, query: &Query) -> [u16; LEAF] {
-        let square = byte_square(query, 2, photons[2][0]);
-        in_range::<2>(query, photons, [square; LEAF])
+    fn in_range(_: Portable, photons: &Places, (query, square): &(Query, u16)) -> [u16; LEAF] {
+        in_range::<2>(query, photons, [*square; LEAF])
     }
 }
 
@@ -244,7 +289,7 @@ impl Positions<Portable> for OfWords {
     }
 
     #[inline(always)]
-    fn query(_: Portable, frame: &Frame, place: [i16; 3]) -> Query {
+    fn query(_: Portable, frame: &Frame, place: [i16; 3], _: i16) -> Query {
         Query {
             frame: *frame,
             place,

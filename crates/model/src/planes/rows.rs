@@ -72,24 +72,38 @@ impl Rows {
             return;
         };
         let offset = |index: u64, axis: usize| (index as i64 - low[axis]) as u32;
+        let mut first = 0;
         for z in zs[0]..=zs[1] {
             let key = |y: u64| z << INDEX_BITS | y;
-            let first = self.keys.partition_point(|row| *row < key(ys[0]));
-            let rows = self.keys[first..].iter();
-            let rows = rows.take_while(|row| **row <= key(ys[1])).zip(first..);
-            for (row_key, row) in rows {
-                let y = offset(row_key & INDEX_MASK, 1);
-                let entries = self.row(row);
-                let before = self.xs[entries.clone()].partition_point(|x| u64::from(*x) < xs[0]);
-                // A box holds few entries, so visiting them is faster than a second search.
-                for entry in entries.start + before..entries.end {
-                    let x = u64::from(self.xs[entry]);
-                    if x > xs[1] {
-                        break;
-                    }
-                    found([offset(x, 0), y, offset(z, 2)], entry);
-                }
+            // The rows of the next z are not far.
+            first = match z == zs[0] {
+                true => self.keys.partition_point(|row| *row < key(ys[0])),
+                false => lower_bound(&self.keys, key(ys[0]), first),
+            };
+            while first < self.keys.len() && self.keys[first] <= key(ys[1]) {
+                let y = offset(self.keys[first] & INDEX_MASK, 1);
+                self.in_row(first, xs, |x, entry| {
+                    found([offset(x.into(), 0), y, offset(z, 2)], entry);
+                });
+                first += 1;
             }
+        }
+    }
+
+    /// Calls `found` for the entries of a row between two indices on the x axis, with their own indices.
+    #[inline]
+    fn in_row(&self, row: usize, [low, high]: [u64; 2], mut found: impl FnMut(u32, usize)) {
+        let entries = self.row(row);
+        let xs = &self.xs[entries.clone()];
+        // Where entries are spread evenly, they are near the place of their x in the row.
+        let (first, last) = (u64::from(xs[0]), u64::from(xs[xs.len() - 1]));
+        let place = low.saturating_sub(first) * xs.len() as u64 / (last - first + 1);
+        let start = lower_bound(xs, low as u32, place as usize);
+        for (x, entry) in xs[start..].iter().zip(entries.start + start..) {
+            if u64::from(*x) > high {
+                break;
+            }
+            found(*x, entry);
         }
     }
 
@@ -98,6 +112,25 @@ impl Rows {
         let end = self.starts.get(row + 1).copied();
         self.starts[row] as usize..end.map_or(self.xs.len(), |end| end as usize)
     }
+}
+
+/// The first index whose value is at least `value`, in steps that double from index `near` on.
+#[inline]
+fn lower_bound<T: Copy + Ord>(sorted: &[T], value: T, near: usize) -> usize {
+    let near = near.min(sorted.len());
+    let mut step = 1;
+    let (mut low, mut high) = (near, near);
+    while low > 0 && sorted[low - 1] >= value {
+        high = low;
+        low = low.saturating_sub(step);
+        step *= 2;
+    }
+    while high < sorted.len() && sorted[high] < value {
+        low = high + 1;
+        high = (high + step).min(sorted.len());
+        step *= 2;
+    }
+    low + sorted[low..high].partition_point(|other| *other < value)
 }
 
 /// The indices from `low` to `high` that are in the grid; `None` where there are none.

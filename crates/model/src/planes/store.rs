@@ -60,15 +60,15 @@ impl Layout {
             };
             starts[axis + 1] = starts[axis] + values * bytes_each;
         }
-        starts[4] = starts[3] + if self.wide { 0 } else { photons };
+        starts[4] = starts[3] + if self.wide { 0 } else { 2 * photons };
         starts
     }
 }
 
 /// The photons of a map in one format, in planes.
 ///
-/// In a format of up to 8 bits per radius a photon's position takes 4 bytes, otherwise 6, and a third less in
-/// a leaf that is flat on an axis. Each channel takes a byte or, over 8 bits, two. Each leaf takes 12
+/// In a format of up to 8 bits per radius a photon's position takes 5 bytes, one less in a leaf that is flat on an
+/// axis; otherwise 6, or 4. Each channel takes a byte or, over 8 bits, two. Each leaf takes 12
 /// further bytes.
 #[derive(Debug, Clone)]
 pub(super) struct Planes {
@@ -153,8 +153,8 @@ impl Planes {
         if !wide {
             let block =
                 |record: &PhotonRecord| record.position.map(|at| at >> format.position_bits);
-            self.bytes
-                .extend(records.iter().map(|record| packed(block(record))));
+            let blocks = records.iter().map(|record| packed(block(record)));
+            self.bytes.extend(blocks.flat_map(u16::to_le_bytes));
         }
         let channels = format.power.channels.count() as usize;
         let bytes_each = self.layout.mantissa_planes / channels;
@@ -264,15 +264,22 @@ impl<'a> LeafPlanes<'a> {
 
     /// The blocks of the photons in their cube, in a format of bytes.
     #[inline(always)]
-    pub fn blocks(&self) -> &'a Bytes {
+    pub fn blocks(&self) -> &'a Words {
         self.plane(self.starts[3])
+    }
+
+    /// The block of one photon, packed, in a format of bytes.
+    #[inline(always)]
+    pub fn block(&self, photon: usize) -> u16 {
+        let blocks = self.blocks();
+        u16::from_le_bytes([blocks[2 * photon], blocks[2 * photon + 1]])
     }
 
     /// The position that all photons share on a flat axis, in fine steps from the corner of the cube, in a
     /// format of bytes.
     #[inline(always)]
     pub fn shared(&self, axis: usize, radius_bits: u32) -> i32 {
-        let block = block_on(self.blocks()[0], axis);
+        let block = block_on(self.block(0), axis);
         (i32::from(block) << radius_bits) + i32::from(self.window[self.starts[axis]])
     }
 

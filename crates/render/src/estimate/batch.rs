@@ -87,14 +87,15 @@ impl QuantisedMap<'_> {
         found: &mut [Gathered],
     ) -> Result<(), GatherError> {
         let mut facings = Facings::new(self.map());
+        let bits = self.numbers().radius_bits();
         let placed: Vec<_> = queries
             .iter()
             .map(|query| {
-                let (block, fraction) = self.map().place(query.position);
+                let steps = self.map().steps(query.position, bits);
                 PlacedQuery {
                     // Blocks further out have no photons around them.
-                    block: block.to_array().map(|at| at.clamp(-2, OUTSIDE) as i32),
-                    fraction: self.fraction(fraction),
+                    block: steps.map(|at| (at >> bits).clamp(-2, OUTSIDE) as i32),
+                    fraction: steps.map(|at| (at & ((1 << bits) - 1)) as u16),
                     facing: facings.number(query.normal),
                 }
             })

@@ -292,9 +292,19 @@ impl PhotonMap {
         (block, place - corner)
     }
 
+    /// The position in steps of 2^-`bits` of a block's edge from the grid's origin, rounded down. The block's index
+    /// is above the low `bits` bits.
+    #[inline]
+    pub(crate) fn steps(&self, position: DVec3, bits: u32) -> [i64; 3] {
+        // A power of two, which rounds nothing.
+        let steps = self.in_blocks(position) * f64::from(1_u32 << bits);
+        floors(steps).0.to_array()
+    }
+
     /// `position` in block edges from the grid's origin. The difference from the scene's corner is computed
     /// first. It is exact for a scene far from the origin: where a move rounds no coordinate, all later
     /// results are bit-identical.
+    #[inline]
     fn in_blocks(&self, position: DVec3) -> DVec3 {
         (position - self.low + 0.5 * self.edge) / self.edge
     }

@@ -210,12 +210,6 @@ impl<'a> QuantisedMap<'a> {
         }
     }
 
-    /// A query's place in its block, in fine steps.
-    #[inline]
-    pub(crate) fn fraction(&self, fraction: DVec3) -> [u16; 3] {
-        in_steps(fraction, self.numbers().radius_bits()).map(|step| step as u16)
-    }
-
     /// The photons that a query at `position` on a surface of unit normal `normal` gathers, by the
     /// rule of [`PhotonMap`].
     pub fn blocks(&self, position: DVec3, normal: DVec3) -> impl Iterator<Item = PhotonBlock<'_>> {
