@@ -170,6 +170,10 @@ impl Planes {
         self.bytes.truncate(self.bytes.len() - SLACK);
         let (leaves, bytes) = (self.leaves.len() as u32, self.bytes.len() as u32);
         self.bytes.extend_from_slice(&other.bytes);
+        assert!(
+            u32::try_from(self.bytes.len()).is_ok(),
+            "photons of less than 4 GiB"
+        );
         let moved = other.leaves.iter().map(|leaf| leaf.moved(bytes));
         self.leaves.extend(moved);
         self.runs

@@ -130,6 +130,18 @@ impl Span {
         spans
     }
 
+    /// The end of the span's queries.
+    #[inline]
+    pub fn end(&self) -> usize {
+        self.end
+    }
+
+    /// The region of the 27 blocks around the span's.
+    #[inline]
+    pub fn region(&self, edge: u32) -> Region {
+        Region::around(std::slice::from_ref(self), edge)
+    }
+
     /// Whether both are in one cube of 2^`bits` blocks and gather the same groups.
     #[inline]
     fn is_beside(&self, other: &Self, bits: u32) -> bool {
@@ -244,15 +256,17 @@ impl<'a, F: Fn(u32, u32) -> bool> Windows<'a, F> {
         let low: [i64; 3] = cube(region.first);
         let steps = region.steps(photons.format().radius_bits());
         let facing = spans[0].facing;
-        let mut last = None;
+        // Most neighbouring runs are of one group.
+        let mut answered = None;
         let seen = &mut self.seen;
         seen.clear();
         photons.rows.within(low, cube(region.last), |offset, run| {
             let group = photons.groups[run];
-            let (_, faces) = *last
-                .filter(|(other, _)| *other == group)
-                .get_or_insert_with(|| (group, (self.faces)(facing, group)));
-            last = Some((group, faces));
+            let faces = match answered {
+                Some((other, faces)) if other == group => faces,
+                _ => (self.faces)(facing, group),
+            };
+            answered = Some((group, faces));
             if !faces {
                 return;
             }
@@ -290,19 +304,5 @@ impl<'a, F: Fn(u32, u32) -> bool> Windows<'a, F> {
                 narrow.push(*index);
             }
         }
-    }
-}
-
-impl Span {
-    /// The end of the span's queries.
-    #[inline]
-    pub fn end(&self) -> usize {
-        self.end
-    }
-
-    /// The region of the 27 blocks around the span's.
-    #[inline]
-    pub fn region(&self, edge: u32) -> Region {
-        Region::around(std::slice::from_ref(self), edge)
     }
 }
