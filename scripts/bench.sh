@@ -6,8 +6,8 @@ usage() {
     cat <<'USAGE'
 Usage: scripts/bench.sh [FILTER | scaling | threads]
 
-Measures, in one run and on the same photons and queries, the fixed-point gather (with this processor's
-fastest instructions, and portably), a uniform grid of f32 photons in AVX2, and kiddo's kd-tree; on one
+Measures, in one run and on the same photons and queries, the fixed-point gather (with each set of
+instructions of this processor), a uniform grid of f32 photons in AVX2, and kiddo's kd-tree; on one
 thread and on two; photons on a floor, uniform, with a caustic, and on a floor that lies along no axis. Prints
 Criterion's measurements and a table of rates and ratios. docs/measured/bench.md has such a table, and docs/speed.md
 explains its columns. Six to ten minutes; FILTER takes those measurements only whose names contain it.

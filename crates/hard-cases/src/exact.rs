@@ -1,6 +1,6 @@
 //! The exact in-range decision, from the definition alone: no clamp, no half squares, no saturation.
 
-use photoncube_model::{GatherError, Gathered, PhotonPlanes, Surroundings};
+use photoncube_model::{GatherError, Gathered, Instructions, PhotonPlanes, PlacedQuery};
 use photoncube_spec::{PhotonBlock, PhotonFormat, PhotonRecord, Query};
 
 use super::case::HardCaseError;
@@ -57,12 +57,22 @@ fn counts(
     block: &PhotonBlock<'_>,
 ) -> Result<bool, HardCaseError> {
     let mut planes = PhotonPlanes::new(format)?;
-    let stored = planes.push_run(block.exponent, block.photons);
+    let edge = planes.cube_edge();
+    let cube = block.offset.map(|at| u64::from(at / edge));
+    let in_cube = PhotonBlock {
+        offset: block.offset.map(|at| at % edge),
+        ..*block
+    };
+    let stored = planes.push_run(cube, 0, &[in_cube]);
     stored.map_err(GatherError::from)?;
-    let mut around = Surroundings::default();
-    around.set(&planes, [(block.offset, 0)]);
+    let placed = PlacedQuery {
+        block: [1; 3],
+        fraction: query.position.map(|at| (at - format.edge_steps()) as u16),
+        facing: 0,
+    };
     let mut found = [Gathered::default()];
-    planes.gather(&around, std::slice::from_ref(query), &mut found)?;
+    let (instructions, radius_sq) = (Instructions::fastest(), query.radius_sq);
+    planes.gather(instructions, radius_sq, &[placed], |_, _| true, &mut found)?;
     Ok(found[0].sums.count == 1)
 }
 

@@ -36,6 +36,8 @@ pub use gather::{
 pub use golden::{GoldenMachine, golden_machine};
 pub use leaf::LeafMachine;
 pub use overlap::{CellPorts, OverlapCell, OverlapMachine};
-pub use planes::{Gathered, Instructions, LEAF, PhotonPlanes, Surroundings};
+pub use planes::{
+    Gathered, INDEX_BITS, INDEX_MASK, Instructions, LEAF, PhotonPlanes, PlacedQuery, Rows,
+};
 pub use sequential::{CellInputs, CellRules, CellState, StepMachine};
 pub use spatial::{GoldenMemory, HeadStatus, SpatialMachine};

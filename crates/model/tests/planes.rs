@@ -1,7 +1,7 @@
 //! Compares the fast gather with the plain one: bit for bit, in every format, with every instruction set.
 
 use photoncube_model::{
-    Gather, GatherError, Gathered, Instructions, LEAF, PhotonPlanes, Surroundings,
+    Gather, GatherError, Gathered, INDEX_MASK, Instructions, LEAF, PhotonPlanes, PlacedQuery,
 };
 use photoncube_spec::{
     Channels, Exponent, PHOTON_FORMATS, PhotonBlock, PhotonFormat, PhotonRecord, PowerFormat,
@@ -10,20 +10,27 @@ use photoncube_spec::{
 use proptest::prelude::*;
 use proptest::sample::select;
 
-/// A run in a block around the query.
+/// Photons of one block and one group.
 #[derive(Clone, Debug)]
 struct Run {
-    offset: [u32; 3],
+    block: [u32; 3],
+    group: u32,
     exponent: u8,
     records: Vec<PhotonRecord>,
 }
 
-/// The queries of one block in a format, and the photons around it.
+/// Queries in a format, and the photons around them.
 #[derive(Clone, Debug)]
 struct Scene {
     format: PhotonFormat,
-    queries: Vec<Query>,
+    radius_sq: u32,
+    queries: Vec<PlacedQuery>,
     runs: Vec<Run>,
+}
+
+/// Whether queries of a facing gather a group: each facing its own, the last one all.
+fn faces(facing: u32, group: u32) -> bool {
+    facing == group || facing == 2
 }
 
 fn exponents() -> impl Strategy<Value = Exponent> {
@@ -51,13 +58,6 @@ fn formats() -> impl Strategy<Value = PhotonFormat> {
             ..PHOTON_FORMATS[0]
         },
     )
-}
-
-fn query(position: [u32; 3], radius_sq: u32) -> Query {
-    Query {
-        position,
-        radius_sq,
-    }
 }
 
 fn ones(bits: u32) -> u16 {
@@ -107,39 +107,65 @@ fn run(format: PhotonFormat) -> impl Strategy<Value = Run> {
     let records = prop::collection::vec(record(format), 0..3 * LEAF);
     // The photons are on a wall along two axes, or on none.
     let wall = prop::option::of((0_usize..3, 0..=ones(format.position_bits)));
-    let offset = prop::array::uniform3(0_u32..3);
-    (offset, 0..=largest, records, wall).prop_map(|(offset, exponent, mut records, wall)| {
-        if let Some((axis, cell)) = wall {
-            records.iter_mut().for_each(|r| r.position[axis] = cell);
-        }
-        Run {
-            offset,
-            exponent,
-            records,
+    // Cubes are 8 blocks wide.
+    let block = prop::array::uniform3(5_u32..12);
+    (block, 0_u32..2, 0..=largest, records, wall).prop_map(
+        |(block, group, exponent, mut records, wall)| {
+            if let Some((axis, cell)) = wall {
+                records.iter_mut().for_each(|r| r.position[axis] = cell);
+            }
+            Run {
+                block,
+                group,
+                exponent,
+                records,
+            }
+        },
+    )
+}
+
+/// A query in one of the blocks, or next to them.
+fn query(format: PhotonFormat) -> impl Strategy<Value = PlacedQuery> {
+    let last = ones(format.radius_bits());
+    let coordinate = prop_oneof![0..=last, Just(0), Just(last)];
+    let fraction = prop::array::uniform3(coordinate);
+    (prop::array::uniform3(4_i32..13), fraction, 0_u32..3).prop_map(|(block, fraction, facing)| {
+        PlacedQuery {
+            block,
+            fraction,
+            facing,
         }
     })
 }
 
 fn scene() -> impl Strategy<Value = Scene> {
     formats().prop_flat_map(|format| {
-        let edge = format.edge_steps();
         let largest = format.largest_in_range();
-        let coordinate = prop_oneof![edge..2 * edge, Just(edge), Just(2 * edge - 1)];
+        let queries = prop::collection::vec(query(format), 1..6);
+        // Neighbours share a cube, so that windows hold several queries.
+        let queries = queries.prop_flat_map(|queries| {
+            let near = prop::collection::vec(prop::array::uniform3(-1_i32..=1), 0..6);
+            (Just(queries), near).prop_map(|(queries, near)| {
+                let beside = near.iter().zip(queries.iter().cycle());
+                let beside = beside.map(|(step, query)| PlacedQuery {
+                    block: std::array::from_fn(|axis| query.block[axis] + step[axis]),
+                    ..*query
+                });
+                let mut all: Vec<_> = queries.iter().copied().chain(beside).collect();
+                all.sort_by_key(|query| (query.block.map(|at| at >> 3), query.facing));
+                all
+            })
+        });
         (
             prop_oneof![Just(largest), 0..=largest, Just(0)],
-            prop::collection::vec(prop::array::uniform3(coordinate), 1..6),
-            prop::collection::vec(run(format), 0..12),
+            queries,
+            prop::collection::vec(run(format), 0..24),
         )
-            .prop_map(move |(radius_sq, positions, runs)| {
-                let query = |position| Query {
-                    position,
-                    radius_sq,
-                };
-                Scene {
-                    format,
-                    queries: positions.into_iter().map(query).collect(),
-                    runs,
-                }
+            .prop_map(move |(radius_sq, queries, runs)| Scene {
+                format,
+                radius_sq,
+                queries,
+                runs,
             })
     })
 }
@@ -147,42 +173,77 @@ fn scene() -> impl Strategy<Value = Scene> {
 impl Scene {
     fn planes(&self) -> PhotonPlanes {
         let mut planes = PhotonPlanes::new(&self.format).unwrap();
-        for run in &self.runs {
-            planes.push_run(run.exponent, &run.records).unwrap();
+        let edge = planes.cube_edge();
+        let key = |run: &&Run| {
+            let [x, y, z] = run.block.map(|at| at / edge);
+            ([z, y, x], run.group)
+        };
+        let mut runs: Vec<_> = self.runs.iter().collect();
+        runs.sort_by_key(key);
+        for run in runs.chunk_by(|a, b| key(a) == key(b)) {
+            let blocks = run.iter().map(|run| PhotonBlock {
+                offset: run.block.map(|at| at % edge),
+                exponent: run.exponent,
+                photons: &run.records,
+            });
+            let blocks: Vec<_> = blocks.collect();
+            let cube = run[0].block.map(|at| u64::from(at / edge));
+            planes.push_run(cube, run[0].group, &blocks).unwrap();
         }
         planes
     }
 
-    fn surroundings(&self, planes: &PhotonPlanes) -> Surroundings {
-        let mut around = Surroundings::default();
-        around.set(planes, self.runs.iter().map(|run| run.offset).zip(0..));
-        around
+    /// The results of the plain gather. It tests every photon.
+    fn expected(&self) -> Vec<Gathered> {
+        let gather = Gather::new(&self.format.into()).unwrap();
+        let expected = |query: &PlacedQuery| {
+            let blocks = self.blocks_around(query);
+            let edge = self.format.edge_steps();
+            let word = Query {
+                position: query.fraction.map(|at| edge + u32::from(at)),
+                radius_sq: self.radius_sq,
+            };
+            Gathered {
+                photons: blocks.iter().map(|block| block.photons.len() as u64).sum(),
+                sums: gather.sums(&word, blocks).unwrap(),
+                tests: 0,
+            }
+        };
+        self.queries.iter().map(expected).collect()
     }
 
-    /// The sums of the plain gather.
-    fn expected(&self) -> Vec<Sums> {
-        let blocks = self.runs.iter().map(|run| PhotonBlock {
-            offset: run.offset,
-            exponent: run.exponent,
-            photons: &run.records,
-        });
-        let gather = Gather::new(&self.format.into()).unwrap();
-        let sums = |query| gather.sums(query, blocks.clone()).unwrap();
-        self.queries.iter().map(sums).collect()
+    /// The blocks that a query gathers, with their offsets in its frame.
+    fn blocks_around(&self, query: &PlacedQuery) -> Vec<PhotonBlock<'_>> {
+        let near = |run: &Run| {
+            let offset: [_; 3] =
+                std::array::from_fn(|axis| run.block[axis] as i32 - query.block[axis] + 1);
+            let is_near =
+                faces(query.facing, run.group) && offset.iter().all(|at| (0..3).contains(at));
+            is_near.then_some(offset.map(|at| at as u32))
+        };
+        let runs = self.runs.iter();
+        runs.filter_map(|run| {
+            Some(PhotonBlock {
+                offset: near(run)?,
+                exponent: run.exponent,
+                photons: &run.records,
+            })
+        })
+        .collect()
     }
 }
 
-fn fast(scene: &Scene, planes: &PhotonPlanes, instructions: Instructions) -> Vec<Sums> {
-    let around = scene.surroundings(planes);
+/// The results of the fast gather, without the number of its tests.
+fn fast(scene: &Scene, planes: &PhotonPlanes, instructions: Instructions) -> Vec<Gathered> {
     let mut found = vec![Gathered::default(); scene.queries.len()];
-    let done = planes.gather_by(instructions, &around, &scene.queries, &mut found);
+    let (radius_sq, queries) = (scene.radius_sq, &scene.queries);
+    let done = planes.gather(instructions, radius_sq, queries, faces, &mut found);
     done.unwrap();
-    assert!(
-        found
-            .iter()
-            .all(|f| (f.sums.count..=around.photons()).contains(&f.tests))
-    );
-    found.iter().map(|found| found.sums).collect()
+    for found in &mut found {
+        assert!(found.sums.count <= found.tests);
+        found.tests = 0;
+    }
+    found
 }
 
 proptest! {
@@ -200,12 +261,33 @@ proptest! {
 
     #[test]
     fn planes_made_in_parts_are_those_made_at_once(scene in scene(), at in 0_usize..12) {
-        let (first, rest) = scene.runs.split_at(at.min(scene.runs.len()));
-        let [first, rest] = [first, rest].map(|runs| Scene { runs: runs.to_vec(), ..scene.clone() }.planes());
+        let edge = PhotonPlanes::new(&scene.format).unwrap().cube_edge();
+        let (first, rest) = scene.runs.iter().cloned().partition(|run| run.block[2] / edge < at as u32 % 3);
+        let [first, rest] = [first, rest].map(|runs| Scene { runs, ..scene.clone() }.planes());
         let joined = first.joined(&rest);
         prop_assert_eq!(joined.photons(), scene.planes().photons());
+        prop_assert_eq!(joined.runs(), scene.planes().runs());
         prop_assert_eq!(joined.bytes(), scene.planes().bytes());
         prop_assert_eq!(fast(&scene, &joined, Instructions::fastest()), scene.expected());
+    }
+}
+
+/// A query in block (1, 1, 1), at a place in its own frame.
+fn query_at(position: [u32; 3], format: &PhotonFormat) -> PlacedQuery {
+    PlacedQuery {
+        block: [1; 3],
+        fraction: position.map(|at| (at - format.edge_steps()) as u16),
+        facing: 0,
+    }
+}
+
+/// Photons of one block, in the frame of [`query_at`].
+fn run_at(block: [u32; 3], records: Vec<PhotonRecord>) -> Run {
+    Run {
+        block,
+        group: 0,
+        exponent: 0,
+        records,
     }
 }
 
@@ -217,10 +299,8 @@ fn the_border_of_the_sphere_is_decided_alike() {
         let edge = format.edge_steps();
         let mut scene = Scene {
             format: *format,
-            queries: vec![Query {
-                position: [edge + edge / 2 + 1, edge, 2 * edge - 1],
-                radius_sq: format.largest_in_range(),
-            }],
+            radius_sq: format.largest_in_range(),
+            queries: vec![query_at([edge + edge / 2 + 1, edge, 2 * edge - 1], format)],
             runs: Vec::new(),
         };
         for z in 0..3 {
@@ -228,30 +308,20 @@ fn the_border_of_the_sphere_is_decided_alike() {
             let on_axis = cells.clone().map(|x| [x, 0, ones(format.position_bits)]);
             let on_diagonal = cells.map(|x| [x, x, x]);
             for offset in [[0, 1, z], [1, 1, z], [2, 1, z], [1, 2, z]] {
-                let records =
-                    on_axis
-                        .clone()
-                        .chain(on_diagonal.clone())
-                        .map(|position| PhotonRecord {
-                            position,
-                            mantissa: [1, 1, 1],
-                            exponent: 0,
-                        });
-                scene.runs.push(Run {
-                    offset,
+                let positions = on_axis.clone().chain(on_diagonal.clone());
+                let records = positions.map(|position| PhotonRecord {
+                    position,
+                    mantissa: [1, 1, 1],
                     exponent: 0,
-                    records: records.collect(),
                 });
+                scene.runs.push(run_at(offset, records.collect()));
             }
         }
         let expected = scene.expected();
-        assert!(expected[0].count > 0, "{format}");
+        assert!(expected[0].sums.count > 0, "{format}");
         for instructions in Instructions::available() {
-            assert_eq!(
-                fast(&scene, &scene.planes(), instructions),
-                expected,
-                "{format}"
-            );
+            let found = fast(&scene, &scene.planes(), instructions);
+            assert_eq!(found, expected, "{format}");
         }
     }
 }
@@ -274,26 +344,21 @@ fn full_scale_sums_do_not_wrap() {
     };
     let scene = Scene {
         format,
-        queries: vec![Query {
-            position: [256 + 7; 3],
-            radius_sq: format.largest_in_range(),
-        }],
+        radius_sq: format.largest_in_range(),
+        queries: vec![query_at([256 + 7; 3], &format)],
         runs: vec![Run {
-            offset: [1; 3],
             exponent: 24,
-            records: vec![photon; 1 << 20],
+            ..run_at([1; 3], vec![photon; 1 << 20])
         }],
     };
     let total = u128::from(u16::MAX) << (24 + 20);
     for instructions in Instructions::available() {
         let found = fast(&scene, &scene.planes(), instructions);
-        assert_eq!(
-            found,
-            [Sums {
-                power: [total; 3],
-                count: 1 << 20
-            }]
-        );
+        let sums = Sums {
+            power: [total; 3],
+            count: 1 << 20,
+        };
+        assert_eq!(found[0].sums, sums, "{}", instructions.name());
     }
 }
 
@@ -304,28 +369,85 @@ fn what_the_sphere_cannot_touch_is_not_tested() {
         mantissa: [1; 3],
         exponent: 0,
     };
+    // One group for each leaf, because a leaf may have photons of several blocks.
     let scene = Scene {
         format: PHOTON_FORMATS[0],
-        queries: vec![query([256; 3], 254 * 254)],
+        radius_sq: 254 * 254,
+        queries: vec![PlacedQuery {
+            facing: 2,
+            ..query_at([256; 3], &PHOTON_FORMATS[0])
+        }],
         runs: vec![
+            run_at([2; 3], vec![far; 40]),
             Run {
-                offset: [2; 3],
-                exponent: 0,
-                records: vec![far; 40],
-            },
-            Run {
-                offset: [0; 3],
-                exponent: 0,
-                records: vec![far; 3],
+                group: 1,
+                ..run_at([0; 3], vec![far; 3])
             },
         ],
     };
-    let planes = scene.planes();
-    let mut found = [Gathered::default()];
-    planes
-        .gather(&scene.surroundings(&planes), &scene.queries, &mut found)
-        .unwrap();
-    assert_eq!((found[0].tests, found[0].sums.count), (3, 3));
+    for instructions in Instructions::available() {
+        let mut found = [Gathered::default()];
+        let done = scene.planes().gather(
+            instructions,
+            scene.radius_sq,
+            &scene.queries,
+            faces,
+            &mut found,
+        );
+        done.unwrap();
+        assert_eq!((found[0].tests, found[0].sums.count), (3, 3));
+    }
+}
+
+/// Queries at the ends of the grid and beyond find what is next to them.
+#[test]
+fn the_ends_of_the_grid_have_neighbours() {
+    let format = PHOTON_FORMATS[0];
+    let last = INDEX_MASK as i32;
+    let mut planes = PhotonPlanes::new(&format).unwrap();
+    let edge = planes.cube_edge();
+    let photons = [PhotonRecord {
+        position: [128; 3],
+        mantissa: [1; 3],
+        exponent: 0,
+    }];
+    for block in [0, last as u32] {
+        let block = PhotonBlock {
+            offset: [block % edge; 3],
+            exponent: 0,
+            photons: &photons,
+        };
+        let cube = if block.offset[0] == 0 {
+            0
+        } else {
+            INDEX_MASK / u64::from(edge)
+        };
+        planes.push_run([cube; 3], 0, &[block]).unwrap();
+    }
+    let counts = [
+        -2,
+        -1,
+        0,
+        1,
+        2,
+        last - 2,
+        last - 1,
+        last,
+        last + 1,
+        last + 2,
+    ]
+    .map(|at| {
+        let query = PlacedQuery {
+            block: [at; 3],
+            fraction: [0; 3],
+            facing: 0,
+        };
+        let mut found = [Gathered::default()];
+        let done = planes.gather(Instructions::fastest(), 9, &[query], faces, &mut found);
+        done.unwrap();
+        found[0].photons
+    });
+    assert_eq!(counts, [0, 1, 1, 1, 0, 0, 1, 1, 1, 0]);
 }
 
 #[test]
@@ -340,34 +462,29 @@ fn what_the_plain_gather_refuses_is_refused() {
         mantissa: [1; 3],
         exponent: 0,
     };
-    let refused = |records: &[PhotonRecord], position, radius_sq| {
-        let mut planes = PhotonPlanes::new(&format).unwrap();
-        planes.push_run(0, records).unwrap();
-        let mut around = Surroundings::default();
-        around.set(&planes, [([1; 3], 0)]);
-        let query = query(position, radius_sq);
-        let mut found = [Gathered::default()];
-        let fast = planes.gather(&around, &[query], &mut found).unwrap_err();
-        assert_eq!(found, [Gathered::default()]);
+    let refused = |records: &[PhotonRecord], radius_sq| {
         let block = PhotonBlock {
             offset: [1; 3],
             exponent: 0,
             photons: records,
         };
+        let mut planes = PhotonPlanes::new(&format).unwrap();
+        planes.push_run([0; 3], 0, &[block]).unwrap();
+        let query = query_at([300; 3], &format);
+        let mut found = [Gathered::default()];
+        let instructions = Instructions::fastest();
+        let fast = planes.gather(instructions, radius_sq, &[query], faces, &mut found);
+        let query = Query {
+            position: [300; 3],
+            radius_sq,
+        };
         let plain = gather.sums(&query, [block]).unwrap_err();
-        assert_eq!(fast, plain);
-        fast
+        assert_eq!(fast.unwrap_err(), plain);
+        plain
     };
+    assert!(matches!(refused(&[photon; 4], 9), GatherError::Count(_)));
     assert!(matches!(
-        refused(&[photon; 4], [300; 3], 9),
-        GatherError::Count(_)
-    ));
-    assert!(matches!(
-        refused(&[photon; 2], [1024; 3], 9),
-        GatherError::Range(_)
-    ));
-    assert!(matches!(
-        refused(&[photon; 2], [300; 3], 254 * 254 + 1),
+        refused(&[photon; 2], 254 * 254 + 1),
         GatherError::Range(_)
     ));
     let mut planes = PhotonPlanes::new(&format).unwrap();
@@ -375,24 +492,26 @@ fn what_the_plain_gather_refuses_is_refused() {
         position: [256, 0, 0],
         ..photon
     };
-    assert!(planes.push_run(0, &[wrong]).is_err());
-    assert!(planes.push_run(1, &[photon]).is_err());
+    for (exponent, photon) in [(0, wrong), (1, photon)] {
+        let block = PhotonBlock {
+            offset: [0; 3],
+            exponent,
+            photons: &[photon],
+        };
+        assert!(planes.push_run([0; 3], 0, &[block]).is_err());
+    }
     assert_eq!((planes.photons(), planes.runs()), (0, 0));
 }
 
 #[test]
-#[should_panic(expected = "is not in the block that the surroundings are of")]
-fn a_query_of_another_block_is_a_mistake() {
+#[should_panic(expected = "is outside its block")]
+fn a_query_outside_its_block_is_a_mistake() {
     let planes = PhotonPlanes::new(&PHOTON_FORMATS[0]).unwrap();
+    let query = PlacedQuery {
+        block: [0; 3],
+        fraction: [0, 256, 0],
+        facing: 0,
+    };
     let mut found = [Gathered::default()];
-    let _ = planes.gather(&Surroundings::default(), &[query([0; 3], 1)], &mut found);
-}
-
-#[test]
-#[should_panic(expected = "has another radius")]
-fn queries_of_different_radii_are_a_mistake() {
-    let planes = PhotonPlanes::new(&PHOTON_FORMATS[0]).unwrap();
-    let queries = [1, 2].map(|radius_sq| query([256; 3], radius_sq));
-    let mut found = [Gathered::default(); 2];
-    let _ = planes.gather(&Surroundings::default(), &queries, &mut found);
+    let _ = planes.gather(Instructions::fastest(), 9, &[query], faces, &mut found);
 }

@@ -6,12 +6,11 @@ use core::arch::x86_64::__m256i;
 use pulp::cast;
 use pulp::x86::V3;
 
+use super::cube::{ON_AXIS, below};
 use super::frame::Frame;
-use super::lanes::{
-    BYTES_NOWHERE, Bytes, OfBytes, OfFlatBytes, OfWords, Positions, WORDS_NOWHERE, Words,
-};
+use super::lanes::{BYTES_NOWHERE, OfBytes, OfFlatBytes, OfWords, Positions, WORDS_NOWHERE};
 use super::leaf::LEAF;
-use super::store::{Window, plane};
+use super::store::{Bytes, LeafPlanes, Words};
 
 /// A window of this table that starts at 32 - n has n bytes of all ones, then zeros.
 const PRESENT: [u8; 2 * LEAF] = {
@@ -31,6 +30,17 @@ fn words(simd: V3, bytes: __m256i) -> [__m256i; 2] {
     [
         simd.avx2._mm256_unpacklo_epi8(bytes, zero),
         simd.avx2._mm256_unpackhi_epi8(bytes, zero),
+    ]
+}
+
+/// Words in the order in which [`words`] places them.
+#[inline(always)]
+fn unpacked(simd: V3, words: Words) -> [__m256i; 2] {
+    let [first, second]: [__m256i; 2] = cast(words);
+    let avx2 = simd.avx2;
+    [
+        avx2._mm256_permute2x128_si256::<0b10_0000>(first, second),
+        avx2._mm256_permute2x128_si256::<0b11_0001>(first, second),
     ]
 }
 
@@ -115,15 +125,29 @@ pub(super) struct ByteQuery {
 
 /// The coordinates on an axis from bytes, in half fine steps from the middle of the frame.
 #[inline(always)]
-fn byte_places(simd: V3, bytes: &Bytes, corner: i16) -> [__m256i; 2] {
-    let [low, high] = words(simd, cast(*bytes));
+fn byte_places(
+    simd: V3,
+    frame: &Frame,
+    planes: &LeafPlanes,
+    axis: usize,
+    corner: i16,
+) -> [__m256i; 2] {
+    let mut places = words(simd, cast(planes.bytes(axis)));
+    let blocks = unpacked(simd, *planes.blocks());
+    let below = simd.sse2._mm_cvtsi32_si128(below(axis) as i32);
+    let edge_bits = simd.sse2._mm_cvtsi32_si128(frame.edge_bits() as i32);
     let corner = simd.avx._mm256_set1_epi16(2 * corner);
-    let low = simd.avx2._mm256_add_epi16(low, low);
-    let high = simd.avx2._mm256_add_epi16(high, high);
-    [
-        simd.avx2._mm256_add_epi16(low, corner),
-        simd.avx2._mm256_add_epi16(high, corner),
-    ]
+    for (place, block) in places.iter_mut().zip(blocks) {
+        let block = simd.avx2._mm256_srl_epi16(block, below);
+        let block = simd
+            .avx2
+            ._mm256_and_si256(block, simd.avx._mm256_set1_epi16(ON_AXIS as i16));
+        let block = simd.avx2._mm256_sll_epi16(block, edge_bits);
+        let in_cube = simd.avx2._mm256_add_epi16(*place, block);
+        let halves = simd.avx2._mm256_add_epi16(in_cube, in_cube);
+        *place = simd.avx2._mm256_add_epi16(halves, corner);
+    }
+    places
 }
 
 /// A query's coordinate on an axis, in half fine steps.
@@ -142,27 +166,28 @@ fn byte_over(frame: &Frame) -> i32 {
 /// Photons and queries are counted in half fine steps, so that the distance is always the difference of two
 /// integers.
 impl Positions<V3> for OfBytes {
-    const BYTES: usize = 1;
-
     type Photons = Places;
     type Query = ByteQuery;
 
     #[inline(always)]
     fn photons(
         simd: V3,
-        window: &Window,
-        photons: usize,
+        frame: &Frame,
+        planes: &LeafPlanes,
         axes: [usize; 3],
         corner: [i16; 3],
     ) -> Places {
-        let x = byte_places(simd, plane(window, axes[0], photons), corner[0]);
-        let y = byte_places(simd, plane(window, axes[1], photons), corner[1]);
-        let z = byte_places(simd, plane(window, axes[2], photons), corner[2]);
-        Places::new(simd, [present(simd, x, photons, BYTES_NOWHERE), y, z])
+        let x = byte_places(simd, frame, planes, axes[0], corner[0]);
+        let y = byte_places(simd, frame, planes, axes[1], corner[1]);
+        let z = byte_places(simd, frame, planes, axes[2], corner[2]);
+        Places::new(
+            simd,
+            [present(simd, x, planes.photons(), BYTES_NOWHERE), y, z],
+        )
     }
 
     #[inline(always)]
-    fn query(simd: V3, frame: &Frame, place: [i16; 3]) -> ByteQuery {
+    fn query(simd: V3, frame: &Frame, place: [i16; 3], _: i16) -> ByteQuery {
         ByteQuery {
             xy: pair(
                 simd,
@@ -191,67 +216,49 @@ impl Positions<V3> for OfBytes {
     }
 }
 
-/// The coordinates of a flat leaf's photons: x and y of each, and the z that all share.
-#[derive(Copy, Clone, Debug)]
-pub(super) struct FlatPlaces {
-    xy: Pairs,
-    z: i32,
-}
-
 /// A query in half fine steps.
 #[derive(Copy, Clone, Debug)]
 pub(super) struct FlatQuery {
     xy: __m256i,
-    z: i32,
-    /// The smallest sum of squares that is out of range.
-    over: i32,
+    /// The smallest sum of squares on the first two axes that is out of range.
+    over: __m256i,
 }
 
 impl Positions<V3> for OfFlatBytes {
-    const BYTES: usize = 1;
-
-    type Photons = FlatPlaces;
+    /// The first two coordinates.
+    type Photons = Pairs;
     type Query = FlatQuery;
 
     #[inline(always)]
     fn photons(
         simd: V3,
-        window: &Window,
-        photons: usize,
+        frame: &Frame,
+        planes: &LeafPlanes,
         axes: [usize; 3],
         corner: [i16; 3],
-    ) -> FlatPlaces {
-        let x = byte_places(simd, plane(window, axes[0], photons), corner[0]);
-        let y = byte_places(simd, plane(window, axes[1], photons), corner[1]);
-        let z: &Bytes = plane(window, axes[2], photons);
-        FlatPlaces {
-            xy: pairs(simd, present(simd, x, photons, BYTES_NOWHERE), y),
-            z: 2 * (i32::from(corner[2]) + i32::from(z[0])),
-        }
+    ) -> Pairs {
+        let x = byte_places(simd, frame, planes, axes[0], corner[0]);
+        let y = byte_places(simd, frame, planes, axes[1], corner[1]);
+        pairs(simd, present(simd, x, planes.photons(), BYTES_NOWHERE), y)
     }
 
     #[inline(always)]
-    fn query(simd: V3, frame: &Frame, place: [i16; 3]) -> FlatQuery {
+    fn query(simd: V3, frame: &Frame, place: [i16; 3], shared: i16) -> FlatQuery {
+        let [x, y, z] = place;
+        let z = i32::from(byte_place(frame, z)) - 2 * i32::from(shared);
         FlatQuery {
-            xy: pair(
-                simd,
-                byte_place(frame, place[0]),
-                byte_place(frame, place[1]),
-            ),
-            z: byte_place(frame, place[2]).into(),
-            over: byte_over(frame),
+            xy: pair(simd, byte_place(frame, x), byte_place(frame, y)),
+            over: simd.avx._mm256_set1_epi32(byte_over(frame) - z * z),
         }
     }
 
     #[inline(always)]
-    fn in_range(simd: V3, photons: &FlatPlaces, query: &FlatQuery) -> __m256i {
-        let z = query.z - photons.z;
-        let over = simd.avx._mm256_set1_epi32(query.over - z * z);
-        let mut in_range = [over; 4];
-        for (xy, in_range) in photons.xy.iter().zip(&mut in_range) {
+    fn in_range(simd: V3, photons: &Pairs, query: &FlatQuery) -> __m256i {
+        let mut in_range = [query.over; 4];
+        for (xy, in_range) in photons.iter().zip(&mut in_range) {
             let xy = simd.avx2._mm256_sub_epi16(query.xy, *xy);
             let square = simd.avx2._mm256_madd_epi16(xy, xy);
-            *in_range = simd.avx2._mm256_cmpgt_epi32(over, square);
+            *in_range = simd.avx2._mm256_cmpgt_epi32(query.over, square);
         }
         packed(simd, in_range)
     }
@@ -292,43 +299,33 @@ fn squares(simd: V3, query: &WordQuery, m: __m256i) -> __m256i {
 
 /// Photons and queries are counted in fine steps, and their differences saturate.
 impl Positions<V3> for OfWords {
-    const BYTES: usize = 2;
-
     type Photons = Places;
     type Query = WordQuery;
 
     #[inline(always)]
     fn photons(
         simd: V3,
-        window: &Window,
-        photons: usize,
+        _: &Frame,
+        planes: &LeafPlanes,
         axes: [usize; 3],
         corner: [i16; 3],
     ) -> Places {
         let zero = simd.avx._mm256_setzero_si256();
         let mut places = [[zero; 2]; 3];
         for axis in 0..3 {
-            let words: &Words = plane(window, 2 * axes[axis], photons);
-            let [first, second]: [__m256i; 2] = cast(*words);
-            // The order in which the unpack instructions place the bytes.
-            let low = simd
-                .avx2
-                ._mm256_permute2x128_si256::<0b10_0000>(first, second);
-            let high = simd
-                .avx2
-                ._mm256_permute2x128_si256::<0b11_0001>(first, second);
+            let [low, high] = unpacked(simd, planes.words(axes[axis]));
             let corner = simd.avx._mm256_set1_epi16(corner[axis]);
             places[axis] = [
                 simd.avx2._mm256_add_epi16(low, corner),
                 simd.avx2._mm256_add_epi16(high, corner),
             ];
         }
-        places[0] = present(simd, places[0], photons, WORDS_NOWHERE);
+        places[0] = present(simd, places[0], planes.photons(), WORDS_NOWHERE);
         Places::new(simd, places)
     }
 
     #[inline(always)]
-    fn query(simd: V3, frame: &Frame, place: [i16; 3]) -> WordQuery {
+    fn query(simd: V3, frame: &Frame, place: [i16; 3], _: i16) -> WordQuery {
         WordQuery {
             xy: pair(simd, place[0], place[1]),
             z: pair(simd, place[2], 0),

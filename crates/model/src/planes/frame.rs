@@ -2,15 +2,21 @@
 
 use photoncube_spec::PhotonFormat;
 
+use super::cube::FRAME_CUBES;
+use super::gather::PlacedQuery;
+use super::windows::in_frame;
+
 /// The rules that all photons and queries of a gather share.
 ///
-/// Coordinates are fine steps from the middle of the frame, which is also the middle of the queries' block.
+/// Coordinates are fine steps from the middle of the frame, which is also the middle of the queries' cube.
 /// They lie within 3 / 2 of 2^14 on either side. With d the difference of a query's and a photon's
 /// coordinate, the distance on the axis is d or, on half steps, d + 1/2.
 #[derive(Copy, Clone, Debug, PartialEq, Eq)]
 pub(super) struct Frame {
-    /// Fine steps of a block's edge.
-    edge: u32,
+    /// Blocks on a cube's edge.
+    blocks: u32,
+    /// Fine steps of a block's edge, as a power of two.
+    edge_bits: u32,
     /// Whether queries are half a step above their coordinates.
     pub half_steps: bool,
     /// The largest sum of squares, or half squares, in range.
@@ -22,27 +28,51 @@ impl Frame {
     /// 31 bits.
     pub const FURTHEST: u16 = (1 << 14) - 1;
 
-    /// The frame of a format, for queries of this `radius_sq`.
-    pub fn new(format: &PhotonFormat, radius_sq: u32) -> Self {
+    /// The frame of a format with cubes of `blocks` on an edge, for queries of this `radius_sq`.
+    pub fn new(format: &PhotonFormat, blocks: u32, radius_sq: u32) -> Self {
         Self {
-            edge: format.edge_steps(),
+            blocks,
+            edge_bits: format.radius_bits(),
             half_steps: format.half_steps(),
             largest: radius_sq,
         }
     }
 
-    /// The lowest corner of the block at `offset`, in fine steps from the middle of the frame.
+    /// The lowest corner of the cube at `offset`, in fine steps from the middle of the frame.
+    #[inline(always)]
     pub fn corner(&self, offset: [u8; 3]) -> [i16; 3] {
-        offset.map(|blocks| (i32::from(blocks) * self.edge as i32 - self.middle()) as i16)
+        let cube = (self.blocks << self.edge_bits) as i32;
+        offset.map(|cubes| (i32::from(cubes) * cube - self.middle()) as i16)
+    }
+
+    /// The position of a query in fine steps from the frame's corner, which is less than two cubes of 2^14.
+    ///
+    /// # Panics
+    /// Where a fraction is outside its block.
+    #[inline]
+    pub fn position(&self, query: &PlacedQuery) -> [u16; 3] {
+        let [x, y, z] = query.fraction;
+        let outside = u32::from(x | y | z) >> self.edge_bits;
+        assert_eq!(outside, 0, "{query:?} is outside its block");
+        let block = in_frame(query.block, self.blocks);
+        std::array::from_fn(|axis| (block[axis] << self.edge_bits) as u16 + query.fraction[axis])
     }
 
     /// The coordinates of a query whose `position` is in fine steps from the frame's corner.
-    pub fn place(&self, position: [u32; 3]) -> [i16; 3] {
-        position.map(|at| (at as i32 - self.middle()) as i16)
+    #[inline(always)]
+    pub fn place(&self, position: [u16; 3]) -> [i16; 3] {
+        position.map(|at| (i32::from(at) - self.middle()) as i16)
     }
 
+    #[inline(always)]
     fn middle(&self) -> i32 {
-        3 * self.edge as i32 / 2
+        ((FRAME_CUBES * self.blocks) << self.edge_bits) as i32 / 2
+    }
+
+    /// The number of bits of a place in a block.
+    #[inline(always)]
+    pub fn edge_bits(&self) -> u32 {
+        self.edge_bits
     }
 
     /// 1 on half steps, otherwise 0.
@@ -77,7 +107,7 @@ mod tests {
                 query_extra_bits,
                 ..PHOTON_FORMATS[0]
             };
-            let frame = Frame::new(&format, 9);
+            let frame = Frame::new(&format, 1, 9);
             let edge = format.edge_steps();
             let places = || {
                 (0..3 * edge)
@@ -95,7 +125,7 @@ mod tests {
                     } else {
                         d.abs()
                     };
-                    let found = frame.distance(frame.place([query; 3])[0], photon_at);
+                    let found = frame.distance(frame.place([query as u16; 3])[0], photon_at);
                     assert_eq!(i32::from(found), m, "{format} {query} {photon}");
                 }
             }

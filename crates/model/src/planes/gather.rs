@@ -5,9 +5,9 @@ use photoncube_spec::{Query, Sums};
 use super::frame::Frame;
 use super::kernel::Work;
 use super::lanes::{Lanes, OfBytes, OfFlatBytes, OfWords, Positions};
+use super::photon_planes::PhotonPlanes;
 use super::portable::Portable;
-use super::store::PhotonPlanes;
-use super::surroundings::Surroundings;
+use super::windows::Windows;
 use crate::gather::GatherError;
 
 /// The result of one query.
@@ -32,16 +32,23 @@ enum Set {
     /// x86-64 with AVX2.
     #[cfg(target_arch = "x86_64")]
     Avx2(pulp::x86::V3),
+    /// x86-64 with the AVX-512 of all servers that have any: F, BW, CD, DQ and VL.
+    #[cfg(target_arch = "x86_64")]
+    Avx512(pulp::x86::V4),
 }
 
 impl Instructions {
     /// The instruction sets that this processor has, the fastest first.
     pub fn available() -> impl Iterator<Item = Self> {
         #[cfg(target_arch = "x86_64")]
-        let faster = pulp::x86::V3::try_new().map(Set::Avx2);
+        let faster = [
+            pulp::x86::V4::try_new().map(Set::Avx512),
+            pulp::x86::V3::try_new().map(Set::Avx2),
+        ];
         #[cfg(not(target_arch = "x86_64"))]
-        let faster = None;
-        faster.into_iter().chain([Set::Portable]).map(Self)
+        let faster = [None];
+        let faster = faster.into_iter().flatten();
+        faster.chain([Set::Portable]).map(Self)
     }
 
     /// The fastest instruction set that this processor has.
@@ -59,67 +66,56 @@ impl Instructions {
             Set::Portable => "portable",
             #[cfg(target_arch = "x86_64")]
             Set::Avx2(_) => "AVX2",
+            #[cfg(target_arch = "x86_64")]
+            Set::Avx512(_) => "AVX-512",
         }
     }
 }
 
+/// A query in the grid of a map's blocks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct PlacedQuery {
+    /// The index of the query's block on each axis. A block may be outside the grid.
+    pub block: [i32; 3],
+    /// The place in the block, in fine steps.
+    pub fraction: [u16; 3],
+    /// Which groups the query gathers, as a number of the caller's.
+    pub facing: u32,
+}
+
 impl PhotonPlanes {
-    /// Gathers the sums of `queries` and writes each into its place of `found`. All queries must have one
-    /// radius, and be in the block that `around` was set for. The sums and the errors are those of
-    /// [`crate::Gather::sums`], bit for bit.
+    /// Gathers the sums of `queries` and writes each into its place of `found`. `radius_sq` is the word of the
+    /// search radius, and `faces(facing, group)` whether queries of a facing gather a group. Consecutive
+    /// queries near each other share work. The sums and the errors are those of [`crate::Gather::sums`], bit
+    /// for bit.
     ///
     /// # Errors
-    /// A query does not fit the format, or there are more photons around it than its sums are sized for.
-    /// Nothing is written in these cases.
+    /// The radius does not fit the format, or there are more photons around a query than its sums are sized for.
+    /// What is written in these cases is not specified.
     ///
     /// # Panics
-    /// Where `found` and `queries` differ in length, a query is outside the frame's middle block, or the
-    /// queries differ in their radii.
+    /// Where `found` and `queries` differ in length, or a fraction is outside its block.
     pub fn gather(
         &self,
-        around: &Surroundings,
-        queries: &[Query],
-        found: &mut [Gathered],
-    ) -> Result<(), GatherError> {
-        self.gather_by(Instructions::fastest(), around, queries, found)
-    }
-
-    /// Gathers as [`Self::gather`] does, with the given instruction set, which affects only the time.
-    ///
-    /// # Errors
-    /// As for [`Self::gather`].
-    ///
-    /// # Panics
-    /// As for [`Self::gather`].
-    pub fn gather_by(
-        &self,
         instructions: Instructions,
-        around: &Surroundings,
-        queries: &[Query],
+        radius_sq: u32,
+        queries: &[PlacedQuery],
+        faces: impl Fn(u32, u32) -> bool,
         found: &mut [Gathered],
     ) -> Result<(), GatherError> {
         assert_eq!(found.len(), queries.len(), "a place for each query");
-        let Some(first) = queries.first() else {
-            return Ok(());
-        };
-        self.limits.check_query(first)?;
-        let edge = self.format().edge_steps();
-        let unlike = |query: &&Query| {
-            let [x, y, z] = query.position.map(|at| at.wrapping_sub(edge) < edge);
-            !(x && y && z) || query.radius_sq != first.radius_sq
-        };
-        if let Some(query) = queries.iter().find(unlike) {
-            self.limits.check_query(query)?;
-            panic!(
-                "{query:?} is not in the block that the surroundings are of, or has another radius"
-            );
-        }
-        self.limits.check_count(around.photons())?;
+        let position = [self.format().edge_steps(); 3];
+        self.planes.limits.check_query(&Query {
+            position,
+            radius_sq,
+        })?;
+        let frame = Frame::new(self.format(), self.cube_edge(), radius_sq);
+        let positions: Vec<_> = queries.iter().map(|query| frame.position(query)).collect();
         let work = Work {
-            planes: self,
-            around,
-            queries,
-            frame: Frame::new(self.format(), first.radius_sq),
+            photons: self,
+            positions: &positions,
+            frame,
+            windows: Windows::new(self, queries, faces),
             found,
         };
         match instructions.0 {
@@ -129,34 +125,40 @@ impl PhotonPlanes {
                 #[inline(always)]
                 || work.by(simd),
             ),
+            #[cfg(target_arch = "x86_64")]
+            Set::Avx512(simd) => simd.vectorize(
+                #[inline(always)]
+                || work.by(simd),
+            ),
         }
-        Ok(())
     }
 }
 
-impl Work<'_> {
+impl<F: Fn(u32, u32) -> bool> Work<'_, F> {
     #[inline(always)]
-    fn by<L: Lanes>(self, lanes: L)
+    fn by<L: Lanes>(self, lanes: L) -> Result<(), GatherError>
     where
         OfBytes: Positions<L>,
         OfFlatBytes: Positions<L>,
         OfWords: Positions<L>,
     {
-        if self.planes.layout.wide {
-            // A box of 8-bit bounds is too coarse to show that a leaf is flat.
-            self.with_positions::<L, OfWords, OfWords>(lanes);
+        if self.photons.planes.layout.wide {
+            self.with_positions::<L, OfWords, OfWords>(lanes)
         } else {
-            self.with_positions::<L, OfBytes, OfFlatBytes>(lanes);
+            self.with_positions::<L, OfBytes, OfFlatBytes>(lanes)
         }
     }
 
     #[inline(always)]
-    fn with_positions<L: Lanes, P: Positions<L>, F: Positions<L>>(self, lanes: L) {
-        match self.planes.layout.mantissa_planes {
-            1 => self.run::<L, P, F, 1>(lanes),
-            2 => self.run::<L, P, F, 2>(lanes),
-            3 => self.run::<L, P, F, 3>(lanes),
-            6 => self.run::<L, P, F, 6>(lanes),
+    fn with_positions<L: Lanes, P: Positions<L>, Q: Positions<L>>(
+        self,
+        lanes: L,
+    ) -> Result<(), GatherError> {
+        match self.photons.planes.layout.mantissa_planes {
+            1 => self.run::<L, P, Q, 1>(lanes),
+            2 => self.run::<L, P, Q, 2>(lanes),
+            3 => self.run::<L, P, Q, 3>(lanes),
+            6 => self.run::<L, P, Q, 6>(lanes),
             planes => unreachable!("a channel or three of a byte or two, not {planes} planes"),
         }
     }

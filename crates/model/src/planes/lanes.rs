@@ -1,15 +1,9 @@
 //! The traits of the kernel: operations on all photons of a leaf, or on all leaves of a tray, at a time.
 
+use super::cube::Part;
 use super::frame::Frame;
-use super::leaf::LEAF;
-use super::store::Window;
+use super::store::{LeafPlanes, Words};
 use super::tray::TRAY;
-
-/// A byte for each photon of a leaf.
-pub(super) type Bytes = [u8; LEAF];
-
-/// Two bytes for each photon of a leaf, little-endian.
-pub(super) type Words = [u8; 2 * LEAF];
 
 /// The coordinate of lanes without a photon in formats of bytes, in steps or half steps. It is out of range
 /// of every query, and neither the difference nor its square overflows.
@@ -30,35 +24,35 @@ pub(super) struct Boxes {
     pub largest: u16,
 }
 
-/// The operations of one instruction set.
+/// The operations of one instruction set. Formats have `PLANES` planes of mantissas.
 pub(super) trait Lanes: Copy {
     /// An in-range mask: for each photon whether it is in range.
     type Mask: Copy;
-    /// A mantissa byte for each photon.
-    type Mantissas: Copy;
-    /// The sum of mantissa bytes of photons in range, over up to a tray of leaves.
-    type Sum: Copy;
-    /// The count of photons in range, over up to a tray of leaves.
-    type Count: Copy;
+    /// The mantissa bytes of a leaf's photons.
+    type Powers<const PLANES: usize>: Copy;
+    /// The sums of the mantissa bytes of photons in range, and their count, over up to a tray of leaves.
+    type Sums<const PLANES: usize>: Copy;
 
-    fn mantissas(self, bytes: &Bytes) -> Self::Mantissas;
+    fn powers<const PLANES: usize>(self, planes: &LeafPlanes) -> Self::Powers<PLANES>;
 
-    fn no_sum(self) -> Self::Sum;
+    fn no_sums<const PLANES: usize>(self) -> Self::Sums<PLANES>;
 
-    fn no_count(self) -> Self::Count;
+    /// Adds the photons in range to the sums.
+    fn add<const PLANES: usize>(
+        self,
+        sums: Self::Sums<PLANES>,
+        in_range: Self::Mask,
+        powers: &Self::Powers<PLANES>,
+    ) -> Self::Sums<PLANES>;
 
-    /// Adds the mantissas of the photons in range to the sum.
-    fn add(self, sum: Self::Sum, in_range: Self::Mask, mantissas: &Self::Mantissas) -> Self::Sum;
+    /// The total of each plane, and the count.
+    fn totals<const PLANES: usize>(self, sums: Self::Sums<PLANES>) -> ([u32; PLANES], u32);
 
-    fn add_count(self, count: Self::Count, in_range: Self::Mask) -> Self::Count;
+    /// A mask with a bit for each leaf of the tray, set where its box and the one from `low` to `high` meet.
+    fn meeting(self, boxes: &Boxes, low: [u16; 3], high: [u16; 3]) -> u32;
 
-    fn count(self, count: Self::Count) -> u32;
-
-    fn total(self, sum: Self::Sum) -> u32;
-
-    /// The totals of three sums and of the count. Some instruction sets compute all four faster than one by
-    /// one.
-    fn totals(self, sums: [Self::Sum; 3], count: Self::Count) -> ([u32; 3], u32);
+    /// A mask with a bit for each lane of a leaf whose packed block is one of the part.
+    fn inside(self, part: Part, blocks: &Words) -> u32;
 
     /// A mask with a bit for each leaf of the tray. It is set for every leaf that the sphere of the query at
     /// `query` in the frame touches, and for few others.
@@ -67,27 +61,25 @@ pub(super) trait Lanes: Copy {
 
 /// The layout of positions in the planes, one byte or two each, and their test.
 pub(super) trait Positions<L: Lanes> {
-    /// The number of bytes of a centre on one axis.
-    const BYTES: usize;
-
     /// The coordinates of a leaf's photons in the frame. In lanes without a photon they are never in range.
     type Photons: Copy;
 
     /// A query's coordinates, prepared for the test.
     type Query: Copy;
 
-    /// Loads the first `photons` photons of the leaf in `window`, on the axes in this order. `corner` is the
-    /// block's lowest corner on each axis.
+    /// Loads the photons of a leaf, on the axes in this order. `corner` is the lowest corner of the leaf's cube
+    /// on each of them.
     fn photons(
         lanes: L,
-        window: &Window,
-        photons: usize,
+        frame: &Frame,
+        planes: &LeafPlanes,
         axes: [usize; 3],
         corner: [i16; 3],
     ) -> Self::Photons;
 
-    /// Prepares the query at `place`, whose axes are in the order of the photons' axes.
-    fn query(lanes: L, frame: &Frame, place: [i16; 3]) -> Self::Query;
+    /// Prepares the query at `place`, whose axes are in the order of the photons' axes. `shared` is the coordinate
+    /// of all photons on the last axis, for positions that need it.
+    fn query(lanes: L, frame: &Frame, place: [i16; 3], shared: i16) -> Self::Query;
 
     fn in_range(lanes: L, photons: &Self::Photons, query: &Self::Query) -> L::Mask;
 }
@@ -95,8 +87,8 @@ pub(super) trait Positions<L: Lanes> {
 /// Formats of up to 8 bits per radius.
 pub(super) struct OfBytes;
 
-/// Formats of up to 8 bits per radius, for leaves whose photons share the last coordinate, such as those on a
-/// wall along the other two axes. The distance on the last axis is computed once for all of them.
+/// Formats of up to 8 bits per radius, for leaves whose photons all share the last coordinate, such as those on a
+/// wall along the other two axes. The distance on the last axis is computed once for all leaves.
 pub(super) struct OfFlatBytes;
 
 /// Formats of 9 to 14 bits per radius.

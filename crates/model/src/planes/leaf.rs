@@ -10,59 +10,67 @@ pub const LEAF: usize = 32;
 /// Bits of a box's bounds. Longer positions are rounded outwards.
 const BOX_BITS: u32 = 8;
 
-/// A leaf of the photon planes.
+/// The bits of an exponent; the three above are the flat axes. An exponent is at most 24.
+const EXPONENT_BITS: u32 = 5;
+
+/// A leaf of the photon planes. Its cells are those of a cube of blocks.
 #[derive(Copy, Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Leaf {
-    /// The index of the leaf's first photon.
+    /// The index of the leaf's first byte.
     pub start: u32,
     /// The number of photons.
     pub photons: u8,
-    /// The exponent that all photons of the leaf share.
-    pub exponent: u8,
+    /// The exponent that all photons of the leaf share, below the flat axes.
+    exponent_and_flat: u8,
     /// The lowest and the highest cell on each axis, in 8 bits.
     low: [u8; 3],
     high: [u8; 3],
 }
 
 impl Leaf {
-    /// Makes the leaf of `records`; its first photon has the index `start`.
-    pub fn new(records: &[PhotonRecord], start: u32, exponent: u8, position_bits: u32) -> Self {
-        let shift = position_bits.saturating_sub(BOX_BITS);
-        let bound = |cell: u16| (cell >> shift) as u8;
+    /// Makes the leaf of `records`, of one exponent, with cells of `cell_bits` bits; its first byte has the
+    /// index `start`.
+    pub fn new(records: &[PhotonRecord], start: u32, cell_bits: u32) -> Self {
+        let bounds: [_; 3] = std::array::from_fn(|axis| bounds(records, axis));
+        let flat = (0..3).fold(0, |flat, axis| {
+            let [low, high] = bounds[axis];
+            flat | u8::from(low == high) << axis
+        });
+        let shift = cell_bits.saturating_sub(BOX_BITS);
+        let rounded = bounds.map(|bounds| bounds.map(|cell| (cell >> shift) as u8));
         Self {
             start,
             photons: records.len() as u8,
-            exponent,
-            low: std::array::from_fn(|axis| bound(bounds(records, axis)[0])),
-            high: std::array::from_fn(|axis| bound(bounds(records, axis)[1])),
+            exponent_and_flat: flat << EXPONENT_BITS | records[0].exponent,
+            low: rounded.map(|[low, _]| low),
+            high: rounded.map(|[_, high]| high),
         }
     }
 
-    /// This leaf with its start moved by `photons`, for planes with that many more photons before it.
-    pub fn moved(self, photons: u32) -> Self {
+    /// This leaf with its start moved by `bytes`, for planes with that many more bytes before it.
+    pub fn moved(self, bytes: u32) -> Self {
         Self {
-            start: self.start + photons,
+            start: self.start + bytes,
             ..self
         }
     }
 
+    /// The exponent that all photons of the leaf share.
+    pub fn exponent(&self) -> u8 {
+        self.exponent_and_flat & ((1 << EXPONENT_BITS) - 1)
+    }
+
+    /// A mask with a bit for each axis on which all photons are in one cell.
+    pub fn flat(&self) -> u8 {
+        self.exponent_and_flat >> EXPONENT_BITS
+    }
+
     /// The range of cells that the box spans on an axis. It contains all photons of the leaf.
-    pub fn cells(&self, axis: usize, position_bits: u32) -> [u32; 2] {
-        let shift = position_bits.saturating_sub(BOX_BITS);
+    pub fn cells(&self, axis: usize, cell_bits: u32) -> [u32; 2] {
+        let shift = cell_bits.saturating_sub(BOX_BITS);
         let low = u32::from(self.low[axis]) << shift;
         let high = u32::from(self.high[axis]) << shift | ((1 << shift) - 1);
         [low, high]
-    }
-
-    /// A mask with a bit for each axis on which all photons are in one cell; 0 where the box is too coarse to
-    /// show it.
-    pub fn flat(&self, position_bits: u32) -> u8 {
-        if position_bits > BOX_BITS {
-            return 0;
-        }
-        (0..3).fold(0, |flat, axis| {
-            flat | u8::from(self.low[axis] == self.high[axis]) << axis
-        })
     }
 }
 
@@ -73,7 +81,7 @@ fn bounds(records: &[PhotonRecord], axis: usize) -> [u16; 2] {
     })
 }
 
-/// Sorts the records of a run so that leaves are contiguous, and returns the range of each leaf.
+/// Sorts the records of a cube so that leaves are contiguous, and returns the range of each leaf.
 ///
 /// Records of one exponent are contiguous. Where they are more than a leaf holds, they are split across the
 /// axis on which they spread widest, into full leaves where possible.
@@ -144,15 +152,17 @@ mod tests {
                 next = place.end;
                 let held = &ordered[place];
                 prop_assert!((1..=LEAF).contains(&held.len()));
-                let leaf = Leaf::new(held, 0, held[0].exponent, bits);
+                let leaf = Leaf::new(held, 0, bits);
                 for record in held {
-                    prop_assert_eq!(record.exponent, leaf.exponent);
+                    prop_assert_eq!(record.exponent, leaf.exponent());
                     for axis in 0..3 {
                         let [low, high] = leaf.cells(axis, bits);
                         prop_assert!((low..=high).contains(&record.position[axis].into()));
-                        let alike = record.position[axis] == held[0].position[axis];
-                        prop_assert!(alike || leaf.flat(bits) >> axis & 1 == 0);
                     }
+                }
+                for axis in 0..3 {
+                    let alike = held.iter().all(|record| record.position[axis] == held[0].position[axis]);
+                    prop_assert_eq!(leaf.flat() >> axis & 1 == 1, alike);
                 }
             }
             prop_assert_eq!(next, ordered.len());

@@ -1,12 +1,12 @@
 //! The portable implementation of [`Lanes`]: plain loops over arrays, which compilers vectorise.
 
+use super::cube::{Part, block_on};
 use super::frame::Frame;
 use super::lanes::{
-    BYTES_NOWHERE, Boxes, Bytes, Lanes, OfBytes, OfFlatBytes, OfWords, Positions, WORDS_NOWHERE,
-    Words,
+    BYTES_NOWHERE, Boxes, Lanes, OfBytes, OfFlatBytes, OfWords, Positions, WORDS_NOWHERE,
 };
 use super::leaf::LEAF;
-use super::store::{Window, plane};
+use super::store::{LeafPlanes, Words};
 use super::tray::TRAY;
 
 /// Words of a sum: as many as fit a vector register of the processors that this code is for.
@@ -15,76 +15,116 @@ const WORDS: usize = 8;
 #[derive(Copy, Clone, Debug)]
 pub(super) struct Portable;
 
+/// The sums of a tray. Each word is the sum of every eighth photon.
+#[derive(Copy, Clone, Debug)]
+pub(super) struct Sums<const PLANES: usize> {
+    planes: [[u16; WORDS]; PLANES],
+    count: [u16; WORDS],
+}
+
+#[inline(always)]
+fn total(sum: [u16; WORDS]) -> u32 {
+    let mut total = 0;
+    for word in sum {
+        total += u32::from(word);
+    }
+    total
+}
+
+/// The sum with the mantissas of the photons in range.
+#[inline(always)]
+fn added(mut sum: [u16; WORDS], in_range: &[u16; LEAF], mantissas: &[u16; LEAF]) -> [u16; WORDS] {
+    for first in (0..LEAF).step_by(WORDS) {
+        for word in 0..WORDS {
+            sum[word] += in_range[first + word] & mantissas[first + word];
+        }
+    }
+    sum
+}
+
+/// The count with the photons in range, whose masks are -1.
+#[inline(always)]
+fn counted(mut count: [u16; WORDS], in_range: &[u16; LEAF]) -> [u16; WORDS] {
+    for first in (0..LEAF).step_by(WORDS) {
+        for word in 0..WORDS {
+            count[word] = count[word].wrapping_sub(in_range[first + word]);
+        }
+    }
+    count
+}
+
 impl Lanes for Portable {
     /// All ones where a photon is in range.
     type Mask = [u16; LEAF];
-    type Mantissas = [u16; LEAF];
-    /// Each word is the sum of the mantissas of every eighth photon.
-    type Sum = [u16; WORDS];
-    type Count = [u16; WORDS];
+    type Powers<const PLANES: usize> = [[u16; LEAF]; PLANES];
+    type Sums<const PLANES: usize> = Sums<PLANES>;
 
     #[inline(always)]
-    fn mantissas(self, bytes: &Bytes) -> [u16; LEAF] {
-        let mut words = [0; LEAF];
-        for lane in 0..LEAF {
-            words[lane] = bytes[lane].into();
+    fn powers<const PLANES: usize>(self, planes: &LeafPlanes) -> [[u16; LEAF]; PLANES] {
+        let mut powers = [[0; LEAF]; PLANES];
+        for (index, power) in powers.iter_mut().enumerate() {
+            for (word, byte) in power.iter_mut().zip(planes.mantissas(index)) {
+                *word = (*byte).into();
+            }
         }
-        words
+        powers
     }
 
     #[inline(always)]
-    fn no_sum(self) -> [u16; WORDS] {
-        [0; WORDS]
+    fn no_sums<const PLANES: usize>(self) -> Sums<PLANES> {
+        Sums {
+            planes: [[0; WORDS]; PLANES],
+            count: [0; WORDS],
+        }
     }
 
     #[inline(always)]
-    fn no_count(self) -> [u16; WORDS] {
-        [0; WORDS]
-    }
-
-    #[inline(always)]
-    fn add(
+    fn add<const PLANES: usize>(
         self,
-        mut sum: [u16; WORDS],
+        mut sums: Sums<PLANES>,
         in_range: [u16; LEAF],
-        mantissas: &[u16; LEAF],
-    ) -> [u16; WORDS] {
-        for first in (0..LEAF).step_by(WORDS) {
-            for word in 0..WORDS {
-                sum[word] += in_range[first + word] & mantissas[first + word];
+        powers: &[[u16; LEAF]; PLANES],
+    ) -> Sums<PLANES> {
+        sums.count = counted(sums.count, &in_range);
+        for (sum, mantissas) in sums.planes.iter_mut().zip(powers) {
+            *sum = added(*sum, &in_range, mantissas);
+        }
+        sums
+    }
+
+    #[inline(always)]
+    fn totals<const PLANES: usize>(self, sums: Sums<PLANES>) -> ([u32; PLANES], u32) {
+        let mut totals = [0; PLANES];
+        for (each, sum) in totals.iter_mut().zip(sums.planes) {
+            *each = total(sum);
+        }
+        (totals, total(sums.count))
+    }
+
+    #[inline(always)]
+    fn meeting(self, boxes: &Boxes, low: [u16; 3], high: [u16; 3]) -> u32 {
+        let mut apart = [false; TRAY];
+        for axis in 0..3 {
+            for (leaf, apart) in apart.iter_mut().enumerate() {
+                *apart |= boxes.high[axis][leaf] < low[axis];
+                *apart |= boxes.low[axis][leaf] > high[axis];
             }
         }
-        sum
-    }
-
-    #[inline(always)]
-    fn add_count(self, mut count: [u16; WORDS], in_range: [u16; LEAF]) -> [u16; WORDS] {
-        for first in (0..LEAF).step_by(WORDS) {
-            for word in 0..WORDS {
-                count[word] = count[word].wrapping_sub(in_range[first + word]);
-            }
+        let mut meeting = 0;
+        for (leaf, apart) in apart.iter().enumerate() {
+            meeting |= u32::from(!apart) << leaf;
         }
-        count
+        meeting
     }
 
     #[inline(always)]
-    fn count(self, count: [u16; WORDS]) -> u32 {
-        self.total(count)
-    }
-
-    #[inline(always)]
-    fn total(self, sum: [u16; WORDS]) -> u32 {
-        let mut total = 0;
-        for word in sum {
-            total += u32::from(word);
+    fn inside(self, part: Part, blocks: &Words) -> u32 {
+        let mut inside = 0;
+        for (lane, block) in blocks.chunks_exact(2).enumerate() {
+            let block = u16::from_le_bytes([block[0], block[1]]);
+            inside |= u32::from(part.contains(block)) << lane;
         }
-        total
-    }
-
-    #[inline(always)]
-    fn totals(self, [a, b, c]: [[u16; WORDS]; 3], count: [u16; WORDS]) -> ([u32; 3], u32) {
-        let sums = [self.total(a), self.total(b), self.total(c)];
-        (sums, self.count(count))
+        inside
     }
 
     #[inline(always)]
@@ -119,7 +159,7 @@ pub(super) struct Query {
     place: [i16; 3],
 }
 
-/// The coordinates of a leaf's photons; `centre` returns a photon's steps from the corner of its block.
+/// The coordinates of a leaf's photons; `centre` returns a photon's steps from the corner of its cube.
 #[inline(always)]
 fn places(
     photons: usize,
@@ -137,27 +177,26 @@ fn places(
 }
 
 impl Positions<Portable> for OfBytes {
-    const BYTES: usize = 1;
-
     type Photons = Places;
     type Query = Query;
 
     #[inline(always)]
     fn photons(
         _: Portable,
-        window: &Window,
-        photons: usize,
+        frame: &Frame,
+        planes: &LeafPlanes,
         axes: [usize; 3],
         corner: [i16; 3],
     ) -> Places {
-        let planes: [&Bytes; 3] = axes.map(|axis| plane(window, axis, photons));
-        places(photons, BYTES_NOWHERE, corner, |axis, lane| {
-            planes[axis][lane].into()
+        let positions = axes.map(|axis| planes.bytes(axis));
+        places(planes.photons(), BYTES_NOWHERE, corner, |axis, lane| {
+            let block = block_on(planes.block(lane), axes[axis]) as i16;
+            (block << frame.edge_bits()) + i16::from(positions[axis][lane])
         })
     }
 
     #[inline(always)]
-    fn query(_: Portable, frame: &Frame, place: [i16; 3]) -> Query {
+    fn query(_: Portable, frame: &Frame, place: [i16; 3], _: i16) -> Query {
         Query {
             frame: *frame,
             place,
@@ -171,31 +210,33 @@ impl Positions<Portable> for OfBytes {
 }
 
 impl Positions<Portable> for OfFlatBytes {
-    const BYTES: usize = 1;
-
     type Photons = Places;
-    type Query = Query;
+    /// With the square on the last axis.
+    type Query = (Query, u16);
 
     #[inline(always)]
     fn photons(
         portable: Portable,
-        window: &Window,
-        photons: usize,
+        frame: &Frame,
+        planes: &LeafPlanes,
         axes: [usize; 3],
         corner: [i16; 3],
     ) -> Places {
-        <OfBytes as Positions<Portable>>::photons(portable, window, photons, axes, corner)
+        <OfBytes as Positions<Portable>>::photons(portable, frame, planes, axes, corner)
     }
 
     #[inline(always)]
-    fn query(portable: Portable, frame: &Frame, place: [i16; 3]) -> Query {
-        <OfBytes as Positions<Portable>>::query(portable, frame, place)
+    fn query(_: Portable, frame: &Frame, place: [i16; 3], shared: i16) -> (Query, u16) {
+        let query = Query {
+            frame: *frame,
+            place,
+        };
+        (query, byte_square(&query, 2, shared))
     }
 
     #[inline(always)]
-    fn in_range(_: Portable, photons: &Places, query: &Query) -> [u16; LEAF] {
-        let square = byte_square(query, 2, photons[2][0]);
-        in_range::<2>(query, photons, [square; LEAF])
+    fn in_range(_: Portable, photons: &Places, (query, square): &(Query, u16)) -> [u16; LEAF] {
+        in_range::<2>(query, photons, [*square; LEAF])
     }
 }
 
@@ -230,27 +271,25 @@ fn in_range<const AXES: usize>(
 }
 
 impl Positions<Portable> for OfWords {
-    const BYTES: usize = 2;
-
     type Photons = Places;
     type Query = Query;
 
     #[inline(always)]
     fn photons(
         _: Portable,
-        window: &Window,
-        photons: usize,
+        _: &Frame,
+        planes: &LeafPlanes,
         axes: [usize; 3],
         corner: [i16; 3],
     ) -> Places {
-        let planes: [&Words; 3] = axes.map(|axis| plane(window, 2 * axis, photons));
-        places(photons, WORDS_NOWHERE, corner, |axis, lane| {
-            i16::from_le_bytes([planes[axis][2 * lane], planes[axis][2 * lane + 1]])
+        let words = axes.map(|axis| planes.words(axis));
+        places(planes.photons(), WORDS_NOWHERE, corner, |axis, lane| {
+            i16::from_le_bytes([words[axis][2 * lane], words[axis][2 * lane + 1]])
         })
     }
 
     #[inline(always)]
-    fn query(_: Portable, frame: &Frame, place: [i16; 3]) -> Query {
+    fn query(_: Portable, frame: &Frame, place: [i16; 3], _: i16) -> Query {
         Query {
             frame: *frame,
             place,
@@ -279,7 +318,7 @@ impl Positions<Portable> for OfWords {
 mod tests {
     use photoncube_spec::{Numbers, PHOTON_FORMATS, PhotonFormat};
 
-    use super::super::store::centre;
+    use super::super::cube::centre;
     use super::*;
 
     /// Formats of bytes with the fewest and with the most bits per radius, half steps included.
@@ -296,7 +335,7 @@ mod tests {
     /// A query on one place of all axes, in fine steps from the middle of the frame.
     fn query(format: &PhotonFormat, radius_sq: u32, place: i16) -> Query {
         Query {
-            frame: Frame::new(format, radius_sq),
+            frame: Frame::new(format, 1, radius_sq),
             place: [place; 3],
         }
     }
@@ -310,13 +349,13 @@ mod tests {
             let largest = format.largest_in_range();
             let quarters_of_limit = (2 * i64::from(format.radius_steps())).pow(2);
             let three_quarters_left = i64::from(x > 0);
-            let frame = Frame::new(&format, largest);
+            let frame = Frame::new(&format, 1, largest);
             for at in 0..4 * format.edge_steps() {
-                let query = query(&format, largest, frame.place([at; 3])[0]);
+                let query = query(&format, largest, frame.place([at as u16; 3])[0]);
                 for place in 0..4 << format.position_bits {
                     let cell = (place % (1 << format.position_bits)) as u16;
                     let [corner, ..] = frame.corner([(place >> format.position_bits) as u8; 3]);
-                    let photon = corner + centre(&format, cell) as i16;
+                    let photon = corner + centre(&format, cell.into()) as i16;
                     let square = i64::from(byte_square(&query, 0, photon));
                     let halves = (2 * i64::from(at) + 1) - ((2 * i64::from(place) + 1) << x);
                     let quarters = 4 * square + three_quarters_left;

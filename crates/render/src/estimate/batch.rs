@@ -1,12 +1,14 @@
-//! Gathers many queries at once with the fast gather; the lookup for a block serves all queries in it.
+//! Gathers many queries at once with the fast gather; a lookup serves all queries near each other.
 
-use photoncube_model::{GatherError, Gathered, Instructions, PhotonPlanes, Surroundings};
+use photoncube_model::{
+    GatherError, Gathered, INDEX_MASK, Instructions, PhotonPlanes, PlacedQuery,
+};
 use rayon::prelude::*;
 
 use crate::geometry::morton;
 use crate::photon_map::PhotonMap;
 use crate::quantise::QuantisedMap;
-use crate::view::QueryPoint;
+use crate::view::{Front, QueryPoint};
 
 /// The queries that one task of the thread pool gathers. They cover many blocks, and their results fit the
 /// caches.
@@ -16,8 +18,8 @@ impl QuantisedMap<'_> {
     /// Gathers the sums of all queries with a search radius of `radius_sq` squared fine steps, in their order.
     /// They equal those of [`Self::gather_within`], bit for bit.
     ///
-    /// In a photon format, consecutive queries in one block, on surfaces that face alike, share the lookup of
-    /// the photons around them: see [`PhotonMap::sort_queries`].
+    /// In a photon format, consecutive queries in one cube of blocks, on surfaces that face alike, share the
+    /// lookup of the photons around them: see [`PhotonMap::sort_queries`].
     ///
     /// # Errors
     /// As for [`Self::gather_within`], for one of the queries.
@@ -83,26 +85,52 @@ impl QuantisedMap<'_> {
         radius_word: u32,
         found: &mut [Gathered],
     ) -> Result<(), GatherError> {
-        let mut around = Surroundings::default();
-        let mut blocks = Vec::with_capacity(queries.len());
-        let mut local = Vec::with_capacity(queries.len());
-        for query in queries {
-            let (block, fraction) = self.map().place(query.position);
-            blocks.push(block);
-            local.push(self.query_at(fraction, radius_word));
+        let mut facings = Facings::new(self.map());
+        let bits = self.numbers().radius_bits();
+        let placed: Vec<_> = queries
+            .iter()
+            .map(|query| {
+                let steps = self.map().steps(query.position, bits);
+                PlacedQuery {
+                    // Blocks further out have no photons around them.
+                    block: steps.map(|at| (at >> bits).clamp(-2, OUTSIDE) as i32),
+                    fraction: steps.map(|at| (at & ((1 << bits) - 1)) as u16),
+                    facing: facings.number(query.front()),
+                }
+            })
+            .collect();
+        let faces = |facing, group| facings.faces(facing, group);
+        planes.gather(instructions, radius_word, &placed, faces, found)
+    }
+}
+
+/// A block that is not next to any of the grid.
+const OUTSIDE: i64 = INDEX_MASK as i64 + 2;
+
+/// The fronts that queries are on, numbered, and the groups of photons that count there.
+struct Facings<'a> {
+    map: &'a PhotonMap,
+    fronts: Vec<Front>,
+}
+
+impl<'a> Facings<'a> {
+    fn new(map: &'a PhotonMap) -> Self {
+        Self {
+            map,
+            fronts: Vec::new(),
         }
-        let mut first = 0;
-        while first < queries.len() {
-            let (block, front) = (blocks[first], queries[first].front());
-            let alike = |place: &usize| blocks[*place] == block && queries[*place].front() == front;
-            let end = first + (first..queries.len()).take_while(alike).count();
-            let runs = self.map().around(block, front);
-            around.set(planes, runs.map(|run| (run.offset, run.run)));
-            let (here, found) = (&local[first..end], &mut found[first..end]);
-            planes.gather_by(instructions, &around, here, found)?;
-            first = end;
+    }
+
+    /// The number of a query's front. Consecutive queries on one front have one number.
+    fn number(&mut self, front: Front) -> u32 {
+        if self.fronts.last() != Some(&front) {
+            self.fronts.push(front);
         }
-        Ok(())
+        self.fronts.len() as u32 - 1
+    }
+
+    fn faces(&self, facing: u32, group: u32) -> bool {
+        self.map.gathers(group, &self.fronts[facing as usize])
     }
 }
 

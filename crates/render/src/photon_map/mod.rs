@@ -9,6 +9,7 @@
 use std::ops::Range;
 
 use glam::{DVec3, I64Vec3};
+use photoncube_model::{INDEX_BITS, INDEX_MASK, Rows};
 use rayon::prelude::*;
 
 use self::error::{check_edge, check_radius, outside};
@@ -19,14 +20,8 @@ use crate::view::Front;
 
 mod error;
 mod groups;
-mod rows;
 
 pub use self::error::MapError;
-use self::rows::Rows;
-
-/// The bits of a block's index on one axis: three indices and a sign bit fit 64 bits.
-const INDEX_BITS: u32 = 21;
-const INDEX_MASK: u64 = (1 << INDEX_BITS) - 1;
 
 /// The photons of one facing of one surface in one block, a slice of the map's order.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -37,13 +32,9 @@ struct Run {
 }
 
 impl Run {
-    fn x(&self) -> u64 {
-        self.block & INDEX_MASK
-    }
-
-    /// The sort key of rows of blocks along x.
-    fn row(&self) -> u64 {
-        self.block >> INDEX_BITS
+    /// The index of the block on each axis.
+    fn block(&self) -> [u64; 3] {
+        [0, 1, 2].map(|axis| self.block >> (axis * INDEX_BITS) & INDEX_MASK)
     }
 
     fn photons(&self) -> Range<usize> {
@@ -248,7 +239,7 @@ impl PhotonMap {
             });
             start = end;
         }
-        self.rows = Rows::of(&self.runs);
+        self.runs.iter().for_each(|run| self.rows.push(run.block()));
     }
 
     /// The search radius, in scene units.
@@ -290,12 +281,6 @@ impl PhotonMap {
         })
     }
 
-    /// The number of bytes of the index that finds runs.
-    #[must_use]
-    pub fn index_bytes(&self) -> usize {
-        size_of_val(self.runs.as_slice()) + self.rows.bytes()
-    }
-
     /// The photons of every run, as indices into [`Self::photons`], in its order.
     pub fn runs(&self) -> impl ExactSizeIterator<Item = Range<usize>> {
         self.runs.iter().map(Run::photons)
@@ -311,9 +296,19 @@ impl PhotonMap {
         (block, place - corner)
     }
 
+    /// The position in steps of 2^-`bits` of a block's edge from the grid's origin, rounded down. The block's index
+    /// is above the low `bits` bits.
+    #[inline]
+    pub(crate) fn steps(&self, position: DVec3, bits: u32) -> [i64; 3] {
+        // A power of two, which rounds nothing.
+        let steps = self.in_blocks(position) * f64::from(1_u32 << bits);
+        floors(steps).0.to_array()
+    }
+
     /// `position` in block edges from the grid's origin. The difference from the scene's corner is computed
     /// first. It is exact for a scene far from the origin: where a move rounds no coordinate, all later
     /// results are bit-identical.
+    #[inline]
     fn in_blocks(&self, position: DVec3) -> DVec3 {
         (position - self.low + 0.5 * self.edge) / self.edge
     }
@@ -322,21 +317,28 @@ impl PhotonMap {
         key(self.place(position).0).expect("checked: inside the scene")
     }
 
-    /// The runs that a query at `position` on `front` gathers, by the rule stated at [`PhotonMap`]: the runs of the 27 blocks around it that face its way, in the map's order.
+    /// The runs that a query at `position` on `front` gathers, by the rule stated at [`PhotonMap`]: those of the 27 blocks around it
+    /// whose photons count there, in the map's order.
     pub fn candidates(&self, position: DVec3, front: Front) -> impl Iterator<Item = Candidates> {
-        let (centre, _) = self.place(position);
-        self.around(centre, front)
+        let centre = self.place(position).0.to_array();
+        let [low, high] = [-1, 1].map(|step| centre.map(|at| at.saturating_add(step)));
+        let mut candidates = Vec::new();
+        self.rows.within(low, high, |offset, run| {
+            if self.gathers(self.runs[run].group, &front) {
+                candidates.push(Candidates {
+                    offset,
+                    run,
+                    photons: self.runs[run].photons(),
+                });
+            }
+        });
+        candidates.into_iter()
     }
 
-    /// The runs that any query in the block `centre` gathers, by the rule stated at [`PhotonMap`].
-    pub(crate) fn around(&self, centre: I64Vec3, front: Front) -> impl Iterator<Item = Candidates> {
-        let runs = self.rows.around(centre);
-        runs.filter(move |(_, run)| self.gathers(self.runs[*run].group, &front))
-            .map(|(offset, run)| Candidates {
-                offset,
-                run,
-                photons: self.runs[run].photons(),
-            })
+    /// The blocks of every run, by the index on each axis of the grid, with its group and its photons.
+    pub(crate) fn located_runs(&self) -> impl Iterator<Item = ([u64; 3], u32, Range<usize>)> {
+        let runs = self.runs.iter();
+        runs.map(|run| (run.block(), run.group, run.photons()))
     }
 
     /// For each group of photons of one facing, whether a query on that front gathers it.
@@ -358,7 +360,8 @@ impl PhotonMap {
         self.runs[run].group
     }
 
-    fn gathers(&self, group: u32, front: &Front) -> bool {
+    /// Whether photons of a group count for a query on `front`.
+    pub(crate) fn gathers(&self, group: u32, front: &Front) -> bool {
         self.groups.normal(group).dot(front.normal) > Self::MIN_FACING_COSINE
             && front
                 .surface

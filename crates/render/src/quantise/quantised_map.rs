@@ -347,7 +347,7 @@ fn exponent_of(exponents: &[BlockExponent], photon: usize) -> u8 {
     block.map_or(0, |block| block.exponent)
 }
 
-/// The planes of all runs, made in parallel by parts.
+/// The photons in planes, made in parallel by parts.
 fn planes_of(
     map: &PhotonMap,
     format: &PhotonFormat,
@@ -357,18 +357,45 @@ fn planes_of(
     /// The runs of a part, some hundred thousand photons. The parts are joined one after another.
     const PART_RUNS: usize = 4096;
     let none = PhotonPlanes::new(format)?;
-    let runs: Vec<_> = map.runs().collect();
-    let part = |runs: &[Range<usize>]| {
+    let edge = none.cube_edge();
+    let cubed = |(block, group, photons): ([u64; 3], u32, Range<usize>)| CubedRun {
+        cube: block.map(|at| at / u64::from(edge)),
+        group,
+        block: PhotonBlock {
+            offset: block.map(|at| at as u32 % edge),
+            exponent: exponent_of(exponents, photons.start),
+            photons: &records[photons],
+        },
+    };
+    let mut runs: Vec<_> = map.located_runs().map(cubed).collect();
+    runs.par_sort_by_key(CubedRun::key);
+    let runs: Vec<_> = runs.chunk_by(|a, b| a.key() == b.key()).collect();
+    let part = |runs: &[&[CubedRun]]| {
         let mut planes = none.clone();
         for run in runs {
-            let exponent = exponent_of(exponents, run.start);
-            let stored = planes.push_run(exponent, &records[run.clone()]);
+            let blocks: Vec<_> = run.iter().map(|run| run.block).collect();
+            let stored = planes.push_run(run[0].cube, run[0].group, &blocks);
             stored.expect("rounded to the format");
         }
         planes
     };
     let parts: Vec<_> = runs.par_chunks(PART_RUNS).map(part).collect();
     Ok(parts.iter().fold(none, PhotonPlanes::joined))
+}
+
+/// A run of the map in its cube of blocks.
+struct CubedRun<'a> {
+    cube: [u64; 3],
+    group: u32,
+    block: PhotonBlock<'a>,
+}
+
+impl CubedRun<'_> {
+    /// The order of the runs in the planes.
+    fn key(&self) -> ([u64; 3], u32) {
+        let [x, y, z] = self.cube;
+        ([z, y, x], self.group)
+    }
 }
 
 fn record(
