@@ -17,7 +17,8 @@ pub struct Gathered {
     pub sums: Sums,
     /// The number of photons in the blocks around the query, which a machine tests one by one.
     pub photons: u64,
-    /// The number of photons that this gather tested, in the leaves that the query's sphere may touch.
+    /// The number of photons that this gather tested, in the leaves that the query's sphere may touch. A leaf may
+    /// have photons beyond the blocks around the query.
     pub tests: u64,
 }
 

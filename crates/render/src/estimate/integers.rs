@@ -18,7 +18,7 @@ pub(crate) struct Disc {
     pub power: DVec3,
     /// The number of photons tested.
     pub tests: u64,
-    /// The number of these photons that the fast gather decided by their block or leaf.
+    /// The least number of these photons that the fast gather decided by their block or leaf.
     pub skipped: u64,
     /// The number of photons in range.
     pub count: u64,
@@ -30,7 +30,8 @@ impl Disc {
         Self {
             power: map.flux(gathered.sums.power),
             tests: gathered.photons,
-            skipped: gathered.photons - gathered.tests,
+            // Leaves that were tested may have photons beyond the blocks around the query.
+            skipped: gathered.photons.saturating_sub(gathered.tests),
             count: gathered.sums.count,
         }
     }
