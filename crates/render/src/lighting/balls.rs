@@ -75,6 +75,12 @@ type = "sphere"
 center = [0, 0, 0]
 radius = 0.5
 material = "white"
+[[shapes]]
+name = "lamp"
+type = "quad"
+material = "white"
+emission = [1, 1, 1]
+corners = [[-1, 2, -1], [1, 2, -1], [1, 2, 1], [-1, 2, 1]]
 "#;
 
     #[test]
