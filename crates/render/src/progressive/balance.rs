@@ -22,8 +22,8 @@ use crate::view::ViewOptions;
 
 use super::{ProgressiveError, ProgressiveOptions};
 
-/// The cost of a photon, a view ray and a shadow ray, in shadow rays: medians of user time over five scenes (`scripts/accuracy.sh
-/// balance` prints the error over time of choices beside this one). The error at the choice is flat, so a factor of two matters little.
+/// The cost of a photon, a view ray with its gathers, and a shadow ray, in shadow rays: medians over five scenes of a fit to the user time of
+/// passes with other options. The error is flat around the best choice, so a factor of two matters little.
 const PHOTON: f64 = 6.0;
 const VIEW_RAY: f64 = 10.0;
 const SHADOW_RAY: f64 = 1.0;
