@@ -25,8 +25,8 @@ pub struct PixelBound {
     pub luminance: f64,
     /// The standard deviation of that luminance.
     pub noise: f64,
-    /// The squared bias of that luminance: the mean of the 3 x 3 pixels around, without the part that noise causes. Below 0 where
-    /// the noise exceeds what is found.
+    /// The squared bias of that luminance: the mean over the 3 x 3 pixels around of the squared bias over the squared luminance, without
+    /// the part that noise causes, times the pixel's squared luminance. Below 0 where the noise exceeds what is found.
     pub bias_sq: f64,
     /// The number that relates the error to the pixel's true luminance, as in relMSE.
     pub scale: f64,
@@ -61,7 +61,9 @@ impl ErrorEstimate {
         }
         let bias_sq = |pixel: &Pixel| {
             let gathers = pixel.bias != Moments::of(passes, 0.0, 0.0);
-            gathers.then(|| [pixel.bias.mean().powi(2), deviation(&pixel.bias).powi(2)])
+            let scale = relative_scale(pixel.plain.mean());
+            let both = [pixel.bias.mean(), deviation(&pixel.bias)];
+            gathers.then(|| both.map(|value| (value / scale).powi(2)))
         };
         let biases: Vec<_> = pixels.iter().map(bias_sq).collect();
         let factors = Factors {
@@ -129,10 +131,11 @@ struct Factors {
 }
 
 impl Factors {
-    /// The bound of a pixel with that mean squared bias around it, and the part of it that is noise.
+    /// The bound of a pixel with that mean squared bias around it, and the part of it that is noise; both over the squared luminance
+    /// of their pixels.
     fn bound(&self, pixel: &Pixel, [square, noise_sq]: [f64; 2]) -> PixelBound {
         let is_corrected = pixel.is_corrected(self.significant);
-        let found_sq = square - noise_sq;
+        let found_sq = (square - noise_sq) * relative_scale(pixel.plain.mean()).powi(2);
         let (mean, bias_sq) = match is_corrected {
             true => (&pixel.corrected, REMAINING * found_sq),
             false => (&pixel.plain, found_sq),

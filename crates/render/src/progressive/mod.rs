@@ -19,8 +19,9 @@
 //!   range and S_in that at half the squared radius, c = (4 S_in - S) / (pi r^2), from the sums of two rings.
 //! - Where the mean of b over n passes is significant, 3.5 standard deviations or as improbable by Student's distribution of n - 1
 //!   degrees, the picture has the mean of c. Elsewhere it has the mean of x, which has less noise.
-//! - The noise is s / sqrt n, where s^2 is the variance over the passes of what the picture has. The squared bias is the mean of
-//!   (mean b)^2 over the 3 x 3 pixels around, less what noise contributes; a quarter of it in a corrected pixel.
+//! - The noise is s / sqrt n, where s^2 is the variance over the passes of what the picture has. The squared bias over the
+//!   squared luminance is the mean of that over the 3 x 3 pixels around, less what noise contributes; a quarter of it in a corrected
+//!   pixel.
 //! - A pixel's error is below sqrt((t noise)^2 + 2 (u bias)^2) with confidence C, where t is the two-sided quantile of Student's
 //!   distribution and u that of the normal distribution. The bound of the picture is sqrt(noise^2 + 2 bias^2), with the root mean
 //!   squares over the pixels, each over its luminance.
