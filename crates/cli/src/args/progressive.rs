@@ -24,7 +24,8 @@ Each pass has photons of its own, and a smaller radius; the picture is the mean 
 pass gathers at the whole and at half the squared radius, which tells the bias; the spread of the
 passes tells the noise. Where the bias of a pixel is significant, it is taken off. --error-target
 stops when sqrt(noise^2 + 2 bias^2), root mean squares over the pixels, each over the pixel's
-luminance, is not above it. A pixel's own bound (--error-map) is not exceeded with the probability
+luminance, is not above it and bias does not rule: where it does, as beside black, the error may be
+above the bound. A pixel's own bound (--error-map) is not exceeded with the probability
 --confidence. See docs/accuracy.md for how many bounds hold, and where they do not.
 
 Photons, view rays and shadow rays of a pass are chosen by a pilot where they are not given: it

@@ -205,7 +205,7 @@ pub struct LightArgs {
     /// `render`, `own:50` in `progressive`]
     #[arg(long, value_name = "C")]
     pub caustics: Option<Caustics>,
-    /// Rays of a final gather from each query point; 0 for none. In `progressive` it needs more time for an error than none
+    /// Rays of a final gather from each query point; 0 for none. In `progressive` it takes more time than none, but for very small errors
     #[arg(long, default_value_t = 0, value_name = "N", value_parser = count(0..=65_536_u32))]
     pub final_gather: u32,
     /// What sums of power are divided by: the `disc`, or what it covers of surfaces, `covered` [default: `disc` in `render`,

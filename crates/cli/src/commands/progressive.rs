@@ -83,7 +83,7 @@ struct Report {
     #[serde(skip)]
     quantile: Option<f64>,
     #[serde(skip)]
-    is_mostly_bias: bool,
+    is_ruled_by_bias: bool,
     /// What is said of balls, by the radius of the last pass.
     #[serde(skip)]
     balls: String,
@@ -196,7 +196,7 @@ pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
             &lighting,
             work.progressive.radius().unwrap_or_default(),
         )),
-        is_mostly_bias: error.as_ref().is_some_and(ErrorEstimate::is_mostly_bias),
+        is_ruled_by_bias: error.as_ref().is_some_and(ErrorEstimate::is_ruled_by_bias),
         quantile: error.map(|error| error.quantile),
     };
     output::print(json, &report, || narrow(&text(&report)))?;
@@ -213,8 +213,10 @@ pub fn execute(args: &ProgressiveArgs, json: bool) -> Result<()> {
         (End::Passes, Some(target)) => Err(CheckFailed(format!(
             "the error target {} is not reached in {all} passes: give more --passes{}",
             short(target),
-            match report.is_mostly_bias {
-                true => ", or a smaller --in-range, as most of the error is bias",
+            match report.is_ruled_by_bias {
+                true => {
+                    ", and a smaller --in-range: bias rules, so the error may be above the bound"
+                }
                 false => "",
             }
         ))
@@ -369,7 +371,9 @@ impl Work<'_> {
     }
 
     fn end(&self, error: Option<&ErrorEstimate>, interrupt: &Interrupt) -> Option<End> {
-        let below = |target| error.is_some_and(|error| error.bound() <= target);
+        let is_below =
+            |error: &ErrorEstimate, target| error.bound() <= target && !error.is_ruled_by_bias();
+        let below = |target| error.is_some_and(|error| is_below(error, target));
         if self.args.error_target.is_some_and(below) {
             Some(End::Reached)
         } else if self.progressive.passes() >= self.args.passes {

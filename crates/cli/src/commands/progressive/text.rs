@@ -77,11 +77,11 @@ fn pass_line(report: &Report) -> String {
     )
 }
 
-/// What is said where bias is the larger part of the bound.
+/// What is said where bias rules the bound.
 const BIAS_RULES: &str = "\
-    Bias is the larger part of the bound: light leaks by the radius, as at the borders of shadows. The\n\
-    bias is known less well than noise, and falls slowly with more passes. A smaller --in-range lowers\n\
-    it; so do --direct rays and --caustics own.\n";
+    Bias rules: the error may be above the bound, and no --error-target is met. Light leaks by the radius\n\
+    at many pixels, as at sharp shadows. A smaller --in-range lowers it; so do --direct rays and\n\
+    --caustics own.\n";
 
 /// Explains the columns of the error.
 fn bound_line(report: &Report) -> String {
@@ -94,7 +94,7 @@ fn bound_line(report: &Report) -> String {
          bias. The bound is sqrt(noise^2 + 2 bias^2): where light jumps within the radius, the passes show\n\
          only a part of the bias. The bound of one pixel's error holds with {confidence:.0} % confidence; there the\n\
          noise counts t = {quantile:.2} times, Student's factor for these passes.\n{}",
-        match report.is_mostly_bias {
+        match report.is_ruled_by_bias {
             true => BIAS_RULES,
             false => "",
         }
@@ -147,7 +147,7 @@ mod tests {
             interrupted: false,
             progress: vec![row],
             quantile: Some(6.31),
-            is_mostly_bias: false,
+            is_ruled_by_bias: false,
             balls: String::new(),
         }
     }
@@ -169,7 +169,7 @@ mod tests {
         );
         assert!(!without.contains(BIAS_RULES), "{without}");
         let biased = text(&Report {
-            is_mostly_bias: true,
+            is_ruled_by_bias: true,
             ..report(None)
         });
         assert!(biased.contains(BIAS_RULES), "{biased}");
