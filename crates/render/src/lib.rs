@@ -86,7 +86,7 @@ pub use metrics::{
 pub use performance::{Speed, f32_speed, forecast_clocks, gather_speed};
 pub use photon_map::{Candidates, MapError, PhotonMap};
 pub use progressive::{
-    Balance, Chosen, ErrorEstimate, OtherPicture, PixelBound, Progressive, ProgressiveError,
+    Balance, ErrorEstimate, Given, OtherPicture, PixelBound, Progressive, ProgressiveError,
     ProgressiveOptions, ProgressiveState,
 };
 pub use quantise::{QuantiseError, QuantisedMap};

@@ -202,7 +202,7 @@ pub struct LightArgs {
     #[arg(long, value_name = "D")]
     pub direct: Option<DirectLight>,
     /// Caustics from the one photon `map`, or from one of their own with N photons in range: `own[:N]` [default: `map` in
-    /// `render`, `own:50` in `progressive`]
+    /// `render`, `own` in `progressive`]
     #[arg(long, value_name = "C")]
     pub caustics: Option<Caustics>,
     /// Rays of a final gather from each query point; 0 for none. In `progressive` it takes more time than none, but for very small errors

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use anyhow::{Context, Result, ensure};
 use photoncube_render::{
-    Area, Balance, Caustics, Chosen, DirectLight, ErrorEstimate, Estimator, Image, Lighting,
+    Area, Balance, Caustics, DirectLight, ErrorEstimate, Estimator, Given, Image, Lighting,
     Progressive, ProgressiveOptions, Scene, ViewOptions, ball_errors, error_map, luminance,
 };
 use serde::{Deserialize, Serialize};
@@ -268,7 +268,7 @@ fn balance(
     lighting: &Lighting,
     view: &ViewOptions,
 ) -> Result<Balance> {
-    let chosen = Chosen {
+    let given = Given {
         photons: args.photons,
         samples_per_axis: args.samples,
         rays: match args.light.direct {
@@ -277,7 +277,7 @@ fn balance(
         },
     };
     let options = options(args);
-    Ok(Balance::choose(scene, lighting, view, &options, chosen)?)
+    Ok(Balance::choose(scene, lighting, view, &options, given)?)
 }
 
 /// The time between two writings of the state while the passes go on.

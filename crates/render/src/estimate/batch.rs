@@ -85,7 +85,7 @@ impl QuantisedMap<'_> {
         radius_word: u32,
         found: &mut [Gathered],
     ) -> Result<(), GatherError> {
-        let mut facings = Facings::new(self.map());
+        let mut fronts = Fronts::new(self.map());
         let bits = self.numbers().radius_bits();
         let placed: Vec<_> = queries
             .iter()
@@ -95,11 +95,11 @@ impl QuantisedMap<'_> {
                     // Blocks further out have no photons around them.
                     block: steps.map(|at| (at >> bits).clamp(-2, OUTSIDE) as i32),
                     fraction: steps.map(|at| (at & ((1 << bits) - 1)) as u16),
-                    facing: facings.number(query.front()),
+                    facing: fronts.number(query.front()),
                 }
             })
             .collect();
-        let faces = |facing, group| facings.faces(facing, group);
+        let faces = |front, group| fronts.gather(front, group);
         planes.gather(instructions, radius_word, &placed, faces, found)
     }
 }
@@ -108,12 +108,12 @@ impl QuantisedMap<'_> {
 const OUTSIDE: i64 = INDEX_MASK as i64 + 2;
 
 /// The fronts that queries are on, numbered, and the groups of photons that count there.
-struct Facings<'a> {
+struct Fronts<'a> {
     map: &'a PhotonMap,
     fronts: Vec<Front>,
 }
 
-impl<'a> Facings<'a> {
+impl<'a> Fronts<'a> {
     fn new(map: &'a PhotonMap) -> Self {
         Self {
             map,
@@ -129,8 +129,9 @@ impl<'a> Facings<'a> {
         self.fronts.len() as u32 - 1
     }
 
-    fn faces(&self, facing: u32, group: u32) -> bool {
-        self.map.gathers(group, &self.fronts[facing as usize])
+    /// Whether queries on the front of that number gather a group.
+    fn gather(&self, front: u32, group: u32) -> bool {
+        self.map.gathers(group, &self.fronts[front as usize])
     }
 }
 

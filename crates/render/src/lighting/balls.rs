@@ -4,12 +4,8 @@ use super::{Area, DirectLight, Lighting};
 use crate::geometry::Geometry;
 use crate::scene::Scene;
 
-/// The search radius, over a ball's own, from which a leak is worth telling: light then reaches 6 degrees round the dark side, which
-/// is a fifth too bright where no other light arrives.
+/// The search radius, over a ball's own, from which a leak is worth telling: light then reaches 6 degrees round the dark side.
 const LEAKS: f64 = 0.1;
-
-/// The search radius, over a ball's own, from which the rule of [`crate::PhotonMap`] may leave out photons in range.
-const CUT: f64 = 0.75;
 
 /// The error of the estimates on a diffuse ball.
 #[derive(Debug, Clone, PartialEq)]
@@ -39,8 +35,8 @@ pub fn ball_errors(scene: &Scene, lighting: &Lighting, radius: f64) -> Vec<BallE
         radius: ratio,
         leak: (lighting.direct == DirectLight::Map && ratio >= LEAKS)
             .then(|| ratio.min(1.0).asin().to_degrees()),
-        too_dark: (lighting.area == Area::Disc && ratio > CUT)
-            .then(|| disc_over_cap(ratio).recip()),
+        too_dark: Some(disc_over_cap(ratio).recip())
+            .filter(|part| lighting.area == Area::Disc && *part < 1.0),
     });
     errors
         .filter(|error| error.leak.is_some() || error.too_dark.is_some())
@@ -61,43 +57,28 @@ mod tests {
 
     use super::*;
 
-    const BALL: &str = r#"
-[camera]
-position = [0, 0, 3]
-target = [0, 0, 0]
-fov_deg = 40
-[materials.white]
-type = "diffuse"
-reflectance = [0.5, 0.5, 0.5]
-[[shapes]]
-name = "ball"
-type = "sphere"
-center = [0, 0, 0]
-radius = 0.5
-material = "white"
-[[shapes]]
-name = "lamp"
-type = "quad"
-material = "white"
-emission = [1, 1, 1]
-corners = [[-1, 2, -1], [1, 2, -1], [1, 2, 1], [-1, 2, 1]]
-"#;
-
     #[test]
     fn a_ball_leaks_by_its_angle_and_is_dark_where_it_is_small() {
-        let scene = Scene::from_toml("ball.toml", BALL, Path::new("")).unwrap();
+        // Two balls of the radii 0.6 and 0.3.
+        let text = include_str!("../../../../docs/scenes/balls.toml");
+        let scene = Scene::from_toml("balls.toml", text, Path::new("")).unwrap();
         let rays = Lighting {
             direct: DirectLight::Rays(1),
             area: Area::Covered,
             ..Lighting::default()
         };
         let of = |lighting: &Lighting, radius| ball_errors(&scene, lighting, radius);
-        assert_eq!(of(&Lighting::default(), 0.04), []);
-        let near = &of(&Lighting::default(), 0.25)[0];
-        assert_eq!((near.shape.as_str(), near.too_dark), ("ball", None));
-        assert!((near.leak.unwrap() - 30.0).abs() < 1e-9);
-        let far = &of(&Lighting::default(), 1.0)[0];
-        assert_eq!((far.leak, far.too_dark), (Some(90.0), Some(0.25)));
-        assert_eq!(of(&rays, 1.0), []);
+        assert_eq!(of(&Lighting::default(), 0.029), []);
+        let [large, small] = &of(&Lighting::default(), 0.3)[..] else {
+            panic!("both balls leak");
+        };
+        assert_eq!([&large.shape, &small.shape], ["large", "small"]);
+        assert!((large.leak.unwrap() - 30.0).abs() < 1e-9);
+        assert_eq!((large.too_dark, small.too_dark), (None, None));
+        let far = &of(&Lighting::default(), 0.6)[1];
+        // Roundings of a division and a square.
+        assert!((far.too_dark.unwrap() - 0.25).abs() < 1e-12);
+        assert_eq!(far.leak, Some(90.0));
+        assert_eq!(of(&rays, 0.6), []);
     }
 }

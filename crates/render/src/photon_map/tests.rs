@@ -1,8 +1,8 @@
-use crate::view::Front;
 use proptest::prelude::*;
 
 use super::*;
 use crate::trace::{Facing, TraceOptions, trace};
+use crate::view::Front;
 
 fn scene() -> Scene {
     Scene::built_in("cornell").unwrap()

@@ -39,7 +39,7 @@ mod state;
 use glam::DVec3;
 use thiserror::Error;
 
-pub use self::balance::{Balance, Chosen};
+pub use self::balance::{Balance, Given};
 pub use self::error::{ErrorEstimate, PixelBound};
 pub use self::state::{OtherPicture, ProgressiveState};
 

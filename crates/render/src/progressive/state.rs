@@ -1,5 +1,6 @@
 //! The state of a progressive picture after some passes, from which more passes can be made at another time.
 
+use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
@@ -83,48 +84,28 @@ impl Progressive<'_> {
 impl Pixel {
     /// The two sums and, of each of the moments, the mean and the squares. Each has as many values as there were passes.
     fn numbers(&self) -> [f64; NUMBERS] {
-        let [red, green, blue] = self.sum.to_array();
-        let [inner_red, inner_green, inner_blue] = self.inner_sum.to_array();
+        let sums = [self.sum, self.inner_sum].map(|sum| sum.to_array());
         let moments = [&self.plain, &self.corrected, &self.bias];
-        let [(x, xx), (c, cc), (b, bb)] = moments.map(Moments::mean_and_squares);
-        [
-            red,
-            green,
-            blue,
-            inner_red,
-            inner_green,
-            inner_blue,
-            x,
-            xx,
-            c,
-            cc,
-            b,
-            bb,
-        ]
+        let moments = moments.map(|moments| <[f64; 2]>::from(moments.mean_and_squares()));
+        let all = sums.as_flattened().iter().chain(moments.as_flattened());
+        let mut numbers = [0.0; NUMBERS];
+        numbers
+            .iter_mut()
+            .zip(all)
+            .for_each(|(to, from)| *to = *from);
+        numbers
     }
 
     fn of_numbers(numbers: &[f64; NUMBERS], passes: u64) -> Self {
-        let [
-            red,
-            green,
-            blue,
-            inner_red,
-            inner_green,
-            inner_blue,
-            x,
-            xx,
-            c,
-            cc,
-            b,
-            bb,
-        ] = *numbers;
-        let moments = |mean, squares| Moments::of(passes, mean, squares);
+        let [sum, inner_sum] = [0, 3].map(|at| DVec3::from_slice(&numbers[at..]));
+        let moments = [6, 8, 10].map(|at| Moments::of(passes, numbers[at], numbers[at + 1]));
+        let [plain, corrected, bias] = moments;
         Self {
-            sum: [red, green, blue].into(),
-            inner_sum: [inner_red, inner_green, inner_blue].into(),
-            plain: moments(x, xx),
-            corrected: moments(c, cc),
-            bias: moments(b, bb),
+            sum,
+            inner_sum,
+            plain,
+            corrected,
+            bias,
         }
     }
 }

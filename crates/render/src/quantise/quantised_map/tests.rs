@@ -1,10 +1,10 @@
-use crate::view::Front;
 use photoncube_model::gather;
 use photoncube_spec::{MACHINES, PlainFormat, find_machine};
 use proptest::prelude::*;
 
 use super::*;
 use crate::scene::fixtures::traced_cornell;
+use crate::view::Front;
 use crate::{Photon, Scene};
 
 const RADIUS: f64 = 0.2;
