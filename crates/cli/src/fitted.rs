@@ -2,7 +2,8 @@
 
 use anyhow::Result;
 use photoncube_render::{
-    FieldNeed, Fit, FitOptions, Measurement, Prediction, Scene, Trial, covering, field_needs, fit,
+    FieldNeed, Fit, FitOptions, Measurement, Prediction, Scene, Trial, covering, fed, field_needs,
+    fit,
 };
 use photoncube_spec::{
     CustomError, CustomOrganisation, MACHINES, Machine, PhotonFormat, Widths, custom_machine,
@@ -48,9 +49,9 @@ impl FormatRow {
 pub struct MachineChoice {
     /// The chosen machine.
     pub machine: &'static Machine,
-    /// The machine's own format.
+    /// The format of the photons that it is fed: its own widths, with the rounding of the fitted format.
     pub format: PhotonFormat,
-    /// The error of the machine's own format.
+    /// The error of that format.
     pub measurement: Measurement,
     /// The fields in which the machine is wider than the scene needs.
     pub wider: Vec<FieldNeed>,
@@ -110,16 +111,17 @@ struct Candidate {
 }
 
 impl Candidate {
-    /// Measures the error of the machine's own format.
+    /// Measures the error of the photons that the machine is fed.
     fn measured(self, fit: &Fit, needed: &Trial) -> Result<MachineChoice> {
-        let measurement = match self.format == needed.format {
+        let format = fed(&self.format, &needed.format);
+        let measurement = match format == needed.format {
             true => needed.measured,
-            false => fit.measure(&self.format)?,
+            false => fit.measure(&format)?,
         };
         let needs = field_needs(&self.format, &needed.format).into_iter();
         Ok(MachineChoice {
             machine: self.machine,
-            format: self.format,
+            format,
             measurement,
             wider: needs.filter(|need| need.found > need.needed).collect(),
             time: self.time,
@@ -223,6 +225,7 @@ pub fn no_machine(format: &PhotonFormat) -> String {
 
 #[cfg(test)]
 mod tests {
+    use photoncube_render::{BenchOptions, ViewOptions};
     use photoncube_spec::{find_machine, find_photon_format};
 
     use super::*;
@@ -299,6 +302,45 @@ mod tests {
         };
         let sorted = by_speed(vec![unmeasured, slow, fast]);
         assert_eq!(names(&sorted), ["stream", "tile-4", "tile-5"]);
+    }
+
+    /// A fit of few photons: it is quick, and any format within the bound will do.
+    fn small_fit() -> Fit {
+        let options = FitOptions::default();
+        let view = ViewOptions {
+            width: 8,
+            height: 8,
+            ..options.bench.view
+        };
+        let bench = BenchOptions {
+            photons: 2_000,
+            maps: 4,
+            view,
+            ..options.bench
+        };
+        let options = FitOptions {
+            noise_ratio: 0.5,
+            bench,
+            ..options
+        };
+        fit(&Scene::built_in("cornell").unwrap(), &options, &|_| ()).unwrap()
+    }
+
+    /// Rounded to nearest, a machine's own powers may be too coarse where dithered ones are not.
+    #[test]
+    fn a_machine_is_measured_with_the_rounding_of_the_fit() {
+        let format = |name| find_photon_format(name).unwrap();
+        let fit = small_fit();
+        let needed = Trial {
+            format: format("local6-rgb4d-n4096"),
+            ..fit.chosen.clone().unwrap()
+        };
+        let error = |name| fit.measure(&format(name)).unwrap().error_over_noise;
+        let local = candidate("local").measured(&fit, &needed).unwrap();
+        assert_eq!(local.format, format("local8-rgb8e5d"));
+        let found = local.measurement.error_over_noise;
+        assert_eq!(found.to_bits(), error("local8-rgb8e5d").to_bits());
+        assert_ne!(found.to_bits(), error("local8-rgb8e5").to_bits());
     }
 
     #[test]

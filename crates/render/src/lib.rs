@@ -66,7 +66,7 @@ pub use estimate::{
 };
 pub use fit::{
     FieldNeed, Fit, FitError, FitOptions, FitProgress, Measurement, Prediction, Removal,
-    SceneFacts, Trial, covering, covers, field_needs, fit, largest_query,
+    SceneFacts, Trial, covering, covers, fed, field_needs, fit, largest_query,
 };
 pub use geometry::{Geometry, Hit, Mesh, MeshError, Quad, Sphere};
 pub use image::{

@@ -1,6 +1,6 @@
 //! Finds the machines that are wide enough for a format.
 
-use photoncube_spec::{Channels, Machine, PhotonFormat};
+use photoncube_spec::{Channels, Machine, PhotonFormat, PowerFormat};
 use serde::Serialize;
 
 /// A field of a machine's format, with the value that another format needs.
@@ -47,6 +47,19 @@ pub fn field_needs(machine: &PhotonFormat, needed: &PhotonFormat) -> Vec<FieldNe
 pub fn covers(machine: &PhotonFormat, needed: &PhotonFormat) -> bool {
     let needs = field_needs(machine, needed);
     needs.iter().all(|need| need.found >= need.needed)
+}
+
+/// The format of the photons that a machine is fed: the machine's widths, rounded as the needed format says. Photons are
+/// rounded before they are stored, so the emitted Verilog of both is one text.
+#[must_use]
+pub fn fed(machine: &PhotonFormat, needed: &PhotonFormat) -> PhotonFormat {
+    PhotonFormat {
+        power: PowerFormat {
+            rounding: needed.power.rounding,
+            ..machine.power
+        },
+        ..*machine
+    }
 }
 
 /// The machines that are wide enough for the format.
@@ -96,6 +109,23 @@ mod tests {
         ] {
             assert!(!covers(machine, needed), "{machine}");
         }
+    }
+
+    #[test]
+    fn a_machine_is_fed_its_own_widths_by_the_rounding_of_the_fit() {
+        let fed = |machine, needed| {
+            let format = |name| find_photon_format(name).unwrap();
+            fed(&format(machine), &format(needed)).name()
+        };
+        assert_eq!(
+            fed("local8-rgb8e5", "local7-rgb7e1d-n4096"),
+            "local8-rgb8e5d"
+        );
+        assert_eq!(
+            fed("local6x2-rgb6d-n4096", "local6-rgb5"),
+            "local6x2-rgb6-n4096"
+        );
+        assert_eq!(fed("local8-rgb8e5", "local6-rgb5"), "local8-rgb8e5");
     }
 
     #[test]

@@ -29,7 +29,7 @@ use photoncube_spec::PhotonFormat;
 use thiserror::Error;
 
 pub use self::facts::{SceneFacts, largest_query};
-pub use self::machine::{FieldNeed, covering, covers, field_needs};
+pub use self::machine::{FieldNeed, covering, covers, fed, field_needs};
 pub use self::predict::Prediction;
 pub use self::search::{Measurement, Removal, Trial};
 
