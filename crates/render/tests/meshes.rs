@@ -183,7 +183,8 @@ fn photons_of_a_curved_surface_are_chosen_by_their_facing() {
         let photons = photons(&scene, 20_000);
         let map = PhotonMap::new(&scene, photons.clone(), 0.5).unwrap();
         let centre = DVec3::new(0.0, -0.3, 0.0);
-        let ball: Vec<_> = on(&scene, map.photons(), "ball").copied().collect();
+        let mapped: Vec<_> = map.traced_photons().collect();
+        let ball: Vec<_> = on(&scene, &mapped, "ball").copied().collect();
         assert!(ball.len() > 1000);
         for query in ball.iter().step_by(97) {
             let normal = (query.position - centre).normalize();
@@ -204,7 +205,7 @@ fn photons_of_a_curved_surface_are_chosen_by_their_facing() {
             assert_eq!(gathered.in_range, brute.in_range);
             assert!(brute.in_range > 0);
             let runs = map.candidates(query.position, Front::of_any(normal));
-            for photon in runs.flat_map(|run| &map.photons()[run.photons]) {
+            for photon in runs.flat_map(|run| &mapped[run.photons]) {
                 let surface = &scene.surfaces()[photon.surface as usize];
                 if surface.shape == "ball" {
                     let true_normal = (photon.position - centre).normalize();

@@ -2,9 +2,9 @@
 
 use glam::DVec3;
 use photoncube_spec::{Channels, PowerFormat, Rounding};
+use rayon::prelude::*;
 
-use crate::photon_map::PhotonMap;
-use crate::trace::Photon;
+use crate::photon_map::{PhotonMap, StoredPhoton};
 use crate::trace::sample::mix;
 
 /// The conversion of a map's powers to the integers of a format and back.
@@ -25,7 +25,8 @@ impl PowerScale {
     pub fn new(map: &PhotonMap, power: PowerFormat) -> Self {
         let full = f64::from((1_u32 << power.mantissa_bits) - 1);
         let exponent_range = power.exponent_range() as u8;
-        let largest = strongest(map.photons());
+        let powers = map.photons().par_iter().map(|p| p.power.max_element());
+        let largest = powers.reduce(|| 0.0, f64::max);
         let unit = largest / full / power_of_two(exponent_range);
         Self {
             // A subnormal unit would round differently; such powers are practically no light.
@@ -41,7 +42,7 @@ impl PowerScale {
     }
 
     /// The smallest exponent at which all of these photons fit.
-    pub fn exponent(&self, photons: &[Photon]) -> u8 {
+    pub fn exponent(&self, photons: &[StoredPhoton]) -> u8 {
         let value = strongest(photons) / self.unit;
         let fits = |exponent: &u8| {
             let mantissa = value / power_of_two(*exponent);
@@ -84,13 +85,13 @@ impl PowerScale {
     }
 }
 
-fn strongest(photons: &[Photon]) -> f64 {
+fn strongest(photons: &[StoredPhoton]) -> f64 {
     let powers = photons.iter().map(|photon| photon.power.max_element());
     powers.fold(0.0, f64::max)
 }
 
 /// The colour of the photons' sum, with its strongest channel 1; white where there is no light.
-fn colour(photons: &[Photon]) -> DVec3 {
+fn colour(photons: &[StoredPhoton]) -> DVec3 {
     let sum: DVec3 = photons.iter().map(|photon| photon.power).sum();
     let strongest = sum.max_element();
     if strongest > 0.0 {
