@@ -6,6 +6,7 @@ use glam::{DVec3, I64Vec3};
 use photoncube_render::PhotonMap;
 use pulp::cast;
 use pulp::x86::V3;
+use rayon::prelude::*;
 
 use crate::found::Found;
 
@@ -39,10 +40,10 @@ impl F32Grid {
             starts: vec![0; (cells.x * cells.y * cells.z) as usize + 1],
         };
         let mut order: Vec<_> = photons
-            .iter()
+            .par_iter()
             .map(|p| (grid.index(grid.cell(p.position)), p))
             .collect();
-        order.sort_by_key(|(cell, _)| *cell);
+        order.par_sort_by_key(|(cell, _)| *cell);
         for (cell, photon) in order {
             grid.starts[cell + 1] += 1;
             let values = photon
