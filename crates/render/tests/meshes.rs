@@ -173,6 +173,13 @@ fn on<'a>(
     photons.iter().filter(of)
 }
 
+/// The photons sorted by position.
+fn in_a_line(photons: &[Photon]) -> Vec<Photon> {
+    let mut photons = photons.to_vec();
+    photons.sort_by_key(|photon| photon.position.to_array().map(f64::to_bits));
+    photons
+}
+
 /// The map's runs hold, for any query on the ball, all photons whose facing is near its normal, and the rule
 /// errs by no more than a facing's cell: photons of a true normal within 44 degrees are gathered, beyond 76 not.
 #[test]
@@ -184,6 +191,7 @@ fn photons_of_a_curved_surface_are_chosen_by_their_facing() {
         let map = PhotonMap::new(&scene, photons.clone(), 0.5).unwrap();
         let centre = DVec3::new(0.0, -0.3, 0.0);
         let mapped: Vec<_> = map.traced_photons().collect();
+        assert_eq!(in_a_line(&mapped), in_a_line(&photons));
         let ball: Vec<_> = on(&scene, &mapped, "ball").copied().collect();
         assert!(ball.len() > 1000);
         for query in ball.iter().step_by(97) {
