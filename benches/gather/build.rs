@@ -7,8 +7,8 @@ use std::time::Instant;
 
 use photoncube_model::Instructions;
 use photoncube_render::{
-    Engine, Lighting, PhotonMaps, QuantisedMap, QueryPoint, Radii, Scene, TraceOptions,
-    ViewOptions, trace, view_queries,
+    Engine, Lighting, PhotonMaps, PhotonTrace, QuantisedMap, QueryPoint, Radii, Scene,
+    StoredPhoton, TraceOptions, ViewOptions, trace, view_queries,
 };
 use rayon::ThreadPoolBuilder;
 
@@ -140,13 +140,16 @@ impl Setting {
         }
     }
 
+    fn trace(&self) -> PhotonTrace {
+        trace(&self.scene, &self.options, &|_| ()).expect("a scene with light")
+    }
+
     /// Traces and builds, and measures each contestant. `before` are the bytes that were allocated before the first round.
     fn round(&self, before: usize) -> Vec<Measured> {
         let format = format();
         let lighting = Lighting::default();
-        let (traced, trace) = timed(|| trace(&self.scene, &self.options, &|_| ()));
+        let (traced, trace) = timed(|| self.trace());
         let (maps, sort) = timed(|| {
-            let traced = traced.expect("a scene with light");
             let radii = Radii::of(&self.scene, &traced, &lighting, IN_RANGE);
             let engine = Engine::from(&format);
             PhotonMaps::for_engine(&self.scene, traced, &lighting, radii, engine)
@@ -179,8 +182,13 @@ impl Setting {
         };
         let mut all = vec![measured(&fixed_point, index, Some(sort), Some(peak))];
         drop(fixed_point);
+        let radius = map.radius();
+        drop(map);
+        // In the order of their paths, as the map had them. They are traced again, because the map needed their memory.
+        let photons = self.trace().photons;
+        let photons: Vec<_> = photons.into_iter().map(StoredPhoton::from).collect();
         for peer in PEERS {
-            let (peer, index) = timed(|| peer(&map, &queries));
+            let (peer, index) = timed(|| peer(&photons, radius, &queries));
             all.extend(peer.map(|peer| measured(&*peer, index, None, None)));
         }
         all

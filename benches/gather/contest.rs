@@ -3,7 +3,7 @@
 
 use glam::DVec3;
 use photoncube_model::{Instructions, PhotonPlanes};
-use photoncube_render::{PhotonMap, QuantisedMap, QueryPoint};
+use photoncube_render::{QuantisedMap, QueryPoint, StoredPhoton};
 use photoncube_spec::PhotonFormat;
 use rayon::prelude::*;
 
@@ -64,12 +64,13 @@ pub fn contestants<'a>(
         }));
     }
     let peers = PEERS.iter();
-    all.extend(peers.filter_map(|peer| peer(&data.map, &data.queries)));
+    let (photons, radius) = (data.map.photons(), data.map.radius());
+    all.extend(peers.filter_map(|peer| peer(photons, radius, &data.queries)));
     all
 }
 
-/// Makes a peer from the photons of a map; `None` where this processor cannot run it.
-pub type Peer = fn(&PhotonMap, &[QueryPoint]) -> Option<Box<dyn Contestant + Sync>>;
+/// Makes a peer from photons in any order, for a search radius; `None` where this processor cannot run it.
+pub type Peer = fn(&[StoredPhoton], f64, &[QueryPoint]) -> Option<Box<dyn Contestant + Sync>>;
 
 /// What people use today.
 pub const PEERS: &[Peer] = &[
@@ -79,21 +80,29 @@ pub const PEERS: &[Peer] = &[
 ];
 
 #[cfg(target_arch = "x86_64")]
-fn grid(map: &PhotonMap, queries: &[QueryPoint]) -> Option<Box<dyn Contestant + Sync>> {
+fn grid(
+    photons: &[StoredPhoton],
+    radius: f64,
+    queries: &[QueryPoint],
+) -> Option<Box<dyn Contestant + Sync>> {
     let Some(simd) = V3::try_new() else {
         println!("this processor has no AVX2: the f32 grid is left out");
         return None;
     };
     Some(Box::new(Grid {
-        grid: F32Grid::new(map),
+        grid: F32Grid::new(photons, radius),
         simd,
         queries: positions(queries),
     }))
 }
 
-fn tree(map: &PhotonMap, queries: &[QueryPoint]) -> Option<Box<dyn Contestant + Sync>> {
+fn tree(
+    photons: &[StoredPhoton],
+    radius: f64,
+    queries: &[QueryPoint],
+) -> Option<Box<dyn Contestant + Sync>> {
     Some(Box::new(KdTree {
-        tree: Tree::new(map),
+        tree: Tree::new(photons, radius),
         queries: positions(queries),
     }))
 }

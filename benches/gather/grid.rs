@@ -3,7 +3,7 @@
 use core::arch::x86_64::{__m256, _CMP_LE_OQ};
 
 use glam::{DVec3, I64Vec3};
-use photoncube_render::PhotonMap;
+use photoncube_render::StoredPhoton;
 use pulp::cast;
 use pulp::x86::V3;
 use rayon::prelude::*;
@@ -24,8 +24,7 @@ pub struct F32Grid {
 }
 
 impl F32Grid {
-    pub fn new(map: &PhotonMap) -> Self {
-        let (photons, radius) = (map.photons(), map.radius());
+    pub fn new(photons: &[StoredPhoton], radius: f64) -> Self {
         let places = || photons.iter().map(|photon| photon.position);
         let low = places().reduce(DVec3::min).expect("photons");
         let high = places().reduce(DVec3::max).expect("photons");
