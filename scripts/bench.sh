@@ -20,7 +20,7 @@ work that touches no memory. About three minutes.
 
 `build` measures tracing, sorting and the planes, with the most memory that they take, and what the peers
 build from the same photons; each with the gather of 2^20 queries. PHOTONS are 1e5 1e6 1e7 if not given: up to four
-minutes and 2 GB of memory. 1e8 takes some twenty minutes and 12 GB.
+minutes and 2 GB of memory. 1e8 takes ten times as much of both as 1e7.
 USAGE
 }
 
