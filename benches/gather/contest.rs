@@ -3,7 +3,7 @@
 
 use glam::DVec3;
 use photoncube_model::{Instructions, PhotonPlanes};
-use photoncube_render::{QuantisedMap, QueryPoint};
+use photoncube_render::{QuantisedMap, QueryPoint, StoredPhoton};
 use photoncube_spec::PhotonFormat;
 use rayon::prelude::*;
 
@@ -56,23 +56,59 @@ pub fn contestants<'a>(
         } else {
             names(instructions)
         };
-        all.push(Box::new(FixedPoint::new(format, data, instructions, name)));
+        all.push(Box::new(FixedPoint {
+            map: QuantisedMap::new(&data.map, &format.into()).expect("a legal radius"),
+            instructions,
+            name,
+            queries: &data.queries,
+        }));
     }
-    let positions: Vec<_> = data.queries.iter().map(|query| query.position).collect();
-    #[cfg(target_arch = "x86_64")]
-    match V3::try_new() {
-        Some(simd) => all.push(Box::new(Grid {
-            grid: F32Grid::new(&data.map),
-            simd,
-            queries: positions.clone(),
-        })),
-        None => println!("this processor has no AVX2: the f32 grid is left out"),
-    }
-    all.push(Box::new(KdTree {
-        tree: Tree::new(&data.map),
-        queries: positions,
-    }));
+    let peers = PEERS.iter();
+    let (photons, radius) = (data.map.photons(), data.map.radius());
+    all.extend(peers.filter_map(|peer| peer(photons, radius, &data.queries)));
     all
+}
+
+/// Makes a peer from photons in any order, for a search radius; `None` where this processor cannot run it.
+pub type Peer = fn(&[StoredPhoton], f64, &[QueryPoint]) -> Option<Box<dyn Contestant + Sync>>;
+
+/// What people use today.
+pub const PEERS: &[Peer] = &[
+    #[cfg(target_arch = "x86_64")]
+    grid,
+    tree,
+];
+
+#[cfg(target_arch = "x86_64")]
+fn grid(
+    photons: &[StoredPhoton],
+    radius: f64,
+    queries: &[QueryPoint],
+) -> Option<Box<dyn Contestant + Sync>> {
+    let Some(simd) = V3::try_new() else {
+        println!("this processor has no AVX2: the f32 grid is left out");
+        return None;
+    };
+    Some(Box::new(Grid {
+        grid: F32Grid::new(photons, radius),
+        simd,
+        queries: positions(queries),
+    }))
+}
+
+fn tree(
+    photons: &[StoredPhoton],
+    radius: f64,
+    queries: &[QueryPoint],
+) -> Option<Box<dyn Contestant + Sync>> {
+    Some(Box::new(KdTree {
+        tree: Tree::new(photons, radius),
+        queries: positions(queries),
+    }))
+}
+
+fn positions(queries: &[QueryPoint]) -> Vec<DVec3> {
+    queries.iter().map(|query| query.position).collect()
 }
 
 /// The sums of every `every`-th tile.
@@ -88,27 +124,12 @@ fn sum<Q: Sync>(
     })
 }
 
-struct FixedPoint<'a> {
-    map: QuantisedMap<'a>,
-    instructions: Instructions,
-    name: &'static str,
-    queries: &'a [QueryPoint],
-}
-
-impl<'a> FixedPoint<'a> {
-    fn new(
-        format: &PhotonFormat,
-        data: &'a Data,
-        instructions: Instructions,
-        name: &'static str,
-    ) -> Self {
-        Self {
-            map: QuantisedMap::new(&data.map, &format.into()).expect("a legal radius"),
-            instructions,
-            name,
-            queries: &data.queries,
-        }
-    }
+/// The golden model's fast gather.
+pub struct FixedPoint<'a> {
+    pub map: QuantisedMap<'a>,
+    pub instructions: Instructions,
+    pub name: &'static str,
+    pub queries: &'a [QueryPoint],
 }
 
 impl Contestant for FixedPoint<'_> {

@@ -3,9 +3,10 @@
 use core::arch::x86_64::{__m256, _CMP_LE_OQ};
 
 use glam::{DVec3, I64Vec3};
-use photoncube_render::PhotonMap;
+use photoncube_render::StoredPhoton;
 use pulp::cast;
 use pulp::x86::V3;
+use rayon::prelude::*;
 
 use crate::found::Found;
 
@@ -23,8 +24,7 @@ pub struct F32Grid {
 }
 
 impl F32Grid {
-    pub fn new(map: &PhotonMap) -> Self {
-        let (photons, radius) = (map.photons(), map.radius());
+    pub fn new(photons: &[StoredPhoton], radius: f64) -> Self {
         let places = || photons.iter().map(|photon| photon.position);
         let low = places().reduce(DVec3::min).expect("photons");
         let high = places().reduce(DVec3::max).expect("photons");
@@ -39,10 +39,10 @@ impl F32Grid {
             starts: vec![0; (cells.x * cells.y * cells.z) as usize + 1],
         };
         let mut order: Vec<_> = photons
-            .iter()
+            .par_iter()
             .map(|p| (grid.index(grid.cell(p.position)), p))
             .collect();
-        order.sort_by_key(|(cell, _)| *cell);
+        order.par_sort_by_key(|(cell, _)| *cell);
         for (cell, photon) in order {
             grid.starts[cell + 1] += 1;
             let values = photon

@@ -1,10 +1,12 @@
 //! Benchmarks the gather beside its competitors, on equal photons and queries, in one run:
 //! `scripts/bench.sh`.
 
+use std::alloc::System;
 use std::hint::black_box;
 use std::path::Path;
 use std::time::{Duration, SystemTime};
 
+use cap::Cap;
 use criterion::{BenchmarkId, Criterion, SamplingMode, Throughput};
 use photoncube_spec::{PhotonFormat, find_photon_format};
 use rayon::ThreadPoolBuilder;
@@ -13,6 +15,7 @@ use crate::contest::{SOME, contestants};
 use crate::data::{Data, Light, Workload};
 use crate::table::{Row, print};
 
+mod build;
 mod contest;
 mod data;
 mod found;
@@ -32,10 +35,22 @@ const THREADS: [usize; 2] = [1, 2];
 /// made then.
 const SCALING: &str = "scaling";
 
+/// The argument that measures how photons are traced, sorted and put in planes. Numbers of photons may follow.
+const BUILD: &str = "build";
+
 /// The argument that measures the gain of a second thread.
 const SECOND_THREAD: &str = "threads";
 
+/// Counts the memory that building takes. The gathers allocate only a list of results for each tile.
+#[global_allocator]
+static ALLOCATOR: Cap<System> = Cap::new(System, usize::MAX);
+
 fn main() {
+    let arguments: Vec<_> = std::env::args().collect();
+    if let Some(place) = arguments.iter().position(|argument| argument == BUILD) {
+        build::measure(&arguments[place + 1..]);
+        return;
+    }
     if std::env::args().any(|argument| argument == SECOND_THREAD) {
         threads::measure();
         return;

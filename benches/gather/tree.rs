@@ -2,7 +2,7 @@
 
 use glam::{DVec3, Vec3};
 use kiddo::{ImmutableKdTree, SquaredEuclidean};
-use photoncube_render::PhotonMap;
+use photoncube_render::StoredPhoton;
 
 use crate::found::Found;
 
@@ -14,20 +14,13 @@ pub struct Tree {
 }
 
 impl Tree {
-    pub fn new(map: &PhotonMap) -> Self {
-        let positions = map
-            .photons()
-            .iter()
-            .map(|photon| photon.position.as_vec3().to_array());
+    pub fn new(photons: &[StoredPhoton], radius: f64) -> Self {
+        let positions = photons.iter().map(|p| p.position.as_vec3().to_array());
         let tree = ImmutableKdTree::new_from_slice(&positions.collect::<Vec<_>>());
         Self {
             tree: tree.expect("photons"),
-            powers: map
-                .photons()
-                .iter()
-                .map(|photon| photon.power.as_vec3())
-                .collect(),
-            radius_sq: (map.radius() * map.radius()) as f32,
+            powers: photons.iter().map(|p| p.power.as_vec3()).collect(),
+            radius_sq: (radius * radius) as f32,
         }
     }
 

@@ -36,6 +36,16 @@ impl Traced {
 
 /// Stages 2 and 3: traces the photons and makes the maps that the lighting needs.
 pub fn trace_scene(scene: Scene, picture: &PictureArgs, lighting: &Lighting) -> Result<Traced> {
+    trace_for(scene, picture, lighting, Engine::F64)
+}
+
+/// Stages 2 and 3 for pictures by one engine, in whose blocks the maps are.
+pub fn trace_for(
+    scene: Scene,
+    picture: &PictureArgs,
+    lighting: &Lighting,
+    engine: Engine<'_>,
+) -> Result<Traced> {
     let options = TraceOptions {
         photons: picture.photons,
         seed: picture.seed,
@@ -45,7 +55,7 @@ pub fn trace_scene(scene: Scene, picture: &PictureArgs, lighting: &Lighting) -> 
     bar.finish_and_clear();
     let paths = traced.paths;
     let radii = Radii::of(&scene, &traced, lighting, picture.in_range);
-    let maps = PhotonMaps::new(&scene, traced, lighting, radii)?;
+    let maps = PhotonMaps::for_engine(&scene, traced, lighting, radii, engine)?;
     Ok(Traced { scene, maps, paths })
 }
 

@@ -10,7 +10,7 @@ use super::grid::Grid;
 use super::naive::{in_range_f32, in_range_f64};
 use super::room::{COLOUR, RADIUS, Room, photon};
 use super::setting::Setting;
-use photoncube_render::Photon;
+use photoncube_render::{Photon, StoredPhoton};
 
 pub(super) const TIES_F32: HardCase = HardCase {
     name: "boundary-ties-f32",
@@ -70,7 +70,7 @@ fn ties(format: &PhotonFormat, naive: InRange) -> Result<Outcome, HardCaseError>
         looked_at += photons.len() as u64;
         if setting.counts[0] > 0 {
             at_boundary += photons.len() as u64;
-            let accepts = |p: &&Photon| naive(p.position, setting.queries[0], RADIUS);
+            let accepts = |p: &&StoredPhoton| naive(p.position, setting.queries[0], RADIUS);
             naively_wrong += (photons.len() - photons.iter().filter(accepts).count()) as u64;
         }
     }

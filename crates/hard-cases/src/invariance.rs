@@ -12,8 +12,8 @@ use super::case::{Bound, Contrast, HardCase, HardCaseError, Outcome, every_forma
 use super::grid::Grid;
 use super::room::{COLOUR, RADIUS, Room, photon, photons, points};
 use super::setting::Setting;
-use photoncube_render::Photon;
 use photoncube_render::QuantisedMap;
+use photoncube_render::{Photon, StoredPhoton};
 
 pub(super) const MOVED: HardCase = HardCase {
     name: "moved-by-1e6",
@@ -225,7 +225,7 @@ fn brighter(format: &PhotonFormat) -> Result<Outcome, HardCaseError> {
     ];
     let mut outcome = same(format, &settings)?;
     let dim = settings[2].map.photons();
-    let lost = |p: &&Photon| (p.power.max_element() * 65_536.0).round() == 0.0;
+    let lost = |p: &&StoredPhoton| (p.power.max_element() * 65_536.0).round() == 0.0;
     outcome.contrast = percent(dim.iter().filter(lost).count() as u64, dim.len() as u64);
     Ok(outcome)
 }

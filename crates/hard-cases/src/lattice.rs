@@ -15,8 +15,8 @@ use super::naive::in_range_absolute;
 use super::room::{COLOUR, FRONT, RADIUS, Room, photon, points};
 use super::setting::Setting;
 use photoncube_render::MISCLASSIFIED_TIMES_STEPS;
-use photoncube_render::Photon;
 use photoncube_render::QuantisedMap;
+use photoncube_render::{Photon, StoredPhoton};
 
 pub(super) const BIAS: HardCase = HardCase {
     name: "lattice-bias",
@@ -178,7 +178,7 @@ fn tight(format: &PhotonFormat) -> Result<Outcome, HardCaseError> {
             wrong += u64::from(verdict != exact);
             truly += u64::from(exact);
         }
-        let near = |p: &&Photon| in_range_absolute(p.position, query, radius, 8);
+        let near = |p: &&StoredPhoton| in_range_absolute(p.position, query, radius, 8);
         absolute += setting.map.photons().iter().filter(near).count() as u64;
     }
     let cells = radius / grid.cell(radius);

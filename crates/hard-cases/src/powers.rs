@@ -7,8 +7,8 @@ use super::case::{Bound, Contrast, HardCase, HardCaseError, Outcome, every_forma
 use super::grid::Grid;
 use super::room::{COLOUR, MIDDLE, RADIUS, Room, photon, points};
 use super::setting::Setting;
-use photoncube_render::Photon;
 use photoncube_render::QuantisedMap;
+use photoncube_render::StoredPhoton;
 
 pub(super) const NONE: HardCase = HardCase {
     name: "no-photon-no-light",
@@ -106,7 +106,7 @@ fn full(format: &PhotonFormat) -> f64 {
 fn worst_error(
     setting: &Setting,
     format: &PhotonFormat,
-    scale_of: impl Fn(&Photon) -> f64,
+    scale_of: impl Fn(&StoredPhoton) -> f64,
 ) -> Result<f64, HardCaseError> {
     let quantised = QuantisedMap::new(&setting.map, &format.into())?;
     let photons = quantised.map().photons();
@@ -180,7 +180,7 @@ fn one_block(format: &PhotonFormat) -> Result<Outcome, HardCaseError> {
     let setting = wide(&Grid::of_format(format))?;
     let brightest = COLOUR.max_element();
     let result = worst_error(&setting, format, |_| brightest)?;
-    let dim = |p: &&Photon| (p.power.max_element() / brightest * full(format)).round() == 0.0;
+    let dim = |p: &&StoredPhoton| (p.power.max_element() / brightest * full(format)).round() == 0.0;
     let lost = setting.map.photons().iter().filter(dim).count() as u64;
     Ok(Outcome {
         looked_at: setting.counts[0],
@@ -206,7 +206,7 @@ fn two_blocks(grid: &Grid) -> Result<Setting, HardCaseError> {
 
 fn across_blocks(format: &PhotonFormat) -> Result<Outcome, HardCaseError> {
     let setting = two_blocks(&Grid::of_format(format))?;
-    let scale = |p: &Photon| if p.position.x < 0.5 { 1.0 } else { 1e-6 };
+    let scale = |p: &StoredPhoton| if p.position.x < 0.5 { 1.0 } else { 1e-6 };
     let result = worst_error(&setting, format, scale)?;
     let dim = setting.map.photons().iter().map(|p| p.power.max_element());
     let dim: Vec<f64> = dim.filter(|power| *power < 1e-5).collect();

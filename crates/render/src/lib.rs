@@ -84,7 +84,7 @@ pub use metrics::{
     view_queries,
 };
 pub use performance::{Speed, f32_speed, forecast_clocks, gather_speed};
-pub use photon_map::{Candidates, MapError, PhotonMap};
+pub use photon_map::{Candidates, MapError, PhotonMap, StoredPhoton};
 pub use progressive::{
     Balance, ErrorEstimate, Given, OtherPicture, PixelBound, Progressive, ProgressiveError,
     ProgressiveOptions, ProgressiveState,

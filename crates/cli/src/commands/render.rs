@@ -10,7 +10,7 @@ use crate::args::{EngineReport, LightingReport, RenderArgs};
 use crate::core::CoreReport;
 use crate::narrow::narrow;
 use crate::outputs::{self, Output};
-use crate::stages::{picture_lit, trace_scene, view, write_picture};
+use crate::stages::{picture_lit, trace_for, view, write_picture};
 use crate::{output, scenes, sight};
 
 #[derive(Serialize)]
@@ -57,7 +57,7 @@ pub fn execute(args: &RenderArgs, json: bool) -> Result<()> {
     let view = view(&args.picture);
     sight::check(&scene, &view)?;
     let start = Instant::now();
-    let traced = trace_scene(scene, &args.picture, &lighting)?;
+    let traced = trace_for(scene, &args.picture, &lighting, engine)?;
     let rendering = picture_lit(
         &traced,
         engine,

@@ -32,6 +32,18 @@ impl PhotonPlanes {
         })
     }
 
+    /// Makes room for `photons` more. Without it the planes grow by doubling, and take up to twice their memory.
+    pub fn reserve(&mut self, photons: usize) {
+        self.planes.reserve(photons);
+    }
+
+    /// Gives back the memory that the photons do not use.
+    pub fn shrink_to_fit(&mut self) {
+        self.planes.shrink_to_fit();
+        self.rows.shrink_to_fit();
+        self.groups.shrink_to_fit();
+    }
+
     /// The number of blocks on an edge of a cube, a power of two.
     #[must_use]
     pub fn cube_edge(&self) -> u32 {

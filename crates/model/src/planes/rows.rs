@@ -52,6 +52,13 @@ impl Rows {
         }
     }
 
+    /// Gives back the memory that the index does not use.
+    pub fn shrink_to_fit(&mut self) {
+        self.keys.shrink_to_fit();
+        self.starts.shrink_to_fit();
+        self.xs.shrink_to_fit();
+    }
+
     /// The number of bytes of the index.
     #[must_use]
     pub fn bytes(&self) -> usize {

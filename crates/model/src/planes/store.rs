@@ -165,6 +165,24 @@ impl Planes {
         }
     }
 
+    /// Makes room for `photons` more, in leaves that are flat on no axis, so that the planes do not grow by doubling.
+    pub fn reserve(&mut self, photons: usize) {
+        let Layout {
+            wide,
+            mantissa_planes,
+        } = self.layout;
+        let positions = if wide { 3 * 2 } else { 3 + 2 };
+        self.bytes
+            .reserve_exact(photons * (positions + mantissa_planes));
+    }
+
+    /// Gives back the memory that the planes do not use.
+    pub fn shrink_to_fit(&mut self) {
+        self.bytes.shrink_to_fit();
+        self.leaves.shrink_to_fit();
+        self.runs.shrink_to_fit();
+    }
+
     /// Appends the runs of `other`.
     pub fn append(&mut self, other: &Self) {
         self.bytes.truncate(self.bytes.len() - SLACK);

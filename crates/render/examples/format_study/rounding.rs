@@ -1,7 +1,7 @@
 //! Rounds powers in ways that no format has: with other exponents and other dithering.
 
 use glam::DVec3;
-use photoncube_render::{Photon, QuantisedMap};
+use photoncube_render::{QuantisedMap, StoredPhoton};
 use rand::rngs::StdRng;
 use rand::{RngExt, SeedableRng};
 
@@ -24,7 +24,7 @@ pub fn powers(quantised: &QuantisedMap<'_>, sharing: Sharing, dithered: bool) ->
     let mut rng = StdRng::seed_from_u64(seed);
     let exponents = exponents(quantised, sharing);
     let photons = quantised.map().photons().iter();
-    let round = |(photon, exponent): (&Photon, u8)| {
+    let round = |(photon, exponent): (&StoredPhoton, u8)| {
         let step = unit * f64::from(exponent).exp2();
         let mut add = || if dithered { rng.random() } else { 0.5 };
         let offset = DVec3::new(add(), add(), add());

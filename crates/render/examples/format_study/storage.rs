@@ -83,7 +83,7 @@ fn per_map(
 }
 
 fn groups<'a>(quantised: &'a QuantisedMap<'_>, by_run: bool) -> Vec<&'a [PhotonRecord]> {
-    let photons = quantised.map().photons();
+    let photons: Vec<_> = quantised.map().traced_photons().collect();
     let mut groups = Vec::new();
     for block in quantised.map().block_slices() {
         let mut rest = &quantised.records()[block.clone()];

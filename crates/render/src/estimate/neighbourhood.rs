@@ -83,7 +83,7 @@ impl Neighbourhood {
         };
         let facing = photons.iter().filter(faces);
         Self {
-            near: facing.map(|p| near(p, query)).collect(),
+            near: facing.map(|p| near(p.position, p.power, query)).collect(),
             reach: f64::INFINITY,
         }
     }
@@ -94,7 +94,7 @@ impl Neighbourhood {
         let runs = map.candidates(query.position, query.front());
         let photons = runs.flat_map(|run| &map.photons()[run.photons]);
         Self {
-            near: photons.map(|p| near(p, query)).collect(),
+            near: photons.map(|p| near(p.position, p.power, query)).collect(),
             reach: map.radius(),
         }
     }
@@ -216,10 +216,10 @@ impl Neighbourhood {
     }
 }
 
-fn near(photon: &Photon, query: &QueryPoint) -> Near {
+fn near(position: DVec3, power: DVec3, query: &QueryPoint) -> Near {
     Near {
-        distance_sq: photon.position.distance_squared(query.position),
-        power: photon.power,
+        distance_sq: position.distance_squared(query.position),
+        power,
     }
 }
 

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{Caustics, Lighting};
 use crate::photon_map::{MapError, PhotonMap};
+use crate::render::Engine;
 use crate::scene::Scene;
 use crate::trace::{PathKind, Photon, PhotonTrace};
 
@@ -97,7 +98,7 @@ pub struct PhotonMaps {
 }
 
 impl PhotonMaps {
-    /// Makes the maps of a trace.
+    /// Makes the maps of a trace, in blocks whose edge is the radius.
     ///
     /// # Errors
     /// As for [`PhotonMap::new`].
@@ -107,17 +108,39 @@ impl PhotonMaps {
         lighting: &Lighting,
         radii: Radii,
     ) -> Result<Self, MapError> {
+        Self::in_blocks(scene, trace, lighting, radii, |radius| radius)
+    }
+
+    /// Makes the maps of a trace in the blocks of an engine's numbers, so that the engine needs no other copy of the photons. A
+    /// picture by that engine is the same, bit for bit, as from [`Self::new`].
+    ///
+    /// # Errors
+    /// As for [`PhotonMap::new_reblocked`].
+    pub fn for_engine(
+        scene: &Scene,
+        trace: PhotonTrace,
+        lighting: &Lighting,
+        radii: Radii,
+        engine: Engine<'_>,
+    ) -> Result<Self, MapError> {
+        Self::in_blocks(scene, trace, lighting, radii, |radius| engine.edge(radius))
+    }
+
+    /// Makes the maps with blocks of the `edge` of their radius.
+    fn in_blocks(
+        scene: &Scene,
+        trace: PhotonTrace,
+        lighting: &Lighting,
+        radii: Radii,
+        edge: impl Fn(f64) -> f64,
+    ) -> Result<Self, MapError> {
         let caustic = radii.caustic.map(|radius| {
             let photons = trace.of(|kind| kind == PathKind::Caustic);
-            PhotonMap::new(scene, photons, radius)
+            PhotonMap::new_reblocked(scene, photons, radius, edge(radius))
         });
-        let all = trace.kinds.iter().all(|kind| lighting.maps(*kind));
-        let photons = match all {
-            true => trace.photons,
-            false => trace.of(|kind| lighting.maps(kind)),
-        };
+        let photons = trace.into_those(|kind| lighting.maps(kind));
         Ok(Self {
-            global: PhotonMap::new(scene, photons, radii.global)?,
+            global: PhotonMap::new_reblocked(scene, photons, radii.global, edge(radii.global))?,
             caustic: caustic.transpose()?,
         })
     }

@@ -6,7 +6,7 @@ use crate::trace::sample::{Purpose, stream};
 use crate::trace::{TraceOptions, trace};
 use crate::view::ViewOptions;
 use glam::DVec3;
-use photoncube_spec::PHOTON_FORMATS;
+use photoncube_spec::{PHOTON_FORMATS, find_machine, find_photon_format};
 
 const CORNELL: &str = include_str!("../../scenes/cornell.json");
 
@@ -187,4 +187,45 @@ fn what_does_not_fit_together_is_an_error() {
         named("rays", "map", 8, "disc").check(&cornell, fixed),
         Ok(())
     );
+}
+
+/// A picture by an engine is the same from maps in its own blocks as from any, bit for bit, and so is its work. One channel's colour is a
+/// sum in the map's order.
+#[test]
+fn maps_in_the_blocks_of_an_engine_give_its_picture() {
+    let scene = spheres();
+    let lighting = named("map", "own:30", 0, "disc");
+    let options = TraceOptions {
+        photons: 40_000,
+        seed: 9,
+    };
+    let traced = trace(&scene, &options, &|_| ()).unwrap();
+    let radii = Radii::of(&scene, &traced, &lighting, 50.0);
+    let formats = ["local8-rgb8e5", "local8-mono16", "local7-mono5b3d"];
+    let formats = formats.map(|name| find_photon_format(name).unwrap());
+    let mut engines: Vec<_> = formats.iter().map(Engine::from).collect();
+    engines.push(find_machine("paper").unwrap().into());
+    for engine in engines {
+        let any = PhotonMaps::new(&scene, traced.clone(), &lighting, radii).unwrap();
+        let own = PhotonMaps::for_engine(&scene, traced.clone(), &lighting, radii, engine).unwrap();
+        assert!(own.caustic.is_some());
+        assert_eq!(own.global.edge(), engine.edge(radii.global));
+        let [any, own] = [any, own].map(|maps| {
+            let light = Light {
+                lighting: &lighting,
+                global: &maps.global,
+                caustic: maps.caustic.as_ref(),
+                estimator: &Estimator::FixedRadius,
+            };
+            let view = ViewOptions {
+                width: 24,
+                height: 24,
+                samples_per_axis: 1,
+                seed: 9,
+            };
+            render_lit(&scene, light, engine, &view, &|_| ()).unwrap()
+        });
+        assert_eq!(own.image, any.image);
+        assert_eq!(own.stats, any.stats);
+    }
 }

@@ -64,6 +64,16 @@ impl Groups {
         self.first[photon.surface as usize] + photon.facing.index() as u32
     }
 
+    /// The surface of a group.
+    pub fn surface(&self, group: u32) -> u32 {
+        self.surfaces[group as usize]
+    }
+
+    /// The facing of a group on its surface.
+    pub fn facing(&self, group: u32) -> Facing {
+        Facing::at(group - self.first[self.surface(group) as usize])
+    }
+
     /// The number of groups.
     pub fn count(&self) -> usize {
         self.normals.len()

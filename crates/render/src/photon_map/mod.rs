@@ -14,14 +14,18 @@ use rayon::prelude::*;
 
 use self::error::{check_edge, check_radius, outside};
 use self::groups::Groups;
+use self::sort::Unsorted;
 use crate::scene::Scene;
 use crate::trace::Photon;
 use crate::view::Front;
 
 mod error;
 mod groups;
+mod sort;
+mod stored;
 
 pub use self::error::MapError;
+pub use self::stored::StoredPhoton;
 
 /// The photons of one facing of one surface in one block, a slice of the map's order.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -94,7 +98,7 @@ pub struct PhotonMap {
     /// The scene's lowest corner, which is the middle of block (0, 0, 0). So the outermost walls do not run
     /// along the border of blocks, where rounding would spread them over two.
     low: DVec3,
-    photons: Vec<Photon>,
+    photons: Vec<StoredPhoton>,
     runs: Vec<Run>,
     rows: Rows,
     groups: Groups,
@@ -138,21 +142,55 @@ impl PhotonMap {
         radius: f64,
         edge: f64,
     ) -> Result<Self, MapError> {
+        Self::sorted(scene, photons, radius, [edge; 2])
+    }
+
+    /// The map that [`Self::new`] and then [`Self::reblocked`] give, sorted once. Its photons never take memory twice.
+    ///
+    /// # Errors
+    /// As for [`Self::with_edge`].
+    pub fn new_reblocked(
+        scene: &Scene,
+        photons: Vec<Photon>,
+        radius: f64,
+        edge: f64,
+    ) -> Result<Self, MapError> {
+        Self::sorted(scene, photons, radius, [edge, radius])
+    }
+
+    /// The map of `photons` in blocks of the first edge. The photons of a run are in the order of blocks of the second edge.
+    fn sorted(
+        scene: &Scene,
+        photons: Vec<Photon>,
+        radius: f64,
+        [edge, before]: [f64; 2],
+    ) -> Result<Self, MapError> {
         let [low, high] = scene.bounds();
         check_radius((high - low).max_element(), radius)?;
         check_edge(radius, edge)?;
-        let mut map = Self {
+        let mut map = Self::empty(Groups::of(scene, radius, Self::MIN_FACING_COSINE), radius);
+        (map.low, map.edge) = (low, edge);
+        map.check(&photons, high)?;
+        let groups = photons.par_iter().map(|photon| map.groups.group(photon));
+        let groups = groups.collect();
+        // The photons stay where they are, and then leave what they no longer need.
+        let mut photons: Vec<_> = photons.into_iter().map(StoredPhoton::from).collect();
+        photons.shrink_to_fit();
+        map.sort(Unsorted { photons, groups }, before);
+        Ok(map)
+    }
+
+    /// A map without photons.
+    fn empty(groups: Groups, radius: f64) -> Self {
+        Self {
             radius,
-            edge,
-            low,
+            edge: radius,
+            low: DVec3::ZERO,
             photons: Vec::new(),
             runs: Vec::new(),
             rows: Rows::default(),
-            groups: Groups::of(scene, radius, Self::MIN_FACING_COSINE),
-        };
-        map.check(&photons, high)?;
-        map.sort(photons);
-        Ok(map)
+            groups,
+        }
     }
 
     /// This map's photons in blocks of another edge.
@@ -167,78 +205,65 @@ impl PhotonMap {
     /// edges on each axis.
     pub(crate) fn reblocked_at(&self, edge: f64, shift: DVec3) -> Result<Self, MapError> {
         check_edge(self.radius, edge)?;
-        let mut map = Self {
-            edge,
-            low: self.low - shift * edge,
-            photons: Vec::new(),
-            runs: Vec::new(),
-            rows: Rows::default(),
-            groups: self.groups.clone(),
-            ..*self
+        let mut map = Self::empty(self.groups.clone(), self.radius);
+        (map.low, map.edge) = (self.low - shift * edge, edge);
+        let groups = self.runs.iter();
+        let groups = groups.flat_map(|run| run.photons().map(|_| run.group));
+        let unsorted = Unsorted {
+            photons: self.photons.clone(),
+            groups: groups.collect(),
         };
-        map.sort(self.photons.clone());
+        map.sort(unsorted, edge);
         Ok(map)
     }
 
+    /// Checks all photons and finds the first that is wrong.
     fn check(&self, photons: &[Photon], high: DVec3) -> Result<(), MapError> {
-        let error = |index, found: String, expected: &str| MapError::Photon {
-            index,
-            found,
-            expected: expected.to_owned(),
-        };
-        // A tenth of the radius covers any rounding of positions, and keeps indices positive.
-        let slack = 0.1 * self.radius;
-        for (index, photon) in photons.iter().enumerate() {
-            let power = photon.power;
-            if let Some(found) = outside(photon.position, self.low, high, slack) {
-                return Err(error(index, found, "one inside the scene"));
-            }
-            if !(power.is_finite() && power.cmpge(DVec3::ZERO).all()) {
-                return Err(error(index, format!("power {power}"), "numbers from 0 up"));
-            }
-            if photon.surface as usize >= self.groups.surfaces() {
-                let found = format!("surface {}", photon.surface);
-                let expected = format!("one of the scene's {}", self.groups.surfaces());
-                return Err(error(index, found, &expected));
-            }
-            let facings = self.groups.facings(photon.surface);
-            if photon.facing.index() >= facings {
-                let found = format!("facing {}", photon.facing.index());
-                let expected = format!("one of its surface's {facings}");
-                return Err(error(index, found, &expected));
-            }
-        }
-        Ok(())
-    }
-
-    fn sort(&mut self, photons: Vec<Photon>) {
-        // With the index as the last key the order is total, hence independent of the threads.
-        let mut order: Vec<(u64, u32, u32)> = photons
+        let found = photons
             .par_iter()
             .enumerate()
-            .map(|(index, p)| {
-                (
-                    self.block_key(p.position),
-                    self.groups.group(p),
-                    index as u32,
-                )
-            })
-            .collect();
-        order.par_sort_unstable();
-        self.photons = order
-            .par_iter()
-            .map(|&(.., index)| photons[index as usize])
-            .collect();
-        let mut start = 0;
-        for run in order.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
-            let end = start + run.len() as u32;
-            self.runs.push(Run {
-                block: run[0].0,
-                group: run[0].1,
-                photons: start..end,
+            .find_map_first(|(index, photon)| {
+                let (found, expected) = self.wrong(photon, high)?;
+                Some(MapError::Photon {
+                    index,
+                    found,
+                    expected,
+                })
             });
-            start = end;
+        found.map_or(Ok(()), Err)
+    }
+
+    /// What is wrong with a photon, and the legal values.
+    fn wrong(&self, photon: &Photon, high: DVec3) -> Option<(String, String)> {
+        // A tenth of the radius covers any rounding of positions, and keeps indices positive.
+        let slack = 0.1 * self.radius;
+        let power = photon.power;
+        if let Some(found) = outside(photon.position, self.low, high, slack) {
+            return Some((found, "one inside the scene".to_owned()));
         }
+        if !(power.is_finite() && power.cmpge(DVec3::ZERO).all()) {
+            return Some((format!("power {power}"), "numbers from 0 up".to_owned()));
+        }
+        let surfaces = self.groups.surfaces();
+        if photon.surface as usize >= surfaces {
+            let found = format!("surface {}", photon.surface);
+            return Some((found, format!("one of the scene's {surfaces}")));
+        }
+        let facings = self.groups.facings(photon.surface);
+        (photon.facing.index() >= facings).then(|| {
+            let found = format!("facing {}", photon.facing.index());
+            (found, format!("one of its surface's {facings}"))
+        })
+    }
+
+    /// Sorts photons into this map, which has none. The photons of a run are in the order of blocks of the edge `before`.
+    fn sort(&mut self, unsorted: Unsorted, before: f64) {
+        let by = |position, edge| block_key(self.in_blocks_of(position, edge));
+        let (photons, runs) = match before == self.edge {
+            true => unsorted.sorted(|at| [by(at, self.edge), 0]),
+            false => unsorted.sorted(|at| [by(at, self.edge), by(at, before)]),
+        };
+        (self.photons, self.runs) = (photons, runs);
         self.runs.iter().for_each(|run| self.rows.push(run.block()));
     }
 
@@ -256,8 +281,26 @@ impl PhotonMap {
 
     /// All photons, sorted by block, surface and facing.
     #[must_use]
-    pub fn photons(&self) -> &[Photon] {
+    pub fn photons(&self) -> &[StoredPhoton] {
         &self.photons
+    }
+
+    /// All photons as they were traced, in the map's order.
+    pub fn traced_photons(&self) -> impl Iterator<Item = Photon> {
+        let of_run = |run: &Run| {
+            let (surface, facing) = (
+                self.groups.surface(run.group),
+                self.groups.facing(run.group),
+            );
+            let photons = self.photons[run.photons()].iter();
+            photons.map(move |stored| Photon {
+                position: stored.position,
+                power: stored.power,
+                surface,
+                facing,
+            })
+        };
+        self.runs.iter().flat_map(of_run)
     }
 
     /// The number of blocks that hold at least one photon.
@@ -310,11 +353,12 @@ impl PhotonMap {
     /// results are bit-identical.
     #[inline]
     fn in_blocks(&self, position: DVec3) -> DVec3 {
-        (position - self.low + 0.5 * self.edge) / self.edge
+        self.in_blocks_of(position, self.edge)
     }
 
-    fn block_key(&self, position: DVec3) -> u64 {
-        key(self.place(position).0).expect("checked: inside the scene")
+    #[inline]
+    fn in_blocks_of(&self, position: DVec3, edge: f64) -> DVec3 {
+        (position - self.low + 0.5 * edge) / edge
     }
 
     /// The runs that a query at `position` on `front` gathers, by the rule stated at [`PhotonMap`]: those of the 27 blocks around it
@@ -335,10 +379,14 @@ impl PhotonMap {
         candidates.into_iter()
     }
 
-    /// The blocks of every run, by the index on each axis of the grid, with its group and its photons.
-    pub(crate) fn located_runs(&self) -> impl Iterator<Item = ([u64; 3], u32, Range<usize>)> {
-        let runs = self.runs.iter();
-        runs.map(|run| (run.block(), run.group, run.photons()))
+    /// The block of a run, by the index on each axis of the grid, and the run's group.
+    pub(crate) fn block_of_run(&self, run: usize) -> ([u64; 3], u32) {
+        (self.runs[run].block(), self.runs[run].group)
+    }
+
+    /// The photons of a run, as indices into [`Self::photons`].
+    pub(crate) fn photons_of_run(&self, run: usize) -> Range<usize> {
+        self.runs[run].photons()
     }
 
     /// For each group of photons of one facing, whether a query on that front gathers it.
@@ -367,6 +415,11 @@ impl PhotonMap {
                 .surface
                 .is_none_or(|surface| self.groups.are_joined(surface, group))
     }
+}
+
+/// The sort key of the block at a place, in block edges.
+fn block_key(place: DVec3) -> u64 {
+    key(floors(place).0).expect("checked: inside the scene")
 }
 
 /// The sort key of a block, by z, then y, then x; `None` outside the grid.

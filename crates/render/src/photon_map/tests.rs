@@ -1,4 +1,7 @@
 use proptest::prelude::*;
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+use rayon::ThreadPoolBuilder;
 
 use super::*;
 use crate::trace::{Facing, TraceOptions, trace};
@@ -26,15 +29,19 @@ fn nothing_is_lost_and_blocks_are_slices() {
     let map = PhotonMap::new(&scene(), photons.clone(), 0.1).unwrap();
     assert_eq!(map.photons().len(), photons.len());
     let sum = |photons: &[Photon]| photons.iter().map(|p| p.position).sum::<DVec3>();
+    let mapped: Vec<_> = map.traced_photons().collect();
     // 1e-6: sums of 20,000 coordinates in two orders.
-    assert!(sum(map.photons()).distance(sum(&photons)) < 1e-6);
+    assert!(sum(&mapped).distance(sum(&photons)) < 1e-6);
     let mut next = 0;
     for run in &map.runs {
         assert_eq!(run.photons.start, next);
         next = run.photons.end;
-        for photon in &map.photons[run.photons.start as usize..next as usize] {
+        for photon in &mapped[run.photons.start as usize..next as usize] {
             assert_eq!(
-                (map.block_key(photon.position), map.groups.group(photon)),
+                (
+                    block_key(map.in_blocks(photon.position)),
+                    map.groups.group(photon)
+                ),
                 (run.block, run.group)
             );
         }
@@ -46,13 +53,14 @@ fn nothing_is_lost_and_blocks_are_slices() {
 #[test]
 fn candidates_hold_every_facing_photon_in_range_and_no_other_facing() {
     let map = PhotonMap::new(&scene(), traced(), 0.2).unwrap();
-    for query in map.photons().iter().step_by(977) {
+    let photons: Vec<_> = map.traced_photons().collect();
+    for query in photons.iter().step_by(977) {
         let normal = faced(&map, query);
         let gathered: Vec<usize> = map
             .candidates(query.position, Front::of_any(normal))
             .flat_map(|c| c.photons)
             .collect();
-        for (index, photon) in map.photons().iter().enumerate() {
+        for (index, photon) in photons.iter().enumerate() {
             let faces = faced(&map, photon).dot(normal) > PhotonMap::MIN_FACING_COSINE;
             let in_range = photon.position.distance(query.position) <= 0.2;
             let is = gathered.binary_search(&index).is_ok();
@@ -65,8 +73,8 @@ fn candidates_hold_every_facing_photon_in_range_and_no_other_facing() {
 #[test]
 fn offsets_place_the_photon_in_the_query_frame() {
     let map = PhotonMap::new(&scene(), traced(), 0.3).unwrap();
-    for query in map.photons().iter().step_by(1001) {
-        let normal = faced(&map, query);
+    for query in map.traced_photons().step_by(1001) {
+        let normal = faced(&map, &query);
         let centre = map.in_blocks(query.position).floor();
         for c in map.candidates(query.position, Front::of_any(normal)) {
             let place = centre + DVec3::from(c.offset.map(f64::from)) - DVec3::ONE;
@@ -84,13 +92,13 @@ fn larger_blocks_hold_the_same_photons_in_range() {
     let larger = PhotonMap::with_edge(&scene(), traced(), radius, edge).unwrap();
     assert_eq!((larger.radius(), larger.edge()), (radius, edge));
     let count = |map: &PhotonMap, query: &Photon| {
-        let near = |p: &&Photon| p.position.distance(query.position) <= radius;
+        let near = |p: &&StoredPhoton| p.position.distance(query.position) <= radius;
         let runs = map.candidates(query.position, Front::of_any(faced(map, query)));
         let photons = runs.flat_map(|c| &map.photons()[c.photons]);
         photons.filter(near).count()
     };
-    for query in map.photons().iter().step_by(977) {
-        assert_eq!(count(&map, query), count(&larger, query));
+    for query in map.traced_photons().step_by(977) {
+        assert_eq!(count(&map, &query), count(&larger, &query));
     }
     let again = map.reblocked(edge).unwrap();
     assert_eq!(again.runs, larger.runs);
@@ -148,15 +156,15 @@ fn the_radius_for_a_count_finds_about_that_many() {
     let (scene, photons) = (scene(), traced());
     let radius = PhotonMap::radius_for(&scene, photons.len() as u64, 100.0);
     let map = PhotonMap::new(&scene, photons, radius).unwrap();
-    let in_range = |query: &Photon| {
-        let near = |p: &&Photon| p.position.distance(query.position) <= radius;
-        let facing = map.candidates(query.position, Front::of_any(faced(&map, query)));
+    let in_range = |query: Photon| {
+        let near = |p: &&StoredPhoton| p.position.distance(query.position) <= radius;
+        let facing = map.candidates(query.position, Front::of_any(faced(&map, &query)));
         facing
             .flat_map(|c| &map.photons()[c.photons])
             .filter(near)
             .count()
     };
-    let sampled: Vec<usize> = map.photons().iter().step_by(97).map(in_range).collect();
+    let sampled: Vec<usize> = map.traced_photons().step_by(97).map(in_range).collect();
     let mean = sampled.iter().sum::<usize>() as f64 / sampled.len() as f64;
     // Queries at photons favour dense places, so the mean is somewhat over 100.
     assert!((80.0..250.0).contains(&mean), "{mean}");
@@ -201,4 +209,77 @@ proptest! {
             }
         }
     }
+}
+
+/// Photons at few places and on few surfaces, in clusters of any size, with ties of all keys but the index.
+fn clustered(scene: &Scene, photons: usize, places: u32, seed: u64) -> Vec<Photon> {
+    let mut rng = Pcg64Mcg::seed_from_u64(seed);
+    let [low, high] = scene.bounds();
+    let photon = |index: usize| {
+        // The products crowd the lower places.
+        let place = DVec3::from([(); 3].map(|()| {
+            let place = rng.random_range(0..places) * rng.random_range(0..places);
+            f64::from(place) / f64::from(places * places)
+        }));
+        Photon {
+            position: low + place * (high - low),
+            power: DVec3::splat(index as f64),
+            surface: rng.random_range(0..3),
+            facing: Facing::FLAT,
+        }
+    };
+    (0..photons).map(photon).collect()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    /// The map's order is that of a plain stable sort, on any number of threads. The photons' powers tell them apart.
+    #[test]
+    fn the_order_is_that_of_a_stable_sort(
+        photons in prop_oneof![0_usize..10, 0_usize..30_000],
+        places in 1_u32..60,
+        stretch in prop_oneof![Just(1.0), 1.0..4.0],
+        seed: u64,
+    ) {
+        let (scene, radius) = (scene(), 0.07);
+        let edge = stretch * radius;
+        let photons = clustered(&scene, photons, places, seed);
+        let maps = [1, 2, 5].map(|threads| {
+            let pool = ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            pool.install(|| PhotonMap::new_reblocked(&scene, photons.clone(), radius, edge).unwrap())
+        });
+        let map = &maps[0];
+        prop_assert!(maps.iter().all(|other| other == map));
+        let block = |p: &Photon, edge| block_key(map.in_blocks_of(p.position, edge));
+        let mut expected = photons.clone();
+        expected.sort_by_key(|p| (block(p, edge), map.groups.group(p), block(p, radius)));
+        prop_assert_eq!(map.traced_photons().collect::<Vec<_>>(), expected);
+        let runs = expected_runs(map);
+        prop_assert_eq!(&map.runs, &runs);
+        let again = PhotonMap::new(&scene, photons.clone(), radius).unwrap();
+        prop_assert_eq!(&again.reblocked(edge).unwrap(), map);
+        let with_edge = PhotonMap::with_edge(&scene, photons.clone(), radius, edge).unwrap();
+        let mut expected = photons;
+        expected.sort_by_key(|p| (block(p, edge), map.groups.group(p)));
+        prop_assert_eq!(with_edge.traced_photons().collect::<Vec<_>>(), expected);
+    }
+}
+
+/// The runs of the map's photons, one after another.
+fn expected_runs(map: &PhotonMap) -> Vec<Run> {
+    let key = |p: &Photon| (block_key(map.in_blocks(p.position)), map.groups.group(p));
+    let photons: Vec<_> = map.traced_photons().collect();
+    let mut end = 0;
+    let run = |run: &[Photon]| {
+        let start = end;
+        end += run.len() as u32;
+        let (block, group) = key(&run[0]);
+        Run {
+            block,
+            group,
+            photons: start..end,
+        }
+    };
+    photons.chunk_by(|a, b| key(a) == key(b)).map(run).collect()
 }

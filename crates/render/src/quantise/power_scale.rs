@@ -2,9 +2,9 @@
 
 use glam::DVec3;
 use photoncube_spec::{Channels, PowerFormat, Rounding};
+use rayon::prelude::*;
 
-use crate::photon_map::PhotonMap;
-use crate::trace::Photon;
+use crate::photon_map::{PhotonMap, StoredPhoton};
 use crate::trace::sample::mix;
 
 /// The conversion of a map's powers to the integers of a format and back.
@@ -25,7 +25,8 @@ impl PowerScale {
     pub fn new(map: &PhotonMap, power: PowerFormat) -> Self {
         let full = f64::from((1_u32 << power.mantissa_bits) - 1);
         let exponent_range = power.exponent_range() as u8;
-        let largest = strongest(map.photons());
+        let powers = map.photons().par_iter().map(|p| p.power.max_element());
+        let largest = powers.reduce(|| 0.0, f64::max);
         let unit = largest / full / power_of_two(exponent_range);
         Self {
             // A subnormal unit would round differently; such powers are practically no light.
@@ -41,7 +42,7 @@ impl PowerScale {
     }
 
     /// The smallest exponent at which all of these photons fit.
-    pub fn exponent(&self, photons: &[Photon]) -> u8 {
+    pub fn exponent(&self, photons: &[StoredPhoton]) -> u8 {
         let value = strongest(photons) / self.unit;
         let fits = |exponent: &u8| {
             let mantissa = value / power_of_two(*exponent);
@@ -50,8 +51,13 @@ impl PowerScale {
                 Rounding::Dithered => mantissa <= self.full,
             }
         };
+        // The value is at least 2^k. With an exponent below the first, the mantissa would have more bits than full scale.
+        let biased = value.abs().to_bits() >> (f64::MANTISSA_DIGITS - 1);
+        let k = biased as i64 - i64::from(f64::MAX_EXP - 1);
+        let mantissa_bits = i64::from((self.full as u32).count_ones());
+        let first = (k - mantissa_bits + 1).clamp(0, self.exponent_range.into()) as u8;
         // At the largest exponent the map's strongest photon fits, by the choice of the unit.
-        let found = (0..self.exponent_range).find(fits);
+        let found = (first..self.exponent_range).find(fits);
         found.unwrap_or(self.exponent_range)
     }
 
@@ -84,13 +90,13 @@ impl PowerScale {
     }
 }
 
-fn strongest(photons: &[Photon]) -> f64 {
+fn strongest(photons: &[StoredPhoton]) -> f64 {
     let powers = photons.iter().map(|photon| photon.power.max_element());
     powers.fold(0.0, f64::max)
 }
 
 /// The colour of the photons' sum, with its strongest channel 1; white where there is no light.
-fn colour(photons: &[Photon]) -> DVec3 {
+fn colour(photons: &[StoredPhoton]) -> DVec3 {
     let sum: DVec3 = photons.iter().map(|photon| photon.power).sum();
     let strongest = sum.max_element();
     if strongest > 0.0 {
@@ -173,6 +179,35 @@ mod tests {
                         || (format.power.rounding == Rounding::Dithered && mantissa[0] + 1 == full),
                     "{name}"
                 );
+            }
+        }
+    }
+
+    /// The exponent is the first of all at which the power fits.
+    #[test]
+    fn exponents_are_the_smallest_that_fit() {
+        for name in [
+            "local8-rgb8e5",
+            "local8-rgb3e5d",
+            "local8-rgb1b1d",
+            "local8-rgb8",
+        ] {
+            let format = find_photon_format(name).unwrap();
+            let scale = PowerScale::new(&map_of_powers(&[DVec3::ONE]), format.power);
+            let powers = (0..=40).map(|k| 0.5_f64.powi(k));
+            let near = powers.flat_map(|p| [1.0, 0.999, 0.997, 0.75, 0.5001].map(|part| p * part));
+            for power in near.flat_map(|p| [p, p.next_down()]).chain([0.0]) {
+                let photon = map_of_powers(&[DVec3::splat(power)]).photons()[0];
+                let fits = |exponent: &u8| {
+                    let mantissa = power / scale.unit / power_of_two(*exponent);
+                    match format.power.rounding {
+                        Rounding::Nearest => mantissa.round() <= scale.full,
+                        Rounding::Dithered => mantissa <= scale.full,
+                    }
+                };
+                let smallest = (0..scale.exponent_range).find(fits);
+                let smallest = smallest.unwrap_or(scale.exponent_range);
+                assert_eq!(scale.exponent(&[photon]), smallest, "{name} {power}");
             }
         }
     }

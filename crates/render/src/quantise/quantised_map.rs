@@ -24,6 +24,7 @@
 
 use std::borrow::Cow;
 use std::ops::Range;
+use std::sync::OnceLock;
 
 use glam::DVec3;
 use photoncube_model::{Gather, GatherError, PhotonPlanes};
@@ -35,8 +36,7 @@ use rayon::prelude::*;
 use thiserror::Error;
 
 use super::power_scale::{PowerScale, power_of_two};
-use crate::photon_map::{Candidates, MapError, PhotonMap};
-use crate::trace::Photon;
+use crate::photon_map::{Candidates, MapError, PhotonMap, StoredPhoton};
 use crate::view::Front;
 
 /// The reason why a photon map has no form in these numbers.
@@ -57,8 +57,9 @@ pub struct QuantisedMap<'a> {
     gather: Gather,
     /// The search radius squared in squared fine steps, not rounded.
     exact_radius_sq: f64,
-    /// The stored photons, in the order of the map.
-    records: Vec<PhotonRecord>,
+    /// The stored photons, in the order of the map. In a photon format they are made when they are first asked for, because the
+    /// fast gather does without.
+    records: OnceLock<Vec<PhotonRecord>>,
     /// The stored photons of a photon format in planes, run by run, for the fast gather.
     planes: Option<PhotonPlanes>,
     /// The exponents of blocks; empty where a photon has its own, or none.
@@ -88,23 +89,52 @@ impl<'a> QuantisedMap<'a> {
             Exponent::Block { .. } => block_exponents(&map, &scale),
             Exponent::None | Exponent::Photon { .. } => Vec::new(),
         };
-        let record = |(index, photon)| {
-            let block_exponent = exponent_of(&exponents, index);
-            record(&map, numbers, &scale, block_exponent, photon)
-        };
-        let photons = map.photons().par_iter().enumerate();
-        let records: Vec<_> = photons.map(record).collect();
-        let planes = numbers.format();
-        let planes = planes.map(|format| planes_of(&map, format, &records, &exponents));
-        Ok(Self {
+        let mut quantised = Self {
             exact_radius_sq: exact_radius_sq(&map, numbers),
-            planes: planes.transpose()?,
-            records,
+            records: OnceLock::new(),
+            planes: None,
             gather,
             exponents,
             scale,
             map,
-        })
+        };
+        match numbers.format() {
+            Some(format) => quantised.planes = Some(quantised.planes_of(format)?),
+            None => quantised.records = quantised.all_records().into(),
+        }
+        Ok(quantised)
+    }
+
+    /// All photons in the map's order, made in parallel.
+    fn all_records(&self) -> Vec<PhotonRecord> {
+        let photons = (0..self.map.photons().len()).into_par_iter();
+        photons
+            .map(|photon| self.record(photon, self.block_exponent(photon)))
+            .collect()
+    }
+
+    /// The stored form of a photon whose block has that exponent.
+    pub(super) fn record(&self, photon: usize, block_exponent: u8) -> PhotonRecord {
+        let photon = &self.map.photons()[photon];
+        let exponent = match self.numbers().power().exponent {
+            Exponent::Photon { .. } => self.scale.exponent(std::slice::from_ref(photon)),
+            Exponent::None | Exponent::Block { .. } => 0,
+        };
+        let fraction = self.map.place(photon.position).1;
+        let bits = self.numbers().position_bits();
+        let position = in_steps(fraction, bits).map(|cell| cell as u16);
+        PhotonRecord {
+            position,
+            mantissa: self
+                .scale
+                .mantissa(photon.power, block_exponent + exponent, position),
+            exponent,
+        }
+    }
+
+    /// The exponent of the block of a photon; 0 where blocks have none.
+    pub(super) fn block_exponent(&self, photon: usize) -> u8 {
+        exponent_of(&self.exponents, photon)
     }
 
     /// The edge of blocks, in scene units, with which `radius` is exact in the format.
@@ -148,7 +178,12 @@ impl<'a> QuantisedMap<'a> {
     /// The stored photons, in the order of [`Self::map`].
     #[must_use]
     pub fn records(&self) -> &[PhotonRecord] {
-        &self.records
+        // One thread makes them: in the thread pool, it could be given a task that waits for them.
+        self.records.get_or_init(|| {
+            let photons = 0..self.map.photons().len();
+            let records = photons.map(|photon| self.record(photon, self.block_exponent(photon)));
+            records.collect()
+        })
     }
 
     /// The number of photons whose power rounds to 0 in every channel: they are counted where they are in range, and give no light.
@@ -158,9 +193,10 @@ impl<'a> QuantisedMap<'a> {
         if self.numbers().power().rounding == Rounding::Dithered {
             return 0;
         }
-        let photons = self.map.photons().iter().zip(&self.records);
-        let is_lost = |(photon, record): &(&Photon, &PhotonRecord)| {
-            record.mantissa == [0; 3] && photon.power != DVec3::ZERO
+        let photons = (0..self.map.photons().len()).into_par_iter();
+        let is_lost = |photon: &usize| {
+            let record = self.record(*photon, self.block_exponent(*photon));
+            record.mantissa == [0; 3] && self.map.photons()[*photon].power != DVec3::ZERO
         };
         photons.filter(is_lost).count() as u64
     }
@@ -220,7 +256,7 @@ impl<'a> QuantisedMap<'a> {
              }| PhotonBlock {
                 offset,
                 exponent: exponent_of(&self.exponents, photons.start),
-                photons: &self.records[photons],
+                photons: &self.records()[photons],
             },
         )
     }
@@ -267,7 +303,11 @@ impl<'a> QuantisedMap<'a> {
 
     /// Every photon that a query gathers, before rounding, with the in-range decision of the integers.
     /// Misclassified photons are counted from these.
-    pub fn verdicts(&self, position: DVec3, front: Front) -> impl Iterator<Item = (&Photon, bool)> {
+    pub fn verdicts(
+        &self,
+        position: DVec3,
+        front: Front,
+    ) -> impl Iterator<Item = (&StoredPhoton, bool)> {
         let query = self.query(position);
         let runs = self.map.candidates(position, front);
         runs.flat_map(
@@ -275,7 +315,7 @@ impl<'a> QuantisedMap<'a> {
                       offset, photons, ..
                   }| {
                 photons.map(move |index| {
-                    let record = &self.records[index];
+                    let record = &self.records()[index];
                     let in_range = self.gather.in_range(&query, offset, record);
                     (&self.map.photons()[index], in_range)
                 })
@@ -286,7 +326,7 @@ impl<'a> QuantisedMap<'a> {
     /// The flux of a stored photon, with `index` as in [`Self::records`].
     #[must_use]
     pub fn power(&self, index: usize) -> DVec3 {
-        let mantissa = DVec3::from(self.records[index].mantissa.map(f64::from));
+        let mantissa = DVec3::from(self.records()[index].mantissa.map(f64::from));
         self.scale
             .flux(mantissa * power_of_two(self.exponent(index)))
     }
@@ -303,7 +343,7 @@ impl<'a> QuantisedMap<'a> {
     /// [`Self::records`].
     #[must_use]
     pub fn exponent(&self, index: usize) -> u8 {
-        exponent_of(&self.exponents, index) + self.records[index].exponent
+        exponent_of(&self.exponents, index) + self.records()[index].exponent
     }
 }
 
@@ -345,77 +385,6 @@ fn exponent_of(exponents: &[BlockExponent], photon: usize) -> u8 {
     let next = exponents.partition_point(|block| block.start <= photon);
     let block = next.checked_sub(1).map(|block| exponents[block]);
     block.map_or(0, |block| block.exponent)
-}
-
-/// The photons in planes, made in parallel by parts.
-fn planes_of(
-    map: &PhotonMap,
-    format: &PhotonFormat,
-    records: &[PhotonRecord],
-    exponents: &[BlockExponent],
-) -> Result<PhotonPlanes, FormatError> {
-    /// The runs of a part, some hundred thousand photons. The parts are joined one after another.
-    const PART_RUNS: usize = 4096;
-    let none = PhotonPlanes::new(format)?;
-    let edge = none.cube_edge();
-    let cubed = |(block, group, photons): ([u64; 3], u32, Range<usize>)| CubedRun {
-        cube: block.map(|at| at / u64::from(edge)),
-        group,
-        block: PhotonBlock {
-            offset: block.map(|at| at as u32 % edge),
-            exponent: exponent_of(exponents, photons.start),
-            photons: &records[photons],
-        },
-    };
-    let mut runs: Vec<_> = map.located_runs().map(cubed).collect();
-    runs.par_sort_by_key(CubedRun::key);
-    let runs: Vec<_> = runs.chunk_by(|a, b| a.key() == b.key()).collect();
-    let part = |runs: &[&[CubedRun]]| {
-        let mut planes = none.clone();
-        for run in runs {
-            let blocks: Vec<_> = run.iter().map(|run| run.block).collect();
-            let stored = planes.push_run(run[0].cube, run[0].group, &blocks);
-            stored.expect("rounded to the format");
-        }
-        planes
-    };
-    let parts: Vec<_> = runs.par_chunks(PART_RUNS).map(part).collect();
-    Ok(parts.iter().fold(none, PhotonPlanes::joined))
-}
-
-/// A run of the map in its cube of blocks.
-struct CubedRun<'a> {
-    cube: [u64; 3],
-    group: u32,
-    block: PhotonBlock<'a>,
-}
-
-impl CubedRun<'_> {
-    /// The order of the runs in the planes.
-    fn key(&self) -> ([u64; 3], u32) {
-        let [x, y, z] = self.cube;
-        ([z, y, x], self.group)
-    }
-}
-
-fn record(
-    map: &PhotonMap,
-    numbers: &Numbers,
-    scale: &PowerScale,
-    block_exponent: u8,
-    photon: &Photon,
-) -> PhotonRecord {
-    let exponent = match numbers.power().exponent {
-        Exponent::Photon { .. } => scale.exponent(std::slice::from_ref(photon)),
-        Exponent::None | Exponent::Block { .. } => 0,
-    };
-    let fraction = map.place(photon.position).1;
-    let position = in_steps(fraction, numbers.position_bits()).map(|cell| cell as u16);
-    PhotonRecord {
-        position,
-        mantissa: scale.mantissa(photon.power, block_exponent + exponent, position),
-        exponent,
-    }
 }
 
 /// A fraction of a block's edge in steps of 2^-`bits`, below 2^bits also where rounding makes the fraction

@@ -132,6 +132,17 @@ impl Engine<'_> {
         }
     }
 
+    /// The edge of the blocks (scene units) in which the engine gathers, for a search radius (scene units).
+    #[must_use]
+    pub fn edge(self, radius: f64) -> f64 {
+        let format = match &self {
+            Self::F64 => None,
+            Self::Integers(numbers, _) => numbers.format(),
+            Self::Hardware(machine, _) => machine.numbers.format(),
+        };
+        format.map_or(radius, |format| QuantisedMap::edge_for(format, radius))
+    }
+
     /// The number of the machine's iterations for that many photons; 0 without a machine.
     fn groups(self, photons: u64) -> u64 {
         let (Self::Integers(_, Some(machine)) | Self::Hardware(machine, _)) = self else {

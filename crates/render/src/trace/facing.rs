@@ -61,9 +61,14 @@ impl Facing {
         self.0.into()
     }
 
+    /// The facing of that index among the surface's facings.
+    pub(crate) fn at(index: u32) -> Self {
+        Self(index as u8)
+    }
+
     /// All facings of a curved surface.
     pub(crate) fn all() -> impl Iterator<Item = Self> {
-        (0..Self::COUNT).map(|cell| Self(cell as u8))
+        (0..Self::COUNT as u32).map(Self::at)
     }
 }
 

@@ -114,6 +114,14 @@ impl PhotonTrace {
         both.filter_map(|(photon, kind)| wanted(*kind).then_some(*photon))
             .collect()
     }
+
+    /// The photons of [`Self::of`], in the memory of all photons.
+    #[must_use]
+    pub fn into_those(mut self, wanted: impl Fn(PathKind) -> bool) -> Vec<Photon> {
+        let mut kinds = self.kinds.into_iter();
+        self.photons.retain(|_| kinds.next().is_some_and(&wanted));
+        self.photons
+    }
 }
 
 /// The reason why tracing failed.
@@ -138,9 +146,8 @@ pub enum TraceError {
     },
 }
 
-/// The most photons that may be requested, which bounds memory. A photon takes 125 bytes at the peak, while
-/// it is sorted into blocks (measured with 20 million), so this many take 17 GB. A `u32` counts them with
-/// room for the last batch.
+/// The most photons that may be requested, which bounds memory. A photon takes up to 64 bytes until it is in a map and in the numbers
+/// of an engine (`crates/render/tests/memory.rs`), so this many take 8.6 GB. A `u32` counts them with room for the last batch.
 pub const MAX_PHOTONS: u64 = 1 << 27;
 
 /// Traces paths until at least `options.photons` photons are stored.
@@ -179,7 +186,11 @@ pub fn trace(
             found
         };
         let tasks = (0..BATCH_PATHS / TASK_PATHS).into_par_iter().map(task);
-        for (photon, kind) in tasks.collect::<Vec<_>>().into_iter().flatten() {
+        let found: Vec<_> = tasks.collect();
+        let count = found.iter().map(Vec::len).sum();
+        make_room(&mut photons, count, options.photons);
+        make_room(&mut kinds, count, options.photons);
+        for (photon, kind) in found.into_iter().flatten() {
             photons.push(photon);
             kinds.push(kind);
         }
@@ -192,6 +203,8 @@ pub fn trace(
             });
         }
     }
+    photons.shrink_to_fit();
+    kinds.shrink_to_fit();
     let share = 1.0 / paths as f64;
     photons
         .iter_mut()
@@ -201,6 +214,15 @@ pub fn trace(
         kinds,
         paths,
     })
+}
+
+/// Makes room for `count` values more: at the first batch for the `asked` values, at the last for what exceeds them. A list that
+/// grows by doubling takes up to three times its memory.
+fn make_room<T>(list: &mut Vec<T>, count: usize, asked: u64) {
+    if list.capacity() - list.len() < count {
+        let missing = (asked as usize).saturating_sub(list.len());
+        list.reserve_exact(count.max(missing));
+    }
 }
 
 /// Follows one path. The powers stored are those of a path that carries the light's whole power.

@@ -176,12 +176,13 @@ fn one_rung_is_the_fixed_radius() {
 #[test]
 fn in_f64_every_form_is_the_brute_force() {
     let (scene, map) = scene_and_map();
+    let photons: Vec<_> = map.traced_photons().collect();
     let queries = view_queries(&scene, &VIEW).unwrap();
     let ladder = Ladder::new(Kernel::Cone, 4).unwrap();
     let forms = ["knn:20", "cone", "epanechnikov", "ladder:4:cone"];
     let found = forms.map(|form| estimates(&form.parse().unwrap(), Engine::F64));
     for (index, query) in queries.iter().enumerate() {
-        let all = Neighbourhood::brute_force(&scene, map.photons(), query, map.radius());
+        let all = Neighbourhood::brute_force(&scene, &photons, query, map.radius());
         let radius = map.radius();
         let k_nearest = all.k_nearest(20, Kernel::Rectangle).unwrap();
         let expected = [

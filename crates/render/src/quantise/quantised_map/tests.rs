@@ -71,7 +71,7 @@ fn powers_use_the_whole_range_and_round_to_nearest() {
 #[test]
 fn photons_that_lose_their_power_are_counted() {
     let scene = Scene::built_in("cornell").unwrap();
-    let mut photons = map().photons().to_vec();
+    let mut photons: Vec<_> = map().traced_photons().collect();
     let powers = photons.iter().map(|photon| photon.power.max_element());
     photons[0].power = DVec3::splat(1e6 * powers.fold(0.0, f64::max));
     let others = photons.len() as u64 - 1;
@@ -141,7 +141,7 @@ fn a_machine_sums_what_its_format_does() {
     for machine in MACHINES {
         let quantised = QuantisedMap::new(&map, &machine.numbers).unwrap();
         let mut in_range = 0;
-        for photon in map.photons().iter().step_by(97) {
+        for photon in map.traced_photons().step_by(97) {
             let normal = scene.surfaces()[photon.surface as usize]
                 .geometry
                 .flat_normal()
